@@ -1,0 +1,35 @@
+# How aisle itself is compiled. Nothing here reaches a project that uses the installed libraries.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+set_property(GLOBAL PROPERTY GLOBAL_DEPENDS_NO_CYCLES ON)
+
+find_program(AISLE_CCACHE ccache)
+if(AISLE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${AISLE_CCACHE}")
+endif()
+
+add_library(aisle_build INTERFACE)
+# The same bits on every machine: one instruction set, no contraction to fused multiply-adds.
+target_compile_options(aisle_build INTERFACE -ffp-contract=off)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  target_compile_options(aisle_build INTERFACE -march=x86-64-v2)
+endif()
+
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)
+  target_compile_options(aisle_build INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC 12 reports overlaps inside std::string's operator+ that cannot happen (GCC bug 105651).
+    target_compile_options(aisle_build INTERFACE -Wno-restrict)
+  endif()
+endif()
+
+set(AISLE_SANITIZE "" CACHE STRING "Sanitizers to compile with, e.g. address,undefined")
+if(AISLE_SANITIZE)
+  target_compile_options(aisle_build INTERFACE -fsanitize=${AISLE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(aisle_build INTERFACE -fsanitize=${AISLE_SANITIZE})
+endif()

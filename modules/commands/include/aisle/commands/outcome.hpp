@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "aisle/core/progress.hpp"
+#include "aisle/core/result.hpp"
+
+namespace aisle {
+
+/// What a verb did. The same for every verb; printed as text for people or as one JSON object for machines.
+struct Outcome {
+  std::string verb;
+  bool ok = true;  ///< false: the mission failed (exit code 1); the figures are there all the same
+  nlohmann::ordered_json figures = nlohmann::ordered_json::object();
+  std::map<std::string, std::string> files;  ///< what was written: role -> path
+  std::string text;                          ///< for people
+};
+
+/// {"verb": ..., "ok": ..., "figures": {...}, "files": {...}} on one line.
+std::string to_json(const Outcome& outcome);
+
+/// What a verb may use of its surroundings.
+struct Console {
+  Progress& progress;
+  std::function<void(const std::string&)> warn;
+};
+
+}  // namespace aisle

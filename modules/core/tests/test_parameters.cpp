@@ -1,0 +1,73 @@
+#include <gmock/gmock.h>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/core/parameters.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+struct Inner {
+  int tries = 3;
+  bool careful = true;
+  void describe(FieldList& fields) {
+    fields.count("tries", tries, {1, 10}, "how often");
+    fields.flag("careful", careful, "slower and surer");
+  }
+};
+
+struct Params {
+  double reach_m = 2;
+  double opening_rad = 10 * kDegree;
+  Inner inner;
+  void describe(FieldList& fields) {
+    fields.real("reach_m", reach_m, {0, 5}, "how far");
+    fields.angle("opening_deg", opening_rad, {0, 90}, "how wide");
+    fields.group("inner", inner);
+  }
+};
+
+TEST(Parameters, AssignsEveryKindOfFieldByItsDottedKey) {
+  Params params;
+  FieldList fields = fields_of(params);
+  EXPECT_THAT(fields.assign("reach_m", "4.5", {}), IsEmpty());
+  EXPECT_THAT(fields.assign("opening_deg", "45", {}), IsEmpty());
+  EXPECT_THAT(fields.assign("inner.tries", "7", {}), IsEmpty());
+  EXPECT_THAT(fields.assign("inner.careful", "false", {}), IsEmpty());
+  EXPECT_DOUBLE_EQ(params.reach_m, 4.5);
+  EXPECT_DOUBLE_EQ(params.opening_rad, kPi / 4);
+  EXPECT_EQ(params.inner.tries, 7);
+  EXPECT_FALSE(params.inner.careful);
+}
+
+TEST(Parameters, PrintsValuesInTheUnitOfTheKey) {
+  Params params;
+  const FieldList fields = fields_of(params);
+  EXPECT_EQ(fields.all()[1].key, "opening_deg");
+  EXPECT_EQ(fields.all()[1].value_text(), "10");
+}
+
+TEST(Parameters, AnUnknownKeyNamesTheNearestOne) {
+  Params params;
+  const Problems problems = fields_of(params).assign("inner.trys", "1", {"my.yaml", 7, ""});
+  ASSERT_THAT(problems, SizeIs(1));
+  EXPECT_EQ(to_string(problems[0]), "my.yaml:7: inner.trys: unknown key (nearest known key: inner.tries)");
+}
+
+TEST(Parameters, BadValuesNameTheRangeAndLeaveTheFieldAlone) {
+  Params params;
+  FieldList fields = fields_of(params);
+  EXPECT_THAT(to_string(fields.assign("reach_m", "5.1", {})), HasSubstr("5.1 is outside 0 .. 5"));
+  EXPECT_THAT(to_string(fields.assign("reach_m", "nan", {})), HasSubstr("not a number"));
+  EXPECT_THAT(to_string(fields.assign("reach_m", "3m", {})), HasSubstr("not a number"));
+  EXPECT_THAT(to_string(fields.assign("inner.tries", "2.5", {})), HasSubstr("not a whole number"));
+  EXPECT_THAT(to_string(fields.assign("inner.careful", "2", {})), HasSubstr("not true or false"));
+  EXPECT_DOUBLE_EQ(params.reach_m, 2);
+  EXPECT_EQ(params.inner.tries, 3);
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/geometry/pose2.hpp"
+
+namespace aisle {
+
+/// A straight piece of wall in the plane [m]. Directed: the side it was seen from lies on its LEFT.
+struct Segment2 {
+  Vec2 start = Vec2::Zero();
+  Vec2 end = Vec2::Zero();
+
+  double length() const { return (end - start).norm(); }
+  Vec2 midpoint() const { return (start + end) / 2; }
+  /// Direction from start to end [rad].
+  double heading() const { return std::atan2(end.y() - start.y(), end.x() - start.x()); }
+  Segment2 reversed() const { return {end, start}; }
+};
+
+inline Segment2 operator*(const Pose2& T, const Segment2& s) {
+  return {T * s.start, T * s.end};
+}
+
+/// A range on a line [m]; min <= max.
+struct Interval {
+  double min = 0;
+  double max = 0;
+
+  double length() const { return max - min; }
+  Interval united(const Interval& other) const { return {std::min(min, other.min), std::max(max, other.max)}; }
+  /// Length of the common part; negative: the gap between the two.
+  double overlap(const Interval& other) const { return std::min(max, other.max) - std::max(min, other.min); }
+};
+
+}  // namespace aisle

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "aisle/geometry/segment2.hpp"
+
+namespace aisle {
+
+/// What the end of a wall segment is known to be.
+enum class WallEnd {
+  kSeen,     ///< a true end: a corner, or the wall stops and something behind it was seen
+  kUnknown,  ///< only the limit of sight: the wall may go on
+};
+
+/// One straight wall face. The free side, from which it was seen, lies on the LEFT of start -> end.
+struct Wall {
+  Segment2 segment;  ///< in `map` [m]
+  bool is_orthogonal = false;  ///< lies exactly on the map's axes; else oblique, with a direction of its own
+  WallEnd start = WallEnd::kUnknown;
+  WallEnd end = WallEnd::kUnknown;
+  int sightings = 0;   ///< in how many keyframes the wall was seen
+  double sigma_m = 0;  ///< standard deviation of its position across itself
+};
+
+/// The walls of a building as a compact map. In `map` the dominant orthogonal directions, if there are any, are
+/// the axes.
+struct WallMap {
+  std::vector<Wall> walls;
+
+  /// Share of the total wall length that lies on the axes, 0 .. 1; 0 for an empty map.
+  double orthogonal_share() const;
+  /// Total length of all walls [m].
+  double length_m() const;
+};
+
+}  // namespace aisle

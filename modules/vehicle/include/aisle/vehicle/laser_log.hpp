@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "aisle/geometry/pose2.hpp"
+
+namespace aisle {
+
+/// How a 2-D laser scanner sits on the vehicle and what its readings mean.
+struct LaserScanner {
+  double first_angle_rad = 0;  ///< beam 0 in the laser's frame; 0 is straight ahead
+  double angle_step_rad = 0;   ///< from one beam to the next, counter-clockwise
+  double range_max_m = 0;      ///< a reading of this or more means "nothing seen"
+  Pose2 T_vehicle_laser;
+
+  double beam_angle(std::size_t beam) const { return first_angle_rad + angle_step_rad * static_cast<double>(beam); }
+};
+
+struct LaserScan {
+  double stamp_s = 0;            ///< as recorded; recorded clocks may jump back
+  double time_s = 0;             ///< never decreasing: the recorded clock where it makes sense, mended where not
+  std::vector<float> ranges_m;   ///< one a beam; 0: nothing usable
+  std::size_t odometry_known = 0;  ///< how many odometry samples had been recorded when this scan was
+};
+
+struct OdometrySample {
+  double time_s = 0;  ///< on the same mended clock as the scans
+  Pose2 T_odom_vehicle;
+};
+
+/// What a vehicle with a laser scanner recorded on one trip, in the order of recording.
+struct LaserLog {
+  LaserScanner laser;
+  std::vector<LaserScan> scans;
+  std::vector<OdometrySample> odometry;
+
+  /// Median time from one scan to the next [s]; 0 with fewer than two scans.
+  double scan_period_s() const;
+};
+
+}  // namespace aisle
