@@ -1,0 +1,23 @@
+#pragma once
+/// Worlds of the simulator as files. docs/formats/world.md specifies both formats.
+
+#include <filesystem>
+#include <string>
+
+#include "aisle/core/result.hpp"
+#include "aisle/simulation/world.hpp"
+
+namespace aisle {
+
+/// Reads a world file; all its problems are reported together, each with its line and key.
+Result<World> read_world(const std::filesystem::path& path);
+
+/// The world as the text of a world file, walls that follow each other joined to polylines. Coordinates are
+/// rounded to millimetres.
+std::string world_yaml(const World& world);
+
+/// Reads a floor given as wall segments, "x1 y1 x2 y2 kind" a line. The world is named after the file; it has
+/// no tour.
+Result<World> read_wall_segments(const std::filesystem::path& path);
+
+}  // namespace aisle

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "aisle/core/problem.hpp"
+
+namespace aisle {
+
+/// The problems of one file. Keeps the first 20 and counts the rest: a file of the wrong kind has one a line.
+class ProblemList {
+ public:
+  explicit ProblemList(std::string file) : file_(std::move(file)) {}
+
+  void add(long line, std::string what) { add(line, "", std::move(what)); }
+  void add(long line, std::string key, std::string what);
+  /// A problem whose place is already known.
+  void add(Problem problem);
+
+  bool empty() const { return count_ == 0; }
+  /// The first 20 and, if there were more, a last one that says how many.
+  Problems take();
+
+ private:
+  std::string file_;
+  Problems first_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace aisle
