@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "aisle/core/random.hpp"
+#include "aisle/geometry/camera_model.hpp"
+
+namespace aisle {
+namespace {
+
+/// Lenses from barrel to pincushion on a 640 x 480 picture of 50 degrees; none folds back within the picture.
+CameraIntrinsics any_lens(Random& random) {
+  CameraIntrinsics lens;
+  lens.fx_px = random.uniform(660, 700);
+  lens.fy_px = random.uniform(660, 700);
+  lens.cx_px = random.uniform(310, 330);
+  lens.cy_px = random.uniform(230, 250);
+  lens.k1 = random.uniform(-0.25, 0.3);
+  lens.k2 = random.uniform(-0.02, 0.05);
+  lens.p1 = random.uniform(-0.005, 0.005);
+  lens.p2 = random.uniform(-0.005, 0.005);
+  lens.k3 = random.uniform(-0.005, 0.01);
+  return lens;
+}
+
+/// Coefficients such as a failed calibration may give.
+CameraIntrinsics any_wild_lens(Random& random) {
+  CameraIntrinsics lens = any_lens(random);
+  lens.k1 = random.uniform(-3, 3);
+  lens.k2 = random.uniform(-3, 3);
+  lens.k3 = random.uniform(-3, 3);
+  return lens;
+}
+
+Vec2 any_pixel(Random& random) {
+  return {random.uniform(-0.5, 639.5), random.uniform(-0.5, 479.5)};
+}
+
+TEST(CameraModel, WithoutDistortionByHand) {
+  const CameraModel camera(CameraIntrinsics{500, 400, 320, 240});
+  EXPECT_EQ(camera.project({0, 0, 3}), Vec2(320, 240));
+  EXPECT_EQ(camera.project({1, 0.5, 2}), Vec2(570, 340));  // right of and below the axis
+  EXPECT_EQ(camera.ray({570, 340})->direction, Vec3(0.5, 0.25, 1));
+}
+
+TEST(CameraModel, WithDistortionByHand) {
+  // x = 0.5, y = 0.25, r^2 = 0.3125: radial factor 1 - 0.0625 + 0.009765625, tangential parts
+  // 2 * 0.01 * 0.125 - 0.02 * (0.3125 + 0.5) and 0.01 * (0.3125 + 0.125) - 2 * 0.02 * 0.125.
+  const CameraModel camera(CameraIntrinsics{500, 400, 320, 240, -0.2, 0.1, 0.01, -0.02, 0});
+  const auto pixel = camera.project({1, 0.5, 2});
+  ASSERT_TRUE(pixel);
+  EXPECT_NEAR(pixel->x(), 320 + 500 * (0.5 * 0.947265625 + 0.0025 - 0.01625), 1e-10);
+  EXPECT_NEAR(pixel->y(), 240 + 400 * (0.25 * 0.947265625 + 0.004375 - 0.005), 1e-10);
+}
+
+TEST(CameraModel, TheThirdRadialCoefficientComesLast) {
+  const CameraModel camera(CameraIntrinsics{500, 500, 0, 0, 0, 0, 0, 0, 0.5});
+  EXPECT_NEAR(camera.project({0.5, 0, 1})->x(), 500 * 0.5 * (1 + 0.5 * std::pow(0.5, 6)), 1e-10);
+}
+
+RC_GTEST_PROP(CameraModel, ProjectUndoesRay, (std::uint64_t seed)) {
+  Random random(seed);
+  const CameraModel camera(any_lens(random));
+  const Vec2 pixel = any_pixel(random);
+  const auto ray = camera.ray(pixel);
+  RC_ASSERT(ray.has_value());
+  const auto again = camera.project(random.uniform(0.1, 20) * ray->direction);
+  RC_ASSERT(again.has_value());
+  RC_ASSERT((*again - pixel).norm() < 1e-8);
+}
+
+RC_GTEST_PROP(CameraModel, RayUndoesProject, (std::uint64_t seed)) {
+  Random random(seed);
+  const CameraModel camera(any_lens(random));
+  const Vec3 direction{random.uniform(-0.6, 0.6), random.uniform(-0.5, 0.5), 1};
+  const auto pixel = camera.project(direction);
+  RC_ASSERT(pixel.has_value());
+  const auto ray = camera.ray(*pixel);
+  RC_ASSERT(ray.has_value());
+  RC_ASSERT((ray->direction - direction).norm() < 1e-10);
+}
+
+RC_GTEST_PROP(CameraModel, AWildLensHasTheRightRayOrNone, (std::uint64_t seed)) {
+  Random random(seed);
+  const CameraModel camera(any_wild_lens(random));
+  const Vec2 pixel = any_pixel(random);
+  const auto ray = camera.ray(pixel);
+  if (!ray) return;
+  const auto again = camera.project(ray->direction);
+  RC_ASSERT(again.has_value());
+  RC_ASSERT((*again - pixel).norm() < 1e-8);
+}
+
+RC_GTEST_PROP(CameraModel, RayDerivativeMatchesNumericalDifferences, (std::uint64_t seed)) {
+  Random random(seed);
+  const CameraModel camera(any_lens(random));
+  const Vec2 pixel = any_pixel(random);
+  constexpr double kStep = 1e-3;
+  Mat2 numerical;
+  for (int i = 0; i < 2; ++i) {
+    const Vec2 nudge = kStep * Vec2::Unit(i);
+    numerical.col(i) =
+        (camera.ray(pixel + nudge)->direction - camera.ray(pixel - nudge)->direction).head<2>() / (2 * kStep);
+  }
+  RC_ASSERT((camera.ray(pixel)->by_pixel - numerical).norm() < 1e-6 * numerical.norm());
+}
+
+TEST(CameraModel, NothingBehindOrBesideTheCameraIsSeen) {
+  const CameraModel camera(CameraIntrinsics{});
+  EXPECT_FALSE(camera.project({0, 0, -1}));
+  EXPECT_FALSE(camera.project({1, 0, 0}));
+  EXPECT_FALSE(camera.project({0, 0, std::numeric_limits<double>::quiet_NaN()}));
+}
+
+TEST(CameraModel, WhereTheDistortionFoldsBackThereIsNoPixelAndNoRay) {
+  // r (1 - r^2 / 3) grows up to r = 1, where it is 2/3.
+  CameraIntrinsics lens{500, 500, 0, 0};
+  lens.k1 = -1.0 / 3;
+  const CameraModel camera(lens);
+  EXPECT_TRUE(camera.project({0.999, 0, 1}));
+  EXPECT_FALSE(camera.project({1.001, 0, 1}));
+  EXPECT_FALSE(camera.project({1.5, 0, 1}));
+  EXPECT_NEAR(camera.ray({0.999 * 500 * 2 / 3, 0})->direction.x(), 1, 0.05);
+  EXPECT_FALSE(camera.ray({1.001 * 500 * 2 / 3, 0}));
+}
+
+TEST(CameraModel, AFoldThatHigherTermsUnfoldAgainIsStillAFold) {
+  // The growth 1 - 3 q + 2.1 q^2 is negative between q = 0.53 and q = 0.90 only.
+  CameraIntrinsics lens{500, 500, 0, 0};
+  lens.k1 = -1;
+  lens.k2 = 0.42;
+  const CameraModel camera(lens);
+  EXPECT_TRUE(camera.project({std::sqrt(0.52), 0, 1}));
+  EXPECT_FALSE(camera.project({std::sqrt(0.54), 0, 1}));
+  EXPECT_FALSE(camera.project({1.2, 0, 1}));
+}
+
+TEST(CameraModel, APixelThatIsNoNumberHasNoRay) {
+  const CameraModel camera(CameraIntrinsics{});
+  EXPECT_FALSE(camera.ray({std::numeric_limits<double>::quiet_NaN(), 0}));
+  EXPECT_FALSE(camera.ray({0, std::numeric_limits<double>::infinity()}));
+  EXPECT_FALSE(camera.ray({1e300, 0}));
+}
+
+TEST(CameraModel, RefusesIntrinsicsThatAreNoCamera) {
+  CameraIntrinsics lens;
+  lens.fy_px = 0;
+  EXPECT_THROW(CameraModel{lens}, std::invalid_argument);
+  lens = {};
+  lens.k2 = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(CameraModel{lens}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace aisle
