@@ -23,6 +23,12 @@ inline Segment2 operator*(const Pose2& T, const Segment2& s) {
   return {T * s.start, T * s.end};
 }
 
+/// What the end of a piece of wall is known to be.
+enum class WallEnd {
+  kSeen,     ///< a true end: a corner, or the wall stops and something behind it was seen
+  kUnknown,  ///< only the limit of sight: the wall may go on
+};
+
 /// A range on a line [m]; min <= max.
 struct Interval {
   double min = 0;

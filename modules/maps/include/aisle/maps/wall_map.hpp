@@ -6,12 +6,6 @@
 
 namespace aisle {
 
-/// What the end of a wall segment is known to be.
-enum class WallEnd {
-  kSeen,     ///< a true end: a corner, or the wall stops and something behind it was seen
-  kUnknown,  ///< only the limit of sight: the wall may go on
-};
-
 /// One straight wall face. The free side, from which it was seen, lies on the LEFT of start -> end.
 struct Wall {
   Segment2 segment;  ///< in `map` [m]

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "aisle/learning/loop_params.hpp"
+#include "aisle/learning/motion_noise.hpp"
+#include "aisle/matching/pose_graph.hpp"
+#include "submap.hpp"
+#include "submap_matching.hpp"
+
+namespace aisle {
+
+/// Two submaps that show the same place.
+struct LoopClosure {
+  std::size_t older = 0;
+  std::size_t newer = 0;
+};
+
+/// Recognises places: each finished submap is compared with those that lie nearby by the graph and long ago by the
+/// way. What agrees becomes a constraint of the pose graph, which then moves every submap.
+class LoopCloser {
+ public:
+  LoopCloser(const LoopParams& params, const MotionNoise& motion) : params_(params), motion_(motion) {}
+
+  /// Adds the next submap; `keyframes` are all so far. Returns true if a loop was closed.
+  /// O(submaps) for the graph distances, and at most eight comparisons.
+  bool add(Submap submap, std::span<const Keyframe> keyframes, bool orthogonal);
+
+  /// Final solution, without loop closures that the rest of the graph contradicts.
+  void finish();
+
+  const std::vector<Submap>& submaps() const { return submaps_; }
+  const std::vector<LoopClosure>& closures() const { return closures_; }
+  Pose2 T_map_anchor(std::size_t submap) const { return graph_.pose(submap); }
+
+ private:
+  struct Candidate {
+    std::size_t submap;
+    double reach_m;
+  };
+  /// A fit with a large search needs a second submap that says the same.
+  struct Pending {
+    PoseConstraint constraint;
+    Vec2 correction_m;
+    bool taken = false;
+  };
+
+  void connect_to_previous(std::span<const Keyframe> keyframes, bool orthogonal);
+  std::vector<double> distances_from_newest() const;
+  std::vector<Candidate> candidates() const;
+  bool try_to_close(const Candidate& candidate, std::span<const WallEstimate> fresh,
+                    std::span<const Keyframe> keyframes);
+  bool confirm(const Pending& pending);
+  void take(const PoseConstraint& constraint);
+
+  LoopParams params_;
+  MotionNoise motion_;
+  std::vector<Submap> submaps_;
+  PoseGraph graph_;
+  std::vector<std::vector<std::size_t>> loops_of_submap_;
+  std::vector<LoopClosure> closures_;
+  std::vector<Pending> pending_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,114 @@
+#include "aisle/learning/scan_tracker.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+
+#include "aisle/geometry/dominant_direction.hpp"
+#include "aisle/learning/wall_heading.hpp"
+#include "relocation.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kStartSigma = 1e-3;           // [m, rad]: the first pose is the frame
+constexpr int kAlignmentIterations = 6;
+constexpr double kRelocationSeen_m = 2;        // with less wall in sight a guess is worse than none
+constexpr double kRelocatedSigma_m = 0.05;
+constexpr double kRelocatedSigma_rad = 2 * kDegree;
+
+double square(double x) {
+  return x * x;
+}
+
+}  // namespace
+
+void TrackerParams::describe(FieldList& fields) {
+  fields.group("motion", motion);
+  fields.real("gate_m", gate_m, {0.02, 2}, "a segment farther from a wall is not matched with it");
+  fields.real("window_m", window_m, {2, 500}, "walls not seen for so long a way are left to loop closing");
+  fields.real("unconfirmed_m", unconfirmed_m, {0, 500}, "a wall seen only once is forgotten after this way");
+  fields.real("keyframe_m", keyframe_m, {0.02, 5}, "a scan is learned after so long a way");
+  fields.angle("keyframe_deg", keyframe_rad, {1, 90}, "or after so much turning");
+  fields.real("lost_share", lost_share, {0, 1}, "with less of the seen length on walls the pose is looked for anew");
+  fields.real("relocation_reach_m", relocation_reach_m, {0.1, 10}, "how far from the predicted pose it is looked for");
+}
+
+ScanTracker::ScanTracker(const TrackerParams& params) : params_(params), aligner_(AlignmentParams{}) {}
+
+Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal) {
+  orthogonal_ = orthogonal;
+  update_.axis_tolerance_rad = orthogonal ? WallUpdateParams{}.axis_tolerance_rad : -1;
+  Mat3 wall_information = Mat3::Zero();
+  if (scan_ == 0) {
+    const auto frame = dominant_direction(segments);
+    T_track_sensor_ = {{0, 0, frame ? -frame->heading_rad : 0}, square(kStartSigma) * Mat3::Identity()};
+  } else {
+    predict(T_last_now);
+    if (orthogonal) correct_heading(segments);
+    const Alignment alignment = lay_onto_walls(segments);
+    wall_information = alignment.wall_information;
+    if (alignment.seen_m > kRelocationSeen_m && alignment.matched_share() < params_.lost_share) {
+      relocated_ |= relocate(segments, alignment.matched_share());
+    }
+  }
+  if (keyframe_is_due()) learn(segments, wall_information);
+  ++scan_;
+  return T_track_sensor_.mean;
+}
+
+void ScanTracker::predict(const Pose2& T_last_now) {
+  path_m_ += std::hypot(T_last_now.x, T_last_now.y);
+  T_track_sensor_ = T_track_sensor_ * UncertainPose2{T_last_now, params_.motion.covariance(T_last_now)};
+}
+
+void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
+  Pose2& pose = T_track_sensor_.mean;
+  Mat3& covariance = T_track_sensor_.covariance;
+  const auto measured = heading_from_walls(segments, pose.theta, std::sqrt(covariance(2, 2)));
+  if (!measured) return;
+  const Vec3 gain = covariance.col(2) / (covariance(2, 2) + square(measured->sigma_rad));
+  const Vec3 correction = gain * wrap_angle(measured->heading_rad - pose.theta);
+  pose = {pose.x + correction(0), pose.y + correction(1), wrap_angle(pose.theta + correction(2))};
+  covariance -= gain * covariance.row(2).eval();
+  covariance = (0.5 * (covariance + covariance.transpose())).eval();
+  ++headings_used_;
+}
+
+Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
+  const PosePrior prior{T_track_sensor_.mean, T_track_sensor_.covariance.inverse()};
+  const Alignment alignment = aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
+  T_track_sensor_ = {alignment.T_map_sensor, (prior.information + alignment.wall_information).inverse()};
+  return alignment;
+}
+
+bool ScanTracker::relocate(std::span<const SensedSegment> segments, double matched_share) {
+  const auto found = find_pose_near(T_track_sensor_.mean, segments, walls_, window_, path_m_,
+                                    params_.relocation_reach_m, matched_share, aligner_);
+  if (!found) return false;
+  const Vec3 sigma(kRelocatedSigma_m, kRelocatedSigma_m, kRelocatedSigma_rad);
+  T_track_sensor_ = {*found, sigma.cwiseAbs2().asDiagonal()};
+  return true;
+}
+
+bool ScanTracker::keyframe_is_due() const {
+  if (keyframes_.empty()) return true;
+  const Keyframe& last = keyframes_.back();
+  return path_m_ - last.path_m > params_.keyframe_m ||
+         std::abs(wrap_angle(T_track_sensor_.mean.theta - last.T_track_sensor.theta)) > params_.keyframe_rad;
+}
+
+void ScanTracker::learn(std::span<const SensedSegment> segments, const Mat3& wall_information) {
+  keyframes_.push_back({scan_, T_track_sensor_.mean, path_m_, wall_information, relocated_});
+  relocated_ = false;
+  for (const SensedSegment& s : segments) {
+    absorb(PlacedSegment(s, T_track_sensor_.mean), path_m_, update_, walls_, window_);
+  }
+  std::erase_if(window_, [&](int index) {
+    const WallEstimate& wall = walls_[static_cast<std::size_t>(index)];
+    const double unseen_m = path_m_ - wall.last_seen_m;
+    return unseen_m > params_.window_m || (wall.sightings == 1 && unseen_m > params_.unconfirmed_m);
+  });
+}
+
+}  // namespace aisle

@@ -1,0 +1,182 @@
+#include "submap_matching.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/matching/signature.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr SignatureParams kSignature = {.reach_m = 0, .cell_m = 0.04, .neighbourhood = 6, .tolerance = 2};
+constexpr double kEndWeight = 0.3;
+constexpr double kSignatureCap_m = 4;        // longer walls are not surer
+constexpr int kPeaks = 6;
+constexpr double kPeaksApart_m = 0.16;
+constexpr double kScoreGate_m = 0.15;
+constexpr double kScoreCap_m = 3;
+constexpr double kComparedMin_m = 2;         // with less wall to compare nothing can be said
+constexpr double kRivalApart_m = 0.3;
+constexpr double kObliqueHeading_rad = 6 * kDegree;
+constexpr double kCommonMin_m = 0.05;
+constexpr int kRefinements = 5;
+constexpr double kOffsetSigma_m = 0.03;
+constexpr double kCauchy_m = 0.05;
+constexpr double kHeadingSigma_rad = 1.5 * kDegree;
+constexpr double kPriorSigma_m = 1;
+constexpr double kPriorSigma_rad = 1 * kDegree;
+
+double square(double x) {
+  return x * x;
+}
+
+double coordinate(const WallEstimate& wall) {
+  return wall.normal.dot(wall.anchor);
+}
+
+Signature signature_of(std::span<const WallEstimate> walls, const Vec2& axis) {
+  Signature signature;
+  for (const WallEstimate& wall : walls) {
+    if (wall.is_oblique()) continue;
+    mark({wall.segment(), std::min(wall.length_m(), kSignatureCap_m), kEndWeight, kEndWeight}, axis,
+         SymbolKinds::kByFacing, signature);
+  }
+  return signature;
+}
+
+/// No displacement at all, and the peaks of the signatures' correlation along one axis.
+std::vector<double> likely_displacements(std::span<const WallEstimate> fresh, std::span<const WallEstimate> old,
+                                         const Vec2& axis, SignatureCorrelator& correlator) {
+  Signature learned = signature_of(old, axis);
+  sort_symbols(learned);
+  std::vector<double> displacements_m = {0};
+  correlator.correlate(signature_of(fresh, axis), learned);
+  correlator.peaks_m(kPeaks, kPeaksApart_m, displacements_m);
+  return displacements_m;
+}
+
+/// Share of the fresh walls' length, inside the known area, that lies on old walls.
+SubmapFit score(std::span<const WallEstimate> fresh, const WallPattern& old, const KnownArea& known,
+                const Vec2& displacement_m) {
+  SubmapFit fit;
+  fit.displacement_m = displacement_m;
+  double compared_m = 0, common_m = 0;
+  for (const WallEstimate& wall : fresh) {
+    if (!known.contains(wall.middle() + displacement_m)) continue;
+    const double length_m = wall.length_m();
+    const double capped_m = std::min(length_m, kScoreCap_m);
+    compared_m += capped_m;
+    const WallPattern::Hit hit = old.hit(wall, displacement_m, kScoreGate_m);
+    if (!hit.wall) continue;
+    const double counted_m = hit.common_m * capped_m / length_m;
+    common_m += counted_m;
+    fit.matched_m[0] += counted_m * std::abs(wall.normal.x());
+    fit.matched_m[1] += counted_m * std::abs(wall.normal.y());
+  }
+  fit.score = compared_m > kComparedMin_m ? common_m / compared_m : 0;
+  return fit;
+}
+
+}  // namespace
+
+WallPattern::WallPattern(std::vector<WallEstimate> walls) : walls_(std::move(walls)) {
+  std::stable_sort(walls_.begin(), walls_.end(), [](const WallEstimate& a, const WallEstimate& b) {
+    return a.facing != b.facing ? a.facing < b.facing : coordinate(a) < coordinate(b);
+  });
+  for (const WallEstimate& wall : walls_) {
+    coordinates_.push_back(coordinate(wall));
+    ++first_of_facing_[static_cast<std::size_t>(wall.facing) + 1];
+  }
+  for (std::size_t f = 1; f < std::size(first_of_facing_); ++f) first_of_facing_[f] += first_of_facing_[f - 1];
+}
+
+WallPattern::Hit WallPattern::hit(const WallEstimate& wall, const Vec2& displacement_m, double gate_m) const {
+  const auto facing = static_cast<std::size_t>(wall.facing);
+  std::size_t first = first_of_facing_[facing], end = first_of_facing_[facing + 1];
+  const Vec2 middle = wall.middle() + displacement_m;
+  if (!wall.is_oblique()) {
+    const double across = wall.normal.dot(middle);
+    const auto begin = coordinates_.begin();
+    const auto low = std::lower_bound(begin + static_cast<std::ptrdiff_t>(first),
+                                      begin + static_cast<std::ptrdiff_t>(end), across - gate_m);
+    const auto high = std::upper_bound(low, begin + static_cast<std::ptrdiff_t>(end), across + gate_m);
+    first = static_cast<std::size_t>(low - begin);
+    end = static_cast<std::size_t>(high - begin);
+  }
+  const Segment2 segment{wall.segment().start + displacement_m, wall.segment().end + displacement_m};
+  const double length_m = wall.length_m();
+  Hit best;
+  for (std::size_t k = first; k < end; ++k) {
+    const WallEstimate& old = walls_[k];
+    if (old.is_oblique() && std::abs(wrap_angle(wall.heading_rad - old.heading_rad)) > kObliqueHeading_rad) continue;
+    const double off_m = std::abs(old.offset_of(middle));
+    if (off_m > gate_m) continue;
+    const double overlap_m = old.extent.overlap(old.span_of(segment));
+    if (overlap_m <= kCommonMin_m) continue;
+    const double common_m = std::min(overlap_m, length_m) * (1 - 0.5 * off_m / gate_m);
+    if (common_m > best.common_m) best = {&old, common_m};
+  }
+  return best;
+}
+
+SubmapFit fit_submap(std::span<const WallEstimate> fresh, const WallPattern& old, const KnownArea& known,
+                     double reach_m) {
+  SignatureParams params = kSignature;
+  params.reach_m = reach_m;
+  SignatureCorrelator correlator(params);
+  const auto x_candidates_m = likely_displacements(fresh, old.walls(), Vec2::UnitX(), correlator);
+  const auto y_candidates_m = likely_displacements(fresh, old.walls(), Vec2::UnitY(), correlator);
+
+  std::vector<SubmapFit> fits;
+  for (const double x_m : x_candidates_m) {
+    for (const double y_m : y_candidates_m) fits.push_back(score(fresh, old, known, {x_m, y_m}));
+  }
+  const auto by_score = [](const SubmapFit& a, const SubmapFit& b) { return a.score < b.score; };
+  SubmapFit best = *std::max_element(fits.begin(), fits.end(), by_score);
+  for (const SubmapFit& fit : fits) {
+    const bool is_elsewhere = (fit.displacement_m - best.displacement_m).norm() > kRivalApart_m;
+    if (is_elsewhere) best.rival_score = std::max(best.rival_score, fit.score);
+  }
+  return best;
+}
+
+RefinedFit refine_fit(const Submap& submap, const Pose2& T_map_anchor, const WallPattern& old, const KnownArea& known) {
+  RefinedFit fit{T_map_anchor, Mat3::Zero()};
+  std::vector<WallEstimate> fresh;
+  for (int round = 0; round < kRefinements; ++round) {
+    fresh.clear();
+    place_walls(submap, fit.T_map_anchor, fresh);
+    const double turned = wrap_angle(fit.T_map_anchor.theta - T_map_anchor.theta);
+    fit.information = Mat3::Zero();
+    Vec3 gradient = Vec3::Zero();
+    for (const WallEstimate& wall : fresh) {
+      if (!known.contains(wall.middle())) continue;
+      const WallPattern::Hit hit = old.hit(wall, Vec2::Zero(), round < 2 ? kScoreGate_m : 0.1);
+      if (!hit.wall) continue;
+      const double common_m = std::min({1.0, wall.length_m(), hit.wall->length_m()});
+      const double offset_m = hit.wall->offset_of(wall.middle());
+      const double heading = wall.is_oblique() ? wall.heading_rad : wall.heading_rad + turned;
+      const double turn = wrap_angle(heading - hit.wall->heading_rad);
+      const double offset_weight = common_m / square(kOffsetSigma_m) / (1 + square(offset_m / kCauchy_m));
+      const double heading_weight = common_m / square(kHeadingSigma_rad);
+      const Vec2 lever = wall.middle() - fit.T_map_anchor.position();
+      const Vec3 jacobian(hit.wall->normal.x(), hit.wall->normal.y(), hit.wall->normal.dot(left_normal(lever)));
+      fit.information += offset_weight * jacobian * jacobian.transpose();
+      gradient += offset_weight * offset_m * jacobian;
+      fit.information(2, 2) += heading_weight;
+      gradient(2) += heading_weight * turn;
+    }
+    Mat3 damped = fit.information;
+    damped.diagonal() += Vec3::Constant(1 / square(kPriorSigma_m));
+    damped(2, 2) += 1 / square(kPriorSigma_rad);
+    gradient(2) += turned / square(kPriorSigma_rad);
+    const Vec3 step = -damped.ldlt().solve(gradient);
+    fit.T_map_anchor.x += step(0);
+    fit.T_map_anchor.y += step(1);
+    fit.T_map_anchor.theta = wrap_angle(fit.T_map_anchor.theta + step(2));
+  }
+  return fit;
+}
+
+}  // namespace aisle

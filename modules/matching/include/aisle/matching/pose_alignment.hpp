@@ -1,0 +1,57 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "aisle/matching/wall_estimate.hpp"
+
+namespace aisle {
+
+/// Noise of the comparison of one sensed segment with its wall, beyond the segment's own deviations.
+struct AlignmentParams {
+  double wall_sigma_m = 0.01;                   ///< of a wall seen once; falls with the root of its sightings
+  double oblique_sigma_m = 0.03;                ///< oblique things are often furniture or doors
+  double oblique_sigma_rad = 4 * kDegree;
+  double cauchy_m = 0.05;                       ///< farther off than this counts less and less
+  double cauchy_rad = 1.5 * kDegree;
+  int sightings_for_full_weight = 3;
+};
+
+/// A guess of the pose with its information (inverse covariance) in the map's frame.
+struct PosePrior {
+  Pose2 T_map_sensor;
+  Mat3 information = Mat3::Zero();
+};
+
+/// How a set of segments fits onto walls.
+struct Alignment {
+  Pose2 T_map_sensor;
+  Mat3 wall_information = Mat3::Zero();  ///< of (x, y, theta) from the walls alone, without the prior
+  double seen_m = 0;                     ///< length of all segments
+  double matched_m = 0;                  ///< length of those that have a wall
+
+  /// Share of the seen length that has a wall; 1 if nothing was seen.
+  double matched_share() const { return seen_m > 0 ? matched_m / seen_m : 1; }
+};
+
+/// Finds the pose at which the sensed segments lie best on the walls: Gauss-Newton on each segment's offset from its
+/// wall, n.(R c + t) - rho, and heading difference, both with a Cauchy weight, and on the prior. Walls are found
+/// anew in the first iterations, within a gate that narrows to half.
+/// O(iterations * segments * candidates); no allocation once warm.
+class PoseAligner {
+ public:
+  explicit PoseAligner(const AlignmentParams& params) : params_(params) {}
+
+  Alignment align(std::span<const SensedSegment> segments, std::span<const WallEstimate> walls,
+                  std::span<const int> candidates, const PosePrior& prior, double gate_m, int iterations);
+
+ private:
+  void associate_all(const Pose2& T_map_sensor, std::span<const SensedSegment> segments,
+                     std::span<const WallEstimate> walls, std::span<const int> candidates,
+                     const AssociationGate& gate);
+
+  AlignmentParams params_;
+  std::vector<int> wall_of_segment_;
+};
+
+}  // namespace aisle

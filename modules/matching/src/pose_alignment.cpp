@@ -1,0 +1,95 @@
+#include "aisle/matching/pose_alignment.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace aisle {
+namespace {
+
+constexpr int kAssociationRounds = 4;
+constexpr double kSettledStep = 1e-4;                // [m, rad]: further iterations change nothing
+constexpr double kHeadingGate_rad = 6 * kDegree;
+constexpr double kFirstHeadingGateMax_rad = 20 * kDegree;
+constexpr double kOverlapMin_m = 0.1;
+
+double cauchy_weight(double residual, double scale) {
+  return 1 / (1 + residual * residual / (scale * scale));
+}
+
+double square(double x) {
+  return x * x;
+}
+
+/// The gate of one round: wide first, when the pose is only a guess.
+AssociationGate gate_in_round(int round, double gate_m, const Mat3& prior_information) {
+  const double shrink = round == 0 ? 1.0 : round == 1 ? 0.7 : 0.5;
+  const double heading_sigma_rad = std::sqrt(1 / std::max(1e-9, prior_information(2, 2)));
+  const double heading_rad =
+      round == 0 ? std::min(kFirstHeadingGateMax_rad, kHeadingGate_rad + 2 * heading_sigma_rad) : kHeadingGate_rad;
+  return {gate_m * shrink, heading_rad, kOverlapMin_m};
+}
+
+}  // namespace
+
+void PoseAligner::associate_all(const Pose2& T_map_sensor, std::span<const SensedSegment> segments,
+                                std::span<const WallEstimate> walls, std::span<const int> candidates,
+                                const AssociationGate& gate) {
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    wall_of_segment_[i] = associate(PlacedSegment(segments[i], T_map_sensor), walls, candidates, gate);
+  }
+}
+
+Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<const WallEstimate> walls,
+                             std::span<const int> candidates, const PosePrior& prior, double gate_m,
+                             int iterations) {
+  wall_of_segment_.assign(segments.size(), -1);
+  Pose2 pose = prior.T_map_sensor;
+  Alignment result;
+  for (const SensedSegment& s : segments) result.seen_m += s.length_m;
+
+  for (int round = 0; round < iterations; ++round) {
+    if (round < kAssociationRounds) {
+      associate_all(pose, segments, walls, candidates, gate_in_round(round, gate_m, prior.information));
+    }
+    const Vec3 from_prior(pose.x - prior.T_map_sensor.x, pose.y - prior.T_map_sensor.y,
+                          wrap_angle(pose.theta - prior.T_map_sensor.theta));
+    Vec3 gradient = prior.information * from_prior;
+    Mat3 information = Mat3::Zero();
+    result.matched_m = 0;
+    const double c = std::cos(pose.theta), s = std::sin(pose.theta);
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      if (wall_of_segment_[i] < 0) continue;
+      const WallEstimate& wall = walls[static_cast<std::size_t>(wall_of_segment_[i])];
+      const SensedSegment& seen = segments[i];
+      const Vec2 lever(c * seen.centroid.x() - s * seen.centroid.y(), s * seen.centroid.x() + c * seen.centroid.y());
+      const double offset_m = wall.offset_of(lever + pose.position());
+      const double turn_rad = wrap_angle(pose.theta + seen.heading_rad - wall.heading_rad);
+
+      double offset_variance = square(seen.sigma_offset_m) + square(params_.wall_sigma_m) / std::max(1, wall.sightings);
+      double heading_variance = square(seen.sigma_heading_rad);
+      if (wall.is_oblique()) {
+        offset_variance += square(params_.oblique_sigma_m);
+        heading_variance += square(params_.oblique_sigma_rad);
+      }
+      const double trust = std::min(1.0, (wall.sightings + 0.5) / params_.sightings_for_full_weight);
+      const double offset_weight = trust / offset_variance * cauchy_weight(offset_m, params_.cauchy_m);
+      const double heading_weight = trust / heading_variance * cauchy_weight(turn_rad, params_.cauchy_rad);
+
+      const Vec3 jacobian(wall.normal.x(), wall.normal.y(), wall.normal.dot(left_normal(lever)));
+      information += offset_weight * jacobian * jacobian.transpose();
+      gradient += offset_weight * offset_m * jacobian;
+      information(2, 2) += heading_weight;
+      gradient(2) += heading_weight * turn_rad;
+      result.matched_m += seen.length_m;
+    }
+    const Vec3 step = -(information + prior.information).ldlt().solve(gradient);
+    pose = {pose.x + step(0), pose.y + step(1), wrap_angle(pose.theta + step(2))};
+    result.wall_information = information;
+    if (round + 1 >= kAssociationRounds && step.norm() < kSettledStep) break;
+  }
+  result.T_map_sensor = pose;
+  return result;
+}
+
+}  // namespace aisle

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/core/parameters.hpp"
+#include "aisle/geometry/sensed_segment.hpp"
+
+namespace aisle {
+
+struct SegmentParams {
+  double range_min_m = 0.08;
+  double range_max_m = 25;
+  double split_m = 0.05;
+  double rms_max_m = 0.04;
+  double length_min_m = 0.10;
+  int points_min = 4;
+  double range_sigma_m = 0.015;
+  double offset_floor_m = 0.010;
+  double heading_floor_rad = 0.5 * kDegree;
+
+  void describe(FieldList& fields);
+};
+
+/// The beams of a scanner, as far as segments need them.
+struct BeamFan {
+  double first_angle_rad = 0;
+  double angle_step_rad = 0;
+  double range_max_m = 0;  ///< readings of this or more are "nothing seen"
+};
+
+/// Cuts range scans into straight segments: split and merge. O(beams log beams) a scan, no allocation once warm.
+class RangeSegmenter {
+ public:
+  RangeSegmenter(const BeamFan& fan, const SegmentParams& params);
+  ~RangeSegmenter();
+
+  /// Replaces `segments` by those of one scan, in the order of the beams. Ranges that are not positive, not finite
+  /// or beyond the scanner's reach are passed over.
+  void extract(std::span<const float> ranges_m, std::vector<SensedSegment>& segments);
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace aisle
