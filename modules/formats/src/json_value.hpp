@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "aisle/core/result.hpp"
+#include "aisle/geometry/pose2.hpp"
+#include "problem_list.hpp"
+
+namespace aisle {
+
+/// The JSON document, or a problem with the line where it is malformed.
+Result<nlohmann::json> parse_json(std::string_view text, const std::string& name);
+
+/// One value of a JSON document with the path to it. Reading something else than what stands there adds a
+/// problem that names the path, and leaves the target as it was.
+class JsonValue {
+ public:
+  /// `value` and `problems` must outlive this.
+  JsonValue(const nlohmann::json& value, std::string path, ProblemList& problems)
+      : value_(value), path_(std::move(path)), problems_(problems) {}
+
+  void read(std::string& target) const;
+  void read(bool& target) const;
+  void read_count(int& target) const;
+  void read_number(double& target, double min, double max) const;
+  /// [x, y] in metres.
+  void read_point(Vec2& target) const;
+
+  bool is(std::string_view text) const { return value_ == text; }
+  bool is_list() const;
+  bool is_list_of(std::size_t count) const;
+  std::size_t size() const { return value_.size(); }
+  JsonValue element(std::size_t index) const;
+
+  /// Whether this is an object; keys other than `known` are problems.
+  bool is_object_of(std::initializer_list<std::string_view> known) const;
+  std::optional<JsonValue> find(const char* key) const;
+  /// Like find(), but a missing key is a problem.
+  std::optional<JsonValue> require(const char* key) const;
+
+  void wrong(std::string what) const { problems_.add(0, path_, std::move(what)); }
+
+ private:
+  std::string path_to(std::string_view key) const;
+
+  const nlohmann::json& value_;
+  std::string path_;
+  ProblemList& problems_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,130 @@
+#include <gmock/gmock.h>
+#include <rapidcheck/gtest.h>
+
+#include "aisle/core/random.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "pose_matchers.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+const std::filesystem::path kGolden =
+    std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden/building.v1.json";
+
+std::string problems(const std::string& text) {
+  const auto building = parse_building(text, "b.json");
+  return building.ok() ? "" : to_string(building.problems());
+}
+
+/// A building of version 1 with these further members.
+std::string with(const std::string& members) {
+  return R"({"format": "aisle.building", "version": 1, )" + members + "}";
+}
+
+Building any_building(Random& random, std::size_t walls) {
+  Building building;
+  building.name = "any";
+  building.has_dominant_direction = random.uniform() < 0.5;
+  const auto end = [&] { return random.uniform() < 0.5 ? WallEnd::kSeen : WallEnd::kUnknown; };
+  for (std::size_t i = 0; i < walls; ++i) {
+    Wall wall;
+    wall.segment = {{random.uniform(-99, 99), random.uniform(-99, 99)},
+                    {random.uniform(-99, 99), random.uniform(-99, 99)}};
+    wall.is_orthogonal = random.uniform() < 0.5;
+    wall.start = end();
+    wall.end = end();
+    wall.sightings = static_cast<int>(random.index(5000));
+    wall.sigma_m = random.uniform(0, 0.3);
+    building.walls.walls.push_back(wall);
+  }
+  return building;
+}
+
+TEST(BuildingJson, VersionOneStaysReadable) {
+  const auto building = read_building(kGolden);
+  ASSERT_TRUE(building.ok()) << to_string(building.problems());
+  EXPECT_EQ(building->name, "Corridor \"B\"");
+  EXPECT_TRUE(building->has_dominant_direction);
+  ASSERT_THAT(building->walls.walls, SizeIs(3));
+  const Wall& wall = building->walls.walls[1];
+  EXPECT_THAT(wall.segment.start, PointNear(Vec2(12.345, 2.1), 0));
+  EXPECT_THAT(wall.segment.end, PointNear(Vec2(-3.2, 2.1), 0));
+  EXPECT_TRUE(wall.is_orthogonal);
+  EXPECT_EQ(wall.start, WallEnd::kUnknown);
+  EXPECT_EQ(wall.end, WallEnd::kSeen);
+  EXPECT_EQ(wall.sightings, 9);
+  EXPECT_EQ(wall.sigma_m, 0.02);
+  EXPECT_FALSE(building->walls.walls[2].is_orthogonal);
+}
+
+TEST(BuildingJson, WritesTheGoldenFileAsItStands) {
+  EXPECT_EQ(building_json(*read_building(kGolden)), *read_whole_file(kGolden));
+}
+
+RC_GTEST_PROP(BuildingJson, ReadingItGivesTheSameBuildingToTheMillimetre, (std::uint64_t seed)) {
+  Random random(seed);
+  const Building written = any_building(random, random.index(9));
+  const auto read = parse_building(building_json(written), "written");
+  RC_ASSERT(read.ok());
+  RC_ASSERT(read->name == written.name);
+  RC_ASSERT(read->has_dominant_direction == written.has_dominant_direction);
+  RC_ASSERT(read->walls.walls.size() == written.walls.walls.size());
+  for (std::size_t i = 0; i < written.walls.walls.size(); ++i) {
+    const Wall& a = written.walls.walls[i];
+    const Wall& b = read->walls.walls[i];
+    RC_ASSERT((a.segment.start - b.segment.start).norm() < 0.001);
+    RC_ASSERT((a.segment.end - b.segment.end).norm() < 0.001);
+    RC_ASSERT(a.is_orthogonal == b.is_orthogonal && a.start == b.start && a.end == b.end);
+    RC_ASSERT(a.sightings == b.sightings);
+    RC_ASSERT(std::abs(a.sigma_m - b.sigma_m) < 0.0001);
+  }
+}
+
+TEST(BuildingJson, SixHundredWallsAreSmall) {
+  Random random(1);
+  EXPECT_LE(building_json(any_building(random, 600)).size(), 100000U);
+}
+
+TEST(BuildingJson, EveryPartMayBeMissing) {
+  const auto building = parse_building(R"({"format": "aisle.building", "version": 1})", "b.json");
+  ASSERT_TRUE(building.ok());
+  EXPECT_THAT(building->walls.walls, SizeIs(0));
+}
+
+TEST(BuildingJson, OtherFormatsAndVersionsAreRefused) {
+  EXPECT_THAT(problems("{}"), HasSubstr("b.json: format: is not \"aisle.building\""));
+  EXPECT_THAT(problems(R"({"format": "aisle.world", "version": 1})"), HasSubstr("format: is not"));
+  EXPECT_THAT(problems(R"({"format": "aisle.building"})"), HasSubstr("version: is missing"));
+  EXPECT_THAT(problems(R"({"format": "aisle.building", "version": 2})"),
+              HasSubstr("version: 2 is unknown here"));
+  EXPECT_THAT(problems("[]"), HasSubstr("b.json: is no JSON object"));
+}
+
+TEST(BuildingJson, MalformedJsonNamesItsLine) {
+  EXPECT_THAT(problems(""), HasSubstr("b.json:1: is not well-formed"));
+  EXPECT_THAT(problems("{\n\"format\": \"aisle.building\",\n oops}"),
+              HasSubstr("b.json:3: is not well-formed"));
+  EXPECT_THAT(problems(with(R"("name": 1e999)")), HasSubstr("too large"));
+}
+
+TEST(BuildingJson, BadValuesNameTheirKeyPathAllAtOnce) {
+  EXPECT_THAT(
+      problems(with(
+          R"("name": 7, "walls": [{"start_m": [1], "end_m": [1, 1e9], "sightings": -1, "ends": ["open", "seen"]}],
+                               "has_dominant_direction": "yes", "doors": [])")),
+      AllOf(HasSubstr("b.json: name: is not a text"), HasSubstr("walls[0].start_m: is not a list of 2"),
+            HasSubstr("walls[0].end_m[1]: is not a number from -1e+06 to 1e+06"),
+            HasSubstr("walls[0].sightings: is not a whole number"),
+            HasSubstr("walls[0].ends[0]: is neither \"seen\" nor \"unknown\""),
+            HasSubstr("has_dominant_direction: is neither true nor false"), HasSubstr("doors: unknown key")));
+  EXPECT_THAT(problems(with(R"("walls": [{}])")), HasSubstr("walls[0].start_m: is missing"));
+  EXPECT_THAT(problems(with(R"("walls": {"0": 1})")), HasSubstr("walls: is not a list"));
+}
+
+}  // namespace
+}  // namespace aisle
