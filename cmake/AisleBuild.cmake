@@ -21,7 +21,8 @@ endif()
 if(PROJECT_IS_TOP_LEVEL)
   set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)
   target_compile_options(aisle_build INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+    -Wno-missing-field-initializers -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # GCC 12 reports overlaps inside std::string's operator+ that cannot happen (GCC bug 105651).
     target_compile_options(aisle_build INTERFACE -Wno-restrict)

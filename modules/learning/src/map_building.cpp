@@ -145,6 +145,9 @@ class MapBuilder {
 
   const std::vector<Pose2>& tracked() const { return tracked_; }
 
+  /// Walls learned so far: the tracker's, until they are adjusted.
+  std::size_t wall_count() const { return walls_.empty() ? tracker_.wall_count() : walls_.size(); }
+
  private:
   double delay_s() const { return given_delay_s_.value_or(delay_.delay_s()); }
 
@@ -225,7 +228,8 @@ MapResult build_map(const LaserLog& log, const MapParams& params, std::optional<
   std::vector<MapStage> stages;
   MapBuilder builder(log, params, odometry_delay_s);
   const auto keep = [&](const char* name, const std::vector<Pose2>& T_map_sensor) {
-    if (keep_stages) stages.push_back({name, builder.of_vehicle(T_map_sensor), cpu_s() - start_s});
+    if (!keep_stages) return;
+    stages.push_back({name, builder.of_vehicle(T_map_sensor), builder.wall_count(), cpu_s() - start_s});
   };
 
   const std::size_t scans = log.scans.size();

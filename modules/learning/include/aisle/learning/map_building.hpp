@@ -30,6 +30,7 @@ struct MapParams {
 struct MapStage {
   std::string name;
   std::vector<Pose2> T_map_vehicle;
+  std::size_t walls = 0;  ///< in the map at this stage
   double cpu_s = 0;
 };
 

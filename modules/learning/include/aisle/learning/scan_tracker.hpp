@@ -47,6 +47,7 @@ class ScanTracker {
 
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
   double path_m() const { return path_m_; }
+  std::size_t wall_count() const { return walls_.size(); }
   /// In how many scans the walls' orthogonality gave the heading.
   std::size_t headings_used() const { return headings_used_; }
 

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+
+#include "aisle/commands/map.hpp"
+#include "aisle/core/angle.hpp"
+#include "verb.hpp"
+
+using namespace aisle;
+
+namespace {
+
+/// "x", "x,y" or "x,y,deg": where the laser sits on the vehicle.
+Pose2 parse_offset(const std::string& text) {
+  double values[3] = {0, 0, 0};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (int i = 0; i < 3; ++i) {
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    if (error != std::errc() || !std::isfinite(values[i])) break;
+    if (next == end) return {values[0], values[1], values[2] * kDegree};
+    if (*next != ',') break;
+    at = next + 1;
+  }
+  throw CLI::ValidationError("--laser-offset", fmt::format("'{}' is not x, x,y or x,y,degrees (metres)", text));
+}
+
+}  // namespace
+
+void add_map_verb(CLI::App& app, Work& work) {
+  CLI::App* verb = app.add_subcommand("map", "build a wall map from a recorded 2-D laser log with odometry");
+  auto options = std::make_shared<MapOptions>();
+  verb->fallthrough();
+  verb->add_option("LOG", options->log, "CARMEN log, plain or gzip");
+  verb->add_option("--relations", options->relations, "known relative poses: the error against them is measured");
+  const std::map<std::string, MapRules> rules = {{"published", MapRules::kPublished}, {"refined", MapRules::kRefined}};
+  verb->add_option("--rules", options->rules, "published: Algorithms 2 and 3 of C99 alone; refined (default)")
+      ->transform(CLI::Transformer(rules));
+  verb->add_option("--out", options->out, "directory for the map, the pictures and the trajectory");
+  verb->add_flag("--force", options->force, "replace results that are there already");
+  const std::map<std::string, LengthUnit> units = {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}};
+  verb->add_option("--units", options->reading.unit, "of the log's lengths: m (default) or cm")
+      ->transform(CLI::Transformer(units));
+  verb->add_option_function<std::string>(
+      "--laser-offset", [options](const std::string& text) { options->reading.T_vehicle_laser = parse_offset(text); },
+      "where the laser sits on the vehicle: x, x,y or x,y,degrees; else what the log says, else 0");
+  verb->add_option("--odometry-delay", options->odometry_delay_s,
+                   "by how many seconds the odometry is later than its scan (default: found from the log)")
+      ->check(CLI::Range(-10.0, 10.0));
+  verb->add_flag("--stages", options->stages, "print the figures of every stage of the work");
+  verb->add_option("--params", options->parameters.files, "parameter file (YAML), over the defaults");
+  verb->add_option("--set", options->parameters.settings, "key=value, over the parameter files");
+  auto print_parameters = std::make_shared<bool>(false);
+  verb->add_flag("--print-params", *print_parameters, "print all parameters with their defaults and stop");
+  verb->callback([=, &work] {
+    if (*print_parameters) {
+      work = [](Console&) -> Result<Outcome> { return Outcome{.verb = "map", .text = map_parameters_yaml()}; };
+      return;
+    }
+    if (options->log.empty()) throw CLI::RequiredError("LOG");
+    work = [options](Console& console) { return run_map(*options, console); };
+  });
+}

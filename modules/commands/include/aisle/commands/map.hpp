@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/commands/parameter_sources.hpp"
+#include "aisle/formats/carmen_log.hpp"
+
+namespace aisle {
+
+enum class MapRules {
+  kPublished,  ///< C99's Algorithms 2 and 3 as they stand
+  kRefined,
+};
+
+struct MapOptions {
+  std::filesystem::path log;
+  MapRules rules = MapRules::kRefined;
+  CarmenOptions reading;
+  std::optional<double> odometry_delay_s;             ///< none: found from the log
+  std::optional<std::filesystem::path> relations;
+  std::optional<std::filesystem::path> out;           ///< none: figures only
+  bool force = false;
+  bool stages = false;                                ///< figures of every stage as well
+  ParameterSources parameters;
+};
+
+/// `aisle map LOG`: a building's wall map from a recorded laser log.
+Result<Outcome> run_map(const MapOptions& options, Console& console);
+
+/// Every parameter of `aisle map` with its default, as a parameter file.
+std::string map_parameters_yaml();
+
+}  // namespace aisle

@@ -1,0 +1,199 @@
+#include "aisle/commands/map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "aisle/commands/output_directory.hpp"
+#include "aisle/commands/process_usage.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/map_server.hpp"
+#include "aisle/formats/parameter_file.hpp"
+#include "aisle/formats/relations.hpp"
+#include "aisle/formats/trajectory.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "aisle/learning/map_building.hpp"
+#include "aisle/learning/published_mapping.hpp"
+#include "aisle/learning/relation_error.hpp"
+#include "aisle/report/map_picture.hpp"
+#include "aisle/report/occupancy.hpp"
+
+namespace aisle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::vector<std::string> kFiles = {"building.json", "map.svg", "map.png", "trajectory.tum", "map.pgm", "map.yaml"};
+
+double rounded(double value, double step) {
+  return std::round(value / step) * step;
+}
+
+Json mean_and_std(const MeanAndDeviation& m, double unit) {
+  return {{"mean", rounded(m.mean / unit, 1e-5)}, {"std", rounded(m.deviation / unit, 1e-5)}};
+}
+
+Json error_figures(const RelationError& error) {
+  return {{"translation_m", mean_and_std(error.translation_m, 1)},
+          {"rotation_deg", mean_and_std(error.rotation_rad, kDegree)}};
+}
+
+Json stage_figures(const std::vector<MapStage>& stages, const std::vector<PoseRelation>& relations) {
+  Json figures = Json::array();
+  for (const MapStage& stage : stages) {
+    Json row = {{"stage", stage.name}, {"walls", stage.walls}, {"cpu_s", rounded(stage.cpu_s, 0.01)}};
+    if (!relations.empty()) row.update(error_figures(relation_error(stage.T_map_vehicle, relations)));
+    figures.push_back(row);
+  }
+  return figures;
+}
+
+Json figures_of(const MapResult& result, const LaserLog& log, const std::vector<PoseRelation>& relations) {
+  const double cpu_s = process_cpu_s();
+  const double duration_s = log.scans.back().time_s - log.scans.front().time_s;
+  Json figures = {{"scans", log.scans.size()},
+                  {"path_m", rounded(result.path_m, 0.01)},
+                  {"walls", result.walls.walls.size()},
+                  {"orthogonal_share", rounded(result.walls.orthogonal_share(), 1e-4)},
+                  {"no_dominant_direction", !result.has_dominant_direction},
+                  {"loop_closures", result.loop_closures.size()},
+                  {"odometry_delay_s", rounded(result.odometry_delay_s, 1e-4)},
+                  {"cpu_s", rounded(cpu_s, 1e-3)},
+                  {"realtime_factor", rounded(duration_s / cpu_s, 0.1)},
+                  {"peak_rss_mb", rounded(process_peak_rss_mb(), 0.1)}};
+  if (relations.empty()) return figures;
+  figures["relations"] = {{"count", relations.size()}};
+  figures.update(error_figures(relation_error(result.T_map_vehicle, relations)));
+  if (!result.T_map_vehicle_online.empty()) {
+    figures["online"] = error_figures(relation_error(result.T_map_vehicle_online, relations));
+  }
+  return figures;
+}
+
+/// What comes before the refined rules in the table of stages: odometry, the published rules, and these with one
+/// improvement after the other.
+std::vector<MapStage> published_stages(const LaserLog& log, const SegmentParams& segments, double delay_s,
+                                       Progress& progress) {
+  std::vector<MapStage> stages;
+  stages.push_back({"odometry", odometry_poses(log, segments, 0)});
+  stages.push_back({"odometry, delay removed", odometry_poses(log, segments, delay_s)});
+  const auto add = [&](const char* name, const PublishedParams& params) {
+    const double start_s = process_cpu_s();
+    const MapResult result = build_published_map(log, segments, params, delay_s, progress);
+    stages.push_back({name, result.T_map_vehicle, result.walls.walls.size(), process_cpu_s() - start_s});
+  };
+  add("published", {});
+  add("published, heading by walls", {.heading_from_walls = true});
+  add("published, odometry prior", {.heading_from_walls = true, .odometry_prior = true});
+  return stages;
+}
+
+std::string error_text(const Json& figures) {
+  return fmt::format("{:.4f} +- {:.4f} m, {:.3f} +- {:.3f} deg", figures["translation_m"]["mean"].get<double>(),
+                     figures["translation_m"]["std"].get<double>(), figures["rotation_deg"]["mean"].get<double>(),
+                     figures["rotation_deg"]["std"].get<double>());
+}
+
+std::string text_of(const Json& figures) {
+  std::string text = fmt::format(
+      "{} scans, {:.0f} m of way: {} walls, {:.0f} % of their length on the axes, {} loops closed\n"
+      "{:.2f} s of processor time ({:.0f} times faster than the drive), {:.0f} MB of memory\n",
+      figures["scans"].get<int>(), figures["path_m"].get<double>(), figures["walls"].get<int>(),
+      100 * figures["orthogonal_share"].get<double>(), figures["loop_closures"].get<int>(),
+      figures["cpu_s"].get<double>(), figures["realtime_factor"].get<double>(), figures["peak_rss_mb"].get<double>());
+  if (figures["no_dominant_direction"].get<bool>()) {
+    text += "no dominant direction: the walls do not lie on one orthogonal frame; all are kept as oblique walls\n";
+  }
+  if (figures.contains("stages")) {
+    for (const Json& stage : figures["stages"]) {
+      text += fmt::format("  {:<28} {:>6} walls {:>7.2f} s", stage["stage"].get<std::string>(),
+                          stage["walls"].get<int>(), stage["cpu_s"].get<double>());
+      text += stage.contains("translation_m") ? "  " + error_text(stage) + "\n" : "\n";
+    }
+  }
+  if (figures.contains("relations")) {
+    text += fmt::format("against {} relations: {}\n", figures["relations"]["count"].get<int>(), error_text(figures));
+  }
+  if (figures.contains("online")) text += fmt::format("as known while driving: {}\n", error_text(figures["online"]));
+  return text;
+}
+
+Problems write_results(const MapResult& result, const LaserLog& log, const std::string& title,
+                       const OutputDirectory& out, Outcome& outcome) {
+  const Building building{title, result.has_dominant_direction, result.walls};
+  const MapPicture picture{result.walls, result.T_map_vehicle, result.loop_closures, title};
+  std::vector<double> stamps_s;
+  for (const LaserScan& scan : log.scans) stamps_s.push_back(scan.stamp_s);
+  const OccupancyImage occupancy = occupancy_of(result.walls, log, result.T_map_vehicle);
+  const std::array<std::string, 6> contents = {building_json(building), svg(picture), png(picture),
+                                               tum_text(stamps_s, result.T_map_vehicle), pgm_bytes(occupancy),
+                                               map_server_yaml(occupancy, "map.pgm")};
+  const std::array<std::string, 6> roles = {"building", "picture_svg", "picture_png", "trajectory", "map_pgm", "map_yaml"};
+  Problems problems;
+  for (std::size_t i = 0; i < contents.size(); ++i) {
+    const std::filesystem::path path = out.path(kFiles[i]);
+    const Problems more = write_whole_file(path, contents[i]);
+    problems.insert(problems.end(), more.begin(), more.end());
+    outcome.files[roles[i]] = path.string();
+  }
+  return problems;
+}
+
+std::string title_of(const std::filesystem::path& log) {
+  const std::string name = log.filename().string();
+  return name.substr(0, name.find('.'));
+}
+
+}  // namespace
+
+std::string map_parameters_yaml() {
+  MapParams params;
+  return parameters_yaml(fields_of(params));
+}
+
+Result<Outcome> run_map(const MapOptions& options, Console& console) {
+  MapParams params;
+  FieldList fields = fields_of(params);
+  if (const Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  std::optional<OutputDirectory> out;
+  if (options.out) {
+    auto opened = OutputDirectory::open(*options.out, options.force, kFiles);
+    if (!opened) return opened.problems();
+    out = *opened;
+  }
+  const auto read = read_carmen_log(options.log, options.reading);
+  if (!read) return read.problems();
+  for (const std::string& warning : read->warnings) console.warn(warning);
+  const LaserLog& log = read->log;
+  std::vector<PoseRelation> relations;
+  if (options.relations) {
+    auto found = read_relations(*options.relations, log);
+    if (!found) return found.problems();
+    relations = std::move(*found);
+  }
+
+  const MapResult result = options.rules == MapRules::kRefined
+                               ? build_map(log, params, options.odometry_delay_s, options.stages, console.progress)
+                               : build_published_map(log, params.segments, PublishedParams{},
+                                                     options.odometry_delay_s.value_or(0), console.progress);
+
+  Outcome outcome{.verb = "map"};
+  outcome.figures = figures_of(result, log, relations);
+  if (options.stages) {
+    std::vector<MapStage> stages = published_stages(log, params.segments, result.odometry_delay_s, console.progress);
+    stages.insert(stages.end(), result.stages.begin(), result.stages.end());
+    outcome.figures["stages"] = stage_figures(stages, relations);
+  }
+  outcome.text = text_of(outcome.figures);
+  if (out) {
+    if (const Problems problems = write_results(result, log, title_of(options.log), *out, outcome); !problems.empty()) {
+      return problems;
+    }
+    outcome.text += fmt::format("see {}\n", outcome.files["picture_png"]);
+  }
+  return outcome;
+}
+
+}  // namespace aisle

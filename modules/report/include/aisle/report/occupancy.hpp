@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "aisle/formats/map_server.hpp"
+#include "aisle/maps/wall_map.hpp"
+#include "aisle/vehicle/laser_log.hpp"
+
+namespace aisle {
+
+/// The map as cells: free where beams of the log passed, occupied along the walls, else unknown. The cells are 5 cm
+/// wide, or as much wider as it takes to stay below `cells_max`.
+OccupancyImage occupancy_of(const WallMap& walls, const LaserLog& log, std::span<const Pose2> T_map_vehicle,
+                            double cells_max = 64e6);
+
+}  // namespace aisle
