@@ -5,15 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <iterator>
 #include <optional>
-#include <string_view>
+#include <set>
 #include <utility>
 
 #include "aisle/core/angle.hpp"
 #include "aisle/formats/whole_file.hpp"
+#include "field_reader.hpp"
+#include "problem_list.hpp"
 
 namespace aisle {
 namespace {
@@ -21,20 +21,16 @@ namespace {
 constexpr std::size_t kBytesMax = 16 << 20;
 constexpr std::size_t kWallsMax = 200'000;
 constexpr std::size_t kTourMax = 10'000;
-constexpr std::size_t kProblemsMax = 50;
 constexpr double kCoordinateMax_m = 10'000;
 
-std::optional<double> parse_number(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+std::string text_of(const YAML::Node& node) {
+  return node.IsScalar() ? node.Scalar() : std::string();
 }
 
 /// Reads one document; collects problems instead of stopping at the first.
 class WorldReader {
  public:
-  explicit WorldReader(std::string file) : file_(std::move(file)) {}
+  explicit WorldReader(const std::string& file) : file_(file), problems_(file) {}
 
   Result<World> read(const std::string& text);
 
@@ -57,11 +53,10 @@ class WorldReader {
   bool is_list(const YAML::Node& node, const std::string& key);
   bool is_room_left(const YAML::Node& node, const std::string& key, std::size_t count, std::size_t limit);
   void problem(const YAML::Node& node, const std::string& key, std::string what);
-  bool has_given_up() const { return problems_.size() >= kProblemsMax; }
 
   std::string file_;
   World world_;
-  Problems problems_;
+  ProblemList problems_;
 };
 
 Result<World> WorldReader::read(const std::string& text) {
@@ -70,7 +65,7 @@ Result<World> WorldReader::read(const std::string& text) {
   } catch (const YAML::Exception& error) {
     return Problem{{file_, error.mark.line + 1}, "is not YAML: " + error.msg};
   }
-  if (!problems_.empty()) return problems_;
+  if (!problems_.empty()) return problems_.take();
   return world_;
 }
 
@@ -86,12 +81,14 @@ void WorldReader::read_document(const YAML::Node& document) {
     problem(document, "", "is not a world: expected keys, the first 'format: aisle.world'");
     return;
   }
+  std::set<std::string> seen;
   for (const auto& entry : document) {
-    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+    const std::string key = text_of(entry.first);
+    if (!seen.insert(key).second) problem(entry.first, key, "stands there twice");
     const auto known =
         std::find_if(kKeys.begin(), kKeys.end(), [&](const auto& k) { return key == k.first; });
     if (known == kKeys.end()) {
-      problem(entry.first, key, "unknown key (known: format, version, name, walls, boxes, tour)");
+      problem(entry.first, printable(key), "unknown key (known: format, version, name, walls, boxes, tour)");
     } else {
       (this->*known->second)(entry.second);
     }
@@ -119,7 +116,7 @@ void WorldReader::read_name(const YAML::Node& node) {
 
 void WorldReader::read_walls(const YAML::Node& node) {
   if (!is_list(node, "walls")) return;
-  for (std::size_t i = 0; i < node.size() && !has_given_up(); ++i) {
+  for (std::size_t i = 0; i < node.size(); ++i) {
     const std::string key = fmt::format("walls[{}]", i);
     if (!is_list(node[i], key)) continue;
     if (!is_room_left(node[i], key, world_.walls.size() + node[i].size(), kWallsMax)) return;
@@ -141,8 +138,7 @@ void WorldReader::add_wall(const YAML::Node& node, const std::string& key, const
 
 void WorldReader::read_boxes(const YAML::Node& node) {
   if (!is_list(node, "boxes") || !is_room_left(node, "boxes", node.size(), kWallsMax / 4)) return;
-  for (std::size_t i = 0; i < node.size() && !has_given_up(); ++i)
-    add_box(node[i], fmt::format("boxes[{}]", i));
+  for (std::size_t i = 0; i < node.size(); ++i) add_box(node[i], fmt::format("boxes[{}]", i));
 }
 
 /// The walls of a box run clockwise: its outside, where one can drive, is on their left.
@@ -151,15 +147,15 @@ void WorldReader::add_box(const YAML::Node& node, const std::string& key) {
     problem(node, key, "is not a box such as {centre: [x, y], size: [x, y]}");
     return;
   }
-  std::optional<Vec2> centre, size;
+  Vec2 centre = Vec2::Zero(), size = Vec2::Ones();
   double heading_deg = 0;
   for (const auto& entry : node) {
-    const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "";
-    const std::string inner = key + "." + name;
+    const std::string name = text_of(entry.first);
+    const std::string inner = key + "." + printable(name);
     if (name == "centre") {
-      centre = point(entry.second, inner);
+      centre = point(entry.second, inner).value_or(centre);
     } else if (name == "size") {
-      size = point(entry.second, inner);
+      size = point(entry.second, inner).value_or(size);
     } else if (name == "heading_deg") {
       heading_deg = number(entry.second, inner, 360).value_or(0);
     } else {
@@ -168,13 +164,9 @@ void WorldReader::add_box(const YAML::Node& node, const std::string& key) {
   }
   if (!node["centre"]) problem(node, key + ".centre", "is missing");
   if (!node["size"]) problem(node, key + ".size", "is missing");
-  if (!centre || !size) return;
-  if (size->minCoeff() <= 0) {
-    problem(node, key + ".size", "is not positive");
-    return;
-  }
-  const Pose2 T_world_box{centre->x(), centre->y(), heading_deg * kDegree};
-  const double x = size->x() / 2, y = size->y() / 2;
+  if (size.minCoeff() <= 0) problem(node, key + ".size", "is not positive");
+  const Pose2 T_world_box{centre.x(), centre.y(), heading_deg * kDegree};
+  const double x = size.x() / 2, y = size.y() / 2;
   const std::array<Vec2, 4> corners = {Vec2(-x, -y), Vec2(-x, y), Vec2(x, y), Vec2(x, -y)};
   for (std::size_t i = 0; i < 4; ++i) {
     world_.walls.push_back(T_world_box * Segment2{corners[i], corners[(i + 1) % 4]});
@@ -194,7 +186,7 @@ void WorldReader::read_tour(const YAML::Node& node) {
 /// The points that could be read.
 std::vector<Vec2> WorldReader::points(const YAML::Node& node, const std::string& key) {
   std::vector<Vec2> read;
-  for (std::size_t i = 0; i < node.size() && !has_given_up(); ++i) {
+  for (std::size_t i = 0; i < node.size(); ++i) {
     if (const auto p = point(node[i], fmt::format("{}[{}]", key, i))) read.push_back(*p);
   }
   return read;
@@ -211,14 +203,14 @@ std::optional<Vec2> WorldReader::point(const YAML::Node& node, const std::string
 }
 
 std::optional<double> WorldReader::number(const YAML::Node& node, const std::string& key, double limit) {
-  const std::string text = node.IsScalar() ? node.Scalar() : "this";
-  const std::optional<double> value = node.IsScalar() ? parse_number(text) : std::nullopt;
-  if (!value) {
-    problem(node, key, fmt::format("{:.40} is not a number", text));
+  const std::string text = node.IsScalar() ? node.Scalar() : "a list";
+  const std::optional<double> value = parse_number(text);
+  if (!value || !std::isfinite(*value)) {
+    problem(node, key, fmt::format("'{}' is not a number", printable(text)));
     return std::nullopt;
   }
   if (std::abs(*value) > limit) {
-    problem(node, key, fmt::format("{:.40} is outside {:g} .. {:g}", text, -limit, limit));
+    problem(node, key, fmt::format("{} is outside {:g} .. {:g}", printable(text), -limit, limit));
     return std::nullopt;
   }
   return value;
@@ -236,43 +228,7 @@ bool WorldReader::is_room_left(const YAML::Node& node, const std::string& key, s
 }
 
 void WorldReader::problem(const YAML::Node& node, const std::string& key, std::string what) {
-  if (has_given_up()) return;
-  problems_.push_back({{file_, std::max(0, node.Mark().line) + 1, key}, std::move(what)});
-  if (has_given_up()) problems_.push_back({{file_}, "and more; only the first are listed"});
-}
-
-/// "x1 y1 x2 y2" and whatever follows.
-std::optional<Segment2> parse_segment(std::string_view line) {
-  std::array<double, 4> numbers{};
-  for (double& value : numbers) {
-    line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
-    const std::size_t length = std::min(line.find_first_of(" \t\r"), line.size());
-    const auto parsed = parse_number(line.substr(0, length));
-    if (!parsed || std::abs(*parsed) > kCoordinateMax_m) return std::nullopt;
-    value = *parsed;
-    line.remove_prefix(length);
-  }
-  return Segment2{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
-}
-
-std::string polyline_text(const std::vector<Vec2>& points, std::string_view indent) {
-  constexpr std::size_t kPointsInALine = 6;
-  std::string text = "[";
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i > 0) text += i % kPointsInALine == 0 ? fmt::format(",\n{}", indent) : ", ";
-    text += fmt::format("[{:.6g}, {:.6g}]", std::round(points[i].x() * 1000) / 1000,
-                        std::round(points[i].y() * 1000) / 1000);
-  }
-  return text + "]";
-}
-
-std::vector<std::vector<Vec2>> polylines(const std::vector<Segment2>& walls) {
-  std::vector<std::vector<Vec2>> joined;
-  for (const Segment2& wall : walls) {
-    if (joined.empty() || joined.back().back() != wall.start) joined.push_back({wall.start});
-    joined.back().push_back(wall.end);
-  }
-  return joined;
+  problems_.add(std::max(0, node.Mark().line) + 1, key, std::move(what));
 }
 
 }  // namespace
@@ -280,43 +236,11 @@ std::vector<std::vector<Vec2>> polylines(const std::vector<Segment2>& walls) {
 Result<World> read_world(const std::filesystem::path& path) {
   const Result<std::string> text = read_whole_file(path, kBytesMax);
   if (!text) return text.problems();
-  return WorldReader(path.string()).read(*text);
+  return parse_world(*text, path.string());
 }
 
-std::string world_yaml(const World& world) {
-  YAML::Emitter name;
-  name << YAML::DoubleQuoted << world.name;
-  std::string text = fmt::format("format: aisle.world\nversion: 1\nname: {}\nwalls:{}\n", name.c_str(),
-                                 world.walls.empty() ? " []" : "");
-  for (const std::vector<Vec2>& line : polylines(world.walls)) {
-    text += fmt::format("  - {}\n", polyline_text(line, "     "));
-  }
-  return text + fmt::format("tour: {}\n", polyline_text(world.tour, "  "));
-}
-
-Result<World> read_wall_segments(const std::filesystem::path& path) {
-  const Result<std::string> text = read_whole_file(path, kBytesMax);
-  if (!text) return text.problems();
-  World world{.name = path.stem().string(), .walls = {}, .tour = {}};
-  Problems problems;
-  long line_number = 0;
-  for (std::string_view rest = *text; !rest.empty() && problems.size() < kProblemsMax;) {
-    const std::string_view line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-    ++line_number;
-    const std::size_t first = line.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos || line[first] == '#') continue;
-    if (const auto segment = parse_segment(line)) {
-      world.walls.push_back(*segment);
-    } else {
-      problems.push_back(
-          {{path.string(), line_number}, "is not 'x1 y1 x2 y2 kind' in metres, at most 10 km from 0"});
-    }
-  }
-  if (!problems.empty()) return problems;
-  if (world.walls.empty()) return Problem{{path.string()}, "has no wall segments"};
-  if (world.walls.size() > kWallsMax) return Problem{{path.string()}, "has more than 200000 wall segments"};
-  return world;
+Result<World> parse_world(const std::string& text, const std::string& name) {
+  return WorldReader(name).read(text);
 }
 
 }  // namespace aisle

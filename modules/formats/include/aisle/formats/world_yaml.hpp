@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "aisle/core/result.hpp"
 #include "aisle/simulation/world.hpp"
@@ -12,12 +13,18 @@ namespace aisle {
 /// Reads a world file; all its problems are reported together, each with its line and key.
 Result<World> read_world(const std::filesystem::path& path);
 
+/// The same from memory; `name` stands for the file in problems.
+Result<World> parse_world(const std::string& text, const std::string& name);
+
 /// The world as the text of a world file, walls that follow each other joined to polylines. Coordinates are
 /// rounded to millimetres.
 std::string world_yaml(const World& world);
 
-/// Reads a floor given as wall segments, "x1 y1 x2 y2 kind" a line. The world is named after the file; it has
+/// Reads a floor given as wall segments, "x1 y1 x2 y2 kind" a line. The world is named after the file and has
 /// no tour.
 Result<World> read_wall_segments(const std::filesystem::path& path);
+
+/// The same from memory.
+Result<World> parse_wall_segments(std::string_view text, const std::string& name);
 
 }  // namespace aisle
