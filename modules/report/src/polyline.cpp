@@ -1,0 +1,47 @@
+#include "polyline.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace aisle {
+namespace {
+
+double distance_to_segment(const Vec2& p, const Vec2& start, const Vec2& end) {
+  const Vec2 along = end - start;
+  const double square = along.squaredNorm();
+  const double share = square > 0 ? std::clamp((p - start).dot(along) / square, 0.0, 1.0) : 0;
+  return (p - start - share * along).norm();
+}
+
+}  // namespace
+
+std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance) {
+  if (points.size() < 3) return points;
+  std::vector<char> is_kept(points.size(), 0);
+  is_kept.front() = is_kept.back() = 1;
+  std::vector<std::pair<std::size_t, std::size_t>> open = {{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    std::size_t farthest = first;
+    double farthest_off = tolerance;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double off = distance_to_segment(points[i], points[first], points[last]);
+      if (off > farthest_off) {
+        farthest = i;
+        farthest_off = off;
+      }
+    }
+    if (farthest == first) continue;
+    is_kept[farthest] = 1;
+    open.emplace_back(first, farthest);
+    open.emplace_back(farthest, last);
+  }
+  std::vector<Vec2> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (is_kept[i] != 0) kept.push_back(points[i]);
+  }
+  return kept;
+}
+
+}  // namespace aisle
