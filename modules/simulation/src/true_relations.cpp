@@ -29,9 +29,9 @@ std::vector<Milestone> milestones(std::span<const Pose2> poses) {
 
 }  // namespace
 
-std::vector<TrueRelation> true_relations(std::span<const Pose2> T_world_vehicle, Random& random) {
+std::vector<PoseRelation> true_relations(std::span<const Pose2> T_world_vehicle, Random& random) {
   const std::vector<Milestone> stones = milestones(T_world_vehicle);
-  std::vector<TrueRelation> relations;
+  std::vector<PoseRelation> relations;
   const auto relate = [&](const Milestone& a, const Milestone& b) {
     relations.push_back({a.scan, b.scan, between(T_world_vehicle[a.scan], T_world_vehicle[b.scan])});
   };
@@ -48,12 +48,11 @@ std::vector<TrueRelation> true_relations(std::span<const Pose2> T_world_vehicle,
   return relations;
 }
 
-std::string relations_text(std::span<const TrueRelation> relations) {
-  std::string text =
-      "# first second x_m y_m yaw_rad   (scans by number from 0; pose of the second seen from the first)\n";
-  for (const TrueRelation& relation : relations) {
-    const Pose2& T = relation.T_first_second;
-    fmt::format_to(std::back_inserter(text), "{} {} {:.6f} {:.6f} {:.6f}\n", relation.first, relation.second,
+std::string relations_text(std::span<const PoseRelation> relations) {
+  std::string text = "# i1 i2 x_m y_m yaw_rad   (scans by number from 0; the second seen from the first)\n";
+  for (const PoseRelation& relation : relations) {
+    const Pose2& T = relation.T_1_2;
+    fmt::format_to(std::back_inserter(text), "{} {} {:.6f} {:.6f} {:.6f}\n", relation.scan_1, relation.scan_2,
                    T.x, T.y, T.theta);
   }
   return text;

@@ -24,18 +24,17 @@ std::vector<Pose2> two_rounds() {
 TEST(TrueRelations, AgreeWithTheTruePoses) {
   const std::vector<Pose2> poses = two_rounds();
   Random random(1);
-  for (const TrueRelation& relation : true_relations(poses, random)) {
-    EXPECT_THAT(poses[relation.first] * relation.T_first_second,
-                PoseNear(poses[relation.second], 1e-9, 1e-9));
-    EXPECT_LT(relation.T_first_second.position().norm(), 1.2);
+  for (const PoseRelation& relation : true_relations(poses, random)) {
+    EXPECT_THAT(poses[relation.scan_1] * relation.T_1_2, PoseNear(poses[relation.scan_2], 1e-9, 1e-9));
+    EXPECT_LT(relation.T_1_2.position().norm(), 1.2);
   }
 }
 
 TEST(TrueRelations, JoinNeighboursAndRevisits) {
   Random random(1);
   int neighbours = 0, revisits = 0;
-  for (const TrueRelation& relation : true_relations(two_rounds(), random)) {
-    ++(relation.second - relation.first < 20 ? neighbours : revisits);
+  for (const PoseRelation& relation : true_relations(two_rounds(), random)) {
+    ++(relation.scan_2 - relation.scan_1 < 20 ? neighbours : revisits);
   }
   EXPECT_GE(neighbours, 33);  // 37.7 m in steps of about 1.1 m
   EXPECT_GE(revisits, 15);
@@ -54,7 +53,7 @@ TEST(TrueRelations, AVehicleThatStandsHasNone) {
 }
 
 TEST(TrueRelations, TheTextHasOneRelationALine) {
-  const std::vector<TrueRelation> relations = {{3, 17, {1, -0.25, kPi / 2}}};
+  const std::vector<PoseRelation> relations = {{3, 17, {1, -0.25, kPi / 2}}};
   std::istringstream text(relations_text(relations));
   std::string comment, line;
   std::getline(text, comment);
