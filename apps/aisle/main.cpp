@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
   app.add_flag("--quiet", output.quiet, "no warnings and no progress bar");
   Work work;
   add_map_verb(app, work);
+  add_sim_verb(app, work);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

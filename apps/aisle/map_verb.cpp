@@ -49,15 +49,7 @@ void add_map_verb(CLI::App& app, Work& work) {
                    "by how many seconds the odometry is later than its scan (default: found from the log)")
       ->check(CLI::Range(-10.0, 10.0));
   verb->add_flag("--stages", options->stages, "print the figures of every stage of the work");
-  verb->add_option("--params", options->parameters.files, "parameter file (YAML), over the defaults");
-  verb->add_option("--set", options->parameters.settings, "key=value, over the parameter files");
-  auto print_parameters = std::make_shared<bool>(false);
-  verb->add_flag("--print-params", *print_parameters, "print all parameters with their defaults and stop");
-  verb->callback([=, &work] {
-    if (*print_parameters) {
-      work = [](Console&) -> Result<Outcome> { return Outcome{.verb = "map", .text = map_parameters_yaml()}; };
-      return;
-    }
+  add_parameter_options(*verb, options->parameters, map_parameters_yaml, "map", work, [options, &work] {
     if (options->log.empty()) throw CLI::RequiredError("LOG");
     work = [options](Console& console) { return run_map(*options, console); };
   });

@@ -2,10 +2,17 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
 
 #include "aisle/commands/outcome.hpp"
+#include "aisle/commands/parameter_sources.hpp"
 
 /// The work that the command line asks for; each verb's parser sets it.
 using Work = std::function<aisle::Result<aisle::Outcome>(aisle::Console&)>;
 
 void add_map_verb(CLI::App& app, Work& work);
+void add_sim_verb(CLI::App& app, Work& work);
+
+/// --params, --set and --print-params for a verb; `chosen` runs when the verb is used without --print-params.
+void add_parameter_options(CLI::App& verb, aisle::ParameterSources& sources, std::string (*print)(),
+                           const std::string& name, Work& work, const std::function<void()>& chosen);
