@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kStartSigma = 1e-3;           // [m, rad]: the first pose is the frame
 constexpr int kAlignmentIterations = 6;
+constexpr double kDoubtful = 0.7;              // less of the seen length fits: the odometry may be wrong
+constexpr double kDoubtful_m = 0.03;           // after a motion of at least this
+constexpr double kClearlyBetter = 0.15;
 constexpr double kRelocationSeen_m = 2;        // with less wall in sight a guess is worse than none
 constexpr double kRelocatedSigma_m = 0.05;
 constexpr double kRelocatedSigma_rad = 2 * kDegree;
@@ -59,7 +62,9 @@ Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_
 
 void ScanTracker::predict(const Pose2& T_last_now) {
   path_m_ += std::hypot(T_last_now.x, T_last_now.y);
-  T_track_sensor_ = T_track_sensor_ * UncertainPose2{T_last_now, params_.motion.covariance(T_last_now)};
+  T_track_last_ = T_track_sensor_.mean;
+  motion_ = {motion_sign_ * T_last_now.x, motion_sign_ * T_last_now.y, T_last_now.theta};
+  T_track_sensor_ = T_track_sensor_ * UncertainPose2{motion_, params_.motion.covariance(motion_)};
 }
 
 void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
@@ -75,11 +80,31 @@ void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
   ++headings_used_;
 }
 
+/// Lays the scan onto the walls from where odometry puts it. Wheels may count backwards driving forwards, or turn while
+/// the vehicle stands: where the scan does not fit, those are tried as well.
 Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
-  const PosePrior prior{T_track_sensor_.mean, T_track_sensor_.covariance.inverse()};
-  const Alignment alignment = aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
-  T_track_sensor_ = {alignment.T_map_sensor, (prior.information + alignment.wall_information).inverse()};
-  return alignment;
+  const Vec2 counted_m = motion_.position();
+  Alignment best = lay_from(segments, counted_m);
+  if (best.fitting_share() < kDoubtful && counted_m.norm() > kDoubtful_m) {
+    const Alignment mirrored = lay_from(segments, -counted_m);
+    const Alignment standing = lay_from(segments, Vec2::Zero());
+    if (mirrored.fitting_share() > best.fitting_share() + kClearlyBetter) {
+      best = mirrored;
+      motion_sign_ = -motion_sign_;
+    }
+    if (standing.fitting_share() > best.fitting_share() + kClearlyBetter) best = standing;
+  }
+  const Mat3 prior_information = T_track_sensor_.covariance.inverse();
+  T_track_sensor_ = {best.T_map_sensor, (prior_information + best.wall_information).inverse()};
+  return best;
+}
+
+Alignment ScanTracker::lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m) {
+  const Vec2 counted = T_track_last_ * motion_.position(), assumed = T_track_last_ * motion_m;
+  const Pose2& predicted = T_track_sensor_.mean;
+  const PosePrior prior{{predicted.x + assumed.x() - counted.x(), predicted.y + assumed.y() - counted.y(), predicted.theta},
+                        T_track_sensor_.covariance.inverse()};
+  return aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
 }
 
 bool ScanTracker::relocate(std::span<const SensedSegment> segments, double matched_share) {

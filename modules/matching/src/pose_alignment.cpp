@@ -56,7 +56,7 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
                           wrap_angle(pose.theta - prior.T_map_sensor.theta));
     Vec3 gradient = prior.information * from_prior;
     Mat3 information = Mat3::Zero();
-    result.matched_m = 0;
+    result.matched_m = result.fitting_m = 0;
     const double c = std::cos(pose.theta), s = std::sin(pose.theta);
     for (std::size_t i = 0; i < segments.size(); ++i) {
       if (wall_of_segment_[i] < 0) continue;
@@ -73,7 +73,8 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
         heading_variance += square(params_.oblique_sigma_rad);
       }
       const double trust = std::min(1.0, (wall.sightings + 0.5) / params_.sightings_for_full_weight);
-      const double offset_weight = trust / offset_variance * cauchy_weight(offset_m, params_.cauchy_m);
+      const double offset_fit = cauchy_weight(offset_m, params_.cauchy_m);
+      const double offset_weight = trust / offset_variance * offset_fit;
       const double heading_weight = trust / heading_variance * cauchy_weight(turn_rad, params_.cauchy_rad);
 
       const Vec3 jacobian(wall.normal.x(), wall.normal.y(), wall.normal.dot(left_normal(lever)));
@@ -82,6 +83,7 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
       information(2, 2) += heading_weight;
       gradient(2) += heading_weight * turn_rad;
       result.matched_m += seen.length_m;
+      result.fitting_m += seen.length_m * offset_fit;
     }
     const Vec3 step = -(information + prior.information).ldlt().solve(gradient);
     pose = {pose.x + step(0), pose.y + step(1), wrap_angle(pose.theta + step(2))};

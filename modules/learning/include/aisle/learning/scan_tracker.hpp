@@ -55,6 +55,7 @@ class ScanTracker {
   void predict(const Pose2& T_last_now);
   void correct_heading(std::span<const SensedSegment> segments);
   Alignment lay_onto_walls(std::span<const SensedSegment> segments);
+  Alignment lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m);
   bool relocate(std::span<const SensedSegment> segments, double matched_share);
   bool keyframe_is_due() const;
   void learn(std::span<const SensedSegment> segments, const Mat3& wall_information);
@@ -63,6 +64,9 @@ class ScanTracker {
   WallUpdateParams update_;
   PoseAligner aligner_;
   UncertainPose2 T_track_sensor_;
+  Pose2 T_track_last_;              ///< pose at the scan before
+  Pose2 motion_;                    ///< since then, by odometry
+  double motion_sign_ = 1;          ///< -1: the odometry counts the way with the wrong sign
   std::vector<WallEstimate> walls_;
   std::vector<int> window_;
   std::vector<Keyframe> keyframes_;

@@ -29,9 +29,12 @@ struct Alignment {
   Mat3 wall_information = Mat3::Zero();  ///< of (x, y, theta) from the walls alone, without the prior
   double seen_m = 0;                     ///< length of all segments
   double matched_m = 0;                  ///< length of those that have a wall
+  double fitting_m = 0;                  ///< the same, each less the farther it lies from its wall
 
   /// Share of the seen length that has a wall; 1 if nothing was seen.
   double matched_share() const { return seen_m > 0 ? matched_m / seen_m : 1; }
+  /// The same of the length that fits.
+  double fitting_share() const { return seen_m > 0 ? fitting_m / seen_m : 1; }
 };
 
 /// Finds the pose at which the sensed segments lie best on the walls: Gauss-Newton on each segment's offset from its
