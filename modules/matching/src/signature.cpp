@@ -58,7 +58,7 @@ std::span<double> SignatureCorrelator::correlate(std::span<const SignatureSymbol
                                                  std::span<const SignatureSymbol> learned) {
   std::fill(values_.begin(), values_.end(), 0.0);
   const int half_kernel = static_cast<int>(kernel_.size() / 2);
-  const double reach_m = params_.reach_m + half_kernel * params_.cell_m;
+  const double reach_m = params_.reach_m + (half_kernel + 0.5) * params_.cell_m;
   for (const SignatureSymbol& s : sensed) {
     auto l = std::lower_bound(learned.begin(), learned.end(),
                               SignatureSymbol{s.kind, s.position_m - reach_m, 0}, before);
