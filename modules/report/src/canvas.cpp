@@ -1,7 +1,6 @@
 #include "canvas.hpp"
 
 #include <cairo-svg.h>
-#include <cairo.h>
 
 #include <algorithm>
 #include <memory>

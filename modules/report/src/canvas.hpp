@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cairo.h>
+
 #include <array>
 #include <functional>
 #include <string>
@@ -7,8 +9,6 @@
 #include <vector>
 
 #include "aisle/geometry/pose2.hpp"
-
-struct _cairo;  // cairo_t
 
 namespace aisle {
 
@@ -33,7 +33,7 @@ struct Font {
 /// Lines, areas and text in pixels from the top left corner, y down, on paper or pixels.
 class Canvas {
  public:
-  explicit Canvas(_cairo* cairo);
+  explicit Canvas(cairo_t* cairo);
 
   void fill(const Color& color);
   void line(const Vec2& start, const Vec2& end, const Pen& pen);
@@ -52,7 +52,7 @@ class Canvas {
   void use(const Font& font);
   void stroke(const Pen& pen);
 
-  _cairo* cairo_;
+  cairo_t* cairo_;
 };
 
 using Drawing = std::function<void(Canvas&)>;

@@ -25,7 +25,7 @@ constexpr Color kObliqueWall{0.78, 0.36, 0.08};
 constexpr Color kPath{0.13, 0.47, 0.86};
 constexpr Color kLoopClosure{0.10, 0.64, 0.36, 0.85};
 
-constexpr Pen kPathPen{kPath, 2};
+constexpr Pen kPathPen{kPath, 1.75};
 constexpr Pen kLoopPen{kLoopClosure, 2};
 constexpr Pen kGridPen{kGrid, 1};
 constexpr Font kTitleFont{30, kInk, true};
@@ -44,7 +44,7 @@ class MapDrawing {
  private:
   void draw_grid(Canvas& canvas) const;
   void draw_wall_bodies(Canvas& canvas) const;
-  void draw_walls(Canvas& canvas) const;
+  void draw_walls(Canvas& canvas, bool is_orthogonal) const;
   void draw_path(Canvas& canvas) const;
   void draw_loop_closures(Canvas& canvas) const;
   void draw_path_ends(Canvas& canvas) const;
@@ -66,7 +66,8 @@ void MapDrawing::draw_on(Canvas& canvas) const {
   draw_wall_bodies(canvas);
   draw_path(canvas);
   draw_loop_closures(canvas);
-  draw_walls(canvas);
+  draw_walls(canvas, false);
+  draw_walls(canvas, true);
   draw_path_ends(canvas);
   draw_header(canvas);
   draw_scale_bar(canvas);
@@ -99,11 +100,12 @@ void MapDrawing::draw_wall_bodies(Canvas& canvas) const {
 }
 
 Pen MapDrawing::wall_pen(const Wall& wall) const {
-  return {wall.is_orthogonal ? kWall : kObliqueWall, std::clamp(0.055 * scale_.px_per_m, 1.5, 3.0)};
+  return {wall.is_orthogonal ? kWall : kObliqueWall, std::clamp(0.08 * scale_.px_per_m, 1.75, 3.5)};
 }
 
-void MapDrawing::draw_walls(Canvas& canvas) const {
+void MapDrawing::draw_walls(Canvas& canvas, bool is_orthogonal) const {
   for (const Wall& wall : picture_.walls.walls) {
+    if (wall.is_orthogonal != is_orthogonal) continue;
     canvas.line(scale_.to_paper(wall.segment.start), scale_.to_paper(wall.segment.end), wall_pen(wall));
   }
 }

@@ -35,10 +35,10 @@ Arc counted_by_wheels(const Arc& driven, const OdometryNoiseParams& noise, Rando
 
 Trip drive(const World& world, const TourParams& params, Random& random) {
   TourDriver driver(world.tour, params.driver);
-  Trip trip{{driver.T_world_vehicle()}, {Pose2{}}};
+  Trip trip{{driver.pose()}, {Pose2{}}};
   while (!driver.has_arrived()) {
     const Arc counted = counted_by_wheels(driver.step(kStep_s), params.odometry, random);
-    trip.T_world_vehicle.push_back(driver.T_world_vehicle());
+    trip.T_world_vehicle.push_back(driver.pose());
     trip.T_odom_vehicle.push_back(trip.T_odom_vehicle.back() * end_pose(counted));
   }
   return trip;

@@ -18,10 +18,9 @@ TEST(TourDriver, CutsACornerByLessThanItsLookAhead) {
   double nearest_to_corner_m = 9;
   while (!driver.has_arrived()) {
     driver.step(kStep_s);
-    nearest_to_corner_m =
-        std::min(nearest_to_corner_m, (driver.T_world_vehicle().position() - Vec2(4, 0)).norm());
+    nearest_to_corner_m = std::min(nearest_to_corner_m, (driver.pose().position() - Vec2(4, 0)).norm());
   }
-  EXPECT_THAT(driver.T_world_vehicle(), PoseNear(Pose2{4, 4, kPi / 2}, 0.06, 5 * kDegree));
+  EXPECT_THAT(driver.pose(), PoseNear(Pose2{4, 4, kPi / 2}, 0.06, 5 * kDegree));
   EXPECT_GT(nearest_to_corner_m, 0.02);
   EXPECT_LT(nearest_to_corner_m, 0.5);
 }
@@ -31,10 +30,10 @@ TEST(TourDriver, TurnsRoundInLittleSpaceWhereTheTourTurnsBack) {
   double widest_m = 0;
   while (!driver.has_arrived()) {
     driver.step(kStep_s);
-    widest_m = std::max(widest_m, std::abs(driver.T_world_vehicle().y));
+    widest_m = std::max(widest_m, std::abs(driver.pose().y));
   }
   EXPECT_LT(widest_m, 0.25);
-  EXPECT_THAT(driver.T_world_vehicle(), PoseNear(Pose2{0, 0, kPi}, 0.06, 5 * kDegree));
+  EXPECT_THAT(driver.pose(), PoseNear(Pose2{0, 0, kPi}, 0.06, 5 * kDegree));
 }
 
 TEST(TourDriver, RefusesATourThatLeadsNowhere) {

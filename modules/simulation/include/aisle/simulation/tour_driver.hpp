@@ -32,7 +32,8 @@ class TourDriver {
   TourDriver(std::vector<Vec2> tour, const TourDriverParams& params);
 
   bool has_arrived() const;
-  const Pose2& T_world_vehicle() const { return T_world_vehicle_; }
+  /// The true pose in `world`.
+  const Pose2& pose() const { return T_world_vehicle_; }
 
   /// Drives for a short time on the arc that is returned.
   Arc step(double time_s);
