@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "aisle/exploration/grid_rules.hpp"
+#include "aisle/exploration/known_ways.hpp"
+
+namespace aisle {
+
+/// Explores an unknown world of cells: preprocessing unit, navigation transducer and map building in one (C97
+/// section 2.2, Algorithm 1). It sees one cell at a time and moves nothing itself.
+class GridExplorer {
+ public:
+  using Watcher = std::function<void(const TransducerRule&)>;
+
+  /// @param width, height  room for the map; the rules make no use of them
+  /// @param watcher  told of every rule that fires, also of those that move nothing; may be empty
+  GridExplorer(const GridRules& rules, int width, int height, Cell start, Watcher watcher = {});
+
+  /// One learning cycle: what the vehicle sees of its own cell -> the side to which it shall move;
+  /// nullopt: stop, everything reachable is explored. Not to be called again after that.
+  std::optional<Side> step(Sides open);
+
+  Cell at() const { return map_.cell(at_); }
+  std::size_t at_index() const { return at_; }
+  const GridRules& rules() const { return *rules_; }
+  const TransducerRun& transducer() const { return run_; }
+
+  /// What was learned. Sides of cells that were not visited stand closed.
+  const LearnedGrid& map() const { return map_; }
+  /// Whether the cell is in the list of explored crossings.
+  bool is_explored_crossing(std::size_t cell) const { return (notes_[cell] & kCrossing) != 0; }
+
+  /// The input and the rule of the latest cycle.
+  Symbol last_input() const { return last_input_; }
+  const TransducerRule& last_rule() const { return *last_rule_; }
+
+ private:
+  enum Note : std::uint8_t { kCrossing = 1 };  ///< bits 2 and 3: the parent's side, bits 4 to 7: false walls
+
+  Sides false_walls(std::size_t cell) const { return notes_[cell] >> 4; }
+  void put_false_wall(std::size_t cell, Side side);
+  Side parent(std::size_t cell) const { return static_cast<Side>(notes_[cell] >> 2 & 3); }
+
+  void learn(Sides open);
+  void close_ways_to_visited(Sides open);
+  Symbol encode(Sides open);
+  Symbol encode_start(Sides open);
+  Symbol encode_fresh(Sides open);
+  Symbol encode_explored(Side came);
+  Symbol encode_homing(Sides open);
+  bool top_is_stale() const;
+  void find_way(std::size_t goal);
+
+  const GridRules* rules_;
+  Watcher watcher_;
+  TransducerRun run_;
+  LearnedGrid map_;
+  std::vector<std::uint8_t> notes_;
+  std::size_t start_;
+  std::size_t at_;
+  std::optional<Side> came_from_;
+  Symbol last_input_ = 0;
+  const TransducerRule* last_rule_ = nullptr;
+
+  // kHoming only: where each symbol of the stack was pushed, and the rest of the present way, its next move
+  // last.
+  std::vector<std::uint32_t> places_;
+  KnownWays ways_;
+  std::vector<Side> way_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,26 @@
+#include "aisle/exploration/known_ways.hpp"
+
+#include <algorithm>
+
+namespace aisle {
+
+void KnownWays::begin(std::size_t cells, std::size_t from) {
+  if (stamps_.size() != cells || stamp_ == UINT32_MAX) {
+    stamps_.assign(cells, 0);
+    entered_by_.resize(cells);
+    stamp_ = 0;
+  }
+  stamps_[from] = ++stamp_;
+  from_ = from;
+  queue_.assign(1, static_cast<std::uint32_t>(from));
+}
+
+void KnownWays::take_way(const LearnedGrid& map, std::size_t goal, std::vector<Side>& way) const {
+  way.clear();
+  while (goal != from_) {
+    way.push_back(entered_by_[goal]);
+    goal = map.neighbour(goal, opposite(entered_by_[goal]));
+  }
+}
+
+}  // namespace aisle
