@@ -36,8 +36,8 @@ BeamFan flaser_fan(std::size_t beams, std::optional<double> resolution_deg) {
   if (!step_deg) step_deg = resolution_deg;
   if (!step_deg && beams >= 300 && beams < 540) step_deg = 0.5;
   if (!step_deg) return {-90 * kDegree, 180 * kDegree / static_cast<double>(beams - 1)};
-  // Beam beams/2 looks straight ahead: with an even number the last one to the left is missing.
-  return {-static_cast<double>(beams / 2) * *step_deg * kDegree, *step_deg * kDegree};
+  const std::size_t ahead = beams / 2;  // of an even number, the last beam to the left is missing
+  return {-static_cast<double>(ahead) * *step_deg * kDegree, *step_deg * kDegree};
 }
 
 LaserScanner flaser_scanner(std::size_t beams) {

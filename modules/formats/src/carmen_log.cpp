@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -26,15 +27,23 @@ class RecordedMounting {
     const Pose2 T_vehicle_laser = between(T_odom_vehicle, T_odom_laser);
     if (!first_) first_ = T_vehicle_laser;
     const Pose2 change = between(*first_, T_vehicle_laser);
-    agreed_ = agreed_ && change.position().norm() < 0.01 && std::abs(change.theta) < 0.5 * kDegree;
+    all_agree_ = all_agree_ && change.position().norm() < 0.01 && std::abs(change.theta) < 0.5 * kDegree;
   }
 
-  std::optional<Pose2> T_vehicle_laser() const { return agreed_ ? first_ : std::nullopt; }
+  std::optional<Pose2> agreed() const { return all_agree_ ? first_ : std::nullopt; }
 
  private:
   std::optional<Pose2> first_;
-  bool agreed_ = true;
+  bool all_agree_ = true;
 };
+
+/// Whether a file that ends with this word lost the rest of a message.
+bool is_cut_off_name(std::string_view word) {
+  constexpr std::array<std::string_view, 5> kNames = {"FLASER", "RAWLASER1", "ROBOTLASER1", "ODOM", "PARAM"};
+  return std::any_of(kNames.begin(), kNames.end(), [&](std::string_view name) {
+    return !word.empty() && word.size() < name.size() && name.starts_with(word);
+  });
+}
 
 ScanMessage read_scan(FieldReader& fields, ScanKind kind, double metres_per_unit) {
   switch (kind) {
@@ -103,7 +112,9 @@ Result<CarmenLog> CarmenParser::parse(std::string_view text) {
   }
   while (!text.empty()) {
     ++line_;
-    FieldReader fields(take_line(text));
+    const std::string_view line = take_line(text);
+    FieldReader fields(line);
+    if (text.empty() && is_cut_off_name(line)) fields.fail("the file is cut off here");
     read_message(fields);
     if (!fields.ok()) problems_.add(line_, fields.failure());
   }
@@ -158,8 +169,9 @@ void CarmenParser::take(FieldReader& fields, ScanKind kind) {
 void CarmenParser::check_whole(FieldReader& fields, const StampFields& stamp,
                                std::optional<std::size_t>& usual) {
   if (!usual) usual = stamp.after_stamp;
-  if (stamp.after_stamp < *usual)
+  if (stamp.after_stamp < *usual) {
     fields.fail("the line ends before its host or logger timestamp; it seems to be cut off");
+  }
 }
 
 void CarmenParser::check_like_first(FieldReader& fields, const ScanMessage& scan) {
@@ -201,8 +213,8 @@ void CarmenParser::settle_scanner() {
   laser.angle_step_rad = fan.angle_step_rad;
   laser.range_max_m = find_range_max_m(log_.scans, params_.maximum_range_m.value_or(announced_range_max_m_));
   std::optional<Pose2> T_vehicle_laser = options_.T_vehicle_laser;
-  if (!T_vehicle_laser) T_vehicle_laser = params_.T_vehicle_laser();
-  if (!T_vehicle_laser) T_vehicle_laser = mounting_.T_vehicle_laser();
+  if (!T_vehicle_laser) T_vehicle_laser = params_.mounting();
+  if (!T_vehicle_laser) T_vehicle_laser = mounting_.agreed();
   laser.T_vehicle_laser = T_vehicle_laser.value_or(Pose2{});
 }
 

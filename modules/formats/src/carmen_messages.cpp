@@ -57,7 +57,7 @@ ScanMessage read_laser_head(FieldReader& fields, double metres_per_unit) {
 
 }  // namespace
 
-std::optional<Pose2> CarmenParams::T_vehicle_laser() const {
+std::optional<Pose2> CarmenParams::mounting() const {
   if (!offset_m && !side_offset_m && !angular_offset_rad) return std::nullopt;
   return Pose2{offset_m.value_or(0), side_offset_m.value_or(0), angular_offset_rad.value_or(0)};
 }

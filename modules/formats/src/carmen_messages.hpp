@@ -36,7 +36,8 @@ struct CarmenParams {
   std::optional<double> maximum_range_m;
   std::optional<double> resolution_deg;
 
-  std::optional<Pose2> T_vehicle_laser() const;
+  /// T_vehicle_laser, if there is anything about it.
+  std::optional<Pose2> mounting() const;
 };
 
 ScanMessage read_flaser(FieldReader& fields, double metres_per_unit);

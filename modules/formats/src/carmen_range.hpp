@@ -15,8 +15,9 @@ inline constexpr double kUsableShareOfMaximum = 0.97;
 /// @param announced_m  0: none
 double find_range_max_m(const std::vector<LaserScan>& scans, double announced_m);
 
-/// The median of the readings at which something was seen (of some 500 scans spread over the log); 0 if
-/// nothing was.
+/// The median of the readings at which something was seen, of some 500 scans spread over the log; 0 if
+/// nothing was. Readings of more than twice the maximum count too: no scanner marks "nothing seen" so, the
+/// unit must be another.
 double median_reading_m(const LaserLog& log);
 
 }  // namespace aisle

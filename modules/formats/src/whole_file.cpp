@@ -25,7 +25,8 @@ Result<std::string> read_whole_file(const fs::path& path, std::size_t max_bytes)
   std::size_t used = 0;
   while (true) {
     if (bytes.size() < used + (1 << 17)) bytes.resize(std::max<std::size_t>(2 * bytes.size(), 1 << 20));
-    const int count = gzread(file.get(), bytes.data() + used, static_cast<unsigned>(std::min<std::size_t>(bytes.size() - used, 1 << 30)));
+    const int count = gzread(file.get(), bytes.data() + used,
+                             static_cast<unsigned>(std::min<std::size_t>(bytes.size() - used, 1 << 30)));
     int code = Z_OK;
     const char* message = gzerror(file.get(), &code);
     if (count < 0 || (code != Z_OK && code != Z_STREAM_END)) {

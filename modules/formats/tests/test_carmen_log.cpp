@@ -129,6 +129,8 @@ TEST(CarmenLog, WrongUnitsAreWarnedOf) {
   CarmenOptions centimetres;
   centimetres.unit = LengthUnit::kCentimetre;
   EXPECT_THAT(parsed(flaser(1, "150 200 300")).warnings, ElementsAre(HasSubstr("--units cm")));
+  EXPECT_THAT(parsed("PARAM robot_front_laser_max 50\n" + flaser(1, "150 200 300")).warnings,
+              ElementsAre(HasSubstr("--units cm")));
   EXPECT_THAT(parsed(flaser(1), centimetres).warnings, ElementsAre(HasSubstr("--units cm")));
   EXPECT_THAT(parsed(flaser(1, "150 200 300"), centimetres).warnings, IsEmpty());
 }
@@ -198,6 +200,7 @@ INSTANTIATE_TEST_SUITE_P(
                "trip.clf:2: the line ends after 9 fields"},
         BadLog{"CutOffInTheStamps", kGood + "FLASER 3 1 2 3 1 2 0 1 2 0 7.5 ho",
                "trip.clf:2: the line ends before"},
+        BadLog{"CutOffInTheName", kGood + "FLAS", "trip.clf:2: the file is cut off here"},
         BadLog{"OdometryCutOff", kGood + "ODOM 1 2",
                "trip.clf:2: the line ends after 3 fields, before its robot pose"},
         BadLog{"MoreFieldsThanAnnounced", "FLASER 3 1 2 3 4 5 6 1 2 0 1 2 0 7.5 host 1\n", "more fields"},

@@ -9,9 +9,10 @@
 
 namespace aisle {
 
-/// The bytes of a file; gzip'd files are unpacked. A missing or unreadable file, a directory, a gzip stream that
-/// is cut off or damaged, or more than `max_bytes` unpacked is a problem.
-Result<std::string> read_whole_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{2} << 30);
+/// The bytes of a file; gzip'd files are unpacked. A missing or unreadable file, a directory, a gzip stream
+/// that is cut off or damaged, or more than `max_bytes` unpacked is a problem.
+Result<std::string> read_whole_file(const std::filesystem::path& path,
+                                    std::size_t max_bytes = std::size_t{2} << 30);
 
 /// Writes all bytes or nothing: to a temporary file beside `path`, synced, then renamed onto it.
 /// Empty on success.

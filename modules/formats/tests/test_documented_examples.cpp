@@ -1,0 +1,72 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/carmen_log.hpp"
+#include "aisle/formats/map_server.hpp"
+#include "aisle/formats/relations.hpp"
+#include "aisle/formats/trajectory.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "pose_matchers.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// The fenced block number `index` of a page under docs/formats/.
+std::string example(const std::string& page, int index = 0) {
+  const std::string text = *read_whole_file(std::filesystem::path(AISLE_SOURCE_DIR) / "docs/formats" / page);
+  std::size_t fence = text.find("```");
+  for (int i = 0; i < 2 * index; ++i) fence = text.find("```", fence + 3);
+  const std::size_t start = text.find('\n', fence) + 1;
+  return text.substr(start, text.find("```", start) - start);
+}
+
+TEST(DocumentedExamples, TheCarmenLogIsRead) {
+  const auto carmen = parse_carmen_log(example("carmen.md"), "carmen.md");
+  ASSERT_TRUE(carmen.ok()) << to_string(carmen.problems());
+  EXPECT_THAT(carmen->warnings, IsEmpty());
+  EXPECT_THAT(carmen->log.scans, SizeIs(2));
+  EXPECT_THAT(carmen->log.laser.T_vehicle_laser, PoseNear(Pose2{0.1, 0, 0}, 0, 0));
+}
+
+TEST(DocumentedExamples, BothFormsOfRelationsAreReadAndSayTheSame) {
+  LaserLog log;
+  log.scans.resize(29);
+  log.scans[24].stamp_s = 1216.630413;
+  log.scans[28].stamp_s = 1217.490267;
+  for (const int form : {0, 1}) {
+    const auto relations = parse_relations(example("relations.md", form), "relations.md", log);
+    ASSERT_TRUE(relations.ok()) << to_string(relations.problems());
+    ASSERT_THAT(*relations, SizeIs(1));
+    EXPECT_EQ((*relations)[0].scan_1, 24U);
+    EXPECT_EQ((*relations)[0].scan_2, 28U);
+    EXPECT_THAT((*relations)[0].T_1_2, PoseNear(Pose2{0.407950, -0.016330, -0.069620}, 0, 0));
+  }
+}
+
+TEST(DocumentedExamples, TheBuildingIsReadAndWrittenAsItStands) {
+  const std::string text = example("building.md");
+  const auto building = parse_building(text, "building.md");
+  ASSERT_TRUE(building.ok()) << to_string(building.problems());
+  EXPECT_EQ(building_json(*building), text);
+}
+
+TEST(DocumentedExamples, TheTrajectoryIsReadAndWrittenAsItStands) {
+  const std::string text = example("trajectory.md");
+  const auto trajectory = parse_tum(text, "trajectory.md");
+  ASSERT_TRUE(trajectory.ok()) << to_string(trajectory.problems());
+  EXPECT_EQ(tum_text(trajectory->stamps_s, trajectory->T_map_vehicle), text);
+}
+
+TEST(DocumentedExamples, TheMapServerFileIsWrittenAsItStands) {
+  OccupancyImage image;
+  image.origin_m = {-12.35, -4.1};
+  EXPECT_EQ(map_server_yaml(image, "map.pgm"), example("map_server.md"));
+}
+
+}  // namespace
+}  // namespace aisle
