@@ -16,6 +16,7 @@ constexpr int kAlignmentIterations = 6;
 constexpr double kDoubtful = 0.7;              // less of the seen length fits: the odometry may be wrong
 constexpr double kDoubtful_m = 0.03;           // after a motion of at least this
 constexpr double kClearlyBetter = 0.15;
+constexpr double kSlightlyBetter = 0.02;
 constexpr double kRelocationSeen_m = 2;        // with less wall in sight a guess is worse than none
 constexpr double kRelocatedSigma_m = 0.05;
 constexpr double kRelocatedSigma_rad = 2 * kDegree;
@@ -63,7 +64,7 @@ Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_
 void ScanTracker::predict(const Pose2& T_last_now) {
   path_m_ += std::hypot(T_last_now.x, T_last_now.y);
   T_track_last_ = T_track_sensor_.mean;
-  motion_ = {motion_sign_ * T_last_now.x, motion_sign_ * T_last_now.y, T_last_now.theta};
+  motion_ = T_last_now;
   T_track_sensor_ = T_track_sensor_ * UncertainPose2{motion_, params_.motion.covariance(motion_)};
 }
 
@@ -81,17 +82,19 @@ void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
 }
 
 /// Lays the scan onto the walls from where odometry puts it. Wheels may count backwards driving forwards, or turn while
-/// the vehicle stands: where the scan does not fit, those are tried as well.
+/// the vehicle stands: where the scan does not fit, those are tried as well. Counting backwards is believed as long as
+/// every scan speaks for it.
 Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
   const Vec2 counted_m = motion_.position();
   Alignment best = lay_from(segments, counted_m);
-  if (best.fitting_share() < kDoubtful && counted_m.norm() > kDoubtful_m) {
+  if (counted_m.norm() < kDoubtful_m) {
+    counts_backwards_ = false;
+  } else if (counts_backwards_ || best.fitting_share() < kDoubtful) {
+    const double needed = best.fitting_share() + (counts_backwards_ ? kSlightlyBetter : kClearlyBetter);
     const Alignment mirrored = lay_from(segments, -counted_m);
     const Alignment standing = lay_from(segments, Vec2::Zero());
-    if (mirrored.fitting_share() > best.fitting_share() + kClearlyBetter) {
-      best = mirrored;
-      motion_sign_ = -motion_sign_;
-    }
+    counts_backwards_ = mirrored.fitting_share() > needed;
+    if (counts_backwards_) best = mirrored;
     if (standing.fitting_share() > best.fitting_share() + kClearlyBetter) best = standing;
   }
   const Mat3 prior_information = T_track_sensor_.covariance.inverse();

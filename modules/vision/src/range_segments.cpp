@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 
 #include "aisle/core/angle.hpp"
 #include "line_fit.hpp"
@@ -33,6 +35,12 @@ struct Run {
 constexpr std::size_t kMissingBeamsMax = 2;           // a longer hole ends a run of points
 constexpr double kGrazing_rad = 8 * kDegree;          // a wall seen flatter than this falls apart
 constexpr double kGapFloor_m = 0.06;                  // neighbours nearer than this always belong together
+constexpr double kNoiseSample = 0.7;                  // the smoothest share of the range triples measures the noise
+constexpr double kNoisePerDifference = 1 / (0.4735 * 2.4495);  // Gaussian: mean of that share, root of 1 + 4 + 1
+constexpr double kNoiseMemory = 0.95;                 // of the noise from scan to scan
+constexpr double kSplitSigmas = 3.5;
+constexpr double kRoughSigmas = 2;
+constexpr double kGapSigmas = 4;
 constexpr double kMergeShare = 0.4;                   // merged rms, as a share of the split distance
 constexpr double kTrimFloor_m = 0.03;                 // end points farther off the line are cut
 constexpr double kCurveLength_m = 0.4;                // chords of a bent wall are at least this long
@@ -65,6 +73,7 @@ class RangeSegmenter::Work {
   void extract(std::span<const float> ranges_m, std::vector<SensedSegment>& segments) {
     segments.clear();
     collect_points(ranges_m);
+    measure_noise();
     fitter_.assign(points_);
     for (std::size_t first = 0; first < points_.size();) {
       std::size_t last = first;
@@ -98,13 +107,35 @@ class RangeSegmenter::Work {
     }
   }
 
+  /// The noise of a reading from how far neighbouring ranges leave a straight line; the distances that decide about
+  /// segments grow with it.
+  void measure_noise() {
+    differences_.clear();
+    for (std::size_t i = 1; i + 1 < ranges_.size(); ++i) {
+      if (beams_[i + 1] - beams_[i - 1] == 2) {
+        differences_.push_back(std::abs(ranges_[i - 1] - 2 * ranges_[i] + ranges_[i + 1]));
+      }
+    }
+    const auto sample = static_cast<std::ptrdiff_t>(kNoiseSample * static_cast<double>(differences_.size()));
+    if (sample < 10) return;
+    std::nth_element(differences_.begin(), differences_.begin() + sample, differences_.end());
+    const double mean_m = std::accumulate(differences_.begin(), differences_.begin() + sample, 0.0) /
+                          static_cast<double>(sample);
+    const double noise_m = kNoisePerDifference * mean_m;
+    noise_m_ = noise_m_ ? kNoiseMemory * *noise_m_ + (1 - kNoiseMemory) * noise_m : noise_m;
+    sigma_m_ = std::max(params_.range_sigma_m, *noise_m_);
+    split_m_ = std::max(params_.split_m, kSplitSigmas * *noise_m_);
+    rms_max_m_ = std::max(params_.rms_max_m, kRoughSigmas * *noise_m_);
+    gap_m_ = std::max(kGapFloor_m, kGapSigmas * *noise_m_);
+  }
+
   /// Two neighbouring points lie on one surface, unless it would be seen flatter than a grazing angle.
   bool belong_together(std::size_t i, std::size_t j) const {
     const std::size_t beams = beams_[j] - beams_[i];
     if (beams > kMissingBeamsMax + 1) return false;
     const double turn = fan_.angle_step_rad * static_cast<double>(beams);
     const double slack = std::max(kGrazing_rad - turn, 2 * kDegree);
-    const double reach_m = ranges_[i] * std::sin(turn) / std::sin(slack) + kGapFloor_m;
+    const double reach_m = ranges_[i] * std::sin(turn) / std::sin(slack) + gap_m_;
     return (points_[j] - points_[i]).squaredNorm() <= reach_m * reach_m;
   }
 
@@ -139,7 +170,7 @@ class RangeSegmenter::Work {
     const double length_m = chord.norm();
     const Vec2 normal = length_m > 1e-6 ? Vec2(left_normal(chord) / length_m) : Vec2(1, 0);
     std::size_t farthest = run.first;
-    double farthest_m = params_.split_m;
+    double farthest_m = split_m_;
     for (std::size_t k = run.first + 1; k < run.last; ++k) {
       const double distance_m = std::abs(normal.dot(points_[k] - origin));
       if (distance_m > farthest_m) {
@@ -167,10 +198,10 @@ class RangeSegmenter::Work {
 
   bool is_straight(const Run& run) const {
     const LineFit line = fitter_.fit(run.first, run.last);
-    if (line.rms_m > kMergeShare * params_.split_m) return false;
+    if (line.rms_m > kMergeShare * split_m_) return false;
     const Vec2 normal = left_normal(unit(line.heading_rad));
     for (std::size_t k = run.first; k <= run.last; ++k) {
-      if (std::abs(normal.dot(points_[k] - line.centroid)) > params_.split_m) return false;
+      if (std::abs(normal.dot(points_[k] - line.centroid)) > split_m_) return false;
     }
     return true;
   }
@@ -194,7 +225,7 @@ class RangeSegmenter::Work {
     s.segment.start = line.centroid + along * along.dot(points_[run.first] - line.centroid);
     s.segment.end = line.centroid + along * along.dot(points_[run.last] - line.centroid);
     s.length_m = s.segment.length();
-    if (run.count() < min_points() || s.length_m < params_.length_min_m || line.rms_m > params_.rms_max_m) return;
+    if (run.count() < min_points() || s.length_m < params_.length_min_m || line.rms_m > rms_max_m_) return;
     s.centroid = line.centroid;
     s.heading_rad = line.heading_rad;
     s.start = end_before(run.first);
@@ -204,7 +235,7 @@ class RangeSegmenter::Work {
       s.segment = s.segment.reversed();
       std::swap(s.start, s.end);
     }
-    const double sigma_m = std::max(params_.range_sigma_m, line.rms_m);
+    const double sigma_m = std::max(sigma_m_, line.rms_m);
     s.sigma_offset_m = std::hypot(sigma_m / std::sqrt(static_cast<double>(run.count())), params_.offset_floor_m);
     s.sigma_heading_rad = std::hypot(sigma_m / std::sqrt(std::max(1e-6, line.spread_m2)), params_.heading_floor_rad);
     segments.push_back(s);
@@ -227,6 +258,12 @@ class RangeSegmenter::Work {
 
   BeamFan fan_;
   SegmentParams params_;
+  std::optional<double> noise_m_;
+  double sigma_m_ = params_.range_sigma_m;
+  double split_m_ = params_.split_m;
+  double rms_max_m_ = params_.rms_max_m;
+  double gap_m_ = kGapFloor_m;
+  std::vector<double> differences_;
   std::vector<Vec2> directions_;
   std::vector<Vec2> points_;
   std::vector<double> ranges_;

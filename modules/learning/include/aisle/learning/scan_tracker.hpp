@@ -66,7 +66,7 @@ class ScanTracker {
   UncertainPose2 T_track_sensor_;
   Pose2 T_track_last_;              ///< pose at the scan before
   Pose2 motion_;                    ///< since then, by odometry
-  double motion_sign_ = 1;          ///< -1: the odometry counts the way with the wrong sign
+  bool counts_backwards_ = false;   ///< the odometry counts the way with the wrong sign
   std::vector<WallEstimate> walls_;
   std::vector<int> window_;
   std::vector<Keyframe> keyframes_;
