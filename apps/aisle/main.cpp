@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <exception>
+#include <string>
 
 #include "terminal_progress.hpp"
 #include "verb.hpp"
@@ -15,22 +18,40 @@ struct Output {
   bool quiet = false;
 };
 
-int print(const aisle::Outcome& outcome, const Output& output) {
-  if (output.json) {
-    fmt::print("{}\n", to_json(outcome));
-  } else {
-    fmt::print("{}", outcome.text);
-  }
-  return outcome.ok ? kDone : kMissionFailed;
+/// The exit code: `code`, if standard output took everything.
+int print(const std::string& text, ExitCode code) {
+  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (std::fflush(stdout) == 0 && whole) return code;
+  fmt::print(stderr, "aisle: standard output could not be written\n");
+  return kInternalError;
 }
 
-int refuse(const std::string& verb, const aisle::Problems& problems, const Output& output) {
-  fmt::print(stderr, "{}\n", to_string(problems));
-  if (output.json) {
-    aisle::Outcome outcome{.verb = verb, .ok = false};
-    fmt::print("{}\n", to_json(outcome));
+int report(const aisle::Outcome& outcome, const Output& output) {
+  return print(output.json ? to_json(outcome) + "\n" : outcome.text, outcome.ok ? kDone : kMissionFailed);
+}
+
+int refuse(const std::string& verb, const std::string& why, const Output& output) {
+  fmt::print(stderr, "{}\n", why);
+  if (!output.json) return kBadInput;
+  return print(to_json(aisle::Outcome{.verb = verb, .ok = false}) + "\n", kBadInput);
+}
+
+/// The words of the verb as far as they were understood: "map", "sim log".
+std::string verb_of(const CLI::App& app) {
+  std::string words;
+  for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
+    at = at->get_subcommands().front();
+    words += (words.empty() ? "" : " ") + at->get_name();
   }
-  return kBadInput;
+  return words;
+}
+
+int refuse_usage(const CLI::App& app, const CLI::ParseError& error, Output output, int argc, char** argv) {
+  // The parser stops at the first error, which may stand before --json.
+  output.json = std::any_of(argv, argv + argc, [](const std::string& word) { return word == "--json"; });
+  const std::string verb = verb_of(app);
+  const std::string program = verb.empty() ? "aisle" : "aisle " + verb;
+  return refuse(verb, fmt::format("{}: {} ({} --help tells more)", program, error.what(), program), output);
 }
 
 int run(const std::string& verb, const Work& work, const Output& output) {
@@ -44,7 +65,7 @@ int run(const std::string& verb, const Work& work, const Output& output) {
   try {
     const aisle::Result<aisle::Outcome> outcome = work(console);
     progress.clear();
-    return outcome ? print(*outcome, output) : refuse(verb, outcome.problems(), output);
+    return outcome ? report(*outcome, output) : refuse(verb, to_string(outcome.problems()), output);
   } catch (const aisle::Interrupted&) {
     progress.clear();
     fmt::print(stderr, "interrupted; nothing was written\n");
@@ -67,10 +88,11 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kBadInput;
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return refuse_usage(app, error, output, argc, argv);
   }
   try {
-    return run(app.get_subcommands().front()->get_name(), work, output);
+    return run(verb_of(app), work, output);
   } catch (const std::exception& error) {
     fmt::print(stderr, "aisle: internal error: {}\n", error.what());
     return kInternalError;

@@ -12,8 +12,9 @@ constexpr std::size_t kWidth = 30;
 
 volatile std::sig_atomic_t interrupted = 0;
 
-void on_interrupt(int) {
+void on_interrupt(int signal) {
   interrupted = 1;
+  std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
@@ -31,8 +32,8 @@ void TerminalProgress::report(std::string_view task, std::size_t done, std::size
   if (now_s - start_s_ < kShownAfter_s || now_s < next_draw_s_) return;
   next_draw_s_ = now_s + kRedrawn_s;
   const std::size_t filled = kWidth * done / total;
-  fmt::print(stderr, "\r{:<12} [{}{}] {:3d} %", task, std::string(filled, '='), std::string(kWidth - filled, ' '),
-             100 * done / total);
+  fmt::print(stderr, "\r{:<12} [{}{}] {:3d} %", task, std::string(filled, '='),
+             std::string(kWidth - filled, ' '), 100 * done / total);
   std::fflush(stderr);
   drawn_ = true;
 }

@@ -22,5 +22,6 @@ class TerminalProgress final : public aisle::Progress {
   double next_draw_s_ = 0;
 };
 
-/// From now on Ctrl-C makes the next report() throw aisle::Interrupted instead of killing the program.
+/// From now on Ctrl-C makes the next report() throw aisle::Interrupted instead of killing the program; a
+/// second one kills it (it may be waiting for input that never comes).
 void catch_interrupts();
