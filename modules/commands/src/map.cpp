@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "aisle/commands/output_directory.hpp"
@@ -13,7 +12,6 @@
 #include "aisle/formats/parameter_file.hpp"
 #include "aisle/formats/relations.hpp"
 #include "aisle/formats/trajectory.hpp"
-#include "aisle/formats/whole_file.hpp"
 #include "aisle/learning/map_building.hpp"
 #include "aisle/learning/published_mapping.hpp"
 #include "aisle/learning/relation_error.hpp"
@@ -25,14 +23,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string> kFiles = {"building.json", "map.svg", "map.png", "trajectory.tum", "map.pgm", "map.yaml"};
+const std::vector<std::string> kFiles = {"building.json",  "map.svg", "map.png",
+                                         "trajectory.tum", "map.pgm", "map.yaml"};
 
-double rounded(double value, double step) {
-  return std::round(value / step) * step;
+/// To `per_unit` parts of one, so that it prints with few digits.
+double rounded(double value, double per_unit) {
+  return std::round(value * per_unit) / per_unit;
 }
 
 Json mean_and_std(const MeanAndDeviation& m, double unit) {
-  return {{"mean", rounded(m.mean / unit, 1e-5)}, {"std", rounded(m.deviation / unit, 1e-5)}};
+  return {{"mean", rounded(m.mean / unit, 1e5)}, {"std", rounded(m.deviation / unit, 1e5)}};
 }
 
 Json error_figures(const RelationError& error) {
@@ -43,7 +43,7 @@ Json error_figures(const RelationError& error) {
 Json stage_figures(const std::vector<MapStage>& stages, const std::vector<PoseRelation>& relations) {
   Json figures = Json::array();
   for (const MapStage& stage : stages) {
-    Json row = {{"stage", stage.name}, {"walls", stage.walls}, {"cpu_s", rounded(stage.cpu_s, 0.01)}};
+    Json row = {{"stage", stage.name}, {"walls", stage.walls}, {"cpu_s", rounded(stage.cpu_s, 100)}};
     if (!relations.empty()) row.update(error_figures(relation_error(stage.T_map_vehicle, relations)));
     figures.push_back(row);
   }
@@ -54,15 +54,15 @@ Json figures_of(const MapResult& result, const LaserLog& log, const std::vector<
   const double cpu_s = process_cpu_s();
   const double duration_s = log.scans.back().time_s - log.scans.front().time_s;
   Json figures = {{"scans", log.scans.size()},
-                  {"path_m", rounded(result.path_m, 0.01)},
+                  {"path_m", rounded(result.path_m, 100)},
                   {"walls", result.walls.walls.size()},
-                  {"orthogonal_share", rounded(result.walls.orthogonal_share(), 1e-4)},
+                  {"orthogonal_share", rounded(result.walls.orthogonal_share(), 1e4)},
                   {"no_dominant_direction", !result.has_dominant_direction},
                   {"loop_closures", result.loop_closures.size()},
-                  {"odometry_delay_s", rounded(result.odometry_delay_s, 1e-4)},
-                  {"cpu_s", rounded(cpu_s, 1e-3)},
-                  {"realtime_factor", rounded(duration_s / cpu_s, 0.1)},
-                  {"peak_rss_mb", rounded(process_peak_rss_mb(), 0.1)}};
+                  {"odometry_delay_s", rounded(result.odometry_delay_s, 1e4)},
+                  {"cpu_s", rounded(cpu_s, 1e3)},
+                  {"realtime_factor", rounded(duration_s / cpu_s, 10)},
+                  {"peak_rss_mb", rounded(process_peak_rss_mb(), 10)}};
   if (relations.empty()) return figures;
   figures["relations"] = {{"count", relations.size()}};
   figures.update(error_figures(relation_error(result.T_map_vehicle, relations)));
@@ -72,8 +72,8 @@ Json figures_of(const MapResult& result, const LaserLog& log, const std::vector<
   return figures;
 }
 
-/// What comes before the refined rules in the table of stages: odometry, the published rules, and these with one
-/// improvement after the other.
+/// What comes before the refined rules in the table of stages: odometry, the published rules, and these with
+/// one improvement after the other.
 std::vector<MapStage> published_stages(const LaserLog& log, const SegmentParams& segments, double delay_s,
                                        Progress& progress) {
   std::vector<MapStage> stages;
@@ -91,9 +91,10 @@ std::vector<MapStage> published_stages(const LaserLog& log, const SegmentParams&
 }
 
 std::string error_text(const Json& figures) {
-  return fmt::format("{:.4f} +- {:.4f} m, {:.3f} +- {:.3f} deg", figures["translation_m"]["mean"].get<double>(),
-                     figures["translation_m"]["std"].get<double>(), figures["rotation_deg"]["mean"].get<double>(),
-                     figures["rotation_deg"]["std"].get<double>());
+  return fmt::format(
+      "{:.4f} +- {:.4f} m, {:.3f} +- {:.3f} deg", figures["translation_m"]["mean"].get<double>(),
+      figures["translation_m"]["std"].get<double>(), figures["rotation_deg"]["mean"].get<double>(),
+      figures["rotation_deg"]["std"].get<double>());
 }
 
 std::string text_of(const Json& figures) {
@@ -102,9 +103,12 @@ std::string text_of(const Json& figures) {
       "{:.2f} s of processor time ({:.0f} times faster than the drive), {:.0f} MB of memory\n",
       figures["scans"].get<int>(), figures["path_m"].get<double>(), figures["walls"].get<int>(),
       100 * figures["orthogonal_share"].get<double>(), figures["loop_closures"].get<int>(),
-      figures["cpu_s"].get<double>(), figures["realtime_factor"].get<double>(), figures["peak_rss_mb"].get<double>());
+      figures["cpu_s"].get<double>(), figures["realtime_factor"].get<double>(),
+      figures["peak_rss_mb"].get<double>());
   if (figures["no_dominant_direction"].get<bool>()) {
-    text += "no dominant direction: the walls do not lie on one orthogonal frame; all are kept as oblique walls\n";
+    text +=
+        "no dominant direction: the walls do not lie on one orthogonal frame; all are kept as oblique "
+        "walls\n";
   }
   if (figures.contains("stages")) {
     for (const Json& stage : figures["stages"]) {
@@ -114,29 +118,43 @@ std::string text_of(const Json& figures) {
     }
   }
   if (figures.contains("relations")) {
-    text += fmt::format("against {} relations: {}\n", figures["relations"]["count"].get<int>(), error_text(figures));
+    text += fmt::format("against {} relations: {}\n", figures["relations"]["count"].get<int>(),
+                        error_text(figures));
   }
-  if (figures.contains("online")) text += fmt::format("as known while driving: {}\n", error_text(figures["online"]));
+  if (figures.contains("online"))
+    text += fmt::format("as known while driving: {}\n", error_text(figures["online"]));
   return text;
 }
 
-Problems write_results(const MapResult& result, const LaserLog& log, const std::string& title,
-                       const OutputDirectory& out, Outcome& outcome) {
+Result<std::map<std::string, std::string>> write_results(const MapResult& result, const LaserLog& log,
+                                                         const std::string& title,
+                                                         const OutputDirectory& out) {
   const Building building{title, result.has_dominant_direction, result.walls};
   const MapPicture picture{result.walls, result.T_map_vehicle, result.loop_closures, title};
   std::vector<double> stamps_s;
   for (const LaserScan& scan : log.scans) stamps_s.push_back(scan.stamp_s);
   const OccupancyImage occupancy = occupancy_of(result.walls, log, result.T_map_vehicle);
-  const std::array<std::string, 6> contents = {building_json(building), svg(picture), png(picture),
-                                               tum_text(stamps_s, result.T_map_vehicle), pgm_bytes(occupancy),
-                                               map_server_yaml(occupancy, "map.pgm")};
-  const std::array<std::string, 6> roles = {"building", "picture_svg", "picture_png", "trajectory", "map_pgm", "map_yaml"};
+  return out.write({{"building", "building.json", building_json(building)},
+                    {"picture_svg", "map.svg", svg(picture)},
+                    {"picture_png", "map.png", png(picture)},
+                    {"trajectory", "trajectory.tum", tum_text(stamps_s, result.T_map_vehicle)},
+                    {"map_pgm", "map.pgm", pgm_bytes(occupancy)},
+                    {"map_yaml", "map.yaml", map_server_yaml(occupancy, "map.pgm")}});
+}
+
+Problems problems_of(const MapOptions& options) {
+  constexpr double kOffsetLimit_m = 100;
+  constexpr double kDelayLimit_s = 10;
   Problems problems;
-  for (std::size_t i = 0; i < contents.size(); ++i) {
-    const std::filesystem::path path = out.path(kFiles[i]);
-    const Problems more = write_whole_file(path, contents[i]);
-    problems.insert(problems.end(), more.begin(), more.end());
-    outcome.files[roles[i]] = path.string();
+  if (const auto& T_vehicle_laser = options.reading.T_vehicle_laser) {
+    if (!(T_vehicle_laser->position().norm() <= kOffsetLimit_m)) {
+      problems.push_back(
+          {{"--laser-offset"}, fmt::format("is farther than {} m from the vehicle", kOffsetLimit_m)});
+    }
+  }
+  if (options.odometry_delay_s && !(std::abs(*options.odometry_delay_s) <= kDelayLimit_s)) {
+    problems.push_back(
+        {{"--odometry-delay"}, fmt::format("is not from {} to {} s", -kDelayLimit_s, kDelayLimit_s)});
   }
   return problems;
 }
@@ -156,13 +174,10 @@ std::string map_parameters_yaml() {
 Result<Outcome> run_map(const MapOptions& options, Console& console) {
   MapParams params;
   FieldList fields = fields_of(params);
-  if (const Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
-  std::optional<OutputDirectory> out;
-  if (options.out) {
-    auto opened = OutputDirectory::open(*options.out, options.force, kFiles);
-    if (!opened) return opened.problems();
-    out = *opened;
-  }
+  Problems problems = problems_of(options);
+  const Problems more = options.parameters.apply_to(fields);
+  problems.insert(problems.end(), more.begin(), more.end());
+  if (!problems.empty()) return problems;
   const auto read = read_carmen_log(options.log, options.reading);
   if (!read) return read.problems();
   for (const std::string& warning : read->warnings) console.warn(warning);
@@ -173,24 +188,32 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
     if (!found) return found.problems();
     relations = std::move(*found);
   }
+  std::optional<OutputDirectory> out;
+  if (options.out) {
+    auto opened = OutputDirectory::open(*options.out, options.force, kFiles);
+    if (!opened) return opened.problems();
+    out = *opened;
+  }
 
-  const MapResult result = options.rules == MapRules::kRefined
-                               ? build_map(log, params, options.odometry_delay_s, options.stages, console.progress)
-                               : build_published_map(log, params.segments, PublishedParams{},
-                                                     options.odometry_delay_s.value_or(0), console.progress);
+  const MapResult result =
+      options.rules == MapRules::kRefined
+          ? build_map(log, params, options.odometry_delay_s, options.stages, console.progress)
+          : build_published_map(log, params.segments, PublishedParams{}, options.odometry_delay_s.value_or(0),
+                                console.progress);
 
   Outcome outcome{.verb = "map"};
   outcome.figures = figures_of(result, log, relations);
   if (options.stages) {
-    std::vector<MapStage> stages = published_stages(log, params.segments, result.odometry_delay_s, console.progress);
+    std::vector<MapStage> stages =
+        published_stages(log, params.segments, result.odometry_delay_s, console.progress);
     stages.insert(stages.end(), result.stages.begin(), result.stages.end());
     outcome.figures["stages"] = stage_figures(stages, relations);
   }
   outcome.text = text_of(outcome.figures);
   if (out) {
-    if (const Problems problems = write_results(result, log, title_of(options.log), *out, outcome); !problems.empty()) {
-      return problems;
-    }
+    auto written = write_results(result, log, title_of(options.log), *out);
+    if (!written) return written.problems();
+    outcome.files = std::move(*written);
     outcome.text += fmt::format("see {}\n", outcome.files["picture_png"]);
   }
   return outcome;

@@ -8,7 +8,6 @@
 #include "aisle/formats/carmen_log.hpp"
 #include "aisle/formats/parameter_file.hpp"
 #include "aisle/formats/trajectory.hpp"
-#include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/world_yaml.hpp"
 #include "aisle/simulation/tour_recorder.hpp"
 #include "aisle/simulation/true_relations.hpp"
@@ -18,7 +17,8 @@ namespace {
 
 double length_m(const std::vector<Pose2>& poses) {
   double sum_m = 0;
-  for (std::size_t i = 1; i < poses.size(); ++i) sum_m += (poses[i].position() - poses[i - 1].position()).norm();
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    sum_m += (poses[i].position() - poses[i - 1].position()).norm();
   return sum_m;
 }
 
@@ -29,34 +29,32 @@ std::string simulate_log_parameters_yaml() {
   return parameters_yaml(fields_of(params));
 }
 
-Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console&) {
+Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& console) {
   TourParams params;
   FieldList fields = fields_of(params);
   if (const Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   const auto world = read_world(options.world);
   if (!world) return world.problems();
-  if (world->tour.size() < 2) return Problem{{options.world.string(), 0, "tour"}, "needs at least two way points"};
-  const auto out = OutputDirectory::open(options.out, options.force, {"trip.log", "true.relations", "true.tum"});
+  if (world->tour.size() < 2)
+    return Problem{{options.world.string(), 0, "tour"}, "needs at least two way points"};
+  const auto out =
+      OutputDirectory::open(options.out, options.force, {"trip.log", "true.relations", "true.tum"});
   if (!out) return out.problems();
 
   const TourRecording trip = record_tour(*world, params, options.seed);
+  console.progress.report("recording", 1, 1);
   Random random(options.seed);
   const auto relations = true_relations(trip.T_world_vehicle, random);
   std::vector<double> stamps_s;
   for (const LaserScan& scan : trip.log.scans) stamps_s.push_back(scan.stamp_s);
 
-  Outcome outcome{.verb = "sim log"};
-  Problems problems;
-  const auto write = [&](const char* role, const char* name, const std::string& text) {
-    const Problems more = write_whole_file(out->path(name), text);
-    problems.insert(problems.end(), more.begin(), more.end());
-    outcome.files[role] = out->path(name).string();
-  };
-  write("log", "trip.log", carmen_text(trip.log));
-  write("relations", "true.relations", relations_text(relations));
-  write("truth", "true.tum", tum_text(stamps_s, trip.T_world_vehicle));
-  if (!problems.empty()) return problems;
+  const auto written = out->write({{"log", "trip.log", carmen_text(trip.log)},
+                                   {"relations", "true.relations", relations_text(relations)},
+                                   {"truth", "true.tum", tum_text(stamps_s, trip.T_world_vehicle)}});
+  if (!written) return written.problems();
 
+  Outcome outcome{.verb = "sim log"};
+  outcome.files = *written;
   const double way_m = length_m(trip.T_world_vehicle);
   outcome.figures = {{"simulated", true},
                      {"seed", options.seed},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,6 +12,13 @@
 
 namespace aisle {
 
+/// One file of a verb's results.
+struct OutputFile {
+  std::string role;  ///< what it is to the verb: "building"
+  std::string name;  ///< in the output directory
+  std::string bytes;
+};
+
 /// A verb's `--out DIR`. Checked before the work starts, so that an hour's work is never lost to a bad path;
 /// existing results are replaced only with `--force`.
 class OutputDirectory {
@@ -20,6 +28,10 @@ class OutputDirectory {
                                       const std::vector<std::string>& names);
 
   std::filesystem::path path(std::string_view name) const { return directory_ / name; }
+
+  /// Writes all files or, if one of them cannot be written, none.
+  /// @return role -> path
+  Result<std::map<std::string, std::string>> write(const std::vector<OutputFile>& files) const;
 
  private:
   explicit OutputDirectory(std::filesystem::path directory) : directory_(std::move(directory)) {}
