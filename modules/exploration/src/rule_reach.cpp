@@ -23,16 +23,23 @@ class CrossingLives {
     }
     const Side first = waiting.front();
     waiting.erase(waiting.begin());
-    Sides known_at_once = kNoSides;
-    if (rules_.set == GridRuleSet::kCells && came_from_) {
-      known_at_once = without(kEverySide, crossing.open | bit(*came_from_));
-    }
-    for_each_subset(known_at_once, [&](Sides walls) { leave(first, waiting, walls); });
+    for_each_subset(known_on_arrival(crossing), [&](Sides walls) {
+      may_find_walls_ = has_false_walls() && !(came_from_ && contains(walls, opposite(*came_from_)));
+      leave(first, waiting, walls);
+    });
   }
 
  private:
   bool has_false_walls() const {
     return rules_.set == GridRuleSet::kShortcut || rules_.set == GridRuleSet::kCells;
+  }
+
+  /// Sides that lead to cells visited before. A cell's first side is walked as soon as it is seen, so that no
+  /// such cell has this one for its first.
+  Sides known_on_arrival(const GridInput& crossing) const {
+    if (rules_.set != GridRuleSet::kCells || !came_from_) return kNoSides;
+    const Side never = opposite(scan_sequence(rules_.set, std::nullopt).front());
+    return without(kEverySide, crossing.open | bit(*came_from_) | bit(never));
   }
 
   template <class Visit>
@@ -45,7 +52,7 @@ class CrossingLives {
   void leave(Side out, const std::vector<Side>& waiting, Sides walls) {
     Sides may_become_known = kNoSides;
     for (const Side side : waiting) may_become_known |= bit(side);
-    if (!has_false_walls()) may_become_known = kNoSides;
+    if (!may_find_walls_) may_become_known = kNoSides;
     for_each_subset(without(may_become_known, walls), [&](Sides found) {
       const auto known = static_cast<Sides>(walls | found);
       if (rules_.set == GridRuleSet::kShortcut) be_found(without(may_become_known, known), known);
@@ -79,6 +86,9 @@ class CrossingLives {
 
   GridRules& rules_;
   std::optional<Side> came_from_;
+  /// Not where the side opposite the entry is known: the way walked so far is then a closed curve through the
+  /// crossing, and the two other sides lie on different sides of it.
+  bool may_find_walls_ = false;
 };
 
 class ReachMarker {

@@ -1,5 +1,6 @@
 #pragma once
-/// Worlds of cells with walls on their edges, as people who race mazes keep them. docs/formats/maze.md says what is read.
+/// Worlds of cells with walls on their edges, as people who race mazes keep them. docs/formats/maze.md says
+/// what is read.
 
 #include <filesystem>
 #include <optional>
@@ -21,11 +22,12 @@ enum class MazeFormat {
 struct MazeFile {
   GridWorld world;
   MazeFormat format = MazeFormat::kText;
-  bool has_start = false;  ///< false: the file tells none; `world.start` is then the bottom left cell that is free
+  bool has_start =
+      false;  ///< false: the file tells none; `world.start` is then the bottom left cell that is free
 };
 
-/// Plain or gzip; the format is told from the content. Whatever is wrong is a problem with line and column; after 20
-/// problems the rest is only counted.
+/// Plain or gzip; the format is told from the content. Whatever is wrong is a problem with line and column;
+/// after 20 problems the rest is only counted.
 Result<MazeFile> read_maze(const std::filesystem::path& path);
 
 /// The same from memory; `name` stands for the file in problems.
