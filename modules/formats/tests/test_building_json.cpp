@@ -13,7 +13,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-const std::filesystem::path kGolden =
+const std::filesystem::path golden =
     std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden/building.v1.json";
 
 std::string problems(const std::string& text) {
@@ -46,7 +46,7 @@ Building any_building(Random& random, std::size_t walls) {
 }
 
 TEST(BuildingJson, VersionOneStaysReadable) {
-  const auto building = read_building(kGolden);
+  const auto building = read_building(golden);
   ASSERT_TRUE(building.ok()) << to_string(building.problems());
   EXPECT_EQ(building->name, "Corridor \"B\"");
   EXPECT_TRUE(building->has_dominant_direction);
@@ -63,7 +63,7 @@ TEST(BuildingJson, VersionOneStaysReadable) {
 }
 
 TEST(BuildingJson, WritesTheGoldenFileAsItStands) {
-  EXPECT_EQ(building_json(*read_building(kGolden)), *read_whole_file(kGolden));
+  EXPECT_EQ(building_json(*read_building(golden)), *read_whole_file(golden));
 }
 
 RC_GTEST_PROP(BuildingJson, ReadingItGivesTheSameBuildingToTheMillimetre, (std::uint64_t seed)) {
