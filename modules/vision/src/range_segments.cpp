@@ -35,9 +35,12 @@ struct Run {
 constexpr std::size_t kMissingBeamsMax = 2;           // a longer hole ends a run of points
 constexpr double kGrazing_rad = 8 * kDegree;          // a wall seen flatter than this falls apart
 constexpr double kGapFloor_m = 0.06;                  // neighbours nearer than this always belong together
-constexpr double kNoiseSample = 0.7;                  // the smoothest share of the range triples measures the noise
-constexpr double kNoisePerDifference = 1 / (0.4735 * 2.4495);  // Gaussian: mean of that share, root of 1 + 4 + 1
-constexpr double kNoiseMemory = 0.95;                 // of the noise from scan to scan
+constexpr double kNoiseSample = 0.3;                  // the straightest share of the points tells the noise ...
+constexpr double kNoisePerResidual = 1 / (0.1903 * 1.2247);  // ... as its mean is for a Gaussian, chord ends included
+constexpr double kQuietScans = 0.15;                  // share of the scans with so little clutter that it is the noise
+constexpr double kNoiseStep = 0.05;                   // with which that quantile is followed
+constexpr std::size_t kChordReachMax = 8;              // beams to either side
+constexpr double kChordMin_m = 0.2;
 constexpr double kSplitSigmas = 3.5;
 constexpr double kRoughSigmas = 2;
 constexpr double kGapSigmas = 4;
@@ -107,22 +110,27 @@ class RangeSegmenter::Work {
     }
   }
 
-  /// The noise of a reading from how far neighbouring ranges leave a straight line; the distances that decide about
-  /// segments grow with it.
+  /// The noise of a point across its wall: how far it is from the chord of two points beside it, which must be long
+  /// against the noise. The distances that decide about segments grow with it.
   void measure_noise() {
-    differences_.clear();
-    for (std::size_t i = 1; i + 1 < ranges_.size(); ++i) {
-      if (beams_[i + 1] - beams_[i - 1] == 2) {
-        differences_.push_back(std::abs(ranges_[i - 1] - 2 * ranges_[i] + ranges_[i + 1]));
+    residuals_.clear();
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      for (std::size_t reach = 1; reach <= kChordReachMax && reach <= i && i + reach < points_.size(); ++reach) {
+        if (beams_[i + reach] - beams_[i - reach] != 2 * reach) break;
+        const Vec2 chord = points_[i + reach] - points_[i - reach];
+        if (chord.squaredNorm() < kChordMin_m * kChordMin_m) continue;
+        residuals_.push_back(std::abs(left_normal(chord).dot(points_[i] - points_[i - reach])) / chord.norm());
+        break;
       }
     }
-    const auto sample = static_cast<std::ptrdiff_t>(kNoiseSample * static_cast<double>(differences_.size()));
+    const auto sample = static_cast<std::ptrdiff_t>(kNoiseSample * static_cast<double>(residuals_.size()));
     if (sample < 10) return;
-    std::nth_element(differences_.begin(), differences_.begin() + sample, differences_.end());
-    const double mean_m = std::accumulate(differences_.begin(), differences_.begin() + sample, 0.0) /
-                          static_cast<double>(sample);
-    const double noise_m = kNoisePerDifference * mean_m;
-    noise_m_ = noise_m_ ? kNoiseMemory * *noise_m_ + (1 - kNoiseMemory) * noise_m : noise_m;
+    std::nth_element(residuals_.begin(), residuals_.begin() + sample, residuals_.end());
+    const double sum_m = std::accumulate(residuals_.begin(), residuals_.begin() + sample, 0.0);
+    const double scan_noise_m = kNoisePerResidual * sum_m / static_cast<double>(sample);
+    if (!noise_m_) noise_m_ = scan_noise_m;
+    const bool quieter = scan_noise_m < *noise_m_;
+    *noise_m_ *= quieter ? 1 - kNoiseStep * (1 - kQuietScans) : 1 + kNoiseStep * kQuietScans;
     sigma_m_ = std::max(params_.range_sigma_m, *noise_m_);
     split_m_ = std::max(params_.split_m, kSplitSigmas * *noise_m_);
     rms_max_m_ = std::max(params_.rms_max_m, kRoughSigmas * *noise_m_);
@@ -263,7 +271,7 @@ class RangeSegmenter::Work {
   double split_m_ = params_.split_m;
   double rms_max_m_ = params_.rms_max_m;
   double gap_m_ = kGapFloor_m;
-  std::vector<double> differences_;
+  std::vector<double> residuals_;
   std::vector<Vec2> directions_;
   std::vector<Vec2> points_;
   std::vector<double> ranges_;
