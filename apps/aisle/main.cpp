@@ -51,7 +51,10 @@ int refuse_usage(const CLI::App& app, const CLI::ParseError& error, Output outpu
   output.json = std::any_of(argv, argv + argc, [](const std::string& word) { return word == "--json"; });
   const std::string verb = verb_of(app);
   const std::string program = verb.empty() ? "aisle" : "aisle " + verb;
-  return refuse(verb, fmt::format("{}: {} ({} --help tells more)", program, error.what(), program), output);
+  const std::vector<std::string> unknown = verb.empty() ? app.remaining() : std::vector<std::string>{};
+  const std::string why =
+      unknown.empty() ? error.what() : "there is no verb or option '" + unknown.front() + "'";
+  return refuse(verb, fmt::format("{}: {} ({} --help tells more)", program, why, program), output);
 }
 
 int run(const std::string& verb, const Work& work, const Output& output) {
@@ -85,6 +88,7 @@ int main(int argc, char** argv) {
   Work work;
   add_map_verb(app, work);
   add_sim_verb(app, work);
+  add_maze_verb(app, work);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -22,6 +22,21 @@ double length_m(const std::vector<Pose2>& poses) {
   return sum_m;
 }
 
+/// FLASER lines give no angles; they follow from the number of readings.
+Problems inexpressible(const RangeScannerParams& scanner) {
+  constexpr double kSameAngle_rad = 1e-9;
+  if (scanner.beams < 2) return {{{"", 0, "scanner.beams"}, "a log needs at least 2"}};
+  const LaserScanner written = flaser_scanner(static_cast<std::size_t>(scanner.beams));
+  const bool same = std::abs(written.first_angle_rad - scanner.first_angle_rad) < kSameAngle_rad &&
+                    std::abs(written.angle_step_rad - scanner.angle_step_rad) < kSameAngle_rad;
+  if (same) return {};
+  return {{{"", 0, "scanner"},
+           fmt::format(
+               "a log with {} beams means first_angle_deg {:g} and angle_step_deg {:.6g}, not {:g} and {:g}",
+               scanner.beams, to_degrees(written.first_angle_rad), to_degrees(written.angle_step_rad),
+               to_degrees(scanner.first_angle_rad), to_degrees(scanner.angle_step_rad))}};
+}
+
 }  // namespace
 
 std::string simulate_log_parameters_yaml() {
@@ -33,6 +48,7 @@ Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& con
   TourParams params;
   FieldList fields = fields_of(params);
   if (const Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  if (const Problems problems = inexpressible(params.scanner); !problems.empty()) return problems;
   const auto world = read_world(options.world);
   if (!world) return world.problems();
   if (world->tour.size() < 2)

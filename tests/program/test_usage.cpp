@@ -1,0 +1,60 @@
+#include <gmock/gmock.h>
+
+#include "workplace.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class Usage : public Workplace {};
+
+TEST_F(Usage, HelpNamesTheVerbs) {
+  const ProgramRun help = run_aisle({"--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_THAT(help.out, HasSubstr("map"));
+  EXPECT_THAT(help.out, HasSubstr("sim"));
+  EXPECT_THAT(help.err, IsEmpty());
+}
+
+TEST_F(Usage, HelpOfAVerbNamesItsOptions) {
+  const ProgramRun help = run_aisle({"map", "--help"});
+  EXPECT_EQ(help.exit_code, 0);
+  for (const char* option : {"--relations", "--rules", "--out", "--force", "--units", "--laser-offset",
+                             "--odometry-delay", "--params", "--set"}) {
+    EXPECT_THAT(help.out, HasSubstr(option));
+  }
+}
+
+TEST_F(Usage, VersionIsThatOfTheVersionFile) {
+  const ProgramRun version = run_aisle({"--version"});
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_EQ(version.out, read_bytes(AISLE_SOURCE_DIR "/VERSION"));
+}
+
+TEST_F(Usage, MistakesAreRefusedInOneLine) {
+  EXPECT_THAT(run_aisle({"--json"}), IsRefused("A subcommand is required"));
+  EXPECT_THAT(run_aisle({"juggle", "--json"}), IsRefused("juggle"));
+  EXPECT_THAT(run_aisle({"map", "--json"}), IsRefused("LOG is required"));
+  EXPECT_THAT(run_aisle({"map", "trip.log", "--juggle", "--json"}), IsRefused("--juggle"));
+  EXPECT_THAT(run_aisle({"map", "one.log", "two.log", "--json"}), IsRefused("two.log"));
+  EXPECT_THAT(run_aisle({"map", "trip.log", "--json", "--out"}), IsRefused("--out"));
+  EXPECT_THAT(run_aisle({"sim", "log", "world.yaml", "--json"}), IsRefused("--out is required"));
+}
+
+TEST_F(Usage, MistakesWithoutJsonPrintNothingOnStdout) {
+  const ProgramRun run = run_aisle({"map", "--juggle"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.out, IsEmpty());
+  EXPECT_THAT(run.err, HasSubstr("--juggle"));
+}
+
+TEST_F(Usage, AFailedVerbIsNamedInFull) {
+  EXPECT_EQ(run_aisle({"sim", "log", at("none.yaml"), "--out", at("out"), "--json"}).json()["verb"],
+            "sim log");
+  EXPECT_EQ(run_aisle({"map", at("none.log"), "--json"}).json()["verb"], "map");
+}
+
+}  // namespace
+}  // namespace aisle

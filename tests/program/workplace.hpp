@@ -1,0 +1,76 @@
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "run_aisle.hpp"
+
+namespace aisle {
+
+/// A fresh directory for one test, removed with everything in it.
+class TemporaryDirectory {
+ public:
+  TemporaryDirectory();
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+  ~TemporaryDirectory();
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string read_bytes(const std::filesystem::path& path);
+void write_bytes(const std::filesystem::path& path, std::string_view bytes);
+
+/// The names in a directory, sorted; none where there is no directory.
+std::vector<std::string> names_in(const std::filesystem::path& directory);
+
+/// Tests that start the program, each in a directory of its own.
+class Workplace : public testing::Test {
+ protected:
+  std::string at(const std::string& name) const { return (directory_.path() / name).string(); }
+
+  /// A file of the test's own; returns its path.
+  std::string file(const std::string& name, std::string_view bytes) const;
+
+ private:
+  TemporaryDirectory directory_;
+};
+
+/// A workplace with a log that the simulator has recorded on the spot.
+class WorkplaceWithLog : public Workplace {
+ protected:
+  void SetUp() override;
+
+  std::string log() const { return at("sim/trip.log"); }
+  std::string relations() const { return at("sim/true.relations"); }
+
+  /// The recorded log's lines, comments first.
+  std::vector<std::string> log_lines() const;
+
+  /// A copy of the log with other lines; returns its path.
+  std::string log_of(const std::string& name, const std::vector<std::string>& lines) const;
+};
+
+/// The line with its `index`-th field (from 0) replaced.
+std::string with_field(const std::string& line, std::size_t index, const std::string& value);
+
+/// The numbers of the lines that are scans.
+std::vector<std::size_t> scan_lines(const std::vector<std::string>& lines);
+
+/// Bad usage or bad input: exit code 2, one line that contains `what`, an empty result.
+MATCHER_P(IsRefused, what, std::string("is refused with one line that says '") + what + "'") {
+  *result_listener << "exit code " << arg.exit_code << ", stderr: " << arg.err << "stdout: " << arg.out;
+  if (arg.exit_code != 2 || arg.err.find(what) == std::string::npos) return false;
+  if (arg.err.find('\n') != arg.err.size() - 1) return false;
+  const nlohmann::json result = nlohmann::json::parse(arg.out, nullptr, false);
+  return result.is_object() && result["ok"] == false && result["files"].empty() && result["figures"].empty();
+}
+
+}  // namespace aisle
