@@ -12,6 +12,7 @@ using Work = std::function<aisle::Result<aisle::Outcome>(aisle::Console&)>;
 
 void add_map_verb(CLI::App& app, Work& work);
 void add_sim_verb(CLI::App& app, Work& work);
+void add_maze_verb(CLI::App& app, Work& work);
 
 /// --params, --set and --print-params for a verb; `chosen` runs when the verb is used without --print-params.
 void add_parameter_options(CLI::App& verb, aisle::ParameterSources& sources, std::string (*print)(),

@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "aisle/commands/maze_explore.hpp"
+#include "aisle/commands/maze_generate.hpp"
+#include "aisle/commands/maze_table.hpp"
+#include "verb.hpp"
+
+using namespace aisle;
+
+namespace {
+
+template <class Value, class All>
+std::map<std::string, Value> by_name(const All& values) {
+  std::map<std::string, Value> names;
+  for (const Value value : values) names[std::string(name_of(value))] = value;
+  return names;
+}
+
+CLI::Option* add_rules(CLI::App& verb, GridRuleSet& rules) {
+  return verb
+      .add_option("--rules", rules, "published (default), shortcut, cells or homing: see docs/exploration.md")
+      ->transform(CLI::Transformer(by_name<GridRuleSet>(kGridRuleSets)));
+}
+
+Cell parse_cell(const std::string& text) {
+  Cell cell;
+  const char* const end = text.data() + text.size();
+  const auto x = std::from_chars(text.data(), end, cell.x);
+  if (x.ec == std::errc() && x.ptr != end && *x.ptr == ',') {
+    const auto y = std::from_chars(x.ptr + 1, end, cell.y);
+    if (y.ec == std::errc() && y.ptr == end) return cell;
+  }
+  throw CLI::ValidationError("--start", fmt::format("'{}' is not a cell x,y", text));
+}
+
+/// Writes frames to the terminal so that a whole run takes some time to look at, but not too long.
+std::function<void(const std::string&)> terminal_watch(double frames_per_s) {
+  auto is_first = std::make_shared<bool>(true);
+  return [frames_per_s, is_first](const std::string& frame) {
+    if (*is_first) fmt::print("\033[2J");
+    *is_first = false;
+    fmt::print("{}", frame);
+    std::fflush(stdout);
+    std::this_thread::sleep_for(std::chrono::duration<double>(1 / frames_per_s));
+  };
+}
+
+void add_table(CLI::App& maze, Work& work) {
+  CLI::App* verb = maze.add_subcommand("table", "print every rule of the transducer");
+  verb->fallthrough();
+  auto options = std::make_shared<MazeTableOptions>();
+  add_rules(*verb, options->rules);
+  const std::map<std::string, MazeTableFormat> formats = {
+      {"text", MazeTableFormat::kText}, {"json", MazeTableFormat::kJson}, {"dot", MazeTableFormat::kDot}};
+  verb->add_option("--format", options->format,
+                   "text (default), json, or dot: the states as a Graphviz diagram")
+      ->transform(CLI::Transformer(formats));
+  verb->callback(
+      [=, &work] { work = [options](Console& console) { return run_maze_table(*options, console); }; });
+}
+
+void add_explore(CLI::App& maze, Work& work) {
+  CLI::App* verb = maze.add_subcommand("explore", "explore every reachable cell of each maze and come back");
+  verb->fallthrough();
+  auto options = std::make_shared<MazeExploreOptions>();
+  verb->add_option("FILE", options->files, "mazes: text, mms num, binary .maz, PBM; plain or gzip");
+  add_rules(*verb, options->rules);
+  verb->add_option_function<std::string>(
+      "--start", [options](const std::string& text) { options->start = parse_cell(text); },
+      "cell x,y from the bottom left (default: what the file says, else 0,0)");
+  verb->add_flag("--compare", options->compare,
+                 "with all rule sets, nearest frontier, and the least that is possible");
+  auto watch = std::make_shared<bool>(false);
+  verb->add_flag("--watch", *watch, "show the run on the terminal: state, stack, and the rule that fired");
+  auto frames_per_s = std::make_shared<double>(20);
+  verb->add_option("--speed", *frames_per_s, "of --watch, moves per second (default 20)")
+      ->check(CLI::Range(0.1, 1e4));
+  verb->add_option("--svg", options->svg, "draw the run and the learned map");
+  verb->add_option("--gif", options->gif, "the same as a moving picture");
+  verb->add_flag("--force", options->force, "replace pictures that are there already");
+  verb->callback([=, &work] {
+    if (options->files.empty()) throw CLI::RequiredError("FILE");
+    if (*watch && isatty(STDOUT_FILENO) == 0)
+      throw CLI::ValidationError("--watch", "stdout is not a terminal");
+    if (*watch) options->watch = terminal_watch(*frames_per_s);
+    work = [options](Console& console) { return run_maze_explore(*options, console); };
+  });
+}
+
+void add_generate(CLI::App& maze, Work& work) {
+  CLI::App* verb = maze.add_subcommand("generate", "make a maze by seed");
+  verb->fallthrough();
+  auto options = std::make_shared<MazeGenerateOptions>();
+  verb->add_option("--kind", options->recipe.kind, "perfect (default), braided, rooms, spiral, comb or hall")
+      ->transform(CLI::Transformer(by_name<MazeKind>(kMazeKinds)));
+  verb->add_option("--width", options->recipe.width, "in cells (default 16)");
+  verb->add_option("--height", options->recipe.height, "in cells (default 16)");
+  verb->add_option("--loops", options->recipe.loop_share,
+                   "share of dead ends that a braided maze opens (default 0.5)");
+  verb->add_option("--seed", options->seed, "the same seed gives the same maze (default 1)");
+  verb->add_option("--out", options->out, "file for the maze (default: stdout)");
+  verb->add_flag("--force", options->force, "replace the file if it is there already");
+  verb->callback(
+      [=, &work] { work = [options](Console& console) { return run_maze_generate(*options, console); }; });
+}
+
+}  // namespace
+
+void add_maze_verb(CLI::App& app, Work& work) {
+  CLI::App* maze = app.add_subcommand("maze", "worlds of cells, explored by a pushdown transducer");
+  maze->require_subcommand(1);
+  maze->fallthrough();
+  add_table(*maze, work);
+  add_explore(*maze, work);
+  add_generate(*maze, work);
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/exploration/maze_generator.hpp"
+
+namespace aisle {
+
+struct MazeGenerateOptions {
+  MazeRecipe recipe;
+  std::uint64_t seed = 1;
+  std::optional<std::filesystem::path> out;  ///< none: the maze is the outcome's text
+  bool force = false;
+};
+
+/// `aisle maze generate`: a world by seed, as maze text.
+Result<Outcome> run_maze_generate(const MazeGenerateOptions& options, Console& console);
+
+}  // namespace aisle

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/exploration/grid_rules.hpp"
+
+namespace aisle {
+
+enum class MazeTableFormat { kText, kJson, kDot };
+
+struct MazeTableOptions {
+  GridRuleSet rules = GridRuleSet::kPublished;
+  MazeTableFormat format = MazeTableFormat::kText;
+};
+
+/// `aisle maze table`: every transition and output rule of a rule set, those that no world leads to marked as
+/// such. kDot is the diagram of the states, its edges labelled by super rules, for Graphviz.
+Result<Outcome> run_maze_table(const MazeTableOptions& options, Console& console);
+
+}  // namespace aisle

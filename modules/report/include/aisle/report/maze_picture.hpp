@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "aisle/core/problem.hpp"
+#include "aisle/exploration/grid_rules.hpp"
+
+namespace aisle {
+
+/// A run through a world as C97's Figure 6 shows it: the world with what the vehicle did, the learned map
+/// beside it. The run starts at `world.start`.
+struct MazePicture {
+  static constexpr int kMaxSize = 256;
+
+  const GridWorld& world;
+  GridRuleSet rules = GridRuleSet::kPublished;
+  std::string title = {};
+
+  Problems problems() const;  ///< more than kMaxSize columns or rows
+};
+
+/// The whole run with the vehicle's trace. Same picture, same bytes.
+std::string svg(const MazePicture& picture);
+
+/// The run as a moving picture: at most some 500 frames, however long it is.
+std::string gif(const MazePicture& picture);
+
+}  // namespace aisle
