@@ -24,6 +24,7 @@ constexpr double kHitGate_m = 0.08;
 constexpr double kHitGate_rad = 3 * kDegree;
 constexpr double kScoreMin = 0.6;
 constexpr double kGainMin = 0.2;
+constexpr double kAxisBonus = 0.4;               // in a building without axes it says nothing, and does no harm
 constexpr double kCostPerMetre = 0.02;            // a near pose wins against an equal one far off
 constexpr double kCostPerDegree = 0.0005;
 
@@ -85,16 +86,19 @@ std::vector<double> likely_displacements(const Vec2& axis, const Pose2& T_map_se
   return displacements_m;
 }
 
-/// Share of the seen length that lies closely on walls, less a little for being far from the guess.
+/// Share of the seen length that lies closely on walls, more where it runs along the axes, less a little for being far
+/// from the guess.
 double score(const Pose2& pose, const Pose2& guess, std::span<const SensedSegment> segments,
              std::span<const WallEstimate> walls, std::span<const int> ids) {
-  double hit_m = 0, seen_m = 0;
+  double hit_m = 0, along_axes_m = 0, seen_m = 0;
   for (const SensedSegment& s : segments) {
     seen_m += s.length_m;
     const AssociationGate gate{kHitGate_m, kHitGate_rad, 0.3 * s.length_m};
-    if (associate(PlacedSegment(s, pose), walls, ids, gate) >= 0) hit_m += s.length_m;
+    const PlacedSegment placed(s, pose);
+    if (associate(placed, walls, ids, gate) >= 0) hit_m += s.length_m;
+    if (facing_of(placed.heading_rad, kHitGate_rad) != Facing::kOblique) along_axes_m += s.length_m;
   }
-  return hit_m / seen_m - kCostPerMetre * (pose.position() - guess.position()).norm() -
+  return (hit_m + kAxisBonus * along_axes_m) / seen_m - kCostPerMetre * (pose.position() - guess.position()).norm() -
          kCostPerDegree * to_degrees(std::abs(wrap_angle(pose.theta - guess.theta)));
 }
 
@@ -102,12 +106,12 @@ double score(const Pose2& pose, const Pose2& guess, std::span<const SensedSegmen
 
 std::optional<Pose2> find_pose_near(const Pose2& guess, std::span<const SensedSegment> segments,
                                     std::span<const WallEstimate> walls, std::span<const int> window, double path_m,
-                                    double reach_m, double matched_share, PoseAligner& aligner) {
+                                    double reach_m, PoseAligner& aligner) {
   const std::vector<int> ids = trusted(walls, window, path_m);
   if (ids.size() < 3) return std::nullopt;
   const Vec3 prior_sigma(0.5, 0.5, 5 * kDegree);
   const Mat3 prior_information = prior_sigma.cwiseAbs2().cwiseInverse().asDiagonal();
-  double best_score = std::max(kScoreMin, matched_share + kGainMin);
+  double best_score = std::max(kScoreMin, score(guess, guess, segments, walls, ids) + kGainMin);
   std::optional<Pose2> best;
   for (const double turn : likely_turns(guess.theta, segments, walls, ids)) {
     const Pose2 turned{guess.x, guess.y, wrap_angle(guess.theta + turn)};

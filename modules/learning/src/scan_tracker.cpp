@@ -34,7 +34,7 @@ void TrackerParams::describe(FieldList& fields) {
   fields.real("unconfirmed_m", unconfirmed_m, {0, 500}, "a wall seen only once is forgotten after this way");
   fields.real("keyframe_m", keyframe_m, {0.02, 5}, "a scan is learned after so long a way");
   fields.angle("keyframe_deg", keyframe_rad, {1, 90}, "or after so much turning");
-  fields.real("lost_share", lost_share, {0, 1}, "with less of the seen length on walls the pose is looked for anew");
+  fields.real("lost_share", lost_share, {0, 1}, "with less of the seen length fitting the walls the pose is looked for anew");
   fields.real("relocation_reach_m", relocation_reach_m, {0.1, 10}, "how far from the predicted pose it is looked for");
 }
 
@@ -52,8 +52,8 @@ Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_
     if (orthogonal) correct_heading(segments);
     const Alignment alignment = lay_onto_walls(segments);
     wall_information = alignment.wall_information;
-    if (alignment.seen_m > kRelocationSeen_m && alignment.matched_share() < params_.lost_share) {
-      relocated_ |= relocate(segments, alignment.matched_share());
+    if (alignment.seen_m > kRelocationSeen_m && alignment.fitting_share() < params_.lost_share) {
+      relocated_ |= relocate(segments);
     }
   }
   if (keyframe_is_due()) learn(segments, wall_information);
@@ -110,9 +110,9 @@ Alignment ScanTracker::lay_from(std::span<const SensedSegment> segments, const V
   return aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
 }
 
-bool ScanTracker::relocate(std::span<const SensedSegment> segments, double matched_share) {
+bool ScanTracker::relocate(std::span<const SensedSegment> segments) {
   const auto found = find_pose_near(T_track_sensor_.mean, segments, walls_, window_, path_m_,
-                                    params_.relocation_reach_m, matched_share, aligner_);
+                                    params_.relocation_reach_m, aligner_);
   if (!found) return false;
   const Vec3 sigma(kRelocatedSigma_m, kRelocatedSigma_m, kRelocatedSigma_rad);
   T_track_sensor_ = {*found, sigma.cwiseAbs2().asDiagonal()};

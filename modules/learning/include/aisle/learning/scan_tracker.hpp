@@ -18,7 +18,7 @@ struct TrackerParams {
   double unconfirmed_m = 3;            ///< a wall seen once only is forgotten after this way
   double keyframe_m = 0.25;
   double keyframe_rad = 8 * kDegree;
-  double lost_share = 0.55;            ///< less of the seen length matched than this: look for the pose anew
+  double lost_share = 0.55;            ///< less of the seen length fits than this: look for the pose anew
   double relocation_reach_m = 1.2;
 
   void describe(FieldList& fields);
@@ -56,7 +56,7 @@ class ScanTracker {
   void correct_heading(std::span<const SensedSegment> segments);
   Alignment lay_onto_walls(std::span<const SensedSegment> segments);
   Alignment lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m);
-  bool relocate(std::span<const SensedSegment> segments, double matched_share);
+  bool relocate(std::span<const SensedSegment> segments);
   bool keyframe_is_due() const;
   void learn(std::span<const SensedSegment> segments, const Mat3& wall_information);
 
