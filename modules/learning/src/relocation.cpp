@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRecent_m = 6;                   // walls seen within this way, at least twice, can be trusted
 constexpr double kLong_m = 0.5;                   // segments and walls that vote for a heading
-constexpr double kTurnMax_rad = 70 * kDegree;
+constexpr double kTurnMax_rad = 45 * kDegree;
 constexpr double kBin_rad = 2 * kDegree;
 constexpr std::size_t kBins = 90;
 constexpr int kHeadings = 5;
@@ -25,8 +25,8 @@ constexpr double kHitGate_rad = 3 * kDegree;
 constexpr double kScoreMin = 0.6;
 constexpr double kGainMin = 0.2;
 constexpr double kAxisBonus = 0.4;               // in a building without axes it says nothing, and does no harm
-constexpr double kCostPerMetre = 0.02;            // a near pose wins against an equal one far off
-constexpr double kCostPerDegree = 0.0005;
+constexpr double kCostPerMetre = 0.1;             // a near pose wins against an equal one far off
+constexpr double kCostPerDegree = 0.004;
 
 std::vector<int> trusted(std::span<const WallEstimate> walls, std::span<const int> window, double path_m) {
   std::vector<int> ids;
