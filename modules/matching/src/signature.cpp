@@ -94,7 +94,7 @@ double SignatureCorrelator::refined_m(std::size_t index) const {
   if (index > 0 && index + 1 < values_.size()) {
     const double left = values_[index - 1], right = values_[index + 1];
     const double curvature = left - 2 * values_[index] + right;
-    if (curvature < 0) part = 0.5 * (left - right) / curvature;
+    if (curvature < 0) part = std::clamp(0.5 * (left - right) / curvature, -0.5, 0.5);
   }
   return displacement_m(index) + part * params_.cell_m;
 }
