@@ -76,9 +76,7 @@ int run(const std::string& verb, const Work& work, const Output& output) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   CLI::App app("aisle: learns the inside of a building and drives there by itself", "aisle");
   app.set_version_flag("--version", AISLE_VERSION);
   app.require_subcommand(1);
@@ -95,10 +93,18 @@ int main(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return refuse_usage(app, error, output, argc, argv);
   }
+  return run(verb_of(app), work, output);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   try {
-    return run(verb_of(app), work, output);
+    return run_program(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "aisle: internal error: {}\n", error.what());
-    return kInternalError;
+    std::fprintf(stderr, "aisle: internal error: %s\n", error.what());
+  } catch (...) {
+    std::fprintf(stderr, "aisle: internal error\n");
   }
+  return kInternalError;
 }

@@ -23,9 +23,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string> kFiles = {"building.json",  "map.svg", "map.png",
-                                         "trajectory.tum", "map.pgm", "map.yaml"};
-
 /// To `per_unit` parts of one, so that it prints with few digits.
 double rounded(double value, double per_unit) {
   return std::round(value * per_unit) / per_unit;
@@ -190,7 +187,9 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
   }
   std::optional<OutputDirectory> out;
   if (options.out) {
-    auto opened = OutputDirectory::open(*options.out, options.force, kFiles);
+    auto opened = OutputDirectory::open(
+        *options.out, options.force,
+        {"building.json", "map.svg", "map.png", "trajectory.tum", "map.pgm", "map.yaml"});
     if (!opened) return opened.problems();
     out = *opened;
   }

@@ -27,7 +27,7 @@ Problems write_beside(const fs::path& directory, const std::vector<OutputFile>& 
   fs::create_directory(directory, error);
   if (error) return {{{directory.string()}, "cannot be made: " + error.message()}};
   for (const OutputFile& file : files) {
-    if (const Problems problems = write_whole_file(directory / file.name, file.bytes); !problems.empty())
+    if (Problems problems = write_whole_file(directory / file.name, file.bytes); !problems.empty())
       return problems;
   }
   return {};
