@@ -1,13 +1,17 @@
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <charconv>
 #include <chrono>
+#include <csignal>
+#include <iostream>
 #include <memory>
 #include <thread>
 
 #include "aisle/commands/maze_explore.hpp"
 #include "aisle/commands/maze_generate.hpp"
+#include "aisle/commands/maze_mms.hpp"
 #include "aisle/commands/maze_table.hpp"
 #include "verb.hpp"
 
@@ -22,9 +26,10 @@ std::map<std::string, Value> by_name(const All& values) {
   return names;
 }
 
-CLI::Option* add_rules(CLI::App& verb, GridRuleSet& rules) {
-  return verb
-      .add_option("--rules", rules, "published (default), shortcut, cells or homing: see docs/exploration.md")
+void add_rules(CLI::App& verb, GridRuleSet& rules, const char* shipped = "published") {
+  verb.add_option(
+          "--rules", rules,
+          fmt::format("published, shortcut, cells or homing (default {}); see docs/exploration.md", shipped))
       ->transform(CLI::Transformer(by_name<GridRuleSet>(kGridRuleSets)));
 }
 
@@ -39,16 +44,18 @@ Cell parse_cell(const std::string& text) {
   throw CLI::ValidationError("--start", fmt::format("'{}' is not a cell x,y", text));
 }
 
-/// Writes frames to the terminal so that a whole run takes some time to look at, but not too long.
-std::function<void(const std::string&)> terminal_watch(double frames_per_s) {
+/// Shows so many frames a second on the terminal at stdout.
+Terminal watching_terminal(double frames_per_s) {
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0)
+    throw CLI::ValidationError("--watch", "stdout is no terminal");
   auto is_first = std::make_shared<bool>(true);
-  return [frames_per_s, is_first](const std::string& frame) {
-    if (*is_first) fmt::print("\033[2J");
-    *is_first = false;
-    fmt::print("{}", frame);
-    std::fflush(stdout);
-    std::this_thread::sleep_for(std::chrono::duration<double>(1 / frames_per_s));
-  };
+  return {size.ws_col, size.ws_row, [frames_per_s, is_first](const std::string& frame) {
+            fmt::print("{}{}", *is_first ? "\033[2J" : "", frame);
+            std::fflush(stdout);
+            *is_first = false;
+            std::this_thread::sleep_for(std::chrono::duration<double>(1 / frames_per_s));
+          }};
 }
 
 void add_table(CLI::App& maze, Work& work) {
@@ -86,9 +93,7 @@ void add_explore(CLI::App& maze, Work& work) {
   verb->add_flag("--force", options->force, "replace pictures that are there already");
   verb->callback([=, &work] {
     if (options->files.empty()) throw CLI::RequiredError("FILE");
-    if (*watch && isatty(STDOUT_FILENO) == 0)
-      throw CLI::ValidationError("--watch", "stdout is not a terminal");
-    if (*watch) options->watch = terminal_watch(*frames_per_s);
+    if (*watch) options->watch = watching_terminal(*frames_per_s);
     work = [options](Console& console) { return run_maze_explore(*options, console); };
   });
 }
@@ -110,6 +115,23 @@ void add_generate(CLI::App& maze, Work& work) {
       [=, &work] { work = [options](Console& console) { return run_maze_generate(*options, console); }; });
 }
 
+/// stdout belongs to the simulator: figures go there with --json only. Ctrl-C ends the program at once, also
+/// while it waits for an answer.
+void add_mms(CLI::App& maze, Work& work) {
+  CLI::App* verb = maze.add_subcommand("mms", "be a mouse of the mms simulator, on stdin and stdout");
+  verb->fallthrough();
+  auto options = std::make_shared<MazeMmsOptions>();
+  options->replies = &std::cin;
+  options->commands = &std::cout;
+  add_rules(*verb, options->rules, "homing");
+  verb->callback([=, &work] {
+    work = [options](Console& console) {
+      std::signal(SIGINT, SIG_DFL);
+      return run_maze_mms(*options, console);
+    };
+  });
+}
+
 }  // namespace
 
 void add_maze_verb(CLI::App& app, Work& work) {
@@ -119,4 +141,5 @@ void add_maze_verb(CLI::App& app, Work& work) {
   add_table(*maze, work);
   add_explore(*maze, work);
   add_generate(*maze, work);
+  add_mms(*maze, work);
 }

@@ -223,12 +223,18 @@ Problems draw(const MazeExploreOptions& options, const Maze& maze, Outcome& outc
   return problems;
 }
 
-void watch(const MazeExploreOptions& options, const Maze& maze, Progress& progress) {
-  MazeScreen screen(maze.world, grid_rules(options.rules));
+Problems watch(const Terminal& terminal, const Maze& maze, GridRuleSet rules, Progress& progress) {
+  MazeScreen screen(maze.world, grid_rules(rules));
+  if (screen.columns() > terminal.columns || screen.rows() > terminal.rows) {
+    return {{{maze.file},
+             fmt::format("--watch needs a terminal of {} x {} characters; this one has {} x {}",
+                         screen.columns(), screen.rows(), terminal.columns, terminal.rows)}};
+  }
   do {
     progress.report("explore", 0, 0);
-    options.watch(screen.frame());
+    terminal.show(screen.frame());
   } while (screen.step());
+  return {};
 }
 
 }  // namespace
@@ -237,7 +243,10 @@ Result<Outcome> run_maze_explore(const MazeExploreOptions& options, Console& con
   if (Problems problems = check_pictures(options); !problems.empty()) return problems;
   const auto mazes = read_mazes(options, console);
   if (!mazes) return mazes.problems();
-  if (options.watch) watch(options, mazes->front(), console.progress);
+  if (options.watch) {
+    Problems problems = watch(*options.watch, mazes->front(), options.rules, console.progress);
+    if (!problems.empty()) return problems;
+  }
 
   Outcome outcome{.verb = "maze explore"};
   outcome.figures = {{"rules", name_of(options.rules)}, {"mazes", Json::array()}, {"total", Json()}};

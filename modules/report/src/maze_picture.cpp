@@ -115,20 +115,44 @@ class MazeDrawing {
 
   /// The vehicle keeps to the right, so that there and back lie side by side.
   void draw_trace(Canvas& canvas) const {
-    constexpr double kAside = 0.13;
-    std::vector<std::pair<Vec2, Vec2>> exploring, retreating;
-    Cell at = world_.start;
-    for (std::size_t i = 0; i < run_.moves.size(); ++i) {
-      const Cell next = neighbour(at, run_.moves[i]);
-      const Vec2 aside(kAside * (next.y - at.y), -kAside * (next.x - at.x));
-      (run_.exploring[i] ? exploring : retreating)
-          .emplace_back(on_paper(0, at, 0.5 + aside.x(), 0.5 + aside.y()),
-                        on_paper(0, next, 0.5 + aside.x(), 0.5 + aside.y()));
-      at = next;
-    }
     const double width_px = std::clamp(cell_px_ / 14, 0.8, 2.5);
-    canvas.lines(retreating, {kRetreating, width_px});
-    canvas.lines(exploring, {kExploring, width_px});
+    Cell at = world_.start;
+    std::vector<Vec2> line;
+    for (std::size_t i = 0; i < run_.moves.size(); ++i) {
+      const bool new_state = i == 0 || run_.exploring[i] != run_.exploring[i - 1];
+      if (i > 0) add_turn(line, at, run_.moves[i - 1], run_.moves[i]);
+      if (i > 0 && new_state) {
+        canvas.polyline(line, {run_.exploring[i] ? kRetreating : kExploring, width_px});
+        line.erase(line.begin(), line.end() - 1);
+      }
+      if (i == 0) line.push_back(aside(at, run_.moves[i]));
+      at = neighbour(at, run_.moves[i]);
+    }
+    if (line.empty()) return;
+    line.push_back(aside(at, run_.moves.back()));
+    canvas.polyline(line, {run_.exploring.back() ? kExploring : kRetreating, width_px});
+  }
+
+  static Vec2 to_the_right(Side heading) {
+    constexpr double kAside = 0.13;
+    const Cell step = neighbour({0, 0}, heading);
+    return {kAside * step.y, -kAside * step.x};
+  }
+
+  Vec2 aside(Cell cell, Side heading) const {
+    const Vec2 offset = to_the_right(heading);
+    return on_paper(0, cell, 0.5 + offset.x(), 0.5 + offset.y());
+  }
+
+  /// The corner of the lane by which the vehicle comes with the one by which it goes.
+  void add_turn(std::vector<Vec2>& line, Cell cell, Side in, Side out) const {
+    if (in == out) return line.push_back(aside(cell, in));
+    if (in == opposite(out)) {
+      line.push_back(aside(cell, in));
+      return line.push_back(aside(cell, out));
+    }
+    const Vec2 offset = to_the_right(in) + to_the_right(out);
+    line.push_back(on_paper(0, cell, 0.5 + offset.x(), 0.5 + offset.y()));
   }
 
   void draw_marks(Canvas& canvas) const {

@@ -16,7 +16,9 @@ constexpr const char* kCrossing = "\033[31m";
 constexpr const char* kVisited = "\033[34m";
 constexpr const char* kUnderline = "\033[4m";
 
-constexpr std::size_t kShownSymbols = 16;
+constexpr std::size_t kShownSymbols = 12;
+constexpr int kStatusColumns = 72;
+constexpr int kStatusRows = 8;
 
 /// One character with a line below it where there is a wall, another for the wall on its right.
 std::string cell_text(char mark, const std::string& style, Sides open) {
@@ -51,16 +53,26 @@ MazeScreen::MazeScreen(const GridWorld& world, const GridRules& rules)
       explorer_(rules, world.width(), world.height(), world.start, [this](const TransducerRule& rule) {
         const auto place = static_cast<std::size_t>(&rule - rules_.table.rules.data());
         const std::size_t tops = rules_.table.tops(), inputs = rules_.table.inputs.size();
-        fired_ =
+        fired_ +=
             rule_text(rules_, static_cast<Symbol>(place / tops / inputs),
-                      static_cast<Symbol>(place / tops % inputs), static_cast<Symbol>(place % tops), rule);
+                      static_cast<Symbol>(place / tops % inputs), static_cast<Symbol>(place % tops), rule) +
+            kClearLine;
       }) {}
 
 bool MazeScreen::step() {
   if (over_) return false;
+  fired_.clear();
   over_ = !explorer_.step(world_.open(explorer_.at_index()));
   moves_ += !over_;
   return true;
+}
+
+int MazeScreen::columns() const {
+  return std::max(4 * world_.width() + 5, kStatusColumns);
+}
+
+int MazeScreen::rows() const {
+  return world_.height() + kStatusRows;
 }
 
 std::string MazeScreen::frame() const {
@@ -97,9 +109,9 @@ std::string MazeScreen::map_cell(Cell cell) const {
 
 std::string MazeScreen::status() const {
   const TransducerTable& table = rules_.table;
-  return fmt::format("moves {:<8} state {:<6} stack {} {}{}{}{}", moves_,
-                     table.states[explorer_.transducer().state()], explorer_.transducer().stack().size() - 1,
-                     stack_text(), kClearLine, fired_, kClearLine);
+  return fmt::format("moves {}, state {}{}stack of {}: {}{}{}", moves_,
+                     table.states[explorer_.transducer().state()], kClearLine,
+                     explorer_.transducer().stack().size() - 1, stack_text(), kClearLine, fired_);
 }
 
 /// The upper part of the stack, its top last.

@@ -11,6 +11,13 @@
 
 namespace aisle {
 
+/// Where a run can be watched.
+struct Terminal {
+  int columns = 80;
+  int rows = 24;
+  std::function<void(const std::string&)> show;  ///< shows a frame and waits as long as it shall be seen
+};
+
 struct MazeExploreOptions {
   std::vector<std::string> files;
   GridRuleSet rules = GridRuleSet::kPublished;
@@ -19,8 +26,7 @@ struct MazeExploreOptions {
   std::optional<std::filesystem::path> svg;  ///< a picture of the run; for one maze
   std::optional<std::filesystem::path> gif;  ///< the same, moving
   bool force = false;                        ///< replace pictures that are there already
-  /// Shows one frame of the run on a terminal and waits as long as it shall be seen; for one maze.
-  std::function<void(const std::string&)> watch;
+  std::optional<Terminal> watch;             ///< for one maze
 };
 
 /// `aisle maze explore`: explores every reachable cell of each maze and comes back. The outcome is not ok if

@@ -14,6 +14,10 @@ class MazeScreen {
   /// The run starts at `world.start`. World and rules must outlive the screen.
   MazeScreen(const GridWorld& world, const GridRules& rules);
 
+  /// What a frame takes of the terminal.
+  int columns() const;
+  int rows() const;
+
   /// One learning cycle; false: the run is over.
   bool step();
   std::string frame() const;
@@ -29,7 +33,7 @@ class MazeScreen {
   const GridRules& rules_;
   GridExplorer explorer_;
   std::size_t moves_ = 0;
-  std::string fired_;  ///< the rules of the latest cycle
+  std::string fired_;  ///< the rules of the latest cycle, a line each
   bool over_ = false;
 };
 

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "aisle/exploration/grid_world.hpp"
+
+namespace aisle {
+
+/// The simulator is gone, or did not answer as the protocol says.
+struct MmsFailure {
+  std::string what;
+};
+
+/// A move that ended at a wall.
+struct MmsCrash {};
+
+/// A mouse in the mms simulator (https://github.com/mackorone/mms): a line for each command, and one for each
+/// reply. Begins in cell (0, 0), heading for the top. Every function may throw MmsFailure.
+class MmsMouse {
+ public:
+  MmsMouse(std::istream& replies, std::ostream& commands) : replies_(replies), commands_(commands) {}
+
+  /// @param dimension  "mazeWidth" or "mazeHeight"
+  int size(const std::string& dimension);
+
+  Cell at() const { return at_; }
+  /// Open sides of the present cell.
+  Sides sense();
+  /// Turns to that side and moves so many cells on. Throws MmsCrash if a wall is in the way.
+  void move(Side side, int cells = 1);
+
+  /// Whether the reset button was pressed; if so the mouse stands in (0, 0) again, heading for the top.
+  bool take_reset();
+
+  /// For those who watch: the walls of the present cell, and a colour on it.
+  void show(Sides open, char color);
+
+ private:
+  void say(const std::string& command) const;
+  std::string ask(const std::string& command);
+  bool ask_yes_no(const std::string& command);
+  void act(const std::string& command);
+  void turn_to(Side side);
+
+  std::istream& replies_;
+  std::ostream& commands_;
+  Cell at_;
+  Side heading_ = Side::kTop;
+};
+
+}  // namespace aisle
