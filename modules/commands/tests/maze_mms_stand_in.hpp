@@ -28,11 +28,11 @@ class MmsStandIn {
   }
 
   /// The reset button is pressed after so many forward moves.
-  void press_reset_after(int moves) { reset_after_ = moves; }
+  void press_reset_after(int count) { reset_after_ = count; }
   /// The simulator goes away after so many forward moves.
-  void leave_after(int moves) { leave_after_ = moves; }
+  void leave_after(int count) { leave_after_ = count; }
   /// Says this to every movement.
-  void answer_moveswith(std::string reply) { move_reply_ = std::move(reply); }
+  void answer_moves_with(std::string reply) { move_reply_ = std::move(reply); }
 
   void start() {
     thread_ = std::thread([this] { serve(); });
