@@ -22,7 +22,8 @@ constexpr double kLengthCap_m = 3;                // longer walls are not surer
 constexpr double kGate_m = 0.35;
 constexpr double kHitGate_m = 0.08;
 constexpr double kHitGate_rad = 3 * kDegree;
-constexpr double kScoreMin = 0.6;
+constexpr double kOnWallsMin = 0.5;
+constexpr double kOnWallsGainMin = 0.15;
 constexpr double kGainMin = 0.2;
 constexpr double kAxisBonus = 0.4;               // in a building without axes it says nothing, and does no harm
 constexpr double kCostPerMetre = 0.1;             // a near pose wins against an equal one far off
@@ -86,10 +87,13 @@ std::vector<double> likely_displacements(const Vec2& axis, const Pose2& T_map_se
   return displacements_m;
 }
 
-/// Share of the seen length that lies closely on walls, more where it runs along the axes, less a little for being far
-/// from the guess.
-double score(const Pose2& pose, const Pose2& guess, std::span<const SensedSegment> segments,
-             std::span<const WallEstimate> walls, std::span<const int> ids) {
+struct Score {
+  double on_walls = 0;  ///< share of the seen length that lies closely on walls
+  double total = 0;     ///< more where it runs along the axes, less for being far from the guess
+};
+
+Score score(const Pose2& pose, const Pose2& guess, std::span<const SensedSegment> segments,
+            std::span<const WallEstimate> walls, std::span<const int> ids) {
   double hit_m = 0, along_axes_m = 0, seen_m = 0;
   for (const SensedSegment& s : segments) {
     seen_m += s.length_m;
@@ -98,8 +102,9 @@ double score(const Pose2& pose, const Pose2& guess, std::span<const SensedSegmen
     if (associate(placed, walls, ids, gate) >= 0) hit_m += s.length_m;
     if (facing_of(placed.heading_rad, kHitGate_rad) != Facing::kOblique) along_axes_m += s.length_m;
   }
-  return (hit_m + kAxisBonus * along_axes_m) / seen_m - kCostPerMetre * (pose.position() - guess.position()).norm() -
-         kCostPerDegree * to_degrees(std::abs(wrap_angle(pose.theta - guess.theta)));
+  const double distance_cost = kCostPerMetre * (pose.position() - guess.position()).norm() +
+                               kCostPerDegree * to_degrees(std::abs(wrap_angle(pose.theta - guess.theta)));
+  return {hit_m / seen_m, (hit_m + kAxisBonus * along_axes_m) / seen_m - distance_cost};
 }
 
 }  // namespace
@@ -111,7 +116,8 @@ std::optional<Pose2> find_pose_near(const Pose2& guess, std::span<const SensedSe
   if (ids.size() < 3) return std::nullopt;
   const Vec3 prior_sigma(0.5, 0.5, 5 * kDegree);
   const Mat3 prior_information = prior_sigma.cwiseAbs2().cwiseInverse().asDiagonal();
-  double best_score = std::max(kScoreMin, score(guess, guess, segments, walls, ids) + kGainMin);
+  const Score present = score(guess, guess, segments, walls, ids);
+  double best_total = present.total + kGainMin;
   std::optional<Pose2> best;
   for (const double turn : likely_turns(guess.theta, segments, walls, ids)) {
     const Pose2 turned{guess.x, guess.y, wrap_angle(guess.theta + turn)};
@@ -121,11 +127,10 @@ std::optional<Pose2> find_pose_near(const Pose2& guess, std::span<const SensedSe
       for (const double y_m : y_candidates_m) {
         const Pose2 start{turned.x + x_m, turned.y + y_m, turned.theta};
         const Pose2 pose = aligner.align(segments, walls, ids, {start, prior_information}, kGate_m, 5).T_map_sensor;
-        const double fit = score(pose, guess, segments, walls, ids);
-        if (fit > best_score) {
-          best_score = fit;
-          best = pose;
-        }
+        const Score fit = score(pose, guess, segments, walls, ids);
+        if (fit.total <= best_total || fit.on_walls < std::max(kOnWallsMin, present.on_walls + kOnWallsGainMin)) continue;
+        best_total = fit.total;
+        best = pose;
       }
     }
   }
