@@ -127,6 +127,7 @@ void add_mms(CLI::App& maze, Work& work) {
   verb->callback([=, &work] {
     work = [options](Console& console) {
       std::signal(SIGINT, SIG_DFL);
+      std::signal(SIGPIPE, SIG_IGN);
       return run_maze_mms(*options, console);
     };
   });
