@@ -37,15 +37,16 @@ template <class IsGoal>
 std::optional<std::size_t> KnownWays::search(const LearnedGrid& map, std::size_t from, IsGoal is_goal,
                                              std::size_t max_cells) {
   begin(map.size(), from);
+  if (is_goal(from)) return from;
   for (std::size_t next = 0; next < queue_.size() && next < max_cells; ++next) {
     const std::size_t cell = queue_[next];
-    if (is_goal(cell)) return cell;
     for (const Side side : kAllSides) {
       if (!contains(map.open(cell), side)) continue;
       const std::size_t beyond = map.neighbour(cell, side);
       if (!is_new(beyond) || !map.visited(beyond)) continue;
       stamps_[beyond] = stamp_;
       entered_by_[beyond] = side;
+      if (is_goal(beyond)) return beyond;
       queue_.push_back(static_cast<std::uint32_t>(beyond));
     }
   }
