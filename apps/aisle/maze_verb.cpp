@@ -63,10 +63,12 @@ void add_table(CLI::App& maze, Work& work) {
   verb->fallthrough();
   auto options = std::make_shared<MazeTableOptions>();
   add_rules(*verb, options->rules);
-  const std::map<std::string, MazeTableFormat> formats = {
-      {"text", MazeTableFormat::kText}, {"json", MazeTableFormat::kJson}, {"dot", MazeTableFormat::kDot}};
+  const std::map<std::string, MazeTableFormat> formats = {{"text", MazeTableFormat::kText},
+                                                          {"json", MazeTableFormat::kJson},
+                                                          {"dot", MazeTableFormat::kDot},
+                                                          {"svg", MazeTableFormat::kSvg}};
   verb->add_option("--format", options->format,
-                   "text (default), json, or dot: the states as a Graphviz diagram")
+                   "text (default), json, dot: the states for Graphviz, svg: the input symbols drawn")
       ->transform(CLI::Transformer(formats));
   verb->callback(
       [=, &work] { work = [options](Console& console) { return run_maze_table(*options, console); }; });

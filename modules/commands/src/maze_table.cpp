@@ -7,12 +7,17 @@
 #include <map>
 #include <tuple>
 
+#include "aisle/report/maze_symbols.hpp"
+
 namespace aisle {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 4> kSideNames = {"left", "right", "bottom", "top"};
+
+/// What a rule does to the stack.
+enum class StackAction { kKeep, kPush, kPop };
 
 /// Visits the table in the order of states, inputs and stack tops.
 template <class Visit>
@@ -140,22 +145,40 @@ std::string table_text(const GridRules& rules) {
   return text;
 }
 
-/// What a super rule does to the stack, and how many reachable rules follow from it.
+StackAction stack_action(const TransducerRule& rule) {
+  if (rule.length > 1) return StackAction::kPush;
+  return rule.length == 0 ? StackAction::kPop : StackAction::kKeep;
+}
+
+std::string stack_action_text(StackAction action) {
+  constexpr std::array<const char*, 3> kTexts = {"", ", push", ", pop"};
+  return kTexts[static_cast<std::size_t>(action)];
+}
+
+/// One edge from state to state, labelled by super rules and kinds of input, each with the number of
+/// reachable rules.
 std::string table_dot(const GridRules& rules) {
   const TransducerTable& table = rules.table;
-  std::map<std::tuple<Symbol, Symbol, Symbol, GridInputKind>, std::size_t> edges;
+  using Cause = std::tuple<Symbol, GridInputKind, StackAction>;
+  std::map<std::pair<Symbol, Symbol>, std::map<Cause, std::size_t>> edges;
   for_each_rule(table, [&](Symbol state, Symbol input, Symbol, const TransducerRule& rule) {
-    if (rule.reachable) ++edges[{state, rule.next_state, rule.super_rule, rules.inputs[input].kind}];
+    if (!rule.reachable) return;
+    ++edges[{state, rule.next_state}][{rule.super_rule, rules.inputs[input].kind, stack_action(rule)}];
   });
   std::string text = fmt::format(
-      "digraph \"{}\" {{\n  rankdir=LR;\n  node [shape=circle, fontname=\"DejaVu Sans\"];\n"
+      "digraph \"{}\" {{\n  rankdir=LR;\n  nodesep=1;\n  node [shape=circle, fontname=\"DejaVu Sans\"];\n"
       "  edge [fontname=\"DejaVu Sans\", fontsize=11];\n  start [shape=point];\n  start -> {};\n",
       name_of(rules.set), table.states[table.start_state]);
   text += fmt::format("  {} [shape=doublecircle];\n", table.states[table.final_state]);
-  for (const auto& [edge, count] : edges) {
-    const auto& [from, to, super_rule, kind] = edge;
-    text += fmt::format("  {} -> {} [label=\"{} {}: {}\"];\n", table.states[from], table.states[to],
-                        table.super_rules[super_rule], name_of(kind), count);
+  for (const auto& [ends, causes] : edges) {
+    std::string label;
+    for (const auto& [cause, count] : causes) {
+      const auto& [super_rule, kind, action] = cause;
+      label += fmt::format("{}: {}{} ({})\\l", table.super_rules[super_rule], name_of(kind),
+                           stack_action_text(action), count);
+    }
+    text += fmt::format("  {} -> {} [label=\"{}\"];\n", table.states[ends.first], table.states[ends.second],
+                        label);
   }
   return text + "}\n";
 }
@@ -168,6 +191,8 @@ std::string text_of(const GridRules& rules, MazeTableFormat format) {
       return table_json(rules).dump(1) + "\n";
     case MazeTableFormat::kDot:
       return table_dot(rules);
+    case MazeTableFormat::kSvg:
+      return input_symbols_svg(rules);
   }
   return {};
 }

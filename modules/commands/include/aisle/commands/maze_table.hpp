@@ -5,7 +5,7 @@
 
 namespace aisle {
 
-enum class MazeTableFormat { kText, kJson, kDot };
+enum class MazeTableFormat { kText, kJson, kDot, kSvg };
 
 struct MazeTableOptions {
   GridRuleSet rules = GridRuleSet::kPublished;
@@ -13,7 +13,8 @@ struct MazeTableOptions {
 };
 
 /// `aisle maze table`: every transition and output rule of a rule set, those that no world leads to marked as
-/// such. kDot is the diagram of the states, its edges labelled by super rules, for Graphviz.
+/// such. kDot is the diagram of the states for Graphviz, its edges labelled by super rules; kSvg shows the
+/// input symbols.
 Result<Outcome> run_maze_table(const MazeTableOptions& options, Console& console);
 
 }  // namespace aisle
