@@ -93,6 +93,7 @@ class MapBuilder {
     WallAdjustment adjustment(tracker_.keyframes(), segments_, keyframes, params_.tracker.motion, orthogonal_);
     adjustment.run(params_.adjustment_rounds);
     walls_ = adjustment.walls();
+    sightings_ = adjustment.sightings();
     return carried_along(tracked_, scans, adjustment.T_map_sensor());
   }
 
@@ -134,13 +135,16 @@ class MapBuilder {
       };
       result.loop_closures.emplace_back(scan(closure.older), scan(closure.newer));
     }
-    for (const WallEstimate& wall : walls_) {
-      if (wall.length_m() < params_.drawn_length_m || wall.sightings < params_.drawn_sightings) continue;
-      result.walls.walls.push_back({wall.segment(), !wall.is_oblique(), wall.start, wall.end, wall.sightings,
-                                    std::sqrt(1 / wall.offset_weight)});
-    }
     result.has_dominant_direction = orthogonal_;
     return result;
+  }
+
+  WallMap draw(const std::vector<Pose2>& T_map_sensor) const {
+    std::vector<PlacedScan> scans;
+    for (const Keyframe& keyframe : tracker_.keyframes()) {
+      scans.push_back({T_map_sensor[keyframe.scan], keyframe.path_m, &log_.scans[keyframe.scan]});
+    }
+    return draw_walls(walls_, sightings_, scans, log_.laser, params_.drawn_length_m, params_.drawn_sightings);
   }
 
   const std::vector<Pose2>& tracked() const { return tracked_; }
@@ -204,6 +208,7 @@ class MapBuilder {
   std::size_t next_keyframe_ = 0;
   bool orthogonal_ = true;
   std::vector<WallEstimate> walls_;
+  std::vector<WallSighting> sightings_;
   CellIndex index_;
   std::vector<int> near_;
   PoseAligner final_aligner_{AlignmentParams{.sightings_for_full_weight = 1}};
@@ -219,7 +224,7 @@ void MapParams::describe(FieldList& fields) {
               "share of the scans whose walls must give a heading, or the building has no dominant direction");
   fields.count("adjustment_rounds", adjustment_rounds, {0, 20}, "rounds of adjusting keyframes and walls together");
   fields.real("drawn_length_m", drawn_length_m, {0, 10}, "shorter walls are not written");
-  fields.count("drawn_sightings", drawn_sightings, {1, 1000}, "walls seen more rarely are not written");
+  fields.count("drawn_sightings", drawn_sightings, {1, 1000}, "walls seen on fewer legs of half a metre of way are not written");
 }
 
 MapResult build_map(const LaserLog& log, const MapParams& params, std::optional<double> odometry_delay_s,
@@ -251,6 +256,7 @@ MapResult build_map(const LaserLog& log, const MapParams& params, std::optional<
   keep("every scan settled", T_map_sensor);
 
   MapResult result = builder.result();
+  result.walls = builder.draw(T_map_sensor);
   result.T_map_vehicle = builder.of_vehicle(std::move(T_map_sensor));
   result.stages = std::move(stages);
   return result;

@@ -216,4 +216,21 @@ std::vector<WallEstimate> WallAdjustment::walls() const {
   return taking_part;
 }
 
+std::vector<WallSighting> WallAdjustment::sightings() const {
+  std::vector<int> index(walls_.size(), -1);
+  int next = 0;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    if (unknown_of_wall_[w] >= 0) index[w] = next++;
+  }
+  std::vector<WallSighting> sightings;
+  for (const Observation& o : observations_) {
+    if (o.wall < 0 || index[static_cast<std::size_t>(o.wall)] < 0) continue;
+    sightings.push_back({T_map_sensor_[o.keyframe] * o.segment->segment, index[static_cast<std::size_t>(o.wall)],
+                         keyframes_[o.keyframe].path_m});
+  }
+  std::stable_sort(sightings.begin(), sightings.end(),
+                   [](const WallSighting& a, const WallSighting& b) { return a.path_m < b.path_m; });
+  return sightings;
+}
+
 }  // namespace aisle

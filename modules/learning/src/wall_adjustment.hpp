@@ -8,6 +8,7 @@
 #include "aisle/learning/scan_tracker.hpp"
 #include "aisle/maps/cell_index.hpp"
 #include "scan_segments.hpp"
+#include "wall_drawing.hpp"
 
 namespace aisle {
 
@@ -25,6 +26,8 @@ class WallAdjustment {
   const std::vector<Pose2>& T_map_sensor() const { return T_map_sensor_; }
   /// The walls that take part, with the number of segments on each as `sightings`.
   std::vector<WallEstimate> walls() const;
+  /// Every segment that takes part, at its final place, with its index in walls().
+  std::vector<WallSighting> sightings() const;
 
  private:
   struct Observation {

@@ -21,7 +21,7 @@ struct MapParams {
   double dominant_share_min = 0.3;  ///< scans whose walls give a heading; fewer: the building has no dominant direction
   int adjustment_rounds = 4;
   double drawn_length_m = 0.5;      ///< shorter walls are learned but not drawn
-  int drawn_sightings = 5;          ///< nor are walls seen more rarely
+  int drawn_sightings = 3;          ///< nor are walls seen on fewer legs of half a metre of way
 
   void describe(FieldList& fields);
 };
