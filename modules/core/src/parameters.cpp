@@ -19,6 +19,14 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+/// `value` in a larger unit. The change of unit rounds: the 33 degrees that a variable holds must not become
+/// 33.00000000000001.
+double in_unit(double value, double unit) {
+  const double exact = value / unit;
+  const double with_fewer_digits = parse_number(fmt::format("{:.15g}", exact)).value_or(exact);
+  return with_fewer_digits * unit == value ? with_fewer_digits : exact;
+}
+
 std::optional<bool> parse_flag(std::string_view text) {
   if (text == "true" || text == "yes" || text == "on") return true;
   if (text == "false" || text == "no" || text == "off") return false;
@@ -43,7 +51,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string Field::value_text() const {
-  if (const auto* real = std::get_if<double*>(&target)) return fmt::format("{:.6g}", **real / inner_unit);
+  if (const auto* real = std::get_if<double*>(&target)) return fmt::format("{}", in_unit(**real, inner_unit));
   if (const auto* count = std::get_if<int*>(&target)) return fmt::format("{}", **count);
   return *std::get<bool*>(target) ? "true" : "false";
 }
@@ -71,12 +79,14 @@ void FieldList::flag(std::string_view key, bool& target, std::string_view doc) {
 
 Problems FieldList::assign(std::string_view key, std::string_view text, Place where) {
   where.key = std::string(key);
-  const auto field = std::find_if(fields_.begin(), fields_.end(), [&](const Field& f) { return f.key == key; });
+  const auto field =
+      std::find_if(fields_.begin(), fields_.end(), [&](const Field& f) { return f.key == key; });
   if (field == fields_.end()) {
     std::string what = "unknown key";
-    const auto nearest = std::min_element(fields_.begin(), fields_.end(), [&](const Field& a, const Field& b) {
-      return edit_distance(a.key, key) < edit_distance(b.key, key);
-    });
+    const auto nearest =
+        std::min_element(fields_.begin(), fields_.end(), [&](const Field& a, const Field& b) {
+          return edit_distance(a.key, key) < edit_distance(b.key, key);
+        });
     if (nearest != fields_.end()) what += fmt::format(" (nearest known key: {})", nearest->key);
     return {{where, what}};
   }

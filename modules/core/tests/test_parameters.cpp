@@ -1,7 +1,13 @@
 #include <gmock/gmock.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <utility>
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/parameters.hpp"
+#include "aisle/core/random.hpp"
 
 namespace aisle {
 namespace {
@@ -48,6 +54,53 @@ TEST(Parameters, PrintsValuesInTheUnitOfTheKey) {
   const FieldList fields = fields_of(params);
   EXPECT_EQ(fields.all()[1].key, "opening_deg");
   EXPECT_EQ(fields.all()[1].value_text(), "10");
+}
+
+template <class Fields>
+concept AllowsALoopOver = requires(Fields&& fields) {
+  std::forward<Fields>(fields).all();
+};
+
+TEST(Parameters, AListThatIsAboutToGoIsNotLoopedOver) {
+  EXPECT_TRUE(AllowsALoopOver<FieldList&>);
+  EXPECT_TRUE(AllowsALoopOver<const FieldList&>);
+  EXPECT_FALSE(AllowsALoopOver<FieldList>);
+}
+
+/// What reading the printed value of a field gives.
+template <class AddField>
+double read_back(double value, AddField add) {
+  FieldList fields;
+  add(fields, value);
+  const std::string text = fields.all()[0].value_text();
+  value = 0;
+  return fields.assign("x", text, {}).empty() ? value : NAN;
+}
+
+RC_GTEST_PROP(Parameters, ANumberIsPrintedSoThatItReadsBackTheSame, (std::uint64_t seed)) {
+  const auto number = std::bit_cast<double>(Random(seed).bits());
+  RC_PRE(std::isfinite(number));
+  const auto real = [](FieldList& fields, double& x) { fields.real("x", x, {-INFINITY, INFINITY}, ""); };
+  RC_ASSERT(read_back(number, real) == number);
+}
+
+RC_GTEST_PROP(Parameters, AnAngleIsPrintedSoThatItReadsBackToTheLastBits, (std::uint64_t seed)) {
+  const double angle_rad = Random(seed).uniform(0, 2 * kPi);
+  const auto angle = [](FieldList& fields, double& x) { fields.angle("x", x, {0, 360}, ""); };
+  RC_ASSERT(std::abs(read_back(angle_rad, angle) - angle_rad) <= 4e-16 * angle_rad);
+}
+
+TEST(Parameters, DegreesArePrintedWithTheDigitsThatTheyWereWrittenWith) {
+  for (int tenths = 1; tenths <= 3600; ++tenths) {
+    const std::string text = tenths % 10 == 0
+                                 ? std::to_string(tenths / 10)
+                                 : std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+    double angle_rad = 0;
+    FieldList fields;
+    fields.angle("x", angle_rad, {0, 360}, "");
+    ASSERT_THAT(fields.assign("x", text, {}), IsEmpty());
+    EXPECT_EQ(fields.all()[0].value_text(), text);
+  }
 }
 
 TEST(Parameters, AnUnknownKeyNamesTheNearestOne) {

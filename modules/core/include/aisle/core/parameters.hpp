@@ -28,11 +28,12 @@ struct Range {
 struct Field {
   std::string key;  ///< dotted, with the unit as its ending: "segments.range_max_m"
   std::string doc;
-  Range range;           ///< allowed values, inclusive, in the key's unit
+  Range range;            ///< allowed values, inclusive, in the key's unit
   double inner_unit = 1;  ///< the variable is the key's value times this (degrees -> radians)
   std::variant<double*, int*, bool*> target;
 
-  std::string value_text() const;  ///< the present value in the key's unit
+  /// The present value in the key's unit, in as few digits as it takes to read the same value.
+  std::string value_text() const;
 };
 
 class FieldList {
@@ -52,10 +53,11 @@ class FieldList {
     prefix_ = outer;
   }
 
-  const std::vector<Field>& all() const { return fields_; }
+  const std::vector<Field>& all() const& { return fields_; }
+  const std::vector<Field>& all() && = delete;  ///< a loop over them would outlive the list
 
-  /// Sets the field `key` from `text`; an unknown key, an unreadable or an out-of-range value is a problem that
-  /// names key, value and range.
+  /// Sets the field `key` from `text`; an unknown key, an unreadable or an out-of-range value is a problem
+  /// that names key, value and range.
   Problems assign(std::string_view key, std::string_view text, Place where);
 
  private:
