@@ -5,6 +5,7 @@
 
 #include "aisle/commands/map.hpp"
 #include "aisle/core/angle.hpp"
+#include "option_kinds.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -23,7 +24,8 @@ Pose2 parse_offset(const std::string& text) {
     if (*next != ',') break;
     at = next + 1;
   }
-  throw CLI::ValidationError("--laser-offset", fmt::format("'{}' is not x, x,y or x,y,degrees (metres)", text));
+  throw CLI::ValidationError("--laser-offset",
+                             fmt::format("'{}' is not x, x,y or x,y,degrees (metres)", text));
 }
 
 }  // namespace
@@ -33,23 +35,25 @@ void add_map_verb(CLI::App& app, Work& work) {
   auto options = std::make_shared<MapOptions>();
   verb->fallthrough();
   verb->add_option("LOG", options->log, "CARMEN log, plain or gzip");
-  verb->add_option("--relations", options->relations, "known relative poses: the error against them is measured");
-  const std::map<std::string, MapRules> rules = {{"published", MapRules::kPublished}, {"refined", MapRules::kRefined}};
-  verb->add_option("--rules", options->rules, "published: Algorithms 2 and 3 of C99 alone; refined (default)")
-      ->transform(CLI::Transformer(rules));
+  verb->add_option("--relations", options->relations,
+                   "known relative poses: the error against them is measured");
+  add_choice<MapRules>(*verb, "--rules", options->rules,
+                       {{"published", MapRules::kPublished}, {"refined", MapRules::kRefined}},
+                       "published: Algorithms 2 and 3 of C99 alone; default refined");
   verb->add_option("--out", options->out, "directory for the map, the pictures and the trajectory");
   verb->add_flag("--force", options->force, "replace results that are there already");
-  const std::map<std::string, LengthUnit> units = {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}};
-  verb->add_option("--units", options->reading.unit, "of the log's lengths: m (default) or cm")
-      ->transform(CLI::Transformer(units));
+  add_choice<LengthUnit>(*verb, "--units", options->reading.unit,
+                         {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}},
+                         "of the log's lengths; default m");
   verb->add_option_function<std::string>(
-      "--laser-offset", [options](const std::string& text) { options->reading.T_vehicle_laser = parse_offset(text); },
+      "--laser-offset",
+      [options](const std::string& text) { options->reading.T_vehicle_laser = parse_offset(text); },
       "where the laser sits on the vehicle: x, x,y or x,y,degrees; else what the log says, else 0");
   verb->add_option("--odometry-delay", options->odometry_delay_s,
                    "by how many seconds the odometry is later than its scan (default: found from the log)")
       ->check(CLI::Range(-10.0, 10.0));
   verb->add_flag("--stages", options->stages, "print the figures of every stage of the work");
-  add_parameter_options(*verb, options->parameters, map_parameters_yaml, "map", work, [options, &work] {
+  add_parameter_options(*verb, options->parameters, map_parameters, work, [options, &work] {
     if (options->log.empty()) throw CLI::RequiredError("LOG");
     work = [options](Console& console) { return run_map(*options, console); };
   });

@@ -2,16 +2,14 @@
 
 #include "verb.hpp"
 
-void add_parameter_options(CLI::App& verb, aisle::ParameterSources& sources, std::string (*print)(),
-                           const std::string& name, Work& work, const std::function<void()>& chosen) {
+void add_parameter_options(CLI::App& verb, aisle::ParameterSources& sources, aisle::Outcome (*list)(),
+                           Work& work, const std::function<void()>& chosen) {
   verb.add_option("--params", sources.files, "parameter file (YAML), over the defaults");
   verb.add_option("--set", sources.settings, "key=value, over the parameter files");
   auto printed = std::make_shared<bool>(false);
   verb.add_flag("--print-params", *printed, "print all parameters with meaning, range and default, and stop");
   verb.callback([=, &work] {
     if (!*printed) return chosen();
-    work = [=](aisle::Console&) -> aisle::Result<aisle::Outcome> {
-      return aisle::Outcome{.verb = name, .text = print()};
-    };
+    work = [list](aisle::Console&) -> aisle::Result<aisle::Outcome> { return list(); };
   });
 }

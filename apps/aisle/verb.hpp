@@ -15,5 +15,5 @@ void add_sim_verb(CLI::App& app, Work& work);
 void add_maze_verb(CLI::App& app, Work& work);
 
 /// --params, --set and --print-params for a verb; `chosen` runs when the verb is used without --print-params.
-void add_parameter_options(CLI::App& verb, aisle::ParameterSources& sources, std::string (*print)(),
-                           const std::string& name, Work& work, const std::function<void()>& chosen);
+void add_parameter_options(CLI::App& verb, aisle::ParameterSources& sources, aisle::Outcome (*list)(),
+                           Work& work, const std::function<void()>& chosen);

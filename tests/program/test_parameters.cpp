@@ -74,6 +74,20 @@ TEST_F(Parameters, PrintedParametersOfTheSimulatorCanBeReadBack) {
   EXPECT_TRUE(read_bytes(at("printed/trip.log")) == read_bytes(log()));
 }
 
+TEST_F(Parameters, ArePrintedToMachinesWithTheirRanges) {
+  const auto map = run_aisle({"map", "--print-params", "--json"}).json();
+  EXPECT_EQ(map["verb"], "map");
+  const auto range_max = map["figures"]["params"]["segments.range_max_m"];
+  EXPECT_GT(range_max["value"], range_max["min"]);
+  EXPECT_EQ(range_max["min"], 1);
+  EXPECT_EQ(range_max["max"], 200);
+  EXPECT_THAT(range_max["doc"].get<std::string>(), Not(IsEmpty()));
+  const auto sim = run_aisle({"sim", "log", "--print-params", "--json"}).json();
+  EXPECT_EQ(sim["verb"], "sim log");
+  EXPECT_EQ(sim["figures"]["params"]["scanner.beams"]["value"], 180);
+  EXPECT_EQ(sim["figures"]["params"]["driver.turn_rate_max_deg_s"]["value"], 45);
+}
+
 TEST_F(Parameters, SettingsWinOverFilesAndLaterFilesOverEarlierOnes) {
   const std::string longer = file("longer.yaml", "drawn_length_m: 3\n");
   const std::string longest = file("longest.yaml", "drawn_length_m: 6\n");

@@ -43,6 +43,26 @@ TEST_F(Usage, MistakesAreRefusedInOneLine) {
   EXPECT_THAT(run_aisle({"sim", "log", "world.yaml", "--json"}), IsRefused("--out is required"));
 }
 
+TEST_F(Usage, AWordThatIsNoChoiceIsRefusedWithTheChoices) {
+  EXPECT_THAT(run_aisle({"map", "trip.log", "--units", "furlong", "--json"}),
+              IsRefused("--units: 'furlong' is none of m, cm"));
+  EXPECT_THAT(run_aisle({"map", "trip.log", "--rules", "foo", "--json"}),
+              IsRefused("--rules: 'foo' is none of published, refined"));
+}
+
+TEST_F(Usage, HelpShowsTheChoices) {
+  const std::string help = run_aisle({"map", "--help"}).out;
+  EXPECT_THAT(help, HasSubstr("--units m|cm "));
+  EXPECT_THAT(help, HasSubstr("--rules published|refined"));
+}
+
+TEST_F(Usage, ASeedIsAWholeNumberThatIsNotNegative) {
+  for (const char* seed : {"-1", "1.5", "red", "99999999999999999999", ""}) {
+    EXPECT_THAT(run_aisle({"sim", "log", "world.yaml", "--out", at("out"), "--json", "--seed", seed}),
+                IsRefused(std::string("--seed: '") + seed + "' is not a whole number from 0"));
+  }
+}
+
 TEST_F(Usage, MistakesWithoutJsonPrintNothingOnStdout) {
   const ProgramRun run = run_aisle({"map", "--juggle"});
   EXPECT_EQ(run.exit_code, 2);

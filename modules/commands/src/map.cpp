@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "aisle/commands/output_directory.hpp"
+#include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/process_usage.hpp"
 #include "aisle/formats/building_json.hpp"
 #include "aisle/formats/map_server.hpp"
-#include "aisle/formats/parameter_file.hpp"
 #include "aisle/formats/relations.hpp"
 #include "aisle/formats/trajectory.hpp"
 #include "aisle/learning/map_building.hpp"
@@ -163,9 +163,9 @@ std::string title_of(const std::filesystem::path& log) {
 
 }  // namespace
 
-std::string map_parameters_yaml() {
+Outcome map_parameters() {
   MapParams params;
-  return parameters_yaml(fields_of(params));
+  return parameter_listing("map", fields_of(params));
 }
 
 Result<Outcome> run_map(const MapOptions& options, Console& console) {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "aisle/commands/output_directory.hpp"
+#include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/carmen_log.hpp"
-#include "aisle/formats/parameter_file.hpp"
 #include "aisle/formats/trajectory.hpp"
 #include "aisle/formats/world_yaml.hpp"
 #include "aisle/simulation/tour_recorder.hpp"
@@ -39,9 +39,9 @@ Problems inexpressible(const RangeScannerParams& scanner) {
 
 }  // namespace
 
-std::string simulate_log_parameters_yaml() {
+Outcome simulate_log_parameters() {
   TourParams params;
-  return parameters_yaml(fields_of(params));
+  return parameter_listing("sim log", fields_of(params));
 }
 
 Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& console) {
@@ -57,8 +57,7 @@ Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& con
       OutputDirectory::open(options.out, options.force, {"trip.log", "true.relations", "true.tum"});
   if (!out) return out.problems();
 
-  const TourRecording trip = record_tour(*world, params, options.seed);
-  console.progress.report("recording", 1, 1);
+  const TourRecording trip = record_tour(*world, params, options.seed, console.progress);
   Random random(options.seed);
   const auto relations = true_relations(trip.T_world_vehicle, random);
   std::vector<double> stamps_s;

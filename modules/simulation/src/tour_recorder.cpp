@@ -33,10 +33,11 @@ Arc counted_by_wheels(const Arc& driven, const OdometryNoiseParams& noise, Rando
               random.normal(noise.rotation_sigma_rad) * root_rad};
 }
 
-Trip drive(const World& world, const TourParams& params, Random& random) {
+Trip drive(const World& world, const TourParams& params, Random& random, Progress& progress) {
   TourDriver driver(world.tour, params.driver);
   Trip trip{{driver.pose()}, {Pose2{}}};
   while (!driver.has_arrived()) {
+    progress.report("driving", driver.way_points_passed(), driver.way_points());
     const Arc counted = counted_by_wheels(driver.step(kStep_s), params.odometry, random);
     trip.T_world_vehicle.push_back(driver.pose());
     trip.T_odom_vehicle.push_back(trip.T_odom_vehicle.back() * end_pose(counted));
@@ -46,10 +47,11 @@ Trip drive(const World& world, const TourParams& params, Random& random) {
 
 }  // namespace
 
-TourRecording record_tour(const World& world, const TourParams& params, std::uint64_t seed) {
+TourRecording record_tour(const World& world, const TourParams& params, std::uint64_t seed,
+                          Progress& progress) {
   Random random(seed);
   Random scanner_random(random.bits());
-  const Trip trip = drive(world, params, random);
+  const Trip trip = drive(world, params, random, progress);
   const RangeScanner scanner(world, params.scanner);
 
   TourRecording recording;
@@ -62,6 +64,7 @@ TourRecording record_tour(const World& world, const TourParams& params, std::uin
     recording.log.odometry.push_back(
         {time_s, pose_at(trip.T_odom_vehicle, time_s + params.odometry_delay_s)});
     recording.log.scans.push_back({time_s, time_s, scanner.scan(T_world_vehicle, scanner_random), i + 1});
+    progress.report("scanning", i + 1, last + 1);
   }
   return recording;
 }

@@ -31,7 +31,7 @@ struct MapOptions {
 /// `aisle map LOG`: a building's wall map from a recorded laser log.
 Result<Outcome> run_map(const MapOptions& options, Console& console);
 
-/// Every parameter of `aisle map` with its default, as a parameter file.
-std::string map_parameters_yaml();
+/// Every parameter of `aisle map` with its default.
+Outcome map_parameters();
 
 }  // namespace aisle

@@ -20,7 +20,7 @@ struct SimulateLogOptions {
 /// `aisle sim log WORLD`: records a laser log on a simulated trip along the world's tour.
 Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& console);
 
-/// Every parameter of `aisle sim log` with its default, as a parameter file.
-std::string simulate_log_parameters_yaml();
+/// Every parameter of `aisle sim log` with its default.
+Outcome simulate_log_parameters();
 
 }  // namespace aisle

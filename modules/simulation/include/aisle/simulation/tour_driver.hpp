@@ -32,6 +32,9 @@ class TourDriver {
   TourDriver(std::vector<Vec2> tour, const TourDriverParams& params);
 
   bool has_arrived() const;
+  /// Way points that lie behind; those that follow each other at one place are one.
+  std::size_t way_points_passed() const { return next_ - 1; }
+  std::size_t way_points() const { return tour_.size(); }
   /// The true pose in `world`.
   const Pose2& pose() const { return T_world_vehicle_; }
 

@@ -5,6 +5,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/parameters.hpp"
+#include "aisle/core/progress.hpp"
 #include "aisle/simulation/range_scanner.hpp"
 #include "aisle/simulation/tour_driver.hpp"
 #include "aisle/simulation/world.hpp"
@@ -59,6 +60,7 @@ struct TourRecording {
 };
 
 /// Drives the world's tour (at least two different way points) once. The same arguments give the same bytes.
-TourRecording record_tour(const World& world, const TourParams& params, std::uint64_t seed);
+TourRecording record_tour(const World& world, const TourParams& params, std::uint64_t seed,
+                          Progress& progress);
 
 }  // namespace aisle

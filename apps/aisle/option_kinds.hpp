@@ -1,0 +1,34 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+/// An option whose value is one of a few words; help shows them, and another word is refused with them.
+template <class Value>
+void add_choice(CLI::App& verb, const std::string& name, Value& chosen, const Choices<Value>& choices,
+                const std::string& meaning) {
+  std::vector<std::string> words;
+  for (const auto& choice : choices) words.push_back(choice.first);
+  const auto choose = [=, &chosen](const std::string& word) {
+    const auto found = std::find_if(choices.begin(), choices.end(),
+                                    [&](const auto& choice) { return choice.first == word; });
+    if (found == choices.end()) {
+      throw CLI::ValidationError(name, fmt::format("'{}' is none of {}", word, fmt::join(words, ", ")));
+    }
+    chosen = found->second;
+  };
+  verb.add_option_function<std::string>(name, choose, meaning)
+      ->type_name(fmt::format("{}", fmt::join(words, "|")));
+}
+
+/// --seed: a whole number that is not negative.
+void add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& meaning);
