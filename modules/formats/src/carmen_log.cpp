@@ -80,6 +80,7 @@ class CarmenParser {
   void settle_scanner();
   void settle_clock();
   void check_unit();
+  void check_leaps();
   void warn(long line, std::string what) {
     warnings_.push_back(to_string(Problem{{name_, line}, std::move(what)}));
   }
@@ -128,6 +129,7 @@ Result<CarmenLog> CarmenParser::parse(std::string_view text) {
   settle_scanner();
   settle_clock();
   check_unit();
+  check_leaps();
   if (unknown_count_ > 0) {
     warn(first_unknown_line_, fmt::format("'{}' is no message of CARMEN; {} such lines were skipped",
                                           first_unknown_, unknown_count_));
@@ -223,8 +225,9 @@ void CarmenParser::settle_clock() {
   if (repair.places == 0) return;
   warn(repair.first_line,
        fmt::format(
-           "stamps go back, leap or stand still at {} places, first here; scans are taken in file order",
-           repair.places));
+           "stamps go back, leap or stand still at {} places, first here; scans are taken in file order{}",
+           repair.places,
+           repair.by_nominal_step ? fmt::format(", {} s from one line to the next", kNominalStep_s) : ""));
 }
 
 void CarmenParser::check_unit() {
@@ -237,6 +240,23 @@ void CarmenParser::check_unit() {
     warn(0, fmt::format("half of the readings are below {:.3f} m: if they are metres, leave out --units cm",
                         median_m));
   }
+}
+
+void CarmenParser::check_leaps() {
+  constexpr double kLeap_m = 20;  // no vehicle drives so far from one line to the next
+  std::size_t count = 0, first = 0;
+  double first_m = 0;
+  for (std::size_t i = 1; i < log_.odometry.size(); ++i) {
+    const Vec2 from = log_.odometry[i - 1].T_odom_vehicle.position();
+    const double step_m = (log_.odometry[i].T_odom_vehicle.position() - from).norm();
+    if (step_m <= kLeap_m || count++ > 0) continue;
+    first = i;
+    first_m = step_m;
+  }
+  if (count == 0) return;
+  warn(odometry_stamps_[first].line,
+       fmt::format("the odometry leaps by {:.0f} m from the pose before; {} such leaps in the log", first_m,
+                   count));
 }
 
 void CarmenParser::count_unknown(std::string_view word) {

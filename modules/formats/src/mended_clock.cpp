@@ -37,7 +37,8 @@ class StampStream {
     still_ = step_s == 0 ? still_ + 1 : 0;
     if (step_s >= 0 && step_s <= kLongestStep_s && still_ < 2) return time_s_ = time_s;
     if (repair.places++ == 0) repair.first_line = recorded.line;
-    time_s_ += usual_step_s_;
+    repair.by_nominal_step |= usual_step_s_ == 0;
+    time_s_ += usual_step_s_ > 0 ? usual_step_s_ : kNominalStep_s;
     shift_s = time_s_ - recorded.stamp_s;
     return time_s_;
   }

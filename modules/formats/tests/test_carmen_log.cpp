@@ -163,6 +163,20 @@ TEST(CarmenLog, StampsThatGoBackAreMendedAndTheScansStayInFileOrder) {
                           "scans are taken in file order"));
 }
 
+TEST(CarmenLog, AClockThatNeverGoesIsWarnedOfWithTheStepThatIsTaken) {
+  EXPECT_THAT(parsed(flaser(7) + flaser(7) + flaser(7) + flaser(7)).warnings,
+              ElementsAre("trip.clf:3: stamps go back, leap or stand still at 2 places, first here; "
+                          "scans are taken in file order, 0.1 s from one line to the next"));
+}
+
+TEST(CarmenLog, OdometryThatLeapsIsWarnedOfOnceWithItsPlace) {
+  const auto at = [](double x_m, double stamp_s) { return odom(x_m, stamp_s) + rawlaser(stamp_s); };
+  EXPECT_THAT(
+      parsed(at(0, 1) + at(19, 2) + at(40, 3) + at(41, 4) + at(0, 5)).warnings,
+      ElementsAre("trip.clf:5: the odometry leaps by 21 m from the pose before; 2 such leaps in the log"));
+  EXPECT_THAT(parsed(at(0, 1) + at(19, 2) + at(38, 3)).warnings, IsEmpty());
+}
+
 TEST(CarmenLog, OtherMessagesAreSkippedAndUnknownOnesCounted) {
   EXPECT_THAT(parsed("SYNC tag 1 host 1\nNMEA-GGA 1\nRLASER 1 5\n" + flaser(1)).warnings, IsEmpty());
   EXPECT_THAT(parsed("HELLO\n" + flaser(1) + "WORLD 3\n").warnings,

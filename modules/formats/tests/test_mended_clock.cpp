@@ -7,7 +7,9 @@
 namespace aisle {
 namespace {
 
+using testing::DoubleEq;
 using testing::ElementsAre;
+using testing::Pointwise;
 
 /// The mended times of scans with these recorded stamps, one a line.
 std::vector<double> mended(const std::vector<double>& stamps_s, ClockRepair* repair = nullptr) {
@@ -37,6 +39,38 @@ TEST(MendedClock, AStepBackOrALeapBecomesAnUsualStep) {
 
 TEST(MendedClock, AClockThatStandsStillIsMadeToGo) {
   EXPECT_THAT(mended({5, 6, 7, 7, 7, 7, 8, 9, 10}), ElementsAre(5, 6, 7, 7, 8, 9, 10, 11, 12));
+}
+
+TEST(MendedClock, AClockThatNeverGoesIsGivenANominalStep) {
+  ClockRepair repair;
+  EXPECT_THAT(mended({7, 7, 7, 7, 7}, &repair), Pointwise(DoubleEq(), {7.0, 7.0, 7.1, 7.2, 7.3}));
+  EXPECT_TRUE(repair.by_nominal_step);
+  EXPECT_EQ(repair.places, 3U);
+  EXPECT_EQ(repair.first_line, 3);
+}
+
+TEST(MendedClock, AClockWhoseStepsMakeNoSenseIsGivenANominalStep) {
+  ClockRepair repair;
+  EXPECT_THAT(mended({500, 5, 500, 5}, &repair), Pointwise(DoubleEq(), {500.0, 500.1, 500.2, 500.3}));
+  EXPECT_TRUE(repair.by_nominal_step);
+  EXPECT_EQ(repair.places, 3U);
+}
+
+TEST(MendedClock, AClockThatGoesIsNotGivenANominalStep) {
+  ClockRepair repair;
+  mended({5, 6, 7, 1, 2}, &repair);
+  EXPECT_FALSE(repair.by_nominal_step);
+}
+
+TEST(MendedClock, ScansAndOdometryOfAClockThatNeverGoesStayTogether) {
+  LaserLog log;
+  log.scans.resize(5);
+  log.odometry.resize(5);
+  for (std::size_t i = 0; i < 5; ++i) log.scans[i].odometry_known = i + 1;
+  const std::vector<RecordedStamp> stamps(5, {7, 1});
+  mend_clock(log, stamps, stamps);
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(log.scans[i].time_s, log.odometry[i].time_s);
+  EXPECT_NEAR(log.scan_period_s(), kNominalStep_s, 1e-12);
 }
 
 TEST(MendedClock, ScansAndOdometryKeepTheirDistance) {
