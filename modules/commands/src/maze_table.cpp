@@ -22,12 +22,10 @@ enum class StackAction { kKeep, kPush, kPop };
 /// Visits the table in the order of states, inputs and stack tops.
 template <class Visit>
 void for_each_rule(const TransducerTable& table, Visit visit) {
-  for (Symbol state = 0; state < table.states.size(); ++state) {
-    for (std::size_t input = 0; input < table.inputs.size(); ++input) {
-      for (Symbol top = 0; top < table.tops(); ++top) {
-        visit(state, static_cast<Symbol>(input), top, table.rule(state, static_cast<Symbol>(input), top));
-      }
-    }
+  for (std::size_t place = 0; place < table.rules.size(); ++place) {
+    const std::size_t row = place / table.tops();
+    visit(static_cast<Symbol>(row / table.inputs.size()), static_cast<Symbol>(row % table.inputs.size()),
+          static_cast<Symbol>(place % table.tops()), table.rules[place]);
   }
 }
 

@@ -206,10 +206,10 @@ std::string_view name_of(GridInputKind kind) {
 }
 
 const GridRules& grid_rules(GridRuleSet set) {
-  static const std::array<GridRules, 4> kRules = {
+  static const std::array<GridRules, 4> rules = {
       GridRuleMaker(GridRuleSet::kPublished).make(), GridRuleMaker(GridRuleSet::kShortcut).make(),
       GridRuleMaker(GridRuleSet::kCells).make(), GridRuleMaker(GridRuleSet::kHoming).make()};
-  return kRules[static_cast<unsigned>(set)];
+  return rules[static_cast<unsigned>(set)];
 }
 
 }  // namespace aisle

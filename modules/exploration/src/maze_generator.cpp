@@ -57,7 +57,8 @@ void clear_room(GridWorld& world, Cell corner, int width, int height) {
 }
 
 int random_between(int min, int max, Random& random) {
-  return min + static_cast<int>(random.index(static_cast<std::uint64_t>(max - min + 1)));
+  const auto count = static_cast<std::uint64_t>(max - min) + 1;
+  return min + static_cast<int>(random.index(count));
 }
 
 void clear_rooms(GridWorld& world, Random& random) {

@@ -1,6 +1,7 @@
 #include "gif_animation.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -65,7 +66,7 @@ void GifAnimation::add_frame(const std::vector<std::uint8_t>& pixels, int hundre
       EGifPutImageDesc(file_, box.left, box.top, box.right - box.left, box.bottom - box.top, false, nullptr));
   shown_ = pixels;
   for (int y = box.top; y < box.bottom; ++y) {
-    require(EGifPutLine(file_, shown_.data() + y * width_ + box.left, box.right - box.left));
+    require(EGifPutLine(file_, shown_.data() + std::ptrdiff_t{y} * width_ + box.left, box.right - box.left));
   }
   shown_ = pixels;  // giflib masks the line that it is given
 }

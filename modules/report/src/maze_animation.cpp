@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -64,7 +65,7 @@ class MazeFilm {
 
   void fill(int left, int top, int width, int height, Ink ink) {
     for (int y = top; y < top + height; ++y) {
-      const auto row = pixels_.begin() + y * width_;
+      const auto row = pixels_.begin() + std::ptrdiff_t{y} * width_;
       std::fill(row + left, row + left + width, ink);
     }
   }
