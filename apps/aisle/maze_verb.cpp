@@ -7,7 +7,11 @@
 #include <csignal>
 #include <iostream>
 #include <memory>
+#include <string>
 #include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "aisle/commands/maze_explore.hpp"
 #include "aisle/commands/maze_generate.hpp"
@@ -19,18 +23,37 @@ using namespace aisle;
 
 namespace {
 
-template <class Value, class All>
-std::map<std::string, Value> by_name(const All& values) {
-  std::map<std::string, Value> names;
-  for (const Value value : values) names[std::string(name_of(value))] = value;
-  return names;
+/// An option that takes one of a few words.
+template <class Value>
+void add_choice(CLI::App& verb, const std::string& option, Value& target,
+                const std::vector<std::pair<std::string, Value>>& choices, const std::string& doc) {
+  std::string words;
+  for (const auto& [word, value] : choices) words += (words.empty() ? "" : ", ") + word;
+  verb.add_option_function<std::string>(
+          option,
+          [&target, choices, option, words](const std::string& text) {
+            for (const auto& [word, value] : choices) {
+              if (word == text) {
+                target = value;
+                return;
+              }
+            }
+            throw CLI::ValidationError(option, fmt::format("'{}' is none of {}", text, words));
+          },
+          fmt::format("{}: {}", doc, words))
+      ->type_name("WORD");
 }
 
-void add_rules(CLI::App& verb, GridRuleSet& rules, const char* shipped = "published") {
-  verb.add_option(
-          "--rules", rules,
-          fmt::format("published, shortcut, cells or homing (default {}); see docs/exploration.md", shipped))
-      ->transform(CLI::Transformer(by_name<GridRuleSet>(kGridRuleSets)));
+template <class All>
+auto named(const All& values) {
+  std::vector<std::pair<std::string, std::decay_t<decltype(values[0])>>> choices;
+  for (const auto value : values) choices.emplace_back(name_of(value), value);
+  return choices;
+}
+
+void add_rules(CLI::App& verb, GridRuleSet& rules, const std::string& shipped = "published") {
+  add_choice(verb, "--rules", rules, named(kGridRuleSets),
+             "rule set (default " + shipped + "), see docs/exploration.md");
 }
 
 Cell parse_cell(const std::string& text) {
@@ -63,13 +86,12 @@ void add_table(CLI::App& maze, Work& work) {
   verb->fallthrough();
   auto options = std::make_shared<MazeTableOptions>();
   add_rules(*verb, options->rules);
-  const std::map<std::string, MazeTableFormat> formats = {{"text", MazeTableFormat::kText},
-                                                          {"json", MazeTableFormat::kJson},
-                                                          {"dot", MazeTableFormat::kDot},
-                                                          {"svg", MazeTableFormat::kSvg}};
-  verb->add_option("--format", options->format,
-                   "text (default), json, dot: the states for Graphviz, svg: the input symbols drawn")
-      ->transform(CLI::Transformer(formats));
+  add_choice<MazeTableFormat>(*verb, "--format", options->format,
+                              {{"text", MazeTableFormat::kText},
+                               {"json", MazeTableFormat::kJson},
+                               {"dot", MazeTableFormat::kDot},
+                               {"svg", MazeTableFormat::kSvg}},
+                              "dot is a diagram of the states, svg the input symbols drawn (default text)");
   verb->callback(
       [=, &work] { work = [options](Console& console) { return run_maze_table(*options, console); }; });
 }
@@ -104,8 +126,7 @@ void add_generate(CLI::App& maze, Work& work) {
   CLI::App* verb = maze.add_subcommand("generate", "make a maze by seed");
   verb->fallthrough();
   auto options = std::make_shared<MazeGenerateOptions>();
-  verb->add_option("--kind", options->recipe.kind, "perfect (default), braided, rooms, spiral, comb or hall")
-      ->transform(CLI::Transformer(by_name<MazeKind>(kMazeKinds)));
+  add_choice(*verb, "--kind", options->recipe.kind, named(kMazeKinds), "kind of maze (default perfect)");
   verb->add_option("--width", options->recipe.width, "in cells (default 16)");
   verb->add_option("--height", options->recipe.height, "in cells (default 16)");
   verb->add_option("--loops", options->recipe.loop_share,

@@ -172,8 +172,12 @@ Problems check_pictures(const MazeExploreOptions& options) {
         {{}, "--svg, --gif and --watch show one maze; there are " + std::to_string(options.files.size())});
   }
   for (const auto& path : {options.svg, options.gif}) {
-    if (path && !options.force && fs::exists(*path)) {
+    if (!path) continue;
+    if (!options.force && fs::exists(*path)) {
       problems.push_back({{path->string()}, "exists already; --force replaces it"});
+    }
+    if (path->has_parent_path() && !fs::is_directory(path->parent_path())) {
+      problems.push_back({{path->parent_path().string()}, "is not a directory"});
     }
   }
   return problems;
