@@ -9,11 +9,12 @@ double WallMap::length_m() const {
 }
 
 double WallMap::orthogonal_share() const {
+  const double all_m = length_m();
   double orthogonal_m = 0;
   for (const Wall& wall : walls) {
     if (wall.is_orthogonal) orthogonal_m += wall.segment.length();
   }
-  return walls.empty() ? 0 : orthogonal_m / length_m();
+  return all_m > 0 ? orthogonal_m / all_m : 0;
 }
 
 }  // namespace aisle

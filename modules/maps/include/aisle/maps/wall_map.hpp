@@ -21,7 +21,7 @@ struct Wall {
 struct WallMap {
   std::vector<Wall> walls;
 
-  /// Share of the total wall length that lies on the axes, 0 .. 1; 0 for an empty map.
+  /// Share of the total wall length that lies on the axes, 0 .. 1; 0 where there is no length.
   double orthogonal_share() const;
   /// Total length of all walls [m].
   double length_m() const;
