@@ -20,15 +20,18 @@ struct OrthogonalSegment {
 };
 
 struct ModelUpdateParams {
-  double across_m = 0.15;      ///< c1: segments nearer than this are one wall
-  double end_m = 0.30;         ///< c2, c3: end points nearer than this are one end
+  double across_m = 0.15;  ///< c1: segments nearer than this are one wall
+  double end_m = 0.30;     ///< c2, c3: end points nearer than this are one end
 };
 
-/// Algorithm 3: attaches the view N to the part L' of the model. Segments of one direction that lie within c1 of each
-/// other and overlap, or coincide within c2 at both ends, are united: the extent spans all of them, or is their mean
-/// where all coincide, and the coordinate is their mean. Whole groups are united at once, so the result does not
-/// depend on the order of N or L', and adding a view to the model that it made changes nothing but counts.
+/// Algorithm 3: attaches the view N to the part L' of the model. Segments of one direction that lie within c1
+/// of each other and overlap, or coincide within c2 at both ends, are united: the extent spans all of them,
+/// or is their mean where all coincide, and the coordinate is their mean. Whole groups are united at once, so
+/// the result does not depend on the order of N or L', and adding a view to the model that it made changes
+/// nothing but counts (unless walls stand so close to each other that their means, but not they themselves,
+/// are within c1).
 std::vector<OrthogonalSegment> update_model(std::span<const OrthogonalSegment> model,
-                                            std::span<const OrthogonalSegment> view, const ModelUpdateParams& params);
+                                            std::span<const OrthogonalSegment> view,
+                                            const ModelUpdateParams& params);
 
 }  // namespace aisle
