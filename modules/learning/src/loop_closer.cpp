@@ -11,6 +11,7 @@ namespace aisle {
 namespace {
 
 constexpr std::size_t kTriesMax = 8;
+constexpr std::size_t kNeighbours = 3;         // submaps in a row show much the same
 constexpr double kSeenAround_m = 4;            // walls within this of a keyframe are known well
 constexpr double kNeighbourhood_m = 4;         // two submaps overlap if their anchors are so near
 constexpr double kOwnWay_m = 8;                // old walls seen within this way are not old
@@ -72,21 +73,34 @@ bool LoopCloser::add(Submap submap, std::span<const Keyframe> keyframes, bool or
   if (submaps_.size() < 2) return false;
   connect_to_previous(keyframes, orthogonal);
 
-  std::vector<WallEstimate> fresh;
-  place_walls(submaps_.back(), guess, fresh);
-  std::vector<std::size_t> tried_and_closed;
-  std::size_t tries = 0;
-  for (const Candidate& candidate : candidates()) {
-    const bool known_already = std::any_of(tried_and_closed.begin(), tried_and_closed.end(), [&](std::size_t closed) {
-      return std::max(closed, candidate.submap) - std::min(closed, candidate.submap) < 3;
-    });
-    if (known_already) continue;
-    if (++tries > kTriesMax) break;
-    if (try_to_close(candidate, fresh, keyframes)) tried_and_closed.push_back(candidate.submap);
-  }
-  if (tried_and_closed.empty()) return false;
+  if (!close_loops(submaps_.size() - 1, keyframes)) return false;
   graph_.optimise();
   return true;
+}
+
+void LoopCloser::finish(std::span<const Keyframe> keyframes) {
+  for (std::size_t i = 0; i < submaps_.size(); ++i) close_loops(i, keyframes);
+  if (submaps_.size() > 1) graph_.optimise(30);
+}
+
+/// Compares a submap with older ones nearby. True if any shows the same place.
+bool LoopCloser::close_loops(std::size_t submap, std::span<const Keyframe> keyframes) {
+  bool any = false;
+  std::size_t tries = 0;
+  for (const Candidate& candidate : candidates(submap)) {
+    if (is_closed(submap, candidate.submap)) continue;
+    if (++tries > kTriesMax) break;
+    any |= try_to_close(submap, candidate, keyframes);
+  }
+  return any;
+}
+
+/// Whether a loop between the two, or between the one and a neighbour of the other, is closed already.
+bool LoopCloser::is_closed(std::size_t submap, std::size_t other) const {
+  const std::vector<std::size_t>& loops = loops_of_submap_[submap];
+  return std::any_of(loops.begin(), loops.end(), [&](std::size_t closed) {
+    return std::max(closed, other) - std::min(closed, other) < kNeighbours;
+  });
 }
 
 /// The way between two anchors: each step is known by odometry and, across them, by the walls.
@@ -113,17 +127,17 @@ void LoopCloser::connect_to_previous(std::span<const Keyframe> keyframes, bool o
   graph_.add_odometry(constraint);
 }
 
-/// Length of the shortest way through the graph from the newest submap: Dijkstra over ways and closed loops.
-std::vector<double> LoopCloser::distances_from_newest() const {
+/// Length of the shortest way through the graph from a submap: Dijkstra over ways and closed loops.
+std::vector<double> LoopCloser::distances_from(std::size_t submap) const {
   std::vector<double> distance(submaps_.size(), 1e18);
   using Reached = std::pair<double, std::size_t>;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
-  const auto reach = [&](std::size_t submap, double metres) {
-    if (metres >= distance[submap]) return;
-    distance[submap] = metres;
-    queue.push({metres, submap});
+  const auto reach = [&](std::size_t reached, double metres) {
+    if (metres >= distance[reached]) return;
+    distance[reached] = metres;
+    queue.push({metres, reached});
   };
-  reach(submaps_.size() - 1, 0);
+  reach(submap, 0);
   while (!queue.empty()) {
     const auto [metres, at] = queue.top();
     queue.pop();
@@ -135,14 +149,13 @@ std::vector<double> LoopCloser::distances_from_newest() const {
   return distance;
 }
 
-std::vector<LoopCloser::Candidate> LoopCloser::candidates() const {
-  const std::vector<double> distances = distances_from_newest();
-  const std::size_t newest = submaps_.size() - 1;
+std::vector<LoopCloser::Candidate> LoopCloser::candidates(std::size_t submap) const {
+  const std::vector<double> distances = distances_from(submap);
   std::vector<std::pair<double, Candidate>> found;
-  for (std::size_t i = 0; i < newest; ++i) {
-    if (submaps_[newest].path_m - submaps_[i].path_m < params_.way_apart_m) continue;
+  for (std::size_t i = 0; i < submap; ++i) {
+    if (submaps_[submap].path_m - submaps_[i].path_m < params_.way_apart_m) continue;
     const double reach_m = std::min(params_.reach_max_m, params_.reach_floor_m + params_.reach_per_m * distances[i]);
-    const double apart_m = (graph_.pose(i).position() - graph_.pose(newest).position()).norm();
+    const double apart_m = (graph_.pose(i).position() - graph_.pose(submap).position()).norm();
     if (apart_m < kNeighbourhood_m + reach_m) found.push_back({apart_m, {i, reach_m}});
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -151,15 +164,13 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates() const {
   return candidates;
 }
 
-bool LoopCloser::try_to_close(const Candidate& candidate, std::span<const WallEstimate> fresh,
-                              std::span<const Keyframe> keyframes) {
-  const std::size_t newest = submaps_.size() - 1;
+bool LoopCloser::try_to_close(std::size_t submap, const Candidate& candidate, std::span<const Keyframe> keyframes) {
   const std::size_t first = candidate.submap > 0 ? candidate.submap - 1 : 0;
   std::vector<WallEstimate> old_walls;
   KnownArea known;
-  for (std::size_t i = first; i <= candidate.submap + 1 && i + 2 <= newest; ++i) {
+  for (std::size_t i = first; i <= candidate.submap + 1 && i + 2 <= submap; ++i) {
     const Submap& old = submaps_[i];
-    if (submaps_[newest].path_m - old.path_m < kOwnWay_m) continue;
+    if (submaps_[submap].path_m - old.path_m < kOwnWay_m) continue;
     const Pose2 T_map_track = graph_.pose(i) * old.T_track_anchor.inverse();
     place_walls(old, graph_.pose(i), old_walls);
     for (std::size_t k = old.first_keyframe; k <= old.last_keyframe; ++k) {
@@ -169,16 +180,28 @@ bool LoopCloser::try_to_close(const Candidate& candidate, std::span<const WallEs
   if (old_walls.empty()) return false;
   const WallPattern old(std::move(old_walls));
 
-  const SubmapFit fit = fit_submap(fresh, old, known, candidate.reach_m);
+  const Pose2 expected = graph_.pose(submap);
+  std::vector<WallEstimate> fresh;
+  place_walls(submaps_[submap], expected, fresh);
+  SubmapFit fit;
+  double turn = 0;
+  for (const double tried_turn : likely_turns(fresh, old.walls())) {
+    fresh.clear();
+    place_walls(submaps_[submap], {expected.x, expected.y, wrap_angle(expected.theta + tried_turn)}, fresh);
+    const SubmapFit tried = fit_submap(fresh, old, known, candidate.reach_m);
+    if (tried.score <= fit.score) continue;
+    fit = tried;
+    turn = tried_turn;
+  }
   if (fit.score < params_.score_min || fit.rival_score > params_.rival_share_max * fit.score) return false;
   const bool fixes_both_axes = fit.matched_m[0] > kObservable_m && fit.matched_m[1] > kObservable_m;
   if (!fixes_both_axes && candidate.reach_m > kSmallReach_m) return false;
 
-  const Pose2 expected = graph_.pose(newest);
-  const Pose2 displaced{expected.x + fit.displacement_m.x(), expected.y + fit.displacement_m.y(), expected.theta};
-  const RefinedFit refined = refine_fit(submaps_[newest], displaced, old, known);
+  const Pose2 displaced{expected.x + fit.displacement_m.x(), expected.y + fit.displacement_m.y(),
+                        wrap_angle(expected.theta + turn)};
+  const RefinedFit refined = refine_fit(submaps_[submap], displaced, old, known);
   const Pose2 T_map_older = graph_.pose(candidate.submap);
-  const Pending found{{candidate.submap, newest, between(T_map_older, refined.T_map_anchor),
+  const Pending found{{candidate.submap, submap, between(T_map_older, refined.T_map_anchor),
                        constraint_information(refined.information, T_map_older.theta)},
                       refined.T_map_anchor.position() - expected.position()};
   if (candidate.reach_m >= params_.sure_reach_m && !confirm(found)) return false;
@@ -206,10 +229,6 @@ void LoopCloser::take(const PoseConstraint& constraint) {
   loops_of_submap_[constraint.from].push_back(constraint.to);
   loops_of_submap_[constraint.to].push_back(constraint.from);
   closures_.push_back({constraint.from, constraint.to});
-}
-
-void LoopCloser::finish() {
-  if (submaps_.size() > 1) graph_.optimise(30);
 }
 
 }  // namespace aisle

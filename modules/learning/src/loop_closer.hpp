@@ -26,8 +26,8 @@ class LoopCloser {
   /// O(submaps) for the graph distances, and at most eight comparisons.
   bool add(Submap submap, std::span<const Keyframe> keyframes, bool orthogonal);
 
-  /// Final solution, without loop closures that the rest of the graph contradicts.
-  void finish();
+  /// Looks once more at every submap, now that all are in place and little search is needed, and solves the graph.
+  void finish(std::span<const Keyframe> keyframes);
 
   const std::vector<Submap>& submaps() const { return submaps_; }
   const std::vector<LoopClosure>& closures() const { return closures_; }
@@ -46,10 +46,11 @@ class LoopCloser {
   };
 
   void connect_to_previous(std::span<const Keyframe> keyframes, bool orthogonal);
-  std::vector<double> distances_from_newest() const;
-  std::vector<Candidate> candidates() const;
-  bool try_to_close(const Candidate& candidate, std::span<const WallEstimate> fresh,
-                    std::span<const Keyframe> keyframes);
+  bool close_loops(std::size_t submap, std::span<const Keyframe> keyframes);
+  std::vector<double> distances_from(std::size_t submap) const;
+  std::vector<Candidate> candidates(std::size_t submap) const;
+  bool is_closed(std::size_t submap, std::size_t other) const;
+  bool try_to_close(std::size_t submap, const Candidate& candidate, std::span<const Keyframe> keyframes);
   bool confirm(const Pending& pending);
   void take(const PoseConstraint& constraint);
 

@@ -69,7 +69,7 @@ class MapBuilder {
 
   void finish_loops() {
     if (next_keyframe_ < tracker_.keyframes().size()) close_submap();
-    loops_.finish();
+    loops_.finish(tracker_.keyframes());
   }
 
   std::vector<Pose2> after_loops() const {
@@ -135,7 +135,7 @@ class MapBuilder {
       };
       result.loop_closures.emplace_back(scan(closure.older), scan(closure.newer));
     }
-    result.has_dominant_direction = orthogonal_;
+    result.has_dominant_direction = orthogonal_ && shows_axes();
     return result;
   }
 
@@ -168,10 +168,14 @@ class MapBuilder {
     return between(sensor_at(log_.scans[scan - 1].time_s), sensor_at(now.time_s));
   }
 
+  /// Once too few scans have shown the building's axes, no wall is taken for one any more.
   void judge_angles() {
-    const std::size_t scans = tracked_.size();
-    if (!orthogonal_ || scans < kFirstVerdict) return;
-    orthogonal_ = static_cast<double>(tracker_.headings_used()) >= params_.dominant_share_min * static_cast<double>(scans);
+    if (tracked_.size() >= kFirstVerdict && !shows_axes()) orthogonal_ = false;
+  }
+
+  bool shows_axes() const {
+    return static_cast<double>(tracker_.headings_used()) >=
+           params_.dominant_share_min * static_cast<double>(tracked_.size());
   }
 
   bool submap_is_complete() const {

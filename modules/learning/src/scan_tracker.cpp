@@ -11,6 +11,7 @@
 namespace aisle {
 namespace {
 
+constexpr double kAxesShare = 0.5;             // of the first scan's walls on one frame that gives the axes
 constexpr double kStartSigma = 1e-3;           // [m, rad]: the first pose is the frame
 constexpr int kAlignmentIterations = 6;
 constexpr double kDoubtful = 0.7;              // less of the seen length fits: the odometry may be wrong
@@ -41,12 +42,12 @@ void TrackerParams::describe(FieldList& fields) {
 ScanTracker::ScanTracker(const TrackerParams& params) : params_(params), aligner_(AlignmentParams{}) {}
 
 Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal) {
-  orthogonal_ = orthogonal;
-  update_.axis_tolerance_rad = orthogonal ? WallUpdateParams{}.axis_tolerance_rad : -1;
+  if (orthogonal_ && !orthogonal) trust_oblique_walls();
   Mat3 wall_information = Mat3::Zero();
   if (scan_ == 0) {
     const auto frame = dominant_direction(segments);
     T_track_sensor_ = {{0, 0, frame ? -frame->heading_rad : 0}, square(kStartSigma) * Mat3::Identity()};
+    if (frame && frame->share > kAxesShare) ++headings_used_;
   } else {
     predict(T_last_now);
     if (orthogonal) correct_heading(segments);
@@ -59,6 +60,13 @@ Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_
   if (keyframe_is_due()) learn(segments, wall_information);
   ++scan_;
   return T_track_sensor_.mean;
+}
+
+/// Without axes there is nothing better than walls as they are.
+void ScanTracker::trust_oblique_walls() {
+  orthogonal_ = false;
+  update_.axis_tolerance_rad = -1;
+  aligner_ = PoseAligner(AlignmentParams::without_axes());
 }
 
 void ScanTracker::predict(const Pose2& T_last_now) {

@@ -1,8 +1,11 @@
 #include "submap_matching.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "aisle/matching/signature.hpp"
 
@@ -12,6 +15,11 @@ namespace {
 constexpr SignatureParams kSignature = {.reach_m = 0, .cell_m = 0.04, .neighbourhood = 6, .tolerance = 2};
 constexpr double kEndWeight = 0.3;
 constexpr double kSignatureCap_m = 4;        // longer walls are not surer
+constexpr double kParallel = 0.99;           // |cos| of the angle between two normals: within 8 degrees
+constexpr double kAxesApart = 0.85;          // |cos|: the second direction is at least 32 degrees from the first
+constexpr double kTurnMax_rad = 12 * kDegree;
+constexpr double kTurnBin_rad = 1 * kDegree;
+constexpr std::size_t kTurns = 4;
 constexpr int kPeaks = 6;
 constexpr double kPeaksApart_m = 0.16;
 constexpr double kScoreGate_m = 0.15;
@@ -35,10 +43,50 @@ double coordinate(const WallEstimate& wall) {
   return wall.normal.dot(wall.anchor);
 }
 
-Signature signature_of(std::span<const WallEstimate> walls, const Vec2& axis) {
+/// Two directions in which a displacement shows in the walls' signatures.
+struct Axes {
+  Vec2 first = Vec2::UnitX();
+  Vec2 second = Vec2::UnitY();
+  bool orthogonal = true;  ///< the map's axes, marked by the walls on them alone
+
+  /// The displacement that shows as these two coordinates.
+  Vec2 displacement(double along_first_m, double along_second_m) const {
+    Mat2 rows;
+    rows << first.transpose(), second.transpose();
+    return rows.inverse() * Vec2(along_first_m, along_second_m);
+  }
+};
+
+/// The normal that most wall length has, clearly apart from another one if given; none if there is no such wall.
+std::optional<Vec2> commonest_normal(std::span<const WallEstimate> walls, const Vec2* apart_from) {
+  std::optional<Vec2> best;
+  double best_m = 0;
+  for (const WallEstimate& seed : walls) {
+    if (apart_from && std::abs(seed.normal.dot(*apart_from)) > kAxesApart) continue;
+    double parallel_m = 0;
+    for (const WallEstimate& wall : walls) {
+      if (std::abs(wall.normal.dot(seed.normal)) > kParallel) parallel_m += std::min(wall.length_m(), kSignatureCap_m);
+    }
+    if (parallel_m > best_m) {
+      best_m = parallel_m;
+      best = seed.normal;
+    }
+  }
+  return best;
+}
+
+/// The map's axes; in a building without any, the two commonest directions of the walls.
+Axes axes_of(std::span<const WallEstimate> walls) {
+  if (std::any_of(walls.begin(), walls.end(), [](const WallEstimate& w) { return !w.is_oblique(); })) return {};
+  const auto first = commonest_normal(walls, nullptr);
+  const auto second = first ? commonest_normal(walls, &*first) : std::nullopt;
+  return second ? Axes{*first, *second, false} : Axes{};
+}
+
+Signature signature_of(std::span<const WallEstimate> walls, const Vec2& axis, bool orthogonal) {
   Signature signature;
   for (const WallEstimate& wall : walls) {
-    if (wall.is_oblique()) continue;
+    if (orthogonal && wall.is_oblique()) continue;
     mark({wall.segment(), std::min(wall.length_m(), kSignatureCap_m), kEndWeight, kEndWeight}, axis,
          SymbolKinds::kByFacing, signature);
   }
@@ -47,11 +95,11 @@ Signature signature_of(std::span<const WallEstimate> walls, const Vec2& axis) {
 
 /// No displacement at all, and the peaks of the signatures' correlation along one axis.
 std::vector<double> likely_displacements(std::span<const WallEstimate> fresh, std::span<const WallEstimate> old,
-                                         const Vec2& axis, SignatureCorrelator& correlator) {
-  Signature learned = signature_of(old, axis);
+                                         const Vec2& axis, bool orthogonal, SignatureCorrelator& correlator) {
+  Signature learned = signature_of(old, axis, orthogonal);
   sort_symbols(learned);
   std::vector<double> displacements_m = {0};
-  correlator.correlate(signature_of(fresh, axis), learned);
+  correlator.correlate(signature_of(fresh, axis, orthogonal), learned);
   correlator.peaks_m(kPeaks, kPeaksApart_m, displacements_m);
   return displacements_m;
 }
@@ -125,12 +173,15 @@ SubmapFit fit_submap(std::span<const WallEstimate> fresh, const WallPattern& old
   SignatureParams params = kSignature;
   params.reach_m = reach_m;
   SignatureCorrelator correlator(params);
-  const auto x_candidates_m = likely_displacements(fresh, old.walls(), Vec2::UnitX(), correlator);
-  const auto y_candidates_m = likely_displacements(fresh, old.walls(), Vec2::UnitY(), correlator);
+  const Axes axes = axes_of(fresh);
+  const auto first_m = likely_displacements(fresh, old.walls(), axes.first, axes.orthogonal, correlator);
+  const auto second_m = likely_displacements(fresh, old.walls(), axes.second, axes.orthogonal, correlator);
 
   std::vector<SubmapFit> fits;
-  for (const double x_m : x_candidates_m) {
-    for (const double y_m : y_candidates_m) fits.push_back(score(fresh, old, known, {x_m, y_m}));
+  for (const double along_first_m : first_m) {
+    for (const double along_second_m : second_m) {
+      fits.push_back(score(fresh, old, known, axes.displacement(along_first_m, along_second_m)));
+    }
   }
   const auto by_score = [](const SubmapFit& a, const SubmapFit& b) { return a.score < b.score; };
   SubmapFit best = *std::max_element(fits.begin(), fits.end(), by_score);
@@ -139,6 +190,29 @@ SubmapFit fit_submap(std::span<const WallEstimate> fresh, const WallPattern& old
     if (is_elsewhere) best.rival_score = std::max(best.rival_score, fit.score);
   }
   return best;
+}
+
+std::vector<double> likely_turns(std::span<const WallEstimate> fresh, std::span<const WallEstimate> old) {
+  std::vector<double> turns = {0};
+  if (std::any_of(fresh.begin(), fresh.end(), [](const WallEstimate& w) { return !w.is_oblique(); })) return turns;
+  constexpr auto kBins = static_cast<std::size_t>(2 * kTurnMax_rad / kTurnBin_rad);
+  std::array<double, kBins> votes{};
+  for (const WallEstimate& a : fresh) {
+    for (const WallEstimate& b : old) {
+      const double turn = wrap_angle(b.heading_rad - a.heading_rad);
+      if (std::abs(turn) >= kTurnMax_rad) continue;
+      votes[static_cast<std::size_t>((turn + kTurnMax_rad) / kTurnBin_rad)] +=
+          std::min({a.length_m(), b.length_m(), kSignatureCap_m});
+    }
+  }
+  while (turns.size() < kTurns) {
+    const auto top = std::max_element(votes.begin(), votes.end());
+    if (*top <= 0) break;
+    const auto bin = static_cast<std::size_t>(top - votes.begin());
+    turns.push_back((static_cast<double>(bin) + 0.5) * kTurnBin_rad - kTurnMax_rad);
+    for (std::size_t i = bin > 0 ? bin - 1 : 0; i <= std::min(kBins - 1, bin + 1); ++i) votes[i] = 0;
+  }
+  return turns;
 }
 
 RefinedFit refine_fit(const Submap& submap, const Pose2& T_map_anchor, const WallPattern& old, const KnownArea& known) {

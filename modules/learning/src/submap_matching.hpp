@@ -55,6 +55,10 @@ class WallPattern {
 SubmapFit fit_submap(std::span<const WallEstimate> fresh, const WallPattern& old, const KnownArea& known,
                      double reach_m);
 
+/// Turns of the new walls that bring many of them onto the headings of old ones, besides no turn at all: where no axes
+/// hold the heading, a long way may have turned it by degrees.
+std::vector<double> likely_turns(std::span<const WallEstimate> fresh, std::span<const WallEstimate> old);
+
 /// The submap's pose refined wall against wall from a good guess.
 struct RefinedFit {
   Pose2 T_map_anchor;

@@ -21,8 +21,6 @@ constexpr int kIterations = 3;
 constexpr double kSettled = 1e-3;            // [m, rad]
 constexpr double kWallSigma_m = 0.01;
 constexpr double kWallSigma_rad = 0.5 * kDegree;
-constexpr double kObliqueSigma_m = 0.02;
-constexpr double kObliqueSigma_rad = 2 * kDegree;
 constexpr double kCauchy_m = 0.04;
 constexpr double kCauchy_rad = 1.5 * kDegree;
 constexpr double kMotionCauchy2 = 9;
@@ -54,7 +52,10 @@ WallAdjustment::WallAdjustment(std::span<const Keyframe> keyframes, const ScanSe
                                std::vector<Pose2> T_map_sensor, const MotionNoise& motion, bool orthogonal)
     : keyframes_(keyframes), T_map_sensor_(std::move(T_map_sensor)), motion_(motion), solver_(new Solver) {
   update_.weight_cap = 1e9;
-  if (!orthogonal) update_.axis_tolerance_rad = -1;
+  if (!orthogonal) {
+    update_.axis_tolerance_rad = -1;
+    oblique_sigma_m_ = oblique_sigma_rad_ = 0;
+  }
   for (std::size_t k = 0; k < keyframes.size(); ++k) {
     for (const SensedSegment& s : segments.of_scan(keyframes[k].scan)) {
       const double heading_rad = wrap_angle(T_map_sensor_[k].theta + s.heading_rad);
@@ -159,8 +160,8 @@ double WallAdjustment::solve(bool first_of_round) {
     double offset_variance = square(o.segment->sigma_offset_m) + square(kWallSigma_m);
     double heading_variance = square(o.segment->sigma_heading_rad) + square(kWallSigma_rad);
     if (wall.is_oblique()) {
-      offset_variance += square(kObliqueSigma_m);
-      heading_variance += square(kObliqueSigma_rad);
+      offset_variance += square(oblique_sigma_m_);
+      heading_variance += square(oblique_sigma_rad_);
     }
     const double offset_weight = 1 / offset_variance / (1 + square(offset_m / kCauchy_m));
     const double heading_weight = 1 / heading_variance / (1 + square(turn_rad / kCauchy_rad));

@@ -44,6 +44,8 @@ class WallAdjustment {
   std::vector<Pose2> T_map_sensor_;
   MotionNoise motion_;
   WallUpdateParams update_;
+  double oblique_sigma_m_ = 0.02;  ///< oblique things are often furniture or doors; 0 where no wall has an axis
+  double oblique_sigma_rad_ = 2 * kDegree;
   std::vector<Observation> observations_;  ///< long segments first: they make the steadiest walls
   std::vector<WallEstimate> walls_;
   CellIndex index_;

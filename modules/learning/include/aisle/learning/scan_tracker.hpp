@@ -52,6 +52,7 @@ class ScanTracker {
   std::size_t headings_used() const { return headings_used_; }
 
  private:
+  void trust_oblique_walls();
   void predict(const Pose2& T_last_now);
   void correct_heading(std::span<const SensedSegment> segments);
   Alignment lay_onto_walls(std::span<const SensedSegment> segments);

@@ -15,6 +15,9 @@ struct AlignmentParams {
   double cauchy_m = 0.05;                       ///< farther off than this counts less and less
   double cauchy_rad = 1.5 * kDegree;
   int sightings_for_full_weight = 3;
+
+  /// For a building in which every wall is oblique.
+  static AlignmentParams without_axes() { return {.oblique_sigma_m = 0.01, .oblique_sigma_rad = 1 * kDegree}; }
 };
 
 /// A guess of the pose with its information (inverse covariance) in the map's frame.
