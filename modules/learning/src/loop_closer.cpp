@@ -160,6 +160,7 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(std::size_t submap) co
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Candidate> candidates;
+  candidates.reserve(found.size());
   for (const auto& [apart_m, candidate] : found) candidates.push_back(candidate);
   return candidates;
 }

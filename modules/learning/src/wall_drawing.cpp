@@ -16,7 +16,7 @@ constexpr double kTouch_m = 0.2;
 constexpr double kStrengthCap_m = 4;      // longer walls are not stronger
 constexpr double kOrthogonalTrust = 3;    // against an oblique wall seen as often
 constexpr double kBin_m = 0.1;
-constexpr double kGapMax_m = 0.3;         // unseen gaps up to this are closed
+constexpr std::size_t kGapMaxBins = 3;    // unseen gaps up to this are closed
 constexpr int kHitsMin = 2;
 constexpr std::size_t kBeamStep = 4;      // every fourth beam is enough to see through a gap
 constexpr double kBeamReach_m = 12;
@@ -188,9 +188,8 @@ class Drawing {
   }
 
   static std::size_t end_of_run(const Stroke& stroke, std::size_t first) {
-    constexpr auto kGapBins = static_cast<std::size_t>(kGapMax_m / kBin_m + 0.5);
     std::size_t last = first;
-    for (std::size_t b = first + 1; b < stroke.hits.size() && b - last <= kGapBins && !stroke.is_open(b); ++b) {
+    for (std::size_t b = first + 1; b < stroke.hits.size() && b - last <= kGapMaxBins && !stroke.is_open(b); ++b) {
       if (stroke.is_solid(b)) last = b;
     }
     return last;

@@ -14,7 +14,7 @@ constexpr double kAlong = 0.5;    // |cos| between the segment and the axis: its
 std::vector<double> autocorrelation(int neighbourhood, double tolerance) {
   const int half = neighbourhood / 2;
   const auto weight = [&](int i) { return 1 / (1 + std::abs(i) / tolerance); };
-  std::vector<double> kernel(static_cast<std::size_t>(4 * half + 1), 0.0);
+  std::vector<double> kernel(4 * static_cast<std::size_t>(half) + 1, 0.0);
   for (int a = -half; a <= half; ++a) {
     for (int b = -half; b <= half; ++b) kernel[static_cast<std::size_t>(b - a + 2 * half)] += weight(a) * weight(b);
   }
@@ -48,7 +48,7 @@ SignatureCorrelator::SignatureCorrelator(const SignatureParams& params)
     : params_(params),
       half_cells_(static_cast<int>(std::ceil(params.reach_m / params.cell_m))),
       kernel_(autocorrelation(params.neighbourhood, params.tolerance)),
-      values_(static_cast<std::size_t>(2 * half_cells_ + 1), 0.0) {}
+      values_(2 * static_cast<std::size_t>(half_cells_) + 1, 0.0) {}
 
 double SignatureCorrelator::displacement_m(std::size_t index) const {
   return (static_cast<int>(index) - half_cells_) * params_.cell_m;
