@@ -7,6 +7,8 @@
 #include <functional>
 #include <queue>
 
+#include "aisle/core/square.hpp"
+
 namespace aisle {
 namespace {
 
@@ -26,10 +28,6 @@ constexpr double kFreeHeadingSigma_rad = 1 * kDegree;
 constexpr double kFitShare = 0.3;              // wall residuals of one place are not independent
 constexpr double kFitFloor_m = 0.02;
 constexpr double kFitFloor_rad = 0.3 * kDegree;
-
-double square(double x) {
-  return x * x;
-}
 
 Mat3 rotation3(double angle_rad) {
   Mat3 rotation = Mat3::Identity();

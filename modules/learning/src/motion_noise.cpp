@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "aisle/core/square.hpp"
+
 namespace aisle {
 namespace {
 
@@ -10,10 +12,6 @@ constexpr double kMoving_rad = 0.002;
 constexpr double kStanding_m2 = 1e-6;
 constexpr double kStanding_rad2 = 1e-7;
 constexpr double kSidewaysShare = 0.5;  // of the variance ahead: wheels slip less sideways
-
-double square(double x) {
-  return x * x;
-}
 
 }  // namespace
 

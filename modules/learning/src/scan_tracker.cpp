@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "aisle/core/square.hpp"
 #include "aisle/geometry/dominant_direction.hpp"
 #include "aisle/learning/wall_heading.hpp"
 #include "relocation.hpp"
@@ -21,10 +22,6 @@ constexpr double kSlightlyBetter = 0.02;
 constexpr double kRelocationSeen_m = 2;        // with less wall in sight a guess is worse than none
 constexpr double kRelocatedSigma_m = 0.05;
 constexpr double kRelocatedSigma_rad = 2 * kDegree;
-
-double square(double x) {
-  return x * x;
-}
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "aisle/core/square.hpp"
 #include "aisle/matching/signature.hpp"
 
 namespace aisle {
@@ -34,10 +35,6 @@ constexpr double kCauchy_m = 0.05;
 constexpr double kHeadingSigma_rad = 1.5 * kDegree;
 constexpr double kPriorSigma_m = 1;
 constexpr double kPriorSigma_rad = 1 * kDegree;
-
-double square(double x) {
-  return x * x;
-}
 
 double coordinate(const WallEstimate& wall) {
   return wall.normal.dot(wall.anchor);

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "aisle/core/square.hpp"
+
 namespace aisle {
 namespace {
 
@@ -26,10 +28,6 @@ constexpr double kCauchy_rad = 1.5 * kDegree;
 constexpr double kMotionCauchy2 = 9;
 constexpr double kRelocatedVariance = 0.01;
 constexpr double kFixed = 1e8;               // holds the first keyframe's position
-
-double square(double x) {
-  return x * x;
-}
 
 }  // namespace
 
@@ -115,11 +113,25 @@ void WallAdjustment::associate_all(double gate_m) {
 
 /// One Gauss-Newton step; returns the largest change of a keyframe.
 double WallAdjustment::solve(bool first_of_round) {
-  std::vector<Eigen::Triplet<double>>& entries = solver_->entries;
-  Eigen::VectorXd& gradient = solver_->gradient;
-  entries.clear();
-  gradient = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns_));
+  solver_->entries.clear();
+  solver_->gradient = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns_));
+  add_motions();
+  add_observations();
+  solver_->add(0, 0, kFixed);
+  solver_->add(1, 1, kFixed);
+  for (std::size_t i = 0; i < unknowns_; ++i) solver_->add(i, i, i < 3 * keyframes_.size() ? 1e-3 : 1.0);
+  Eigen::SparseMatrix<double> normal(static_cast<Eigen::Index>(unknowns_), static_cast<Eigen::Index>(unknowns_));
+  normal.setFromTriplets(solver_->entries.begin(), solver_->entries.end());
+  if (first_of_round) solver_->factor.analyzePattern(normal);
+  solver_->factor.factorize(normal);
+  const Eigen::VectorXd step = -solver_->factor.solve(solver_->gradient);
+  apply(step);
+  return step.head(static_cast<Eigen::Index>(3 * keyframes_.size())).lpNorm<Eigen::Infinity>();
+}
 
+/// Each motion between keyframes is as tracked.
+void WallAdjustment::add_motions() {
+  Eigen::VectorXd& gradient = solver_->gradient;
   for (std::size_t k = 0; k + 1 < keyframes_.size(); ++k) {
     const Pose2 tracked = between(keyframes_[k].T_track_sensor, keyframes_[k + 1].T_track_sensor);
     const Pose2 present = between(T_map_sensor_[k], T_map_sensor_[k + 1]);
@@ -148,7 +160,11 @@ double WallAdjustment::solve(bool first_of_round) {
     gradient.segment<3>(static_cast<Eigen::Index>(3 * k)) += by_from.transpose() * information * off;
     gradient.segment<3>(static_cast<Eigen::Index>(3 * k + 3)) += by_to.transpose() * information * off;
   }
+}
 
+/// Each segment lies on its wall.
+void WallAdjustment::add_observations() {
+  Eigen::VectorXd& gradient = solver_->gradient;
   for (const Observation& o : observations_) {
     if (o.wall < 0 || unknown_of_wall_[static_cast<std::size_t>(o.wall)] < 0) continue;
     const WallEstimate& wall = walls_[static_cast<std::size_t>(o.wall)];
@@ -184,16 +200,9 @@ double WallAdjustment::solve(bool first_of_round) {
       gradient(static_cast<Eigen::Index>(at[4])) -= heading_weight * turn_rad;
     }
   }
+}
 
-  solver_->add(0, 0, kFixed);
-  solver_->add(1, 1, kFixed);
-  for (std::size_t i = 0; i < unknowns_; ++i) solver_->add(i, i, i < 3 * keyframes_.size() ? 1e-3 : 1.0);
-  Eigen::SparseMatrix<double> normal(static_cast<Eigen::Index>(unknowns_), static_cast<Eigen::Index>(unknowns_));
-  normal.setFromTriplets(entries.begin(), entries.end());
-  if (first_of_round) solver_->factor.analyzePattern(normal);
-  solver_->factor.factorize(normal);
-  const Eigen::VectorXd step = -solver_->factor.solve(gradient);
-
+void WallAdjustment::apply(const Eigen::VectorXd& step) {
   for (std::size_t k = 0; k < keyframes_.size(); ++k) {
     const Vec3 moved = step.segment<3>(static_cast<Eigen::Index>(3 * k));
     Pose2& pose = T_map_sensor_[k];
@@ -206,7 +215,6 @@ double WallAdjustment::solve(bool first_of_round) {
       walls_[w].set_heading(wrap_angle(walls_[w].heading_rad + step(unknown_of_wall_[w] + 1)));
     }
   }
-  return step.head(static_cast<Eigen::Index>(3 * keyframes_.size())).lpNorm<Eigen::Infinity>();
 }
 
 std::vector<WallEstimate> WallAdjustment::walls() const {

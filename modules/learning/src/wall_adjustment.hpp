@@ -38,6 +38,9 @@ class WallAdjustment {
 
   void associate_all(double gate_m);
   double solve(bool first_of_round);
+  void add_motions();
+  void add_observations();
+  void apply(const Eigen::VectorXd& step);
   void find_near(const PlacedSegment& placed, double margin_m);
 
   std::span<const Keyframe> keyframes_;

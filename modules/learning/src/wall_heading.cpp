@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/square.hpp"
 
 namespace aisle {
 namespace {
@@ -19,10 +20,6 @@ constexpr double kNoiseFloor_rad = 0.3 * kDegree;
 constexpr double kSecondDirection_m = 0.6;   // walls in both directions are a surer witness than one alone
 constexpr double kBothSigma_rad = 0.7 * kDegree;
 constexpr double kOneSigma_rad = 1.5 * kDegree;
-
-double square(double x) {
-  return x * x;
-}
 
 /// How far the heading must turn for the segment to lie on an axis.
 double correction(const SensedSegment& s, double heading_rad) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/core/square.hpp"
+
 namespace aisle {
 namespace {
 
@@ -15,10 +17,6 @@ constexpr double kOverlapMin_m = 0.1;
 
 double cauchy_weight(double residual, double scale) {
   return 1 / (1 + residual * residual / (scale * scale));
-}
-
-double square(double x) {
-  return x * x;
 }
 
 /// The gate of one round: wide first, when the pose is only a guess.
