@@ -100,6 +100,7 @@ BENCHMARK_CAPTURE(BM_Transducer, published, GridRuleSet::kPublished)->Apply(size
 BENCHMARK_CAPTURE(BM_Transducer, shortcut, GridRuleSet::kShortcut)->Apply(sizes);
 BENCHMARK_CAPTURE(BM_Transducer, cells, GridRuleSet::kCells)->Apply(sizes);
 BENCHMARK_CAPTURE(BM_Transducer, homing, GridRuleSet::kHoming)->Apply(sizes);
+BENCHMARK_CAPTURE(BM_Transducer, roaming, GridRuleSet::kRoaming)->Apply(sizes);
 
 }  // namespace
 }  // namespace aisle

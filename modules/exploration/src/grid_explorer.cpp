@@ -9,6 +9,12 @@ namespace {
 /// Beyond this many cells a shorter way is no longer looked for; the way back over the parents is taken.
 constexpr std::size_t kSearchedCells = 1 << 16;
 
+constexpr std::size_t kCellsSearchedForDetour = 256;
+
+/// What a move and a cell's distance from home count for when the next path to explore is chosen.
+constexpr std::int64_t kWayWeight = 10;
+constexpr std::int64_t kHomeWeight = 5;
+
 constexpr bool is_several(Sides sides) {
   return (sides & (sides - 1)) != 0;
 }
@@ -26,7 +32,9 @@ GridExplorer::GridExplorer(const GridRules& rules, int width, int height, Cell s
       map_(width, height),
       notes_(map_.size(), 0),
       start_(map_.index(start)),
-      at_(start_) {}
+      at_(start_) {
+  if (rules.set == GridRuleSet::kRoaming) home_.emplace(map_.size(), start_);
+}
 
 std::optional<Side> GridExplorer::step(Sides open) {
   if (!map_.visited(at_)) learn(open);
@@ -34,9 +42,7 @@ std::optional<Side> GridExplorer::step(Sides open) {
     last_input_ = encode(open);
     last_rule_ = &run_.step(last_input_);
     if (watcher_) watcher_(*last_rule_);
-    if (rules_->set == GridRuleSet::kHoming) {
-      places_.resize(run_.stack().size() - 1, static_cast<std::uint32_t>(at_));
-    }
+    if (rules_->by_shortest_ways()) places_.resize(run_.stack().size() - 1, static_cast<std::uint32_t>(at_));
     if (last_rule_->output == kStopOutput) return std::nullopt;
     if (last_rule_->output != TransducerRule::kNoOutput) break;
   }
@@ -49,7 +55,8 @@ std::optional<Side> GridExplorer::step(Sides open) {
 void GridExplorer::learn(Sides open) {
   map_.see(at_, open);
   if (came_from_) notes_[at_] = static_cast<std::uint8_t>(place(*came_from_) << 2);
-  if (rules_->set == GridRuleSet::kCells || rules_->set == GridRuleSet::kHoming) close_ways_to_visited(open);
+  if (rules_->set == GridRuleSet::kCells || rules_->by_shortest_ways()) close_ways_to_visited(open);
+  if (home_) home_->add(map_, at_);
 }
 
 /// A new cell shows that an edge leads to a visited one: nothing is left to find behind it, from either end.
@@ -70,7 +77,7 @@ void GridExplorer::put_false_wall(std::size_t cell, Side side) {
 /// The preprocessing unit (C97 section 3.3).
 Symbol GridExplorer::encode(Sides open) {
   if (!came_from_) return encode_start(open);
-  if (rules_->set == GridRuleSet::kHoming) return encode_homing(open);
+  if (rules_->by_shortest_ways()) return encode_homing(open);
   if (is_explored_crossing(at_)) return encode_explored(*came_from_);
   return encode_fresh(open);
 }
@@ -103,13 +110,23 @@ Symbol GridExplorer::encode_homing(Sides open) {
   }
   if (top_is_stale()) return rules_->closed_input;
   const std::size_t goal = places_.empty() ? start_ : places_.back();
-  if (at_ == goal) {
-    return is_explored_crossing(at_) ? rules_->explored_input[place(*came_from_)][kNoSides]
-                                     : encode_fresh(open);
+  if (way_.empty() && !detour_ && at_ != goal) find_way(goal);
+  if (!way_.empty()) {
+    const Side next = way_.back();
+    way_.pop_back();
+    return encode_move(next);
   }
-  if (way_.empty()) find_way(goal);
-  const Side next = way_.back();
-  way_.pop_back();
+  if (detour_) {
+    const Side side = std::exchange(detour_, std::nullopt)->side;
+    put_false_wall(at_, side);
+    return rules_->detour_input[place(side)];
+  }
+  return is_explored_crossing(at_) ? rules_->explored_input[place(*came_from_)][kNoSides]
+                                   : encode_fresh(open);
+}
+
+/// A cell with no side open but `next`.
+Symbol GridExplorer::encode_move(Side next) {
   const Side false_wall = *came_from_ == next ? opposite(next) : *came_from_;
   return rules_->fresh_input[place(false_wall)][bit(next)];
 }
@@ -123,13 +140,46 @@ bool GridExplorer::top_is_stale() const {
 
 void GridExplorer::find_way(std::size_t goal) {
   const auto is_goal = [goal](std::size_t cell) { return cell == goal; };
-  if (ways_.search(map_, at_, is_goal, kSearchedCells)) {
+  const bool roaming = rules_->set == GridRuleSet::kRoaming;
+  if (ways_.search(map_, at_, is_goal, roaming ? SIZE_MAX : kSearchedCells)) {
     ways_.take_way(map_, goal, way_);
+    if (roaming) look_for_detour(goal);
     return;
   }
   for (std::size_t cell = at_; cell != goal; cell = map_.neighbour(cell, way_.back()))
     way_.push_back(parent(cell));
   std::reverse(way_.begin(), way_.end());
+}
+
+/// Replaces the way to `goal` by one to a path that is nearer, or farther from home. Distances from home grow
+/// by at most one a move, so that beyond some distance nothing better can come.
+void GridExplorer::look_for_detour(std::size_t goal) {
+  if (places_.empty()) return;
+  const auto score = [](std::size_t moves, std::size_t home) {
+    return kWayWeight * static_cast<std::int64_t>(moves) - kHomeWeight * static_cast<std::int64_t>(home);
+  };
+  std::int64_t best = score(way_.size(), (*home_)[goal]);
+  const std::size_t home_from_here = (*home_)[at_];
+  const auto is_beyond_all = [&](std::size_t cell) {
+    const std::size_t moves = ways_.distance(cell);
+    if (score(moves, home_from_here + moves) >= best) return true;
+    if (!is_explored_crossing(cell) || score(moves, (*home_)[cell]) >= best) return false;
+    if (const auto side = unexplored_side(cell)) {
+      best = score(moves, (*home_)[cell]);
+      detour_ = Detour{cell, *side};
+    }
+    return false;
+  };
+  (void)ways_.search(map_, at_, is_beyond_all, kCellsSearchedForDetour);
+  if (detour_) ways_.take_way(map_, detour_->cell, way_);
+}
+
+std::optional<Side> GridExplorer::unexplored_side(std::size_t cell) const {
+  for (const Side side : kAllSides) {
+    const bool leads_on = contains(without(map_.open(cell), false_walls(cell)), side);
+    if (leads_on && !map_.visited(map_.neighbour(cell, side))) return side;
+  }
+  return std::nullopt;
 }
 
 }  // namespace aisle

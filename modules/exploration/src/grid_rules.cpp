@@ -10,18 +10,25 @@
 namespace aisle {
 namespace {
 
-constexpr std::array<std::string_view, 4> kRuleSetNames = {"published", "shortcut", "cells", "homing"};
-constexpr std::array<std::string_view, 8> kKindNames = {
-    "one-way", "crossing", "ending", "explored", "one-way start", "multi-way start", "dead start", "closed"};
+constexpr std::array<std::string_view, 5> kRuleSetNames = {"published", "shortcut", "cells", "homing",
+                                                           "roaming"};
+constexpr std::array<std::string_view, 9> kKindNames = {"one-way",    "crossing",      "ending",
+                                                        "explored",   "one-way start", "multi-way start",
+                                                        "dead start", "closed",        "detour"};
 
-/// The super rules of C97 section 3.3; 5.3 and 6 are ours.
-enum SuperRule : Symbol { k1, k21, k22, k3, k4, k51, k52, k53, k6 };
+/// The super rules of C97 section 3.3; 5.3, 6 and 7 are ours.
+enum SuperRule : Symbol { k1, k21, k22, k3, k4, k51, k52, k53, k6, k7 };
 
 constexpr Symbol symbol(GridState state) {
   return static_cast<Symbol>(state);
 }
 constexpr Symbol output(Side side) {
   return static_cast<Symbol>(side);
+}
+
+/// The output that moves to the only side of a set.
+Symbol only_side(Sides sides) {
+  return static_cast<Symbol>(std::countr_zero(static_cast<unsigned>(sides)));
 }
 
 std::vector<Sides> subsets(Sides of, int min_count) {
@@ -70,7 +77,7 @@ void GridRuleMaker::name_alphabets() {
   table.states = {"q_e", "q_r", "q_fin"};
   table.stack = {"Z_0", "E_l", "E_r", "E_b", "E_t", "R_l", "R_r", "R_b", "R_t"};
   table.outputs = {"O_l", "O_r", "O_b", "O_t", "O_s"};
-  table.super_rules = {"1", "2.1", "2.2", "3", "4", "5.1", "5.2", "5.3", "6"};
+  table.super_rules = {"1", "2.1", "2.2", "3", "4", "5.1", "5.2", "5.3", "6", "7"};
   table.start_state = symbol(GridState::kExploring);
   table.final_state = symbol(GridState::kFinal);
   table.start_symbol = kStackStart;
@@ -115,7 +122,13 @@ void GridRuleMaker::add_inputs() {
       }
     }
   }
-  if (rules_.set == GridRuleSet::kHoming) rules_.closed_input = add({GridInputKind::kClosed});
+  if (rules_.by_shortest_ways()) rules_.closed_input = add({GridInputKind::kClosed});
+  if (rules_.set == GridRuleSet::kRoaming) {
+    for (const Side open : kAllSides) {
+      rules_.detour_input[static_cast<unsigned>(open)] =
+          add({GridInputKind::kDetour, std::nullopt, bit(open)});
+    }
+  }
 }
 
 TransducerRule keep(SuperRule super_rule, GridState next, Symbol top, Symbol output) {
@@ -155,7 +168,7 @@ TransducerRule GridRuleMaker::derive(GridState state, const GridInput& input, Sy
   switch (input.kind) {
     case GridInputKind::kOneWay:
     case GridInputKind::kOneWayStart:
-      return keep(k1, state, top, static_cast<Symbol>(std::countr_zero(static_cast<unsigned>(input.open))));
+      return keep(k1, state, top, only_side(input.open));
     case GridInputKind::kEnding:
       if (exploring) return keep(k21, GridState::kRetreating, top, output(*input.came_from));
       return top == kStackStart ? keep(k22, GridState::kFinal, top, kStopOutput) : TransducerRule{};
@@ -171,6 +184,9 @@ TransducerRule GridRuleMaker::derive(GridState state, const GridInput& input, Sy
       if (exploring) return keep(k6, GridState::kRetreating, top, TransducerRule::kNoOutput);
       return top == kStackStart ? TransducerRule{}
                                 : drop(k6, GridState::kRetreating, TransducerRule::kNoOutput);
+    case GridInputKind::kDetour:
+      return exploring || top == kStackStart ? TransducerRule{}
+                                             : keep(k7, GridState::kExploring, top, only_side(input.open));
   }
   return {};
 }
@@ -206,9 +222,10 @@ std::string_view name_of(GridInputKind kind) {
 }
 
 const GridRules& grid_rules(GridRuleSet set) {
-  static const std::array<GridRules, 4> rules = {
+  static const std::array<GridRules, 5> rules = {
       GridRuleMaker(GridRuleSet::kPublished).make(), GridRuleMaker(GridRuleSet::kShortcut).make(),
-      GridRuleMaker(GridRuleSet::kCells).make(), GridRuleMaker(GridRuleSet::kHoming).make()};
+      GridRuleMaker(GridRuleSet::kCells).make(), GridRuleMaker(GridRuleSet::kHoming).make(),
+      GridRuleMaker(GridRuleSet::kRoaming).make()};
   return rules[static_cast<unsigned>(set)];
 }
 

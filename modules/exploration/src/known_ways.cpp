@@ -8,9 +8,11 @@ void KnownWays::begin(std::size_t cells, std::size_t from) {
   if (stamps_.size() != cells || stamp_ == UINT32_MAX) {
     stamps_.assign(cells, 0);
     entered_by_.resize(cells);
+    distances_.resize(cells);
     stamp_ = 0;
   }
   stamps_[from] = ++stamp_;
+  distances_[from] = 0;
   from_ = from;
   queue_.assign(1, static_cast<std::uint32_t>(from));
 }

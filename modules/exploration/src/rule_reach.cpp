@@ -100,7 +100,7 @@ class ReachMarker {
     for (const GridInput& input : rules_.inputs) {
       const bool crossing =
           input.kind == GridInputKind::kCrossing || input.kind == GridInputKind::kMultiWayStart;
-      if (crossing && rules_.set != GridRuleSet::kHoming) CrossingLives(rules_).live(input);
+      if (crossing && !rules_.by_shortest_ways()) CrossingLives(rules_).live(input);
     }
     TransducerTable& table = rules_.table;
     for (const GridState state : {GridState::kExploring, GridState::kRetreating}) {
@@ -116,8 +116,6 @@ class ReachMarker {
   }
 
  private:
-  bool homing() const { return rules_.set == GridRuleSet::kHoming; }
-
   void find_what_is_pushed() {
     on_stack_[kStackStart] = true;
     for (const TransducerRule& rule : rules_.table.rules) {
@@ -130,14 +128,17 @@ class ReachMarker {
     const bool exploring = state == GridState::kExploring;
     switch (input.kind) {
       case GridInputKind::kOneWay:
-        return exploring || !homing() || top == kStackStart || is_explore_symbol(top);
+        return exploring || !rules_.by_shortest_ways() || top == kStackStart || is_explore_symbol(top);
       case GridInputKind::kEnding:
-        return !homing() || !exploring;
+        return !rules_.by_shortest_ways() || !exploring;
       case GridInputKind::kExplored:
-        return exploring ? is_found_again(input, top) : homing() && awaits(*input.came_from, top);
+        return exploring ? is_found_again(input, top)
+                         : rules_.by_shortest_ways() && awaits(*input.came_from, top);
       case GridInputKind::kCrossing:
       case GridInputKind::kClosed:
         return true;
+      case GridInputKind::kDetour:
+        return is_explore_symbol(top);
       case GridInputKind::kOneWayStart:
       case GridInputKind::kMultiWayStart:
       case GridInputKind::kDeadStart:

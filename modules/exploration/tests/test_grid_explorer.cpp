@@ -29,6 +29,8 @@ bool keeps_bound(GridRuleSet set, const ExplorationFigures& figures) {
       return figures.max_edge_uses <= 2 && figures.moves == figures.tree_moves();
     case GridRuleSet::kHoming:
       return figures.moves <= figures.tree_moves();
+    case GridRuleSet::kRoaming:
+      return true;
   }
   return false;
 }
@@ -87,6 +89,7 @@ TEST(Shortcut, WalksARingOnceThereAndOnceBack) {
   EXPECT_EQ(explored(ring, GridRuleSet::kShortcut).figures.moves, 8U);
   EXPECT_EQ(explored(ring, GridRuleSet::kCells).figures.moves, 6U);
   EXPECT_EQ(explored(ring, GridRuleSet::kHoming).figures.moves, 4U);
+  EXPECT_EQ(explored(ring, GridRuleSet::kRoaming).figures.moves, 4U);
 }
 
 }  // namespace

@@ -67,6 +67,16 @@ void draw_move(Canvas& canvas, const Vec2& corner, Side side) {
   canvas.polyline({tip - 5 * inward + 4 * aside, tip, tip - 5 * inward - 4 * aside}, {kMove, 2});
 }
 
+/// Shown by the preprocessing unit wherever the vehicle is, with no regard to the real walls.
+bool is_put_up(GridInputKind kind) {
+  return kind == GridInputKind::kClosed || kind == GridInputKind::kDetour;
+}
+
+bool has_false_wall(const GridInput& input, Side side) {
+  return input.came_from == side || contains(input.false_walls, side) ||
+         (is_put_up(input.kind) && !contains(input.open, side));
+}
+
 void draw_symbol(Canvas& canvas, const Vec2& corner, const GridInput& input) {
   const Vec2 right(kCell_px, 0), down(0, kCell_px);
   const bool explored = input.kind == GridInputKind::kExplored;
@@ -74,8 +84,7 @@ void draw_symbol(Canvas& canvas, const Vec2& corner, const GridInput& input) {
   for (const Side side : kAllSides) {
     const auto ends = ends_of(side);
     const Vec2 start = corner + ends.first, end = corner + ends.second;
-    if (input.came_from == side || contains(input.false_walls, side) ||
-        input.kind == GridInputKind::kClosed) {
+    if (has_false_wall(input, side)) {
       draw_false_wall(canvas, start, end);
     } else if (explored || contains(input.open, side)) {
       draw_open_side(canvas, start, end);
@@ -85,7 +94,7 @@ void draw_symbol(Canvas& canvas, const Vec2& corner, const GridInput& input) {
   }
   if (input.came_from) {
     draw_move(canvas, corner, *input.came_from);
-  } else if (input.kind != GridInputKind::kClosed) {
+  } else if (!is_put_up(input.kind)) {
     canvas.ring(corner + 0.5 * (right + down), 6, {kMove, 2});
   }
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "aisle/exploration/grid_rules.hpp"
+#include "aisle/exploration/home_distances.hpp"
 #include "aisle/exploration/known_ways.hpp"
 
 namespace aisle {
@@ -52,7 +53,10 @@ class GridExplorer {
   Symbol encode_explored(Side came);
   Symbol encode_homing(Sides open);
   bool top_is_stale() const;
+  Symbol encode_move(Side next);
   void find_way(std::size_t goal);
+  void look_for_detour(std::size_t goal);
+  std::optional<Side> unexplored_side(std::size_t cell) const;
 
   const GridRules* rules_;
   Watcher watcher_;
@@ -65,11 +69,19 @@ class GridExplorer {
   Symbol last_input_ = 0;
   const TransducerRule* last_rule_ = nullptr;
 
-  // kHoming only: where each symbol of the stack was pushed, and the rest of the present way, its next move
-  // last.
+  // kHoming and kRoaming: where each symbol of the stack was pushed; the rest of the present way, its next
+  // move last.
   std::vector<std::uint32_t> places_;
   KnownWays ways_;
   std::vector<Side> way_;
+
+  /// kRoaming: where to leave the order of the stack, and by which side.
+  struct Detour {
+    std::size_t cell;
+    Side side;
+  };
+  std::optional<Detour> detour_;
+  std::optional<HomeDistances> home_;
 };
 
 }  // namespace aisle

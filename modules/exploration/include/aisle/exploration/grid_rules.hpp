@@ -16,10 +16,12 @@ enum class GridRuleSet {
   kShortcut,   ///< a way found walked from its other end is not walked again: no edge more than twice
   kCells,      ///< no way to a cell that was visited is walked: 2 (C - 1) moves for C reachable cells
   kHoming,     ///< as kCells, but retreats by the shortest known way: at most 2 (C - 1) moves
+  kRoaming,    ///< as kHoming, but what is near, or far from home, is explored before the stack's top
 };
 
 inline constexpr GridRuleSet kGridRuleSets[] = {GridRuleSet::kPublished, GridRuleSet::kShortcut,
-                                                GridRuleSet::kCells, GridRuleSet::kHoming};
+                                                GridRuleSet::kCells, GridRuleSet::kHoming,
+                                                GridRuleSet::kRoaming};
 
 std::string_view name_of(GridRuleSet set);
 std::optional<GridRuleSet> grid_rule_set(std::string_view name);
@@ -57,6 +59,7 @@ enum class GridInputKind : std::uint8_t {
   kMultiWayStart,  ///< G41 - G51
   kDeadStart,      ///< G52
   kClosed,         ///< beyond the paper: nothing that waits on top of the stack is of use any more
+  kDetour,         ///< beyond the paper: a path that waits below the top of the stack is taken first
 };
 
 struct GridInput {
@@ -77,6 +80,9 @@ struct GridRules {
   std::array<std::array<Symbol, 16>, 4> fresh_input{};     ///< [side come from][other open sides]
   std::array<std::array<Symbol, 16>, 4> explored_input{};  ///< [side come from][false walls on other sides]
   Symbol closed_input = 0;
+  std::array<Symbol, 4> detour_input{};  ///< [side to take]
+
+  bool by_shortest_ways() const { return set == GridRuleSet::kHoming || set == GridRuleSet::kRoaming; }
 };
 
 /// Made once, then shared.

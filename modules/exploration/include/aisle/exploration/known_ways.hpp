@@ -18,6 +18,9 @@ class KnownWays {
   std::optional<std::size_t> search(const LearnedGrid& map, std::size_t from, IsGoal is_goal,
                                     std::size_t max_cells = SIZE_MAX);
 
+  /// How far a cell that the latest search has reached is from its `from`.
+  std::uint32_t distance(std::size_t cell) const { return distances_[cell]; }
+
   /// The moves from the latest search's `from` to `goal`, which it must have found; the first move stands
   /// last.
   void take_way(const LearnedGrid& map, std::size_t goal, std::vector<Side>& way) const;
@@ -28,6 +31,7 @@ class KnownWays {
 
   std::vector<std::uint32_t> stamps_;  ///< of the search that reached the cell last
   std::vector<Side> entered_by_;       ///< the move into the cell
+  std::vector<std::uint32_t> distances_;
   std::vector<std::uint32_t> queue_;
   std::uint32_t stamp_ = 0;
   std::size_t from_ = 0;
@@ -46,6 +50,7 @@ std::optional<std::size_t> KnownWays::search(const LearnedGrid& map, std::size_t
       if (!is_new(beyond) || !map.visited(beyond)) continue;
       stamps_[beyond] = stamp_;
       entered_by_[beyond] = side;
+      distances_[beyond] = distances_[cell] + 1;
       if (is_goal(beyond)) return beyond;
       queue_.push_back(static_cast<std::uint32_t>(beyond));
     }
