@@ -80,7 +80,8 @@ TEST(MazeText, SaysWhereItIsWrong) {
   EXPECT_EQ(complaint(kSmall.substr(0, 25)), "maze:3: column 6: the line has 5 characters, the first one 9");
   EXPECT_EQ(complaint(kSmall.substr(0, 40)),
             "maze:4: column 1: the maze ends after 4 lines; H rows of cells take 2 H + 1");
-  EXPECT_EQ(complaint("o--\n| |\no--\n"), "maze:1: column 4: the first line has 3 characters; W cells take 4 W + 1");
+  EXPECT_EQ(complaint("o--\n| |\no--\n"),
+            "maze:1: column 4: the first line has 3 characters; W cells take 4 W + 1");
 }
 
 TEST(MazeText, NamesEveryProblemAtOnce) {
