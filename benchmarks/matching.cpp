@@ -1,6 +1,7 @@
-/// One view against a window of the map: the signature match of C99 Algorithm 2 as aisle computes it, against the same
-/// algorithm cell by cell and against exhaustive 2-D correlation of the same segments. All three search the same
-/// displacements of +-0.4 m in steps of 2 cm. The counter `times_signature` is the ratio to the first.
+/// One view against a window of the map: the signature match of C99 Algorithm 2 as aisle computes it, against
+/// the same algorithm cell by cell and against exhaustive 2-D correlation of the same segments. All three
+/// search the same displacements of +-0.4 m in steps of 2 cm. The counter `times_signature` is the ratio to
+/// the first.
 
 #include <benchmark/benchmark.h>
 
@@ -29,7 +30,8 @@ Scene office() {
   Random random(1);
   Scene scene;
   for (int room = 0; room < 36; ++room) {
-    const Vec2 corner(4.0 * (room % 6) + random.uniform(0.1, 0.5), 4.0 * (room / 6) + random.uniform(0.1, 0.5));
+    const Vec2 corner(4.0 * (room % 6) + random.uniform(0.1, 0.5),
+                      4.0 * (room / 6) + random.uniform(0.1, 0.5));
     const Vec2 size(random.uniform(2.8, 3.4), random.uniform(2.8, 3.4));
     const Vec2 a = corner, b = corner + Vec2(size.x(), 0), c = corner + size, d = corner + Vec2(0, size.y());
     for (const Segment2& wall : {Segment2{a, b}, Segment2{b, c}, Segment2{c, d}, Segment2{d, a}}) {
@@ -69,7 +71,8 @@ Vec2 match_cell_by_cell(const Scene& scene) {
     }
     for (int x = 5; x + 5 < kCells; ++x) {
       for (int i = -5; i <= 5; ++i) {
-        smooth[static_cast<std::size_t>(x)] += raw[static_cast<std::size_t>(x + i)] / (1 + std::abs(i) / kParams.tolerance);
+        smooth[static_cast<std::size_t>(x)] +=
+            raw[static_cast<std::size_t>(x + i)] / (1 + std::abs(i) / kParams.tolerance);
       }
     }
     return smooth;
@@ -81,7 +84,8 @@ Vec2 match_cell_by_cell(const Scene& scene) {
     double best = -1;
     for (int d = -kHalf; d <= kHalf; ++d) {
       double value = 0;
-      for (int x = kHalf; x + kHalf < kCells; ++x) value += n[static_cast<std::size_t>(x)] * l[static_cast<std::size_t>(x + d)];
+      for (int x = kHalf; x + kHalf < kCells; ++x)
+        value += n[static_cast<std::size_t>(x)] * l[static_cast<std::size_t>(x + d)];
       if (value > best) {
         best = value;
         displacement[axis] = d * kParams.cell_m;
@@ -108,9 +112,11 @@ Vec2 match_exhaustively(const Scene& scene) {
           const bool same_facing = (s.end[along] > s.start[along]) == (wall.end[along] > wall.start[along]);
           if (!same_facing) continue;
           const double from = s.start[along] + shift[along], to = s.end[along] + shift[along];
-          const double overlap_m = std::min(std::max(from, to), std::max(wall.start[along], wall.end[along])) -
-                                   std::max(std::min(from, to), std::min(wall.start[along], wall.end[along]));
-          if (across_m < 0.1 && overlap_m > 0) value += overlap_m / (1 + across_m / (kParams.tolerance * kParams.cell_m));
+          const double overlap_m =
+              std::min(std::max(from, to), std::max(wall.start[along], wall.end[along])) -
+              std::max(std::min(from, to), std::min(wall.start[along], wall.end[along]));
+          if (across_m < 0.1 && overlap_m > 0)
+            value += overlap_m / (1 + across_m / (kParams.tolerance * kParams.cell_m));
         }
       }
       if (value > best) {

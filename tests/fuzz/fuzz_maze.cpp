@@ -14,6 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (world.size() > 10000) return 0;
   const auto again = parse_maze(maze_text(world), "written");
   require(again.ok() && again->world.size() == world.size() && again->world.start == world.start);
-  for (std::size_t cell = 0; cell < world.size(); ++cell) require(again->world.open(cell) == world.open(cell));
+  for (std::size_t cell = 0; cell < world.size(); ++cell)
+    require(again->world.open(cell) == world.open(cell));
   return 0;
 }

@@ -34,7 +34,8 @@ double Random::uniform() {
 }
 
 std::uint64_t Random::index(std::uint64_t count) {
-  const std::uint64_t limit = -count % count;  // 2^64 mod count: reject below it, so that no index is favoured
+  const std::uint64_t limit =
+      -count % count;  // 2^64 mod count: reject below it, so that no index is favoured
   std::uint64_t drawn = bits();
   while (drawn < limit) drawn = bits();
   return drawn % count;

@@ -50,8 +50,7 @@ UncertainPose2 operator*(const UncertainPose2& a, const UncertainPose2& b) {
   by_a.block<2, 1>(0, 2) = left_normal(lever);
   Mat3 by_b = Mat3::Identity();
   by_b.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(a.mean.theta).toRotationMatrix();
-  return {a.mean * b.mean,
-          by_a * a.covariance * by_a.transpose() + by_b * b.covariance * by_b.transpose()};
+  return {a.mean * b.mean, by_a * a.covariance * by_a.transpose() + by_b * b.covariance * by_b.transpose()};
 }
 
 UncertainPose2 inverse(const UncertainPose2& T) {

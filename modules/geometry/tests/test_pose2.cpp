@@ -40,8 +40,10 @@ RC_GTEST_PROP(Pose2, CovariancePropagationMatchesNumericalJacobians, (std::uint6
   constexpr double kStep = 1e-6;
   Mat3 by_a, by_b, by_inverse;
   for (int i = 0; i < 3; ++i) {
-    by_a.col(i) = difference(nudged(a.mean, i, kStep) * b.mean, nudged(a.mean, i, -kStep) * b.mean) / (2 * kStep);
-    by_b.col(i) = difference(a.mean * nudged(b.mean, i, kStep), a.mean * nudged(b.mean, i, -kStep)) / (2 * kStep);
+    by_a.col(i) =
+        difference(nudged(a.mean, i, kStep) * b.mean, nudged(a.mean, i, -kStep) * b.mean) / (2 * kStep);
+    by_b.col(i) =
+        difference(a.mean * nudged(b.mean, i, kStep), a.mean * nudged(b.mean, i, -kStep)) / (2 * kStep);
     by_inverse.col(i) =
         difference(nudged(a.mean, i, kStep).inverse(), nudged(a.mean, i, -kStep).inverse()) / (2 * kStep);
   }

@@ -13,19 +13,19 @@ namespace aisle {
 namespace {
 
 constexpr std::size_t kTriesMax = 8;
-constexpr std::size_t kNeighbours = 3;         // submaps in a row show much the same
-constexpr double kSeenAround_m = 4;            // walls within this of a keyframe are known well
-constexpr double kNeighbourhood_m = 4;         // two submaps overlap if their anchors are so near
-constexpr double kOwnWay_m = 8;                // old walls seen within this way are not old
-constexpr double kObservable_m = 1;            // matched wall needed to fix an axis ...
-constexpr double kSmallReach_m = 0.8;          // ... unless the search was this small
-constexpr double kLoopEdge_m = 0.5;            // length of a closed loop in the graph's distances
-constexpr double kWallShare = 0.1;             // of the walls' information that counts against odometry
+constexpr std::size_t kNeighbours = 3;  // submaps in a row show much the same
+constexpr double kSeenAround_m = 4;     // walls within this of a keyframe are known well
+constexpr double kNeighbourhood_m = 4;  // two submaps overlap if their anchors are so near
+constexpr double kOwnWay_m = 8;         // old walls seen within this way are not old
+constexpr double kObservable_m = 1;     // matched wall needed to fix an axis ...
+constexpr double kSmallReach_m = 0.8;   // ... unless the search was this small
+constexpr double kLoopEdge_m = 0.5;     // length of a closed loop in the graph's distances
+constexpr double kWallShare = 0.1;      // of the walls' information that counts against odometry
 constexpr double kRelocatedSigma_m = 0.2;
 constexpr double kStepFloor_m2 = 1e-5;
 constexpr double kHeadingSigma_rad = 0.5 * kDegree;
 constexpr double kFreeHeadingSigma_rad = 1 * kDegree;
-constexpr double kFitShare = 0.3;              // wall residuals of one place are not independent
+constexpr double kFitShare = 0.3;  // wall residuals of one place are not independent
 constexpr double kFitFloor_m = 0.02;
 constexpr double kFitFloor_rad = 0.3 * kDegree;
 
@@ -38,7 +38,8 @@ Mat3 rotation3(double angle_rad) {
 /// Information of a fit in the frame of the older submap, never surer than the floor.
 Mat3 constraint_information(const Mat3& fit_information, double older_heading_rad) {
   const Mat3 rotation = rotation3(older_heading_rad);
-  Mat3 covariance = (kFitShare * rotation.transpose() * fit_information * rotation + 0.01 * Mat3::Identity()).inverse();
+  Mat3 covariance =
+      (kFitShare * rotation.transpose() * fit_information * rotation + 0.01 * Mat3::Identity()).inverse();
   covariance.diagonal() += Vec3(square(kFitFloor_m), square(kFitFloor_m), square(kFitFloor_rad));
   return covariance.inverse();
 }
@@ -52,7 +53,8 @@ void LoopParams::describe(FieldList& fields) {
   fields.real("reach_per_m", reach_per_m, {0, 1}, "more search per metre of way between the two");
   fields.real("reach_max_m", reach_max_m, {0.1, 50}, "but no more than this");
   fields.real("score_min", score_min, {0, 1}, "share of the wall length that must lie on old walls");
-  fields.real("rival_share_max", rival_share_max, {0, 1}, "a different place that fits better than this: ambiguous");
+  fields.real("rival_share_max", rival_share_max, {0, 1},
+              "a different place that fits better than this: ambiguous");
   fields.real("sure_reach_m", sure_reach_m, {0, 50}, "a larger search needs a second submap that agrees");
   fields.real("agree_m", agree_m, {0.01, 5}, "how nearly the two must agree");
   fields.real("cauchy_sigmas", cauchy_sigmas, {0.5, 100}, "a loop closure farther off counts less and less");
@@ -111,14 +113,17 @@ void LoopCloser::connect_to_previous(std::span<const Keyframe> keyframes, bool o
     const Keyframe& a = keyframes[k - 1];
     const Keyframe& b = keyframes[k];
     const Mat3 rotation = rotation3(a.T_track_sensor.theta);
-    const Mat3 step = rotation * motion_.covariance(between(a.T_track_sensor, b.T_track_sensor)) * rotation.transpose();
-    const Mat2 known = step.topLeftCorner<2, 2>().inverse() + kWallShare * b.wall_information.topLeftCorner<2, 2>();
+    const Mat3 step =
+        rotation * motion_.covariance(between(a.T_track_sensor, b.T_track_sensor)) * rotation.transpose();
+    const Mat2 known =
+        step.topLeftCorner<2, 2>().inverse() + kWallShare * b.wall_information.topLeftCorner<2, 2>();
     covariance += known.inverse();
     if (b.relocated) covariance += square(kRelocatedSigma_m) * Mat2::Identity();
   }
   const Mat3 rotation = rotation3(-from.T_track_anchor.theta);
-  const Mat2 local = rotation.topLeftCorner<2, 2>() * covariance * rotation.topLeftCorner<2, 2>().transpose() +
-                     kStepFloor_m2 * Mat2::Identity();
+  const Mat2 local =
+      rotation.topLeftCorner<2, 2>() * covariance * rotation.topLeftCorner<2, 2>().transpose() +
+      kStepFloor_m2 * Mat2::Identity();
   PoseConstraint constraint{newer - 1, newer, between(from.T_track_anchor, to.T_track_anchor), Mat3::Zero()};
   constraint.information.topLeftCorner<2, 2>() = local.inverse();
   constraint.information(2, 2) = 1 / square(orthogonal ? kHeadingSigma_rad : kFreeHeadingSigma_rad);
@@ -152,18 +157,21 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(std::size_t submap) co
   std::vector<std::pair<double, Candidate>> found;
   for (std::size_t i = 0; i < submap; ++i) {
     if (submaps_[submap].path_m - submaps_[i].path_m < params_.way_apart_m) continue;
-    const double reach_m = std::min(params_.reach_max_m, params_.reach_floor_m + params_.reach_per_m * distances[i]);
+    const double reach_m =
+        std::min(params_.reach_max_m, params_.reach_floor_m + params_.reach_per_m * distances[i]);
     const double apart_m = (graph_.pose(i).position() - graph_.pose(submap).position()).norm();
     if (apart_m < kNeighbourhood_m + reach_m) found.push_back({apart_m, {i, reach_m}});
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Candidate> candidates;
   candidates.reserve(found.size());
   for (const auto& [apart_m, candidate] : found) candidates.push_back(candidate);
   return candidates;
 }
 
-bool LoopCloser::try_to_close(std::size_t submap, const Candidate& candidate, std::span<const Keyframe> keyframes) {
+bool LoopCloser::try_to_close(std::size_t submap, const Candidate& candidate,
+                              std::span<const Keyframe> keyframes) {
   const std::size_t first = candidate.submap > 0 ? candidate.submap - 1 : 0;
   std::vector<WallEstimate> old_walls;
   KnownArea known;
@@ -208,11 +216,13 @@ bool LoopCloser::try_to_close(std::size_t submap, const Candidate& candidate, st
   return true;
 }
 
-/// Looks among the last three submaps for a fit with the same correction; takes it along, or remembers this one.
+/// Looks among the last three submaps for a fit with the same correction; takes it along, or remembers this
+/// one.
 bool LoopCloser::confirm(const Pending& found) {
   bool confirmed = false;
   for (Pending& other : pending_) {
-    const bool recent = other.constraint.to < found.constraint.to && other.constraint.to + 3 >= found.constraint.to;
+    const bool recent =
+        other.constraint.to < found.constraint.to && other.constraint.to + 3 >= found.constraint.to;
     if (!recent || (other.correction_m - found.correction_m).norm() >= params_.agree_m) continue;
     confirmed = true;
     if (!other.taken) take(other.constraint);

@@ -16,8 +16,8 @@ struct LoopClosure {
   std::size_t newer = 0;
 };
 
-/// Recognises places: each finished submap is compared with those that lie nearby by the graph and long ago by the
-/// way. What agrees becomes a constraint of the pose graph, which then moves every submap.
+/// Recognises places: each finished submap is compared with those that lie nearby by the graph and long ago
+/// by the way. What agrees becomes a constraint of the pose graph, which then moves every submap.
 class LoopCloser {
  public:
   LoopCloser(const LoopParams& params, const MotionNoise& motion) : params_(params), motion_(motion) {}
@@ -26,7 +26,8 @@ class LoopCloser {
   /// O(submaps) for the graph distances, and at most eight comparisons.
   bool add(Submap submap, std::span<const Keyframe> keyframes, bool orthogonal);
 
-  /// Looks once more at every submap, now that all are in place and little search is needed, and solves the graph.
+  /// Looks once more at every submap, now that all are in place and little search is needed, and solves the
+  /// graph.
   void finish(std::span<const Keyframe> keyframes);
 
   const std::vector<Submap>& submaps() const { return submaps_; }

@@ -13,11 +13,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kFrameShare = 0.6;           // a scan that shows its frame so clearly witnesses the odometry delay
-constexpr std::size_t kFirstVerdict = 200;    // scans before the building's angles are judged
+constexpr double kFrameShare = 0.6;  // a scan that shows its frame so clearly witnesses the odometry delay
+constexpr std::size_t kFirstVerdict = 200;  // scans before the building's angles are judged
 constexpr double kFinalGate_m = 0.15;
 constexpr int kFinalIterations = 4;
-constexpr double kFinalSigma_m = 0.02;        // how far one scan may leave its place between the keyframes
+constexpr double kFinalSigma_m = 0.02;  // how far one scan may leave its place between the keyframes
 constexpr double kFinalSigma_rad = 1 * kDegree;
 constexpr double kFinalMargin_m = 0.3;
 
@@ -25,8 +25,8 @@ double cpu_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Poses of all scans from corrected poses of some: every scan keeps its tracked place relative to the corrected
-/// scans before and after it, blended in between.
+/// Poses of all scans from corrected poses of some: every scan keeps its tracked place relative to the
+/// corrected scans before and after it, blended in between.
 std::vector<Pose2> carried_along(const std::vector<Pose2>& tracked, const std::vector<std::size_t>& scans,
                                  const std::vector<Pose2>& corrected) {
   std::vector<Pose2> all(tracked.size());
@@ -40,7 +40,8 @@ std::vector<Pose2> carried_along(const std::vector<Pose2>& tracked, const std::v
       all[i] = corrected[k] * between(tracked[scans[k]], tracked[i]);
       if (last) continue;
       const Pose2 from_next = corrected[k + 1] * between(tracked[end], tracked[i]);
-      all[i] = interpolate(all[i], from_next, static_cast<double>(i - scans[k]) / static_cast<double>(end - scans[k]));
+      all[i] = interpolate(all[i], from_next,
+                           static_cast<double>(i - scans[k]) / static_cast<double>(end - scans[k]));
     }
   }
   return all;
@@ -54,7 +55,8 @@ class MapBuilder {
         given_delay_s_(odometry_delay_s),
         odometry_(log.odometry),
         delay_(odometry_, log.scan_period_s()),
-        segmenter_({log.laser.first_angle_rad, log.laser.angle_step_rad, log.laser.range_max_m}, params.segments),
+        segmenter_({log.laser.first_angle_rad, log.laser.angle_step_rad, log.laser.range_max_m},
+                   params.segments),
         tracker_(params.tracker),
         loops_(params.loops, params.tracker.motion) {}
 
@@ -90,7 +92,8 @@ class MapBuilder {
       scans.push_back(keyframe.scan);
       keyframes.push_back(T_map_sensor[keyframe.scan]);
     }
-    WallAdjustment adjustment(tracker_.keyframes(), segments_, keyframes, params_.tracker.motion, orthogonal_);
+    WallAdjustment adjustment(tracker_.keyframes(), segments_, keyframes, params_.tracker.motion,
+                              orthogonal_);
     adjustment.run(params_.adjustment_rounds);
     walls_ = adjustment.walls();
     sightings_ = adjustment.sightings();
@@ -224,11 +227,14 @@ void MapParams::describe(FieldList& fields) {
   fields.group("segments", segments);
   fields.group("tracker", tracker);
   fields.group("loops", loops);
-  fields.real("dominant_share_min", dominant_share_min, {0, 1},
-              "share of the scans whose walls must give a heading, or the building has no dominant direction");
-  fields.count("adjustment_rounds", adjustment_rounds, {0, 20}, "rounds of adjusting keyframes and walls together");
+  fields.real(
+      "dominant_share_min", dominant_share_min, {0, 1},
+      "share of the scans whose walls must give a heading, or the building has no dominant direction");
+  fields.count("adjustment_rounds", adjustment_rounds, {0, 20},
+               "rounds of adjusting keyframes and walls together");
   fields.real("drawn_length_m", drawn_length_m, {0, 10}, "shorter walls are not written");
-  fields.count("drawn_sightings", drawn_sightings, {1, 1000}, "walls seen on fewer legs of half a metre of way are not written");
+  fields.count("drawn_sightings", drawn_sightings, {1, 1000},
+               "walls seen on fewer legs of half a metre of way are not written");
 }
 
 MapResult build_map(const LaserLog& log, const MapParams& params, std::optional<double> odometry_delay_s,

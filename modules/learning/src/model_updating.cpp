@@ -8,16 +8,19 @@ namespace aisle {
 namespace {
 
 bool coincide(const OrthogonalSegment& a, const OrthogonalSegment& b, const ModelUpdateParams& params) {
-  return std::abs(a.extent.min - b.extent.min) < params.end_m && std::abs(a.extent.max - b.extent.max) < params.end_m;
+  return std::abs(a.extent.min - b.extent.min) < params.end_m &&
+         std::abs(a.extent.max - b.extent.max) < params.end_m;
 }
 
-bool belong_together(const OrthogonalSegment& a, const OrthogonalSegment& b, const ModelUpdateParams& params) {
+bool belong_together(const OrthogonalSegment& a, const OrthogonalSegment& b,
+                     const ModelUpdateParams& params) {
   return a.along_x == b.along_x && std::abs(a.coordinate_m - b.coordinate_m) < params.across_m &&
          (a.extent.overlap(b.extent) > 0 || coincide(a, b, params));
 }
 
 /// Numbers the groups of segments that belong together, directly or through others.
-std::vector<std::size_t> groups_of(const std::vector<OrthogonalSegment>& segments, const ModelUpdateParams& params) {
+std::vector<std::size_t> groups_of(const std::vector<OrthogonalSegment>& segments,
+                                   const ModelUpdateParams& params) {
   std::vector<std::size_t> parent(segments.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&](std::size_t i) {
@@ -47,7 +50,8 @@ OrthogonalSegment united(const std::vector<OrthogonalSegment>& group, const Mode
     mean.max += s.extent.max / count;
   }
   const bool all_coincide = std::all_of(group.begin(), group.end(), [&](const OrthogonalSegment& a) {
-    return std::all_of(group.begin(), group.end(), [&](const OrthogonalSegment& b) { return coincide(a, b, params); });
+    return std::all_of(group.begin(), group.end(),
+                       [&](const OrthogonalSegment& b) { return coincide(a, b, params); });
   });
   if (all_coincide) whole.extent = mean;
   whole.min_occurrences = whole.max_occurrences = 0;
@@ -66,7 +70,8 @@ OrthogonalSegment united(const std::vector<OrthogonalSegment>& group, const Mode
 void count_occurrences(std::span<const OrthogonalSegment> view, const ModelUpdateParams& params,
                        OrthogonalSegment& segment) {
   for (const OrthogonalSegment& s : view) {
-    if (s.along_x != segment.along_x || std::abs(s.coordinate_m - segment.coordinate_m) > params.across_m) continue;
+    if (s.along_x != segment.along_x || std::abs(s.coordinate_m - segment.coordinate_m) > params.across_m)
+      continue;
     if (std::abs(s.extent.min - segment.extent.min) < params.end_m) ++segment.min_occurrences;
     if (std::abs(s.extent.max - segment.extent.max) < params.end_m) ++segment.max_occurrences;
   }
@@ -80,7 +85,8 @@ Segment2 OrthogonalSegment::segment() const {
 }
 
 std::vector<OrthogonalSegment> update_model(std::span<const OrthogonalSegment> model,
-                                            std::span<const OrthogonalSegment> view, const ModelUpdateParams& params) {
+                                            std::span<const OrthogonalSegment> view,
+                                            const ModelUpdateParams& params) {
   std::vector<OrthogonalSegment> all(model.begin(), model.end());
   all.insert(all.end(), view.begin(), view.end());
   const std::vector<std::size_t> group_of = groups_of(all, params);

@@ -11,14 +11,14 @@
 namespace aisle {
 namespace {
 
-constexpr double kHeadingSigma_rad = 2 * kDegree;    // of the prediction that walls correct
+constexpr double kHeadingSigma_rad = 2 * kDegree;  // of the prediction that walls correct
 constexpr double kLearnedEvery_rad = 8 * kDegree;
 constexpr double kLengthCap_m = 8;
-constexpr double kOccurrenceGrowth = 0.1;            // of an end point's weight with each time it is seen again
+constexpr double kOccurrenceGrowth = 0.1;  // of an end point's weight with each time it is seen again
 constexpr double kOccurrenceCap = 3;
 constexpr double kPriorFloor_m = 0.03;
-constexpr double kPriorShare = 0.1;                  // of the distance since the last scan
-constexpr double kPriorFlat = 0.05;                  // of the highest value: what no prior takes away
+constexpr double kPriorShare = 0.1;  // of the distance since the last scan
+constexpr double kPriorFlat = 0.05;  // of the highest value: what no prior takes away
 
 double end_weight(int occurrences, double c) {
   return c * std::min(1 + kOccurrenceGrowth * occurrences, kOccurrenceCap);
@@ -26,7 +26,8 @@ double end_weight(int occurrences, double c) {
 
 class PublishedMapper {
  public:
-  PublishedMapper(const LaserLog& log, const SegmentParams& segments, const PublishedParams& params, double delay_s)
+  PublishedMapper(const LaserLog& log, const SegmentParams& segments, const PublishedParams& params,
+                  double delay_s)
       : log_(log),
         params_(params),
         delay_s_(delay_s),
@@ -79,7 +80,8 @@ class PublishedMapper {
 
  private:
   Pose2 sensor_by_odometry(std::size_t scan) const {
-    return odometry_.at(log_.scans[scan].time_s - delay_s_, log_.odometry.size()) * log_.laser.T_vehicle_laser;
+    return odometry_.at(log_.scans[scan].time_s - delay_s_, log_.odometry.size()) *
+           log_.laser.T_vehicle_laser;
   }
 
   /// The local model: the scan's segments that run along an axis, at the estimated pose.
@@ -100,8 +102,8 @@ class PublishedMapper {
   void choose_window() {
     const auto outside = [&](const OrthogonalSegment& s) {
       const double along = s.along_x ? pose_.x : pose_.y, across = s.along_x ? pose_.y : pose_.x;
-      return std::abs(s.coordinate_m - across) >= params_.window_m || s.extent.min >= along + params_.window_m ||
-             s.extent.max <= along - params_.window_m;
+      return std::abs(s.coordinate_m - across) >= params_.window_m ||
+             s.extent.min >= along + params_.window_m || s.extent.max <= along - params_.window_m;
     };
     model_.insert(model_.end(), window_.begin(), window_.end());
     const auto rest = std::stable_partition(model_.begin(), model_.end(), outside);
@@ -111,7 +113,8 @@ class PublishedMapper {
 
   /// Algorithm 2 on both axes.
   void match(double step_m) {
-    const Vec2 displacement(displacement_along(Vec2::UnitX(), step_m), displacement_along(Vec2::UnitY(), step_m));
+    const Vec2 displacement(displacement_along(Vec2::UnitX(), step_m),
+                            displacement_along(Vec2::UnitY(), step_m));
     pose_.x += displacement.x();
     pose_.y += displacement.y();
     for (OrthogonalSegment& s : view_) {
@@ -124,10 +127,12 @@ class PublishedMapper {
   double displacement_along(const Vec2& axis, double step_m) {
     Signature sensed, learned;
     for (const OrthogonalSegment& s : view_) {
-      mark({s.segment(), s.extent.length(), params_.end_weight, params_.end_weight}, axis, SymbolKinds::kOne, sensed);
+      mark({s.segment(), s.extent.length(), params_.end_weight, params_.end_weight}, axis, SymbolKinds::kOne,
+           sensed);
     }
     for (const OrthogonalSegment& s : window_) {
-      mark({s.segment(), std::min(s.extent.length(), kLengthCap_m), end_weight(s.min_occurrences, params_.end_weight),
+      mark({s.segment(), std::min(s.extent.length(), kLengthCap_m),
+            end_weight(s.min_occurrences, params_.end_weight),
             end_weight(s.max_occurrences, params_.end_weight)},
            axis, SymbolKinds::kOne, learned);
     }
@@ -169,8 +174,10 @@ class PublishedMapper {
 
 }  // namespace
 
-std::vector<Pose2> odometry_poses(const LaserLog& log, const SegmentParams& segments, double odometry_delay_s) {
-  RangeSegmenter segmenter({log.laser.first_angle_rad, log.laser.angle_step_rad, log.laser.range_max_m}, segments);
+std::vector<Pose2> odometry_poses(const LaserLog& log, const SegmentParams& segments,
+                                  double odometry_delay_s) {
+  RangeSegmenter segmenter({log.laser.first_angle_rad, log.laser.angle_step_rad, log.laser.range_max_m},
+                           segments);
   std::vector<SensedSegment> seen;
   segmenter.extract(log.scans.front().ranges_m, seen);
   const auto frame = dominant_direction(seen);
@@ -185,8 +192,8 @@ std::vector<Pose2> odometry_poses(const LaserLog& log, const SegmentParams& segm
   return poses;
 }
 
-MapResult build_published_map(const LaserLog& log, const SegmentParams& segments, const PublishedParams& params,
-                              double odometry_delay_s, Progress& progress) {
+MapResult build_published_map(const LaserLog& log, const SegmentParams& segments,
+                              const PublishedParams& params, double odometry_delay_s, Progress& progress) {
   PublishedMapper mapper(log, segments, params, odometry_delay_s);
   for (std::size_t scan = 0; scan < log.scans.size(); ++scan) {
     mapper.take_scan(scan);

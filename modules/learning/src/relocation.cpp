@@ -10,23 +10,23 @@
 namespace aisle {
 namespace {
 
-constexpr double kRecent_m = 6;                   // walls seen within this way, at least twice, can be trusted
-constexpr double kLong_m = 0.5;                   // segments and walls that vote for a heading
+constexpr double kRecent_m = 6;  // walls seen within this way, at least twice, can be trusted
+constexpr double kLong_m = 0.5;  // segments and walls that vote for a heading
 constexpr double kTurnMax_rad = 45 * kDegree;
 constexpr double kBin_rad = 2 * kDegree;
 constexpr std::size_t kBins = 90;
 constexpr int kHeadings = 5;
 constexpr int kPeaks = 3;
 constexpr double kEndWeight = 0.2;
-constexpr double kLengthCap_m = 3;                // longer walls are not surer
+constexpr double kLengthCap_m = 3;  // longer walls are not surer
 constexpr double kGate_m = 0.35;
 constexpr double kHitGate_m = 0.08;
 constexpr double kHitGate_rad = 3 * kDegree;
 constexpr double kOnWallsMin = 0.5;
 constexpr double kOnWallsGainMin = 0.15;
 constexpr double kGainMin = 0.2;
-constexpr double kAxisBonus = 0.4;               // in a building without axes it says nothing, and does no harm
-constexpr double kCostPerMetre = 0.1;             // a near pose wins against an equal one far off
+constexpr double kAxisBonus = 0.4;     // in a building without axes it says nothing, and does no harm
+constexpr double kCostPerMetre = 0.1;  // a near pose wins against an equal one far off
 constexpr double kCostPerDegree = 0.004;
 
 std::vector<int> trusted(std::span<const WallEstimate> walls, std::span<const int> window, double path_m) {
@@ -68,11 +68,13 @@ std::vector<double> likely_turns(double heading_rad, std::span<const SensedSegme
 
 /// Displacements along one axis that signature matching proposes; none at all is always among them.
 std::vector<double> likely_displacements(const Vec2& axis, const Pose2& T_map_sensor,
-                                         std::span<const SensedSegment> segments, std::span<const WallEstimate> walls,
-                                         std::span<const int> ids, double reach_m) {
+                                         std::span<const SensedSegment> segments,
+                                         std::span<const WallEstimate> walls, std::span<const int> ids,
+                                         double reach_m) {
   Signature sensed, learned;
   for (const SensedSegment& s : segments) {
-    mark({T_map_sensor * s.segment, s.length_m, kEndWeight, kEndWeight}, axis, SymbolKinds::kByFacing, sensed);
+    mark({T_map_sensor * s.segment, s.length_m, kEndWeight, kEndWeight}, axis, SymbolKinds::kByFacing,
+         sensed);
   }
   for (const int id : ids) {
     const WallEstimate& wall = walls[static_cast<std::size_t>(id)];
@@ -110,8 +112,8 @@ Score score(const Pose2& pose, const Pose2& guess, std::span<const SensedSegment
 }  // namespace
 
 std::optional<Pose2> find_pose_near(const Pose2& guess, std::span<const SensedSegment> segments,
-                                    std::span<const WallEstimate> walls, std::span<const int> window, double path_m,
-                                    double reach_m, PoseAligner& aligner) {
+                                    std::span<const WallEstimate> walls, std::span<const int> window,
+                                    double path_m, double reach_m, PoseAligner& aligner) {
   const std::vector<int> ids = trusted(walls, window, path_m);
   if (ids.size() < 3) return std::nullopt;
   const Vec3 prior_sigma(0.5, 0.5, 5 * kDegree);
@@ -126,9 +128,12 @@ std::optional<Pose2> find_pose_near(const Pose2& guess, std::span<const SensedSe
     for (const double x_m : x_candidates_m) {
       for (const double y_m : y_candidates_m) {
         const Pose2 start{turned.x + x_m, turned.y + y_m, turned.theta};
-        const Pose2 pose = aligner.align(segments, walls, ids, {start, prior_information}, kGate_m, 5).T_map_sensor;
+        const Pose2 pose =
+            aligner.align(segments, walls, ids, {start, prior_information}, kGate_m, 5).T_map_sensor;
         const Score fit = score(pose, guess, segments, walls, ids);
-        if (fit.total <= best_total || fit.on_walls < std::max(kOnWallsMin, present.on_walls + kOnWallsGainMin)) continue;
+        if (fit.total <= best_total ||
+            fit.on_walls < std::max(kOnWallsMin, present.on_walls + kOnWallsGainMin))
+          continue;
         best_total = fit.total;
         best = pose;
       }

@@ -12,14 +12,14 @@
 namespace aisle {
 namespace {
 
-constexpr double kAxesShare = 0.5;             // of the first scan's walls on one frame that gives the axes
-constexpr double kStartSigma = 1e-3;           // [m, rad]: the first pose is the frame
+constexpr double kAxesShare = 0.5;    // of the first scan's walls on one frame that gives the axes
+constexpr double kStartSigma = 1e-3;  // [m, rad]: the first pose is the frame
 constexpr int kAlignmentIterations = 6;
-constexpr double kDoubtful = 0.7;              // less of the seen length fits: the odometry may be wrong
-constexpr double kDoubtful_m = 0.03;           // after a motion of at least this
+constexpr double kDoubtful = 0.7;     // less of the seen length fits: the odometry may be wrong
+constexpr double kDoubtful_m = 0.03;  // after a motion of at least this
 constexpr double kClearlyBetter = 0.15;
 constexpr double kSlightlyBetter = 0.02;
-constexpr double kRelocationSeen_m = 2;        // with less wall in sight a guess is worse than none
+constexpr double kRelocationSeen_m = 2;  // with less wall in sight a guess is worse than none
 constexpr double kRelocatedSigma_m = 0.05;
 constexpr double kRelocatedSigma_rad = 2 * kDegree;
 
@@ -32,8 +32,10 @@ void TrackerParams::describe(FieldList& fields) {
   fields.real("unconfirmed_m", unconfirmed_m, {0, 500}, "a wall seen only once is forgotten after this way");
   fields.real("keyframe_m", keyframe_m, {0.02, 5}, "a scan is learned after so long a way");
   fields.angle("keyframe_deg", keyframe_rad, {1, 90}, "or after so much turning");
-  fields.real("lost_share", lost_share, {0, 1}, "with less of the seen length fitting the walls the pose is looked for anew");
-  fields.real("relocation_reach_m", relocation_reach_m, {0.1, 10}, "how far from the predicted pose it is looked for");
+  fields.real("lost_share", lost_share, {0, 1},
+              "with less of the seen length fitting the walls the pose is looked for anew");
+  fields.real("relocation_reach_m", relocation_reach_m, {0.1, 10},
+              "how far from the predicted pose it is looked for");
 }
 
 ScanTracker::ScanTracker(const TrackerParams& params) : params_(params), aligner_(AlignmentParams{}) {}
@@ -86,9 +88,9 @@ void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
   ++headings_used_;
 }
 
-/// Lays the scan onto the walls from where odometry puts it. Wheels may count backwards driving forwards, or turn while
-/// the vehicle stands: where the scan does not fit, those are tried as well. Counting backwards is believed as long as
-/// every scan speaks for it.
+/// Lays the scan onto the walls from where odometry puts it. Wheels may count backwards driving forwards, or
+/// turn while the vehicle stands: where the scan does not fit, those are tried as well. Counting backwards is
+/// believed as long as every scan speaks for it.
 Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
   const Vec2 counted_m = motion_.position();
   Alignment best = lay_from(segments, counted_m);
@@ -110,8 +112,9 @@ Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
 Alignment ScanTracker::lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m) {
   const Vec2 counted = T_track_last_ * motion_.position(), assumed = T_track_last_ * motion_m;
   const Pose2& predicted = T_track_sensor_.mean;
-  const PosePrior prior{{predicted.x + assumed.x() - counted.x(), predicted.y + assumed.y() - counted.y(), predicted.theta},
-                        T_track_sensor_.covariance.inverse()};
+  const PosePrior prior{
+      {predicted.x + assumed.x() - counted.x(), predicted.y + assumed.y() - counted.y(), predicted.theta},
+      T_track_sensor_.covariance.inverse()};
   return aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
 }
 

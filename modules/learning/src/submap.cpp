@@ -5,14 +5,15 @@
 namespace aisle {
 namespace {
 
-constexpr double kGlimpse_m = 1.5;                    // a wall seen once counts if it is longer than this
-constexpr double kAxisTurn_rad = 2 * kDegree;         // a submap turned farther than this leaves the axes
+constexpr double kGlimpse_m = 1.5;             // a wall seen once counts if it is longer than this
+constexpr double kAxisTurn_rad = 2 * kDegree;  // a submap turned farther than this leaves the axes
 constexpr double kAxisTolerance_rad = 3 * kDegree;
 
 }  // namespace
 
-Submap build_submap(std::size_t first_keyframe, std::size_t last_keyframe, std::span<const Keyframe> keyframes,
-                    const ScanSegments& segments, const WallUpdateParams& update) {
+Submap build_submap(std::size_t first_keyframe, std::size_t last_keyframe,
+                    std::span<const Keyframe> keyframes, const ScanSegments& segments,
+                    const WallUpdateParams& update) {
   Submap submap;
   submap.first_keyframe = first_keyframe;
   submap.last_keyframe = last_keyframe;
@@ -22,10 +23,12 @@ Submap build_submap(std::size_t first_keyframe, std::size_t last_keyframe, std::
   std::vector<int> candidates;
   for (std::size_t k = first_keyframe; k <= last_keyframe; ++k) {
     for (const SensedSegment& s : segments.of_scan(keyframes[k].scan)) {
-      absorb(PlacedSegment(s, keyframes[k].T_track_sensor), keyframes[k].path_m, update, submap.walls, candidates);
+      absorb(PlacedSegment(s, keyframes[k].T_track_sensor), keyframes[k].path_m, update, submap.walls,
+             candidates);
     }
   }
-  std::erase_if(submap.walls, [](const WallEstimate& w) { return w.sightings < 2 && w.length_m() <= kGlimpse_m; });
+  std::erase_if(submap.walls,
+                [](const WallEstimate& w) { return w.sightings < 2 && w.length_m() <= kGlimpse_m; });
   return submap;
 }
 

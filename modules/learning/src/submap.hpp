@@ -18,11 +18,12 @@ struct Submap {
   std::vector<WallEstimate> walls;  ///< in `track`; only those surer than a single glimpse
 };
 
-Submap build_submap(std::size_t first_keyframe, std::size_t last_keyframe, std::span<const Keyframe> keyframes,
-                    const ScanSegments& segments, const WallUpdateParams& update);
+Submap build_submap(std::size_t first_keyframe, std::size_t last_keyframe,
+                    std::span<const Keyframe> keyframes, const ScanSegments& segments,
+                    const WallUpdateParams& update);
 
-/// Appends the submap's walls as they lie in `map` with the anchor at this pose. Orthogonal walls stay on the axes
-/// through small turns.
+/// Appends the submap's walls as they lie in `map` with the anchor at this pose. Orthogonal walls stay on the
+/// axes through small turns.
 void place_walls(const Submap& submap, const Pose2& T_map_anchor, std::vector<WallEstimate>& walls);
 
 }  // namespace aisle

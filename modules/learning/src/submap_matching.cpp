@@ -15,9 +15,9 @@ namespace {
 
 constexpr SignatureParams kSignature = {.reach_m = 0, .cell_m = 0.04, .neighbourhood = 6, .tolerance = 2};
 constexpr double kEndWeight = 0.3;
-constexpr double kSignatureCap_m = 4;        // longer walls are not surer
-constexpr double kParallel = 0.99;           // |cos| of the angle between two normals: within 8 degrees
-constexpr double kAxesApart = 0.85;          // |cos|: the second direction is at least 32 degrees from the first
+constexpr double kSignatureCap_m = 4;  // longer walls are not surer
+constexpr double kParallel = 0.99;     // |cos| of the angle between two normals: within 8 degrees
+constexpr double kAxesApart = 0.85;    // |cos|: the second direction is at least 32 degrees from the first
 constexpr double kTurnMax_rad = 12 * kDegree;
 constexpr double kTurnBin_rad = 1 * kDegree;
 constexpr std::size_t kTurns = 4;
@@ -25,7 +25,7 @@ constexpr int kPeaks = 6;
 constexpr double kPeaksApart_m = 0.16;
 constexpr double kScoreGate_m = 0.15;
 constexpr double kScoreCap_m = 3;
-constexpr double kComparedMin_m = 2;         // with less wall to compare nothing can be said
+constexpr double kComparedMin_m = 2;  // with less wall to compare nothing can be said
 constexpr double kRivalApart_m = 0.3;
 constexpr double kObliqueHeading_rad = 6 * kDegree;
 constexpr double kCommonMin_m = 0.05;
@@ -54,7 +54,8 @@ struct Axes {
   }
 };
 
-/// The normal that most wall length has, clearly apart from another one if given; none if there is no such wall.
+/// The normal that most wall length has, clearly apart from another one if given; none if there is no such
+/// wall.
 std::optional<Vec2> commonest_normal(std::span<const WallEstimate> walls, const Vec2* apart_from) {
   std::optional<Vec2> best;
   double best_m = 0;
@@ -62,7 +63,8 @@ std::optional<Vec2> commonest_normal(std::span<const WallEstimate> walls, const 
     if (apart_from && std::abs(seed.normal.dot(*apart_from)) > kAxesApart) continue;
     double parallel_m = 0;
     for (const WallEstimate& wall : walls) {
-      if (std::abs(wall.normal.dot(seed.normal)) > kParallel) parallel_m += std::min(wall.length_m(), kSignatureCap_m);
+      if (std::abs(wall.normal.dot(seed.normal)) > kParallel)
+        parallel_m += std::min(wall.length_m(), kSignatureCap_m);
     }
     if (parallel_m > best_m) {
       best_m = parallel_m;
@@ -74,7 +76,8 @@ std::optional<Vec2> commonest_normal(std::span<const WallEstimate> walls, const 
 
 /// The map's axes; in a building without any, the two commonest directions of the walls.
 Axes axes_of(std::span<const WallEstimate> walls) {
-  if (std::any_of(walls.begin(), walls.end(), [](const WallEstimate& w) { return !w.is_oblique(); })) return {};
+  if (std::any_of(walls.begin(), walls.end(), [](const WallEstimate& w) { return !w.is_oblique(); }))
+    return {};
   const auto first = commonest_normal(walls, nullptr);
   const auto second = first ? commonest_normal(walls, &*first) : std::nullopt;
   return second ? Axes{*first, *second, false} : Axes{};
@@ -91,8 +94,9 @@ Signature signature_of(std::span<const WallEstimate> walls, const Vec2& axis, bo
 }
 
 /// No displacement at all, and the peaks of the signatures' correlation along one axis.
-std::vector<double> likely_displacements(std::span<const WallEstimate> fresh, std::span<const WallEstimate> old,
-                                         const Vec2& axis, bool orthogonal, SignatureCorrelator& correlator) {
+std::vector<double> likely_displacements(std::span<const WallEstimate> fresh,
+                                         std::span<const WallEstimate> old, const Vec2& axis, bool orthogonal,
+                                         SignatureCorrelator& correlator) {
   Signature learned = signature_of(old, axis, orthogonal);
   sort_symbols(learned);
   std::vector<double> displacements_m = {0};
@@ -133,7 +137,8 @@ WallPattern::WallPattern(std::vector<WallEstimate> walls) : walls_(std::move(wal
     coordinates_.push_back(coordinate(wall));
     ++first_of_facing_[static_cast<std::size_t>(wall.facing) + 1];
   }
-  for (std::size_t f = 1; f < std::size(first_of_facing_); ++f) first_of_facing_[f] += first_of_facing_[f - 1];
+  for (std::size_t f = 1; f < std::size(first_of_facing_); ++f)
+    first_of_facing_[f] += first_of_facing_[f - 1];
 }
 
 WallPattern::Hit WallPattern::hit(const WallEstimate& wall, const Vec2& displacement_m, double gate_m) const {
@@ -154,7 +159,8 @@ WallPattern::Hit WallPattern::hit(const WallEstimate& wall, const Vec2& displace
   Hit best;
   for (std::size_t k = first; k < end; ++k) {
     const WallEstimate& old = walls_[k];
-    if (old.is_oblique() && std::abs(wrap_angle(wall.heading_rad - old.heading_rad)) > kObliqueHeading_rad) continue;
+    if (old.is_oblique() && std::abs(wrap_angle(wall.heading_rad - old.heading_rad)) > kObliqueHeading_rad)
+      continue;
     const double off_m = std::abs(old.offset_of(middle));
     if (off_m > gate_m) continue;
     const double overlap_m = old.extent.overlap(old.span_of(segment));
@@ -191,7 +197,8 @@ SubmapFit fit_submap(std::span<const WallEstimate> fresh, const WallPattern& old
 
 std::vector<double> likely_turns(std::span<const WallEstimate> fresh, std::span<const WallEstimate> old) {
   std::vector<double> turns = {0};
-  if (std::any_of(fresh.begin(), fresh.end(), [](const WallEstimate& w) { return !w.is_oblique(); })) return turns;
+  if (std::any_of(fresh.begin(), fresh.end(), [](const WallEstimate& w) { return !w.is_oblique(); }))
+    return turns;
   constexpr auto kBins = static_cast<std::size_t>(2 * kTurnMax_rad / kTurnBin_rad);
   std::array<double, kBins> votes{};
   for (const WallEstimate& a : fresh) {
@@ -212,7 +219,8 @@ std::vector<double> likely_turns(std::span<const WallEstimate> fresh, std::span<
   return turns;
 }
 
-RefinedFit refine_fit(const Submap& submap, const Pose2& T_map_anchor, const WallPattern& old, const KnownArea& known) {
+RefinedFit refine_fit(const Submap& submap, const Pose2& T_map_anchor, const WallPattern& old,
+                      const KnownArea& known) {
   RefinedFit fit{T_map_anchor, Mat3::Zero()};
   std::vector<WallEstimate> fresh;
   for (int round = 0; round < kRefinements; ++round) {
@@ -232,7 +240,8 @@ RefinedFit refine_fit(const Submap& submap, const Pose2& T_map_anchor, const Wal
       const double offset_weight = common_m / square(kOffsetSigma_m) / (1 + square(offset_m / kCauchy_m));
       const double heading_weight = common_m / square(kHeadingSigma_rad);
       const Vec2 lever = wall.middle() - fit.T_map_anchor.position();
-      const Vec3 jacobian(hit.wall->normal.x(), hit.wall->normal.y(), hit.wall->normal.dot(left_normal(lever)));
+      const Vec3 jacobian(hit.wall->normal.x(), hit.wall->normal.y(),
+                          hit.wall->normal.dot(left_normal(lever)));
       fit.information += offset_weight * jacobian * jacobian.transpose();
       gradient += offset_weight * offset_m * jacobian;
       fit.information(2, 2) += heading_weight;

@@ -11,23 +11,23 @@
 namespace aisle {
 namespace {
 
-constexpr double kOrthogonalMin_m = 0.1;     // shorter segments take no part
+constexpr double kOrthogonalMin_m = 0.1;  // shorter segments take no part
 constexpr double kObliqueMin_m = 0.4;
-constexpr double kWallMax_m = 12;            // a wall does not grow beyond this by uniting: floors bend
+constexpr double kWallMax_m = 12;  // a wall does not grow beyond this by uniting: floors bend
 constexpr double kIndexMargin_m = 0.4;
 constexpr double kAssociateHeading_rad = 6 * kDegree;
 constexpr double kAssociateOverlap_m = 0.1;
 constexpr int kSightingsMin = 3;
 constexpr double kFirstGate_m = 0.15;
 constexpr int kIterations = 3;
-constexpr double kSettled = 1e-3;            // [m, rad]
+constexpr double kSettled = 1e-3;  // [m, rad]
 constexpr double kWallSigma_m = 0.01;
 constexpr double kWallSigma_rad = 0.5 * kDegree;
 constexpr double kCauchy_m = 0.04;
 constexpr double kCauchy_rad = 1.5 * kDegree;
 constexpr double kMotionCauchy2 = 9;
 constexpr double kRelocatedVariance = 0.01;
-constexpr double kFixed = 1e8;               // holds the first keyframe's position
+constexpr double kFixed = 1e8;  // holds the first keyframe's position
 
 }  // namespace
 
@@ -38,7 +38,8 @@ struct WallAdjustment::Solver {
 
   /// Adds to the lower triangle only.
   void add(std::size_t row, std::size_t column, double value) {
-    entries.emplace_back(static_cast<int>(std::max(row, column)), static_cast<int>(std::min(row, column)), value);
+    entries.emplace_back(static_cast<int>(std::max(row, column)), static_cast<int>(std::min(row, column)),
+                         value);
   }
 };
 
@@ -61,9 +62,11 @@ WallAdjustment::WallAdjustment(std::span<const Keyframe> keyframes, const ScanSe
       if (s.length_m >= (oblique ? kObliqueMin_m : kOrthogonalMin_m)) observations_.push_back({k, &s});
     }
   }
-  std::stable_sort(observations_.begin(), observations_.end(), [](const Observation& a, const Observation& b) {
-    return std::floor(std::min(a.segment->length_m, 4.0)) > std::floor(std::min(b.segment->length_m, 4.0));
-  });
+  std::stable_sort(observations_.begin(), observations_.end(),
+                   [](const Observation& a, const Observation& b) {
+                     return std::floor(std::min(a.segment->length_m, 4.0)) >
+                            std::floor(std::min(b.segment->length_m, 4.0));
+                   });
 }
 
 void WallAdjustment::run(int rounds) {
@@ -120,7 +123,8 @@ double WallAdjustment::solve(bool first_of_round) {
   solver_->add(0, 0, kFixed);
   solver_->add(1, 1, kFixed);
   for (std::size_t i = 0; i < unknowns_; ++i) solver_->add(i, i, i < 3 * keyframes_.size() ? 1e-3 : 1.0);
-  Eigen::SparseMatrix<double> normal(static_cast<Eigen::Index>(unknowns_), static_cast<Eigen::Index>(unknowns_));
+  Eigen::SparseMatrix<double> normal(static_cast<Eigen::Index>(unknowns_),
+                                     static_cast<Eigen::Index>(unknowns_));
   normal.setFromTriplets(solver_->entries.begin(), solver_->entries.end());
   if (first_of_round) solver_->factor.analyzePattern(normal);
   solver_->factor.factorize(normal);
@@ -190,7 +194,8 @@ void WallAdjustment::add_observations() {
     const std::size_t count = wall.is_oblique() ? 5 : 4;
     for (std::size_t i = 0; i < count; ++i) {
       gradient(static_cast<Eigen::Index>(at[i])) += offset_weight * offset_m * jacobian[i];
-      for (std::size_t j = 0; j <= i; ++j) solver_->add(at[i], at[j], offset_weight * jacobian[i] * jacobian[j]);
+      for (std::size_t j = 0; j <= i; ++j)
+        solver_->add(at[i], at[j], offset_weight * jacobian[i] * jacobian[j]);
     }
     solver_->add(at[2], at[2], heading_weight);
     gradient(static_cast<Eigen::Index>(at[2])) += heading_weight * turn_rad;
@@ -234,8 +239,8 @@ std::vector<WallSighting> WallAdjustment::sightings() const {
   std::vector<WallSighting> sightings;
   for (const Observation& o : observations_) {
     if (o.wall < 0 || index[static_cast<std::size_t>(o.wall)] < 0) continue;
-    sightings.push_back({T_map_sensor_[o.keyframe] * o.segment->segment, index[static_cast<std::size_t>(o.wall)],
-                         keyframes_[o.keyframe].path_m});
+    sightings.push_back({T_map_sensor_[o.keyframe] * o.segment->segment,
+                         index[static_cast<std::size_t>(o.wall)], keyframes_[o.keyframe].path_m});
   }
   std::stable_sort(sightings.begin(), sightings.end(),
                    [](const WallSighting& a, const WallSighting& b) { return a.path_m < b.path_m; });

@@ -12,14 +12,14 @@
 
 namespace aisle {
 
-/// Moves all keyframes and all walls together until they agree best: each keyframe's segments lie on their walls,
-/// each motion between keyframes is as tracked. A wall on the axes has one unknown (its coordinate), an oblique one
-/// two. Robust Gauss-Newton on the sparse normal equations, with new associations in between.
+/// Moves all keyframes and all walls together until they agree best: each keyframe's segments lie on their
+/// walls, each motion between keyframes is as tracked. A wall on the axes has one unknown (its coordinate),
+/// an oblique one two. Robust Gauss-Newton on the sparse normal equations, with new associations in between.
 class WallAdjustment {
  public:
   /// `T_map_sensor`: the keyframes' poses to start from.
-  WallAdjustment(std::span<const Keyframe> keyframes, const ScanSegments& segments, std::vector<Pose2> T_map_sensor,
-                 const MotionNoise& motion, bool orthogonal);
+  WallAdjustment(std::span<const Keyframe> keyframes, const ScanSegments& segments,
+                 std::vector<Pose2> T_map_sensor, const MotionNoise& motion, bool orthogonal);
 
   void run(int rounds);
 
@@ -47,7 +47,8 @@ class WallAdjustment {
   std::vector<Pose2> T_map_sensor_;
   MotionNoise motion_;
   WallUpdateParams update_;
-  double oblique_sigma_m_ = 0.02;  ///< oblique things are often furniture or doors; 0 where no wall has an axis
+  double oblique_sigma_m_ =
+      0.02;  ///< oblique things are often furniture or doors; 0 where no wall has an axis
   double oblique_sigma_rad_ = 2 * kDegree;
   std::vector<Observation> observations_;  ///< long segments first: they make the steadiest walls
   std::vector<WallEstimate> walls_;

@@ -10,21 +10,21 @@
 namespace aisle {
 namespace {
 
-constexpr double kOneLine_m = 0.08;       // both ends nearer than this to a stronger wall's line: the same wall
+constexpr double kOneLine_m = 0.08;  // both ends nearer than this to a stronger wall's line: the same wall
 constexpr double kOneLineDirection = 0.9;  // cosine of the angle between the two
 constexpr double kTouch_m = 0.2;
-constexpr double kStrengthCap_m = 4;      // longer walls are not stronger
-constexpr double kOrthogonalTrust = 3;    // against an oblique wall seen as often
+constexpr double kStrengthCap_m = 4;    // longer walls are not stronger
+constexpr double kOrthogonalTrust = 3;  // against an oblique wall seen as often
 constexpr double kBin_m = 0.1;
-constexpr std::size_t kGapMaxBins = 3;    // unseen gaps up to this are closed
+constexpr std::size_t kGapMaxBins = 3;  // unseen gaps up to this are closed
 constexpr int kHitsMin = 2;
-constexpr std::size_t kBeamStep = 4;      // every fourth beam is enough to see through a gap
+constexpr std::size_t kBeamStep = 4;  // every fourth beam is enough to see through a gap
 constexpr double kBeamReach_m = 12;
 constexpr double kBeamPiece_m = 3;
-constexpr double kBehind_m = 0.25;        // a beam that goes on for so long has passed the wall
-constexpr double kGrazing = 0.2;          // sine below which a beam says nothing about where it passes
+constexpr double kBehind_m = 0.25;  // a beam that goes on for so long has passed the wall
+constexpr double kGrazing = 0.2;    // sine below which a beam says nothing about where it passes
 constexpr double kVehicleHalf_m = 0.2;
-constexpr double kLeg_m = 0.5;            // on so short a way nothing new is seen
+constexpr double kLeg_m = 0.5;  // on so short a way nothing new is seen
 
 /// How often something was seen, counted once on each leg of the way.
 struct LegCount {
@@ -62,7 +62,8 @@ struct Stroke {
   void see(const Interval& span, int leg) {
     for (std::size_t b = bin(span.min); b <= bin(span.max); ++b) hits[b].add(leg);
   }
-  /// Where a straight way crosses the wall [m along it], if at least `beyond_m` of the way lies behind the wall.
+  /// Where a straight way crosses the wall [m along it], if at least `beyond_m` of the way lies behind the
+  /// wall.
   std::optional<double> crossing(const Vec2& from, const Vec2& to, double beyond_m) const {
     const Vec2 way = to - from;
     const double length_m = way.norm();
@@ -114,7 +115,8 @@ class Drawing {
         const Vec2 piece_end = piece + piece_m * along;
         index_.query(piece, piece_end, 0, near_);
         for (const int s : near_) {
-          strokes_[static_cast<std::size_t>(s)].see_through(piece, piece_end, beyond_m, leg_at(placed.path_m));
+          strokes_[static_cast<std::size_t>(s)].see_through(piece, piece_end, beyond_m,
+                                                            leg_at(placed.path_m));
         }
       }
     }
@@ -136,7 +138,8 @@ class Drawing {
         }
         const std::size_t last = end_of_run(stroke, first);
         const Wall wall = piece_of(stroke, first, last);
-        if (wall.segment.length() >= length_min_m && wall.sightings >= sightings_min) map.walls.push_back(wall);
+        if (wall.segment.length() >= length_min_m && wall.sightings >= sightings_min)
+          map.walls.push_back(wall);
         first = last + 1;
       }
     }
@@ -152,7 +155,8 @@ class Drawing {
       const double trust = walls[w].is_oblique() ? 1 : kOrthogonalTrust;
       return trust * walls[w].sightings * std::min(walls[w].length_m(), kStrengthCap_m);
     };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return strength(a) > strength(b); });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return strength(a) > strength(b); });
     for (const std::size_t w : order) {
       index_.query(walls[w].segment().start, walls[w].segment().end, kTouch_m, near_);
       const auto host = std::find_if(near_.begin(), near_.end(), [&](int s) {
@@ -172,8 +176,10 @@ class Drawing {
 
   static bool is_part_of(const WallEstimate& wall, const WallEstimate& host) {
     const Segment2 segment = wall.segment();
-    return wall.along.dot(host.along) > kOneLineDirection && std::abs(host.offset_of(segment.start)) < kOneLine_m &&
-           std::abs(host.offset_of(segment.end)) < kOneLine_m && host.extent.overlap(host.span_of(segment)) > -kTouch_m;
+    return wall.along.dot(host.along) > kOneLineDirection &&
+           std::abs(host.offset_of(segment.start)) < kOneLine_m &&
+           std::abs(host.offset_of(segment.end)) < kOneLine_m &&
+           host.extent.overlap(host.span_of(segment)) > -kTouch_m;
   }
 
   static void take_up(const WallEstimate& wall, WallEstimate& host) {
@@ -182,14 +188,16 @@ class Drawing {
     if (span.max > host.extent.max) host.end = wall.end;
     host.extent = host.extent.united(span);
     if (wall.is_oblique() != host.is_oblique()) return;
-    const double weight = wall.offset_weight * wall.length_m(), host_weight = host.offset_weight * host.length_m();
+    const double weight = wall.offset_weight * wall.length_m(),
+                 host_weight = host.offset_weight * host.length_m();
     host.anchor += host.normal * (host.offset_of(wall.middle()) * weight / (weight + host_weight));
     host.offset_weight += wall.offset_weight;
   }
 
   static std::size_t end_of_run(const Stroke& stroke, std::size_t first) {
     std::size_t last = first;
-    for (std::size_t b = first + 1; b < stroke.hits.size() && b - last <= kGapMaxBins && !stroke.is_open(b); ++b) {
+    for (std::size_t b = first + 1; b < stroke.hits.size() && b - last <= kGapMaxBins && !stroke.is_open(b);
+         ++b) {
       if (stroke.is_solid(b)) last = b;
     }
     return last;
@@ -198,14 +206,16 @@ class Drawing {
   static Wall piece_of(const Stroke& stroke, std::size_t first, std::size_t last) {
     const WallEstimate& whole = stroke.wall;
     const bool from_start = first == 0, to_end = last + 2 >= stroke.hits.size();
-    const double from_m = from_start ? whole.extent.min : whole.extent.min + kBin_m * static_cast<double>(first);
+    const double from_m =
+        from_start ? whole.extent.min : whole.extent.min + kBin_m * static_cast<double>(first);
     const double to_m = to_end ? whole.extent.max : whole.extent.min + kBin_m * static_cast<double>(last + 1);
     Wall wall;
     wall.segment = {whole.anchor + from_m * whole.along, whole.anchor + to_m * whole.along};
     wall.is_orthogonal = !whole.is_oblique();
     wall.start = from_start ? whole.start : WallEnd::kSeen;
     wall.end = to_end ? whole.end : WallEnd::kSeen;
-    for (std::size_t b = first; b <= last; ++b) wall.sightings = std::max(wall.sightings, stroke.hits[b].count);
+    for (std::size_t b = first; b <= last; ++b)
+      wall.sightings = std::max(wall.sightings, stroke.hits[b].count);
     wall.sigma_m = std::sqrt(1 / whole.offset_weight);
     return wall;
   }

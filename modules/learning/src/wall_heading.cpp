@@ -11,13 +11,13 @@ namespace {
 
 constexpr double kSeenMin_m = 1.5;
 constexpr double kWindowMax_rad = 12 * kDegree;
-constexpr double kSeedLength_m = 0.4;        // shorter segments are no seed of a mode
+constexpr double kSeedLength_m = 0.4;  // shorter segments are no seed of a mode
 constexpr double kModeWidth_rad = 1.5 * kDegree;
-constexpr double kReach_rad = 4 * kDegree;   // farther from the mode: not of this frame
+constexpr double kReach_rad = 4 * kDegree;  // farther from the mode: not of this frame
 constexpr double kAgree_rad = 2.5 * kDegree;
 constexpr double kAgreeShare = 0.5;
 constexpr double kNoiseFloor_rad = 0.3 * kDegree;
-constexpr double kSecondDirection_m = 0.6;   // walls in both directions are a surer witness than one alone
+constexpr double kSecondDirection_m = 0.6;  // walls in both directions are a surer witness than one alone
 constexpr double kBothSigma_rad = 0.7 * kDegree;
 constexpr double kOneSigma_rad = 1.5 * kDegree;
 
@@ -52,8 +52,8 @@ std::optional<double> strongest_mode(std::span<const SensedSegment> segments, do
 
 }  // namespace
 
-std::optional<HeadingMeasurement> heading_from_walls(std::span<const SensedSegment> segments, double predicted_rad,
-                                                     double predicted_sigma_rad) {
+std::optional<HeadingMeasurement> heading_from_walls(std::span<const SensedSegment> segments,
+                                                     double predicted_rad, double predicted_sigma_rad) {
   double seen_m = 0;
   for (const SensedSegment& s : segments) seen_m += s.length_m;
   if (seen_m < kSeenMin_m) return std::nullopt;
@@ -68,8 +68,8 @@ std::optional<HeadingMeasurement> heading_from_walls(std::span<const SensedSegme
     for (const SensedSegment& s : segments) {
       const double turn = correction(s, heading);
       if (s.curved || std::abs(turn) > kReach_rad) continue;
-      const double weight = 1 / (square(s.sigma_heading_rad) + square(kNoiseFloor_rad)) /
-                            (1 + square(turn / kModeWidth_rad));
+      const double weight =
+          1 / (square(s.sigma_heading_rad) + square(kNoiseFloor_rad)) / (1 + square(turn / kModeWidth_rad));
       weighted_turn += weight * turn;
       weight_sum += weight;
       if (std::abs(turn) < kAgree_rad) agreeing_m += s.length_m;
@@ -86,7 +86,8 @@ std::optional<HeadingMeasurement> heading_from_walls(std::span<const SensedSegme
     const auto quarter_turns = std::lround((heading + s.heading_rad + turn) / (kPi / 2));
     along_m[quarter_turns & 1] += s.length_m;
   }
-  const double frame_sigma = std::min(along_m[0], along_m[1]) > kSecondDirection_m ? kBothSigma_rad : kOneSigma_rad;
+  const double frame_sigma =
+      std::min(along_m[0], along_m[1]) > kSecondDirection_m ? kBothSigma_rad : kOneSigma_rad;
   return HeadingMeasurement{wrap_angle(heading), std::sqrt(1 / weight_sum + square(frame_sigma))};
 }
 

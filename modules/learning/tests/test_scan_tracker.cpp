@@ -8,8 +8,8 @@ namespace {
 
 /// What is seen of a room of 8 x 5 m with a cupboard, all of it at once.
 std::vector<SensedSegment> view_from(const Pose2& T_room_sensor) {
-  const std::vector<Segment2> walls = {{{-4, -2}, {4, -2}}, {{4, -2}, {4, 3}},  {{4, 3}, {-4, 3}},
-                                       {{-4, 3}, {-4, -2}}, {{1, 2}, {2, 2}},   {{2, 2}, {2, 3}},
+  const std::vector<Segment2> walls = {{{-4, -2}, {4, -2}}, {{4, -2}, {4, 3}},   {{4, 3}, {-4, 3}},
+                                       {{-4, 3}, {-4, -2}}, {{1, 2}, {2, 2}},    {{2, 2}, {2, 3}},
                                        {{1, 3}, {1, 2}},    {{-2, -2}, {-2, -1}}};
   std::vector<SensedSegment> view;
   for (const Segment2& wall : walls) {
@@ -25,7 +25,8 @@ std::vector<SensedSegment> view_from(const Pose2& T_room_sensor) {
   return view;
 }
 
-/// Follows a drive whose odometry is the true motion changed by `odometry`; returns the last pose in the room.
+/// Follows a drive whose odometry is the true motion changed by `odometry`; returns the last pose in the
+/// room.
 template <class Odometry>
 Pose2 follow(const std::vector<Pose2>& drive, Odometry odometry, bool orthogonal = true) {
   ScanTracker tracker(TrackerParams{});
@@ -63,7 +64,12 @@ TEST(ScanTracker, StandsWhereOnlyTheWheelsTurn) {
 }
 
 TEST(ScanTracker, NeedsNoAxes) {
-  const Pose2 last = follow(curve(), [](Pose2 motion) { return Pose2{1.1 * motion.x, motion.y, motion.theta}; }, false);
+  const Pose2 last = follow(
+      curve(),
+      [](Pose2 motion) {
+        return Pose2{1.1 * motion.x, motion.y, motion.theta};
+      },
+      false);
   EXPECT_THAT(last, PoseNear(curve().back(), 0.02, 0.01));
 }
 

@@ -86,7 +86,8 @@ TEST(WallDrawing, ADoorwayThatBeamsPassIsCutOut) {
       const Vec2 along = unit(kPi / 2 + kLaser.beam_angle(beam));
       const double until_m = along.y() > 0.05 ? 1 / along.y() : 25;
       const double at_x = x + until_m * along.x();
-      view.ranges_m.push_back(static_cast<float>(at_x > 2 && at_x < 3 ? until_m + 3 : std::min(until_m, 25.0)));
+      view.ranges_m.push_back(
+          static_cast<float>(at_x > 2 && at_x < 3 ? until_m + 3 : std::min(until_m, 25.0)));
     }
     views.push_back(view);
   }

@@ -7,7 +7,9 @@ namespace aisle {
 
 template <class Visit>
 void CellIndex::for_each_cell(const Vec2& low, const Vec2& high, Visit visit) const {
-  const auto cell_of = [this](double coordinate) { return static_cast<std::int64_t>(std::floor(coordinate / cell_m_)); };
+  const auto cell_of = [this](double coordinate) {
+    return static_cast<std::int64_t>(std::floor(coordinate / cell_m_));
+  };
   for (std::int64_t column = cell_of(low.x()); column <= cell_of(high.x()); ++column) {
     for (std::int64_t row = cell_of(low.y()); row <= cell_of(high.y()); ++row) {
       visit(column * (std::int64_t{1} << 32) + row);
@@ -18,7 +20,8 @@ void CellIndex::for_each_cell(const Vec2& low, const Vec2& high, Visit visit) co
 void CellIndex::add(const Segment2& segment, int id) {
   const auto pieces = static_cast<int>(std::ceil(segment.length() / cell_m_)) + 1;
   const Vec2 step = (segment.end - segment.start) / pieces;
-  for (int i = 0; i < pieces; ++i) {  // the cells of each short piece's box: a few too many, never one too few
+  for (int i = 0; i < pieces;
+       ++i) {  // the cells of each short piece's box: a few too many, never one too few
     const Vec2 from = segment.start + i * step, to = from + step;
     for_each_cell(from.cwiseMin(to), from.cwiseMax(to), [&](std::int64_t cell) {
       std::vector<int>& ids = cells_[cell];
@@ -27,7 +30,8 @@ void CellIndex::add(const Segment2& segment, int id) {
   }
 }
 
-void CellIndex::query(const Vec2& corner, const Vec2& opposite, double margin_m, std::vector<int>& ids) const {
+void CellIndex::query(const Vec2& corner, const Vec2& opposite, double margin_m,
+                      std::vector<int>& ids) const {
   ids.clear();
   const Vec2 low = corner.cwiseMin(opposite).array() - margin_m;
   const Vec2 high = corner.cwiseMax(opposite).array() + margin_m;

@@ -10,7 +10,7 @@ namespace aisle {
 namespace {
 
 constexpr int kAssociationRounds = 4;
-constexpr double kSettledStep = 1e-4;                // [m, rad]: further iterations change nothing
+constexpr double kSettledStep = 1e-4;  // [m, rad]: further iterations change nothing
 constexpr double kHeadingGate_rad = 6 * kDegree;
 constexpr double kFirstHeadingGateMax_rad = 20 * kDegree;
 constexpr double kOverlapMin_m = 0.1;
@@ -24,7 +24,8 @@ AssociationGate gate_in_round(int round, double gate_m, const Mat3& prior_inform
   const double shrink = round == 0 ? 1.0 : round == 1 ? 0.7 : 0.5;
   const double heading_sigma_rad = std::sqrt(1 / std::max(1e-9, prior_information(2, 2)));
   const double heading_rad =
-      round == 0 ? std::min(kFirstHeadingGateMax_rad, kHeadingGate_rad + 2 * heading_sigma_rad) : kHeadingGate_rad;
+      round == 0 ? std::min(kFirstHeadingGateMax_rad, kHeadingGate_rad + 2 * heading_sigma_rad)
+                 : kHeadingGate_rad;
   return {gate_m * shrink, heading_rad, kOverlapMin_m};
 }
 
@@ -60,11 +61,13 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
       if (wall_of_segment_[i] < 0) continue;
       const WallEstimate& wall = walls[static_cast<std::size_t>(wall_of_segment_[i])];
       const SensedSegment& seen = segments[i];
-      const Vec2 lever(c * seen.centroid.x() - s * seen.centroid.y(), s * seen.centroid.x() + c * seen.centroid.y());
+      const Vec2 lever(c * seen.centroid.x() - s * seen.centroid.y(),
+                       s * seen.centroid.x() + c * seen.centroid.y());
       const double offset_m = wall.offset_of(lever + pose.position());
       const double turn_rad = wrap_angle(pose.theta + seen.heading_rad - wall.heading_rad);
 
-      double offset_variance = square(seen.sigma_offset_m) + square(params_.wall_sigma_m) / std::max(1, wall.sightings);
+      double offset_variance =
+          square(seen.sigma_offset_m) + square(params_.wall_sigma_m) / std::max(1, wall.sightings);
       double heading_variance = square(seen.sigma_heading_rad);
       if (wall.is_oblique()) {
         offset_variance += square(params_.oblique_sigma_m);

@@ -93,13 +93,15 @@ void PoseGraph::add_heading_prior(std::size_t node, double heading_rad, double s
 }
 
 void PoseGraph::add_odometry(const PoseConstraint& constraint) {
-  impl_->problem.AddResidualBlock(new RelativePoseCost(constraint), nullptr, impl_->nodes.at(constraint.from).data(),
+  impl_->problem.AddResidualBlock(new RelativePoseCost(constraint), nullptr,
+                                  impl_->nodes.at(constraint.from).data(),
                                   impl_->nodes.at(constraint.to).data());
 }
 
 void PoseGraph::add_loop_closure(const PoseConstraint& constraint, double cauchy) {
   impl_->problem.AddResidualBlock(new RelativePoseCost(constraint), new ceres::CauchyLoss(cauchy),
-                                  impl_->nodes.at(constraint.from).data(), impl_->nodes.at(constraint.to).data());
+                                  impl_->nodes.at(constraint.from).data(),
+                                  impl_->nodes.at(constraint.to).data());
 }
 
 void PoseGraph::optimise(int iterations_max) {

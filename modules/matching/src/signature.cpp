@@ -7,8 +7,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kAcross = 0.98;  // |cos| of the angle between a segment's normal and the axis: within 11 degrees
-constexpr double kAlong = 0.5;    // |cos| between the segment and the axis: its ends are well placed on it
+constexpr double kAcross =
+    0.98;  // |cos| of the angle between a segment's normal and the axis: within 11 degrees
+constexpr double kAlong = 0.5;  // |cos| between the segment and the axis: its ends are well placed on it
 
 /// Step 4's weights 1 / (1 + |i| / d), correlated with themselves: what one pair of symbols adds to C.
 std::vector<double> autocorrelation(int neighbourhood, double tolerance) {
@@ -16,7 +17,8 @@ std::vector<double> autocorrelation(int neighbourhood, double tolerance) {
   const auto weight = [&](int i) { return 1 / (1 + std::abs(i) / tolerance); };
   std::vector<double> kernel(4 * static_cast<std::size_t>(half) + 1, 0.0);
   for (int a = -half; a <= half; ++a) {
-    for (int b = -half; b <= half; ++b) kernel[static_cast<std::size_t>(b - a + 2 * half)] += weight(a) * weight(b);
+    for (int b = -half; b <= half; ++b)
+      kernel[static_cast<std::size_t>(b - a + 2 * half)] += weight(a) * weight(b);
   }
   return kernel;
 }
@@ -31,12 +33,16 @@ void mark(const MarkedSegment& marked, const Vec2& axis, SymbolKinds kinds, Sign
   const Segment2& s = marked.segment;
   const Vec2 along = (s.end - s.start).normalized();
   const double along_axis = along.dot(axis), across_axis = left_normal(along).dot(axis);
-  const auto kind = [&](int role, bool forward) { return kinds == SymbolKinds::kOne ? 0 : 2 * role + (forward ? 0 : 1); };
+  const auto kind = [&](int role, bool forward) {
+    return kinds == SymbolKinds::kOne ? 0 : 2 * role + (forward ? 0 : 1);
+  };
   if (std::abs(across_axis) > kAcross) {
     signature.push_back({kind(0, across_axis > 0), axis.dot(s.midpoint()), marked.length_weight});
   } else if (std::abs(along_axis) > kAlong) {
-    if (marked.start_weight > 0) signature.push_back({kind(1, along_axis > 0), axis.dot(s.start), marked.start_weight});
-    if (marked.end_weight > 0) signature.push_back({kind(2, along_axis > 0), axis.dot(s.end), marked.end_weight});
+    if (marked.start_weight > 0)
+      signature.push_back({kind(1, along_axis > 0), axis.dot(s.start), marked.start_weight});
+    if (marked.end_weight > 0)
+      signature.push_back({kind(2, along_axis > 0), axis.dot(s.end), marked.end_weight});
   }
 }
 
@@ -63,12 +69,14 @@ std::span<double> SignatureCorrelator::correlate(std::span<const SignatureSymbol
     auto l = std::lower_bound(learned.begin(), learned.end(),
                               SignatureSymbol{s.kind, s.position_m - reach_m, 0}, before);
     for (; l != learned.end() && l->kind == s.kind && l->position_m <= s.position_m + reach_m; ++l) {
-      const int centre = static_cast<int>(std::lround((l->position_m - s.position_m) / params_.cell_m)) + half_cells_;
+      const int centre =
+          static_cast<int>(std::lround((l->position_m - s.position_m) / params_.cell_m)) + half_cells_;
       const double weight = s.weight * l->weight;
       const int first = std::max(-half_kernel, -centre);
       const int last = std::min(half_kernel, static_cast<int>(values_.size()) - 1 - centre);
       for (int i = first; i <= last; ++i) {
-        values_[static_cast<std::size_t>(centre + i)] += weight * kernel_[static_cast<std::size_t>(i + half_kernel)];
+        values_[static_cast<std::size_t>(centre + i)] +=
+            weight * kernel_[static_cast<std::size_t>(i + half_kernel)];
       }
     }
   }
@@ -79,8 +87,9 @@ std::optional<std::size_t> SignatureCorrelator::highest() const {
   std::optional<std::size_t> best;
   double best_value = 0;
   for (std::size_t i = 0; i < values_.size(); ++i) {
-    const bool nearer = best && values_[i] == best_value &&
-                        std::abs(static_cast<int>(i) - half_cells_) < std::abs(static_cast<int>(*best) - half_cells_);
+    const bool nearer =
+        best && values_[i] == best_value &&
+        std::abs(static_cast<int>(i) - half_cells_) < std::abs(static_cast<int>(*best) - half_cells_);
     if (values_[i] > best_value || nearer) {
       best = i;
       best_value = values_[i];

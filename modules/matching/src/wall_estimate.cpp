@@ -13,7 +13,7 @@ constexpr double kKindChange_rad = 5 * kDegree;  // orthogonal and oblique unite
 constexpr double kOffsetScale_m = 0.1;           // cost of one wall against another: offset, heading, overlap
 constexpr double kHeadingScale_rad = 0.05;
 constexpr double kOverlapBonus = 0.3;
-constexpr double kGoodOffsetWeight = 1 / (0.01 * 0.01);   // of one good sighting
+constexpr double kGoodOffsetWeight = 1 / (0.01 * 0.01);  // of one good sighting
 constexpr double kGoodHeadingWeight = 1 / (0.018 * 0.018);
 
 /// Moves the wall's line to the weighted mean of itself and the segment.
@@ -97,8 +97,8 @@ PlacedSegment::PlacedSegment(const SensedSegment& seen, const Pose2& T_map_senso
       centroid(T_map_sensor * seen.centroid),
       heading_rad(wrap_angle(T_map_sensor.theta + seen.heading_rad)) {}
 
-int associate(const PlacedSegment& placed, std::span<const WallEstimate> walls, std::span<const int> candidates,
-              const AssociationGate& gate) {
+int associate(const PlacedSegment& placed, std::span<const WallEstimate> walls,
+              std::span<const int> candidates, const AssociationGate& gate) {
   const double length_m = placed.sensed->length_m;
   const double heading_gate = gate.heading_rad + 2 * placed.sensed->sigma_heading_rad;
   int best = -1;
@@ -130,7 +130,8 @@ int absorb(const PlacedSegment& placed, double path_m, const WallUpdateParams& p
   if (index >= 0) {
     const WallEstimate& wall = walls[static_cast<std::size_t>(index)];
     const bool other_kind = (facing == Facing::kOblique) != wall.is_oblique();
-    if (other_kind && std::abs(wrap_angle(placed.heading_rad - wall.heading_rad)) > kKindChange_rad) index = -1;
+    if (other_kind && std::abs(wrap_angle(placed.heading_rad - wall.heading_rad)) > kKindChange_rad)
+      index = -1;
   }
   if (index < 0) {
     index = static_cast<int>(walls.size());

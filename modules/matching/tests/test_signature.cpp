@@ -54,7 +54,8 @@ std::vector<double> correlate_cell_by_cell(const Signature& sensed, const Signat
   for (int d = -half; d <= half; ++d) {
     for (int x = 0; x < cells; ++x) {
       if (x + d >= 0 && x + d < cells) {
-        values[static_cast<std::size_t>(d + half)] += n[static_cast<std::size_t>(x)] * l[static_cast<std::size_t>(x + d)];
+        values[static_cast<std::size_t>(d + half)] +=
+            n[static_cast<std::size_t>(x)] * l[static_cast<std::size_t>(x + d)];
       }
     }
   }
@@ -65,7 +66,8 @@ RC_GTEST_PROP(Signature, PairwiseCorrelationEqualsTheBlurredCellsOfTheAlgorithm,
   Random random(seed);
   SignatureParams params;
   const auto on_cells = [&](Signature signature) {  // symbols on cell centres: no rounding in between
-    for (SignatureSymbol& s : signature) s.position_m = std::round(s.position_m / params.cell_m) * params.cell_m;
+    for (SignatureSymbol& s : signature)
+      s.position_m = std::round(s.position_m / params.cell_m) * params.cell_m;
     return signature;
   };
   const Signature sensed = on_cells(signature_of(any_pattern(random), Vec2::UnitX(), SymbolKinds::kOne));
@@ -82,7 +84,8 @@ RC_GTEST_PROP(Signature, FindsTheExactCellOfAnyInjectedShift, (std::uint64_t see
   Random random(seed);
   SignatureParams params;
   const std::vector<Segment2> pattern = any_pattern(random);
-  const int cells_x = static_cast<int>(random.index(39)) - 19, cells_y = static_cast<int>(random.index(39)) - 19;
+  const int cells_x = static_cast<int>(random.index(39)) - 19,
+            cells_y = static_cast<int>(random.index(39)) - 19;
   const Vec2 shift(cells_x * params.cell_m, cells_y * params.cell_m);
   SignatureCorrelator correlator(params);
   for (const Vec2& axis : {Vec2(1, 0), Vec2(0, 1)}) {

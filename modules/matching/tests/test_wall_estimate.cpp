@@ -97,7 +97,8 @@ TEST(PoseAligner, ACorridorLeavesThePlaceAlongItToThePrior) {
   walls.absorb_view(corridor, {});
   PoseAligner aligner(AlignmentParams{});
   const Pose2 guess{0.5, 0.05, 0};
-  const Alignment found = aligner.align(corridor, walls.all, walls.candidates, {guess, Mat3::Identity()}, 0.25, 10);
+  const Alignment found =
+      aligner.align(corridor, walls.all, walls.candidates, {guess, Mat3::Identity()}, 0.25, 10);
   EXPECT_NEAR(found.T_map_sensor.x, 0.5, 1e-3);
   EXPECT_NEAR(found.T_map_sensor.y, 0, 1e-3);
   EXPECT_LT(found.wall_information(0, 0), 1e-6 * found.wall_information(1, 1));

@@ -8,10 +8,10 @@ namespace {
 
 constexpr double kCell_m = 0.05;
 constexpr double kMargin_m = 1;
-constexpr double kSweptEvery_m = 0.5;     // scans nearer than this to the last one swept add little
+constexpr double kSweptEvery_m = 0.5;  // scans nearer than this to the last one swept add little
 constexpr double kSweptEvery_rad = 0.5;
 constexpr double kSweptReach_m = 12;
-constexpr double kShortOfWall_m = 0.1;    // a beam is free only up to this before what it hit
+constexpr double kShortOfWall_m = 0.1;  // a beam is free only up to this before what it hit
 
 struct Box {
   Vec2 low = Vec2::Constant(1e9);
@@ -41,12 +41,14 @@ class Canvas {
     image_.width = static_cast<int>(std::ceil(size_m.x() / image_.resolution_m));
     image_.height = static_cast<int>(std::ceil(size_m.y() / image_.resolution_m));
     image_.origin_m = box.low;
-    image_.cells.assign(static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height), kCellUnknown);
+    image_.cells.assign(static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height),
+                        kCellUnknown);
   }
 
   /// Sets every cell that the segment passes; what lies outside is left out.
   void draw(const Vec2& from, const Vec2& to, std::uint8_t value) {
-    const Vec2 a = (from - image_.origin_m) / image_.resolution_m, b = (to - image_.origin_m) / image_.resolution_m;
+    const Vec2 a = (from - image_.origin_m) / image_.resolution_m,
+               b = (to - image_.origin_m) / image_.resolution_m;
     const Vec2 way = b - a;
     const auto steps = static_cast<int>(std::ceil(std::max(std::abs(way.x()), std::abs(way.y())))) + 1;
     const Vec2 step = way / steps;

@@ -9,7 +9,8 @@ constexpr double kCarryOn_s = 0.5;
 
 Pose2 between_samples(const OdometrySample& a, const OdometrySample& b, double time_s) {
   const double span_s = b.time_s - a.time_s;
-  return span_s > 0 ? interpolate(a.T_odom_vehicle, b.T_odom_vehicle, (time_s - a.time_s) / span_s) : b.T_odom_vehicle;
+  return span_s > 0 ? interpolate(a.T_odom_vehicle, b.T_odom_vehicle, (time_s - a.time_s) / span_s)
+                    : b.T_odom_vehicle;
 }
 
 }  // namespace
@@ -17,8 +18,8 @@ Pose2 between_samples(const OdometrySample& a, const OdometrySample& b, double t
 Pose2 OdometryTrack::at(double time_s, std::size_t known) const {
   const auto first = samples_.begin();
   const auto end = first + static_cast<std::ptrdiff_t>(std::clamp<std::size_t>(known, 1, samples_.size()));
-  const auto later = std::upper_bound(first, end, time_s,
-                                      [](double time, const OdometrySample& sample) { return time < sample.time_s; });
+  const auto later = std::upper_bound(
+      first, end, time_s, [](double time, const OdometrySample& sample) { return time < sample.time_s; });
   if (later == first) return first->T_odom_vehicle;
   if (later != end) return between_samples(*(later - 1), *later, time_s);
   const OdometrySample& last = *(end - 1);

@@ -10,9 +10,9 @@ namespace aisle {
 /// Total least squares line through points.
 struct LineFit {
   Vec2 centroid = Vec2::Zero();
-  double heading_rad = 0;      ///< along the points, from the first to the last
-  double rms_m = 0;            ///< of the distances across the line
-  double spread_m2 = 0;        ///< sum of squared distances from the centroid along the line
+  double heading_rad = 0;  ///< along the points, from the first to the last
+  double rms_m = 0;        ///< of the distances across the line
+  double spread_m2 = 0;    ///< sum of squared distances from the centroid along the line
 
   double distance(const Vec2& p) const { return left_normal(unit(heading_rad)).dot(p - centroid); }
 };

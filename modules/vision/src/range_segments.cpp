@@ -32,21 +32,22 @@ struct Run {
   std::size_t count() const { return last + 1 - first; }
 };
 
-constexpr std::size_t kMissingBeamsMax = 2;           // a longer hole ends a run of points
-constexpr double kGrazing_rad = 8 * kDegree;          // a wall seen flatter than this falls apart
-constexpr double kGapFloor_m = 0.06;                  // neighbours nearer than this always belong together
-constexpr double kNoiseSample = 0.3;                  // the straightest share of the points tells the noise ...
-constexpr double kNoisePerResidual = 1 / (0.1903 * 1.2247);  // ... as its mean is for a Gaussian, chord ends included
-constexpr double kQuietScans = 0.15;                  // share of the scans with so little clutter that it is the noise
-constexpr double kNoiseStep = 0.05;                   // with which that quantile is followed
-constexpr std::size_t kChordReachMax = 8;              // beams to either side
+constexpr std::size_t kMissingBeamsMax = 2;   // a longer hole ends a run of points
+constexpr double kGrazing_rad = 8 * kDegree;  // a wall seen flatter than this falls apart
+constexpr double kGapFloor_m = 0.06;          // neighbours nearer than this always belong together
+constexpr double kNoiseSample = 0.3;          // the straightest share of the points tells the noise ...
+constexpr double kNoisePerResidual =
+    1 / (0.1903 * 1.2247);                 // ... as its mean is for a Gaussian, chord ends included
+constexpr double kQuietScans = 0.15;       // share of the scans with so little clutter that it is the noise
+constexpr double kNoiseStep = 0.05;        // with which that quantile is followed
+constexpr std::size_t kChordReachMax = 8;  // beams to either side
 constexpr double kChordMin_m = 0.2;
 constexpr double kSplitSigmas = 3.5;
 constexpr double kRoughSigmas = 2;
 constexpr double kGapSigmas = 4;
-constexpr double kMergeShare = 0.4;                   // merged rms, as a share of the split distance
-constexpr double kTrimFloor_m = 0.03;                 // end points farther off the line are cut
-constexpr double kCurveLength_m = 0.4;                // chords of a bent wall are at least this long
+constexpr double kMergeShare = 0.4;     // merged rms, as a share of the split distance
+constexpr double kTrimFloor_m = 0.03;   // end points farther off the line are cut
+constexpr double kCurveLength_m = 0.4;  // chords of a bent wall are at least this long
 constexpr double kCurveGap_m = 0.4;
 constexpr double kCurveMin_rad = 1 * kDegree;
 constexpr double kCurveMax_rad = 25 * kDegree;
@@ -58,7 +59,8 @@ void mark_curved(std::vector<SensedSegment>& segments) {
       SensedSegment& a = segments[i];
       SensedSegment& b = segments[j];
       if (a.length_m < kCurveLength_m || b.length_m < kCurveLength_m) continue;
-      const double gap_m = std::min((a.segment.end - b.segment.start).norm(), (b.segment.end - a.segment.start).norm());
+      const double gap_m =
+          std::min((a.segment.end - b.segment.start).norm(), (b.segment.end - a.segment.start).norm());
       if (gap_m > kCurveGap_m) continue;
       const double turn = std::abs(wrap_angle(a.heading_rad - b.heading_rad));
       const double noise = 2 * std::hypot(a.sigma_heading_rad, b.sigma_heading_rad);
@@ -110,16 +112,18 @@ class RangeSegmenter::Work {
     }
   }
 
-  /// The noise of a point across its wall: how far it is from the chord of two points beside it, which must be long
-  /// against the noise. The distances that decide about segments grow with it.
+  /// The noise of a point across its wall: how far it is from the chord of two points beside it, which must
+  /// be long against the noise. The distances that decide about segments grow with it.
   void measure_noise() {
     residuals_.clear();
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      for (std::size_t reach = 1; reach <= kChordReachMax && reach <= i && i + reach < points_.size(); ++reach) {
+      for (std::size_t reach = 1; reach <= kChordReachMax && reach <= i && i + reach < points_.size();
+           ++reach) {
         if (beams_[i + reach] - beams_[i - reach] != 2 * reach) break;
         const Vec2 chord = points_[i + reach] - points_[i - reach];
         if (chord.squaredNorm() < kChordMin_m * kChordMin_m) continue;
-        residuals_.push_back(std::abs(left_normal(chord).dot(points_[i] - points_[i - reach])) / chord.norm());
+        residuals_.push_back(std::abs(left_normal(chord).dot(points_[i] - points_[i - reach])) /
+                             chord.norm());
         break;
       }
     }
@@ -244,8 +248,10 @@ class RangeSegmenter::Work {
       std::swap(s.start, s.end);
     }
     const double sigma_m = std::max(sigma_m_, line.rms_m);
-    s.sigma_offset_m = std::hypot(sigma_m / std::sqrt(static_cast<double>(run.count())), params_.offset_floor_m);
-    s.sigma_heading_rad = std::hypot(sigma_m / std::sqrt(std::max(1e-6, line.spread_m2)), params_.heading_floor_rad);
+    s.sigma_offset_m =
+        std::hypot(sigma_m / std::sqrt(static_cast<double>(run.count())), params_.offset_floor_m);
+    s.sigma_heading_rad =
+        std::hypot(sigma_m / std::sqrt(std::max(1e-6, line.spread_m2)), params_.heading_floor_rad);
     segments.push_back(s);
   }
 
@@ -257,7 +263,8 @@ class RangeSegmenter::Work {
                                        : end_towards(point, point + 1, beams_[point + 1] - beams_[point]);
   }
 
-  /// A wall ends truly where the next surface adjoins (a corner) or is seen behind it; a nearer one only hides it.
+  /// A wall ends truly where the next surface adjoins (a corner) or is seen behind it; a nearer one only
+  /// hides it.
   WallEnd end_towards(std::size_t point, std::size_t neighbour, std::size_t beams) const {
     if (beams > kMissingBeamsMax + 1) return WallEnd::kUnknown;
     const bool adjoins = belong_together(std::min(point, neighbour), std::max(point, neighbour));

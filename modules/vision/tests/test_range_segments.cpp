@@ -63,7 +63,8 @@ TEST(RangeSegments, AWallBehindANearerOneEndsOnlyWhereSightEnds) {
   std::vector<float> ranges_m = scan_of({{0, 6}});
   for (std::size_t k = 0; k < kBeams; ++k) {  // a board 1 m wide, 2 m ahead, hides the middle
     const double angle = kFan.first_angle_rad + kFan.angle_step_rad * static_cast<double>(k);
-    if (std::abs(std::tan(angle)) < 0.25 && std::abs(angle) < 1) ranges_m[k] = static_cast<float>(2 / std::cos(angle));
+    if (std::abs(std::tan(angle)) < 0.25 && std::abs(angle) < 1)
+      ranges_m[k] = static_cast<float>(2 / std::cos(angle));
     if (ranges_m[k] > 12) ranges_m[k] = 0;
   }
   const auto segments = extract(ranges_m);
@@ -93,7 +94,8 @@ RC_GTEST_PROP(RangeSegments, WallsOfARandomRoomAreFoundWithinTheNoise, (std::uin
   Random random(seed);
   const double turned = random.uniform(-0.7, 0.7);
   const double ahead_m = random.uniform(1, 8), left_m = random.uniform(1, 5), right_m = random.uniform(1, 5);
-  std::vector<float> ranges_m = scan_of({{turned, ahead_m}, {turned + kPi / 2, left_m}, {turned - kPi / 2, right_m}});
+  std::vector<float> ranges_m =
+      scan_of({{turned, ahead_m}, {turned + kPi / 2, left_m}, {turned - kPi / 2, right_m}});
   for (float& range : ranges_m) range += static_cast<float>(random.normal(0.005));
   const double distances_m[3] = {right_m, ahead_m, left_m};
   for (const SensedSegment& s : extract(ranges_m)) {

@@ -20,11 +20,11 @@ struct MapOptions {
   std::filesystem::path log;
   MapRules rules = MapRules::kRefined;
   CarmenOptions reading;
-  std::optional<double> odometry_delay_s;             ///< none: found from the log
+  std::optional<double> odometry_delay_s;  ///< none: found from the log
   std::optional<std::filesystem::path> relations;
-  std::optional<std::filesystem::path> out;           ///< none: figures only
+  std::optional<std::filesystem::path> out;  ///< none: figures only
   bool force = false;
-  bool stages = false;                                ///< figures of every stage as well
+  bool stages = false;  ///< figures of every stage as well
   ParameterSources parameters;
 };
 

@@ -4,7 +4,8 @@
 
 namespace aisle {
 
-/// Seeded random numbers, the same on every platform and standard library (xoshiro256++ seeded by splitmix64).
+/// Seeded random numbers, the same on every platform and standard library (xoshiro256++ seeded by
+/// splitmix64).
 class Random {
  public:
   explicit Random(std::uint64_t seed);

@@ -12,9 +12,9 @@ namespace aisle {
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : outcome_(std::move(value)) {}                // NOLINT(google-explicit-constructor)
+  Result(T value) : outcome_(std::move(value)) {}                      // NOLINT(google-explicit-constructor)
   Result(Problem problem) : outcome_(Problems{std::move(problem)}) {}  // NOLINT(google-explicit-constructor)
-  Result(Problems problems) : outcome_(std::move(problems)) {    // NOLINT(google-explicit-constructor)
+  Result(Problems problems) : outcome_(std::move(problems)) {          // NOLINT(google-explicit-constructor)
     assert(!std::get<Problems>(outcome_).empty());
   }
 

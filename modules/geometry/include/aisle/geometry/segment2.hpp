@@ -35,7 +35,9 @@ struct Interval {
   double max = 0;
 
   double length() const { return max - min; }
-  Interval united(const Interval& other) const { return {std::min(min, other.min), std::max(max, other.max)}; }
+  Interval united(const Interval& other) const {
+    return {std::min(min, other.min), std::max(max, other.max)};
+  }
   /// Length of the common part; negative: the gap between the two.
   double overlap(const Interval& other) const { return std::min(max, other.max) - std::max(min, other.min); }
 };

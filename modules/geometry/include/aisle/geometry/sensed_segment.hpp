@@ -5,7 +5,8 @@
 namespace aisle {
 
 /// A straight piece of wall as one sensor saw it, in the sensor's frame; the sensor lies on its LEFT.
-/// Two numbers with their deviations (offset of the centroid across the line, heading) stand for all its points.
+/// Two numbers with their deviations (offset of the centroid across the line, heading) stand for all its
+/// points.
 struct SensedSegment {
   Segment2 segment;
   Vec2 centroid = Vec2::Zero();

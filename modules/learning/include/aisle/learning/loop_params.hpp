@@ -5,15 +5,15 @@
 namespace aisle {
 
 struct LoopParams {
-  double submap_m = 4;             ///< way that makes one submap
-  double way_apart_m = 12;         ///< two submaps nearer by way are no loop
-  double reach_floor_m = 0.4;      ///< search around the expected place ...
-  double reach_per_m = 0.01;       ///< ... plus this much per metre of way between the two ...
-  double reach_max_m = 8;          ///< ... but no more
-  double score_min = 0.5;          ///< share of the wall length that must lie on old walls
-  double rival_share_max = 0.85;   ///< a different place that fits better than this share: ambiguous
-  double sure_reach_m = 1;         ///< a larger search needs a second submap that agrees
-  double agree_m = 0.3;            ///< so nearly
+  double submap_m = 4;            ///< way that makes one submap
+  double way_apart_m = 12;        ///< two submaps nearer by way are no loop
+  double reach_floor_m = 0.4;     ///< search around the expected place ...
+  double reach_per_m = 0.01;      ///< ... plus this much per metre of way between the two ...
+  double reach_max_m = 8;         ///< ... but no more
+  double score_min = 0.5;         ///< share of the wall length that must lie on old walls
+  double rival_share_max = 0.85;  ///< a different place that fits better than this share: ambiguous
+  double sure_reach_m = 1;        ///< a larger search needs a second submap that agrees
+  double agree_m = 0.3;           ///< so nearly
   double cauchy_sigmas = 3;
 
   void describe(FieldList& fields);

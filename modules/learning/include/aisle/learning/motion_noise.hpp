@@ -11,8 +11,8 @@ struct MotionNoise {
   double distance_m_per_sqrt_m = 0.05;
   double rotation_rad_per_sqrt_m = 0.06;
   double rotation_rad_per_sqrt_rad = 0.03;
-  double rotation_share = 0.15;     ///< of the step's own rotation
-  double moving_floor_m = 0.003;    ///< of any step that moves at all
+  double rotation_share = 0.15;   ///< of the step's own rotation
+  double moving_floor_m = 0.003;  ///< of any step that moves at all
   double moving_floor_rad = 0.002;
 
   void describe(FieldList& fields);

@@ -7,8 +7,8 @@
 
 namespace aisle {
 
-/// C99's Algorithms 2 and 3 as they stand: heading by odometry, translation by one signature match a scan. The two
-/// switches add, one at a time, what makes them better, for the table of what each step buys.
+/// C99's Algorithms 2 and 3 as they stand: heading by odometry, translation by one signature match a scan.
+/// The two switches add, one at a time, what makes them better, for the table of what each step buys.
 struct PublishedParams {
   SignatureParams signature;
   ModelUpdateParams update;
@@ -17,14 +17,15 @@ struct PublishedParams {
   double window_m = 12;                      ///< the part L' of the model around the vehicle
   double learned_every_m = 0.2;
   bool heading_from_walls = false;
-  bool odometry_prior = false;               ///< displacements that odometry makes unlikely count less
+  bool odometry_prior = false;  ///< displacements that odometry makes unlikely count less
 };
 
 /// Poses by odometry alone, in a map whose axes the walls of the first scan run along.
-std::vector<Pose2> odometry_poses(const LaserLog& log, const SegmentParams& segments, double odometry_delay_s);
+std::vector<Pose2> odometry_poses(const LaserLog& log, const SegmentParams& segments,
+                                  double odometry_delay_s);
 
 /// The log's map by the published method; `T_map_vehicle_online` is the trajectory itself.
-MapResult build_published_map(const LaserLog& log, const SegmentParams& segments, const PublishedParams& params,
-                              double odometry_delay_s, Progress& progress);
+MapResult build_published_map(const LaserLog& log, const SegmentParams& segments,
+                              const PublishedParams& params, double odometry_delay_s, Progress& progress);
 
 }  // namespace aisle

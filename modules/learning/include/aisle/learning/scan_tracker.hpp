@@ -13,12 +13,12 @@ namespace aisle {
 
 struct TrackerParams {
   MotionNoise motion;
-  double gate_m = 0.25;                ///< a segment farther from a wall is not matched with it
-  double window_m = 20;                ///< walls not seen for so long a way are left to loop closing
-  double unconfirmed_m = 3;            ///< a wall seen once only is forgotten after this way
+  double gate_m = 0.25;      ///< a segment farther from a wall is not matched with it
+  double window_m = 20;      ///< walls not seen for so long a way are left to loop closing
+  double unconfirmed_m = 3;  ///< a wall seen once only is forgotten after this way
   double keyframe_m = 0.25;
   double keyframe_rad = 8 * kDegree;
-  double lost_share = 0.55;            ///< less of the seen length fits than this: look for the pose anew
+  double lost_share = 0.55;  ///< less of the seen length fits than this: look for the pose anew
   double relocation_reach_m = 1.2;
 
   void describe(FieldList& fields);
@@ -33,16 +33,16 @@ struct Keyframe {
   bool relocated = false;                ///< the motion into it is a guess: it was lost before
 };
 
-/// Follows the sensor from scan to scan against the walls of the last stretch of way: odometry predicts, the walls'
-/// orthogonality corrects the heading, then the scan is laid onto the walls. The frame `track` never jumps except
-/// where the tracker had been lost; it drifts as slowly as the walls allow.
-/// A step costs O(segments * walls in the window).
+/// Follows the sensor from scan to scan against the walls of the last stretch of way: odometry predicts, the
+/// walls' orthogonality corrects the heading, then the scan is laid onto the walls. The frame `track` never
+/// jumps except where the tracker had been lost; it drifts as slowly as the walls allow. A step costs
+/// O(segments * walls in the window).
 class ScanTracker {
  public:
   explicit ScanTracker(const TrackerParams& params);
 
-  /// One scan: its segments (sensor frame) and the sensor's motion since the last scan by odometry. Returns the pose
-  /// in `track`. With `orthogonal` false the building has no dominant direction: no wall is an axis.
+  /// One scan: its segments (sensor frame) and the sensor's motion since the last scan by odometry. Returns
+  /// the pose in `track`. With `orthogonal` false the building has no dominant direction: no wall is an axis.
   Pose2 step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal);
 
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
@@ -65,9 +65,9 @@ class ScanTracker {
   WallUpdateParams update_;
   PoseAligner aligner_;
   UncertainPose2 T_track_sensor_;
-  Pose2 T_track_last_;              ///< pose at the scan before
-  Pose2 motion_;                    ///< since then, by odometry
-  bool counts_backwards_ = false;   ///< the odometry counts the way with the wrong sign
+  Pose2 T_track_last_;             ///< pose at the scan before
+  Pose2 motion_;                   ///< since then, by odometry
+  bool counts_backwards_ = false;  ///< the odometry counts the way with the wrong sign
   std::vector<WallEstimate> walls_;
   std::vector<int> window_;
   std::vector<Keyframe> keyframes_;

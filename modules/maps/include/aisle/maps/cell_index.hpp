@@ -14,11 +14,12 @@ class CellIndex {
  public:
   explicit CellIndex(double cell_m = 3) : cell_m_(cell_m) {}
 
-  /// Adds the id to every cell that the segment passes through. Adding it again to the same cells changes nothing.
+  /// Adds the id to every cell that the segment passes through. Adding it again to the same cells changes
+  /// nothing.
   void add(const Segment2& segment, int id);
 
-  /// Replaces `ids` by all that touch the box of the two corners widened by `margin_m`; sorted, each once. A superset
-  /// of what lies in the box.
+  /// Replaces `ids` by all that touch the box of the two corners widened by `margin_m`; sorted, each once. A
+  /// superset of what lies in the box.
   void query(const Vec2& corner, const Vec2& opposite, double margin_m, std::vector<int>& ids) const;
 
   void clear() { cells_.clear(); }

@@ -8,7 +8,7 @@ namespace aisle {
 
 /// One straight wall face. The free side, from which it was seen, lies on the LEFT of start -> end.
 struct Wall {
-  Segment2 segment;  ///< in `map` [m]
+  Segment2 segment;            ///< in `map` [m]
   bool is_orthogonal = false;  ///< lies exactly on the map's axes; else oblique, with a direction of its own
   WallEnd start = WallEnd::kUnknown;
   WallEnd end = WallEnd::kUnknown;
@@ -16,8 +16,8 @@ struct Wall {
   double sigma_m = 0;  ///< standard deviation of its position across itself
 };
 
-/// The walls of a building as a compact map. In `map` the dominant orthogonal directions, if there are any, are
-/// the axes.
+/// The walls of a building as a compact map. In `map` the dominant orthogonal directions, if there are any,
+/// are the axes.
 struct WallMap {
   std::vector<Wall> walls;
 

@@ -9,15 +9,17 @@ namespace aisle {
 
 /// Noise of the comparison of one sensed segment with its wall, beyond the segment's own deviations.
 struct AlignmentParams {
-  double wall_sigma_m = 0.01;                   ///< of a wall seen once; falls with the root of its sightings
-  double oblique_sigma_m = 0.03;                ///< oblique things are often furniture or doors
+  double wall_sigma_m = 0.01;     ///< of a wall seen once; falls with the root of its sightings
+  double oblique_sigma_m = 0.03;  ///< oblique things are often furniture or doors
   double oblique_sigma_rad = 4 * kDegree;
-  double cauchy_m = 0.05;                       ///< farther off than this counts less and less
+  double cauchy_m = 0.05;  ///< farther off than this counts less and less
   double cauchy_rad = 1.5 * kDegree;
   int sightings_for_full_weight = 3;
 
   /// For a building in which every wall is oblique.
-  static AlignmentParams without_axes() { return {.oblique_sigma_m = 0.01, .oblique_sigma_rad = 1 * kDegree}; }
+  static AlignmentParams without_axes() {
+    return {.oblique_sigma_m = 0.01, .oblique_sigma_rad = 1 * kDegree};
+  }
 };
 
 /// A guess of the pose with its information (inverse covariance) in the map's frame.
@@ -40,10 +42,10 @@ struct Alignment {
   double fitting_share() const { return seen_m > 0 ? fitting_m / seen_m : 1; }
 };
 
-/// Finds the pose at which the sensed segments lie best on the walls: Gauss-Newton on each segment's offset from its
-/// wall, n.(R c + t) - rho, and heading difference, both with a Cauchy weight, and on the prior. Walls are found
-/// anew in the first iterations, within a gate that narrows to half.
-/// O(iterations * segments * candidates); no allocation once warm.
+/// Finds the pose at which the sensed segments lie best on the walls: Gauss-Newton on each segment's offset
+/// from its wall, n.(R c + t) - rho, and heading difference, both with a Cauchy weight, and on the prior.
+/// Walls are found anew in the first iterations, within a gate that narrows to half. O(iterations * segments
+/// * candidates); no allocation once warm.
 class PoseAligner {
  public:
   explicit PoseAligner(const AlignmentParams& params) : params_(params) {}

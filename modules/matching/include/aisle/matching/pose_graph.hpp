@@ -16,8 +16,9 @@ struct PoseConstraint {
   Mat3 information = Mat3::Identity();  ///< inverse covariance of (x, y, theta), in the frame of `from`
 };
 
-/// Least-squares graph of poses. Odometry constraints count fully, loop closures with a Cauchy loss, so that a wrong
-/// one cannot tear the graph; headings may have priors of their own. The first node is the fixed frame.
+/// Least-squares graph of poses. Odometry constraints count fully, loop closures with a Cauchy loss, so that
+/// a wrong one cannot tear the graph; headings may have priors of their own. The first node is the fixed
+/// frame.
 class PoseGraph {
  public:
   PoseGraph();

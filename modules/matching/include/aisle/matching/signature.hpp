@@ -19,7 +19,8 @@ struct SignatureSymbol {
 /// The symbols of a pattern on one axis.
 using Signature = std::vector<SignatureSymbol>;
 
-/// A segment with the weights of the symbols that it marks (step 2): its own coordinate and its two end points.
+/// A segment with the weights of the symbols that it marks (step 2): its own coordinate and its two end
+/// points.
 struct MarkedSegment {
   Segment2 segment;
   double length_weight = 0;  ///< the length, or a capped length
@@ -33,8 +34,9 @@ enum class SymbolKinds {
   kByFacing,  ///< they do not
 };
 
-/// Marks a segment on an axis (unit vector): a segment across the axis marks its coordinate, one along it its end
-/// points. In the published form the axes are x and y; in a building of other angles they are any two directions.
+/// Marks a segment on an axis (unit vector): a segment across the axis marks its coordinate, one along it its
+/// end points. In the published form the axes are x and y; in a building of other angles they are any two
+/// directions.
 void mark(const MarkedSegment& marked, const Vec2& axis, SymbolKinds kinds, Signature& signature);
 
 struct SignatureParams {
@@ -44,23 +46,24 @@ struct SignatureParams {
   double tolerance = 3;    ///< d of step 4 [cells]
 };
 
-/// Correlation of two signatures over all displacements of -reach .. reach: C(x_d) of step 5 with step 4's fuzzy
-/// tolerance, whose weight is 1 / (1 + |i| / d) (the printed formula lacks the bars).
+/// Correlation of two signatures over all displacements of -reach .. reach: C(x_d) of step 5 with step 4's
+/// fuzzy tolerance, whose weight is 1 / (1 + |i| / d) (the printed formula lacks the bars).
 ///
-/// Each pair of symbols adds the kernel's autocorrelation at its displacement, which equals correlating the blurred
-/// signatures cell by cell but costs O(symbols within reach), whatever the size of the building.
+/// Each pair of symbols adds the kernel's autocorrelation at its displacement, which equals correlating the
+/// blurred signatures cell by cell but costs O(symbols within reach), whatever the size of the building.
 class SignatureCorrelator {
  public:
   explicit SignatureCorrelator(const SignatureParams& params);
 
-  /// Values for displacements that carry `sensed` onto `learned`; index 0 is -reach. Valid until the next call.
-  /// `learned` must be sorted by kind, then position (sort_symbols).
-  std::span<double> correlate(std::span<const SignatureSymbol> sensed, std::span<const SignatureSymbol> learned);
+  /// Values for displacements that carry `sensed` onto `learned`; index 0 is -reach. Valid until the next
+  /// call. `learned` must be sorted by kind, then position (sort_symbols).
+  std::span<double> correlate(std::span<const SignatureSymbol> sensed,
+                              std::span<const SignatureSymbol> learned);
 
   double displacement_m(std::size_t index) const;
 
-  /// The highest value's displacement, refined below the cell by a parabola; the least displacement wins a tie.
-  /// No value if nothing correlates.
+  /// The highest value's displacement, refined below the cell by a parabola; the least displacement wins a
+  /// tie. No value if nothing correlates.
   std::optional<double> peak_m() const;
 
   /// The `count` highest peaks, each at least `apart_m` from the others; destroys the values.

@@ -8,8 +8,8 @@
 
 namespace aisle {
 
-/// Which way a wall runs, with its free side on the left. The two sides of one wall run opposite ways, so they are
-/// never taken for each other.
+/// Which way a wall runs, with its free side on the left. The two sides of one wall run opposite ways, so
+/// they are never taken for each other.
 enum class Facing { kEast, kNorth, kWest, kSouth, kOblique };
 
 /// The facing of a wall with this heading; oblique if it is farther than `tolerance_rad` from every axis.
@@ -18,7 +18,8 @@ Facing facing_of(double heading_rad, double tolerance_rad);
 /// Heading of an axis facing [rad]; not for kOblique.
 double heading_of(Facing facing);
 
-/// A wall while it is being learned: a line with weights that grow with each sighting, and how far along it was seen.
+/// A wall while it is being learned: a line with weights that grow with each sighting, and how far along it
+/// was seen.
 struct WallEstimate {
   Facing facing = Facing::kOblique;
   double heading_rad = 0;
@@ -54,9 +55,9 @@ struct PlacedSegment {
 
 struct WallUpdateParams {
   double axis_tolerance_rad = 4 * kDegree;  ///< nearer to an axis: orthogonal
-  double gate_m = 0.12;        ///< a segment farther across than this is another wall
-  double gap_m = 0.15;         ///< a segment farther along than this is another wall
-  double weight_cap = 40;      ///< a wall's weight ends at this many good sightings: old errors fade
+  double gate_m = 0.12;                     ///< a segment farther across than this is another wall
+  double gap_m = 0.15;                      ///< a segment farther along than this is another wall
+  double weight_cap = 40;  ///< a wall's weight ends at this many good sightings: old errors fade
 };
 
 /// How far a segment may be from a wall and still be taken for it.
@@ -67,8 +68,8 @@ struct AssociationGate {
 };
 
 /// Index of the wall that the segment belongs to, or -1. O(candidates).
-int associate(const PlacedSegment& placed, std::span<const WallEstimate> walls, std::span<const int> candidates,
-              const AssociationGate& gate);
+int associate(const PlacedSegment& placed, std::span<const WallEstimate> walls,
+              std::span<const int> candidates, const AssociationGate& gate);
 
 /// Puts a segment into the walls: unites it with the wall that it belongs to or adds a new wall.
 /// Returns the wall's index; a new wall is appended to `walls` and to `candidates`.

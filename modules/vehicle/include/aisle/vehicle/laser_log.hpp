@@ -14,13 +14,15 @@ struct LaserScanner {
   double range_max_m = 0;      ///< a reading of this or more means "nothing seen"
   Pose2 T_vehicle_laser;
 
-  double beam_angle(std::size_t beam) const { return first_angle_rad + angle_step_rad * static_cast<double>(beam); }
+  double beam_angle(std::size_t beam) const {
+    return first_angle_rad + angle_step_rad * static_cast<double>(beam);
+  }
 };
 
 struct LaserScan {
-  double stamp_s = 0;            ///< as recorded; recorded clocks may jump back
-  double time_s = 0;             ///< never decreasing: the recorded clock where it makes sense, mended where not
-  std::vector<float> ranges_m;   ///< one a beam; 0: nothing usable
+  double stamp_s = 0;  ///< as recorded; recorded clocks may jump back
+  double time_s = 0;   ///< never decreasing: the recorded clock where it makes sense, mended where not
+  std::vector<float> ranges_m;     ///< one a beam; 0: nothing usable
   std::size_t odometry_known = 0;  ///< how many odometry samples had been recorded when this scan was
 };
 

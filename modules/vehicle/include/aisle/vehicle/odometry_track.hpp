@@ -12,8 +12,9 @@ class OdometryTrack {
   /// The samples must be in order of time, not empty, and outlive the track.
   explicit OdometryTrack(std::span<const OdometrySample> samples) : samples_(samples) {}
 
-  /// Pose of the vehicle in `odom` at a time, interpolated among the first `known` samples (at least 1). After the
-  /// last of them the last motion is carried on for at most half a second; before the first, the vehicle stands.
+  /// Pose of the vehicle in `odom` at a time, interpolated among the first `known` samples (at least 1).
+  /// After the last of them the last motion is carried on for at most half a second; before the first, the
+  /// vehicle stands.
   Pose2 at(double time_s, std::size_t known) const;
 
  private:

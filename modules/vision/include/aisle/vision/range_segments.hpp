@@ -31,16 +31,16 @@ struct BeamFan {
   double range_max_m = 0;  ///< readings of this or more are "nothing seen"
 };
 
-/// Cuts range scans into straight segments: split and merge. The distances in the parameters hold for a scanner with up
-/// to 1.5 cm of noise; the noise is measured on the way, and with more of it they grow.
+/// Cuts range scans into straight segments: split and merge. The distances in the parameters hold for a
+/// scanner with up to 1.5 cm of noise; the noise is measured on the way, and with more of it they grow.
 /// O(beams log beams) a scan, no allocation once warm.
 class RangeSegmenter {
  public:
   RangeSegmenter(const BeamFan& fan, const SegmentParams& params);
   ~RangeSegmenter();
 
-  /// Replaces `segments` by those of one scan, in the order of the beams. Ranges that are not positive, not finite
-  /// or beyond the scanner's reach are passed over.
+  /// Replaces `segments` by those of one scan, in the order of the beams. Ranges that are not positive, not
+  /// finite or beyond the scanner's reach are passed over.
   void extract(std::span<const float> ranges_m, std::vector<SensedSegment>& segments);
 
  private:
