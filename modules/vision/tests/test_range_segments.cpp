@@ -97,15 +97,16 @@ RC_GTEST_PROP(RangeSegments, WallsOfARandomRoomAreFoundWithinTheNoise, (std::uin
   std::vector<float> ranges_m =
       scan_of({{turned, ahead_m}, {turned + kPi / 2, left_m}, {turned - kPi / 2, right_m}});
   for (float& range : ranges_m) range += static_cast<float>(random.normal(0.005));
-  const double distances_m[3] = {right_m, ahead_m, left_m};
+  const std::pair<double, double> walls[3] = {
+      {turned - kPi / 2, right_m}, {turned, ahead_m}, {turned + kPi / 2, left_m}};
   for (const SensedSegment& s : extract(ranges_m)) {
     if (s.length_m < 0.5) continue;
-    const double off = wrap_quarter_turn(s.heading_rad - turned);
-    RC_ASSERT(std::abs(off) < 4 * s.sigma_heading_rad);
-    const double distance_m = left_normal(unit(s.heading_rad)).dot(-s.centroid);
-    double nearest = 1;
-    for (const double d : distances_m) nearest = std::min(nearest, std::abs(distance_m - d));
-    RC_ASSERT(nearest < 4 * s.sigma_offset_m + 0.01);
+    RC_ASSERT(std::abs(wrap_quarter_turn(s.heading_rad - turned)) < 4 * s.sigma_heading_rad);
+    double nearest_m = 1;
+    for (const auto& [normal_rad, distance_m] : walls) {
+      nearest_m = std::min(nearest_m, std::abs(unit(normal_rad).dot(s.centroid) - distance_m));
+    }
+    RC_ASSERT(nearest_m < 4 * s.sigma_offset_m);
   }
 }
 
