@@ -183,6 +183,11 @@ Problems check_pictures(const MazeExploreOptions& options) {
   return problems;
 }
 
+/// Classic and half-size competition mazes start in the lower left corner, drawn or not.
+bool has_competition_size(const GridWorld& world) {
+  return world.width() == world.height() && (world.width() == 16 || world.width() == 32);
+}
+
 Result<std::vector<Maze>> read_mazes(const MazeExploreOptions& options, Console& console) {
   std::vector<Maze> mazes;
   Problems problems;
@@ -201,8 +206,12 @@ Result<std::vector<Maze>> read_mazes(const MazeExploreOptions& options, Console&
       continue;
     }
     if (!read->has_start && !options.start && read->format == MazeFormat::kText) {
-      console.warn(
-          fmt::format("{}: no start is drawn; starting at {},{}", file, world.start.x, world.start.y));
+      if (!has_competition_size(world)) {
+        problems.push_back({{file}, "no start is drawn: mark its cell with S, or give --start x,y"});
+        continue;
+      }
+      console.warn(fmt::format("{}: no start is drawn; starting at {},{}, as competitions do", file,
+                               world.start.x, world.start.y));
     }
     if (options.svg || options.gif) {
       const Problems too_large = MazePicture{world, options.rules, file}.problems();

@@ -94,10 +94,27 @@ TEST_F(MazeCommands, ExploreRefusesBadMazesAllAtOnce) {
   EXPECT_THAT(run_maze_explore(options, console_).problems(), SizeIs(3));
 }
 
-TEST_F(MazeCommands, ExploreWarnsWhereNoStartIsDrawn) {
+TEST_F(MazeCommands, ExploreNeedsAStartThatIsDrawnOrGiven) {
   MazeExploreOptions options;
   options.files = {(directory_ / "a").string()};
   std::ofstream(options.files[0]) << "o---o\n|   |\no---o\n";
+  EXPECT_THAT(to_string(run_maze_explore(options, console_).problems()), HasSubstr("no start is drawn"));
+  options.start = Cell{0, 0};
+  EXPECT_TRUE(run_maze_explore(options, console_)->ok);
+}
+
+TEST_F(MazeCommands, ExploreStartsACompetitionMazeInTheCornerWithAWarning) {
+  std::string maze;
+  for (int line = 0; line < 33; ++line) {
+    for (int cell = 0; cell < 16; ++cell) {
+      if (line % 2 == 0) maze += line == 0 || line == 32 ? "o---" : "o   ";
+      if (line % 2 == 1) maze += cell == 0 ? "|   " : "    ";
+    }
+    maze += line % 2 == 0 ? "o\n" : "|\n";
+  }
+  MazeExploreOptions options;
+  options.files = {(directory_ / "a").string()};
+  std::ofstream(options.files[0]) << maze;
   EXPECT_TRUE(run_maze_explore(options, console_)->ok);
   ASSERT_THAT(warnings_, SizeIs(1));
   EXPECT_THAT(warnings_[0], HasSubstr("no start is drawn; starting at 0,0"));
