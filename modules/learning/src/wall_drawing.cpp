@@ -62,23 +62,22 @@ struct Stroke {
   void see(const Interval& span, int leg) {
     for (std::size_t b = bin(span.min); b <= bin(span.max); ++b) hits[b].add(leg);
   }
-  /// Where a straight way crosses the wall [m along it], if at least `beyond_m` of the way lies behind the
-  /// wall.
-  std::optional<double> crossing(const Vec2& from, const Vec2& to, double beyond_m) const {
+  /// Where a straight way crosses the wall [m along it].
+  std::optional<double> crossing(const Vec2& from, const Vec2& to) const {
     const Vec2 way = to - from;
     const double length_m = way.norm();
     const double sine = wall.normal.dot(way) / length_m;
     if (!(std::abs(sine) > kGrazing)) return std::nullopt;
     const double until_m = -wall.offset_of(from) / sine;
-    if (until_m < 0 || until_m > length_m - beyond_m) return std::nullopt;
+    if (until_m < 0 || until_m > length_m) return std::nullopt;
     return wall.along.dot(from + way * (until_m / length_m) - wall.anchor);
   }
-  void see_through(const Vec2& from, const Vec2& to, double beyond_m, int leg) {
-    const auto at_m = crossing(from, to, beyond_m);
+  void see_through(const Vec2& from, const Vec2& to, int leg) {
+    const auto at_m = crossing(from, to);
     if (at_m && *at_m > wall.extent.min && *at_m < wall.extent.max) passes[bin(*at_m)].add(leg);
   }
   void drive_through(const Vec2& from, const Vec2& to) {
-    const auto at_m = crossing(from, to, 0);
+    const auto at_m = crossing(from, to);
     if (!at_m || *at_m < wall.extent.min - kVehicleHalf_m || *at_m > wall.extent.max + kVehicleHalf_m) return;
     for (std::size_t b = bin(*at_m - kVehicleHalf_m); b <= bin(*at_m + kVehicleHalf_m); ++b) driven[b] = true;
   }
@@ -107,18 +106,11 @@ class Drawing {
       const double range_m = ranges_m[beam];
       if (!(range_m > kBehind_m && range_m < laser_.range_max_m)) continue;
       const Vec2 along = unit(placed.T_map_laser.theta + laser_.beam_angle(beam));
-      for (double at_m = 0; at_m < std::min(range_m, kBeamReach_m); at_m += kBeamPiece_m) {
-        const Vec2 piece = from + at_m * along;
-        const double piece_m = std::min(kBeamPiece_m, range_m - at_m);
-        // A wall counts in the piece in which it is crossed; the beam's true end decides what lies behind it.
-        const double beyond_m = at_m + piece_m < range_m ? 0 : kBehind_m;
-        const Vec2 piece_end = piece + piece_m * along;
-        index_.query(piece, piece_end, 0, near_);
-        for (const int s : near_) {
-          strokes_[static_cast<std::size_t>(s)].see_through(piece, piece_end, beyond_m,
-                                                            leg_at(placed.path_m));
-        }
-      }
+      const double free_m = std::min(range_m - kBehind_m, kBeamReach_m);
+      const int pieces = static_cast<int>(std::ceil(free_m / kBeamPiece_m));
+      const Vec2 step = along * (free_m / pieces);
+      for (int i = 0; i < pieces; ++i)
+        see_through(from + i * step, from + (i + 1) * step, leg_at(placed.path_m));
     }
   }
 
@@ -172,6 +164,11 @@ class Drawing {
       index_.add(strokes_[stroke_of_wall_[w]].wall.segment(), static_cast<int>(stroke_of_wall_[w]));
     }
     for (Stroke& stroke : strokes_) stroke.make_bins();
+  }
+
+  void see_through(const Vec2& from, const Vec2& to, int leg) {
+    index_.query(from, to, 0, near_);
+    for (const int s : near_) strokes_[static_cast<std::size_t>(s)].see_through(from, to, leg);
   }
 
   static bool is_part_of(const WallEstimate& wall, const WallEstimate& host) {

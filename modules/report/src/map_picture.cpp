@@ -78,9 +78,11 @@ void MapDrawing::draw_grid(Canvas& canvas) const {
   const double step_m = round_length(75 / scale_.px_per_m);
   std::vector<std::pair<Vec2, Vec2>> lines;
   for (int axis = 0; axis < 2; ++axis) {
-    for (double at = step_m * std::ceil(scale_.low[axis] / step_m); at <= scale_.high[axis]; at += step_m) {
+    const auto first = static_cast<int>(std::ceil(scale_.low[axis] / step_m));
+    const auto last = static_cast<int>(std::floor(scale_.high[axis] / step_m));
+    for (int line = first; line <= last; ++line) {
       Vec2 start = scale_.low, end = scale_.high;
-      start[axis] = end[axis] = at;
+      start[axis] = end[axis] = line * step_m;
       lines.emplace_back(scale_.to_paper(start), scale_.to_paper(end));
     }
   }
