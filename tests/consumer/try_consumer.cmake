@@ -28,7 +28,7 @@ run("${CMAKE_COMMAND}" --build "${WORK}/build")
 
 # The installed program finds its way without the build as well.
 run("${prefix}/bin/aisle" sim log "${WORLD}" --out "${WORK}/sim")
-execute_process(COMMAND "${WORK}/build/consumer" "${WORK}/sim/trip.log"
+execute_process(COMMAND "${WORK}/build/consumer" "${WORK}/sim/simulated-trip.log"
   OUTPUT_VARIABLE said COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 if(NOT said MATCHES "^[1-9][0-9]* walls")
   message(FATAL_ERROR "the consumer made no map: ${said}")

@@ -75,11 +75,11 @@ TEST_F(BadInput, ALogCutOffInTheMiddleOfALineIsRefusedWithTheLine) {
 
 TEST_F(BadInput, AGzipStreamCutOffIsRefused) {
   const std::string text = read_bytes(log());
-  const gzFile packed = gzopen(at("trip.log.gz").c_str(), "wb");
+  const gzFile packed = gzopen(at("simulated-trip.log.gz").c_str(), "wb");
   gzwrite(packed, text.data(), static_cast<unsigned>(text.size()));
   gzclose(packed);
-  ASSERT_EQ(run_aisle({"map", at("trip.log.gz")}).exit_code, 0);
-  const std::string bytes = read_bytes(at("trip.log.gz"));
+  ASSERT_EQ(run_aisle({"map", at("simulated-trip.log.gz")}).exit_code, 0);
+  const std::string bytes = read_bytes(at("simulated-trip.log.gz"));
   EXPECT_THAT(map(file("cut.gz", bytes.substr(0, bytes.size() / 2))), IsRefused("gzip stream is cut off"));
 }
 

@@ -71,7 +71,7 @@ TEST_F(Parameters, PrintedParametersOfTheSimulatorCanBeReadBack) {
                        "--out", at("printed")})
                 .exit_code,
             0);
-  EXPECT_TRUE(read_bytes(at("printed/trip.log")) == read_bytes(log()));
+  EXPECT_TRUE(read_bytes(at("printed/simulated-trip.log")) == read_bytes(log()));
 }
 
 TEST_F(Parameters, ArePrintedToMachinesWithTheirRanges) {

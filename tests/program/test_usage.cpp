@@ -37,16 +37,16 @@ TEST_F(Usage, MistakesAreRefusedInOneLine) {
   EXPECT_THAT(run_aisle({"--json"}), IsRefused("A subcommand is required"));
   EXPECT_THAT(run_aisle({"juggle", "--json"}), IsRefused("juggle"));
   EXPECT_THAT(run_aisle({"map", "--json"}), IsRefused("LOG is required"));
-  EXPECT_THAT(run_aisle({"map", "trip.log", "--juggle", "--json"}), IsRefused("--juggle"));
+  EXPECT_THAT(run_aisle({"map", "simulated-trip.log", "--juggle", "--json"}), IsRefused("--juggle"));
   EXPECT_THAT(run_aisle({"map", "one.log", "two.log", "--json"}), IsRefused("two.log"));
-  EXPECT_THAT(run_aisle({"map", "trip.log", "--json", "--out"}), IsRefused("--out"));
+  EXPECT_THAT(run_aisle({"map", "simulated-trip.log", "--json", "--out"}), IsRefused("--out"));
   EXPECT_THAT(run_aisle({"sim", "log", "world.yaml", "--json"}), IsRefused("--out is required"));
 }
 
 TEST_F(Usage, AWordThatIsNoChoiceIsRefusedWithTheChoices) {
-  EXPECT_THAT(run_aisle({"map", "trip.log", "--units", "furlong", "--json"}),
+  EXPECT_THAT(run_aisle({"map", "simulated-trip.log", "--units", "furlong", "--json"}),
               IsRefused("--units: 'furlong' is none of m, cm"));
-  EXPECT_THAT(run_aisle({"map", "trip.log", "--rules", "foo", "--json"}),
+  EXPECT_THAT(run_aisle({"map", "simulated-trip.log", "--rules", "foo", "--json"}),
               IsRefused("--rules: 'foo' is none of published, refined"));
 }
 

@@ -48,7 +48,7 @@ class WorkplaceWithLog : public Workplace {
  protected:
   void SetUp() override;
 
-  std::string log() const { return at("sim/trip.log"); }
+  std::string log() const { return at("sim/simulated-trip.log"); }
   std::string relations() const { return at("sim/true.relations"); }
 
   /// The recorded log's lines, comments first.

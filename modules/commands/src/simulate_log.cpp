@@ -54,7 +54,7 @@ Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& con
   if (world->tour.size() < 2)
     return Problem{{options.world.string(), 0, "tour"}, "needs at least two way points"};
   const auto out =
-      OutputDirectory::open(options.out, options.force, {"trip.log", "true.relations", "true.tum"});
+      OutputDirectory::open(options.out, options.force, {"simulated-trip.log", "true.relations", "true.tum"});
   if (!out) return out.problems();
 
   const TourRecording trip = record_tour(*world, params, options.seed, console.progress);
@@ -63,7 +63,7 @@ Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& con
   std::vector<double> stamps_s;
   for (const LaserScan& scan : trip.log.scans) stamps_s.push_back(scan.stamp_s);
 
-  const auto written = out->write({{"log", "trip.log", carmen_text(trip.log)},
+  const auto written = out->write({{"log", "simulated-trip.log", carmen_text(trip.log)},
                                    {"relations", "true.relations", relations_text(relations)},
                                    {"truth", "true.tum", tum_text(stamps_s, trip.T_world_vehicle)}});
   if (!written) return written.problems();
