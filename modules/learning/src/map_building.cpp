@@ -6,6 +6,7 @@
 
 #include "aisle/geometry/dominant_direction.hpp"
 #include "aisle/learning/odometry_delay.hpp"
+#include "beam_fan.hpp"
 #include "loop_closer.hpp"
 #include "scan_segments.hpp"
 #include "wall_adjustment.hpp"
@@ -55,8 +56,7 @@ class MapBuilder {
         given_delay_s_(odometry_delay_s),
         odometry_(log.odometry),
         delay_(odometry_, log.scan_period_s()),
-        segmenter_({log.laser.first_angle_rad, log.laser.angle_step_rad, log.laser.range_max_m},
-                   params.segments),
+        segmenter_(beam_fan(log.laser), params.segments),
         tracker_(params.tracker),
         loops_(params.loops, params.tracker.motion) {}
 

@@ -7,6 +7,7 @@
 #include "aisle/learning/wall_heading.hpp"
 #include "aisle/matching/wall_estimate.hpp"
 #include "aisle/vehicle/odometry_track.hpp"
+#include "beam_fan.hpp"
 
 namespace aisle {
 namespace {
@@ -32,7 +33,7 @@ class PublishedMapper {
         params_(params),
         delay_s_(delay_s),
         odometry_(log.odometry),
-        segmenter_({log.laser.first_angle_rad, log.laser.angle_step_rad, log.laser.range_max_m}, segments),
+        segmenter_(beam_fan(log.laser), segments),
         correlator_(params.signature) {}
 
   void take_scan(std::size_t scan) {
@@ -176,8 +177,7 @@ class PublishedMapper {
 
 std::vector<Pose2> odometry_poses(const LaserLog& log, const SegmentParams& segments,
                                   double odometry_delay_s) {
-  RangeSegmenter segmenter({log.laser.first_angle_rad, log.laser.angle_step_rad, log.laser.range_max_m},
-                           segments);
+  RangeSegmenter segmenter(beam_fan(log.laser), segments);
   std::vector<SensedSegment> seen;
   segmenter.extract(log.scans.front().ranges_m, seen);
   const auto frame = dominant_direction(seen);
