@@ -10,5 +10,5 @@ install(EXPORT aisle NAMESPACE aisle:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/aisleConfig.cmake.in ${PROJECT_BINARY_DIR}/aisleConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/aisle)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/aisleConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/aisleConfig.cmake ${PROJECT_BINARY_DIR}/aisleConfigVersion.cmake
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindOpenCV.cmake ${PROJECT_BINARY_DIR}/aisleConfig.cmake ${PROJECT_BINARY_DIR}/aisleConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/aisle)

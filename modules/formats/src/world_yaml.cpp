@@ -132,7 +132,7 @@ void WorldReader::add_wall(const YAML::Node& node, const std::string& key, const
     problem(node, key,
             fmt::format("the point [{:g}, {:g}] stands there twice in succession", start.x(), start.y()));
   } else {
-    world_.walls.push_back({start, end});
+    world_.walls.push_back({.foot = {start, end}});
   }
 }
 
@@ -141,7 +141,6 @@ void WorldReader::read_boxes(const YAML::Node& node) {
   for (std::size_t i = 0; i < node.size(); ++i) add_box(node[i], fmt::format("boxes[{}]", i));
 }
 
-/// The walls of a box run clockwise: its outside, where one can drive, is on their left.
 void WorldReader::add_box(const YAML::Node& node, const std::string& key) {
   if (!node.IsMap()) {
     problem(node, key, "is not a box such as {centre: [x, y], size: [x, y]}");
@@ -165,12 +164,7 @@ void WorldReader::add_box(const YAML::Node& node, const std::string& key) {
   if (!node["centre"]) problem(node, key + ".centre", "is missing");
   if (!node["size"]) problem(node, key + ".size", "is missing");
   if (size.minCoeff() <= 0) problem(node, key + ".size", "is not positive");
-  const Pose2 T_world_box{centre.x(), centre.y(), heading_deg * kDegree};
-  const double x = size.x() / 2, y = size.y() / 2;
-  const std::array<Vec2, 4> corners = {Vec2(-x, -y), Vec2(-x, y), Vec2(x, y), Vec2(x, -y)};
-  for (std::size_t i = 0; i < 4; ++i) {
-    world_.walls.push_back(T_world_box * Segment2{corners[i], corners[(i + 1) % 4]});
-  }
+  world_.furniture.push_back({.centre = centre, .size = size, .heading_rad = heading_deg * kDegree});
 }
 
 void WorldReader::read_tour(const YAML::Node& node) {

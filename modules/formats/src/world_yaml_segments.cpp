@@ -21,7 +21,7 @@ Result<World> read_wall_segments(const std::filesystem::path& path) {
 }
 
 Result<World> parse_wall_segments(std::string_view text, const std::string& name) {
-  World world{.name = std::filesystem::path(name).stem().string(), .walls = {}, .tour = {}};
+  World world{.name = std::filesystem::path(name).stem().string()};
   ProblemList problems(name);
   for (long line_number = 1; !text.empty(); ++line_number) {
     const std::string_view line = take_line(text);
@@ -32,7 +32,7 @@ Result<World> parse_wall_segments(std::string_view text, const std::string& name
     if (!fields.ok()) {
       problems.add(line_number, fields.failure());
     } else if (Vec2(x1, y1) != Vec2(x2, y2)) {
-      world.walls.push_back({{x1, y1}, {x2, y2}});
+      world.walls.push_back({.foot = {{x1, y1}, {x2, y2}}});
     }
   }
   if (!problems.empty()) return problems.take();

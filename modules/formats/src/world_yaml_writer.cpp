@@ -24,11 +24,11 @@ std::string polyline_text(const std::vector<Vec2>& points, std::string_view inde
   return text + "]";
 }
 
-std::vector<std::vector<Vec2>> polylines(const std::vector<Segment2>& walls) {
+std::vector<std::vector<Vec2>> polylines(const std::vector<WallFace>& walls) {
   std::vector<std::vector<Vec2>> joined;
-  for (const Segment2& wall : walls) {
-    if (joined.empty() || joined.back().back() != wall.start) joined.push_back({wall.start});
-    joined.back().push_back(wall.end);
+  for (const WallFace& wall : walls) {
+    if (joined.empty() || joined.back().back() != wall.foot.start) joined.push_back({wall.foot.start});
+    joined.back().push_back(wall.foot.end);
   }
   return joined;
 }

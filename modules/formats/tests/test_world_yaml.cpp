@@ -34,10 +34,11 @@ TEST(WorldYaml, ReadsWallsBoxesAndTour) {
                                           "w.yaml");
   ASSERT_TRUE(world.ok()) << to_string(world.problems());
   EXPECT_EQ(world->name, "closet");
-  ASSERT_THAT(world->walls, SizeIs(6));
-  EXPECT_THAT(world->walls[1].end, PointNear(Vec2(3, 2), 1e-12));
-  EXPECT_THAT(world->walls[2].start, PointNear(Vec2(1.25, 0.5), 1e-12));  // a corner of the turned box
-  EXPECT_THAT(world->walls[5].end, PointNear(Vec2(1.25, 0.5), 1e-12));
+  ASSERT_THAT(world->walls, SizeIs(2));
+  EXPECT_THAT(world->walls[1].foot.end, PointNear(Vec2(3, 2), 1e-12));
+  ASSERT_THAT(world->furniture, SizeIs(1));
+  EXPECT_THAT(world->furniture[0].size, PointNear(Vec2(1, 0.5), 1e-12));
+  EXPECT_DOUBLE_EQ(world->furniture[0].heading_rad, 90 * kDegree);
   ASSERT_THAT(world->tour, SizeIs(2));
   EXPECT_THAT(world->tour[1], PointNear(Vec2(2.5, 0.5), 1e-12));
 }
@@ -89,12 +90,13 @@ TEST(WorldYaml, RefusesMoreWallsThanAnyBuildingHas) {
 RC_GTEST_PROP(WorldYaml, WhatIsWrittenIsReadAgain, (std::uint64_t seed)) {
   Random random(seed);
   const auto millimetres = [&] { return (static_cast<double>(random.index(20'000)) - 10'000) / 1000; };
-  World written{"a \"name\": with\nsigns", std::vector<Segment2>(random.index(30)),
-                std::vector<Vec2>(random.index(2) * 9)};
+  World written{.name = "a \"name\": with\nsigns"};
+  written.walls.resize(random.index(30));
+  written.tour.resize(random.index(2) * 9);
   for (std::size_t i = 0; i < written.walls.size(); ++i) {
     const bool goes_on = i > 0 && random.index(2) == 0;
-    written.walls[i] = {goes_on ? written.walls[i - 1].end : Vec2(millimetres(), millimetres()),
-                        Vec2(millimetres(), millimetres())};
+    written.walls[i].foot = {goes_on ? written.walls[i - 1].foot.end : Vec2(millimetres(), millimetres()),
+                             Vec2(millimetres(), millimetres())};
   }
   for (Vec2& point : written.tour) point = {millimetres(), millimetres()};
 
@@ -104,8 +106,8 @@ RC_GTEST_PROP(WorldYaml, WhatIsWrittenIsReadAgain, (std::uint64_t seed)) {
   RC_ASSERT(read->tour == written.tour);
   RC_ASSERT(read->walls.size() == written.walls.size());
   for (std::size_t i = 0; i < written.walls.size(); ++i) {
-    RC_ASSERT(read->walls[i].start == written.walls[i].start);
-    RC_ASSERT(read->walls[i].end == written.walls[i].end);
+    RC_ASSERT(read->walls[i].foot.start == written.walls[i].foot.start);
+    RC_ASSERT(read->walls[i].foot.end == written.walls[i].foot.end);
   }
 }
 
@@ -130,7 +132,8 @@ TEST(WorldYaml, TheDocumentedExampleIsAWorld) {
   const Result<World> world =
       parse_world(document->substr(start, document->find("```", start) - start), "world.md");
   ASSERT_TRUE(world.ok()) << to_string(world.problems());
-  EXPECT_THAT(world->walls, SizeIs(5 + 2 + 2 + 2 * 4));
+  EXPECT_THAT(world->walls, SizeIs(5 + 2 + 2));
+  EXPECT_THAT(world->furniture, SizeIs(2));
   EXPECT_THAT(world->tour, SizeIs(3));
 }
 
@@ -140,7 +143,7 @@ TEST(WallSegments, ReadsOneWallALine) {
   ASSERT_TRUE(world.ok()) << to_string(world.problems());
   EXPECT_EQ(world->name, "floor-4");
   ASSERT_THAT(world->walls, SizeIs(2));
-  EXPECT_THAT(world->walls[1].end, PointNear(Vec2(1.5, 2), 1e-12));
+  EXPECT_THAT(world->walls[1].foot.end, PointNear(Vec2(1.5, 2), 1e-12));
   EXPECT_THAT(world->tour, IsEmpty());
 }
 

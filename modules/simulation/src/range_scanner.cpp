@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/simulation/slice.hpp"
+
 namespace aisle {
 
 RangeScanner::RangeScanner(const World& world, const RangeScannerParams& params)
-    : params_(params), walls_(world.walls) {}
+    : params_(params), walls_(slice(world, params.height_m)) {}
 
 LaserScanner RangeScanner::description() const {
   return {.first_angle_rad = params_.first_angle_rad,

@@ -13,8 +13,12 @@ using testing::FloatNear;
 
 /// 4 m x 4 m round the origin.
 World square_room() {
-  return {
-      "square room", {{{2, -2}, {2, 2}}, {{2, 2}, {-2, 2}}, {{-2, 2}, {-2, -2}}, {{-2, -2}, {2, -2}}}, {}};
+  World world{.name = "square room"};
+  for (const Segment2& foot : {Segment2{{2, -2}, {2, 2}}, Segment2{{2, 2}, {-2, 2}},
+                               Segment2{{-2, 2}, {-2, -2}}, Segment2{{-2, -2}, {2, -2}}}) {
+    world.walls.push_back({.foot = foot});
+  }
+  return world;
 }
 
 RangeScannerParams without_faults() {

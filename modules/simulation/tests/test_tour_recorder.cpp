@@ -12,9 +12,13 @@ namespace aisle {
 namespace {
 
 World square_room_with_a_round_trip() {
-  return {"room",
-          {{{5, -5}, {5, 5}}, {{5, 5}, {-5, 5}}, {{-5, 5}, {-5, -5}}, {{-5, -5}, {5, -5}}},
-          {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}, {-3, -3}}};
+  World world{.name = "room"};
+  for (const Segment2& foot : {Segment2{{5, -5}, {5, 5}}, Segment2{{5, 5}, {-5, 5}},
+                               Segment2{{-5, 5}, {-5, -5}}, Segment2{{-5, -5}, {5, -5}}}) {
+    world.walls.push_back({.foot = foot});
+  }
+  world.tour = {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}, {-3, -3}};
+  return world;
 }
 
 TourRecording recorded(const World& world, const TourParams& params = {}, std::uint64_t seed = 1) {
@@ -144,8 +148,8 @@ TEST(TourRecorder, CanBeInterruptedInAllItsWork) {
 TEST(TourRecorder, EveryParameterIsDescribed) {
   TourParams params;
   const FieldList fields = fields_of(params);
-  EXPECT_EQ(fields.all().size(), 2u + 4u + 6u + 11u);
-  EXPECT_EQ(fields.all().back().key, "scanner.mount_heading_deg");
+  EXPECT_EQ(fields.all().size(), 2u + 4u + 6u + 12u);
+  EXPECT_EQ(fields.all().back().key, "scanner.height_m");
 }
 
 }  // namespace

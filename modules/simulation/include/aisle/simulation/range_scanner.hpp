@@ -24,6 +24,7 @@ struct RangeScannerParams {
   double mount_x_m = 0;
   double mount_y_m = 0;
   double mount_heading_rad = 0;
+  double height_m = 0.3;
 
   void describe(FieldList& fields) {
     fields.count("beams", beams, {1, 4096}, "readings in a scan");
@@ -42,6 +43,7 @@ struct RangeScannerParams {
     fields.real("mount_x_m", mount_x_m, {-5, 5}, "scanner ahead of the vehicle's origin");
     fields.real("mount_y_m", mount_y_m, {-5, 5}, "scanner left of the vehicle's origin");
     fields.angle("mount_heading_deg", mount_heading_rad, {-180, 180}, "scanner turned against the vehicle");
+    fields.real("height_m", height_m, {0, 3}, "scanner above the floor");
   }
 };
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace aisle {
+
+/// A picture: rows from the top, each pixel its channels in turn. Pixel (0, 0) is the CENTRE of the top-left
+/// pixel, u to the right, v down.
+struct Image {
+  int width_px = 0;
+  int height_px = 0;
+  int channels = 1;  ///< 1: grey; 3: red, green, blue
+  std::vector<std::uint8_t> bytes;
+
+  Image() = default;
+  Image(int width, int height, int channel_count = 1)
+      : width_px(width), height_px(height), channels(channel_count), bytes(row_bytes() * rows()) {}
+
+  std::size_t row_bytes() const {
+    return static_cast<std::size_t>(width_px) * static_cast<std::size_t>(channels);
+  }
+  std::size_t rows() const { return static_cast<std::size_t>(height_px); }
+  const std::uint8_t* row(int v) const { return bytes.data() + static_cast<std::size_t>(v) * row_bytes(); }
+  std::uint8_t* row(int v) { return bytes.data() + static_cast<std::size_t>(v) * row_bytes(); }
+
+  friend bool operator==(const Image&, const Image&) = default;
+};
+
+/// The picture in grey (ITU-R BT.601 weights, rounded); a grey picture as it is.
+Image to_grey(const Image& image);
+
+}  // namespace aisle

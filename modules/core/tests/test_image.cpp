@@ -1,0 +1,18 @@
+#include <gmock/gmock.h>
+
+#include "aisle/core/image.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(Image, GreyWeighsTheColoursAndKeepsGreyAsItIs) {
+  Image image(5, 1, 3);
+  image.bytes = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 7, 7, 7};
+  EXPECT_THAT(to_grey(image).bytes, ElementsAre(76, 150, 29, 255, 7));
+  EXPECT_EQ(to_grey(to_grey(image)), to_grey(image));
+}
+
+}  // namespace
+}  // namespace aisle

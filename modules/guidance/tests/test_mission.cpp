@@ -1,0 +1,109 @@
+#include <gmock/gmock.h>
+
+#include <vector>
+
+#include "aisle/guidance/mission.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::ElementsAre;
+
+/// Senses so many cycles of a tenth of a second, and remembers how it was told to drive.
+class CountingVehicle final : public Vehicle {
+ public:
+  explicit CountingVehicle(int cycles) : cycles_left_(cycles) {}
+
+  const VehicleDescription& description() const override { return description_; }
+  std::optional<Observation> sense() override {
+    if (cycles_left_-- == 0) return std::nullopt;
+    Observation observation;
+    observation.stamp_s = stamp_s_ += 0.1;
+    return observation;
+  }
+  void act(const Command& command) override { speeds_mps.push_back(command.speed_mps); }
+
+  std::vector<double> speeds_mps;
+
+ private:
+  VehicleDescription description_;
+  int cycles_left_;
+  double stamp_s_ = 0;
+};
+
+/// Goes on until a stamp, then is done.
+class TimedNavigator final : public Navigator {
+ public:
+  explicit TimedNavigator(double until_s) : until_s_(until_s) {}
+  Decision step(const Observation& observation) override {
+    if (observation.stamp_s > until_s_) return {.status = NavigatorStatus::kDone, .state = "arrived"};
+    return {.command = {.speed_mps = 1}, .state = "going"};
+  }
+
+ private:
+  double until_s_;
+};
+
+/// Keeps everything until its room is used up.
+class SmallRecord final : public MissionRecord {
+ public:
+  explicit SmallRecord(int room) : room_(room) {}
+  Result<Observation> keep(Observation observation) override {
+    if (room_-- == 0) return Problem{{"record"}, "is full"};
+    return observation;
+  }
+  Problems keep(const Decision&) override { return {}; }
+
+ private:
+  int room_;
+};
+
+TEST(Mission, EndsWithTheNavigatorAndAStop) {
+  CountingVehicle vehicle(100);
+  TimedNavigator navigator(0.25);
+  SmallRecord record(1000);
+  SilentProgress progress;
+  const auto end = run_mission(vehicle, navigator, record, progress);
+  ASSERT_TRUE(end.ok());
+  EXPECT_TRUE(end->arrived);
+  EXPECT_EQ(end->state, "arrived");
+  EXPECT_EQ(end->cycles, 3U);
+  EXPECT_NEAR(end->duration_s, 0.2, 1e-12);
+  EXPECT_THAT(vehicle.speeds_mps, ElementsAre(1, 1, 0, 0));
+}
+
+TEST(Mission, StopsTheVehicleWhenNothingIsSensedAnyMore) {
+  CountingVehicle vehicle(2);
+  TimedNavigator navigator(10);
+  SmallRecord record(1000);
+  SilentProgress progress;
+  const auto end = run_mission(vehicle, navigator, record, progress);
+  ASSERT_TRUE(end.ok());
+  EXPECT_FALSE(end->arrived);
+  EXPECT_THAT(vehicle.speeds_mps, ElementsAre(1, 1, 0));
+}
+
+TEST(Mission, StopsTheVehicleWhenTheRecordFails) {
+  CountingVehicle vehicle(100);
+  TimedNavigator navigator(10);
+  SmallRecord record(2);
+  SilentProgress progress;
+  const auto end = run_mission(vehicle, navigator, record, progress);
+  ASSERT_FALSE(end.ok());
+  EXPECT_EQ(to_string(end.problems()), "record: is full");
+  EXPECT_THAT(vehicle.speeds_mps, ElementsAre(1, 1, 0));
+}
+
+TEST(Mission, StopsTheVehicleWhenInterrupted) {
+  class Impatient final : public Progress {
+    void report(std::string_view, std::size_t, std::size_t) override { throw Interrupted(); }
+  } impatient;
+  CountingVehicle vehicle(100);
+  TimedNavigator navigator(10);
+  SmallRecord record(1000);
+  EXPECT_THROW((void)run_mission(vehicle, navigator, record, impatient), Interrupted);
+  EXPECT_THAT(vehicle.speeds_mps, ElementsAre(1, 0));
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,63 @@
+#pragma once
+/// What a vehicle tells in one cycle.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "aisle/core/image.hpp"
+#include "aisle/vehicle/command.hpp"
+#include "aisle/vehicle/differential.hpp"
+#include "aisle/vehicle/front_steered.hpp"
+
+namespace aisle {
+
+/// One camera's picture. A camera that has delivered nothing new in a cycle is absent from it.
+struct CameraPicture {
+  std::string camera;  ///< CameraDescription::name
+  double stamp_s = 0;  ///< middle of the exposure
+  std::shared_ptr<const Image> image;
+};
+
+/// One turn of a 2-D range scanner; its angles are VehicleDescription::scanner.
+struct RangeScan {
+  double stamp_s = 0;
+  std::vector<float> ranges_m;  ///< range_max_m or more: nothing seen; 0: nothing usable
+};
+
+/// What the wheels counted since the last cycle.
+using OdometryReading = std::variant<FrontSteeredMotion, WheelSteps>;
+
+/// Something that the person at the vehicle says about where it is.
+struct Mark {
+  enum class Kind {
+    kTurningBegins,  ///< label: the turning's number, 1 to 13 (METHODS 9)
+    kTurningEnds,    ///< label: as above
+    kPlace,          ///< label: the place's name
+    kStop,           ///< the way ends here
+  };
+  Kind kind = Kind::kPlace;
+  std::string label;
+
+  friend bool operator==(const Mark&, const Mark&) = default;
+};
+
+/// What the person at the controls did since the last cycle.
+struct OperatorInput {
+  std::optional<Command> wish;  ///< how to drive from now on; absent: nothing was pressed
+  std::vector<Mark> marks;
+  bool quit = false;
+};
+
+struct Observation {
+  double stamp_s = 0;  ///< end of the cycle; strictly increasing
+  std::vector<CameraPicture> pictures;
+  OdometryReading odometry;
+  std::optional<RangeScan> scan;
+  OperatorInput operator_input;
+  bool bumper_pressed = false;  ///< the vehicle touches something and has stopped by itself
+};
+
+}  // namespace aisle

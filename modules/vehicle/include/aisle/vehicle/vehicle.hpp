@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "aisle/vehicle/command.hpp"
+#include "aisle/vehicle/observation.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+
+namespace aisle {
+
+/// The one port to the world. The simulator, a recorded session and a real robot implement it; nothing above
+/// can tell which one it has.
+class Vehicle {
+ public:
+  virtual ~Vehicle() = default;
+
+  virtual const VehicleDescription& description() const = 0;
+
+  /// Waits for the next cycle.
+  /// @return nullopt when there is none any more: the recording ends, the connection is lost
+  virtual std::optional<Observation> sense() = 0;
+
+  /// Takes effect at once and holds until the next command or until it is too old.
+  virtual void act(const Command& command) = 0;
+};
+
+}  // namespace aisle
