@@ -14,6 +14,9 @@ void add_map_verb(CLI::App& app, Work& work);
 void add_sim_verb(CLI::App& app, Work& work);
 void add_maze_verb(CLI::App& app, Work& work);
 
+/// The verbs below `aisle sim`.
+void add_sim_log_verb(CLI::App& sim, Work& work);
+
 /// --params, --set and --print-params for a verb; `chosen` runs when the verb is used without --print-params.
 void add_parameter_options(CLI::App& verb, aisle::ParameterSources& sources, aisle::Outcome (*list)(),
                            Work& work, const std::function<void()>& chosen);
