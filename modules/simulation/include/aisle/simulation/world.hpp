@@ -9,6 +9,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/geometry/segment2.hpp"
+#include "aisle/simulation/calibration_board.hpp"
 
 namespace aisle {
 
@@ -121,6 +122,7 @@ struct World {
   std::vector<FloorPaper> papers;
   std::vector<Furniture> furniture;
   std::vector<ParkingFrame> parking_frames;
+  std::vector<CalibrationBoard> boards;
   std::vector<Person> people;
   std::vector<NamedPlace> places;
   std::vector<Vec2> tour;      ///< way points that a vehicle drives in this order; may be empty
