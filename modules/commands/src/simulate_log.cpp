@@ -25,16 +25,16 @@ double length_m(const std::vector<Pose2>& poses) {
 /// FLASER lines give no angles; they follow from the number of readings.
 Problems inexpressible(const RangeScannerParams& scanner) {
   constexpr double kSameAngle_rad = 1e-9;
-  if (scanner.beams < 2) return {{{"", 0, "scanner.beams"}, "a log needs at least 2"}};
-  const LaserScanner written = flaser_scanner(static_cast<std::size_t>(scanner.beams));
-  const bool same = std::abs(written.first_angle_rad - scanner.first_angle_rad) < kSameAngle_rad &&
-                    std::abs(written.angle_step_rad - scanner.angle_step_rad) < kSameAngle_rad;
+  if (scanner.sensor.beams < 2) return {{{"", 0, "scanner.beams"}, "a log needs at least 2"}};
+  const LaserScanner written = flaser_scanner(static_cast<std::size_t>(scanner.sensor.beams));
+  const bool same = std::abs(written.first_angle_rad - scanner.laser.first_angle_rad) < kSameAngle_rad &&
+                    std::abs(written.angle_step_rad - scanner.laser.angle_step_rad) < kSameAngle_rad;
   if (same) return {};
   return {{{"", 0, "scanner"},
            fmt::format(
                "a log with {} beams means first_angle_deg {:g} and angle_step_deg {:.6g}, not {:g} and {:g}",
-               scanner.beams, to_degrees(written.first_angle_rad), to_degrees(written.angle_step_rad),
-               to_degrees(scanner.first_angle_rad), to_degrees(scanner.angle_step_rad))}};
+               scanner.sensor.beams, to_degrees(written.first_angle_rad), to_degrees(written.angle_step_rad),
+               to_degrees(scanner.laser.first_angle_rad), to_degrees(scanner.laser.angle_step_rad))}};
 }
 
 }  // namespace

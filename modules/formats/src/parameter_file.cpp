@@ -3,67 +3,13 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
-#include <map>
 #include <vector>
 
 #include "aisle/formats/whole_file.hpp"
-#include "problem_list.hpp"
+#include "parameter_tree.hpp"
 
 namespace aisle {
 namespace {
-
-/// Aliases may make a small file stand for an endless tree; no parameter file is larger than this.
-constexpr std::size_t kMaxDepth = 16;
-constexpr std::size_t kMaxEntries = 10000;
-
-/// Walks through a YAML tree and assigns its leaves.
-class ParameterReader {
- public:
-  ParameterReader(const std::string& name, FieldList& fields)
-      : name_(name), fields_(fields), problems_(name) {}
-
-  Problems read(const YAML::Node& root) {
-    if (!root.IsNull()) read_node("", root, line_of(root), 0);
-    return problems_.take();
-  }
-
- private:
-  static long line_of(const YAML::Node& node) { return node.Mark().line + 1; }
-
-  void read_node(const std::string& key, const YAML::Node& node, long line, std::size_t depth) {
-    if (node.IsMap()) return read_map(key, node, line, depth);
-    if (node.IsScalar() && !key.empty()) return assign(key, node.Scalar(), line);
-    if (key.empty()) return problems_.add(line, "the file is not a map of keys to values");
-    problems_.add(line, key, node.IsSequence() ? "a list is no value" : "has no value");
-  }
-
-  void read_map(const std::string& key, const YAML::Node& map, long line, std::size_t depth) {
-    if (depth == kMaxDepth) return problems_.add(line, key, "is nested too deeply");
-    for (const auto& entry : map) {
-      const long entry_line = line_of(entry.first);
-      if (++entries_ > kMaxEntries) return problems_.add(entry_line, key, "has too many entries");
-      if (!entry.first.IsScalar()) {
-        problems_.add(entry_line, key, "has a key that is no text");
-        continue;
-      }
-      const std::string inner = key.empty() ? entry.first.Scalar() : key + "." + entry.first.Scalar();
-      read_node(inner, entry.second, entry_line, depth + 1);
-    }
-  }
-
-  void assign(const std::string& key, const std::string& value, long line) {
-    const auto [first, is_new] = line_of_key_.emplace(key, line);
-    if (!is_new)
-      return problems_.add(line, key, fmt::format("is set twice, first on line {}", first->second));
-    for (Problem& problem : fields_.assign(key, value, {name_, line, key})) problems_.add(std::move(problem));
-  }
-
-  std::string name_;
-  FieldList& fields_;
-  ProblemList problems_;
-  std::map<std::string, long> line_of_key_;
-  std::size_t entries_ = 0;
-};
 
 /// A field and what is left of its key below the maps that are open already.
 struct NestedField {
@@ -104,7 +50,10 @@ void write_level(std::string& text, const std::vector<NestedField>& fields, std:
 
 Problems parse_parameters(std::string_view text, const std::string& name, FieldList& fields) {
   try {
-    return ParameterReader(name, fields).read(YAML::Load(std::string(text)));
+    ParameterTree tree(name, fields);
+    const YAML::Node root = YAML::Load(std::string(text));
+    if (!root.IsNull()) tree.read("", root);
+    return tree.take_problems();
   } catch (const YAML::Exception& error) {
     return {{{name, error.mark.line + 1}, "is not well-formed YAML: " + error.msg}};
   }

@@ -7,6 +7,7 @@
 #include "aisle/formats/map_server.hpp"
 #include "aisle/formats/relations.hpp"
 #include "aisle/formats/trajectory.hpp"
+#include "aisle/formats/vehicle_yaml.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "pose_matchers.hpp"
 
@@ -66,6 +67,13 @@ TEST(DocumentedExamples, TheMapServerFileIsWrittenAsItStands) {
   OccupancyImage image;
   image.origin_m = {-12.35, -4.1};
   EXPECT_EQ(map_server_yaml(image, "map.pgm"), example("map_server.md"));
+}
+
+TEST(DocumentedExamples, TheVehicleIsRead) {
+  const auto vehicle = parse_vehicle(example("vehicle.md"), "vehicle.md");
+  ASSERT_TRUE(vehicle.ok()) << to_string(vehicle.problems());
+  EXPECT_THAT(vehicle->description.cameras, SizeIs(1));
+  EXPECT_DOUBLE_EQ(vehicle->simulated.odometry.distance_scale, 0.02);
 }
 
 }  // namespace

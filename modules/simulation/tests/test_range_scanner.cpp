@@ -23,8 +23,8 @@ World square_room() {
 
 RangeScannerParams without_faults() {
   RangeScannerParams params;
-  params.noise_sigma_m = 0;
-  params.dropped_share = 0;
+  params.sensor.noise_sigma_m = 0;
+  params.sensor.dropped_share = 0;
   return params;
 }
 
@@ -41,8 +41,8 @@ TEST(RangeScanner, MeasuresASquareRoomFromItsCentre) {
 
 TEST(RangeScanner, LooksFromWhereItIsMounted) {
   RangeScannerParams params = without_faults();
-  params.mount_x_m = 0.5;
-  params.mount_heading_rad = 90 * kDegree;
+  params.laser.T_vehicle_laser.x = 0.5;
+  params.laser.T_vehicle_laser.theta = 90 * kDegree;
   const RangeScanner scanner(square_room(), params);
   Random random(1);
   const std::vector<float> ranges_m = scanner.scan({0, -1, 90 * kDegree}, random);
@@ -52,7 +52,7 @@ TEST(RangeScanner, LooksFromWhereItIsMounted) {
 
 TEST(RangeScanner, AnAngleOffsetTurnsTheBeamsButNotTheLog) {
   RangeScannerParams params = without_faults();
-  params.angle_offset_rad = 1 * kDegree;
+  params.sensor.angle_offset_rad = 1 * kDegree;
   Random random(1);
   const RangeScanner straight(square_room(), without_faults()), turned(square_room(), params);
   const std::vector<float> expected = straight.scan({0, 0, 0}, random),
@@ -63,20 +63,20 @@ TEST(RangeScanner, AnAngleOffsetTurnsTheBeamsButNotTheLog) {
 
 TEST(RangeScanner, BeyondItsReachAndOnDroppedReadingsItSeesNothing) {
   RangeScannerParams params = without_faults();
-  params.range_max_m = 1.5;
+  params.laser.range_max_m = 1.5;
   Random random(1);
   EXPECT_THAT(RangeScanner(square_room(), params).scan({0, 0, 0}, random), Each(1.5F));
-  params.range_max_m = 30;
-  params.dropped_share = 1;
+  params.laser.range_max_m = 30;
+  params.sensor.dropped_share = 1;
   EXPECT_THAT(RangeScanner(square_room(), params).scan({0, 0, 0}, random), Each(30.F));
 }
 
 TEST(RangeScanner, NoiseHasTheGivenSpread) {
   RangeScannerParams params = without_faults();
-  params.beams = 4000;
-  params.angle_step_rad = 1e-9;
-  params.first_angle_rad = 0;
-  params.noise_sigma_m = 0.05;
+  params.sensor.beams = 4000;
+  params.laser.angle_step_rad = 1e-9;
+  params.laser.first_angle_rad = 0;
+  params.sensor.noise_sigma_m = 0.05;
   Random random(1);
   const std::vector<float> ranges_m = RangeScanner(square_room(), params).scan({0, 0, 0}, random);
   double sum = 0, squares = 0;

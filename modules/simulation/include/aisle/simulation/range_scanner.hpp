@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "aisle/core/angle.hpp"
@@ -11,39 +12,26 @@
 
 namespace aisle {
 
-/// A 2-D range scanner and its faults. The defaults are an ordinary scanner of one reading a degree.
-struct RangeScannerParams {
+/// What a simulated scanner has beyond what the vehicle knows of it. The defaults are an ordinary scanner.
+struct RangeSensorParams {
   int beams = 180;
-  double first_angle_rad = -90 * kDegree;
-  double angle_step_rad = 1 * kDegree;
-  double range_max_m = 30;
   double noise_sigma_m = 0.01;
   double angle_offset_rad = 0;
   double resolution_m = 0.01;
   double dropped_share = 0.002;
-  double mount_x_m = 0;
-  double mount_y_m = 0;
-  double mount_heading_rad = 0;
   double height_m = 0.3;
 
+  void describe(FieldList& fields);
+};
+
+/// A 2-D range scanner and its faults.
+struct RangeScannerParams {
+  LaserScanner laser = kOneReadingADegree;  ///< as the vehicle knows it
+  RangeSensorParams sensor;
+
   void describe(FieldList& fields) {
-    fields.count("beams", beams, {1, 4096}, "readings in a scan");
-    fields.angle("first_angle_deg", first_angle_rad, {-180, 180},
-                 "direction of the first reading; 0 is ahead");
-    fields.angle("angle_step_deg", angle_step_rad, {0.01, 90},
-                 "from one reading to the next, counter-clockwise");
-    fields.real("range_max_m", range_max_m, {0.5, 200},
-                "readings of this or more mean that nothing was seen");
-    fields.real("noise_sigma_m", noise_sigma_m, {0, 1}, "standard deviation of a reading");
-    fields.angle("angle_offset_deg", angle_offset_rad, {-10, 10},
-                 "how far left of the logged angles it really looks");
-    fields.real("resolution_m", resolution_m, {0, 0.5},
-                "readings are whole multiples of this; 0: not rounded");
-    fields.real("dropped_share", dropped_share, {0, 1}, "share of readings that miss the wall, as on glass");
-    fields.real("mount_x_m", mount_x_m, {-5, 5}, "scanner ahead of the vehicle's origin");
-    fields.real("mount_y_m", mount_y_m, {-5, 5}, "scanner left of the vehicle's origin");
-    fields.angle("mount_heading_deg", mount_heading_rad, {-180, 180}, "scanner turned against the vehicle");
-    fields.real("height_m", height_m, {0, 3}, "scanner above the floor");
+    laser.describe(fields);
+    sensor.describe(fields);
   }
 };
 
@@ -53,10 +41,12 @@ class RangeScanner {
   RangeScanner(const World& world, const RangeScannerParams& params);
 
   /// What the vehicle believes of its scanner: everything but the faults.
-  LaserScanner description() const;
+  const LaserScanner& description() const { return params_.laser; }
 
   /// One reading a beam [m]; range_max_m: nothing seen.
-  std::vector<float> scan(const Pose2& T_world_vehicle, Random& random) const;
+  /// @param movers  outlines of what is not part of the world
+  std::vector<float> scan(const Pose2& T_world_vehicle, Random& random,
+                          std::span<const Segment2> movers = {}) const;
 
  private:
   double reading_m(double true_m, Random& random) const;

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "aisle/core/angle.hpp"
+#include "aisle/core/parameters.hpp"
 #include "aisle/geometry/pose2.hpp"
 
 namespace aisle {
@@ -17,7 +19,12 @@ struct LaserScanner {
   double beam_angle(std::size_t beam) const {
     return first_angle_rad + angle_step_rad * static_cast<double>(beam);
   }
+
+  void describe(FieldList& fields);
 };
+
+/// The half circle ahead in steps of a degree, up to 30 m.
+inline constexpr LaserScanner kOneReadingADegree{-90 * kDegree, 1 * kDegree, 30, {}};
 
 struct LaserScan {
   double stamp_s = 0;  ///< as recorded; recorded clocks may jump back
