@@ -18,6 +18,7 @@ class ProblemList {
   void add(Problem problem);
 
   bool empty() const { return count_ == 0; }
+  std::size_t count() const { return count_; }
   /// The first 20 and, if there were more, a last one that says how many.
   Problems take();
 

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "aisle/core/problem.hpp"
+#include "aisle/simulation/world.hpp"
+
+namespace aisle {
+
+/// What cannot be in a world although every number in it may be: two places of one name, a poster above the
+/// ceiling, a start inside a cupboard. The place of each problem is its key alone: "places[2].name".
+Problems contradictions(const World& world);
+
+}  // namespace aisle

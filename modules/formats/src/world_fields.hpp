@@ -1,0 +1,84 @@
+#pragma once
+/// Every key that a world file may use, thing by thing. Each stands here once: the reader, the writer and the
+/// test of the documentation go through these lists.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "aisle/core/parameters.hpp"
+#include "aisle/simulation/world.hpp"
+
+namespace aisle {
+
+/// A point of a thing, wherever its coordinates are kept.
+struct PointTarget {
+  double* x_m = nullptr;
+  double* y_m = nullptr;
+};
+
+/// One of a few words.
+struct WordTarget {
+  std::span<const std::string_view> words;
+  std::function<std::size_t()> index;
+  std::function<void(std::size_t)> choose;
+};
+
+using WorldTarget =
+    std::variant<double*, std::uint64_t*, PointTarget, std::vector<Vec2>*, std::string*, WordTarget>;
+
+/// One key of a thing and the variable that it sets.
+struct WorldField {
+  std::string_view key;
+  WorldTarget target;
+  Range range;            ///< of each number, inclusive, in the key's unit
+  double inner_unit = 1;  ///< the variable is the key's value times this (degrees -> radians)
+  bool is_needed = false;
+};
+
+/// Valid as long as the thing lives.
+using WorldFields = std::vector<WorldField>;
+
+/// Wall faces that follow each other.
+struct WallLine {
+  std::vector<Vec2> line;
+  double height_m = 0;  ///< 0: up to the ceiling
+  double brightness = WallFace{}.brightness;
+};
+
+WorldFields fields_of(WallLine& wall);
+WorldFields fields_of(Door& door);
+WorldFields fields_of(Poster& poster);
+WorldFields fields_of(Lamp& lamp);
+WorldFields fields_of(FloorCovering& floor);
+WorldFields fields_of(FloorPaper& paper);
+WorldFields fields_of(Furniture& piece);
+WorldFields fields_of(ParkingFrame& frame);
+WorldFields fields_of(Person& person);
+WorldFields fields_of(NamedPlace& place);
+WorldFields fields_of(Pose2& pose);
+
+/// What a world has one of: its name, tour, ceiling, skirting, light.
+WorldFields fields_of(World& world);
+
+inline constexpr std::size_t kThingsMax = 50'000;
+
+/// The lists of a world and how many things each may have: visit(key, things, most).
+template <class SomeWorld, class Visit>
+void for_each_list(SomeWorld& world, const Visit& visit) {
+  constexpr std::size_t kFew = 1'000, kPeopleMax = 200;
+  visit("doors", world.doors, kThingsMax);
+  visit("posters", world.posters, kThingsMax);
+  visit("lamps", world.lamps, kThingsMax);
+  visit("papers", world.papers, kThingsMax);
+  visit("furniture", world.furniture, kThingsMax);
+  visit("parking_frames", world.parking_frames, kFew);
+  visit("people", world.people, kPeopleMax);
+  visit("places", world.places, kFew);
+}
+
+}  // namespace aisle
