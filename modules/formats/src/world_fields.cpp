@@ -18,12 +18,20 @@ WorldField angle(std::string_view key, double& target_rad) {
   return {.key = key, .target = &target_rad, .range = {-360, 360}, .inner_unit = kDegree};
 }
 
+WorldField count(std::string_view key, int& target, Range range) {
+  return {.key = key, .target = &target, .range = range};
+}
+
 WorldField whole_number(std::string_view key, std::uint64_t& target) {
   return {.key = key, .target = &target, .range = {}};
 }
 
 WorldField point(std::string_view key, double& x_m, double& y_m, Range range = kCoordinate_m) {
-  return {.key = key, .target = PointTarget{&x_m, &y_m}, .range = range};
+  return {.key = key, .target = PointTarget{{&x_m, &y_m}}, .range = range};
+}
+
+WorldField point(std::string_view key, Vec3& target) {
+  return {.key = key, .target = PointTarget{{&target.x(), &target.y(), &target.z()}}, .range = kCoordinate_m};
 }
 
 WorldField point(std::string_view key, Vec2& target) {
@@ -118,6 +126,13 @@ WorldFields fields_of(ParkingFrame& frame) {
           angle("heading_deg", frame.heading_rad),
           number("line_width_m", frame.line_width_m, {0.001, 1}),
           number("brightness", frame.brightness, kShare)};
+}
+
+WorldFields fields_of(CalibrationBoard& board) {
+  return {needed(point("centre", board.p_world_centre)), angle("yaw_deg", board.yaw_rad),
+          angle("pitch_deg", board.pitch_rad),           angle("roll_deg", board.roll_rad),
+          count("columns", board.columns, {2, 100}),     count("rows", board.rows, {2, 100}),
+          number("square_m", board.square_m, {0.001, 1})};
 }
 
 WorldFields fields_of(Person& person) {

@@ -15,10 +15,9 @@
 
 namespace aisle {
 
-/// A point of a thing, wherever its coordinates are kept.
+/// A point of a thing, wherever its two or three coordinates are kept.
 struct PointTarget {
-  double* x_m = nullptr;
-  double* y_m = nullptr;
+  std::vector<double*> coordinates;
 };
 
 /// One of a few words.
@@ -29,7 +28,7 @@ struct WordTarget {
 };
 
 using WorldTarget =
-    std::variant<double*, std::uint64_t*, PointTarget, std::vector<Vec2>*, std::string*, WordTarget>;
+    std::variant<double*, int*, std::uint64_t*, PointTarget, std::vector<Vec2>*, std::string*, WordTarget>;
 
 /// One key of a thing and the variable that it sets.
 struct WorldField {
@@ -58,6 +57,7 @@ WorldFields fields_of(FloorCovering& floor);
 WorldFields fields_of(FloorPaper& paper);
 WorldFields fields_of(Furniture& piece);
 WorldFields fields_of(ParkingFrame& frame);
+WorldFields fields_of(CalibrationBoard& board);
 WorldFields fields_of(Person& person);
 WorldFields fields_of(NamedPlace& place);
 WorldFields fields_of(Pose2& pose);
@@ -77,6 +77,7 @@ void for_each_list(SomeWorld& world, const Visit& visit) {
   visit("papers", world.papers, kThingsMax);
   visit("furniture", world.furniture, kThingsMax);
   visit("parking_frames", world.parking_frames, kFew);
+  visit("boards", world.boards, kFew);
   visit("people", world.people, kPeopleMax);
   visit("places", world.places, kFew);
 }

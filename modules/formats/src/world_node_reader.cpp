@@ -72,6 +72,8 @@ void WorldNodeReader::read_field(const YAML::Node& node, const std::string& key,
     if (const auto value = number(node, key, field.range)) **real = *value * field.inner_unit;
   } else if (const auto* whole = std::get_if<std::uint64_t*>(&field.target)) {
     read_whole_number(node, key, **whole);
+  } else if (const auto* count = std::get_if<int*>(&field.target)) {
+    read_count(node, key, field.range, **count);
   } else if (const auto* point = std::get_if<PointTarget>(&field.target)) {
     read_point(node, key, field.range, *point);
   } else if (const auto* points = std::get_if<std::vector<Vec2>*>(&field.target)) {
@@ -85,12 +87,20 @@ void WorldNodeReader::read_field(const YAML::Node& node, const std::string& key,
   }
 }
 
-void WorldNodeReader::read_point(const YAML::Node& node, const std::string& key, Range range,
+bool WorldNodeReader::read_point(const YAML::Node& node, const std::string& key, Range range,
                                  const PointTarget& target) {
-  if (const auto p = point(node, key, range)) {
-    *target.x_m = p->x();
-    *target.y_m = p->y();
+  const std::vector<double*>& coordinates = target.coordinates;
+  if (!node.IsSequence() || node.size() != coordinates.size()) {
+    problem(node, key, coordinates.size() == 2 ? "is not [x, y]" : "is not [x, y, z]");
+    return false;
   }
+  std::vector<double> values;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (const auto value = number(node[i], key, range)) values.push_back(*value);
+  }
+  if (values.size() < coordinates.size()) return false;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) *coordinates[i] = values[i];
+  return true;
 }
 
 void WorldNodeReader::read_points(const YAML::Node& node, const std::string& key, Range range,
@@ -98,7 +108,8 @@ void WorldNodeReader::read_points(const YAML::Node& node, const std::string& key
   for (std::size_t i = 0; i < node.size() && !is_hopeless(); ++i) {
     const std::string inner = fmt::format("{}[{}]", key, i);
     lines_.emplace(inner, line_at(node[i]));
-    if (const auto p = point(node[i], inner, range)) target.push_back(*p);
+    Vec2 p = Vec2::Zero();
+    if (read_point(node[i], inner, range, {{&p.x(), &p.y()}})) target.push_back(p);
   }
 }
 
@@ -128,14 +139,11 @@ void WorldNodeReader::read_whole_number(const YAML::Node& node, const std::strin
   problem(node, key, fmt::format("'{}' is not a whole number from 0 to {}", printable(text), UINT64_MAX));
 }
 
-std::optional<Vec2> WorldNodeReader::point(const YAML::Node& node, const std::string& key, Range range) {
-  if (!node.IsSequence() || node.size() != 2) {
-    problem(node, key, "is not [x, y]");
-    return std::nullopt;
-  }
-  const auto x = number(node[0], key, range), y = number(node[1], key, range);
-  if (!x || !y) return std::nullopt;
-  return Vec2(*x, *y);
+void WorldNodeReader::read_count(const YAML::Node& node, const std::string& key, Range range, int& target) {
+  const auto value = number(node, key, range);
+  if (!value) return;
+  if (*value != std::floor(*value)) return problem(node, key, "is not a whole number");
+  target = static_cast<int>(*value);
 }
 
 std::optional<double> WorldNodeReader::number(const YAML::Node& node, const std::string& key, Range range) {

@@ -48,12 +48,13 @@ class WorldNodeReader {
 
  private:
   void read_field(const YAML::Node& node, const std::string& key, const WorldField& field);
-  void read_point(const YAML::Node& node, const std::string& key, Range range, const PointTarget& target);
+  /// Whether all coordinates could be read; else the target is as it was.
+  bool read_point(const YAML::Node& node, const std::string& key, Range range, const PointTarget& target);
   void read_text(const YAML::Node& node, const std::string& key, const WorldField& field,
                  std::string& target);
   void read_word(const YAML::Node& node, const std::string& key, const WordTarget& target);
   void read_whole_number(const YAML::Node& node, const std::string& key, std::uint64_t& target);
-  std::optional<Vec2> point(const YAML::Node& node, const std::string& key, Range range);
+  void read_count(const YAML::Node& node, const std::string& key, Range range, int& target);
   std::optional<double> number(const YAML::Node& node, const std::string& key, Range range);
   long line_of(std::string key) const;
 

@@ -18,15 +18,17 @@ std::string rounded(double value) {
   return fmt::format("{}", std::round(value * 1000) / 1000 + 0.0);  // + 0.0: never "-0"
 }
 
-std::string point_text(double x, double y) {
-  return fmt::format("[{}, {}]", rounded(x), rounded(y));
+std::string point_text(const std::vector<double>& coordinates) {
+  std::vector<std::string> texts;
+  for (const double value : coordinates) texts.push_back(rounded(value));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
 std::string polyline_text(const std::vector<Vec2>& points, std::string_view indent) {
   std::string text = "[";
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i > 0) text += i % kPointsInALine == 0 ? fmt::format(",\n{}", indent) : ", ";
-    text += point_text(points[i].x(), points[i].y());
+    text += point_text({points[i].x(), points[i].y()});
   }
   return text + "]";
 }
@@ -39,9 +41,12 @@ std::string name_text(const std::string& text) {
 
 std::string value_text(const WorldField& field, std::string_view indent) {
   if (const auto* real = std::get_if<double*>(&field.target)) return rounded(**real / field.inner_unit);
+  if (const auto* count = std::get_if<int*>(&field.target)) return fmt::format("{}", **count);
   if (const auto* whole = std::get_if<std::uint64_t*>(&field.target)) return fmt::format("{}", **whole);
   if (const auto* point = std::get_if<PointTarget>(&field.target)) {
-    return point_text(*point->x_m, *point->y_m);
+    std::vector<double> values;
+    for (const double* value : point->coordinates) values.push_back(*value);
+    return point_text(values);
   }
   if (const auto* points = std::get_if<std::vector<Vec2>*>(&field.target)) {
     return polyline_text(**points, indent);

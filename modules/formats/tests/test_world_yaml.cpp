@@ -74,6 +74,9 @@ TEST(WorldYaml, ReadsAllThatAWorldCanHold) {
           "parking_frames:\n"
           "  - {name: dock, centre: [7, 2], size: [1.2, 0.9], heading_deg: 90, line_width_m: 0.06, "
           "brightness: 1}\n"
+          "boards:\n"
+          "  - {centre: [2, 3, 1.2], yaw_deg: 90, pitch_deg: 10, roll_deg: -5, columns: 7, rows: 5, "
+          "square_m: 0.04}\n"
           "people:\n"
           "  - {path: [[1, 3], [5, 3]], speed_mps: 0.8, start_s: 2, radius_m: 0.3, height_m: 1.8}\n"
           "places:\n"
@@ -138,6 +141,14 @@ TEST(WorldYaml, ReadsAllThatAWorldCanHold) {
   EXPECT_DOUBLE_EQ(frame.heading_rad, kPi / 2);
   EXPECT_EQ(frame.line_width_m, 0.06);
   EXPECT_EQ(frame.brightness, 1);
+  const CalibrationBoard& board = world->boards.at(0);
+  EXPECT_EQ(board.p_world_centre, Vec3(2, 3, 1.2));
+  EXPECT_DOUBLE_EQ(board.yaw_rad, kPi / 2);
+  EXPECT_DOUBLE_EQ(board.pitch_rad, 10 * kDegree);
+  EXPECT_DOUBLE_EQ(board.roll_rad, -5 * kDegree);
+  EXPECT_EQ(board.columns, 7);
+  EXPECT_EQ(board.rows, 5);
+  EXPECT_EQ(board.square_m, 0.04);
   const Person& person = world->people.at(0);
   EXPECT_THAT(person.path, SizeIs(2));
   EXPECT_EQ(person.speed_mps, 0.8);
@@ -197,7 +208,7 @@ TEST(WorldYaml, ReportsEveryProblemWithItsLineAndKey) {
       "w.yaml:17: texture_seed: '-1' is not a whole number from 0 to 18446744073709551615\n"
       "w.yaml:18: door: unknown key (known: format, version, walls, boxes, floor, start, doors, posters, "
       "lamps, "
-      "papers, furniture, parking_frames, people, places, name, ceiling_m, ceiling_brightness, "
+      "papers, furniture, parking_frames, boards, people, places, name, ceiling_m, ceiling_brightness, "
       "skirting_height_m, skirting_brightness, ambient_light, texture_seed, tour)\n"
       "w.yaml:19: tour: is not a list");
 }

@@ -34,10 +34,12 @@ class FieldDrawer {
 
  private:
   void set(double* target, const WorldField& field) { *target = thousandths(field.range) * field.inner_unit; }
+  void set(int* target, const WorldField& field) {
+    *target = static_cast<int>(std::floor(thousandths(field.range)));
+  }
   void set(std::uint64_t* target, const WorldField&) { *target = random_.bits(); }
   void set(const PointTarget& target, const WorldField& field) {
-    *target.x_m = thousandths(field.range);
-    *target.y_m = thousandths(field.range);
+    for (double* coordinate : target.coordinates) *coordinate = thousandths(field.range);
   }
   void set(std::vector<Vec2>* target, const WorldField& field) {
     target->resize(2 + random_.index(9));
@@ -102,7 +104,8 @@ bool same_value(double* a, double* b) {
   return same(*a, *b);
 }
 bool same_value(const PointTarget& a, const PointTarget& b) {
-  return same(*a.x_m, *b.x_m) && same(*a.y_m, *b.y_m);
+  return std::equal(a.coordinates.begin(), a.coordinates.end(), b.coordinates.begin(),
+                    [](const double* x, const double* y) { return same(*x, *y); });
 }
 bool same_value(std::vector<Vec2>* a, std::vector<Vec2>* b) {
   return std::equal(a->begin(), a->end(), b->begin(), b->end(),
@@ -152,6 +155,7 @@ RC_GTEST_PROP(WorldYaml, WhatIsWrittenIsReadAgain, (std::uint64_t seed)) {
   RC_ASSERT(same_things(read->papers, written.papers));
   RC_ASSERT(same_things(read->furniture, written.furniture));
   RC_ASSERT(same_things(read->parking_frames, written.parking_frames));
+  RC_ASSERT(same_things(read->boards, written.boards));
   RC_ASSERT(same_things(read->people, written.people));
   RC_ASSERT(same_things(read->places, written.places));
   RC_ASSERT(world_yaml(*read) == world_yaml(written));
