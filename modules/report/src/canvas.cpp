@@ -85,6 +85,24 @@ void Canvas::fill(const Color& color) {
   cairo_paint(cairo_);
 }
 
+void Canvas::picture(const Image& picture) {
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width_px, picture.height_px),
+                        cairo_surface_destroy);
+  require(cairo_surface_status(surface.get()));
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  unsigned char* const pixels = cairo_image_surface_get_data(surface.get());
+  const std::size_t last = picture.channels == 3 ? 2 : 0;
+  for (int v = 0; v < picture.height_px; ++v) {
+    auto* row = reinterpret_cast<std::uint32_t*>(pixels + std::ptrdiff_t{v} * stride);
+    const std::uint8_t* from = picture.row(v);
+    for (int u = 0; u < picture.width_px; ++u, from += picture.channels)
+      row[u] = std::uint32_t{from[0]} << 16U | std::uint32_t{from[last / 2]} << 8U | from[last];
+  }
+  cairo_surface_mark_dirty(surface.get());
+  cairo_set_source_surface(cairo_, surface.get(), 0, 0);
+  cairo_paint(cairo_);
+}
+
 void Canvas::stroke(const Pen& pen) {
   set_color(cairo_, pen.color);
   cairo_set_line_width(cairo_, pen.width_px);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "aisle/core/image.hpp"
 #include "aisle/geometry/pose2.hpp"
 
 namespace aisle {
@@ -36,6 +37,8 @@ class Canvas {
   explicit Canvas(cairo_t* cairo);
 
   void fill(const Color& color);
+  /// A picture at its own size, its corner in the top left corner.
+  void picture(const Image& picture);
   void line(const Vec2& start, const Vec2& end, const Pen& pen);
   void polyline(const std::vector<Vec2>& points, const Pen& pen);
   /// All lines as one shape: where they cross, a transparent pen gets no darker.

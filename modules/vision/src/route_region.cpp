@@ -145,18 +145,28 @@ RouteRegion find_route_region(const Image& picture, const RegionParams& params) 
   return region;
 }
 
-std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row) {
-  const auto middle = [&](int row) -> std::optional<Vec2> {
-    double sum = 0, count = 0;
-    for (int u = 0; u < mask.width_px; ++u) {
-      if (mask.row(row)[u] == 0) continue;
-      sum += u;
-      ++count;
+namespace {
+
+/// The middle of the widest unbroken part of the region in one row.
+std::optional<Vec2> middle_of_row(const Image& mask, int row) {
+  std::optional<Vec2> middle;
+  int widest = 0;
+  for (int u = 0; u < mask.width_px; ++u) {
+    int end = u;
+    while (end < mask.width_px && mask.row(row)[end] != 0) ++end;
+    if (end - u > widest) {
+      widest = end - u;
+      middle = Vec2((u + end - 1) / 2.0, row);
     }
-    if (count == 0) return std::nullopt;
-    return Vec2(sum / count, row);
-  };
-  const auto far = middle(far_row), near = middle(near_row);
+    u = end;
+  }
+  return middle;
+}
+
+}  // namespace
+
+std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row) {
+  const auto far = middle_of_row(mask, far_row), near = middle_of_row(mask, near_row);
   if (!far || !near) return std::nullopt;
   return RouteMiddle{*far, *near, (*far + *near) / 2};
 }

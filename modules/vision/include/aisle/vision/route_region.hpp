@@ -39,12 +39,12 @@ RouteRegion find_route_region(const Image& picture, const RegionParams& params =
 
 /// The middle of the route as L96 Algorithm 4 finds it.
 struct RouteMiddle {
-  Vec2 far_px = Vec2::Zero();   ///< A: middle of the region on the upper scan line
+  Vec2 far_px = Vec2::Zero();   ///< A: middle of the widest part of the region on the upper scan line
   Vec2 near_px = Vec2::Zero();  ///< C: the same on the lower one
   Vec2 mean_px = Vec2::Zero();  ///< B: halfway between the two
 };
 
-/// @param far_row, near_row  the scan lines; inside the mask
+/// @param far_row, near_row  the scan lines; rows of the mask
 /// @return nullopt unless both lines meet the region
 std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row);
 

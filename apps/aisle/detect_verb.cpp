@@ -1,0 +1,39 @@
+#include <memory>
+
+#include "aisle/commands/detect.hpp"
+#include "verb.hpp"
+
+using namespace aisle;
+
+namespace {
+
+template <Feature feature>
+void add_feature(CLI::App& detect, Work& work, const std::string& name, const std::string& meaning) {
+  CLI::App* verb = detect.add_subcommand(name, meaning);
+  verb->fallthrough();
+  auto options = std::make_shared<DetectOptions>();
+  options->feature = feature;
+  verb->add_option("IMAGE", options->files, "pictures: PNG, JPEG, PGM, PPM, BMP, TIFF");
+  verb->add_option("--overlay", options->overlay,
+                   feature == Feature::kRegion
+                       ? "directory for the region masks and for the pictures with what was found drawn over"
+                       : "directory for the pictures with what was found drawn over");
+  verb->add_flag("--force", options->force, "replace results that are there already");
+  add_parameter_options(
+      *verb, options->parameters, [] { return detect_parameters(feature); }, work,
+      [options, &work] {
+        if (options->files.empty()) throw CLI::RequiredError("IMAGE");
+        work = [options](Console& console) { return run_detect(*options, console); };
+      });
+}
+
+}  // namespace
+
+void add_detect_verb(CLI::App& app, Work& work) {
+  CLI::App* detect = app.add_subcommand("detect", "find features in pictures");
+  detect->require_subcommand(1);
+  detect->fallthrough();
+  add_feature<Feature::kStripes>(*detect, work, "stripes",
+                                 "the marks of a horizontal laser plane, as polylines with their corners");
+  add_feature<Feature::kRegion>(*detect, work, "region", "the floor in front of the vehicle, as a mask");
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/commands/parameter_sources.hpp"
+
+namespace aisle {
+
+/// What to look for in pictures.
+enum class Feature { kStripes, kRegion };
+
+struct DetectOptions {
+  Feature feature = Feature::kRegion;
+  std::vector<std::string> files;
+  std::optional<std::filesystem::path> overlay;  ///< directory for drawings and masks; none: figures only
+  bool force = false;
+  ParameterSources parameters;
+};
+
+/// `aisle detect FEATURE IMAGE...`: what a feature's detector finds in each picture, in pixels of the picture
+/// as given. One picture that cannot be read is a problem, and then nothing is written.
+Result<Outcome> run_detect(const DetectOptions& options, Console& console);
+
+/// Every parameter of a feature's detector with its default.
+Outcome detect_parameters(Feature feature);
+
+}  // namespace aisle

@@ -1,0 +1,118 @@
+#include "aisle/commands/detect.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "aisle/commands/output_directory.hpp"
+#include "aisle/commands/parameter_listing.hpp"
+#include "aisle/formats/picture_file.hpp"
+#include "picture_detector.hpp"
+
+namespace aisle {
+
+nlohmann::ordered_json pixel_json(const Vec2& pixel) {
+  const auto rounded = [](double value) { return std::round(value * 1000) / 1000; };
+  return {rounded(pixel.x()), rounded(pixel.y())};
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kOverlayEnding = ".overlay.png";
+constexpr const char* kMaskEnding = ".region.png";
+
+std::unique_ptr<PictureDetector> make_detector(Feature feature) {
+  switch (feature) {
+    case Feature::kStripes:
+      return make_stripe_detector();
+    case Feature::kRegion:
+      return make_region_detector();
+  }
+  throw std::invalid_argument("no such feature");
+}
+
+const char* name_of(Feature feature) {
+  switch (feature) {
+    case Feature::kStripes:
+      return "detect stripes";
+    case Feature::kRegion:
+      return "detect region";
+  }
+  throw std::invalid_argument("no such feature");
+}
+
+/// A name for each picture's results: its own without the ending; a number follows where two are alike.
+std::vector<std::string> result_names(const std::vector<std::string>& files) {
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const std::string& file : files) {
+    const std::string stem = fs::path(file).stem().string();
+    std::string name = stem;
+    for (int number = 2; !taken.insert(name).second; ++number) name = fmt::format("{}-{}", stem, number);
+    names.push_back(name);
+  }
+  return names;
+}
+
+/// Writes all drawings into the overlay directory. @return role -> path
+Result<std::map<std::string, std::string>> write(const std::vector<OutputFile>& drawings,
+                                                 const DetectOptions& options) {
+  if (options.overlay->empty()) return Problem{{"--overlay"}, "names no directory"};
+  std::vector<std::string> names;
+  for (const OutputFile& drawing : drawings) names.push_back(drawing.name);
+  const auto directory = OutputDirectory::open(*options.overlay, options.force, names);
+  if (!directory) return directory.problems();
+  return directory->write(drawings);
+}
+
+}  // namespace
+
+Outcome detect_parameters(Feature feature) {
+  const auto detector = make_detector(feature);
+  return parameter_listing(name_of(feature), fields_of(*detector));
+}
+
+Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
+  const auto detector = make_detector(options.feature);
+  FieldList fields = fields_of(*detector);
+  if (const Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  const std::vector<std::string> names = result_names(options.files);
+
+  Outcome outcome{.verb = name_of(options.feature)};
+  auto& images = outcome.figures["images"] = nlohmann::ordered_json::array();
+  std::vector<OutputFile> drawings;
+  Problems problems;
+  for (std::size_t i = 0; i < options.files.size(); ++i) {
+    console.progress.report("pictures", i, options.files.size());
+    const auto picture = read_picture(options.files[i]);
+    if (!picture) {
+      problems.insert(problems.end(), picture.problems().begin(), picture.problems().end());
+      continue;
+    }
+    Detection found = detector->detect(*picture, options.overlay.has_value());
+    nlohmann::ordered_json& figures = images.emplace_back();
+    figures = {
+        {"file", options.files[i]}, {"width_px", picture->width_px}, {"height_px", picture->height_px}};
+    figures.update(found.figures);
+    if (found.mask_png) figures["region_mask"] = nullptr;
+    outcome.text += fmt::format("{}: {}\n", options.files[i], found.summary);
+    if (!options.overlay) continue;
+    const std::string overlay = names[i] + kOverlayEnding, mask = names[i] + kMaskEnding;
+    drawings.push_back({overlay, overlay, std::move(found.overlay_png)});
+    if (!found.mask_png) continue;
+    figures["region_mask"] = (*options.overlay / mask).string();
+    drawings.push_back({mask, mask, std::move(*found.mask_png)});
+  }
+  if (!problems.empty()) return problems;
+  if (!options.overlay) return outcome;
+  const auto written = write(drawings, options);
+  if (!written) return written.problems();
+  outcome.files = *written;
+  outcome.text += fmt::format("{} files in {}\n", drawings.size(), options.overlay->string());
+  return outcome;
+}
+
+}  // namespace aisle

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "aisle/commands/detect.hpp"
+#include "aisle/core/image.hpp"
+#include "aisle/core/parameters.hpp"
+#include "aisle/geometry/pose2.hpp"
+
+namespace aisle {
+
+/// What was found in one picture.
+struct Detection {
+  nlohmann::ordered_json figures;       ///< the feature's own keys
+  std::string summary;                  ///< for people, half a line
+  std::string overlay_png;              ///< empty if not asked for
+  std::optional<std::string> mask_png;  ///< of features that are areas
+};
+
+/// A feature's detector and its parameters.
+class PictureDetector {
+ public:
+  virtual ~PictureDetector() = default;
+
+  virtual void describe(FieldList& fields) = 0;
+  virtual Detection detect(const Image& picture, bool is_drawn) = 0;
+};
+
+std::unique_ptr<PictureDetector> make_stripe_detector();
+std::unique_ptr<PictureDetector> make_region_detector();
+
+/// [u, v] in pixels, to a thousandth.
+nlohmann::ordered_json pixel_json(const Vec2& pixel);
+
+}  // namespace aisle

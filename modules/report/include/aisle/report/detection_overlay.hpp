@@ -1,0 +1,23 @@
+#pragma once
+/// What a detector found, drawn over the picture in which it found it. The drawing is as large as the
+/// picture.
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "aisle/core/image.hpp"
+#include "aisle/vision/laser_stripes.hpp"
+#include "aisle/vision/route_region.hpp"
+
+namespace aisle {
+
+/// Stripes green with yellow rings at their corners. @return a PNG file
+std::string stripes_overlay_png(const Image& picture, std::span<const LaserStripe> stripes);
+
+/// The region green, its outline brighter; the scan lines' middles A and C yellow and their mean B red.
+/// @return a PNG file
+std::string region_overlay_png(const Image& picture, const RouteRegion& region,
+                               const std::optional<RouteMiddle>& middle);
+
+}  // namespace aisle

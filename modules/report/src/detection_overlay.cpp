@@ -1,0 +1,88 @@
+#include "aisle/report/detection_overlay.hpp"
+
+#include <algorithm>
+
+#include "canvas.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr Color kGreen{0.1, 0.9, 0.2};
+constexpr Color kYellow{1, 0.85, 0};
+constexpr Color kRed{1, 0.15, 0.1};
+constexpr std::uint8_t kRegionTint = 110;  // of 255: how much of the picture the region's green covers
+
+/// A point of a picture on the canvas, whose origin is a pixel's corner.
+Vec2 on_canvas(const Vec2& pixel) {
+  return pixel + Vec2(0.5, 0.5);
+}
+
+/// The unit of line widths and dots: a VGA picture's lines are 2 px wide.
+double stroke_px(const Image& picture) {
+  return std::max(1.0, std::max(picture.width_px, picture.height_px) / 320.0);
+}
+
+std::string overlay_png(const Image& picture, const Drawing& draw) {
+  return png_file(picture.width_px, picture.height_px, [&](Canvas& canvas) {
+    canvas.picture(picture);
+    draw(canvas);
+  });
+}
+
+bool is_outline(const Image& mask, int u, int v) {
+  const auto outside = [&](int x, int y) {
+    return x >= 0 && y >= 0 && x < mask.width_px && y < mask.height_px && mask.row(y)[x] == 0;
+  };
+  return outside(u - 1, v) || outside(u + 1, v) || outside(u, v - 1) || outside(u, v + 1);
+}
+
+Image in_colour(const Image& picture) {
+  if (picture.channels == 3) return picture;
+  Image colour(picture.width_px, picture.height_px, 3);
+  for (std::size_t i = 0; i < colour.bytes.size(); ++i) colour.bytes[i] = picture.bytes[i / 3];
+  return colour;
+}
+
+Image tinted(const Image& picture, const Image& mask) {
+  constexpr int kTint[3] = {0, 230, 60};
+  Image colour = in_colour(picture);
+  for (int v = 0; v < mask.height_px; ++v) {
+    for (int u = 0; u < mask.width_px; ++u) {
+      if (mask.row(v)[u] == 0) continue;
+      const int share = is_outline(mask, u, v) ? 255 : kRegionTint;
+      std::uint8_t* pixel = colour.row(v) + 3 * u;
+      for (int c = 0; c < 3; ++c)
+        pixel[c] = static_cast<std::uint8_t>((pixel[c] * (255 - share) + kTint[c] * share) / 255);
+    }
+  }
+  return colour;
+}
+
+}  // namespace
+
+std::string stripes_overlay_png(const Image& picture, std::span<const LaserStripe> stripes) {
+  const double stroke = stroke_px(picture);
+  return overlay_png(picture, [&](Canvas& canvas) {
+    for (const LaserStripe& stripe : stripes) {
+      std::vector<Vec2> line;
+      for (const Vec2& p : stripe.points_px) line.push_back(on_canvas(p));
+      canvas.polyline(line, {kGreen, stroke});
+      for (const Vec2& corner : stripe.corners_px)
+        canvas.ring(on_canvas(corner), 2.5 * stroke, {kYellow, 0.75 * stroke});
+    }
+  });
+}
+
+std::string region_overlay_png(const Image& picture, const RouteRegion& region,
+                               const std::optional<RouteMiddle>& middle) {
+  const double stroke = stroke_px(picture);
+  return overlay_png(tinted(picture, region.mask), [&](Canvas& canvas) {
+    if (!middle) return;
+    canvas.line(on_canvas(middle->near_px), on_canvas(middle->far_px), {kYellow, 0.5 * stroke});
+    canvas.disc(on_canvas(middle->near_px), 2 * stroke, kYellow);
+    canvas.disc(on_canvas(middle->far_px), 2 * stroke, kYellow);
+    canvas.disc(on_canvas(middle->mean_px), 2 * stroke, kRed);
+  });
+}
+
+}  // namespace aisle

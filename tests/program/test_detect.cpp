@@ -1,0 +1,113 @@
+#include <gmock/gmock.h>
+
+#include "workplace.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A dark grey wall with a bright stripe in row 20 over a brighter floor that begins in row 60, as PGM.
+std::string picture_file(int width = 120, int height = 90) {
+  std::string bytes = "P5 " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
+  for (int v = 0; v < height; ++v)
+    bytes += std::string(static_cast<std::size_t>(width), static_cast<char>(v == 20  ? 250
+                                                                            : v < 60 ? 60
+                                                                                     : 160));
+  return bytes;
+}
+
+/// Width and height as a PNG file tells them.
+std::pair<int, int> size_of_png(const std::string& path) {
+  const std::string bytes = read_bytes(path);
+  if (!bytes.starts_with("\x89PNG") || bytes.size() < 24) return {0, 0};
+  const auto number = [&](std::size_t at) {
+    int value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = value * 256 + static_cast<unsigned char>(bytes[i]);
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+class Detect : public Workplace {};
+
+TEST_F(Detect, StripesAreListedForEachPictureWithItsNameAsGiven) {
+  const std::string a = file("a.pgm", picture_file()), b = file("b.pgm", picture_file());
+  const ProgramRun run = run_aisle({"detect", "stripes", a, b, "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto images = run.json()["figures"]["images"];
+  ASSERT_EQ(images.size(), 2);
+  EXPECT_EQ(images[0]["file"], a);
+  EXPECT_EQ(images[1]["file"], b);
+  ASSERT_EQ(images[0]["stripes"].size(), 1);
+  const auto stripe = images[0]["stripes"][0];
+  EXPECT_EQ(stripe["polyline"].size(), 120);
+  EXPECT_EQ(stripe["polyline"][7], (nlohmann::json{7.0, 20.0}));
+  EXPECT_EQ(stripe["corners"], (nlohmann::json{{0.0, 20.0}, {119.0, 20.0}}));
+}
+
+TEST_F(Detect, TheRegionIsAMaskBesideItsOverlayBothAsLargeAsThePicture) {
+  const std::string a = file("a.pgm", picture_file());
+  const ProgramRun run = run_aisle({"detect", "region", a, "--overlay", at("out"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto image = run.json()["figures"]["images"][0];
+  EXPECT_EQ(image["region_mask"], at("out/a.region.png"));
+  EXPECT_NEAR(image["region_share"].get<double>(), 30.0 / 90, 0.02);
+  EXPECT_THAT(names_in(at("out")), ElementsAre("a.overlay.png", "a.region.png"));
+  EXPECT_EQ(size_of_png(at("out/a.region.png")), std::pair(120, 90));
+  EXPECT_EQ(size_of_png(at("out/a.overlay.png")), std::pair(120, 90));
+}
+
+TEST_F(Detect, WithoutADirectoryThereIsNoMask) {
+  const ProgramRun run = run_aisle({"detect", "region", file("a.pgm", picture_file()), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(run.json()["figures"]["images"][0]["region_mask"].is_null());
+  EXPECT_THAT(run.json()["files"], IsEmpty());
+}
+
+TEST_F(Detect, PicturesOfTheSameNameDoNotOverwriteEachOther) {
+  std::filesystem::create_directory(at("left"));
+  std::filesystem::create_directory(at("right"));
+  const std::string a = file("left/1.pgm", picture_file()), b = file("right/1.pgm", picture_file(60, 90));
+  ASSERT_EQ(run_aisle({"detect", "stripes", a, b, "--overlay", at("out")}).exit_code, 0);
+  EXPECT_THAT(names_in(at("out")), ElementsAre("1-2.overlay.png", "1.overlay.png"));
+  EXPECT_EQ(size_of_png(at("out/1.overlay.png")), std::pair(120, 90));
+  EXPECT_EQ(size_of_png(at("out/1-2.overlay.png")), std::pair(60, 90));
+}
+
+TEST_F(Detect, OneBadPictureAmongManyIsNamedAndNothingIsWritten) {
+  const std::string good = file("good.pgm", picture_file());
+  const std::string bad = file("bad.png", "no picture");
+  EXPECT_THAT(run_aisle({"detect", "region", good, bad, good, "--overlay", at("out"), "--json"}),
+              IsRefused("bad.png: is not a picture"));
+  EXPECT_THAT(run_aisle({"detect", "region", good, at("absent.png"), "--overlay", at("out"), "--json"}),
+              IsRefused("absent.png: no such file"));
+  EXPECT_FALSE(std::filesystem::exists(at("out")));
+}
+
+TEST_F(Detect, ResultsAreReplacedOnlyByForce) {
+  const std::string a = file("a.pgm", picture_file());
+  ASSERT_EQ(run_aisle({"detect", "stripes", a, "--overlay", at("out")}).exit_code, 0);
+  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--overlay", at("out"), "--json"}), IsRefused("--force"));
+  EXPECT_EQ(run_aisle({"detect", "stripes", a, "--overlay", at("out"), "--force"}).exit_code, 0);
+}
+
+TEST_F(Detect, MistakesAreRefusedInOneLine) {
+  const std::string a = file("a.pgm", picture_file());
+  EXPECT_THAT(run_aisle({"detect", "--json"}), IsRefused("A subcommand is required"));
+  EXPECT_THAT(run_aisle({"detect", "stripes", "--json"}), IsRefused("IMAGE is required"));
+  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--overlay", "", "--json"}), IsRefused("--overlay"));
+  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--overlay", a, "--json"}), IsRefused("cannot be made: Not a directory"));
+  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--set", "stripes.corner_px=-1", "--json"}),
+              IsRefused("stripes.corner_px"));
+}
+
+TEST_F(Detect, PeopleReadALineForEachPicture) {
+  const ProgramRun run = run_aisle({"detect", "region", file("a.pgm", picture_file())});
+  EXPECT_THAT(run.out, HasSubstr("a.pgm: route on 33.3 % of the picture"));
+}
+
+}  // namespace
+}  // namespace aisle
