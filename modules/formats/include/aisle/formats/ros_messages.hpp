@@ -1,0 +1,336 @@
+#pragma once
+/// The standard ROS 2 messages that sessions are made of, field by field as their definitions have them.
+/// Each lists its fields once, in the order of its definition: `fields(message, visit)` calls
+/// visit("name", field) for each, which is what reads and writes the bytes (cdr.hpp).
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace aisle::ros {
+
+struct Time {
+  std::int32_t sec = 0;
+  std::uint32_t nanosec = 0;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("sec", self.sec);
+    visit("nanosec", self.nanosec);
+  }
+  friend bool operator==(const Time&, const Time&) = default;
+};
+
+struct Header {
+  Time stamp;
+  std::string frame_id;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("stamp", self.stamp);
+    visit("frame_id", self.frame_id);
+  }
+  friend bool operator==(const Header&, const Header&) = default;
+};
+
+struct String {
+  static constexpr const char* kType = "std_msgs/msg/String";
+  std::string data;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("data", self.data);
+  }
+  friend bool operator==(const String&, const String&) = default;
+};
+
+struct Bool {
+  static constexpr const char* kType = "std_msgs/msg/Bool";
+  bool data = false;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("data", self.data);
+  }
+  friend bool operator==(const Bool&, const Bool&) = default;
+};
+
+struct Image {
+  static constexpr const char* kType = "sensor_msgs/msg/Image";
+  Header header;
+  std::uint32_t height = 0;
+  std::uint32_t width = 0;
+  std::string encoding;
+  std::uint8_t is_bigendian = 0;
+  std::uint32_t step = 0;  ///< bytes from one row to the next
+  std::vector<std::uint8_t> data;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("height", self.height);
+    visit("width", self.width);
+    visit("encoding", self.encoding);
+    visit("is_bigendian", self.is_bigendian);
+    visit("step", self.step);
+    visit("data", self.data);
+  }
+  friend bool operator==(const Image&, const Image&) = default;
+};
+
+struct CompressedImage {
+  static constexpr const char* kType = "sensor_msgs/msg/CompressedImage";
+  Header header;
+  std::string format;  ///< "jpeg" or "png"
+  std::vector<std::uint8_t> data;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("format", self.format);
+    visit("data", self.data);
+  }
+  friend bool operator==(const CompressedImage&, const CompressedImage&) = default;
+};
+
+struct RegionOfInterest {
+  std::uint32_t x_offset = 0;
+  std::uint32_t y_offset = 0;
+  std::uint32_t height = 0;
+  std::uint32_t width = 0;
+  bool do_rectify = false;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("x_offset", self.x_offset);
+    visit("y_offset", self.y_offset);
+    visit("height", self.height);
+    visit("width", self.width);
+    visit("do_rectify", self.do_rectify);
+  }
+  friend bool operator==(const RegionOfInterest&, const RegionOfInterest&) = default;
+};
+
+struct CameraInfo {
+  static constexpr const char* kType = "sensor_msgs/msg/CameraInfo";
+  Header header;
+  std::uint32_t height = 0;
+  std::uint32_t width = 0;
+  std::string distortion_model;
+  std::vector<double> d;
+  std::array<double, 9> k{};
+  std::array<double, 9> r{};
+  std::array<double, 12> p{};
+  std::uint32_t binning_x = 0;
+  std::uint32_t binning_y = 0;
+  RegionOfInterest roi;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("height", self.height);
+    visit("width", self.width);
+    visit("distortion_model", self.distortion_model);
+    visit("d", self.d);
+    visit("k", self.k);
+    visit("r", self.r);
+    visit("p", self.p);
+    visit("binning_x", self.binning_x);
+    visit("binning_y", self.binning_y);
+    visit("roi", self.roi);
+  }
+  friend bool operator==(const CameraInfo&, const CameraInfo&) = default;
+};
+
+struct LaserScan {
+  static constexpr const char* kType = "sensor_msgs/msg/LaserScan";
+  Header header;
+  float angle_min = 0;
+  float angle_max = 0;
+  float angle_increment = 0;
+  float time_increment = 0;
+  float scan_time = 0;
+  float range_min = 0;
+  float range_max = 0;
+  std::vector<float> ranges;
+  std::vector<float> intensities;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("angle_min", self.angle_min);
+    visit("angle_max", self.angle_max);
+    visit("angle_increment", self.angle_increment);
+    visit("time_increment", self.time_increment);
+    visit("scan_time", self.scan_time);
+    visit("range_min", self.range_min);
+    visit("range_max", self.range_max);
+    visit("ranges", self.ranges);
+    visit("intensities", self.intensities);
+  }
+  friend bool operator==(const LaserScan&, const LaserScan&) = default;
+};
+
+struct JointState {
+  static constexpr const char* kType = "sensor_msgs/msg/JointState";
+  Header header;
+  std::vector<std::string> name;
+  std::vector<double> position;
+  std::vector<double> velocity;
+  std::vector<double> effort;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("name", self.name);
+    visit("position", self.position);
+    visit("velocity", self.velocity);
+    visit("effort", self.effort);
+  }
+  friend bool operator==(const JointState&, const JointState&) = default;
+};
+
+/// geometry_msgs/Vector3 and geometry_msgs/Point, which are the same bytes.
+struct Vector3 {
+  double x = 0, y = 0, z = 0;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("x", self.x);
+    visit("y", self.y);
+    visit("z", self.z);
+  }
+  friend bool operator==(const Vector3&, const Vector3&) = default;
+};
+
+struct Quaternion {
+  double x = 0, y = 0, z = 0, w = 1;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("x", self.x);
+    visit("y", self.y);
+    visit("z", self.z);
+    visit("w", self.w);
+  }
+  friend bool operator==(const Quaternion&, const Quaternion&) = default;
+};
+
+struct Pose {
+  Vector3 position;
+  Quaternion orientation;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("position", self.position);
+    visit("orientation", self.orientation);
+  }
+  friend bool operator==(const Pose&, const Pose&) = default;
+};
+
+struct PoseStamped {
+  static constexpr const char* kType = "geometry_msgs/msg/PoseStamped";
+  Header header;
+  Pose pose;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("pose", self.pose);
+  }
+  friend bool operator==(const PoseStamped&, const PoseStamped&) = default;
+};
+
+struct Twist {
+  static constexpr const char* kType = "geometry_msgs/msg/Twist";
+  Vector3 linear;
+  Vector3 angular;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("linear", self.linear);
+    visit("angular", self.angular);
+  }
+  friend bool operator==(const Twist&, const Twist&) = default;
+};
+
+struct PoseWithCovariance {
+  Pose pose;
+  std::array<double, 36> covariance{};
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("pose", self.pose);
+    visit("covariance", self.covariance);
+  }
+  friend bool operator==(const PoseWithCovariance&, const PoseWithCovariance&) = default;
+};
+
+struct TwistWithCovariance {
+  Twist twist;
+  std::array<double, 36> covariance{};
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("twist", self.twist);
+    visit("covariance", self.covariance);
+  }
+  friend bool operator==(const TwistWithCovariance&, const TwistWithCovariance&) = default;
+};
+
+struct Odometry {
+  static constexpr const char* kType = "nav_msgs/msg/Odometry";
+  Header header;
+  std::string child_frame_id;
+  PoseWithCovariance pose;
+  TwistWithCovariance twist;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("child_frame_id", self.child_frame_id);
+    visit("pose", self.pose);
+    visit("twist", self.twist);
+  }
+  friend bool operator==(const Odometry&, const Odometry&) = default;
+};
+
+struct Transform {
+  Vector3 translation;
+  Quaternion rotation;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("translation", self.translation);
+    visit("rotation", self.rotation);
+  }
+  friend bool operator==(const Transform&, const Transform&) = default;
+};
+
+struct TransformStamped {
+  Header header;
+  std::string child_frame_id;
+  Transform transform;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("child_frame_id", self.child_frame_id);
+    visit("transform", self.transform);
+  }
+  friend bool operator==(const TransformStamped&, const TransformStamped&) = default;
+};
+
+struct TFMessage {
+  static constexpr const char* kType = "tf2_msgs/msg/TFMessage";
+  std::vector<TransformStamped> transforms;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("transforms", self.transforms);
+  }
+  friend bool operator==(const TFMessage&, const TFMessage&) = default;
+};
+
+}  // namespace aisle::ros

@@ -1,0 +1,138 @@
+#include "aisle/formats/cdr.hpp"
+
+#include <fastcdr/Cdr.h>
+#include <fastcdr/FastBuffer.h>
+#include <fastcdr/exceptions/Exception.h>
+
+#include <concepts>
+#include <type_traits>
+
+namespace aisle {
+namespace {
+
+using eprosima::fastcdr::Cdr;
+using eprosima::fastcdr::FastBuffer;
+
+template <class Field>
+concept Structure = requires(Field& field) {
+  Field::fields(field, [](const char*, auto&) {});
+};
+
+class Writer {
+ public:
+  explicit Writer(Cdr& cdr) : cdr_(cdr) {}
+
+  template <class Field>
+  void operator()(const char* /*name*/, const Field& field) {
+    write(field);
+  }
+
+ private:
+  template <class Field>
+  requires(!Structure<Field>) void write(const Field& field) { cdr_ << field; }
+  template <Structure Field>
+  void write(const Field& field) {
+    Field::fields(field, *this);
+  }
+  template <Structure Element>
+  void write(const std::vector<Element>& elements) {
+    cdr_ << static_cast<std::uint32_t>(elements.size());
+    for (const Element& element : elements) write(element);
+  }
+
+  Cdr& cdr_;
+};
+
+/// Too little is left for what a length announces.
+struct TooShort {};
+
+class Reader {
+ public:
+  Reader(Cdr& cdr, std::size_t bytes) : cdr_(cdr), bytes_(bytes) {}
+
+  template <class Field>
+  void operator()(const char* /*name*/, Field& field) {
+    read(field);
+  }
+
+ private:
+  template <class Field>
+  requires(!Structure<Field>) void read(Field& field) { cdr_ >> field; }
+  template <Structure Field>
+  void read(Field& field) {
+    Field::fields(field, *this);
+  }
+  template <class Element>
+  void read(std::vector<Element>& elements) {
+    if constexpr (std::is_arithmetic_v<Element>) {
+      elements.resize(read_count(sizeof(Element)));
+      if (!elements.empty()) cdr_.deserializeArray(elements.data(), elements.size());
+    } else {
+      for (std::size_t left = read_count(sizeof(std::uint32_t)); left > 0; --left)
+        read(elements.emplace_back());
+    }
+  }
+  void read(bool& field) {
+    std::uint8_t byte = 0;
+    cdr_ >> byte;
+    field = byte != 0;
+  }
+
+  /// @param element_bytes  how many an element takes at least
+  std::size_t read_count(std::size_t element_bytes) {
+    std::uint32_t count = 0;
+    cdr_ >> count;
+    if (count > (bytes_ - cdr_.getSerializedDataLength()) / element_bytes) throw TooShort();
+    return count;
+  }
+
+  Cdr& cdr_;
+  std::size_t bytes_;
+};
+
+}  // namespace
+
+template <class Message>
+std::string cdr_bytes(const Message& message) {
+  FastBuffer buffer;
+  Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
+  cdr.serialize_encapsulation();
+  Message::fields(message, Writer(cdr));
+  return {buffer.getBuffer(), cdr.getSerializedDataLength()};
+}
+
+template <class Message>
+std::optional<Message> parse_cdr(std::string_view bytes) {
+  FastBuffer buffer(const_cast<char*>(bytes.data()), bytes.size());  // NOLINT: only read
+  Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
+  Message message;
+  try {
+    cdr.read_encapsulation();
+    Message::fields(message, Reader(cdr, bytes.size()));
+  } catch (const eprosima::fastcdr::exception::Exception&) {
+    return std::nullopt;
+  } catch (const TooShort&) {
+    return std::nullopt;
+  }
+  return message;
+}
+
+#define AISLE_MESSAGE(Message)                         \
+  template std::string cdr_bytes(const ros::Message&); \
+  template std::optional<ros::Message> parse_cdr(std::string_view);
+
+AISLE_MESSAGE(String)
+AISLE_MESSAGE(Bool)
+AISLE_MESSAGE(Image)
+AISLE_MESSAGE(CompressedImage)
+AISLE_MESSAGE(CameraInfo)
+AISLE_MESSAGE(LaserScan)
+AISLE_MESSAGE(JointState)
+AISLE_MESSAGE(PoseStamped)
+AISLE_MESSAGE(Twist)
+AISLE_MESSAGE(Odometry)
+AISLE_MESSAGE(TFMessage)
+
+#undef AISLE_MESSAGE
+
+}  // namespace aisle
