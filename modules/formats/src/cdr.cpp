@@ -4,7 +4,7 @@
 #include <fastcdr/FastBuffer.h>
 #include <fastcdr/exceptions/Exception.h>
 
-#include <concepts>
+#include <array>
 #include <type_traits>
 
 namespace aisle {
@@ -13,9 +13,49 @@ namespace {
 using eprosima::fastcdr::Cdr;
 using eprosima::fastcdr::FastBuffer;
 
+constexpr std::size_t kEncapsulation_bytes = 4;
+
 template <class Field>
 concept Structure = requires(Field& field) {
   Field::fields(field, [](const char*, auto&) {});
+};
+
+/// How many bytes the fields take at most, with the gaps that align them.
+class Room {
+ public:
+  template <class Field>
+  void operator()(const char* /*name*/, const Field& field) {
+    add(field);
+  }
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  template <class Number>
+  requires std::is_arithmetic_v<Number>
+  void add(Number /*field*/) { bytes_ += 2 * sizeof(Number); }
+  template <Structure Field>
+  void add(const Field& field) {
+    Field::fields(field, *this);
+  }
+  void add(const std::string& text) {
+    add(std::uint32_t{});
+    bytes_ += text.size() + 1;
+  }
+  template <class Number, std::size_t count>
+  void add(const std::array<Number, count>& /*numbers*/) {
+    bytes_ += (count + 1) * sizeof(Number);
+  }
+  template <class Element>
+  void add(const std::vector<Element>& elements) {
+    add(std::uint32_t{});
+    if constexpr (std::is_arithmetic_v<Element>) {
+      bytes_ += (elements.size() + 1) * sizeof(Element);
+    } else {
+      for (const Element& element : elements) add(element);
+    }
+  }
+
+  std::size_t bytes_ = 0;
 };
 
 class Writer {
@@ -94,11 +134,15 @@ class Reader {
 
 template <class Message>
 std::string cdr_bytes(const Message& message) {
-  FastBuffer buffer;
+  Room room;
+  Message::fields(message, room);
+  std::string bytes(kEncapsulation_bytes + room.bytes(), '\0');  // the gaps must be zero: Fast-CDR skips them
+  FastBuffer buffer(bytes.data(), bytes.size());
   Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
   cdr.serialize_encapsulation();
   Message::fields(message, Writer(cdr));
-  return {buffer.getBuffer(), cdr.getSerializedDataLength()};
+  bytes.resize(cdr.getSerializedDataLength());
+  return bytes;
 }
 
 template <class Message>
