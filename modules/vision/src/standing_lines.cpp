@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "aisle/vision/base_lines.hpp"
+
+namespace aisle {
+
+namespace {
+
+// Shares of the picture's height.
+constexpr double kOnFloor = 0.015;     // a line that begins this far beneath the base line lies on the floor
+constexpr double kBeneath = 0.03;      // a line that reaches this far beneath it may be its own reflection
+constexpr double kBeyondEnd = 0.04;    // beneath the far ends of both base lines there is floor between them
+constexpr double kBorder = 0.01;       // a line cut by the picture's border shows no lower end
+constexpr double kFaded = 0.6;         // share of its contrast that a line loses at the floor to end there
+constexpr double kBeside = 2.0 / 640;  // contrast is measured this share of the width to either side
+
+/// Height of a base line, continued towards the viewer; nullopt beyond its far end.
+std::optional<double> v_on(const BaseLine& line, double u_px) {
+  const double towards = line.back().x() > line.front().x() ? 1 : -1;
+  if (towards * (u_px - line.front().x()) < 0) return std::nullopt;
+  std::size_t i = 1;
+  while (i + 1 < line.size() && towards * (u_px - line[i].x()) > 0) ++i;
+  const Vec2 along = line[i] - line[i - 1];
+  return line[i - 1].y() + along.y() / along.x() * (u_px - line[i - 1].x());
+}
+
+std::optional<double> v_on_any(const BaseLines& lines, double u_px) {
+  for (const auto& line : {lines.right, lines.left}) {
+    if (!line) continue;
+    if (const auto v_px = v_on(*line, u_px)) return v_px;
+  }
+  return std::nullopt;
+}
+
+/// Where the floor begins in a column, as far as is known.
+std::optional<double> floor_from(const BaseLines& lines, double u_px, int height_px) {
+  if (const auto v_px = v_on_any(lines, u_px)) return v_px;
+  if (!lines.left || !lines.right) return std::nullopt;
+  return std::max(lines.left->front().y(), lines.right->front().y()) + kBeyondEnd * height_px;
+}
+
+double u_at(const VerticalLine& line, double v_px) {
+  const Vec2 down = line.bottom_px - line.top_px;
+  return line.top_px.x() + down.x() / down.y() * (v_px - line.top_px.y());
+}
+
+/// Mean step across a line between two heights, in the direction of its own.
+double contrast_between(const Image& grey, const VerticalLine& line, double top_px, double bottom_px) {
+  const int beside_px = std::max(1, static_cast<int>(std::lround(kBeside * grey.width_px)));
+  const int first = std::max(0, static_cast<int>(std::ceil(top_px)));
+  const int last = std::min(grey.height_px - 1, static_cast<int>(bottom_px));
+  double sum = 0;
+  int count = 0;
+  for (int v = first; v <= last; ++v) {
+    const int u = static_cast<int>(std::lround(u_at(line, v)));
+    if (u - beside_px < 0 || u + beside_px >= grey.width_px) continue;
+    sum += grey.row(v)[u + beside_px] - grey.row(v)[u - beside_px];
+    ++count;
+  }
+  return count == 0 ? 0 : std::copysign(1.0, line.contrast) * sum / count;
+}
+
+/// The line without what of it is a reflection in the floor; nullopt if nothing remains.
+std::optional<VerticalLine> without_reflection(const Image& grey, const BaseLines& base_lines,
+                                               const BaseLineParams& params, VerticalLine line) {
+  const double height_px = grey.height_px;
+  const auto floor_px = floor_from(base_lines, line.bottom_px.x(), grey.height_px);
+  if (!floor_px) return line;
+  if (line.top_px.y() > *floor_px + kOnFloor * height_px) return std::nullopt;
+  if (line.bottom_px.y() < *floor_px + kBeneath * height_px) return line;
+  if (line.top_px.y() > *floor_px - kBeneath * height_px) return line;
+  const double above = contrast_between(grey, line, line.top_px.y(), *floor_px - 0.01 * height_px);
+  const double beneath = contrast_between(grey, line, *floor_px + 0.02 * height_px, line.bottom_px.y());
+  if (beneath >= kFaded * above) return line;
+  line.bottom_px = {u_at(line, *floor_px), *floor_px};
+  if (line.bottom_px.y() - line.top_px.y() < params.standing_share_min * height_px) return std::nullopt;
+  return line;
+}
+
+bool has_foot(const VerticalLine& line, const BaseLines& base_lines, const BaseLineParams& params,
+              int height_px) {
+  if (line.bottom_px.y() > (1 - kBorder) * height_px) return false;
+  const auto v_px = v_on_any(base_lines, line.bottom_px.x());
+  return v_px && std::abs(*v_px - line.bottom_px.y()) <= params.foot_share * height_px;
+}
+
+}  // namespace
+
+void stand_on_floor(const Image& grey, const BaseLines& base_lines, const BaseLineParams& params,
+                    std::vector<VerticalLine>& verticals) {
+  std::size_t kept = 0;
+  for (const VerticalLine& line : verticals) {
+    auto standing = without_reflection(grey, base_lines, params, line);
+    if (!standing) continue;
+    standing->foot = has_foot(*standing, base_lines, params, grey.height_px);
+    verticals[kept++] = *standing;
+  }
+  verticals.resize(kept);
+}
+
+}  // namespace aisle
