@@ -1,0 +1,248 @@
+#include "aisle/formats/calibration_file.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <vector>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "field_reader.hpp"
+#include "problem_list.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr std::size_t kBytesMax = 1 << 20;
+constexpr double kSideMax_px = 16384;
+constexpr double kCoefficientMax = 1e4;
+
+using Names = std::initializer_list<const char*>;
+constexpr Names kMatrixNames = {"camera_matrix", "Camera_Matrix", "cameraMatrix", "K", "M1"};
+constexpr Names kDistortionNames = {
+    "distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs", "D", "D1"};
+constexpr Names kRmsNames = {"rms", "avg_reprojection_error", "Avg_Reprojection_Error"};
+
+/// OpenCV heads its files with "%YAML:1.0", which is no directive of YAML. The line stays, as a comment.
+std::string without_opencv_head(std::string_view text) {
+  std::string yaml(text);
+  if (yaml.starts_with("%YAML:")) yaml[0] = '#';
+  return yaml;
+}
+
+/// A value and the key that it was found under.
+struct Entry {
+  std::string key;
+  YAML::Node node;
+};
+
+/// Reads one document; collects problems instead of stopping at the first.
+class CalibrationReader {
+ public:
+  explicit CalibrationReader(const std::string& file) : file_(file), problems_(file) {}
+
+  Result<CameraCalibration> read(std::string_view text) {
+    try {
+      read_document(YAML::Load(without_opencv_head(text)));
+    } catch (const YAML::Exception& error) {
+      return Problem{{file_, error.mark.line + 1}, "is not YAML: " + error.msg};
+    }
+    if (!problems_.empty()) return problems_.take();
+    return calibration_;
+  }
+
+ private:
+  void read_document(const YAML::Node& document);
+  void read_size(const YAML::Node& document);
+  void read_matrix(const Entry& entry);
+  void read_distortion(const Entry& entry);
+  void read_model(const YAML::Node& document);
+  void read_mount(const YAML::Node& node);
+
+  std::optional<Entry> first_of(const YAML::Node& document, Names names);
+  std::vector<double> numbers(const Entry& entry, double limit);
+  std::optional<double> number(const Entry& entry, Range range);
+  void side(const YAML::Node& document, const char* key, int& side_px);
+  void problem(const YAML::Node& node, const std::string& key, std::string what) {
+    problems_.add(std::max(0, node.Mark().line) + 1, key, std::move(what));
+  }
+
+  std::string file_;
+  ProblemList problems_;
+  CameraCalibration calibration_;
+};
+
+void CalibrationReader::read_document(const YAML::Node& document) {
+  if (!document.IsMap()) {
+    problem(document, "", "is not a calibration: expected keys such as camera_matrix");
+    return;
+  }
+  read_model(document);
+  read_size(document);
+  if (const auto entry = first_of(document, kMatrixNames)) {
+    read_matrix(*entry);
+  } else {
+    problem(document, "camera_matrix", "is missing");
+  }
+  if (const auto entry = first_of(document, kDistortionNames)) read_distortion(*entry);
+  if (const auto entry = first_of(document, {"camera_name"}); entry && entry->node.IsScalar()) {
+    calibration_.camera_name = entry->node.Scalar();
+  }
+  if (const auto entry = first_of(document, kRmsNames)) calibration_.rms_px = number(*entry, {0, 1e6});
+  if (const auto entry = first_of(document, {"vehicle_mount"})) read_mount(entry->node);
+  if (const auto entry = first_of(document, {"laser_height_m"})) {
+    calibration_.laser_height_m = number(*entry, {0, 10});
+  }
+}
+
+/// What another lens model would say, before its numbers are taken for ours.
+void CalibrationReader::read_model(const YAML::Node& document) {
+  if (const auto model = first_of(document, {"distortion_model"})) {
+    static constexpr std::array kKnown = {"plumb_bob", "rational_polynomial", "none", ""};
+    const std::string name = model->node.IsScalar() ? model->node.Scalar() : "no single value";
+    if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end()) {
+      problem(model->node, model->key,
+              fmt::format("'{}' is not the lens model that is known here, plumb_bob", printable(name)));
+    }
+  }
+  if (const auto fisheye = first_of(document, {"fisheye_model"})) {
+    if (number(*fisheye, {0, 1}).value_or(0) != 0) {
+      problem(fisheye->node, fisheye->key, "a fisheye lens is not known here, only plumb_bob");
+    }
+  }
+}
+
+void CalibrationReader::read_size(const YAML::Node& document) {
+  side(document, "image_width", calibration_.width_px);
+  side(document, "image_height", calibration_.height_px);
+  if ((calibration_.width_px == 0) != (calibration_.height_px == 0) && problems_.empty()) {
+    problem(document, calibration_.width_px == 0 ? "image_width" : "image_height",
+            "is missing, though the other side is given");
+  }
+}
+
+void CalibrationReader::side(const YAML::Node& document, const char* key, int& side_px) {
+  const auto entry = first_of(document, {key});
+  if (!entry) return;
+  const auto value = number(*entry, {1, kSideMax_px});
+  if (!value) return;
+  if (*value != std::floor(*value)) problem(entry->node, key, "is not a whole number");
+  side_px = static_cast<int>(*value);
+}
+
+void CalibrationReader::read_matrix(const Entry& entry) {
+  const std::vector<double> m = numbers(entry, 1e6);
+  if (m.empty()) return;
+  if (m.size() != 9) {
+    problem(entry.node, entry.key, fmt::format("has {} numbers, not the 9 of a camera matrix", m.size()));
+    return;
+  }
+  if (m[0] <= 0 || m[4] <= 0) problem(entry.node, entry.key, "the focal lengths are not positive");
+  if (m[1] != 0) problem(entry.node, entry.key, "skew is not known here: the second number must be 0");
+  if (m[3] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1) {
+    problem(entry.node, entry.key, "is not [fx, 0, cx, 0, fy, cy, 0, 0, 1]");
+  }
+  CameraIntrinsics& lens = calibration_.intrinsics;
+  lens.fx_px = m[0], lens.cx_px = m[2], lens.fy_px = m[4], lens.cy_px = m[5];
+}
+
+void CalibrationReader::read_distortion(const Entry& entry) {
+  std::vector<double> d = numbers(entry, kCoefficientMax);
+  if (d.size() > 5 && std::any_of(d.begin() + 5, d.end(), [](double v) { return v != 0; })) {
+    problem(entry.node, entry.key,
+            fmt::format("has {} coefficients; only k1, k2, p1, p2, k3 are known here", d.size()));
+  }
+  d.resize(5);
+  CameraIntrinsics& lens = calibration_.intrinsics;
+  lens.k1 = d[0], lens.k2 = d[1], lens.p1 = d[2], lens.p2 = d[3], lens.k3 = d[4];
+}
+
+void CalibrationReader::read_mount(const YAML::Node& node) {
+  if (!node.IsMap()) {
+    problem(node, "vehicle_mount", "is not a map of x_m, y_m, z_m, tilt_deg, pan_deg, roll_deg");
+    return;
+  }
+  struct Value {
+    const char* key;
+    double* target;
+    double unit;
+    Range range;
+  };
+  CameraMount mount;
+  const std::array<Value, 6> values = {{{"x_m", &mount.p_vehicle_camera.x(), 1, {-10, 10}},
+                                        {"y_m", &mount.p_vehicle_camera.y(), 1, {-10, 10}},
+                                        {"z_m", &mount.p_vehicle_camera.z(), 1, {0, 10}},
+                                        {"tilt_deg", &mount.tilt_rad, kDegree, {-90, 90}},
+                                        {"pan_deg", &mount.pan_rad, kDegree, {-180, 180}},
+                                        {"roll_deg", &mount.roll_rad, kDegree, {-180, 180}}}};
+  for (const Value& value : values) {
+    const std::string key = std::string("vehicle_mount.") + value.key;
+    const YAML::Node entry = node[value.key];
+    if (!entry) {
+      problem(node, key, "is missing");
+    } else if (const auto read = number({key, entry}, value.range)) {
+      *value.target = *read * value.unit;
+    }
+  }
+  if (node.size() != values.size() && problems_.empty()) {
+    problem(node, "vehicle_mount", "has more keys than x_m, y_m, z_m, tilt_deg, pan_deg, roll_deg");
+  }
+  calibration_.mount = mount;
+}
+
+std::optional<Entry> CalibrationReader::first_of(const YAML::Node& document, Names names) {
+  for (const char* name : names) {
+    if (const YAML::Node node = document[name]) return Entry{name, node};
+  }
+  return std::nullopt;
+}
+
+/// The numbers of a matrix, {rows, cols, data} or a plain list; empty if it cannot be read.
+std::vector<double> CalibrationReader::numbers(const Entry& entry, double limit) {
+  constexpr std::size_t kNumbersMax = 16;
+  const YAML::Node list = entry.node.IsMap() ? entry.node["data"] : entry.node;
+  if (!list || !list.IsSequence() || list.size() > kNumbersMax) {
+    problem(entry.node, entry.key, fmt::format("holds no list of at most {} numbers", kNumbersMax));
+    return {};
+  }
+  std::vector<double> read;
+  for (const YAML::Node& node : list) {
+    const auto value = number({entry.key, node}, {-limit, limit});
+    if (!value) return {};
+    read.push_back(*value);
+  }
+  return read;
+}
+
+std::optional<double> CalibrationReader::number(const Entry& entry, Range range) {
+  const std::string text = entry.node.IsScalar() ? entry.node.Scalar() : "no single value";
+  const std::optional<double> value = parse_number(text);
+  if (!value || !std::isfinite(*value)) {
+    problem(entry.node, entry.key, fmt::format("'{}' is not a number", printable(text)));
+    return std::nullopt;
+  }
+  if (*value < range.min || *value > range.max) {
+    problem(entry.node, entry.key,
+            fmt::format("{} is outside {:g} .. {:g}", printable(text), range.min, range.max));
+    return std::nullopt;
+  }
+  return value;
+}
+
+}  // namespace
+
+Result<CameraCalibration> read_calibration(const std::filesystem::path& path) {
+  const Result<std::string> text = read_whole_file(path, kBytesMax);
+  if (!text) return text.problems();
+  return parse_calibration(*text, path.string());
+}
+
+Result<CameraCalibration> parse_calibration(std::string_view text, const std::string& name) {
+  return CalibrationReader(name).read(text);
+}
+
+}  // namespace aisle

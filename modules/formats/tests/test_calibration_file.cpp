@@ -1,0 +1,126 @@
+#include <gmock/gmock.h>
+
+#include <opencv2/core.hpp>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/formats/calibration_file.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "real_data.hpp"
+
+namespace aisle {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+const fs::path golden = fs::path(AISLE_SOURCE_DIR) / "tests/golden";
+
+std::string problems(const std::string& text) {
+  const auto calibration = parse_calibration(text, "camera.yaml");
+  return calibration.ok() ? "none" : to_string(calibration.problems());
+}
+
+/// A readable file, with `line` after its first two lines.
+std::string with(const std::string& line) {
+  return "image_width: 640\nimage_height: 480\n" + line + "\nK: [500, 0, 320, 0, 500, 240, 0, 0, 1]\n";
+}
+
+TEST(CalibrationFile, BothGoldenLayoutsAreReadAndWrittenAsTheyStand) {
+  const auto opencv = read_calibration(golden / "calibration.opencv.yaml");
+  ASSERT_TRUE(opencv.ok()) << to_string(opencv.problems());
+  EXPECT_EQ(opencv_calibration_yaml(*opencv), *read_whole_file(golden / "calibration.opencv.yaml"));
+  const auto ros = read_calibration(golden / "calibration.ros.yaml");
+  ASSERT_TRUE(ros.ok()) << to_string(ros.problems());
+  EXPECT_EQ(camera_info_yaml(*ros), *read_whole_file(golden / "calibration.ros.yaml"));
+}
+
+TEST(CalibrationFile, TheExamplesOfItsPageAreTheGoldenFiles) {
+  const std::string page = *read_whole_file(fs::path(AISLE_SOURCE_DIR) / "docs/formats/calibration.md");
+  EXPECT_THAT(page, HasSubstr(*read_whole_file(golden / "calibration.opencv.yaml")));
+  EXPECT_THAT(page, HasSubstr(*read_whole_file(golden / "calibration.ros.yaml")));
+}
+
+TEST(CalibrationFile, EveryValueArrivesInItsField) {
+  const auto c = read_calibration(golden / "calibration.opencv.yaml");
+  ASSERT_TRUE(c.ok());
+  EXPECT_EQ(c->camera_name, "front");
+  EXPECT_EQ(c->width_px, 640);
+  EXPECT_EQ(c->height_px, 480);
+  const CameraIntrinsics& lens = c->intrinsics;
+  EXPECT_THAT((std::array{lens.fx_px, lens.fy_px, lens.cx_px, lens.cy_px}),
+              testing::ElementsAre(532.8, 532.9, 342.5, 233.9));
+  EXPECT_THAT((std::array{lens.k1, lens.k2, lens.p1, lens.p2, lens.k3}),
+              testing::ElementsAre(-0.28, 0.025, 0.0012, -0.00014, 0.16));
+  EXPECT_EQ(c->rms_px, 0.195);
+  ASSERT_TRUE(c->mount);
+  EXPECT_EQ(c->mount->p_vehicle_camera, Vec3(0.4, -0.02, 1.15));
+  EXPECT_DOUBLE_EQ(c->mount->tilt_rad, 12.5 * kDegree);
+  EXPECT_DOUBLE_EQ(c->mount->pan_rad, -0.8 * kDegree);
+  EXPECT_DOUBLE_EQ(c->mount->roll_rad, 0.3 * kDegree);
+  EXPECT_EQ(c->laser_height_m, 0.3);
+}
+
+TEST(CalibrationFile, OpenCvReadsWhatIsWrittenAndPassesOurKeysOver) {
+  cv::FileStorage file(*read_whole_file(golden / "calibration.opencv.yaml"),
+                       cv::FileStorage::READ | cv::FileStorage::MEMORY);
+  cv::Mat matrix, distortion;
+  file["camera_matrix"] >> matrix;
+  file["distortion_coefficients"] >> distortion;
+  EXPECT_EQ(matrix.at<double>(1, 1), 532.9);
+  EXPECT_EQ(matrix.at<double>(1, 2), 233.9);
+  EXPECT_EQ(distortion.at<double>(4), 0.16);
+}
+
+TEST(CalibrationFile, WhatOpenCvWritesIsRead) {
+  cv::FileStorage file(".yml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
+  file << "cameraMatrix" << cv::Mat(cv::Matx33d(400, 0, 300, 0, 401.25, 200, 0, 0, 1));
+  file << "distCoeffs" << cv::Mat(cv::Matx<double, 1, 4>(-1e-7, 0.5, 0, 1));
+  const auto c = parse_calibration(file.releaseAndGetString(), "x.yml");
+  ASSERT_TRUE(c.ok()) << to_string(c.problems());
+  EXPECT_EQ(c->width_px, 0);
+  EXPECT_EQ(c->intrinsics.fy_px, 401.25);
+  EXPECT_EQ(c->intrinsics.k1, -1e-7);
+  EXPECT_EQ(c->intrinsics.p2, 1);
+  EXPECT_EQ(c->intrinsics.k3, 0);
+}
+
+TEST(CalibrationFile, ARealFileOfOpenCvsIsRead) {
+  const fs::path file = real_data() / "images/chessboard_opencv/left_intrinsics.yml";
+  AISLE_NEEDS(file);
+  const auto c = read_calibration(file);
+  ASSERT_TRUE(c.ok()) << to_string(c.problems());
+  EXPECT_NEAR(c->intrinsics.fx_px, 535.916, 0.001);
+  EXPECT_NEAR(c->intrinsics.k3, 0.23839, 0.00001);
+  EXPECT_NEAR(*c->rms_px, 0.3926, 0.0001);
+}
+
+TEST(CalibrationFile, OtherLensesAreRefusedWithTheirLine) {
+  EXPECT_EQ(
+      problems(with("distortion_model: equidistant")),
+      "camera.yaml:3: distortion_model: 'equidistant' is not the lens model that is known here, plumb_bob");
+  EXPECT_THAT(problems(with("fisheye_model: 1")), HasSubstr("camera.yaml:3: fisheye_model: a fisheye lens"));
+  EXPECT_THAT(problems(with("D: [0, 0, 0, 0, 0, 0.1, 0, 0]")),
+              HasSubstr("camera.yaml:3: D: has 8 coefficients; only k1, k2, p1, p2, k3"));
+  EXPECT_EQ(problems(with("D: [0.1, 0, 0, 0, 0, 0, 0, 0]")), "none");
+  EXPECT_THAT(problems("K: [500, 1, 320, 0, 500, 240, 0, 0, 1]"), HasSubstr("skew"));
+}
+
+TEST(CalibrationFile, ProblemsNameLineAndKey) {
+  EXPECT_EQ(problems(""), "camera.yaml:1: is not a calibration: expected keys such as camera_matrix");
+  EXPECT_EQ(problems("image_width: 640\nimage_height: 480"), "camera.yaml:1: camera_matrix: is missing");
+  EXPECT_THAT(problems("K: [1, 2"), HasSubstr("is not YAML"));
+  EXPECT_EQ(problems("\nK: [1, 2, 3]"), "camera.yaml:2: K: has 3 numbers, not the 9 of a camera matrix");
+  EXPECT_EQ(problems("K: [500, 0, 320, 0, -5, 240, 0, 0, 1]"),
+            "camera.yaml:1: K: the focal lengths are not positive");
+  EXPECT_THAT(problems("K: [500, 0, .nan, 0, 500, 240, 0, 0, 1]"), HasSubstr("K: '.nan' is not a number"));
+  EXPECT_THAT(problems(with("laser_height_m: high")), HasSubstr("camera.yaml:3: laser_height_m: 'high'"));
+  EXPECT_THAT(problems(with("vehicle_mount: {x_m: 0, y_m: 0, z_m: 1, tilt_deg: 99, pan_deg: 0}")),
+              AllOf(HasSubstr("camera.yaml:3: vehicle_mount.tilt_deg: 99 is outside -90 .. 90"),
+                    HasSubstr("vehicle_mount.roll_deg: is missing")));
+  EXPECT_THAT(problems("image_width: 640\nK: [500, 0, 320, 0, 500, 240, 0, 0, 1]"),
+              HasSubstr("image_height: is missing, though the other side is given"));
+}
+
+}  // namespace
+}  // namespace aisle
