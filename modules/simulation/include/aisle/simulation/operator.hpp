@@ -1,0 +1,29 @@
+#pragma once
+
+#include "aisle/geometry/pose2.hpp"
+#include "aisle/vehicle/observation.hpp"
+
+namespace aisle {
+
+/// What a person who walks beside the vehicle sees of it.
+struct OperatorView {
+  double stamp_s = 0;
+  Pose2 T_world_vehicle;
+  double speed_mps = 0;
+  double free_ahead_m = 0;  ///< way that is free when it goes on as it does, at least kSeenAhead_m if all is
+  bool bumper_pressed = false;
+};
+
+/// How far an operator looks ahead along the vehicle's way.
+inline constexpr double kSeenAhead_m = 2;
+
+/// Drives a simulated vehicle by hand.
+class Operator {
+ public:
+  virtual ~Operator() = default;
+
+  /// Asked once a cycle, at its end.
+  virtual OperatorInput look(const OperatorView& view) = 0;
+};
+
+}  // namespace aisle

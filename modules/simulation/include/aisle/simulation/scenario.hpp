@@ -1,0 +1,81 @@
+#pragma once
+/// What goes wrong on a simulated trip, and when.
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "aisle/geometry/pose2.hpp"
+#include "aisle/simulation/camera_sensor.hpp"
+#include "aisle/simulation/world.hpp"
+
+namespace aisle {
+
+/// Something is wrong with a camera, or with the way of its pictures.
+struct CameraFault {
+  enum class Kind {
+    kFrozen,   ///< delivers its last picture again and again, with new stamps
+    kDark,     ///< sees no light, as under a lens cap
+    kDropped,  ///< delivers nothing
+    kLate,     ///< delivers what it took some time ago, with the stamps of then
+  };
+  Kind kind = Kind::kFrozen;
+  std::string camera;  ///< empty: all of them
+  double delay_s = 0.5;
+};
+
+/// The wheels turn farther than the vehicle goes.
+struct SlipBurst {
+  double spin = 1;  ///< share of the way counted too much
+};
+
+/// The front wheels stand this much farther left than the steering encoder says, all of a sudden.
+struct SteeringBias {
+  double bias_rad = 3 * kDegree;
+};
+
+/// A box stands in the way.
+struct BlockingBox {
+  Pose2 T_world_box;
+  Vec2 size = Vec2(0.5, 0.5);  ///< along its x and y
+  double height_m = 1;
+};
+
+/// Somebody walks there and back.
+struct CrossingPerson {
+  Person person;  ///< its start_s counts from the event
+};
+
+/// Somebody lifts the vehicle and puts it down elsewhere.
+struct Lifted {
+  Pose2 T_world_vehicle;
+};
+
+/// The laser markers are off.
+struct LaserOff {};
+
+/// Day, dusk, lamps switched off.
+struct LightChange {
+  double light = 0.3;  ///< all light times this
+  bool lamps_on = true;
+};
+
+using Fault = std::variant<CameraFault, SlipBurst, SteeringBias, BlockingBox, CrossingPerson, Lifted,
+                           LaserOff, LightChange>;
+
+struct ScenarioEvent {
+  Fault fault;
+  double from_s = 0;         ///< begins then,
+  std::optional<Vec2> near;  ///< or, if given, as soon after that as the vehicle's base_link is near here
+  double radius_m = 1;       ///< what is near
+  double duration_s = std::numeric_limits<double>::infinity();
+};
+
+struct Scenario {
+  std::string name;
+  std::vector<ScenarioEvent> events;
+};
+
+}  // namespace aisle
