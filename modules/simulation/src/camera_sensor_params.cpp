@@ -11,7 +11,9 @@ void CameraSensorParams::describe(FieldList& fields) {
   fields.real("exposure_time_s", exposure_time_s, {0, 0.1}, "what moves meanwhile is blurred");
   fields.angle("shake_pitch_deg", shake_pitch_rad, {0, 10}, "standard deviation of nodding at 1 m/s");
   fields.angle("shake_roll_deg", shake_roll_rad, {0, 10}, "standard deviation of rolling at 1 m/s");
-  fields.count("rays_per_pixel", rays_per_pixel, {1, 64}, "more: smoother edges, slower");
+  fields.real("gamma", gamma, {0.5, 4}, "of the response curve; 1: grey levels are proportional to light");
+  fields.count("rays_per_pixel", rays_per_pixel, {1, 64},
+               "where surfaces meet; more: smoother edges, slower");
 }
 
 }  // namespace aisle

@@ -13,6 +13,8 @@
 
 namespace aisle {
 
+struct LensTable;
+
 /// Something upright that is not at its place for ever: a person, a box that blocks the way.
 struct MovingBody {
   enum class Kind { kPerson, kBox };
@@ -34,9 +36,10 @@ class RenderedWorld {
   /// Replaces the moving bodies.
   void place(std::span<const MovingBody> bodies);
 
+  struct Scene;  ///< of the renderer alone
+
  private:
   friend class CameraSensor;
-  struct Scene;
   std::unique_ptr<Scene> scene_;
 };
 
@@ -48,7 +51,8 @@ struct CameraSensorParams {
   double exposure_time_s = 0.01;           ///< what moves meanwhile is blurred
   double shake_pitch_rad = 0.1 * kDegree;  ///< standard deviation at 1 m/s
   double shake_roll_rad = 0.1 * kDegree;   ///< standard deviation at 1 m/s
-  int rays_per_pixel = 1;
+  double gamma = 2;        ///< of the response curve; 1: grey levels are proportional to light
+  int rays_per_pixel = 4;  ///< where surfaces meet; elsewhere patterns are filtered and one is enough
 
   void describe(FieldList& fields);
 };
@@ -62,6 +66,7 @@ struct CameraMoment {
   double light = 1;       ///< all light times this: day, dusk
   bool laser_on = false;  ///< the vehicle's laser markers
   double laser_height_m = 0.3;
+  double laser_ahead_m = 0.6;  ///< the projector, ahead of base_link; it shines to all sides ahead of it
   std::uint64_t picture = 0;  ///< its number: noise and shake are drawn by it and the seed, in no order
 };
 
@@ -78,6 +83,7 @@ class CameraSensor {
   CameraDescription camera_;
   CameraSensorParams params_;
   std::uint64_t seed_;
+  std::shared_ptr<const LensTable> lens_;
 };
 
 }  // namespace aisle

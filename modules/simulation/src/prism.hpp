@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "aisle/simulation/world.hpp"
+
+namespace aisle {
+
+/// An upright piece of matter: what stands in the way is made of these, and so is what a camera sees.
+struct Prism {
+  std::vector<Vec2> outline;  ///< convex, clockwise: the outside is on the left
+  double bottom_m = 0;
+  double top_m = 1;
+};
+
+Prism box(const Pose2& T_world_box, const Vec2& size, double bottom_m, double top_m);
+
+/// A round or oval pillar; its corners lie on the ellipse.
+Prism pillar(const Pose2& T_world_pillar, const Vec2& size, double bottom_m, double top_m, int sides);
+
+std::vector<Prism> parts_of(const Furniture& piece);
+
+Prism leaf_of(const Door& door);
+
+}  // namespace aisle

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "rendering/scene_plan.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kSkirtingDepth_m = 0.012;
+
+/// Where a door with its frame covers a wall, in the frame of the closed leaf.
+struct Doorway {
+  Pose2 T_leaf_world;
+  double begin_m = 0, end_m = 0;  ///< along the leaf
+  double half_depth_m = 0;        ///< across it
+};
+
+Doorway doorway_of(const Door& door) {
+  constexpr double kOnTheWall_m = 0.1;
+  const Pose2 T_world_leaf{door.hinge.x(), door.hinge.y(), door.closed_heading_rad};
+  return {T_world_leaf.inverse(), -door.frame_width_m, door.width_m + door.frame_width_m,
+          door.wall_depth_m / 2 + kOnTheWall_m};
+}
+
+/// The stretch of the segment, as shares of its length, that lies in the doorway.
+Interval inside(const Segment2& foot, const Doorway& doorway) {
+  const Vec2 start = doorway.T_leaf_world * foot.start, end = doorway.T_leaf_world * foot.end;
+  Interval stretch{0, 1};
+  const auto clip = [&](double at_start, double at_end, double min, double max) {
+    const double growth = at_end - at_start;
+    if (std::abs(growth) < 1e-9) {
+      if (at_start < min || at_start > max) stretch = {1, 0};
+      return;
+    }
+    const double a = (min - at_start) / growth, b = (max - at_start) / growth;
+    stretch.min = std::max(stretch.min, std::min(a, b));
+    stretch.max = std::min(stretch.max, std::max(a, b));
+  };
+  clip(start.x(), end.x(), doorway.begin_m, doorway.end_m);
+  clip(start.y(), end.y(), -doorway.half_depth_m, doorway.half_depth_m);
+  return stretch;
+}
+
+/// What is left of the segment when everything inside doorways is taken away.
+std::vector<Segment2> outside_doorways(const Segment2& foot, const std::vector<Doorway>& doorways) {
+  std::vector<Interval> cuts;
+  for (const Doorway& doorway : doorways) {
+    const Interval cut = inside(foot, doorway);
+    if (cut.min < cut.max) cuts.push_back(cut);
+  }
+  std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.min < b.min; });
+  std::vector<Segment2> left;
+  const auto add = [&](double from, double to) {
+    const Vec2 way = foot.end - foot.start;
+    if ((to - from) * way.norm() > 1e-3) left.push_back({foot.start + from * way, foot.start + to * way});
+  };
+  double from = 0;
+  for (const Interval& cut : cuts) {
+    add(from, cut.min);
+    from = std::max(from, cut.max);
+  }
+  add(from, 1);
+  return left;
+}
+
+/// A board on both sides of a wall; a little longer than the wall, so that boards meet in corners.
+Prism skirting_board(const Segment2& foot, double height_m) {
+  const Vec2 way = foot.end - foot.start, middle = (foot.start + foot.end) / 2;
+  return box({middle.x(), middle.y(), std::atan2(way.y(), way.x())},
+             {way.norm() + 2 * kSkirtingDepth_m, 2 * kSkirtingDepth_m}, 0, height_m);
+}
+
+/// One material for all walls of a brightness.
+class WallMaterials {
+ public:
+  explicit WallMaterials(Materials& materials) : materials_(materials) {}
+  int operator[](double brightness) {
+    const auto [entry, is_new] = known_.try_emplace(brightness, 0);
+    if (is_new) entry->second = materials_.plaster(brightness);
+    return entry->second;
+  }
+
+ private:
+  Materials& materials_;
+  std::map<double, int> known_;
+};
+
+}  // namespace
+
+Extent extent_of(const World& world) {
+  constexpr double kAround_m = 3;
+  Extent extent{Vec2::Constant(1e30), Vec2::Constant(-1e30)};
+  const auto take = [&](const Vec2& p) {
+    extent.min = extent.min.cwiseMin(p);
+    extent.max = extent.max.cwiseMax(p);
+  };
+  for (const WallFace& wall : world.walls) {
+    take(wall.foot.start);
+    take(wall.foot.end);
+  }
+  for (const Furniture& piece : world.furniture) take(piece.centre);
+  for (const Door& door : world.doors) take(door.hinge);
+  for (const CalibrationBoard& board : world.boards) take(board.p_world_centre.head<2>());
+  for (const FloorPaper& paper : world.papers) take(paper.centre);
+  if (extent.min.x() > extent.max.x()) take(Vec2::Zero());
+  return {extent.min - Vec2::Constant(kAround_m), extent.max + Vec2::Constant(kAround_m)};
+}
+
+void add_rooms(const World& world, Materials& materials, Panels& panels) {
+  const Extent extent = extent_of(world);
+  const Vec2 size = extent.size();
+  panels.push_back({.corner = {extent.max.x(), extent.min.y(), 0},
+                    .along = {-size.x(), 0, 0},
+                    .up = {0, size.y(), 0},
+                    .material = materials.floor(world.floor)});
+  panels.push_back({.corner = {extent.min.x(), extent.min.y(), world.ceiling_m},
+                    .along = {size.x(), 0, 0},
+                    .up = {0, size.y(), 0},
+                    .material = materials.ceiling(world.ceiling_brightness)});
+
+  WallMaterials wall_materials(materials);
+  std::vector<Doorway> doorways;
+  for (const Door& door : world.doors) doorways.push_back(doorway_of(door));
+  const int skirting = materials.paint(world.skirting_brightness);
+  for (const WallFace& wall : world.walls) {
+    const Vec2 way = wall.foot.end - wall.foot.start;
+    panels.push_back({.corner = {wall.foot.start.x(), wall.foot.start.y(), 0},
+                      .along = {way.x(), way.y(), 0},
+                      .up = {0, 0, wall.height_m},
+                      .material = wall_materials[wall.brightness],
+                      .is_two_sided = true});
+    const double board_m = std::min(world.skirting_height_m, wall.height_m);
+    if (board_m <= 0) continue;
+    for (const Segment2& foot : outside_doorways(wall.foot, doorways)) {
+      add_prism(skirting_board(foot, board_m), skirting, panels);
+    }
+  }
+}
+
+}  // namespace aisle

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "rendering/packet.hpp"
+#include "rendering/surface.hpp"
+
+namespace aisle {
+
+/// Panels to shoot rays at. Which panel a ray hits is found here; where exactly follows from the panel's
+/// plane, so that pictures do not depend on how exactly the ray tracer computes.
+class RayScene {
+ public:
+  RayScene(std::span<const Panel> panels, const SceneFrame& frame);
+
+  /// The number of the first panel on each ray that is used.
+  void first_hits(const RayPacket& rays, Hits& hits) const;
+
+  /// Sets `blocked` where a panel stands between both ends of a way that is asked for.
+  void find_blocked(const WayPacket& ways, Flags& blocked) const;
+
+  /// How far it is to the first panel along sixteen ways [lengths of the way]; 1: none on the way.
+  void free_shares(const WayPacket& ways, Floats& shares) const;
+
+ private:
+  struct Embree;
+  std::shared_ptr<const Embree> embree_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,111 @@
+#include "rendering/scene.hpp"
+
+#include <algorithm>
+
+namespace aisle {
+namespace {
+
+/// Set in the number of a panel that moves.
+constexpr std::uint32_t kMoves = 0x80000000;
+
+Panels standing_panels(const World& world, Materials& materials) {
+  Panels panels;
+  add_rooms(world, materials, panels);
+  add_doors(world, materials, panels);
+  add_furnishing(world, materials, panels);
+  return panels;
+}
+
+std::vector<Surface> surfaces_of(const Panels& panels, const SceneFrame& frame) {
+  std::vector<Surface> surfaces;
+  surfaces.reserve(panels.size());
+  for (const Panel& panel : panels) surfaces.push_back(surface_of(panel, frame));
+  return surfaces;
+}
+
+}  // namespace
+
+RenderedWorld::Scene::Scene(const World& world)
+    : frame{extent_of(world).centre()},
+      has_lamps(!world.lamps.empty()),
+      ambient_light(has_lamps ? world.ambient_light : 1),
+      materials(world.texture_seed),
+      standing({}, frame),
+      moving({}, frame) {
+  const Panels panels = standing_panels(world, materials);
+  standing = RayScene(panels, frame);
+  standing_surfaces = surfaces_of(panels, frame);
+  light = bake_light(world, panels, standing, frame, standing_surfaces);
+  standing_materials = materials.all().size();
+  standing_texels = light.texels.size();
+}
+
+void RenderedWorld::Scene::place(std::span<const MovingBody> bodies) {
+  materials.keep(standing_materials);
+  light.texels.resize(standing_texels);
+  Panels panels;
+  std::vector<Vec2> places;
+  for (const MovingBody& body : bodies) {
+    add_body(body, materials, panels);
+    places.resize(panels.size(), body.T_world_body.position());
+  }
+  moving = RayScene(panels, frame);
+  moving_surfaces = surfaces_of(panels, frame);
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    light_body_surface(places[i], panels[i], moving_surfaces[i]);
+}
+
+/// One light for the whole piece: as on the floor below it, less on its sides.
+void RenderedWorld::Scene::light_body_surface(const Vec2& p_world, const Panel& panel, Surface& surface) {
+  constexpr float kOnSides = 0.65f, kFromLeft = 0.15f;
+  const LightMap& floor = standing_surfaces.front().outside;
+  const std::array<float, 4>&u = standing_surfaces.front().u, &v = standing_surfaces.front().v;
+  const Eigen::Vector2f p = (p_world - frame.p_world_origin).cast<float>();
+  const auto texel = [&](const std::array<float, 4>& c, float per_unit, float at_0, int count) {
+    return std::clamp(static_cast<int>((c[0] * p.x() + c[1] * p.y() + c[3]) * per_unit + at_0 + 0.5f), 0,
+                      count - 1);
+  };
+  const int column = texel(u, floor.columns_per_u, floor.column_at_0, floor.columns);
+  const int row = texel(v, floor.rows_per_v, floor.row_at_0, floor.rows);
+  const std::uint32_t both =
+      light.texels[static_cast<std::size_t>(floor.first_texel + row * floor.columns + column)];
+  const Vec3 outside = panel.outside();
+  const float share = outside.z() > 0.5 ? 1 : kOnSides + kFromLeft * static_cast<float>(outside.y());
+  constexpr float kPerStep = LightTexels::kLightMax / 65535;
+  surface.outside = {.first_texel = static_cast<int>(light.texels.size())};
+  surface.inside = surface.outside;
+  light.texels.push_back(light_texel(share * kPerStep * static_cast<float>(both & 0xffff),
+                                     share * kPerStep * static_cast<float>(both >> 16)));
+}
+
+void RenderedWorld::Scene::first_hits(const RayPacket& rays, Hits& hits) const {
+  standing.first_hits(rays, hits);
+  if (moving_surfaces.empty()) return;
+  Hits moving_hits;
+  moving.first_hits(rays, moving_hits);
+  for (int k = 0; k < kLanes; ++k) {
+    if (moving_hits.at[k] == kNothing) continue;
+    const auto distance = [&](const Surface& s) {
+      const float falling =
+          s.normal[0] * rays.x.at[k] + s.normal[1] * rays.y.at[k] + s.normal[2] * rays.z.at[k];
+      const float height = s.plane - s.normal[0] * rays.origin[0] - s.normal[1] * rays.origin[1] -
+                           s.normal[2] * rays.origin[2];
+      return height / falling;
+    };
+    const Surface& moving_surface = moving_surfaces[moving_hits.at[k]];
+    if (hits.at[k] == kNothing || distance(moving_surface) < distance(standing_surfaces[hits.at[k]])) {
+      hits.at[k] = moving_hits.at[k] | kMoves;
+    }
+  }
+}
+
+void RenderedWorld::Scene::find_blocked(const WayPacket& ways, Flags& blocked) const {
+  standing.find_blocked(ways, blocked);
+  moving.find_blocked(ways, blocked);
+}
+
+const Surface& RenderedWorld::Scene::surface(std::uint32_t hit) const {
+  return (hit & kMoves) != 0 ? moving_surfaces[hit & ~kMoves] : standing_surfaces[hit];
+}
+
+}  // namespace aisle

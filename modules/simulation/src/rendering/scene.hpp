@@ -1,0 +1,36 @@
+#pragma once
+
+#include "aisle/simulation/camera_sensor.hpp"
+#include "rendering/light_baking.hpp"
+#include "rendering/scene_plan.hpp"
+#include "rendering/shading.hpp"
+
+namespace aisle {
+
+struct RenderedWorld::Scene {
+  explicit Scene(const World& world);
+
+  void place(std::span<const MovingBody> bodies);
+
+  void first_hits(const RayPacket& rays, Hits& hits) const;
+  void find_blocked(const WayPacket& ways, Flags& blocked) const;
+  const Surface& surface(std::uint32_t hit) const;
+  ShadingTables tables() const { return {materials.all(), materials.textures(), light.texels.data()}; }
+
+  SceneFrame frame;
+  bool has_lamps = false;
+  double ambient_light = 1;
+
+ private:
+  void light_body_surface(const Vec2& p_world, const Panel& panel, Surface& surface);
+
+  Materials materials;
+  RayScene standing;
+  std::vector<Surface> standing_surfaces;  ///< the first is the floor
+  LightTexels light;
+  RayScene moving;
+  std::vector<Surface> moving_surfaces;
+  std::size_t standing_materials = 0, standing_texels = 0;
+};
+
+}  // namespace aisle

@@ -1,0 +1,58 @@
+#include "rendering/sensor_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/random.hpp"
+
+namespace aisle {
+namespace {
+
+/// Share of a mid-grey pixel's variance that comes from reading it out.
+constexpr double kReadingShare = 0.3;
+
+/// A number drawn by a counter: the same for the same counter, and like no other.
+std::uint32_t drawn(std::uint32_t counter, const std::uint32_t (&key)[2]) {
+  std::uint32_t h = counter * 0x9e3779b1u ^ key[0];
+  h = (h ^ (h >> 16)) * 0x85ebca6bu;
+  h = (h ^ (h >> 13) ^ key[1]) * 0xc2b2ae35u;
+  return h ^ (h >> 16);
+}
+
+/// Nearly Gaussian with standard deviation 1: the sum of four bytes.
+float normal(std::uint32_t bits) {
+  constexpr float kMean = 510, kPerSigma = 1 / 147.8f;
+  const std::uint32_t sum = (bits & 255) + ((bits >> 8) & 255) + ((bits >> 16) & 255) + (bits >> 24);
+  return (static_cast<float>(sum) - kMean) * kPerSigma;
+}
+
+}  // namespace
+
+SensorResponse::SensorResponse(double noise_sigma, double gamma, std::uint64_t seed, std::uint64_t picture) {
+  for (int i = 0; i < kCurveSteps + 2; ++i) {
+    const double root = static_cast<double>(i) / kCurveSteps;
+    grey_by_root_[static_cast<std::size_t>(i)] = static_cast<float>(255 * std::pow(root, 2 / gamma));
+  }
+  const double mid_light = std::pow(0.5, gamma);
+  const double greys_per_light = 255 * 0.5 / (gamma * mid_light);
+  const double mid_variance = std::pow(noise_sigma / greys_per_light, 2);
+  light_variance_ = static_cast<float>((1 - kReadingShare) * mid_variance / mid_light);
+  reading_variance_ = static_cast<float>(kReadingShare * mid_variance);
+  Random random(seed ^ (picture * 0x9e3779b97f4a7c15u));
+  for (std::uint32_t& key : key_) key = static_cast<std::uint32_t>(random.bits() >> 32);
+}
+
+float SensorResponse::curve(float light) const {
+  const float place = std::sqrt(std::clamp(light, 0.0f, 1.0f)) * kCurveSteps;
+  const auto step = static_cast<std::size_t>(place);
+  return grey_by_root_[step] +
+         (grey_by_root_[step + 1] - grey_by_root_[step]) * (place - static_cast<float>(step));
+}
+
+std::uint8_t SensorResponse::grey(float light, std::uint32_t pixel) const {
+  const float sigma = std::sqrt(light_variance_ * light + reading_variance_);
+  const float noisy = light + sigma * normal(drawn(pixel, key_));
+  return static_cast<std::uint8_t>(curve(noisy) + 0.5f);
+}
+
+}  // namespace aisle

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+
+#include "rendering/packet.hpp"
+#include "rendering/surface.hpp"
+
+namespace aisle {
+
+/// How bright the light is that is baked into light maps.
+struct LightLevels {
+  float from_everywhere = 0.35f;
+  float from_lamps = 0.65f;
+  float glow = 1;  ///< of the lamps themselves
+};
+
+/// A light plane at a height, sent out by a projector.
+struct LaserPlane {
+  std::array<float, 3> projector{};
+  std::array<float, 2> ahead{1, 0};  ///< it shines to this side
+  float strength = 0;                ///< 0: off
+};
+
+/// What shading looks at, whole arrays each.
+struct ShadingTables {
+  std::span<const Material> materials;
+  std::span<const Texture> textures;
+  const std::uint32_t* light_texels = nullptr;
+};
+
+/// The light that comes back along those rays that hit the surface; the other lanes' values mean nothing.
+void shade(const Surface& surface, const ShadingTables& tables, const LightLevels& levels,
+           const RayPacket& rays, const Flags& on_surface, Floats& radiance);
+
+/// The laser stripe as far as nothing blocks the light plane: adds, to the lanes on the surface, the light in
+/// `stripe` and the way to the projector in `ways`, which asks where there is any.
+/// @return whether there is any
+bool shade_stripe(const Surface& surface, const LaserPlane& laser, const RayPacket& rays,
+                  const Flags& on_surface, Floats& stripe, WayPacket& ways);
+
+}  // namespace aisle
