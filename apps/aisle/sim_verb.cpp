@@ -5,4 +5,5 @@ void add_sim_verb(CLI::App& app, Work& work) {
   sim->require_subcommand(1);
   sim->fallthrough();
   add_sim_log_verb(*sim, work);
+  add_sim_show_verb(*sim, work);
 }

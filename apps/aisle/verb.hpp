@@ -17,6 +17,7 @@ void add_detect_verb(CLI::App& app, Work& work);
 
 /// The verbs below `aisle sim`.
 void add_sim_log_verb(CLI::App& sim, Work& work);
+void add_sim_show_verb(CLI::App& sim, Work& work);
 
 /// --params, --set and --print-params for a verb; `chosen` runs when the verb is used without --print-params.
 void add_parameter_options(CLI::App& verb, aisle::ParameterSources& sources, aisle::Outcome (*list)(),

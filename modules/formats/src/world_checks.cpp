@@ -24,12 +24,6 @@ struct Spot {
   Vec2 p_world = Vec2::Zero();
 };
 
-double distance_m(const Vec2& p, const Segment2& s) {
-  const Vec2 along = s.end - s.start;
-  const double share = std::clamp((p - s.start).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - (s.start + share * along)).norm();
-}
-
 bool is_inside(const Vec2& p_world, const Furniture& piece) {
   const Pose2 T_world_piece{piece.centre.x(), piece.centre.y(), piece.heading_rad};
   const Vec2 p_piece = T_world_piece.inverse() * p_world;
@@ -66,7 +60,7 @@ class Spots {
   void for_each_near(const Segment2& segment, double reach_m, const Visit& visit) const {
     const auto [low_m, high_m] = std::minmax(segment.start.x(), segment.end.x());
     for_each_between(low_m - reach_m, high_m + reach_m, [&](const Spot& spot) {
-      if (distance_m(spot.p_world, segment) <= reach_m) visit(spot);
+      if (segment.distance(spot.p_world) <= reach_m) visit(spot);
     });
   }
 

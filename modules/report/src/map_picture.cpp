@@ -1,38 +1,25 @@
 #include "aisle/report/map_picture.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 #include "canvas.hpp"
+#include "picture_frame.hpp"
 #include "picture_scale.hpp"
 #include "polyline.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr Color kPaper{1, 1, 1};
-constexpr Color kInk{0.13, 0.17, 0.22};
-constexpr Color kQuietInk{0.42, 0.47, 0.53};
 constexpr Color kGrid{0.93, 0.945, 0.96};
-constexpr Color kWallBody{0.86, 0.88, 0.905};
-constexpr Color kWall{0.13, 0.17, 0.22};
 constexpr Color kObliqueWall{0.78, 0.36, 0.08};
-constexpr Color kPath{0.13, 0.47, 0.86};
 constexpr Color kLoopClosure{0.10, 0.64, 0.36, 0.85};
 
 constexpr Pen kPathPen{kPath, 1.75};
 constexpr Pen kLoopPen{kLoopClosure, 2};
 constexpr Pen kGridPen{kGrid, 1};
-constexpr Font kTitleFont{30, kInk, true};
-constexpr Font kCaptionFont{18, kQuietInk};
-constexpr Font kLabelFont{17, kInk};
 
-constexpr double kWallBody_m = 0.12;  ///< how much of a wall is shown behind its face
 constexpr double kPathTolerance_px = 0.3;
 
 class MapDrawing {
@@ -48,12 +35,9 @@ class MapDrawing {
   void draw_path(Canvas& canvas) const;
   void draw_loop_closures(Canvas& canvas) const;
   void draw_path_ends(Canvas& canvas) const;
-  void draw_header(Canvas& canvas) const;
-  void draw_scale_bar(Canvas& canvas) const;
   void draw_legend(Canvas& canvas) const;
 
   Pen wall_pen(const Wall& wall) const;
-  double footer_line() const { return scale_.height_px - 36; }
   bool has_wall(bool is_orthogonal) const;
 
   const MapPicture& picture_;
@@ -69,8 +53,8 @@ void MapDrawing::draw_on(Canvas& canvas) const {
   draw_walls(canvas, false);
   draw_walls(canvas, true);
   draw_path_ends(canvas);
-  draw_header(canvas);
-  draw_scale_bar(canvas);
+  draw_header(canvas, scale_, picture_.title, picture_.caption);
+  draw_scale_bar(canvas, scale_);
   draw_legend(canvas);
 }
 
@@ -89,20 +73,14 @@ void MapDrawing::draw_grid(Canvas& canvas) const {
   canvas.lines(lines, kGridPen);
 }
 
-/// A wall is known by its face; a strip behind it makes faces that belong together one solid wall.
 void MapDrawing::draw_wall_bodies(Canvas& canvas) const {
-  std::vector<std::array<Vec2, 4>> bodies;
-  for (const Wall& wall : picture_.walls.walls) {
-    const Segment2& face = wall.segment;
-    const Vec2 behind = -kWallBody_m * left_normal(unit(face.heading()));
-    bodies.push_back({scale_.to_paper(face.start), scale_.to_paper(face.end),
-                      scale_.to_paper(face.end + behind), scale_.to_paper(face.start + behind)});
-  }
-  canvas.areas(bodies, kWallBody);
+  std::vector<Segment2> faces;
+  for (const Wall& wall : picture_.walls.walls) faces.push_back(wall.segment);
+  aisle::draw_wall_bodies(canvas, scale_, faces);
 }
 
 Pen MapDrawing::wall_pen(const Wall& wall) const {
-  return {wall.is_orthogonal ? kWall : kObliqueWall, std::clamp(0.08 * scale_.px_per_m, 1.75, 3.5)};
+  return {wall.is_orthogonal ? kInk : kObliqueWall, std::clamp(0.08 * scale_.px_per_m, 1.75, 3.5)};
 }
 
 void MapDrawing::draw_walls(Canvas& canvas, bool is_orthogonal) const {
@@ -135,25 +113,6 @@ void MapDrawing::draw_path_ends(Canvas& canvas) const {
   canvas.disc(scale_.to_paper(picture_.path.back().position()), 6, kPath);
 }
 
-void MapDrawing::draw_header(Canvas& canvas) const {
-  const auto fitted = [&](Font font, const std::string& text) {
-    const double room_px = scale_.width_px - 2 * kMargin_px;
-    font.size_px *= std::min(1.0, room_px / std::max(1.0, canvas.text_width(text, font)));
-    return font;
-  };
-  canvas.text({kMargin_px, 50}, picture_.title, fitted(kTitleFont, picture_.title));
-  canvas.text({kMargin_px, 78}, picture_.caption, fitted(kCaptionFont, picture_.caption));
-}
-
-void MapDrawing::draw_scale_bar(Canvas& canvas) const {
-  const double length_m = round_length(220 / scale_.px_per_m);
-  const double left = kMargin_px, right = left + length_m * scale_.px_per_m, y = footer_line();
-  const Pen pen{kInk, 2};
-  canvas.lines({{{left, y}, {right, y}}, {{left, y - 6}, {left, y + 6}}, {{right, y - 6}, {right, y + 6}}},
-               pen);
-  canvas.text({right + 14, y + 6}, fmt::format("{:g} m", length_m), kLabelFont);
-}
-
 bool MapDrawing::has_wall(bool is_orthogonal) const {
   const auto& walls = picture_.walls.walls;
   return std::any_of(walls.begin(), walls.end(),
@@ -162,26 +121,15 @@ bool MapDrawing::has_wall(bool is_orthogonal) const {
 
 /// From right to left, only what the picture shows.
 void MapDrawing::draw_legend(Canvas& canvas) const {
-  double right = scale_.width_px - kMargin_px;
-  const double y = footer_line();
-  const auto entry = [&](const std::string& label, double sign_px,
-                         const std::function<void(double)>& draw_sign) {
-    const double text_x = right - canvas.text_width(label, kLabelFont);
-    canvas.text({text_x, y + 6}, label, kLabelFont);
-    draw_sign(text_x - 10 - sign_px);
-    right = text_x - 10 - sign_px - 30;
-  };
-  const auto line_entry = [&](const std::string& label, const Pen& pen) {
-    entry(label, 30, [&](double x) { canvas.line({x, y}, {x + 30, y}, pen); });
-  };
-  if (!picture_.loop_closures.empty()) line_entry("loop closures", kLoopPen);
+  Legend legend(canvas, scale_);
+  if (!picture_.loop_closures.empty()) legend.add_line("loop closures", kLoopPen);
   if (!picture_.path.empty()) {
-    entry("end", 12, [&](double x) { canvas.disc({x + 6, y}, 6, kPath); });
-    entry("start", 14, [&](double x) { canvas.ring({x + 7, y}, 7, {kPath, 2.5}); });
-    line_entry("path", kPathPen);
+    legend.add("end", 12, [&](const Vec2& p) { canvas.disc(p, 6, kPath); });
+    legend.add("start", 14, [&](const Vec2& p) { canvas.ring(p, 7, {kPath, 2.5}); });
+    legend.add_line("path", kPathPen);
   }
-  if (has_wall(false)) line_entry("oblique wall", {kObliqueWall, 3});
-  if (has_wall(true)) line_entry("wall", {kWall, 3});
+  if (has_wall(false)) legend.add_line("oblique wall", {kObliqueWall, 3});
+  if (has_wall(true)) legend.add_line("wall", {kInk, 3});
 }
 
 std::string render(const MapPicture& picture, std::string (*make)(int, int, const Drawing&)) {

@@ -12,30 +12,6 @@ constexpr double kWidthMin_px = 1000;  ///< room for title and legend
 constexpr double kPxPerMetreMax = 150;
 constexpr double kEmptySide_m = 10;
 
-struct Box {
-  Vec2 low = Vec2::Constant(1e300);
-  Vec2 high = Vec2::Constant(-1e300);
-
-  void add(const Vec2& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-};
-
-Box content_of(const MapPicture& picture) {
-  Box box;
-  for (const Wall& wall : picture.walls.walls) {
-    box.add(wall.segment.start);
-    box.add(wall.segment.end);
-  }
-  for (const Pose2& pose : picture.path) box.add(pose.position());
-  if (box.low.x() > box.high.x()) {
-    box.add(Vec2::Zero());
-    box.add(Vec2::Constant(kEmptySide_m));
-  }
-  return box;
-}
-
 }  // namespace
 
 Vec2 PictureScale::to_paper(const Vec2& p_map) const {
@@ -44,12 +20,25 @@ Vec2 PictureScale::to_paper(const Vec2& p_map) const {
 }
 
 PictureScale fit_scale(const MapPicture& picture) {
-  const Box box = content_of(picture);
-  const Vec2 size_m = (box.high - box.low).cwiseMax(1);
+  PictureContent content;
+  for (const Wall& wall : picture.walls.walls) {
+    content.add(wall.segment.start);
+    content.add(wall.segment.end);
+  }
+  for (const Pose2& pose : picture.path) content.add(pose.position());
+  return fit_scale(content);
+}
+
+PictureScale fit_scale(PictureContent content) {
+  if (content.low.x() > content.high.x()) {
+    content.add(Vec2::Zero());
+    content.add(Vec2::Constant(kEmptySide_m));
+  }
+  const Vec2 size_m = (content.high - content.low).cwiseMax(1);
   const double around_px = 2 * kMargin_px, above_and_below_px = kHeader_px + kFooter_px;
   PictureScale scale;
-  scale.low = box.low;
-  scale.high = box.high;
+  scale.low = content.low;
+  scale.high = content.high;
   scale.px_per_m = std::min({(kLongSide_px - around_px) / size_m.x(),
                              (kLongSide_px - above_and_below_px) / size_m.y(), kPxPerMetreMax});
   const Vec2 map_px = scale.px_per_m * size_m;

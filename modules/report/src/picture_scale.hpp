@@ -22,7 +22,21 @@ inline constexpr double kMargin_px = 48;
 inline constexpr double kHeader_px = 104;  ///< title and caption
 inline constexpr double kFooter_px = 84;   ///< scale bar and legend
 
-/// The largest scale that shows walls and path in a picture whose longer side is 1600 px.
+/// What a picture has to show.
+struct PictureContent {
+  Vec2 low = Vec2::Constant(1e300);
+  Vec2 high = Vec2::Constant(-1e300);
+
+  void add(const Vec2& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+};
+
+/// The largest scale that shows all of it in a picture whose longer side is 1600 px. Nothing: 10 m x 10 m.
+PictureScale fit_scale(PictureContent content);
+
+/// The scale that shows walls and path.
 PictureScale fit_scale(const MapPicture& picture);
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `length`; `length` > 0.

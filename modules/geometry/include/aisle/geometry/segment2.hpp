@@ -17,6 +17,13 @@ struct Segment2 {
   /// Direction from start to end [rad].
   double heading() const { return std::atan2(end.y() - start.y(), end.x() - start.x()); }
   Segment2 reversed() const { return {end, start}; }
+  /// From the point to the nearest point of the segment.
+  double distance(const Vec2& p) const {
+    const Vec2 along = end - start;
+    const double square = along.squaredNorm();
+    const double share = square > 0 ? std::clamp((p - start).dot(along) / square, 0.0, 1.0) : 0;
+    return (p - (start + share * along)).norm();
+  }
 };
 
 inline Segment2 operator*(const Pose2& T, const Segment2& s) {

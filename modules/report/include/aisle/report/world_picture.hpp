@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "aisle/simulation/world.hpp"
+
+namespace aisle {
+
+/// The plan of a world: walls, door leaves with the arc of their opening, furniture, posters, lamps, parking
+/// frames, where people walk, and tour, start and places. Drawn to scale, y up, the longer side 1600 px.
+struct WorldPicture {
+  const World& world;
+  std::string title = {};
+  std::string caption = {};  ///< one line below the title
+};
+
+/// The picture as an SVG document. Same picture, same bytes.
+std::string svg(const WorldPicture& picture);
+
+/// The picture as a PNG file. Same picture, same bytes.
+std::string png(const WorldPicture& picture);
+
+}  // namespace aisle
