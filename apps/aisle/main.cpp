@@ -87,6 +87,7 @@ int run_program(int argc, char** argv) {
   add_map_verb(app, work);
   add_sim_verb(app, work);
   add_maze_verb(app, work);
+  add_session_verbs(app, work);
   add_detect_verb(app, work);
   try {
     app.parse(argc, argv);

@@ -13,6 +13,7 @@ using Work = std::function<aisle::Result<aisle::Outcome>(aisle::Console&)>;
 void add_map_verb(CLI::App& app, Work& work);
 void add_sim_verb(CLI::App& app, Work& work);
 void add_maze_verb(CLI::App& app, Work& work);
+void add_session_verbs(CLI::App& app, Work& work);
 void add_detect_verb(CLI::App& app, Work& work);
 
 /// The verbs below `aisle sim`.

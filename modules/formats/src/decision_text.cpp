@@ -1,4 +1,4 @@
-#include "decision_text.hpp"
+#include "aisle/formats/decision_text.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "decision_text.hpp"
+#include "aisle/formats/decision_text.hpp"
 #include "picture_messages.hpp"
 
 namespace aisle {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "aisle/formats/decision_text.hpp"
 #include "aisle/formats/session_reader.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
-#include "decision_text.hpp"
 #include "observation_messages.hpp"
 #include "picture_messages.hpp"
 

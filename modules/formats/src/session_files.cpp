@@ -1,5 +1,6 @@
 #include "session_files.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,6 +21,19 @@ bool was_killed(const fs::path& database) {
   return fs::exists(database.string() + "-wal", error);
 }
 
+/// SQLite fills up a last page that is cut off; here it is a problem.
+Problems check_length(const sqlite::Database& database) {
+  if (was_killed(database.path())) return {};  // the rest may be in the journal
+  auto pages = database.prepare("SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()");
+  if (!pages) return pages.problems();
+  if (const Result<bool> row = pages->step(); !row) return row.problems();
+  std::error_code error;
+  const auto bytes = static_cast<std::int64_t>(fs::file_size(database.path(), error));
+  if (bytes >= pages->integer(0)) return {};
+  return {{{database.path().string()},
+           fmt::format("is cut off: it has {} of {} bytes", bytes, pages->integer(0))}};
+}
+
 /// What a session consists of, killed or not.
 bool belongs_to_session(const fs::path& file) {
   const std::string name = file.filename().string();
@@ -37,7 +51,7 @@ Result<std::vector<fs::path>> files_in(const fs::path& directory) {
   return files;
 }
 
-Problems remove_session(const fs::path& directory, const std::vector<fs::path>& files) {
+Problems remove_files(const fs::path& directory, const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
     if (!belongs_to_session(file) || fs::is_directory(file))
       return {{{file.string()}, "is no part of a session, so " + directory.string() + " is not replaced"}};
@@ -72,7 +86,13 @@ Problems prepare_directory(const fs::path& directory, bool force) {
   if (!files) return files.problems();
   if (files->empty()) return {};
   if (!force) return {{{directory.string()}, "is not empty; --force replaces a session that is there"}};
-  return remove_session(directory, *files);
+  return remove_files(directory, *files);
+}
+
+void remove_session(const fs::path& directory) {
+  if (const auto files = files_in(directory)) (void)remove_files(directory, *files);
+  std::error_code error;
+  fs::remove(directory, error);
 }
 
 Result<SessionMetadata> metadata_of(const sqlite::Database& database) {
@@ -127,18 +147,10 @@ Result<sqlite::Database> open_session(const fs::path& directory) {
   if (!fs::is_regular_file(path))
     return Problem{{path.string()}, "is missing, though metadata.yaml names it"};
   Result<sqlite::Database> database = sqlite::Database::open(path);
-  if (database && was_killed(path)) (void)finish_session(directory, *database);  // else read it as it is
+  if (!database) return database;
+  if (was_killed(path)) (void)finish_session(directory, *database);  // where it fails, read what there is
+  if (Problems problems = check_length(*database); !problems.empty()) return problems;
   return database;
-}
-
-Problems check_tables(const sqlite::Database& database) {
-  auto tables = database.prepare(
-      "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('messages', 'topics')");
-  if (!tables) return tables.problems();
-  const Result<bool> row = tables->step();
-  if (!row) return row.problems();
-  if (tables->integer(0) == 2) return {};
-  return {{{database.path().string()}, "is no ROS 2 bag: it needs the tables topics and messages"}};
 }
 
 }  // namespace aisle

@@ -17,6 +17,9 @@ std::filesystem::path database_path(const std::filesystem::path& directory);
 /// Makes room for a new session: creates the directory, with `force` removes the session in it.
 Problems prepare_directory(const std::filesystem::path& directory, bool force);
 
+/// Removes a session's files, and the directory if nothing else is in it.
+void remove_session(const std::filesystem::path& directory);
+
 /// What the database holds, for metadata.yaml.
 Result<SessionMetadata> metadata_of(const sqlite::Database& database);
 
@@ -25,9 +28,5 @@ Problems finish_session(const std::filesystem::path& directory, const sqlite::Da
 
 /// Opens a session's database, and finishes the session first if its recording was killed.
 Result<sqlite::Database> open_session(const std::filesystem::path& directory);
-
-/// Whether the database has rosbag2's tables, and has them as tables: a view of that name could be endless
-/// work.
-Problems check_tables(const sqlite::Database& database);
 
 }  // namespace aisle

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "aisle/formats/decision_text.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
-#include "decision_text.hpp"
 #include "frame_messages.hpp"
 #include "observation_messages.hpp"
 #include "picture_messages.hpp"

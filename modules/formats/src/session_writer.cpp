@@ -48,6 +48,7 @@ class SessionWriter::Recording {
   Problems begin();
   Problems write(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr);
   Problems close();
+  const fs::path& directory() const { return directory_; }
 
  private:
   Problems keep_transaction_short(ros::Stamp_ns stamp);
@@ -169,6 +170,12 @@ Problems SessionWriter::write(const SessionTopic& topic, ros::Stamp_ns stamp, st
 
 Problems SessionWriter::close() {
   return recording_->close();
+}
+
+void SessionWriter::discard() {
+  const fs::path directory = recording_->directory();
+  recording_.reset();
+  remove_session(directory);
 }
 
 }  // namespace aisle

@@ -2,21 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
-
 namespace aisle::sqlite {
 namespace {
 
 /// No message of a session is larger: a picture of 8192 x 8192 pixels in colour fits.
 constexpr int kValueMax_bytes = 256 << 20;
-
-std::string text_of_error(sqlite3* handle) {
-  std::string text = sqlite3_errmsg(handle);
-  const int system_error = sqlite3_system_errno(handle);
-  if (sqlite3_errcode(handle) == SQLITE_IOERR && system_error != 0)
-    text += fmt::format(" ({})", std::strerror(system_error));
-  return text;
-}
 
 }  // namespace
 
@@ -29,10 +19,10 @@ Result<Database> Database::open(const std::filesystem::path& path, int flags, co
   const int code = sqlite3_open_v2(absolute.c_str(), &handle, flags, nullptr);
   database.handle_.reset(handle);
   if (code != SQLITE_OK) return database.failure("cannot be opened");
-  sqlite3_extended_result_codes(handle, 0);
   sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kValueMax_bytes);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-  if (Problems problems = database.run(setup); !problems.empty()) return problems;
+  if (sqlite3_exec(handle, setup, nullptr, nullptr, nullptr) != SQLITE_OK)
+    return database.failure("cannot be opened");
   return database;
 }
 
@@ -47,7 +37,7 @@ Result<Database> Database::open(const std::filesystem::path& path) {
 
 Problems Database::run(const char* sql) const {
   if (sqlite3_exec(handle_.get(), sql, nullptr, nullptr, nullptr) == SQLITE_OK) return {};
-  return {failure("fails")};
+  return {failure("cannot be written")};
 }
 
 Result<Statement> Database::prepare(const char* sql) const {
@@ -58,7 +48,7 @@ Result<Statement> Database::prepare(const char* sql) const {
 }
 
 Problem Database::failure(const char* what) const {
-  return {{path_.string()}, fmt::format("{}: {}", what, text_of_error(handle_.get()))};
+  return {{path_.string()}, fmt::format("{}: {}", what, sqlite3_errmsg(handle_.get()))};
 }
 
 void Statement::bind(int parameter, std::int64_t value) {

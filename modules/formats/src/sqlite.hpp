@@ -23,7 +23,7 @@ class Database {
   /// An existing file, for reading what may be damaged or hostile.
   static Result<Database> open(const std::filesystem::path& path);
 
-  /// Runs statements that give no rows. Empty on success.
+  /// Runs statements that change something. Empty on success.
   Problems run(const char* sql) const;
   Result<Statement> prepare(const char* sql) const;
   /// What SQLite says of the last failure.

@@ -33,6 +33,9 @@ class SessionWriter {
   /// Ends the session: one database file without a journal, and the final metadata.yaml. Empty on success.
   Problems close();
 
+  /// Ends the session without a trace of it.
+  void discard();
+
  private:
   class Recording;
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "aisle/commands/outcome.hpp"
+
+namespace aisle {
+
+struct SessionCutOptions {
+  std::filesystem::path session;
+  double from_s = 0;           ///< since the session's first message
+  std::optional<double> to_s;  ///< absent: to the end
+  std::filesystem::path out;   ///< the new session's directory
+  bool force = false;
+};
+
+/// `aisle cut SESSION`: a part of a session as a session. Latched messages from before the part go with it.
+Result<Outcome> run_session_cut(const SessionCutOptions& options, Console& console);
+
+}  // namespace aisle

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "aisle/commands/outcome.hpp"
+
+namespace aisle {
+
+struct SessionInfoOptions {
+  std::filesystem::path session;
+};
+
+/// `aisle info SESSION`: what a session holds. Any ROS 2 bag in the SQLite layout will do.
+Result<Outcome> run_session_info(const SessionInfoOptions& options);
+
+}  // namespace aisle

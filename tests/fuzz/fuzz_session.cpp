@@ -1,0 +1,45 @@
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "aisle/formats/session_cycles.hpp"
+#include "aisle/formats/session_summary.hpp"
+#include "fuzz_input.hpp"
+
+using namespace aisle;
+
+namespace {
+
+/// A session whose database is to be any bytes; in memory where there is such a place.
+std::filesystem::path make_session() {
+  const std::filesystem::path memory = "/dev/shm";
+  std::error_code error;
+  const auto base =
+      std::filesystem::is_directory(memory, error) ? memory : std::filesystem::temp_directory_path();
+  const auto directory = base / ("aisle-fuzz-session-" + std::to_string(::getpid()));
+  std::filesystem::create_directories(directory);
+  std::ofstream(directory / "metadata.yaml") << "rosbag2_bagfile_information:\n"
+                                                "  storage_identifier: sqlite3\n"
+                                                "  relative_file_paths: [fuzz_0.db3]\n";
+  return directory;
+}
+
+void read_to_the_end(const std::filesystem::path& directory) {
+  auto cycles = SessionCycles::open(directory);
+  while (cycles.ok()) {
+    const auto cycle = cycles->next();
+    if (!cycle || !cycle->has_value()) return;
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  static const std::filesystem::path directory = make_session();
+  std::ofstream(directory / "fuzz_0.db3", std::ios::binary) << fuzz_text(bytes, size);
+  (void)summarise_session(directory);
+  read_to_the_end(directory);
+  return 0;
+}
