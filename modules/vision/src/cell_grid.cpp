@@ -1,24 +1,35 @@
 #include "cell_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace aisle {
 namespace {
 
-using Sums = std::vector<int>;  ///< of each channel over each cell of one row
+/// Sums of each channel over the cells of one row, of the tones of its pixels' rows.
+using Sums = std::vector<int>;
 
-void add_row(const std::uint8_t* pixels, const CellGrid& grid, int width_px, int channels, Sums& sums) {
-  for (int column = 0; column < grid.columns; ++column) {
-    const int end = std::min((column + 1) * grid.cell_px, width_px);
-    for (int u = column * grid.cell_px; u < end; ++u)
-      for (int c = 0; c < channels; ++c) sums[static_cast<std::size_t>(column * channels + c)] += *pixels++;
+template <int kChannels>
+void add_row(const std::uint8_t* pixels, const CellGrid& grid, int width_px, Sums& sums) {
+  int* sum = sums.data();
+  for (int column = 0; column < grid.columns; ++column, sum += kChannels) {
+    const int count = std::min(grid.cell_px, width_px - column * grid.cell_px);
+    int cell[kChannels] = {};
+    for (int u = 0; u < count; ++u)
+      for (int c = 0; c < kChannels; ++c) cell[c] += *pixels++;
+    for (int c = 0; c < kChannels; ++c) sum[c] += cell[c];
   }
 }
 
+/// The tone of a mean of `count` grey values, in look units.
+int tone(int sum, int count) {
+  const double share = sum / (255.0 * count);
+  return static_cast<int>(255 * kLookUnit * std::sqrt(share));
+}
+
 CellLook look_of(const int* sums, int channels, int count) {
-  const auto mean = [&](int c) { return sums[c] * kLookUnit / count; };
-  if (channels == 1) return {mean(0), 0, 0};
-  const int red = mean(0), green = mean(1), blue = mean(2);
+  if (channels == 1) return {tone(sums[0], count), 0, 0};
+  const int red = tone(sums[0], count), green = tone(sums[1], count), blue = tone(sums[2], count);
   return {(5 * red + 9 * green + 2 * blue) / 16, red - green, (red + green) / 2 - blue};
 }
 
@@ -29,16 +40,20 @@ CellGrid cells_of(const Image& picture, int columns) {
   grid.cell_px = std::max(1, (picture.width_px + columns / 2) / columns);
   grid.columns = (picture.width_px + grid.cell_px - 1) / grid.cell_px;
   grid.rows = (picture.height_px + grid.cell_px - 1) / grid.cell_px;
-  grid.looks.reserve(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
+  grid.looks.reserve(grid.index(grid.rows, 0));
   for (int row = 0; row < grid.rows; ++row) {
     Sums sums(static_cast<std::size_t>(grid.columns * picture.channels), 0);
     const int top = row * grid.cell_px, bottom = std::min(top + grid.cell_px, picture.height_px);
-    for (int v = top; v < bottom; ++v)
-      add_row(picture.row(v), grid, picture.width_px, picture.channels, sums);
+    for (int v = top; v < bottom; ++v) {
+      if (picture.channels == 1)
+        add_row<1>(picture.row(v), grid, picture.width_px, sums);
+      else
+        add_row<3>(picture.row(v), grid, picture.width_px, sums);
+    }
     for (int column = 0; column < grid.columns; ++column) {
-      const int left = column * grid.cell_px, right = std::min(left + grid.cell_px, picture.width_px);
+      const int width = std::min(grid.cell_px, picture.width_px - column * grid.cell_px);
       grid.looks.push_back(look_of(&sums[static_cast<std::size_t>(column * picture.channels)],
-                                   picture.channels, (right - left) * (bottom - top)));
+                                   picture.channels, width * (bottom - top)));
     }
   }
   return grid;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -8,20 +7,22 @@
 
 namespace aisle {
 
-/// What a small square of a picture looks like: brightness, and colour as two differences of channels, all in
-/// grey levels. A grey picture has no colour.
+/// What a small square of a picture looks like, in sixteenths of a grey level on the tone scale
+/// 255 sqrt(g / 255). A grey picture has no colour.
 struct CellLook {
   int brightness = 0;
-  int red_green = 0;
-  int yellow_blue = 0;
+  int red_green = 0;    ///< red less green
+  int yellow_blue = 0;  ///< the mean of red and green less blue
 };
 
-/// A picture cut into square cells. Cells in the last row and column may be cut off.
+constexpr int kLookUnit = 16;  ///< of a CellLook, in a grey level
+
+/// A picture cut into square cells. Cells of the last row and column may be cut off.
 struct CellGrid {
   int cell_px = 1;
   int columns = 0;
   int rows = 0;
-  std::vector<CellLook> looks;  ///< row by row, in sixteenths of a grey level
+  std::vector<CellLook> looks;  ///< row by row
 
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
@@ -29,7 +30,11 @@ struct CellGrid {
   }
 };
 
-constexpr int kLookUnit = 16;  ///< of CellGrid's looks in a grey level
+/// Some neighbouring cells.
+struct CellBlock {
+  int first_row = 0, end_row = 0;
+  int first_column = 0, end_column = 0;
+};
 
 /// The mean look of each cell; about `columns` cells in a row.
 CellGrid cells_of(const Image& picture, int columns);

@@ -2,150 +2,182 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 #include "cell_grid.hpp"
+#include "step_costs.hpp"
 
 namespace aisle {
 
 void RegionParams::describe(FieldList& fields) {
-  fields.count("columns", columns, {20, 2000}, "cells that the picture is looked at in, from left to right");
-  fields.real("patch_share", patch_share, {0.02, 1},
-              "side of the patch that tells the route's look, of the width");
-  fields.real("quiet_step", quiet_step, {0, 50}, "grey levels between neighbouring cells that are no edge");
+  fields.count("columns", columns, {16, 1024}, "cells that the picture is looked at in, from left to right");
+  fields.real("quiet_step", quiet_step, {0, 50}, "between neighbouring cells: no edge but noise and drift");
+  fields.real("texture_factor", texture_factor, {0, 10},
+              "nor is this many times the step usual on the floor in front");
+  fields.real("texture_max", texture_max, {0, 100}, "but larger steps than this are always edges");
   fields.real("colour_weight", colour_weight, {0, 20}, "of a step of colour against one of brightness");
-  fields.real("look_weight", look_weight, {0, 1}, "cost of a cell for each grey level off the patch's look");
-  fields.real("far_share", far_share, {0, 1},
-              "of the height, from the top: starts the rest unless it is floor");
-  fields.real("far_cost", far_cost, {0, 255}, "grey levels of steps below which even the top is floor");
-  fields.real("strange_colour", strange_colour, {1, 500}, "grey levels off the route's colour: an obstacle");
+  fields.real("strange_colour", strange_colour, {5, 500},
+              "off the colour of the floor in front: an obstacle");
+  fields.real("horizon_share", horizon_share, {0, 0.9},
+              "where the horizon is expected, of the height from the top");
+  fields.real("near_reach", near_reach, {0.01, 1},
+              "of the way from the lowest middle to the horizon: surely floor");
+  fields.real("floor_cost", floor_cost, {0, 2000}, "of taking a place at the horizon for floor, unconnected");
+  fields.real("far_share", far_share, {0, 1}, "of the height, from the top: not floor unless it looks alike");
+  fields.real("side_share", side_share, {0, 1}, "by how much lower that reaches at the sides");
+  fields.real("rest_cost", rest_cost, {0, 2000}, "of taking a place a picture's height lower for no floor");
+  fields.real("alike_cost", alike_cost, {0, 500},
+              "of the way from the lowest middle: less is floor, wherever");
 }
 
 namespace {
 
-using Cost = int;  ///< in sixteenths of a grey level
-constexpr Cost kNever = std::numeric_limits<Cost>::max() / 4;
+constexpr double kDecline = 1.2;  // power by which floor is expected the less, the farther away
 
-class Growth {
- public:
-  Growth(const CellGrid& grid, const RegionParams& params) : grid_(grid) {
-    const auto n = grid.looks.size();
-    right_.resize(n);
-    down_.resize(n);
-    const Cost quiet = static_cast<Cost>(params.quiet_step * kLookUnit);
-    const auto step = [&](const CellLook& a, const CellLook& b) {
-      const double l = a.brightness - b.brightness;
-      const double c1 = params.colour_weight * (a.red_green - b.red_green);
-      const double c2 = params.colour_weight * (a.yellow_blue - b.yellow_blue);
-      const int d = static_cast<int>(std::sqrt(l * l + c1 * c1 + c2 * c2));
-      return 1 + std::max(0, d - quiet);
-    };
-    for (int r = 0; r < grid.rows; ++r)
-      for (int c = 0; c < grid.columns; ++c) {
-        const auto i = grid.index(r, c);
-        right_[i] = c + 1 < grid.columns ? step(grid.looks[i], grid.looks[i + 1]) : kNever;
-        down_[i] = r + 1 < grid.rows ? step(grid.looks[i], grid.looks[grid.index(r + 1, c)]) : kNever;
-      }
-  }
+/// The lowest middle, which is floor.
+CellBlock patch_in_front(const CellGrid& grid, const RegionParams& params) {
+  const double horizon_rows = (1 - params.horizon_share) * grid.rows;
+  const int rows = std::clamp(static_cast<int>(params.near_reach * horizon_rows), 1, grid.rows);
+  const int half = std::max(1, static_cast<int>(params.near_reach * grid.columns / 2));
+  const int first = std::max(0, grid.columns / 2 - half);
+  return {grid.rows - rows, grid.rows, first, grid.columns - first};
+}
 
-  void grow(std::vector<Cost>& cost, const std::vector<Cost>& own) const {
-    const auto relax = [&](std::size_t at, std::size_t from, Cost step) {
-      const Cost through = cost[from] + step + own[at];
-      if (through >= cost[at]) return false;
-      cost[at] = through;
-      return true;
-    };
-    bool changed = true;
-    while (changed) {
-      changed = false;
-      for (int r = 0; r < grid_.rows; ++r) {
-        for (int c = 0; c < grid_.columns; ++c) {
-          const auto i = grid_.index(r, c);
-          if (r > 0)
-            changed |= relax(i, i - static_cast<std::size_t>(grid_.columns),
-                             down_[i - static_cast<std::size_t>(grid_.columns)]);
-          if (c > 0) changed |= relax(i, i - 1, right_[i - 1]);
-        }
-        for (int c = grid_.columns - 2; c >= 0; --c) {
-          const auto i = grid_.index(r, c);
-          changed |= relax(i, i + 1, right_[i]);
-        }
-      }
-      for (int r = grid_.rows - 1; r >= 0; --r) {
-        for (int c = 0; c < grid_.columns; ++c) {
-          const auto i = grid_.index(r, c);
-          if (r + 1 < grid_.rows) changed |= relax(i, i + static_cast<std::size_t>(grid_.columns), down_[i]);
-          if (c > 0) changed |= relax(i, i - 1, right_[i - 1]);
-        }
-        for (int c = grid_.columns - 2; c >= 0; --c) {
-          const auto i = grid_.index(r, c);
-          changed |= relax(i, i + 1, right_[i]);
-        }
-      }
+int median(std::vector<int>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The route's look (L96 section 2.2), of a patch of the picture itself.
+CellLook look_of(const CellBlock& patch, const CellGrid& grid) {
+  std::vector<int> brightness, red_green, yellow_blue;
+  for (int row = patch.first_row; row < patch.end_row; ++row) {
+    for (int column = patch.first_column; column < patch.end_column; ++column) {
+      const CellLook& look = grid.looks[grid.index(row, column)];
+      brightness.push_back(look.brightness);
+      red_green.push_back(look.red_green);
+      yellow_blue.push_back(look.yellow_blue);
     }
+  }
+  return {median(brightness), median(red_green), median(yellow_blue)};
+}
+
+Vec2 colour_of(const CellLook& look) {
+  return Vec2(look.red_green, look.yellow_blue);
+}
+
+class RegionGrowth {
+ public:
+  RegionGrowth(const CellGrid& grid, const RegionParams& params)
+      : grid_(grid),
+        params_(params),
+        patch_(patch_in_front(grid, params)),
+        steps_(grid, params.colour_weight, quiet_step()) {}
+
+  /// For each cell: is it of the region?
+  std::vector<char> region() const {
+    std::vector<Cost> floor = expected_floor();
+    steps_.spread(floor);
+    std::vector<Cost> rest = expected_rest(floor);
+    steps_.spread(rest);
+    const std::vector<char> is_strange = strange_cells();
+    std::vector<char> is_floor(floor.size());
+    for (std::size_t i = 0; i < floor.size(); ++i)
+      is_floor[i] = static_cast<char>(floor[i] < rest[i] && is_strange[i] == 0);
+    return connected(is_floor);
   }
 
  private:
+  Cost quiet_step() const {
+    const double texture = params_.texture_factor * texture_of(grid_, patch_, params_.colour_weight);
+    return static_cast<Cost>(
+        std::max(params_.quiet_step * kLookUnit, std::min(texture, params_.texture_max * kLookUnit)));
+  }
+
+  /// 0 in the middle, 1 at the sides.
+  double aside(int column) const {
+    return std::abs(2 * column + 1 - grid_.columns) / static_cast<double>(grid_.columns);
+  }
+
+  template <class Expect>
+  std::vector<Cost> for_each_cell(Expect expect) const {
+    std::vector<Cost> costs(grid_.looks.size());
+    for (int row = 0; row < grid_.rows; ++row)
+      for (int column = 0; column < grid_.columns; ++column)
+        costs[grid_.index(row, column)] = static_cast<Cost>(kLookUnit * expect(row, column));
+    return costs;
+  }
+
+  /// Nothing near the lowest middle; `floor_cost` at the horizon above it and in the lower corners.
+  std::vector<Cost> expected_floor() const {
+    const double horizon_rows = (1 - params_.horizon_share) * grid_.rows;
+    return for_each_cell([&](int row, int column) {
+      const double way = (grid_.rows - 1 - row) / horizon_rows + aside(column) - params_.near_reach;
+      return way > 0 ? params_.floor_cost * std::pow(way, kDecline) : 0;
+    });
+  }
+
+  /// Nothing in the upper part, more and more below; never where the floor goes on without a step.
+  std::vector<Cost> expected_rest(const std::vector<Cost>& floor) const {
+    std::vector<Cost> rest = for_each_cell([&](int row, int column) {
+      const double below = (row + 0.5) / grid_.rows - params_.far_share - params_.side_share * aside(column);
+      return params_.rest_cost * std::max(0.0, below);
+    });
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      if (floor[i] <= params_.alike_cost * kLookUnit) rest[i] = kNoWay;
+    return rest;
+  }
+
+  /// Of another colour than the route. Gloss and shadow only make its colour paler.
+  std::vector<char> strange_cells() const {
+    const Vec2 route = colour_of(look_of(patch_, grid_));
+    const double limit = params_.strange_colour * kLookUnit;
+    std::vector<char> is_strange(grid_.looks.size());
+    for (std::size_t i = 0; i < is_strange.size(); ++i) {
+      const Vec2 colour = colour_of(grid_.looks[i]);
+      const double paleness = std::clamp(colour.dot(route) / std::max(route.squaredNorm(), 1.0), 0.0, 1.0);
+      is_strange[i] = static_cast<char>((colour - paleness * route).norm() > limit);
+    }
+    return is_strange;
+  }
+
+  /// The cells that hang together with the patch.
+  std::vector<char> connected(const std::vector<char>& is_floor) const {
+    std::vector<char> is_reached(is_floor.size(), 0);
+    std::vector<std::size_t> open;
+    const auto reach = [&](std::size_t i) {
+      if (is_floor[i] == 0 || is_reached[i] != 0) return;
+      is_reached[i] = 1;
+      open.push_back(i);
+    };
+    for (int row = patch_.first_row; row < grid_.rows; ++row)
+      for (int column = patch_.first_column; column < patch_.end_column; ++column)
+        reach(grid_.index(row, column));
+    const auto columns = static_cast<std::size_t>(grid_.columns);
+    while (!open.empty()) {
+      const std::size_t i = open.back();
+      open.pop_back();
+      if (i % columns > 0) reach(i - 1);
+      if (i % columns + 1 < columns) reach(i + 1);
+      if (i >= columns) reach(i - columns);
+      if (i + columns < is_floor.size()) reach(i + columns);
+    }
+    return is_reached;
+  }
+
   const CellGrid& grid_;
-  std::vector<Cost> right_, down_;
+  const RegionParams& params_;
+  CellBlock patch_;
+  StepCosts steps_;
 };
 
-}  // namespace
-
-RouteRegion find_route_region(const Image& picture, const RegionParams& params) {
-  RouteRegion region;
-  if (picture.bytes.empty()) return region;
-  region.mask = Image(picture.width_px, picture.height_px);
-  const CellGrid grid = cells_of(picture, params.columns);
-  const int side =
-      std::clamp(static_cast<int>(params.patch_share * grid.columns), 1, std::min(grid.columns, grid.rows));
-  const int left = (grid.columns - side) / 2;
-  // look of the patch: medians
-  std::vector<int> l, a, b;
-  for (int r = grid.rows - side; r < grid.rows; ++r)
-    for (int c = left; c < left + side; ++c) {
-      const auto& k = grid.looks[grid.index(r, c)];
-      l.push_back(k.brightness);
-      a.push_back(k.red_green);
-      b.push_back(k.yellow_blue);
-    }
-  const auto med = [](std::vector<int>& v) {
-    std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-    return v[v.size() / 2];
-  };
-  const CellLook look{med(l), med(a), med(b)};
-  const auto off = [&](const CellLook& k) {
-    const double dl = k.brightness - look.brightness;
-    const double c1 = params.colour_weight * (k.red_green - look.red_green);
-    const double c2 = params.colour_weight * (k.yellow_blue - look.yellow_blue);
-    return std::sqrt(dl * dl + c1 * c1 + c2 * c2);
-  };
-  const Growth growth(grid, params);
-  std::vector<Cost> own(grid.looks.size()), none(grid.looks.size(), 0);
-  for (std::size_t i = 0; i < own.size(); ++i)
-    own[i] = static_cast<Cost>(params.look_weight * off(grid.looks[i]));
-  std::vector<Cost> floor(grid.looks.size(), kNever), rest(grid.looks.size(), kNever);
-  for (int r = grid.rows - side; r < grid.rows; ++r)
-    for (int c = left; c < left + side; ++c) floor[grid.index(r, c)] = own[grid.index(r, c)];
-  growth.grow(floor, own);
-  const int far_rows = static_cast<int>(params.far_share * grid.rows);
-  for (int r = 0; r < far_rows; ++r)
-    for (int c = 0; c < grid.columns; ++c)
-      if (floor[grid.index(r, c)] > params.far_cost * kLookUnit) rest[grid.index(r, c)] = 0;
-  growth.grow(rest, none);
-  std::size_t count = 0;
-  for (int v = 0; v < picture.height_px; ++v)
-    for (int u = 0; u < picture.width_px; ++u) {
-      const auto i = grid.index(v / grid.cell_px, u / grid.cell_px);
-      const bool on = floor[i] < rest[i];
-      region.mask.row(v)[u] = on ? 255 : 0;
-      count += on;
-    }
-  region.share = static_cast<double>(count) / static_cast<double>(region.mask.bytes.size());
-  return region;
+void paint(const CellGrid& grid, const std::vector<char>& is_region, Image& mask) {
+  for (int v = 0; v < mask.height_px; ++v) {
+    const char* cells = &is_region[grid.index(v / grid.cell_px, 0)];
+    for (int u = 0; u < mask.width_px; ++u) mask.row(v)[u] = cells[u / grid.cell_px] != 0 ? 255 : 0;
+  }
 }
-
-namespace {
 
 /// The middle of the widest unbroken part of the region in one row.
 std::optional<Vec2> middle_of_row(const Image& mask, int row) {
@@ -164,6 +196,17 @@ std::optional<Vec2> middle_of_row(const Image& mask, int row) {
 }
 
 }  // namespace
+
+RouteRegion find_route_region(const Image& picture, const RegionParams& params) {
+  if (picture.bytes.empty()) return {};
+  const CellGrid grid = cells_of(picture, params.columns);
+  RouteRegion region;
+  region.mask = Image(picture.width_px, picture.height_px);
+  paint(grid, RegionGrowth(grid, params).region(), region.mask);
+  const auto count = std::count(region.mask.bytes.begin(), region.mask.bytes.end(), std::uint8_t{255});
+  region.share = static_cast<double>(count) / static_cast<double>(region.mask.bytes.size());
+  return region;
+}
 
 std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row) {
   const auto far = middle_of_row(mask, far_row), near = middle_of_row(mask, near_row);

@@ -9,15 +9,21 @@
 
 namespace aisle {
 
+/// Costs are in grey levels of a tone scale, on which equal steps look equally large: 255 sqrt(g / 255).
 struct RegionParams {
-  int columns = 160;
-  double patch_share = 0.2;
-  double quiet_step = 2;
+  int columns = 80;
+  double quiet_step = 3;
+  double texture_factor = 1.5;
+  double texture_max = 12;
   double colour_weight = 2;
-  double look_weight = 0.04;
+  double strange_colour = 80;
+  double horizon_share = 0.45;
+  double near_reach = 0.12;
+  double floor_cost = 160;
   double far_share = 0.3;
-  double far_cost = 12;
-  double strange_colour = 40;
+  double side_share = 0.2;
+  double rest_cost = 400;
+  double alike_cost = 12;
 
   void describe(FieldList& fields);
 };
@@ -28,13 +34,14 @@ struct RouteRegion {
   double share = 0;  ///< of the picture's pixels
 };
 
-/// Grows the route region from below (L96 sections 2.2 and 3.1). What the route looks like is learned from a
-/// square patch in the middle of the lowest rows, which must therefore see the floor. Beyond the paper, the
-/// region follows slow changes of brightness and stops at edges: every place belongs to the floor or to the
-/// rest, whichever reaches it over the lesser steps of brightness and colour, the rest starting from the
-/// picture's top. Colour pictures are used in colour. Neither intrinsics nor the horizon need be known; the
-/// camera stands upright.
-/// @return an empty mask where there is no picture
+/// Grows the route region from below (L96 sections 2.2 and 3.1). The picture's lowest middle is taken for
+/// floor. Beyond the paper, brightness may drift slowly over the floor, and the region stops at edges: each
+/// place belongs to the floor, growing from below, or to the rest, growing from above, whichever reaches it
+/// over the lesser steps of brightness and colour. Both may also start elsewhere, at a cost that grows with
+/// the distance from where they are expected, so that reflections and tiles do not stop them. Colour
+/// pictures are used in colour: what has quite another colour than the floor in front is not floor. Neither
+/// intrinsics nor the horizon need be known; the camera stands upright and looks about level or down.
+/// @return one connected region; an empty mask where there is no picture
 RouteRegion find_route_region(const Image& picture, const RegionParams& params = {});
 
 /// The middle of the route as L96 Algorithm 4 finds it.
