@@ -14,6 +14,8 @@ void add_feature(CLI::App& detect, Work& work, const std::string& name, const st
   auto options = std::make_shared<DetectOptions>();
   options->feature = feature;
   verb->add_option("IMAGE", options->files, "pictures: PNG, JPEG, PGM, PPM, BMP, TIFF");
+  verb->add_option("--camera", options->camera,
+                   "its calibration, OpenCV YAML or ROS camera_info; all features are found without it too");
   verb->add_option("--overlay", options->overlay,
                    feature == Feature::kRegion
                        ? "directory for the region masks and for the pictures with what was found drawn over"
@@ -33,6 +35,10 @@ void add_detect_verb(CLI::App& app, Work& work) {
   CLI::App* detect = app.add_subcommand("detect", "find features in pictures");
   detect->require_subcommand(1);
   detect->fallthrough();
+  add_feature<Feature::kVerticals>(*detect, work, "verticals",
+                                   "lines that are vertical in the building, and which stand on a base line");
+  add_feature<Feature::kBaseLines>(*detect, work, "baselines",
+                                   "where the right and the left wall of a corridor meet the floor");
   add_feature<Feature::kStripes>(*detect, work, "stripes",
                                  "the marks of a horizontal laser plane, as polylines with their corners");
   add_feature<Feature::kRegion>(*detect, work, "region", "the floor in front of the vehicle, as a mask");

@@ -60,6 +60,47 @@ TEST_F(Detect, TheRegionIsAMaskBesideItsOverlayBothAsLargeAsThePicture) {
   EXPECT_EQ(size_of_png(at("out/a.overlay.png")), std::pair(120, 90));
 }
 
+TEST_F(Detect, VerticalLinesAndBaseLinesHaveTheirKeys) {
+  const std::string a = file("a.pgm", picture_file());
+  const ProgramRun verticals = run_aisle({"detect", "verticals", a, "--overlay", at("out"), "--json"});
+  ASSERT_EQ(verticals.exit_code, 0) << verticals.err;
+  EXPECT_TRUE(verticals.json()["figures"]["images"][0]["verticals"].is_array());
+  EXPECT_EQ(size_of_png(at("out/a.overlay.png")), std::pair(120, 90));
+  const ProgramRun base_lines = run_aisle({"detect", "baselines", a, "--json"});
+  ASSERT_EQ(base_lines.exit_code, 0) << base_lines.err;
+  EXPECT_TRUE(base_lines.json()["figures"]["images"][0].at("right_baseline").is_null());
+  EXPECT_TRUE(base_lines.json()["figures"]["images"][0].at("left_baseline").is_null());
+}
+
+TEST_F(Detect, ADoorsEdgesAreVerticalLines) {
+  std::string bytes = "P5 160 120 255\n";
+  for (int v = 0; v < 120; ++v)
+    for (int u = 0; u < 160; ++u) bytes += static_cast<char>(u >= 60 && u < 100 && v > 20 ? 40 : 180);
+  const ProgramRun run = run_aisle({"detect", "verticals", file("door.pgm", bytes), "--json"});
+  const auto lines = run.json()["figures"]["images"][0]["verticals"];
+  ASSERT_EQ(lines.size(), 2);
+  EXPECT_NEAR(lines[0]["top"][0].get<double>(), 59.5, 0.5);
+  EXPECT_NEAR(lines[1]["bottom"][0].get<double>(), 99.5, 0.5);
+  EXPECT_LT(lines[0]["top"][1].get<double>(), lines[0]["bottom"][1].get<double>());
+  EXPECT_TRUE(lines[0]["foot"].is_boolean());
+}
+
+TEST_F(Detect, ACamerasCalibrationMustBeOneAndFitThePicture) {
+  const std::string a = file("a.pgm", picture_file());
+  const std::string calibration = file("camera.yaml",
+                                       "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\n"
+                                       "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+                                       "   data: [500., 0., 320., 0., 500., 240., 0., 0., 1.]\n"
+                                       "distortion_coefficients: !!opencv-matrix\n   rows: 1\n   cols: 5\n"
+                                       "   dt: d\n   data: [0., 0., 0., 0., 0.]\n");
+  EXPECT_THAT(run_aisle({"detect", "verticals", a, "--camera", calibration, "--json"}),
+              IsRefused("a.pgm: has 120 x 90 pixels; the camera's calibration holds for 640 x 480"));
+  const std::string large = file("large.pgm", picture_file(640, 480));
+  EXPECT_EQ(run_aisle({"detect", "verticals", large, "--camera", calibration}).exit_code, 0);
+  EXPECT_THAT(run_aisle({"detect", "verticals", a, "--camera", at("absent.yaml"), "--json"}),
+              IsRefused("absent.yaml"));
+}
+
 TEST_F(Detect, WithoutADirectoryThereIsNoMask) {
   const ProgramRun run = run_aisle({"detect", "region", file("a.pgm", picture_file()), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -99,7 +140,8 @@ TEST_F(Detect, MistakesAreRefusedInOneLine) {
   EXPECT_THAT(run_aisle({"detect", "--json"}), IsRefused("A subcommand is required"));
   EXPECT_THAT(run_aisle({"detect", "stripes", "--json"}), IsRefused("IMAGE is required"));
   EXPECT_THAT(run_aisle({"detect", "stripes", a, "--overlay", "", "--json"}), IsRefused("--overlay"));
-  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--overlay", a, "--json"}), IsRefused("cannot be made: Not a directory"));
+  EXPECT_THAT(run_aisle({"detect", "stripes", a, "--overlay", a, "--json"}),
+              IsRefused("cannot be made: Not a directory"));
   EXPECT_THAT(run_aisle({"detect", "stripes", a, "--set", "stripes.corner_px=-1", "--json"}),
               IsRefused("stripes.corner_px"));
 }

@@ -7,6 +7,7 @@
 
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
+#include "aisle/formats/calibration_file.hpp"
 #include "aisle/formats/picture_file.hpp"
 #include "picture_detector.hpp"
 
@@ -17,6 +18,12 @@ nlohmann::ordered_json pixel_json(const Vec2& pixel) {
   return {rounded(pixel.x()), rounded(pixel.y())};
 }
 
+nlohmann::ordered_json polyline_json(const std::vector<Vec2>& pixels) {
+  auto json = nlohmann::ordered_json::array();
+  for (const Vec2& pixel : pixels) json.push_back(pixel_json(pixel));
+  return json;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,8 +31,13 @@ namespace fs = std::filesystem;
 constexpr const char* kOverlayEnding = ".overlay.png";
 constexpr const char* kMaskEnding = ".region.png";
 
-std::unique_ptr<PictureDetector> make_detector(Feature feature) {
+std::unique_ptr<PictureDetector> make_detector(Feature feature,
+                                               const std::optional<CameraModel>& camera = {}) {
   switch (feature) {
+    case Feature::kVerticals:
+      return make_verticals_detector(camera);
+    case Feature::kBaseLines:
+      return make_base_lines_detector(camera);
     case Feature::kStripes:
       return make_stripe_detector();
     case Feature::kRegion:
@@ -36,6 +48,10 @@ std::unique_ptr<PictureDetector> make_detector(Feature feature) {
 
 const char* name_of(Feature feature) {
   switch (feature) {
+    case Feature::kVerticals:
+      return "detect verticals";
+    case Feature::kBaseLines:
+      return "detect baselines";
     case Feature::kStripes:
       return "detect stripes";
     case Feature::kRegion:
@@ -57,6 +73,16 @@ std::vector<std::string> result_names(const std::vector<std::string>& files) {
   return names;
 }
 
+/// A picture as the calibrated camera takes it, if that is known.
+Result<Image> read_picture_of(const std::optional<CameraCalibration>& camera, const std::string& file) {
+  auto picture = read_picture(file);
+  if (!picture || !camera || camera->width_px == 0) return picture;
+  if (picture->width_px == camera->width_px && picture->height_px == camera->height_px) return picture;
+  return Problem{{file},
+                 fmt::format("has {} x {} pixels; the camera's calibration holds for {} x {}",
+                             picture->width_px, picture->height_px, camera->width_px, camera->height_px)};
+}
+
 /// Writes all drawings into the overlay directory. @return role -> path
 Result<std::map<std::string, std::string>> write(const std::vector<OutputFile>& drawings,
                                                  const DetectOptions& options) {
@@ -76,7 +102,15 @@ Outcome detect_parameters(Feature feature) {
 }
 
 Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
-  const auto detector = make_detector(options.feature);
+  std::optional<CameraCalibration> calibration;
+  std::optional<CameraModel> camera;
+  if (options.camera) {
+    const auto read = read_calibration(*options.camera);
+    if (!read) return read.problems();
+    calibration = *read;
+    camera.emplace(calibration->intrinsics);
+  }
+  const auto detector = make_detector(options.feature, camera);
   FieldList fields = fields_of(*detector);
   if (const Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   const std::vector<std::string> names = result_names(options.files);
@@ -87,7 +121,7 @@ Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
   Problems problems;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
     console.progress.report("pictures", i, options.files.size());
-    const auto picture = read_picture(options.files[i]);
+    const auto picture = read_picture_of(calibration, options.files[i]);
     if (!picture) {
       problems.insert(problems.end(), picture.problems().begin(), picture.problems().end());
       continue;

@@ -9,12 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json points_json(const std::vector<Vec2>& points) {
-  Json json = Json::array();
-  for (const Vec2& p : points) json.push_back(pixel_json(p));
-  return json;
-}
-
 class StripeDetector final : public PictureDetector {
  public:
   void describe(FieldList& fields) override { fields.group("stripes", params_); }
@@ -26,7 +20,7 @@ class StripeDetector final : public PictureDetector {
     std::size_t columns = 0;
     for (const LaserStripe& stripe : stripes) {
       listed.push_back(
-          {{"polyline", points_json(stripe.points_px)}, {"corners", points_json(stripe.corners_px)}});
+          {{"polyline", polyline_json(stripe.points_px)}, {"corners", polyline_json(stripe.corners_px)}});
       columns += stripe.points_px.size();
     }
     detection.summary = fmt::format("{} stripes over {} columns", stripes.size(), columns);

@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "aisle/commands/detect.hpp"
 #include "aisle/core/image.hpp"
 #include "aisle/core/parameters.hpp"
+#include "aisle/geometry/camera_model.hpp"
 #include "aisle/geometry/pose2.hpp"
 
 namespace aisle {
@@ -29,10 +31,14 @@ class PictureDetector {
   virtual Detection detect(const Image& picture, bool is_drawn) = 0;
 };
 
+/// @param camera  if given, lines are fitted where its distortion is undone
+std::unique_ptr<PictureDetector> make_verticals_detector(const std::optional<CameraModel>& camera);
+std::unique_ptr<PictureDetector> make_base_lines_detector(const std::optional<CameraModel>& camera);
 std::unique_ptr<PictureDetector> make_stripe_detector();
 std::unique_ptr<PictureDetector> make_region_detector();
 
 /// [u, v] in pixels, to a thousandth.
 nlohmann::ordered_json pixel_json(const Vec2& pixel);
+nlohmann::ordered_json polyline_json(const std::vector<Vec2>& pixels);
 
 }  // namespace aisle

@@ -10,6 +10,9 @@ namespace {
 constexpr Color kGreen{0.1, 0.9, 0.2};
 constexpr Color kYellow{1, 0.85, 0};
 constexpr Color kRed{1, 0.15, 0.1};
+constexpr Color kCyan{0, 0.9, 1};
+constexpr Color kOrange{1, 0.55, 0};
+constexpr Color kMagenta{1, 0.2, 0.9};
 constexpr std::uint8_t kRegionTint = 110;  // of 255: how much of the picture the region's green covers
 
 /// A point of a picture on the canvas, whose origin is a pixel's corner.
@@ -27,6 +30,11 @@ std::string overlay_png(const Image& picture, const Drawing& draw) {
     canvas.picture(picture);
     draw(canvas);
   });
+}
+
+std::vector<Vec2> on_canvas(std::vector<Vec2> pixels) {
+  for (Vec2& pixel : pixels) pixel = on_canvas(pixel);
+  return pixels;
 }
 
 bool is_outline(const Image& mask, int u, int v) {
@@ -60,13 +68,31 @@ Image tinted(const Image& picture, const Image& mask) {
 
 }  // namespace
 
+std::string verticals_overlay_png(const Image& picture, std::span<const VerticalLine> verticals) {
+  const double stroke = stroke_px(picture);
+  return overlay_png(picture, [&](Canvas& canvas) {
+    for (const VerticalLine& line : verticals)
+      canvas.line(on_canvas(line.top_px), on_canvas(line.bottom_px), {kCyan, stroke});
+    for (const VerticalLine& line : verticals)
+      if (line.foot) canvas.disc(on_canvas(line.bottom_px), 2 * stroke, kRed);
+  });
+}
+
+std::string base_lines_overlay_png(const Image& picture, const BaseLines& lines) {
+  const double stroke = stroke_px(picture);
+  return overlay_png(picture, [&](Canvas& canvas) {
+    if (lines.left) canvas.polyline(on_canvas(*lines.left), {kMagenta, stroke});
+    if (lines.right) canvas.polyline(on_canvas(*lines.right), {kOrange, stroke});
+    if (lines.vanishing_point_px)
+      canvas.ring(on_canvas(*lines.vanishing_point_px), 3 * stroke, {kYellow, stroke});
+  });
+}
+
 std::string stripes_overlay_png(const Image& picture, std::span<const LaserStripe> stripes) {
   const double stroke = stroke_px(picture);
   return overlay_png(picture, [&](Canvas& canvas) {
     for (const LaserStripe& stripe : stripes) {
-      std::vector<Vec2> line;
-      for (const Vec2& p : stripe.points_px) line.push_back(on_canvas(p));
-      canvas.polyline(line, {kGreen, stroke});
+      canvas.polyline(on_canvas(stripe.points_px), {kGreen, stroke});
       for (const Vec2& corner : stripe.corners_px)
         canvas.ring(on_canvas(corner), 2.5 * stroke, {kYellow, 0.75 * stroke});
     }

@@ -34,6 +34,10 @@ struct CellGrid {
 struct CellBlock {
   int first_row = 0, end_row = 0;
   int first_column = 0, end_column = 0;
+
+  bool contains(int row, int column) const {
+    return row >= first_row && row < end_row && column >= first_column && column < end_column;
+  }
 };
 
 /// The mean look of each cell; about `columns` cells in a row.

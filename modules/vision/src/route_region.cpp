@@ -114,7 +114,8 @@ class RegionGrowth {
     const double horizon_rows = (1 - params_.horizon_share) * grid_.rows;
     return for_each_cell([&](int row, int column) {
       const double way = (grid_.rows - 1 - row) / horizon_rows + aside(column) - params_.near_reach;
-      return way > 0 ? params_.floor_cost * std::pow(way, kDecline) : 0;
+      if (way <= 0 || patch_.contains(row, column)) return 0.0;
+      return params_.floor_cost * std::pow(way, kDecline);
     });
   }
 

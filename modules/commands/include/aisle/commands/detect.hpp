@@ -11,18 +11,20 @@
 namespace aisle {
 
 /// What to look for in pictures.
-enum class Feature { kStripes, kRegion };
+enum class Feature { kVerticals, kBaseLines, kStripes, kRegion };
 
 struct DetectOptions {
   Feature feature = Feature::kRegion;
   std::vector<std::string> files;
+  std::optional<std::filesystem::path> camera;   ///< its calibration; none: found without
   std::optional<std::filesystem::path> overlay;  ///< directory for drawings and masks; none: figures only
   bool force = false;
   ParameterSources parameters;
 };
 
 /// `aisle detect FEATURE IMAGE...`: what a feature's detector finds in each picture, in pixels of the picture
-/// as given. One picture that cannot be read is a problem, and then nothing is written.
+/// as given. One picture that cannot be read, or that is not of the camera's size, is a problem, and then
+/// nothing is written.
 Result<Outcome> run_detect(const DetectOptions& options, Console& console);
 
 /// Every parameter of a feature's detector with its default.

@@ -7,10 +7,18 @@
 #include <string>
 
 #include "aisle/core/image.hpp"
+#include "aisle/vision/base_lines.hpp"
 #include "aisle/vision/laser_stripes.hpp"
 #include "aisle/vision/route_region.hpp"
+#include "aisle/vision/vertical_lines.hpp"
 
 namespace aisle {
+
+/// Lines cyan, feet red. @return a PNG file
+std::string verticals_overlay_png(const Image& picture, std::span<const VerticalLine> verticals);
+
+/// The right line orange, the left one magenta, a yellow ring at the vanishing point. @return a PNG file
+std::string base_lines_overlay_png(const Image& picture, const BaseLines& lines);
 
 /// Stripes green with yellow rings at their corners. @return a PNG file
 std::string stripes_overlay_png(const Image& picture, std::span<const LaserStripe> stripes);
