@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include "aisle/core/angle.hpp"
-#include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/world_yaml.hpp"
 #include "aisle/simulation/slice.hpp"
 #include "pose_matchers.hpp"
@@ -257,19 +256,6 @@ TEST(WorldYaml, RefusesMoreWallsThanAnyBuildingHas) {
   text += "]\n";
   for (int i = 0; i < 1000; ++i) text += "  - *long\n";
   EXPECT_THAT(problems_of(text), HasSubstr("at most 200000 are read"));
-}
-
-TEST(WorldYaml, TheDocumentedExampleIsAWorld) {
-  const Result<std::string> document = read_whole_file(AISLE_SOURCE_DIR "/docs/formats/world.md");
-  ASSERT_TRUE(document.ok());
-  const std::string fence = "```yaml\n";
-  const std::size_t start = document->find(fence) + fence.size();
-  const Result<World> world =
-      parse_world(document->substr(start, document->find("```", start) - start), "world.md");
-  ASSERT_TRUE(world.ok()) << to_string(world.problems());
-  EXPECT_THAT(world->walls, SizeIs(5 + 2 + 2));
-  EXPECT_THAT(world->furniture, SizeIs(2));
-  EXPECT_THAT(world->tour, SizeIs(3));
 }
 
 TEST(WallSegments, ReadsOneWallALine) {
