@@ -1,0 +1,142 @@
+/// Detectors on real pictures, which are no part of the repository. Each test prints its figures.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <regex>
+
+#include "aisle/formats/picture_file.hpp"
+#include "aisle/vision/laser_stripes.hpp"
+#include "aisle/vision/route_region.hpp"
+#include "real_data.hpp"
+
+namespace aisle {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path pictures(const std::string& set) {
+  return real_data() / "images" / set;
+}
+
+Image read(const fs::path& path) {
+  const auto picture = read_picture(path);
+  if (!picture) throw std::runtime_error(to_string(picture.problems()));
+  return *picture;
+}
+
+std::vector<fs::path> jpegs_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".jpg") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Intersection over union of two masks of one size.
+double overlap(const Image& a, const Image& b) {
+  std::size_t both = 0, either = 0;
+  for (std::size_t i = 0; i < a.bytes.size(); ++i) {
+    both += static_cast<std::size_t>(a.bytes[i] > 127 && b.bytes[i] > 127);
+    either += static_cast<std::size_t>(a.bytes[i] > 127 || b.bytes[i] > 127);
+  }
+  return static_cast<double>(both) / static_cast<double>(either);
+}
+
+/// Mean overlap of the region with the hand-labelled visible floor, over a folder.
+double mean_overlap(const fs::path& folder, const RegionParams& params = {}) {
+  double sum = 0;
+  const auto files = jpegs_in(folder);
+  for (const fs::path& file : files) {
+    const fs::path label = folder / (file.stem().string() + "_floorvisible.png");
+    sum += overlap(find_route_region(read(file), params).mask, to_grey(read(label)));
+  }
+  return sum / static_cast<double>(files.size());
+}
+
+TEST(RealPictures, TheRegionIsTheFloorOfCorridorsAndRooms) {
+  const fs::path folder = pictures("hedau_layout");
+  AISLE_NEEDS(folder);
+  const double corridors = mean_overlap(folder / "corridor"), rooms = mean_overlap(folder / "room");
+  fmt::print("floor region, mean intersection over union: corridors {:.3f}, rooms {:.3f}\n", corridors,
+             rooms);
+  EXPECT_GE(corridors, 0.80);
+  EXPECT_GE(rooms, 0.70);
+}
+
+TEST(RealPictures, ACoveredPlaceIsNoRoute) {
+  const fs::path folder = pictures("mit_rss_cones");
+  AISLE_NEEDS(folder);
+  std::ifstream boxes(folder / "test_images_cone.csv");
+  const std::regex line_of_box(R"re(.*/(test\d+\.jpg),"\(\((\d+), ?(\d+)\), \((\d+), ?(\d+)\)\)")re");
+  std::smatch box;
+  int cones = 0;
+  double worst = 0;
+  for (std::string line; std::getline(boxes, line);) {
+    if (!std::regex_search(line, box, line_of_box) || !fs::exists(folder / box[1].str())) continue;
+    const int left = std::stoi(box[2]), top = std::stoi(box[3]), right = std::stoi(box[4]);
+    const int bottom = std::stoi(box[5]);
+    const Image mask = find_route_region(read(folder / box[1].str())).mask;
+    // A cone fills its box's middle third from a quarter of its height to its foot.
+    int covered = 0, all = 0;
+    for (int v = top + (bottom - top) / 4; v < std::min(bottom - 4, mask.height_px); ++v) {
+      for (int u = left + (right - left) / 3; u < std::min(right - (right - left) / 3, mask.width_px); ++u) {
+        covered += static_cast<int>(mask.row(v)[u] != 0);
+        ++all;
+      }
+    }
+    worst = std::max(worst, static_cast<double>(covered) / all);
+    ++cones;
+  }
+  fmt::print("cones: {} pictures, at most {:.1f} % of a cone taken for route\n", cones, 100 * worst);
+  EXPECT_EQ(cones, 10);
+  EXPECT_LE(worst, 0.1);
+}
+
+/// The rows of all stripes in a range of columns that lie within 20 px of `row`.
+std::vector<double> rows_near(const std::vector<LaserStripe>& stripes, double row, double first,
+                              double last) {
+  std::vector<double> rows;
+  for (const LaserStripe& stripe : stripes)
+    for (const Vec2& p : stripe.points_px)
+      if (p.x() >= first && p.x() <= last && std::abs(p.y() - row) < 20) rows.push_back(p.y());
+  return rows;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+TEST(RealPictures, AStripesRowTellsTheDistance) {
+  const fs::path folder = pictures("laser_line_uefs");
+  AISLE_NEEDS(folder);
+  struct Box {
+    int distance_cm;
+    double first, last;  ///< columns of the box, a little inside its edges
+  };
+  double squares = 0;
+  int count = 0;
+  const auto compare = [&](const std::vector<double>& rows, double expected) {
+    ASSERT_GE(rows.size(), 30);
+    squares += std::pow(mean(rows) - expected, 2);
+    ++count;
+  };
+  for (const Box& box : {Box{20, 260, 490}, Box{40, 322, 435}, Box{60, 240, 312}, Box{80, 240, 288}}) {
+    const auto stripes = find_laser_stripes(read(folder / fmt::format("{}cm.jpg", box.distance_cm)));
+    const double expected = 255 + 1800.0 / box.distance_cm;
+    compare(rows_near(stripes, expected, box.first, box.last), expected);
+    compare(rows_near(stripes, 273, 0, box.first - 15), 273);
+  }
+  compare(rows_near(find_laser_stripes(read(folder / "1m.jpg")), 273, 0, 639), 273);
+  const double rms_px = std::sqrt(squares / count);
+  fmt::print("stripe rows: rms {:.2f} px against 255 + 1800/d on boxes and 273 on the wall\n", rms_px);
+  EXPECT_LE(rms_px, 1.0);
+}
+
+}  // namespace
+}  // namespace aisle
