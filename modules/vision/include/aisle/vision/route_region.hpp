@@ -23,7 +23,7 @@ struct RegionParams {
   double far_share = 0.3;
   double side_share = 0.2;
   double rest_cost = 400;
-  double alike_cost = 12;
+  double alike_cost = 10;
 
   void describe(FieldList& fields);
 };
