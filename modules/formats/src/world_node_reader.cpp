@@ -26,6 +26,7 @@ std::string text_of(const YAML::Node& node) {
 
 std::string known_keys(const WorldFields& fields, const std::vector<WorldNodeReader::Section>& sections) {
   std::vector<std::string_view> keys;
+  keys.reserve(fields.size() + sections.size());
   for (const WorldNodeReader::Section& section : sections) keys.push_back(section.key);
   for (const WorldField& field : fields) keys.push_back(field.key);
   return fmt::format("{}", fmt::join(keys, ", "));

@@ -20,6 +20,7 @@ std::string rounded(double value) {
 
 std::string point_text(const std::vector<double>& coordinates) {
   std::vector<std::string> texts;
+  texts.reserve(coordinates.size());
   for (const double value : coordinates) texts.push_back(rounded(value));
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
