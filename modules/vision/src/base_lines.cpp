@@ -6,6 +6,7 @@
 #include "oblique_segments.hpp"
 #include "side_view.hpp"
 #include "vanishing_point.hpp"
+#include "wall_foot_refinement.hpp"
 #include "wall_foot_search.hpp"
 #include "working_picture.hpp"
 
@@ -22,6 +23,7 @@ void BaseLineParams::describe(FieldList& fields) {
 
 namespace {
 
+constexpr double kFarEnd = 0.06;  // a line is drawn to this share of the width before the vanishing point
 constexpr int kSmallest_px = 32;  // pictures smaller than this show no corridor
 
 }  // namespace
@@ -49,9 +51,22 @@ class BaseLineDetector::Work {
                                     std::span<const VerticalLine> verticals) {
     turn_segments(view);
     turn_verticals(view, verticals);
-    const auto foot = search_.find(view, view.turned(point_px), side_segments_, side_verticals_);
-    if (!foot || foot->score() < params_.score_min) return std::nullopt;
-    return as_seen(*foot, view);
+    const Vec2 side_point_px = view.turned(point_px);
+    auto foot = search_.find(view, side_point_px, side_segments_, side_verticals_, params_.score_min);
+    if (!foot) return std::nullopt;
+    refinement_.refine(view, far_px(*foot, side_point_px), border_px(*foot), *foot);
+    return as_seen(*foot, view, side_point_px);
+  }
+
+  /// Along the line, from its point: where it begins ...
+  double far_px(const WallFoot& foot, const Vec2& point_px) const {
+    return std::min(foot.from_px,
+                    foot.direction.dot(point_px - foot.point_px) + kFarEnd * picture_.width_px());
+  }
+  /// ... and where it leaves the picture.
+  double border_px(const WallFoot& foot) const {
+    return std::min((picture_.width_px() - 1 - foot.point_px.x()) / foot.direction.x(),
+                    (picture_.height_px() - 1 - foot.point_px.y()) / foot.direction.y());
   }
 
   void turn_segments(const SideView& view) {
@@ -73,17 +88,20 @@ class BaseLineDetector::Work {
       const double weight = std::min(1.0, length) * std::min(1.0, std::abs(line.contrast) / 25);
       side_verticals_.push_back({view.turned(*top_px), view.turned(*bottom_px), weight});
     }
+    std::sort(
+        side_verticals_.begin(), side_verticals_.end(), [](const SideVertical& a, const SideVertical& b) {
+          return std::pair(a.bottom_px.x(), a.bottom_px.y()) < std::pair(b.bottom_px.x(), b.bottom_px.y());
+        });
   }
 
-  BaseLine as_seen(const WallFoot& foot, const SideView& view) const {
-    const double border_px = std::min((view.width_px() - 1 - foot.point_px.x()) / foot.direction.x(),
-                                      (view.height_px() - 1 - foot.point_px.y()) / foot.direction.y());
-    BaseLine line;
+  BaseLine as_seen(const WallFoot& foot, const SideView& view, const Vec2& point_px) const {
+    const double from_px = far_px(foot, point_px), to_px = border_px(foot);
     const int pieces = picture_.bends_lines() ? 8 : 1;
+    BaseLine line;
     for (int i = 0; i <= pieces; ++i) {
-      const double along = foot.from_px + (border_px - foot.from_px) * i / pieces;
-      const auto point_px = picture_.given(view.turned(foot.point_px + along * foot.direction));
-      if (point_px) line.push_back(*point_px);
+      const double along_px = from_px + (to_px - from_px) * i / pieces;
+      const auto seen_px = picture_.given(view.turned(foot.point_px + along_px * foot.direction));
+      if (seen_px) line.push_back(*seen_px);
     }
     return line;
   }
@@ -93,6 +111,7 @@ class BaseLineDetector::Work {
   ObliqueSegmentFinder segment_finder_;
   VanishingPointFinder point_finder_;
   WallFootSearch search_;
+  WallFootRefinement refinement_;
   std::vector<EdgeSegment> segments_;
   std::vector<EdgeSegment> side_segments_;
   std::vector<SideVertical> side_verticals_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
@@ -26,6 +28,17 @@ constexpr double kPastPointMax = 0.05;   // how far a wall's foot passes the van
 constexpr double kNearPoint = 0.06;      // nearer to the vanishing point nothing can be told apart
 constexpr double kFootTolerance = 0.02;  // of the height
 constexpr double kCrossingMin = 0.05;    // of the height
+constexpr double kAside = 0.03;          // nearer to the vanishing point's column feet are of the far end
+constexpr double kDoor = 0.03;           // feet nearer to each other are of one door
+constexpr double kReflection = 0.6;      // share of its contrast that a line's reflection has at most
+constexpr double kBorder_px = 4;         // a line that ends here is cut by the picture's lower border
+constexpr int kBoards = 2;               // a board may stand on another
+constexpr double kOtherEdge = 0.6;       // support of a board's lower edge, of that of the upper one
+constexpr double kFreeFloor = 0.43;      // share of a board's lower edge beneath which other edges may come
+constexpr double kLikeScore = 0.7;
+constexpr double kBoardMin = 0.004;      // height of a board, as seen ...
+constexpr double kBoardDepthMax = 1.25;  // ... and at most: a fifth of the camera's height
+constexpr double kDepthAside = 0.3;      // where heights are compared
 constexpr double kFloorStep_px = 8;
 
 double cross(const Vec2& a, const Vec2& b) {
@@ -63,14 +76,15 @@ double WallFoot::support() const {
 
 /// Vertical lines end at a wall's foot and do not cross it; nothing but floor follows beneath it.
 double WallFoot::score() const {
-  const double feet_alone = 0.012 * std::min(feet, 4.0) * std::min(1.0, contrast / 14 + 0.25);
-  const double standing = (1 + 0.45 * std::min(feet, 2.5)) * (feet + 0.5) / (feet + crossings + 0.5);
+  const double feet_alone = 0.02 * std::min(feet, 4.0) * std::min(1.0, contrast / 14 + 0.25);
+  const double standing =
+      (1 + 0.45 * std::min(feet, 2.5)) * (feet + share + 0.5) / (feet + share + crossings + 0.5);
   return (support() + feet_alone) * standing * (1 - 0.7 * followed);
 }
 
 std::optional<WallFoot> WallFootSearch::find(const SideView& view, const Vec2& vanishing_point_px,
                                              std::span<const EdgeSegment> segments,
-                                             std::span<const SideVertical> verticals) {
+                                             std::span<const SideVertical> verticals, double score_min) {
   width_px_ = view.width_px();
   height_px_ = view.height_px();
   vanishing_point_px_ = vanishing_point_px;
@@ -84,7 +98,15 @@ std::optional<WallFoot> WallFootSearch::find(const SideView& view, const Vec2& v
     measure(view, *foot);
     feet_.push_back(*foot);
   }
-  const WallFoot* best = lowest_of_like_score();
+  if (getenv("DBG"))
+    for (auto& f : feet_)
+      if (f.score() > 0.03)
+        fprintf(stderr,
+                "m%d at %.0f,%.0f th %.1f cov %.2f share %.2f con %.1f feet %.2f cross %.2f fol %.2f score "
+                "%.3f\n",
+                view.mirrored(), f.point_px.x(), f.point_px.y(), f.slope_deg(), f.covered, f.share,
+                f.contrast, f.feet, f.crossings, f.followed, f.score());
+  const WallFoot* best = lowest_of_like_score(score_min);
   if (best == nullptr) return std::nullopt;
   return *best;
 }
@@ -198,34 +220,59 @@ void WallFootSearch::measure_contrast(const SideView& view, WallFoot& foot) cons
     foot.sign += step;
     ++count;
   }
-  if (count > 0) foot.contrast /= count;
+  if (count == 0) return;
+  foot.contrast /= count;
+  foot.sign /= count;
 }
 
+/// Several lines of one door stand for one foot. A line that is much fainter beneath does not cross: it is
+/// followed by its reflection.
 void WallFootSearch::measure_verticals(const SideView& view, WallFoot& foot) const {
+  double door_px = -width_px_, door_weight = 0;
   for (const SideVertical& vertical : verticals_) {
-    if (vertical.bottom_px.x() < vanishing_point_px_.x() + 0.03 * width_px_) continue;
+    if (vertical.bottom_px.x() < vanishing_point_px_.x() + kAside * width_px_) continue;
     const double v_px = foot.v_at(vertical.bottom_px.x());
-    if (vertical.top_px.y() > foot.v_at(vertical.top_px.x()) || v_px > height_px_ - 3) continue;
+    if (vertical.top_px.y() > foot.v_at(vertical.top_px.x()) || v_px > height_px_ - kBorder_px) continue;
     const double beneath = (vertical.bottom_px.y() - v_px) / height_px_;
     if (std::abs(beneath) < kFootTolerance) {
-      foot.feet += vertical.weight * (1 - 0.5 * std::abs(beneath) / kFootTolerance);
-    } else if (beneath > kCrossingMin) {
-      const Vec2 down = vertical.bottom_px - vertical.top_px;
-      double contrast = 0;
-      int count = 0;
-      for (double v = v_px + kFootTolerance * height_px_; v < vertical.bottom_px.y(); v += 4) {
-        const int u = static_cast<int>(
-            std::lround(vertical.top_px.x() + down.x() * (v - vertical.top_px.y()) / down.y()));
-        const int row = static_cast<int>(std::lround(v));
-        if (!view.contains(u - 2, row) || !view.contains(u + 2, row)) continue;
-        contrast += std::abs(view.at(u + 2, row) - view.at(u - 2, row));
-        ++count;
+      if (vertical.bottom_px.x() > door_px + kDoor * width_px_) {
+        door_px = vertical.bottom_px.x();
+        door_weight = 0;
       }
-      const double length = std::min(1.0, down.y() / (0.3 * height_px_));
-      if (count > 0)
-        foot.crossings += length * std::min(1.0, contrast / count / 25) * std::min(1.0, beneath / 0.15);
+      const double weight = vertical.weight * (1 - 0.5 * std::abs(beneath) / kFootTolerance);
+      foot.feet += std::max(0.0, weight - door_weight);
+      door_weight = std::max(door_weight, weight);
+    } else if (beneath > kCrossingMin) {
+      const double above =
+          contrast_along(view, vertical, vertical.top_px.y(), v_px - kFootTolerance * height_px_);
+      const double below =
+          contrast_along(view, vertical, v_px + kFootTolerance * height_px_, vertical.bottom_px.y());
+      if (below < kReflection * above) continue;
+      const double length =
+          std::min(1.0, (vertical.bottom_px.y() - vertical.top_px.y()) / (0.3 * height_px_));
+      const double aside = (vertical.bottom_px.x() - vanishing_point_px_.x()) / width_px_;
+      foot.crossings +=
+          std::min(1.0, aside / 0.15) * length * std::min(1.0, below / 25) * std::min(1.0, beneath / 0.15);
     }
   }
+}
+
+/// Mean step across a vertical line between two rows.
+double WallFootSearch::contrast_along(const SideView& view, const SideVertical& vertical, double from_px,
+                                      double to_px) const {
+  constexpr int kBeside_px = 2;
+  constexpr double kStep_px = 4;
+  const Vec2 down = vertical.bottom_px - vertical.top_px;
+  double sum = 0;
+  int count = 0;
+  for (double v_px = from_px; v_px < to_px; v_px += kStep_px) {
+    const double u_px = vertical.top_px.x() + down.x() * (v_px - vertical.top_px.y()) / down.y();
+    const int u = static_cast<int>(std::lround(u_px)), v = static_cast<int>(std::lround(v_px));
+    if (!view.contains(u - kBeside_px, v) || !view.contains(u + kBeside_px, v)) continue;
+    sum += std::abs(view.at(u + kBeside_px, v) - view.at(u - kBeside_px, v));
+    ++count;
+  }
+  return count == 0 ? 0 : sum / count;
 }
 
 void WallFootSearch::measure_floor_side(const SideView& view, WallFoot& foot) const {
@@ -254,28 +301,36 @@ void WallFootSearch::measure_floor_side(const SideView& view, WallFoot& foot) co
   if (count > 0) foot.followed = static_cast<double>(followed) / count;
 }
 
-/// A skirting board has two edges: of lines close together the lower one is at the floor.
-const WallFoot* WallFootSearch::lowest_of_like_score() const {
+/// A skirting board has two edges; the lower one is at the floor.
+const WallFoot* WallFootSearch::lowest_of_like_score(double score_min) const {
   const auto better = [](const WallFoot& a, const WallFoot& b) { return a.score() < b.score(); };
   const auto best_at = std::max_element(feet_.begin(), feet_.end(), better);
-  if (best_at == feet_.end()) return nullptr;
+  if (best_at == feet_.end() || best_at->score() < score_min) return nullptr;
   const WallFoot* best = &*best_at;
-  for (int board = 0; board < 2; ++board) {
-    const double u_px = std::min(vanishing_point_px_.x() + 0.3 * width_px_, width_px_ - 10);
+  for (int board = 0; board < kBoards; ++board) {
     const WallFoot* lowest = best;
     for (const WallFoot& foot : feet_) {
-      const bool other_edge =
-          foot.support() > 0.6 * best->support() && foot.followed < 0.43 && foot.sign * best->sign < 0;
-      if (foot.score() < 0.7 * best->score() && !other_edge) continue;
-      if (std::abs(foot.slope_deg() - best->slope_deg()) > 4) continue;
-      const double beneath_px = (foot.v_at(u_px) - best->v_at(u_px)) * best->direction.x();
-      if (beneath_px < 0.004 * width_px_ || beneath_px > 0.03 * width_px_) continue;
-      if (lowest == best || foot.v_at(u_px) > lowest->v_at(u_px)) lowest = &foot;
+      if (is_lower_edge(foot, *best) && (lowest == best || depth_px(foot) > depth_px(*lowest)))
+        lowest = &foot;
     }
     if (lowest == best) break;
     best = lowest;
   }
   return best;
+}
+
+/// Whether `foot` may be the lower edge of the board whose upper edge is `upper`.
+bool WallFootSearch::is_lower_edge(const WallFoot& foot, const WallFoot& upper) const {
+  const bool opposite_step = foot.support() > kOtherEdge * upper.support() && foot.followed < kFreeFloor &&
+                             foot.sign * upper.sign < 0;
+  if (foot.score() < kLikeScore * upper.score() && !opposite_step) return false;
+  return depth_px(foot) > depth_px(upper) + kBoardMin * width_px_ &&
+         depth_px(foot) < kBoardDepthMax * depth_px(upper);
+}
+
+/// How far beneath the vanishing point a line is in a column to the right of it.
+double WallFootSearch::depth_px(const WallFoot& foot) const {
+  return foot.v_at(vanishing_point_px_.x() + kDepthAside * width_px_) - vanishing_point_px_.y();
 }
 
 }  // namespace aisle

@@ -25,7 +25,7 @@ struct WallFoot {
   double covered = 0;    ///< length of the edges on it, in widths of the picture
   double share = 0;      ///< of its length in the picture that edges cover
   double contrast = 0;   ///< mean size of the step across it [grey levels]
-  double sign = 0;       ///< < 0: the floor is darker than what stands on it
+  double sign = 0;       ///< the same with its sign; < 0: darker beneath
   double feet = 0;       ///< vertical lines that end on it
   double crossings = 0;  ///< vertical lines that go on beneath it
   double followed = 0;   ///< share of its length beneath which other edges come before the floor's middle
@@ -41,11 +41,11 @@ struct WallFoot {
 /// Looks for the line between floor and right wall of a side view.
 class WallFootSearch {
  public:
-  /// @param segments, verticals  turned into the view
-  /// @return the best line from where it is first seen to the picture's border, nullopt if there is none
+  /// @param segments, verticals  turned into the view; the verticals from left to right
+  /// @return the best line, or the lower edge of its board; nullopt if none scores `score_min`
   std::optional<WallFoot> find(const SideView& view, const Vec2& vanishing_point_px,
-                               std::span<const EdgeSegment> segments,
-                               std::span<const SideVertical> verticals);
+                               std::span<const EdgeSegment> segments, std::span<const SideVertical> verticals,
+                               double score_min);
 
  private:
   struct Seed {
@@ -60,8 +60,12 @@ class WallFootSearch {
   void measure(const SideView& view, WallFoot& foot) const;
   void measure_contrast(const SideView& view, WallFoot& foot) const;
   void measure_verticals(const SideView& view, WallFoot& foot) const;
+  double contrast_along(const SideView& view, const SideVertical& vertical, double from_px,
+                        double to_px) const;
   void measure_floor_side(const SideView& view, WallFoot& foot) const;
-  const WallFoot* lowest_of_like_score() const;
+  const WallFoot* lowest_of_like_score(double score_min) const;
+  bool is_lower_edge(const WallFoot& foot, const WallFoot& upper) const;
+  double depth_px(const WallFoot& foot) const;
 
   double width_px_ = 0, height_px_ = 0;
   Vec2 vanishing_point_px_ = Vec2::Zero();
