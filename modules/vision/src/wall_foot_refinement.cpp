@@ -19,6 +19,7 @@ constexpr float kPlateau = 1.25F;       // a step that is this close to its grea
 constexpr double kFarShiftCost = 0.25;  // share of the votes that the greatest shift loses
 constexpr double kMeanVoteMin = 2;      // grey levels
 constexpr double kLikeVotes = 0.9;
+constexpr std::size_t kSettle = 2;  // pixels to either side in which a line's own step lies
 constexpr double kClearSign = 0.5;
 constexpr float kOutside = -1;
 constexpr double kLowerPerVotes = 60;  // steps that all the votes are worth
@@ -36,11 +37,9 @@ void WallFootRefinement::refine(const SideView& view, double from_px, double to_
   const Shift* shift = lowest_of_like_votes();
   if (shift == nullptr) return;
   const Vec2 beneath = left_normal(foot.direction);
-  const auto px = [this](std::size_t step) {
-    return static_cast<double>(step) - static_cast<double>(reach_);
-  };
-  const Vec2 from = foot.point_px + from_px * foot.direction + px(shift->at_from) * beneath;
-  const Vec2 to = foot.point_px + to_px * foot.direction + px(shift->at_to) * beneath;
+  const auto [from_shift_px, to_shift_px] = between_steps(*shift);
+  const Vec2 from = foot.point_px + from_px * foot.direction + from_shift_px * beneath;
+  const Vec2 to = foot.point_px + to_px * foot.direction + to_shift_px * beneath;
   foot.point_px = from - from_px * (to - from).normalized();
   foot.direction = (to - from).normalized();
 }
@@ -71,6 +70,7 @@ void WallFootRefinement::sample_steps(const SideView& view, double from_px, doub
       steps_[step < 0 ? 1 : 0][i * across_ + k] = std::min(std::abs(step), kStepCounted);
     }
   }
+  unthinned_ = steps_;
   for (auto& steps : steps_) thin(steps);
 }
 
@@ -131,6 +131,36 @@ const WallFootRefinement::Shift* WallFootRefinement::lowest_of_like_votes() cons
     }
   }
   return lowest;
+}
+
+/// The line through the middles of the steps next to a shift, as its distances at both ends.
+std::pair<double, double> WallFootRefinement::between_steps(const Shift& shift) const {
+  const auto& steps = unthinned_[shift.side];
+  const double first = static_cast<double>(shift.at_from), turn = static_cast<double>(shift.at_to) - first;
+  double weights = 0, shares = 0, offs = 0, shares_squared = 0, products = 0;
+  for (std::size_t i = 0; i < along_; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(along_);
+    const auto middle = static_cast<std::size_t>(first + turn * share + 0.5);
+    if (middle < kSettle || middle + kSettle >= across_) continue;
+    double weight = 0, moment = 0;
+    for (std::size_t k = middle - kSettle; k <= middle + kSettle; ++k) {
+      weight += steps[i * across_ + k];
+      moment += steps[i * across_ + k] * static_cast<double>(k);
+    }
+    if (weight == 0) continue;
+    const double off = moment / weight - first - turn * share;
+    weights += weight;
+    shares += weight * share;
+    offs += weight * off;
+    shares_squared += weight * share * share;
+    products += weight * share * off;
+  }
+  const double spread = weights * shares_squared - shares * shares;
+  const double middle_px = first - static_cast<double>(reach_);
+  if (!(spread > 1e-3 * weights * weights)) return {middle_px, middle_px + turn};
+  const double growth = (weights * products - shares * offs) / spread;
+  const double at_from = (offs - growth * shares) / weights;
+  return {middle_px + at_from, middle_px + turn + at_from + growth};
 }
 
 }  // namespace aisle

@@ -27,11 +27,12 @@ class WallFootRefinement {
   void thin(std::vector<float>& steps) const;
   void vote(const WallFoot& foot);
   const Shift* lowest_of_like_votes() const;
+  std::pair<double, double> between_steps(const Shift& shift) const;
 
   std::size_t reach_ = 0, across_ = 0, along_ = 0;
   std::vector<float> profile_;
   std::array<std::vector<float>, 2> steps_;  ///< of each sign; one row of `across_` a sample
-  std::vector<float> thinned_;
+  std::array<std::vector<float>, 2> unthinned_;
   std::vector<Shift> shifts_;
 };
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
@@ -98,14 +96,6 @@ std::optional<WallFoot> WallFootSearch::find(const SideView& view, const Vec2& v
     measure(view, *foot);
     feet_.push_back(*foot);
   }
-  if (getenv("DBG"))
-    for (auto& f : feet_)
-      if (f.score() > 0.03)
-        fprintf(stderr,
-                "m%d at %.0f,%.0f th %.1f cov %.2f share %.2f con %.1f feet %.2f cross %.2f fol %.2f score "
-                "%.3f\n",
-                view.mirrored(), f.point_px.x(), f.point_px.y(), f.slope_deg(), f.covered, f.share,
-                f.contrast, f.feet, f.crossings, f.followed, f.score());
   const WallFoot* best = lowest_of_like_score(score_min);
   if (best == nullptr) return std::nullopt;
   return *best;

@@ -56,7 +56,8 @@ class BaseLineDetector {
 };
 
 /// Ends vertical lines at the floor: those that only lie on it (reflections) are dropped, those that fade
-/// beneath their base line end there, and those whose lower end is on it get their foot.
+/// beneath their base line end there, and those whose lower end is on it or on its skirting board are brought
+/// to it and get their foot.
 /// @param grey, verticals  the picture and its lines; both as given to and returned by the detectors
 void stand_on_floor(const Image& grey, const BaseLines& base_lines, const BaseLineParams& params,
                     std::vector<VerticalLine>& verticals);
