@@ -4,8 +4,10 @@
 
 #include "aisle/formats/building_json.hpp"
 #include "aisle/formats/carmen_log.hpp"
+#include "aisle/formats/decision_text.hpp"
 #include "aisle/formats/map_server.hpp"
 #include "aisle/formats/relations.hpp"
+#include "aisle/formats/session_origin.hpp"
 #include "aisle/formats/trajectory.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
 #include "aisle/formats/whole_file.hpp"
@@ -74,6 +76,25 @@ TEST(DocumentedExamples, TheVehicleIsRead) {
   ASSERT_TRUE(vehicle.ok()) << to_string(vehicle.problems());
   EXPECT_THAT(vehicle->description.cameras, SizeIs(1));
   EXPECT_DOUBLE_EQ(vehicle->simulated.odometry.distance_scale, 0.02);
+}
+
+/// Without the line's end.
+std::string example_line(const std::string& page, int index) {
+  const std::string text = example(page, index);
+  return text.substr(0, text.find('\n'));
+}
+
+TEST(DocumentedExamples, TheSessionsTextsAreReadAndWrittenAsTheyStand) {
+  const std::string origin_text = example_line("session.md", 0);
+  const auto origin = parse_session_origin(origin_text, "session.md");
+  ASSERT_TRUE(origin.ok()) << to_string(origin.problems());
+  EXPECT_EQ(session_origin_json(*origin), origin_text);
+  const auto decision = parse_decision(example_line("session.md", 1));
+  ASSERT_TRUE(decision);
+  EXPECT_EQ(decision_text(*decision), example_line("session.md", 1));
+  const auto input = parse_operator(example_line("session.md", 2));
+  ASSERT_TRUE(input);
+  EXPECT_EQ(operator_text(*input), example_line("session.md", 2));
 }
 
 }  // namespace
