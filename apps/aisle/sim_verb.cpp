@@ -5,5 +5,6 @@ void add_sim_verb(CLI::App& app, Work& work) {
   sim->require_subcommand(1);
   sim->fallthrough();
   add_sim_log_verb(*sim, work);
+  add_sim_render_verb(*sim, work);
   add_sim_show_verb(*sim, work);
 }

@@ -18,6 +18,7 @@ void add_detect_verb(CLI::App& app, Work& work);
 
 /// The verbs below `aisle sim`.
 void add_sim_log_verb(CLI::App& sim, Work& work);
+void add_sim_render_verb(CLI::App& sim, Work& work);
 void add_sim_show_verb(CLI::App& sim, Work& work);
 
 /// --params, --set and --print-params for a verb; `chosen` runs when the verb is used without --print-params.

@@ -40,6 +40,34 @@ void for_all_blocks(int high, int wide, const Work& work) {
 
 }  // namespace
 
+RayPacket block_rays(const LensTable& lens, Block block, const Viewpoint& view, float offset_u,
+                     float offset_v) {
+  RayPacket packet;
+  const Eigen::Matrix3f& R = view.R_scene_camera;
+  for (int k = 0; k < kLanes; ++k) {
+    const int u = std::min(block.u + k % kPacketSide, lens.width_px - 1),
+              v = std::min(block.v + k / kPacketSide, lens.height_px - 1);
+    const std::size_t pixel = lens.index(u, v);
+    const LensTable::Slopes& s = lens.slopes[pixel];
+    const float x = s.x + s.x_by_u * offset_u + s.x_by_v * offset_v,
+                y = s.y + s.y_by_u * offset_u + s.y_by_v * offset_v;
+    packet.x.at[k] = R(0, 0) * x + R(0, 1) * y + R(0, 2);
+    packet.y.at[k] = R(1, 0) * x + R(1, 1) * y + R(1, 2);
+    packet.z.at[k] = R(2, 0) * x + R(2, 1) * y + R(2, 2);
+    packet.used.at[k] = lens.transmission[pixel] > 0 ? -1 : 0;
+  }
+  const LensTable::Slopes& s = lens.slopes[lens.index(block.u, block.v)];
+  const Eigen::Vector3f by_column = R.col(0) * s.x_by_u + R.col(1) * s.y_by_u,
+                        by_row = R.col(0) * s.x_by_v + R.col(1) * s.y_by_v;
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    packet.origin[at] = view.p_scene_camera[i];
+    packet.by_column[at] = by_column[i];
+    packet.by_row[at] = by_row[i];
+  }
+  return packet;
+}
+
 Exposure::Exposure(const RenderedWorld::Scene& scene, const LensTable& lens, std::vector<Viewpoint> views,
                    const LightLevels& levels, const LaserPlane& laser, int rays_per_pixel)
     : scene_(scene),
@@ -54,7 +82,8 @@ Exposure::Exposure(const RenderedWorld::Scene& scene, const LensTable& lens, std
 
 void Exposure::find_surfaces() {
   for_all_blocks(blocks_high(), blocks_wide(), [&](int row, int column) {
-    const RayPacket packet = rays({column * kPacketSide, row * kPacketSide}, views_.front(), 0, 0);
+    const RayPacket packet =
+        block_rays(lens_, {column * kPacketSide, row * kPacketSide}, views_.front(), 0, 0);
     scene_.first_hits(packet, seen_[static_cast<std::size_t>(row * blocks_wide() + column)]);
   });
 }
@@ -74,33 +103,6 @@ bool Exposure::has_one_surface(Block block) const {
     }
   }
   return true;
-}
-
-RayPacket Exposure::rays(Block block, const Viewpoint& view, float offset_u, float offset_v) const {
-  RayPacket packet;
-  const Eigen::Matrix3f& R = view.R_scene_camera;
-  for (int k = 0; k < kLanes; ++k) {
-    const int u = std::min(block.u + k % kPacketSide, lens_.width_px - 1),
-              v = std::min(block.v + k / kPacketSide, lens_.height_px - 1);
-    const std::size_t pixel = lens_.index(u, v);
-    const LensTable::Slopes& s = lens_.slopes[pixel];
-    const float x = s.x + s.x_by_u * offset_u + s.x_by_v * offset_v,
-                y = s.y + s.y_by_u * offset_u + s.y_by_v * offset_v;
-    packet.x.at[k] = R(0, 0) * x + R(0, 1) * y + R(0, 2);
-    packet.y.at[k] = R(1, 0) * x + R(1, 1) * y + R(1, 2);
-    packet.z.at[k] = R(2, 0) * x + R(2, 1) * y + R(2, 2);
-    packet.used.at[k] = lens_.transmission[pixel] > 0 ? -1 : 0;
-  }
-  const LensTable::Slopes& s = lens_.slopes[lens_.index(block.u, block.v)];
-  const Eigen::Vector3f by_column = R.col(0) * s.x_by_u + R.col(1) * s.y_by_u,
-                        by_row = R.col(0) * s.x_by_v + R.col(1) * s.y_by_v;
-  for (int i = 0; i < 3; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    packet.origin[at] = view.p_scene_camera[i];
-    packet.by_column[at] = by_column[i];
-    packet.by_row[at] = by_row[i];
-  }
-  return packet;
 }
 
 /// Shades surface by surface: mostly there is only one in a packet.
@@ -154,7 +156,7 @@ Floats Exposure::light_of(Block block) const {
   for (int i = 0; i < samples; ++i) {
     const Offset offset = sample_offset(i, samples);
     const Viewpoint& view = views_[static_cast<std::size_t>(i) % views_.size()];
-    const RayPacket packet_rays = rays(block, view, offset.u, offset.v);
+    const RayPacket packet_rays = block_rays(lens_, block, view, offset.u, offset.v);
     Hits hits;
     if (is_plain) {
       hits = seen_[packet];

@@ -9,6 +9,15 @@
 
 namespace aisle {
 
+/// Upper left pixel of a packet.
+struct Block {
+  int u = 0, v = 0;
+};
+
+/// The rays of a packet's pixels, aside of their middles by an offset [px].
+RayPacket block_rays(const LensTable& lens, Block block, const Viewpoint& view, float offset_u,
+                     float offset_v);
+
 /// One picture in the making. First one ray a pixel finds what is seen where; then each pixel is shaded: by
 /// one ray where a single surface is seen all around, as patterns are filtered by what a pixel sees of them,
 /// and by several where surfaces meet.
@@ -21,14 +30,8 @@ class Exposure {
   Image develop(const SensorResponse& response, double exposure) const;
 
  private:
-  /// Upper left pixel of a packet.
-  struct Block {
-    int u = 0, v = 0;
-  };
-
   void find_surfaces();
   bool has_one_surface(Block block) const;
-  RayPacket rays(Block block, const Viewpoint& view, float offset_u, float offset_v) const;
   void add_light(const RayPacket& rays, const Hits& hits, Floats& sum) const;
   void add_stripe(const RayPacket& rays, const Hits& hits, Floats& light) const;
   Floats light_of(Block block) const;

@@ -12,11 +12,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kTexel_m = 0.12;
+constexpr double kTexel_m = 0.15;
 constexpr std::size_t kTexelsMax = 3'000'000;
 constexpr double kFromEdge_m = 0.015;  ///< light is not computed nearer to an edge: something may meet there
 constexpr float kAboveSurface_m = 2e-3f;
-constexpr double kLampReach_m = 12;
+constexpr double kLampReach_m = 8;
 constexpr double kOpen_m = 1.2;  ///< what is farther away takes no light that comes from everywhere
 constexpr float kBuried = 0.2f;  ///< less light from everywhere: the place is inside something
 
@@ -58,33 +58,74 @@ double inset(int i, int count, double length_m) {
   return count == 1 ? 0.5 : edge + (1 - 2 * edge) * i / (count - 1);
 }
 
+/// The part of a number after the point.
+double fraction(double value) {
+  return value - std::floor(value);
+}
+
+/// Directions over a surface, spread as light falls on it: (cosine, sine) times the radius, and the height.
+struct Spread {
+  std::array<Vec3, kLanes> directions;
+
+  Spread() {
+    for (int k = 0; k < kLanes; ++k) {
+      const double height = std::sqrt((k + 0.5) / kLanes), radius = std::sqrt(1 - height * height);
+      const Vec2 level = radius * unit(2 * kPi * fraction(0.6180339887 * k));
+      directions[static_cast<std::size_t>(k)] = {level.x(), level.y(), height};
+    }
+  }
+};
+
 class Baker {
  public:
   Baker(const World& world, const RayScene& scene, const SceneFrame& frame)
-      : scene_(scene), frame_(frame), lamps_(lamp_places(world, frame)), seed_(world.texture_seed) {}
+      : scene_(scene), lamps_(lamp_places(world, frame)), seed_(world.texture_seed) {}
 
   Light at(const Side& side, const Vec3& p_scene, const Vec3& step_along, const Vec3& step_up,
            std::uint64_t texel) const {
     Random random(seed_ ^ (texel * 0x9e3779b97f4a7c15u));
-    Light light;
-    light.from_everywhere = openness(side.normal, p_scene, random);
+    Light light{openness(side.normal, p_scene, random.uniform()), 0};
+    if (light.from_everywhere < kBuried) return light;
+    WayPacket ways{};
+    Floats strengths{};
+    int lanes = 0;
     for (const LampPlace& lamp : lamps_) {
-      light.from_lamps += lamp_light(side.normal, p_scene, step_along, step_up, lamp, random);
+      if (!reaches(lamp, side.normal, p_scene)) continue;
+      const double shift_along = random.uniform(), shift_across = random.uniform();
+      for (int k = 0; k < kRaysPerLamp; ++k, ++lanes) {
+        const double along = fraction(0.125 * k + shift_along), across = fraction(0.618 * k + shift_across);
+        const Vec3 from = p_scene + (fraction(0.755 * k + shift_along) - 0.5) * step_along +
+                          (fraction(0.570 * k + shift_across) - 0.5) * step_up;
+        const Vec3 to =
+            lamp.centre + (2 * along - 1) * lamp.half_length + (2 * across - 1) * lamp.half_width - from;
+        set(ways, lanes, from, to);
+        strengths.at[lanes] = strength(lamp, side.normal, to);
+        ways.asked.at[lanes] = strengths.at[lanes] > 0 ? -1 : 0;
+      }
+      if (lanes == kLanes) {
+        light.from_lamps += unblocked(ways, strengths);
+        strengths = {};
+        ways = {};
+        lanes = 0;
+      }
     }
+    if (lanes > 0) light.from_lamps += unblocked(ways, strengths);
     return light;
   }
 
  private:
+  static constexpr int kRaysPerLamp = 8;
+
   /// How far one sees around, weighted as light falls on the surface.
-  float openness(const Vec3& normal, const Vec3& p, Random& random) const {
-    const Vec3 side = normal.unitOrthogonal(), other = normal.cross(side);
+  float openness(const Vec3& normal, const Vec3& p, double turn) const {
+    static const Spread kSpread;
+    const Vec3 one = normal.unitOrthogonal(), other = normal.cross(one);
+    const Vec2 turned = unit(2 * kPi * turn);
+    const Vec3 side = turned.x() * one + turned.y() * other, across = turned.x() * other - turned.y() * one;
     WayPacket ways;
     for (int k = 0; k < kLanes; ++k) {
-      const double height = std::sqrt((k + random.uniform()) / kLanes);
-      const double radius = std::sqrt(std::max(0.0, 1 - height * height));
-      const double angle = 2 * kPi * (0.618034 * k + random.uniform() / kLanes);
-      const Vec3 direction = height * normal + radius * (std::cos(angle) * side + std::sin(angle) * other);
-      set(ways, k, p, kOpen_m * direction);
+      const Vec3& d = kSpread.directions[static_cast<std::size_t>(k)];
+      set(ways, k, p, kOpen_m * (d.x() * side + d.y() * across + d.z() * normal));
     }
     Floats shares;
     scene_.free_shares(ways, shares);
@@ -93,32 +134,26 @@ class Baker {
     return sum / kLanes;
   }
 
-  /// Sixteen ways from places in the texel to places on the lamp.
-  float lamp_light(const Vec3& normal, const Vec3& p, const Vec3& step_along, const Vec3& step_up,
-                   const LampPlace& lamp, Random& random) const {
+  static bool reaches(const LampPlace& lamp, const Vec3& normal, const Vec3& p) {
     const Vec3 way = lamp.centre - p;
-    const double reach_m = way.norm();
     const double behind_m = lamp.half_length.norm() + lamp.half_width.norm();
-    if (reach_m > kLampReach_m || normal.dot(way) < -behind_m) return 0;
-    WayPacket ways;
-    Floats strengths;
-    for (int k = 0; k < kLanes; ++k) {
-      const double along = (k % 8 + random.uniform()) / 4 - 1, across = (k % 2 + random.uniform()) - 1;
-      const Vec3 from = p + (random.uniform() - 0.5) * step_along + (random.uniform() - 0.5) * step_up;
-      const Vec3 to = lamp.centre + along * lamp.half_length + across * lamp.half_width - from;
-      const double falling = to.z() > 0 ? to.z() : 0, facing = std::max(0.0, normal.dot(to));
-      const double squared = to.squaredNorm();
-      set(ways, k, from, to);
-      const double strength = falling * facing / (squared * squared);
-      strengths.at[k] = static_cast<float>(strength);
-      if (strength <= 0) ways.asked.at[k] = 0;
-    }
+    return way.z() > 0 && way.squaredNorm() < kLampReach_m * kLampReach_m && normal.dot(way) > -behind_m;
+  }
+
+  /// What one of the rays to a lamp brings if nothing blocks it; nothing from beyond the lamp's reach.
+  static float strength(const LampPlace& lamp, const Vec3& normal, const Vec3& to) {
+    const double falling = std::max(0.0, to.z()), facing = std::max(0.0, normal.dot(to));
+    const double squared = to.squaredNorm();
+    const double fading = std::clamp(4 * (1 - std::sqrt(squared) / kLampReach_m), 0.0, 1.0);
+    return static_cast<float>(lamp.strength * fading * falling * facing / (squared * squared) / kRaysPerLamp);
+  }
+
+  float unblocked(const WayPacket& ways, const Floats& strengths) const {
     Flags blocked{};
     scene_.find_blocked(ways, blocked);
     float sum = 0;
     for (int k = 0; k < kLanes; ++k) sum += blocked.at[k] != 0 ? 0.0f : strengths.at[k];
-    const double fading = std::max(0.0, 1 - reach_m / kLampReach_m);
-    return sum / kLanes * static_cast<float>(lamp.strength * std::min(1.0, 4 * fading));
+    return sum;
   }
 
   static void set(WayPacket& ways, int k, const Vec3& from, const Vec3& way) {
@@ -132,7 +167,6 @@ class Baker {
   }
 
   const RayScene& scene_;
-  const SceneFrame& frame_;
   std::vector<LampPlace> lamps_;
   std::uint64_t seed_;
 };
@@ -207,7 +241,7 @@ void fill_buried(const LightMap& map, std::vector<Light>& lights) {
   }
 }
 
-/// The lamps' light on a well-lit floor: nine in ten lit places have less.
+/// The lamps' light on a well-lit floor: of fifty lit places one has more.
 float well_lit(const LightMap& floor, const std::vector<Light>& lights) {
   std::vector<float> lit;
   for (int i = 0; i < floor.columns * floor.rows; ++i) {
@@ -215,9 +249,9 @@ float well_lit(const LightMap& floor, const std::vector<Light>& lights) {
     if (light > 0) lit.push_back(light);
   }
   if (lit.empty()) return 1;
-  const auto tenth = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() * 9 / 10);
-  std::nth_element(lit.begin(), tenth, lit.end());
-  return *tenth;
+  const auto brightest = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() * 49 / 50);
+  std::nth_element(lit.begin(), brightest, lit.end());
+  return *brightest;
 }
 
 }  // namespace

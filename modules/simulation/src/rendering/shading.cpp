@@ -221,7 +221,7 @@ void shade(const Surface& surface, const ShadingTables& tables, const LightLevel
 AISLE_KERNEL
 bool shade_stripe(const Surface& surface, const LaserPlane& laser, const RayPacket& rays,
                   const Flags& on_surface, Floats& stripe, WayPacket& ways) {
-  constexpr float kBeam_m = 0.0025f;          ///< standard deviation of the light plane's profile
+  constexpr float kBeam_m = 0.0018f;          ///< standard deviation of the light plane's profile
   constexpr float kPixel = 0.5f;              ///< standard deviation of what a pixel sees [px]
   constexpr float kProfileRoot = 2.6457513f;  ///< half width of (1 - x^2)^2 over its standard deviation
   constexpr float kNearest_m = 0.2f;

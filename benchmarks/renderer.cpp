@@ -1,0 +1,126 @@
+/// Pictures of 640 x 480 pixels of an office corridor with lamps, soft shadows and laser stripe, against the
+/// ray tracer's primary rays alone (one a pixel, nothing shaded) in the same scene and run. The argument is
+/// the number of threads; `of_raw` is the share of the raw rate at which finished pixels come.
+
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include "office_corridor.hpp"
+#include "rendering/exposure.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr int kDoorsPerSide = 9;
+constexpr int kWholeFloorDoorsPerSide = 60;
+
+CameraDescription camera() {
+  CameraDescription camera;
+  camera.intrinsics = {460, 460, 319.5, 239.5, -0.18, 0.03, 0, 0, 0};
+  camera.mount = {.p_vehicle_camera = {0.85, 0, 1.0}, .tilt_rad = 14 * kDegree};
+  return camera;
+}
+
+CameraMoment moment(std::uint64_t picture, double speed_mps) {
+  CameraMoment moment;
+  moment.T_world_vehicle = {1 + 0.1 * static_cast<double>(picture % 200), 0, 0};
+  moment.speed_mps = speed_mps;
+  moment.laser_on = true;
+  moment.picture = picture;
+  return moment;
+}
+
+const World& corridor(int doors_per_side) {
+  static const World short_one = office_corridor(kDoorsPerSide);
+  static const World long_one = office_corridor(kWholeFloorDoorsPerSide);
+  return doors_per_side == kDoorsPerSide ? short_one : long_one;
+}
+
+const RenderedWorld& rendered_corridor(int doors_per_side) {
+  static const RenderedWorld short_one(corridor(kDoorsPerSide));
+  static const RenderedWorld long_one(corridor(kWholeFloorDoorsPerSide));
+  return doors_per_side == kDoorsPerSide ? short_one : long_one;
+}
+
+double pixels_per_picture() {
+  return static_cast<double>(camera().width_px) * camera().height_px;
+}
+
+/// Primary rays of the last raw run a second, by the number of threads.
+double& raw_rays_per_s(std::int64_t threads) {
+  static double rates[3] = {};
+  return rates[threads];
+}
+
+std::vector<RayPacket> primary_rays(const LensTable& lens, const Viewpoint& view) {
+  std::vector<RayPacket> packets;
+  for (int v = 0; v < lens.height_px; v += kPacketSide) {
+    for (int u = 0; u < lens.width_px; u += kPacketSide)
+      packets.push_back(block_rays(lens, {u, v}, view, 0, 0));
+  }
+  return packets;
+}
+
+void RawPrimaryRays(benchmark::State& state) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(state.range(0)));
+  const World& world = corridor(kDoorsPerSide);
+  const RenderedWorld::Scene scene(world);
+  const LensTable lens(camera(), 0);
+  const auto packets = primary_rays(lens, viewpoints(camera(), {}, moment(0, 0), 1, scene.frame).front());
+  const auto begin = std::chrono::steady_clock::now();
+  for ([[maybe_unused]] auto _ : state) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, packets.size(), 64), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        Hits hits;
+        scene.first_hits(packets[i], hits);
+        benchmark::DoNotOptimize(hits);
+      }
+    });
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  const double rays = static_cast<double>(state.iterations()) * pixels_per_picture();
+  raw_rays_per_s(state.range(0)) = rays / taken.count();
+  state.counters["rays/s"] = rays / taken.count();
+}
+BENCHMARK(RawPrimaryRays)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void take_pictures(benchmark::State& state, int doors_per_side, double speed_mps) {
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(state.range(0)));
+  const RenderedWorld& world = rendered_corridor(doors_per_side);
+  const CameraSensor sensor(camera(), {}, 1);
+  const auto begin = std::chrono::steady_clock::now();
+  std::uint64_t picture = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    benchmark::DoNotOptimize(sensor.take(world, moment(picture++, speed_mps)));
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  const double frames_per_s = static_cast<double>(state.iterations()) / taken.count();
+  state.counters["frames/s"] = frames_per_s;
+  state.counters["of_raw"] = frames_per_s * pixels_per_picture() / raw_rays_per_s(state.range(0));
+}
+
+void Pictures(benchmark::State& state) {
+  take_pictures(state, kDoorsPerSide, 0);
+}
+BENCHMARK(Pictures)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void PicturesOfAWholeFloor(benchmark::State& state) {
+  take_pictures(state, kWholeFloorDoorsPerSide, 0);
+}
+BENCHMARK(PicturesOfAWholeFloor)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void PicturesWithMotionBlur(benchmark::State& state) {
+  take_pictures(state, kDoorsPerSide, 1);
+}
+BENCHMARK(PicturesWithMotionBlur)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void BuildingTheScene(benchmark::State& state) {
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(RenderedWorld(corridor(kDoorsPerSide)));
+}
+BENCHMARK(BuildingTheScene)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace aisle
