@@ -5,6 +5,7 @@
 #include "aisle/formats/building_json.hpp"
 #include "aisle/formats/carmen_log.hpp"
 #include "aisle/formats/map_server.hpp"
+#include "aisle/formats/plan_picture.hpp"
 #include "aisle/formats/relations.hpp"
 #include "aisle/formats/trajectory.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
@@ -74,6 +75,14 @@ TEST(DocumentedExamples, TheVehicleIsRead) {
   ASSERT_TRUE(vehicle.ok()) << to_string(vehicle.problems());
   EXPECT_THAT(vehicle->description.cameras, SizeIs(1));
   EXPECT_DOUBLE_EQ(vehicle->simulated.odometry.distance_scale, 0.02);
+}
+
+TEST(DocumentedExamples, ThePlanIsARoomWithAPillar) {
+  const auto plan = parse_plan_picture(example("plan.md"), "plan.md", 0.05);
+  ASSERT_TRUE(plan.ok()) << to_string(plan.problems());
+  EXPECT_TRUE(plan->is_solid(2, 2));
+  EXPECT_TRUE(plan->is_solid(3, 2)) << "unknown";
+  EXPECT_FALSE(plan->is_solid(1, 2));
 }
 
 }  // namespace
