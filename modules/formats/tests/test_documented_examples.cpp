@@ -6,8 +6,8 @@
 #include "aisle/formats/carmen_log.hpp"
 #include "aisle/formats/decision_text.hpp"
 #include "aisle/formats/floor_marks.hpp"
-#include "aisle/formats/floor_marks.hpp"
 #include "aisle/formats/map_server.hpp"
+#include "aisle/formats/plan_picture.hpp"
 #include "aisle/formats/relations.hpp"
 #include "aisle/formats/session_origin.hpp"
 #include "aisle/formats/trajectory.hpp"
@@ -105,6 +105,14 @@ TEST(DocumentedExamples, TheSessionsTextsAreReadAndWrittenAsTheyStand) {
   const auto input = parse_operator(example_line("session.md", 2));
   ASSERT_TRUE(input);
   EXPECT_EQ(operator_text(*input), example_line("session.md", 2));
+}
+
+TEST(DocumentedExamples, ThePlanIsARoomWithAPillar) {
+  const auto plan = parse_plan_picture(example("plan.md"), "plan.md", 0.05);
+  ASSERT_TRUE(plan.ok()) << to_string(plan.problems());
+  EXPECT_TRUE(plan->is_solid(2, 2));
+  EXPECT_TRUE(plan->is_solid(3, 2)) << "unknown";
+  EXPECT_FALSE(plan->is_solid(1, 2));
 }
 
 }  // namespace
