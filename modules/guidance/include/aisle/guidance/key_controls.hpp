@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/parameters.hpp"
 #include "aisle/vehicle/observation.hpp"
 
 namespace aisle {
@@ -32,6 +33,8 @@ struct KeySpeeds {
   double reverse_speed_mps = 0.2;
   double steering_rad = 25 * kDegree;
   double turn_rate_rad_s = 30 * kDegree;
+
+  void describe(FieldList& fields);
 };
 
 /// What the keys of one cycle after another mean. A key is held as long as it keeps coming; left and right
