@@ -7,6 +7,7 @@
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/core/clock.hpp"
+#include "aisle/formats/scenario_yaml.hpp"
 #include "aisle/formats/session_record.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
 #include "aisle/formats/world_yaml.hpp"
@@ -55,12 +56,19 @@ class SimulatedRecord final : public MissionRecord {
   std::size_t pictures_ = 0;
 };
 
-Problems check_places(const Drive& drive) {
+/// Every place where the vehicle is set down.
+Problems check_places(const DriveOptions& options, const Drive& drive) {
   const Footprint& footprint = drive.vehicle.description.footprint;
   Problems problems;
   if (!fits(drive.world, footprint, drive.T_world_start)) {
-    problems.push_back({{drive.world_file.string(), 0, drive.world.start ? "start" : "tour"},
-                        "the vehicle does not fit there"});
+    const std::string key = drive.world.start ? "start" : "tour";
+    problems.push_back({{drive.world_file.string(), 0, key}, "the vehicle does not fit there"});
+  }
+  for (std::size_t i = 0; i < drive.scenario.events.size(); ++i) {
+    const auto* lifted = std::get_if<Lifted>(&drive.scenario.events[i].fault);
+    if (lifted == nullptr || fits(drive.world, footprint, lifted->T_world_vehicle)) continue;
+    problems.push_back(
+        {{options.scenario, 0, fmt::format("events[{}].lift", i)}, "the vehicle does not fit there"});
   }
   return problems;
 }
@@ -76,12 +84,17 @@ Result<Drive> read_drive(const DriveOptions& options) {
   auto vehicle = read_vehicle(shipped_or_own("vehicles", options.vehicle));
   if (!vehicle) return vehicle.problems();
   drive.vehicle = std::move(*vehicle);
+  if (!options.scenario.empty()) {
+    auto scenario = read_scenario(shipped_or_own("scenarios", options.scenario));
+    if (!scenario) return scenario.problems();
+    drive.scenario = std::move(*scenario);
+  }
   const auto start = start_pose(drive.world);
   if (!start) return Problem{{drive.world_file.string(), 0, "start"}, "is missing, and there is no tour"};
   drive.T_world_start = *start;
   if (!options.keys && drive.world.tour.size() < 2)
     return Problem{{drive.world_file.string(), 0, "tour"}, "needs at least two way points to be followed"};
-  if (Problems problems = check_places(drive); !problems.empty()) return problems;
+  if (Problems problems = check_places(options, drive); !problems.empty()) return problems;
   return drive;
 }
 
@@ -108,8 +121,9 @@ Result<std::optional<SessionRecord>> open_session(const DriveOptions& options, c
   return std::optional<SessionRecord>(std::move(*session));
 }
 
-double rounded(double value, double unit) {
-  return std::round(value / unit) * unit;
+double rounded(double value, int digits) {
+  const double scale = std::pow(10, digits);
+  return std::round(value * scale) / scale;
 }
 
 Outcome outcome_of(const DriveOptions& options, const Drive& drive, const MissionEnd& end,
@@ -120,13 +134,13 @@ Outcome outcome_of(const DriveOptions& options, const Drive& drive, const Missio
                      {"seed", options.seed},
                      {"vehicle", drive.vehicle.description.name},
                      {"cycles", end.cycles},
-                     {"duration_s", rounded(truth.stamp_s, 0.001)},
-                     {"distance_m", rounded(truth.way_m, 0.001)},
+                     {"duration_s", rounded(truth.stamp_s, 3)},
+                     {"distance_m", rounded(truth.way_m, 3)},
                      {"pictures", pictures},
                      {"collisions", truth.collisions},
                      {"state", end.state},
                      {"why", end.why},
-                     {"real_time_factor", rounded(factor, 0.1)}};
+                     {"real_time_factor", rounded(factor, 1)}};
   if (!options.out.empty()) outcome.files["session"] = options.out.string();
   outcome.text = fmt::format(
       "simulated drive through {} with {}: {:.1f} m in {:.1f} s, {} collision{}; {}{}{}\n"
@@ -179,8 +193,11 @@ Result<Outcome> run_drive(const DriveOptions& options, Console& console) {
   Outcome outcome =
       outcome_of(options, *drive, *end, vehicle.truth(), record.pictures(), clock.now_s() - begun_s);
   if (const auto* scripted = dynamic_cast<const ScriptedOperator*>(person->get())) {
-    outcome.figures["route_share"] = rounded(scripted->share_done(), 0.001);
-    outcome.ok = outcome.ok && scripted->has_arrived();
+    outcome.figures["route_share"] = rounded(scripted->share_done(), 3);
+    if (!scripted->has_arrived()) {
+      outcome.ok = false;
+      outcome.text += fmt::format("not arrived: {:.0f} % of the route\n", 100 * scripted->share_done());
+    }
   }
   return outcome;
 }

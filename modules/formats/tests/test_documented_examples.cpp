@@ -5,8 +5,10 @@
 #include "aisle/formats/building_json.hpp"
 #include "aisle/formats/carmen_log.hpp"
 #include "aisle/formats/decision_text.hpp"
+#include "aisle/formats/key_script_text.hpp"
 #include "aisle/formats/map_server.hpp"
 #include "aisle/formats/relations.hpp"
+#include "aisle/formats/scenario_yaml.hpp"
 #include "aisle/formats/session_origin.hpp"
 #include "aisle/formats/trajectory.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
@@ -95,6 +97,18 @@ TEST(DocumentedExamples, TheSessionsTextsAreReadAndWrittenAsTheyStand) {
   const auto input = parse_operator(example_line("session.md", 2));
   ASSERT_TRUE(input);
   EXPECT_EQ(operator_text(*input), example_line("session.md", 2));
+}
+
+TEST(DocumentedExamples, TheScenarioIsRead) {
+  const auto scenario = parse_scenario(example("scenario.md"), "scenario.md");
+  ASSERT_TRUE(scenario.ok()) << to_string(scenario.problems());
+  EXPECT_THAT(scenario->events, SizeIs(8));
+}
+
+TEST(DocumentedExamples, TheTimedKeysAreRead) {
+  const auto keys = parse_key_script(example("keys.md"), "keys.md");
+  ASSERT_TRUE(keys.ok()) << to_string(keys.problems());
+  EXPECT_THAT(*keys, SizeIs(8));
 }
 
 }  // namespace
