@@ -22,10 +22,10 @@ CameraDescription camera() {
   return camera;
 }
 
-CameraMoment moment(std::uint64_t picture, double speed_mps) {
+CameraMoment moment(std::uint64_t picture, double turn_rate_rad_s) {
   CameraMoment moment;
   moment.T_world_vehicle = {1 + 0.1 * static_cast<double>(picture % 200), 0, 0};
-  moment.speed_mps = speed_mps;
+  moment.turn_rate_rad_s = turn_rate_rad_s;
   moment.laser_on = true;
   moment.picture = picture;
   return moment;
@@ -86,7 +86,7 @@ void RawPrimaryRays(benchmark::State& state) {
 }
 BENCHMARK(RawPrimaryRays)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-void take_pictures(benchmark::State& state, int doors_per_side, double speed_mps) {
+void take_pictures(benchmark::State& state, int doors_per_side, double turn_rate_rad_s) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(state.range(0)));
   const RenderedWorld& world = rendered_corridor(doors_per_side);
@@ -94,7 +94,7 @@ void take_pictures(benchmark::State& state, int doors_per_side, double speed_mps
   const auto begin = std::chrono::steady_clock::now();
   std::uint64_t picture = 0;
   for ([[maybe_unused]] auto _ : state) {
-    benchmark::DoNotOptimize(sensor.take(world, moment(picture++, speed_mps)));
+    benchmark::DoNotOptimize(sensor.take(world, moment(picture++, turn_rate_rad_s)));
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   const double frames_per_s = static_cast<double>(state.iterations()) / taken.count();

@@ -5,7 +5,7 @@ foreach(module IN LISTS modules)
   install(TARGETS aisle_${module} EXPORT aisle FILE_SET HEADERS)
 endforeach()
 install(TARGETS aisle)
-install(DIRECTORY worlds vehicles DESTINATION ${CMAKE_INSTALL_DATADIR}/aisle)
+install(DIRECTORY worlds vehicles scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/aisle)
 install(EXPORT aisle NAMESPACE aisle:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/aisle FILE aisleTargets.cmake)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/aisleConfig.cmake.in ${PROJECT_BINARY_DIR}/aisleConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/aisle)

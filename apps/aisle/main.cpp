@@ -71,7 +71,7 @@ int run(const std::string& verb, const Work& work, const Output& output) {
     return outcome ? report(*outcome, output) : refuse(verb, to_string(outcome.problems()), output);
   } catch (const aisle::Interrupted&) {
     progress.clear();
-    fmt::print(stderr, "interrupted; nothing was written\n");
+    fmt::print(stderr, "interrupted\n");
     return kInterrupted;
   }
 }
@@ -91,6 +91,7 @@ int run_program(int argc, char** argv) {
   add_session_verbs(app, work);
   add_detect_verb(app, work);
   add_calibrate_verb(app, work);
+  add_drive_verb(app, work);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

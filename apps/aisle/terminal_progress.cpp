@@ -4,6 +4,8 @@
 
 #include <csignal>
 
+#include "terminal_operator.hpp"
+
 namespace {
 
 constexpr double kShownAfter_s = 2;
@@ -12,9 +14,15 @@ constexpr std::size_t kWidth = 30;
 
 volatile std::sig_atomic_t interrupted = 0;
 
+void on_second_interrupt(int signal) {
+  restore_terminal();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 void on_interrupt(int signal) {
   interrupted = 1;
-  std::signal(signal, SIG_DFL);
+  std::signal(signal, on_second_interrupt);
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 #include "aisle/formats/carmen_log.hpp"
 #include "aisle/formats/decision_text.hpp"
 #include "aisle/formats/floor_marks.hpp"
+#include "aisle/formats/key_script_text.hpp"
 #include "aisle/formats/map_server.hpp"
 #include "aisle/formats/plan_picture.hpp"
 #include "aisle/formats/relations.hpp"
+#include "aisle/formats/scenario_yaml.hpp"
 #include "aisle/formats/session_origin.hpp"
 #include "aisle/formats/trajectory.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
@@ -113,6 +115,18 @@ TEST(DocumentedExamples, ThePlanIsARoomWithAPillar) {
   EXPECT_TRUE(plan->is_solid(2, 2));
   EXPECT_TRUE(plan->is_solid(3, 2)) << "unknown";
   EXPECT_FALSE(plan->is_solid(1, 2));
+}
+
+TEST(DocumentedExamples, TheScenarioIsRead) {
+  const auto scenario = parse_scenario(example("scenario.md"), "scenario.md");
+  ASSERT_TRUE(scenario.ok()) << to_string(scenario.problems());
+  EXPECT_THAT(scenario->events, SizeIs(8));
+}
+
+TEST(DocumentedExamples, TheTimedKeysAreRead) {
+  const auto keys = parse_key_script(example("keys.md"), "keys.md");
+  ASSERT_TRUE(keys.ok()) << to_string(keys.problems());
+  EXPECT_THAT(*keys, SizeIs(8));
 }
 
 }  // namespace

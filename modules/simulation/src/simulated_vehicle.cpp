@@ -161,6 +161,7 @@ OperatorView SimulatedVehicle::view() {
   return {.stamp_s = truth_.stamp_s,
           .T_world_vehicle = truth_.T_world_vehicle,
           .speed_mps = truth_.speed_mps,
+          .turn_rate_rad_s = truth_.turn_rate_rad_s,
           .free_ahead_m = kSeenAhead_m * obstacles_.free_share(truth_.T_world_vehicle, ahead),
           .bumper_pressed = T_world_contact_.has_value()};
 }

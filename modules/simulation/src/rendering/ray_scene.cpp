@@ -1,6 +1,7 @@
 #include "rendering/ray_scene.hpp"
 
 #include <embree3/rtcore.h>
+#include <tbb/global_control.h>
 
 #include <limits>
 #include <stdexcept>
@@ -10,11 +11,11 @@ namespace {
 
 constexpr float kNear = 1e-4f;  ///< shorter is no way [lengths of the direction]
 
-/// One instruction set for all machines that have it; the scene is built by one thread, so that it is always
-/// built the same.
+/// One instruction set for all machines that have it. Its own limit of threads would hold for the whole
+/// program as long as it lives, so it has none.
 RTCDevice new_device() {
-  const char* settings = __builtin_cpu_supports("avx2") ? "threads=1,set_affinity=0,isa=avx2"
-                                                        : "threads=1,set_affinity=0,isa=sse4.2";
+  const char* settings =
+      __builtin_cpu_supports("avx2") ? "set_affinity=0,isa=avx2" : "set_affinity=0,isa=sse4.2";
   const RTCDevice device = rtcNewDevice(settings);
   if (device == nullptr) throw std::runtime_error("the ray tracer cannot be started");
   return device;
@@ -84,7 +85,11 @@ RayScene::RayScene(std::span<const Panel> panels, const SceneFrame& frame) {
   rtcAttachGeometry(embree->scene, geometry);
   rtcReleaseGeometry(geometry);
   rtcSetSceneFlags(embree->scene, RTC_SCENE_FLAG_ROBUST);
-  rtcCommitScene(embree->scene);
+  {
+    // By one thread, so that it is always built the same.
+    const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
+    rtcCommitScene(embree->scene);
+  }
   embree_ = std::move(embree);
 }
 

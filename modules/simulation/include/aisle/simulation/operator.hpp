@@ -9,7 +9,8 @@ namespace aisle {
 struct OperatorView {
   double stamp_s = 0;
   Pose2 T_world_vehicle;
-  double speed_mps = 0;
+  double speed_mps = 0;  ///< of base_link, forwards
+  double turn_rate_rad_s = 0;
   double free_ahead_m = 0;  ///< way that is free when it goes on as it does, at least kSeenAhead_m if all is
   bool bumper_pressed = false;
 };

@@ -1,0 +1,18 @@
+#pragma once
+/// Scenarios as files: what goes wrong on a simulated trip. docs/formats/scenario.md specifies the format.
+
+#include <filesystem>
+#include <string>
+
+#include "aisle/core/result.hpp"
+#include "aisle/simulation/scenario.hpp"
+
+namespace aisle {
+
+/// Reads a scenario file; all its problems are reported together, each with its line and key.
+Result<Scenario> read_scenario(const std::filesystem::path& path);
+
+/// The same from memory; `name` stands for the file in problems.
+Result<Scenario> parse_scenario(const std::string& text, const std::string& name);
+
+}  // namespace aisle

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "aisle/core/parameters.hpp"
+#include "aisle/core/random.hpp"
+#include "aisle/simulation/operator.hpp"
+#include "aisle/simulation/world.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+
+namespace aisle {
+
+/// How a person drives who knows where to go.
+struct ScriptedOperatorParams {
+  double speed_mps = 0.3;
+  double look_ahead_m = 0.7;
+  double reaction_s = 0.2;
+  double wander_m = 0.05;      ///< standard deviation, aside of the route
+  double wander_time_s = 5;    ///< over which it comes and goes
+  double speed_wander = 0.08;  ///< standard deviation, as a share
+  double place_radius_m = 0.5;
+  double patience_s = 15;
+
+  void describe(FieldList& fields);
+};
+
+/// Follows a route by sight, not quite straight and not quite evenly; says the names of the places that it
+/// passes; waits before what is in the way, and gives up when it stays there. Where the route turns back, a
+/// front-steered vehicle goes on in reverse, a differential one turns round.
+class ScriptedOperator final : public Operator {
+ public:
+  /// @param route  at least two different points
+  ScriptedOperator(const std::vector<Vec2>& route, std::vector<NamedPlace> places,
+                   const VehicleDescription& vehicle, const ScriptedOperatorParams& params,
+                   std::uint64_t seed);
+
+  OperatorInput look(const OperatorView& view) override;
+
+  bool has_arrived() const { return leg_ == legs_.size(); }
+  /// Length of the route that lies behind, as a share of all of it.
+  double share_done() const;
+
+ private:
+  /// A stretch of the route that is driven without turning back.
+  struct Leg {
+    std::vector<Vec2> points;
+    double length_m = 0;
+    bool in_reverse = false;
+  };
+
+  void add_legs(const std::vector<Vec2>& route);
+  void wander(double time_s);
+  OperatorView seen_a_moment_ago(const OperatorView& view);
+  void follow(const Vec2& p_world);
+  Vec2 target() const;
+  Command towards(const Vec2& p_vehicle_target, double speed_mps) const;
+  double wished_speed_mps(const OperatorView& view) const;
+  std::vector<Mark> passed_places(const Pose2& T_world_vehicle);
+  bool is_out_of_patience(const OperatorView& view);
+
+  VehicleDescription vehicle_;
+  ScriptedOperatorParams params_;
+  Random random_;
+  std::vector<Leg> legs_;
+  std::vector<NamedPlace> places_;  ///< not passed yet
+  std::deque<OperatorView> views_;
+  std::size_t leg_ = 0;
+  double along_m_ = 0;                                  ///< of the present leg
+  double pull_aside_ = 0, aside_ = 0, pull_speed_ = 0;  ///< wander, in standard deviations
+  double stood_since_s_ = 0;
+  double stamp_s_ = 0;
+};
+
+}  // namespace aisle

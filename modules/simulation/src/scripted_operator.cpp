@@ -1,0 +1,191 @@
+#include "aisle/simulation/scripted_operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace aisle {
+namespace {
+
+constexpr double kTurnsBack_rad = 120 * kDegree;
+constexpr double kLegEnd_m = 0.1;
+constexpr double kCreep_mps = 0.05;
+constexpr double kBraking_mps2 = 0.15;
+constexpr double kKeptFree_m = 0.1;
+constexpr double kTurnsOnTheSpot_rad = 40 * kDegree;
+constexpr double kTurnGain_1_s = 1.5;
+
+double turn_between(const Vec2& a, const Vec2& b) {
+  return std::abs(wrap_angle(std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x())));
+}
+
+double length_of(const std::vector<Vec2>& points) {
+  double sum_m = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum_m += (points[i] - points[i - 1]).norm();
+  return sum_m;
+}
+
+/// The pose at a length along a polyline; before and after it, on its straight continuation.
+Pose2 pose_along(const std::vector<Vec2>& points, double along_m) {
+  for (std::size_t i = 1;; ++i) {
+    const Vec2 step = points[i] - points[i - 1];
+    const double step_m = step.norm();
+    if (along_m <= step_m || i + 1 == points.size()) {
+      const Vec2 p = points[i - 1] + along_m / step_m * step;
+      return {p.x(), p.y(), std::atan2(step.y(), step.x())};
+    }
+    along_m -= step_m;
+  }
+}
+
+}  // namespace
+
+void ScriptedOperatorParams::describe(FieldList& fields) {
+  fields.real("speed_mps", speed_mps, {0.02, 5}, "on a straight stretch");
+  fields.real("look_ahead_m", look_ahead_m, {0.1, 5}, "where on the route the vehicle is steered to");
+  fields.real("reaction_s", reaction_s, {0, 2}, "how late what is seen is acted on");
+  fields.real("wander_m", wander_m, {0, 1}, "standard deviation aside of the route");
+  fields.real("wander_time_s", wander_time_s, {0.5, 100}, "over which the wander comes and goes");
+  fields.real("speed_wander", speed_wander, {0, 0.5}, "standard deviation of the speed, as a share");
+  fields.real("place_radius_m", place_radius_m, {0.05, 5}, "how near a place is passed to be named");
+  fields.real("patience_s", patience_s, {1, 1000}, "how long to wait before what is in the way");
+}
+
+ScriptedOperator::ScriptedOperator(const std::vector<Vec2>& route, std::vector<NamedPlace> places,
+                                   const VehicleDescription& vehicle, const ScriptedOperatorParams& params,
+                                   std::uint64_t seed)
+    : vehicle_(vehicle), params_(params), random_(seed), places_(std::move(places)) {
+  std::vector<Vec2> points = route;
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 2) throw std::invalid_argument("a route needs two different points");
+  add_legs(points);
+}
+
+void ScriptedOperator::add_legs(const std::vector<Vec2>& route) {
+  legs_.push_back({.points = {route[0], route[1]}});
+  for (std::size_t i = 2; i < route.size(); ++i) {
+    const bool turns_back =
+        turn_between(route[i - 1] - route[i - 2], route[i] - route[i - 1]) > kTurnsBack_rad;
+    if (turns_back) {
+      legs_.push_back(
+          {.points = {route[i - 1]}, .in_reverse = !vehicle_.is_differential && !legs_.back().in_reverse});
+    }
+    legs_.back().points.push_back(route[i]);
+  }
+  for (Leg& leg : legs_) leg.length_m = length_of(leg.points);
+}
+
+double ScriptedOperator::share_done() const {
+  double all_m = 0, done_m = 0;
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    all_m += legs_[i].length_m;
+    if (i < leg_) done_m += legs_[i].length_m;
+  }
+  if (leg_ < legs_.size()) done_m += std::clamp(along_m_, 0.0, legs_[leg_].length_m);
+  return done_m / all_m;
+}
+
+/// Ornstein-Uhlenbeck; aside follows its pull smoothly, as hands do.
+void ScriptedOperator::wander(double time_s) {
+  const double fade = time_s / params_.wander_time_s;
+  pull_aside_ += -fade * pull_aside_ + random_.normal(std::sqrt(2 * fade));
+  pull_speed_ += -fade * pull_speed_ + random_.normal(std::sqrt(2 * fade));
+  aside_ += std::min(1.0, 3 * fade) * (pull_aside_ - aside_);
+}
+
+OperatorView ScriptedOperator::seen_a_moment_ago(const OperatorView& view) {
+  views_.push_back(view);
+  constexpr double kSlack_s = 1e-9;
+  while (views_.size() > 1 && views_[1].stamp_s <= view.stamp_s - params_.reaction_s + kSlack_s) {
+    views_.pop_front();
+  }
+  return views_.front();
+}
+
+/// Moves on along the leg to where it is nearest, never back.
+void ScriptedOperator::follow(const Vec2& p_world) {
+  constexpr double kStep_m = 0.02;
+  const Leg& leg = legs_[leg_];
+  const auto off_m = [&](double along_m) {
+    return (pose_along(leg.points, along_m).position() - p_world).norm();
+  };
+  double nearest_m = along_m_;
+  const double end_m = std::min(along_m_ + params_.look_ahead_m, leg.length_m);
+  for (double at_m = along_m_ + kStep_m; at_m <= end_m; at_m += kStep_m) {
+    if (off_m(at_m) < off_m(nearest_m)) nearest_m = at_m;
+  }
+  along_m_ = nearest_m;
+}
+
+Vec2 ScriptedOperator::target() const {
+  const Leg& leg = legs_[leg_];
+  const Pose2 T_world_target = pose_along(leg.points, along_m_ + params_.look_ahead_m);
+  const double aside_m = params_.wander_m * std::clamp(aside_, -2.0, 2.0);
+  return T_world_target * Vec2(0, aside_m);
+}
+
+/// The arc through the target that starts along the vehicle, forwards or backwards.
+Command ScriptedOperator::towards(const Vec2& p_vehicle_target, double speed_mps) const {
+  const double curvature_1_m = 2 * p_vehicle_target.y() / p_vehicle_target.squaredNorm();
+  if (!vehicle_.is_differential) {
+    return {.speed_mps = speed_mps,
+            .steering_rad = std::atan(vehicle_.front_steered.wheelbase_m * curvature_1_m)};
+  }
+  const double off_rad = std::atan2(p_vehicle_target.y(), p_vehicle_target.x());
+  if (std::abs(off_rad) > kTurnsOnTheSpot_rad) return {.turn_rate_rad_s = kTurnGain_1_s * off_rad};
+  return {.speed_mps = speed_mps, .turn_rate_rad_s = curvature_1_m * speed_mps};
+}
+
+double ScriptedOperator::wished_speed_mps(const OperatorView& view) const {
+  const Leg& leg = legs_[leg_];
+  const double left_m = std::max(0.0, leg.length_m - along_m_);
+  double speed_mps = params_.speed_mps * (1 + params_.speed_wander * std::clamp(pull_speed_, -2.0, 2.0));
+  speed_mps = std::min(speed_mps, kCreep_mps + std::sqrt(2 * kBraking_mps2 * left_m));
+  const bool looks_that_way = leg.in_reverse ? view.speed_mps < 0 : view.speed_mps >= 0;
+  if (looks_that_way) {
+    const double free_m = std::max(0.0, view.free_ahead_m - kKeptFree_m);
+    speed_mps = std::min(speed_mps, std::sqrt(2 * kBraking_mps2 * free_m));
+  }
+  return leg.in_reverse ? -std::min(speed_mps, vehicle_.limits.reverse_speed_max_mps) : speed_mps;
+}
+
+std::vector<Mark> ScriptedOperator::passed_places(const Pose2& T_world_vehicle) {
+  std::vector<Mark> marks;
+  std::erase_if(places_, [&](const NamedPlace& place) {
+    const double off_m = (place.T_world_place.position() - T_world_vehicle.position()).norm();
+    if (off_m > params_.place_radius_m) return false;
+    marks.push_back({Mark::Kind::kPlace, place.name});
+    return true;
+  });
+  return marks;
+}
+
+bool ScriptedOperator::is_out_of_patience(const OperatorView& view) {
+  constexpr double kStands_mps = 0.005;
+  const bool turns = vehicle_.is_differential && std::abs(view.turn_rate_rad_s) > kStands_mps;
+  if (std::abs(view.speed_mps) > kStands_mps || turns) stood_since_s_ = view.stamp_s;
+  return view.stamp_s - stood_since_s_ > params_.patience_s;
+}
+
+OperatorInput ScriptedOperator::look(const OperatorView& view) {
+  wander(view.stamp_s - std::exchange(stamp_s_, view.stamp_s));
+  const OperatorView seen = seen_a_moment_ago(view);
+  OperatorInput input{.marks = passed_places(view.T_world_vehicle)};
+  if (has_arrived() || is_out_of_patience(view)) {
+    if (has_arrived()) input.marks.push_back({Mark::Kind::kStop, ""});
+    input.quit = true;
+    return input;
+  }
+  follow(seen.T_world_vehicle.position());
+  Command wish = towards(seen.T_world_vehicle.inverse() * target(), wished_speed_mps(view));
+  if (legs_[leg_].length_m - along_m_ < kLegEnd_m) {
+    ++leg_;
+    along_m_ = 0;
+    wish = {.steering_rad = wish.steering_rad};
+  }
+  input.wish = wish;
+  return input;
+}
+
+}  // namespace aisle

@@ -1,0 +1,116 @@
+#include <gmock/gmock.h>
+
+#include "aisle/simulation/scripted_operator.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+#include "pose_matchers.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::ElementsAre;
+using testing::Field;
+
+VehicleModel cart() {
+  VehicleModel model;
+  model.description.front_steered.wheelbase_m = 0.75;
+  model.description.footprint = {.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6, .height_m = 1.2};
+  return model;
+}
+
+VehicleModel mini() {
+  VehicleModel model;
+  model.description.is_differential = true;
+  model.description.footprint = {.front_m = 0.11, .rear_m = 0.11, .width_m = 0.2, .height_m = 0.25};
+  return model;
+}
+
+/// An L of corridors 2.4 m wide.
+World corner() {
+  World world{.name = "corner"};
+  const std::vector<Vec2> line = {{-2, -1.2}, {11.2, -1.2}, {11.2, 10}, {8.8, 10},
+                                  {8.8, 1.2}, {-2, 1.2},    {-2, -1.2}};
+  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.foot = {line[i - 1], line[i]}});
+  world.tour = {{0, 0}, {10, 0}, {10, 8}};
+  world.places = {{"door", {5, 0.2, 0}}, {"yard", {50, 50, 0}}};
+  return world;
+}
+
+struct Drive {
+  SimulatedTruth end;
+  std::vector<Mark> marks;
+  double largest_off_m = 0;  ///< of the first 8 m of the first corridor, aside of the route
+  bool arrived = false;
+};
+
+Drive drive(const World& world, const VehicleModel& model, std::uint64_t seed,
+            const Scenario& scenario = {}) {
+  ScriptedOperator person(world.tour, world.places, model.description, {}, seed);
+  SimulatedVehicle vehicle(world, model, scenario,
+                           {.seed = seed, .T_world_start = *start_pose(world), .takes_pictures = false},
+                           &person);
+  Drive drive;
+  for (int i = 0; i < 6000; ++i) {
+    const Observation observation = *vehicle.sense();
+    const OperatorInput& input = observation.operator_input;
+    drive.marks.insert(drive.marks.end(), input.marks.begin(), input.marks.end());
+    if (vehicle.truth().T_world_vehicle.x < 8) {
+      drive.largest_off_m = std::max(drive.largest_off_m, std::abs(vehicle.truth().T_world_vehicle.y));
+    }
+    if (input.quit) break;
+    vehicle.act(input.wish.value_or(Command{}));
+  }
+  drive.end = vehicle.truth();
+  drive.arrived = person.has_arrived();
+  return drive;
+}
+
+class ScriptedOperatorTest : public testing::TestWithParam<bool> {
+ protected:
+  const VehicleModel model = GetParam() ? mini() : cart();
+};
+
+TEST_P(ScriptedOperatorTest, DrivesRoundACornerToTheEndOfTheRoute) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Drive trip = drive(corner(), model, seed);
+    EXPECT_TRUE(trip.arrived) << seed;
+    EXPECT_EQ(trip.end.collisions, 0U) << seed;
+    EXPECT_THAT(trip.end.T_world_vehicle, PoseNear(Pose2{10, 8, kPi / 2}, 0.3, 0.2)) << seed;
+  }
+}
+
+TEST_P(ScriptedOperatorTest, WandersLikeAPersonAndEachPersonOtherwise) {
+  const Drive one = drive(corner(), model, 1), same = drive(corner(), model, 1),
+              other = drive(corner(), model, 2);
+  EXPECT_GT(one.largest_off_m, 0.01);
+  EXPECT_LT(one.largest_off_m, 0.25);
+  EXPECT_THAT(one.end.T_world_vehicle, PoseNear(same.end.T_world_vehicle, 0, 0));
+  EXPECT_NE(one.end.T_world_vehicle.x, other.end.T_world_vehicle.x);
+}
+
+TEST_P(ScriptedOperatorTest, NamesThePlacesThatItPassesAndTheEnd) {
+  EXPECT_THAT(drive(corner(), model, 3).marks,
+              ElementsAre(Mark{Mark::Kind::kPlace, "door"}, Mark{Mark::Kind::kStop, ""}));
+}
+
+TEST_P(ScriptedOperatorTest, ComesBackWhereTheRouteTurnsBack) {
+  World world = corner();
+  world.tour = {{0, 0}, {6, 0}, {1, 0}};
+  const Drive trip = drive(world, model, 4);
+  EXPECT_TRUE(trip.arrived);
+  EXPECT_EQ(trip.end.collisions, 0U);
+  const double heading_rad = model.description.is_differential ? kPi : 0;
+  EXPECT_THAT(trip.end.T_world_vehicle, PoseNear(Pose2{1, 0, heading_rad}, 0.3, 0.3));
+}
+
+TEST_P(ScriptedOperatorTest, GivesUpBeforeABoxThatStays) {
+  const Scenario blocked{.events = {{.fault = BlockingBox{.T_world_box = {6, 0, 0}, .size = {0.5, 2.3}}}}};
+  const Drive trip = drive(corner(), model, 5, blocked);
+  EXPECT_FALSE(trip.arrived);
+  EXPECT_EQ(trip.end.collisions, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Vehicles, ScriptedOperatorTest, testing::Bool(),
+                         [](const auto& vehicle) { return vehicle.param ? "Differential" : "FrontSteered"; });
+
+}  // namespace
+}  // namespace aisle
