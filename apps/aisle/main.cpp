@@ -89,6 +89,7 @@ int run_program(int argc, char** argv) {
   add_maze_verb(app, work);
   add_session_verbs(app, work);
   add_detect_verb(app, work);
+  add_calibrate_verb(app, work);
   add_drive_verb(app, work);
   try {
     app.parse(argc, argv);

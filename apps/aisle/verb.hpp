@@ -15,6 +15,7 @@ void add_sim_verb(CLI::App& app, Work& work);
 void add_maze_verb(CLI::App& app, Work& work);
 void add_session_verbs(CLI::App& app, Work& work);
 void add_detect_verb(CLI::App& app, Work& work);
+void add_calibrate_verb(CLI::App& app, Work& work);
 void add_drive_verb(CLI::App& app, Work& work);
 
 /// The verbs below `aisle sim`.

@@ -5,6 +5,7 @@
 #include "aisle/formats/building_json.hpp"
 #include "aisle/formats/carmen_log.hpp"
 #include "aisle/formats/decision_text.hpp"
+#include "aisle/formats/floor_marks.hpp"
 #include "aisle/formats/key_script_text.hpp"
 #include "aisle/formats/map_server.hpp"
 #include "aisle/formats/relations.hpp"
@@ -65,6 +66,14 @@ TEST(DocumentedExamples, TheTrajectoryIsReadAndWrittenAsItStands) {
   const auto trajectory = parse_tum(text, "trajectory.md");
   ASSERT_TRUE(trajectory.ok()) << to_string(trajectory.problems());
   EXPECT_EQ(tum_text(trajectory->stamps_s, trajectory->T_map_vehicle), text);
+}
+
+TEST(DocumentedExamples, TheFloorMarksAreRead) {
+  const auto marks = parse_floor_marks(example("floor_marks.md"), "floor_marks.md");
+  ASSERT_TRUE(marks.ok()) << to_string(marks.problems());
+  ASSERT_THAT(*marks, SizeIs(5));
+  EXPECT_EQ((*marks)[1].pixel_px, Vec2(528.5, 301));
+  EXPECT_EQ((*marks)[1].p_vehicle, Vec2(3, -1));
 }
 
 TEST(DocumentedExamples, TheMapServerFileIsWrittenAsItStands) {

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+
+#include "aisle/commands/calibrate_camera.hpp"
+#include "aisle/commands/calibrate_floor.hpp"
+#include "aisle/commands/calibrate_laser.hpp"
+#include "aisle/core/angle.hpp"
+#include "verb.hpp"
+
+using namespace aisle;
+
+namespace {
+
+/// "9x6": inner corners in a row and in a column.
+void read_board(const std::string& text, Chessboard& board) {
+  const char* const end = text.data() + text.size();
+  const auto [times, first] = std::from_chars(text.data(), end, board.columns);
+  const bool has_both = first == std::errc() && times != end && *times == 'x';
+  const auto [rest, second] = has_both ? std::from_chars(times + 1, end, board.rows)
+                                       : std::from_chars_result{end, std::errc::invalid_argument};
+  const auto is_fair = [](int corners) { return corners >= 3 && corners <= 50; };
+  if (second == std::errc() && rest == end && is_fair(board.columns) && is_fair(board.rows)) return;
+  throw CLI::ValidationError(
+      "--board", fmt::format("'{}' is not COLUMNSxROWS of inner corners, such as 9x6 (3 to 50 each)", text));
+}
+
+/// "x,y,deg"
+BoardOnFloor read_place(const std::string& text) {
+  std::array<double, 3> values{};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    const bool is_last = i + 1 == values.size();
+    if (error != std::errc() || std::abs(values[i]) > 1000 || (next == end) != is_last) break;
+    if (is_last) return {{values[0], values[1]}, values[2] * kDegree};
+    if (*next != ',') break;
+    at = next + 1;
+  }
+  throw CLI::ValidationError(
+      "--board-at", fmt::format("'{}' is not x,y,degrees (metres; 0 degrees: its upper edge ahead)", text));
+}
+
+template <class Options>
+void add_board(CLI::App& verb, const std::shared_ptr<Options>& options) {
+  verb.add_option_function<std::string>(
+          "--board", [options](const std::string& text) { read_board(text, options->board); },
+          "the chessboard's inner corners, default 9x6")
+      ->type_name("COLUMNSxROWS");
+  verb.add_option("--square-m", options->board.square_m, "side of a square in metres, default 0.025")
+      ->check(CLI::Range(0.001, 10.0));
+}
+
+template <class Options>
+void add_out(CLI::App& verb, const std::shared_ptr<Options>& options) {
+  verb.add_option("--out", options->out,
+                  "directory for camera.yaml (OpenCV), camera_info.yaml (ROS), residuals");
+  verb.add_flag("--force", options->force, "replace results that are there already");
+}
+
+void add_camera(CLI::App& calibrate, Work& work) {
+  CLI::App* verb = calibrate.add_subcommand("camera", "the lens, from at least 3 pictures of a chessboard");
+  verb->fallthrough();
+  auto options = std::make_shared<CalibrateCameraOptions>();
+  verb->add_option("IMAGES", options->images, "pictures of one size, the board turned to all sides")
+      ->required();
+  add_board(*verb, options);
+  verb->add_option("--name", options->camera_name, "the camera's name in its files, default camera");
+  verb->add_flag("--same-focal-lengths", options->lens.same_focal_lengths, "fx = fy: the pixels are square");
+  add_out(*verb, options);
+  verb->callback([options, &work] {
+    work = [options](Console& console) { return run_calibrate_camera(*options, console); };
+  });
+}
+
+void add_floor(CLI::App& calibrate, Work& work) {
+  CLI::App* verb = calibrate.add_subcommand(
+      "floor", "how the camera sits on the vehicle, from boards or marks on the floor");
+  verb->fallthrough();
+  auto options = std::make_shared<CalibrateFloorOptions>();
+  verb->add_option("IMAGES", options->images, "pictures of a chessboard that lies on the floor");
+  verb->add_option("--camera", options->camera, "calibration of the lens (YAML)")->required();
+  verb->add_option_function<std::vector<std::string>>(
+          "--board-at",
+          [options](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) options->boards_at.push_back(read_place(text));
+          },
+          "once for each picture: middle of the board's corners in metres ahead and to the left of "
+          "base_link, "
+          "and the direction of its upper edge in degrees (0: it lies as printed for who looks ahead, the "
+          "black "
+          "outer square at the upper left)")
+      ->type_name("X,Y,DEG")
+      ->type_size(1)
+      ->allow_extra_args(false);
+  verb->add_option("--marks", options->marks, "file with marks on the floor, 'u v x y' a line");
+  add_board(*verb, options);
+  add_out(*verb, options);
+  verb->callback([options, &work] {
+    work = [options](Console& console) { return run_calibrate_floor(*options, console); };
+  });
+}
+
+void add_laser(CLI::App& calibrate, Work& work) {
+  CLI::App* verb =
+      calibrate.add_subcommand("laser", "the height of the laser plane, from its stripe on walls");
+  verb->fallthrough();
+  auto options = std::make_shared<CalibrateLaserOptions>();
+  verb->add_option("IMAGES", options->images, "pictures of the stripe on a wall, best at several distances")
+      ->required();
+  verb->add_option("--camera", options->camera, "calibration of lens and mount (YAML)")->required();
+  verb->add_option("--wall-at", options->walls_at_m,
+                   "once for each picture: distance of the wall ahead, at right angles, from base_link in "
+                   "metres; else a chessboard on the wall tells where it is")
+      ->check(CLI::Range(0.05, 100.0))
+      ->allow_extra_args(false);
+  add_board(*verb, options);
+  add_out(*verb, options);
+  verb->callback([options, &work] {
+    work = [options](Console& console) { return run_calibrate_laser(*options, console); };
+  });
+}
+
+}  // namespace
+
+void add_calibrate_verb(CLI::App& app, Work& work) {
+  CLI::App* calibrate = app.add_subcommand("calibrate", "what a camera is and how it sits on the vehicle");
+  calibrate->require_subcommand(1);
+  calibrate->fallthrough();
+  add_camera(*calibrate, work);
+  add_floor(*calibrate, work);
+  add_laser(*calibrate, work);
+}

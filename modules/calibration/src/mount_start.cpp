@@ -1,0 +1,74 @@
+#include "mount_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/calib3d.hpp>
+
+#include "pictures.hpp"
+
+namespace aisle {
+namespace {
+
+/// The marks as the pinhole of focal length 1 sees them, centred on the floor for the solver's sake.
+struct PlanePicture {
+  Vec3 p_vehicle_middle = Vec3::Zero();
+  std::vector<cv::Point3d> floor;
+  std::vector<cv::Point2d> slopes;
+};
+
+PlanePicture plane_picture(std::span<const FloorMark> marks, const CameraModel& lens) {
+  PlanePicture picture;
+  for (const FloorMark& mark : marks) {
+    picture.p_vehicle_middle.head<2>() += mark.p_vehicle / static_cast<double>(marks.size());
+  }
+  for (const FloorMark& mark : marks) {
+    const auto ray = lens.ray(mark.pixel_px);
+    if (!ray) continue;
+    const Vec2 p = mark.p_vehicle - picture.p_vehicle_middle.head<2>();
+    picture.floor.emplace_back(p.x(), p.y(), 0);
+    picture.slopes.emplace_back(ray->direction.x(), ray->direction.y());
+  }
+  return picture;
+}
+
+}  // namespace
+
+CameraMount mount_of(const Mat3& R_vehicle_camera, const Vec3& p_vehicle_camera) {
+  // Column 2 looks along the optical axis: (cos tilt cos pan, cos tilt sin pan, -sin tilt); columns 0 and 1
+  // point right and down, and roll leans them.
+  const Mat3& R = R_vehicle_camera;
+  CameraMount mount;
+  mount.p_vehicle_camera = p_vehicle_camera;
+  mount.tilt_rad = std::asin(std::clamp(-R(2, 2), -1.0, 1.0));
+  if (std::hypot(R(0, 2), R(1, 2)) > 1e-9) mount.pan_rad = std::atan2(R(1, 2), R(0, 2));
+  CameraMount upright = mount;
+  upright.roll_rad = 0;
+  const Mat3 leaning = upright.R_vehicle_camera().transpose() * R;
+  mount.roll_rad = std::atan2(leaning(1, 0), leaning(0, 0));
+  return mount;
+}
+
+std::vector<CameraMount> mount_starts(std::span<const FloorMark> marks, const CameraModel& lens) {
+  const PlanePicture picture = plane_picture(marks, lens);
+  if (picture.floor.size() < kFloorMarksMin) return {};
+  std::vector<cv::Mat> turns, shifts;
+  try {
+    cv::solvePnPGeneric(picture.floor, picture.slopes, cv::Matx33d::eye(), cv::noArray(), turns, shifts,
+                        false, cv::SOLVEPNP_IPPE);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+  std::vector<CameraMount> starts;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    cv::Matx33d rotation;
+    cv::Rodrigues(turns[i], rotation);
+    const Mat3 R_vehicle_camera = to_eigen(rotation).transpose();
+    const Vec3 shift(shifts[i].at<double>(0), shifts[i].at<double>(1), shifts[i].at<double>(2));
+    const Vec3 p_vehicle_camera = picture.p_vehicle_middle - R_vehicle_camera * shift;
+    const bool is_above_the_floor = R_vehicle_camera.allFinite() && p_vehicle_camera.z() > 0;
+    if (is_above_the_floor) starts.push_back(mount_of(R_vehicle_camera, p_vehicle_camera));
+  }
+  return starts;
+}
+
+}  // namespace aisle

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/calibration/lens_calibration.hpp"
+#include "aisle/commands/outcome.hpp"
+
+namespace aisle {
+
+struct CalibrateCameraOptions {
+  std::vector<std::filesystem::path> images;
+  Chessboard board;
+  LensCalibrationParams lens;
+  std::string camera_name = "camera";
+  std::optional<std::filesystem::path> out;  ///< none: figures only
+  bool force = false;
+};
+
+/// `aisle calibrate camera IMAGES`: a camera's lens from pictures of a chessboard. A poor result is a failed
+/// mission, with its figures; too few pictures with a board are bad input.
+Result<Outcome> run_calibrate_camera(const CalibrateCameraOptions& options, Console& console);
+
+}  // namespace aisle
