@@ -84,6 +84,7 @@ int run_program(int argc, char** argv) {
   app.add_flag("--json", output.json, "print one JSON object instead of text");
   app.add_flag("--quiet", output.quiet, "no warnings and no progress bar");
   Work work;
+  add_convert_verb(app, work);
   add_map_verb(app, work);
   add_sim_verb(app, work);
   add_maze_verb(app, work);

@@ -7,6 +7,7 @@
 #include "aisle/formats/decision_text.hpp"
 #include "aisle/formats/key_script_text.hpp"
 #include "aisle/formats/map_server.hpp"
+#include "aisle/formats/plan_picture.hpp"
 #include "aisle/formats/relations.hpp"
 #include "aisle/formats/scenario_yaml.hpp"
 #include "aisle/formats/session_origin.hpp"
@@ -109,6 +110,14 @@ TEST(DocumentedExamples, TheTimedKeysAreRead) {
   const auto keys = parse_key_script(example("keys.md"), "keys.md");
   ASSERT_TRUE(keys.ok()) << to_string(keys.problems());
   EXPECT_THAT(*keys, SizeIs(8));
+}
+
+TEST(DocumentedExamples, ThePlanIsARoomWithAPillar) {
+  const auto plan = parse_plan_picture(example("plan.md"), "plan.md", 0.05);
+  ASSERT_TRUE(plan.ok()) << to_string(plan.problems());
+  EXPECT_TRUE(plan->is_solid(2, 2));
+  EXPECT_TRUE(plan->is_solid(3, 2)) << "unknown";
+  EXPECT_FALSE(plan->is_solid(1, 2));
 }
 
 }  // namespace

@@ -1,0 +1,101 @@
+#include "plan_reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "aisle/formats/map_server.hpp"
+#include "aisle/formats/maze_file.hpp"
+#include "aisle/formats/plan_picture.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "aisle/formats/world_yaml.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr std::size_t kBytesMax = std::size_t{512} << 20;
+constexpr int kMazeSizeMax = 512;
+
+/// "x1 y1 x2 y2" and perhaps a word, as no line of a maze is.
+bool is_wall_segment(const std::string& line) {
+  std::istringstream fields(line);
+  double number = 0;
+  for (int i = 0; i < 4; ++i) {
+    if (!(fields >> number)) return false;
+  }
+  return !(fields >> number);
+}
+
+bool begins_with_wall_segment(std::string_view bytes) {
+  std::istringstream lines{std::string(bytes.substr(0, 4096))};
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty() && line[0] != '#') return is_wall_segment(line);
+  }
+  return false;
+}
+
+Result<World> world_of_floor(Result<FloorPlan> plan, const ConvertOptions& options, Console& console) {
+  if (!plan) return plan.problems();
+  clean_plan(*plan, options.speck_m);
+  World world;
+  for (const Segment2& wall : trace_plan(*plan, options.tracing, console.progress)) {
+    world.walls.push_back({.foot = wall});
+  }
+  if (world.walls.empty()) return Problem{{options.plan.string()}, "shows no free floor"};
+  return world;
+}
+
+Result<World> world_of_maze(std::string_view bytes, const ConvertOptions& options, Console& console) {
+  const Result<MazeFile> maze = parse_maze(bytes, options.plan.string());
+  if (!maze) return maze.problems();
+  if (std::max(maze->world.width(), maze->world.height()) > kMazeSizeMax) {
+    return Problem{{options.plan.string()},
+                   fmt::format("has {} x {} cells; at most {} columns and rows are built",
+                               maze->world.width(), maze->world.height(), kMazeSizeMax)};
+  }
+  if (!maze->has_start) {
+    console.warn(fmt::format("{}: tells no start; it is cell ({}, {})", options.plan.string(),
+                             maze->world.start.x, maze->world.start.y));
+  }
+  return build_maze(maze->world, options.maze);
+}
+
+Result<World> walls_of_plan(const ConvertOptions& options, Console& console) {
+  const Result<std::string> bytes = read_whole_file(options.plan, kBytesMax);
+  if (!bytes) return bytes.problems();
+  const std::string name = options.plan.string();
+  switch (options.from == PlanKind::kAny ? plan_kind_of(options.plan, *bytes) : options.from) {
+    case PlanKind::kSegments:
+      return parse_wall_segments(*bytes, name);
+    case PlanKind::kPicture:
+      return world_of_floor(parse_plan_picture(*bytes, name, options.resolution_m), options, console);
+    case PlanKind::kMapServer:
+      return world_of_floor(read_map_server(options.plan), options, console);
+    case PlanKind::kMaze:
+    case PlanKind::kAny:
+      break;
+  }
+  return world_of_maze(*bytes, options, console);
+}
+
+}  // namespace
+
+PlanKind plan_kind_of(const std::filesystem::path& name, std::string_view bytes) {
+  static constexpr std::array<std::string_view, 6> kPictures = {"P1", "P2",      "P4",
+                                                                "P5", "\x89PNG", "\xff\xd8\xff"};
+  if (std::any_of(kPictures.begin(), kPictures.end(), [&](auto magic) { return bytes.starts_with(magic); })) {
+    return PlanKind::kPicture;
+  }
+  if (name.extension() == ".yaml" || name.extension() == ".yml") return PlanKind::kMapServer;
+  return begins_with_wall_segment(bytes) ? PlanKind::kSegments : PlanKind::kMaze;
+}
+
+Result<World> world_of_plan(const ConvertOptions& options, Console& console) {
+  Result<World> world = walls_of_plan(options, console);
+  if (world) world->name = options.plan.stem().string();
+  return world;
+}
+
+}  // namespace aisle

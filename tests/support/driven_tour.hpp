@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "aisle/simulation/clearance_grid.hpp"
+#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/tour_driver.hpp"
+
+namespace aisle {
+
+/// A trip of the tour driver along a world's tour.
+struct DrivenTour {
+  bool arrived = false;
+  double clearance_min_m =
+      std::numeric_limits<double>::infinity();  ///< of its centre, at most 8 cm too small
+};
+
+inline DrivenTour drive_tour(const World& world) {
+  const ClearanceGrid grid(obstacles_below(world, 2), 0.04);
+  TourDriver driver(world.tour, {});
+  DrivenTour driven;
+  for (int step = 0; step < 100'000 && !driver.has_arrived(); ++step) {
+    driver.step(0.2);
+    driven.clearance_min_m = std::min(driven.clearance_min_m, grid.clearance_m(driver.pose().position()));
+  }
+  driven.arrived = driver.has_arrived();
+  return driven;
+}
+
+}  // namespace aisle
