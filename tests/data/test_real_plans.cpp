@@ -6,6 +6,7 @@
 #include "aisle/formats/maze_file.hpp"
 #include "aisle/formats/plan_picture.hpp"
 #include "aisle/formats/world_yaml.hpp"
+#include "aisle/simulation/free_sides.hpp"
 #include "aisle/simulation/maze_building.hpp"
 #include "aisle/simulation/plan_tracing.hpp"
 #include "aisle/simulation/round_trip.hpp"
@@ -88,8 +89,10 @@ TEST(RealSegments, FloorsOfWallSegmentsCanBeDriven) {
   const fs::path folder = real_data() / "worlds/kth_floorplans_osu/segments";
   AISLE_NEEDS(folder);
   for (const fs::path& file : files_in(folder)) {
-    const auto world = read_wall_segments(file);
+    auto world = read_wall_segments(file);
     ASSERT_TRUE(world.ok()) << file;
+    const std::vector<Segment2> feet = with_free_sides_left(wall_feet(*world));
+    for (std::size_t i = 0; i < feet.size(); ++i) world->walls[i].foot = feet[i];
     EXPECT_EQ(written(*world).walls.size(), world->walls.size()) << file;
     expect_drivable(*world);
   }

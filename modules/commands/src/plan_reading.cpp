@@ -11,6 +11,7 @@
 #include "aisle/formats/plan_picture.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/world_yaml.hpp"
+#include "aisle/simulation/free_sides.hpp"
 
 namespace aisle {
 namespace {
@@ -62,13 +63,23 @@ Result<World> world_of_maze(std::string_view bytes, const ConvertOptions& option
   return build_maze(maze->world, options.maze);
 }
 
+Result<World> world_of_segments(std::string_view bytes, const std::string& name) {
+  Result<World> world = parse_wall_segments(bytes, name);
+  if (!world) return world;
+  std::vector<Segment2> feet;
+  for (const WallFace& wall : world->walls) feet.push_back(wall.foot);
+  feet = with_free_sides_left(feet);
+  for (std::size_t i = 0; i < feet.size(); ++i) world->walls[i].foot = feet[i];
+  return world;
+}
+
 Result<World> walls_of_plan(const ConvertOptions& options, Console& console) {
   const Result<std::string> bytes = read_whole_file(options.plan, kBytesMax);
   if (!bytes) return bytes.problems();
   const std::string name = options.plan.string();
   switch (options.from == PlanKind::kAny ? plan_kind_of(options.plan, *bytes) : options.from) {
     case PlanKind::kSegments:
-      return parse_wall_segments(*bytes, name);
+      return world_of_segments(*bytes, name);
     case PlanKind::kPicture:
       return world_of_floor(parse_plan_picture(*bytes, name, options.resolution_m), options, console);
     case PlanKind::kMapServer:

@@ -4,13 +4,18 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "aisle/simulation/wall_grid.hpp"
+
 namespace aisle {
 namespace {
+
+constexpr double kOffWall_m = 0.01;
 
 /// Areas with enough clearance, by labels from 1.
 class Areas {
  public:
-  Areas(const ClearanceGrid& grid, double clearance_min_m) : grid_(grid), clearance_min_m_(clearance_min_m) {
+  Areas(const ClearanceGrid& grid, std::vector<Segment2> walls, double clearance_min_m)
+      : grid_(grid), walls_(std::move(walls)), clearance_min_m_(clearance_min_m) {
     cv::Mat wide(grid.rows(), grid.columns(), CV_8U);
     for (std::size_t cell = 0; cell < grid.size(); ++cell) {
       wide.data[cell] = grid.clearance_m(cell) >= clearance_min_m;
@@ -46,8 +51,10 @@ class Areas {
   }
 
  private:
+  /// The area next to a wall, up to the next wall.
   std::optional<std::size_t> area_beside(const Vec2& p, const Vec2& direction) const {
-    for (int step = 0; step < 6; ++step) {
+    const double room_m = walls_.cast(p + kOffWall_m * direction, direction);
+    for (int step = 0; step < 6 && clearance_min_m_ + step * grid_.cell_m() < room_m; ++step) {
       const Vec2 beside = p + (clearance_min_m_ + step * grid_.cell_m()) * direction;
       if (!grid_.contains(beside)) return std::nullopt;
       if (const std::size_t area = label(grid_.cell_at(beside)); area > 0) return area;
@@ -56,6 +63,7 @@ class Areas {
   }
 
   const ClearanceGrid& grid_;
+  WallGrid walls_;
   double clearance_min_m_;
   cv::Mat labels_;
   std::vector<std::size_t> cells_;
@@ -65,8 +73,10 @@ class Areas {
 }  // namespace
 
 DrivableArea drivable_area(const World& world, const ClearanceGrid& grid, double clearance_min_m) {
-  Areas areas(grid, clearance_min_m);
-  for (const WallFace& wall : world.walls) areas.count_votes_of(wall.foot);
+  std::vector<Segment2> walls;
+  for (const WallFace& wall : world.walls) walls.push_back(wall.foot);
+  Areas areas(grid, walls, clearance_min_m);
+  for (const Segment2& wall : walls) areas.count_votes_of(wall);
   std::size_t chosen = areas.best();
   if (world.start && grid.contains(world.start->position())) {
     const std::size_t at_start = areas.label(grid.cell_at(world.start->position()));

@@ -54,7 +54,10 @@ class Wedge {
 class Cutter {
  public:
   Cutter(const Outline& outline, double tolerance)
-      : outline_(outline), tolerance_(tolerance), sums_(outline) {}
+      : outline_(outline),
+        tolerance_(tolerance),
+        blunt_corner_(std::clamp(kBluntCorner - 2 * (1 - tolerance), 0.5, kBluntCorner)),
+        sums_(outline) {}
 
   /// The best cuts if the outline is cut at the corner `start`.
   std::vector<Stretch> cut(std::size_t start) {
@@ -91,7 +94,7 @@ class Cutter {
   /// Tries every straight stretch that begins at this corner. Up to a cell at either end of a stretch may
   /// belong to its neighbour: corners of turned rooms are blunt.
   void extend(std::size_t start, std::size_t from) {
-    const auto blunt = [&](std::size_t run) { return std::min(kBluntCorner, length(run) / 2); };
+    const auto blunt = [&](std::size_t run) { return std::min(blunt_corner_, length(run) / 2); };
     const Vec2 origin = point(start + from, blunt(start + from));
     Wedge wedge(tolerance_);
     double farthest = 0;
@@ -121,6 +124,7 @@ class Cutter {
 
   const Outline& outline_;
   double tolerance_;
+  double blunt_corner_;
   SideMoments sums_;
   std::vector<Way> best_;  ///< to each corner, counted from the start
 };
