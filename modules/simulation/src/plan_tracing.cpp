@@ -17,6 +17,7 @@ namespace {
 constexpr double kCornerBlurMax = 1.5;  ///< cells at either end of a long stretch that do not count
 constexpr double kToleranceMin = 0.5;   ///< cells
 constexpr double kSmallShape = 16;      ///< tolerances: a smaller one keeps its shape by a smaller tolerance
+constexpr double kTinyShape = 4;        ///< cells: what is smaller keeps every corner
 constexpr double kLongStretch = 8;      ///< cells
 constexpr std::size_t kDirectionPieces = 1000;  ///< the longest, to find the dominant direction
 constexpr double kSameDirection_rad = 4 * kDegree;
@@ -36,13 +37,20 @@ double larger_side(const Outline& outline) {
   return (max - min).maxCoeff();
 }
 
+std::vector<Stretch> every_run(const Outline& outline) {
+  std::vector<Stretch> runs;
+  for (std::size_t corner = 0; corner < outline.size(); ++corner) runs.push_back({corner, corner + 1});
+  return runs;
+}
+
 /// One outline with the stretches that it was cut into.
 class CutOutline {
  public:
   CutOutline(Outline outline, double tolerance)
       : outline_(std::move(outline)),
         tolerance_(std::clamp(larger_side(outline_) / kSmallShape, kToleranceMin, tolerance)),
-        stretches_(straight_stretches(outline_, tolerance_)),
+        stretches_(larger_side(outline_) < kTinyShape ? every_run(outline_)
+                                                      : straight_stretches(outline_, tolerance_)),
         moments_(outline_) {}
 
   std::span<const Stretch> stretches() const { return stretches_; }
@@ -51,6 +59,7 @@ class CutOutline {
 
   /// Joins neighbouring stretches that one line fits as well.
   void join(std::span<const double> frames_rad) {
+    if (larger_side(outline_) < kTinyShape) return;
     std::vector<Stretch> joined;
     for (const Stretch& stretch : stretches_) {
       if (!joined.empty() &&
@@ -73,6 +82,7 @@ class CutOutline {
 
   /// The same parallel to one of the axes of a frame; if none is within the tolerance, the best fit.
   StraightPiece fit(const Stretch& stretch, std::span<const double> frames_rad) const {
+    if (larger_side(outline_) < kTinyShape) return exact_run(stretch);
     const StraightPiece best = free_fit(stretch);
     for (const double frame_rad : frames_rad) {
       const double heading = std::atan2(best.along.y(), best.along.x());
@@ -91,6 +101,10 @@ class CutOutline {
                std::span<const double> frames_rad) const {
     if (fit(a, frames_rad).along.dot(fit(b, frames_rad).along) < std::cos(kSameDirection_rad)) return false;
     return offset_within_tolerance(both, fit(both, frames_rad).along).has_value();
+  }
+
+  StraightPiece exact_run(const Stretch& run) const {
+    return piece(run, corner(run.first), (corner(run.last) - corner(run.first)).normalized());
   }
 
   StraightPiece piece(const Stretch& stretch, const Vec2& on_line, const Vec2& along) const {

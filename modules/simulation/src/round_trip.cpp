@@ -61,7 +61,8 @@ class Straightener {
     if (last == first) return;
     const Vec2 start = grid_.centre(way[first]), end = grid_.centre(way[last]);
     const auto [farthest, off_m] = farthest_from(way, first, last);
-    if (last == first + 1 || (off_m <= kWobble_m && is_clear(start, end))) {
+    if (last == first + 1 ||
+        (off_m <= kWobble_m && is_clear(start, end, clearance_kept_m(way, first, last)))) {
       points.push_back(end);
       return;
     }
@@ -86,11 +87,19 @@ class Straightener {
     return {farthest, off_m};
   }
 
-  bool is_clear(const Vec2& start, const Vec2& end) const {
+  /// What a straight leg must keep: as much as the way has at its narrowest, or a comfortable distance.
+  double clearance_kept_m(const std::vector<std::size_t>& way, std::size_t first, std::size_t last) const {
+    double narrowest_m = kComfortableClearance_m;
+    for (std::size_t i = first; i <= last; ++i)
+      narrowest_m = std::min(narrowest_m, grid_.clearance_m(way[i]));
+    return std::max(clearance_min_m_, narrowest_m - grid_.cell_m());
+  }
+
+  bool is_clear(const Vec2& start, const Vec2& end, double kept_m) const {
     const int steps = static_cast<int>((end - start).norm() / (grid_.cell_m() / 2)) + 1;
     for (int i = 0; i <= steps; ++i) {
       const Vec2 p = start + (end - start) * i / steps;
-      if (grid_.clearance_m(p) < clearance_min_m_) return false;
+      if (grid_.clearance_m(p) < kept_m) return false;
     }
     return true;
   }

@@ -137,6 +137,14 @@ TEST(PlanTracing, AThinWallHasTwoFacesAndTwoEnds) {
   EXPECT_EQ(agreement(plan, walls).all, 1);
 }
 
+TEST(PlanTracing, ASingleCellKeepsItsForm) {
+  const FloorPlan plan = room(1, 1, 1, 1);
+  const auto walls = traced(plan);
+  ASSERT_EQ(walls.size(), 4);
+  for (const Segment2& wall : walls) EXPECT_NEAR(wall.length(), plan.cell_m, 1e-9);
+  EXPECT_EQ(agreement(plan, walls).all, 1);
+}
+
 TEST(PlanTracing, ADoubleWallStaysDouble) {
   FloorPlan plan = room(2, 2, 60, 40);
   fill(plan, 2, 20, 62, 21, 1);
