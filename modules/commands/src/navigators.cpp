@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "aisle/guidance/hand_driver.hpp"
+
 namespace aisle {
 namespace {
 
@@ -10,8 +12,20 @@ struct Entry {
   Result<std::unique_ptr<Navigator>> (*make)(const SessionOrigin&, const VehicleDescription&);
 };
 
+Result<std::unique_ptr<Navigator>> make_hand_driver(const SessionOrigin& origin, const VehicleDescription&) {
+  HandDriverParams params;
+  FieldList fields = fields_of(params);
+  Problems problems;
+  for (const auto& [key, value] : origin.parameters) {
+    const Problems wrong = fields.assign(key, value, {"", 0, key});
+    problems.insert(problems.end(), wrong.begin(), wrong.end());
+  }
+  if (!problems.empty()) return problems;
+  return std::unique_ptr<Navigator>(std::make_unique<HandDriver>(params));
+}
+
 const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all = {};
+  static const std::vector<Entry> all = {{"hand", make_hand_driver}};
   return all;
 }
 
