@@ -6,7 +6,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kFreeBehindDoor_m = 1.2;  ///< on the way through the middle of the doorway
+constexpr double kFreeBehindDoor_m = 1.2;   ///< on the way through the middle of the doorway
 constexpr double kFreeBesideDoor_m = 0.65;  ///< of that way
 constexpr double kFreeRoundTour_m = 0.75;
 constexpr double kHallMin_m = 6;  ///< of a corridor's shorter side, to be a hall

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "aisle/vehicle/arc.hpp"
+
 namespace aisle {
 namespace {
 
@@ -24,6 +26,42 @@ double length_of(const std::vector<Vec2>& points) {
   double sum_m = 0;
   for (std::size_t i = 1; i < points.size(); ++i) sum_m += (points[i] - points[i - 1]).norm();
   return sum_m;
+}
+
+/// The route with its corners rounded as a front-steered vehicle drives them: on arcs that are wider than its
+/// narrowest, as far as the straight stretches beside them allow.
+std::vector<Vec2> rounded(const std::vector<Vec2>& points, double radius_m) {
+  constexpr double kArcStep_rad = 10 * kDegree;
+  std::vector<Vec2> smooth = {points.front()};
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const Vec2 in = points[i] - points[i - 1], out = points[i + 1] - points[i];
+    const double turn_rad = wrap_angle(std::atan2(out.y(), out.x()) - std::atan2(in.y(), in.x()));
+    if (std::abs(turn_rad) < kArcStep_rad / 2) {
+      smooth.push_back(points[i]);
+      continue;
+    }
+    const double tangent_m =
+        std::min({radius_m * std::tan(std::abs(turn_rad) / 2), in.norm() / 2, out.norm() / 2});
+    const Pose2 T_world_begin = [&] {
+      const Vec2 p = points[i] - tangent_m * in.normalized();
+      return Pose2{p.x(), p.y(), std::atan2(in.y(), in.x())};
+    }();
+    const double arc_m = tangent_m / std::tan(std::abs(turn_rad) / 2) * std::abs(turn_rad);
+    const int steps = static_cast<int>(std::ceil(std::abs(turn_rad) / kArcStep_rad));
+    for (int k = 0; k <= steps; ++k) {
+      const double share = static_cast<double>(k) / steps;
+      smooth.push_back((T_world_begin * end_pose({share * arc_m, share * turn_rad})).position());
+    }
+  }
+  smooth.push_back(points.back());
+  smooth.erase(std::unique(smooth.begin(), smooth.end()), smooth.end());
+  return smooth;
+}
+
+/// How wide a person turns: somewhat wider than the vehicle can.
+double turning_radius_m(const VehicleDescription& vehicle) {
+  constexpr double kWider = 1.25;
+  return kWider * vehicle.front_steered.wheelbase_m / std::tan(vehicle.limits.steering_max_rad);
 }
 
 /// The pose at a length along a polyline; before and after it, on its straight continuation.
@@ -73,7 +111,10 @@ void ScriptedOperator::add_legs(const std::vector<Vec2>& route) {
     }
     legs_.back().points.push_back(route[i]);
   }
-  for (Leg& leg : legs_) leg.length_m = length_of(leg.points);
+  for (Leg& leg : legs_) {
+    if (!vehicle_.is_differential) leg.points = rounded(leg.points, turning_radius_m(vehicle_));
+    leg.length_m = length_of(leg.points);
+  }
 }
 
 double ScriptedOperator::share_done() const {

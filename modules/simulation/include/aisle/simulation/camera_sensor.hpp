@@ -67,7 +67,7 @@ struct CameraMoment {
   bool laser_on = false;  ///< the vehicle's laser markers
   double laser_height_m = 0.3;
   double laser_ahead_m = 0.6;  ///< the projector, ahead of base_link; it shines to all sides ahead of it
-  std::uint64_t picture = 0;  ///< its number: noise and shake are drawn by it and the seed, in no order
+  std::uint64_t picture = 0;   ///< its number: noise and shake are drawn by it and the seed, in no order
 };
 
 /// Takes pictures. Rays go through the lens model, so known points land where CameraModel::project says.

@@ -16,8 +16,9 @@ struct PlanTracingParams {
 };
 
 /// Makes free what is solid and fits into a square of this side, and solid the free areas that no larger
-/// square fits into. Removes the outside of the building: free areas that reach the plan's border become solid
-/// if they take more than half of that border, or if an enclosed free area is larger than they are together.
+/// square fits into. Removes the outside of the building: free areas that reach the plan's border become
+/// solid if they take more than half of that border, or if an enclosed free area is larger than they are
+/// together.
 void clean_plan(FloorPlan& plan, double speck_m);
 
 /// The borders between free and solid cells as closed polygons, free on the left, in the frame `world`. Every

@@ -31,8 +31,8 @@ struct Door {
   double brightness = 0.45;
   double frame_width_m = 0.08;  ///< of the frame around the opening, seen from ahead; 0: none
   double frame_brightness = 0.25;
-  /// Thickness of the wall whose gap it closes, half of it on either side of the closed leaf; the wall goes on
-  /// above it. 0: it is mounted on a wall that goes on behind it.
+  /// Thickness of the wall whose gap it closes, half of it on either side of the closed leaf; the wall goes
+  /// on above it. 0: it is mounted on a wall that goes on behind it.
   double wall_depth_m = 0;
 };
 
