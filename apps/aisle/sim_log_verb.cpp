@@ -10,7 +10,7 @@ void add_sim_log_verb(CLI::App& sim, Work& work) {
   CLI::App* verb = sim.add_subcommand("log", "record a laser log on a simulated trip along a world's tour");
   verb->fallthrough();
   auto options = std::make_shared<SimulateLogOptions>();
-  verb->add_option("WORLD", options->world, "world file (YAML) with a tour");
+  verb->add_option("WORLD", options->world, "world file (YAML) with a tour, or the name of a shipped one");
   add_seed(*verb, options->seed, "of all noise; the same seed gives the same log (default 1)");
   verb->add_option("--out", options->out, "directory for the log, the true poses and true relations");
   verb->add_flag("--force", options->force, "replace results that are there already");

@@ -35,7 +35,7 @@ void add_sim_render_verb(CLI::App& sim, Work& work) {
   CLI::App* verb = sim.add_subcommand("render", "take the picture that a vehicle's camera sees at a place");
   verb->fallthrough();
   auto options = std::make_shared<RenderViewOptions>();
-  verb->add_option("WORLD", options->world, "world file (YAML)");
+  verb->add_option("WORLD", options->world, "world file (YAML), or the name of a shipped one");
   verb->add_option("--vehicle", options->vehicle,
                    "vehicle file (YAML); else an ordinary camera 1 m above the floor")
       ->type_name("FILE");

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "aisle/commands/parameter_listing.hpp"
+#include "aisle/commands/shipped_files.hpp"
 #include "aisle/formats/picture_file.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
 #include "aisle/formats/whole_file.hpp"
@@ -30,7 +31,7 @@ VehicleModel vehicle_with_ordinary_camera() {
 
 Result<VehicleModel> vehicle_of(const RenderViewOptions& options) {
   if (options.vehicle.empty()) return vehicle_with_ordinary_camera();
-  return read_vehicle(options.vehicle);
+  return read_vehicle(shipped_or_own("vehicles", options.vehicle.string()));
 }
 
 Result<CameraDescription> camera_of(const VehicleDescription& vehicle, const RenderViewOptions& options) {
@@ -80,7 +81,7 @@ Outcome render_view_parameters() {
 }
 
 Result<Outcome> run_render_view(const RenderViewOptions& options, Console&) {
-  const auto world = read_world(options.world);
+  const auto world = read_world(shipped_or_own("worlds", options.world.string()));
   if (!world) return world.problems();
   const auto model = vehicle_of(options);
   if (!model) return model.problems();

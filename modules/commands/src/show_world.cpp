@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "aisle/commands/shipped_files.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/world_yaml.hpp"
 #include "aisle/report/world_picture.hpp"
@@ -159,7 +160,7 @@ Problems draw(const World& world, const ShowWorldOptions& options, Outcome& outc
 }  // namespace
 
 Result<Outcome> run_show_world(const ShowWorldOptions& options, Console& console) {
-  const Result<World> world = read_world(options.world);
+  const Result<World> world = read_world(shipped_or_own("worlds", options.world.string()));
   if (!world) return world.problems();
   Outcome outcome = describe(*world);
   Reach(*world).add_to(outcome, console);

@@ -6,6 +6,7 @@
 
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
+#include "aisle/commands/shipped_files.hpp"
 #include "aisle/formats/carmen_log.hpp"
 #include "aisle/formats/trajectory.hpp"
 #include "aisle/formats/world_yaml.hpp"
@@ -49,7 +50,7 @@ Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& con
   FieldList fields = fields_of(params);
   if (const Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   if (const Problems problems = inexpressible(params.scanner); !problems.empty()) return problems;
-  const auto world = read_world(options.world);
+  const auto world = read_world(shipped_or_own("worlds", options.world.string()));
   if (!world) return world.problems();
   if (world->tour.size() < 2)
     return Problem{{options.world.string(), 0, "tour"}, "needs at least two way points"};
