@@ -17,9 +17,10 @@ struct DrivenTour {
       std::numeric_limits<double>::infinity();  ///< of its centre, at most 8 cm too small
 };
 
-inline DrivenTour drive_tour(const World& world) {
+/// @param look_ahead_m  how much of each corner is cut
+inline DrivenTour drive_tour(const World& world, double look_ahead_m = 0.5) {
   const ClearanceGrid grid(obstacles_below(world, 2), 0.04);
-  TourDriver driver(world.tour, {});
+  TourDriver driver(world.tour, {.look_ahead_m = look_ahead_m});
   DrivenTour driven;
   for (int step = 0; step < 100'000 && !driver.has_arrived(); ++step) {
     driver.step(0.2);

@@ -71,8 +71,16 @@ class RoomFurnisher {
   }
 
   Vec2 any_direction() {
-    static const Vec2 kDirections[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-    return kDirections[random_.index(4)];
+    switch (random_.index(4)) {
+      case 0:
+        return {1, 0};
+      case 1:
+        return {0, 1};
+      case 2:
+        return {-1, 0};
+      default:
+        return {0, -1};
+    }
   }
 
   /// A place with its back to the wall in this direction, its width along it; tried a few times.
@@ -103,6 +111,20 @@ class RoomFurnisher {
   std::vector<Rectangle> taken_;
 };
 
+/// Points spread evenly over a floor, about so far from each other and half of that from the walls.
+std::vector<Vec2> spread_points(const Rectangle& floor, double spacing_m) {
+  const int columns = std::max(1, static_cast<int>(std::lround(floor.size().x() / spacing_m)));
+  const int rows = std::max(1, static_cast<int>(std::lround(floor.size().y() / spacing_m)));
+  const Vec2 step(floor.size().x() / columns, floor.size().y() / rows);
+  std::vector<Vec2> points;
+  for (int column = 0; column < columns; ++column) {
+    for (int row = 0; row < rows; ++row) {
+      points.push_back(floor.min + Vec2((column + 0.5) * step.x(), (row + 0.5) * step.y()));
+    }
+  }
+  return points;
+}
+
 void add_pillars(World& world, const Rectangle& hall, const BuildingLayout& layout, Random& random) {
   const double spacing_m = centimetres_by_chance(random, 2.8, 4.5),
                diameter_m = centimetres_by_chance(random, 0.3, 0.6);
@@ -114,12 +136,10 @@ void add_pillars(World& world, const Rectangle& hall, const BuildingLayout& layo
     }
     return false;
   };
-  for (double x = hall.min.x() + spacing_m / 2; x < hall.max.x() - 1; x += spacing_m) {
-    for (double y = hall.min.y() + spacing_m / 2; y < hall.max.y() - 1; y += spacing_m) {
-      if (is_in_the_way({x, y})) continue;
-      world.furniture.push_back(
-          {Furniture::Kind::kPillar, {x, y}, {diameter_m, diameter_m}, 0, world.ceiling_m, brightness});
-    }
+  for (const Vec2& p : spread_points(hall, spacing_m)) {
+    if (is_in_the_way(p)) continue;
+    world.furniture.push_back(
+        {Furniture::Kind::kPillar, p, {diameter_m, diameter_m}, 0, world.ceiling_m, brightness});
   }
 }
 
@@ -168,16 +188,10 @@ void hang_lamps(World& world, const BuildingLayout& layout, Random& random) {
     if (is_there_already || by_chance(random, broken_share)) return;
     world.lamps.push_back({.centre = p, .heading_rad = along_x == lie_along ? 0 : kPi / 2, .power = power});
   };
-  const auto hang_grid = [&](const Rectangle& floor) {
-    const Eigen::Array2d count = (floor.size() / spacing_m).array().round().max(1);
-    const Vec2 step = floor.size().array() / count;
-    for (double x = floor.min.x() + step.x() / 2; x < floor.max.x(); x += step.x()) {
-      for (double y = floor.min.y() + step.y() / 2; y < floor.max.y(); y += step.y()) {
-        hang({x, y}, floor.size().x() > floor.size().y());
-      }
-    }
-  };
-  for (const Rectangle& corridor : layout.corridors) hang_grid(corridor);
+  for (const Rectangle& corridor : layout.corridors) {
+    const bool along_x = corridor.size().x() > corridor.size().y();
+    for (const Vec2& p : spread_points(corridor, spacing_m)) hang(p, along_x);
+  }
   for (const Room& room : layout.rooms)
     hang(room.floor.centre(), room.floor.size().x() > room.floor.size().y());
 }

@@ -61,9 +61,8 @@ double ClearanceGrid::clearance_m(const Vec2& p) const {
 }
 
 Vec2 ClearanceGrid::centre(std::size_t cell) const {
-  const std::size_t columns = static_cast<std::size_t>(columns_);
-  return corner_ +
-         cell_m_ * Vec2(static_cast<double>(cell % columns) + 0.5, static_cast<double>(cell / columns) + 0.5);
+  const std::size_t columns = static_cast<std::size_t>(columns_), row = cell / columns;
+  return corner_ + cell_m_ * Vec2(static_cast<double>(cell % columns) + 0.5, static_cast<double>(row) + 0.5);
 }
 
 }  // namespace aisle

@@ -12,6 +12,7 @@ constexpr double kFromCorner_m = 0.3;
 constexpr double kFreeAhead_m = 0.7;  ///< else nobody could go through a door or look at a poster
 constexpr double kSeenFromTour_m = 4;
 constexpr double kLampApart_m = 2;
+constexpr double kLampStep_m = 0.25;  ///< between places along the tour that may get a lamp
 
 bool is_near_tour(const World& world, const Vec2& p) {
   return std::any_of(world.tour.begin(), world.tour.end() - 1, [&](const Vec2& start) {
@@ -119,8 +120,9 @@ void hang_lamps_over_tour(World& world, Random& random) {
   double since_m = spacing_m;
   for (std::size_t i = 1; i < world.tour.size(); ++i) {
     const Segment2 leg{world.tour[i - 1], world.tour[i]};
-    for (double at_m = 0; at_m < leg.length(); at_m += 0.25, since_m += 0.25) {
-      const Vec2 p = leg.start + at_m * (leg.end - leg.start).normalized();
+    const int steps = static_cast<int>(std::ceil(leg.length() / kLampStep_m));
+    for (int step = 0; step < steps; ++step, since_m += kLampStep_m) {
+      const Vec2 p = leg.start + step * kLampStep_m * (leg.end - leg.start).normalized();
       const bool has_light = std::any_of(world.lamps.begin(), world.lamps.end(), [&](const Lamp& lamp) {
         return (lamp.centre - p).norm() < kLampApart_m;
       });

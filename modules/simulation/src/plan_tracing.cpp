@@ -83,7 +83,7 @@ class CutOutline {
   /// The same parallel to one of the axes of a frame; if none is within the tolerance, the best fit.
   StraightPiece fit(const Stretch& stretch, std::span<const double> frames_rad) const {
     if (larger_side(outline_) < kTinyShape) return exact_run(stretch);
-    const StraightPiece best = free_fit(stretch);
+    StraightPiece best = free_fit(stretch);
     for (const double frame_rad : frames_rad) {
       const double heading = std::atan2(best.along.y(), best.along.x());
       const double off = wrap_quarter_turn(heading - frame_rad);
@@ -123,8 +123,8 @@ class CutOutline {
       const double length = (end - start).norm();
       const Vec2 step = (end - start) / length;
       if (std::abs(step.dot(along)) < 0.5) continue;
-      for (double at = 0.5; at < length; ++at) {
-        const Vec2 side = start + at * step;
+      for (int i = 0; i < static_cast<int>(length); ++i) {
+        const Vec2 side = start + (i + 0.5) * step;
         if (side.dot(along) >= from && side.dot(along) <= to) use(side);
       }
     }

@@ -10,6 +10,7 @@ constexpr double kRoomWidthMin_m = 2.6;
 constexpr double kRoomWidthMax_m = 6.5;
 constexpr double kRoomDepthMin_m = 2.4;
 constexpr double kRoomDepthMax_m = 6;
+constexpr double kShallower_m = 0.6;  ///< where something is behind, less deep by this
 constexpr double kDoorFromCorner_m = 0.2;
 constexpr double kSlack_m = 1e-3;
 
@@ -66,7 +67,9 @@ class RoomPlanner {
     const double wall_m = layout_.wall_thickness_m;
     const double wanted_m = between(kRoomDepthMin_m, kRoomDepthMax_m);
     const double doorway_m = between(0.92, 1.1);
-    for (double depth_m = wanted_m; depth_m >= kRoomDepthMin_m; depth_m -= 0.6) {
+    const int shallower = static_cast<int>((wanted_m - kRoomDepthMin_m) / kShallower_m);
+    for (int attempt = 0; attempt <= shallower; ++attempt) {
+      const double depth_m = wanted_m - attempt * kShallower_m;
       const Rectangle floor = frontage.rectangle(at_m, width_m, wall_m, depth_m);
       if (!is_apart(floor)) continue;
       const double door_m = at_m + between(kDoorFromCorner_m, width_m - kDoorFromCorner_m - doorway_m);
