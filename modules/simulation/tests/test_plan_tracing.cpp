@@ -91,7 +91,8 @@ RC_GTEST_PROP(PlanTracing, ATurnedRoomIsFourStraightWallsWithinACell, ()) {
           std::min_element(walls.begin(), walls.end(), [&](const Segment2& a, const Segment2& b) {
             return (a.start - corner).norm() < (b.start - corner).norm();
           });
-      RC_ASSERT((nearest->start - corner).norm() < 1.5 * plan.cell_m);
+      // Two walls meet there, each of which may be off by about a cell.
+      RC_ASSERT((nearest->start - corner).norm() < 2 * plan.cell_m);
       RC_ASSERT(distance(corner, *nearest) < 1.0 * plan.cell_m);
     }
   }

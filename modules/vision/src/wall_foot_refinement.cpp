@@ -140,7 +140,7 @@ std::pair<double, double> WallFootRefinement::between_steps(const Shift& shift) 
   double weights = 0, shares = 0, offs = 0, shares_squared = 0, products = 0;
   for (std::size_t i = 0; i < along_; ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(along_);
-    const auto middle = static_cast<std::size_t>(first + turn * share + 0.5);
+    const auto middle = static_cast<std::size_t>(std::lround(first + turn * share));
     if (middle < kSettle || middle + kSettle >= across_) continue;
     double weight = 0, moment = 0;
     for (std::size_t k = middle - kSettle; k <= middle + kSettle; ++k) {

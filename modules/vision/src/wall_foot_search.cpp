@@ -10,6 +10,11 @@ namespace aisle {
 
 namespace {
 
+/// How many whole steps fit into a length; -1 if it is negative.
+int steps_within(double length_px, double step_px) {
+  return length_px < 0 ? -1 : static_cast<int>(length_px / step_px);
+}
+
 // Shares are of the picture's width unless they say height.
 constexpr double kFlattest = 8 * kDegree, kSteepest = 78 * kDegree;
 constexpr double kMissAngle = 0.09;  // sine of the angle by which a segment may miss the vanishing point
@@ -199,7 +204,9 @@ void WallFootSearch::measure_contrast(const SideView& view, WallFoot& foot) cons
   constexpr double kBeside_px = 3, kStep_px = 4;
   const Vec2 beneath = kBeside_px * left_normal(foot.direction);
   int count = 0;
-  for (double along = foot.from_px; along <= foot.to_px; along += kStep_px) {
+  const int steps = steps_within(foot.to_px - foot.from_px, kStep_px);
+  for (int i = 0; i <= steps; ++i) {
+    const double along = foot.from_px + i * kStep_px;
     const Vec2 on = foot.point_px + along * foot.direction;
     const Vec2 lower = on + beneath, upper = on - beneath;
     const int lu = static_cast<int>(std::lround(lower.x())), lv = static_cast<int>(std::lround(lower.y()));
@@ -255,7 +262,9 @@ double WallFootSearch::contrast_along(const SideView& view, const SideVertical& 
   const Vec2 down = vertical.bottom_px - vertical.top_px;
   double sum = 0;
   int count = 0;
-  for (double v_px = from_px; v_px < to_px; v_px += kStep_px) {
+  const int steps = steps_within(to_px - from_px, kStep_px);
+  for (int i = 0; i <= steps; ++i) {
+    const double v_px = from_px + i * kStep_px;
     const double u_px = vertical.top_px.x() + down.x() * (v_px - vertical.top_px.y()) / down.y();
     const int u = static_cast<int>(std::lround(u_px)), v = static_cast<int>(std::lround(v_px));
     if (!view.contains(u - kBeside_px, v) || !view.contains(u + kBeside_px, v)) continue;
@@ -269,7 +278,9 @@ void WallFootSearch::measure_floor_side(const SideView& view, WallFoot& foot) co
   constexpr double kStep_px = 6, kBeside_px = 4, kLookStep_px = 3;
   const Vec2 beneath = kBeside_px * left_normal(foot.direction);
   int count = 0, followed = 0;
-  for (double along = foot.from_px; along <= foot.to_px; along += kStep_px) {
+  const int steps = steps_within(foot.to_px - foot.from_px, kStep_px);
+  for (int i = 0; i <= steps; ++i) {
+    const double along = foot.from_px + i * kStep_px;
     const Vec2 on = foot.point_px + along * foot.direction;
     const Vec2 lower = on + beneath, upper = on - beneath;
     const int row = static_cast<int>(std::lround(on.y()));
@@ -280,7 +291,10 @@ void WallFootSearch::measure_floor_side(const SideView& view, WallFoot& foot) co
     const double reach_px = std::min(0.16 * width_px_, 0.6 * std::abs(on.x() - vanishing_point_px_.x()));
     const int step = static_cast<int>(std::lround(kFloorStep_px * width_px_ / 640));
     int greatest = 0;
-    for (double aside = 0.025 * width_px_; aside < reach_px; aside += kLookStep_px) {
+    const double nearest_px = 0.025 * width_px_;
+    const int looks = steps_within(reach_px - nearest_px, kLookStep_px);
+    for (int look = 0; look <= looks; ++look) {
+      const double aside = nearest_px + look * kLookStep_px;
       const int u = static_cast<int>(std::lround(on.x() - aside));
       if (!view.contains(u, row) || !view.contains(u - step, row)) break;
       greatest = std::max(greatest, std::abs(view.at(u, row) - view.at(u - step, row)));

@@ -33,6 +33,7 @@ void WorkingPicture::shrink_given() {
   integral_.resize(static_cast<std::size_t>(given_->width_px) + 2);
   for (int v = 0; v < height; ++v) {
     sum_rows(v * shrink_.y(), (v + 1) * shrink_.y());
+    constexpr double kHalf = 0.5;  // to round, not to cut
     std::uint8_t* out = shrunk_.row(v);
     double before = 0;
     for (int u = 0; u < width_max_px_; ++u) {
@@ -40,7 +41,7 @@ void WorkingPicture::shrink_given() {
       const auto whole = static_cast<std::size_t>(end);
       const double share = end - static_cast<double>(whole);
       const double up_to = integral_[whole] + share * (integral_[whole + 1] - integral_[whole]);
-      out[u] = static_cast<std::uint8_t>((up_to - before) / (shrink_.x() * shrink_.y()) + 0.5);
+      out[u] = static_cast<std::uint8_t>(kHalf + (up_to - before) / (shrink_.x() * shrink_.y()));
       before = up_to;
     }
   }
