@@ -13,13 +13,6 @@ constexpr double kCheckedEvery_m = 0.005;
 constexpr double kGatheredAround_m = 2;
 constexpr int kHalvings = 8;
 
-double distance_between(const Vec2& p, const Segment2& segment) {
-  const Vec2 along = segment.end - segment.start;
-  const double length_squared = along.squaredNorm();
-  const double share = length_squared > 0 ? (p - segment.start).dot(along) / length_squared : 0;
-  return (p - segment.start - std::clamp(share, 0.0, 1.0) * along).norm();
-}
-
 }  // namespace
 
 double distance_to(const Footprint& footprint, const Vec2& p_vehicle) {
@@ -55,7 +48,7 @@ void Obstacles::gather_near(const Vec2& p_world) {
   gathered_at_ = p_world;
   near_.clear();
   for (const Segment2& segment : fixed_) {
-    if (distance_between(p_world, segment) <= kGatheredAround_m + reach_m_) near_.push_back(segment);
+    if (segment.distance(p_world) <= kGatheredAround_m + reach_m_) near_.push_back(segment);
   }
 }
 
@@ -63,7 +56,7 @@ bool Obstacles::touch(const Pose2& T_world_vehicle) {
   gather_near(T_world_vehicle.position());
   const Pose2 T_vehicle_world = T_world_vehicle.inverse();
   const auto is_touched = [&](const Segment2& segment) {
-    return distance_between(T_world_vehicle.position(), segment) <= reach_m_ &&
+    return segment.distance(T_world_vehicle.position()) <= reach_m_ &&
            touches(footprint_, T_vehicle_world * segment);
   };
   return std::any_of(near_.begin(), near_.end(), is_touched) ||
