@@ -55,10 +55,7 @@ double& raw_rays_per_s(std::int64_t threads) {
 
 std::vector<RayPacket> primary_rays(const LensTable& lens, const Viewpoint& view) {
   std::vector<RayPacket> packets;
-  for (int v = 0; v < lens.height_px; v += kPacketSide) {
-    for (int u = 0; u < lens.width_px; u += kPacketSide)
-      packets.push_back(block_rays(lens, {u, v}, view, 0, 0));
-  }
+  for (const LensTable::Block& block : lens.blocks) packets.push_back(block_rays(block, view, {}, {}));
   return packets;
 }
 
@@ -74,7 +71,7 @@ void RawPrimaryRays(benchmark::State& state) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, packets.size(), 64), [&](const auto& range) {
       for (std::size_t i = range.begin(); i < range.end(); ++i) {
         Hits hits;
-        scene.first_hits(packets[i], hits);
+        scene.what_stands().first_hits(packets[i], hits);
         benchmark::DoNotOptimize(hits);
       }
     });

@@ -33,9 +33,12 @@ CameraSensor::CameraSensor(const CameraDescription& camera, const CameraSensorPa
 
 Image CameraSensor::take(const RenderedWorld& world, const CameraMoment& moment) const {
   const RenderedWorld::Scene& scene = *world.scene_;
-  const Exposure exposure(scene, *lens_, viewpoints(camera_, params_, moment, seed_, scene.frame),
-                          light_levels(scene, moment), laser_plane(moment, scene.frame),
-                          params_.rays_per_pixel);
+  const std::vector<Viewpoint> views = viewpoints(camera_, params_, moment, seed_, scene.frame);
+  const int count = static_cast<int>(views.size());
+  Exposure exposure(scene, *lens_, light_levels(scene, moment), laser_plane(moment, scene.frame));
+  for (const Viewpoint& view : views) {
+    exposure.add(view, (params_.rays_per_pixel + count - 1) / count, 1 / static_cast<float>(count));
+  }
   const SensorResponse response(params_.noise_sigma, params_.gamma, seed_, moment.picture);
   return exposure.develop(response, params_.exposure);
 }

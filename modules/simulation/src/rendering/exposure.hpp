@@ -9,42 +9,40 @@
 
 namespace aisle {
 
-/// Upper left pixel of a packet.
-struct Block {
-  int u = 0, v = 0;
-};
+/// The rays of a block's pixels, each at an offset from its pixel's middle [px].
+RayPacket block_rays(const LensTable::Block& block, const Viewpoint& view, const Floats& offset_u,
+                     const Floats& offset_v);
 
-/// The rays of a packet's pixels, aside of their middles by an offset [px].
-RayPacket block_rays(const LensTable& lens, Block block, const Viewpoint& view, float offset_u,
-                     float offset_v);
-
-/// One picture in the making. First one ray a pixel finds what is seen where; then each pixel is shaded: by
-/// one ray where a single surface is seen all around, as patterns are filtered by what a pixel sees of them,
-/// and by several where surfaces meet.
+/// One picture in the making: collects the light of the views that it is exposed to, one after the other.
+/// Each view is divided into ever narrower beams until a beam sees only one panel or is a block of pixels.
+/// Where a block sees one panel, one ray a pixel is shaded, as patterns are filtered by what a pixel sees of
+/// them; where panels meet, samples of a pixel say how much it sees of each.
 class Exposure {
  public:
-  Exposure(const RenderedWorld::Scene& scene, const LensTable& lens, std::vector<Viewpoint> views,
-           const LightLevels& levels, const LaserPlane& laser, int rays_per_pixel);
+  Exposure(const RenderedWorld::Scene& scene, const LensTable& lens, const LightLevels& levels,
+           const LaserPlane& laser);
+
+  /// @param samples  of a pixel, where panels meet
+  /// @param share    of the exposure's time
+  void add(const Viewpoint& view, int samples, float share);
 
   /// @param exposure  light is multiplied by it before the sensor
   Image develop(const SensorResponse& response, double exposure) const;
 
  private:
-  void find_surfaces();
-  bool has_one_surface(Block block) const;
-  void add_light(const RayPacket& rays, const Hits& hits, Floats& sum) const;
-  void add_stripe(const RayPacket& rays, const Hits& hits, Floats& light) const;
-  Floats light_of(Block block) const;
-  int blocks_wide() const { return (lens_.width_px + kPacketSide - 1) / kPacketSide; }
-  int blocks_high() const { return (lens_.height_px + kPacketSide - 1) / kPacketSide; }
+  struct View;
+
+  void look(const View& view, const Square& square, std::vector<Candidate>& candidates, std::size_t begin);
+  void add_block(const View& view, std::size_t block, std::span<const Candidate> candidates);
+  void add_panel(const View& view, std::size_t block, const SeenPanel& panel, const Coverage& coverage);
+  void add_stripe(const Surface& surface, const RayPacket& rays, const Flags& on_surface,
+                  Floats& radiance) const;
 
   const RenderedWorld::Scene& scene_;
   const LensTable& lens_;
-  std::vector<Viewpoint> views_;
   LightLevels levels_;
   LaserPlane laser_;
-  int samples_;
-  std::vector<Hits> seen_;  ///< by the middle of each pixel, packet by packet
+  std::vector<Floats> light_;  ///< of the pixels, block by block
 };
 
 }  // namespace aisle

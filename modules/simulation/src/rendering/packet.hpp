@@ -25,8 +25,7 @@ struct alignas(64) Hits {
 /// Rays from one point, in the scene's frame.
 struct RayPacket {
   std::array<float, 3> origin{};
-  Floats x, y, z;  ///< directions of any length
-  Flags used;
+  Floats x, y, z;                              ///< directions of any length
   std::array<float, 3> by_column{}, by_row{};  ///< change of the direction from a pixel to the next
 };
 

@@ -10,6 +10,7 @@ namespace aisle {
 namespace {
 
 constexpr float kNear = 1e-4f;  ///< shorter is no way [lengths of the direction]
+constexpr Flags kAll{{-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1}};
 
 /// One instruction set for all machines that have it. Its own limit of threads would hold for the whole
 /// program as long as it lives, so it has none.
@@ -104,10 +105,10 @@ void RayScene::first_hits(const RayPacket& rays, Hits& hits) const {
     packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
   }
   RTCIntersectContext coherent = context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
-  rtcIntersect16(rays.used.at, embree_->scene, &coherent, &packet);
+  rtcIntersect16(kAll.at, embree_->scene, &coherent, &packet);
   for (int k = 0; k < kLanes; ++k) {
-    const bool hit = rays.used.at[k] != 0 && packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
-    hits.at[k] = hit ? packet.hit.primID[k] : kNothing;
+    const bool is_hit = packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
+    hits.at[k] = is_hit ? packet.hit.primID[k] : kNothing;
   }
 }
 

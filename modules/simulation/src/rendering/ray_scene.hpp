@@ -8,13 +8,13 @@
 
 namespace aisle {
 
-/// Panels to shoot rays at. Which panel a ray hits is found here; where exactly follows from the panel's
-/// plane, so that pictures do not depend on how exactly the ray tracer computes.
+/// Panels to shoot rays at, from anywhere to anywhere: for light and shadows. What a camera sees from its one
+/// point is found faster by `find_seen`, which is held to the same hits.
 class RayScene {
  public:
   RayScene(std::span<const Panel> panels, const SceneFrame& frame);
 
-  /// The number of the first panel on each ray that is used.
+  /// The number of the first panel on each ray.
   void first_hits(const RayPacket& rays, Hits& hits) const;
 
   /// Sets `blocked` where a panel stands between both ends of a way that is asked for.

@@ -23,6 +23,17 @@ std::vector<Surface> surfaces_of(const Panels& panels, const SceneFrame& frame) 
   return surfaces;
 }
 
+std::vector<Corners> corners_of(const Panels& panels, const SceneFrame& frame) {
+  std::vector<Corners> all;
+  all.reserve(panels.size());
+  for (const Panel& panel : panels) {
+    Corners corners = panel.corners();
+    for (Vec3& corner : corners) corner = frame(corner);
+    all.push_back(corners);
+  }
+  return all;
+}
+
 }  // namespace
 
 RenderedWorld::Scene::Scene(const World& world)
@@ -34,6 +45,7 @@ RenderedWorld::Scene::Scene(const World& world)
       moving({}, frame) {
   const Panels panels = standing_panels(world, materials);
   standing = RayScene(panels, frame);
+  standing_corners = corners_of(panels, frame);
   standing_surfaces = surfaces_of(panels, frame);
   light = bake_light(world, panels, standing, frame, standing_surfaces);
   standing_materials = materials.all().size();
@@ -50,6 +62,7 @@ void RenderedWorld::Scene::place(std::span<const MovingBody> bodies) {
     places.resize(panels.size(), body.T_world_body.position());
   }
   moving = RayScene(panels, frame);
+  moving_corners = corners_of(panels, frame);
   moving_surfaces = surfaces_of(panels, frame);
   for (std::size_t i = 0; i < panels.size(); ++i)
     light_body_surface(places[i], panels[i], moving_surfaces[i]);
@@ -78,25 +91,18 @@ void RenderedWorld::Scene::light_body_surface(const Vec2& p_world, const Panel& 
                                      share * kPerStep * static_cast<float>(both >> 16)));
 }
 
-void RenderedWorld::Scene::first_hits(const RayPacket& rays, Hits& hits) const {
-  standing.first_hits(rays, hits);
-  if (moving_surfaces.empty()) return;
-  Hits moving_hits;
-  moving.first_hits(rays, moving_hits);
-  for (int k = 0; k < kLanes; ++k) {
-    if (moving_hits.at[k] == kNothing) continue;
-    const auto distance = [&](const Surface& s) {
-      const float falling =
-          s.normal[0] * rays.x.at[k] + s.normal[1] * rays.y.at[k] + s.normal[2] * rays.z.at[k];
-      const float height = s.plane - s.normal[0] * rays.origin[0] - s.normal[1] * rays.origin[1] -
-                           s.normal[2] * rays.origin[2];
-      return height / falling;
-    };
-    const Surface& moving_surface = moving_surfaces[moving_hits.at[k]];
-    if (hits.at[k] == kNothing || distance(moving_surface) < distance(standing_surfaces[hits.at[k]])) {
-      hits.at[k] = moving_hits.at[k] | kMoves;
+std::vector<SeenPanel> RenderedWorld::Scene::seen_panels(const Viewpoint& view) const {
+  std::vector<SeenPanel> seen;
+  const auto add = [&](const std::vector<Corners>& all, std::uint32_t mark) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (const auto panel = seen_panel(all[i], view, static_cast<std::uint32_t>(i) | mark)) {
+        seen.push_back(*panel);
+      }
     }
-  }
+  };
+  add(standing_corners, 0);
+  add(moving_corners, kMoves);
+  return seen;
 }
 
 void RenderedWorld::Scene::find_blocked(const WayPacket& ways, Flags& blocked) const {
@@ -104,8 +110,9 @@ void RenderedWorld::Scene::find_blocked(const WayPacket& ways, Flags& blocked) c
   moving.find_blocked(ways, blocked);
 }
 
-const Surface& RenderedWorld::Scene::surface(std::uint32_t hit) const {
-  return (hit & kMoves) != 0 ? moving_surfaces[hit & ~kMoves] : standing_surfaces[hit];
+const Surface& RenderedWorld::Scene::surface(std::uint32_t panel_number) const {
+  return (panel_number & kMoves) != 0 ? moving_surfaces[panel_number & ~kMoves]
+                                      : standing_surfaces[panel_number];
 }
 
 }  // namespace aisle

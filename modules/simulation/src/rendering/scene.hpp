@@ -3,6 +3,7 @@
 #include "aisle/simulation/camera_sensor.hpp"
 #include "rendering/light_baking.hpp"
 #include "rendering/scene_plan.hpp"
+#include "rendering/seen_panel.hpp"
 #include "rendering/shading.hpp"
 
 namespace aisle {
@@ -12,9 +13,11 @@ struct RenderedWorld::Scene {
 
   void place(std::span<const MovingBody> bodies);
 
-  void first_hits(const RayPacket& rays, Hits& hits) const;
+  /// All that is ahead of a camera, hidden or not.
+  std::vector<SeenPanel> seen_panels(const Viewpoint& view) const;
+  const Surface& surface(std::uint32_t panel_number) const;
   void find_blocked(const WayPacket& ways, Flags& blocked) const;
-  const Surface& surface(std::uint32_t hit) const;
+  const RayScene& what_stands() const { return standing; }
   ShadingTables tables() const { return {materials.all(), materials.textures(), light.texels.data()}; }
 
   SceneFrame frame;
@@ -26,9 +29,11 @@ struct RenderedWorld::Scene {
 
   Materials materials;
   RayScene standing;
+  std::vector<Corners> standing_corners;
   std::vector<Surface> standing_surfaces;  ///< the first is the floor
   LightTexels light;
   RayScene moving;
+  std::vector<Corners> moving_corners;
   std::vector<Surface> moving_surfaces;
   std::size_t standing_materials = 0, standing_texels = 0;
 };

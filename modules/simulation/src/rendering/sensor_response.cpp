@@ -5,6 +5,10 @@
 
 #include "aisle/core/random.hpp"
 
+// Both versions of a kernel give the same bits, as nothing is contracted or reordered.
+#define AISLE_KERNEL __attribute__((target_clones("avx2", "default")))
+#define AISLE_INLINE [[gnu::always_inline]] inline
+
 namespace aisle {
 namespace {
 
@@ -12,7 +16,7 @@ namespace {
 constexpr double kReadingShare = 0.3;
 
 /// A number drawn by a counter: the same for the same counter, and like no other.
-std::uint32_t drawn(std::uint32_t counter, const std::uint32_t (&key)[2]) {
+AISLE_INLINE std::uint32_t drawn(std::uint32_t counter, const std::uint32_t (&key)[2]) {
   std::uint32_t h = counter * 0x9e3779b1u ^ key[0];
   h = (h ^ (h >> 16)) * 0x85ebca6bu;
   h = (h ^ (h >> 13) ^ key[1]) * 0xc2b2ae35u;
@@ -20,10 +24,10 @@ std::uint32_t drawn(std::uint32_t counter, const std::uint32_t (&key)[2]) {
 }
 
 /// Nearly Gaussian with standard deviation 1: the sum of four bytes.
-float normal(std::uint32_t bits) {
+AISLE_INLINE float normal(std::uint32_t bits) {
   constexpr float kMean = 510, kPerSigma = 1 / 147.8f;
   const std::uint32_t sum = (bits & 255) + ((bits >> 8) & 255) + ((bits >> 16) & 255) + (bits >> 24);
-  return (static_cast<float>(sum) - kMean) * kPerSigma;
+  return (static_cast<float>(static_cast<std::int32_t>(sum)) - kMean) * kPerSigma;
 }
 
 }  // namespace
@@ -42,17 +46,20 @@ SensorResponse::SensorResponse(double noise_sigma, double gamma, std::uint64_t s
   for (std::uint32_t& key : key_) key = static_cast<std::uint32_t>(random.bits() >> 32);
 }
 
-float SensorResponse::curve(float light) const {
-  const float place = std::sqrt(std::clamp(light, 0.0f, 1.0f)) * kCurveSteps;
-  const auto step = static_cast<std::size_t>(place);
-  return grey_by_root_[step] +
-         (grey_by_root_[step + 1] - grey_by_root_[step]) * (place - static_cast<float>(step));
-}
-
-std::uint8_t SensorResponse::grey(float light, std::uint32_t pixel) const {
-  const float sigma = std::sqrt(light_variance_ * light + reading_variance_);
-  const float noisy = light + sigma * normal(drawn(pixel, key_));
-  return static_cast<std::uint8_t>(curve(noisy) + 0.5f);
+AISLE_KERNEL
+Greys SensorResponse::greys(const Floats& light, std::uint32_t block) const {
+  Greys greys;
+  for (std::uint32_t k = 0; k < kLanes; ++k) {
+    const float sigma = std::sqrt(light_variance_ * light.at[k] + reading_variance_);
+    const float noisy = light.at[k] + sigma * normal(drawn(block * kLanes + k, key_));
+    const float bounded = noisy > 0 ? (noisy < 1 ? noisy : 1) : 0;
+    const float place = std::sqrt(bounded) * kCurveSteps;
+    const auto step = static_cast<std::int32_t>(place);
+    const float *curve = grey_by_root_.data(), share = place - static_cast<float>(step);
+    const float grey = curve[step] + (curve[step + 1] - curve[step]) * share;
+    greys[k] = static_cast<std::uint8_t>(static_cast<std::int32_t>(grey + 0.5f));
+  }
+  return greys;
 }
 
 }  // namespace aisle

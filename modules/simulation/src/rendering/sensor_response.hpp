@@ -3,7 +3,11 @@
 #include <array>
 #include <cstdint>
 
+#include "rendering/packet.hpp"
+
 namespace aisle {
+
+using Greys = std::array<std::uint8_t, kLanes>;
 
 /// From light to grey levels: noise of light and of reading out, then the response curve, then 8 bits.
 class SensorResponse {
@@ -11,13 +15,12 @@ class SensorResponse {
   /// @param gamma  of the curve; 1: linear
   SensorResponse(double noise_sigma, double gamma, std::uint64_t seed, std::uint64_t picture);
 
-  /// @param light  1: just not overexposed
-  std::uint8_t grey(float light, std::uint32_t pixel) const;
+  /// @param light  of a block's pixels; 1: just not overexposed
+  /// @param block  its number: noise is drawn by it
+  Greys greys(const Floats& light, std::uint32_t block) const;
 
  private:
   static constexpr int kCurveSteps = 1024;
-
-  float curve(float light) const;
 
   std::array<float, kCurveSteps + 2> grey_by_root_;  ///< of the light's square root
   float light_variance_;                             ///< of full light

@@ -29,8 +29,8 @@ Vec3 Panel::outside() const {
   return up.cross(along).normalized();
 }
 
-std::array<Vec3, 4> Panel::corners() const {
-  return cut_out.value_or(std::array<Vec3, 4>{corner, corner + along, corner + along + up, corner + up});
+Corners Panel::corners() const {
+  return cut_out.value_or(Corners{corner, corner + along, corner + along + up, corner + up});
 }
 
 Surface surface_of(const Panel& panel, const SceneFrame& frame) {

@@ -38,6 +38,9 @@ struct Material {
   float glow = 0;  ///< light that it sends out when lamps are on
 };
 
+/// Corners of a convex piece, in turn around it.
+using Corners = std::array<Vec3, 4>;
+
 /// A flat piece of the world: a parallelogram. Seen from outside, `along` runs to the left if `up` runs
 /// upwards: outside is where up x along points.
 struct Panel {
@@ -50,10 +53,10 @@ struct Panel {
   Pattern pattern = Pattern::kMetres;
   bool is_two_sided = false;  ///< seen and lit from both sides
   /// Corners in turn, if only this part of the parallelogram is there.
-  std::optional<std::array<Vec3, 4>> cut_out;
+  std::optional<Corners> cut_out;
 
   Vec3 outside() const;
-  std::array<Vec3, 4> corners() const;
+  Corners corners() const;
 };
 
 /// Light that falls on one side of a surface, on a grid of texels.
