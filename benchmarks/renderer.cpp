@@ -1,6 +1,6 @@
 /// Pictures of 640 x 480 pixels of an office corridor with lamps, soft shadows and laser stripe, against the
 /// ray tracer's primary rays alone (one a pixel, nothing shaded) in the same scene and run. The argument is
-/// the number of threads; `of_raw` is the share of the raw rate at which finished pixels come.
+/// the number of threads; `of_raw` compares the rate at which finished pixels come with the raw rate.
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>

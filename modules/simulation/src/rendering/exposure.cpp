@@ -147,8 +147,8 @@ void Exposure::add_stripe(const Surface& surface, const RayPacket& rays, const F
                           Floats& radiance) const {
   constexpr float kReach_m = 0.2f;  ///< above and below the light plane, for the widest profile
   if (surface.bottom > laser_.projector[2] + kReach_m || surface.top < laser_.projector[2]) return;
-  Floats stripe{};
-  WayPacket ways{};
+  Floats stripe;
+  WayPacket ways;
   if (!shade_stripe(surface, laser_, rays, on_surface, stripe, ways)) return;
   Flags blocked{};
   scene_.find_blocked(ways, blocked);

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-// Both versions of a kernel give the same bits, as nothing is contracted or reordered.
-#define AISLE_KERNEL __attribute__((target_clones("avx2", "default")))
+#include "rendering/kernel.hpp"
 
 namespace aisle {
 namespace {

@@ -4,10 +4,7 @@
 #include <cmath>
 
 #include "aisle/core/random.hpp"
-
-// Both versions of a kernel give the same bits, as nothing is contracted or reordered.
-#define AISLE_KERNEL __attribute__((target_clones("avx2", "default")))
-#define AISLE_INLINE [[gnu::always_inline]] inline
+#include "rendering/kernel.hpp"
 
 namespace aisle {
 namespace {

@@ -3,12 +3,8 @@
 #include <bit>
 #include <cmath>
 
+#include "rendering/kernel.hpp"
 #include "rendering/light_baking.hpp"
-
-// Every loop below runs over the lanes of a packet and is written for the compiler to turn into vector
-// instructions; both versions of a kernel give the same bits, as nothing is contracted or reordered.
-#define AISLE_KERNEL __attribute__((target_clones("avx2", "default")))
-#define AISLE_INLINE [[gnu::always_inline]] inline
 
 namespace aisle {
 namespace {
@@ -231,35 +227,42 @@ bool shade_stripe(const Surface& surface, const LaserPlane& laser, const RayPack
   const float projector_above = dot(normal, laser.projector) - surface.plane;
   if (above * projector_above >= 0) return false;  // the lit side is not the one that is seen
   const float normal_column = dot(normal, rays.by_column), normal_row = dot(normal, rays.by_row);
+  Floats length, half_width, inside;
   std::int32_t any = 0;
   for (int k = 0; k < kLanes; ++k) {
     const float x = rays.x.at[k], y = rays.y.at[k], z = rays.z.at[k];
     const float per_falling = 1 / dot(normal, x, y, z);
-    const float length = above * per_falling;
-    const float px = rays.origin[0] + length * x, py = rays.origin[1] + length * y,
-                pz = rays.origin[2] + length * z;
-    const float z_column = length * (rays.by_column[2] - z * normal_column * per_falling),
-                z_row = length * (rays.by_row[2] - z * normal_row * per_falling);
+    length.at[k] = above * per_falling;
+    const float z_column = length.at[k] * (rays.by_column[2] - z * normal_column * per_falling),
+                z_row = length.at[k] * (rays.by_row[2] - z * normal_row * per_falling);
     const float seen = kPixel * footprint(z_column, z_row);
-    const float half_width = kProfileRoot * std::sqrt(kBeam_m * kBeam_m + seen * seen);
-    const float place = (pz - height) / half_width;
-    const float inside = 1 - place * place;
+    half_width.at[k] = kProfileRoot * std::sqrt(kBeam_m * kBeam_m + seen * seen);
+    const float place = (rays.origin[2] + length.at[k] * z - height) / half_width.at[k];
+    inside.at[k] = 1 - place * place;
+    any |= (on_surface.at[k] != 0) & (inside.at[k] > 0) ? 1 : 0;
+  }
+  if (any == 0) return false;
+  any = 0;
+  for (int k = 0; k < kLanes; ++k) {
+    const float px = rays.origin[0] + length.at[k] * rays.x.at[k],
+                py = rays.origin[1] + length.at[k] * rays.y.at[k],
+                pz = rays.origin[2] + length.at[k] * rays.z.at[k];
     const float to_x = laser.projector[0] - px, to_y = laser.projector[1] - py, to_z = height - pz;
     const float distance = std::sqrt(to_x * to_x + to_y * to_y) + kNearest_m;
     const float is_ahead = -(to_x * laser.ahead[0] + to_y * laser.ahead[1]);
     const float facing = std::abs(normal[0] * to_x + normal[1] * to_y) / distance;
-    const float light =
-        laser.strength * facing / distance * inside * inside * (kProfileRoot * kBeam_m / half_width);
-    const bool is_lit = (on_surface.at[k] != 0) & (inside > 0) & (is_ahead > 0);
-    stripe.at[k] = is_lit ? light : stripe.at[k];
-    ways.from_x.at[k] = is_lit ? px : ways.from_x.at[k];
-    ways.from_y.at[k] = is_lit ? py : ways.from_y.at[k];
-    ways.from_z.at[k] = is_lit ? pz : ways.from_z.at[k];
-    ways.x.at[k] = is_lit ? to_x : ways.x.at[k];
-    ways.y.at[k] = is_lit ? to_y : ways.y.at[k];
-    ways.z.at[k] = is_lit ? to_z : ways.z.at[k];
-    ways.asked.at[k] = is_lit ? -1 : ways.asked.at[k];
-    any |= is_lit ? 1 : 0;
+    const bool is_lit = (on_surface.at[k] != 0) & (inside.at[k] > 0) & (is_ahead > 0);
+    const float light = laser.strength * facing / distance * inside.at[k] * inside.at[k] *
+                        (kProfileRoot * kBeam_m / half_width.at[k]);
+    stripe.at[k] = is_lit ? light : 0;
+    ways.from_x.at[k] = px;
+    ways.from_y.at[k] = py;
+    ways.from_z.at[k] = pz;
+    ways.x.at[k] = to_x;
+    ways.y.at[k] = to_y;
+    ways.z.at[k] = to_z;
+    ways.asked.at[k] = is_lit ? -1 : 0;
+    any |= ways.asked.at[k];
   }
   return any != 0;
 }

@@ -32,9 +32,9 @@ struct ShadingTables {
 void shade(const Surface& surface, const ShadingTables& tables, const LightLevels& levels,
            const RayPacket& rays, const Flags& on_surface, Floats& radiance);
 
-/// The laser stripe as far as nothing blocks the light plane: adds, to the lanes on the surface, the light in
-/// `stripe` and the way to the projector in `ways`, which asks where there is any.
-/// @return whether there is any
+/// The laser stripe as far as nothing blocks the light plane: the light of the lanes on the surface, and the
+/// way to the projector in `ways`, which asks where there is any.
+/// @return whether there is any; if not, nothing is said of light and ways
 bool shade_stripe(const Surface& surface, const LaserPlane& laser, const RayPacket& rays,
                   const Flags& on_surface, Floats& stripe, WayPacket& ways);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What a camera on a vehicle sees of a world, by ray tracing; and what the sensor makes of it.
+/// What a camera on a vehicle sees of a world, and what the sensor makes of it.
 
 #include <cstdint>
 #include <memory>
@@ -25,7 +25,7 @@ struct MovingBody {
   double brightness = 0.4;
 };
 
-/// A world ready for ray tracing. Built once, shared by all cameras.
+/// A world ready to be seen: its panels, and the light on them. Built once, shared by all cameras.
 class RenderedWorld {
  public:
   explicit RenderedWorld(const World& world);
