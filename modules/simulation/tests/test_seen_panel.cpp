@@ -29,6 +29,7 @@ std::vector<Viewpoint> places(const RenderedWorld::Scene& scene) {
 
 std::vector<Candidate> all_of(const std::vector<SeenPanel>& panels) {
   std::vector<Candidate> candidates;
+  candidates.reserve(panels.size());
   for (const SeenPanel& panel : panels) candidates.push_back({&panel, panel.nearest, false});
   return candidates;
 }

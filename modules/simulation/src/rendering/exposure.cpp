@@ -29,6 +29,7 @@ std::vector<PixelOffset> sample_offsets(int count) {
     return (static_cast<float>(i) + 0.5f) / static_cast<float>(count) - 0.5f;
   };
   std::vector<PixelOffset> offsets;
+  offsets.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) offsets.push_back({centred(i), centred(i * step % count)});
   return offsets;
 }
@@ -57,17 +58,18 @@ Square quarter(const Square& square, int which) {
 RayPacket block_rays(const LensTable::Block& block, const Viewpoint& view, const Floats& offset_u,
                      const Floats& offset_v) {
   RayPacket rays;
-  const Eigen::Matrix3f R = view.R_scene_camera;
+  const Eigen::Matrix3f R_scene_camera = view.R_scene_camera;
   for (int k = 0; k < kLanes; ++k) {
     const float u = offset_u.at[k], v = offset_v.at[k];
     const float x = block.x.at[k] + block.x_by_u * u + block.x_by_v * v,
                 y = block.y.at[k] + block.y_by_u * u + block.y_by_v * v;
-    rays.x.at[k] = R(0, 0) * x + R(0, 1) * y + R(0, 2);
-    rays.y.at[k] = R(1, 0) * x + R(1, 1) * y + R(1, 2);
-    rays.z.at[k] = R(2, 0) * x + R(2, 1) * y + R(2, 2);
+    rays.x.at[k] = R_scene_camera(0, 0) * x + R_scene_camera(0, 1) * y + R_scene_camera(0, 2);
+    rays.y.at[k] = R_scene_camera(1, 0) * x + R_scene_camera(1, 1) * y + R_scene_camera(1, 2);
+    rays.z.at[k] = R_scene_camera(2, 0) * x + R_scene_camera(2, 1) * y + R_scene_camera(2, 2);
   }
-  const Eigen::Vector3f by_column = R.col(0) * block.x_by_u + R.col(1) * block.y_by_u,
-                        by_row = R.col(0) * block.x_by_v + R.col(1) * block.y_by_v;
+  const Eigen::Vector3f by_column =
+                            R_scene_camera.col(0) * block.x_by_u + R_scene_camera.col(1) * block.y_by_u,
+                        by_row = R_scene_camera.col(0) * block.x_by_v + R_scene_camera.col(1) * block.y_by_v;
   for (int i = 0; i < 3; ++i) {
     const auto at = static_cast<std::size_t>(i);
     rays.origin[at] = view.p_scene_camera[i];
@@ -90,6 +92,7 @@ Exposure::Exposure(const RenderedWorld::Scene& scene, const LensTable& lens, con
 void Exposure::add(const Viewpoint& view, int samples, float share) {
   const std::vector<SeenPanel> panels = scene_.seen_panels(view);
   std::vector<Candidate> candidates;
+  candidates.reserve(panels.size());
   for (const SeenPanel& panel : panels) candidates.push_back({&panel, panel.nearest, false});
   look({view, sample_offsets(std::clamp(samples, 1, kSamplesMax)), share}, lens_.whole(), candidates, 0);
 }

@@ -1,6 +1,7 @@
 #include "rendering/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace aisle {
 namespace {
@@ -40,55 +41,55 @@ RenderedWorld::Scene::Scene(const World& world)
     : frame{extent_of(world).centre()},
       has_lamps(!world.lamps.empty()),
       ambient_light(has_lamps ? world.ambient_light : 1),
-      materials(world.texture_seed),
-      standing({}, frame),
-      moving({}, frame) {
-  const Panels panels = standing_panels(world, materials);
-  standing = RayScene(panels, frame);
-  standing_corners = corners_of(panels, frame);
-  standing_surfaces = surfaces_of(panels, frame);
-  light = bake_light(world, panels, standing, frame, standing_surfaces);
-  standing_materials = materials.all().size();
-  standing_texels = light.texels.size();
+      materials_(world.texture_seed),
+      standing_({}, frame),
+      moving_({}, frame) {
+  const Panels panels = standing_panels(world, materials_);
+  standing_ = RayScene(panels, frame);
+  standing_corners_ = corners_of(panels, frame);
+  standing_surfaces_ = surfaces_of(panels, frame);
+  light_ = bake_light(world, panels, standing_, frame, standing_surfaces_);
+  standing_materials_ = materials_.all().size();
+  standing_texels_ = light_.texels.size();
 }
 
 void RenderedWorld::Scene::place(std::span<const MovingBody> bodies) {
-  materials.keep(standing_materials);
-  light.texels.resize(standing_texels);
+  materials_.keep(standing_materials_);
+  light_.texels.resize(standing_texels_);
   Panels panels;
   std::vector<Vec2> places;
   for (const MovingBody& body : bodies) {
-    add_body(body, materials, panels);
+    add_body(body, materials_, panels);
     places.resize(panels.size(), body.T_world_body.position());
   }
-  moving = RayScene(panels, frame);
-  moving_corners = corners_of(panels, frame);
-  moving_surfaces = surfaces_of(panels, frame);
+  moving_ = RayScene(panels, frame);
+  moving_corners_ = corners_of(panels, frame);
+  moving_surfaces_ = surfaces_of(panels, frame);
   for (std::size_t i = 0; i < panels.size(); ++i)
-    light_body_surface(places[i], panels[i], moving_surfaces[i]);
+    light_body_surface(places[i], panels[i], moving_surfaces_[i]);
 }
 
 /// One light for the whole piece: as on the floor below it, less on its sides.
 void RenderedWorld::Scene::light_body_surface(const Vec2& p_world, const Panel& panel, Surface& surface) {
   constexpr float kOnSides = 0.65f, kFromLeft = 0.15f;
-  const LightMap& floor = standing_surfaces.front().outside;
-  const std::array<float, 4>&u = standing_surfaces.front().u, &v = standing_surfaces.front().v;
+  const LightMap& floor = standing_surfaces_.front().outside;
+  const std::array<float, 4>&u = standing_surfaces_.front().u, &v = standing_surfaces_.front().v;
   const Eigen::Vector2f p = (p_world - frame.p_world_origin).cast<float>();
   const auto texel = [&](const std::array<float, 4>& c, float per_unit, float at_0, int count) {
-    return std::clamp(static_cast<int>((c[0] * p.x() + c[1] * p.y() + c[3]) * per_unit + at_0 + 0.5f), 0,
-                      count - 1);
+    const long nearest = std::lround((c[0] * p.x() + c[1] * p.y() + c[3]) * per_unit + at_0);
+    return static_cast<int>(std::clamp(nearest, 0L, count - 1L));
   };
   const int column = texel(u, floor.columns_per_u, floor.column_at_0, floor.columns);
   const int row = texel(v, floor.rows_per_v, floor.row_at_0, floor.rows);
   const std::uint32_t both =
-      light.texels[static_cast<std::size_t>(floor.first_texel + row * floor.columns + column)];
+      light_.texels[static_cast<std::size_t>(floor.first_texel + row * floor.columns + column)];
   const Vec3 outside = panel.outside();
   const float share = outside.z() > 0.5 ? 1 : kOnSides + kFromLeft * static_cast<float>(outside.y());
   constexpr float kPerStep = LightTexels::kLightMax / 65535;
-  surface.outside = {.first_texel = static_cast<int>(light.texels.size())};
+  surface.outside = {.first_texel = static_cast<int>(light_.texels.size())};
   surface.inside = surface.outside;
-  light.texels.push_back(light_texel(share * kPerStep * static_cast<float>(both & 0xffff),
-                                     share * kPerStep * static_cast<float>(both >> 16)));
+  light_.texels.push_back(light_texel(share * kPerStep * static_cast<float>(both & 0xffff),
+                                      share * kPerStep * static_cast<float>(both >> 16)));
 }
 
 std::vector<SeenPanel> RenderedWorld::Scene::seen_panels(const Viewpoint& view) const {
@@ -100,19 +101,19 @@ std::vector<SeenPanel> RenderedWorld::Scene::seen_panels(const Viewpoint& view) 
       }
     }
   };
-  add(standing_corners, 0);
-  add(moving_corners, kMoves);
+  add(standing_corners_, 0);
+  add(moving_corners_, kMoves);
   return seen;
 }
 
 void RenderedWorld::Scene::find_blocked(const WayPacket& ways, Flags& blocked) const {
-  standing.find_blocked(ways, blocked);
-  moving.find_blocked(ways, blocked);
+  standing_.find_blocked(ways, blocked);
+  moving_.find_blocked(ways, blocked);
 }
 
 const Surface& RenderedWorld::Scene::surface(std::uint32_t panel_number) const {
-  return (panel_number & kMoves) != 0 ? moving_surfaces[panel_number & ~kMoves]
-                                      : standing_surfaces[panel_number];
+  return (panel_number & kMoves) != 0 ? moving_surfaces_[panel_number & ~kMoves]
+                                      : standing_surfaces_[panel_number];
 }
 
 }  // namespace aisle

@@ -17,8 +17,8 @@ struct RenderedWorld::Scene {
   std::vector<SeenPanel> seen_panels(const Viewpoint& view) const;
   const Surface& surface(std::uint32_t panel_number) const;
   void find_blocked(const WayPacket& ways, Flags& blocked) const;
-  const RayScene& what_stands() const { return standing; }
-  ShadingTables tables() const { return {materials.all(), materials.textures(), light.texels.data()}; }
+  const RayScene& what_stands() const { return standing_; }
+  ShadingTables tables() const { return {materials_.all(), materials_.textures(), light_.texels.data()}; }
 
   SceneFrame frame;
   bool has_lamps = false;
@@ -27,15 +27,15 @@ struct RenderedWorld::Scene {
  private:
   void light_body_surface(const Vec2& p_world, const Panel& panel, Surface& surface);
 
-  Materials materials;
-  RayScene standing;
-  std::vector<Corners> standing_corners;
-  std::vector<Surface> standing_surfaces;  ///< the first is the floor
-  LightTexels light;
-  RayScene moving;
-  std::vector<Corners> moving_corners;
-  std::vector<Surface> moving_surfaces;
-  std::size_t standing_materials = 0, standing_texels = 0;
+  Materials materials_;
+  RayScene standing_;
+  std::vector<Corners> standing_corners_;
+  std::vector<Surface> standing_surfaces_;  ///< the first is the floor
+  LightTexels light_;
+  RayScene moving_;
+  std::vector<Corners> moving_corners_;
+  std::vector<Surface> moving_surfaces_;
+  std::size_t standing_materials_ = 0, standing_texels_ = 0;
 };
 
 }  // namespace aisle

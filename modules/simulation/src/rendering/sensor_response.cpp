@@ -45,6 +45,7 @@ SensorResponse::SensorResponse(double noise_sigma, double gamma, std::uint64_t s
 
 AISLE_KERNEL
 Greys SensorResponse::greys(const Floats& light, std::uint32_t block) const {
+  constexpr float kHalf = 0.5f;  ///< to the nearest grey level
   Greys greys;
   for (std::uint32_t k = 0; k < kLanes; ++k) {
     const float sigma = std::sqrt(light_variance_ * light.at[k] + reading_variance_);
@@ -53,8 +54,8 @@ Greys SensorResponse::greys(const Floats& light, std::uint32_t block) const {
     const float place = std::sqrt(bounded) * kCurveSteps;
     const auto step = static_cast<std::int32_t>(place);
     const float *curve = grey_by_root_.data(), share = place - static_cast<float>(step);
-    const float grey = curve[step] + (curve[step + 1] - curve[step]) * share;
-    greys[k] = static_cast<std::uint8_t>(static_cast<std::int32_t>(grey + 0.5f));
+    const float rounded_up = kHalf + curve[step] + (curve[step + 1] - curve[step]) * share;
+    greys[k] = static_cast<std::uint8_t>(static_cast<std::int32_t>(rounded_up));
   }
   return greys;
 }
