@@ -1,0 +1,92 @@
+#pragma once
+/// The multiweighted generalized Hough transform (C98 section II-C, Algorithm 1): by which displacement does a
+/// pattern of weighted points fit best onto another?
+///
+/// The printed algorithm swaps its two patterns in two places. Here, as its text means it: P are points of the
+/// TEMPLATE (what was learned), Q of the INPUT (what is seen). For each angle gamma, each pair votes for the
+/// displacement P - R(gamma) Q and, less, for the cells around it:
+///
+///   H(cell, gamma) += W_P W_Q / (1 + d1 / D0)      (6), d1 = distance of the cells' centres (7)
+///
+/// Angles turn the input about the origin of the coordinates that it is given in. Give both patterns relative to
+/// where the vehicle is thought to be: then the displacement is the correction of that pose, and an error of the
+/// angle does not smear it.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/core/parameters.hpp"
+#include "aisle/geometry/pose2.hpp"
+
+namespace aisle {
+
+struct WeightedPoint {
+  Vec2 position = Vec2::Zero();  ///< [m]
+  double weight = 1;             ///< > 0
+};
+
+struct MwghtParams {
+  double cell_m = 0.02;
+  double angle_step_rad = 0.25 * kDegree;
+  double distance_scale_m = 0.15;  ///< D0
+  double reach_m = 0.3;            ///< of a vote around its own cell: the neighbourhood NH
+  double apart_m = 0.4;            ///< displacements this far from each other are different hypotheses,
+  double apart_rad = 4 * kDegree;  ///< and so are angles
+
+  void describe(FieldList& fields);
+};
+
+/// The displacements that are tried: cells whose centres are within +-x, +-y of the origin, and angles within
+/// +-turn, all multiples of the parameters' steps.
+struct MwghtWindow {
+  double x_half_m = 0.5;
+  double y_half_m = 0.5;
+  double turn_half_rad = 3 * kDegree;
+};
+
+struct MwghtCell {
+  int x = 0, y = 0, turn = 0;  ///< in cells and angle steps from the origin
+
+  friend bool operator==(const MwghtCell&, const MwghtCell&) = default;
+};
+
+/// A maximum of H.
+struct MwghtPeak {
+  MwghtCell cell;
+  double value = 0;    ///< H at the cell
+  Pose2 displacement;  ///< refined below the cell: T such that T * Q falls upon P
+};
+
+struct MwghtAnswer {
+  MwghtPeak best;
+  /// The greatest value among the cells that are a different hypothesis than the best; nullopt: nothing voted
+  /// there.
+  std::optional<MwghtPeak> runner_up;
+  Mat3 covariance = Mat3::Zero();  ///< of the best displacement (x, y, theta), from the votes' spread about it
+};
+
+class Mwght {
+ public:
+  explicit Mwght(const MwghtParams& params = {});
+  Mwght(Mwght&&) noexcept;
+  ~Mwght();
+
+  /// The maximum by branch and bound: the same cell and the same value, bit for bit, as `match_exhaustively`. Of
+  /// equal cells the least by (turn, y, x) wins. No allocation once warm.
+  /// @return nullopt if no pair votes within the window
+  std::optional<MwghtAnswer> match(std::span<const WeightedPoint> learned, std::span<const WeightedPoint> seen,
+                                   const MwghtWindow& window);
+
+  /// The published way: every vote into every cell. For comparison.
+  std::optional<MwghtAnswer> match_exhaustively(std::span<const WeightedPoint> learned,
+                                                std::span<const WeightedPoint> seen, const MwghtWindow& window);
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace aisle
