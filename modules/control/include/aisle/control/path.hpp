@@ -1,30 +1,39 @@
 #pragma once
-/// Ways to drive: straight lines and circular arcs, one after the other (C98 section III-B: "either a straight
-/// line or a circular segment").
+/// Ways to drive: straight lines and circular arcs, one after the other (C98 section III-B: "either a
+/// straight line or a circular segment").
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
-#include "aisle/core/parameters.hpp"
 #include "aisle/geometry/pose2.hpp"
 #include "aisle/vehicle/arc.hpp"
 
 namespace aisle {
 
-/// One line or arc of a path. Driven backwards it has a negative length.
+/// One line or arc of a path. Driven backwards it has a negative length; of a turn on the spot it is 0.
 struct PathPiece {
   Pose2 T_map_start;
   Arc arc;  ///< as base_link drives it
 
-  Pose2 at(double from_start_m) const;  ///< base_link after so much way along the piece, 0 .. |length|
+  double way_m() const { return arc.length_m < 0 ? -arc.length_m : arc.length_m; }
+  bool is_on_the_spot() const { return arc.length_m == 0; }
+  /// Left positive; 0 for a turn on the spot.
+  double curvature_per_m() const { return is_on_the_spot() ? 0 : arc.turn_rad / arc.length_m; }
+
+  /// base_link after so much way along the piece, 0 .. way_m(). On the spot: as at its start.
+  Pose2 at(double from_start_m) const;
+  Pose2 end() const { return T_map_start * end_pose(arc); }
+
+  /// The way from the piece's start to its point nearest to `p_map`, among those from `from_m` to `to_m`
+  /// (0 .. way_m()); the first of equally near ones.
+  double nearest(const Vec2& p_map, double from_m, double to_m) const;
 };
 
 /// A point on a path.
 struct PathPoint {
   std::size_t piece = 0;
-  double along_m = 0;  ///< way from the path's start, always growing, also backwards
-  Pose2 T_map_path;    ///< base_link there
+  double along_m = 0;          ///< way from the path's start, always growing, also backwards
+  Pose2 T_map_path;            ///< base_link there
   double curvature_per_m = 0;  ///< left positive
   double aside_m = 0;          ///< how far the asked point is to the left of it
 };
@@ -32,39 +41,44 @@ struct PathPoint {
 class Path {
  public:
   Path() = default;
-  /// @param pieces  each starts where the one before ends
+  /// @param pieces  each starts where the one before ends, in position and heading; else
+  /// std::invalid_argument
   explicit Path(std::vector<PathPiece> pieces);
 
   const std::vector<PathPiece>& pieces() const { return pieces_; }
   double length_m() const { return length_m_; }
   bool empty() const { return pieces_.empty(); }
+  /// Way from the path's start to the start of a piece.
+  double start_m(std::size_t piece) const { return starts_m_[piece]; }
 
-  /// @param along_m  0 .. length_m(), else the nearer end
+  /// @param along_m  0 .. length_m(), else the nearer end. Where two pieces meet, the later one's start.
   PathPoint at(double along_m) const;
 
   /// The nearest point among those from `from_m` to `to_m` along the path: a path that crosses itself is
-  /// followed, not cut short.
-  PathPoint nearest(const Vec2& p_map, double from_m, double to_m) const;
+  /// followed, not cut short. The first of equally near ones. The path must not be empty.
+  PathPoint nearest(const Vec2& p_map, double from_m, double to_m) const {
+    return nearest(p_map, from_m, to_m, 0, pieces_.size());
+  }
 
-  /// The same way back: pieces in opposite order, the vehicle turned about, driven forwards again.
+  /// The nearest of those that also lie on the pieces `first` to before `end`; at least one piece must reach
+  /// into the range.
+  PathPoint nearest(const Vec2& p_map, double from_m, double to_m, std::size_t first, std::size_t end) const;
+
+  /// The end of the leg that a piece belongs to: of the pieces that are driven without a stop between. A leg
+  /// ends where the direction of driving changes; every turn on the spot is a leg of its own.
+  /// @return index of the piece after it
+  std::size_t leg_end(std::size_t piece) const;
+
+  /// The same way back: pieces in opposite order, the vehicle turned about; what was driven forwards is
+  /// driven forwards again.
   Path reversed() const;
 
  private:
+  PathPoint point(std::size_t piece, double from_start_m) const;
+
   std::vector<PathPiece> pieces_;
   std::vector<double> starts_m_;
   double length_m_ = 0;
 };
-
-struct PathFitParams {
-  double stray_max_m = 0.03;      ///< what was driven is at most this far from the path
-  double radius_min_m = 0.6;      ///< of an arc
-
-  void describe(FieldList& fields);
-};
-
-/// Smooths a way as it was driven to few lines and arcs that join without a kink: hand-driven wander within
-/// `stray_max_m` goes, corners stay. A stretch driven backwards becomes pieces of negative length.
-/// @param driven  base_link in `map`, in order, at least two different positions
-Path fit_path(std::span<const Pose2> driven, const PathFitParams& params);
 
 }  // namespace aisle

@@ -1,25 +1,35 @@
 #pragma once
 /// Which way to hold the wheels: C98 eq. (15), C99 eq. (8).
+///
+/// The papers measure the front and the rear wheels' distance from one path. On a bend that is no path for
+/// both: with base_link on an arc of radius R the front reference point runs on one of radius
+/// sqrt(R^2 + d^2). Here each is measured from its own path, so a vehicle that keeps to an arc has L_P = 0.
 
 #include "aisle/control/path.hpp"
 #include "aisle/core/angle.hpp"
 #include "aisle/core/parameters.hpp"
+#include "aisle/geometry/segment2.hpp"
 #include "aisle/vehicle/command.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
 namespace aisle {
 
+/// Tuned on a cart of 0.75 m wheelbase at 0.3 to 1 m/s (docs/driving.md). Reversing, a front-steered vehicle
+/// looks one wheelbase farther: over less, laying the front wheels on the path would drive the rear ones off
+/// it.
 struct SteeringParams {
-  double look_ahead_m = 0.6;               ///< S, the way over which a steering angle is judged
-  double look_ahead_s = 0.8;               ///< as much more at speed
-  double angle_step_rad = 0.1 * kDegree;   ///< of the answer
+  double look_ahead_m = 0.2;              ///< S, the way over which a steering angle is judged
+  double look_ahead_s = 0.4;              ///< as much more at speed
+  double angle_step_rad = 0.1 * kDegree;  ///< of the answer
 
   void describe(FieldList& fields);
 };
 
-/// L_P(delta) = D_front(delta) + D_back(delta): the distances of the front and the rear wheels' middles from the
-/// path after the look-ahead with the wheels held at delta, forwards or backwards.
-/// @param from  where base_link is on the path, roughly: only the path within reach of the look-ahead counts
+/// L_P(delta) = D_front(delta) + D_back(delta): the distances of the front and the rear wheels' middles from
+/// their paths after the look-ahead with the wheels held at delta, forwards or backwards as the path is
+/// driven. Before and after its leg the path is continued straight on.
+/// @param from  where base_link is on the path: the leg that counts, and of it what is within reach of the
+///              look-ahead
 double steering_cost(const FrontSteered& vehicle, const Path& path, const PathPoint& from,
                      const Pose2& T_map_vehicle, double look_ahead_m, double steering_rad);
 
@@ -28,10 +38,11 @@ class PathFollower {
  public:
   PathFollower(const VehicleDescription& vehicle, const SteeringParams& params);
 
-  /// The command that brings the vehicle along the path at a speed: of all steering angles that the wheels can
-  /// have by the next cycle, multiples of the step, the one of least L_P (the least turn among equals). The
-  /// search gives the angle that trying all of them gives. A differential vehicle gets the turn rate that drives
-  /// the same arc.
+  /// The command that brings the vehicle along the path at a speed: of all steering angles that the wheels
+  /// can have by the next cycle, multiples of the step, the one of least L_P (the least turn among equals,
+  /// left before right). The search gives the angle that trying all of them gives. A differential vehicle
+  /// gets the turn rate that drives the arc of a front-steered one; it turns on the spot where the path does.
+  /// @param from  where the vehicle is on the path (PathProgress)
   /// @param speed_mps   of the front reference point (front-steered) or base_link (differential); >= 0, along
   ///                    the path: backwards where it is driven backwards
   /// @param steering_rad  how the wheels stand now; unused for a differential vehicle
@@ -39,6 +50,11 @@ class PathFollower {
                  double steering_rad) const;
 
  private:
+  double best_steering_rad(const FrontSteered& steered, const Path& path, const PathPoint& from,
+                           const Pose2& T_map_vehicle, double look_ahead_m,
+                           const Interval& allowed_rad) const;
+  Command turn_on_the_spot(const PathPiece& piece, const Pose2& T_map_vehicle) const;
+
   VehicleDescription vehicle_;
   SteeringParams params_;
 };

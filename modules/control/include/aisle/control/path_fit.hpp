@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+
+#include "aisle/control/path.hpp"
+#include "aisle/core/parameters.hpp"
+
+namespace aisle {
+
+struct PathFitParams {
+  double stray_max_m = 0.12;  ///< what was driven is at most this far from the path
+  double radius_min_m = 0.6;  ///< of an arc, where the stray allows it
+
+  void describe(FieldList& fields);
+};
+
+/// Smooths a way as it was driven to few lines and arcs that join without a kink: hand-driven wander within
+/// `stray_max_m` goes, corners stay. A stretch driven backwards becomes pieces of negative length, a turn on
+/// the spot an arc of length 0. Of a way that no such path keeps near to (its poses jump), the path goes from
+/// position to position with turns on the spot between.
+/// @param driven  base_link in `map`, in order, at least two different positions, else std::invalid_argument
+Path fit_path(std::span<const Pose2> driven, const PathFitParams& params);
+
+}  // namespace aisle

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "aisle/control/path.hpp"
+
+namespace aisle {
+
+/// A path in the making: what its pieces are, how long and how bent, and where they start. Adjusting makes
+/// them join.
+struct LoosePiece {
+  enum class Kind { kLine, kArc, kTurnOnTheSpot };
+  Kind kind = Kind::kArc;
+  double direction = 1;  ///< -1: driven backwards
+  Pose2 T_map_start;
+  double length_m = 0;         ///< > 0
+  double curvature_per_m = 0;  ///< left positive
+  double turn_rad = 0;         ///< on the spot
+
+  Arc arc() const;
+};
+
+/// A place where base_link was, and the piece that is to pass there.
+struct Waypoint {
+  Vec2 p_map;
+  std::size_t piece = 0;
+  double weight = 1;
+  bool begins_leg = false;
+  bool ends_leg = false;
+};
+
+struct LoosePath {
+  std::vector<LoosePiece> pieces;
+  std::vector<Waypoint> waypoints;
+  Pose2 T_map_end;
+};
+
+/// Moves, stretches and bends the pieces until they join and the sum of squared distances of the waypoints
+/// from them, by weight, is least.
+void adjust(LoosePath& loose, double radius_min_m);
+
+/// The joined pieces.
+Path joined(const LoosePath& loose);
+
+}  // namespace aisle

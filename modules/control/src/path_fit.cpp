@@ -1,0 +1,158 @@
+#include "aisle/control/path_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "aisle/core/angle.hpp"
+#include "driven_legs.hpp"
+#include "leg_cutting.hpp"
+#include "path_adjustment.hpp"
+
+namespace aisle {
+namespace {
+
+using Kind = LoosePiece::Kind;
+
+constexpr double kStepsPerRadius = 6;
+constexpr double kPrice = 2.5;  // of an arc, for each radius and square of the stray
+constexpr int kTries = 3;
+constexpr double kCheaper = 4;
+
+void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<Stretch>& stretches, double step_m) {
+  if (leg.turn_before_rad != 0) {
+    loose.pieces.push_back(
+        {.kind = Kind::kTurnOnTheSpot, .T_map_start = loose.T_map_end, .turn_rad = leg.turn_before_rad});
+  }
+  for (const Stretch& stretch : stretches) {
+    const Pose2& start = leg.samples[stretch.first];
+    loose.pieces.push_back(
+        {.kind = stretch.curvature_per_m == 0 ? Kind::kLine : Kind::kArc,
+         .direction = leg.direction,
+         .T_map_start = start,
+         .length_m = std::max(step_m / 2, static_cast<double>(stretch.last - stretch.first) * step_m),
+         .curvature_per_m = stretch.curvature_per_m * leg.direction});
+    for (std::size_t i = stretch.first; i < stretch.last; ++i) {
+      loose.waypoints.push_back({.p_map = leg.samples[i].position(),
+                                 .piece = loose.pieces.size() - 1,
+                                 .weight = step_m,
+                                 .begins_leg = i == 0});
+    }
+  }
+  loose.waypoints.push_back({.p_map = leg.samples.back().position(),
+                             .piece = loose.pieces.size() - 1,
+                             .weight = step_m,
+                             .ends_leg = true});
+  loose.T_map_end = leg.samples.back();
+}
+
+LoosePath loose_path(const std::vector<DrivenLeg>& legs, double radius_min_m, double price_m3,
+                     double step_m) {
+  LoosePath loose;
+  for (const DrivenLeg& leg : legs) {
+    add_leg(loose, leg, cut_leg(leg.samples, step_m, radius_min_m, price_m3), step_m);
+  }
+  return loose;
+}
+
+double stray_m(const LoosePath& loose, const Waypoint& waypoint) {
+  const LoosePiece& piece = loose.pieces[waypoint.piece];
+  const PathPiece shape{piece.T_map_start, piece.arc()};
+  return (shape.at(shape.nearest(waypoint.p_map, 0, shape.way_m())).position() - waypoint.p_map).norm();
+}
+
+/// Cuts a piece in two halves, each bent by itself.
+void split(LoosePath& loose, std::size_t k) {
+  LoosePiece first = loose.pieces[k];
+  first.kind = Kind::kArc;
+  first.length_m /= 2;
+  LoosePiece second = first;
+  second.T_map_start = first.T_map_start * end_pose(first.arc());
+  loose.pieces[k] = first;
+  loose.pieces.insert(loose.pieces.begin() + static_cast<std::ptrdiff_t>(k) + 1, second);
+  for (Waypoint& waypoint : loose.waypoints) {
+    const bool in_second =
+        waypoint.piece == k && !waypoint.begins_leg &&
+        (waypoint.ends_leg || (second.T_map_start.inverse() * waypoint.p_map).x() * first.direction > 0);
+    if (waypoint.piece > k || in_second) ++waypoint.piece;
+  }
+}
+
+/// Adjusts, pulls harder where the way strays most, and cuts where pulling does not help.
+Path smoothed(LoosePath loose, const PathFitParams& params, double step_m) {
+  constexpr int kRounds = 24, kPullsBeforeCut = 3;
+  constexpr double kPull = 4;
+  const double stray_max_m = 0.95 * params.stray_max_m;  // between the samples it may be a little more
+  for (int round = 1; round <= kRounds; ++round) {
+    adjust(loose, params.radius_min_m);
+    std::size_t worst_piece = 0;
+    double worst_m = 0;
+    for (Waypoint& waypoint : loose.waypoints) {
+      const double off_m = stray_m(loose, waypoint);
+      if (off_m > stray_max_m) waypoint.weight *= kPull;
+      if (off_m > worst_m) worst_piece = waypoint.piece;
+      worst_m = std::max(worst_m, off_m);
+    }
+    if (worst_m <= stray_max_m) break;
+    if (round % kPullsBeforeCut != 0) continue;
+    split(loose, worst_piece);
+    for (Waypoint& waypoint : loose.waypoints) waypoint.weight = step_m;
+  }
+  return joined(loose);
+}
+
+/// What was driven is never farther from the path, nor the path's end from where it ended.
+bool keeps_near(const Path& path, std::span<const Pose2> driven, const PathFitParams& params) {
+  const double reach_m = params.radius_min_m + params.stray_max_m;
+  double along_m = 0;
+  for (const Pose2& pose : driven) {
+    const PathPoint at = path.nearest(pose.position(), along_m - params.stray_max_m, along_m + reach_m);
+    if (!((at.T_map_path.position() - pose.position()).norm() <= params.stray_max_m)) return false;
+    along_m = std::max(along_m, at.along_m);
+  }
+  return path.length_m() - along_m <= reach_m;
+}
+
+/// From each position straight to the next, with turns on the spot between.
+Path from_dot_to_dot(std::span<const Pose2> driven) {
+  std::vector<PathPiece> pieces;
+  Pose2 T_map_here = driven.front();
+  for (const Pose2& pose : driven) {
+    const Vec2 step = pose.position() - T_map_here.position();
+    if (step.norm() == 0) continue;
+    const double towards_rad = std::atan2(step.y(), step.x());
+    const bool backwards = std::abs(wrap_angle(towards_rad - pose.theta)) > kPi / 2;
+    const double turn_rad = wrap_angle(towards_rad - T_map_here.theta + (backwards ? kPi : 0));
+    pieces.push_back({T_map_here, {0, turn_rad}});
+    pieces.push_back({pieces.back().end(), {backwards ? -step.norm() : step.norm(), 0}});
+    T_map_here = pieces.back().end();
+  }
+  return Path(std::move(pieces));
+}
+
+}  // namespace
+
+void PathFitParams::describe(FieldList& fields) {
+  fields.real("stray_max_m", stray_max_m, {0.005, 1}, "what was driven is at most this far from the path");
+  fields.real("radius_min_m", radius_min_m, {0.05, 10}, "of an arc");
+}
+
+Path fit_path(std::span<const Pose2> driven, const PathFitParams& params) {
+  const bool goes_somewhere = std::any_of(driven.begin(), driven.end(), [&](const Pose2& pose) {
+    return pose.position() != driven.front().position();
+  });
+  if (!goes_somewhere) throw std::invalid_argument("a path needs two different positions");
+  double step_m = params.radius_min_m / kStepsPerRadius;
+  double price_m3 = kPrice * params.radius_min_m * params.stray_max_m * params.stray_max_m;
+  for (int tries = 0; tries < kTries; ++tries) {
+    const std::vector<DrivenLeg> legs = driven_legs(driven, step_m);
+    const Path path = smoothed(loose_path(legs, params.radius_min_m, price_m3, step_m), params, step_m);
+    if (keeps_near(path, driven, params)) return path;
+    price_m3 /= kCheaper;
+    step_m /= 2;
+  }
+  return from_dot_to_dot(driven);
+}
+
+}  // namespace aisle

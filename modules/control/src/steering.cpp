@@ -1,0 +1,114 @@
+#include "aisle/control/steering.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "least_on_grid.hpp"
+#include "wheel_paths.hpp"
+
+namespace aisle {
+namespace {
+
+/// Way about the vehicle in which its wheels can be after the look-ahead, from however far aside.
+double reach_m(const FrontSteered& vehicle, double look_ahead_m) {
+  return 2 * look_ahead_m + std::abs(vehicle.wheelbase_m);
+}
+
+double cost(const WheelPaths& paths, const FrontSteered& vehicle, const Pose2& T_map_vehicle,
+            double look_ahead_m, double steering_rad) {
+  return paths.distance_sum(T_map_vehicle * drive(vehicle, {paths.direction() * look_ahead_m, steering_rad}));
+}
+
+/// How much L_P can change at most for each radian of steering. The front reference point after the way S is
+/// the integral of unit(delta + s sin(delta) / d) over s = 0 .. S, which changes by at most 1 + s / d;
+/// base_link that of cos(delta) unit(s sin(delta) / d), by at most |sin(delta)| + s / d.
+double cost_slope_m_per_rad(const FrontSteered& vehicle, double look_ahead_m, double steering_max_rad) {
+  const double by_turn_m = look_ahead_m * look_ahead_m / (2 * std::abs(vehicle.wheelbase_m));
+  return look_ahead_m * (1 + std::sin(steering_max_rad)) + 2 * by_turn_m;
+}
+
+/// A differential vehicle is thought to have front wheels two look-aheads ahead, or behind when it drives
+/// backwards: so it comes to its path without swinging.
+FrontSteered steered_like_differential(double look_ahead_m, bool in_reverse) {
+  return {(in_reverse ? -2 : 2) * look_ahead_m};
+}
+
+/// Where a differential vehicle cannot turn any faster.
+double steering_max_rad(const DriveLimits& limits, const FrontSteered& steered, double speed_mps) {
+  constexpr double kMost_rad = 80 * kDegree;
+  if (speed_mps <= 0) return kMost_rad;
+  return std::min(kMost_rad,
+                  std::atan(limits.turn_rate_max_rad_s / speed_mps * std::abs(steered.wheelbase_m)));
+}
+
+/// The angles that the wheels can have by the next cycle.
+Interval reachable(const VehicleDescription& vehicle, double steering_rad) {
+  const double max_rad = vehicle.limits.steering_max_rad;
+  const double now_rad = std::clamp(steering_rad, -max_rad, max_rad);
+  const double change_rad = vehicle.limits.steering_rate_max_rad_s * vehicle.cycle_s;
+  return {std::max(now_rad - change_rad, -max_rad), std::min(now_rad + change_rad, max_rad)};
+}
+
+}  // namespace
+
+void SteeringParams::describe(FieldList& fields) {
+  fields.real("look_ahead_m", look_ahead_m, {0.02, 10}, "way over which a steering angle is judged");
+  fields.real("look_ahead_s", look_ahead_s, {0, 10}, "as much more at speed");
+  fields.angle("angle_step_deg", angle_step_rad, {0.01, 5}, "steering angles are multiples of this");
+}
+
+double steering_cost(const FrontSteered& vehicle, const Path& path, const PathPoint& from,
+                     const Pose2& T_map_vehicle, double look_ahead_m, double steering_rad) {
+  const WheelPaths paths(vehicle, path, from, reach_m(vehicle, look_ahead_m));
+  return cost(paths, vehicle, T_map_vehicle, look_ahead_m, steering_rad);
+}
+
+PathFollower::PathFollower(const VehicleDescription& vehicle, const SteeringParams& params)
+    : vehicle_(vehicle), params_(params) {}
+
+Command PathFollower::follow(const Path& path, const PathPoint& from, const Pose2& T_map_vehicle,
+                             double speed_mps, double steering_rad) const {
+  const PathPiece& piece = path.pieces()[from.piece];
+  if (piece.is_on_the_spot()) return turn_on_the_spot(piece, T_map_vehicle);
+  const bool in_reverse = piece.arc.length_m < 0;
+  const double along_mps = in_reverse ? -speed_mps : speed_mps;
+  const double ahead_m = params_.look_ahead_m + params_.look_ahead_s * speed_mps;
+  if (vehicle_.is_differential) {
+    const FrontSteered steered = steered_like_differential(ahead_m, in_reverse);
+    const double most_rad = steering_max_rad(vehicle_.limits, steered, speed_mps);
+    const double best_rad =
+        best_steering_rad(steered, path, from, T_map_vehicle, ahead_m, {-most_rad, most_rad});
+    return {.speed_mps = along_mps, .turn_rate_rad_s = along_mps * std::tan(best_rad) / steered.wheelbase_m};
+  }
+  const FrontSteered& steered = vehicle_.front_steered;
+  const double reversing_m = in_reverse ? steered.wheelbase_m : 0;
+  const double best_rad = best_steering_rad(steered, path, from, T_map_vehicle, ahead_m + reversing_m,
+                                            reachable(vehicle_, steering_rad));
+  return {.speed_mps = along_mps, .steering_rad = best_rad};
+}
+
+double PathFollower::best_steering_rad(const FrontSteered& steered, const Path& path, const PathPoint& from,
+                                       const Pose2& T_map_vehicle, double look_ahead_m,
+                                       const Interval& allowed_rad) const {
+  constexpr double kRounding = 1e-9;
+  const double step_rad = params_.angle_step_rad;
+  const int min = static_cast<int>(std::ceil(allowed_rad.min / step_rad - kRounding));
+  const int max = std::max(min, static_cast<int>(std::floor(allowed_rad.max / step_rad + kRounding)));
+  const double most_rad = std::max(-allowed_rad.min, allowed_rad.max);
+  const double slope_m = step_rad * cost_slope_m_per_rad(steered, look_ahead_m, most_rad);
+  const WheelPaths paths(steered, path, from, reach_m(steered, look_ahead_m));
+  const GridValue best = least_on_grid(min, max, slope_m, [&](int i) {
+    return cost(paths, steered, T_map_vehicle, look_ahead_m, i * step_rad);
+  });
+  return best.index * step_rad;
+}
+
+/// A quarter of what is left in each cycle: with a command that acts a cycle late this is the fastest way to
+/// come to rest without overshoot.
+Command PathFollower::turn_on_the_spot(const PathPiece& piece, const Pose2& T_map_vehicle) const {
+  const double left_rad = wrap_angle(piece.end().theta - T_map_vehicle.theta);
+  const double rate_max_rad_s = vehicle_.limits.turn_rate_max_rad_s;
+  return {.turn_rate_rad_s = std::clamp(left_rad / (4 * vehicle_.cycle_s), -rate_max_rad_s, rate_max_rad_s)};
+}
+
+}  // namespace aisle

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "aisle/control/path.hpp"
+#include "aisle/vehicle/front_steered.hpp"
+
+namespace aisle {
+
+/// The paths of the front and the rear wheels' middles about one point of a path, within one leg, each
+/// continued straight on before and after the leg.
+class WheelPaths {
+ public:
+  /// @param reach_m  way before and after `from` that is looked at
+  WheelPaths(const FrontSteered& vehicle, const Path& path, const PathPoint& from, double reach_m);
+
+  /// -1 where the leg is driven backwards, else 1
+  double direction() const { return direction_; }
+
+  /// D_front + D_back of C98 eq. (15), with the vehicle's base_link at `T_map_vehicle`.
+  double distance_sum(const Pose2& T_map_vehicle) const;
+
+ private:
+  void add(const PathPiece& rear);
+
+  FrontSteered vehicle_;
+  double direction_;
+  std::vector<PathPiece> rear_, front_;
+};
+
+}  // namespace aisle

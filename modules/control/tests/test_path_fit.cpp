@@ -1,0 +1,99 @@
+#include "aisle/control/path_fit.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <utility>
+
+#include "aisle/core/random.hpp"
+#include "closed_loop.hpp"
+
+namespace aisle {
+namespace {
+
+/// base_link along a path with a hand's wander aside, as its odometry gives it.
+std::vector<Pose2> driven_by_hand(const Path& path, double wander_m, Random& random) {
+  constexpr double kStep_m = 0.03, kComesAndGoes_m = 1;
+  std::vector<Pose2> driven;
+  double pull = 0, aside = 0, aside_before_m = 0;
+  for (double along_m = 0; along_m < path.length_m(); along_m += kStep_m) {
+    const double fade = kStep_m / kComesAndGoes_m;
+    pull += -fade * pull + random.normal(std::sqrt(2 * fade));
+    aside += 3 * fade * (pull - aside);
+    const double aside_m = wander_m * std::clamp(aside, -2.0, 2.0);
+    const double direction = path.pieces()[path.at(along_m).piece].arc.length_m < 0 ? -1 : 1;
+    const double drift_rad =
+        direction * std::atan((aside_m - std::exchange(aside_before_m, aside_m)) / kStep_m);
+    driven.push_back(path.at(along_m).T_map_path * Pose2{0, aside_m, drift_rad});
+  }
+  return driven;
+}
+
+/// Straight stretches with bends, U-turns and turning points between.
+Path any_route(Random& random) {
+  std::vector<Arc> arcs = {{random.uniform(2, 10), 0}};
+  double direction = 1;
+  const std::uint64_t bends = random.index(5);
+  for (std::uint64_t i = 0; i < bends; ++i) {
+    const double radius_m = random.uniform(0.8, 2), turn_rad = random.uniform() < 0.2 ? kPi : kPi / 2;
+    if (random.uniform() < 0.15) direction = -direction;
+    arcs.push_back({direction * radius_m * turn_rad, random.uniform() < 0.5 ? turn_rad : -turn_rad});
+    arcs.push_back({direction * random.uniform(2, 10), 0});
+  }
+  return path_of(arcs);
+}
+
+double stray_m(const Path& path, const std::vector<Pose2>& driven) {
+  double along_m = 0, stray_m = 0;
+  for (const Pose2& pose : driven) {
+    const PathPoint at = path.nearest(pose.position(), along_m - 0.12, along_m + 0.72);
+    along_m = std::max(along_m, at.along_m);
+    stray_m = std::max(stray_m, (at.T_map_path.position() - pose.position()).norm());
+  }
+  return stray_m;
+}
+
+TEST(FitPath, AStraightCorridorDrivenByHandIsOneLine) {
+  Random random(1);
+  const Path path = fit_path(driven_by_hand(path_of({{12, 0}}), 0.05, random), {});
+  ASSERT_EQ(path.pieces().size(), 1);
+  EXPECT_EQ(path.pieces()[0].arc.turn_rad, 0);
+}
+
+TEST(FitPath, ABendThatWasDrivenExactlyIsGivenBack) {
+  Random random(1);
+  for (const double radius_m : {0.8, 1.0, 2.0}) {
+    const Path way = path_of({{4, 0}, {radius_m * kPi / 2, kPi / 2}, {4, 0}});
+    const Path path = fit_path(driven_by_hand(way, 0, random), {});
+    ASSERT_EQ(path.pieces().size(), 3);
+    EXPECT_NEAR(1 / path.pieces()[1].curvature_per_m(), radius_m, 0.01);
+    EXPECT_NEAR(path.length_m(), way.length_m(), 0.04);
+  }
+}
+
+TEST(FitPath, KeepsTurnsOnTheSpotAndTurningPoints) {
+  Random random(1);
+  std::vector<Pose2> driven = driven_by_hand(path_of({{3, 0}}), 0, random);
+  for (int i = 0; i <= 30; ++i) driven.push_back({3, 0, i * 3 * kDegree});
+  for (int i = 0; i <= 100; ++i) driven.push_back({3, i * 0.03, kPi / 2});
+  for (int i = 0; i <= 100; ++i) driven.push_back({3, 3 - i * 0.03, kPi / 2});
+  const Path path = fit_path(driven, {});
+  ASSERT_EQ(path.pieces().size(), 4);
+  EXPECT_TRUE(path.pieces()[1].is_on_the_spot());
+  EXPECT_NEAR(path.pieces()[1].arc.turn_rad, kPi / 2, 0.01);
+  EXPECT_NEAR(path.pieces()[2].arc.length_m, 3, 0.02);
+  EXPECT_NEAR(path.pieces()[3].arc.length_m, -3, 0.02);
+}
+
+TEST(FitPath, NeverStraysFartherThanAllowed) {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Random random(seed);
+    const std::vector<Pose2> driven = driven_by_hand(any_route(random), seed % 2 == 0 ? 0 : 0.05, random);
+    const Path path = fit_path(driven, {});
+    EXPECT_LE(stray_m(path, driven), PathFitParams{}.stray_max_m) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace aisle

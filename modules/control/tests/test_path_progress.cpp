@@ -1,0 +1,44 @@
+#include "aisle/control/path_progress.hpp"
+
+#include <gtest/gtest.h>
+
+#include "closed_loop.hpp"
+
+namespace aisle {
+namespace {
+
+TEST(PathProgress, ComesBackOnlyAfterTheTurningPoint) {
+  const Path path = path_of({{2, 0}, {-2, 0}});
+  PathProgress progress(path);
+  EXPECT_NEAR(progress.advance({1.0, 0.05, 0}).along_m, 1.0, 1e-12);
+  EXPECT_NEAR(progress.advance({1.9, 0.05, 0}).along_m, 1.9, 1e-12);
+  EXPECT_NEAR(progress.advance({2.0, 0.05, 0}).along_m, 2.0, 1e-12);
+  EXPECT_EQ(progress.point().piece, 1);
+  EXPECT_NEAR(progress.advance({1.5, 0.05, 0}).along_m, 2.5, 1e-12);
+  EXPECT_FALSE(progress.has_arrived());
+  progress.advance({0.8, 0, 0});
+  progress.advance({0, 0, 0});
+  EXPECT_TRUE(progress.has_arrived());
+}
+
+TEST(PathProgress, LeavesATurnOnTheSpotWhenItIsTurned) {
+  const Path path = path_of({{1, 0}, {0, kPi / 2}, {1, 0}});
+  PathProgress progress(path, 0.5);
+  progress.advance({1, 0, 0});
+  EXPECT_EQ(progress.point().piece, 1);
+  progress.advance({1, 0, 80 * kDegree});
+  EXPECT_EQ(progress.point().piece, 1);
+  progress.advance({1, 0, 89.5 * kDegree});
+  EXPECT_EQ(progress.point().piece, 2);
+}
+
+TEST(PathProgress, StaysOnItsWayRoundWhereThePathCrossesItself) {
+  const Path path = path_of({{3, 0}, {1.5 * kPi, 1.5 * kPi}, {3, 0}});
+  PathProgress progress(path);
+  for (double along_m = 0; along_m < path.length_m(); along_m += 0.05) {
+    EXPECT_NEAR(progress.advance(path.at(along_m).T_map_path).along_m, along_m, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace aisle
