@@ -18,24 +18,29 @@ double direction_of(const Pose2& from, const Pose2& to) {
 
 std::vector<DrivenLeg> driven_legs(std::span<const Pose2> driven, double step_m) {
   std::vector<DrivenLeg> legs;
-  Pose2 kept = driven.front(), before = driven.front();
+  Pose2 kept = driven.front();  // where the last step ended
+  Vec2 p_map_farthest = kept.position();
   for (const Pose2& pose : driven) {
+    const auto ahead_m = [&](const Vec2& p_map) {
+      return (legs.empty() ? 0 : legs.back().direction) * unit(kept.theta).dot(p_map - kept.position());
+    };
+    if (ahead_m(pose.position()) > ahead_m(p_map_farthest)) p_map_farthest = pose.position();
+    if ((pose.position() - kept.position()).norm() < step_m) continue;
+
     const double turn_rad = wrap_angle(pose.theta - kept.theta);
-    const double way_m = (pose.position() - kept.position()).norm();
-    if (way_m < step_m) {
-      before = pose;
-      continue;
-    }
     const bool turned = std::abs(turn_rad) > kOnTheSpot_rad;
-    const Pose2 T_map_from = turned ? before : kept;
-    const double direction = direction_of(T_map_from, pose);
-    if (legs.empty() || turned || direction != legs.back().direction) {
-      const double turn_before_rad =
-          turned && !legs.empty() ? wrap_angle(T_map_from.theta - legs.back().samples.back().theta) : 0;
-      legs.push_back({direction, {T_map_from}, turn_before_rad});
+    const double direction = direction_of(turned ? Pose2{kept.x, kept.y, pose.theta} : kept, pose);
+    if (legs.empty()) {
+      legs.push_back({direction, {kept}, 0});
+    } else if (turned || direction != legs.back().direction) {
+      legs.back().samples.push_back({p_map_farthest.x(), p_map_farthest.y(), kept.theta});
+      const double heading_rad = turned ? pose.theta : kept.theta;
+      legs.push_back(
+          {direction, {{p_map_farthest.x(), p_map_farthest.y(), heading_rad}}, turned ? turn_rad : 0});
     }
     legs.back().samples.push_back(pose);
-    kept = before = pose;
+    kept = pose;
+    p_map_farthest = kept.position();
   }
   const Pose2& last = driven.back();
   if (legs.empty()) {

