@@ -19,7 +19,7 @@ void MwghtParams::describe(FieldList& fields) {
 class Mwght::Work {
  public:
   explicit Work(const MwghtParams& params)
-      : params_(params), kernel_(params), votes_(params), search_(params, kernel_), refinement_(params) {}
+      : params_(params), kernel_(params), votes_(params), search_(kernel_), refinement_(params) {}
 
   std::optional<MwghtAnswer> by_branch_and_bound(std::span<const WeightedPoint> learned,
                                                  std::span<const WeightedPoint> seen,

@@ -8,10 +8,6 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // a reach of whole cells includes the last one
 
-int round_up_to_fours(int n) {
-  return (n + 3) / 4 * 4;
-}
-
 /// Of a box's cells along one axis, the offset of the one nearest to the vote.
 int nearest_offset(int first, int box) {
   return std::clamp(0, first, first + box - 1);
@@ -31,21 +27,23 @@ MwghtKernel::MwghtKernel(const MwghtParams& params)
   }
 }
 
-MwghtBounds::MwghtBounds(const MwghtKernel& kernel, int box, int first_offset, int offsets, int boxes)
-    : box_(box),
-      first_offset_(first_offset),
-      boxes_(round_up_to_fours(boxes)),
-      quotients_((offsets - 1) / box + boxes_) {
-  const int rows = offsets + (boxes_ - 1) * box;
+template <int kBox>
+MwghtBounds<kBox>::MwghtBounds(const MwghtKernel& kernel, int first_offset, int offsets, int boxes)
+    : first_offset_(first_offset), quotients_(static_cast<unsigned>((offsets - 1) / kBox + boxes)) {
+  const int rows = offsets + (boxes - 1) * kBox;
   for (int y = 0; y < rows; ++y) {
-    for (int phase = 0; phase < box; ++phase) {
-      for (int quotient = 0; quotient < quotients_; ++quotient) {
-        const int x = quotient * box + phase;
+    for (int phase = 0; phase < kBox; ++phase) {
+      for (int quotient = 0; quotient < static_cast<int>(quotients_); ++quotient) {
+        const int x = quotient * kBox + phase;
         values_.push_back(static_cast<float>(
-            kernel(nearest_offset(first_offset + x, box), nearest_offset(first_offset + y, box))));
+            kernel(nearest_offset(first_offset + x, kBox), nearest_offset(first_offset + y, kBox))));
       }
     }
   }
 }
+
+template class MwghtBounds<1>;
+template class MwghtBounds<4>;
+template class MwghtBounds<16>;
 
 }  // namespace aisle

@@ -29,28 +29,27 @@ class MwghtKernel {
   std::vector<double> values_;
 };
 
-/// The most that a vote can add to any cell of a box, for rows of boxes side by side: boxes of `box` x `box`
-/// cells, whose first corner lies `offset` cells after the vote's own cell.
+/// The most that a vote can add to any cell of a box, for boxes of kBox x kBox cells side by side. The first
+/// box's corner lies `offset` cells after the vote's own cell.
+template <int kBox>
 class MwghtBounds {
  public:
   /// @param first_offset  the least offset that is asked for
   /// @param offsets  how many offsets are, from there on
-  /// @param boxes  how many boxes side by side; they are read in fours
-  MwghtBounds(const MwghtKernel& kernel, int box, int first_offset, int offsets, int boxes);
+  /// @param boxes  how many boxes are asked for along each axis, a multiple of four
+  MwghtBounds(const MwghtKernel& kernel, int first_offset, int offsets, int boxes = 4);
 
-  int boxes() const { return boxes_; }  ///< side by side, a multiple of four
-
-  /// For the boxes number i .. i + 3 of row j, the first of which has the given offset.
-  auto four(int offset_x, int offset_y, int i, int j) const {
-    const int x = offset_x - first_offset_, y = offset_y - first_offset_ + j * box_;
-    return Eigen::Array4f::Map(
-        &values_[static_cast<std::size_t>((y * box_ + x % box_) * quotients_ + x / box_ + i)]);
+  /// For the boxes i .. i + 3 of row j.
+  auto four(int offset_x, int offset_y, int j, int i = 0) const {
+    const unsigned x = static_cast<unsigned>(offset_x - first_offset_);
+    const unsigned y = static_cast<unsigned>(offset_y - first_offset_ + j * kBox);
+    return Eigen::Array4f::Map(&values_[(y * kBox + x % kBox) * quotients_ + x / kBox + static_cast<unsigned>(i)]);
   }
 
  private:
-  int box_, first_offset_, boxes_, quotients_;
-  /// By (row, column modulo the box, column by the box): what lies side by side in the boxes lies so in
-  /// memory.
+  int first_offset_;
+  unsigned quotients_;
+  /// By (row, column modulo the box, column by the box): what lies side by side in the boxes lies so in memory.
   std::vector<float> values_;
 };
 

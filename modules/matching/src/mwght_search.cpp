@@ -6,67 +6,51 @@
 namespace aisle {
 namespace {
 
-constexpr int kCoarse = 16, kFine = 4;  // cells along a square's side
+constexpr int kTop = 16;  // cells along the side of the greatest squares
 constexpr double kFloatStep = 1.0 / (1 << 22);
 constexpr double kFloatFloor = 1e-30;  // of sums of shares: below, products may have vanished
 
-using Bounds4x4 = Eigen::Array44f;
-
-/// Squares that one vote can reach, along an axis.
-int squares_reached(int reach) {
-  return (2 * reach + kCoarse - 1) / kCoarse + 1;
-}
-
-/// Keeps the votes, in their order, that reach into the square of `size` cells.
-void keep_near(std::span<const MwghtVote> votes, int x, int y, int size, int reach,
-               std::vector<MwghtVote>& near) {
-  near.resize(votes.size() + 1);
-  const auto span = static_cast<unsigned>(size - 1 + 2 * reach);
-  std::size_t count = 0;
+/// The votes, in their order, that reach into the square of `side` cells from (x, y) on; they live in `room`.
+std::span<const MwghtVote> near(std::span<const MwghtVote> votes, int x, int y, int side, int reach,
+                                std::vector<MwghtVote>& room) {
+  if (room.size() <= votes.size()) room.resize(votes.size() + 1);
+  const auto span = static_cast<unsigned>(side - 1 + 2 * reach);
+  MwghtVote* end = room.data();
   for (const MwghtVote& vote : votes) {
-    near[count] = vote;
-    count += static_cast<std::size_t>(static_cast<unsigned>(vote.x - x + reach) <= span) &
-             static_cast<std::size_t>(static_cast<unsigned>(vote.y - y + reach) <= span);
+    *end = vote;
+    const bool in_x = static_cast<unsigned>(vote.x - x + reach) <= span;
+    const bool in_y = static_cast<unsigned>(vote.y - y + reach) <= span;
+    end += static_cast<int>(in_x) & static_cast<int>(in_y);
   }
-  near.resize(count);
+  return {room.data(), end};
 }
 
-/// Bounds of 4 x 4 boxes; column = y.
-Bounds4x4 bounds_of_boxes(std::span<const MwghtVote> near, int x, int y, const MwghtBounds& table,
-                          double share) {
+/// What the votes can add to each of 4 x 4 boxes from (x, y) on: element (i, j) for column i and row j.
+template <int kBox>
+Eigen::Array44f sum_bounds(std::span<const MwghtVote> votes, int x, int y, const MwghtBounds<kBox>& bounds,
+                           double share) {
   Eigen::Array4f row0 = Eigen::Array4f::Zero(), row1 = row0, row2 = row0, row3 = row0;
-  for (const MwghtVote& vote : near) {
+  for (const MwghtVote& vote : votes) {
     const auto weight = static_cast<float>(vote.weight * share);
     const int dx = x - vote.x, dy = y - vote.y;
-    row0 += weight * table.four(dx, dy, 0, 0);
-    row1 += weight * table.four(dx, dy, 0, 1);
-    row2 += weight * table.four(dx, dy, 0, 2);
-    row3 += weight * table.four(dx, dy, 0, 3);
+    row0 += weight * bounds.four(dx, dy, 0);
+    row1 += weight * bounds.four(dx, dy, 1);
+    row2 += weight * bounds.four(dx, dy, 2);
+    row3 += weight * bounds.four(dx, dy, 3);
   }
-  Bounds4x4 bounds;
-  bounds << row0, row1, row2, row3;
-  return bounds;
-}
-
-/// Calls visit(i, j) for the boxes that may hold something greater, the most promising first. The threshold
-/// may rise meanwhile.
-template <class Visit>
-void visit_by_promise(Bounds4x4 bounds, const float& threshold, Visit visit) {
-  for (;;) {
-    int i = 0, j = 0;
-    if (bounds.maxCoeff(&i, &j) < threshold) return;
-    bounds(i, j) = -1;
-    visit(i, j);
-  }
+  Eigen::Array44f sums;
+  sums << row0, row1, row2, row3;
+  return sums;
 }
 
 }  // namespace
 
-MwghtSearch::MwghtSearch(const MwghtParams&, const MwghtKernel& kernel)
+MwghtSearch::MwghtSearch(const MwghtKernel& kernel)
     : kernel_(kernel),
-      coarse_(kernel, kCoarse, -kernel.reach() - kCoarse + 1, kCoarse, squares_reached(kernel.reach())),
-      fine_(kernel, kFine, -kernel.reach() - kCoarse + 1, 2 * kernel.reach() + kCoarse, kCoarse / kFine),
-      cell_(kernel, 1, -kernel.reach() - kFine + 1, 2 * kernel.reach() + kFine, kFine) {}
+      reached_((2 * kernel.reach() + kTop - 1) / kTop + 1),
+      bounds_16_(kernel, -kernel.reach() - 15, 16, (reached_ + 3) / 4 * 4),
+      bounds_4_(kernel, -kernel.reach() - 15, 2 * kernel.reach() + 16),
+      bounds_1_(kernel, -kernel.reach() - 3, 2 * kernel.reach() + 4) {}
 
 void MwghtSearch::bound_squares(const MwghtVotes& votes, const MwghtGrid& grid) {
   votes_ = &votes;
@@ -80,25 +64,24 @@ void MwghtSearch::bound_squares(const MwghtVotes& votes, const MwghtGrid& grid) 
 /// The same voting, coarsely: each vote gives each square the most that it can give any of its cells.
 void MwghtSearch::bound_squares_of(int turn) {
   const int reach = kernel_.reach();
-  const int margin = (2 * reach + kCoarse - 1) / kCoarse;
-  const int columns = (grid_.columns() - 1) / kCoarse + 1, rows = (grid_.rows() - 1) / kCoarse + 1;
-  stride_ = columns + margin + margin + coarse_.boxes();
-  sums_.assign(static_cast<std::size_t>(stride_ * (rows + margin + margin + coarse_.boxes())), 0.0F);
+  const int margin = reached_ - 1;
+  const int columns = (grid_.columns() - 1) / kTop + 1, rows = (grid_.rows() - 1) / kTop + 1;
+  const int stride = columns + 2 * margin + 4;
+  sums_.assign(static_cast<std::size_t>(stride * (rows + 2 * margin + 1)), 0.0F);
   for (const MwghtVote& vote : votes_->of_turn(turn)) {
     const auto weight = static_cast<float>(vote.weight * share_);
     const int x = (vote.x - reach) >> 4, y = (vote.y - reach) >> 4;
-    float* sums = &sums_[static_cast<std::size_t>((y + margin) * stride_ + x + margin)];
-    for (int j = 0; j < squares_reached(reach); ++j, sums += stride_) {
-      for (int i = 0; i < coarse_.boxes(); i += 4) {
-        Eigen::Array4f::Map(sums + i) +=
-            weight * coarse_.four(x * kCoarse - vote.x, y * kCoarse - vote.y, i, j);
-      }
+    const int dx = x * kTop - vote.x, dy = y * kTop - vote.y;
+    float* sums = &sums_[static_cast<std::size_t>((y + margin) * stride + x + margin)];
+    for (int j = 0; j < reached_; ++j, sums += stride) {
+      for (int i = 0; i < reached_; i += 4)
+        Eigen::Array4f::Map(sums + i) += weight * bounds_16_.four(dx, dy, j, i);
     }
   }
   for (int y = 0; y < rows; ++y) {
     for (int x = 0; x < columns; ++x) {
-      const float bound = sums_[static_cast<std::size_t>((y + margin) * stride_ + x + margin)];
-      squares_.push_back({bound, turn, y * kCoarse, x * kCoarse});
+      const float bound = sums_[static_cast<std::size_t>((y + margin) * stride + x + margin)];
+      squares_.push_back({bound, turn, y * kTop, x * kTop});
     }
   }
 }
@@ -111,48 +94,53 @@ std::optional<MwghtMaximum> MwghtSearch::maximum(const MwghtVicinity* excluded) 
 
   const Square* promising = nullptr;
   for (const Square& square : squares_) {
-    if ((!promising || square.bound > promising->bound) && !is_excluded(square, kCoarse)) promising = &square;
+    if ((!promising || square.bound > promising->bound) && !is_excluded(square, kTop)) promising = &square;
   }
   if (!promising) return std::nullopt;
-  divide(*promising);
+  divide<kTop>(*promising, votes_->of_turn(promising->turn));
 
   queue_.clear();
   for (const Square& square : squares_) {
-    if (square.bound >= threshold_ && &square != promising && !is_excluded(square, kCoarse))
-      queue_.push_back(square);
+    if (square.bound >= threshold_ && &square != promising) queue_.push_back(square);
   }
   std::sort(queue_.begin(), queue_.end(), by_bound);
   for (const Square& square : queue_) {
     if (square.bound < threshold_) break;
-    divide(square);
+    divide<kTop>(square, votes_->of_turn(square.turn));
   }
   return best_;
 }
 
-void MwghtSearch::divide(const Square& square) {
-  keep_near(votes_->of_turn(square.turn), square.x, square.y, kCoarse, kernel_.reach(), near_coarse_);
-  if (near_coarse_.empty()) return;
-  visit_by_promise(bounds_of_boxes(near_coarse_, square.x, square.y, fine_, share_), threshold_,
-                   [&](int i, int j) {
-                     divide_fine({0, square.turn, square.y + kFine * j, square.x + kFine * i});
-                   });
+template <int kSide>
+const auto& MwghtSearch::bounds_of_parts() const {
+  if constexpr (kSide == 16) return bounds_4_;
+  if constexpr (kSide == 4) return bounds_1_;
 }
 
-void MwghtSearch::divide_fine(const Square& square) {
-  if (square.x >= grid_.columns() || square.y >= grid_.rows() || is_excluded(square, kFine)) return;
-  keep_near(near_coarse_, square.x, square.y, kFine, kernel_.reach(), near_fine_);
-  if (near_fine_.empty()) return;
-  visit_by_promise(bounds_of_boxes(near_fine_, square.x, square.y, cell_, share_), threshold_,
-                   [&](int i, int j) { try_cell(square.turn, square.y + j, square.x + i); });
+template <int kSide>
+void MwghtSearch::divide(const Square& square, std::span<const MwghtVote> votes) {
+  if (square.x >= grid_.columns() || square.y >= grid_.rows() || is_excluded(square, kSide)) return;
+  if constexpr (kSide == 1) {
+    try_cell(square, votes);
+  } else {
+    const auto reaching = near(votes, square.x, square.y, kSide, kernel_.reach(), kSide == 16 ? near_16_ : near_4_);
+    if (reaching.empty()) return;
+    constexpr int kPart = kSide / 4;
+    Eigen::Array44f bounds = sum_bounds(reaching, square.x, square.y, bounds_of_parts<kSide>(), share_);
+    for (;;) {
+      int i = 0, j = 0;
+      const float bound = bounds.maxCoeff(&i, &j);
+      if (bound < threshold_) return;
+      bounds(i, j) = -1;
+      divide<kPart>({bound, square.turn, square.y + j * kPart, square.x + i * kPart}, reaching);
+    }
+  }
 }
 
-void MwghtSearch::try_cell(int turn, int y, int x) {
-  if (x >= grid_.columns() || y >= grid_.rows()) return;
-  const MwghtCell cell = grid_.cell(turn, y, x);
-  if (excluded_ && excluded_->holds(cell)) return;
+void MwghtSearch::try_cell(const Square& square, std::span<const MwghtVote> votes) {
   double value = 0;
-  for (const MwghtVote& vote : near_fine_) value += vote.weight * kernel_(x - vote.x, y - vote.y);
-  const MwghtMaximum maximum{cell, value};
+  for (const MwghtVote& vote : votes) value += vote.weight * kernel_(square.x - vote.x, square.y - vote.y);
+  const MwghtMaximum maximum{grid_.cell(square.turn, square.y, square.x), value};
   if (value > 0 && (!best_ || maximum.beats(*best_))) take_as_best(maximum);
 }
 
@@ -162,8 +150,8 @@ void MwghtSearch::take_as_best(const MwghtMaximum& maximum) {
   threshold_ = scaled > kFloatFloor ? static_cast<float>(scaled / slack_) : 0;
 }
 
-bool MwghtSearch::is_excluded(const Square& square, int size) const {
-  return excluded_ && excluded_->holds_square(grid_.cell(square.turn, square.y, square.x), size);
+bool MwghtSearch::is_excluded(const Square& square, int side) const {
+  return excluded_ && excluded_->holds_square(grid_.cell(square.turn, square.y, square.x), side);
 }
 
 }  // namespace aisle

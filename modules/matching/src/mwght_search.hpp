@@ -2,8 +2,6 @@
 /// Branch and bound over the cells: squares of 16 x 16 cells of one angle are divided into squares of 4 x 4
 /// and these into cells. A square that cannot hold a greater cell than the best so far is not divided.
 
-#include <array>
-
 #include "mwght_kernel.hpp"
 #include "mwght_maximum.hpp"
 
@@ -11,7 +9,7 @@ namespace aisle {
 
 class MwghtSearch {
  public:
-  MwghtSearch(const MwghtParams& params, const MwghtKernel& kernel);
+  explicit MwghtSearch(const MwghtKernel& kernel);
 
   /// Bounds every square of the window; `votes` must live as long as maxima are asked for.
   void bound_squares(const MwghtVotes& votes, const MwghtGrid& grid);
@@ -26,21 +24,26 @@ class MwghtSearch {
   };
 
   void bound_squares_of(int turn);
-  void divide(const Square& square);
-  void divide_fine(const Square& square);
-  void try_cell(int turn, int y, int x);
+  template <int kSide>
+  void divide(const Square& square, std::span<const MwghtVote> votes);
+  template <int kSide>
+  const auto& bounds_of_parts() const;
+  void try_cell(const Square& square, std::span<const MwghtVote> votes);
   void take_as_best(const MwghtMaximum& maximum);
   bool is_excluded(const Square& square, int size) const;
 
   const MwghtKernel& kernel_;
-  MwghtBounds coarse_, fine_, cell_;
+  int reached_;  ///< squares along an axis that one vote may reach
+  MwghtBounds<16> bounds_16_;
+  MwghtBounds<4> bounds_4_;
+  MwghtBounds<1> bounds_1_;
   const MwghtVotes* votes_ = nullptr;
   MwghtGrid grid_;
   int stride_ = 0;           ///< of sums_
   std::vector<float> sums_;  ///< of one angle: bounds by square, with a margin around the window
   std::vector<Square> squares_;
   std::vector<Square> queue_;
-  std::vector<MwghtVote> near_coarse_, near_fine_;  ///< votes that reach into the square
+  std::vector<MwghtVote> near_16_, near_4_;  ///< votes that reach into the square of this side
 
   const MwghtVicinity* excluded_ = nullptr;
   std::optional<MwghtMaximum> best_;
