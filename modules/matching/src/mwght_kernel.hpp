@@ -43,13 +43,15 @@ class MwghtBounds {
   auto four(int offset_x, int offset_y, int j, int i = 0) const {
     const unsigned x = static_cast<unsigned>(offset_x - first_offset_);
     const unsigned y = static_cast<unsigned>(offset_y - first_offset_ + j * kBox);
-    return Eigen::Array4f::Map(&values_[(y * kBox + x % kBox) * quotients_ + x / kBox + static_cast<unsigned>(i)]);
+    return Eigen::Array4f::Map(
+        &values_[(y * kBox + x % kBox) * quotients_ + x / kBox + static_cast<unsigned>(i)]);
   }
 
  private:
   int first_offset_;
   unsigned quotients_;
-  /// By (row, column modulo the box, column by the box): what lies side by side in the boxes lies so in memory.
+  /// By (row, column modulo the box, column by the box): what lies side by side in the boxes lies so in
+  /// memory.
   std::vector<float> values_;
 };
 

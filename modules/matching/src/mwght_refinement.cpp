@@ -9,8 +9,8 @@
 namespace aisle {
 namespace {
 
-constexpr int kRounds = 20;
-constexpr double kSettled = 1e-10;         // [m, rad]: further rounds change nothing
+constexpr int kRounds = 12;
+constexpr double kSettled = 1e-7;          // [m, rad]: further rounds change nothing
 constexpr double kNoiseMin_m = 0.004;      // floor of the estimated noise of a coordinate
 constexpr double kNoiseGuess_m = 0.03;     // of a pair's coordinate, before anything is known,
 constexpr double kNoiseGuessWorth = 3;     // and how many residuals this guess is worth
@@ -38,30 +38,39 @@ struct Normal {
 
 }  // namespace
 
-void MwghtRefinement::pair_nearest(const Pose2& displacement, std::span<const WeightedPoint> learned,
-                                   std::span<const WeightedPoint> seen) {
+void MwghtRefinement::pair_within_reach(const Pose2& start, std::span<const WeightedPoint> learned,
+                                        std::span<const WeightedPoint> seen) {
   pairs_.clear();
-  const double reach_m = params_.reach_m + params_.cell_m;
-  const Vec2 forward = unit(displacement.theta);
-  for (const WeightedPoint& q : seen) {
-    const Vec2 moved =
-        q.position.x() * forward + q.position.y() * left_normal(forward) + displacement.position();
-    const WeightedPoint* nearest = nullptr;
-    double nearest_m2 = square(reach_m);
+  const double reach_m2 = square(params_.reach_m + params_.cell_m);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const Vec2 moved = rotate(start.theta, seen[i].position) + start.position();
     for (const WeightedPoint& p : learned) {
-      const double m2 = (p.position - moved).squaredNorm();
-      if (m2 > nearest_m2) continue;
-      nearest_m2 = m2;
-      nearest = &p;
+      if ((p.position - moved).squaredNorm() > reach_m2) continue;
+      pairs_.push_back({i, p.position, seen[i].position, p.weight * seen[i].weight});
     }
-    if (nearest)
-      pairs_.push_back({nearest->position, q.position, nearest->weight * q.weight, std::sqrt(nearest_m2)});
+  }
+}
+
+void MwghtRefinement::match_nearest(const Pose2& displacement) {
+  matches_.clear();
+  const Vec2 forward = unit(displacement.theta);
+  std::size_t last_seen = 0;
+  for (const Pair& pair : pairs_) {
+    const Vec2 lever = pair.p_seen.x() * forward + pair.p_seen.y() * left_normal(forward);
+    const Vec2 residual = lever + displacement.position() - pair.p_learned;
+    const Match match{lever, residual, pair.weight, residual.norm()};
+    if (matches_.empty() || pair.seen != last_seen) {
+      matches_.push_back(match);
+    } else if (match.distance_m < matches_.back().distance_m) {
+      matches_.back() = match;
+    }
+    last_seen = pair.seen;
   }
 }
 
 double MwghtRefinement::usual_distance() {
   distances_.clear();
-  for (const Pair& pair : pairs_) distances_.push_back(pair.distance_m);
+  for (const Match& match : matches_) distances_.push_back(match.distance_m);
   const auto middle = distances_.begin() + static_cast<std::ptrdiff_t>(distances_.size() / 2);
   std::nth_element(distances_.begin(), middle, distances_.end());
   return *middle;
@@ -69,32 +78,30 @@ double MwghtRefinement::usual_distance() {
 
 UncertainPose2 MwghtRefinement::refine(const MwghtCell& cell, std::span<const WeightedPoint> learned,
                                        std::span<const WeightedPoint> seen, const MwghtWindow& window) {
-  const Pose2 start{cell.x * params_.cell_m, cell.y * params_.cell_m, cell.turn * params_.angle_step_rad};
-  const Vec3 window_variance(square(window.x_half_m + params_.reach_m),
-                             square(window.y_half_m + params_.reach_m),
+  Pose2 pose{cell.x * params_.cell_m, cell.y * params_.cell_m, cell.turn * params_.angle_step_rad};
+  const double near_m = params_.reach_m + params_.cell_m;
+  const Vec3 window_variance(square(window.x_half_m + near_m), square(window.y_half_m + near_m),
                              square(window.turn_half_rad + params_.angle_step_rad));
   const Mat3 window_information = window_variance.cwiseInverse().asDiagonal();
-  Pose2 pose = start;
   Mat3 covariance = window_variance.asDiagonal();
+  pair_within_reach(pose, learned, seen);
+  if (pairs_.empty()) return {pose, covariance};
   for (int round = 0; round < kRounds; ++round) {
-    pair_nearest(pose, learned, seen);
-    if (pairs_.empty()) break;
+    match_nearest(pose);
     const double noise_m = std::max(kNoiseMin_m, usual_distance() / kMedianDistance);
     Normal normal;
-    for (const Pair& pair : pairs_) {
-      const double robust = std::exp(-square(pair.distance_m / (kWelschSigmas * noise_m)) / 2);
-      const Vec2 lever = rotate(pose.theta, pair.p_seen);
-      normal.add(lever, lever + pose.position() - pair.p_learned, robust * pair.weight);
+    for (const Match& match : matches_) {
+      const double robust = std::exp(-square(match.distance_m / (kWelschSigmas * noise_m)) / 2);
+      normal.add(match.lever, match.residual, robust * match.weight);
     }
     const double as_pairs = normal.pairs() / normal.weight;
     const double variance_m2 =
         (kNoiseGuessWorth * square(kNoiseGuess_m) + as_pairs * normal.squared_residual) /
         (2 * normal.pairs());
-    const Vec3 from_start(pose.x - start.x, pose.y - start.y, pose.theta - start.theta);
-    const Mat3 information = as_pairs / variance_m2 * normal.information + window_information;
-    const Vec3 step =
-        -information.ldlt().solve(as_pairs / variance_m2 * normal.gradient + window_information * from_start);
+    const double worth = as_pairs / variance_m2;
+    const Mat3 information = worth * normal.information + window_information;
     covariance = information.inverse();
+    const Vec3 step = -worth * covariance * normal.gradient;
     pose = {pose.x + step.x(), pose.y + step.y(), pose.theta + step.z()};
     if (step.norm() < kSettled) break;
   }

@@ -21,16 +21,25 @@ class MwghtRefinement {
 
  private:
   struct Pair {
+    std::size_t seen;
     Vec2 p_learned, p_seen;
+    double weight;
+  };
+  /// A seen point with the learned point nearest to it at present.
+  struct Match {
+    Vec2 lever;     ///< the seen point, turned
+    Vec2 residual;  ///< from the learned to the displaced seen point [m]
     double weight, distance_m;
   };
 
-  void pair_nearest(const Pose2& displacement, std::span<const WeightedPoint> learned,
-                    std::span<const WeightedPoint> seen);
+  void pair_within_reach(const Pose2& start, std::span<const WeightedPoint> learned,
+                         std::span<const WeightedPoint> seen);
+  void match_nearest(const Pose2& displacement);
   double usual_distance();
 
   MwghtParams params_;
   std::vector<Pair> pairs_;
+  std::vector<Match> matches_;
   std::vector<double> distances_;
 };
 

@@ -123,7 +123,8 @@ void MwghtSearch::divide(const Square& square, std::span<const MwghtVote> votes)
   if constexpr (kSide == 1) {
     try_cell(square, votes);
   } else {
-    const auto reaching = near(votes, square.x, square.y, kSide, kernel_.reach(), kSide == 16 ? near_16_ : near_4_);
+    const auto reaching =
+        near(votes, square.x, square.y, kSide, kernel_.reach(), kSide == 16 ? near_16_ : near_4_);
     if (reaching.empty()) return;
     constexpr int kPart = kSide / 4;
     Eigen::Array44f bounds = sum_bounds(reaching, square.x, square.y, bounds_of_parts<kSide>(), share_);

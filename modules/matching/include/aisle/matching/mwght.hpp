@@ -1,18 +1,17 @@
 #pragma once
-/// The multiweighted generalized Hough transform (C98 section II-C, Algorithm 1): by which displacement does a
-/// pattern of weighted points fit best onto another?
+/// The multiweighted generalized Hough transform (C98 section II-C, Algorithm 1): by which displacement does
+/// a pattern of weighted points fit best onto another?
 ///
-/// The printed algorithm swaps its two patterns in two places. Here, as its text means it: P are points of the
-/// TEMPLATE (what was learned), Q of the INPUT (what is seen). For each angle gamma, each pair votes for the
-/// displacement P - R(gamma) Q and, less, for the cells around it:
+/// The printed algorithm swaps its two patterns in two places. Here, as its text means it: P are points of
+/// the TEMPLATE (what was learned), Q of the INPUT (what is seen). For each angle gamma, each pair votes for
+/// the displacement P - R(gamma) Q and, less, for the cells around it:
 ///
 ///   H(cell, gamma) += W_P W_Q / (1 + d1 / D0)      (6), d1 = distance of the cells' centres (7)
 ///
-/// Angles turn the input about the origin of the coordinates that it is given in. Give both patterns relative to
-/// where the vehicle is thought to be: then the displacement is the correction of that pose, and an error of the
-/// angle does not smear it.
+/// Angles turn the input about the origin of the coordinates that it is given in. Give both patterns relative
+/// to where the vehicle is thought to be: then the displacement is the correction of that pose, and an error
+/// of the angle does not smear it.
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,7 +24,7 @@ namespace aisle {
 
 struct WeightedPoint {
   Vec2 position = Vec2::Zero();  ///< [m]
-  double weight = 1;             ///< > 0
+  double weight = 1;             ///< > 0; products of two are normal numbers
 };
 
 struct MwghtParams {
@@ -40,7 +39,7 @@ struct MwghtParams {
 };
 
 /// The displacements that are tried: cells whose centres are within +-x, +-y of the origin, and angles within
-/// +-turn, all multiples of the parameters' steps.
+/// +-turn, all multiples of the parameters' steps; at most 20,000 of each on each side.
 struct MwghtWindow {
   double x_half_m = 0.5;
   double y_half_m = 0.5;
@@ -57,7 +56,7 @@ struct MwghtCell {
 struct MwghtPeak {
   MwghtCell cell;
   double value = 0;    ///< H at the cell
-  Pose2 displacement;  ///< refined below the cell: T such that T * Q falls upon P
+  Pose2 displacement;  ///< refined below the cell by robust least squares: T such that T * Q falls upon P
 };
 
 struct MwghtAnswer {
@@ -65,7 +64,9 @@ struct MwghtAnswer {
   /// The greatest value among the cells that are a different hypothesis than the best; nullopt: nothing voted
   /// there.
   std::optional<MwghtPeak> runner_up;
-  Mat3 covariance = Mat3::Zero();  ///< of the best displacement (x, y, theta), from the votes' spread about it
+  /// Of the best displacement (x, y, theta), from the spread and number of the pairs that fit. What they do
+  /// not say (the turn, of a single point) is as uncertain as the window is wide.
+  Mat3 covariance = Mat3::Zero();
 };
 
 class Mwght {
@@ -74,15 +75,17 @@ class Mwght {
   Mwght(Mwght&&) noexcept;
   ~Mwght();
 
-  /// The maximum by branch and bound: the same cell and the same value, bit for bit, as `match_exhaustively`. Of
-  /// equal cells the least by (turn, y, x) wins. No allocation once warm.
+  /// The maximum by branch and bound: the same cell and the same value, bit for bit, as `match_exhaustively`.
+  /// Of equal cells the least by (turn, y, x) wins. No allocation once warm.
   /// @return nullopt if no pair votes within the window
-  std::optional<MwghtAnswer> match(std::span<const WeightedPoint> learned, std::span<const WeightedPoint> seen,
-                                   const MwghtWindow& window);
+  /// @throw std::invalid_argument for a window that is negative or too large
+  std::optional<MwghtAnswer> match(std::span<const WeightedPoint> learned,
+                                   std::span<const WeightedPoint> seen, const MwghtWindow& window);
 
   /// The published way: every vote into every cell. For comparison.
   std::optional<MwghtAnswer> match_exhaustively(std::span<const WeightedPoint> learned,
-                                                std::span<const WeightedPoint> seen, const MwghtWindow& window);
+                                                std::span<const WeightedPoint> seen,
+                                                const MwghtWindow& window);
 
  private:
   class Work;
