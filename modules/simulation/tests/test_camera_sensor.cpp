@@ -178,7 +178,7 @@ TEST(CameraSensor, SeesTheCornersOfAnUprightChessboardWhereTheLensModelProjectsT
 
 TEST(CameraSensor, SeesTheCornersOfAChessboardOnTheFloorWhereTheLensModelProjectsThem) {
   expect_corners_where_projected(
-      {.p_world_centre = {2.8, 0, 0.001}, .yaw_rad = kPi, .pitch_rad = kPi / 2, .square_m = 0.15});
+      {.p_world_centre = {2.8, 0, 0}, .yaw_rad = kPi, .pitch_rad = kPi / 2, .square_m = 0.15});
 }
 
 World wall_ahead(double height_m) {

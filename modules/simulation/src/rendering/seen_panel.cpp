@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kNear_m = 1e-4;  ///< what is nearer to the lens is not seen
 
+/// Nearness times this is as near: what lies in one plane differs by rounding.
+constexpr float kSamePlace = 1 - 1e-5f;
+
 /// Bounds of a panel's part ahead of the camera.
 class Outline {
  public:
@@ -110,7 +113,7 @@ void narrow(std::vector<Candidate>& candidates, std::size_t begin, std::size_t e
     const ValueRange nearness = over(beam, panel.near_a, panel.near_b, panel.near_c);
     const float nearest = std::min(nearness.middle + nearness.rise, panel.nearest);
     if (nearest < covered) continue;
-    if (covers) covered = std::max(covered, nearness.middle - nearness.rise);
+    if (covers) covered = std::max(covered, kSamePlace * (nearness.middle - nearness.rise));
     candidates.push_back({&panel, nearest, covers});
   }
   const auto added = candidates.begin() + static_cast<std::ptrdiff_t>(end);
@@ -130,7 +133,8 @@ void find_seen(std::span<const Candidate> candidates, const Floats& x, const Flo
         return panel.edge_a[edge] * x.at[k] + panel.edge_b[edge] * y.at[k] + panel.edge_c[edge] >= 0;
       };
       const float nearness = panel.near_a * x.at[k] + panel.near_b * y.at[k] + panel.near_c;
-      const bool is_seen = inside(0) & inside(1) & inside(2) & inside(3) & (nearness > nearest.at[k]);
+      const bool is_seen =
+          inside(0) & inside(1) & inside(2) & inside(3) & (nearness > kSamePlace * nearest.at[k]);
       nearest.at[k] = is_seen ? nearness : nearest.at[k];
       seen.at[k] = is_seen ? i : seen.at[k];
     }
