@@ -13,7 +13,7 @@ namespace {
 using Kind = LoosePiece::Kind;
 
 constexpr int kUnknowns = 5;  ///< of a piece: x, y, theta of its start, length, and curvature or turn
-constexpr double kJoins = 1e3;
+constexpr double kJoins = 1e5;
 constexpr double kDamping = 1e-6;
 
 /// Rows of a linear least-squares problem, gathered into its normal equations.
@@ -79,7 +79,7 @@ void add_joint(NormalEquations& equations, const LoosePath& loose, std::size_t k
                   {{unknown(k, row), row < 2 ? by_position : 0},
                    {unknown(k, 2), by_heading[row]},
                    {unknown(k, 3), on_the_spot ? 0 : by_own(row, 0)},
-                   {unknown(k, 4), by_own(row, 1)},
+                   {unknown(k, 4), piece.kind == Kind::kLine ? 0 : by_own(row, 1)},
                    {unknown(k + 1, row), -1}},
                   kJoins);
   }
@@ -121,7 +121,6 @@ NormalEquations equations_of(const LoosePath& loose, double radius_min_m) {
     const LoosePiece& piece = loose.pieces[k];
     add_joint(equations, loose, k);
     if (piece.kind == Kind::kTurnOnTheSpot) continue;
-    if (piece.kind == Kind::kLine) equations.add(0, {{unknown(k, 4), 1}}, kJoins);
     const double too_bent = std::abs(piece.curvature_per_m) - 1 / radius_min_m;
     if (too_bent > 0) {
       const double side = std::copysign(1, piece.curvature_per_m);
@@ -185,11 +184,14 @@ Arc LoosePiece::arc() const {
 
 void adjust(LoosePath& loose, double radius_min_m) {
   constexpr int kRounds = 30;
+  constexpr double kStepMax = 0.3;  // of metres, radians, and curvatures: farther the slopes do not hold
   constexpr double kStill = 1e-7;
   for (int round = 0; round < kRounds; ++round) {
     const Eigen::VectorXd step = equations_of(loose, radius_min_m).solve();
-    apply(loose, step);
-    if (step.lpNorm<Eigen::Infinity>() < kStill) break;
+    const double largest = step.lpNorm<Eigen::Infinity>();
+    if (!std::isfinite(largest)) break;
+    apply(loose, std::min(1.0, kStepMax / largest) * step);
+    if (largest < kStill) break;
     reassign(loose);
   }
 }

@@ -107,7 +107,7 @@ bool keeps_near(const Path& path, std::span<const Pose2> driven, const PathFitPa
   const double reach_m = params.radius_min_m + params.stray_max_m;
   double along_m = 0;
   for (const Pose2& pose : driven) {
-    const PathPoint at = path.nearest(pose.position(), along_m - params.stray_max_m, along_m + reach_m);
+    const PathPoint at = path.nearest(pose.position(), along_m - reach_m / 2, along_m + reach_m);
     if (!((at.T_map_path.position() - pose.position()).norm() <= params.stray_max_m)) return false;
     along_m = std::max(along_m, at.along_m);
   }
