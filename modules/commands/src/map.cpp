@@ -94,7 +94,7 @@ std::string error_text(const Json& figures) {
       figures["rotation_deg"]["std"].get<double>());
 }
 
-std::string text_of(const Json& figures) {
+std::string mapping_text(const Json& figures) {
   std::string text = fmt::format(
       "{} scans, {:.0f} m of way: {} walls, {:.0f} % of their length on the axes, {} loops closed\n"
       "{:.2f} s of processor time ({:.0f} times faster than the drive), {:.0f} MB of memory\n",
@@ -208,7 +208,7 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
     stages.insert(stages.end(), result.stages.begin(), result.stages.end());
     outcome.figures["stages"] = stage_figures(stages, relations);
   }
-  outcome.text = text_of(outcome.figures);
+  outcome.text = mapping_text(outcome.figures);
   if (out) {
     auto written = write_results(result, log, title_of(options.log), *out);
     if (!written) return written.problems();

@@ -145,7 +145,7 @@ std::string row_text(const std::string& name, const Json& figures, const char* v
                      verdict);
 }
 
-std::string text_of(const Json& figures) {
+std::string exploration_text(const Json& figures) {
   const auto is_complete = [](const Json& row) {
     return row["coverage"] == 1.0 && row["halted"] && row["ended_at_start"] && row["stack_empty"] &&
            row["map_equals_truth"];
@@ -287,7 +287,7 @@ Result<Outcome> run_maze_explore(const MazeExploreOptions& options, Console& con
   outcome.figures["cpu_s"] = rounded(process_cpu_s());
   outcome.figures["peak_rss_mb"] = rounded(process_peak_rss_mb());
   outcome.ok = totals.all_complete();
-  outcome.text = text_of(outcome.figures);
+  outcome.text = exploration_text(outcome.figures);
   for (const auto& [role, path] : outcome.files) outcome.text += fmt::format("{}: {}\n", role, path);
   return outcome;
 }

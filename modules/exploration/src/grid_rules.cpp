@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kRuleSetNames = {"published", "shortcut", "cells", "homing",
                                                            "roaming"};
-constexpr std::array<std::string_view, 9> kKindNames = {"one-way",    "crossing",      "ending",
-                                                        "explored",   "one-way start", "multi-way start",
-                                                        "dead start", "closed",        "detour"};
+constexpr std::array<std::string_view, 9> kInputKindNames = {"one-way",    "crossing",      "ending",
+                                                             "explored",   "one-way start", "multi-way start",
+                                                             "dead start", "closed",        "detour"};
 
 /// The super rules of C97 section 3.3; 5.3, 6 and 7 are ours.
 enum SuperRule : Symbol { k1, k21, k22, k3, k4, k51, k52, k53, k6, k7 };
@@ -218,7 +218,7 @@ std::optional<GridRuleSet> grid_rule_set(std::string_view name) {
 }
 
 std::string_view name_of(GridInputKind kind) {
-  return kKindNames[static_cast<unsigned>(kind)];
+  return kInputKindNames[static_cast<unsigned>(kind)];
 }
 
 const GridRules& grid_rules(GridRuleSet set) {

@@ -7,8 +7,8 @@
 namespace aisle {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKindNames = {"perfect", "braided", "rooms",
-                                                        "spiral",  "comb",    "hall"};
+constexpr std::array<std::string_view, 6> kMazeKindNames = {"perfect", "braided", "rooms",
+                                                            "spiral",  "comb",    "hall"};
 
 /// Depth first, always on to a random unvisited neighbour: long winding corridors.
 void carve_tree(GridWorld& world, Random& random) {
@@ -104,7 +104,7 @@ void carve_comb(GridWorld& world, Random& random) {
 }  // namespace
 
 std::string_view name_of(MazeKind kind) {
-  return kKindNames[static_cast<std::size_t>(kind)];
+  return kMazeKindNames[static_cast<std::size_t>(kind)];
 }
 
 std::optional<MazeKind> maze_kind(std::string_view name) {

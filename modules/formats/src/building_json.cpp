@@ -10,10 +10,8 @@
 namespace aisle {
 namespace {
 
-using nlohmann::json;
-
-constexpr std::string_view kFormat = "aisle.building";
-constexpr int kVersion = 1;
+constexpr std::string_view kBuildingFormat = "aisle.building";
+constexpr int kBuildingVersion = 1;
 constexpr double kSigmaLimit_m = 1e3;
 
 /// To the millimetre, without trailing zeros and without "-0".
@@ -24,7 +22,7 @@ std::string millimetres(double value_m) {
   return text == "-0" ? "0" : text;
 }
 
-std::string point_text(const Vec2& p) {
+std::string point_json(const Vec2& p) {
   return "[" + millimetres(p.x()) + ", " + millimetres(p.y()) + "]";
 }
 
@@ -35,7 +33,7 @@ const char* end_text(WallEnd end) {
 std::string wall_text(const Wall& wall) {
   return fmt::format(
       R"({{"start_m": {}, "end_m": {}, "orthogonal": {}, "ends": ["{}", "{}"], "sightings": {}, "sigma_m": {:.4f}}})",
-      point_text(wall.segment.start), point_text(wall.segment.end), wall.is_orthogonal, end_text(wall.start),
+      point_json(wall.segment.start), point_json(wall.segment.end), wall.is_orthogonal, end_text(wall.start),
       end_text(wall.end), wall.sightings, wall.sigma_m);
 }
 
@@ -80,11 +78,11 @@ Building read_version_1(const JsonValue& root) {
 }  // namespace
 
 std::string building_json(const Building& building) {
-  const json name = building.name;
+  const nlohmann::json name = building.name;
   std::string text = fmt::format(
       "{{\n\"format\": \"{}\",\n\"version\": {},\n\"name\": {},\n\"has_dominant_direction\": {},\n\"walls\": "
       "[",
-      kFormat, kVersion, name.dump(-1, ' ', false, json::error_handler_t::replace),
+      kBuildingFormat, kBuildingVersion, name.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
       building.has_dominant_direction);
   const char* before = "\n";
   for (const Wall& wall : building.walls.walls) {
@@ -95,20 +93,21 @@ std::string building_json(const Building& building) {
 }
 
 Result<Building> parse_building(std::string_view text, const std::string& name) {
-  const Result<json> document = parse_json(text, name);
+  const Result<nlohmann::json> document = parse_json(text, name);
   if (!document) return document.problems();
   ProblemList problems(name);
   const JsonValue root(*document, "", problems);
   if (!document->is_object()) return Problem{{name}, "is no JSON object"};
   const auto format = root.find("format");
-  if (!format || !format->is(kFormat)) {
-    return Problem{{name, 0, "format"}, fmt::format("is not \"{}\": this is no building", kFormat)};
+  if (!format || !format->is(kBuildingFormat)) {
+    return Problem{{name, 0, "format"}, fmt::format("is not \"{}\": this is no building", kBuildingFormat)};
   }
   int version = 0;
   if (const auto value = root.require("version")) value->read_count(version);
-  if (problems.empty() && version != kVersion) {
-    return Problem{{name, 0, "version"},
-                   fmt::format("{} is unknown here; this program reads version {}", version, kVersion)};
+  if (problems.empty() && version != kBuildingVersion) {
+    return Problem{
+        {name, 0, "version"},
+        fmt::format("{} is unknown here; this program reads version {}", version, kBuildingVersion)};
   }
   Building building = read_version_1(root);
   if (!problems.empty()) return problems.take();

@@ -12,13 +12,12 @@
 #include "aisle/core/angle.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "field_reader.hpp"
+#include "file_limits.hpp"
 #include "problem_list.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr std::size_t kBytesMax = 1 << 20;
-constexpr double kSideMax_px = 16384;
 constexpr double kCoefficientMax = 1e4;
 
 using Names = std::initializer_list<const char*>;
@@ -128,7 +127,7 @@ void CalibrationReader::read_size(const YAML::Node& document) {
 void CalibrationReader::side(const YAML::Node& document, const char* key, int& side_px) {
   const auto entry = first_of(document, {key});
   if (!entry) return;
-  const auto value = number(*entry, {1, kSideMax_px});
+  const auto value = number(*entry, {1, kPictureSideMax_px});
   if (!value) return;
   if (*value != std::floor(*value)) problem(entry->node, key, "is not a whole number");
   side_px = static_cast<int>(*value);
@@ -236,7 +235,7 @@ std::optional<double> CalibrationReader::number(const Entry& entry, Range range)
 }  // namespace
 
 Result<CameraCalibration> read_calibration(const std::filesystem::path& path) {
-  const Result<std::string> text = read_whole_file(path, kBytesMax);
+  const Result<std::string> text = read_whole_file(path, kSettingsBytesMax);
   if (!text) return text.problems();
   return parse_calibration(*text, path.string());
 }

@@ -1,17 +1,11 @@
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include "aisle/core/angle.hpp"
 #include "aisle/formats/calibration_file.hpp"
+#include "yaml_text.hpp"
 
 namespace aisle {
 namespace {
-
-std::string quoted(const std::string& text) {
-  YAML::Emitter out;
-  out << YAML::DoubleQuoted << text;
-  return out.c_str();
-}
 
 std::string size_text(const CameraCalibration& c) {
   if (c.width_px == 0) return "";
@@ -51,7 +45,7 @@ std::string opencv_calibration_yaml(const CameraCalibration& c) {
     return fmt::format("{}: !!opencv-matrix\n   rows: {}\n   cols: {}\n   dt: d\n   data: {}\n", key, rows,
                        cols, data);
   };
-  return "%YAML:1.0\n---\n" + size_text(c) + "camera_name: " + quoted(c.camera_name) + "\n" +
+  return "%YAML:1.0\n---\n" + size_text(c) + "camera_name: " + yaml_quoted(c.camera_name) + "\n" +
          matrix("camera_matrix", 3, 3, matrix_data(c.intrinsics)) +
          matrix("distortion_coefficients", 5, 1, distortion_data(c.intrinsics)) + own_keys(c);
 }
@@ -61,7 +55,7 @@ std::string camera_info_yaml(const CameraCalibration& c) {
     return fmt::format("{}:\n  rows: {}\n  cols: {}\n  data: {}\n", key, rows, cols, data);
   };
   const CameraIntrinsics& lens = c.intrinsics;
-  return size_text(c) + "camera_name: " + quoted(c.camera_name) + "\n" +
+  return size_text(c) + "camera_name: " + yaml_quoted(c.camera_name) + "\n" +
          matrix("camera_matrix", 3, 3, matrix_data(lens)) + "distortion_model: plumb_bob\n" +
          matrix("distortion_coefficients", 1, 5, distortion_data(lens)) +
          matrix("rectification_matrix", 3, 3, "[1., 0., 0., 0., 1., 0., 0., 0., 1.]") +

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMaxBeams = 10000;
 constexpr double kRangeLimit_m = 1e6;
 constexpr double kStampLimit_s = 1e11;
-constexpr double kAnyNumber = 1e30;
+constexpr double kSkippedNumberMax = 1e30;
 
 void read_ranges(FieldReader& fields, double metres_per_unit, std::vector<float>& ranges_m) {
   const std::size_t count = fields.count("number of readings", 2, kMaxBeams);
@@ -22,7 +22,7 @@ void read_ranges(FieldReader& fields, double metres_per_unit, std::vector<float>
 }
 
 void skip_numbers(FieldReader& fields, std::size_t count, const char* what) {
-  for (std::size_t i = 0; i < count && fields.ok(); ++i) fields.number(what, kAnyNumber);
+  for (std::size_t i = 0; i < count && fields.ok(); ++i) fields.number(what, kSkippedNumberMax);
 }
 
 StampFields read_stamp(FieldReader& fields) {

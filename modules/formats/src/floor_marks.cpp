@@ -4,12 +4,12 @@
 
 #include "aisle/formats/whole_file.hpp"
 #include "field_reader.hpp"
+#include "file_limits.hpp"
 #include "problem_list.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr std::size_t kBytesMax = 1 << 20;
 constexpr std::size_t kMarksMax = 10'000;
 constexpr double kPixelMax = 20'000;
 constexpr double kPlaceMax_m = 100;
@@ -51,7 +51,7 @@ Result<std::vector<FloorMark>> parse_floor_marks(std::string_view text, const st
 }
 
 Result<std::vector<FloorMark>> read_floor_marks(const std::filesystem::path& path) {
-  const Result<std::string> text = read_whole_file(path, kBytesMax);
+  const Result<std::string> text = read_whole_file(path, kSettingsBytesMax);
   if (!text) return text.problems();
   return parse_floor_marks(*text, path.string());
 }

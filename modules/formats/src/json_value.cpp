@@ -8,19 +8,17 @@
 namespace aisle {
 namespace {
 
-using nlohmann::json;
-
 constexpr double kCoordinateLimit_m = 1e6;
 
 }  // namespace
 
-Result<json> parse_json(std::string_view text, const std::string& name) {
+Result<nlohmann::json> parse_json(std::string_view text, const std::string& name) {
   try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
     const auto malformed = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
     return Problem{{name, 1 + std::count(text.begin(), malformed, '\n'), ""}, "is not well-formed JSON here"};
-  } catch (const json::exception&) {
+  } catch (const nlohmann::json::exception&) {
     return Problem{{name}, "has a number that is too large"};
   }
 }

@@ -8,14 +8,13 @@
 #include "aisle/formats/map_server.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "field_reader.hpp"
+#include "file_limits.hpp"
 #include "problem_list.hpp"
 
 namespace aisle {
 namespace {
 
 constexpr std::size_t kYamlBytesMax = 1 << 20;
-constexpr std::size_t kPictureBytesMax = std::size_t{512} << 20;
-constexpr double kCoordinateMax_m = 10'000;
 
 /// Reads one YAML file; collects problems instead of stopping at the first.
 class MapYamlReader {
@@ -104,7 +103,7 @@ Result<FloorPlan> read_map_server(const std::filesystem::path& yaml) {
   const auto map = parse_map_server_yaml(*text, yaml.string());
   if (!map) return map.problems();
   const std::filesystem::path picture = yaml.parent_path() / map->image;
-  const Result<std::string> bytes = read_whole_file(picture, kPictureBytesMax);
+  const Result<std::string> bytes = read_whole_file(picture, kPlanBytesMax);
   if (!bytes) return bytes.problems();
   Result<FloorPlan> plan = parse_plan_picture(*bytes, picture.string(), map->resolution_m, map->thresholds);
   if (plan) plan->T_world_plan = map->T_map_plan;

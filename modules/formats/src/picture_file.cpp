@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "aisle/formats/whole_file.hpp"
+#include "file_limits.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr std::size_t kBytesMax = std::size_t{256} << 20;
-constexpr int kSideMax_px = 16384;
+constexpr std::size_t kPictureBytesMax = std::size_t{256} << 20;
 
 /// The picture with the image library's order of colours.
 cv::Mat to_mat(const Image& image) {
@@ -43,7 +43,7 @@ cv::Mat decode(std::string_view bytes) {
 }  // namespace
 
 Result<Image> read_picture(const std::filesystem::path& path) {
-  const Result<std::string> bytes = read_whole_file(path, kBytesMax);
+  const Result<std::string> bytes = read_whole_file(path, kPictureBytesMax);
   if (!bytes) return bytes.problems();
   return parse_picture(*bytes, path.string());
 }
@@ -53,10 +53,10 @@ Result<Image> parse_picture(std::string_view bytes, const std::string& name) {
   const cv::Mat decoded = decode(bytes);
   if (decoded.empty())
     return Problem{{name}, "is not a picture that can be read (PNG, JPEG, PGM, PPM, BMP, TIFF)"};
-  if (decoded.cols > kSideMax_px || decoded.rows > kSideMax_px) {
+  if (decoded.cols > kPictureSideMax_px || decoded.rows > kPictureSideMax_px) {
     return Problem{{name},
                    fmt::format("has {} x {} pixels; at most {} a side are read", decoded.cols, decoded.rows,
-                               kSideMax_px)};
+                               kPictureSideMax_px)};
   }
   cv::Mat pixels = decoded;
   if (decoded.channels() == 3) cv::cvtColor(decoded, pixels, cv::COLOR_BGR2RGB);

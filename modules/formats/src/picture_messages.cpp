@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "aisle/formats/picture_file.hpp"
+#include "file_limits.hpp"
 
 namespace aisle {
 namespace {
@@ -14,7 +16,6 @@ namespace {
 constexpr std::string_view kBefore = "/camera/";
 constexpr std::string_view kRaw = "/image_raw";
 constexpr std::string_view kCompressed = "/image_raw/compressed";
-constexpr std::uint32_t kSideMax_px = 16384;
 
 std::string topic_of(const std::string& camera, std::string_view ending) {
   return fmt::format("{}{}{}", kBefore, camera, ending);
@@ -57,7 +58,7 @@ Result<Image> image_of(const ros::Image& message, const Place& place) {
     return Problem{place,
                    fmt::format("has pictures in '{}'; mono8, rgb8 and bgr8 are read", message.encoding)};
   }
-  const bool has_size = message.width <= kSideMax_px && message.height <= kSideMax_px &&
+  const bool has_size = std::cmp_less_equal(std::max(message.width, message.height), kPictureSideMax_px) &&
                         message.step >= message.width * static_cast<std::uint32_t>(*channels) &&
                         message.data.size() == std::size_t{message.step} * message.height;
   if (!has_size) {

@@ -8,12 +8,12 @@
 #include "aisle/formats/portable_bitmap.hpp"
 #include "aisle/formats/portable_graymap.hpp"
 #include "aisle/formats/whole_file.hpp"
+#include "file_limits.hpp"
 
 namespace aisle {
 namespace {
 
 constexpr int kSizeMax = 8192;
-constexpr std::size_t kBytesMax = std::size_t{512} << 20;
 
 Image picture_of(const PortableBitmap& bitmap) {
   Image image(bitmap.width, bitmap.height);
@@ -55,7 +55,7 @@ Result<FloorPlan> parse_plan_picture(std::string_view bytes, const std::string& 
 }
 
 Result<FloorPlan> read_plan_picture(const std::filesystem::path& path, double cell_m) {
-  const Result<std::string> bytes = read_whole_file(path, kBytesMax);
+  const Result<std::string> bytes = read_whole_file(path, kPlanBytesMax);
   if (!bytes) return bytes.problems();
   return parse_plan_picture(*bytes, path.string(), cell_m);
 }

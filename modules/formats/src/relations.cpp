@@ -9,13 +9,13 @@
 
 #include "aisle/formats/whole_file.hpp"
 #include "field_reader.hpp"
+#include "file_limits.hpp"
 #include "problem_list.hpp"
 
 namespace aisle {
 namespace {
 
 constexpr double kSameStamp_s = 1e-3;
-constexpr double kAnyNumber = 1e15;
 
 /// Scans by their recorded stamp, whatever order they were recorded in.
 class ScansByStamp {

@@ -6,7 +6,6 @@ namespace aisle {
 namespace {
 
 constexpr Range kTime_s = {0, 1e6};
-constexpr Range kCoordinate_m = {-10'000, 10'000};
 
 constexpr std::array<std::string_view, 4> kCameraFaults = {"frozen", "dark", "dropped", "late"};
 constexpr std::array<std::string_view, 2> kSwitch = {"off", "on"};

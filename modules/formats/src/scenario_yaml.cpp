@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "aisle/formats/whole_file.hpp"
+#include "file_limits.hpp"
 #include "scenario_fields.hpp"
 #include "world_node_reader.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr std::size_t kBytesMax = 1 << 20;
 constexpr std::size_t kEventsMax = 1'000;
 
 /// Reads one document.
@@ -90,7 +90,7 @@ class ScenarioReader {
 }  // namespace
 
 Result<Scenario> read_scenario(const std::filesystem::path& path) {
-  const Result<std::string> text = read_whole_file(path, kBytesMax);
+  const Result<std::string> text = read_whole_file(path, kSettingsBytesMax);
   if (!text) return text.problems();
   return parse_scenario(*text, path.string());
 }

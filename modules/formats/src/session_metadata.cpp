@@ -9,10 +9,10 @@
 namespace aisle {
 namespace {
 
-constexpr int kVersion = 5;
+constexpr int kMetadataVersion = 5;
 
 /// Text in double quotes; JSON's escapes are among YAML's.
-std::string quoted(const std::string& text) {
+std::string json_quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
@@ -24,7 +24,8 @@ std::string topic_yaml(const SessionMetadata::TopicCount& count) {
       "        serialization_format: cdr\n"
       "        offered_qos_profiles: {}\n"
       "      message_count: {}\n",
-      count.topic.name, count.topic.type, quoted(quality_of_service(count.topic.latched)), count.messages);
+      count.topic.name, count.topic.type, json_quoted(quality_of_service(count.topic.latched)),
+      count.messages);
 }
 
 std::optional<std::string> scalar(const YAML::Node& map, const char* key) {
@@ -96,8 +97,9 @@ std::string metadata_yaml(const SessionMetadata& metadata) {
       "      starting_time:\n        {}\n"
       "      duration:\n        {}\n"
       "      message_count: {}\n",
-      kVersion, duration, start, metadata.messages, topics.empty() ? " []" : "", topics,
-      quoted(metadata.database_name), quoted(metadata.database_name), start, duration, metadata.messages);
+      kMetadataVersion, duration, start, metadata.messages, topics.empty() ? " []" : "", topics,
+      json_quoted(metadata.database_name), json_quoted(metadata.database_name), start, duration,
+      metadata.messages);
 }
 
 Result<std::string> parse_database_name(const std::string& text, const std::string& name) {

@@ -9,28 +9,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kFormat = "aisle.session";
-constexpr int kVersion = 1;
+constexpr std::string_view kSessionFormat = "aisle.session";
+constexpr int kSessionVersion = 1;
 
 }  // namespace
 
 std::string session_origin_json(const SessionOrigin& origin) {
-  const Json json = {{"format", kFormat},
-                     {"version", kVersion},
-                     {"navigator", origin.navigator},
-                     {"parameters", origin.parameters},
-                     {"seed", origin.seed},
-                     {"simulated", origin.simulated}};
+  const Json json = {{"format", kSessionFormat},      {"version", kSessionVersion},
+                     {"navigator", origin.navigator}, {"parameters", origin.parameters},
+                     {"seed", origin.seed},           {"simulated", origin.simulated}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Result<SessionOrigin> parse_session_origin(std::string_view text, const std::string& name) {
   const Json json = Json::parse(text, nullptr, false);
   try {
-    if (json.at("format") != kFormat) return Problem{{name, 0, "format"}, "is no aisle session"};
-    if (const Json& version = json.at("version"); version != kVersion) {
-      return Problem{{name, 0, "version"},
-                     fmt::format("{} is unknown here; this program reads {}", version.dump(), kVersion)};
+    if (json.at("format") != kSessionFormat) return Problem{{name, 0, "format"}, "is no aisle session"};
+    if (const Json& version = json.at("version"); version != kSessionVersion) {
+      return Problem{
+          {name, 0, "version"},
+          fmt::format("{} is unknown here; this program reads {}", version.dump(), kSessionVersion)};
     }
     return SessionOrigin{.navigator = json.at("navigator").get<std::string>(),
                          .parameters = json.at("parameters").get<std::map<std::string, std::string>>(),

@@ -8,12 +8,11 @@
 
 #include "aisle/formats/whole_file.hpp"
 #include "field_reader.hpp"
+#include "file_limits.hpp"
 #include "problem_list.hpp"
 
 namespace aisle {
 namespace {
-
-constexpr double kAnyNumber = 1e15;
 
 /// The heading of a rotation given as x, y, z, w of a unit quaternion.
 double read_yaw(FieldReader& fields) {

@@ -9,13 +9,13 @@
 #include "aisle/formats/parameter_file.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "field_reader.hpp"
+#include "file_limits.hpp"
 #include "parameter_tree.hpp"
 #include "problem_list.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr std::size_t kBytesMax = 1 << 20;
 constexpr std::size_t kCamerasMax = 16;
 constexpr std::size_t kNameMax = 64;
 
@@ -133,7 +133,7 @@ std::string text_of(const std::string& name, const FieldList& fields) {
 }  // namespace
 
 Result<VehicleModel> read_vehicle(const std::filesystem::path& path) {
-  const Result<std::string> text = read_whole_file(path, kBytesMax);
+  const Result<std::string> text = read_whole_file(path, kSettingsBytesMax);
   if (!text) return text.problems();
   return parse_vehicle(*text, path.string());
 }

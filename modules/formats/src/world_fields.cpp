@@ -5,7 +5,6 @@
 namespace aisle {
 namespace {
 
-constexpr Range kCoordinate_m = {-10'000, 10'000};
 constexpr Range kShare = {0, 1};
 constexpr Range kMeasure_m = {0.01, 1000};
 constexpr Range kHeight_m = {0.01, 100};

@@ -12,8 +12,11 @@
 
 #include "aisle/core/parameters.hpp"
 #include "aisle/simulation/world.hpp"
+#include "file_limits.hpp"
 
 namespace aisle {
+
+inline constexpr Range kCoordinate_m = {-kCoordinateMax_m, kCoordinateMax_m};
 
 /// A point of a thing, wherever its two or three coordinates are kept.
 struct PointTarget {

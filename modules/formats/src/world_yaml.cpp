@@ -5,14 +5,12 @@
 #include <utility>
 
 #include "aisle/formats/whole_file.hpp"
+#include "file_limits.hpp"
 #include "world_checks.hpp"
 #include "world_node_reader.hpp"
 
 namespace aisle {
 namespace {
-
-constexpr std::size_t kBytesMax = 16 << 20;
-constexpr std::size_t kWallsMax = 200'000;
 
 /// Reads one document.
 class WorldReader {
@@ -103,7 +101,7 @@ void WorldReader::read_wall(const YAML::Node& node, const std::string& key) {
   if (wall.line.size() < 2 && nodes_.problem_count() == problems_before) {
     nodes_.problem(node, key, "a wall needs at least two points");
   }
-  if (nodes_.is_room_left(node, key, world_.walls.size() + wall.line.size(), kWallsMax)) {
+  if (nodes_.is_room_left(node, key, world_.walls.size() + wall.line.size(), kWorldWallsMax)) {
     add_faces(node, key, wall);
   }
 }
@@ -133,7 +131,7 @@ void WorldReader::read_list(const YAML::Node& node, const std::string& key, std:
 }  // namespace
 
 Result<World> read_world(const std::filesystem::path& path) {
-  const Result<std::string> text = read_whole_file(path, kBytesMax);
+  const Result<std::string> text = read_whole_file(path, kWorldBytesMax);
   if (!text) return text.problems();
   return parse_world(*text, path.string());
 }

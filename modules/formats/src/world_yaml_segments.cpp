@@ -3,19 +3,14 @@
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/world_yaml.hpp"
 #include "field_reader.hpp"
+#include "file_limits.hpp"
 #include "problem_list.hpp"
 
 namespace aisle {
-namespace {
-
-constexpr std::size_t kBytesMax = 16 << 20;
-constexpr std::size_t kWallsMax = 200'000;
-constexpr double kCoordinateMax_m = 10'000;
-
-}  // namespace
+namespace {}  // namespace
 
 Result<World> read_wall_segments(const std::filesystem::path& path) {
-  const Result<std::string> text = read_whole_file(path, kBytesMax);
+  const Result<std::string> text = read_whole_file(path, kWorldBytesMax);
   if (!text) return text.problems();
   return parse_wall_segments(*text, path.string());
 }
@@ -37,9 +32,9 @@ Result<World> parse_wall_segments(std::string_view text, const std::string& name
   }
   if (!problems.empty()) return problems.take();
   if (world.walls.empty()) return Problem{{name}, "has no wall segments 'x1 y1 x2 y2 kind'"};
-  if (world.walls.size() > kWallsMax) {
-    return Problem{{name},
-                   fmt::format("has {} wall segments; at most {} are read", world.walls.size(), kWallsMax)};
+  if (world.walls.size() > kWorldWallsMax) {
+    return Problem{
+        {name}, fmt::format("has {} wall segments; at most {} are read", world.walls.size(), kWorldWallsMax)};
   }
   return world;
 }

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <cmath>
 #include <string_view>
@@ -7,6 +6,7 @@
 
 #include "aisle/formats/world_yaml.hpp"
 #include "world_fields.hpp"
+#include "yaml_text.hpp"
 
 namespace aisle {
 namespace {
@@ -34,12 +34,6 @@ std::string polyline_text(const std::vector<Vec2>& points, std::string_view inde
   return text + "]";
 }
 
-std::string name_text(const std::string& text) {
-  YAML::Emitter emitter;
-  emitter << YAML::DoubleQuoted << text;
-  return emitter.c_str();
-}
-
 std::string value_text(const WorldField& field, std::string_view indent) {
   if (const auto* real = std::get_if<double*>(&field.target)) return rounded(**real / field.inner_unit);
   if (const auto* count = std::get_if<int*>(&field.target)) return fmt::format("{}", **count);
@@ -52,7 +46,7 @@ std::string value_text(const WorldField& field, std::string_view indent) {
   if (const auto* points = std::get_if<std::vector<Vec2>*>(&field.target)) {
     return polyline_text(**points, indent);
   }
-  if (const auto* text = std::get_if<std::string*>(&field.target)) return name_text(**text);
+  if (const auto* text = std::get_if<std::string*>(&field.target)) return yaml_quoted(**text);
   const auto& word = std::get<WordTarget>(field.target);
   return std::string(word.words[word.index()]);
 }

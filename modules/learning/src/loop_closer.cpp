@@ -21,9 +21,9 @@ constexpr double kObservable_m = 1;     // matched wall needed to fix an axis ..
 constexpr double kSmallReach_m = 0.8;   // ... unless the search was this small
 constexpr double kLoopEdge_m = 0.5;     // length of a closed loop in the graph's distances
 constexpr double kWallShare = 0.1;      // of the walls' information that counts against odometry
-constexpr double kRelocatedSigma_m = 0.2;
+constexpr double kRelocatedSubmapSigma_m = 0.2;
 constexpr double kStepFloor_m2 = 1e-5;
-constexpr double kHeadingSigma_rad = 0.5 * kDegree;
+constexpr double kOrthogonalSigma_rad = 0.5 * kDegree;
 constexpr double kFreeHeadingSigma_rad = 1 * kDegree;
 constexpr double kFitShare = 0.3;  // wall residuals of one place are not independent
 constexpr double kFitFloor_m = 0.02;
@@ -68,7 +68,7 @@ bool LoopCloser::add(Submap submap, std::span<const Keyframe> keyframes, bool or
   loops_of_submap_.emplace_back();
   graph_.add_node(guess);
   if (orthogonal) {
-    graph_.add_heading_prior(submaps_.size() - 1, submaps_.back().T_track_anchor.theta, kHeadingSigma_rad);
+    graph_.add_heading_prior(submaps_.size() - 1, submaps_.back().T_track_anchor.theta, kOrthogonalSigma_rad);
   }
   if (submaps_.size() < 2) return false;
   connect_to_previous(keyframes, orthogonal);
@@ -118,7 +118,7 @@ void LoopCloser::connect_to_previous(std::span<const Keyframe> keyframes, bool o
     const Mat2 known =
         step.topLeftCorner<2, 2>().inverse() + kWallShare * b.wall_information.topLeftCorner<2, 2>();
     covariance += known.inverse();
-    if (b.relocated) covariance += square(kRelocatedSigma_m) * Mat2::Identity();
+    if (b.relocated) covariance += square(kRelocatedSubmapSigma_m) * Mat2::Identity();
   }
   const Mat3 rotation = rotation3(-from.T_track_anchor.theta);
   const Mat2 local =
@@ -126,7 +126,7 @@ void LoopCloser::connect_to_previous(std::span<const Keyframe> keyframes, bool o
       kStepFloor_m2 * Mat2::Identity();
   PoseConstraint constraint{newer - 1, newer, between(from.T_track_anchor, to.T_track_anchor), Mat3::Zero()};
   constraint.information.topLeftCorner<2, 2>() = local.inverse();
-  constraint.information(2, 2) = 1 / square(orthogonal ? kHeadingSigma_rad : kFreeHeadingSigma_rad);
+  constraint.information(2, 2) = 1 / square(orthogonal ? kOrthogonalSigma_rad : kFreeHeadingSigma_rad);
   graph_.add_odometry(constraint);
 }
 

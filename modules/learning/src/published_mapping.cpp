@@ -12,9 +12,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kHeadingSigma_rad = 2 * kDegree;  // of the prediction that walls correct
+constexpr double kPredictedHeadingSigma_rad = 2 * kDegree;  // of the prediction that walls correct
 constexpr double kLearnedEvery_rad = 8 * kDegree;
-constexpr double kLengthCap_m = 8;
+constexpr double kMarkLengthCap_m = 8;
 constexpr double kOccurrenceGrowth = 0.1;  // of an end point's weight with each time it is seen again
 constexpr double kOccurrenceCap = 3;
 constexpr double kPriorFloor_m = 0.03;
@@ -48,7 +48,7 @@ class PublishedMapper {
       path_m_ += step_m;
       pose_ = pose_ * motion;
       if (params_.heading_from_walls) {
-        const auto measured = heading_from_walls(seen_, pose_.theta, kHeadingSigma_rad);
+        const auto measured = heading_from_walls(seen_, pose_.theta, kPredictedHeadingSigma_rad);
         if (measured) pose_.theta = measured->heading_rad;
       }
     }
@@ -132,7 +132,7 @@ class PublishedMapper {
            sensed);
     }
     for (const OrthogonalSegment& s : window_) {
-      mark({s.segment(), std::min(s.extent.length(), kLengthCap_m),
+      mark({s.segment(), std::min(s.extent.length(), kMarkLengthCap_m),
             end_weight(s.min_occurrences, params_.end_weight),
             end_weight(s.max_occurrences, params_.end_weight)},
            axis, SymbolKinds::kOne, learned);

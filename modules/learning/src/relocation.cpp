@@ -12,13 +12,13 @@ namespace {
 
 constexpr double kRecent_m = 6;  // walls seen within this way, at least twice, can be trusted
 constexpr double kLong_m = 0.5;  // segments and walls that vote for a heading
-constexpr double kTurnMax_rad = 45 * kDegree;
+constexpr double kRelocationTurnMax_rad = 45 * kDegree;
 constexpr double kBin_rad = 2 * kDegree;
 constexpr std::size_t kBins = 90;
 constexpr int kHeadings = 5;
-constexpr int kPeaks = 3;
-constexpr double kEndWeight = 0.2;
-constexpr double kLengthCap_m = 3;  // longer walls are not surer
+constexpr int kRelocationPeaks = 3;
+constexpr double kSeenEndWeight = 0.2;
+constexpr double kVoteLengthCap_m = 3;  // longer walls are not surer
 constexpr double kGate_m = 0.35;
 constexpr double kHitGate_m = 0.08;
 constexpr double kHitGate_rad = 3 * kDegree;
@@ -47,7 +47,7 @@ std::vector<double> likely_turns(double heading_rad, std::span<const SensedSegme
     for (const int id : ids) {
       const WallEstimate& wall = walls[static_cast<std::size_t>(id)];
       const double turn = wrap_angle(wall.heading_rad - heading_rad - s.heading_rad);
-      if (wall.length_m() <= kLong_m || std::abs(turn) > kTurnMax_rad) continue;
+      if (wall.length_m() <= kLong_m || std::abs(turn) > kRelocationTurnMax_rad) continue;
       votes[static_cast<std::size_t>(turn / kBin_rad + kBins / 2.0)] += std::min(s.length_m, wall.length_m());
     }
   }
@@ -73,19 +73,20 @@ std::vector<double> likely_displacements(const Vec2& axis, const Pose2& T_map_se
                                          double reach_m) {
   Signature sensed, learned;
   for (const SensedSegment& s : segments) {
-    mark({T_map_sensor * s.segment, s.length_m, kEndWeight, kEndWeight}, axis, SymbolKinds::kByFacing,
+    mark({T_map_sensor * s.segment, s.length_m, kSeenEndWeight, kSeenEndWeight}, axis, SymbolKinds::kByFacing,
          sensed);
   }
   for (const int id : ids) {
     const WallEstimate& wall = walls[static_cast<std::size_t>(id)];
-    const double length_weight = std::min(wall.length_m(), kLengthCap_m);
-    mark({wall.segment(), length_weight, kEndWeight, kEndWeight}, axis, SymbolKinds::kByFacing, learned);
+    const double length_weight = std::min(wall.length_m(), kVoteLengthCap_m);
+    mark({wall.segment(), length_weight, kSeenEndWeight, kSeenEndWeight}, axis, SymbolKinds::kByFacing,
+         learned);
   }
   sort_symbols(learned);
   SignatureCorrelator correlator({reach_m, 0.03, 6, 2});
   std::vector<double> displacements_m = {0};
   correlator.correlate(sensed, learned);
-  correlator.peaks_m(kPeaks, 0.18, displacements_m);
+  correlator.peaks_m(kRelocationPeaks, 0.18, displacements_m);
   return displacements_m;
 }
 

@@ -20,8 +20,8 @@ constexpr double kDoubtful_m = 0.03;  // after a motion of at least this
 constexpr double kClearlyBetter = 0.15;
 constexpr double kSlightlyBetter = 0.02;
 constexpr double kRelocationSeen_m = 2;  // with less wall in sight a guess is worse than none
-constexpr double kRelocatedSigma_m = 0.05;
-constexpr double kRelocatedSigma_rad = 2 * kDegree;
+constexpr double kRelocatedPoseSigma_m = 0.05;
+constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
 
 }  // namespace
 
@@ -122,7 +122,7 @@ bool ScanTracker::relocate(std::span<const SensedSegment> segments) {
   const auto found = find_pose_near(T_track_sensor_.mean, segments, walls_, window_, path_m_,
                                     params_.relocation_reach_m, aligner_);
   if (!found) return false;
-  const Vec3 sigma(kRelocatedSigma_m, kRelocatedSigma_m, kRelocatedSigma_rad);
+  const Vec3 sigma(kRelocatedPoseSigma_m, kRelocatedPoseSigma_m, kRelocatedPoseSigma_rad);
   T_track_sensor_ = {*found, sigma.cwiseAbs2().asDiagonal()};
   return true;
 }

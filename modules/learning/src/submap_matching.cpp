@@ -14,15 +14,15 @@ namespace aisle {
 namespace {
 
 constexpr SignatureParams kSignature = {.reach_m = 0, .cell_m = 0.04, .neighbourhood = 6, .tolerance = 2};
-constexpr double kEndWeight = 0.3;
+constexpr double kSignatureEndWeight = 0.3;
 constexpr double kSignatureCap_m = 4;  // longer walls are not surer
 constexpr double kParallel = 0.99;     // |cos| of the angle between two normals: within 8 degrees
 constexpr double kAxesApart = 0.85;    // |cos|: the second direction is at least 32 degrees from the first
-constexpr double kTurnMax_rad = 12 * kDegree;
+constexpr double kSubmapTurnMax_rad = 12 * kDegree;
 constexpr double kTurnBin_rad = 1 * kDegree;
 constexpr std::size_t kTurns = 4;
-constexpr int kPeaks = 6;
-constexpr double kPeaksApart_m = 0.16;
+constexpr int kSubmapPeaks = 6;
+constexpr double kSubmapPeaksApart_m = 0.16;
 constexpr double kScoreGate_m = 0.15;
 constexpr double kScoreCap_m = 3;
 constexpr double kComparedMin_m = 2;  // with less wall to compare nothing can be said
@@ -31,8 +31,8 @@ constexpr double kObliqueHeading_rad = 6 * kDegree;
 constexpr double kCommonMin_m = 0.05;
 constexpr int kRefinements = 5;
 constexpr double kOffsetSigma_m = 0.03;
-constexpr double kCauchy_m = 0.05;
-constexpr double kHeadingSigma_rad = 1.5 * kDegree;
+constexpr double kMatchCauchy_m = 0.05;
+constexpr double kMatchHeadingSigma_rad = 1.5 * kDegree;
 constexpr double kPriorSigma_m = 1;
 constexpr double kPriorSigma_rad = 1 * kDegree;
 
@@ -87,8 +87,9 @@ Signature signature_of(std::span<const WallEstimate> walls, const Vec2& axis, bo
   Signature signature;
   for (const WallEstimate& wall : walls) {
     if (orthogonal && wall.is_oblique()) continue;
-    mark({wall.segment(), std::min(wall.length_m(), kSignatureCap_m), kEndWeight, kEndWeight}, axis,
-         SymbolKinds::kByFacing, signature);
+    mark({wall.segment(), std::min(wall.length_m(), kSignatureCap_m), kSignatureEndWeight,
+          kSignatureEndWeight},
+         axis, SymbolKinds::kByFacing, signature);
   }
   return signature;
 }
@@ -101,7 +102,7 @@ std::vector<double> likely_displacements(std::span<const WallEstimate> fresh,
   sort_symbols(learned);
   std::vector<double> displacements_m = {0};
   correlator.correlate(signature_of(fresh, axis, orthogonal), learned);
-  correlator.peaks_m(kPeaks, kPeaksApart_m, displacements_m);
+  correlator.peaks_m(kSubmapPeaks, kSubmapPeaksApart_m, displacements_m);
   return displacements_m;
 }
 
@@ -199,13 +200,13 @@ std::vector<double> likely_turns(std::span<const WallEstimate> fresh, std::span<
   std::vector<double> turns = {0};
   if (std::any_of(fresh.begin(), fresh.end(), [](const WallEstimate& w) { return !w.is_oblique(); }))
     return turns;
-  constexpr auto kBins = static_cast<std::size_t>(2 * kTurnMax_rad / kTurnBin_rad);
+  constexpr auto kBins = static_cast<std::size_t>(2 * kSubmapTurnMax_rad / kTurnBin_rad);
   std::array<double, kBins> votes{};
   for (const WallEstimate& a : fresh) {
     for (const WallEstimate& b : old) {
       const double turn = wrap_angle(b.heading_rad - a.heading_rad);
-      if (std::abs(turn) >= kTurnMax_rad) continue;
-      votes[static_cast<std::size_t>((turn + kTurnMax_rad) / kTurnBin_rad)] +=
+      if (std::abs(turn) >= kSubmapTurnMax_rad) continue;
+      votes[static_cast<std::size_t>((turn + kSubmapTurnMax_rad) / kTurnBin_rad)] +=
           std::min({a.length_m(), b.length_m(), kSignatureCap_m});
     }
   }
@@ -213,7 +214,7 @@ std::vector<double> likely_turns(std::span<const WallEstimate> fresh, std::span<
     const auto top = std::max_element(votes.begin(), votes.end());
     if (*top <= 0) break;
     const auto bin = static_cast<std::size_t>(top - votes.begin());
-    turns.push_back((static_cast<double>(bin) + 0.5) * kTurnBin_rad - kTurnMax_rad);
+    turns.push_back((static_cast<double>(bin) + 0.5) * kTurnBin_rad - kSubmapTurnMax_rad);
     for (std::size_t i = bin > 0 ? bin - 1 : 0; i <= std::min(kBins - 1, bin + 1); ++i) votes[i] = 0;
   }
   return turns;
@@ -237,8 +238,9 @@ RefinedFit refine_fit(const Submap& submap, const Pose2& T_map_anchor, const Wal
       const double offset_m = hit.wall->offset_of(wall.middle());
       const double heading = wall.is_oblique() ? wall.heading_rad : wall.heading_rad + turned;
       const double turn = wrap_angle(heading - hit.wall->heading_rad);
-      const double offset_weight = common_m / square(kOffsetSigma_m) / (1 + square(offset_m / kCauchy_m));
-      const double heading_weight = common_m / square(kHeadingSigma_rad);
+      const double offset_weight =
+          common_m / square(kOffsetSigma_m) / (1 + square(offset_m / kMatchCauchy_m));
+      const double heading_weight = common_m / square(kMatchHeadingSigma_rad);
       const Vec2 lever = wall.middle() - fit.T_map_anchor.position();
       const Vec3 jacobian(hit.wall->normal.x(), hit.wall->normal.y(),
                           hit.wall->normal.dot(left_normal(lever)));

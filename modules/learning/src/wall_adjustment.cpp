@@ -23,7 +23,7 @@ constexpr int kIterations = 3;
 constexpr double kSettled = 1e-3;  // [m, rad]
 constexpr double kWallSigma_m = 0.01;
 constexpr double kWallSigma_rad = 0.5 * kDegree;
-constexpr double kCauchy_m = 0.04;
+constexpr double kAdjustmentCauchy_m = 0.04;
 constexpr double kCauchy_rad = 1.5 * kDegree;
 constexpr double kMotionCauchy2 = 9;
 constexpr double kRelocatedVariance = 0.01;
@@ -183,7 +183,7 @@ void WallAdjustment::add_observations() {
       offset_variance += square(oblique_sigma_m_);
       heading_variance += square(oblique_sigma_rad_);
     }
-    const double offset_weight = 1 / offset_variance / (1 + square(offset_m / kCauchy_m));
+    const double offset_weight = 1 / offset_variance / (1 + square(offset_m / kAdjustmentCauchy_m));
     const double heading_weight = 1 / heading_variance / (1 + square(turn_rad / kCauchy_rad));
 
     const std::size_t keyframe = 3 * o.keyframe;

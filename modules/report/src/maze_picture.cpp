@@ -7,22 +7,20 @@
 
 #include "aisle/exploration/grid_explorer.hpp"
 #include "canvas.hpp"
+#include "palette.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr Color kPaper{1, 1, 1};
-constexpr Color kInk{0.13, 0.17, 0.22};
-constexpr Color kQuietInk{0.42, 0.47, 0.53};
 constexpr Color kUnknown{0.90, 0.91, 0.93};
 constexpr Color kSpot{0.62, 0.66, 0.71};
 constexpr Color kExploring{0.13, 0.47, 0.86};
 constexpr Color kRetreating{0.93, 0.49, 0.10};
 constexpr Color kCrossing{0.78, 0.13, 0.20};
 
-constexpr double kMargin_px = 40;
-constexpr double kHeader_px = 84;
-constexpr double kFooter_px = 60;
+constexpr double kMazeMargin_px = 40;
+constexpr double kMazeHeader_px = 84;
+constexpr double kMazeFooter_px = 60;
 
 /// What the vehicle did: its moves and in which state it made them.
 struct Run {
@@ -43,8 +41,10 @@ class MazeDrawing {
     }
   }
 
-  int width_px() const { return static_cast<int>(std::max(3 * kMargin_px + 2 * panel_width_px(), 760.0)); }
-  int height_px() const { return static_cast<int>(kHeader_px + panel_height_px() + kFooter_px); }
+  int width_px() const {
+    return static_cast<int>(std::max(3 * kMazeMargin_px + 2 * panel_width_px(), 760.0));
+  }
+  int height_px() const { return static_cast<int>(kMazeHeader_px + panel_height_px() + kMazeFooter_px); }
 
   void draw_on(Canvas& canvas) const {
     canvas.fill(kPaper);
@@ -66,8 +66,8 @@ class MazeDrawing {
 
   /// A point of a cell; (0, 0) is its bottom left corner, (1, 1) its top right one.
   Vec2 on_paper(int panel, Cell cell, double x = 0.5, double y = 0.5) const {
-    const double left = kMargin_px + panel * (panel_width_px() + kMargin_px);
-    return {left + cell_px_ * (cell.x + x), kHeader_px + cell_px_ * (world_.height() - cell.y - y)};
+    const double left = kMazeMargin_px + panel * (panel_width_px() + kMazeMargin_px);
+    return {left + cell_px_ * (cell.x + x), kMazeHeader_px + cell_px_ * (world_.height() - cell.y - y)};
   }
 
   template <class Open>
@@ -90,14 +90,14 @@ class MazeDrawing {
   void draw_header(Canvas& canvas) const {
     std::size_t visited = 0;
     for (std::size_t i = 0; i < world_.size(); ++i) visited += explorer_.map().visited(i);
-    canvas.text({kMargin_px, 38}, picture_.title, {22, kInk, true});
-    canvas.text({kMargin_px, 64},
+    canvas.text({kMazeMargin_px, 38}, picture_.title, {22, kInk, true});
+    canvas.text({kMazeMargin_px, 64},
                 fmt::format("rules {}: {} cells visited in {} moves", name_of(picture_.rules), visited,
                             run_.moves.size()),
                 {15, kQuietInk});
     const std::string learned = "learned map";
     const Font font{15, kQuietInk};
-    canvas.text({width_px() - kMargin_px - canvas.text_width(learned, font), 64}, learned, font);
+    canvas.text({width_px() - kMazeMargin_px - canvas.text_width(learned, font), 64}, learned, font);
   }
 
   void draw_unknown(Canvas& canvas) const {
@@ -177,7 +177,7 @@ class MazeDrawing {
   }
 
   void draw_legend(Canvas& canvas) const {
-    double x = kMargin_px;
+    double x = kMazeMargin_px;
     const double y = height_px() - 26;
     const auto entry = [&](const std::string& label) {
       const Font font{14, kInk};

@@ -11,9 +11,9 @@ constexpr const char* kHome = "\033[H";
 constexpr const char* kClearLine = "\033[K\n";
 constexpr const char* kClearRest = "\033[J";
 constexpr const char* kPlain = "\033[0m";
-constexpr const char* kVehicle = "\033[1;97;42m";
-constexpr const char* kCrossing = "\033[31m";
-constexpr const char* kVisited = "\033[34m";
+constexpr const char* kVehicleStyle = "\033[1;97;42m";
+constexpr const char* kCrossingStyle = "\033[31m";
+constexpr const char* kVisitedStyle = "\033[34m";
 constexpr const char* kUnderline = "\033[4m";
 
 constexpr std::size_t kShownSymbols = 12;
@@ -95,10 +95,10 @@ std::string MazeScreen::row(int y) const {
 std::string MazeScreen::world_cell(Cell cell) const {
   const Sides open = world_.open(cell);
   const std::size_t index = world_.index(cell);
-  if (explorer_.at() == cell) return cell_text('@', kVehicle, open);
-  if (explorer_.is_explored_crossing(index)) return cell_text('x', kCrossing, open);
-  if (cell == world_.start) return cell_text('o', kVisited, open);
-  return cell_text(explorer_.map().visited(index) ? '.' : ' ', kVisited, open);
+  if (explorer_.at() == cell) return cell_text('@', kVehicleStyle, open);
+  if (explorer_.is_explored_crossing(index)) return cell_text('x', kCrossingStyle, open);
+  if (cell == world_.start) return cell_text('o', kVisitedStyle, open);
+  return cell_text(explorer_.map().visited(index) ? '.' : ' ', kVisitedStyle, open);
 }
 
 std::string MazeScreen::map_cell(Cell cell) const {

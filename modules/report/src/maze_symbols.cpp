@@ -4,13 +4,11 @@
 #include <vector>
 
 #include "canvas.hpp"
+#include "palette.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr Color kPaper{1, 1, 1};
-constexpr Color kInk{0.13, 0.17, 0.22};
-constexpr Color kQuietInk{0.42, 0.47, 0.53};
 constexpr Color kExplored{0.80, 0.82, 0.85};
 constexpr Color kFalseWall{0.78, 0.13, 0.20};
 constexpr Color kMove{0.13, 0.47, 0.86};
@@ -19,7 +17,7 @@ constexpr int kColumns = 16;
 constexpr double kCell_px = 36;
 constexpr double kPitchX_px = 64;
 constexpr double kPitchY_px = 86;
-constexpr double kMargin_px = 30;
+constexpr double kSheetMargin_px = 30;
 constexpr double kHeading_px = 34;
 constexpr double kLegend_px = 50;
 
@@ -118,7 +116,7 @@ std::vector<Row> rows_of(const GridRules& rules) {
 }
 
 void draw_legend(Canvas& canvas, double y) {
-  double x = kMargin_px;
+  double x = kSheetMargin_px;
   const auto entry = [&](const std::string& label) {
     const Font font{14, kInk};
     canvas.text({x + 34, y + 5}, label, font);
@@ -144,16 +142,16 @@ void draw_legend(Canvas& canvas, double y) {
 
 std::string input_symbols_svg(const GridRules& rules) {
   const std::vector<Row> rows = rows_of(rules);
-  const double width = 2 * kMargin_px + kColumns * kPitchX_px;
+  const double width = 2 * kSheetMargin_px + kColumns * kPitchX_px;
   const double height =
-      kMargin_px + static_cast<double>(rows.size()) * (kPitchY_px + kHeading_px) + kLegend_px;
+      kSheetMargin_px + static_cast<double>(rows.size()) * (kPitchY_px + kHeading_px) + kLegend_px;
   return svg_document(static_cast<int>(width), static_cast<int>(height), [&](Canvas& canvas) {
     canvas.fill(kPaper);
-    double y = kMargin_px;
+    double y = kSheetMargin_px;
     for (const Row& row : rows) {
-      canvas.text({kMargin_px, y}, std::string(name_of(row.kind)), {15, kInk, true});
+      canvas.text({kSheetMargin_px, y}, std::string(name_of(row.kind)), {15, kInk, true});
       for (std::size_t i = 0; i < row.count; ++i) {
-        const Vec2 corner(kMargin_px + 12 + kPitchX_px * static_cast<double>(i), y + kHeading_px - 6);
+        const Vec2 corner(kSheetMargin_px + 12 + kPitchX_px * static_cast<double>(i), y + kHeading_px - 6);
         draw_symbol(canvas, corner, rules.inputs[row.first + i]);
         const std::string& name = rules.table.inputs[row.first + i];
         const Font font{13, kQuietInk};

@@ -33,9 +33,9 @@ Box box_of(const WallMap& walls, std::span<const Pose2> T_map_vehicle) {
   return {box.low.array() - kMargin_m, box.high.array() + kMargin_m};
 }
 
-class Canvas {
+class CellCanvas {
  public:
-  Canvas(const Box& box, double cells_max) {
+  CellCanvas(const Box& box, double cells_max) {
     const Vec2 size_m = box.high - box.low;
     image_.resolution_m = std::max(kCell_m, std::sqrt(size_m.x() * size_m.y() / cells_max));
     image_.width = static_cast<int>(std::ceil(size_m.x() / image_.resolution_m));
@@ -71,7 +71,7 @@ class Canvas {
 
 OccupancyImage occupancy_of(const WallMap& walls, const LaserLog& log, std::span<const Pose2> T_map_vehicle,
                             double cells_max) {
-  Canvas canvas(box_of(walls, T_map_vehicle), cells_max);
+  CellCanvas canvas(box_of(walls, T_map_vehicle), cells_max);
   const Pose2* swept = nullptr;
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
     if (swept) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What plans have in common: colours, the strip behind a wall's face, title, scale bar, legend.
+/// What plans have in common: the strip behind a wall's face, title, scale bar, legend.
 
 #include <functional>
 #include <span>
@@ -7,13 +7,11 @@
 
 #include "aisle/geometry/segment2.hpp"
 #include "canvas.hpp"
+#include "palette.hpp"
 #include "picture_scale.hpp"
 
 namespace aisle {
 
-inline constexpr Color kPaper{1, 1, 1};
-inline constexpr Color kInk{0.13, 0.17, 0.22};
-inline constexpr Color kQuietInk{0.42, 0.47, 0.53};
 inline constexpr Color kWallBody{0.86, 0.88, 0.905};
 inline constexpr Color kPath{0.13, 0.47, 0.86};
 inline constexpr Font kLabelFont{17, kInk};

@@ -7,12 +7,13 @@
 #include <cmath>
 
 #include "canvas.hpp"
+#include "palette.hpp"
 
 namespace aisle {
 namespace {
 
 constexpr int kFrameWidth = 960, kLeft = 30, kTop = 90, kBarsWidth = 420;
-constexpr Color kInk{0.15, 0.15, 0.2}, kPale{0.8, 0.8, 0.84}, kPaper{1, 1, 1}, kFramePaper{0.97, 0.97, 0.98};
+constexpr Color kPale{0.8, 0.8, 0.84}, kFramePaper{0.97, 0.97, 0.98};
 constexpr std::array<Color, 8> kGroupColors = {{{0.12, 0.47, 0.71},
                                                 {0.84, 0.37, 0.05},
                                                 {0.17, 0.55, 0.24},

@@ -11,19 +11,8 @@ constexpr double kFreeBesideDoor_m = 0.65;  ///< of that way
 constexpr double kFreeRoundTour_m = 0.75;
 constexpr double kHallMin_m = 6;  ///< of a corridor's shorter side, to be a hall
 
-double distance_m(const Vec2& p, const Segment2& s) {
-  const Vec2 way = s.end - s.start;
-  const double share =
-      way.squaredNorm() > 0 ? std::clamp((p - s.start).dot(way) / way.squaredNorm(), 0.0, 1.0) : 0;
-  return (s.start + share * way - p).norm();
-}
-
 bool is_hall(const Rectangle& corridor) {
   return corridor.size().minCoeff() >= kHallMin_m;
-}
-
-double heading_of(const Vec2& direction) {
-  return std::atan2(direction.y(), direction.x());
 }
 
 /// One room with what stands in it already.
@@ -131,7 +120,7 @@ void add_pillars(World& world, const Rectangle& hall, const BuildingLayout& layo
   const double brightness = random.uniform(0.4, 0.9);
   const auto is_in_the_way = [&](const Vec2& p) {
     for (std::size_t i = 1; i < layout.tour.size(); ++i) {
-      if (distance_m(p, {layout.tour[i - 1], layout.tour[i]}) < kFreeRoundTour_m + diameter_m / 2)
+      if (Segment2{layout.tour[i - 1], layout.tour[i]}.distance(p) < kFreeRoundTour_m + diameter_m / 2)
         return true;
     }
     return false;

@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kCellsMax = 16e6;
+constexpr double kClearanceCellsMax = 16e6;
 constexpr double kHalfDiagonal = 0.7072;  ///< cells: how far an obstacle may be from the middle of its cell
 
 }  // namespace
@@ -21,7 +21,7 @@ ClearanceGrid::ClearanceGrid(std::span<const Segment2> obstacles, double cell_m)
     max = max.cwiseMax(s.start).cwiseMax(s.end);
   }
   const Vec2 span = max - min + Vec2::Constant(4 * cell_m);
-  cell_m_ = std::max(cell_m, std::sqrt(span.x() * span.y() / kCellsMax));
+  cell_m_ = std::max(cell_m, std::sqrt(span.x() * span.y() / kClearanceCellsMax));
   corner_ = min - Vec2::Constant(2 * cell_m_);
   columns_ = static_cast<int>(std::ceil((max.x() - corner_.x()) / cell_m_)) + 2;
   rows_ = static_cast<int>(std::ceil((max.y() - corner_.y()) / cell_m_)) + 2;

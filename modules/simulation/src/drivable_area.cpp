@@ -9,12 +9,10 @@
 namespace aisle {
 namespace {
 
-constexpr double kOffWall_m = 0.01;
-
-/// Areas with enough clearance, by labels from 1.
-class Areas {
+/// ClearAreas with enough clearance, by labels from 1.
+class ClearAreas {
  public:
-  Areas(const ClearanceGrid& grid, std::vector<Segment2> walls, double clearance_min_m)
+  ClearAreas(const ClearanceGrid& grid, std::vector<Segment2> walls, double clearance_min_m)
       : grid_(grid), walls_(std::move(walls)), clearance_min_m_(clearance_min_m) {
     cv::Mat wide(grid.rows(), grid.columns(), CV_8U);
     for (std::size_t cell = 0; cell < grid.size(); ++cell) {
@@ -75,7 +73,7 @@ class Areas {
 DrivableArea drivable_area(const World& world, const ClearanceGrid& grid, double clearance_min_m) {
   std::vector<Segment2> walls;
   for (const WallFace& wall : world.walls) walls.push_back(wall.foot);
-  Areas areas(grid, walls, clearance_min_m);
+  ClearAreas areas(grid, walls, clearance_min_m);
   for (const Segment2& wall : walls) areas.count_votes_of(wall);
   std::size_t chosen = areas.best();
   if (world.start && grid.contains(world.start->position())) {

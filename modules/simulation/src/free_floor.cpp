@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kCellsMax = 4e6;
+constexpr double kFloorCellsMax = 4e6;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool do_cross(const Segment2& a, const Segment2& b) {
@@ -35,7 +35,7 @@ FreeFloor::FreeFloor(std::span<const Segment2> obstacles, const Vec2& start, dou
   const Vec2 margin = Vec2::Constant(radius_m + cell_m_);
   corner_ = low - margin;
   const Vec2 size_m = high + margin - corner_;
-  cell_m_ = std::max(cell_m_, std::sqrt(size_m.x() * size_m.y() / kCellsMax));
+  cell_m_ = std::max(cell_m_, std::sqrt(size_m.x() * size_m.y() / kFloorCellsMax));
   columns_ = static_cast<long>(std::ceil(size_m.x() / cell_m_));
   rows_ = static_cast<long>(std::ceil(size_m.y() / cell_m_));
   cells_.resize(static_cast<std::size_t>(columns_ * rows_), Cell::kFree);

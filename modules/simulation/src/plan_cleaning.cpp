@@ -9,10 +9,10 @@ namespace aisle {
 namespace {
 
 /// Cells that hang together; each has a label from 0.
-class Areas {
+class CellAreas {
  public:
   /// @param value  which cells: solid or free ones
-  Areas(const FloorPlan& plan, std::uint8_t value) : plan_(plan) {
+  CellAreas(const FloorPlan& plan, std::uint8_t value) : plan_(plan) {
     const cv::Mat cells =
         cv::Mat(plan.height, plan.width, CV_8U, const_cast<std::uint8_t*>(plan.solid.data())) == value;
     const int solid_touches_at_corners = 8, free_does_not = 4;
@@ -43,7 +43,7 @@ class Areas {
 };
 
 /// Gives the cells of the chosen areas another value.
-void fill(FloorPlan& plan, const Areas& areas, const std::vector<bool>& chosen, std::uint8_t value) {
+void fill(FloorPlan& plan, const CellAreas& areas, const std::vector<bool>& chosen, std::uint8_t value) {
   for (int y = 0; y < plan.height; ++y) {
     for (int x = 0; x < plan.width; ++x) {
       if (chosen[static_cast<std::size_t>(areas.label(x, y))]) plan.solid[plan.index(x, y)] = value;
@@ -52,7 +52,7 @@ void fill(FloorPlan& plan, const Areas& areas, const std::vector<bool>& chosen, 
 }
 
 void remove_solid_specks(FloorPlan& plan, int side_max) {
-  const Areas areas(plan, 1);
+  const CellAreas areas(plan, 1);
   std::vector<bool> specks(static_cast<std::size_t>(areas.count()), false);
   for (int label = 1; label < areas.count(); ++label) {
     specks[static_cast<std::size_t>(label)] = areas.side(label) <= side_max && !areas.reaches_border(label);
@@ -62,7 +62,7 @@ void remove_solid_specks(FloorPlan& plan, int side_max) {
 
 /// Free areas that no square larger than the limit fits into: slits between the lines of a double wall.
 void remove_free_slits(FloorPlan& plan, int side_max) {
-  const Areas areas(plan, 0);
+  const CellAreas areas(plan, 0);
   std::vector<bool> slits(static_cast<std::size_t>(areas.count()), true);
   slits[0] = false;
   const int side = side_max + 1;
@@ -91,7 +91,7 @@ double free_share_of_border(const FloorPlan& plan) {
 }
 
 void remove_outside(FloorPlan& plan) {
-  const Areas areas(plan, 0);
+  const CellAreas areas(plan, 0);
   std::vector<bool> outside(static_cast<std::size_t>(areas.count()), false);
   long outside_cells = 0;
   int largest_enclosed = 0;

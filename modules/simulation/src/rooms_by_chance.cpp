@@ -12,7 +12,7 @@ constexpr double kRoomDepthMin_m = 2.4;
 constexpr double kRoomDepthMax_m = 6;
 constexpr double kShallower_m = 0.6;  ///< where something is behind, less deep by this
 constexpr double kDoorFromCorner_m = 0.2;
-constexpr double kSlack_m = 1e-3;
+constexpr double kWallSlack_m = 1e-3;
 
 /// A straight wall of a corridor: s along it, d behind it, from where it starts.
 struct Frontage {
@@ -93,7 +93,7 @@ class RoomPlanner {
 
   /// At least one wall between this and all other floor.
   bool is_apart(const Rectangle& floor) const {
-    const Rectangle with_walls = floor.grown(layout_.wall_thickness_m - kSlack_m);
+    const Rectangle with_walls = floor.grown(layout_.wall_thickness_m - kWallSlack_m);
     const auto overlaps = [&](const Rectangle& other) { return with_walls.overlaps(other); };
     return std::none_of(layout_.corridors.begin(), layout_.corridors.end(), overlaps) &&
            std::none_of(layout_.alcoves.begin(), layout_.alcoves.end(), overlaps) &&

@@ -9,12 +9,12 @@
 namespace aisle {
 namespace {
 
-constexpr double kStep_s = 0.01;
+constexpr double kPhysicsStep_s = 0.01;
 constexpr double kContactLeft_m = 0.01;
 constexpr double kContactLeft_rad = 1 * kDegree;
 
 long steps_per_cycle(double cycle_s) {
-  return std::max(1L, std::lround(cycle_s / kStep_s));
+  return std::max(1L, std::lround(cycle_s / kPhysicsStep_s));
 }
 
 std::optional<RangeScanner> scanner_of(const World& world, const VehicleModel& model) {

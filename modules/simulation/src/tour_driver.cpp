@@ -12,10 +12,6 @@ constexpr double kArrived_m = 0.05;
 constexpr double kHeadingGain_1_s = 2;
 constexpr double kApproachGain_1_s = 1.5;
 
-double heading_of(const Vec2& v) {
-  return std::atan2(v.y(), v.x());
-}
-
 }  // namespace
 
 TourDriver::TourDriver(std::vector<Vec2> tour, const TourDriverParams& params)

@@ -6,19 +6,19 @@
 namespace aisle {
 namespace {
 
-constexpr double kStep_s = 0.02;
+constexpr double kTourStep_s = 0.02;
 
-/// One trip at the fixed step: pose i is the one at i * kStep_s.
+/// One trip at the fixed step: pose i is the one at i * kTourStep_s.
 struct Trip {
   std::vector<Pose2> T_world_vehicle;
   std::vector<Pose2> T_odom_vehicle;
 
-  double duration_s() const { return static_cast<double>(T_world_vehicle.size() - 1) * kStep_s; }
+  double duration_s() const { return static_cast<double>(T_world_vehicle.size() - 1) * kTourStep_s; }
 };
 
 Pose2 pose_at(const std::vector<Pose2>& poses, double time_s) {
   const double last = static_cast<double>(poses.size() - 1);
-  const double position = std::clamp(time_s / kStep_s, 0.0, last);
+  const double position = std::clamp(time_s / kTourStep_s, 0.0, last);
   const auto before = static_cast<std::size_t>(position);
   const std::size_t after = std::min(before + 1, poses.size() - 1);
   return interpolate(poses[before], poses[after], position - static_cast<double>(before));
@@ -38,7 +38,7 @@ Trip drive(const World& world, const TourParams& params, Random& random, Progres
   Trip trip{{driver.pose()}, {Pose2{}}};
   while (!driver.has_arrived()) {
     progress.report("driving", driver.way_points_passed(), driver.way_points());
-    const Arc counted = counted_by_wheels(driver.step(kStep_s), params.odometry, random);
+    const Arc counted = counted_by_wheels(driver.step(kTourStep_s), params.odometry, random);
     trip.T_world_vehicle.push_back(driver.pose());
     trip.T_odom_vehicle.push_back(trip.T_odom_vehicle.back() * end_pose(counted));
   }

@@ -10,7 +10,7 @@ namespace aisle {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSlack_m =
+constexpr double kCellSlack_m =
     1e-6;  ///< walls also count for cells that they miss by this much: rounding drops none
 constexpr double kSeam_m = 1e-9;  ///< two walls that share an end leave no gap between them
 constexpr double kCellMin_m = 0.5;
@@ -53,9 +53,9 @@ void WallGrid::size_grid() {
     low = low.cwiseMin(wall.start).cwiseMin(wall.end);
     high = high.cwiseMax(wall.start).cwiseMax(wall.end);
   }
-  const Vec2 size = high - low + Vec2::Constant(2 * kSlack_m);
+  const Vec2 size = high - low + Vec2::Constant(2 * kCellSlack_m);
   cell_m_ = std::max(kCellMin_m, size.maxCoeff() / kSideMax);
-  corner_ = low - Vec2::Constant(kSlack_m);
+  corner_ = low - Vec2::Constant(kCellSlack_m);
   columns_ = static_cast<int>(size.x() / cell_m_) + 1;
   rows_ = static_cast<int>(size.y() / cell_m_) + 1;
 }
@@ -67,7 +67,7 @@ WallGrid::Cell WallGrid::cell_at(const Vec2& p) const {
 }
 
 std::vector<std::size_t> WallGrid::cells_touched(const Segment2& wall) const {
-  const Vec2 slack = Vec2::Constant(kSlack_m);
+  const Vec2 slack = Vec2::Constant(kCellSlack_m);
   const Vec2 left = wall.start.x() <= wall.end.x() ? wall.start : wall.end;
   const Vec2 right = wall.start.x() <= wall.end.x() ? wall.end : wall.start;
   const double width_m = right.x() - left.x();
@@ -77,12 +77,12 @@ std::vector<std::size_t> WallGrid::cells_touched(const Segment2& wall) const {
   };
   std::vector<std::size_t> touched;
   for (int column = cell_at(left - slack).column; column <= cell_at(right + slack).column; ++column) {
-    const double x_min = corner_.x() + column * cell_m_ - kSlack_m;
-    const bool is_vertical = width_m <= 2 * kSlack_m;
+    const double x_min = corner_.x() + column * cell_m_ - kCellSlack_m;
+    const bool is_vertical = width_m <= 2 * kCellSlack_m;
     const double y_in = is_vertical ? left.y() : height_at(x_min);
-    const double y_out = is_vertical ? right.y() : height_at(x_min + cell_m_ + 2 * kSlack_m);
-    const int row_min = cell_at({x_min, std::min(y_in, y_out) - kSlack_m}).row;
-    const int row_max = cell_at({x_min, std::max(y_in, y_out) + kSlack_m}).row;
+    const double y_out = is_vertical ? right.y() : height_at(x_min + cell_m_ + 2 * kCellSlack_m);
+    const int row_min = cell_at({x_min, std::min(y_in, y_out) - kCellSlack_m}).row;
+    const int row_max = cell_at({x_min, std::max(y_in, y_out) + kCellSlack_m}).row;
     for (int row = row_min; row <= row_max; ++row) touched.push_back(index({column, row}));
   }
   return touched;

@@ -13,10 +13,6 @@ constexpr double kMeetingDistanceMax = 3;  ///< cells from where the plan has th
 constexpr double kSamePoint = 0.05;        ///< cells
 constexpr double kOnLine = 0.02;           ///< cells
 
-double cross(const Vec2& a, const Vec2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 std::optional<Vec2> meeting_point(const StraightPiece& a, const StraightPiece& b) {
   const double sine = cross(a.along, b.along);
   if (std::abs(sine) < std::sin(kMeetingAngleMin_rad)) return std::nullopt;

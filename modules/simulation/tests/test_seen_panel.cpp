@@ -47,7 +47,7 @@ std::vector<std::uint32_t> seen_by(const LensTable::Block& block, const std::vec
   find_seen(candidates, block.x, block.y, seen);
   std::vector<std::uint32_t> numbers;
   for (const std::uint32_t at : seen.at) {
-    numbers.push_back(at == kNothing ? kNothing : candidates[at].panel->number);
+    numbers.push_back(at == kNoSurface ? kNoSurface : candidates[at].panel->number);
   }
   return numbers;
 }

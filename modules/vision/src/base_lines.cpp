@@ -23,8 +23,8 @@ void BaseLineParams::describe(FieldList& fields) {
 
 namespace {
 
-constexpr double kFarEnd = 0.06;  // a line is drawn to this share of the width before the vanishing point
-constexpr int kSmallest_px = 32;  // pictures smaller than this show no corridor
+constexpr double kFarEnd = 0.06;      // a line is drawn to this share of the width before the vanishing point
+constexpr int kSmallestView_px = 32;  // pictures smaller than this show no corridor
 
 }  // namespace
 
@@ -36,7 +36,7 @@ class BaseLineDetector::Work {
   BaseLines detect(const Image& grey, std::span<const VerticalLine> verticals) {
     picture_.look_at(grey);
     BaseLines lines;
-    if (picture_.width_px() < kSmallest_px || picture_.height_px() < kSmallest_px) return lines;
+    if (picture_.width_px() < kSmallestView_px || picture_.height_px() < kSmallestView_px) return lines;
     segment_finder_.find(picture_.grey(), segments_);
     const auto point_px = point_finder_.find(segments_, picture_.width_px(), picture_.height_px());
     if (!point_px) return lines;

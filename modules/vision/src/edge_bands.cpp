@@ -7,8 +7,8 @@ namespace aisle {
 
 namespace {
 
-constexpr std::size_t kReach = 2;  // of the derivative, to either side
-constexpr float kSlopeOfStep = 3;  // the derivative's greatest value at a step of one grey level
+constexpr std::size_t kSlopeReach = 2;  // of the derivative, to either side
+constexpr float kSlopeOfStep = 3;       // the derivative's greatest value at a step of one grey level
 
 /// Rows v .. v + rows - 1 of each column added up.
 __attribute__((target_clones("avx2", "default"))) void add_row(const std::uint8_t* row, std::size_t width,
@@ -21,7 +21,7 @@ __attribute__((target_clones("avx2", "default"))) void add_row(const std::uint8_
 __attribute__((target_clones("avx2", "default"))) void differentiate(const std::int16_t* sums,
                                                                      std::size_t width,
                                                                      std::int16_t* slopes) {
-  for (std::size_t u = kReach; u + kReach < width; ++u) {
+  for (std::size_t u = kSlopeReach; u + kSlopeReach < width; ++u) {
     slopes[u] = static_cast<std::int16_t>(2 * (sums[u + 1] - sums[u - 1]) + (sums[u + 2] - sums[u - 2]));
   }
 }
@@ -41,7 +41,7 @@ void EdgeBand::find(const Image& grey, int first_row, int rows, float contrast_m
   const int least = static_cast<int>(std::lround(contrast_min * per_level));
   const float v_px = static_cast<float>(first_row) + 0.5F * static_cast<float>(rows - 1);
   const std::int16_t* d = slopes_.data();
-  for (std::size_t u = kReach + 1; u + kReach + 1 < slopes_.size(); ++u) {
+  for (std::size_t u = kSlopeReach + 1; u + kSlopeReach + 1 < slopes_.size(); ++u) {
     const int slope = std::abs(d[u]);
     if (slope < least) continue;
     const int sign = d[u] > 0 ? 1 : -1;

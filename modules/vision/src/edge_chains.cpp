@@ -12,8 +12,8 @@ constexpr int kMemory = 14;        // points that the prediction remembers
 constexpr int kMissedMax = 2;      // bands without a step that a chain survives ...
 constexpr int kMissedMaxLong = 4;  // ... and one of more points
 constexpr int kLongCount = 6;
-constexpr float kContrastRatioMax = 4;    // between a chain and a step that it takes
-constexpr float kPixelsPerRatio = 0.25F;  // how much nearer an edge of twice the contrast has to be
+constexpr float kChainContrastRatioMax = 4;  // between a chain and a step that it takes
+constexpr float kPixelsPerRatio = 0.25F;     // how much nearer an edge of twice the contrast has to be
 
 /// How much of a residual goes to position and slope at the n-th point: an expanding least-squares fit until
 /// the memory is full.
@@ -91,7 +91,7 @@ int EdgeLinker::best_edge(const EdgeBand& band, const Growing& chain) const {
     if (taken_[static_cast<std::size_t>(chain.step)][i]) continue;
     const float off_px = std::abs(edges[i].u_px - u_px);
     const float contrasts = ratio(edges[i].contrast, chain.contrast);
-    if (off_px > stray_px || contrasts > kContrastRatioMax) continue;
+    if (off_px > stray_px || contrasts > kChainContrastRatioMax) continue;
     const float cost = off_px + kPixelsPerRatio * (contrasts - 1);
     if (cost < least) {
       least = cost;

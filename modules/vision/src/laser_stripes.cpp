@@ -30,8 +30,8 @@ void StripeParams::describe(FieldList& fields) {
 
 namespace {
 
-constexpr int kWidthMin_px = 7;   // of the widest stripe, in small pictures
-constexpr double kFillMin = 0.7;  // share of a stripe's columns where it is seen
+constexpr int kWidthMin_px = 7;         // of the widest stripe, in small pictures
+constexpr double kStripeFillMin = 0.7;  // share of a stripe's columns where it is seen
 
 int median(const Image& image) {
   std::array<std::size_t, 256> counts{};
@@ -50,7 +50,7 @@ double mean_contrast(const PeakChain& chain) {
 
 bool is_long(const PeakChain& chain, double length_min_px) {
   const int columns = chain.back().column - chain.front().column + 1;
-  return columns >= length_min_px && static_cast<double>(chain.size()) >= kFillMin * columns;
+  return columns >= length_min_px && static_cast<double>(chain.size()) >= kStripeFillMin * columns;
 }
 
 /// A far brighter stripe in most of the same columns: this one is its mirror image or its halo.

@@ -14,17 +14,17 @@ constexpr double kSlopeMin = 0.09;  // 5 degrees
 constexpr double kStray_px = 1.2;
 constexpr double kStraight_px = 0.9;
 constexpr double kGapMax_px = 8;
-constexpr double kFillMin = 0.7;
+constexpr double kSegmentFillMin = 0.7;
 constexpr double kLengthMin_px = 9;
 constexpr int kHalvedFrom_px = 500;  // wide; smaller pictures are looked at as they are
-constexpr int kSmallest_px = 16;
+constexpr int kSmallestSearched_px = 16;
 
 }  // namespace
 
 void ObliqueSegmentFinder::find(const Image& grey, std::vector<EdgeSegment>& segments) {
   segments.clear();
   halve(grey);
-  if (small_.width_px < kSmallest_px || small_.height_px < kSmallest_px) return;
+  if (small_.width_px < kSmallestSearched_px || small_.height_px < kSmallestSearched_px) return;
   add_segments(small_, false, segments);
   add_segments(transposed_, true, segments);
 }
@@ -62,7 +62,7 @@ void ObliqueSegmentFinder::add_segments(const Image& picture, bool transposed,
   piece.fade_share = 0;
   cutter_.cut(linker_, piece, lines_);
   for (const UprightLine& line : lines_) {
-    if (std::abs(line.slope) < kSlopeMin || line.length_px() < kLengthMin_px || line.fill < kFillMin)
+    if (std::abs(line.slope) < kSlopeMin || line.length_px() < kLengthMin_px || line.fill < kSegmentFillMin)
       continue;
     Vec2 top(line.u_at(line.v_top_px), line.v_top_px), bottom(line.u_at(line.v_bottom_px), line.v_bottom_px);
     double contrast = line.step == Step::kBrighter ? line.contrast : -line.contrast;

@@ -24,14 +24,6 @@ void SegmentParams::describe(FieldList& fields) {
 
 namespace {
 
-/// Consecutive points first .. last.
-struct Run {
-  std::size_t first = 0;
-  std::size_t last = 0;
-
-  std::size_t count() const { return last + 1 - first; }
-};
-
 constexpr std::size_t kMissingBeamsMax = 2;   // a longer hole ends a run of points
 constexpr double kGrazing_rad = 8 * kDegree;  // a wall seen flatter than this falls apart
 constexpr double kGapFloor_m = 0.06;          // neighbours nearer than this always belong together
@@ -90,6 +82,14 @@ class RangeSegmenter::Work {
   }
 
  private:
+  /// Consecutive points first .. last.
+  struct Run {
+    std::size_t first = 0;
+    std::size_t last = 0;
+
+    std::size_t count() const { return last + 1 - first; }
+  };
+
   std::size_t min_points() const { return static_cast<std::size_t>(params_.points_min); }
 
   void collect_points(std::span<const float> ranges_m) {

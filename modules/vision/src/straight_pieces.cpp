@@ -12,7 +12,7 @@ constexpr double kOverlapBandsMax = 3;      // by which pieces of one line may o
 constexpr double kJoinOffset_px = 1.6;      // between their ends, across ...
 constexpr double kJoinOffsetPerGap = 0.01;  // ... and more over a gap
 constexpr double kJoinRms_px = 0.75;        // of the joint line
-constexpr double kContrastRatioMax = 4;
+constexpr double kPieceContrastRatioMax = 4;
 constexpr double kTypicalContrast = 0.7;  // quantile of a line's steps that fading is measured against
 constexpr std::size_t kFadePoints = 4;    // of which the mean contrast is taken at an end
 
@@ -142,7 +142,7 @@ bool PieceCutter::continues(const Piece& upper, const Piece& lower) const {
   if (offset_px > kJoinOffset_px * params_.width_share + kJoinOffsetPerGap * std::max(0.0, gap_px))
     return false;
   const double contrasts = upper.contrast() / lower.contrast();
-  if (contrasts > kContrastRatioMax || contrasts < 1 / kContrastRatioMax) return false;
+  if (contrasts > kPieceContrastRatioMax || contrasts < 1 / kPieceContrastRatioMax) return false;
   return (upper.sums + lower.sums).rms_px() <= kJoinRms_px * params_.width_share;
 }
 

@@ -8,20 +8,20 @@ namespace aisle {
 
 namespace {
 
-constexpr std::size_t kVoters = 60;     // the longest lines
-constexpr std::size_t kProposers = 16;  // of them, whose pairs are tried
-constexpr double kAgreement = 0.035;    // difference of slope at which a line's vote ends
-constexpr double kAtCentreMax = 0.27;   // a camera rolled by 15 degrees
-constexpr double kPerWidthMax = 0.6;    // tilted by 15 degrees, with a wide lens
-constexpr double kNearShare = 0.12;     // lines nearer to each other tell nothing of the growth
-constexpr double kAtCentrePrior = 0.7;  // how much a tilt must gain to be believed
+constexpr std::size_t kTiltVoters = 60;     // the longest lines
+constexpr std::size_t kTiltProposers = 16;  // of them, whose pairs are tried
+constexpr double kTiltAgreement = 0.035;    // difference of slope at which a line's vote ends
+constexpr double kAtCentreMax = 0.27;       // a camera rolled by 15 degrees
+constexpr double kPerWidthMax = 0.6;        // tilted by 15 degrees, with a wide lens
+constexpr double kNearShare = 0.12;         // lines nearer to each other tell nothing of the growth
+constexpr double kAtCentrePrior = 0.7;      // how much a tilt must gain to be believed
 constexpr double kPerWidthPrior = 0.5;
 
 double votes(const VerticalTilt& tilt, std::span<const UprightLine> lines, int width_px) {
   double sum = 0;
   for (const UprightLine& line : lines) {
     const double off = std::abs(line.slope - tilt.slope_at(line.u_middle_px, width_px));
-    sum += line.length_px() * std::max(0.0, 1 - off / kAgreement);
+    sum += line.length_px() * std::max(0.0, 1 - off / kTiltAgreement);
   }
   return sum * (1 - kAtCentrePrior * std::abs(tilt.at_centre)) *
          (1 - kPerWidthPrior * std::abs(tilt.per_width));
@@ -44,10 +44,10 @@ std::optional<VerticalTilt> tilt_of(const UprightLine& a, const UprightLine& b, 
 }  // namespace
 
 VerticalTilt estimate_tilt(std::span<const UprightLine> lines_longest_first, int width_px) {
-  const auto voters = lines_longest_first.first(std::min(kVoters, lines_longest_first.size()));
+  const auto voters = lines_longest_first.first(std::min(kTiltVoters, lines_longest_first.size()));
   VerticalTilt best;
   double most = votes(best, voters, width_px);
-  for (std::size_t i = 0; i < std::min(kProposers, voters.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kTiltProposers, voters.size()); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const auto tilt = tilt_of(voters[i], voters[j], width_px);
       if (!tilt) continue;

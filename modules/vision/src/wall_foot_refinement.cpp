@@ -7,9 +7,9 @@ namespace aisle {
 
 namespace {
 
-constexpr double kReach = 9.0 / 640;  // greatest shift, as a share of the width
-constexpr double kTurn = 0.8;         // greatest difference of the shifts at both ends, of the reach
-constexpr double kShortest = 0.06;    // a shorter line is left as it is: share of the width
+constexpr double kShiftMax = 9.0 / 640;  // greatest shift, as a share of the width
+constexpr double kTurn = 0.8;            // greatest difference of the shifts at both ends, of the reach
+constexpr double kShortest = 0.06;       // a shorter line is left as it is: share of the width
 constexpr std::size_t kSamplesMax = 120;
 constexpr double kSampleStep_px = 2;
 constexpr std::size_t kMargin = 3;      // pixels on either side that a step is the difference of
@@ -46,7 +46,7 @@ void WallFootRefinement::refine(const SideView& view, double from_px, double to_
 
 void WallFootRefinement::sample_steps(const SideView& view, double from_px, double to_px,
                                       const WallFoot& foot) {
-  reach_ = static_cast<std::size_t>(std::lround(kReach * view.width_px()));
+  reach_ = static_cast<std::size_t>(std::lround(kShiftMax * view.width_px()));
   across_ = 2 * reach_ + 1;
   along_ = std::min(kSamplesMax, static_cast<std::size_t>((to_px - from_px) / kSampleStep_px));
   for (auto& steps : steps_) steps.assign(along_ * across_, 0);

@@ -16,7 +16,7 @@ int steps_within(double length_px, double step_px) {
 }
 
 // Shares are of the picture's width unless they say height.
-constexpr double kFlattest = 8 * kDegree, kSteepest = 78 * kDegree;
+constexpr double kFlattest_rad = 8 * kDegree, kSteepest_rad = 78 * kDegree;
 constexpr double kMissAngle = 0.09;  // sine of the angle by which a segment may miss the vanishing point
 constexpr double kMissPerLength_px = 1.2;  // more for short segments
 constexpr double kMissNear = 0.01;         // and more near the vanishing point
@@ -43,10 +43,6 @@ constexpr double kBoardMin = 0.004;      // height of a board, as seen ...
 constexpr double kBoardDepthMax = 1.25;  // ... and at most: a fifth of the camera's height
 constexpr double kDepthAside = 0.3;      // where heights are compared
 constexpr double kFloorStep_px = 8;
-
-double cross(const Vec2& a, const Vec2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Scatter of weighted points, for a line through them.
 struct Scatter {
@@ -114,7 +110,7 @@ void WallFootSearch::gather_rays(std::span<const EdgeSegment> segments) {
     const double length_px = segment.length_px();
     if (length_px < kRayLengthMin * width_px_) continue;
     const double angle = std::atan2(from.y(), from.x());
-    if (angle < kFlattest || angle > kSteepest) continue;
+    if (angle < kFlattest_rad || angle > kSteepest_rad) continue;
     const double miss = std::abs(cross(from, segment.direction())) / from.norm();
     if (miss > kMissAngle + kMissPerLength_px / length_px + kMissNear * width_px_ / from.norm()) continue;
     rays_.push_back(segment);
@@ -186,7 +182,7 @@ std::optional<WallFoot> WallFootSearch::fitted(const Seed& seed) {
 
 bool WallFootSearch::is_possible(const WallFoot& foot) const {
   const double angle = std::atan2(foot.direction.y(), foot.direction.x());
-  if (angle < kFlattest || angle > kSteepest) return false;
+  if (angle < kFlattest_rad || angle > kSteepest_rad) return false;
   return std::abs(cross(foot.direction, vanishing_point_px_ - foot.point_px)) <= kPastPointMax * width_px_;
 }
 

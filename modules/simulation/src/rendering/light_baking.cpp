@@ -26,7 +26,7 @@ struct Light {
 };
 
 /// One side of a surface, to be lit.
-struct Side {
+struct PanelSide {
   const Panel* panel = nullptr;
   LightMap* map = nullptr;
   Vec3 normal = Vec3::UnitZ();
@@ -81,7 +81,7 @@ class Baker {
   Baker(const World& world, const RayScene& scene, const SceneFrame& frame)
       : scene_(scene), lamps_(lamp_places(world, frame)), seed_(world.texture_seed) {}
 
-  Light at(const Side& side, const Vec3& p_scene, const Vec3& step_along, const Vec3& step_up,
+  Light at(const PanelSide& side, const Vec3& p_scene, const Vec3& step_along, const Vec3& step_up,
            std::uint64_t texel) const {
     Random random(seed_ ^ (texel * 0x9e3779b97f4a7c15u));
     Light light{openness(side.normal, p_scene, random.uniform()), 0};
@@ -171,8 +171,8 @@ class Baker {
   std::uint64_t seed_;
 };
 
-std::vector<Side> sides_of(std::span<const Panel> panels, std::span<Surface> surfaces) {
-  std::vector<Side> sides;
+std::vector<PanelSide> sides_of(std::span<const Panel> panels, std::span<Surface> surfaces) {
+  std::vector<PanelSide> sides;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Vec3 outside = panels[i].outside();
     sides.push_back({&panels[i], &surfaces[i].outside, outside});
@@ -182,9 +182,9 @@ std::vector<Side> sides_of(std::span<const Panel> panels, std::span<Surface> sur
 }
 
 /// Lays out all maps with texels of a size. @return how many texels they have
-std::size_t lay_out(std::span<const Side> sides, double texel_m) {
+std::size_t lay_out(std::span<const PanelSide> sides, double texel_m) {
   std::size_t next = 0;
-  for (const Side& side : sides) {
+  for (const PanelSide& side : sides) {
     LightMap& map = *side.map;
     const double along_m = side.panel->along.norm(), up_m = side.panel->up.norm();
     map.columns = 2 + static_cast<int>(along_m / texel_m);
@@ -265,7 +265,7 @@ std::uint32_t light_texel(float from_everywhere, float from_lamps) {
 
 LightTexels bake_light(const World& world, std::span<const Panel> panels, const RayScene& scene,
                        const SceneFrame& frame, std::span<Surface> surfaces) {
-  const std::vector<Side> sides = sides_of(panels, surfaces);
+  const std::vector<PanelSide> sides = sides_of(panels, surfaces);
   double texel_m = kTexel_m;
   std::size_t count = lay_out(sides, texel_m);
   while (count > kTexelsMax) count = lay_out(sides, texel_m *= 1.5);
@@ -273,7 +273,7 @@ LightTexels bake_light(const World& world, std::span<const Panel> panels, const 
   std::vector<Light> lights(count);
   const Baker baker(world, scene, frame);
   tbb::parallel_for(std::size_t{0}, sides.size(), [&](std::size_t i) {
-    const Side& side = sides[i];
+    const PanelSide& side = sides[i];
     const LightMap& map = *side.map;
     const Vec3 step_along = side.panel->along / map.columns, step_up = side.panel->up / map.rows;
     const Vec3 corner = frame(side.panel->corner) + kAboveSurface_m * side.normal;

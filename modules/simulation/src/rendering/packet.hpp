@@ -16,8 +16,8 @@ struct alignas(64) Flags {
   std::int32_t at[kLanes];  ///< -1: set
 };
 
-/// What rays hit first; kNothing: nothing.
-inline constexpr std::uint32_t kNothing = 0xffffffff;
+/// What rays hit first; kNoSurface: nothing.
+inline constexpr std::uint32_t kNoSurface = 0xffffffff;
 struct alignas(64) Hits {
   std::uint32_t at[kLanes];
 };

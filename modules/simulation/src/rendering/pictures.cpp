@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kSide = Texture::kSide;
 
-struct Rectangle {
+struct PixelBlock {
   int left = 0, top = 0, width = 0, height = 0;
 };
 
@@ -18,7 +18,7 @@ float& at(Texture::Picture& picture, int x, int y) {
   return picture[static_cast<std::size_t>(y * kSide + x)];
 }
 
-void fill(Texture::Picture& picture, Rectangle r, float brightness) {
+void fill(Texture::Picture& picture, PixelBlock r, float brightness) {
   for (int y = std::max(0, r.top); y < std::min(kSide, r.top + r.height); ++y) {
     for (int x = std::max(0, r.left); x < std::min(kSide, r.left + r.width); ++x)
       at(picture, x, y) = brightness;
@@ -52,7 +52,7 @@ class Octave {
 };
 
 /// Lines of words, the last of a paragraph shorter.
-void write_text(Texture::Picture& picture, Rectangle block, int line_height, float ink, Random& random) {
+void write_text(Texture::Picture& picture, PixelBlock block, int line_height, float ink, Random& random) {
   const int letter_height = std::max(1, line_height / 2);
   int line = 0;
   for (int top = block.top; top + line_height <= block.top + block.height; top += line_height, ++line) {
@@ -68,7 +68,7 @@ void write_text(Texture::Picture& picture, Rectangle block, int line_height, flo
   }
 }
 
-void show_picture(Texture::Picture& picture, Rectangle frame, Random& random) {
+void show_picture(Texture::Picture& picture, PixelBlock frame, Random& random) {
   const float dark = static_cast<float>(random.uniform(0.1, 0.5)),
               bright = static_cast<float>(random.uniform(0.5, 0.9));
   const Octave hills(8, random);
@@ -125,8 +125,8 @@ Texture::Picture pinned_sheets(std::uint64_t seed) {
     if (random.uniform() < 0.2) continue;
     const int left = 10 + i % kColumns * 61 + static_cast<int>(random.index(14));
     const int top = 10 + i / kColumns * 81 + static_cast<int>(random.index(14));
-    const Rectangle sheet{left, top, 34 + static_cast<int>(random.index(10)),
-                          54 + static_cast<int>(random.index(10))};
+    const PixelBlock sheet{left, top, 34 + static_cast<int>(random.index(10)),
+                           54 + static_cast<int>(random.index(10))};
     fill(picture, sheet, static_cast<float>(random.uniform(0.75, 0.95)));
     write_text(picture, {left + 4, top + 5, sheet.width - 8, sheet.height - 10},
                3 + static_cast<int>(random.index(3)), 0.2f, random);

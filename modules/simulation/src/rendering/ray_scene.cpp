@@ -95,7 +95,7 @@ RayScene::RayScene(std::span<const Panel> panels, const SceneFrame& frame) {
 }
 
 void RayScene::first_hits(const RayPacket& rays, Hits& hits) const {
-  for (std::uint32_t& hit : hits.at) hit = kNothing;
+  for (std::uint32_t& hit : hits.at) hit = kNoSurface;
   if (!embree_) return;
   alignas(64) RTCRayHit16 packet;
   for (int k = 0; k < kLanes; ++k) {
@@ -108,7 +108,7 @@ void RayScene::first_hits(const RayPacket& rays, Hits& hits) const {
   rtcIntersect16(kAll.at, embree_->scene, &coherent, &packet);
   for (int k = 0; k < kLanes; ++k) {
     const bool is_hit = packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
-    hits.at[k] = is_hit ? packet.hit.primID[k] : kNothing;
+    hits.at[k] = is_hit ? packet.hit.primID[k] : kNoSurface;
   }
 }
 

@@ -125,7 +125,7 @@ void narrow(std::vector<Candidate>& candidates, std::size_t begin, std::size_t e
 AISLE_KERNEL
 void find_seen(std::span<const Candidate> candidates, const Floats& x, const Floats& y, Hits& seen) {
   Floats nearest{};
-  for (std::uint32_t& hit : seen.at) hit = kNothing;
+  for (std::uint32_t& hit : seen.at) hit = kNoSurface;
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
     const SeenPanel panel = *candidates[i].panel;
     for (int k = 0; k < kLanes; ++k) {

@@ -35,8 +35,8 @@ struct Candidate {
 /// its rays meet are out.
 void narrow(std::vector<Candidate>& candidates, std::size_t begin, std::size_t end, const SlopeBox& beam);
 
-/// Which candidate each of sixteen rays sees: its place in the span, or kNothing. Of candidates in one place
-/// it is the last one: what is printed on something comes after it.
+/// Which candidate each of sixteen rays sees: its place in the span, or kNoSurface. Of candidates in one
+/// place it is the last one: what is printed on something comes after it.
 void find_seen(std::span<const Candidate> candidates, const Floats& x, const Floats& y, Hits& seen);
 
 /// A place within a pixel, from its middle [px].

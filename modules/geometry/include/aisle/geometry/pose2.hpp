@@ -6,6 +6,7 @@
 ///   T_map_laser = T_map_vehicle * T_vehicle_laser;
 
 #include <Eigen/Core>
+#include <cmath>
 
 namespace aisle {
 
@@ -19,6 +20,16 @@ Vec2 rotate(double angle_rad, const Vec2& v);
 
 /// The unit vector with this direction.
 Vec2 unit(double angle_rad);
+
+/// The direction of `v` [rad]: what `unit` undoes.
+inline double heading_of(const Vec2& v) {
+  return std::atan2(v.y(), v.x());
+}
+
+/// The area of the parallelogram from a to b; positive: b points to the left of a.
+inline double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 /// `v` turned by 90 degrees counter-clockwise: the left-hand normal.
 inline Vec2 left_normal(const Vec2& v) {

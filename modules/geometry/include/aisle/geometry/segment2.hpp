@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "aisle/geometry/pose2.hpp"
 
@@ -15,7 +14,7 @@ struct Segment2 {
   double length() const { return (end - start).norm(); }
   Vec2 midpoint() const { return (start + end) / 2; }
   /// Direction from start to end [rad].
-  double heading() const { return std::atan2(end.y() - start.y(), end.x() - start.x()); }
+  double heading() const { return heading_of(end - start); }
   Segment2 reversed() const { return {end, start}; }
   /// From the point to the nearest point of the segment.
   double distance(const Vec2& p) const {

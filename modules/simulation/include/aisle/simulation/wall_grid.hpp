@@ -8,6 +8,9 @@
 
 namespace aisle {
 
+/// How far off a wall's face rays away from it start.
+inline constexpr double kOffWall_m = 0.01;
+
 /// Distance along a ray to one wall [m]; infinity: the ray misses it. A ray along the wall misses.
 /// @param direction  of length 1
 double ray_distance(const Vec2& origin, const Vec2& direction, const Segment2& wall);
