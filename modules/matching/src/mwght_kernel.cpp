@@ -29,15 +29,13 @@ MwghtKernel::MwghtKernel(const MwghtParams& params)
 
 template <int kBox>
 MwghtBounds<kBox>::MwghtBounds(const MwghtKernel& kernel, int first_offset, int offsets, int boxes)
-    : first_offset_(first_offset), quotients_(static_cast<unsigned>((offsets - 1) / kBox + boxes)) {
-  const int rows = offsets + (boxes - 1) * kBox;
-  for (int y = 0; y < rows; ++y) {
-    for (int phase = 0; phase < kBox; ++phase) {
-      for (int quotient = 0; quotient < static_cast<int>(quotients_); ++quotient) {
-        const int x = quotient * kBox + phase;
-        values_.push_back(static_cast<float>(
-            kernel(nearest_offset(first_offset + x, kBox), nearest_offset(first_offset + y, kBox))));
-      }
+    : first_offset_(first_offset), steps_(static_cast<unsigned>((offsets - 1) / kBox + boxes)) {
+  const int steps = static_cast<int>(steps_);
+  for (int phase = 0; phase < kBox * kBox; ++phase) {
+    for (int step = 0; step < steps * steps; ++step) {
+      const int x = first_offset + step % steps * kBox + phase % kBox;
+      const int y = first_offset + step / steps * kBox + phase / kBox;
+      values_.push_back(static_cast<float>(kernel(nearest_offset(x, kBox), nearest_offset(y, kBox))));
     }
   }
 }
