@@ -19,6 +19,7 @@ constexpr float kPlateau = 1.25F;       // a step that is this close to its grea
 constexpr double kFarShiftCost = 0.25;  // share of the votes that the greatest shift loses
 constexpr double kMeanVoteMin = 2;      // grey levels
 constexpr double kLikeVotes = 0.9;
+constexpr double kOtherVotes = 0.4;
 constexpr std::size_t kSettle = 2;  // pixels to either side in which a line's own step lies
 constexpr double kClearSign = 0.5;
 constexpr float kOutside = -1;
@@ -109,7 +110,7 @@ void WallFootRefinement::vote(const WallFoot& foot) {
           k += per_sample;
         }
         const double shift = (off(a) + off(b)) / (2.0 * static_cast<double>(reach_));
-        shifts_.push_back({a, b, side, sum * (1 - kFarShiftCost * shift)});
+        shifts_.push_back({a, b, side, sum * (1 - kFarShiftCost * shift), other_edge});
       }
     }
   }
@@ -119,6 +120,10 @@ const WallFootRefinement::Shift* WallFootRefinement::lowest_of_like_votes() cons
   const auto most = std::max_element(shifts_.begin(), shifts_.end(),
                                      [](const Shift& a, const Shift& b) { return a.votes < b.votes; });
   if (most == shifts_.end() || most->votes < kMeanVoteMin * static_cast<double>(along_)) return nullptr;
+  const Shift* other = nullptr;
+  for (const Shift& shift : shifts_)
+    if (shift.other_edge && (other == nullptr || shift.votes > other->votes)) other = &shift;
+  if (other != nullptr && other->votes > kOtherVotes * most->votes) return other;
   const Shift* lowest = nullptr;
   double best = 0;
   for (const Shift& shift : shifts_) {

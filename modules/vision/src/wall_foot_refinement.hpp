@@ -21,6 +21,7 @@ class WallFootRefinement {
     std::size_t at_from = 0, at_to = 0;  ///< steps across, of which the middle one is no shift
     std::size_t side = 0;                ///< 0: the floor is brighter than what stands on it
     double votes = 0;
+    bool other_edge = false;  ///< of the board, beneath the line that was found
   };
 
   void sample_steps(const SideView& view, double from_px, double to_px, const WallFoot& foot);

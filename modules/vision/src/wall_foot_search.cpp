@@ -36,14 +36,15 @@ constexpr double kDoor = 0.03;           // feet nearer to each other are of one
 constexpr double kReflection = 0.6;      // share of its contrast that a line's reflection has at most
 constexpr double kBorder_px = 4;         // a line that ends here is cut by the picture's lower border
 constexpr int kBoards = 2;               // a board may stand on another
-constexpr double kOtherEdge = 0.4;       // support of a board's lower edge, of that of the upper one
+constexpr double kOtherEdge = 0.6;       // support of a board's lower edge, of that of the upper one
 constexpr double kFreeFloor = 0.43;      // share of a board's lower edge beneath which other edges may come
 constexpr double kLikeScore = 0.7;
 constexpr double kBoardMin = 0.004;      // height of a board, as seen ...
 constexpr double kBoardDepthMax = 1.25;  // ... and at most: a fifth of the camera's height
 constexpr double kDepthAside = 0.3;      // where heights are compared
 constexpr double kFloorStep_px = 8;
-constexpr double kFloorBeside = 1.25;  // cells to either side where floor is looked for
+constexpr double kFloorBeside = 1.25;     // cells to either side where floor is looked for ...
+constexpr double kFloorBeneathBoard = 3;  // ... or beneath a board
 
 /// Scatter of weighted points, for a line through them.
 struct Scatter {
@@ -308,17 +309,19 @@ void WallFootSearch::measure_floor_side(const SideView& view, WallFoot& foot) co
 
 void WallFootSearch::measure_floor(const SideView& view, WallFoot& foot) const {
   constexpr double kStep_px = 6;
-  const Vec2 beside = kFloorBeside * floor_->cell_px() * left_normal(foot.direction);
+  const Vec2 beneath = floor_->cell_px() * left_normal(foot.direction);
+  const auto is_seen = [&](const Vec2& p) {
+    return view.contains(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
+  };
   int count = 0, on_floor = 0, at_edge = 0;
   const int steps = steps_within(foot.to_px - foot.from_px, kStep_px);
   for (int i = 0; i <= steps; ++i) {
     const Vec2 on = foot.point_px + (foot.from_px + i * kStep_px) * foot.direction;
-    const Vec2 lower = on + beside, upper = on - beside;
-    if (!view.contains(static_cast<int>(lower.x()), static_cast<int>(lower.y())) ||
-        !view.contains(static_cast<int>(upper.x()), static_cast<int>(upper.y())))
-      continue;
+    const Vec2 near = on + kFloorBeside * beneath, far = on + kFloorBeneathBoard * beneath;
+    const Vec2 upper = on - kFloorBeside * beneath;
+    if (!is_seen(near) || !is_seen(upper)) continue;
     ++count;
-    if (!floor_->contain(view, lower)) continue;
+    if (!floor_->contain(view, near) && !(is_seen(far) && floor_->contain(view, far))) continue;
     ++on_floor;
     if (!floor_->contain(view, upper)) ++at_edge;
   }
