@@ -25,8 +25,8 @@ struct VerticalLineParams {
   double gap_share_max = 0.12;
   double fade_share = 0.45;
   double length_share_min = 0.07;
-  double fill_min = 0.55;
-  double score_min = 0.33;
+  double fill_min = 0.6;
+  double score_min = 0.35;
   double apart_px = 4;
 
   void describe(FieldList& fields);
