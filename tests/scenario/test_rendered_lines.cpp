@@ -31,6 +31,7 @@ void add_wall(World& world, const std::vector<Vec2>& points) {
 /// From x = 0 to 14 m, free side to the left of each face.
 World corridor() {
   World world;
+  world.skirting_height_m = 0;  // a board would stand a little ahead of the corner
   std::vector<Vec2> right{{0, -kHalfWidth_m}}, left{{0, kHalfWidth_m}};
   const auto add_niches = [](std::vector<Vec2>& points, const auto& niches, double side) {
     for (const Niche& niche : niches) {

@@ -21,6 +21,7 @@ constexpr double kMeanVoteMin = 2;      // grey levels
 constexpr double kLikeVotes = 0.9;
 constexpr double kOtherVotes = 0.4;
 constexpr std::size_t kSettle = 2;  // pixels to either side in which a line's own step lies
+constexpr int kSettleRounds = 3;
 constexpr double kClearSign = 0.5;
 constexpr float kOutside = -1;
 constexpr double kLowerPerVotes = 60;  // steps that all the votes are worth
@@ -38,7 +39,7 @@ void WallFootRefinement::refine(const SideView& view, double from_px, double to_
   const Shift* shift = lowest_of_like_votes();
   if (shift == nullptr) return;
   const Vec2 beneath = left_normal(foot.direction);
-  const auto [from_shift_px, to_shift_px] = between_steps(*shift);
+  const auto [from_shift_px, to_shift_px] = settled(*shift);
   const Vec2 from = foot.point_px + from_px * foot.direction + from_shift_px * beneath;
   const Vec2 to = foot.point_px + to_px * foot.direction + to_shift_px * beneath;
   foot.point_px = from - from_px * (to - from).normalized();
@@ -138,14 +139,25 @@ const WallFootRefinement::Shift* WallFootRefinement::lowest_of_like_votes() cons
   return lowest;
 }
 
-/// The line through the middles of the steps next to a shift, as its distances at both ends.
-std::pair<double, double> WallFootRefinement::between_steps(const Shift& shift) const {
-  const auto& steps = unthinned_[shift.side];
-  const double first = static_cast<double>(shift.at_from), turn = static_cast<double>(shift.at_to) - first;
+/// A shift is a whole number of pixels, and the lowest of several: the line moves to the middle of its step.
+WallFootRefinement::Shifts_px WallFootRefinement::settled(const Shift& shift) const {
+  const auto reach_px = static_cast<double>(reach_);
+  Shifts_px shifts_px(static_cast<double>(shift.at_from) - reach_px,
+                      static_cast<double>(shift.at_to) - reach_px);
+  for (int round = 0; round < kSettleRounds; ++round) shifts_px = between_steps(shifts_px, shift.side);
+  return shifts_px;
+}
+
+/// The line through the middles of the steps next to a shifted one, as its shifts.
+WallFootRefinement::Shifts_px WallFootRefinement::between_steps(const Shifts_px& shifts_px,
+                                                                std::size_t side) const {
+  const auto& steps = unthinned_[side];
+  const double first = shifts_px.first + static_cast<double>(reach_);
+  const double turn = shifts_px.second - shifts_px.first;
   double weights = 0, shares = 0, offs = 0, shares_squared = 0, products = 0;
   for (std::size_t i = 0; i < along_; ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(along_);
-    const auto middle = static_cast<std::size_t>(std::lround(first + turn * share));
+    const auto middle = static_cast<std::size_t>(std::max(0L, std::lround(first + turn * share)));
     if (middle < kSettle || middle + kSettle >= across_) continue;
     double weight = 0, moment = 0;
     for (std::size_t k = middle - kSettle; k <= middle + kSettle; ++k) {

@@ -28,7 +28,9 @@ class WallFootRefinement {
   void thin(std::vector<float>& steps) const;
   void vote(const WallFoot& foot);
   const Shift* lowest_of_like_votes() const;
-  std::pair<double, double> between_steps(const Shift& shift) const;
+  using Shifts_px = std::pair<double, double>;  ///< at both ends
+  Shifts_px settled(const Shift& shift) const;
+  Shifts_px between_steps(const Shifts_px& shifts_px, std::size_t side) const;
 
   std::size_t reach_ = 0, across_ = 0, along_ = 0;
   std::vector<float> profile_;
