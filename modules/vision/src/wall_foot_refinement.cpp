@@ -69,11 +69,14 @@ void WallFootRefinement::sample_steps(const SideView& view, double from_px, doub
       if (p[-3] == kOutside) continue;
       const float step = (p[1] + p[2] + p[3] - p[-1] - p[-2] - p[-3]) / 3;
       if (std::abs(step) < kStepMin) continue;
-      steps_[step < 0 ? 1 : 0][i * across_ + k] = std::min(std::abs(step), kStepCounted);
+      steps_[step < 0 ? 1 : 0][i * across_ + k] = std::abs(step);
     }
   }
   unthinned_ = steps_;
-  for (auto& steps : steps_) thin(steps);
+  for (auto& steps : steps_) {
+    thin(steps);
+    for (float& step : steps) step = std::min(step, kStepCounted);
+  }
 }
 
 /// Leaves the greatest of neighbouring steps.
@@ -166,6 +169,7 @@ WallFootRefinement::Shifts_px WallFootRefinement::between_steps(const Shifts_px&
     }
     if (weight == 0) continue;
     const double off = moment / weight - first - turn * share;
+    weight = std::min<double>(weight, kStepCounted);
     weights += weight;
     shares += weight * share;
     offs += weight * off;

@@ -75,7 +75,7 @@ double WallFoot::support() const {
   return covered * (0.5 + 0.5 * share) * std::min(1.0, contrast / 14 + 0.25);
 }
 
-/// Vertical lines end at a wall's foot and do not cross it; nothing but floor follows beneath it.
+/// Vertical lines end at a wall's foot and do not cross it; floor follows beneath it, and none is above.
 double WallFoot::score() const {
   const double feet_alone = 0.02 * std::min(feet, 4.0) * std::min(1.0, contrast / 14 + 0.25);
   const double standing =
