@@ -6,7 +6,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kRounding = 1e-9;  // a reach of whole cells includes the last one
+constexpr double kReachRounding = 1e-9;  // a reach of whole cells includes the last one
 
 /// Of a box's cells along one axis, the offset of the one nearest to the vote.
 int nearest_offset(int first, int box) {
@@ -16,12 +16,12 @@ int nearest_offset(int first, int box) {
 }  // namespace
 
 MwghtKernel::MwghtKernel(const MwghtParams& params)
-    : reach_(static_cast<int>(std::floor(params.reach_m / params.cell_m + kRounding))) {
+    : reach_(static_cast<int>(std::floor(params.reach_m / params.cell_m + kReachRounding))) {
   values_.reserve(static_cast<std::size_t>((2 * reach_ + 1) * (2 * reach_ + 1)));
   for (int dy = -reach_; dy <= reach_; ++dy) {
     for (int dx = -reach_; dx <= reach_; ++dx) {
       const double d1_m = params.cell_m * std::sqrt(dx * dx + dy * dy);  // eq. (7)
-      const bool within = d1_m <= params.reach_m + kRounding * params.cell_m;
+      const bool within = d1_m <= params.reach_m + kReachRounding * params.cell_m;
       values_.push_back(within ? 1 / (1 + d1_m / params.distance_scale_m) : 0);  // eq. (6)
     }
   }
