@@ -16,6 +16,11 @@ std::optional<Vec2> meeting(const Vec2& origin, const Vec2& direction, const std
   return std::nullopt;
 }
 
+CameraMount tilted(CameraMount mount, double by_rad) {
+  mount.tilt_rad += by_rad;
+  return mount;
+}
+
 }  // namespace
 
 void LandmarkSightingParams::describe(FieldList& fields) {
@@ -32,6 +37,7 @@ LandmarkDetector::LandmarkDetector(const LandmarkSightingParams& params, const C
       camera_(intrinsics),
       mount_(mount),
       floor_(camera_, mount, 0),
+      floor_tilted_(camera_, tilted(mount, params.noise.tilt_rad), 0),
       verticals_(params.verticals, camera_),
       base_line_detector_(params.base_lines, camera_) {}
 
@@ -46,9 +52,11 @@ const std::vector<LandmarkSighting>& LandmarkDetector::detect(const Image& grey)
     const auto pixel_px = foot_px(line);
     if (!pixel_px) continue;
     const auto foot = floor_.uncertain_point(*pixel_px, params_.noise);
-    if (!foot || foot->mean.norm() > params_.distance_max_m) continue;
+    const auto tilted_foot = floor_tilted_.point(*pixel_px);
+    if (!foot || !tilted_foot || foot->mean.norm() > params_.distance_max_m) continue;
     sightings_.push_back({.p_vehicle = foot->mean,
                           .covariance = foot->covariance,
+                          .by_tilt = *tilted_foot - foot->mean,
                           .foot_px = *pixel_px,
                           .brighter_right = line.contrast > 0});
   }

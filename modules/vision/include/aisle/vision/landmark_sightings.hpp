@@ -26,6 +26,8 @@ struct LandmarkSightingParams {
 struct LandmarkSighting {
   Vec2 p_vehicle = Vec2::Zero();   ///< its foot, in base_link
   Mat2 covariance = Mat2::Zero();  ///< of the foot; long along the line of sight
+  Vec2 by_tilt = Vec2::Zero();     ///< the part of that which all sightings of one picture share: how far the foot
+                                   ///< goes when the tilt is off by a standard deviation [m]
   Vec2 foot_px = Vec2::Zero();     ///< in the picture
   bool brighter_right = false;     ///< the right side of the line is the brighter one
 };
@@ -55,6 +57,7 @@ class LandmarkDetector {
   CameraModel camera_;
   CameraMount mount_;
   BackProjection floor_;
+  BackProjection floor_tilted_;  ///< the same with the tilt off by a standard deviation
   VerticalLineDetector verticals_;
   BaseLineDetector base_line_detector_;
   std::vector<VerticalLine> lines_;
