@@ -112,10 +112,8 @@ void LandmarkNavigator::locate(const Observation& observation) {
   localiser_.predict(observation.odometry);
   sightings_.clear();
   match_ = LandmarkMatch::kNothing;
-  for (const CameraPicture& picture : observation.pictures) {
-    const bool is_new = observation.stamp_s - picture.stamp_s < vehicle_.cycle_s / 2;
-    if (picture.camera != camera_ || !is_new) continue;
-    sightings_ = detector_.detect(*picture.image);
+  if (const CameraPicture* picture = present_picture(observation, camera_, vehicle_.cycle_s)) {
+    sightings_ = detector_.detect(*picture->image);
     if (state_ != State::kLost) match_ = localiser_.correct(building_->landmarks, sightings_);
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing) matched_stamp_s_ = observation.stamp_s;
