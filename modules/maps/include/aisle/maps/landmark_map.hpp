@@ -11,6 +11,7 @@ namespace aisle {
 struct Landmark {
   Vec2 p_map = Vec2::Zero();
   Mat2 covariance = Mat2::Zero();  ///< of its place, as far as the sightings tell
+  double mass = 0;                 ///< sum of the confidence weights of its sightings (C98 eq. (16), (17))
   double weight = 1;               ///< confidence: 1 is the map's mean, more is surer (C98 eq. (18))
   int sightings = 0;               ///< pictures in which it was seen
   int passes = 0;                  ///< trips on which it was seen
