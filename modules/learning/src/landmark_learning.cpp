@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
 #include "landmark_adjustment.hpp"
 
@@ -10,6 +11,9 @@ namespace aisle {
 
 namespace {
 
+constexpr int kExpectedMin = 15;        // pictures that show whether a landmark is still there
+constexpr double kSeenShareMin = 0.05;  // seen in fewer of them it is gone
+constexpr double kGoneShare = 0.3;      // of a vanished landmark's mass that remains after a trip
 constexpr double kStartSigma = 1e-4;  // the first pose is the map's origin: exact [m, rad]
 
 constexpr int kAdjustments = 3;
@@ -23,6 +27,7 @@ Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, d
   R_map_vehicle << c, -s, s, c;
   return {.p_map = T_map_vehicle * sighting.p_vehicle,
           .covariance = R_map_vehicle * sighting.covariance * R_map_vehicle.transpose(),
+          .mass = confidence_weight(sighting.p_vehicle, confidence_m2),
           .weight = confidence_weight(sighting.p_vehicle, confidence_m2),
           .sightings = 1,
           .passes = 1,
@@ -32,8 +37,9 @@ Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, d
 /// C98 eq. (17); the covariance is that of the surer one.
 Landmark united(const Landmark& a, const Landmark& b) {
   Landmark both = a;
+  both.mass = a.mass + b.mass;
   both.weight = a.weight + b.weight;
-  both.p_map = (a.weight * a.p_map + b.weight * b.p_map) / both.weight;
+  both.p_map = (a.mass * a.p_map + b.mass * b.p_map) / both.mass;
   both.covariance = a.covariance.trace() < b.covariance.trace() ? a.covariance : b.covariance;
   both.sightings = a.sightings + b.sightings;
   return both;
@@ -53,6 +59,35 @@ std::vector<LandmarkObservation> observations(std::span<const LandmarkCycle> cyc
   return all;
 }
 
+/// How often a landmark should have been seen on a trip, and how often it was.
+struct Visibility {
+  int expected = 0;
+  int seen = 0;
+
+  bool is_gone() const { return expected >= kExpectedMin && seen < kSeenShareMin * expected; }
+};
+
+/// A landmark is expected where others are seen: no farther, and between the outermost of them.
+void count_visibility(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+                      const LandmarkLocaliser& localiser, std::vector<Visibility>& visibility) {
+  double far_m = 0, left_rad = -kPi, right_rad = kPi;
+  for (const LandmarkSighting& sighting : sightings) {
+    const double bearing = std::atan2(sighting.p_vehicle.y(), sighting.p_vehicle.x());
+    far_m = std::max(far_m, sighting.p_vehicle.norm());
+    left_rad = std::max(left_rad, bearing);
+    right_rad = std::min(right_rad, bearing);
+  }
+  std::vector<int> near;
+  map.within(localiser.pose().position(), far_m, near);
+  const Pose2 T_vehicle_map = localiser.pose().inverse();
+  for (const int i : near) {
+    const Vec2 p_vehicle = T_vehicle_map * map[static_cast<std::size_t>(i)].p_map;
+    const double bearing = std::atan2(p_vehicle.y(), p_vehicle.x());
+    if (bearing <= left_rad && bearing >= right_rad) ++visibility[static_cast<std::size_t>(i)].expected;
+  }
+  for (const LandmarkPair& pair : localiser.pairs()) ++visibility[pair.landmark].seen;
+}
+
 }  // namespace
 
 void LandmarkLearningParams::describe(FieldList& fields) {
@@ -60,6 +95,7 @@ void LandmarkLearningParams::describe(FieldList& fields) {
   fields.real("merge_m", merge_m, {0.01, 1}, "landmarks closer than this are one");
   fields.real("weight_min", weight_min, {0, 1}, "Ts: landmarks less sure than this share of the mean go");
   fields.count("sightings_min", sightings_min, {1, 100}, "landmarks seen in fewer pictures of the first trip go");
+  fields.flag("forget", forget, "landmarks that are no longer seen lose their weight");
   fields.flag("adjust", adjust, "move all poses and landmarks together until they agree best");
 }
 
@@ -90,9 +126,9 @@ std::vector<std::size_t> LandmarkLearner::merge(std::span<const LandmarkSighting
 void settle_weights(std::vector<Landmark>& landmarks, const Vec2& p_map_start, double weight_min) {
   if (landmarks.empty()) return;
   double sum = 0;
-  for (const Landmark& landmark : landmarks) sum += landmark.weight;
+  for (const Landmark& landmark : landmarks) sum += landmark.mass;
   const double mean = sum / static_cast<double>(landmarks.size());
-  for (Landmark& landmark : landmarks) landmark.weight /= mean;  // eq. (18)
+  for (Landmark& landmark : landmarks) landmark.weight = landmark.mass / mean;  // eq. (18)
   std::erase_if(landmarks, [&](const Landmark& landmark) { return landmark.weight < weight_min; });
   const auto by_weight = [](const Landmark& a, const Landmark& b) { return a.weight < b.weight; };
   const auto by_distance = [&](const Landmark& a, const Landmark& b) {
@@ -126,6 +162,41 @@ LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const Vehicle
   settle_weights(landmarks, trip.T_map_vehicle.front().position(), params.weight_min);
   trip.map.assign(landmarks);
   return trip;
+}
+
+RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const LandmarkCycle> cycles,
+                                  const VehicleDescription& vehicle, const UncertainPose2& T_map_start,
+                                  const LandmarkLearningParams& params) {
+  RefinedLandmarks refined;
+  LandmarkLocaliser localiser(params.localiser, vehicle, T_map_start);
+  LandmarkLearner learner(params, map);
+  std::vector<Visibility> visibility(map.size());
+  std::size_t seen_pictures = 0, matched_pictures = 0;
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    if (i > 0) localiser.predict(cycles[i].odometry);
+    const LandmarkMatch match = localiser.correct(map, cycles[i].sightings);
+    refined.T_map_vehicle.push_back(localiser.pose());
+    if (match != LandmarkMatch::kNothing) ++seen_pictures;
+    if (match != LandmarkMatch::kMatched) continue;
+    ++matched_pictures;
+    count_visibility(map, cycles[i].sightings, localiser, visibility);
+    learner.merge(cycles[i].sightings, localiser.pose());
+  }
+  std::vector<Landmark> landmarks;
+  for (std::size_t i = 0; i < learner.map().size(); ++i) {
+    Landmark landmark = learner.map()[i];
+    if (landmark.weight == 0) continue;
+    if (i < visibility.size()) {
+      if (params.forget && visibility[i].is_gone()) landmark.mass *= kGoneShare;
+      if (visibility[i].seen > 0) ++landmark.passes;
+    }
+    landmarks.push_back(landmark);
+  }
+  settle_weights(landmarks, T_map_start.mean.position(), params.weight_min);
+  refined.map.assign(landmarks);
+  refined.matched_share =
+      static_cast<double>(matched_pictures) / static_cast<double>(std::max<std::size_t>(seen_pictures, 1));
+  return refined;
 }
 
 }  // namespace aisle

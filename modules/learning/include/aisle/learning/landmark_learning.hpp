@@ -15,6 +15,7 @@ struct LandmarkLearningParams {
   double weight_min = 0.15;
   int sightings_min = 3;
   bool adjust = true;
+  bool forget = true;
 
   void describe(FieldList& fields);
 };
@@ -43,8 +44,8 @@ class LandmarkLearner {
   LandmarkMap map_;
 };
 
-/// Algorithm 4, steps 2 to 4: weights with mean 1, those below the least weight go, the landmark nearest to the start
-/// (the primary one) gets the greatest weight.
+/// Algorithm 4, steps 2 to 4: weights with mean 1 by the masses, those below the least weight go, the landmark nearest
+/// to the start (the primary one) gets the greatest weight.
 void settle_weights(std::vector<Landmark>& landmarks, const Vec2& p_map_start, double weight_min);
 
 /// A trip as it was learned.
@@ -57,5 +58,17 @@ struct LearnedTrip {
 /// until sightings and odometry agree best.
 LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
                             const LandmarkLearningParams& params);
+
+/// A map after another trip through its building.
+struct RefinedLandmarks {
+  LandmarkMap map;
+  std::vector<Pose2> T_map_vehicle;  ///< at the end of every cycle
+  double matched_share = 0;          ///< of the pictures with sightings
+};
+
+/// Algorithm 4. Landmarks that should have been seen on the trip and were not lose most of their mass, and go in time.
+RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const LandmarkCycle> cycles,
+                                  const VehicleDescription& vehicle, const UncertainPose2& T_map_start,
+                                  const LandmarkLearningParams& params);
 
 }  // namespace aisle
