@@ -41,6 +41,16 @@ TEST_F(SimShow, WarnsOfWhatALargeVehicleCannotReach) {
   EXPECT_THAT(run.err, HasSubstr("the tour passes 0.20 m from an obstacle"));
 }
 
+TEST_F(SimShow, RefusesToReplaceAPictureUnlessForced) {
+  const std::string mine = file("plan.svg", "mine");
+  EXPECT_THAT(run_aisle({"sim", "show", kLaboratory, "--svg", mine, "--png", at("plan.png"), "--json"}),
+              IsRefused("plan.svg: exists already; --force replaces it"));
+  EXPECT_EQ(read_bytes(mine), "mine");
+  EXPECT_THAT(names_in(at(".")), testing::ElementsAre("plan.svg"));
+  EXPECT_EQ(run_aisle({"sim", "show", kLaboratory, "--svg", mine, "--force"}).exit_code, 0);
+  EXPECT_THAT(read_bytes(mine), HasSubstr("<svg"));
+}
+
 TEST_F(SimShow, RefusesAWorldThatContradictsItself) {
   file("bad.yaml", "format: aisle.world\nversion: 1\nwalls: []\ntour: [[1, 1]]\n");
   const ProgramRun run = run_aisle({"sim", "show", at("bad.yaml"), "--svg", at("plan.svg")});

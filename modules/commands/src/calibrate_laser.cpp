@@ -27,8 +27,8 @@ void keep_beside(const std::vector<Vec2>& corners_px, std::vector<Vec2>& points_
   const auto [left, right] = std::minmax_element(corners_px.begin(), corners_px.end(),
                                                  [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
   const double width_px = right->x() - left->x();
-  std::erase_if(points_px,
-                [&](const Vec2& p) { return p.x() < left->x() - width_px || p.x() > right->x() + width_px; });
+  const double from_px = left->x() - width_px, to_px = right->x() + width_px;
+  std::erase_if(points_px, [=](const Vec2& p) { return p.x() < from_px || p.x() > to_px; });
 }
 
 /// The stripe on the wall that the picture's chessboard hangs on.

@@ -56,6 +56,14 @@ class SimulatedRecord final : public MissionRecord {
   std::size_t pictures_ = 0;
 };
 
+/// A scenario's places mean something in its own world, and in no other.
+Problems check_world(const DriveOptions& options, const Drive& drive) {
+  const std::string& needed = drive.scenario.world;
+  if (needed.empty() || needed == drive.world.name) return {};
+  return {{{options.scenario, 0, "world"},
+           fmt::format("it happens in the world '{}', this is '{}'", needed, drive.world.name)}};
+}
+
 /// Every place where the vehicle is set down.
 Problems check_places(const DriveOptions& options, const Drive& drive) {
   const Footprint& footprint = drive.vehicle.description.footprint;
@@ -89,6 +97,7 @@ Result<Drive> read_drive(const DriveOptions& options) {
     if (!scenario) return scenario.problems();
     drive.scenario = std::move(*scenario);
   }
+  if (Problems problems = check_world(options, drive); !problems.empty()) return problems;
   const auto start = start_pose(drive.world);
   if (!start) return Problem{{drive.world_file.string(), 0, "start"}, "is missing, and there is no tour"};
   drive.T_world_start = *start;
@@ -159,8 +168,8 @@ Problems close(std::optional<SessionRecord>& session) {
 Result<std::unique_ptr<Operator>> operator_of(const DriveOptions& options, const Drive& drive) {
   const VehicleDescription& vehicle = drive.vehicle.description;
   if (options.keys) return options.keys(vehicle, drive.params.keys);
-  return std::unique_ptr<Operator>(std::make_unique<ScriptedOperator>(
-      drive.world.tour, drive.world.places, vehicle, drive.params.person, options.seed));
+  return std::unique_ptr<Operator>(
+      std::make_unique<ScriptedOperator>(drive.world, vehicle, drive.params.person, options.seed));
 }
 
 }  // namespace
@@ -195,7 +204,6 @@ Result<Outcome> run_drive(const DriveOptions& options, Console& console) {
   if (const auto* scripted = dynamic_cast<const ScriptedOperator*>(person->get())) {
     outcome.figures["route_share"] = rounded(scripted->share_done(), 3);
     if (!scripted->has_arrived()) {
-      outcome.ok = false;
       outcome.text += fmt::format("not arrived: {:.0f} % of the route\n", 100 * scripted->share_done());
     }
   }

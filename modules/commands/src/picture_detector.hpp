@@ -15,6 +15,7 @@
 namespace aisle {
 
 /// What was found in one picture.
+// NOLINTNEXTLINE(bugprone-exception-escape): moving JSON throws only where its own invariant is broken
 struct Detection {
   nlohmann::ordered_json figures;       ///< the feature's own keys
   std::string summary;                  ///< for people, half a line

@@ -140,6 +140,20 @@ Outcome describe(const World& world) {
   return outcome;
 }
 
+Problems check_outputs(const ShowWorldOptions& options) {
+  Problems problems;
+  for (const auto& path : {options.svg, options.png}) {
+    std::error_code error;
+    if (!path || !std::filesystem::exists(*path, error)) continue;
+    if (std::filesystem::is_directory(*path, error)) {
+      problems.push_back({{path->string()}, "is a directory"});
+    } else if (!options.force) {
+      problems.push_back({{path->string()}, "exists already; --force replaces it"});
+    }
+  }
+  return problems;
+}
+
 Problems draw(const World& world, const ShowWorldOptions& options, Outcome& outcome) {
   const Vec2 size = size_m(world);
   const std::string caption = fmt::format("{:.1f} m x {:.1f} m, {} doors, {} places", size.x(), size.y(),
@@ -160,6 +174,7 @@ Problems draw(const World& world, const ShowWorldOptions& options, Outcome& outc
 }  // namespace
 
 Result<Outcome> run_show_world(const ShowWorldOptions& options, Console& console) {
+  if (const Problems problems = check_outputs(options); !problems.empty()) return problems;
   const Result<World> world = read_world(shipped_or_own("worlds", options.world.string()));
   if (!world) return world.problems();
   Outcome outcome = describe(*world);

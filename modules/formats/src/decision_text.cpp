@@ -96,6 +96,7 @@ OperatorInput operator_of(const Json& json) {
   for (const Json& mark : json.at("marks"))
     input.marks.push_back({value_of(kMarkWords, mark.at("kind")), mark.at("label").get<std::string>()});
   input.quit = json.at("quit").get<bool>();
+  input.gives_up = json.value("gives_up", false);
   return input;
 }
 
@@ -115,6 +116,7 @@ std::string operator_text(const OperatorInput& input) {
   for (const Mark& mark : input.marks)
     json["marks"].push_back(Json{{"kind", word_of(kMarkWords, mark.kind)}, {"label", mark.label}});
   json["quit"] = input.quit;
+  if (input.gives_up) json["gives_up"] = true;
   return text_of(json);
 }
 

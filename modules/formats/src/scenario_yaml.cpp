@@ -20,7 +20,8 @@ class ScenarioReader {
   explicit ScenarioReader(const std::string& file) : nodes_(file) {}
 
   Result<Scenario> read(const YAML::Node& document) {
-    const WorldFields fields = {{.key = "name", .target = &scenario_.name, .range = {}}};
+    const WorldFields fields = {{.key = "name", .target = &scenario_.name, .range = {}},
+                                {.key = "world", .target = &scenario_.world, .range = {}}};
     if (document.IsMap()) {
       nodes_.read_map(
           document, "", fields,

@@ -84,6 +84,7 @@ inline Observation sample_observation(int index) {
                                         {Mark::Kind::kPlace, "Büro \"1\""}};
   }
   observation.operator_input.quit = index % 10 == 9;
+  observation.operator_input.gives_up = index % 20 == 9;
   observation.bumper_pressed = index % 10 == 4;
   return observation;
 }

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -22,6 +23,7 @@ std::string problems_of(const std::string& events) {
 
 TEST(ScenarioYaml, EveryFaultIsReadWithItsTimesAndPlaces) {
   const auto good = parse_scenario(std::string(kHead) + R"(name: all
+world: attic
 events:
   - {from_s: 3, for_s: 2, camera: {fault: late, name: front, delay_s: 0.7}}
   - {near: [4, 5], radius_m: 0.4, slip: {spin: 2}}
@@ -34,6 +36,7 @@ events:
 )",
                                    "all.yaml");
   ASSERT_TRUE(good.ok()) << to_string(good.problems());
+  EXPECT_EQ(good->world, "attic");
   const auto& events = good->events;
   ASSERT_THAT(events, SizeIs(8));
   const auto camera = std::get<CameraFault>(events[0].fault);
@@ -75,9 +78,17 @@ TEST(ScenarioYaml, EveryShippedScenarioIsRead) {
     ASSERT_TRUE(scenario.ok()) << to_string(scenario.problems());
     EXPECT_THAT(scenario->events, Not(IsEmpty())) << entry.path();
     EXPECT_EQ(scenario->name + ".yaml", entry.path().filename());
+    const auto needs_a_place = [](const ScenarioEvent& event) {
+      return event.near || std::holds_alternative<BlockingBox>(event.fault) ||
+             std::holds_alternative<CrossingPerson>(event.fault) ||
+             std::holds_alternative<Lifted>(event.fault);
+    };
+    EXPECT_EQ(!scenario->world.empty(),
+              std::any_of(scenario->events.begin(), scenario->events.end(), needs_a_place))
+        << entry.path() << ": a scenario with places belongs to a world";
     ++read;
   }
-  EXPECT_GE(read, 8U);
+  EXPECT_GE(read, 11U);
 }
 
 }  // namespace

@@ -23,6 +23,9 @@ Decision HandDriver::step(const Observation& observation) {
   if (observation.bumper_pressed) {
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the vehicle touches something"};
   }
+  if (input.gives_up) {
+    return {.status = NavigatorStatus::kFailed, .state = "given up", .why = "the person found no way on"};
+  }
   if (input.quit) return {.status = NavigatorStatus::kDone, .state = "ended", .why = "ended by hand"};
   if (input.wish) {
     wish_ = limited(*input.wish);

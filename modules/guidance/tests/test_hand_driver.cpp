@@ -44,6 +44,14 @@ TEST(HandDriver, EndsWhenThePersonQuits) {
   EXPECT_EQ(end.command, Command{});
 }
 
+TEST(HandDriver, FailsWhenThePersonGivesUp) {
+  HandDriver driver({});
+  const Decision end = step(driver, 1.1, {.quit = true, .gives_up = true});
+  EXPECT_EQ(end.status, NavigatorStatus::kFailed);
+  EXPECT_EQ(end.state, "given up");
+  EXPECT_EQ(end.command, Command{});
+}
+
 TEST(HandDriver, FailsWhenTheVehicleTouchesSomething) {
   HandDriver driver({});
   const Decision end = step(driver, 1, wish({.speed_mps = 0.3}), true);

@@ -39,19 +39,19 @@ class MwghtBounds {
   /// @param boxes  how many boxes are asked for along each axis, a multiple of four
   MwghtBounds(const MwghtKernel& kernel, int first_offset, int offsets, int boxes = 4);
 
-  /// For the boxes i .. i + 3 of row j.
-  auto four(int offset_x, int offset_y, int j, int i = 0) const {
-    const unsigned x = static_cast<unsigned>(offset_x - first_offset_);
-    const unsigned y = static_cast<unsigned>(offset_y - first_offset_ + j * kBox);
-    return Eigen::Array4f::Map(
-        &values_[(y * kBox + x % kBox) * quotients_ + x / kBox + static_cast<unsigned>(i)]);
+  /// The bound of the first box; that of box i of row j lies i + j * steps() farther on.
+  const float* first(int offset_x, int offset_y) const {
+    const auto x = static_cast<unsigned>(offset_x - first_offset_),
+               y = static_cast<unsigned>(offset_y - first_offset_);
+    const unsigned phase = y % kBox * kBox + x % kBox;
+    return &values_[(phase * steps_ + y / kBox) * steps_ + x / kBox];
   }
+  std::size_t steps() const { return steps_; }
 
  private:
   int first_offset_;
-  unsigned quotients_;
-  /// By (row, column modulo the box, column by the box): what lies side by side in the boxes lies so in
-  /// memory.
+  unsigned steps_;  ///< of a whole box, along each axis
+  /// By the offset modulo the box, y before x, then by whole boxes: what one vote is asked for lies together.
   std::vector<float> values_;
 };
 

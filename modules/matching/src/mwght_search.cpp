@@ -29,14 +29,15 @@ std::span<const MwghtVote> near(std::span<const MwghtVote> votes, int x, int y, 
 template <int kBox>
 Eigen::Array44f sum_bounds(std::span<const MwghtVote> votes, int x, int y, const MwghtBounds<kBox>& bounds,
                            double share) {
+  const std::size_t steps = bounds.steps();
   Eigen::Array4f row0 = Eigen::Array4f::Zero(), row1 = row0, row2 = row0, row3 = row0;
   for (const MwghtVote& vote : votes) {
     const auto weight = static_cast<float>(vote.weight * share);
-    const int dx = x - vote.x, dy = y - vote.y;
-    row0 += weight * bounds.four(dx, dy, 0);
-    row1 += weight * bounds.four(dx, dy, 1);
-    row2 += weight * bounds.four(dx, dy, 2);
-    row3 += weight * bounds.four(dx, dy, 3);
+    const float* const first = bounds.first(x - vote.x, y - vote.y);
+    row0 += weight * Eigen::Array4f::Map(first);
+    row1 += weight * Eigen::Array4f::Map(first + steps);
+    row2 += weight * Eigen::Array4f::Map(first + 2 * steps);
+    row3 += weight * Eigen::Array4f::Map(first + 3 * steps);
   }
   Eigen::Array44f sums;
   sums << row0, row1, row2, row3;
@@ -64,18 +65,19 @@ void MwghtSearch::bound_squares(const MwghtVotes& votes, const MwghtGrid& grid) 
 /// The same voting, coarsely: each vote gives each square the most that it can give any of its cells.
 void MwghtSearch::bound_squares_of(int turn) {
   const int reach = kernel_.reach();
-  const int margin = reached_ - 1;
+  const int reached = reached_, margin = reached - 1;
+  const std::size_t steps = bounds_16_.steps();
   const int columns = (grid_.columns() - 1) / kTop + 1, rows = (grid_.rows() - 1) / kTop + 1;
   const int stride = columns + 2 * margin + 4;
   sums_.assign(static_cast<std::size_t>(stride * (rows + 2 * margin + 1)), 0.0F);
   for (const MwghtVote& vote : votes_->of_turn(turn)) {
     const auto weight = static_cast<float>(vote.weight * share_);
     const int x = (vote.x - reach) >> 4, y = (vote.y - reach) >> 4;
-    const int dx = x * kTop - vote.x, dy = y * kTop - vote.y;
+    const float* bounds = bounds_16_.first(x * kTop - vote.x, y * kTop - vote.y);
     float* sums = &sums_[static_cast<std::size_t>((y + margin) * stride + x + margin)];
-    for (int j = 0; j < reached_; ++j, sums += stride) {
-      for (int i = 0; i < reached_; i += 4)
-        Eigen::Array4f::Map(sums + i) += weight * bounds_16_.four(dx, dy, j, i);
+    for (int j = 0; j < reached; ++j, sums += stride, bounds += steps) {
+      for (int i = 0; i < reached; i += 4)
+        Eigen::Array4f::Map(sums + i) += weight * Eigen::Array4f::Map(bounds + i);
     }
   }
   for (int y = 0; y < rows; ++y) {

@@ -7,11 +7,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kRounding = 1e-9;    // a window of whole cells includes the last one
-constexpr double kCellsMax = 20'000;  // of half a window
+constexpr double kWindowRounding = 1e-9;  // a window of whole cells includes the last one
+constexpr double kCellsMax = 20'000;      // of half a window
 
 int half_count(double half, double step) {
-  const double count = std::floor(half / step + kRounding);
+  const double count = std::floor(half / step + kWindowRounding);
   if (!(count >= 0 && count <= kCellsMax))
     throw std::invalid_argument("a window of MWGHT has 0 to 20,000 cells or angles on each side");
   return static_cast<int>(count);

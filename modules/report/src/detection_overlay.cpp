@@ -1,6 +1,7 @@
 #include "aisle/report/detection_overlay.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "canvas.hpp"
 
@@ -58,7 +59,7 @@ Image tinted(const Image& picture, const Image& mask) {
     for (int u = 0; u < mask.width_px; ++u) {
       if (mask.row(v)[u] == 0) continue;
       const int share = is_outline(mask, u, v) ? 255 : kRegionTint;
-      std::uint8_t* pixel = colour.row(v) + 3 * u;
+      std::uint8_t* pixel = colour.row(v) + 3 * std::ptrdiff_t{u};
       for (int c = 0; c < 3; ++c)
         pixel[c] = static_cast<std::uint8_t>((pixel[c] * (255 - share) + kTint[c] * share) / 255);
     }

@@ -179,6 +179,7 @@ void WorldDrawing::draw_posters(Canvas& canvas) const {
 
 void WorldDrawing::draw_way(Canvas& canvas, const std::vector<Vec2>& way, const Pen& pen) const {
   std::vector<Vec2> points;
+  points.reserve(way.size());
   for (const Vec2& p : way) points.push_back(scale_.to_paper(p));
   canvas.polyline(points, pen);
 }

@@ -11,6 +11,7 @@ namespace aisle {
 namespace {
 
 constexpr double kKeptClear_m = 0.15;  ///< how near people go to the vehicle
+constexpr double kPatience_s = 4;
 constexpr int kPersonSides = 12;
 
 double length_m(const std::vector<Vec2>& path) {
@@ -71,6 +72,11 @@ Pose2 Walker::pose_after(double way_m) const {
   return {person_.path.front().x(), person_.path.front().y(), 0};
 }
 
+void Walker::turn_back() {
+  way_m_ = 2 * path_m_ - std::fmod(way_m_, 2 * path_m_);
+  waited_s_ = 0;
+}
+
 std::optional<MovingBody> Walker::step(double now_s, double time_s, const Footprint& footprint,
                                        const Pose2& T_world_vehicle) {
   const double step_m = now_s > person_.start_s ? person_.speed_mps * time_s : 0;
@@ -79,9 +85,11 @@ std::optional<MovingBody> Walker::step(double now_s, double time_s, const Footpr
   const bool has_room = clear_m > person_.radius_m + kKeptClear_m;
   if (has_room) {
     way_m_ += step_m;
+    waited_s_ = 0;
     is_there_ = true;
   }
   if (!is_there_) return std::nullopt;
+  if (!has_room && (waited_s_ += time_s) > kPatience_s) turn_back();
   return MovingBody{.kind = MovingBody::Kind::kPerson,
                     .T_world_body = pose_after(way_m_),
                     .size = Vec2::Constant(2 * person_.radius_m),
@@ -120,10 +128,11 @@ void MovingBodies::step_event(std::size_t event, double now_s, double time_s, co
   }
 }
 
-std::vector<Segment2> MovingBodies::outlines(double height_m) const {
+std::vector<Segment2> MovingBodies::outlines(double height_m, double margin_m) const {
   std::vector<Segment2> edges;
-  for (const MovingBody& body : bodies_) {
+  for (MovingBody body : bodies_) {
     if (body.height_m < height_m) continue;
+    body.size += Vec2::Constant(2 * margin_m);
     const std::vector<Segment2> own = outline(body);
     edges.insert(edges.end(), own.begin(), own.end());
   }

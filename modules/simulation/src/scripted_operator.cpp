@@ -11,8 +11,12 @@ namespace aisle {
 namespace {
 
 constexpr double kTurnsBack_rad = 120 * kDegree;
+constexpr double kBacksRound_rad = 60 * kDegree;
 constexpr double kLegEnd_m = 0.1;
+constexpr double kLegEndBlocked_m = 0.5;
+constexpr double kCareInReverse = 0.5;  ///< of the usual wander
 constexpr double kCreep_mps = 0.05;
+constexpr double kSlowest_mps = 0.02;
 constexpr double kBraking_mps2 = 0.15;
 constexpr double kKeptFree_m = 0.1;
 constexpr double kTurnsOnTheSpot_rad = 40 * kDegree;
@@ -64,6 +68,20 @@ double turning_radius_m(const VehicleDescription& vehicle) {
   return kWider * vehicle.front_steered.wheelbase_m / std::tan(vehicle.limits.steering_max_rad);
 }
 
+/// The points as the vehicle's way.
+std::vector<Vec2> drivable(const std::vector<Vec2>& points, const VehicleDescription& vehicle) {
+  return vehicle.is_differential ? points : rounded(points, turning_radius_m(vehicle));
+}
+
+/// What a person sees as enough room for the vehicle.
+Footprint with_room_to_spare(Footprint footprint) {
+  constexpr double kSpare_m = 0.01;
+  footprint.front_m += kSpare_m;
+  footprint.rear_m += kSpare_m;
+  footprint.width_m += 2 * kSpare_m;
+  return footprint;
+}
+
 /// The pose at a length along a polyline; before and after it, on its straight continuation.
 Pose2 pose_along(const std::vector<Vec2>& points, double along_m) {
   for (std::size_t i = 1;; ++i) {
@@ -90,31 +108,54 @@ void ScriptedOperatorParams::describe(FieldList& fields) {
   fields.real("patience_s", patience_s, {1, 1000}, "how long to wait before what is in the way");
 }
 
-ScriptedOperator::ScriptedOperator(const std::vector<Vec2>& route, std::vector<NamedPlace> places,
-                                   const VehicleDescription& vehicle, const ScriptedOperatorParams& params,
-                                   std::uint64_t seed)
-    : vehicle_(vehicle), params_(params), random_(seed), places_(std::move(places)) {
-  std::vector<Vec2> points = route;
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 2) throw std::invalid_argument("a route needs two different points");
-  add_legs(points);
+ScriptedOperator::ScriptedOperator(const World& world, const VehicleDescription& vehicle,
+                                   const ScriptedOperatorParams& params, std::uint64_t seed)
+    : vehicle_(vehicle), params_(params), random_(seed), places_(world.places) {
+  add_legs(world);
 }
 
-void ScriptedOperator::add_legs(const std::vector<Vec2>& route) {
+void ScriptedOperator::add_legs(const World& world) {
+  std::vector<Vec2> route = world.tour;
+  route.erase(std::unique(route.begin(), route.end()), route.end());
+  if (route.size() < 2) throw std::invalid_argument("a route needs two different points");
+  Obstacles obstacles(world, with_room_to_spare(vehicle_.footprint));
   legs_.push_back({.points = {route[0], route[1]}});
   for (std::size_t i = 2; i < route.size(); ++i) {
-    const bool turns_back =
-        turn_between(route[i - 1] - route[i - 2], route[i] - route[i - 1]) > kTurnsBack_rad;
-    if (turns_back) {
-      legs_.push_back(
-          {.points = {route[i - 1]}, .in_reverse = !vehicle_.is_differential && !legs_.back().in_reverse});
+    const Vec2 corner = route[i - 1];
+    const double turn_rad = turn_between(corner - route[i - 2], route[i] - corner);
+    const bool was_in_reverse = legs_.back().in_reverse;
+    if (turn_rad > kTurnsBack_rad) {
+      legs_.push_back({.points = {corner}, .in_reverse = !vehicle_.is_differential && !was_in_reverse});
+    } else if (was_in_reverse && turn_rad > kBacksRound_rad) {
+      if (const auto place = place_to_back_to(legs_.back(), route[i], obstacles)) {
+        legs_.back().points.push_back(*place);
+        legs_.push_back({.points = {*place}});
+      }
     }
     legs_.back().points.push_back(route[i]);
   }
   for (Leg& leg : legs_) {
-    if (!vehicle_.is_differential) leg.points = rounded(leg.points, turning_radius_m(vehicle_));
+    leg.points = drivable(leg.points, vehicle_);
     leg.length_m = length_of(leg.points);
   }
+}
+
+/// Beyond the corner at the leg's end as seen from `next`: who has backed there goes forwards to `next`.
+/// @return nullopt if there is no room
+std::optional<Vec2> ScriptedOperator::place_to_back_to(const Leg& leg, const Vec2& next,
+                                                       Obstacles& obstacles) const {
+  constexpr double kStep_m = 0.1;
+  const Vec2 corner = leg.points.back();
+  const double beyond_m = 2 * turning_radius_m(vehicle_);
+  const Vec2 place = corner - beyond_m * (next - corner).normalized();
+  const std::vector<Vec2> way = drivable({leg.points.end()[-2], corner, place}, vehicle_);
+  const double way_m = length_of(way);
+  for (double at_m = 0; at_m < way_m; at_m += kStep_m) {
+    Pose2 T_world_vehicle = pose_along(way, at_m);
+    T_world_vehicle.theta = wrap_angle(T_world_vehicle.theta + kPi);
+    if (obstacles.touch(T_world_vehicle)) return std::nullopt;
+  }
+  return place;
 }
 
 double ScriptedOperator::share_done() const {
@@ -162,7 +203,8 @@ void ScriptedOperator::follow(const Vec2& p_world) {
 Vec2 ScriptedOperator::target() const {
   const Leg& leg = legs_[leg_];
   const Pose2 T_world_target = pose_along(leg.points, along_m_ + params_.look_ahead_m);
-  const double aside_m = params_.wander_m * std::clamp(aside_, -2.0, 2.0);
+  const double care = leg.in_reverse ? kCareInReverse : 1;
+  const double aside_m = care * params_.wander_m * std::clamp(aside_, -2.0, 2.0);
   return T_world_target * Vec2(0, aside_m);
 }
 
@@ -187,6 +229,7 @@ double ScriptedOperator::wished_speed_mps(const OperatorView& view) const {
   if (looks_that_way) {
     const double free_m = std::max(0.0, view.free_ahead_m - kKeptFree_m);
     speed_mps = std::min(speed_mps, std::sqrt(2 * kBraking_mps2 * free_m));
+    if (speed_mps < kSlowest_mps) return 0;
   }
   return leg.in_reverse ? -std::min(speed_mps, vehicle_.limits.reverse_speed_max_mps) : speed_mps;
 }
@@ -202,25 +245,31 @@ std::vector<Mark> ScriptedOperator::passed_places(const Pose2& T_world_vehicle) 
   return marks;
 }
 
-bool ScriptedOperator::is_out_of_patience(const OperatorView& view) {
-  constexpr double kStands_mps = 0.005;
-  const bool turns = vehicle_.is_differential && std::abs(view.turn_rate_rad_s) > kStands_mps;
-  if (std::abs(view.speed_mps) > kStands_mps || turns) stood_since_s_ = view.stamp_s;
-  return view.stamp_s - stood_since_s_ > params_.patience_s;
+bool ScriptedOperator::is_out_of_patience(double now_s) {
+  constexpr double kGotOn_m = 0.1;
+  if (leg_ != leg_before_ || along_m_ > along_before_m_ + kGotOn_m) {
+    leg_before_ = leg_;
+    along_before_m_ = along_m_;
+    got_on_s_ = now_s;
+  }
+  return now_s - got_on_s_ > params_.patience_s;
 }
 
 OperatorInput ScriptedOperator::look(const OperatorView& view) {
   wander(view.stamp_s - std::exchange(stamp_s_, view.stamp_s));
   const OperatorView seen = seen_a_moment_ago(view);
   OperatorInput input{.marks = passed_places(view.T_world_vehicle)};
-  if (has_arrived() || is_out_of_patience(view)) {
+  if (has_arrived() || is_out_of_patience(view.stamp_s)) {
     if (has_arrived()) input.marks.push_back({Mark::Kind::kStop, ""});
     input.quit = true;
+    input.gives_up = !has_arrived();
     return input;
   }
   follow(seen.T_world_vehicle.position());
   Command wish = towards(seen.T_world_vehicle.inverse() * target(), wished_speed_mps(view));
-  if (legs_[leg_].length_m - along_m_ < kLegEnd_m) {
+  // Where the way on is blocked just before a leg's end, that is near enough.
+  const double left_m = legs_[leg_].length_m - along_m_;
+  if (left_m < (wish.speed_mps == 0 && wish.turn_rate_rad_s == 0 ? kLegEndBlocked_m : kLegEnd_m)) {
     ++leg_;
     along_m_ = 0;
     wish = {.steering_rad = wish.steering_rad};

@@ -10,6 +10,7 @@ namespace aisle {
 namespace {
 
 constexpr double kPhysicsStep_s = 0.01;
+constexpr double kKeptFromMovers_m = 0.2;
 constexpr double kContactLeft_m = 0.01;
 constexpr double kContactLeft_rad = 1 * kDegree;
 
@@ -73,7 +74,9 @@ std::optional<Observation> SimulatedVehicle::sense() {
 }
 
 void SimulatedVehicle::act(const Command& command) {
-  command_ = command;
+  const bool is_command = std::isfinite(command.speed_mps) && std::isfinite(command.steering_rad) &&
+                          std::isfinite(command.turn_rate_rad_s);
+  command_ = is_command ? command : Command{};
   command_stamp_s_ = truth_.stamp_s;
 }
 
@@ -154,6 +157,7 @@ std::optional<RangeScan> SimulatedVehicle::scan() {
 }
 
 OperatorView SimulatedVehicle::view() {
+  obstacles_.set_movers(bodies_.outlines(0, kKeptFromMovers_m));  // until the next step
   const Command& motion = dynamics_.state();
   const bool goes_back = motion.speed_mps < 0;
   Arc ahead = arc_of(model_.description, {.distance_m = goes_back ? -kSeenAhead_m : kSeenAhead_m,

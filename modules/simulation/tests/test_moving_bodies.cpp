@@ -34,9 +34,10 @@ TEST(Walker, WalksThereAndBack) {
   EXPECT_THAT(pose_at(15), PoseNear(Pose2{1, 0, 0}, 0.01, 1e-9));
 }
 
-TEST(Walker, WaitsBeforeTheVehicle) {
-  const Pose2 waiting = pose_at(60, {1.5, 0, 0});  // rear at x = 1.3
-  EXPECT_NEAR(waiting.x, 1.3 - 0.25 - 0.15, 0.01);
+TEST(Walker, WaitsBeforeTheVehicleAndThenTurnsBack) {
+  const Pose2 T_world_vehicle = {1.5, 0, 0};  // its rear is at x = 1.3
+  EXPECT_THAT(pose_at(6, T_world_vehicle), PoseNear(Pose2{1.3 - 0.25 - 0.15, 0, 0}, 0.01, 1e-9));
+  EXPECT_THAT(pose_at(7.8, T_world_vehicle), PoseNear(Pose2{0.4, 0, -kPi}, 0.02, 1e-9));
 }
 
 TEST(MovingBodies, ABoxAppearsOnceThereIsRoomAndGoesAfterItsTime) {

@@ -40,11 +40,12 @@ struct Drive {
   std::vector<Mark> marks;
   double largest_off_m = 0;  ///< of the first 8 m of the first corridor, aside of the route
   bool arrived = false;
+  bool gave_up = false;
 };
 
 Drive drive(const World& world, const VehicleModel& model, std::uint64_t seed,
             const Scenario& scenario = {}) {
-  ScriptedOperator person(world.tour, world.places, model.description, {}, seed);
+  ScriptedOperator person(world, model.description, {}, seed);
   SimulatedVehicle vehicle(world, model, scenario,
                            {.seed = seed, .T_world_start = *start_pose(world), .takes_pictures = false},
                            &person);
@@ -56,6 +57,7 @@ Drive drive(const World& world, const VehicleModel& model, std::uint64_t seed,
     if (vehicle.truth().T_world_vehicle.x < 8) {
       drive.largest_off_m = std::max(drive.largest_off_m, std::abs(vehicle.truth().T_world_vehicle.y));
     }
+    drive.gave_up = input.gives_up;
     if (input.quit) break;
     vehicle.act(input.wish.value_or(Command{}));
   }
@@ -102,10 +104,24 @@ TEST_P(ScriptedOperatorTest, ComesBackWhereTheRouteTurnsBack) {
   EXPECT_THAT(trip.end.T_world_vehicle, PoseNear(Pose2{1, 0, heading_rad}, 0.3, 0.3));
 }
 
+TEST_P(ScriptedOperatorTest, WhereTheWayBackTurnsOffItBacksRoundTheCornerAndGoesOnForwards) {
+  // Into the side corridor, a bit back out of it, and on along the first one.
+  World world{.name = "tee"};
+  const std::vector<Vec2> line = {{-8, -1.2}, {12, -1.2},  {12, 1.2}, {1.2, 1.2}, {1.2, 9},
+                                  {-1.2, 9},  {-1.2, 1.2}, {-8, 1.2}, {-8, -1.2}};
+  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.foot = {line[i - 1], line[i]}});
+  world.tour = {{-6, 0}, {0, 0}, {0, 6}, {0, 0}, {9, 0}};
+  const Drive trip = drive(world, model, 6);
+  EXPECT_TRUE(trip.arrived);
+  EXPECT_EQ(trip.end.collisions, 0U);
+  EXPECT_THAT(trip.end.T_world_vehicle, PoseNear(Pose2{9, 0, 0}, 0.3, 0.3));
+}
+
 TEST_P(ScriptedOperatorTest, GivesUpBeforeABoxThatStays) {
   const Scenario blocked{.events = {{.fault = BlockingBox{.T_world_box = {6, 0, 0}, .size = {0.5, 2.3}}}}};
   const Drive trip = drive(corner(), model, 5, blocked);
   EXPECT_FALSE(trip.arrived);
+  EXPECT_TRUE(trip.gave_up);
   EXPECT_EQ(trip.end.collisions, 0U);
 }
 

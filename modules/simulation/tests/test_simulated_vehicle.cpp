@@ -115,6 +115,39 @@ TEST(SimulatedVehicle, StopsWhenCommandsStayAway) {
   EXPECT_EQ(vehicle.truth().speed_mps, 0);
 }
 
+TEST(SimulatedVehicle, HoldsItsLimitsOfSpeedAndSteeringWhateverItIsTold) {
+  VehicleModel model = cart();
+  model.description.limits.speed_max_mps = 0.4;
+  model.description.limits.reverse_speed_max_mps = 0.2;
+  model.description.limits.steering_max_rad = 0.3;
+  for (const double wild : {9.0, -9.0}) {
+    const Trip trip = drive(hall(), model, {}, {.speed_mps = wild, .steering_rad = wild}, 8);
+    for (const SimulatedTruth& truth : trip.truths) {
+      EXPECT_LE(truth.speed_mps, 0.4 + 1e-9);
+      EXPECT_GE(truth.speed_mps, -0.2 - 1e-9);
+      EXPECT_LE(std::abs(truth.turn_rate_rad_s), 0.4 * std::sin(0.3) / 0.75 + 1e-9);
+    }
+    EXPECT_GT(trip.truths.back().way_m, 1);
+  }
+}
+
+TEST(SimulatedVehicle, ACommandThatIsNoNumberMeansStop) {
+  const double nan = std::nan("");
+  for (const Command& senseless : {Command{nan, 0, 0}, Command{0.3, nan, 0}, Command{0.3, 0, nan}}) {
+    SimulatedVehicle vehicle(hall(), cart(), {}, {.takes_pictures = false});
+    for (int i = 0; i < 20; ++i) {
+      vehicle.act({.speed_mps = 0.3});
+      (void)vehicle.sense();
+    }
+    for (int i = 0; i < 5; ++i) {
+      vehicle.act(senseless);
+      (void)vehicle.sense();
+    }
+    EXPECT_EQ(vehicle.truth().speed_mps, 0);
+    EXPECT_TRUE(vehicle.truth().T_world_vehicle.is_finite());
+  }
+}
+
 TEST(SimulatedVehicle, AWallStopsItAndCountsOnce) {
   const Trip trip = drive(hall(), cart(), {}, {.speed_mps = 1}, 30);
   const SimulatedTruth& end = trip.truths.back();

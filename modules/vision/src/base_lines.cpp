@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floor_cells.hpp"
 #include "oblique_segments.hpp"
 #include "side_view.hpp"
 #include "vanishing_point.hpp"
@@ -41,6 +42,7 @@ class BaseLineDetector::Work {
     const auto point_px = point_finder_.find(segments_, picture_.width_px(), picture_.height_px());
     if (!point_px) return lines;
     lines.vanishing_point_px = picture_.given(*point_px);
+    floor_.find(picture_.grey());
     lines.left = base_line({picture_.grey(), true}, *point_px, verticals);
     lines.right = base_line({picture_.grey(), false}, *point_px, verticals);
     return lines;
@@ -52,7 +54,7 @@ class BaseLineDetector::Work {
     turn_segments(view);
     turn_verticals(view, verticals);
     const Vec2 side_point_px = view.turned(point_px);
-    auto foot = search_.find(view, side_point_px, side_segments_, side_verticals_, params_.score_min);
+    auto foot = search_.find(view, side_point_px, side_segments_, side_verticals_, floor_, params_.score_min);
     if (!foot) return std::nullopt;
     refinement_.refine(view, far_px(*foot, side_point_px), border_px(*foot), *foot);
     return as_seen(*foot, view, side_point_px);
@@ -110,6 +112,7 @@ class BaseLineDetector::Work {
   WorkingPicture picture_;
   ObliqueSegmentFinder segment_finder_;
   VanishingPointFinder point_finder_;
+  FloorCells floor_;
   WallFootSearch search_;
   WallFootRefinement refinement_;
   std::vector<EdgeSegment> segments_;

@@ -14,7 +14,7 @@ constexpr double kBeneath = 0.03;      // a line that reaches this far beneath i
 constexpr double kBeyondEnd = 0.04;    // beneath the far ends of both base lines there is floor between them
 constexpr double kBorder = 0.01;       // a line cut by the picture's border shows no lower end
 constexpr double kFaded = 0.6;         // share of its contrast that a line loses at the floor to end there
-constexpr double kBoardDepth = 0.15;   // height of a skirting board, as a share of the camera's height
+constexpr double kBoardDepth = 0.25;   // what ends lower stands on the floor: share of the camera's height
 constexpr double kBeside = 2.0 / 640;  // contrast is measured this share of the width to either side
 
 /// Height of a base line, continued towards the viewer; nullopt beyond its far end.

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
+#include "aisle/core/square.hpp"
 #include "edge_chains.hpp"
 #include "straight_pieces.hpp"
 #include "vertical_tilt.hpp"
@@ -23,8 +26,8 @@ void VerticalLineParams::describe(FieldList& fields) {
   fields.real("fade_share", fade_share, {0, 1}, "ends fainter than this share of a line's contrast are cut");
   fields.real("length_share_min", length_share_min, {0.02, 1}, "shortest line, as a share of the height");
   fields.real("fill_min", fill_min, {0, 1}, "least share of a line on which its step is seen");
-  fields.real("strength_min", strength_min, {0, 100},
-              "least contrast times length, in grey levels and heights");
+  fields.real("score_min", score_min, {0, 1},
+              "of length, contrast and fill, each at most 1, and less in faint pictures");
   fields.real("apart_px", apart_px, {0, 50}, "of lines closer than this the stronger remains");
 }
 
@@ -38,7 +41,13 @@ constexpr double kSlopeSlack_px = 1.6;   // a short line's slope is uncertain by
 constexpr double kOppositeShare = 0.75;  // of apart_px, between the two sides of a thin bar
 constexpr double kBesideShare = 0.6;     // of its length a line is beside another to be its double
 constexpr double kContrastCounted = 40;  // more contrast makes no line stronger
-constexpr int kSmallest_px = 16;         // pictures smaller than this show no lines
+constexpr double kLongShare = 0.3;       // of the height: so long a line has most of the score for length
+constexpr double kContrastClear = 20;    // grey levels: so clear a line has most of the score for contrast
+constexpr double kEyeLevelTop = 0.3, kEyeLevelBottom = 0.6;  // of the height: there the horizon is expected
+constexpr std::ptrdiff_t kBestLines = 2, kGoodLines = 6;     // of a picture, by which its others are judged
+constexpr double kUsualScoreMin = 0.7;                       // in no picture less than this is usual
+constexpr double kOffEyeLevel = 0.7;  // score of a line wholly above or below: lamp, bottle, gap in the floor
+constexpr int kSmallest_px = 16;      // pictures smaller than this show no lines
 
 }  // namespace
 
@@ -104,10 +113,32 @@ class VerticalLineDetector::Work {
   }
 
   void keep_strong() {
-    std::erase_if(lines_, [this](const UprightLine& line) {
-      const double length_share = line.length_px() / height_px();
-      return length_share < params_.length_share_min || line.contrast * length_share < params_.strength_min;
+    scores_.clear();
+    for (const UprightLine& line : lines_) scores_.push_back(score(line));
+    std::sort(scores_.begin(), scores_.end(), std::greater<>());
+    const double least = params_.score_min * std::sqrt(usual_score());
+    std::erase_if(lines_, [&](const UprightLine& line) {
+      return line.length_px() < params_.length_share_min * height_px() || score(line) < least;
     });
+  }
+
+  /// Of a picture's good lines, the very best left out: faint pictures have faint ones.
+  double usual_score() const {
+    const auto first = scores_.begin() + std::min(kBestLines, std::ssize(scores_));
+    const auto last = scores_.begin() + std::min(kBestLines + kGoodLines, std::ssize(scores_));
+    if (first == last) return 1;
+    return std::max(kUsualScoreMin, std::accumulate(first, last, 0.0) / static_cast<double>(last - first));
+  }
+
+  /// How sure it is that a line stands in the building: long ones of much contrast without gaps. What stands
+  /// on the floor and is higher than the camera crosses the horizon.
+  double score(const UprightLine& line) const {
+    const auto saturated = [](double share) { return 1 - std::exp(-share); };
+    const bool at_eye_level =
+        line.v_top_px < kEyeLevelBottom * height_px() && line.v_bottom_px > kEyeLevelTop * height_px();
+    return saturated(line.length_px() / height_px() / kLongShare) *
+           saturated(line.contrast / kContrastClear) * line.fill * square(line.fill) *
+           (at_eye_level ? 1 : kOffEyeLevel);
   }
 
   /// The two edges of a door's gap or a thin bar are one landmark.
@@ -151,6 +182,7 @@ class VerticalLineDetector::Work {
   EdgeLinker linker_;
   PieceCutter cutter_;
   std::vector<UprightLine> lines_;
+  std::vector<double> scores_;
   std::vector<VerticalLine> verticals_;
 };
 

@@ -19,7 +19,9 @@ constexpr float kPlateau = 1.25F;       // a step that is this close to its grea
 constexpr double kFarShiftCost = 0.25;  // share of the votes that the greatest shift loses
 constexpr double kMeanVoteMin = 2;      // grey levels
 constexpr double kLikeVotes = 0.9;
+constexpr double kOtherVotes = 0.4;
 constexpr std::size_t kSettle = 2;  // pixels to either side in which a line's own step lies
+constexpr int kSettleRounds = 3;
 constexpr double kClearSign = 0.5;
 constexpr float kOutside = -1;
 constexpr double kLowerPerVotes = 60;  // steps that all the votes are worth
@@ -37,7 +39,7 @@ void WallFootRefinement::refine(const SideView& view, double from_px, double to_
   const Shift* shift = lowest_of_like_votes();
   if (shift == nullptr) return;
   const Vec2 beneath = left_normal(foot.direction);
-  const auto [from_shift_px, to_shift_px] = between_steps(*shift);
+  const auto [from_shift_px, to_shift_px] = settled(*shift);
   const Vec2 from = foot.point_px + from_px * foot.direction + from_shift_px * beneath;
   const Vec2 to = foot.point_px + to_px * foot.direction + to_shift_px * beneath;
   foot.point_px = from - from_px * (to - from).normalized();
@@ -67,11 +69,14 @@ void WallFootRefinement::sample_steps(const SideView& view, double from_px, doub
       if (p[-3] == kOutside) continue;
       const float step = (p[1] + p[2] + p[3] - p[-1] - p[-2] - p[-3]) / 3;
       if (std::abs(step) < kStepMin) continue;
-      steps_[step < 0 ? 1 : 0][i * across_ + k] = std::min(std::abs(step), kStepCounted);
+      steps_[step < 0 ? 1 : 0][i * across_ + k] = std::abs(step);
     }
   }
   unthinned_ = steps_;
-  for (auto& steps : steps_) thin(steps);
+  for (auto& steps : steps_) {
+    thin(steps);
+    for (float& step : steps) step = std::min(step, kStepCounted);
+  }
 }
 
 /// Leaves the greatest of neighbouring steps.
@@ -109,7 +114,7 @@ void WallFootRefinement::vote(const WallFoot& foot) {
           k += per_sample;
         }
         const double shift = (off(a) + off(b)) / (2.0 * static_cast<double>(reach_));
-        shifts_.push_back({a, b, side, sum * (1 - kFarShiftCost * shift)});
+        shifts_.push_back({a, b, side, sum * (1 - kFarShiftCost * shift), other_edge});
       }
     }
   }
@@ -119,6 +124,10 @@ const WallFootRefinement::Shift* WallFootRefinement::lowest_of_like_votes() cons
   const auto most = std::max_element(shifts_.begin(), shifts_.end(),
                                      [](const Shift& a, const Shift& b) { return a.votes < b.votes; });
   if (most == shifts_.end() || most->votes < kMeanVoteMin * static_cast<double>(along_)) return nullptr;
+  const Shift* other = nullptr;
+  for (const Shift& shift : shifts_)
+    if (shift.other_edge && (other == nullptr || shift.votes > other->votes)) other = &shift;
+  if (other != nullptr && other->votes > kOtherVotes * most->votes) return other;
   const Shift* lowest = nullptr;
   double best = 0;
   for (const Shift& shift : shifts_) {
@@ -133,14 +142,25 @@ const WallFootRefinement::Shift* WallFootRefinement::lowest_of_like_votes() cons
   return lowest;
 }
 
-/// The line through the middles of the steps next to a shift, as its distances at both ends.
-std::pair<double, double> WallFootRefinement::between_steps(const Shift& shift) const {
-  const auto& steps = unthinned_[shift.side];
-  const double first = static_cast<double>(shift.at_from), turn = static_cast<double>(shift.at_to) - first;
+/// A shift is a whole number of pixels, and the lowest of several: the line moves to the middle of its step.
+WallFootRefinement::Shifts_px WallFootRefinement::settled(const Shift& shift) const {
+  const auto reach_px = static_cast<double>(reach_);
+  Shifts_px shifts_px(static_cast<double>(shift.at_from) - reach_px,
+                      static_cast<double>(shift.at_to) - reach_px);
+  for (int round = 0; round < kSettleRounds; ++round) shifts_px = between_steps(shifts_px, shift.side);
+  return shifts_px;
+}
+
+/// The line through the middles of the steps next to a shifted one, as its shifts.
+WallFootRefinement::Shifts_px WallFootRefinement::between_steps(const Shifts_px& shifts_px,
+                                                                std::size_t side) const {
+  const auto& steps = unthinned_[side];
+  const double first = shifts_px.first + static_cast<double>(reach_);
+  const double turn = shifts_px.second - shifts_px.first;
   double weights = 0, shares = 0, offs = 0, shares_squared = 0, products = 0;
   for (std::size_t i = 0; i < along_; ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(along_);
-    const auto middle = static_cast<std::size_t>(std::lround(first + turn * share));
+    const auto middle = static_cast<std::size_t>(std::max(0L, std::lround(first + turn * share)));
     if (middle < kSettle || middle + kSettle >= across_) continue;
     double weight = 0, moment = 0;
     for (std::size_t k = middle - kSettle; k <= middle + kSettle; ++k) {
@@ -149,6 +169,7 @@ std::pair<double, double> WallFootRefinement::between_steps(const Shift& shift) 
     }
     if (weight == 0) continue;
     const double off = moment / weight - first - turn * share;
+    weight = std::min<double>(weight, kStepCounted);
     weights += weight;
     shares += weight * share;
     offs += weight * off;

@@ -21,13 +21,16 @@ class WallFootRefinement {
     std::size_t at_from = 0, at_to = 0;  ///< steps across, of which the middle one is no shift
     std::size_t side = 0;                ///< 0: the floor is brighter than what stands on it
     double votes = 0;
+    bool other_edge = false;  ///< of the board, beneath the line that was found
   };
 
   void sample_steps(const SideView& view, double from_px, double to_px, const WallFoot& foot);
   void thin(std::vector<float>& steps) const;
   void vote(const WallFoot& foot);
   const Shift* lowest_of_like_votes() const;
-  std::pair<double, double> between_steps(const Shift& shift) const;
+  using Shifts_px = std::pair<double, double>;  ///< at both ends
+  Shifts_px settled(const Shift& shift) const;
+  Shifts_px between_steps(const Shifts_px& shifts_px, std::size_t side) const;
 
   std::size_t reach_ = 0, across_ = 0, along_ = 0;
   std::vector<float> profile_;

@@ -43,6 +43,8 @@ constexpr double kBoardMin = 0.004;      // height of a board, as seen ...
 constexpr double kBoardDepthMax = 1.25;  // ... and at most: a fifth of the camera's height
 constexpr double kDepthAside = 0.3;      // where heights are compared
 constexpr double kFloorStep_px = 8;
+constexpr double kFloorBeside = 1.25;     // cells to either side where floor is looked for ...
+constexpr double kFloorBeneathBoard = 3;  // ... or beneath a board
 
 /// Scatter of weighted points, for a line through them.
 struct Scatter {
@@ -73,21 +75,24 @@ double WallFoot::support() const {
   return covered * (0.5 + 0.5 * share) * std::min(1.0, contrast / 14 + 0.25);
 }
 
-/// Vertical lines end at a wall's foot and do not cross it; nothing but floor follows beneath it.
+/// Vertical lines end at a wall's foot and do not cross it; floor follows beneath it, and none is above.
 double WallFoot::score() const {
   const double feet_alone = 0.02 * std::min(feet, 4.0) * std::min(1.0, contrast / 14 + 0.25);
   const double standing =
       (1 + 0.45 * std::min(feet, 2.5)) * (feet + share + 0.5) / (feet + share + crossings + 0.5);
-  return (support() + feet_alone) * standing * (1 - 0.7 * followed);
+  const double floored = (0.4 + 0.6 * on_floor) * (1 + at_edge);
+  return (support() + feet_alone) * standing * (1 - 0.7 * followed) * floored;
 }
 
 std::optional<WallFoot> WallFootSearch::find(const SideView& view, const Vec2& vanishing_point_px,
                                              std::span<const EdgeSegment> segments,
-                                             std::span<const SideVertical> verticals, double score_min) {
+                                             std::span<const SideVertical> verticals, const FloorCells& floor,
+                                             double score_min) {
   width_px_ = view.width_px();
   height_px_ = view.height_px();
   vanishing_point_px_ = vanishing_point_px;
   verticals_ = verticals;
+  floor_ = &floor;
   gather_rays(segments);
   gather_seeds(verticals);
   feet_.clear();
@@ -194,6 +199,7 @@ void WallFootSearch::measure(const SideView& view, WallFoot& foot) const {
   measure_contrast(view, foot);
   measure_verticals(view, foot);
   measure_floor_side(view, foot);
+  measure_floor(view, foot);
 }
 
 void WallFootSearch::measure_contrast(const SideView& view, WallFoot& foot) const {
@@ -299,6 +305,29 @@ void WallFootSearch::measure_floor_side(const SideView& view, WallFoot& foot) co
     if (greatest > std::max(18.0, 0.8 * own)) ++followed;
   }
   if (count > 0) foot.followed = static_cast<double>(followed) / count;
+}
+
+void WallFootSearch::measure_floor(const SideView& view, WallFoot& foot) const {
+  constexpr double kStep_px = 6;
+  const Vec2 beneath = floor_->cell_px() * left_normal(foot.direction);
+  const auto is_seen = [&](const Vec2& p) {
+    return view.contains(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
+  };
+  int count = 0, on_floor = 0, at_edge = 0;
+  const int steps = steps_within(foot.to_px - foot.from_px, kStep_px);
+  for (int i = 0; i <= steps; ++i) {
+    const Vec2 on = foot.point_px + (foot.from_px + i * kStep_px) * foot.direction;
+    const Vec2 near = on + kFloorBeside * beneath, far = on + kFloorBeneathBoard * beneath;
+    const Vec2 upper = on - kFloorBeside * beneath;
+    if (!is_seen(near) || !is_seen(upper)) continue;
+    ++count;
+    if (!floor_->contain(view, near) && !(is_seen(far) && floor_->contain(view, far))) continue;
+    ++on_floor;
+    if (!floor_->contain(view, upper)) ++at_edge;
+  }
+  if (count == 0) return;
+  foot.on_floor = static_cast<double>(on_floor) / count;
+  foot.at_edge = static_cast<double>(at_edge) / count;
 }
 
 /// A skirting board has two edges; the lower one is at the floor.

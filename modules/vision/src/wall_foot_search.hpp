@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "floor_cells.hpp"
 #include "oblique_segments.hpp"
 #include "side_view.hpp"
 
@@ -29,6 +30,8 @@ struct WallFoot {
   double feet = 0;       ///< vertical lines that end on it
   double crossings = 0;  ///< vertical lines that go on beneath it
   double followed = 0;   ///< share of its length beneath which other edges come before the floor's middle
+  double on_floor = 0;   ///< share of its length beneath which there is floor
+  double at_edge = 0;    ///< share of its length beneath which there is floor, and none above
 
   double support() const;
   double score() const;
@@ -42,10 +45,11 @@ struct WallFoot {
 class WallFootSearch {
  public:
   /// @param segments, verticals  turned into the view; the verticals from left to right
+  /// @param floor  of the picture as it is, not of the view
   /// @return the best line, or the lower edge of its board; nullopt if none scores `score_min`
   std::optional<WallFoot> find(const SideView& view, const Vec2& vanishing_point_px,
                                std::span<const EdgeSegment> segments, std::span<const SideVertical> verticals,
-                               double score_min);
+                               const FloorCells& floor, double score_min);
 
  private:
   struct Seed {
@@ -63,6 +67,7 @@ class WallFootSearch {
   double contrast_along(const SideView& view, const SideVertical& vertical, double from_px,
                         double to_px) const;
   void measure_floor_side(const SideView& view, WallFoot& foot) const;
+  void measure_floor(const SideView& view, WallFoot& foot) const;
   const WallFoot* lowest_of_like_score(double score_min) const;
   bool is_lower_edge(const WallFoot& foot, const WallFoot& upper) const;
   double depth_px(const WallFoot& foot) const;
@@ -70,6 +75,7 @@ class WallFootSearch {
   double width_px_ = 0, height_px_ = 0;
   Vec2 vanishing_point_px_ = Vec2::Zero();
   std::span<const SideVertical> verticals_;
+  const FloorCells* floor_ = nullptr;
   std::vector<EdgeSegment> rays_;  ///< segments that point to the vanishing point from the right below
   std::vector<Seed> seeds_;
   std::vector<std::pair<double, double>> intervals_;

@@ -118,13 +118,13 @@ class Baker {
 
   /// How far one sees around, weighted as light falls on the surface.
   float openness(const Vec3& normal, const Vec3& p, double turn) const {
-    static const Spread kSpread;
+    static const Spread spread;
     const Vec3 one = normal.unitOrthogonal(), other = normal.cross(one);
     const Vec2 turned = unit(2 * kPi * turn);
     const Vec3 side = turned.x() * one + turned.y() * other, across = turned.x() * other - turned.y() * one;
     WayPacket ways;
     for (int k = 0; k < kLanes; ++k) {
-      const Vec3& d = kSpread.directions[static_cast<std::size_t>(k)];
+      const Vec3& d = spread.directions[static_cast<std::size_t>(k)];
       set(ways, k, p, kOpen_m * (d.x() * side + d.y() * across + d.z() * normal));
     }
     Floats shares;

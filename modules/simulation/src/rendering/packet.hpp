@@ -24,8 +24,8 @@ struct alignas(64) Hits {
 
 /// Rays from one point, in the scene's frame.
 struct RayPacket {
+  Floats x, y, z;  ///< directions of any length
   std::array<float, 3> origin{};
-  Floats x, y, z;                              ///< directions of any length
   std::array<float, 3> by_column{}, by_row{};  ///< change of the direction from a pixel to the next
 };
 

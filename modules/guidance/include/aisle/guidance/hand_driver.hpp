@@ -19,7 +19,7 @@ struct HandDriverParams {
 };
 
 /// Drives as the person at the controls wishes, within limits, and stops when wishes stay away (dead man). A
-/// pressed bumper ends the drive, and so does the person.
+/// pressed bumper ends the drive, and so does the person; who gives up has failed.
 class HandDriver final : public Navigator {
  public:
   explicit HandDriver(const HandDriverParams& params) : params_(params) {}

@@ -17,7 +17,7 @@ namespace aisle {
 /// A body's edges on the floor, its outside on their left.
 std::vector<Segment2> outline(const MovingBody& body);
 
-/// Walks there and back along a path, and waits while the vehicle is in the way.
+/// Walks there and back along a path; waits while the vehicle is in the way, and turns back when it stays.
 class Walker {
  public:
   explicit Walker(Person person);
@@ -29,10 +29,12 @@ class Walker {
 
  private:
   Pose2 pose_after(double way_m) const;
+  void turn_back();
 
   Person person_;
   double path_m_ = 0;
   double way_m_ = 0;  ///< walked so far, there and back
+  double waited_s_ = 0;
   bool is_there_ = false;
 };
 
@@ -46,8 +48,8 @@ class MovingBodies {
             const Pose2& T_world_vehicle);
 
   std::span<const MovingBody> all() const { return bodies_; }
-  /// The edges of those that are at least so high.
-  std::vector<Segment2> outlines(double height_m = 0) const;
+  /// The edges of those that are at least so high, moved outwards by a margin.
+  std::vector<Segment2> outlines(double height_m = 0, double margin_m = 0) const;
 
  private:
   void step_event(std::size_t event, double now_s, double time_s, const ScenarioPlay& play,

@@ -11,7 +11,8 @@ struct OperatorView {
   Pose2 T_world_vehicle;
   double speed_mps = 0;  ///< of base_link, forwards
   double turn_rate_rad_s = 0;
-  double free_ahead_m = 0;  ///< way that is free when it goes on as it does, at least kSeenAhead_m if all is
+  /// Way that is free when it goes on as it does, with some room kept beside people; kSeenAhead_m if all is.
+  double free_ahead_m = 0;
   bool bumper_pressed = false;
 };
 

@@ -75,6 +75,7 @@ struct ScenarioEvent {
 
 struct Scenario {
   std::string name;
+  std::string world;  ///< the name of the one that its places are in; empty: any will do
   std::vector<ScenarioEvent> events;
 };
 

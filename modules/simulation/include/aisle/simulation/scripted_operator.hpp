@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "aisle/core/parameters.hpp"
 #include "aisle/core/random.hpp"
+#include "aisle/simulation/obstacles.hpp"
 #include "aisle/simulation/operator.hpp"
 #include "aisle/simulation/world.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
@@ -26,15 +28,15 @@ struct ScriptedOperatorParams {
   void describe(FieldList& fields);
 };
 
-/// Follows a route by sight, not quite straight and not quite evenly; says the names of the places that it
-/// passes; waits before what is in the way, and gives up when it stays there. Where the route turns back, a
-/// front-steered vehicle goes on in reverse, a differential one turns round.
+/// Follows a world's tour by sight, not quite straight and not quite evenly; says the names of the places
+/// that it passes; waits before what is in the way, and gives up when it stays there. Where the tour turns
+/// back, a differential vehicle turns round; a front-steered one goes on in reverse, until it can back round
+/// a corner such that it stands the right way to go on forwards.
 class ScriptedOperator final : public Operator {
  public:
-  /// @param route  at least two different points
-  ScriptedOperator(const std::vector<Vec2>& route, std::vector<NamedPlace> places,
-                   const VehicleDescription& vehicle, const ScriptedOperatorParams& params,
-                   std::uint64_t seed);
+  /// @param world  its tour has at least two different points
+  ScriptedOperator(const World& world, const VehicleDescription& vehicle,
+                   const ScriptedOperatorParams& params, std::uint64_t seed);
 
   OperatorInput look(const OperatorView& view) override;
 
@@ -50,7 +52,8 @@ class ScriptedOperator final : public Operator {
     bool in_reverse = false;
   };
 
-  void add_legs(const std::vector<Vec2>& route);
+  void add_legs(const World& world);
+  std::optional<Vec2> place_to_back_to(const Leg& leg, const Vec2& next, Obstacles& obstacles) const;
   void wander(double time_s);
   OperatorView seen_a_moment_ago(const OperatorView& view);
   void follow(const Vec2& p_world);
@@ -58,7 +61,7 @@ class ScriptedOperator final : public Operator {
   Command towards(const Vec2& p_vehicle_target, double speed_mps) const;
   double wished_speed_mps(const OperatorView& view) const;
   std::vector<Mark> passed_places(const Pose2& T_world_vehicle);
-  bool is_out_of_patience(const OperatorView& view);
+  bool is_out_of_patience(double now_s);
 
   VehicleDescription vehicle_;
   ScriptedOperatorParams params_;
@@ -69,7 +72,9 @@ class ScriptedOperator final : public Operator {
   std::size_t leg_ = 0;
   double along_m_ = 0;                                  ///< of the present leg
   double pull_aside_ = 0, aside_ = 0, pull_speed_ = 0;  ///< wander, in standard deviations
-  double stood_since_s_ = 0;
+  std::size_t leg_before_ = 0;                          ///< where it last got on
+  double along_before_m_ = 0;
+  double got_on_s_ = 0;
   double stamp_s_ = 0;
 };
 

@@ -49,6 +49,7 @@ struct OperatorInput {
   std::optional<Command> wish;  ///< how to drive from now on; absent: nothing was pressed
   std::vector<Mark> marks;
   bool quit = false;
+  bool gives_up = false;  ///< quits because there is no getting where the way leads
 };
 
 struct Observation {

@@ -35,8 +35,8 @@ struct BaseLines {
 };
 
 /// Finds the lines between floor and wall to the left and right: edges towards the corridor's vanishing
-/// point, on which vertical lines end and beneath which nothing follows but floor. No allocation once warm
-/// but for the result; a picture of 640 x 480 takes about 2 ms.
+/// point, on which vertical lines end, beneath which the route region lies and above which it does not. A
+/// picture of 640 x 480 takes about 2 ms.
 class BaseLineDetector {
  public:
   /// @param camera  if given, lines are fitted where its distortion is undone; they are reported as seen

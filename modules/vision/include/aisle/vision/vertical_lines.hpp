@@ -17,16 +17,16 @@ namespace aisle {
 struct VerticalLineParams {
   int width_max_px = 640;
   int bands = 120;
-  double contrast_min = 4.5;
+  double contrast_min = 3.5;
   double stray_px = 1.25;
   double straight_px = 1.3;
   double slope_max = 0.33;
   double tilt_deviation_max = 0.07;
   double gap_share_max = 0.12;
   double fade_share = 0.45;
-  double length_share_min = 0.16;
-  double fill_min = 0.8;
-  double strength_min = 5;
+  double length_share_min = 0.07;
+  double fill_min = 0.6;
+  double score_min = 0.35;
   double apart_px = 4;
 
   void describe(FieldList& fields);
