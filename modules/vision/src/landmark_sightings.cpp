@@ -1,19 +1,39 @@
 #include "aisle/vision/landmark_sightings.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/core/square.hpp"
+
 namespace aisle {
 
 namespace {
 
-/// Where a ray from `origin` in `direction` meets a polyline.
-std::optional<Vec2> meeting(const Vec2& origin, const Vec2& direction, const std::vector<Vec2>& polyline) {
-  const Vec2 across = left_normal(direction);
-  for (std::size_t i = 1; i < polyline.size(); ++i) {
-    const double from = across.dot(polyline[i - 1] - origin), to = across.dot(polyline[i] - origin);
-    if ((from < 0) == (to < 0)) continue;
-    const Vec2 point = polyline[i - 1] + from / (from - to) * (polyline[i] - polyline[i - 1]);
-    if (direction.dot(point - origin) > 0) return point;
+constexpr double kBeyondEnd_rad = 1 * kDegree;  // by which an edge may fall short of a line on it
+constexpr double kLeaningSlack_px = 1.5;        // of a short line's direction
+constexpr double kSameWall = 0.03;              // of the distance, between two edges that meet
+constexpr double kBorder = 0.01;  // of the height: a line cut by the picture's border shows no end
+constexpr double kFaded = 0.6;    // share of its contrast that a line loses at the floor to end there
+constexpr double kBeside_px = 2;  // contrast is measured this far to either side
+
+/// Mean step across a line between two heights, in the direction of its own.
+double contrast_between(const Image& grey, const VerticalLine& line, double top_px, double bottom_px) {
+  const Vec2 down = line.bottom_px - line.top_px;
+  const int beside_px = std::max(1, static_cast<int>(std::lround(kBeside_px * grey.width_px / 640)));
+  const int first = std::max(0, static_cast<int>(std::ceil(top_px)));
+  const int last = std::min(grey.height_px - 1, static_cast<int>(bottom_px));
+  double sum = 0;
+  int count = 0;
+  for (int v = first; v <= last; ++v) {
+    const double at = line.top_px.x() + down.x() / down.y() * (v - line.top_px.y());
+    const int u = static_cast<int>(std::lround(at));
+    if (u - beside_px < 0 || u + beside_px >= grey.width_px) continue;
+    sum += grey.row(v)[u + beside_px] - grey.row(v)[u - beside_px];
+    ++count;
   }
-  return std::nullopt;
+  return count == 0 ? 0 : std::copysign(1.0, line.contrast) * sum / count;
 }
 
 CameraMount tilted(CameraMount mount, double by_rad) {
@@ -25,9 +45,14 @@ CameraMount tilted(CameraMount mount, double by_rad) {
 
 void LandmarkSightingParams::describe(FieldList& fields) {
   fields.group("verticals", verticals);
-  fields.group("base_lines", base_lines);
+  fields.group("floor_edges", floor_edges);
   fields.group("noise", noise);
+  fields.real("relief_m", relief_m, {0, 1}, "by which door frames and posters stand proud of their wall");
+  fields.real("edge_m", edge_m, {0, 1}, "by which an edge is not sharp or not vertical");
   fields.real("distance_max_m", distance_max_m, {1, 50}, "feet farther away are not used");
+  fields.angle("leaning_max_deg", leaning_max_rad, {0, 45}, "off the vertical");
+  fields.real("board_height_m", board_height_m, {0, 1}, "highest skirting board that lines end on");
+  fields.real("foot_px", foot_px, {0, 100}, "from the end of a line to the edge of the floor it stands on");
   fields.flag("hanging", hanging, "use lines that end above the floor, such as a poster's edges");
 }
 
@@ -36,59 +61,117 @@ LandmarkDetector::LandmarkDetector(const LandmarkSightingParams& params, const C
     : params_(params),
       camera_(intrinsics),
       mount_(mount),
+      R_vehicle_camera_(mount.R_vehicle_camera()),
       floor_(camera_, mount, 0),
       floor_tilted_(camera_, tilted(mount, params.noise.tilt_rad), 0),
       verticals_(params.verticals, camera_),
-      base_line_detector_(params.base_lines, camera_) {}
+      floor_edge_detector_(params.floor_edges, intrinsics, mount) {}
 
 const std::vector<LandmarkSighting>& LandmarkDetector::detect(const Image& grey) {
   lines_ = verticals_.detect(grey);
-  base_lines_ = base_line_detector_.detect(grey, lines_);
-  stand_on_floor(grey, base_lines_, params_.base_lines, lines_);
-  back_project(base_lines_.left, left_wall_vehicle_);
-  back_project(base_lines_.right, right_wall_vehicle_);
+  floor_edges_ = &floor_edge_detector_.detect(grey);
   sightings_.clear();
-  for (const VerticalLine& line : lines_) {
-    const auto pixel_px = foot_px(line);
-    if (!pixel_px) continue;
-    const auto foot = floor_.uncertain_point(*pixel_px, params_.noise);
-    const auto tilted_foot = floor_tilted_.point(*pixel_px);
-    if (!foot || !tilted_foot || foot->mean.norm() > params_.distance_max_m) continue;
-    sightings_.push_back({.p_vehicle = foot->mean,
-                          .covariance = foot->covariance,
-                          .by_tilt = *tilted_foot - foot->mean,
-                          .foot_px = *pixel_px,
-                          .brighter_right = line.contrast > 0});
+  for (VerticalLine& line : lines_) {
+    if (!is_upright(line)) continue;
+    meet_edges(line);
+    const auto foot = foot_of(grey, line);
+    if (!foot) continue;
+    line.foot = true;
+    if (const auto sighting = sighting_of(line, *foot)) sightings_.push_back(*sighting);
   }
   return sightings_;
 }
 
-void LandmarkDetector::back_project(const std::optional<BaseLine>& base_line,
-                                    std::vector<Vec2>& wall_vehicle) const {
-  wall_vehicle.clear();
-  if (!base_line) return;
-  for (const Vec2& pixel_px : *base_line) {
-    if (const auto point = floor_.point(pixel_px)) wall_vehicle.push_back(*point);
-  }
+std::optional<LandmarkSighting> LandmarkDetector::sighting_of(const VerticalLine& line,
+                                                              const Meeting& foot) const {
+  const auto point = floor_.uncertain_point(foot.pixel_px, params_.noise);
+  const auto tilted_point = floor_tilted_.point(foot.pixel_px);
+  if (!point || !tilted_point || point->mean.norm() > params_.distance_max_m) return std::nullopt;
+  const Vec2 sight = (point->mean - mount_.p_vehicle_camera.head<2>()).normalized();
+  return LandmarkSighting{.p_vehicle = point->mean,
+                          .covariance = point->covariance + square(params_.edge_m) * Mat2::Identity() +
+                                        square(foot.sigma_m) * sight * sight.transpose(),
+                          .by_tilt = *tilted_point - point->mean,
+                          .foot_px = foot.pixel_px,
+                          .brighter_right = line.contrast > 0};
 }
 
-std::optional<Vec2> LandmarkDetector::foot_px(const VerticalLine& line) const {
-  if (line.foot) return line.bottom_px;
-  if (!params_.hanging) return std::nullopt;
-  if (const auto left = hanging_foot(line, left_wall_vehicle_)) return left;
-  return hanging_foot(line, right_wall_vehicle_);
+/// Both its ends are seen at the same azimuth.
+bool LandmarkDetector::is_upright(const VerticalLine& line) const {
+  const auto top = camera_.ray(line.top_px), bottom = camera_.ray(line.bottom_px);
+  if (!top || !bottom) return false;
+  const Vec3 plane = (R_vehicle_camera_ * top->direction.cross(bottom->direction)).normalized();
+  const double slack_rad = kLeaningSlack_px / (line.bottom_px - line.top_px).norm();
+  return std::abs(plane.z()) < std::sin(params_.leaning_max_rad) + slack_rad;
 }
 
-std::optional<Vec2> LandmarkDetector::hanging_foot(const VerticalLine& line,
-                                                   const std::vector<Vec2>& wall_vehicle) const {
+/// Of the line's azimuth with the edges, the nearest first.
+void LandmarkDetector::meet_edges(const VerticalLine& line) {
+  meetings_.clear();
   const auto middle = camera_.ray((line.top_px + line.bottom_px) / 2);
-  if (!middle) return std::nullopt;
-  const Vec3 ray = mount_.R_vehicle_camera() * middle->direction;
-  const auto foot = meeting(mount_.p_vehicle_camera.head<2>(), ray.head<2>(), wall_vehicle);
-  if (!foot) return std::nullopt;
-  const auto pixel_px = camera_.project(mount_.to_camera({foot->x(), foot->y(), 0}));
-  if (!pixel_px || pixel_px->y() < line.bottom_px.y()) return std::nullopt;
-  return pixel_px;
+  if (!middle) return;
+  const Vec2 origin = mount_.p_vehicle_camera.head<2>();
+  const Vec2 direction = (R_vehicle_camera_ * middle->direction).head<2>().normalized();
+  const Vec2 across = left_normal(direction);
+  for (const FloorEdge& edge : *floor_edges_) {
+    const Vec2 start = edge.on_floor.segment.start - origin, end = edge.on_floor.segment.end - origin;
+    const double from = across.dot(start), to = across.dot(end);
+    const double slack = std::sin(kBeyondEnd_rad);
+    if (!(from < slack * start.norm() && to > -slack * end.norm() && from < to)) continue;
+    const Vec2 point = start + from / (from - to) * (end - start);
+    const double distance_m = direction.dot(point);
+    const double grazing = std::abs(across.dot(end - start)) / (end - start).norm();
+    const auto pixel_px =
+        camera_.project(mount_.to_camera({point.x() + origin.x(), point.y() + origin.y(), 0}));
+    if (distance_m > 0 && pixel_px)
+      meetings_.push_back({point + origin, distance_m, *pixel_px, params_.relief_m / grazing});
+  }
+  std::sort(meetings_.begin(), meetings_.end(),
+            [](const Meeting& a, const Meeting& b) { return a.distance_m < b.distance_m; });
+}
+
+std::optional<LandmarkDetector::Meeting> LandmarkDetector::foot_of(const Image& grey,
+                                                                   const VerticalLine& line) const {
+  if (line.bottom_px.y() > (1 - kBorder) * grey.height_px) return std::nullopt;
+  if (const auto standing = standing_foot(grey, line)) return standing;
+  return hanging_foot(line);
+}
+
+/// The line ends on an edge or its skirting board, or fades where it meets the edge.
+std::optional<LandmarkDetector::Meeting> LandmarkDetector::standing_foot(const Image& grey,
+                                                                         const VerticalLine& line) const {
+  for (const Meeting& meeting : meetings_) {
+    const double beneath_px = line.bottom_px.y() - meeting.pixel_px.y();
+    if (line.top_px.y() > meeting.pixel_px.y() - params_.foot_px) continue;
+    if (beneath_px < -params_.foot_px) {
+      if (height_m(line.bottom_px, meeting.distance_m) < params_.board_height_m) return meeting;
+      continue;
+    }
+    if (beneath_px < params_.foot_px) return meeting;
+    const double above =
+        contrast_between(grey, line, line.top_px.y(), meeting.pixel_px.y() - params_.foot_px);
+    const double beneath =
+        contrast_between(grey, line, meeting.pixel_px.y() + params_.foot_px, line.bottom_px.y());
+    if (beneath < kFaded * above) return meeting;
+  }
+  return std::nullopt;
+}
+
+/// The line ends above the one edge in its direction.
+std::optional<LandmarkDetector::Meeting> LandmarkDetector::hanging_foot(const VerticalLine& line) const {
+  if (!params_.hanging || meetings_.empty()) return std::nullopt;
+  const Meeting& nearest = meetings_.front();
+  if (meetings_.back().distance_m > (1 + kSameWall) * nearest.distance_m) return std::nullopt;
+  if (height_m(line.bottom_px, nearest.distance_m) < params_.board_height_m) return std::nullopt;
+  return nearest;
+}
+
+/// Above the floor, of what is seen at a distance from the point beneath the lens.
+double LandmarkDetector::height_m(const Vec2& pixel_px, double distance_m) const {
+  const auto ray = camera_.ray(pixel_px);
+  if (!ray) return 0;
+  const Vec3 direction = R_vehicle_camera_ * ray->direction;
+  return mount_.p_vehicle_camera.z() + distance_m * direction.z() / direction.head<2>().norm();
 }
 
 }  // namespace aisle

@@ -7,16 +7,21 @@
 #include "aisle/core/image.hpp"
 #include "aisle/core/parameters.hpp"
 #include "aisle/geometry/back_projection.hpp"
-#include "aisle/vision/base_lines.hpp"
+#include "aisle/vision/floor_edges.hpp"
 #include "aisle/vision/vertical_lines.hpp"
 
 namespace aisle {
 
 struct LandmarkSightingParams {
   VerticalLineParams verticals;
-  BaseLineParams base_lines;
+  FloorEdgeParams floor_edges;
   BackProjectionNoise noise;
+  double relief_m = 0.02;
+  double edge_m = 0.01;
   double distance_max_m = 7;
+  double leaning_max_rad = 2 * kDegree;
+  double board_height_m = 0.16;
+  double foot_px = 4;
   bool hanging = true;  ///< lines that end above the floor count too, see LandmarkDetector
 
   void describe(FieldList& fields);
@@ -32,9 +37,11 @@ struct LandmarkSighting {
   bool brighter_right = false;     ///< the right side of the line is the brighter one
 };
 
-/// Picture -> vertical lines -> base lines -> feet -> floor. A line that stands on a base line has its foot
-/// there. One that ends above it (a poster's edge) hangs on the wall of that base line: its foot is where its
-/// azimuth meets the wall. No allocation once warm but for the base lines.
+/// Picture -> vertical lines -> edges of the floor -> feet. A line that ends on an edge of the floor, or on
+/// the skirting board above it, has its foot there. One that ends higher (a poster's edge) hangs on the wall
+/// that stands on that edge: its foot is where its azimuth meets the edge, if there is but one. One that goes
+/// on beneath the edge stands nearer, where no edge was seen, and has none; its reflection in the floor does
+/// not count. No allocation once warm.
 class LandmarkDetector {
  public:
   LandmarkDetector(const LandmarkSightingParams& params, const CameraIntrinsics& intrinsics,
@@ -44,25 +51,38 @@ class LandmarkDetector {
   /// @throws std::invalid_argument unless the picture has one channel
   const std::vector<LandmarkSighting>& detect(const Image& grey);
 
-  /// What the last picture showed, for drawings.
+  /// What the last picture showed, for drawings; their feet as the sightings have them.
   const std::vector<VerticalLine>& lines() const { return lines_; }
-  const BaseLines& base_lines() const { return base_lines_; }
+  const std::vector<FloorEdge>& floor_edges() const { return *floor_edges_; }
 
  private:
-  void back_project(const std::optional<BaseLine>& base_line, std::vector<Vec2>& wall_vehicle) const;
-  std::optional<Vec2> foot_px(const VerticalLine& line) const;
-  std::optional<Vec2> hanging_foot(const VerticalLine& line, const std::vector<Vec2>& wall_vehicle) const;
+  /// Where a line's azimuth meets an edge.
+  struct Meeting {
+    Vec2 p_vehicle = Vec2::Zero();
+    double distance_m = 0;  ///< from the point beneath the lens
+    Vec2 pixel_px = Vec2::Zero();
+    double sigma_m = 0;  ///< of the distance, for the edge is where the wall is, and the line may stand proud
+  };
+
+  bool is_upright(const VerticalLine& line) const;
+  void meet_edges(const VerticalLine& line);
+  std::optional<LandmarkSighting> sighting_of(const VerticalLine& line, const Meeting& foot) const;
+  std::optional<Meeting> foot_of(const Image& grey, const VerticalLine& line) const;
+  std::optional<Meeting> standing_foot(const Image& grey, const VerticalLine& line) const;
+  std::optional<Meeting> hanging_foot(const VerticalLine& line) const;
+  double height_m(const Vec2& pixel_px, double distance_m) const;
 
   LandmarkSightingParams params_;
   CameraModel camera_;
   CameraMount mount_;
+  Mat3 R_vehicle_camera_;
   BackProjection floor_;
   BackProjection floor_tilted_;  ///< the same with the tilt off by a standard deviation
   VerticalLineDetector verticals_;
-  BaseLineDetector base_line_detector_;
+  FloorEdgeDetector floor_edge_detector_;
   std::vector<VerticalLine> lines_;
-  BaseLines base_lines_;
-  std::vector<Vec2> left_wall_vehicle_, right_wall_vehicle_;  ///< where the base lines are on the floor
+  const std::vector<FloorEdge>* floor_edges_ = nullptr;
+  std::vector<Meeting> meetings_;  ///< of one line, the nearest first
   std::vector<LandmarkSighting> sightings_;
 };
 
