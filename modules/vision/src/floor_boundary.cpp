@@ -9,11 +9,11 @@ namespace {
 
 constexpr double kHalfReach = 0.03;  // of the depth: half of what a step must last, a skirting board at least
 constexpr int kHalfReachMin = 2, kHalfReachMax = 12;  // rows
-constexpr float kStepCounted = 20;                    // grey levels; one strong step is not to outvote many
+constexpr float kWorthMax = 20;                       // grey levels; one strong step is not to outvote many
 constexpr float kLeftBeneath = 0.6F;  // cost of a step that is left beneath, as a share of its worth
 constexpr float kPerRow = 0.15F;      // cost of each row up or down to the next column ...
 constexpr float kJump = 40;           // ... but no more than this
-constexpr int kSettle = 2;            // rows to either side in which a step's steepest place is
+constexpr int kSettleRows = 2;        // rows to either side in which a step's steepest place is
 
 int reach_at(const LevelView& view, int row) {
   return std::clamp(static_cast<int>(kHalfReach * view.depth(row)), kHalfReachMin, kHalfReachMax);
@@ -92,7 +92,7 @@ void FloorBoundary::weigh(int column) {
   float beneath = 0;
   for (int row = rows_ - 1; row >= 0; --row) {
     const float step = std::abs(steps[row]) - static_cast<float>(contrast_min_);
-    const float worth = std::clamp(step, 0.0F, kStepCounted);
+    const float worth = std::clamp(step, 0.0F, kWorthMax);
     costs_[static_cast<std::size_t>(row)] += kLeftBeneath * beneath - worth;
     beneath += worth;
   }
@@ -157,7 +157,8 @@ void FloorBoundary::add_point(const LevelView& view, int column, int row) {
   const auto steepness = [&](int at) {
     return sign * (grey[at - 2] + 2.0 * grey[at - 1] - 2.0 * grey[at] - grey[at + 1]);
   };
-  const int first = std::max(row - kSettle, seen.first + 3), last = std::min(row + kSettle, seen.end - 3);
+  const int first = std::max(row - kSettleRows, seen.first + 3),
+            last = std::min(row + kSettleRows, seen.end - 3);
   if (first > last) return;
   int steepest = first;
   for (int at = first + 1; at <= last; ++at)

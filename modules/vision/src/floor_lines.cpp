@@ -8,8 +8,8 @@ namespace aisle {
 
 namespace {
 
-constexpr double kStraight_px = 1;  // rows; a point off a line by more is not on it
-constexpr double kGap = 4;          // columns without a point that a line may have
+constexpr double kOffLine_px = 1;  // rows; a point off a line by more is not on it
+constexpr double kGap = 4;         // columns without a point that a line may have
 constexpr std::size_t kPointsMin = 5;
 constexpr std::size_t kLinesMax = 12;
 constexpr double kSigmaMin_px = 0.25;  // of a point's row
@@ -41,7 +41,7 @@ const std::vector<FloorLine>& FloorLineFitter::fit(const std::vector<BoundaryPoi
 
 bool FloorLineFitter::is_on(const BoundaryPoint& point, const Run& run) const {
   const double steepness = std::hypot(1.0, run.slope / rows_per_column_);
-  return std::abs(point.row - run.row - run.slope * point.column) < kStraight_px * steepness;
+  return std::abs(point.row - run.row - run.slope * point.column) < kOffLine_px * steepness;
 }
 
 /// The line through two points as far as further points lie on it.

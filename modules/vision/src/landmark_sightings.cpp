@@ -6,6 +6,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
+#include "line_contrast.hpp"
 
 namespace aisle {
 
@@ -14,27 +15,8 @@ namespace {
 constexpr double kBeyondEnd_rad = 1 * kDegree;  // by which an edge may fall short of a line on it
 constexpr double kLeaningSlack_px = 1.5;        // of a short line's direction
 constexpr double kSameWall = 0.03;              // of the distance, between two edges that meet
-constexpr double kBorder = 0.01;  // of the height: a line cut by the picture's border shows no end
-constexpr double kFaded = 0.6;    // share of its contrast that a line loses at the floor to end there
-constexpr double kBeside_px = 2;  // contrast is measured this far to either side
-
-/// Mean step across a line between two heights, in the direction of its own.
-double contrast_between(const Image& grey, const VerticalLine& line, double top_px, double bottom_px) {
-  const Vec2 down = line.bottom_px - line.top_px;
-  const int beside_px = std::max(1, static_cast<int>(std::lround(kBeside_px * grey.width_px / 640)));
-  const int first = std::max(0, static_cast<int>(std::ceil(top_px)));
-  const int last = std::min(grey.height_px - 1, static_cast<int>(bottom_px));
-  double sum = 0;
-  int count = 0;
-  for (int v = first; v <= last; ++v) {
-    const double at = line.top_px.x() + down.x() / down.y() * (v - line.top_px.y());
-    const int u = static_cast<int>(std::lround(at));
-    if (u - beside_px < 0 || u + beside_px >= grey.width_px) continue;
-    sum += grey.row(v)[u + beside_px] - grey.row(v)[u - beside_px];
-    ++count;
-  }
-  return count == 0 ? 0 : std::copysign(1.0, line.contrast) * sum / count;
-}
+constexpr double kCutShare = 0.01;     // of the height: a line cut by the picture's border shows no end
+constexpr double kFadedBeneath = 0.6;  // share of its contrast that a line loses at the floor to end there
 
 CameraMount tilted(CameraMount mount, double by_rad) {
   mount.tilt_rad += by_rad;
@@ -132,7 +114,7 @@ void LandmarkDetector::meet_edges(const VerticalLine& line) {
 
 std::optional<LandmarkDetector::Meeting> LandmarkDetector::foot_of(const Image& grey,
                                                                    const VerticalLine& line) const {
-  if (line.bottom_px.y() > (1 - kBorder) * grey.height_px) return std::nullopt;
+  if (line.bottom_px.y() > (1 - kCutShare) * grey.height_px) return std::nullopt;
   if (const auto standing = standing_foot(grey, line)) return standing;
   return hanging_foot(line);
 }
@@ -152,7 +134,7 @@ std::optional<LandmarkDetector::Meeting> LandmarkDetector::standing_foot(const I
         contrast_between(grey, line, line.top_px.y(), meeting.pixel_px.y() - params_.foot_px);
     const double beneath =
         contrast_between(grey, line, meeting.pixel_px.y() + params_.foot_px, line.bottom_px.y());
-    if (beneath < kFaded * above) return meeting;
+    if (beneath < kFadedBeneath * above) return meeting;
   }
   return std::nullopt;
 }
