@@ -6,6 +6,7 @@
 
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/core/clock.hpp"
+#include "changed_parameters.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
 #include "simulation_setting.hpp"
@@ -43,25 +44,14 @@ Result<Drive> read_drive(const DriveOptions& options) {
   return drive;
 }
 
-/// The hand driver's parameters that are not as shipped.
-std::map<std::string, std::string> changed(HandDriverParams params) {
-  HandDriverParams shipped;
-  const FieldList fields = fields_of(params), shipped_fields = fields_of(shipped);
-  std::map<std::string, std::string> values;
-  for (std::size_t i = 0; i < fields.all().size(); ++i) {
-    const Field& field = fields.all()[i];
-    if (field.value_text() != shipped_fields.all()[i].value_text()) values[field.key] = field.value_text();
-  }
-  return values;
-}
-
 Result<std::optional<SessionRecord>> open_session(const DriveOptions& options, const Drive& drive) {
   if (options.out.empty()) return std::optional<SessionRecord>{};
   auto session = SessionRecord::create(options.out, options.force, drive.setting.vehicle.description,
                                        {.navigator = "hand",
-                                        .parameters = changed(drive.params.limits),
+                                        .parameters = changed_parameters(drive.params.limits),
                                         .seed = options.seed,
                                         .simulated = true,
+                                        .building = {},
                                         .route = options.route});
   if (!session) return session.problems();
   return std::optional<SessionRecord>(std::move(*session));

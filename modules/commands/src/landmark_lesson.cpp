@@ -4,9 +4,14 @@
 
 #include <algorithm>
 
+#include "aisle/core/angle.hpp"
+#include "aisle/core/square.hpp"
+
 namespace aisle {
 namespace {
 
+constexpr double kStartSigma_m = 0.15;  // how far from a route's start a trip begins
+constexpr double kStartSigma_rad = 3 * kDegree;
 constexpr double kAtStart_m = 0.05;     // the start view is what is seen before the vehicle has gone so far
 constexpr double kWayPoints_m = 0.05;   // between the poses that a path is fitted to
 
@@ -55,6 +60,11 @@ Result<LandmarkLesson> learn_lesson(const LandmarkTrip& trip, const std::string&
       {.name = route, .path = std::move(path), .start_view = start_view(trip, learned.T_map_vehicle)});
   lesson.T_map_taught = std::move(learned.T_map_vehicle);
   return lesson;
+}
+
+UncertainPose2 about_start(const Pose2& T_map_start) {
+  return {T_map_start,
+          Vec3(square(kStartSigma_m), square(kStartSigma_m), square(kStartSigma_rad)).asDiagonal()};
 }
 
 }  // namespace aisle

@@ -83,25 +83,17 @@ Pose2 set_down(const SimulationSetting& setting, const Pose2& T_world_start, con
 
 }  // namespace
 
-Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, const Building& building,
-                                                     const Path& path, const LandmarkNavigatorParams& params,
+Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, LandmarkDriver& driver,
                                                      const MapTruth& truth, const LandmarkMissionOptions& options,
                                                      std::optional<SessionRecord>& session, Progress& progress) {
-  SimulatedVehicle vehicle(
-      setting.world, setting.vehicle, setting.scenario,
-      {.seed = options.seed,
-       .T_world_start = set_down(setting, truth.in_world(path.at(0).T_map_path), options),
-       .takes_pictures = true});
-  LandmarkNavigator navigator(params, vehicle.description(), building, path);
-  LandmarkMissionResult result{.end = {},
-                               .errors = MissionErrors(truth, path),
-                               .cycle_s = {},
-                               .trip = {.vehicle = vehicle.description(), .camera = *building.camera},
-                               .T_map_vehicle = {},
-                               .T_map_true = {},
-                               .p_map_sightings = {}};
-  TimedNavigator timed(navigator, result.cycle_s);
-  LandmarkMissionRecord record(session, vehicle, navigator, truth, result);
+  const Pose2 T_world_start = truth.in_world(driver.path().at(0).T_map_path);
+  SimulatedVehicle vehicle(setting.world, setting.vehicle, setting.scenario,
+                           {.seed = options.seed, .T_world_start = set_down(setting, T_world_start, options)});
+  LandmarkMissionResult result(truth, driver.path());
+  result.trip.vehicle = vehicle.description();
+  result.trip.camera = *driver.building().camera;
+  TimedNavigator timed(driver, result.cycle_s);
+  LandmarkMissionRecord record(session, vehicle, driver.navigator(), truth, result);
   auto end = run_mission(vehicle, timed, record, progress);
   if (!end) return end.problems();
   result.end = std::move(*end);
@@ -136,20 +128,6 @@ nlohmann::ordered_json figures_of(const LandmarkMissionResult& result) {
           {"cycle_ms",
            {{"median", rounded(1e3 * quantile(result.cycle_s, 0.5), 3)},
             {"p99", rounded(1e3 * quantile(result.cycle_s, 0.99), 3)}}}};
-}
-
-Path way_back(const Path& path, const Footprint& footprint) {
-  const double beyond_m = footprint.front_m - footprint.rear_m;
-  double left_m = path.length_m() - beyond_m;
-  std::vector<PathPiece> pieces;
-  for (PathPiece piece : path.reversed().pieces()) {
-    if (left_m <= 0) break;
-    const double share = std::min(1.0, left_m / std::max(piece.way_m(), 1e-9));
-    left_m -= piece.way_m();
-    piece.arc = {piece.arc.length_m * share, piece.arc.turn_rad * share};
-    pieces.push_back(piece);
-  }
-  return Path(std::move(pieces));
 }
 
 }  // namespace aisle

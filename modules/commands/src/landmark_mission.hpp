@@ -10,6 +10,7 @@
 #include "aisle/formats/session_record.hpp"
 #include "aisle/guidance/landmark_navigator.hpp"
 #include "aisle/guidance/mission.hpp"
+#include "landmark_driver.hpp"
 #include "landmark_evaluation.hpp"
 #include "landmark_trip.hpp"
 #include "simulation_setting.hpp"
@@ -18,6 +19,9 @@ namespace aisle {
 
 /// What a simulated mission along a learned route came to.
 struct LandmarkMissionResult {
+  /// Both must outlive the result.
+  LandmarkMissionResult(const MapTruth& truth, const Path& path) : errors(truth, path) {}
+
   MissionEnd end;
   std::size_t collisions = 0;
   std::size_t lost_count = 0;
@@ -37,8 +41,7 @@ struct LandmarkMissionOptions {
 };
 
 /// Sets the vehicle down about the path's start and lets it drive there by itself.
-Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, const Building& building,
-                                                     const Path& path, const LandmarkNavigatorParams& params,
+Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, LandmarkDriver& driver,
                                                      const MapTruth& truth, const LandmarkMissionOptions& options,
                                                      std::optional<SessionRecord>& session, Progress& progress);
 
@@ -47,8 +50,5 @@ nlohmann::ordered_json figures_of(const LandmarkMissionResult& result);
 
 /// The value that a share of all values is not above; 0 if there are none.
 double quantile(std::vector<double> values, double share);
-
-/// The same way back: ends early enough to stay on floor that was driven over when the route was taught.
-Path way_back(const Path& path, const Footprint& footprint);
 
 }  // namespace aisle

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/core/clock.hpp"
@@ -20,71 +22,54 @@ namespace {
 
 /// All that a mission is made of, read and checked.
 struct Mission {
-  LandmarkNavigatorParams params;
   SimulationSetting setting;
-  std::string building_text;
-  Building building;
-  const Route* route = nullptr;
-  Path path;
+  SessionOrigin origin;
+  std::unique_ptr<LandmarkDriver> driver;
   MapTruth truth;
 };
 
-Result<const Route*> find_route(const Building& building, const std::string& file, const std::string& name) {
-  if (building.routes.empty()) return Problem{{file, 0, "routes"}, "there is none"};
-  if (name.empty()) return &building.routes.front();
-  const auto found = std::find_if(building.routes.begin(), building.routes.end(),
-                                  [&](const Route& route) { return route.name == name; });
-  if (found != building.routes.end()) return &*found;
-  std::string names;
-  for (const Route& route : building.routes) names += (names.empty() ? "" : ", ") + route.name;
-  return Problem{{file, 0, "--route"}, fmt::format("'{}' is unknown; there is: {}", name, names)};
+/// The name of the route that is asked for, or of the building's first.
+std::string route_name(const Building& building, const std::string& asked) {
+  return asked.empty() && !building.routes.empty() ? building.routes.front().name : asked;
 }
 
-/// The vehicle's other cameras stay switched off.
-Problems keep_learned_camera(VehicleDescription& vehicle, const Building& building, const std::string& file) {
-  if (!building.camera) return {{{file, 0, "camera"}, "is missing: the building has no landmarks"}};
-  const auto found = std::find_if(vehicle.cameras.begin(), vehicle.cameras.end(),
-                                  [&](const CameraDescription& camera) { return camera.name == building.camera->name; });
-  if (found == vehicle.cameras.end()) {
-    return {{{file, 0, "camera"},
-             fmt::format("was learned with the camera {}, which the vehicle {} lacks", building.camera->name,
-                         vehicle.name)}};
-  }
-  vehicle.cameras = {*found};
-  return at_file(check_same_camera(*building.camera, *found), file);
+/// How the map lies in the world: as learning left it beside the building, else the route begins at the world's start.
+Result<MapTruth> map_truth(const NavigateOptions& options, const SimulationSetting& setting) {
+  auto truth = read_map_truth(options.building);
+  if (!truth || !truth->empty()) return truth;
+  const auto start = start_in(setting);
+  if (!start) return start.problems();
+  return MapTruth({Pose2{}}, {*start});
 }
 
-Problems read_mission(const NavigateOptions& options, Mission& mission) {
+Result<Mission> read_mission(const NavigateOptions& options) {
   const std::string file = options.building.string();
-  if (options.speed_mps) mission.params.speed.speed_mps = *options.speed_mps;
-  FieldList fields = fields_of(mission.params);
+  LandmarkNavigatorParams params;
+  FieldList fields = fields_of(params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
-  auto text = read_whole_file(options.building);
+  if (options.speed_mps) params.speed.speed_mps = *options.speed_mps;
+  const auto text = read_whole_file(options.building);
   if (!text) return text.problems();
-  mission.building_text = std::move(*text);
-  auto building = parse_building(mission.building_text, file);
+  const auto building = parse_building(*text, file);
   if (!building) return building.problems();
-  mission.building = std::move(*building);
-  const auto route = find_route(mission.building, file, options.route);
-  if (!route) return route.problems();
-  mission.route = *route;
   auto setting = read_setting(options.world, options.vehicle, options.scenario);
   if (!setting) return setting.problems();
-  mission.setting = std::move(*setting);
+  Mission mission{.setting = std::move(*setting), .origin = {}, .driver = {}, .truth = {}};
   VehicleDescription& vehicle = mission.setting.vehicle.description;
-  if (Problems problems = keep_learned_camera(vehicle, mission.building, file); !problems.empty()) return problems;
-  mission.path = options.in_reverse ? way_back(mission.route->path, vehicle.footprint) : mission.route->path;
-  auto truth = read_map_truth(options.building);
+  mission.origin = LandmarkDriver::origin(
+      params, {*text, route_name(*building, options.route), options.in_reverse});
+  mission.origin.seed = options.seed;
+  mission.origin.simulated = true;
+  auto driver = LandmarkDriver::make(mission.origin, vehicle);
+  if (!driver) return at_file(driver.problems(), file);
+  mission.driver = std::move(*driver);
+  std::erase_if(vehicle.cameras, [&](const CameraDescription& camera) { return camera.name != building->camera->name; });
+  auto truth = map_truth(options, mission.setting);
   if (!truth) return truth.problems();
   mission.truth = std::move(*truth);
-  if (mission.truth.empty()) {
-    const auto start = start_in(mission.setting);
-    if (!start) return start.problems();
-    mission.truth = MapTruth({mission.route->path.at(0).T_map_path}, {*start});
-  }
-  if (!fits(mission.setting.world, vehicle.footprint, mission.truth.in_world(mission.path.at(0).T_map_path)))
-    return {{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"}};
-  return {};
+  if (!fits(mission.setting.world, vehicle.footprint, mission.truth.in_world(mission.driver->path().at(0).T_map_path)))
+    return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
+  return mission;
 }
 
 Outcome outcome_of(const NavigateOptions& options, const Mission& mission, const LandmarkMissionResult& result,
@@ -94,9 +79,9 @@ Outcome outcome_of(const NavigateOptions& options, const Mission& mission, const
   outcome.figures = figures_of(result);
   outcome.figures["simulated"] = true;
   outcome.figures["seed"] = options.seed;
-  outcome.figures["route"] = mission.route->name;
+  outcome.figures["route"] = mission.origin.route;
   outcome.figures["in_reverse"] = options.in_reverse;
-  outcome.figures["landmarks"] = mission.building.landmarks.size();
+  outcome.figures["landmarks"] = mission.driver->building().landmarks.size();
   outcome.figures["real_time_factor"] = rounded(result.end.duration_s / std::max(worked_s, 1e-6), 1);
   if (!options.out.empty()) outcome.files["session"] = options.out.string();
   outcome.text = fmt::format(
@@ -119,23 +104,22 @@ Outcome navigate_parameters() {
 
 Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
   if (Problems problems = check_method(options.method); !problems.empty()) return problems;
-  Mission mission;
-  if (Problems problems = read_mission(options, mission); !problems.empty()) return problems;
+  const auto mission = read_mission(options);
+  if (!mission) return mission.problems();
   std::optional<SessionRecord> session;
   if (!options.out.empty()) {
-    auto created = SessionRecord::create(options.out, options.force, mission.setting.vehicle.description,
-                                         landmark_origin(mission.params, mission.building_text,
-                                                         mission.route->name, options.in_reverse, options.seed));
+    auto created =
+        SessionRecord::create(options.out, options.force, mission->setting.vehicle.description, mission->origin);
     if (!created) return created.problems();
     session = std::move(*created);
   }
   const SteadyClock clock;
   const double begun_s = clock.now_s();
-  const auto result = drive_landmark_mission(mission.setting, mission.building, mission.path, mission.params,
-                                             mission.truth, {.seed = options.seed}, session, console.progress);
+  const auto result = drive_landmark_mission(mission->setting, *mission->driver, mission->truth,
+                                             {.seed = options.seed}, session, console.progress);
   if (!result) return result.problems();
   if (const Problems problems = close(session); !problems.empty()) return problems;
-  return outcome_of(options, mission, *result, clock.now_s() - begun_s);
+  return outcome_of(options, *mission, *result, clock.now_s() - begun_s);
 }
 
 }  // namespace aisle
