@@ -11,6 +11,7 @@ constexpr double kHalfReach = 0.03;  // of the depth: half of what a step must l
 constexpr int kHalfReachMin = 2, kHalfReachMax = 12;  // rows
 constexpr float kWorthMax = 20;                       // grey levels; one strong step is not to outvote many
 constexpr float kLeftBeneath = 0.6F;  // cost of a step that is left beneath, as a share of its worth
+constexpr float kBeneathMax = 14;     // worth of several steps on the floor, which a wall's step is to outdo
 constexpr float kPerRow = 0.15F;      // cost of each row up or down to the next column ...
 constexpr float kJump = 40;           // ... but no more than this
 constexpr int kSettleRows = 2;        // rows to either side in which a step's steepest place is
@@ -94,7 +95,7 @@ void FloorBoundary::weigh(int column) {
     const float step = std::abs(steps[row]) - static_cast<float>(contrast_min_);
     const float worth = std::clamp(step, 0.0F, kWorthMax);
     costs_[static_cast<std::size_t>(row)] += kLeftBeneath * beneath - worth;
-    beneath += worth;
+    beneath = std::min(beneath + worth, kBeneathMax);
   }
 }
 

@@ -22,6 +22,9 @@ void FloorEdgeParams::describe(FieldList& fields) {
 
 namespace {
 
+constexpr double kClear = 4;        // times the least contrast: an edge even if it leads nowhere
+constexpr double kJoinColumns = 4;  // between edges that lead to each other
+constexpr double kJoinRows = 8;
 constexpr double kBesideLens_m = 0.25;  // a line that leads so close past the lens is a joint, not a wall
 constexpr double kPaper_m = 0.6;        // longest edge of what may lie on the floor ...
 constexpr double kPaperNear_m = 0.4;    // ... and where the floor goes on beyond it
@@ -46,7 +49,9 @@ class FloorEdgeDetector::Work {
   const std::vector<FloorEdge>& detect(const Image& grey) {
     view_.look_at(grey);
     edges_.clear();
-    for (const FloorLine& line : fitter_.fit(boundary_.find(view_), view_.rows_per_column())) add_edge(line);
+    const auto& lines = fitter_.fit(boundary_.find(view_), view_.rows_per_column());
+    for (const FloorLine& line : lines)
+      if (std::abs(line.contrast) >= kClear * params_.contrast_min || goes_on(line, lines)) add_edge(line);
     return edges_;
   }
 
@@ -54,6 +59,21 @@ class FloorEdgeDetector::Work {
   static CameraMount tilted(CameraMount mount, double tilt_rad) {
     mount.tilt_rad += tilt_rad;
     return mount;
+  }
+
+  /// A pattern of the floor shows faint steps, none of which leads to another or out of sight.
+  bool goes_on(const FloorLine& line, const std::vector<FloorLine>& lines) const {
+    const auto leads_on = [&](double column) {
+      const double row = line.row_at(column);
+      const auto bottom = view_.seen(static_cast<int>(column)).end;
+      if (column < kJoinColumns || column >= view_.columns() - kJoinColumns || row > bottom - kJoinRows)
+        return true;
+      return std::any_of(lines.begin(), lines.end(), [&](const FloorLine& other) {
+        return &other != &line && column > other.first_column - kJoinColumns &&
+               column < other.last_column + kJoinColumns && std::abs(other.row_at(column) - row) < kJoinRows;
+      });
+    };
+    return leads_on(line.first_column) || leads_on(line.last_column);
   }
 
   void add_edge(const FloorLine& line) {
