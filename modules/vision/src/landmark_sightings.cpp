@@ -15,7 +15,8 @@ namespace {
 constexpr double kBeyondEnd_rad = 1 * kDegree;  // by which an edge may fall short of a line on it
 constexpr double kLeaningSlack_px = 1.5;        // of a short line's direction
 constexpr double kSameWall = 0.03;              // of the distance, between two edges that meet
-constexpr double kCutShare = 0.01;     // of the height: a line cut by the picture's border shows no end
+constexpr double kCutShare = 0.01;  // of the height: a line cut by the picture's border shows no end
+constexpr double kProudSigmas = 2.5;
 constexpr double kFadedBeneath = 0.6;  // share of its contrast that a line loses at the floor to end there
 
 CameraMount tilted(CameraMount mount, double by_rad) {
@@ -129,7 +130,7 @@ std::optional<LandmarkDetector::Meeting> LandmarkDetector::standing_foot(const I
       if (height_m(line.bottom_px, meeting.distance_m) < params_.board_height_m) return meeting;
       continue;
     }
-    if (beneath_px < params_.foot_px) return meeting;
+    if (beneath_px < params_.foot_px || stands_proud(line, meeting)) return meeting;
     const double above =
         contrast_between(grey, line, line.top_px.y(), meeting.pixel_px.y() - params_.foot_px);
     const double beneath =
@@ -137,6 +138,14 @@ std::optional<LandmarkDetector::Meeting> LandmarkDetector::standing_foot(const I
     if (beneath < kFadedBeneath * above) return meeting;
   }
   return std::nullopt;
+}
+
+/// The line ends on the floor before the edge, but no farther than what is mounted on the wall.
+bool LandmarkDetector::stands_proud(const VerticalLine& line, const Meeting& meeting) const {
+  const auto end = floor_.point(line.bottom_px);
+  if (!end) return false;
+  const double distance_m = (*end - mount_.p_vehicle_camera.head<2>()).norm();
+  return meeting.distance_m - distance_m < kProudSigmas * meeting.sigma_m;
 }
 
 /// The line ends above the one edge in its direction.

@@ -69,6 +69,7 @@ class LandmarkDetector {
   std::optional<LandmarkSighting> sighting_of(const VerticalLine& line, const Meeting& foot) const;
   std::optional<Meeting> foot_of(const Image& grey, const VerticalLine& line) const;
   std::optional<Meeting> standing_foot(const Image& grey, const VerticalLine& line) const;
+  bool stands_proud(const VerticalLine& line, const Meeting& meeting) const;
   std::optional<Meeting> hanging_foot(const VerticalLine& line) const;
   double height_m(const Vec2& pixel_px, double distance_m) const;
 
