@@ -15,7 +15,12 @@ namespace {
 constexpr double kBeyondEnd_rad = 1 * kDegree;  // by which an edge may fall short of a line on it
 constexpr double kLeaningSlack_px = 1.5;        // of a short line's direction
 constexpr double kSameWall = 0.03;              // of the distance, between two edges that meet
-constexpr double kCutShare = 0.01;  // of the height: a line cut by the picture's border shows no end
+constexpr double kCutShare = 0.01;      // of the height: a line cut by the picture's border shows no end
+constexpr double kCornerSide_m = 0.25;  // shortest edge that makes a corner
+constexpr double kCornerSine = 0.5;     // of the angle between the two
+constexpr double kCornerGap_m = 0.02;   // between an edge's end and the corner ...
+constexpr double kCornerGapPerDistance = 0.04;
+constexpr double kSameCorner_m = 0.15;
 constexpr double kProudSigmas = 2.5;
 constexpr double kFadedBeneath = 0.6;  // share of its contrast that a line loses at the floor to end there
 
@@ -36,6 +41,7 @@ void LandmarkSightingParams::describe(FieldList& fields) {
   fields.angle("leaning_max_deg", leaning_max_rad, {0, 45}, "off the vertical");
   fields.real("board_height_m", board_height_m, {0, 1}, "highest skirting board that lines end on");
   fields.real("foot_px", foot_px, {0, 100}, "from the end of a line to the edge of the floor it stands on");
+  fields.flag("corners", corners, "use the corners of the floor's edges");
   fields.flag("hanging", hanging, "use lines that end above the floor, such as a poster's edges");
 }
 
@@ -60,13 +66,16 @@ const std::vector<LandmarkSighting>& LandmarkDetector::detect(const Image& grey)
     const auto foot = foot_of(grey, line);
     if (!foot) continue;
     line.foot = true;
-    if (const auto sighting = sighting_of(line, *foot)) sightings_.push_back(*sighting);
+    auto sighting = sighting_at(*foot);
+    if (!sighting) continue;
+    sighting->brighter_right = line.contrast > 0;
+    sightings_.push_back(*sighting);
   }
+  if (params_.corners) add_corners();
   return sightings_;
 }
 
-std::optional<LandmarkSighting> LandmarkDetector::sighting_of(const VerticalLine& line,
-                                                              const Meeting& foot) const {
+std::optional<LandmarkSighting> LandmarkDetector::sighting_at(const Meeting& foot) const {
   const auto point = floor_.uncertain_point(foot.pixel_px, params_.noise);
   const auto tilted_point = floor_tilted_.point(foot.pixel_px);
   if (!point || !tilted_point || point->mean.norm() > params_.distance_max_m) return std::nullopt;
@@ -75,8 +84,42 @@ std::optional<LandmarkSighting> LandmarkDetector::sighting_of(const VerticalLine
                           .covariance = point->covariance + square(params_.edge_m) * Mat2::Identity() +
                                         square(foot.sigma_m) * sight * sight.transpose(),
                           .by_tilt = *tilted_point - point->mean,
-                          .foot_px = foot.pixel_px,
-                          .brighter_right = line.contrast > 0};
+                          .foot_px = foot.pixel_px};
+}
+
+/// Of edges that meet where no line was seen to stand.
+void LandmarkDetector::add_corners() {
+  for (std::size_t i = 0; i < floor_edges_->size(); ++i) {
+    for (std::size_t j = i + 1; j < floor_edges_->size(); ++j) {
+      const auto corner = corner_of((*floor_edges_)[i].on_floor.segment, (*floor_edges_)[j].on_floor.segment);
+      if (!corner) continue;
+      const bool stands = std::any_of(
+          sightings_.begin(), sightings_.end(),
+          [&](const LandmarkSighting& seen) { return (seen.p_vehicle - *corner).norm() < kSameCorner_m; });
+      const auto pixel_px = camera_.project(mount_.to_camera({corner->x(), corner->y(), 0}));
+      if (stands || !pixel_px) continue;
+      if (const auto sighting = sighting_at({.p_vehicle = *corner, .pixel_px = *pixel_px}))
+        sightings_.push_back(*sighting);
+    }
+  }
+  std::sort(sightings_.begin(), sightings_.end(), [](const LandmarkSighting& a, const LandmarkSighting& b) {
+    return a.foot_px.x() < b.foot_px.x();
+  });
+}
+
+/// Where two edges cross, if both end there and neither is short or nearly parallel to the other.
+std::optional<Vec2> LandmarkDetector::corner_of(const Segment2& a, const Segment2& b) const {
+  if (std::min(a.length(), b.length()) < kCornerSide_m) return std::nullopt;
+  const Vec2 along = a.end - a.start, across_b = left_normal(b.end - b.start);
+  const double turn = across_b.dot(along);
+  if (std::abs(turn) < kCornerSine * a.length() * b.length()) return std::nullopt;
+  const Vec2 corner = a.start + across_b.dot(b.start - a.start) / turn * along;
+  const auto off_m = [&](const Segment2& edge) {
+    return std::min((corner - edge.start).norm(), (corner - edge.end).norm());
+  };
+  if (std::max(off_m(a), off_m(b)) > kCornerGap_m + kCornerGapPerDistance * corner.norm())
+    return std::nullopt;
+  return corner;
 }
 
 /// Both its ends are seen at the same azimuth.

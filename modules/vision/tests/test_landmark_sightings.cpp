@@ -53,6 +53,19 @@ TEST(LandmarkSightings, WithoutAnEdgeOfTheFloorAreNone) {
   EXPECT_THAT(sightings_of(room), IsEmpty());
 }
 
+TEST(LandmarkSightings, ACornerOfTheFloorIsOneIfAskedFor) {
+  const DrawnWall end = wall_ahead(2.5, 0.2), right = wall_ahead(0.8, 0.2 - kPi / 2);
+  DrawnRoom room{.walls = {end, right}};
+  LandmarkSightingParams with_corners;
+  with_corners.corners = true;
+  const auto sightings = sightings_of(room, with_corners);
+  ASSERT_THAT(sightings, SizeIs(1));
+  const Vec2 corner =
+      drawn_mount().p_vehicle_camera.head<2>() + 2.5 * unit(0.2) - 0.8 * left_normal(unit(0.2));
+  EXPECT_LT((sightings[0].p_vehicle - corner).norm(), 0.02);
+  EXPECT_THAT(sightings_of(room), IsEmpty());
+}
+
 TEST(LandmarkSightings, AreUncertainAlongTheLineOfSight) {
   const DrawnRoom room = room_with({.from_m = 18.8, .to_m = 19.7, .bottom_m = 0, .top_m = 2.1});
   for (const LandmarkSighting& sighting : sightings_of(room)) {

@@ -22,7 +22,8 @@ struct LandmarkSightingParams {
   double leaning_max_rad = 2 * kDegree;
   double board_height_m = 0.16;
   double foot_px = 4;
-  bool hanging = true;  ///< lines that end above the floor count too, see LandmarkDetector
+  bool hanging = true;   ///< lines that end above the floor count too, see LandmarkDetector
+  bool corners = false;  ///< where two edges of the floor meet counts too, even if no line is seen there
 
   void describe(FieldList& fields);
 };
@@ -31,10 +32,10 @@ struct LandmarkSightingParams {
 struct LandmarkSighting {
   Vec2 p_vehicle = Vec2::Zero();   ///< its foot, in base_link
   Mat2 covariance = Mat2::Zero();  ///< of the foot; long along the line of sight
-  Vec2 by_tilt = Vec2::Zero();     ///< the part of that which all sightings of one picture share: how far the foot
-                                   ///< goes when the tilt is off by a standard deviation [m]
-  Vec2 foot_px = Vec2::Zero();     ///< in the picture
-  bool brighter_right = false;     ///< the right side of the line is the brighter one
+  Vec2 by_tilt = Vec2::Zero();     ///< the part of that which all sightings of one picture share: how far the
+                                ///< foot goes when the tilt is off by a standard deviation [m]
+  Vec2 foot_px = Vec2::Zero();  ///< in the picture
+  bool brighter_right = false;  ///< the right side of the line is the brighter one; a corner: false
 };
 
 /// Picture -> vertical lines -> edges of the floor -> feet. A line that ends on an edge of the floor, or on
@@ -64,9 +65,11 @@ class LandmarkDetector {
     double sigma_m = 0;  ///< of the distance, for the edge is where the wall is, and the line may stand proud
   };
 
+  void add_corners();
+  std::optional<Vec2> corner_of(const Segment2& a, const Segment2& b) const;
   bool is_upright(const VerticalLine& line) const;
   void meet_edges(const VerticalLine& line);
-  std::optional<LandmarkSighting> sighting_of(const VerticalLine& line, const Meeting& foot) const;
+  std::optional<LandmarkSighting> sighting_at(const Meeting& foot) const;
   std::optional<Meeting> foot_of(const Image& grey, const VerticalLine& line) const;
   std::optional<Meeting> standing_foot(const Image& grey, const VerticalLine& line) const;
   bool stands_proud(const VerticalLine& line, const Meeting& meeting) const;
