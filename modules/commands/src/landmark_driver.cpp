@@ -77,7 +77,8 @@ LandmarkDriver::LandmarkDriver(const LandmarkNavigatorParams& params, const Vehi
 Path way_back(const Path& path, const Footprint& footprint) {
   double left_m = path.length_m() - (footprint.front_m - footprint.rear_m);
   std::vector<PathPiece> pieces;
-  for (PathPiece piece : path.reversed().pieces()) {
+  const Path back = path.reversed();
+  for (PathPiece piece : back.pieces()) {
     if (left_m <= 0) break;
     if (piece.way_m() > left_m) {
       const double share = left_m / piece.way_m();

@@ -74,8 +74,8 @@ class TimedNavigator final : public Navigator {
 /// Where a person who sets the vehicle down roughly puts it.
 Pose2 set_down(const SimulationSetting& setting, const Pose2& T_world_start, const LandmarkMissionOptions& options) {
   Random random(options.seed ^ kSetDown);
-  const Pose2 off{random.normal(0, options.start_sigma_m), random.normal(0, options.start_sigma_m),
-                  random.normal(0, options.start_sigma_rad)};
+  const Pose2 off{random.normal(options.start_sigma_m), random.normal(options.start_sigma_m),
+                  random.normal(options.start_sigma_rad)};
   const Pose2 T_world_vehicle = T_world_start * off;
   return fits(setting.world, setting.vehicle.description.footprint, T_world_vehicle) ? T_world_vehicle
                                                                                      : T_world_start;
