@@ -122,14 +122,15 @@ Pairing Comparison::pairing(const Motion& motion) {
 
 /// Of motions that explain equally much the least one.
 Pairing Comparison::best_pairing() {
-  constexpr double kTurnStep = 0.025, kApproachSteps = 16, kPriceOfMotion = 0.3;
+  constexpr double kTurnStep = 0.025, kPriceOfMotion = 0.3;
+  constexpr int kApproachSteps = 24;  // finer where it is small
   Motion chosen;
   double value = compare(chosen);
   for (double before = -params_.turn_max; before <= params_.turn_max; before += kTurnStep) {
     for (double now = -params_.turn_max; now <= params_.turn_max; now += kTurnStep) {
       for (int step = 0; step <= kApproachSteps; ++step) {
-        const double share = step / kApproachSteps;
-        const Motion motion{before, now, params_.approach_max * share};
+        const double share = static_cast<double>(step) / kApproachSteps;
+        const Motion motion{before, now, params_.approach_max * share * share};
         const double turn_share = std::abs(now - before) / params_.turn_max;
         const double worth = compare(motion) - kPriceOfMotion * (share + turn_share);
         if (worth <= value) continue;
@@ -144,9 +145,11 @@ Pairing Comparison::best_pairing() {
 }  // namespace
 
 void LineFollowerParams::describe(FieldList& fields) {
-  fields.real("gate", gate, {0.001, 1}, "how far from where it is expected a line may be, share of the width");
+  fields.real("gate", gate, {0.001, 1},
+              "how far from where it is expected a line may be, share of the width");
   fields.real("turn_max", turn_max, {0, 0.5}, "how far the corridor's end may be from the picture's middle");
-  fields.real("approach_max", approach_max, {0, 100}, "forward motion between two pictures: x goes to x / (1 - it x)");
+  fields.real("approach_max", approach_max, {0, 100},
+              "forward motion between two pictures: x goes to x / (1 - it x)");
   fields.real("slope_gate", slope_gate, {0.001, 10}, "change of a line's slope");
   fields.real("tone_gate", tone_gate, {0.1, 255}, "change of the grey level beside a line");
   fields.real("likeness_min", likeness_min, {0, 1000},
