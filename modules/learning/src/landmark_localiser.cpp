@@ -16,7 +16,7 @@ void LandmarkLocaliserParams::describe(FieldList& fields) {
   fields.angle("window_min_deg", window_min_rad, {0, 45}, "turns up to this are always tried");
   fields.real("window_max_m", window_max_m, {0.1, 10}, "greater displacements are never tried");
   fields.angle("window_max_deg", window_max_rad, {0, 90}, "greater turns are never tried");
-  fields.real("ambiguous_share", ambiguous_share, {0.1, 1}, "a second displacement this good makes a match ambiguous");
+  fields.real("ambiguous_share", ambiguous_share, {0.1, 1}, "a second displacement whose pairs agree this well makes a match ambiguous");
   fields.real("gate_sigmas", gate_sigmas, {1, 10}, "a sighting farther from a landmark is not of it");
   fields.real("landmark_sigma_m", landmark_sigma_m, {0, 1}, "least error of a landmark's place");
   fields.real("repeat_inflation", repeat_inflation, {1, 100},
@@ -30,6 +30,12 @@ double confidence_weight(const Vec2& p_vehicle, double confidence_m2) {
   return 1 / (1 + p_vehicle.squaredNorm() / confidence_m2);
 }
 
+/// A runner-up on the flank of the best peak is refined to the same place: it is no hypothesis of its own.
+bool LandmarkLocaliser::is_elsewhere(const Pose2& best, const Pose2& other) const {
+  const Pose2 off = between(best, other);
+  return off.position().norm() > params_.mwght.apart_m / 2 || std::abs(off.theta) > params_.mwght.apart_rad / 2;
+}
+
 LandmarkLocaliser::LandmarkLocaliser(const LandmarkLocaliserParams& params, const VehicleDescription& vehicle,
                                      const UncertainPose2& T_map_vehicle)
     : params_(params), filter_(vehicle, T_map_vehicle), mwght_(params.mwght) {}
@@ -41,10 +47,18 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map, std::span<const
   if (learned_.empty() || seen_.empty()) return LandmarkMatch::kNothing;
   const auto match = mwght_.match(learned_, seen_, window());
   if (!match) return LandmarkMatch::kUnmatched;
-  if (match->runner_up && match->runner_up->value > params_.ambiguous_share * match->best.value)
-    return LandmarkMatch::kAmbiguous;
-  const Pose2 T_map_guess = filter_.pose() * match->best.displacement;
-  pair_up(map, sightings, T_map_guess);
+  Pose2 T_map_guess = filter_.pose() * match->best.displacement;
+  const double agreement = pair_up(map, sightings, T_map_guess);
+  if (match->runner_up && is_elsewhere(match->best.displacement, match->runner_up->displacement)) {
+    const Pose2 T_map_other = filter_.pose() * match->runner_up->displacement;
+    const double other = pair_up(map, sightings, T_map_other);
+    if (std::min(agreement, other) > params_.ambiguous_share * std::max(agreement, other)) {
+      pairs_.clear();
+      return LandmarkMatch::kAmbiguous;
+    }
+    if (other > agreement) T_map_guess = T_map_other;
+    if (other < agreement) pair_up(map, sightings, T_map_guess);
+  }
   if (pairs_.empty() || matched_share_ < params_.matched_share_min) return LandmarkMatch::kUnmatched;
   filter_.update(points_, T_map_guess);
   return LandmarkMatch::kMatched;
@@ -87,16 +101,18 @@ MwghtWindow LandmarkLocaliser::window() const {
 }
 
 /// Every sighting with the landmark that it lies nearest to, by its own errors and the landmark's; a landmark is
-/// taken once, by the sighting that comes first in order of nearness to the vehicle.
-void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
-                                const Pose2& T_map_vehicle) {
+/// taken once.
+/// @return how well the pairs agree
+double LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+                                  const Pose2& T_map_vehicle) {
+  pairs_.clear();
   points_.clear();
   taken_.assign(near_.size(), 0);
   const Pose2 T_vehicle_map = T_map_vehicle.inverse();
   const double c = std::cos(T_map_vehicle.theta), s = std::sin(T_map_vehicle.theta);
   Mat2 R_map_vehicle;
   R_map_vehicle << c, -s, s, c;
-  double matched = 0, all = 0;
+  double matched = 0, all = 0, agreement = 0;
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const LandmarkSighting& sighting = sightings[i];
     all += seen_[i].weight;
@@ -122,6 +138,7 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
     if (best == near_.size()) continue;
     taken_[best] = 1;
     matched += seen_[i].weight;
+    agreement += seen_[i].weight * std::exp(-nearest / 2);
     const std::size_t landmark = static_cast<std::size_t>(near_[best]);
     pairs_.push_back({i, landmark});
     const Vec2 by_tilt = params_.covariance ? sighting.by_tilt : Vec2(Vec2::Zero());
@@ -131,6 +148,7 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
                        .by_tilt = by_tilt});
   }
   matched_share_ = matched / all;
+  return agreement;
 }
 
 }  // namespace aisle

@@ -71,7 +71,8 @@ class LandmarkLocaliser {
  private:
   void gather(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
   MwghtWindow window() const;
-  void pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings, const Pose2& T_map_vehicle);
+  bool is_elsewhere(const Pose2& best, const Pose2& other) const;
+  double pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings, const Pose2& T_map_vehicle);
 
   LandmarkLocaliserParams params_;
   PoseFilter filter_;
