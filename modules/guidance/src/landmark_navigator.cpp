@@ -94,10 +94,13 @@ Decision LandmarkNavigator::step(const Observation& observation) {
   }
   if (observation.bumper_pressed) return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
   if (state_ == State::kLooking) return look_around(observation.stamp_s);
-  if (state_ == State::kFollowing && has_lost_itself()) {
-    state_ = State::kLost;
-    state_since_s_ = observation.stamp_s;
-    T_map_found_.clear();
+  if (state_ == State::kFollowing) {
+    why_lost_ = why_lost();
+    if (!why_lost_.empty()) {
+      state_ = State::kLost;
+      state_since_s_ = observation.stamp_s;
+      T_map_found_.clear();
+    }
   }
   if (state_ == State::kLost) return find_itself(observation.stamp_s);
   return follow(observation);
@@ -120,41 +123,39 @@ void LandmarkNavigator::locate(const Observation& observation) {
   stamp_s_ = observation.stamp_s;
 }
 
-bool LandmarkNavigator::has_lost_itself() const {
-  return position_sigma_m(localiser_.covariance()) > params_.lost_m ||
-         std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad ||
-         stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s;
+/// Why the vehicle does not know where it is; empty: it does.
+std::string LandmarkNavigator::why_lost() const {
+  const double sigma_m = position_sigma_m(localiser_.covariance());
+  if (sigma_m > params_.lost_m) return fmt::format("saw nothing that it knows until unsure by {:.2f} m", sigma_m);
+  if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "is unsure which way it points";
+  if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s) return "sees other things than it knows";
+  return "";
 }
 
 Decision LandmarkNavigator::look_around(double stamp_s) {
   if (stamp_s - *state_since_s_ < params_.look_s) return {.state = "looking"};
   state_ = State::kFollowing;
-  if (has_lost_itself()) {
-    state_ = State::kLost;
-    state_since_s_ = stamp_s;
-    return {.state = "lost", .why = "the start does not look as it was taught"};
-  }
   return {.state = "looking"};
 }
 
 /// Standing, the vehicle compares what it sees with all places that it knows; pictures in a row must agree.
 Decision LandmarkNavigator::find_itself(double stamp_s) {
   if (stamp_s - *state_since_s_ > params_.give_up_s) {
-    return {.status = NavigatorStatus::kFailed, .state = "lost", .why = "does not know where it is"};
+    return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
   }
-  if (sightings_.empty()) return {.state = "lost"};
+  if (sightings_.empty()) return {.state = "lost", .why = why_lost_};
   const auto found = relocator_.find(building_->landmarks, T_map_tried_, sightings_);
-  if (!found) return {.state = "lost"};
+  if (!found) return {.state = "lost", .why = why_lost_};
   const bool agrees = !T_map_found_.empty() &&
                       (T_map_found_.back().position() - found->position()).norm() < kAgreed_m;
   if (!agrees) T_map_found_.clear();
   T_map_found_.push_back(*found);
-  if (T_map_found_.size() < kAgreeing) return {.state = "lost"};
+  if (T_map_found_.size() < kAgreeing) return {.state = "lost", .why = why_lost_};
   localiser_.place(roughly(*found, kFoundSigma_m, kFoundSigma_rad));
   const LandmarkMatch match = localiser_.correct(building_->landmarks, sightings_);
   if (match != LandmarkMatch::kMatched || localiser_.matched_share() < params_.relocation.matched_share_min ||
       localiser_.pairs().size() < static_cast<std::size_t>(params_.relocation.pairs_min))
-    return {.state = "lost"};
+    return {.state = "lost", .why = why_lost_};
   const PathPoint nearest = path_.nearest(localiser_.pose().position(), 0, path_.length_m());
   if (std::abs(nearest.aside_m) > params_.off_route_max_m) {
     return {.status = NavigatorStatus::kFailed,

@@ -62,7 +62,7 @@ class LandmarkNavigator final : public Navigator {
   enum class State { kLooking, kFollowing, kLost };
 
   void locate(const Observation& observation);
-  bool has_lost_itself() const;
+  std::string why_lost() const;
   Decision look_around(double stamp_s);
   Decision find_itself(double stamp_s);
   Decision follow(const Observation& observation);
@@ -81,6 +81,7 @@ class LandmarkNavigator final : public Navigator {
   std::vector<LandmarkSighting> sightings_;
   std::vector<Pose2> T_map_found_;  ///< what picture after picture says while lost
   State state_ = State::kLooking;
+  std::string why_lost_;
   LandmarkMatch match_ = LandmarkMatch::kNothing;
   std::optional<double> state_since_s_;
   double stamp_s_ = 0;
