@@ -8,5 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (!building.ok()) return 0;
   const auto again = parse_building(building_json(*building), "written");
   require(again.ok() && again->walls.walls.size() == building->walls.walls.size());
+  require(again->landmarks.size() == building->landmarks.size());
+  require(again->routes.size() == building->routes.size());
   return 0;
 }

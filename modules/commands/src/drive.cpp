@@ -2,17 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "aisle/commands/parameter_listing.hpp"
-#include "aisle/commands/shipped_files.hpp"
 #include "aisle/core/clock.hpp"
-#include "aisle/formats/scenario_yaml.hpp"
-#include "aisle/formats/session_record.hpp"
-#include "aisle/formats/vehicle_yaml.hpp"
-#include "aisle/formats/world_yaml.hpp"
-#include "aisle/guidance/mission.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "changed_parameters.hpp"
+#include "rounded.hpp"
+#include "simulated_record.hpp"
+#include "simulation_setting.hpp"
 
 namespace aisle {
 namespace {
@@ -20,119 +17,44 @@ namespace {
 /// All that a drive is made of, read and checked.
 struct Drive {
   DriveParams params;
-  std::filesystem::path world_file;
-  World world;
-  VehicleModel vehicle;
-  Scenario scenario;
+  SimulationSetting setting;
   Pose2 T_world_start;
 };
-
-/// Keeps a simulated mission as a session, the truth beside it; without a session nothing.
-class SimulatedRecord final : public MissionRecord {
- public:
-  SimulatedRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle)
-      : session_(session), vehicle_(vehicle) {}
-
-  Result<Observation> keep(Observation observation) override {
-    pictures_ += observation.pictures.size();
-    if (!session_) return observation;
-    const SimulatedTruth& truth = vehicle_.truth();
-    auto kept = session_->keep(std::move(observation));
-    if (!kept) return kept.problems();
-    Problems problems = session_->keep_truth(truth.stamp_s, truth.T_world_vehicle);
-    if (!problems.empty()) return problems;
-    return kept;
-  }
-
-  Problems keep(const Decision& decision) override {
-    return session_ ? session_->keep(decision) : Problems{};
-  }
-
-  std::size_t pictures() const { return pictures_; }
-
- private:
-  std::optional<SessionRecord>& session_;
-  const SimulatedVehicle& vehicle_;
-  std::size_t pictures_ = 0;
-};
-
-/// A scenario's places mean something in its own world, and in no other.
-Problems check_world(const DriveOptions& options, const Drive& drive) {
-  const std::string& needed = drive.scenario.world;
-  if (needed.empty() || needed == drive.world.name) return {};
-  return {{{options.scenario, 0, "world"},
-           fmt::format("it happens in the world '{}', this is '{}'", needed, drive.world.name)}};
-}
-
-/// Every place where the vehicle is set down.
-Problems check_places(const DriveOptions& options, const Drive& drive) {
-  const Footprint& footprint = drive.vehicle.description.footprint;
-  Problems problems;
-  if (!fits(drive.world, footprint, drive.T_world_start)) {
-    const std::string key = drive.world.start ? "start" : "tour";
-    problems.push_back({{drive.world_file.string(), 0, key}, "the vehicle does not fit there"});
-  }
-  for (std::size_t i = 0; i < drive.scenario.events.size(); ++i) {
-    const auto* lifted = std::get_if<Lifted>(&drive.scenario.events[i].fault);
-    if (lifted == nullptr || fits(drive.world, footprint, lifted->T_world_vehicle)) continue;
-    problems.push_back(
-        {{options.scenario, 0, fmt::format("events[{}].lift", i)}, "the vehicle does not fit there"});
-  }
-  return problems;
-}
 
 Result<Drive> read_drive(const DriveOptions& options) {
   Drive drive;
   FieldList fields = fields_of(drive.params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
-  drive.world_file = shipped_or_own("worlds", options.world);
-  auto world = read_world(drive.world_file);
-  if (!world) return world.problems();
-  drive.world = std::move(*world);
-  auto vehicle = read_vehicle(shipped_or_own("vehicles", options.vehicle));
-  if (!vehicle) return vehicle.problems();
-  drive.vehicle = std::move(*vehicle);
-  if (!options.scenario.empty()) {
-    auto scenario = read_scenario(shipped_or_own("scenarios", options.scenario));
-    if (!scenario) return scenario.problems();
-    drive.scenario = std::move(*scenario);
+  auto setting = read_setting(options.world, options.vehicle, options.scenario);
+  if (!setting) return setting.problems();
+  drive.setting = std::move(*setting);
+  if (!options.camera.empty()) {
+    std::erase_if(drive.setting.vehicle.description.cameras,
+                  [&](const CameraDescription& camera) { return camera.name != options.camera; });
+    if (drive.setting.vehicle.description.cameras.empty())
+      return Problem{{options.vehicle, 0, "cameras"}, "there is no camera " + options.camera};
   }
-  if (Problems problems = check_world(options, drive); !problems.empty()) return problems;
-  const auto start = start_pose(drive.world);
-  if (!start) return Problem{{drive.world_file.string(), 0, "start"}, "is missing, and there is no tour"};
+  const auto start = start_in(drive.setting);
+  if (!start) return start.problems();
   drive.T_world_start = *start;
-  if (!options.keys && drive.world.tour.size() < 2)
-    return Problem{{drive.world_file.string(), 0, "tour"}, "needs at least two way points to be followed"};
-  if (Problems problems = check_places(options, drive); !problems.empty()) return problems;
-  return drive;
-}
-
-/// The hand driver's parameters that are not as shipped.
-std::map<std::string, std::string> changed(HandDriverParams params) {
-  HandDriverParams shipped;
-  const FieldList fields = fields_of(params), shipped_fields = fields_of(shipped);
-  std::map<std::string, std::string> values;
-  for (std::size_t i = 0; i < fields.all().size(); ++i) {
-    const Field& field = fields.all()[i];
-    if (field.value_text() != shipped_fields.all()[i].value_text()) values[field.key] = field.value_text();
+  if (!options.keys && drive.setting.world.tour.size() < 2) {
+    return Problem{{drive.setting.world_file.string(), 0, "tour"},
+                   "needs at least two way points to be followed"};
   }
-  return values;
+  return drive;
 }
 
 Result<std::optional<SessionRecord>> open_session(const DriveOptions& options, const Drive& drive) {
   if (options.out.empty()) return std::optional<SessionRecord>{};
-  auto session = SessionRecord::create(options.out, options.force, drive.vehicle.description,
+  auto session = SessionRecord::create(options.out, options.force, drive.setting.vehicle.description,
                                        {.navigator = "hand",
-                                        .parameters = changed(drive.params.limits),
+                                        .parameters = changed_parameters(drive.params.limits),
                                         .seed = options.seed,
-                                        .simulated = true});
+                                        .simulated = true,
+                                        .building = {},
+                                        .route = options.route});
   if (!session) return session.problems();
   return std::optional<SessionRecord>(std::move(*session));
-}
-
-double rounded(double value, int digits) {
-  const double scale = std::pow(10, digits);
-  return std::round(value * scale) / scale;
 }
 
 Outcome outcome_of(const DriveOptions& options, const Drive& drive, const MissionEnd& end,
@@ -141,7 +63,7 @@ Outcome outcome_of(const DriveOptions& options, const Drive& drive, const Missio
   const double factor = truth.stamp_s / std::max(worked_s, 1e-6);
   outcome.figures = {{"simulated", true},
                      {"seed", options.seed},
-                     {"vehicle", drive.vehicle.description.name},
+                     {"vehicle", drive.setting.vehicle.description.name},
                      {"cycles", end.cycles},
                      {"duration_s", rounded(truth.stamp_s, 3)},
                      {"distance_m", rounded(truth.way_m, 3)},
@@ -154,22 +76,17 @@ Outcome outcome_of(const DriveOptions& options, const Drive& drive, const Missio
   outcome.text = fmt::format(
       "simulated drive through {} with {}: {:.1f} m in {:.1f} s, {} collision{}; {}{}{}\n"
       "{} pictures; {:.1f} times as fast as real time{}\n",
-      drive.world.name, drive.vehicle.description.name, truth.way_m, truth.stamp_s, truth.collisions,
+      drive.setting.world.name, drive.setting.vehicle.description.name, truth.way_m, truth.stamp_s, truth.collisions,
       truth.collisions == 1 ? "" : "s", end.state, end.why.empty() ? "" : ": ", end.why, pictures, factor,
       options.out.empty() ? "" : "; session in " + options.out.string());
   return outcome;
 }
 
-/// Ends a session; what was driven before an interruption stays.
-Problems close(std::optional<SessionRecord>& session) {
-  return session ? session->close() : Problems{};
-}
-
 Result<std::unique_ptr<Operator>> operator_of(const DriveOptions& options, const Drive& drive) {
-  const VehicleDescription& vehicle = drive.vehicle.description;
+  const VehicleDescription& vehicle = drive.setting.vehicle.description;
   if (options.keys) return options.keys(vehicle, drive.params.keys);
   return std::unique_ptr<Operator>(
-      std::make_unique<ScriptedOperator>(drive.world, vehicle, drive.params.person, options.seed));
+      std::make_unique<ScriptedOperator>(drive.setting.world, vehicle, drive.params.person, options.seed));
 }
 
 }  // namespace
@@ -188,7 +105,7 @@ Result<Outcome> run_drive(const DriveOptions& options, Console& console) {
   if (!session) return session.problems();
 
   SimulatedVehicle vehicle(
-      drive->world, drive->vehicle, drive->scenario,
+      drive->setting.world, drive->setting.vehicle, drive->setting.scenario,
       {.seed = options.seed, .T_world_start = drive->T_world_start, .takes_pictures = options.takes_pictures},
       person->get());
   HandDriver driver(drive->params.limits);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "aisle/guidance/hand_driver.hpp"
+#include "changed_parameters.hpp"
+#include "landmark_driver.hpp"
 
 namespace aisle {
 namespace {
@@ -14,18 +16,20 @@ struct Entry {
 
 Result<std::unique_ptr<Navigator>> make_hand_driver(const SessionOrigin& origin, const VehicleDescription&) {
   HandDriverParams params;
-  FieldList fields = fields_of(params);
-  Problems problems;
-  for (const auto& [key, value] : origin.parameters) {
-    const Problems wrong = fields.assign(key, value, {"", 0, key});
-    problems.insert(problems.end(), wrong.begin(), wrong.end());
-  }
-  if (!problems.empty()) return problems;
+  if (Problems problems = assign_all(params, origin.parameters); !problems.empty()) return problems;
   return std::unique_ptr<Navigator>(std::make_unique<HandDriver>(params));
 }
 
+Result<std::unique_ptr<Navigator>> make_landmark_navigator(const SessionOrigin& origin,
+                                                           const VehicleDescription& vehicle) {
+  auto driver = LandmarkDriver::make(origin, vehicle);
+  if (!driver) return driver.problems();
+  return std::unique_ptr<Navigator>(std::move(*driver));
+}
+
 const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all = {{"hand", make_hand_driver}};
+  static const std::vector<Entry> all = {{"hand", make_hand_driver},
+                                         {LandmarkDriver::kName, make_landmark_navigator}};
   return all;
 }
 

@@ -1,6 +1,7 @@
 #include "aisle/commands/process_usage.hpp"
 
 #include <sys/resource.h>
+#include <time.h>
 
 namespace aisle {
 namespace {
@@ -20,6 +21,12 @@ double seconds(const timeval& time) {
 double process_cpu_s() {
   const rusage used = usage();
   return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+double thread_cpu_s() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 double process_peak_rss_mb() {

@@ -43,18 +43,26 @@ nlohmann::ordered_json topic_json(const TopicSummary& topic) {
 nlohmann::ordered_json origin_json(const Result<SessionCycles>& cycles) {
   if (!cycles) return nullptr;
   const SessionOrigin& origin = cycles->origin();
-  return {{"navigator", origin.navigator},
-          {"parameters", origin.parameters},
-          {"seed", origin.seed},
-          {"simulated", origin.simulated},
-          {"vehicle", cycles->vehicle().name}};
+  nlohmann::ordered_json json = {{"navigator", origin.navigator},
+                                 {"parameters", origin.parameters},
+                                 {"seed", origin.seed},
+                                 {"simulated", origin.simulated},
+                                 {"vehicle", cycles->vehicle().name}};
+  if (!origin.route.empty()) {
+    json["route"] = origin.route;
+    json["in_reverse"] = origin.in_reverse;
+  }
+  return json;
 }
 
 std::string origin_text(const Result<SessionCycles>& cycles) {
   if (!cycles) return "not recorded by aisle: it can be cut, but not replayed\n";
   const SessionOrigin& origin = cycles->origin();
-  return fmt::format("{}vehicle '{}' driven by navigator '{}', seed {}\n",
-                     origin.simulated ? "simulated " : "", cycles->vehicle().name, origin.navigator,
+  const std::string route = origin.route.empty() ? ""
+                                                 : fmt::format(" along route '{}'{}", origin.route,
+                                                               origin.in_reverse ? " in reverse" : "");
+  return fmt::format("{}vehicle '{}' driven by navigator '{}'{}, seed {}\n",
+                     origin.simulated ? "simulated " : "", cycles->vehicle().name, origin.navigator, route,
                      origin.seed);
 }
 

@@ -69,10 +69,13 @@ std::string comparison_text(const Comparison& comparison) {
       comparison.different, comparison.compared, first.cycle, first.stamp_s, first.recorded, first.replayed);
 }
 
-/// The navigator that drove, or another one with its defaults.
+/// The navigator that drove, or another one with its defaults, which knows the same building and route.
 SessionOrigin driver_of(const SessionOrigin& recorded, const std::string& navigator) {
   if (navigator.empty() || navigator == recorded.navigator) return recorded;
-  return {.navigator = navigator, .parameters = {}, .seed = recorded.seed, .simulated = recorded.simulated};
+  SessionOrigin other = recorded;
+  other.navigator = navigator;
+  other.parameters.clear();
+  return other;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ namespace aisle {
 namespace {
 
 constexpr double kCoordinateLimit_m = 1e6;
+constexpr std::size_t kNameBytesMax = 200;
 
 }  // namespace
 
@@ -33,9 +34,24 @@ void JsonValue::read(bool& target) const {
   target = value_.get<bool>();
 }
 
+void JsonValue::read_name(std::string& target) const {
+  std::string name;
+  if (value_.is_string()) name = value_.get<std::string>();
+  if (name.empty() || name.size() > kNameBytesMax)
+    return wrong(fmt::format("is not a text of 1 to {} bytes", kNameBytesMax));
+  target = std::move(name);
+}
+
 void JsonValue::read_count(int& target) const {
   if (!value_.is_number_integer() || value_ < 0 || value_ > std::numeric_limits<int>::max()) {
     return wrong("is not a whole number from 0 on");
+  }
+  target = value_.get<int>();
+}
+
+void JsonValue::read_count(int& target, int min, int max) const {
+  if (!value_.is_number_integer() || value_ < min || value_ > max) {
+    return wrong(fmt::format("is not a whole number from {} to {}", min, max));
   }
   target = value_.get<int>();
 }
@@ -63,11 +79,17 @@ bool JsonValue::is_list_of(std::size_t count) const {
   return fits;
 }
 
+bool JsonValue::is_list_up_to(std::size_t count_max) const {
+  if (!is_list()) return false;
+  if (value_.size() > count_max) wrong(fmt::format("has more than {} elements", count_max));
+  return value_.size() <= count_max;
+}
+
 JsonValue JsonValue::element(std::size_t index) const {
   return {value_[index], fmt::format("{}[{}]", path_, index), problems_};
 }
 
-bool JsonValue::is_object_of(std::initializer_list<std::string_view> known) const {
+bool JsonValue::is_object_of(const std::vector<std::string_view>& known) const {
   if (!value_.is_object()) {
     wrong("is not an object");
     return false;

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "aisle/core/result.hpp"
 #include "aisle/geometry/pose2.hpp"
@@ -26,7 +26,10 @@ class JsonValue {
 
   void read(std::string& target) const;
   void read(bool& target) const;
+  /// A text that is not empty and has at most 200 bytes.
+  void read_name(std::string& target) const;
   void read_count(int& target) const;
+  void read_count(int& target, int min, int max) const;
   void read_number(double& target, double min, double max) const;
   /// [x, y] in metres.
   void read_point(Vec2& target) const;
@@ -34,11 +37,12 @@ class JsonValue {
   bool is(std::string_view text) const { return value_ == text; }
   bool is_list() const;
   bool is_list_of(std::size_t count) const;
+  bool is_list_up_to(std::size_t count_max) const;
   std::size_t size() const { return value_.size(); }
   JsonValue element(std::size_t index) const;
 
   /// Whether this is an object; keys other than `known` are problems.
-  bool is_object_of(std::initializer_list<std::string_view> known) const;
+  bool is_object_of(const std::vector<std::string_view>& known) const;
   std::optional<JsonValue> find(const char* key) const;
   /// Like find(), but a missing key is a problem.
   std::optional<JsonValue> require(const char* key) const;

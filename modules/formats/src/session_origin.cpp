@@ -15,9 +15,12 @@ constexpr int kSessionVersion = 1;
 }  // namespace
 
 std::string session_origin_json(const SessionOrigin& origin) {
-  const Json json = {{"format", kSessionFormat},      {"version", kSessionVersion},
-                     {"navigator", origin.navigator}, {"parameters", origin.parameters},
-                     {"seed", origin.seed},           {"simulated", origin.simulated}};
+  Json json = {{"format", kSessionFormat},      {"version", kSessionVersion},
+               {"navigator", origin.navigator}, {"parameters", origin.parameters},
+               {"seed", origin.seed},           {"simulated", origin.simulated}};
+  if (!origin.building.empty()) json["building"] = origin.building;
+  if (!origin.route.empty()) json["route"] = origin.route;
+  if (origin.in_reverse) json["in_reverse"] = true;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -33,7 +36,10 @@ Result<SessionOrigin> parse_session_origin(std::string_view text, const std::str
     return SessionOrigin{.navigator = json.at("navigator").get<std::string>(),
                          .parameters = json.at("parameters").get<std::map<std::string, std::string>>(),
                          .seed = json.at("seed").get<std::uint64_t>(),
-                         .simulated = json.at("simulated").get<bool>()};
+                         .simulated = json.at("simulated").get<bool>(),
+                         .building = json.value("building", ""),
+                         .route = json.value("route", ""),
+                         .in_reverse = json.value("in_reverse", false)};
   } catch (const Json::exception&) {
     return Problem{{name}, "does not say what made the session"};
   }

@@ -15,6 +15,8 @@ using testing::SizeIs;
 
 const std::filesystem::path golden =
     std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden/building.v1.json";
+const std::filesystem::path golden_routes =
+    std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden/building_routes.v1.json";
 
 std::string problems(const std::string& text) {
   const auto building = parse_building(text, "b.json");
@@ -62,8 +64,16 @@ TEST(BuildingJson, VersionOneStaysReadable) {
   EXPECT_FALSE(building->walls.walls[2].is_orthogonal);
 }
 
-TEST(BuildingJson, WritesTheGoldenFileAsItStands) {
+TEST(BuildingJson, WritesTheGoldenFilesAsTheyStand) {
   EXPECT_EQ(building_json(*read_building(golden)), *read_whole_file(golden));
+  EXPECT_EQ(building_json(*read_building(golden_routes)), *read_whole_file(golden_routes));
+}
+
+TEST(BuildingJson, WallsAloneHaveNoLandmarks) {
+  const auto building = read_building(golden);
+  EXPECT_FALSE(building->camera);
+  EXPECT_TRUE(building->landmarks.empty());
+  EXPECT_TRUE(building->routes.empty());
 }
 
 RC_GTEST_PROP(BuildingJson, ReadingItGivesTheSameBuildingToTheMillimetre, (std::uint64_t seed)) {

@@ -55,11 +55,13 @@ TEST(DocumentedExamples, BothFormsOfRelationsAreReadAndSayTheSame) {
   }
 }
 
-TEST(DocumentedExamples, TheBuildingIsReadAndWrittenAsItStands) {
-  const std::string text = example("building.md");
-  const auto building = parse_building(text, "building.md");
-  ASSERT_TRUE(building.ok()) << to_string(building.problems());
-  EXPECT_EQ(building_json(*building), text);
+TEST(DocumentedExamples, TheBuildingsAreReadAndWrittenAsTheyStand) {
+  for (const int form : {0, 1}) {
+    const std::string text = example("building.md", form);
+    const auto building = parse_building(text, "building.md");
+    ASSERT_TRUE(building.ok()) << to_string(building.problems());
+    EXPECT_EQ(building_json(*building), text);
+  }
 }
 
 TEST(DocumentedExamples, TheTrajectoryIsReadAndWrittenAsItStands) {
@@ -97,16 +99,26 @@ std::string example_line(const std::string& page, int index) {
 }
 
 TEST(DocumentedExamples, TheSessionsTextsAreReadAndWrittenAsTheyStand) {
-  const std::string origin_text = example_line("session.md", 0);
-  const auto origin = parse_session_origin(origin_text, "session.md");
-  ASSERT_TRUE(origin.ok()) << to_string(origin.problems());
-  EXPECT_EQ(session_origin_json(*origin), origin_text);
-  const auto decision = parse_decision(example_line("session.md", 1));
+  for (const int form : {0, 1}) {
+    const std::string origin_text = example_line("session.md", form);
+    const auto origin = parse_session_origin(origin_text, "session.md");
+    ASSERT_TRUE(origin.ok()) << to_string(origin.problems());
+    EXPECT_EQ(session_origin_json(*origin), origin_text);
+  }
+  const auto decision = parse_decision(example_line("session.md", 2));
   ASSERT_TRUE(decision);
-  EXPECT_EQ(decision_text(*decision), example_line("session.md", 1));
-  const auto input = parse_operator(example_line("session.md", 2));
+  EXPECT_EQ(decision_text(*decision), example_line("session.md", 2));
+  const auto input = parse_operator(example_line("session.md", 3));
   ASSERT_TRUE(input);
-  EXPECT_EQ(operator_text(*input), example_line("session.md", 2));
+  EXPECT_EQ(operator_text(*input), example_line("session.md", 3));
+}
+
+TEST(DocumentedExamples, ASessionOfALandmarkMissionHoldsABuilding) {
+  const auto origin = parse_session_origin(example_line("session.md", 1), "session.md");
+  ASSERT_TRUE(origin.ok()) << to_string(origin.problems());
+  EXPECT_TRUE(parse_building(origin->building, "building").ok());
+  EXPECT_EQ(origin->route, "desk to stairs");
+  EXPECT_TRUE(origin->in_reverse);
 }
 
 TEST(DocumentedExamples, ThePlanIsARoomWithAPillar) {

@@ -1,21 +1,20 @@
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "aisle/vision/base_lines.hpp"
+#include "line_contrast.hpp"
 
 namespace aisle {
 
 namespace {
 
 // Shares of the picture's height.
-constexpr double kOnFloor = 0.015;     // a line that begins this far beneath the base line lies on the floor
-constexpr double kBeneath = 0.03;      // a line that reaches this far beneath it may be its own reflection
-constexpr double kBeyondEnd = 0.04;    // beneath the far ends of both base lines there is floor between them
-constexpr double kBorder = 0.01;       // a line cut by the picture's border shows no lower end
-constexpr double kFaded = 0.6;         // share of its contrast that a line loses at the floor to end there
-constexpr double kBoardDepth = 0.25;   // what ends lower stands on the floor: share of the camera's height
-constexpr double kBeside = 2.0 / 640;  // contrast is measured this share of the width to either side
+constexpr double kOnFloor = 0.015;    // a line that begins this far beneath the base line lies on the floor
+constexpr double kBeneath = 0.03;     // a line that reaches this far beneath it may be its own reflection
+constexpr double kBeyondEnd = 0.04;   // beneath the far ends of both base lines there is floor between them
+constexpr double kBorder = 0.01;      // a line cut by the picture's border shows no lower end
+constexpr double kFaded = 0.6;        // share of its contrast that a line loses at the floor to end there
+constexpr double kBoardDepth = 0.25;  // what ends lower stands on the floor: share of the camera's height
 
 /// Height of a base line, continued towards the viewer; nullopt beyond its far end.
 std::optional<double> v_on(const BaseLine& line, double u_px) {
@@ -40,27 +39,6 @@ std::optional<double> floor_from(const BaseLines& lines, double u_px, int height
   if (const auto v_px = v_on_any(lines, u_px)) return v_px;
   if (!lines.left || !lines.right) return std::nullopt;
   return std::max(lines.left->front().y(), lines.right->front().y()) + kBeyondEnd * height_px;
-}
-
-double u_at(const VerticalLine& line, double v_px) {
-  const Vec2 down = line.bottom_px - line.top_px;
-  return line.top_px.x() + down.x() / down.y() * (v_px - line.top_px.y());
-}
-
-/// Mean step across a line between two heights, in the direction of its own.
-double contrast_between(const Image& grey, const VerticalLine& line, double top_px, double bottom_px) {
-  const int beside_px = std::max(1, static_cast<int>(std::lround(kBeside * grey.width_px)));
-  const int first = std::max(0, static_cast<int>(std::ceil(top_px)));
-  const int last = std::min(grey.height_px - 1, static_cast<int>(bottom_px));
-  double sum = 0;
-  int count = 0;
-  for (int v = first; v <= last; ++v) {
-    const int u = static_cast<int>(std::lround(u_at(line, v)));
-    if (u - beside_px < 0 || u + beside_px >= grey.width_px) continue;
-    sum += grey.row(v)[u + beside_px] - grey.row(v)[u - beside_px];
-    ++count;
-  }
-  return count == 0 ? 0 : std::copysign(1.0, line.contrast) * sum / count;
 }
 
 /// The line without what of it is a reflection in the floor; nullopt if nothing remains.

@@ -5,6 +5,9 @@ namespace aisle {
 /// Processor time of this process so far, user and system [s].
 double process_cpu_s();
 
+/// Processor time of the calling thread so far, user and system [s].
+double thread_cpu_s();
+
 /// The most memory that this process has held so far [MB, 10^6 bytes].
 double process_peak_rss_mb();
 

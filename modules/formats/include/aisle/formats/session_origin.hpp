@@ -15,6 +15,9 @@ struct SessionOrigin {
   std::map<std::string, std::string> parameters;  ///< the navigator's, where they differ from the defaults
   std::uint64_t seed = 0;
   bool simulated = false;
+  std::string building = {};  ///< what the navigator knew, as the text of a building file; empty: nothing
+  std::string route = {};     ///< of that building, which it drove; empty: none
+  bool in_reverse = false;    ///< the route's way back
 
   friend bool operator==(const SessionOrigin&, const SessionOrigin&) = default;
 };

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/commands/parameter_sources.hpp"
+
+namespace aisle {
+
+struct RefineOptions {
+  std::filesystem::path building;
+  std::vector<std::filesystem::path> sessions;  ///< trips along its routes, in this order
+  std::filesystem::path out;                    ///< empty: figures only
+  bool force = false;
+  ParameterSources parameters;
+};
+
+/// `aisle refine BUILDING SESSION...`: a building's landmarks after more trips (C98 Algorithm 4).
+Result<Outcome> run_refine(const RefineOptions& options, Console& console);
+
+/// Every parameter of `aisle refine` with its default.
+Outcome refine_parameters();
+
+}  // namespace aisle

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "aisle/commands/drive.hpp"
+
+namespace aisle {
+
+struct TeachOptions {
+  DriveOptions drive;  ///< `out` is needed
+  std::string method = "landmarks";
+  std::string route = "route";  ///< its name
+};
+
+/// `aisle teach WORLD`: a person drives a route once, and the session keeps what the method will learn from.
+Result<Outcome> run_teach(const TeachOptions& options, Console& console);
+
+}  // namespace aisle

@@ -1,0 +1,70 @@
+#pragma once
+/// How well a simulated mission knew where it was and kept to its path. Nothing of this is ever seen by a navigator.
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
+
+#include "aisle/control/path.hpp"
+#include "aisle/geometry/pose2.hpp"
+#include "aisle/guidance/landmark_navigator.hpp"
+
+namespace aisle {
+
+/// How a learned map lies in the world, told by the trip that taught it: the map's drift over a long way is not an
+/// error of driving by it. Where the vehicle is on the map is judged against the nearest pose of that trip.
+class MapTruth {
+ public:
+  MapTruth() = default;
+  /// The two are of the same moments; not empty.
+  MapTruth(std::vector<Pose2> T_map_taught, std::vector<Pose2> T_world_taught);
+
+  bool empty() const { return T_map_taught_.empty(); }
+
+  /// Where a vehicle that is thought to be at `T_map_thought` really is on the map.
+  Pose2 on_map(const Pose2& T_world_vehicle, const Pose2& T_map_thought) const;
+  /// Where in the world a place of the map is.
+  Pose2 in_world(const Pose2& T_map_place) const;
+
+  const std::vector<Pose2>& T_map_taught() const { return T_map_taught_; }
+  const std::vector<Pose2>& T_world_taught() const { return T_world_taught_; }
+
+ private:
+  std::size_t nearest(const Pose2& T_map_place) const;
+
+  std::vector<Pose2> T_map_taught_, T_world_taught_;
+};
+
+/// Root mean square and greatest magnitude of an error.
+class ErrorFigure {
+ public:
+  void add(double error);
+  double rms() const;
+  double worst() const { return worst_; }
+  std::size_t count() const { return count_; }
+
+ private:
+  double sum_of_squares_ = 0;
+  double worst_ = 0;
+  std::size_t count_ = 0;
+};
+
+/// Errors of one mission, cycle by cycle.
+class MissionErrors {
+ public:
+  MissionErrors(const MapTruth& truth, const Path& path) : truth_(truth), path_(path) {}
+
+  void add(const LandmarkFix& fix, const Pose2& T_world_vehicle);
+
+  ErrorFigure across_m, along_m, heading_rad;  ///< of the pose, while it was sure
+  ErrorFigure tracking_m;                      ///< of the vehicle against its path
+  bool wrong_confident = false;                ///< ever off by more than half a metre and yet sure
+
+ private:
+  const MapTruth& truth_;
+  const Path& path_;
+  double along_path_m_ = 0;
+};
+
+}  // namespace aisle

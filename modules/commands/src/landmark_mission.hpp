@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/core/progress.hpp"
+#include "aisle/core/result.hpp"
+#include "aisle/formats/session_record.hpp"
+#include "aisle/guidance/landmark_navigator.hpp"
+#include "aisle/guidance/mission.hpp"
+#include "landmark_driver.hpp"
+#include "landmark_evaluation.hpp"
+#include "landmark_trip.hpp"
+#include "simulation_setting.hpp"
+
+namespace aisle {
+
+/// What a simulated mission along a learned route came to.
+struct LandmarkMissionResult {
+  /// Both must outlive the result.
+  LandmarkMissionResult(const MapTruth& truth, const Path& path) : errors(truth, path) {}
+
+  MissionEnd end;
+  std::size_t collisions = 0;
+  std::size_t lost_count = 0;
+  double distance_m = 0;
+  MissionErrors errors;
+  std::vector<double> cycle_s;       ///< processor time of each cycle, from image to command
+  LandmarkTrip trip;                 ///< for refinement
+  std::vector<Pose2> T_map_vehicle;  ///< as the vehicle thought
+  std::vector<Pose2> T_map_true;     ///< as it was, on the map
+  std::vector<Vec2> p_map_sightings;
+};
+
+struct LandmarkMissionOptions {
+  std::uint64_t seed = 1;
+  double start_sigma_m = 0.05;  ///< how far beside the route's start the vehicle is set down
+  double start_sigma_rad = 1 * kDegree;
+};
+
+/// Sets the vehicle down about the path's start and lets it drive there by itself.
+Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, LandmarkDriver& driver,
+                                                     const MapTruth& truth, const LandmarkMissionOptions& options,
+                                                     std::optional<SessionRecord>& session, Progress& progress);
+
+/// The figures of a mission as `navigate` prints them.
+nlohmann::ordered_json figures_of(const LandmarkMissionResult& result);
+
+/// The value that a share of all values is not above; 0 if there are none.
+double quantile(std::vector<double> values, double share);
+
+}  // namespace aisle

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "aisle/core/progress.hpp"
+#include "aisle/core/result.hpp"
+#include "aisle/formats/session_origin.hpp"
+#include "aisle/learning/landmark_learning.hpp"
+#include "aisle/vehicle/camera_description.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+
+namespace aisle {
+
+/// A trip as landmarks are learned from it.
+struct LandmarkTrip {
+  VehicleDescription vehicle;
+  CameraDescription camera;
+  std::vector<LandmarkCycle> cycles;
+  std::vector<Pose2> T_world_vehicle;  ///< the truth of each cycle, if the trip was simulated: for evaluation only
+};
+
+/// The camera that looks along corridors: the one of that name, else the first. The vehicle must have one.
+const CameraDescription& corridor_camera(const VehicleDescription& vehicle);
+
+/// Finds the landmarks in one cycle after another.
+class LandmarkTripCollector {
+ public:
+  LandmarkTripCollector(const LandmarkSightingParams& params, const VehicleDescription& vehicle);
+
+  void add(const Observation& observation);
+
+  LandmarkTrip trip;
+
+ private:
+  LandmarkDetector detector_;
+};
+
+/// A recorded trip. A session without pictures of that camera is a problem.
+Result<LandmarkTrip> read_landmark_trip(const std::filesystem::path& session, const LandmarkSightingParams& params,
+                                        Progress& progress);
+
+}  // namespace aisle

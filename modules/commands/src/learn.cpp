@@ -1,0 +1,75 @@
+#include "aisle/commands/learn.hpp"
+
+#include <fmt/format.h>
+
+#include "aisle/commands/output_directory.hpp"
+#include "aisle/commands/parameter_listing.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/session_cycles.hpp"
+#include "landmark_lesson.hpp"
+#include "learned_files.hpp"
+#include "methods.hpp"
+#include "rounded.hpp"
+
+namespace aisle {
+namespace {
+
+Outcome outcome_of(const LandmarkTrip& trip, const LandmarkLesson& lesson) {
+  const Route& route = lesson.building.routes.front();
+  std::size_t pictures = 0, sightings = 0;
+  for (const LandmarkCycle& cycle : trip.cycles) {
+    pictures += cycle.sightings.empty() ? 0 : 1;
+    sightings += cycle.sightings.size();
+  }
+  Outcome outcome{.verb = "learn"};
+  outcome.figures = {{"cycles", trip.cycles.size()},
+                     {"pictures_with_landmarks", pictures},
+                     {"sightings", sightings},
+                     {"landmarks", lesson.building.landmarks.size()},
+                     {"route", route.name},
+                     {"length_m", rounded(route.path.length_m(), 3)},
+                     {"pieces", route.path.pieces().size()}};
+  outcome.text = fmt::format(
+      "learned {} landmarks from {} sightings in {} pictures\n"
+      "route {}: {:.1f} m in {} lines and arcs\n",
+      lesson.building.landmarks.size(), sightings, pictures, route.name, route.path.length_m(),
+      route.path.pieces().size());
+  return outcome;
+}
+
+}  // namespace
+
+Outcome learn_parameters() {
+  LandmarkLessonParams params;
+  return parameter_listing("learn", fields_of(params));
+}
+
+Result<Outcome> run_learn(const LearnOptions& options, Console& console) {
+  if (Problems problems = check_method(options.method); !problems.empty()) return problems;
+  LandmarkLessonParams params;
+  FieldList fields = fields_of(params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  std::optional<OutputDirectory> directory;
+  if (!options.out.empty()) {
+    auto opened = OutputDirectory::open(options.out, options.force, learned_file_names());
+    if (!opened) return opened.problems();
+    directory = std::move(*opened);
+  }
+  const auto trip = read_landmark_trip(options.session, params.sightings, console.progress);
+  if (!trip) return trip.problems();
+  const auto origin = SessionCycles::open(options.session);
+  if (!origin) return origin.problems();
+  const std::string& named = origin->origin().route;
+  const auto lesson = learn_lesson(*trip, named.empty() ? "route" : named, params);
+  if (!lesson) return at_file(lesson.problems(), options.session.string());
+  Outcome outcome = outcome_of(*trip, *lesson);
+  if (!directory) return outcome;
+  auto files = directory->write(
+      learned_files(lesson->building, MapTruth(lesson->T_map_taught, trip->T_world_vehicle), {}));
+  if (!files) return files.problems();
+  outcome.files = std::move(*files);
+  outcome.figures["building_bytes"] = building_json(lesson->building).size();
+  return outcome;
+}
+
+}  // namespace aisle

@@ -1,0 +1,47 @@
+#include "learned_files.hpp"
+
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/trajectory.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr const char* kTrip = "trip.tum";
+constexpr const char* kTripTruth = "trip_truth.tum";
+
+std::string numbered_tum(const std::vector<Pose2>& poses) {
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < poses.size(); ++i) numbers.push_back(static_cast<double>(i));
+  return tum_text(numbers, poses);
+}
+
+}  // namespace
+
+std::vector<std::string> learned_file_names() {
+  return {"building.json", kTrip, kTripTruth};
+}
+
+std::vector<OutputFile> learned_files(const Building& building, const MapTruth& truth,
+                                      const std::vector<Vec2>&) {
+  return {{"building", "building.json", building_json(building)},
+          {"trip", kTrip, numbered_tum(truth.T_map_taught())},
+          {"trip_truth", kTripTruth, numbered_tum(truth.T_world_taught())}};
+}
+
+Result<MapTruth> read_map_truth(const std::filesystem::path& building) {
+  const std::filesystem::path trip = building.parent_path() / kTrip, truth = building.parent_path() / kTripTruth;
+  if (!std::filesystem::exists(trip) || !std::filesystem::exists(truth)) return MapTruth();
+  auto thought = read_tum(trip);
+  if (!thought) return thought.problems();
+  auto real = read_tum(truth);
+  if (!real) return real.problems();
+  if (thought->T_map_vehicle.size() != real->T_map_vehicle.size()) return MapTruth();
+  return MapTruth(std::move(thought->T_map_vehicle), std::move(real->T_map_vehicle));
+}
+
+Problems at_file(Problems problems, const std::string& file) {
+  for (Problem& problem : problems) problem.where.file = file;
+  return problems;
+}
+
+}  // namespace aisle

@@ -1,0 +1,125 @@
+#include "aisle/commands/navigate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "aisle/commands/parameter_listing.hpp"
+#include "aisle/core/clock.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+#include "landmark_mission.hpp"
+#include "learned_files.hpp"
+#include "methods.hpp"
+#include "rounded.hpp"
+#include "simulated_record.hpp"
+
+namespace aisle {
+namespace {
+
+/// All that a mission is made of, read and checked.
+struct Mission {
+  SimulationSetting setting;
+  SessionOrigin origin;
+  std::unique_ptr<LandmarkDriver> driver;
+  MapTruth truth;
+};
+
+/// The name of the route that is asked for, or of the building's first.
+std::string route_name(const Building& building, const std::string& asked) {
+  return asked.empty() && !building.routes.empty() ? building.routes.front().name : asked;
+}
+
+/// How the map lies in the world: as learning left it beside the building, else the route begins at the world's start.
+Result<MapTruth> map_truth(const NavigateOptions& options, const SimulationSetting& setting) {
+  auto truth = read_map_truth(options.building);
+  if (!truth || !truth->empty()) return truth;
+  const auto start = start_in(setting);
+  if (!start) return start.problems();
+  return MapTruth({Pose2{}}, {*start});
+}
+
+Result<Mission> read_mission(const NavigateOptions& options) {
+  const std::string file = options.building.string();
+  LandmarkNavigatorParams params;
+  FieldList fields = fields_of(params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  if (options.speed_mps) params.speed.speed_mps = *options.speed_mps;
+  const auto text = read_whole_file(options.building);
+  if (!text) return text.problems();
+  const auto building = parse_building(*text, file);
+  if (!building) return building.problems();
+  auto setting = read_setting(options.world, options.vehicle, options.scenario);
+  if (!setting) return setting.problems();
+  Mission mission{.setting = std::move(*setting), .origin = {}, .driver = {}, .truth = {}};
+  VehicleDescription& vehicle = mission.setting.vehicle.description;
+  mission.origin = LandmarkDriver::origin(
+      params, {*text, route_name(*building, options.route), options.in_reverse});
+  mission.origin.seed = options.seed;
+  mission.origin.simulated = true;
+  auto driver = LandmarkDriver::make(mission.origin, vehicle);
+  if (!driver) return at_file(driver.problems(), file);
+  mission.driver = std::move(*driver);
+  std::erase_if(vehicle.cameras, [&](const CameraDescription& camera) { return camera.name != building->camera->name; });
+  auto truth = map_truth(options, mission.setting);
+  if (!truth) return truth.problems();
+  mission.truth = std::move(*truth);
+  if (!fits(mission.setting.world, vehicle.footprint, mission.truth.in_world(mission.driver->path().at(0).T_map_path)))
+    return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
+  return mission;
+}
+
+Outcome outcome_of(const NavigateOptions& options, const Mission& mission, const LandmarkMissionResult& result,
+                   double worked_s) {
+  const MissionErrors& errors = result.errors;
+  Outcome outcome{.verb = "navigate", .ok = result.end.arrived && result.collisions == 0};
+  outcome.figures = figures_of(result);
+  outcome.figures["simulated"] = true;
+  outcome.figures["seed"] = options.seed;
+  outcome.figures["route"] = mission.origin.route;
+  outcome.figures["in_reverse"] = options.in_reverse;
+  outcome.figures["landmarks"] = mission.driver->building().landmarks.size();
+  outcome.figures["real_time_factor"] = rounded(result.end.duration_s / std::max(worked_s, 1e-6), 1);
+  if (!options.out.empty()) outcome.files["session"] = options.out.string();
+  outcome.text = fmt::format(
+      "simulated: {}{}{}; {:.1f} m in {:.1f} s, {} collision{}, lost {} time{}\n"
+      "knew where it was to {:.1f} cm across, {:.1f} cm along, {:.2f} deg (rms)\n"
+      "kept to its path within {:.1f} cm (rms), {:.1f} cm (worst)\n",
+      result.end.state, result.end.why.empty() ? "" : ": ", result.end.why, result.distance_m,
+      result.end.duration_s, result.collisions, result.collisions == 1 ? "" : "s", result.lost_count,
+      result.lost_count == 1 ? "" : "s", 100 * errors.across_m.rms(), 100 * errors.along_m.rms(),
+      to_degrees(errors.heading_rad.rms()), 100 * errors.tracking_m.rms(), 100 * errors.tracking_m.worst());
+  return outcome;
+}
+
+}  // namespace
+
+Outcome navigate_parameters() {
+  LandmarkNavigatorParams params;
+  return parameter_listing("navigate", fields_of(params));
+}
+
+Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
+  if (Problems problems = check_method(options.method); !problems.empty()) return problems;
+  const auto mission = read_mission(options);
+  if (!mission) return mission.problems();
+  std::optional<SessionRecord> session;
+  if (!options.out.empty()) {
+    auto created =
+        SessionRecord::create(options.out, options.force, mission->setting.vehicle.description, mission->origin);
+    if (!created) return created.problems();
+    session = std::move(*created);
+  }
+  const SteadyClock clock;
+  const double begun_s = clock.now_s();
+  const auto result = drive_landmark_mission(mission->setting, *mission->driver, mission->truth,
+                                             {.seed = options.seed}, session, console.progress);
+  if (!result) return result.problems();
+  if (const Problems problems = close(session); !problems.empty()) return problems;
+  return outcome_of(options, *mission, *result, clock.now_s() - begun_s);
+}
+
+}  // namespace aisle

@@ -1,0 +1,96 @@
+#include "aisle/commands/refine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "aisle/commands/output_directory.hpp"
+#include "aisle/commands/parameter_listing.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/session_cycles.hpp"
+#include "aisle/vehicle/same_camera.hpp"
+#include "landmark_driver.hpp"
+#include "landmark_lesson.hpp"
+#include "learned_files.hpp"
+#include "rounded.hpp"
+
+namespace aisle {
+namespace {
+
+/// Where a trip began: at the start of its route, or of the way back. A session that names none of the building's
+/// routes begins at the first one's start.
+Pose2 start_of(const SessionOrigin& origin, const Building& building, const VehicleDescription& vehicle) {
+  for (const Route& route : building.routes) {
+    if (route.name != origin.route) continue;
+    const Path path = origin.in_reverse ? way_back(route.path, vehicle.footprint) : route.path;
+    return path.at(0).T_map_path;
+  }
+  return building.routes.empty() ? Pose2{} : building.routes.front().path.at(0).T_map_path;
+}
+
+/// One more trip. @return its figures
+Result<nlohmann::ordered_json> take_in(const std::filesystem::path& session, const LandmarkLessonParams& params,
+                                       Building& building, Progress& progress) {
+  const auto cycles = SessionCycles::open(session);
+  if (!cycles) return cycles.problems();
+  const auto trip = read_landmark_trip(session, params.sightings, progress);
+  if (!trip) return trip.problems();
+  if (Problems problems = check_same_camera(*building.camera, trip->camera); !problems.empty())
+    return at_file(problems, session.string());
+  const Pose2 T_map_start = start_of(cycles->origin(), building, cycles->vehicle());
+  RefinedLandmarks refined = refine_landmarks(building.landmarks, trip->cycles, trip->vehicle,
+                                              about_start(T_map_start), params.learning);
+  if (refined.matched_share < kKnownShareMin) {
+    return Problem{{session.string()},
+                   fmt::format("shows other landmarks than the building's: {:.0f} % of its pictures fit",
+                               100 * refined.matched_share)};
+  }
+  building.landmarks = std::move(refined.map);
+  return nlohmann::ordered_json{{"session", session.string()},
+                                {"matched_share", rounded(refined.matched_share, 3)},
+                                {"landmarks", building.landmarks.size()}};
+}
+
+}  // namespace
+
+Outcome refine_parameters() {
+  LandmarkLessonParams params;
+  return parameter_listing("refine", fields_of(params));
+}
+
+Result<Outcome> run_refine(const RefineOptions& options, Console& console) {
+  LandmarkLessonParams params;
+  FieldList fields = fields_of(params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  auto building = read_building(options.building);
+  if (!building) return building.problems();
+  if (building->landmarks.empty())
+    return Problem{{options.building.string(), 0, "landmarks"}, "are missing: there is nothing to refine"};
+  auto truth = read_map_truth(options.building);
+  if (!truth) return truth.problems();
+  std::optional<OutputDirectory> directory;
+  if (!options.out.empty()) {
+    auto opened = OutputDirectory::open(options.out, options.force, learned_file_names());
+    if (!opened) return opened.problems();
+    directory = std::move(*opened);
+  }
+  const std::size_t before = building->landmarks.size();
+  Outcome outcome{.verb = "refine"};
+  outcome.figures = {{"landmarks_before", before}, {"trips", nlohmann::ordered_json::array()}};
+  for (const std::filesystem::path& session : options.sessions) {
+    auto trip = take_in(session, params, *building, console.progress);
+    if (!trip) return trip.problems();
+    outcome.figures["trips"].push_back(std::move(*trip));
+  }
+  outcome.figures["landmarks"] = building->landmarks.size();
+  outcome.text = fmt::format("{} landmarks before, {} after {} trip{}\n", before, building->landmarks.size(),
+                             options.sessions.size(), options.sessions.size() == 1 ? "" : "s");
+  if (!directory) return outcome;
+  auto files = directory->write(learned_files(*building, *truth, {}));
+  if (!files) return files.problems();
+  outcome.files = std::move(*files);
+  return outcome;
+}
+
+}  // namespace aisle

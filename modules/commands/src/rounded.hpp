@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cmath>
+
+namespace aisle {
+
+/// A figure to so many decimals.
+inline double rounded(double value, int decimals) {
+  const double scale = std::pow(10, decimals);
+  return std::round(value * scale) / scale;
+}
+
+}  // namespace aisle

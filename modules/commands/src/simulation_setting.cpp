@@ -1,0 +1,63 @@
+#include "simulation_setting.hpp"
+
+#include <fmt/format.h>
+
+#include "aisle/commands/shipped_files.hpp"
+#include "aisle/formats/scenario_yaml.hpp"
+#include "aisle/formats/vehicle_yaml.hpp"
+#include "aisle/formats/world_yaml.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+
+namespace aisle {
+namespace {
+
+/// A scenario's places mean something in its own world, and in no other; a vehicle that is lifted must fit where it
+/// is put.
+Problems check_scenario(const std::string& file, const SimulationSetting& setting) {
+  Problems problems;
+  if (const std::string& needed = setting.scenario.world; !needed.empty() && needed != setting.world.name) {
+    problems.push_back(
+        {{file, 0, "world"},
+         fmt::format("it happens in the world '{}', this is '{}'", needed, setting.world.name)});
+  }
+  for (std::size_t i = 0; i < setting.scenario.events.size(); ++i) {
+    const auto* lifted = std::get_if<Lifted>(&setting.scenario.events[i].fault);
+    if (lifted == nullptr ||
+        fits(setting.world, setting.vehicle.description.footprint, lifted->T_world_vehicle))
+      continue;
+    problems.push_back({{file, 0, fmt::format("events[{}].lift", i)}, "the vehicle does not fit there"});
+  }
+  return problems;
+}
+
+}  // namespace
+
+Result<SimulationSetting> read_setting(const std::string& world, const std::string& vehicle,
+                                       const std::string& scenario) {
+  SimulationSetting setting;
+  setting.world_file = shipped_or_own("worlds", world);
+  auto read = read_world(setting.world_file);
+  if (!read) return read.problems();
+  setting.world = std::move(*read);
+  auto model = read_vehicle(shipped_or_own("vehicles", vehicle));
+  if (!model) return model.problems();
+  setting.vehicle = std::move(*model);
+  if (scenario.empty()) return setting;
+  auto faults = read_scenario(shipped_or_own("scenarios", scenario));
+  if (!faults) return faults.problems();
+  setting.scenario = std::move(*faults);
+  if (Problems problems = check_scenario(scenario, setting); !problems.empty()) return problems;
+  return setting;
+}
+
+Result<Pose2> start_in(const SimulationSetting& setting) {
+  const std::string file = setting.world_file.string();
+  const auto start = start_pose(setting.world);
+  if (!start) return Problem{{file, 0, "start"}, "is missing, and there is no tour"};
+  if (!fits(setting.world, setting.vehicle.description.footprint, *start)) {
+    return Problem{{file, 0, setting.world.start ? "start" : "tour"}, "the vehicle does not fit there"};
+  }
+  return *start;
+}
+
+}  // namespace aisle

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "aisle/core/result.hpp"
+#include "aisle/simulation/scenario.hpp"
+#include "aisle/simulation/vehicle_model.hpp"
+#include "aisle/simulation/world.hpp"
+
+namespace aisle {
+
+/// What a simulated mission happens in and with, read and checked.
+struct SimulationSetting {
+  std::filesystem::path world_file;
+  World world;
+  VehicleModel vehicle;
+  Scenario scenario;
+};
+
+/// Files or names of shipped ones; no scenario: empty. All files' problems at once where that is possible.
+Result<SimulationSetting> read_setting(const std::string& world, const std::string& vehicle,
+                                       const std::string& scenario);
+
+/// Where the world says that a vehicle is set down; a problem unless it fits there.
+Result<Pose2> start_in(const SimulationSetting& setting);
+
+}  // namespace aisle

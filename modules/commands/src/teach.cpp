@@ -1,0 +1,28 @@
+#include "aisle/commands/teach.hpp"
+
+#include <fmt/format.h>
+
+#include "aisle/commands/shipped_files.hpp"
+#include "aisle/formats/vehicle_yaml.hpp"
+#include "landmark_trip.hpp"
+#include "methods.hpp"
+
+namespace aisle {
+
+Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
+  if (Problems problems = check_method(options.method); !problems.empty()) return problems;
+  const auto vehicle = read_vehicle(shipped_or_own("vehicles", options.drive.vehicle));
+  if (!vehicle) return vehicle.problems();
+  if (vehicle->description.cameras.empty())
+    return Problem{{options.drive.vehicle, 0, "cameras"}, "there is none: nothing can be learned"};
+  DriveOptions drive = options.drive;
+  drive.camera = corridor_camera(vehicle->description).name;
+  drive.route = options.route;
+  auto outcome = run_drive(drive, console);
+  if (!outcome) return outcome.problems();
+  outcome->verb = "teach";
+  outcome->figures["route"] = options.route;
+  return outcome;
+}
+
+}  // namespace aisle

@@ -1,0 +1,91 @@
+#pragma once
+/// Drives a taught route by its landmarks: C98 Algorithm 3.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/control/path_progress.hpp"
+#include "aisle/control/speed.hpp"
+#include "aisle/control/steering.hpp"
+#include "aisle/guidance/navigator.hpp"
+#include "aisle/learning/landmark_localiser.hpp"
+#include "aisle/learning/landmark_relocation.hpp"
+#include "aisle/maps/building.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+
+namespace aisle {
+
+struct LandmarkNavigatorParams {
+  LandmarkSightingParams sightings;
+  LandmarkLocaliserParams localiser;
+  LandmarkRelocationParams relocation;
+  SteeringParams steering;
+  SpeedParams speed;
+  double start_sigma_m = 0.15;
+  double start_sigma_rad = 3 * kDegree;
+  double look_s = 1;
+  double unsure_m = 0.08;
+  double lost_m = 0.35;
+  double lost_rad = 6 * kDegree;
+  double unmatched_max_s = 1.5;
+  double give_up_s = 20;
+  double off_route_max_m = 1;
+
+  void describe(FieldList& fields);
+};
+
+/// Where the vehicle thinks that it is, for those who look on.
+struct LandmarkFix {
+  UncertainPose2 T_map_vehicle;
+  bool is_sure = false;  ///< not lost, and not looking for itself
+};
+
+/// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture that fits
+/// the map; goes on by odometry where none does, the slower the less sure it is. Lost (too unsure, or seeing other
+/// things than are known here) it stops, looks for itself along all routes, and drives on or gives up.
+class LandmarkNavigator final : public Navigator {
+ public:
+  /// @param building  with landmarks and their camera, which the vehicle has; must outlive the navigator
+  /// @param route     of the building, or its way back (Path::reversed)
+  LandmarkNavigator(const LandmarkNavigatorParams& params, const VehicleDescription& vehicle,
+                    const Building& building, const Path& route);
+
+  Decision step(const Observation& observation) override;
+
+  LandmarkFix fix() const;
+  /// What the last picture showed and which landmarks that was.
+  const std::vector<LandmarkSighting>& sightings() const { return sightings_; }
+  const LandmarkLocaliser& localiser() const { return localiser_; }
+
+ private:
+  enum class State { kLooking, kFollowing, kLost };
+
+  void locate(const Observation& observation);
+  std::string why_lost() const;
+  Decision look_around(double stamp_s);
+  Decision find_itself(double stamp_s);
+  Decision follow(const Observation& observation);
+
+  LandmarkNavigatorParams params_;
+  VehicleDescription vehicle_;
+  const Building* building_;
+  Path path_;
+  std::string camera_;
+  LandmarkDetector detector_;
+  LandmarkLocaliser localiser_;
+  LandmarkRelocator relocator_;
+  PathFollower follower_;
+  PathProgress progress_;
+  std::vector<Pose2> T_map_tried_;
+  std::vector<LandmarkSighting> sightings_;
+  std::vector<Pose2> T_map_found_;  ///< what picture after picture says while lost
+  State state_ = State::kLooking;
+  std::string why_lost_;
+  LandmarkMatch match_ = LandmarkMatch::kNothing;
+  std::optional<double> state_since_s_;
+  double stamp_s_ = 0;
+  double matched_stamp_s_ = 0;  ///< of the latest picture that fitted, or that showed nothing
+};
+
+}  // namespace aisle

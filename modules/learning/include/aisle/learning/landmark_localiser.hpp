@@ -1,0 +1,88 @@
+#pragma once
+/// Where the vehicle is among known landmarks: C98 Algorithm 2 steps 9-13 and Algorithm 3 steps 6-9, one picture after
+/// the other.
+
+#include <span>
+#include <vector>
+
+#include "aisle/core/parameters.hpp"
+#include "aisle/learning/pose_filter.hpp"
+#include "aisle/maps/landmark_map.hpp"
+#include "aisle/matching/mwght.hpp"
+#include "aisle/vision/landmark_sightings.hpp"
+
+namespace aisle {
+
+struct LandmarkLocaliserParams {
+  MwghtParams mwght;
+  double confidence_m2 = 4;         ///< Cd of C98 eq. (16)
+  double window_sigmas = 3;
+  double window_min_m = 0.08;
+  double window_min_rad = 1 * kDegree;
+  double window_max_m = 1.5;
+  double window_max_rad = 12 * kDegree;
+  double ambiguous_share = 0.8;
+  double gate_sigmas = 3.5;
+  double landmark_sigma_m = 0.02;
+  double repeat_inflation = 3;
+  double matched_share_min = 0.34;
+  bool polarity = true;
+  bool covariance = true;
+
+  void describe(FieldList& fields);
+};
+
+/// C98 eq. (16): how much a landmark at this place counts when it is seen for the first time.
+double confidence_weight(const Vec2& p_vehicle, double confidence_m2);
+
+/// What one picture said about the pose.
+enum class LandmarkMatch {
+  kMatched,    ///< the pose was corrected
+  kAmbiguous,  ///< two displacements fit about as well; the pose goes on by odometry
+  kUnmatched,  ///< landmarks were seen, but not those of the map; likewise
+  kNothing,    ///< nothing was seen, or nothing is known here; likewise
+};
+
+/// A sighting and the landmark that it was taken for.
+struct LandmarkPair {
+  std::size_t sighting = 0;
+  std::size_t landmark = 0;
+};
+
+class LandmarkLocaliser {
+ public:
+  LandmarkLocaliser(const LandmarkLocaliserParams& params, const VehicleDescription& vehicle,
+                    const UncertainPose2& T_map_vehicle);
+
+  void predict(const OdometryReading& reading) { filter_.predict(reading); }
+
+  /// Finds the displacement of what is seen against what is known within the window that the pose's uncertainty
+  /// leaves open (MWGHT), pairs sightings with landmarks there, and lets the filter take the pairs in. Costs the
+  /// same whatever the size of the map.
+  LandmarkMatch correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
+
+  void place(const UncertainPose2& T_map_vehicle) { filter_.place(T_map_vehicle); }
+
+  const Pose2& pose() const { return filter_.pose(); }
+  Mat3 covariance() const { return filter_.covariance(); }
+  const std::vector<LandmarkPair>& pairs() const { return pairs_; }  ///< of the last picture
+  double matched_share() const { return matched_share_; }  ///< of the last picture's weights
+
+ private:
+  void gather(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
+  MwghtWindow window() const;
+  bool is_elsewhere(const Pose2& best, const Pose2& other) const;
+  double pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings, const Pose2& T_map_vehicle);
+
+  LandmarkLocaliserParams params_;
+  PoseFilter filter_;
+  Mwght mwght_;
+  std::vector<int> near_;
+  std::vector<WeightedPoint> learned_, seen_;  ///< in base_link as predicted
+  std::vector<LandmarkPair> pairs_;
+  std::vector<SeenPoint> points_;
+  std::vector<char> taken_;
+  double matched_share_ = 0;
+};
+
+}  // namespace aisle

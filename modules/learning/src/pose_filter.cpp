@@ -1,0 +1,104 @@
+#include "aisle/learning/pose_filter.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/core/square.hpp"
+#include "odometry_arc.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kLeastSigma = 1e-5;       // nothing is known better than this [m, rad]
+constexpr double kHuber = 1.5;             // residuals beyond so many standard deviations count less
+constexpr int kRounds = 5;
+constexpr double kSettled = 1e-7;
+
+}  // namespace
+
+PoseFilter::PoseFilter(const VehicleDescription& vehicle, const UncertainPose2& T_map_vehicle)
+    : vehicle_(vehicle) {
+  place(T_map_vehicle);
+  const Vec3 errors = steady_odometry_sigmas(vehicle).cwiseMax(kLeastSigma);
+  covariance_.bottomRightCorner<3, 3>() = errors.cwiseAbs2().asDiagonal();
+}
+
+void PoseFilter::place(const UncertainPose2& T_map_vehicle) {
+  T_map_vehicle_ = T_map_vehicle.mean;
+  covariance_.topRightCorner<3, 3>().setZero();
+  covariance_.bottomLeftCorner<3, 3>().setZero();
+  covariance_.topLeftCorner<3, 3>() = T_map_vehicle.covariance + Mat3::Identity() * square(kLeastSigma);
+}
+
+void PoseFilter::predict(const OdometryReading& reading) {
+  const UncertainArc read = uncertain_arc(vehicle_, reading);
+  if (read.arc.length_m == 0 && read.arc.turn_rad == 0) return;
+  const Arc arc{read.arc.length_m * (1 + odometry_errors_[0]),
+                read.arc.turn_rad * (1 + odometry_errors_[1]) + read.arc.length_m * odometry_errors_[2]};
+  Eigen::Matrix<double, 2, 3> by_errors;
+  by_errors << read.arc.length_m, 0, 0,  //
+      0, read.arc.turn_rad, read.arc.length_m;
+
+  const Pose2 moved = end_pose(arc);
+  const double c = std::cos(T_map_vehicle_.theta), s = std::sin(T_map_vehicle_.theta);
+  Mat3 by_pose = Mat3::Identity();
+  by_pose(0, 2) = -s * moved.x - c * moved.y;
+  by_pose(1, 2) = c * moved.x - s * moved.y;
+  Mat3 turned = Mat3::Identity();
+  turned.topLeftCorner<2, 2>() << c, -s, s, c;
+  const Mat32 by_arc = turned * end_pose_jacobian(arc);
+
+  Mat6 by_state = Mat6::Identity();
+  by_state.topLeftCorner<3, 3>() = by_pose;
+  by_state.topRightCorner<3, 3>() = by_arc * by_errors;
+  covariance_ = by_state * covariance_ * by_state.transpose();
+  covariance_.topLeftCorner<3, 3>() += by_arc * read.covariance * by_arc.transpose();
+  T_map_vehicle_ = T_map_vehicle_ * moved;
+}
+
+void PoseFilter::update(std::span<const SeenPoint> points, const Pose2& guess) {
+  if (points.empty()) return;
+  // The unknowns: change of (x, y, theta, odometry errors) against the prediction, and the picture's tilt error in
+  // standard deviations.
+  using Vec7 = Eigen::Matrix<double, 7, 1>;
+  using Mat7 = Eigen::Matrix<double, 7, 7>;
+  Mat7 prior = Mat7::Identity();
+  prior.topLeftCorner<6, 6>() = covariance_.llt().solve(Mat6::Identity());
+  Vec7 change = Vec7::Zero();
+  change.head<3>() << guess.x - T_map_vehicle_.x, guess.y - T_map_vehicle_.y,
+      wrap_angle(guess.theta - T_map_vehicle_.theta);
+  Mat7 information;
+  for (int round = 0; round < kRounds; ++round) {
+    information = prior;
+    Vec7 slope = -prior * change;
+    const double theta = T_map_vehicle_.theta + change[2];
+    const double c = std::cos(theta), s = std::sin(theta);
+    for (const SeenPoint& point : points) {
+      const Vec2 from = point.p_map - T_map_vehicle_.position() - change.head<2>();
+      const Vec2 expected{c * from.x() + s * from.y(), -s * from.x() + c * from.y()};
+      const Vec2 residual = point.p_vehicle - point.by_tilt * change[6] - expected;
+      Eigen::Matrix<double, 2, 7> by_change = Eigen::Matrix<double, 2, 7>::Zero();
+      by_change.block<2, 2>(0, 0) << -c, -s, s, -c;
+      by_change.col(2) << expected.y(), -expected.x();
+      by_change.col(6) = point.by_tilt;
+      const Mat2 weight = point.covariance.inverse();
+      const double distance = std::sqrt(residual.dot(weight * residual));
+      const double share = distance > kHuber ? kHuber / distance : 1;
+      information += share * by_change.transpose() * weight * by_change;
+      slope += share * by_change.transpose() * weight * residual;
+    }
+    const Vec7 step = information.llt().solve(slope);
+    change += step;
+    if (step.cwiseAbs().maxCoeff() < kSettled) break;
+  }
+  const Mat7 posterior = information.llt().solve(Mat7::Identity());
+  covariance_ = posterior.topLeftCorner<6, 6>();
+  T_map_vehicle_ = {T_map_vehicle_.x + change[0], T_map_vehicle_.y + change[1],
+                    wrap_angle(T_map_vehicle_.theta + change[2])};
+  odometry_errors_ += change.segment<3>(3);
+}
+
+}  // namespace aisle

@@ -1,0 +1,46 @@
+#pragma once
+/// The learned model of C98: vertical lines of the building as points on its floor.
+
+#include <vector>
+
+#include "aisle/geometry/pose2.hpp"
+#include "aisle/maps/cell_index.hpp"
+
+namespace aisle {
+
+struct Landmark {
+  Vec2 p_map = Vec2::Zero();
+  Mat2 covariance = Mat2::Zero();  ///< of its place, as far as the sightings tell
+  double mass = 0;                 ///< sum of the confidence weights of its sightings (C98 eq. (16), (17))
+  double weight = 1;               ///< confidence: 1 is the map's mean, more is surer (C98 eq. (18))
+  int sightings = 0;               ///< pictures in which it was seen
+  int passes = 0;                  ///< trips on which it was seen
+  bool brighter_right = false;     ///< the right side of the line is the brighter one, from wherever it is seen
+};
+
+/// Landmarks that are found by place, at a cost that does not grow with the building.
+class LandmarkMap {
+ public:
+  const std::vector<Landmark>& all() const { return landmarks_; }
+  const Landmark& operator[](std::size_t i) const { return landmarks_[i]; }
+  std::size_t size() const { return landmarks_.size(); }
+  bool empty() const { return landmarks_.empty(); }
+
+  /// @return its index
+  std::size_t add(const Landmark& landmark);
+  /// Puts another in the place of one.
+  void replace(std::size_t index, const Landmark& landmark);
+  /// Leaves a gap (weight 0) that `within` does not find.
+  void remove(std::size_t index) { landmarks_[index].weight = 0; }
+  /// Everything anew; indices change.
+  void assign(std::vector<Landmark> landmarks);
+
+  /// Replaces `indices` by those of all landmarks within a distance of a point, in ascending order.
+  void within(const Vec2& p_map, double distance_m, std::vector<int>& indices) const;
+
+ private:
+  std::vector<Landmark> landmarks_;
+  CellIndex index_;
+};
+
+}  // namespace aisle

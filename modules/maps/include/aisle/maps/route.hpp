@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "aisle/control/path.hpp"
+#include "aisle/geometry/pose2.hpp"
+
+namespace aisle {
+
+/// A vertical line's foot as it was seen from a route's start.
+struct StartSighting {
+  Vec2 p_vehicle = Vec2::Zero();
+  bool brighter_right = false;  ///< the right side of the line is the brighter one
+};
+
+/// A way that was taught.
+struct Route {
+  std::string name;                       ///< unique in its building
+  Path path;                              ///< in `map`, base_link; as driven, smoothed
+  std::vector<StartSighting> start_view;  ///< from the path's start
+};
+
+}  // namespace aisle

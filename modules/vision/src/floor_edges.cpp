@@ -1,0 +1,194 @@
+#include "aisle/vision/floor_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "aisle/core/angle.hpp"
+#include "floor_boundary.hpp"
+#include "floor_lines.hpp"
+#include "level_view.hpp"
+
+namespace aisle {
+
+void FloorEdgeParams::describe(FieldList& fields) {
+  fields.count("columns", columns, {16, 2000}, "directions in which the end of the floor is looked for");
+  fields.real("contrast_min", contrast_min, {0.5, 100}, "grey levels of the faintest edge");
+  fields.real("distance_max_m", distance_max_m, {1, 100}, "ahead of the camera");
+  fields.real("length_min_m", length_min_m, {0, 10}, "of the shortest edge");
+  fields.group("noise", noise);
+}
+
+namespace {
+
+constexpr double kClear = 4;        // times the least contrast: an edge even if it leads nowhere
+constexpr double kJoinColumns = 4;  // between edges that lead to each other
+constexpr double kJoinRows = 8;
+constexpr double kBesideLens_m = 0.25;  // a line that leads so close past the lens is a joint, not a wall
+constexpr double kPaper_m = 0.6;        // longest edge of what may lie on the floor ...
+constexpr double kPaperNear_m = 0.4;    // ... and where the floor goes on beyond it
+constexpr double kPaperFar_m = 0.5;
+constexpr double kBoardNear = 0.05;  // of the depth, beyond an edge: there a skirting board is still seen ...
+constexpr double kBoardFar = 0.09;   // ... but no more the joint between two tiles
+constexpr int kFloorRows = 6;        // before an edge, whose brightness is the floor's
+constexpr int kBlurRows = 2;         // of an edge
+
+}  // namespace
+
+class FloorEdgeDetector::Work {
+ public:
+  Work(const FloorEdgeParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount)
+      : params_(params),
+        camera_(intrinsics),
+        mount_(mount),
+        view_(camera_, mount, params.columns, params.distance_max_m),
+        boundary_(params.contrast_min),
+        tilted_floor_(camera_, tilted(mount, params.noise.tilt_rad), 0) {}
+
+  const std::vector<FloorEdge>& detect(const Image& grey) {
+    view_.look_at(grey);
+    edges_.clear();
+    const auto& lines = fitter_.fit(boundary_.find(view_), view_.rows_per_column());
+    for (const FloorLine& line : lines)
+      if (std::abs(line.contrast) >= kClear * params_.contrast_min || goes_on(line, lines)) add_edge(line);
+    return edges_;
+  }
+
+ private:
+  static CameraMount tilted(CameraMount mount, double tilt_rad) {
+    mount.tilt_rad += tilt_rad;
+    return mount;
+  }
+
+  /// A pattern of the floor shows faint steps, none of which leads to another or out of sight.
+  bool goes_on(const FloorLine& line, const std::vector<FloorLine>& lines) const {
+    const auto leads_on = [&](double column) {
+      const double row = line.row_at(column);
+      const auto bottom = view_.seen(static_cast<int>(column)).end;
+      if (column < kJoinColumns || column >= view_.columns() - kJoinColumns || row > bottom - kJoinRows)
+        return true;
+      return std::any_of(lines.begin(), lines.end(), [&](const FloorLine& other) {
+        return &other != &line && column > other.first_column - kJoinColumns &&
+               column < other.last_column + kJoinColumns && std::abs(other.row_at(column) - row) < kJoinRows;
+      });
+    };
+    return leads_on(line.first_column) || leads_on(line.last_column);
+  }
+
+  void add_edge(const FloorLine& line) {
+    FloorEdge edge;
+    SensedSegment& seen = edge.on_floor;
+    seen.segment = {point_of(line, line.last_column), point_of(line, line.first_column)};
+    seen.length_m = seen.segment.length();
+    if (!(seen.length_m >= params_.length_min_m)) return;
+    seen.heading_rad = seen.segment.heading();
+    seen.centroid = point_of(line, line.middle());
+    const Vec2 from_lens = seen.centroid - mount_.p_vehicle_camera.head<2>();
+    if (std::abs(left_normal(unit(seen.heading_rad)).dot(from_lens)) < kBesideLens_m) return;
+    if (!lasts(line)) return;
+    if (line.contrast > 0 && seen.length_m < kPaper_m && floor_goes_on_beyond(line)) return;
+    const auto start_px = pixel_of(seen.segment.start), end_px = pixel_of(seen.segment.end);
+    if (!start_px || !end_px) return;
+    edge.start_px = *start_px;
+    edge.end_px = *end_px;
+    edge.contrast = line.contrast;
+    if (!set_deviations(line, edge)) return;
+    edges_.push_back(edge);
+  }
+
+  Vec2 point_of(const FloorLine& line, double column) const {
+    return view_.floor_point(column, line.row_at(column));
+  }
+
+  std::optional<Vec2> pixel_of(const Vec2& p_vehicle) const {
+    return camera_.project(mount_.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
+  }
+
+  /// What is beyond is not only a joint.
+  bool lasts(const FloorLine& line) const {
+    double sum = 0;
+    int count = 0;
+    for_each_column(line, [&](int column, double edge, double floor) {
+      const double depth = view_.depth(edge);
+      const auto beyond = mean_brightness(column, edge - kBoardFar * depth, edge - kBoardNear * depth);
+      if (!beyond) return;
+      sum += *beyond - floor;
+      ++count;
+    });
+    return std::copysign(1.0, line.contrast) * sum > params_.contrast_min * count;
+  }
+
+  /// Beyond a bright thing the size of a sheet of paper the brightness is the floor's again.
+  bool floor_goes_on_beyond(const FloorLine& line) const {
+    int alike = 0, count = 0;
+    for_each_column(line, [&](int column, double edge, double floor) {
+      const auto beyond =
+          mean_brightness(column, view_.row_beyond(edge, kPaperFar_m), view_.row_beyond(edge, kPaperNear_m));
+      if (!beyond) return;
+      ++count;
+      if (std::abs(floor - *beyond) < 2 * params_.contrast_min) ++alike;
+    });
+    return 2 * alike > count;
+  }
+
+  /// @param look  takes a column, the edge's row, and the brightness of the floor before it
+  template <class Look>
+  void for_each_column(const FloorLine& line, Look look) const {
+    for (int column = static_cast<int>(line.first_column); column <= line.last_column; ++column) {
+      const double edge = line.row_at(column);
+      const auto floor = mean_brightness(column, edge + kBlurRows, edge + kBlurRows + kFloorRows);
+      if (floor) look(column, edge, *floor);
+    }
+  }
+
+  /// Of the rows from one to the other and at least one; nullopt where they are not seen.
+  std::optional<double> mean_brightness(int column, double from_row, double to_row) const {
+    const LevelView::Rows seen = view_.seen(column);
+    const int first = static_cast<int>(from_row);
+    const int end = std::max(first + 1, static_cast<int>(to_row) + 1);
+    if (first < seen.first || end > seen.end) return std::nullopt;
+    const std::uint8_t* grey = view_.column(column);
+    return std::accumulate(grey + first, grey + end, 0.0) / (end - first);
+  }
+
+  /// Of the fit, of its bias along the whole line, and of the camera's tilt.
+  bool set_deviations(const FloorLine& line, FloorEdge& edge) const {
+    SensedSegment& seen = edge.on_floor;
+    FloorLine shifted = line, turned = line;
+    shifted.row_middle += std::hypot(line.sigma_row, params_.noise.pixel_px);
+    turned.slope += line.sigma_slope;
+    const auto tilted_start = tilted_floor_.point(edge.start_px),
+               tilted_end = tilted_floor_.point(edge.end_px);
+    if (!tilted_start || !tilted_end) return false;
+    const Vec2 across = left_normal(unit(seen.heading_rad));
+    const Segment2 by_tilt{*tilted_start, *tilted_end};
+    const Segment2 by_fit{point_of(turned, line.last_column), point_of(turned, line.first_column)};
+    const auto off = [&](const Vec2& p) { return across.dot(p - seen.centroid); };
+    const auto turn = [&](const Segment2& s) { return wrap_angle(s.heading() - seen.heading_rad); };
+    seen.sigma_offset_m = std::hypot(off(point_of(shifted, line.middle())), off(by_tilt.midpoint()));
+    seen.sigma_heading_rad = std::hypot(turn(by_fit), turn(by_tilt));
+    return true;
+  }
+
+  FloorEdgeParams params_;
+  CameraModel camera_;
+  CameraMount mount_;
+  LevelView view_;
+  FloorBoundary boundary_;
+  FloorLineFitter fitter_;
+  BackProjection tilted_floor_;
+  std::vector<FloorEdge> edges_;
+};
+
+FloorEdgeDetector::FloorEdgeDetector(const FloorEdgeParams& params, const CameraIntrinsics& intrinsics,
+                                     const CameraMount& mount)
+    : work_(std::make_unique<Work>(params, intrinsics, mount)) {}
+FloorEdgeDetector::FloorEdgeDetector(FloorEdgeDetector&&) noexcept = default;
+FloorEdgeDetector::~FloorEdgeDetector() = default;
+
+const std::vector<FloorEdge>& FloorEdgeDetector::detect(const Image& grey) {
+  return work_->detect(grey);
+}
+
+}  // namespace aisle

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "floor_boundary.hpp"
+
+namespace aisle {
+
+/// A straight piece of the floor's boundary in a level view: row = row_middle + slope (column - middle).
+struct FloorLine {
+  double first_column = 0, last_column = 0;
+  double row_middle = 0, slope = 0;
+  double sigma_row = 0;    ///< of row_middle
+  double sigma_slope = 0;  ///< of the slope
+  double contrast = 0;     ///< mean of its points
+
+  double middle() const { return 0.5 * (first_column + last_column); }
+  double row_at(double column) const { return row_middle + slope * (column - middle()); }
+};
+
+/// Fits straight lines to the points of a boundary, the longest first; what lies off them is left out.
+class FloorLineFitter {
+ public:
+  /// From left to right; valid until the next call.
+  /// @param rows_per_column  how many rows are as long as the way from column to column
+  const std::vector<FloorLine>& fit(const std::vector<BoundaryPoint>& points, double rows_per_column);
+
+ private:
+  struct Run {
+    std::size_t first = 0, end = 0;  ///< of points
+    double row = 0, slope = 0;       ///< row at column 0
+    std::size_t count = 0;           ///< of the points that lie on it
+  };
+
+  Run grown(std::size_t a, std::size_t b) const;
+  bool is_on(const BoundaryPoint& point, const Run& run) const;
+  void take(const Run& run);
+
+  const std::vector<BoundaryPoint>* points_ = nullptr;
+  double rows_per_column_ = 1;
+  std::vector<char> taken_;
+  std::vector<FloorLine> lines_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,130 @@
+#pragma once
+/// Pictures of rooms whose geometry is known exactly, for the detectors that know how the camera is mounted.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/core/image.hpp"
+#include "aisle/geometry/back_projection.hpp"
+#include "aisle/geometry/segment2.hpp"
+
+namespace aisle {
+
+struct DrawnWall {
+  Segment2 foot;  ///< in base_link
+  double brightness = 170;
+  double skirting_brightness = 60;  ///< up to 0.1 m
+};
+
+/// Something upright and flat on a wall: from and to along it [m], between two heights.
+struct DrawnPanel {
+  std::size_t wall = 0;
+  double from_m = 0, to_m = 1;
+  double bottom_m = 0, top_m = 2;
+  double brightness = 100;
+};
+
+struct DrawnRoom {
+  double floor_brightness = 140;
+  double tile_m = 0;  ///< 0: none; joints are 5 mm wide and 40 darker
+  std::vector<DrawnWall> walls;
+  std::vector<DrawnPanel> panels;
+  std::vector<Segment2> papers;  ///< a sheet 0.2 m wide around each, on the floor
+};
+
+inline CameraIntrinsics drawn_lens() {
+  return {.fx_px = 460, .fy_px = 460, .cx_px = 319.5, .cy_px = 239.5, .k1 = -0.18, .k2 = 0.03};
+}
+
+inline CameraMount drawn_mount() {
+  return {.p_vehicle_camera = {0.85, 0, 1}, .tilt_rad = 14 * kDegree};
+}
+
+class RoomDrawing {
+ public:
+  RoomDrawing(const DrawnRoom& room, const CameraMount& mount)
+      : room_(room), mount_(mount), R_vehicle_camera_(mount.R_vehicle_camera()) {}
+
+  Image picture() const {
+    Image image(640, 480);
+    for (int v = 0; v < image.height_px; ++v)
+      for (int u = 0; u < image.width_px; ++u) image.row(v)[u] = pixel(u, v);
+    return image;
+  }
+
+ private:
+  std::uint8_t pixel(int u, int v) const {
+    const PixelRay& ray = rays()[static_cast<std::size_t>(v * 640 + u)];
+    double sum = 0;
+    for (int i = 0; i < 9; ++i) {
+      const Vec2 off = ray.by_pixel * Vec2((i % 3 - 1) / 3.0, (i / 3 - 1) / 3.0);
+      sum += brightness(R_vehicle_camera_ * (ray.direction + Vec3(off.x(), off.y(), 0)));
+    }
+    return static_cast<std::uint8_t>(std::lround(sum / 9));
+  }
+
+  static const std::vector<PixelRay>& rays() {
+    static const std::vector<PixelRay> all = [] {
+      const CameraModel camera(drawn_lens());
+      std::vector<PixelRay> rays;
+      for (int v = 0; v < 480; ++v)
+        for (int u = 0; u < 640; ++u) rays.push_back(camera.ray(Vec2(u, v)).value_or(PixelRay{}));
+      return rays;
+    }();
+    return all;
+  }
+
+  double brightness(const Vec3& ray) const {
+    const Vec3& eye = mount_.p_vehicle_camera;
+    double nearest = ray.z() < 0 ? -eye.z() / ray.z() : 1e9;
+    double seen = ray.z() < 0 ? on_floor((eye + nearest * ray).head<2>()) : 200;
+    for (std::size_t i = 0; i < room_.walls.size(); ++i) {
+      const Segment2& foot = room_.walls[i].foot;
+      const Vec2 along = foot.end - foot.start, across = left_normal(along),
+                 from = foot.start - eye.head<2>();
+      const double share = across.dot(from) / across.dot(ray.head<2>());
+      const Vec3 p = eye + share * ray;
+      const double on_wall = along.dot(p.head<2>() - foot.start) / along.norm();
+      if (!(share > 0 && share < nearest && on_wall >= 0 && on_wall <= along.norm() && p.z() < 2.7)) continue;
+      nearest = share;
+      seen = on_its_wall(i, on_wall, p.z());
+    }
+    return seen;
+  }
+
+  double on_floor(const Vec2& p) const {
+    for (const Segment2& paper : room_.papers)
+      if (paper.distance(p) < 0.1) return 240;
+    if (room_.tile_m == 0) return room_.floor_brightness;
+    const auto joint = [&](double x) { return std::abs(std::remainder(x, room_.tile_m)) < 0.0025; };
+    return room_.floor_brightness - (joint(p.x()) || joint(p.y()) ? 40 : 0);
+  }
+
+  double on_its_wall(std::size_t wall, double along_m, double height_m) const {
+    for (const DrawnPanel& panel : room_.panels) {
+      if (panel.wall == wall && along_m >= panel.from_m && along_m <= panel.to_m &&
+          height_m >= panel.bottom_m && height_m <= panel.top_m)
+        return panel.brightness;
+    }
+    return height_m < 0.1 ? room_.walls[wall].skirting_brightness : room_.walls[wall].brightness;
+  }
+
+  DrawnRoom room_;
+  CameraMount mount_;
+  Mat3 R_vehicle_camera_;
+};
+
+inline Image drawn(const DrawnRoom& room, const CameraMount& mount = drawn_mount()) {
+  return RoomDrawing(room, mount).picture();
+}
+
+/// A wall at a distance from the camera's foot, whose normal towards the camera is turned by `heading_rad`
+/// from the way ahead; the camera is on its left.
+inline DrawnWall wall_ahead(double distance_m, double heading_rad) {
+  const Vec2 out = unit(heading_rad), middle = drawn_mount().p_vehicle_camera.head<2>() + distance_m * out;
+  return {.foot = {middle - 20 * left_normal(out), middle + 20 * left_normal(out)}};
+}
+
+}  // namespace aisle

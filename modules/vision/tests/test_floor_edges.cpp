@@ -1,0 +1,102 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "aisle/vision/floor_edges.hpp"
+#include "drawn_room.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+std::vector<FloorEdge> edges_of(const DrawnRoom& room, const CameraMount& mount = drawn_mount()) {
+  FloorEdgeDetector detector({}, drawn_lens(), mount);
+  return detector.detect(drawn(room, mount));
+}
+
+/// How far, in the picture, the floor's edge is from the wall's foot.
+double miss_px(const FloorEdge& edge, const DrawnWall& wall) {
+  const CameraModel camera(drawn_lens());
+  const CameraMount mount = drawn_mount();
+  double worst_px = 0;
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const Vec2 p =
+        edge.on_floor.segment.start + share * (edge.on_floor.segment.end - edge.on_floor.segment.start);
+    const Vec2 along = (wall.foot.end - wall.foot.start).normalized();
+    const Vec2 true_p = wall.foot.start + along.dot(p - wall.foot.start) * along;
+    const auto found_px = camera.project(mount.to_camera({p.x(), p.y(), 0}));
+    const auto true_px = camera.project(mount.to_camera({true_p.x(), true_p.y(), 0}));
+    worst_px = std::max(worst_px, found_px && true_px ? (*found_px - *true_px).norm() : 1e9);
+  }
+  return worst_px;
+}
+
+TEST(FloorEdges, AreFoundToAPixelWhicheverWayAWallRuns) {
+  for (int heading_deg = -75; heading_deg <= 75; heading_deg += 15) {
+    const DrawnWall wall = wall_ahead(1.6, heading_deg * kDegree);
+    const auto edges = edges_of({.tile_m = 0.3, .walls = {wall}});
+    ASSERT_THAT(edges, SizeIs(1)) << heading_deg;
+    EXPECT_LT(miss_px(edges[0], wall), 1) << heading_deg;
+    const SensedSegment& seen = edges[0].on_floor;
+    EXPECT_LT(std::abs(wrap_angle(seen.heading_rad - wall.foot.heading())), 3 * seen.sigma_heading_rad);
+    EXPECT_LT(wall.foot.distance(seen.centroid), 3 * seen.sigma_offset_m) << heading_deg;
+    EXPECT_LT(edges[0].contrast, 0);
+  }
+}
+
+TEST(FloorEdges, OfAWallWithoutASkirtingBoardOrWithABrightOneAreFoundToo) {
+  for (const double skirting : {170.0, 220.0}) {
+    DrawnWall wall = wall_ahead(2, 0.4);
+    wall.skirting_brightness = skirting;
+    const auto edges = edges_of({.walls = {wall}});
+    ASSERT_THAT(edges, SizeIs(1)) << skirting;
+    EXPECT_LT(miss_px(edges[0], wall), 1) << skirting;
+  }
+}
+
+TEST(FloorEdges, OfACorridorAreItsTwoSidesAndItsEnd) {
+  const DrawnWall left = wall_ahead(1, kPi / 2), right = wall_ahead(1.2, -kPi / 2), end = wall_ahead(4, 0);
+  const auto edges = edges_of({.tile_m = 0.3, .walls = {left, right, end}});
+  ASSERT_THAT(edges, SizeIs(3));
+  EXPECT_LT(miss_px(edges[0], left), 1);
+  EXPECT_LT(miss_px(edges[1], end), 1);
+  EXPECT_LT(miss_px(edges[2], right), 1);
+}
+
+TEST(FloorEdges, FollowTheMountOfTheCamera) {
+  CameraMount mount = drawn_mount();
+  mount.pan_rad = -30 * kDegree;
+  mount.roll_rad = 3 * kDegree;
+  mount.tilt_rad = 25 * kDegree;
+  mount.p_vehicle_camera.z() = 0.7;
+  const DrawnWall wall = wall_ahead(1.5, -0.5);
+  const auto edges = edges_of({.walls = {wall}}, mount);
+  ASSERT_THAT(edges, SizeIs(1));
+  EXPECT_LT(wall.foot.distance(edges[0].on_floor.centroid), 0.01);
+}
+
+TEST(FloorEdges, ATiledOrBlankFloorHasNone) {
+  EXPECT_THAT(edges_of({}), IsEmpty());
+  for (const double tile_m : {0.1, 0.3, 0.6}) {
+    EXPECT_THAT(edges_of({.tile_m = tile_m}), IsEmpty()) << tile_m;
+  }
+}
+
+TEST(FloorEdges, PaperOnTheFloorIsNone) {
+  EXPECT_THAT(edges_of({.papers = {{{2.5, 0.2}, {2.5, 0.35}}}}), IsEmpty());
+}
+
+TEST(FloorEdges, WithoutAPictureOrWithoutAFloorInViewThereAreNone) {
+  FloorEdgeDetector detector({}, drawn_lens(), drawn_mount());
+  EXPECT_THAT(detector.detect({}), IsEmpty());
+  EXPECT_THAT(detector.detect(Image(3, 2)), IsEmpty());
+  CameraMount upwards = drawn_mount();
+  upwards.tilt_rad = -45 * kDegree;
+  EXPECT_THAT(edges_of({.walls = {wall_ahead(1, 0)}}, upwards), IsEmpty());
+  EXPECT_THROW(detector.detect(Image(640, 480, 3)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,79 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "aisle/vision/landmark_sightings.hpp"
+#include "drawn_room.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+std::vector<LandmarkSighting> sightings_of(const DrawnRoom& room, const LandmarkSightingParams& params = {}) {
+  LandmarkDetector detector(params, drawn_lens(), drawn_mount());
+  return detector.detect(drawn(room));
+}
+
+/// A wall ahead, turned by 0.3 rad, with its middle 20 m from its start.
+DrawnRoom room_with(const DrawnPanel& panel) {
+  return {.tile_m = 0.3, .walls = {wall_ahead(2.5, 0.3)}, .panels = {panel}};
+}
+
+Vec2 on_wall(const DrawnRoom& room, double along_m) {
+  return room.walls[0].foot.start + along_m * unit(room.walls[0].foot.heading());
+}
+
+void expect_sides_of_panel(const std::vector<LandmarkSighting>& sightings, const DrawnRoom& room) {
+  ASSERT_THAT(sightings, SizeIs(2));
+  const DrawnPanel& panel = room.panels[0];
+  EXPECT_LT((sightings[0].p_vehicle - on_wall(room, panel.to_m)).norm(), 0.03);
+  EXPECT_LT((sightings[1].p_vehicle - on_wall(room, panel.from_m)).norm(), 0.03);
+  EXPECT_FALSE(sightings[0].brighter_right);
+  EXPECT_TRUE(sightings[1].brighter_right);
+}
+
+TEST(LandmarkSightings, ADoorStandsOnTheEdgeOfTheFloor) {
+  const DrawnRoom room = room_with({.from_m = 18.8, .to_m = 19.7, .bottom_m = 0, .top_m = 2.1});
+  expect_sides_of_panel(sightings_of(room), room);
+}
+
+TEST(LandmarkSightings, APosterHangsOnTheWallThatStandsBeneathIt) {
+  const DrawnRoom room = room_with({.from_m = 18.8, .to_m = 19.7, .bottom_m = 0.6, .top_m = 1.6});
+  expect_sides_of_panel(sightings_of(room), room);
+  LandmarkSightingParams standing_only;
+  standing_only.hanging = false;
+  EXPECT_THAT(sightings_of(room, standing_only), IsEmpty());
+}
+
+TEST(LandmarkSightings, WithoutAnEdgeOfTheFloorAreNone) {
+  DrawnRoom room = room_with({.from_m = 18.8, .to_m = 19.7, .bottom_m = 0.6, .top_m = 1.6});
+  room.walls[0].skirting_brightness = room.walls[0].brightness = room.floor_brightness;
+  EXPECT_THAT(sightings_of(room), IsEmpty());
+}
+
+TEST(LandmarkSightings, ACornerOfTheFloorIsOneIfAskedFor) {
+  const DrawnWall end = wall_ahead(2.5, 0.2), right = wall_ahead(0.8, 0.2 - kPi / 2);
+  DrawnRoom room{.walls = {end, right}};
+  LandmarkSightingParams with_corners;
+  with_corners.corners = true;
+  const auto sightings = sightings_of(room, with_corners);
+  ASSERT_THAT(sightings, SizeIs(1));
+  const Vec2 corner =
+      drawn_mount().p_vehicle_camera.head<2>() + 2.5 * unit(0.2) - 0.8 * left_normal(unit(0.2));
+  EXPECT_LT((sightings[0].p_vehicle - corner).norm(), 0.02);
+  EXPECT_THAT(sightings_of(room), IsEmpty());
+}
+
+TEST(LandmarkSightings, AreUncertainAlongTheLineOfSight) {
+  const DrawnRoom room = room_with({.from_m = 18.8, .to_m = 19.7, .bottom_m = 0, .top_m = 2.1});
+  for (const LandmarkSighting& sighting : sightings_of(room)) {
+    const Vec2 sight = (sighting.p_vehicle - drawn_mount().p_vehicle_camera.head<2>()).normalized();
+    const Vec2 across = left_normal(sight);
+    EXPECT_GT(sight.dot(sighting.covariance * sight), 2 * across.dot(sighting.covariance * across));
+  }
+}
+
+}  // namespace
+}  // namespace aisle
