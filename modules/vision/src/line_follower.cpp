@@ -173,6 +173,7 @@ void LineFollowerParams::describe(FieldList& fields) {
 
 std::vector<int> LineFollower::follow(const Image& grey, const std::vector<VerticalLine>& lines) {
   std::vector<Look> looks;
+  looks.reserve(lines.size());
   for (const VerticalLine& line : lines) looks.push_back(look_of(grey, line));
   std::vector<int> numbers(lines.size(), -1);
   const Pairing pairing = Comparison(looks_, looks, params_).best_pairing(possible_motions(params_));
