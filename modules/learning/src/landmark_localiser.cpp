@@ -29,6 +29,7 @@ void LandmarkLocaliserParams::describe(FieldList& fields) {
   fields.real("repeat_inflation", repeat_inflation, {1, 100},
               "pictures in a row are not independent: their variances count so many times");
   fields.real("matched_share_min", matched_share_min, {0, 1}, "with less of the sightings matched there is no match");
+  fields.count("pairs_min", pairs_min, {1, 20}, "fewer sightings than this make no match");
   fields.flag("polarity", polarity, "a line that is brighter on its right is never taken for one that is brighter left");
   fields.flag("covariance", covariance, "errors along and across the line of sight are kept apart");
 }
@@ -66,7 +67,7 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map, std::span<const
     if (other > agreement) T_map_guess = T_map_other;
     if (other < agreement) pair_up(map, sightings, T_map_guess);
   }
-  if (pairs_.empty() || matched_share_ < params_.matched_share_min) return without_match(map, sightings);
+  if (pairs_.size() < static_cast<std::size_t>(params_.pairs_min) || matched_share_ < params_.matched_share_min) return without_match(map, sightings);
   filter_.update(points_, T_map_guess);
   return LandmarkMatch::kMatched;
 }

@@ -26,6 +26,7 @@ struct LandmarkLocaliserParams {
   double landmark_sigma_m = 0.02;
   double repeat_inflation = 3;
   double matched_share_min = 0.34;
+  int pairs_min = 2;
   bool polarity = true;
   bool covariance = true;
 
