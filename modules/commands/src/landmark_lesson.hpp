@@ -35,7 +35,7 @@ Result<LandmarkLesson> learn_lesson(const LandmarkTrip& trip, const std::string&
                                     const LandmarkLessonParams& params);
 
 /// A refining trip in which fewer of the pictures fit the map is not of its building.
-inline constexpr double kKnownShareMin = 0.3;
+inline constexpr double kKnownShareMin = 0.5;
 
 /// Where a trip may begin that is said to begin there.
 UncertainPose2 about_start(const Pose2& T_map_start);

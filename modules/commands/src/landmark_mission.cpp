@@ -17,11 +17,10 @@ constexpr std::uint64_t kSetDown = 0x5e7d03;  // keeps this chance apart from th
 class LandmarkMissionRecord final : public SimulatedRecord {
  public:
   LandmarkMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
-                        const LandmarkNavigator& navigator, const MapTruth& truth, LandmarkMissionResult& result)
+                        const LandmarkNavigator& navigator, LandmarkMissionResult& result)
       : SimulatedRecord(session, vehicle),
         vehicle_(vehicle),
         navigator_(navigator),
-        truth_(truth),
         result_(result) {}
 
   Result<Observation> keep(Observation observation) override {
@@ -33,7 +32,7 @@ class LandmarkMissionRecord final : public SimulatedRecord {
   Problems keep(const Decision& decision) override {
     const LandmarkFix fix = navigator_.fix();
     const Pose2& T_world_vehicle = vehicle_.truth().T_world_vehicle;
-    result_.errors.add(fix, T_world_vehicle);
+    result_.T_map_true.push_back(result_.errors.add(fix, T_world_vehicle));
     if (decision.state == "lost" && state_ != "lost") ++result_.lost_count;
     state_ = decision.state;
     cycle_.sightings = navigator_.sightings();
@@ -42,14 +41,12 @@ class LandmarkMissionRecord final : public SimulatedRecord {
     result_.trip.cycles.push_back(cycle_);
     result_.trip.T_world_vehicle.push_back(T_world_vehicle);
     result_.T_map_vehicle.push_back(fix.T_map_vehicle.mean);
-    result_.T_map_true.push_back(truth_.on_map(T_world_vehicle, fix.T_map_vehicle.mean));
     return SimulatedRecord::keep(decision);
   }
 
  private:
   const SimulatedVehicle& vehicle_;
   const LandmarkNavigator& navigator_;
-  const MapTruth& truth_;
   LandmarkMissionResult& result_;
   LandmarkCycle cycle_;
   std::string state_;
@@ -86,14 +83,15 @@ Pose2 set_down(const SimulationSetting& setting, const Pose2& T_world_start, con
 Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, LandmarkDriver& driver,
                                                      const MapTruth& truth, const LandmarkMissionOptions& options,
                                                      std::optional<SessionRecord>& session, Progress& progress) {
-  const Pose2 T_world_start = truth.in_world(driver.path().at(0).T_map_path);
+  const std::size_t taught = truth.start(options.in_reverse);
+  const Pose2 T_world_start = truth.in_world(driver.path().at(0).T_map_path, taught);
   SimulatedVehicle vehicle(setting.world, setting.vehicle, setting.scenario,
                            {.seed = options.seed, .T_world_start = set_down(setting, T_world_start, options)});
-  LandmarkMissionResult result(truth, driver.path());
+  LandmarkMissionResult result(truth, driver.path(), taught);
   result.trip.vehicle = vehicle.description();
   result.trip.camera = *driver.building().camera;
   TimedNavigator timed(driver, result.cycle_s);
-  LandmarkMissionRecord record(session, vehicle, driver.navigator(), truth, result);
+  LandmarkMissionRecord record(session, vehicle, driver.navigator(), result);
   auto end = run_mission(vehicle, timed, record, progress);
   if (!end) return end.problems();
   result.end = std::move(*end);

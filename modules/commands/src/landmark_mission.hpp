@@ -20,7 +20,8 @@ namespace aisle {
 /// What a simulated mission along a learned route came to.
 struct LandmarkMissionResult {
   /// Both must outlive the result.
-  LandmarkMissionResult(const MapTruth& truth, const Path& path) : errors(truth, path) {}
+  LandmarkMissionResult(const MapTruth& truth, const Path& path, std::size_t taught)
+      : errors(truth, path, taught) {}
 
   MissionEnd end;
   std::size_t collisions = 0;
@@ -36,6 +37,7 @@ struct LandmarkMissionResult {
 
 struct LandmarkMissionOptions {
   std::uint64_t seed = 1;
+  bool in_reverse = false;      ///< the path is a route's way back
   double start_sigma_m = 0.05;  ///< how far beside the route's start the vehicle is set down
   double start_sigma_rad = 1 * kDegree;
 };

@@ -37,6 +37,15 @@ Outcome outcome_of(const LandmarkTrip& trip, const LandmarkLesson& lesson) {
   return outcome;
 }
 
+std::vector<Vec2> feet_on_map(const LandmarkTrip& trip, const std::vector<Pose2>& T_map_taught) {
+  std::vector<Vec2> feet;
+  for (std::size_t i = 0; i < trip.cycles.size(); ++i) {
+    for (const LandmarkSighting& sighting : trip.cycles[i].sightings)
+      feet.push_back(T_map_taught[i] * sighting.p_vehicle);
+  }
+  return feet;
+}
+
 }  // namespace
 
 Outcome learn_parameters() {
@@ -64,8 +73,9 @@ Result<Outcome> run_learn(const LearnOptions& options, Console& console) {
   if (!lesson) return at_file(lesson.problems(), options.session.string());
   Outcome outcome = outcome_of(*trip, *lesson);
   if (!directory) return outcome;
-  auto files = directory->write(
-      learned_files(lesson->building, MapTruth(lesson->T_map_taught, trip->T_world_vehicle), {}));
+  auto files =
+      directory->write(learned_files(lesson->building, MapTruth(lesson->T_map_taught, trip->T_world_vehicle),
+                                     feet_on_map(*trip, lesson->T_map_taught)));
   if (!files) return files.problems();
   outcome.files = std::move(*files);
   outcome.figures["building_bytes"] = building_json(lesson->building).size();

@@ -42,6 +42,10 @@ Result<MapTruth> map_truth(const NavigateOptions& options, const SimulationSetti
   return MapTruth({Pose2{}}, {*start});
 }
 
+Pose2 start_in_world(const Mission& mission, bool in_reverse) {
+  return mission.truth.in_world(mission.driver->path().at(0).T_map_path, mission.truth.start(in_reverse));
+}
+
 Result<Mission> read_mission(const NavigateOptions& options) {
   const std::string file = options.building.string();
   LandmarkNavigatorParams params;
@@ -67,7 +71,7 @@ Result<Mission> read_mission(const NavigateOptions& options) {
   auto truth = map_truth(options, mission.setting);
   if (!truth) return truth.problems();
   mission.truth = std::move(*truth);
-  if (!fits(mission.setting.world, vehicle.footprint, mission.truth.in_world(mission.driver->path().at(0).T_map_path)))
+  if (!fits(mission.setting.world, vehicle.footprint, start_in_world(mission, options.in_reverse)))
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
   return mission;
 }
@@ -116,7 +120,7 @@ Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
   const SteadyClock clock;
   const double begun_s = clock.now_s();
   const auto result = drive_landmark_mission(mission->setting, *mission->driver, mission->truth,
-                                             {.seed = options.seed}, session, console.progress);
+                                             {.seed = options.seed, .in_reverse = options.in_reverse}, session, console.progress);
   if (!result) return result.problems();
   if (const Problems problems = close(session); !problems.empty()) return problems;
   return outcome_of(options, *mission, *result, clock.now_s() - begun_s);

@@ -187,7 +187,7 @@ Problems run_seed(const TrialOptions& options, const TrialParams& params, std::u
     if (!driver) return driver.problems();
     std::optional<SessionRecord> no_session;
     const auto result = drive_landmark_mission(
-        *setting, **driver, truth, {.seed = 1000 * (seed + 1) + static_cast<std::uint64_t>(refinement)}, no_session, progress);
+        *setting, **driver, truth, {.seed = 1000 * (seed + 1) + static_cast<std::uint64_t>(refinement), .in_reverse = options.in_reverse}, no_session, progress);
     if (!result) return result.problems();
     trial.after[static_cast<std::size_t>(refinement)].add(*result, building.landmarks.size());
     trial.missions.push_back(mission_json(seed, *setting, refinement, *result));

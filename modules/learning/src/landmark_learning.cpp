@@ -6,6 +6,7 @@
 #include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
 #include "landmark_adjustment.hpp"
+#include "landmark_view.hpp"
 
 namespace aisle {
 
@@ -31,6 +32,7 @@ Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, d
           .weight = confidence_weight(sighting.p_vehicle, confidence_m2),
           .sightings = 1,
           .passes = 1,
+          .seen_from = (T_map_vehicle.position() - T_map_vehicle * sighting.p_vehicle).normalized(),
           .brighter_right = sighting.brighter_right};
 }
 
@@ -40,6 +42,7 @@ Landmark united(const Landmark& a, const Landmark& b) {
   both.mass = a.mass + b.mass;
   both.weight = a.weight + b.weight;
   both.p_map = (a.mass * a.p_map + b.mass * b.p_map) / both.mass;
+  both.seen_from = (a.sightings * a.seen_from + b.sightings * b.seen_from).normalized();
   both.covariance = a.covariance.trace() < b.covariance.trace() ? a.covariance : b.covariance;
   both.sightings = a.sightings + b.sightings;
   return both;
@@ -67,23 +70,14 @@ struct Visibility {
   bool is_gone() const { return expected >= kExpectedMin && seen < kSeenShareMin * expected; }
 };
 
-/// A landmark is expected where others are seen: no farther, and between the outermost of them.
 void count_visibility(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
                       const LandmarkLocaliser& localiser, std::vector<Visibility>& visibility) {
-  double far_m = 0, left_rad = -kPi, right_rad = kPi;
-  for (const LandmarkSighting& sighting : sightings) {
-    const double bearing = std::atan2(sighting.p_vehicle.y(), sighting.p_vehicle.x());
-    far_m = std::max(far_m, sighting.p_vehicle.norm());
-    left_rad = std::max(left_rad, bearing);
-    right_rad = std::min(right_rad, bearing);
-  }
+  const LandmarkView view(sightings);
   std::vector<int> near;
-  map.within(localiser.pose().position(), far_m, near);
-  const Pose2 T_vehicle_map = localiser.pose().inverse();
+  map.within(localiser.pose().position(), view.far_m(), near);
   for (const int i : near) {
-    const Vec2 p_vehicle = T_vehicle_map * map[static_cast<std::size_t>(i)].p_map;
-    const double bearing = std::atan2(p_vehicle.y(), p_vehicle.x());
-    if (bearing <= left_rad && bearing >= right_rad) ++visibility[static_cast<std::size_t>(i)].expected;
+    const auto index = static_cast<std::size_t>(i);
+    if (view.expects(map[index], localiser.pose())) ++visibility[index].expected;
   }
   for (const LandmarkPair& pair : localiser.pairs()) ++visibility[pair.landmark].seen;
 }

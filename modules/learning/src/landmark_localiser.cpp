@@ -5,8 +5,15 @@
 #include <cmath>
 
 #include "aisle/core/square.hpp"
+#include "landmark_view.hpp"
 
 namespace aisle {
+namespace {
+
+constexpr double kSureWeight = 0.5;  // landmarks of this weight are there
+constexpr int kContradictingMin = 2;      // so many of them out of sight contradict the map
+
+}  // namespace
 
 void LandmarkLocaliserParams::describe(FieldList& fields) {
   fields.group("mwght", mwght);
@@ -22,6 +29,7 @@ void LandmarkLocaliserParams::describe(FieldList& fields) {
   fields.real("repeat_inflation", repeat_inflation, {1, 100},
               "pictures in a row are not independent: their variances count so many times");
   fields.real("matched_share_min", matched_share_min, {0, 1}, "with less of the sightings matched there is no match");
+  fields.count("pairs_min", pairs_min, {1, 20}, "fewer sightings than this make no match");
   fields.flag("polarity", polarity, "a line that is brighter on its right is never taken for one that is brighter left");
   fields.flag("covariance", covariance, "errors along and across the line of sight are kept apart");
 }
@@ -46,7 +54,7 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map, std::span<const
   gather(map, sightings);
   if (learned_.empty() || seen_.empty()) return LandmarkMatch::kNothing;
   const auto match = mwght_.match(learned_, seen_, window());
-  if (!match) return LandmarkMatch::kUnmatched;
+  if (!match) return without_match(map, sightings);
   Pose2 T_map_guess = filter_.pose() * match->best.displacement;
   const double agreement = pair_up(map, sightings, T_map_guess);
   if (match->runner_up && is_elsewhere(match->best.displacement, match->runner_up->displacement)) {
@@ -59,9 +67,20 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map, std::span<const
     if (other > agreement) T_map_guess = T_map_other;
     if (other < agreement) pair_up(map, sightings, T_map_guess);
   }
-  if (pairs_.empty() || matched_share_ < params_.matched_share_min) return LandmarkMatch::kUnmatched;
+  if (pairs_.size() < static_cast<std::size_t>(params_.pairs_min) || matched_share_ < params_.matched_share_min) return without_match(map, sightings);
   filter_.update(points_, T_map_guess);
   return LandmarkMatch::kMatched;
+}
+
+/// Unknown things alone do not contradict the map: only where several of its landmarks should be seen and are not is
+/// the vehicle perhaps elsewhere.
+LandmarkMatch LandmarkLocaliser::without_match(const LandmarkMap& map, std::span<const LandmarkSighting> sightings) {
+  const LandmarkView view(sightings);
+  const auto expected = std::count_if(near_.begin(), near_.end(), [&](int i) {
+    const Landmark& landmark = map[static_cast<std::size_t>(i)];
+    return landmark.weight >= kSureWeight && view.expects(landmark, filter_.pose());
+  });
+  return expected >= kContradictingMin ? LandmarkMatch::kUnmatched : LandmarkMatch::kNothing;
 }
 
 /// Both patterns as the vehicle sees or would see them: the displacement between them is then the correction of the

@@ -71,7 +71,8 @@ FollowedLinesSheet::Sheet::Sheet(const FollowedLinesSheet& content)
 }
 
 Vec2 FollowedLinesSheet::Sheet::corner_of(std::size_t i) const {
-  return {static_cast<double>(i % columns_) * step_px_.x(), static_cast<double>(i / columns_) * step_px_.y()};
+  const std::size_t column = i % columns_, row = i / columns_;
+  return {static_cast<double>(column) * step_px_.x(), static_cast<double>(row) * step_px_.y()};
 }
 
 std::string FollowedLinesSheet::Sheet::png() const {

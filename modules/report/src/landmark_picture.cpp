@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "canvas.hpp"
 #include "picture_frame.hpp"
@@ -102,8 +104,18 @@ void LandmarkDrawing::draw_routes(Canvas& canvas) const {
   }
 }
 
+/// Spots that would cover each other are one.
 void LandmarkDrawing::draw_seen(Canvas& canvas) const {
-  for (const Vec2& p : picture_.seen) canvas.disc(scale_.to_paper(p), kSeen_px, kSeen);
+  constexpr double kBeyond_m = 0.3;
+  std::set<std::pair<int, int>> taken;
+  for (const Vec2& p : picture_.seen) {
+    const bool is_within = (p.array() > scale_.low.array() - kBeyond_m).all() &&
+                           (p.array() < scale_.high.array() + kBeyond_m).all();
+    if (!is_within) continue;
+    const Vec2 centre = scale_.to_paper(p);
+    const std::pair cell(static_cast<int>(centre.x() / kSeen_px), static_cast<int>(centre.y() / kSeen_px));
+    if (taken.insert(cell).second) canvas.disc(centre, kSeen_px, kSeen);
+  }
 }
 
 void LandmarkDrawing::draw_square(Canvas& canvas, const Vec2& centre) const {
@@ -186,7 +198,6 @@ PictureScale fit_scale(const LandmarkPicture& picture) {
   for (const std::vector<Pose2>& trip : picture.driven) {
     for (const Pose2& pose : trip) content.add(pose.position());
   }
-  for (const Vec2& p : picture.seen) content.add(p);
   for (const Segment2& wall : picture.true_walls) {
     content.add(wall.start);
     content.add(wall.end);

@@ -49,7 +49,7 @@ struct Motion {
 
 /// The lines of two pictures, paired in order.
 struct Pairing {
-  double likeness = 0;
+  double worth = 0;  // sum of their likenesses, less the price of the motion
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
 };
 
@@ -58,12 +58,12 @@ class Comparison {
  public:
   Comparison(const std::vector<Look>& before, const std::vector<Look>& now, const LineFollowerParams& params);
 
-  Pairing best_pairing();
+  Pairing best_pairing(const std::vector<Motion>& motions);
 
  private:
   double& best(std::size_t i, std::size_t j) { return best_[i * (now_.size() + 1) + j]; }
   double compare(const Motion& motion);
-  Pairing pairing(const Motion& motion);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs(const Motion& motion);
 
   const std::vector<Look>& before_;
   const std::vector<Look>& now_;
@@ -106,40 +106,55 @@ double Comparison::compare(const Motion& motion) {
   return best(before_.size(), now_.size());
 }
 
-Pairing Comparison::pairing(const Motion& motion) {
-  Pairing pairing{compare(motion), {}};
+std::vector<std::pair<std::size_t, std::size_t>> Comparison::pairs(const Motion& motion) {
+  compare(motion);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = before_.size(), j = now_.size(); i > 0 && j > 0;) {
     if (best(i, j) == best(i - 1, j)) {
       --i;
     } else if (best(i, j) == best(i, j - 1)) {
       --j;
     } else {
-      pairing.pairs.emplace_back(--i, --j);
+      pairs.emplace_back(--i, --j);
     }
   }
-  return pairing;
+  return pairs;
 }
 
-/// Of motions that explain equally much the least one.
-Pairing Comparison::best_pairing() {
-  constexpr double kTurnStep = 0.025, kPriceOfMotion = 0.3;
-  constexpr int kApproachSteps = 24;  // finer where it is small
-  Motion chosen;
-  double value = compare(chosen);
-  for (double before = -params_.turn_max; before <= params_.turn_max; before += kTurnStep) {
-    for (double now = -params_.turn_max; now <= params_.turn_max; now += kTurnStep) {
+/// All that are looked at, the finer the slower the approach.
+std::vector<Motion> possible_motions(const LineFollowerParams& params) {
+  constexpr double kTurnStep = 0.025, kApproachSteps = 24;
+  const int turns = static_cast<int>(params.turn_max / kTurnStep);
+  std::vector<Motion> motions;
+  for (int before = -turns; before <= turns; ++before) {
+    for (int now = -turns; now <= turns; ++now) {
       for (int step = 0; step <= kApproachSteps; ++step) {
-        const double share = static_cast<double>(step) / kApproachSteps;
-        const Motion motion{before, now, params_.approach_max * share * share};
-        const double turn_share = std::abs(now - before) / params_.turn_max;
-        const double worth = compare(motion) - kPriceOfMotion * (share + turn_share);
-        if (worth <= value) continue;
-        value = worth;
-        chosen = motion;
+        const double share = step / kApproachSteps;
+        motions.push_back({before * kTurnStep, now * kTurnStep, params.approach_max * share * share});
       }
     }
   }
-  return pairing(chosen);
+  return motions;
+}
+
+/// What a motion must explain more than standing still.
+double price_of(const Motion& motion, const LineFollowerParams& params) {
+  constexpr double kPrice = 0.3;
+  const double approach_share = motion.approach / std::max(params.approach_max, 1e-9);
+  const double turn_share = std::abs(motion.end_now - motion.end_before) / std::max(params.turn_max, 1e-9);
+  return kPrice * (std::sqrt(approach_share) + turn_share);
+}
+
+Pairing Comparison::best_pairing(const std::vector<Motion>& motions) {
+  Motion chosen;
+  double worth = compare(chosen);
+  for (const Motion& motion : motions) {
+    const double its_worth = compare(motion) - price_of(motion, params_);
+    if (its_worth <= worth) continue;
+    worth = its_worth;
+    chosen = motion;
+  }
+  return {worth, pairs(chosen)};
 }
 
 }  // namespace
@@ -153,15 +168,16 @@ void LineFollowerParams::describe(FieldList& fields) {
   fields.real("slope_gate", slope_gate, {0.001, 10}, "change of a line's slope");
   fields.real("tone_gate", tone_gate, {0.1, 255}, "change of the grey level beside a line");
   fields.real("likeness_min", likeness_min, {0, 1000},
-              "of all lines together, at best 1 each; below: none is followed");
+              "of all lines together, at best 1 each, less for great motion; below: none");
 }
 
 std::vector<int> LineFollower::follow(const Image& grey, const std::vector<VerticalLine>& lines) {
   std::vector<Look> looks;
+  looks.reserve(lines.size());
   for (const VerticalLine& line : lines) looks.push_back(look_of(grey, line));
   std::vector<int> numbers(lines.size(), -1);
-  const Pairing pairing = Comparison(looks_, looks, params_).best_pairing();
-  if (pairing.likeness >= params_.likeness_min) {
+  const Pairing pairing = Comparison(looks_, looks, params_).best_pairing(possible_motions(params_));
+  if (pairing.worth >= params_.likeness_min) {
     for (const auto& [before, now] : pairing.pairs) numbers[now] = numbers_[before];
   }
   for (int& number : numbers) {

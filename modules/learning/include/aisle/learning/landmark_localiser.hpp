@@ -26,6 +26,7 @@ struct LandmarkLocaliserParams {
   double landmark_sigma_m = 0.02;
   double repeat_inflation = 3;
   double matched_share_min = 0.34;
+  int pairs_min = 2;
   bool polarity = true;
   bool covariance = true;
 
@@ -39,8 +40,8 @@ double confidence_weight(const Vec2& p_vehicle, double confidence_m2);
 enum class LandmarkMatch {
   kMatched,    ///< the pose was corrected
   kAmbiguous,  ///< two displacements fit about as well; the pose goes on by odometry
-  kUnmatched,  ///< landmarks were seen, but not those of the map; likewise
-  kNothing,    ///< nothing was seen, or nothing is known here; likewise
+  kUnmatched,  ///< other landmarks were seen than those that should be; likewise
+  kNothing,    ///< nothing was seen, or nothing that is known; likewise
 };
 
 /// A sighting and the landmark that it was taken for.
@@ -70,6 +71,7 @@ class LandmarkLocaliser {
 
  private:
   void gather(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
+  LandmarkMatch without_match(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
   MwghtWindow window() const;
   bool is_elsewhere(const Pose2& best, const Pose2& other) const;
   double pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings, const Pose2& T_map_vehicle);

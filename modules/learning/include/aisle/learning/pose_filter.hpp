@@ -41,6 +41,7 @@ class PoseFilter {
   using Mat6 = Eigen::Matrix<double, 6, 6>;
 
   VehicleDescription vehicle_;
+  Vec3 steady_variances_ = Vec3::Zero();  ///< of the odometry errors, before anything was seen
   Pose2 T_map_vehicle_;
   Vec3 odometry_errors_ = Vec3::Zero();  ///< way scale, turn scale, turn per metre [1/m]
   Mat6 covariance_ = Mat6::Zero();       ///< of (x, y, theta, odometry errors)

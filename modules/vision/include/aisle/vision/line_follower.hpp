@@ -16,7 +16,8 @@ struct LineFollowerParams {
                               ///< to x / (1 - approach x), as points of a side wall do
   double slope_gate = 0.15;   ///< change of a line's slope
   double tone_gate = 45;      ///< change of the grey level on either side
-  double likeness_min = 1.5;  ///< of all lines together, 1 for each at best: below it none was followed
+  double likeness_min = 1.5;  ///< of all lines together, 1 for each at best and less for great motion:
+                              ///< below it none was followed
 
   void describe(FieldList& fields);
 };
