@@ -35,10 +35,12 @@ Result<std::unique_ptr<Operator>> timed_keys(const std::string& file, const Vehi
 }  // namespace
 
 void add_hand_options(CLI::App& verb, HandOptions& options) {
-  add_choice<Hands>(verb, "--operator", options.person, {{"keys", Hands::kKeys}, {"scripted", Hands::kScripted}},
+  add_choice<Hands>(verb, "--operator", options.person,
+                    {{"keys", Hands::kKeys}, {"scripted", Hands::kScripted}},
                     "keys: arrows, q, space in the terminal, or timed keys from stdin; scripted: a person "
                     "follows the world's tour (default: keys in a terminal, else scripted)");
-  verb.add_option("--keys", options.keys, "file of timed keys to press, such as '0-3 up'; faster than real time");
+  verb.add_option("--keys", options.keys,
+                  "file of timed keys to press, such as '0-3 up'; faster than real time");
 }
 
 DriveOptions::KeyOperator key_operator(const HandOptions& options, bool quiet) {

@@ -18,8 +18,8 @@ bool read_seeds(const std::string& text, std::uint64_t& first, std::uint64_t& la
   };
   const std::size_t dots = text.find("..");
   if (dots == std::string::npos) return read(text, first) && read(text, last);
-  return read(std::string_view(text).substr(0, dots), first) && read(std::string_view(text).substr(dots + 2), last) &&
-         first <= last && last - first < kSeedsMax;
+  return read(std::string_view(text).substr(0, dots), first) &&
+         read(std::string_view(text).substr(dots + 2), last) && first <= last && last - first < kSeedsMax;
 }
 
 }  // namespace
@@ -37,12 +37,14 @@ void add_trial_verb(CLI::App& app, Work& work) {
           throw CLI::ValidationError("--seeds", "'" + text + "' is neither a seed nor a range like 1..20");
       },
       "the missions' seeds: one, or a range like 1..20 (default 1)");
-  verb->add_option("--world", options->worlds,
-                   "world files (YAML) or names of shipped ones, taken in turn (default: buildings by chance)");
+  verb->add_option(
+      "--world", options->worlds,
+      "world files (YAML) or names of shipped ones, taken in turn (default: buildings by chance)");
   verb->add_option("--vehicle", options->vehicle,
                    "vehicle file (YAML), or the name of a shipped one (default alv)");
-  verb->add_option("--faults", options->scenario,
-                   "scenario file (YAML) of what goes wrong while driving alone, or the name of a shipped one");
+  verb->add_option(
+      "--faults", options->scenario,
+      "scenario file (YAML) of what goes wrong while driving alone, or the name of a shipped one");
   verb->add_option("--refinements", options->refinements, "trips after the first, each taken in (default 0)")
       ->check(CLI::Range(0, 100));
   verb->add_option("--speed", options->speed_mps, "speed where nothing speaks against it [m/s]")

@@ -1,5 +1,6 @@
 #pragma once
-/// How well a simulated mission knew where it was and kept to its path. Nothing of this is ever seen by a navigator.
+/// How well a simulated mission knew where it was and kept to its path. Nothing of this is ever seen by a
+/// navigator.
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -12,8 +13,9 @@
 
 namespace aisle {
 
-/// How a learned map lies in the world, told by the trip that taught it: the map's drift over a long way is not an
-/// error of driving by it. Where the vehicle is on the map is judged against the nearest pose of that trip.
+/// How a learned map lies in the world, told by the trip that taught it: the map's drift over a long way is
+/// not an error of driving by it. Where the vehicle is on the map is judged against the nearest pose of that
+/// trip.
 class MapTruth {
  public:
   MapTruth() = default;

@@ -29,8 +29,8 @@ struct LandmarkLesson {
   std::vector<Pose2> T_map_taught;  ///< of each of the trip's cycles
 };
 
-/// C98 Algorithm 2, and the route as it was driven. A trip that shows no landmarks, or a way that the vehicle cannot
-/// drive, is a problem.
+/// C98 Algorithm 2, and the route as it was driven. A trip that shows no landmarks, or a way that the vehicle
+/// cannot drive, is a problem.
 Result<LandmarkLesson> learn_lesson(const LandmarkTrip& trip, const std::string& route,
                                     const LandmarkLessonParams& params);
 

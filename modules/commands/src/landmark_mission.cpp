@@ -18,10 +18,7 @@ class LandmarkMissionRecord final : public SimulatedRecord {
  public:
   LandmarkMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
                         const LandmarkNavigator& navigator, LandmarkMissionResult& result)
-      : SimulatedRecord(session, vehicle),
-        vehicle_(vehicle),
-        navigator_(navigator),
-        result_(result) {}
+      : SimulatedRecord(session, vehicle), vehicle_(vehicle), navigator_(navigator), result_(result) {}
 
   Result<Observation> keep(Observation observation) override {
     auto kept = SimulatedRecord::keep(std::move(observation));
@@ -54,7 +51,8 @@ class LandmarkMissionRecord final : public SimulatedRecord {
 
 class TimedNavigator final : public Navigator {
  public:
-  TimedNavigator(Navigator& navigator, std::vector<double>& cycle_s) : navigator_(navigator), cycle_s_(cycle_s) {}
+  TimedNavigator(Navigator& navigator, std::vector<double>& cycle_s)
+      : navigator_(navigator), cycle_s_(cycle_s) {}
 
   Decision step(const Observation& observation) override {
     const double begun_s = thread_cpu_s();
@@ -69,7 +67,8 @@ class TimedNavigator final : public Navigator {
 };
 
 /// Where a person who sets the vehicle down roughly puts it.
-Pose2 set_down(const SimulationSetting& setting, const Pose2& T_world_start, const LandmarkMissionOptions& options) {
+Pose2 set_down(const SimulationSetting& setting, const Pose2& T_world_start,
+               const LandmarkMissionOptions& options) {
   Random random(options.seed ^ kSetDown);
   const Pose2 off{random.normal(options.start_sigma_m), random.normal(options.start_sigma_m),
                   random.normal(options.start_sigma_rad)};
@@ -81,12 +80,15 @@ Pose2 set_down(const SimulationSetting& setting, const Pose2& T_world_start, con
 }  // namespace
 
 Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, LandmarkDriver& driver,
-                                                     const MapTruth& truth, const LandmarkMissionOptions& options,
-                                                     std::optional<SessionRecord>& session, Progress& progress) {
+                                                     const MapTruth& truth,
+                                                     const LandmarkMissionOptions& options,
+                                                     std::optional<SessionRecord>& session,
+                                                     Progress& progress) {
   const std::size_t taught = truth.start(options.in_reverse);
   const Pose2 T_world_start = truth.in_world(driver.path().at(0).T_map_path, taught);
-  SimulatedVehicle vehicle(setting.world, setting.vehicle, setting.scenario,
-                           {.seed = options.seed, .T_world_start = set_down(setting, T_world_start, options)});
+  SimulatedVehicle vehicle(
+      setting.world, setting.vehicle, setting.scenario,
+      {.seed = options.seed, .T_world_start = set_down(setting, T_world_start, options)});
   LandmarkMissionResult result(truth, driver.path(), taught);
   result.trip.vehicle = vehicle.description();
   result.trip.camera = *driver.building().camera;
@@ -109,23 +111,24 @@ double quantile(std::vector<double> values, double share) {
 
 nlohmann::ordered_json figures_of(const LandmarkMissionResult& result) {
   const MissionErrors& errors = result.errors;
-  return {{"arrived", result.end.arrived},
-          {"state", result.end.state},
-          {"why", result.end.why},
-          {"collisions", result.collisions},
-          {"lost_count", result.lost_count},
-          {"distance_m", rounded(result.distance_m, 3)},
-          {"duration_s", rounded(result.end.duration_s, 3)},
-          {"localisation",
-           {{"across_rmse_m", rounded(errors.across_m.rms(), 4)},
-            {"along_rmse_m", rounded(errors.along_m.rms(), 4)},
-            {"heading_rmse_deg", rounded(to_degrees(errors.heading_rad.rms()), 3)},
-            {"wrong_confident", errors.wrong_confident}}},
-          {"tracking",
-           {{"rmse_m", rounded(errors.tracking_m.rms(), 4)}, {"max_m", rounded(errors.tracking_m.worst(), 4)}}},
-          {"cycle_ms",
-           {{"median", rounded(1e3 * quantile(result.cycle_s, 0.5), 3)},
-            {"p99", rounded(1e3 * quantile(result.cycle_s, 0.99), 3)}}}};
+  return {
+      {"arrived", result.end.arrived},
+      {"state", result.end.state},
+      {"why", result.end.why},
+      {"collisions", result.collisions},
+      {"lost_count", result.lost_count},
+      {"distance_m", rounded(result.distance_m, 3)},
+      {"duration_s", rounded(result.end.duration_s, 3)},
+      {"localisation",
+       {{"across_rmse_m", rounded(errors.across_m.rms(), 4)},
+        {"along_rmse_m", rounded(errors.along_m.rms(), 4)},
+        {"heading_rmse_deg", rounded(to_degrees(errors.heading_rad.rms()), 3)},
+        {"wrong_confident", errors.wrong_confident}}},
+      {"tracking",
+       {{"rmse_m", rounded(errors.tracking_m.rms(), 4)}, {"max_m", rounded(errors.tracking_m.worst(), 4)}}},
+      {"cycle_ms",
+       {{"median", rounded(1e3 * quantile(result.cycle_s, 0.5), 3)},
+        {"p99", rounded(1e3 * quantile(result.cycle_s, 0.99), 3)}}}};
 }
 
 }  // namespace aisle

@@ -44,8 +44,10 @@ struct LandmarkMissionOptions {
 
 /// Sets the vehicle down about the path's start and lets it drive there by itself.
 Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, LandmarkDriver& driver,
-                                                     const MapTruth& truth, const LandmarkMissionOptions& options,
-                                                     std::optional<SessionRecord>& session, Progress& progress);
+                                                     const MapTruth& truth,
+                                                     const LandmarkMissionOptions& options,
+                                                     std::optional<SessionRecord>& session,
+                                                     Progress& progress);
 
 /// The figures of a mission as `navigate` prints them.
 nlohmann::ordered_json figures_of(const LandmarkMissionResult& result);

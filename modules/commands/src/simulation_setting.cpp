@@ -11,8 +11,8 @@
 namespace aisle {
 namespace {
 
-/// A scenario's places mean something in its own world, and in no other; a vehicle that is lifted must fit where it
-/// is put.
+/// A scenario's places mean something in its own world, and in no other; a vehicle that is lifted must fit
+/// where it is put.
 Problems check_scenario(const std::string& file, const SimulationSetting& setting) {
   Problems problems;
   if (const std::string& needed = setting.scenario.world; !needed.empty() && needed != setting.world.name) {

@@ -57,7 +57,8 @@ class LessonRecord final : public MissionRecord {
 /// The world of a seed: one of those given, in turn, or a building by chance.
 Result<SimulationSetting> setting_of(const TrialOptions& options, std::uint64_t seed) {
   const bool by_chance = options.worlds.empty();
-  const std::string named = by_chance ? "l-corridor" : options.worlds[(seed - options.first_seed) % options.worlds.size()];
+  const std::string named =
+      by_chance ? "l-corridor" : options.worlds[(seed - options.first_seed) % options.worlds.size()];
   auto setting = read_setting(named, options.vehicle, options.scenario);
   if (!setting) return setting.problems();
   if (by_chance) {
@@ -66,7 +67,8 @@ Result<SimulationSetting> setting_of(const TrialOptions& options, std::uint64_t 
     setting->world_file = fmt::format("{} {}", name_of(kBuildingKinds[seed % kinds]), seed);
   }
   auto& cameras = setting->vehicle.description.cameras;
-  if (cameras.empty()) return Problem{{options.vehicle, 0, "cameras"}, "there is none: nothing can be learned"};
+  if (cameras.empty())
+    return Problem{{options.vehicle, 0, "cameras"}, "there is none: nothing can be learned"};
   cameras = {CameraDescription(corridor_camera(setting->vehicle.description))};
   return setting;
 }
@@ -77,7 +79,8 @@ Result<std::optional<LandmarkTrip>> teach(const SimulationSetting& setting, cons
   const auto start = start_in(setting);
   if (!start) return start.problems();
   ScriptedOperator person(setting.world, setting.vehicle.description, params.person, seed);
-  SimulatedVehicle vehicle(setting.world, setting.vehicle, {}, {.seed = seed, .T_world_start = *start}, &person);
+  SimulatedVehicle vehicle(setting.world, setting.vehicle, {}, {.seed = seed, .T_world_start = *start},
+                           &person);
   HandDriver driver({});
   LessonRecord record(params.lesson.sightings, vehicle);
   const auto end = run_mission(vehicle, driver, record, progress);
@@ -127,7 +130,8 @@ class Statistics {
 
   Json json() const {
     return {{"missions", missions_},
-            {"arrived_share", rounded(static_cast<double>(arrived_) / std::max<double>(static_cast<double>(missions_), 1), 4)},
+            {"arrived_share",
+             rounded(static_cast<double>(arrived_) / std::max<double>(static_cast<double>(missions_), 1), 4)},
             {"collisions", collisions_},
             {"wrong_confident", wrong_confident_},
             {"lost_count", lost_.json(2)},
@@ -139,7 +143,8 @@ class Statistics {
             {"tracking", {{"rmse_m", tracking_m_.json(4)}, {"max_m", tracking_worst_m_.json(4)}}},
             {"landmarks", landmarks_.json(1)},
             {"cycle_ms",
-             {{"median", rounded(1e3 * quantile(cycle_s_, 0.5), 3)}, {"p99", rounded(1e3 * quantile(cycle_s_, 0.99), 3)}}}};
+             {{"median", rounded(1e3 * quantile(cycle_s_, 0.5), 3)},
+              {"p99", rounded(1e3 * quantile(cycle_s_, 0.99), 3)}}}};
   }
 
  private:
@@ -150,7 +155,8 @@ class Statistics {
 
 Json mission_json(std::uint64_t seed, const SimulationSetting& setting, int refinement,
                   const LandmarkMissionResult& result) {
-  Json json = {{"seed", seed}, {"world", setting.world.name.empty() ? setting.world_file.string() : setting.world.name},
+  Json json = {{"seed", seed},
+               {"world", setting.world.name.empty() ? setting.world_file.string() : setting.world.name},
                {"refinement", refinement}};
   json.update(figures_of(result));
   return json;
@@ -183,17 +189,22 @@ Problems run_seed(const TrialOptions& options, const TrialParams& params, std::u
   for (int refinement = 0; refinement <= options.refinements; ++refinement) {
     const VehicleDescription& vehicle = setting->vehicle.description;
     const auto driver = LandmarkDriver::make(
-        LandmarkDriver::origin(params.navigator, {building_json(building), "route", options.in_reverse}), vehicle);
+        LandmarkDriver::origin(params.navigator, {building_json(building), "route", options.in_reverse}),
+        vehicle);
     if (!driver) return driver.problems();
     std::optional<SessionRecord> no_session;
-    const auto result = drive_landmark_mission(
-        *setting, **driver, truth, {.seed = 1000 * (seed + 1) + static_cast<std::uint64_t>(refinement), .in_reverse = options.in_reverse}, no_session, progress);
+    const auto result =
+        drive_landmark_mission(*setting, **driver, truth,
+                               {.seed = 1000 * (seed + 1) + static_cast<std::uint64_t>(refinement),
+                                .in_reverse = options.in_reverse},
+                               no_session, progress);
     if (!result) return result.problems();
     trial.after[static_cast<std::size_t>(refinement)].add(*result, building.landmarks.size());
     trial.missions.push_back(mission_json(seed, *setting, refinement, *result));
-    building.landmarks = refine_landmarks(building.landmarks, result->trip.cycles, vehicle,
-                                          about_start((*driver)->path().at(0).T_map_path), params.lesson.learning)
-                             .map;
+    building.landmarks =
+        refine_landmarks(building.landmarks, result->trip.cycles, vehicle,
+                         about_start((*driver)->path().at(0).T_map_path), params.lesson.learning)
+            .map;
   }
   return {};
 }
@@ -204,11 +215,13 @@ Outcome outcome_of(const TrialOptions& options, const Trial& trial) {
   outcome.figures["simulated"] = true;
   outcome.figures["method"] = options.method;
   if (options.refinements > 0) {
-    for (const Statistics& statistics : trial.after) outcome.figures["after_refinements"].push_back(statistics.json());
+    for (const Statistics& statistics : trial.after)
+      outcome.figures["after_refinements"].push_back(statistics.json());
   }
   outcome.figures["not_taught"] = trial.not_taught;
   outcome.figures["runs"] = trial.missions;
-  outcome.text = "simulated\n after  missions  arrived  collisions  across  along    heading  tracking  worst\n";
+  outcome.text =
+      "simulated\n after  missions  arrived  collisions  across  along    heading  tracking  worst\n";
   for (std::size_t i = 0; i < trial.after.size(); ++i) {
     const Json figures = trial.after[i].json();
     const Json& where = figures["localisation"];
@@ -222,7 +235,8 @@ Outcome outcome_of(const TrialOptions& options, const Trial& trial) {
     outcome.ok = outcome.ok && trial.after[i].all_well();
   }
   for (const Json& seed : trial.not_taught)
-    outcome.text += fmt::format("seed {}: {}\n", seed["seed"].get<std::uint64_t>(), seed["why"].get<std::string>());
+    outcome.text +=
+        fmt::format("seed {}: {}\n", seed["seed"].get<std::uint64_t>(), seed["why"].get<std::string>());
   return outcome;
 }
 
@@ -245,7 +259,8 @@ Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
   SilentProgress within;
   for (std::uint64_t i = 0; i < seeds; ++i) {
     console.progress.report("missions", i, seeds);
-    if (Problems problems = run_seed(options, params, options.first_seed + i, trial, within); !problems.empty())
+    if (Problems problems = run_seed(options, params, options.first_seed + i, trial, within);
+        !problems.empty())
       return problems;
   }
   return outcome_of(options, trial);

@@ -65,8 +65,8 @@ Mat2 read_covariance(const JsonValue& value) {
 
 Landmark read_landmark(const JsonValue& value) {
   Landmark landmark;
-  if (!value.is_object_of(
-          {"at_m", "sigma_m", "correlation", "mass", "weight", "sightings", "passes", "seen_from_deg", "brighter"}))
+  if (!value.is_object_of({"at_m", "sigma_m", "correlation", "mass", "weight", "sightings", "passes",
+                           "seen_from_deg", "brighter"}))
     return landmark;
   if (const auto at = value.require("at_m")) at->read_point(landmark.p_map);
   landmark.covariance = read_covariance(value);

@@ -15,7 +15,7 @@ namespace {
 constexpr int kExpectedMin = 15;        // pictures that show whether a landmark is still there
 constexpr double kSeenShareMin = 0.05;  // seen in fewer of them it is gone
 constexpr double kGoneShare = 0.3;      // of a vanished landmark's mass that remains after a trip
-constexpr double kStartSigma = 1e-4;  // the first pose is the map's origin: exact [m, rad]
+constexpr double kStartSigma = 1e-4;    // the first pose is the map's origin: exact [m, rad]
 
 constexpr int kAdjustments = 3;
 constexpr double kNearSigma_m = 0.02;  // poses of the trip while sightings are paired with its landmarks
@@ -49,8 +49,10 @@ Landmark united(const Landmark& a, const Landmark& b) {
 }
 
 /// Which sighting of a trip shows which of its landmarks.
-std::vector<LandmarkObservation> observations(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
-                                              const LandmarkLocaliserParams& params, const LearnedTrip& trip) {
+std::vector<LandmarkObservation> observations(std::span<const LandmarkCycle> cycles,
+                                              const VehicleDescription& vehicle,
+                                              const LandmarkLocaliserParams& params,
+                                              const LearnedTrip& trip) {
   const Mat3 near = Vec3(square(kNearSigma_m), square(kNearSigma_m), square(kNearSigma_rad)).asDiagonal();
   LandmarkLocaliser localiser(params, vehicle, {});
   std::vector<LandmarkObservation> all;
@@ -88,7 +90,8 @@ void LandmarkLearningParams::describe(FieldList& fields) {
   fields.group("localiser", localiser);
   fields.real("merge_m", merge_m, {0.01, 1}, "landmarks closer than this are one");
   fields.real("weight_min", weight_min, {0, 1}, "Ts: landmarks less sure than this share of the mean go");
-  fields.count("sightings_min", sightings_min, {1, 100}, "landmarks seen in fewer pictures of the first trip go");
+  fields.count("sightings_min", sightings_min, {1, 100},
+               "landmarks seen in fewer pictures of the first trip go");
   fields.flag("forget", forget, "landmarks that are no longer seen lose their weight");
   fields.flag("adjust", adjust, "move all poses and landmarks together until they agree best");
 }
@@ -150,8 +153,8 @@ LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const Vehicle
   }
   for (int round = 0; params.adjust && round < kAdjustments; ++round) {
     trip.map.assign(landmarks);
-    adjust_landmarks(cycles, observations(cycles, vehicle, params.localiser, trip), vehicle, trip.T_map_vehicle,
-                     landmarks);
+    adjust_landmarks(cycles, observations(cycles, vehicle, params.localiser, trip), vehicle,
+                     trip.T_map_vehicle, landmarks);
   }
   settle_weights(landmarks, trip.T_map_vehicle.front().position(), params.weight_min);
   trip.map.assign(landmarks);

@@ -7,8 +7,8 @@
 
 namespace aisle {
 
-/// The part of the surroundings in which landmarks were seen in a picture: where one was seen, another that is nearer
-/// and between the outermost ones could have been seen, too.
+/// The part of the surroundings in which landmarks were seen in a picture: where one was seen, another that
+/// is nearer and between the outermost ones could have been seen, too.
 class LandmarkView {
  public:
   explicit LandmarkView(std::span<const LandmarkSighting> sightings);

@@ -12,9 +12,10 @@
 namespace aisle {
 namespace {
 
-constexpr double kLeastSigma = 1e-5;       // nothing is known better than this [m, rad]
-constexpr double kForgotten_per_m = 0.01;  // share of the steady errors' first variance that comes back with each metre
-constexpr double kHuber = 1.5;             // residuals beyond so many standard deviations count less
+constexpr double kLeastSigma = 1e-5;  // nothing is known better than this [m, rad]
+constexpr double kForgotten_per_m =
+    0.01;                       // share of the steady errors' first variance that comes back with each metre
+constexpr double kHuber = 1.5;  // residuals beyond so many standard deviations count less
 constexpr int kRounds = 5;
 constexpr double kSettled = 1e-7;
 
@@ -63,8 +64,8 @@ void PoseFilter::predict(const OdometryReading& reading) {
 
 void PoseFilter::update(std::span<const SeenPoint> points, const Pose2& guess) {
   if (points.empty()) return;
-  // The unknowns: change of (x, y, theta, odometry errors) against the prediction, and the picture's tilt error in
-  // standard deviations.
+  // The unknowns: change of (x, y, theta, odometry errors) against the prediction, and the picture's tilt
+  // error in standard deviations.
   using Vec7 = Eigen::Matrix<double, 7, 1>;
   using Mat7 = Eigen::Matrix<double, 7, 7>;
   Mat7 prior = Mat7::Identity();

@@ -23,8 +23,8 @@ struct TrialOptions {
   ParameterSources parameters;
 };
 
-/// `aisle trial METHOD --seeds A..B`: whole simulated missions, one a seed: taught, learned, driven alone, refined. The
-/// outcome is ok if every mission arrived and touched nothing.
+/// `aisle trial METHOD --seeds A..B`: whole simulated missions, one a seed: taught, learned, driven alone,
+/// refined. The outcome is ok if every mission arrived and touched nothing.
 Result<Outcome> run_trial(const TrialOptions& options, Console& console);
 
 /// Every parameter of `aisle trial` with its default.

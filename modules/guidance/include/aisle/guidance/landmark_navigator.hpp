@@ -41,9 +41,10 @@ struct LandmarkFix {
   bool is_sure = false;  ///< not lost, and not looking for itself
 };
 
-/// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture that fits
-/// the map; goes on by odometry where none does, the slower the less sure it is. Lost (too unsure, or seeing other
-/// things than are known here) it stops, looks for itself along all routes, and drives on or gives up.
+/// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture
+/// that fits the map; goes on by odometry where none does, the slower the less sure it is. Lost (too unsure,
+/// or seeing other things than are known here) it stops, looks for itself along all routes, and drives on or
+/// gives up.
 class LandmarkNavigator final : public Navigator {
  public:
   /// @param building  with landmarks and their camera, which the vehicle has; must outlive the navigator
