@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-const double kSameSide = std::cos(50 * kDegree);
+constexpr double kSameSide_rad = 50 * kDegree;
 
 double bearing(const Vec2& p_vehicle) {
   return std::atan2(p_vehicle.y(), p_vehicle.x());
@@ -29,7 +29,7 @@ bool LandmarkView::expects(const Landmark& landmark, const Pose2& T_map_vehicle)
   if (p_vehicle.norm() > far_m_ || bearing(p_vehicle) > left_rad_ || bearing(p_vehicle) < right_rad_)
     return false;
   const Vec2 from = (T_map_vehicle.position() - landmark.p_map).normalized();
-  return from.dot(landmark.seen_from) > kSameSide;
+  return from.dot(landmark.seen_from) > std::cos(kSameSide_rad);
 }
 
 }  // namespace aisle

@@ -31,7 +31,7 @@ struct LandmarkCycle {
 /// on to their weighted centroid (C98 eq. (16), (17)).
 class LandmarkLearner {
  public:
-  LandmarkLearner(const LandmarkLearningParams& params, LandmarkMap map = {})
+  explicit LandmarkLearner(const LandmarkLearningParams& params, LandmarkMap map = {})
       : params_(params), map_(std::move(map)) {}
 
   /// Merges what one picture shows from a pose. @return for each sighting the landmark that it went into
