@@ -10,6 +10,7 @@
 #include "learned_files.hpp"
 #include "methods.hpp"
 #include "rounded.hpp"
+#include "route_name.hpp"
 
 namespace aisle {
 namespace {
@@ -64,12 +65,14 @@ Result<Outcome> run_learn(const LearnOptions& options, Console& console) {
     if (!opened) return opened.problems();
     directory = std::move(*opened);
   }
-  const auto trip = read_landmark_trip(options.session, params.sightings, console.progress);
-  if (!trip) return trip.problems();
   const auto origin = SessionCycles::open(options.session);
   if (!origin) return origin.problems();
-  const std::string& named = origin->origin().route;
-  const auto lesson = learn_lesson(*trip, named.empty() ? "route" : named, params);
+  const std::string named = origin->origin().route.empty() ? "route" : origin->origin().route;
+  if (Problems problems = check_route_name({options.session.string(), 0, "route"}, named); !problems.empty())
+    return problems;
+  const auto trip = read_landmark_trip(options.session, params.sightings, console.progress);
+  if (!trip) return trip.problems();
+  const auto lesson = learn_lesson(*trip, named, params);
   if (!lesson) return at_file(lesson.problems(), options.session.string());
   Outcome outcome = outcome_of(*trip, *lesson);
   if (!directory) return outcome;

@@ -35,10 +35,12 @@ Problems check_scenario(const std::string& file, const SimulationSetting& settin
 Result<SimulationSetting> read_setting(const std::string& world, const std::string& vehicle,
                                        const std::string& scenario) {
   SimulationSetting setting;
-  setting.world_file = shipped_or_own("worlds", world);
-  auto read = read_world(setting.world_file);
-  if (!read) return read.problems();
-  setting.world = std::move(*read);
+  if (!world.empty()) {
+    setting.world_file = shipped_or_own("worlds", world);
+    auto read = read_world(setting.world_file);
+    if (!read) return read.problems();
+    setting.world = std::move(*read);
+  }
   auto model = read_vehicle(shipped_or_own("vehicles", vehicle));
   if (!model) return model.problems();
   setting.vehicle = std::move(*model);
