@@ -96,6 +96,7 @@ Result<std::map<std::string, std::string>> write(const std::vector<OutputFile>& 
                                                  const DetectOptions& options) {
   if (options.overlay->empty()) return Problem{{"--overlay"}, "names no directory"};
   std::vector<std::string> names;
+  names.reserve(drawings.size());
   for (const OutputFile& drawing : drawings) names.push_back(drawing.name);
   const auto directory = OutputDirectory::open(*options.overlay, options.force, names);
   if (!directory) return directory.problems();
