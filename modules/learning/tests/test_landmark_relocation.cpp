@@ -21,6 +21,23 @@ std::vector<Pose2> places(double length_m) {
   return tried;
 }
 
+TEST(LandmarkRelocation, FindsItselfInAPatternThatIsUniqueWhereverItStands) {
+  Random random(2);
+  const std::vector<CorridorLine> lines = corridor_lines(25, random);
+  const LandmarkMap map = map_of(lines);
+  LandmarkRelocator relocator({}, {});
+  int found = 0;
+  constexpr int kTrials = 20;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Pose2 truth{random.uniform(1, 18), random.uniform(-0.3, 0.3), random.uniform(-8, 8) * kDegree};
+    const auto answer = relocator.find(map, places(22), sightings_from(lines, truth, kNoise, &random));
+    if (!answer) continue;
+    ++found;
+    EXPECT_THAT(*answer, PoseNear(truth, 0.15, 2 * kDegree)) << trial;
+  }
+  EXPECT_GE(found, kTrials * 3 / 4);
+}
+
 TEST(LandmarkRelocation, DoesNotGuessInAPatternThatRepeatsItself) {
   Random random(3);
   const std::vector<CorridorLine> period = corridor_lines(6, random);
@@ -45,6 +62,16 @@ TEST(LandmarkRelocation, DoesNotGuessFromFewSightings) {
   LandmarkRelocator relocator({}, {});
   EXPECT_EQ(relocator.find(map_of(lines), places(22), seen), std::nullopt);
   EXPECT_EQ(relocator.find(map_of(lines), places(22), {}), std::nullopt);
+}
+
+TEST(LandmarkRelocation, DoesNotFindItselfInAnotherBuilding) {
+  Random random(6);
+  LandmarkRelocator relocator({}, {});
+  for (int trial = 0; trial < 10; ++trial) {
+    const std::vector<CorridorLine> here = corridor_lines(25, random), elsewhere = corridor_lines(25, random);
+    EXPECT_EQ(relocator.find(map_of(elsewhere), places(22), sightings_from(here, {9, 0, 0}, kNoise)),
+              std::nullopt);
+  }
 }
 
 TEST(LandmarkRelocation, FindsNothingInAnEmptyMap) {
