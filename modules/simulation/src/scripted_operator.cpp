@@ -194,7 +194,8 @@ void ScriptedOperator::follow(const Vec2& p_world) {
   };
   double nearest_m = along_m_;
   const double end_m = std::min(along_m_ + params_.look_ahead_m, leg.length_m);
-  for (double at_m = along_m_ + kStep_m; at_m <= end_m; at_m += kStep_m) {
+  for (int step = 1; along_m_ + step * kStep_m <= end_m; ++step) {
+    const double at_m = along_m_ + step * kStep_m;
     if (off_m(at_m) < off_m(nearest_m)) nearest_m = at_m;
   }
   along_m_ = nearest_m;
