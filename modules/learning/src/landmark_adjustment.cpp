@@ -18,6 +18,9 @@ constexpr double kKeyframe_m = 0.05;  // poses closer than this to the one befor
 constexpr double kKeyframe_rad = 0.01;
 constexpr double kLeastMotionSigma = 1e-4;  // of a motion [m, rad]
 constexpr int kIterationsMax = 25;
+constexpr double kLoopSigma_m = 0.03;  // of a loop
+constexpr double kLoopSigma_rad = 0.5 * kDegree;
+constexpr double kLoopHuber = 3;
 
 /// The poses that are unknowns, and which cycle belongs to which.
 struct Keyframes {
@@ -40,6 +43,15 @@ Keyframes choose_keyframes(const std::vector<Pose2>& T_map_vehicle) {
   return keyframes;
 }
 
+/// How far b, seen from a, is off (x, y, theta).
+template <class T>
+std::array<T, 3> relative_pose_error(const T* a, const T* b, const T& x, const T& y, const T& theta) {
+  const T c = cos(a[2]), s = sin(a[2]);
+  const T turn = b[2] - a[2] - theta;
+  return {c * (b[0] - a[0]) + s * (b[1] - a[1]) - x, -s * (b[0] - a[0]) + c * (b[1] - a[1]) - y,
+          turn - 2 * kPi * floor((turn + kPi) / (2 * kPi))};
+}
+
 /// The odometry between two keyframes against their poses. Steady errors are unknowns in standard deviations.
 struct OdometryError {
   std::vector<Arc> arcs;
@@ -57,15 +69,25 @@ struct OdometryError {
       y += length * sin(theta + turn / 2.0);
       theta += turn;
     }
-    const T c = cos(a[2]), s = sin(a[2]);
-    const T off_x = c * (b[0] - a[0]) + s * (b[1] - a[1]) - x;
-    const T off_y = -s * (b[0] - a[0]) + c * (b[1] - a[1]) - y;
-    T off_theta = b[2] - a[2] - theta;
-    off_theta -= 2 * kPi * floor((off_theta + kPi) / (2 * kPi));
+    const auto off = relative_pose_error(a, b, x, y, theta);
     for (int i = 0; i < 3; ++i) {
-      residual[i] = root_information(i, 0) * off_x + root_information(i, 1) * off_y +
-                    root_information(i, 2) * off_theta;
+      residual[i] =
+          root_information(i, 0) * off[0] + root_information(i, 1) * off[1] + root_information(i, 2) * off[2];
     }
+    return true;
+  }
+};
+
+/// A loop, between the keyframes of its two cycles.
+struct LoopError {
+  Pose2 T_a_b;
+
+  template <class T>
+  bool operator()(const T* a, const T* b, T* residual) const {
+    const auto off = relative_pose_error(a, b, T(T_a_b.x), T(T_a_b.y), T(T_a_b.theta));
+    residual[0] = off[0] / kLoopSigma_m;
+    residual[1] = off[1] / kLoopSigma_m;
+    residual[2] = off[2] / kLoopSigma_rad;
     return true;
   }
 };
@@ -134,8 +156,9 @@ OdometryError odometry_error(std::span<const LandmarkCycle> cycles, std::size_t 
 }  // namespace
 
 void adjust_landmarks(std::span<const LandmarkCycle> cycles,
-                      std::span<const LandmarkObservation> observations, const VehicleDescription& vehicle,
-                      std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks) {
+                      std::span<const LandmarkObservation> observations, std::span<const LandmarkLoop> loops,
+                      const VehicleDescription& vehicle, std::vector<Pose2>& T_map_vehicle,
+                      std::vector<Landmark>& landmarks) {
   const Keyframes keyframes = choose_keyframes(T_map_vehicle);
   std::vector<std::array<double, 3>> keys;
   for (const std::size_t cycle : keyframes.cycles) {
@@ -154,6 +177,13 @@ void adjust_landmarks(std::span<const LandmarkCycle> cycles,
         new ceres::AutoDiffCostFunction<OdometryError, 3, 3, 3, 3>(
             new OdometryError(odometry_error(cycles, keyframes.cycles[k - 1], keyframes.cycles[k], vehicle))),
         nullptr, keys[k - 1].data(), keys[k].data(), steady.data());
+  }
+  for (const LandmarkLoop& loop : loops) {
+    const std::size_t a = keyframes.of_cycle[loop.earlier_cycle], b = keyframes.of_cycle[loop.later_cycle];
+    const Pose2 T_a_b =
+        T_key_cycle[loop.earlier_cycle] * loop.T_earlier_later * T_key_cycle[loop.later_cycle].inverse();
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<LoopError, 3, 3, 3>(new LoopError{T_a_b}),
+                             new ceres::HuberLoss(kLoopHuber), keys[a].data(), keys[b].data());
   }
   std::vector<Mat2> information(landmarks.size(), Mat2::Zero());
   for (const LandmarkObservation& seen : observations) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "aisle/learning/landmark_learning.hpp"
+#include "landmark_loops.hpp"
 
 namespace aisle {
 
@@ -15,10 +16,12 @@ struct LandmarkObservation {
 };
 
 /// Moves the poses of a trip and its landmarks until sightings and odometry agree best (robust least
-/// squares); the first pose stays. What is steadily wrong with the odometry, and each picture's tilt, are
-/// unknowns, too. Landmarks get the covariance that their sightings leave.
+/// squares); the first pose stays, and what loops say of two poses holds. What is steadily wrong with the
+/// odometry, and each picture's tilt, are unknowns, too. Landmarks get the covariance that their sightings
+/// leave.
 void adjust_landmarks(std::span<const LandmarkCycle> cycles,
-                      std::span<const LandmarkObservation> observations, const VehicleDescription& vehicle,
-                      std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks);
+                      std::span<const LandmarkObservation> observations, std::span<const LandmarkLoop> loops,
+                      const VehicleDescription& vehicle, std::vector<Pose2>& T_map_vehicle,
+                      std::vector<Landmark>& landmarks);
 
 }  // namespace aisle

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "aisle/core/angle.hpp"
-#include "aisle/core/square.hpp"
-#include "landmark_adjustment.hpp"
 #include "landmark_view.hpp"
 
 namespace aisle {
@@ -15,11 +12,6 @@ namespace {
 constexpr int kExpectedMin = 15;        // pictures that show whether a landmark is still there
 constexpr double kSeenShareMin = 0.05;  // seen in fewer of them it is gone
 constexpr double kGoneShare = 0.3;      // of a vanished landmark's mass that remains after a trip
-constexpr double kStartSigma = 1e-4;    // the first pose is the map's origin: exact [m, rad]
-
-constexpr int kAdjustments = 3;
-constexpr double kNearSigma_m = 0.02;  // poses of the trip while sightings are paired with its landmarks
-constexpr double kNearSigma_rad = 0.005;
 
 /// The landmark as one sighting shows it.
 Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, double confidence_m2) {
@@ -34,34 +26,6 @@ Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, d
           .passes = 1,
           .seen_from = (T_map_vehicle.position() - T_map_vehicle * sighting.p_vehicle).normalized(),
           .brighter_right = sighting.brighter_right};
-}
-
-/// C98 eq. (17); the covariance is that of the surer one.
-Landmark united(const Landmark& a, const Landmark& b) {
-  Landmark both = a;
-  both.mass = a.mass + b.mass;
-  both.weight = a.weight + b.weight;
-  both.p_map = (a.mass * a.p_map + b.mass * b.p_map) / both.mass;
-  both.seen_from = (a.sightings * a.seen_from + b.sightings * b.seen_from).normalized();
-  both.covariance = a.covariance.trace() < b.covariance.trace() ? a.covariance : b.covariance;
-  both.sightings = a.sightings + b.sightings;
-  return both;
-}
-
-/// Which sighting of a trip shows which of its landmarks.
-std::vector<LandmarkObservation> observations(std::span<const LandmarkCycle> cycles,
-                                              const VehicleDescription& vehicle,
-                                              const LandmarkLocaliserParams& params,
-                                              const LearnedTrip& trip) {
-  const Mat3 near = Vec3(square(kNearSigma_m), square(kNearSigma_m), square(kNearSigma_rad)).asDiagonal();
-  LandmarkLocaliser localiser(params, vehicle, {});
-  std::vector<LandmarkObservation> all;
-  for (std::size_t i = 0; i < cycles.size(); ++i) {
-    localiser.place({trip.T_map_vehicle[i], near});
-    if (localiser.correct(trip.map, cycles[i].sightings) != LandmarkMatch::kMatched) continue;
-    for (const LandmarkPair& pair : localiser.pairs()) all.push_back({i, pair.sighting, pair.landmark});
-  }
-  return all;
 }
 
 /// How often a landmark should have been seen on a trip, and how often it was.
@@ -94,6 +58,17 @@ void LandmarkLearningParams::describe(FieldList& fields) {
                "landmarks seen in fewer pictures of the first trip go");
   fields.flag("forget", forget, "landmarks that are no longer seen lose their weight");
   fields.flag("adjust", adjust, "move all poses and landmarks together until they agree best");
+}
+
+Landmark united(const Landmark& a, const Landmark& b) {
+  Landmark both = a;
+  both.mass = a.mass + b.mass;
+  both.weight = a.weight + b.weight;
+  both.p_map = (a.mass * a.p_map + b.mass * b.p_map) / both.mass;
+  both.seen_from = (a.sightings * a.seen_from + b.sightings * b.seen_from).normalized();
+  both.covariance = a.covariance.trace() < b.covariance.trace() ? a.covariance : b.covariance;
+  both.sightings = a.sightings + b.sightings;
+  return both;
 }
 
 std::vector<std::size_t> LandmarkLearner::merge(std::span<const LandmarkSighting> sightings,
@@ -133,32 +108,6 @@ void settle_weights(std::vector<Landmark>& landmarks, const Vec2& p_map_start, d
   };
   const double greatest = std::max_element(landmarks.begin(), landmarks.end(), by_weight)->weight;
   std::min_element(landmarks.begin(), landmarks.end(), by_distance)->weight = greatest;
-}
-
-LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
-                            const LandmarkLearningParams& params) {
-  LearnedTrip trip;
-  if (cycles.empty()) return trip;
-  LandmarkLearner learner(params);
-  LandmarkLocaliser localiser(params.localiser, vehicle, {{}, Mat3::Identity() * kStartSigma * kStartSigma});
-  for (const LandmarkCycle& cycle : cycles) {
-    if (!trip.T_map_vehicle.empty()) localiser.predict(cycle.odometry);
-    const LandmarkMatch match = localiser.correct(learner.map(), cycle.sightings);
-    if (match != LandmarkMatch::kAmbiguous) learner.merge(cycle.sightings, localiser.pose());
-    trip.T_map_vehicle.push_back(localiser.pose());
-  }
-  std::vector<Landmark> landmarks;
-  for (const Landmark& landmark : learner.map().all()) {
-    if (landmark.weight > 0 && landmark.sightings >= params.sightings_min) landmarks.push_back(landmark);
-  }
-  for (int round = 0; params.adjust && round < kAdjustments; ++round) {
-    trip.map.assign(landmarks);
-    adjust_landmarks(cycles, observations(cycles, vehicle, params.localiser, trip), vehicle,
-                     trip.T_map_vehicle, landmarks);
-  }
-  settle_weights(landmarks, trip.T_map_vehicle.front().position(), params.weight_min);
-  trip.map.assign(landmarks);
-  return trip;
 }
 
 RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const LandmarkCycle> cycles,

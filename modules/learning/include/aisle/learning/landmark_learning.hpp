@@ -27,6 +27,9 @@ struct LandmarkCycle {
   std::vector<LandmarkSighting> sightings;  ///< of its picture, if it has one
 };
 
+/// Two landmarks as one at their weighted centroid (C98 eq. (17)), with the covariance of the surer one.
+Landmark united(const Landmark& a, const Landmark& b);
+
 /// A map being learned. Each sighting whose place is known becomes a landmark, or moves the ones that it lies
 /// on to their weighted centroid (C98 eq. (16), (17)).
 class LandmarkLearner {
@@ -36,6 +39,9 @@ class LandmarkLearner {
 
   /// Merges what one picture shows from a pose. @return for each sighting the landmark that it went into
   std::vector<std::size_t> merge(std::span<const LandmarkSighting> sightings, const Pose2& T_map_vehicle);
+
+  /// Takes a landmark out of what is matched and merged with from now on.
+  void set_aside(std::size_t index) { map_.remove(index); }
 
   const LandmarkMap& map() const { return map_; }
 
@@ -55,7 +61,8 @@ struct LearnedTrip {
 };
 
 /// Algorithm 2: the map of a building from one trip. With `adjust`, all poses and landmarks are then moved
-/// together until sightings and odometry agree best.
+/// together until sightings and odometry agree best, and where the trip came by a place again its landmarks
+/// are laid upon the earlier ones.
 LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
                             const LandmarkLearningParams& params);
 
