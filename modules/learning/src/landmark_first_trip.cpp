@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "aisle/core/square.hpp"
 #include "aisle/learning/landmark_learning.hpp"
 #include "landmark_adjustment.hpp"
 #include "landmark_loops.hpp"
@@ -24,7 +23,7 @@ class FirstTrip {
  public:
   FirstTrip(const VehicleDescription& vehicle, const LandmarkLearningParams& params)
       : learner_(params),
-        localiser_(params.localiser, vehicle, {{}, Mat3::Identity() * kStartSigma * kStartSigma}) {}
+        localiser_(params.localiser, vehicle, about({}, kStartSigma, kStartSigma)) {}
 
   void add(const LandmarkCycle& cycle) {
     if (!T_map_vehicle_.empty()) {
@@ -101,12 +100,11 @@ std::vector<LandmarkObservation> observations(std::span<const LandmarkCycle> cyc
                                               const LandmarkLocaliserParams& params,
                                               std::span<const Pose2> T_map_vehicle,
                                               std::span<const TripLandmark> landmarks) {
-  const Mat3 near = Vec3(square(kNearSigma_m), square(kNearSigma_m), square(kNearSigma_rad)).asDiagonal();
   LandmarkLocaliser localiser(params, vehicle, {});
   PresentLandmarks present(landmarks);
   std::vector<LandmarkObservation> all;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
-    localiser.place({T_map_vehicle[i], near});
+    localiser.place(about(T_map_vehicle[i], kNearSigma_m, kNearSigma_rad));
     if (localiser.correct(present.at(i), cycles[i].sightings) != LandmarkMatch::kMatched) continue;
     for (const LandmarkPair& pair : localiser.pairs())
       all.push_back({i, pair.sighting, present.original(pair.landmark)});

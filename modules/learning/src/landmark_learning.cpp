@@ -15,9 +15,7 @@ constexpr double kGoneShare = 0.3;      // of a vanished landmark's mass that re
 
 /// The landmark as one sighting shows it.
 Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, double confidence_m2) {
-  const double c = std::cos(T_map_vehicle.theta), s = std::sin(T_map_vehicle.theta);
-  Mat2 R_map_vehicle;
-  R_map_vehicle << c, -s, s, c;
+  const Mat2 R_map_vehicle = rotation(T_map_vehicle.theta);
   return {.p_map = T_map_vehicle * sighting.p_vehicle,
           .covariance = R_map_vehicle * sighting.covariance * R_map_vehicle.transpose(),
           .mass = confidence_weight(sighting.p_vehicle, confidence_m2),
