@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,8 @@ class MapTruth {
   /// The taught pose next to a place, among those that were taught within a few metres of way before or after
   /// another; a way that comes by the same place twice is not mixed up.
   std::size_t nearest(const Pose2& T_map_place, std::size_t near) const;
+  /// The same among all of them.
+  std::size_t nearest(const Pose2& T_map_place) const;
   /// The taught pose from which a route, or its way back, begins.
   std::size_t start(bool in_reverse) const { return in_reverse ? T_map_taught_.size() - 1 : 0; }
 
@@ -63,7 +66,9 @@ class ErrorFigure {
 struct MissionErrors {
   ErrorFigure across_m, along_m, heading_rad;  ///< of the pose, while it was sure
   ErrorFigure tracking_m;                      ///< of the vehicle against its path
-  bool wrong_confident = false;                ///< ever off by more than half a metre and yet sure
+  /// Ever off by more than half a metre for longer than two seconds on end and yet sure: a vehicle that was
+  /// lifted cannot know it at once.
+  bool wrong_confident = false;
 };
 
 /// Judges a mission, cycle by cycle.
@@ -74,14 +79,19 @@ class MissionJudge {
   MissionJudge(const MapTruth& truth, const Path& path, std::size_t taught)
       : truth_(truth), path_(path), taught_(taught) {}
 
-  void add(const LandmarkFix& fix, const Pose2& T_world_vehicle);
+  /// One cycle, which ends at `stamp_s`.
+  void add(double stamp_s, const LandmarkFix& fix, const Pose2& T_world_vehicle);
   const MissionErrors& errors() const { return errors_; }
 
  private:
+  void find_again(const LandmarkFix& fix);
+
   const MapTruth& truth_;
   const Path& path_;
   double along_path_m_ = 0;
   std::size_t taught_;  ///< the pose that was next to the vehicle
+  bool is_lost_ = false;
+  std::optional<double> wrong_since_s_;  ///< and sure
   MissionErrors errors_;
 };
 

@@ -33,7 +33,7 @@ class LandmarkMissionRecord final : public SimulatedRecord {
 
   Problems keep(const Decision& decision) override {
     const LandmarkFix fix = navigator_.fix();
-    judge_.add(fix, vehicle_.truth().T_world_vehicle);
+    judge_.add(cycle_.stamp_s, fix, vehicle_.truth().T_world_vehicle);
     result_.T_map_driven.push_back(fix.T_map_vehicle.mean);
     if (decision.state == "lost" && state_ != "lost") ++result_.lost_count;
     state_ = decision.state;

@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kFoundSigma_m = 0.15;  // of a place that was found while lost, before a picture settles it
 constexpr double kFoundSigma_rad = 3 * kDegree;
-constexpr double kAgreed_m = 0.25;    // answers of two pictures that are the same
-constexpr std::size_t kAgreeing = 4;  // pictures in a row that must say the same
 
 const CameraDescription& camera_of(const VehicleDescription& vehicle, const Building& building) {
   if (building.camera) {
@@ -35,6 +33,20 @@ std::vector<Pose2> places_to_try(const Building& building, const Path& path, dou
   for (const Route& route : building.routes) add(route.path);
   if (building.routes.empty()) add(path);
   return places;
+}
+
+/// Where on its way a vehicle stands: at the nearest place where the way points as the vehicle does.
+std::optional<double> along_route(const Path& path, const Pose2& T_map_vehicle, double off_max_m) {
+  constexpr double kStep_m = 0.05, kFacing_rad = 45 * kDegree;
+  std::optional<double> nearest;
+  double nearest_m = off_max_m;
+  for (double along_m = 0; along_m <= path.length_m(); along_m += kStep_m) {
+    const Pose2 off = between(path.at(along_m).T_map_path, T_map_vehicle);
+    if (std::abs(off.theta) > kFacing_rad || off.position().norm() > nearest_m) continue;
+    nearest = along_m;
+    nearest_m = off.position().norm();
+  }
+  return nearest;
 }
 
 double steering_of(const OdometryReading& odometry) {
@@ -78,10 +90,10 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
                 camera_of(vehicle, building).mount),
       localiser_(params.localiser, vehicle,
                  about(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
-      relocator_(params.relocation, params.localiser),
+      relocator_(params.relocation, params.localiser,
+                 places_to_try(building, path_, params.relocation.apart_m)),
       follower_(vehicle, params.steering),
-      progress_(path_),
-      T_map_tried_(places_to_try(building, path_, params.relocation.apart_m)) {}
+      progress_(path_) {}
 
 Decision LandmarkNavigator::step(const Observation& observation) {
   locate(observation);
@@ -97,7 +109,7 @@ Decision LandmarkNavigator::step(const Observation& observation) {
     if (!why_lost_.empty()) {
       state_ = State::kLost;
       state_since_s_ = observation.stamp_s;
-      T_map_found_.clear();
+      relocator_.start();
     }
   }
   if (state_ == State::kLost) return find_itself(observation.stamp_s);
@@ -105,7 +117,7 @@ Decision LandmarkNavigator::step(const Observation& observation) {
 }
 
 LandmarkFix LandmarkNavigator::fix() const {
-  return {{localiser_.pose(), localiser_.covariance()}, state_ == State::kFollowing};
+  return {{localiser_.pose(), localiser_.covariance()}, state_ == State::kFollowing, state_ == State::kLost};
 }
 
 /// Odometry, then the picture: pose and sightings of this cycle.
@@ -143,28 +155,24 @@ Decision LandmarkNavigator::find_itself(double stamp_s) {
     return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
   }
   if (sightings_.empty()) return {.state = "lost", .why = why_lost_};
-  const auto found = relocator_.find(building_->landmarks, T_map_tried_, sightings_);
+  const auto found = relocator_.look(building_->landmarks, sightings_);
   if (!found) return {.state = "lost", .why = why_lost_};
-  const bool agrees =
-      !T_map_found_.empty() && (T_map_found_.back().position() - found->position()).norm() < kAgreed_m;
-  if (!agrees) T_map_found_.clear();
-  T_map_found_.push_back(*found);
-  if (T_map_found_.size() < kAgreeing) return {.state = "lost", .why = why_lost_};
   localiser_.place(about(*found, kFoundSigma_m, kFoundSigma_rad));
   const LandmarkMatch match = localiser_.correct(building_->landmarks, sightings_);
   if (match != LandmarkMatch::kMatched || localiser_.matched_share() < params_.relocation.matched_share_min ||
       localiser_.pairs().size() < static_cast<std::size_t>(params_.relocation.pairs_min))
     return {.state = "lost", .why = why_lost_};
-  const PathPoint nearest = path_.nearest(localiser_.pose().position(), 0, path_.length_m());
-  if (std::abs(nearest.aside_m) > params_.off_route_max_m) {
+  const auto along_m = along_route(path_, localiser_.pose(), params_.off_route_max_m);
+  if (!along_m) {
     return {.status = NavigatorStatus::kFailed,
             .state = "lost",
-            .why = fmt::format("found itself {:.1f} m beside its route", std::abs(nearest.aside_m))};
+            .why = fmt::format("found itself off its route by more than {:.1f} m, or facing another way",
+                               params_.off_route_max_m)};
   }
-  progress_ = PathProgress(path_, nearest.along_m);
+  progress_ = PathProgress(path_, *along_m);
   state_ = State::kFollowing;
   matched_stamp_s_ = stamp_s;
-  return {.state = "found", .why = fmt::format("{:.1f} m along the route", nearest.along_m)};
+  return {.state = "found", .why = fmt::format("{:.1f} m along the route", *along_m)};
 }
 
 Decision LandmarkNavigator::follow(const Observation& observation) {

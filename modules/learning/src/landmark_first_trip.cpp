@@ -22,8 +22,7 @@ constexpr double kNearSigma_rad = 0.005;
 class FirstTrip {
  public:
   FirstTrip(const VehicleDescription& vehicle, const LandmarkLearningParams& params)
-      : learner_(params),
-        localiser_(params.localiser, vehicle, about({}, kStartSigma, kStartSigma)) {}
+      : learner_(params), localiser_(params.localiser, vehicle, about({}, kStartSigma, kStartSigma)) {}
 
   void add(const LandmarkCycle& cycle) {
     if (!T_map_vehicle_.empty()) {

@@ -21,16 +21,28 @@ std::vector<Pose2> places(double length_m) {
   return tried;
 }
 
+/// What it makes of picture after picture from one place, within a few seconds.
+std::optional<Pose2> look(LandmarkRelocator& relocator, const LandmarkMap& map,
+                          const std::vector<CorridorLine>& lines, const Pose2& truth,
+                          Random* random = nullptr) {
+  constexpr int kPictures = 40;
+  relocator.start();
+  std::optional<Pose2> found;
+  for (int i = 0; i < kPictures && !found; ++i)
+    found = relocator.look(map, sightings_from(lines, truth, kNoise, random));
+  return found;
+}
+
 TEST(LandmarkRelocation, FindsItselfInAPatternThatIsUniqueWhereverItStands) {
   Random random(2);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
   const LandmarkMap map = map_of(lines);
-  LandmarkRelocator relocator({}, {});
+  LandmarkRelocator relocator({}, {}, places(22));
   int found = 0;
   constexpr int kTrials = 20;
   for (int trial = 0; trial < kTrials; ++trial) {
     const Pose2 truth{random.uniform(1, 18), random.uniform(-0.3, 0.3), random.uniform(-8, 8) * kDegree};
-    const auto answer = relocator.find(map, places(22), sightings_from(lines, truth, kNoise, &random));
+    const auto answer = look(relocator, map, lines, truth, &random);
     if (!answer) continue;
     ++found;
     EXPECT_THAT(*answer, PoseNear(truth, 0.15, 2 * kDegree)) << trial;
@@ -46,39 +58,64 @@ TEST(LandmarkRelocation, DoesNotGuessInAPatternThatRepeatsItself) {
     for (const CorridorLine& line : period)
       lines.push_back({line.p_map + Vec2(6.5 * copy, 0), line.brighter_right});
   }
-  LandmarkRelocator relocator({}, {});
-  for (const double x : {8.0, 12.0, 15.5}) {
-    EXPECT_EQ(relocator.find(map_of(lines), places(30), sightings_from(lines, {x, 0, 0}, kNoise)),
-              std::nullopt)
-        << x;
-  }
+  LandmarkRelocator relocator({}, {}, places(30));
+  for (const double x : {8.0, 12.0, 15.5})
+    EXPECT_EQ(look(relocator, map_of(lines), lines, {x, 0, 0}), std::nullopt) << x;
 }
 
 TEST(LandmarkRelocation, DoesNotGuessFromFewSightings) {
   Random random(4);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
-  std::vector<LandmarkSighting> seen = sightings_from(lines, {5, 0, 0}, kNoise);
-  seen.resize(3);
-  LandmarkRelocator relocator({}, {});
-  EXPECT_EQ(relocator.find(map_of(lines), places(22), seen), std::nullopt);
-  EXPECT_EQ(relocator.find(map_of(lines), places(22), {}), std::nullopt);
+  std::vector<LandmarkSighting> few = sightings_from(lines, {5, 0, 0}, kNoise);
+  few.resize(3);
+  LandmarkRelocator relocator({}, {}, places(22));
+  for (int i = 0; i < 40; ++i) {
+    EXPECT_EQ(relocator.look(map_of(lines), few), std::nullopt);
+    EXPECT_EQ(relocator.look(map_of(lines), {}), std::nullopt);
+  }
 }
 
 TEST(LandmarkRelocation, DoesNotFindItselfInAnotherBuilding) {
   Random random(6);
-  LandmarkRelocator relocator({}, {});
   for (int trial = 0; trial < 10; ++trial) {
     const std::vector<CorridorLine> here = corridor_lines(25, random), elsewhere = corridor_lines(25, random);
-    EXPECT_EQ(relocator.find(map_of(elsewhere), places(22), sightings_from(here, {9, 0, 0}, kNoise)),
-              std::nullopt);
+    LandmarkRelocator relocator({}, {}, places(22));
+    EXPECT_EQ(look(relocator, map_of(elsewhere), here, {9, 0, 0}), std::nullopt);
   }
 }
 
 TEST(LandmarkRelocation, FindsNothingInAnEmptyMap) {
   Random random(5);
+  LandmarkRelocator relocator({}, {}, places(22));
+  EXPECT_EQ(look(relocator, {}, corridor_lines(25, random), {5, 0, 0}), std::nullopt);
+}
+
+TEST(LandmarkRelocation, ForgetsWhatItSawElsewhere) {
+  Random random(7);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
-  LandmarkRelocator relocator({}, {});
-  EXPECT_EQ(relocator.find({}, places(22), sightings_from(lines, {5, 0, 0}, kNoise)), std::nullopt);
+  const LandmarkMap map = map_of(lines);
+  LandmarkRelocator relocator({}, {}, places(22));
+  for (const double x : {4.0, 12.0}) {
+    const auto answer = look(relocator, map, lines, {x, 0, 0});
+    ASSERT_TRUE(answer) << x;
+    EXPECT_THAT(*answer, PoseNear(Pose2{x, 0, 0}, 0.15, 2 * kDegree));
+  }
+}
+
+// Two thousand places away from all landmarks cost next to nothing, but pictures pass until they were tried.
+TEST(LandmarkRelocation, TriesSoManyPlacesAPictureAndNoMore) {
+  Random random(8);
+  const std::vector<CorridorLine> lines = corridor_lines(25, random);
+  const LandmarkMap map = map_of(lines);
+  std::vector<Pose2> tried = places(22);
+  for (int i = 0; i < 2000; ++i) tried.push_back({100.0 + i, 0, 0});
+  const LandmarkRelocationParams params;
+  LandmarkRelocator relocator(params, {}, tried);
+  const auto pictures_needed = (tried.size() - 1) / static_cast<std::size_t>(params.places_per_picture) + 1 +
+                               static_cast<std::size_t>(params.agreeing_pictures);
+  for (std::size_t i = 1; i < pictures_needed; ++i)
+    ASSERT_EQ(relocator.look(map, sightings_from(lines, {9, 0, 0}, kNoise)), std::nullopt) << i;
+  EXPECT_NE(relocator.look(map, sightings_from(lines, {9, 0, 0}, kNoise)), std::nullopt);
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ struct LandmarkNavigatorParams {
 struct LandmarkFix {
   UncertainPose2 T_map_vehicle;
   bool is_sure = false;  ///< not lost, and not looking for itself
+  bool is_lost = false;
 };
 
 /// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture
@@ -78,9 +79,7 @@ class LandmarkNavigator final : public Navigator {
   LandmarkRelocator relocator_;
   PathFollower follower_;
   PathProgress progress_;
-  std::vector<Pose2> T_map_tried_;
   std::vector<LandmarkSighting> sightings_;
-  std::vector<Pose2> T_map_found_;  ///< what picture after picture says while lost
   State state_ = State::kLooking;
   std::string why_lost_;
   LandmarkMatch match_ = LandmarkMatch::kNothing;

@@ -13,43 +13,54 @@ struct LandmarkRelocationParams {
   double apart_m = 0.8;   ///< between places that are tried
   double window_m = 0.7;  ///< around each
   double window_rad = 15 * kDegree;
+  int places_per_picture = 16;
   double distinct_share = 0.75;
   double matched_share_min = 0.7;
   int pairs_min = 4;
+  int agreeing_pictures = 4;
 
   void describe(FieldList& fields);
 };
 
-/// Where else on its ways the vehicle may be: for one that has lost itself.
+/// Where on its ways the vehicle may be: for one that stands and has lost itself. Picture after picture it
+/// tries some of the places that there are, so that a picture costs the same however large the building;
+/// when all were tried, pictures are compared with the promising ones only, until several in a row agree.
 class LandmarkRelocator {
  public:
-  LandmarkRelocator(const LandmarkRelocationParams& params, const LandmarkLocaliserParams& matching)
-      : params_(params), matching_(matching), mwght_(matching.mwght) {}
-
-  /// Tries places along ways, each with a window around it, and says which fits what is seen best.
   /// @param T_map_tried  where vehicles drive: poses not much farther apart than `apart_m`, either way round
-  /// @return nullopt unless one place fits clearly better than any other, and well: look-alike doors are not
-  ///         guessed at
-  std::optional<Pose2> find(const LandmarkMap& map, std::span<const Pose2> T_map_tried,
-                            std::span<const LandmarkSighting> sightings);
+  LandmarkRelocator(const LandmarkRelocationParams& params, const LandmarkLocaliserParams& matching,
+                    std::vector<Pose2> T_map_tried);
+
+  /// Nothing that was seen so far counts: the vehicle stands elsewhere.
+  void start();
+
+  /// Takes in one more picture from the same place.
+  /// @return nullopt unless one place fits clearly better than any other, and well, in several pictures in a
+  ///         row: look-alike doors are not guessed at
+  std::optional<Pose2> look(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
 
  private:
   struct Candidate {
     Pose2 T_map_vehicle;
     double value = 0;          ///< of its peak
-    double matched_share = 0;  ///< of the sightings' weights, with pairs on the map
+    double matched_share = 0;  ///< of the last picture's weights, with pairs on the map
   };
 
   void try_place(const LandmarkMap& map, const Pose2& T_map_tried,
                  std::span<const LandmarkSighting> sightings);
-  void judge_by_pairs(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
+  void keep_promising();
+  std::optional<Pose2> judge(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
 
   LandmarkRelocationParams params_;
   LandmarkLocaliserParams matching_;
+  std::vector<Pose2> T_map_tried_;
   Mwght mwght_;
+  std::size_t tried_ = 0;  ///< places, since the last start
+  int judged_ = 0;         ///< pictures, since all were tried
+  std::vector<Candidate> candidates_;
+  std::vector<Pose2> T_map_agreed_;  ///< of pictures in a row
   std::vector<int> near_;
   std::vector<WeightedPoint> learned_, seen_;
-  std::vector<Candidate> candidates_;
 };
 
 }  // namespace aisle
