@@ -65,8 +65,11 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
   const double agreement = pair_up(map, sightings, T_map_guess);
   if (match->runner_up && is_elsewhere(match->best.displacement, match->runner_up->displacement)) {
     const Pose2 T_map_other = filter_.pose() * match->runner_up->displacement;
+    first_pairs_ = pairs_;
     const double other = pair_up(map, sightings, T_map_other);
-    if (std::min(agreement, other) > params_.ambiguous_share * std::max(agreement, other)) {
+    // The same pairs at two displacements leave some direction open: that is for the filter to know.
+    const bool is_other_place = pairs_ != first_pairs_;
+    if (is_other_place && std::min(agreement, other) > params_.ambiguous_share * std::max(agreement, other)) {
       pairs_.clear();
       return LandmarkMatch::kAmbiguous;
     }

@@ -39,7 +39,7 @@ double confidence_weight(const Vec2& p_vehicle, double confidence_m2);
 /// What one picture said about the pose.
 enum class LandmarkMatch {
   kMatched,    ///< the pose was corrected
-  kAmbiguous,  ///< two displacements fit about as well; the pose goes on by odometry
+  kAmbiguous,  ///< two displacements with other pairs fit about as well; the pose goes on by odometry
   kUnmatched,  ///< other landmarks were seen than those that should be; likewise
   kNothing,    ///< nothing was seen, or nothing that is known; likewise
 };
@@ -48,6 +48,8 @@ enum class LandmarkMatch {
 struct LandmarkPair {
   std::size_t sighting = 0;
   std::size_t landmark = 0;
+
+  friend bool operator==(const LandmarkPair&, const LandmarkPair&) = default;
 };
 
 class LandmarkLocaliser {
@@ -82,7 +84,7 @@ class LandmarkLocaliser {
   Mwght mwght_;
   std::vector<int> near_;
   std::vector<WeightedPoint> learned_, seen_;  ///< in base_link as predicted
-  std::vector<LandmarkPair> pairs_;
+  std::vector<LandmarkPair> pairs_, first_pairs_;
   std::vector<SeenPoint> points_;
   std::vector<char> taken_;
   double matched_share_ = 0;
