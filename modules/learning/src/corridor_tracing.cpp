@@ -16,8 +16,8 @@ double reach_out_m(const RidgeGraph::Node& crossing, const RidgeGraph::Node& end
   return (end.p_map - crossing.p_map).norm() + end.clearance_m - crossing.clearance_m;
 }
 
-/// Takes away lines that lead to an end near their crossing, the least one first: with each of them its crossing
-/// may become the bend of one corridor.
+/// Takes away lines that lead to an end near their crossing, the least one first: with each of them its
+/// crossing may become the bend of one corridor.
 void prune(RidgeGraph& graph, double branch_min_m) {
   for (;;) {
     std::optional<std::size_t> least;
@@ -153,12 +153,14 @@ CorridorGraph trace_corridors(const FloorGrid& floor, const Vec2& p_map_start,
                               const CorridorTracingParams& params) {
   if (floor.known().empty()) return {};
   const ClearFloor clear(floor);
-  RidgeGraph ridges =
-      ridge_graph(clear, skeleton(clear, clear.reached_from(p_map_start, params.clearance_min_m),
-                                  params.ridge_slope_max),
-                  p_map_start);
+  RidgeGraph ridges = ridge_graph(
+      clear,
+      skeleton(clear, clear.reached_from(p_map_start, params.clearance_min_m), params.ridge_slope_max));
   prune(ridges, params.branch_min_m);
   while (unite_two_crossings(ridges)) prune(ridges, params.branch_min_m);
+  for (RidgeGraph::Edge& edge : ridges.edges) {
+    if (edge.from == edge.to && ridges.degree(edge.from) == 2) ridges.turn_round(edge, p_map_start);
+  }
   return corridors_of(ridges, p_map_start, floor.cell_m());
 }
 

@@ -1,7 +1,6 @@
 #include "ridge_graph.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "skeleton.hpp"
@@ -20,16 +19,17 @@ class LineTracer {
     }
   }
 
-  RidgeGraph trace(const Vec2& p_map_near) {
+  RidgeGraph trace() {
     for (const std::size_t cell : cells_) {
       if (node_of_[cell] == kNoNode && neighbours(cell).size() != 2) add_node(cell);
     }
     for (const std::size_t cell : cells_) {
       if (node_of_[cell] != kNoNode) trace_from(cell);
     }
-    while (const auto cell = nearest_untraced(p_map_near)) {
-      add_node(*cell);
-      trace_from(*cell);
+    for (const std::size_t cell : cells_) {
+      if (node_of_[cell] != kNoNode || is_traced_[cell]) continue;
+      add_node(cell);
+      trace_from(cell);
     }
     return std::move(graph_);
   }
@@ -91,15 +91,6 @@ class LineTracer {
     graph_.edges.push_back(std::move(edge));
   }
 
-  std::optional<std::size_t> nearest_untraced(const Vec2& p_map) const {
-    std::optional<std::size_t> best;
-    for (const std::size_t cell : cells_) {
-      if (node_of_[cell] != kNoNode || is_traced_[cell]) continue;
-      if (!best || (floor_.centre(cell) - p_map).norm() < (floor_.centre(*best) - p_map).norm()) best = cell;
-    }
-    return best;
-  }
-
   const ClearFloor& floor_;
   const std::vector<bool>& skeleton_;
   std::vector<std::size_t> cells_;
@@ -141,8 +132,20 @@ void RidgeGraph::join_edges_at(std::size_t node) {
   edges.erase(second);
 }
 
-RidgeGraph ridge_graph(const ClearFloor& floor, const std::vector<bool>& skeleton, const Vec2& p_map_near) {
-  return LineTracer(floor, skeleton).trace(p_map_near);
+void RidgeGraph::turn_round(Edge& edge, const Vec2& p_map) {
+  const auto nearer = [&](const Vec2& a, const Vec2& b) { return (a - p_map).norm() < (b - p_map).norm(); };
+  const auto first = std::min_element(edge.points.begin(), edge.points.end(), nearer) - edge.points.begin();
+  edge.points.pop_back();
+  edge.clearance_m.pop_back();
+  std::rotate(edge.points.begin(), edge.points.begin() + first, edge.points.end());
+  std::rotate(edge.clearance_m.begin(), edge.clearance_m.begin() + first, edge.clearance_m.end());
+  edge.points.push_back(edge.points.front());
+  edge.clearance_m.push_back(edge.clearance_m.front());
+  nodes[edge.from] = {edge.points.front(), edge.clearance_m.front()};
+}
+
+RidgeGraph ridge_graph(const ClearFloor& floor, const std::vector<bool>& skeleton) {
+  return LineTracer(floor, skeleton).trace();
 }
 
 }  // namespace aisle

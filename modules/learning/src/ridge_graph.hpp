@@ -27,10 +27,12 @@ struct RidgeGraph {
   std::size_t degree(std::size_t node) const;
   /// Makes one edge of the two that meet at a node of degree 2; an edge that leads round stays.
   void join_edges_at(std::size_t node);
+  /// Moves the only node of an edge that leads round to where it is nearest to a point.
+  void turn_round(Edge& edge, const Vec2& p_map);
 };
 
 /// Ends, and places where more than two lines meet, with the lines between. A line that leads round without
-/// either gets a node where it is nearest to a point.
-RidgeGraph ridge_graph(const ClearFloor& floor, const std::vector<bool>& skeleton, const Vec2& p_map_near);
+/// either has a node somewhere.
+RidgeGraph ridge_graph(const ClearFloor& floor, const std::vector<bool>& skeleton);
 
 }  // namespace aisle

@@ -15,7 +15,7 @@ class Thinning {
   Thinning(const ClearFloor& floor, std::vector<bool> area) : floor_(floor), area_(std::move(area)) {}
 
   /// Removes what can be removed, that of least clearance first.
-  void run(const std::function<bool(std::size_t)>& must_stay) {
+  void thin_to(const std::function<bool(std::size_t)>& must_stay) {
     using Entry = std::pair<double, std::size_t>;  // clearance, cell
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     const auto look_at = [&](std::size_t cell) {
@@ -31,15 +31,38 @@ class Thinning {
     }
   }
 
-  int neighbours(std::size_t cell) const {
-    int count = 0;
-    for (const std::size_t next : cells_around(floor_, cell)) count += area_[next] ? 1 : 0;
-    return count;
+  /// Makes lines of several cells' width one cell wide, one side after the other, so that none gets shorter
+  /// by more than its width.
+  void thin_lines() {
+    for (bool is_thinner = true; is_thinner;) {
+      is_thinner = false;
+      for (const std::size_t side : {0U, 4U, 2U, 6U}) is_thinner |= thin_from(side);
+    }
   }
 
   std::vector<bool> take() && { return std::move(area_); }
 
  private:
+  bool thin_from(std::size_t side) {
+    std::vector<std::size_t> cells;
+    for (std::size_t cell = 0; cell < area_.size(); ++cell) {
+      if (area_[cell] && !area_[cells_around(floor_, cell)[side]] && can_go(cell)) cells.push_back(cell);
+    }
+    bool is_thinner = false;
+    for (const std::size_t cell : cells) {
+      if (!can_go(cell)) continue;
+      area_[cell] = false;
+      is_thinner = true;
+    }
+    return is_thinner;
+  }
+
+  bool can_go(std::size_t cell) const {
+    int neighbours = 0;
+    for (const std::size_t next : cells_around(floor_, cell)) neighbours += area_[next] ? 1 : 0;
+    return neighbours > 1 && is_simple(cell);
+  }
+
   /// Whether the area without the cell hangs together as before: around it, there is one piece of area (over
   /// corners), and what is not area at one of its sides at least.
   bool is_simple(std::size_t cell) const {
@@ -63,8 +86,7 @@ bool is_ridge(const ClearFloor& floor, std::size_t cell, double slope_max) {
       const double way_cells = std::hypot(x, y);
       if (way_cells < kSlopeReach_cells - 0.5 || way_cells > kSlopeReach_cells + 0.5) continue;
       if (column + x < 0 || row + y < 0 || column + x >= floor.columns() || row + y >= floor.rows()) continue;
-      const double rise_m =
-          floor.clearance_m(floor.cell_at(column + x, row + y)) - floor.clearance_m(cell);
+      const double rise_m = floor.clearance_m(floor.cell_at(column + x, row + y)) - floor.clearance_m(cell);
       if (rise_m > slope_max * way_cells * floor.cell_m()) return false;
     }
   }
@@ -75,14 +97,14 @@ bool is_ridge(const ClearFloor& floor, std::size_t cell, double slope_max) {
 
 std::array<std::size_t, 8> cells_around(const ClearFloor& floor, std::size_t cell) {
   const auto columns = static_cast<std::size_t>(floor.columns());
-  return {cell + 1,           cell + columns + 1, cell + columns,     cell + columns - 1,
-          cell - 1,           cell - columns - 1, cell - columns,     cell - columns + 1};
+  return {cell + 1, cell + columns + 1, cell + columns, cell + columns - 1,
+          cell - 1, cell - columns - 1, cell - columns, cell - columns + 1};
 }
 
 std::vector<bool> skeleton(const ClearFloor& floor, std::vector<bool> area, double ridge_slope_max) {
   Thinning thinning(floor, std::move(area));
-  thinning.run([&](std::size_t cell) { return is_ridge(floor, cell, ridge_slope_max); });
-  thinning.run([&](std::size_t cell) { return thinning.neighbours(cell) < 2; });
+  thinning.thin_to([&](std::size_t cell) { return is_ridge(floor, cell, ridge_slope_max); });
+  thinning.thin_lines();
   return std::move(thinning).take();
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "aisle/core/angle.hpp"
 #include "aisle/core/random.hpp"
 #include "aisle/learning/corridor_tracing.hpp"
 
@@ -135,7 +136,8 @@ RoughComb any_comb(Random& random) {
   for (double x = -1; x < end_m + 1; x += 0.02) {
     for (double y = -3; y < 7; y += 0.02) {
       const Vec2 rough(random.uniform(-rough_m, rough_m), random.uniform(-rough_m, rough_m));
-      if (is_free(Vec2(x, y) + rough)) comb.floor.set(comb.floor.cell_at(T_map_comb * Vec2(x, y)), Floor::kFree);
+      if (is_free(Vec2(x, y) + rough))
+        comb.floor.set(comb.floor.cell_at(T_map_comb * Vec2(x, y)), Floor::kFree);
     }
   }
   comb.p_map_start = T_map_comb * Vec2(1, 0);

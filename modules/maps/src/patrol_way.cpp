@@ -16,8 +16,8 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 using Pair = std::pair<std::size_t, std::size_t>;
 using Distances = std::vector<std::vector<double>>;
 
-/// The pairs that all together have the least distance: the best way to pair a set of nodes is that of the set
-/// without its first and any other one, plus their distance.
+/// The pairs that all together have the least distance: the best way to pair a set of nodes is that of the
+/// set without its first and any other one, plus their distance.
 std::vector<Pair> pair_exactly(const Distances& distances) {
   const std::size_t count = distances.size();
   std::vector<double> cost(std::size_t{1} << count, kFar);

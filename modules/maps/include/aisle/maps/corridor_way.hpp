@@ -32,10 +32,10 @@ std::optional<CorridorWay> shortest_way(const CorridorGraph& graph, const Corrid
                                         const CorridorPlace& to,
                                         const std::vector<CorridorPlace>& closed = {});
 
-/// Corridors to drive one after the other from a node and back to it, so that each corridor that can be reached
-/// is driven at least once and the whole way is as short as may be (the Chinese postman's way): a corridor is
-/// driven twice where it must be, none three times. Shortest of all if at most 16 nodes have an odd number of
-/// corridors, else improved from a greedy choice; never longer than twice all corridors.
+/// Corridors to drive one after the other from a node and back to it, so that each corridor that can be
+/// reached is driven at least once and the whole way is as short as may be (the Chinese postman's way): a
+/// corridor is driven twice where it must be, none three times. Shortest of all if at most 16 nodes have an
+/// odd number of corridors, else improved from a greedy choice; never longer than twice all corridors.
 CorridorWay patrol_way(const CorridorGraph& graph, std::size_t node);
 
 }  // namespace aisle
