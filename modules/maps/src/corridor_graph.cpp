@@ -6,6 +6,18 @@
 
 namespace aisle {
 
+std::string_view name_of(CorridorNode::Kind kind) {
+  switch (kind) {
+    case CorridorNode::Kind::kCrossing:
+      return "crossing";
+    case CorridorNode::Kind::kEnd:
+      return "end";
+    case CorridorNode::Kind::kRound:
+      return "round";
+  }
+  return "";
+}
+
 double Corridor::length_m() const {
   double sum_m = 0;
   for (std::size_t i = 1; i < way.size(); ++i) sum_m += (way[i] - way[i - 1]).norm();
@@ -58,6 +70,13 @@ std::optional<CorridorPlace> CorridorGraph::nearest(const Vec2& p_map) const {
     }
   }
   return best;
+}
+
+std::string CorridorGraph::name_of(std::size_t node) const {
+  const auto is_alike = [&](const CorridorNode& other) { return other.kind == nodes[node].kind; };
+  const auto number =
+      1 + std::count_if(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(node), is_alike);
+  return std::string(aisle::name_of(nodes[node].kind)) + " " + std::to_string(number);
 }
 
 std::optional<CorridorPlace> CorridorGraph::place_of(std::size_t node) const {

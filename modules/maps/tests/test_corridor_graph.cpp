@@ -49,5 +49,14 @@ TEST(CorridorGraph, ANodeIsAPlaceAtTheEndOfOneOfItsCorridors) {
   }
 }
 
+TEST(CorridorGraph, NodesAreNamedByKindAndOrder) {
+  CorridorGraph graph = t_graph();
+  graph.nodes[0].kind = graph.nodes[3].kind = CorridorNode::Kind::kEnd;
+  EXPECT_EQ(graph.name_of(0), "end 1");
+  EXPECT_EQ(graph.name_of(1), "crossing 1");
+  EXPECT_EQ(graph.name_of(2), "crossing 2");
+  EXPECT_EQ(graph.name_of(3), "end 2");
+}
+
 }  // namespace
 }  // namespace aisle

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "aisle/geometry/pose2.hpp"
@@ -18,6 +20,9 @@ struct CorridorNode {
   Kind kind = Kind::kEnd;
   Vec2 p_map = Vec2::Zero();
 };
+
+/// "crossing", "end" or "round".
+std::string_view name_of(CorridorNode::Kind kind);
 
 struct Corridor {
   std::size_t from = 0;   ///< node where its way starts
@@ -52,6 +57,9 @@ struct CorridorGraph {
   std::optional<CorridorPlace> nearest(const Vec2& p_map) const;
   /// Where the graph keeps a node; nullopt if no corridor ends there.
   std::optional<CorridorPlace> place_of(std::size_t node) const;
+
+  /// "crossing 2", "end 1", "round 1": the nodes of each kind are counted from 1 in their order.
+  std::string name_of(std::size_t node) const;
 };
 
 }  // namespace aisle
