@@ -147,9 +147,8 @@ ExplorationFigures evaluate_exploration(const World& world, const VehicleDescrip
   const SensorView possible =
       view_from_everywhere(standing, obstacles, vehicle, sensor, T_world_start.position());
   const SensorView seen = view_on_the_way(standing, sensor, driven.T_world_vehicle);
-  const Pose2 T_world_map = map_in_world(driven.T_map_vehicle, driven.T_world_vehicle);
-  add_coverage(figures, possible, seen, driven.floor, T_world_map);
-  figures.walls = wall_errors(driven.walls, T_world_map, standing,
+  add_coverage(figures, possible, seen, driven.floor, driven.T_world_map);
+  figures.walls = wall_errors(driven.walls, driven.T_world_map, standing,
                               [&](const Vec2& p_world) { return possible.is_struck(p_world); });
   figures.graph_bound_m = 2 * true_corridors(world, vehicle, T_world_start.position()).length_m();
   return figures;

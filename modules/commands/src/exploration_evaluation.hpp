@@ -18,7 +18,7 @@ namespace aisle {
 /// What was driven and learned.
 struct DrivenExploration {
   const std::vector<Pose2>& T_world_vehicle;  ///< true, one a cycle; the first is the start; not empty
-  const std::vector<Pose2>& T_map_vehicle;    ///< as known in the end, of the same cycles
+  Pose2 T_world_map;                          ///< how the learned map lies in the world, see map_in_world()
   const FloorGrid& floor;
   const WallMap& walls;
 };
@@ -41,8 +41,9 @@ inline constexpr double kPassableMargin_m = 0.05;
 ExplorationFigures evaluate_exploration(const World& world, const VehicleDescription& vehicle,
                                         const SensorField& sensor, const DrivenExploration& driven);
 
-/// How the learned map lies in the world: the turn and shift that bring the learned way onto the true one
-/// (least squares). The map's frame is its own: only what is bent in it counts as an error.
+/// How a learned map lies in the world: the turn and shift that bring the learned way onto the true one
+/// (least squares). The map's frame is its own: only what is bent in it counts as an error. The two are of
+/// the same moments.
 Pose2 map_in_world(const std::vector<Pose2>& T_map_vehicle, const std::vector<Pose2>& T_world_vehicle);
 
 /// The corridors that a vehicle can drive from a place, by the truth, in `world`.

@@ -55,7 +55,8 @@ struct Learned {
     for (const Pose2& T : T_world_vehicle) T_map_vehicle.push_back(T_map_world * T);
   }
   ExplorationFigures figures(const SensorField& sensor = kAllRound) const {
-    return evaluate_exploration(l_world(), {}, sensor, {T_world_vehicle, T_map_vehicle, floor, walls});
+    return evaluate_exploration(
+        l_world(), {}, sensor, {T_world_vehicle, map_in_world(T_map_vehicle, T_world_vehicle), floor, walls});
   }
 };
 
@@ -154,8 +155,8 @@ TEST(ExplorationEvaluation, ClosedRoomsAreNoCorridorsAndNotMissed) {
                              std::pair(Vec2(9, 9), Vec2(0, 9)), std::pair(Vec2(0, 9), Vec2(0, 3))})
     world.walls.push_back({.foot = {a, b}});
   const Learned learned({});
-  const ExplorationFigures figures = evaluate_exploration(
-      world, {}, kAllRound, {learned.T_world_vehicle, learned.T_map_vehicle, learned.floor, learned.walls});
+  const ExplorationFigures figures =
+      evaluate_exploration(world, {}, kAllRound, {learned.T_world_vehicle, {}, learned.floor, learned.walls});
   EXPECT_EQ(figures.walls.missed_m, 0);
   EXPECT_NEAR(figures.graph_bound_m, Learned({}).figures().graph_bound_m, 1e-9);
 }

@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-constexpr int kMillimetres = 3;
+constexpr int kCorridorDecimals_m = 3;
 constexpr std::size_t kNodesMax = 100'000;
 constexpr std::size_t kCorridorsMax = 100'000;
 constexpr std::size_t kWayPointsMax = 100'000;
@@ -26,14 +26,20 @@ constexpr CorridorNode::Kind kNodeKinds[] = {CorridorNode::Kind::kCrossing, Corr
 
 std::string node_json(const CorridorNode& node) {
   return fmt::format(R"({{"kind": "{}", "at_m": {}}})", name_of(node.kind),
-                     point_json(node.p_map, kMillimetres));
+                     point_json(node.p_map, kCorridorDecimals_m));
 }
 
+/// Its length is that of the way as it is written.
 std::string corridor_json(const Corridor& corridor) {
+  constexpr double kPerMetre = 1000;
   std::vector<std::string> points;
-  for (const Vec2& p : corridor.way) points.push_back(point_json(p, kMillimetres));
+  Corridor written = corridor;
+  for (Vec2& p : written.way) {
+    points.push_back(point_json(p, kCorridorDecimals_m));
+    p = (p * kPerMetre).array().round() / kPerMetre;
+  }
   return fmt::format(R"({{"from": {}, "to": {}, "length_m": {}, "width_m": {}, "way_m": [{}]}})",
-                     corridor.from, corridor.to, decimals(corridor.length_m(), 2),
+                     corridor.from, corridor.to, decimals(written.length_m(), 2),
                      decimals(corridor.width_m, 2), fmt::join(points, ", "));
 }
 
@@ -128,7 +134,7 @@ std::string places_json(const std::vector<MapPlace>& places) {
   std::vector<std::string> texts;
   for (const MapPlace& place : places) {
     texts.push_back(fmt::format(R"({{"name": {}, "at_m": {}, "heading_deg": {}}})", quoted_json(place.name),
-                                point_json(place.T_map_place.position(), kMillimetres),
+                                point_json(place.T_map_place.position(), kCorridorDecimals_m),
                                 decimals(to_degrees(place.T_map_place.theta), 3)));
   }
   return list_json(texts);

@@ -124,7 +124,7 @@ TEST(BuildingCorridors, BadFloorsNameTheirRows) {
   EXPECT_THAT(problems(with("\"1#3.1#\"", "\"1#3.1\"")), HasSubstr("floor.rows[1]: is not a row of runs"));
   EXPECT_THAT(problems(with("\"1#3.1#\"", "\"0#\"")), HasSubstr("floor.rows[1]: is not a row of runs"));
   EXPECT_THAT(problems(with("\"1#3.1#\"", "\"99999999999999999999#\"")), HasSubstr("floor.rows[1]"));
-  EXPECT_THAT(problems(with("\"1#3.1#\"", "\"16385#\"")), HasSubstr("floor.rows[1]"));
+  EXPECT_THAT(problems(with("\"1#3.1#\"", "\"16386#\"")), HasSubstr("floor.rows[1]"));
   EXPECT_THAT(problems(with("\"cell_m\": 0.05", "\"cell_m\": 0")),
               HasSubstr("floor.cell_m: is not a number from 0.01 to 1"));
   EXPECT_THAT(problems(with("[-2, 7]", "[-2, 70000]")),

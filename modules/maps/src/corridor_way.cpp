@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kNoWay = std::numeric_limits<double>::infinity();
 
 class WaySearch {
  public:
@@ -17,17 +17,17 @@ class WaySearch {
       : graph_(graph), from_(from), to_(to), closed_(closed), search_(graph, free_lengths()) {}
 
   std::optional<CorridorWay> shortest() {
-    std::vector<double> begin_m(graph_.nodes.size(), kFar);
+    std::vector<double> begin_m(graph_.nodes.size(), kNoWay);
     const Corridor& first = graph_.corridors[from_.corridor];
     begin_m[first.from] = free_m({from_.corridor, from_.along_m, 0});
     begin_m[first.to] =
         std::min(begin_m[first.to], free_m({from_.corridor, from_.along_m, first.length_m()}));
     search_.run(begin_m);
 
-    const double direct_m = from_.corridor == to_.corridor ? free_m(direct()) : kFar;
+    const double direct_m = from_.corridor == to_.corridor ? free_m(direct()) : kNoWay;
     const CorridorLeg last = last_leg();
     const double round_m = distance_to(last) + free_m(last);
-    if (direct_m == kFar && round_m == kFar) return std::nullopt;
+    if (direct_m == kNoWay && round_m == kNoWay) return std::nullopt;
     if (direct_m <= round_m) return CorridorWay{{direct()}};
     return way_by_nodes(last);
   }
@@ -39,7 +39,7 @@ class WaySearch {
     const bool is_closed = std::any_of(closed_.begin(), closed_.end(), [&](const CorridorPlace& place) {
       return place.corridor == leg.corridor && low_m <= place.along_m && place.along_m <= high_m;
     });
-    return is_closed ? kFar : high_m - low_m;
+    return is_closed ? kNoWay : high_m - low_m;
   }
 
   std::vector<double> free_lengths() const {
