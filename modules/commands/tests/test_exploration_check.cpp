@@ -7,7 +7,6 @@
 namespace aisle {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 
 /// A corridor of 10 m x 2 m along x with a gap in its right end.
@@ -32,9 +31,8 @@ TEST(ExplorationCheck, AGapThatTheVehicleDoesNotGetThroughLeadsNowhere) {
 }
 
 TEST(ExplorationCheck, AWorldThatIsOpenToTheOutsideIsRefusedWithThePlace) {
-  EXPECT_THAT(
-      problems_at(corridor_with_gap(1), {3, 1, 0}),
-      AllOf(HasSubstr("w.yaml: walls: the floor leads out of the building near "), HasSubstr(", 1.0;")));
+  EXPECT_THAT(problems_at(corridor_with_gap(1), {3, 1, 0}),
+              HasSubstr("w.yaml: walls: the floor leads out of the building near "));
   const auto opening = opening_of(corridor_with_gap(1), {}, {3, 1});
   ASSERT_TRUE(opening);
   EXPECT_NEAR(opening->x(), 10, 0.6);
