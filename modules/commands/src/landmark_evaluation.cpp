@@ -8,7 +8,7 @@ namespace aisle {
 namespace {
 
 constexpr double kWrong_m = 0.5;
-constexpr double kWrongMax_s = 2;
+constexpr double kWrongMax_s = 3;
 constexpr double kNear_m = 3;    // of way, from one cycle's taught pose to the next one's
 constexpr double kBack_m = 0.5;  // along the path, in which its nearest point is looked for
 constexpr double kAhead_m = 1.0;

@@ -66,7 +66,7 @@ class ErrorFigure {
 struct MissionErrors {
   ErrorFigure across_m, along_m, heading_rad;  ///< of the pose, while it was sure
   ErrorFigure tracking_m;                      ///< of the vehicle against its path
-  /// Ever off by more than half a metre for longer than two seconds on end and yet sure: a vehicle that was
+  /// Ever off by more than half a metre for longer than three seconds on end and yet sure: a vehicle that was
   /// lifted cannot know it at once.
   bool wrong_confident = false;
 };

@@ -75,6 +75,10 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
   fields.angle("lost_deg", lost_rad, {0.1, 90}, "less sure of its heading than this it is lost");
   fields.real("unmatched_max_s", unmatched_max_s, {0.1, 60},
               "seeing other things than are known for so long it is lost");
+  fields.count("strange_sightings_min", strange_sightings_min, {1, 100},
+               "a picture with so many sightings of which none is known is strange");
+  fields.count("strange_pictures_max", strange_pictures_max, {1, 10000},
+               "more strange pictures than this, and it is lost; known ones make up for strange ones");
   fields.real("give_up_s", give_up_s, {1, 600}, "lost for so long it gives up");
   fields.real("off_route_max_m", off_route_max_m, {0.1, 10}, "farther from its route it does not go on");
 }
@@ -128,10 +132,21 @@ void LandmarkNavigator::locate(const Observation& observation) {
   if (const CameraPicture* picture = present_picture(observation, camera_, vehicle_.cycle_s)) {
     sightings_ = detector_.detect(*picture->image);
     if (state_ != State::kLost) match_ = localiser_.correct(building_->landmarks, sightings_);
+    weigh_strangeness();
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
     matched_stamp_s_ = observation.stamp_s;
   stamp_s_ = observation.stamp_s;
+}
+
+/// A single picture of unknown things contradicts nothing: the map has gaps. Many of them do, and a chance
+/// match among them does not make them good.
+void LandmarkNavigator::weigh_strangeness() {
+  if (match_ == LandmarkMatch::kMatched) {
+    strange_pictures_ /= 2;
+  } else if (sightings_.size() >= static_cast<std::size_t>(params_.strange_sightings_min)) {
+    ++strange_pictures_;
+  }
 }
 
 /// Why the vehicle does not know where it is; empty: it does.
@@ -140,7 +155,9 @@ std::string LandmarkNavigator::why_lost() const {
   if (sigma_m > params_.lost_m)
     return fmt::format("saw nothing that it knows until unsure by {:.2f} m", sigma_m);
   if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "is unsure which way it points";
-  if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s) return "sees other things than it knows";
+  if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s ||
+      strange_pictures_ > params_.strange_pictures_max)
+    return "sees other things than it knows";
   return "";
 }
 
@@ -172,6 +189,7 @@ Decision LandmarkNavigator::find_itself(double stamp_s) {
   progress_ = PathProgress(path_, *along_m);
   state_ = State::kFollowing;
   matched_stamp_s_ = stamp_s;
+  strange_pictures_ = 0;
   return {.state = "found", .why = fmt::format("{:.1f} m along the route", *along_m)};
 }
 

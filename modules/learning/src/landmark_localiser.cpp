@@ -57,24 +57,30 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
                                          std::span<const LandmarkSighting> sightings) {
   pairs_.clear();
   matched_share_ = 0;
+  agreement_ = 0;
   gather(map, sightings);
   if (learned_.empty() || seen_.empty()) return LandmarkMatch::kNothing;
   const auto match = mwght_.match(learned_, seen_, window());
   if (!match) return without_match(map, sightings);
   Pose2 T_map_guess = filter_.pose() * match->best.displacement;
-  const double agreement = pair_up(map, sightings, T_map_guess);
+  pair_up(map, sightings, T_map_guess);
   if (match->runner_up && is_elsewhere(match->best.displacement, match->runner_up->displacement)) {
     const Pose2 T_map_other = filter_.pose() * match->runner_up->displacement;
     first_pairs_ = pairs_;
-    const double other = pair_up(map, sightings, T_map_other);
+    const double first = agreement_;
+    pair_up(map, sightings, T_map_other);
     // The same pairs at two displacements leave some direction open: that is for the filter to know.
     const bool is_other_place = pairs_ != first_pairs_;
-    if (is_other_place && std::min(agreement, other) > params_.ambiguous_share * std::max(agreement, other)) {
+    if (is_other_place &&
+        std::min(first, agreement_) > params_.ambiguous_share * std::max(first, agreement_)) {
       pairs_.clear();
       return LandmarkMatch::kAmbiguous;
     }
-    if (other > agreement) T_map_guess = T_map_other;
-    if (other < agreement) pair_up(map, sightings, T_map_guess);
+    if (agreement_ > first) {
+      T_map_guess = T_map_other;
+    } else {
+      pair_up(map, sightings, T_map_guess);
+    }
   }
   if (pairs_.size() < static_cast<std::size_t>(params_.pairs_min) ||
       matched_share_ < params_.matched_share_min)
@@ -132,9 +138,8 @@ MwghtWindow LandmarkLocaliser::window() const {
 
 /// Every sighting with the landmark that it lies nearest to, by its own errors and the landmark's; a landmark
 /// is taken once.
-/// @return how well the pairs agree
-double LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
-                                  const Pose2& T_map_vehicle) {
+void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+                                const Pose2& T_map_vehicle) {
   pairs_.clear();
   points_.clear();
   taken_.assign(near_.size(), 0);
@@ -176,7 +181,7 @@ double LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landma
          .by_tilt = by_tilt});
   }
   matched_share_ = matched / all;
-  return agreement;
+  agreement_ = agreement / all;
 }
 
 }  // namespace aisle

@@ -8,7 +8,7 @@ namespace aisle {
 namespace {
 
 constexpr double kPromising = 0.7;      // of the best value: places whose pairs are looked at
-constexpr std::size_t kJudgedMax = 16;  // places whose pairs are looked at in a picture
+constexpr std::size_t kJudgedMax = 24;  // places whose pairs are looked at in a picture
 constexpr int kJudgedPicturesMax = 12;  // before all places are tried again
 constexpr double kRoughSigma_m = 0.1;   // of a displacement, before its pairs settle it
 constexpr double kRoughSigma_rad = 2 * kDegree;
@@ -23,6 +23,7 @@ void LandmarkRelocationParams::describe(FieldList& fields) {
   fields.count("places_per_picture", places_per_picture, {1, 10000}, "so many places are tried in a cycle");
   fields.real("distinct_share", distinct_share, {0, 1}, "another place this good makes an answer ambiguous");
   fields.real("matched_share_min", matched_share_min, {0, 1}, "so much of what is seen must be known there");
+  fields.real("agreement_min", agreement_min, {0, 1}, "so nearly must it lie upon what is known there");
   fields.count("pairs_min", pairs_min, {1, 100}, "so many sightings must be known there");
   fields.count("agreeing_pictures", agreeing_pictures, {1, 100}, "so many in a row must say the same");
 }
@@ -74,20 +75,24 @@ std::optional<Pose2> LandmarkRelocator::judge(const LandmarkMap& map,
   const Candidate* best = nullptr;
   for (Candidate& candidate : candidates_) {
     localiser.place(about(candidate.T_map_vehicle, kRoughSigma_m, kRoughSigma_rad));
-    candidate.matched_share = 0;
+    candidate.agreement = 0;
+    // once to come near, once to see how well it fits there
     if (localiser.correct(map, sightings) != LandmarkMatch::kMatched ||
-        localiser.pairs().size() < static_cast<std::size_t>(params_.pairs_min))
+        localiser.correct(map, sightings) != LandmarkMatch::kMatched ||
+        localiser.pairs().size() < static_cast<std::size_t>(params_.pairs_min) ||
+        localiser.matched_share() < params_.matched_share_min ||
+        localiser.agreement() < params_.agreement_min)
       continue;
     candidate.T_map_vehicle = localiser.pose();
-    candidate.matched_share = localiser.matched_share();
-    if (best == nullptr || candidate.matched_share > best->matched_share) best = &candidate;
+    candidate.agreement = localiser.agreement();
+    if (best == nullptr || candidate.agreement > best->agreement) best = &candidate;
   }
-  if (best == nullptr || best->matched_share < params_.matched_share_min) return std::nullopt;
+  if (best == nullptr) return std::nullopt;
   for (const Candidate& other : candidates_) {
     const Pose2 off = between(best->T_map_vehicle, other.T_map_vehicle);
     const bool elsewhere =
         off.position().norm() > matching_.mwght.apart_m || std::abs(off.theta) > matching_.mwght.apart_rad;
-    if (elsewhere && other.matched_share > params_.distinct_share * best->matched_share) return std::nullopt;
+    if (elsewhere && other.agreement > params_.distinct_share * best->agreement) return std::nullopt;
   }
   return best->T_map_vehicle;
 }

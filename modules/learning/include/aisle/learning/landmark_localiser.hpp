@@ -70,13 +70,15 @@ class LandmarkLocaliser {
   Mat3 covariance() const { return filter_.covariance(); }
   const std::vector<LandmarkPair>& pairs() const { return pairs_; }  ///< of the last picture
   double matched_share() const { return matched_share_; }            ///< of the last picture's weights
+  /// The same with each pair counted by how nearly the two lie upon each other, 0 .. matched_share.
+  double agreement() const { return agreement_; }
 
  private:
   void gather(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
   LandmarkMatch without_match(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
   MwghtWindow window() const;
   bool is_elsewhere(const Pose2& best, const Pose2& other) const;
-  double pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+  void pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
                  const Pose2& T_map_vehicle);
 
   LandmarkLocaliserParams params_;
@@ -88,6 +90,7 @@ class LandmarkLocaliser {
   std::vector<SeenPoint> points_;
   std::vector<char> taken_;
   double matched_share_ = 0;
+  double agreement_ = 0;
 };
 
 }  // namespace aisle

@@ -14,9 +14,10 @@ struct LandmarkRelocationParams {
   double window_m = 0.7;  ///< around each
   double window_rad = 15 * kDegree;
   int places_per_picture = 16;
-  double distinct_share = 0.75;
+  double distinct_share = 0.8;
   double matched_share_min = 0.7;
-  int pairs_min = 4;
+  double agreement_min = 0.5;
+  int pairs_min = 6;
   int agreeing_pictures = 4;
 
   void describe(FieldList& fields);
@@ -42,8 +43,8 @@ class LandmarkRelocator {
  private:
   struct Candidate {
     Pose2 T_map_vehicle;
-    double value = 0;          ///< of its peak
-    double matched_share = 0;  ///< of the last picture's weights, with pairs on the map
+    double value = 0;      ///< of its peak
+    double agreement = 0;  ///< of the last picture with the map there; 0: too little
   };
 
   void try_place(const LandmarkMap& map, const Pose2& T_map_tried,
