@@ -52,7 +52,7 @@ struct Ring {
 
 /// More than once round the ring, counted by wheels whose steering is off; the map begins where the trip
 /// does.
-CorridorTrip trip_round(const Ring& ring, Random& random) {
+CorridorTrip trip_round(const Ring& ring, const SightNoise& noise, Random& random) {
   constexpr double kStep_m = 0.08, kTurnPer_m = 0.3 * kDegree;
   const double straight_m[] = {kLong_m - 2 * kRadius_m, kBroad_m - 2 * kRadius_m, kLong_m - 2 * kRadius_m,
                                kBroad_m - 2 * kRadius_m, kLong_m - 2 * kRadius_m};
@@ -67,7 +67,7 @@ CorridorTrip trip_round(const Ring& ring, Random& random) {
                           .sightings = {}};
       T_ring_vehicle = T_ring_vehicle * end_pose({kStep_m, curvature_per_m * kStep_m});
       cycle.sightings =
-          sightings_from(ring.seen_from(T_ring_vehicle.position()), T_ring_vehicle, kPoor, &random);
+          sightings_from(ring.seen_from(T_ring_vehicle.position()), T_ring_vehicle, noise, &random);
       trip.cycles.push_back(std::move(cycle));
       trip.T_map_vehicle.push_back(T_ring_vehicle);
     }
@@ -97,7 +97,7 @@ TEST(LandmarkLoops, ATripThatComesRoundAgainHasItsStartWhereItWas) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     Random random(seed);
     const Ring ring(random);
-    const CorridorTrip trip = trip_round(ring, random);
+    const CorridorTrip trip = trip_round(ring, kPoor, random);
     LandmarkLearningParams params;
     EXPECT_LT(worst_return_m(learn_landmarks(trip.cycles, corridor_cart(), params).T_map_vehicle,
                              trip.T_map_vehicle),
@@ -114,7 +114,7 @@ TEST(LandmarkLoops, ATripThatComesRoundAgainHasItsStartWhereItWas) {
 TEST(LandmarkLoops, APlaceThatWasPassedTwiceStandsInTheMapOnce) {
   Random random(4);
   const Ring ring(random);
-  const CorridorTrip trip = trip_round(ring, random);
+  const CorridorTrip trip = trip_round(ring, {}, random);
   const LearnedTrip learned = learn_landmarks(trip.cycles, corridor_cart(), {});
   int doubles = 0;
   for (const Landmark& a : learned.map.all()) {
