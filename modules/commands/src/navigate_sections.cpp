@@ -18,15 +18,15 @@
 namespace aisle {
 namespace {
 
-/// Where the way begins in the world: where teaching began, turned about at its end for the way back.
-Result<Pose2> section_start_in_world(const NavigateOptions& options, const SimulationSetting& setting,
-                                     const Pose2& T_map_start) {
+/// How the map lies in the world about a place of it: as learning left it beside the building, else its
+/// origin is the world's start.
+Result<Pose2> map_about(const Pose2& T_map_place, const NavigateOptions& options,
+                        const SimulationSetting& setting) {
   const auto truth = read_map_truth(options.building);
   if (!truth) return truth.problems();
-  if (!truth->empty()) return truth->in_world(T_map_start, truth->start(options.in_reverse));
-  const auto start = start_in(setting);
-  if (!start) return start.problems();
-  return *start * T_map_start;
+  if (!truth->empty())
+    return truth->in_world(T_map_place, truth->start(options.in_reverse)) * T_map_place.inverse();
+  return start_in(setting);
 }
 
 std::string section_mission_text(const SectionMissionResult& result, bool and_back) {
@@ -68,9 +68,10 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
   const auto navigator = make_section_navigator(origin, vehicle);
   if (!navigator) return at_file(navigator.problems(), file);
   vehicle.cameras = {CameraDescription(corridor_camera(vehicle))};
-  const auto start = section_start_in_world(options, *setting, (*navigator)->path().at(0).T_map_path);
-  if (!start) return start.problems();
-  if (!fits(setting->world, vehicle.footprint, *start))
+  const Pose2 T_map_start = (*navigator)->path().at(0).T_map_path;
+  const auto T_world_map = map_about(T_map_start, options, *setting);
+  if (!T_world_map) return T_world_map.problems();
+  if (!fits(setting->world, vehicle.footprint, *T_world_map * T_map_start))
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
   std::optional<SessionRecord> session;
   if (!options.out.empty()) {
@@ -81,7 +82,7 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
   const SteadyClock clock;
   const double begun_s = clock.now_s();
   const auto result = drive_section_mission(
-      *setting, **navigator, {.seed = options.seed, .T_world_start = *start}, session, console.progress);
+      *setting, **navigator, {.seed = options.seed, .T_world_map = *T_world_map}, session, console.progress);
   if (!result) return result.problems();
   if (const Problems problems = close(session); !problems.empty()) return problems;
   Outcome outcome{.verb = "navigate", .ok = result->end.arrived && result->collisions == 0};

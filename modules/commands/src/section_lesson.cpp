@@ -59,7 +59,7 @@ Result<SectionLesson> learn_sections(const std::vector<SectionCycle>& cycles,
   if (!vehicle.is_differential)
     problems.push_back({{}, "is of a vehicle that cannot turn on the spot, as sections need it"});
   if (!problems.empty()) return problems;
-  learned.path = path_of(learned.sections, {});
+  learned.path = path_of(learned.sections, lesson.driven.T_route_start);
   lesson.building.name = route;
   lesson.building.routes.push_back(std::move(learned));
   return lesson;

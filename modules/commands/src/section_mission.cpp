@@ -41,6 +41,7 @@ class SectionMissionRecord final : public SimulatedRecord {
         vehicle_(vehicle),
         navigator_(navigator),
         base_lines_(slice(setting.world, kBaseLine_m)),
+        skirting_m_(setting.world.skirting_height_m > 0 ? kSkirtingDepth_m : 0),
         T_world_map_(T_world_map),
         result_(result) {}
 
@@ -57,14 +58,17 @@ class SectionMissionRecord final : public SimulatedRecord {
     const auto learned_m = navigator_.guide().right_m;
     if (!learned_m) return;
     const double right_rad = T_world_map_.theta + navigator_.point().T_map_path.theta - kPi / 2;
-    const auto true_m = distance_m(vehicle_.truth().T_world_vehicle.position(), unit(right_rad), base_lines_);
-    if (!true_m || std::abs(*true_m - *learned_m) > kSameBaseLine_m) return;
-    result_.wall_distance_m.add(*true_m - *learned_m);
+    const auto wall_m = distance_m(vehicle_.truth().T_world_vehicle.position(), unit(right_rad), base_lines_);
+    if (!wall_m) return;
+    const double off_m = *wall_m - skirting_m_ - *learned_m;
+    if (std::abs(off_m) > kSameBaseLine_m) return;
+    result_.wall_distance_m.add(off_m);
   }
 
   const SimulatedVehicle& vehicle_;
   const SectionNavigator& navigator_;
   std::vector<Segment2> base_lines_;
+  double skirting_m_;
   Pose2 T_world_map_;
   SectionMissionResult& result_;
 };
@@ -76,16 +80,16 @@ Result<SectionMissionResult> drive_section_mission(const SimulationSetting& sett
                                                    const SectionMissionOptions& options,
                                                    std::optional<SessionRecord>& session,
                                                    Progress& progress) {
+  const Pose2 T_map_start = navigator.path().at(0).T_map_path,
+              T_map_end = navigator.path().pieces().back().end();
   const Pose2 T_world_set_down = set_down(
-      setting, about(options.T_world_start, options.start_sigma_m, options.start_sigma_rad), options.seed);
+      setting, about(options.T_world_map * T_map_start, options.start_sigma_m, options.start_sigma_rad),
+      options.seed);
   SimulatedVehicle vehicle(setting.world, setting.vehicle, setting.scenario,
                            {.seed = options.seed, .T_world_start = T_world_set_down});
   SectionMissionResult result;
-  const Pose2 T_map_start = navigator.path().at(0).T_map_path,
-              T_map_end = navigator.path().pieces().back().end();
   TimedNavigator timed(navigator, result.cycle_s);
-  SectionMissionRecord record(session, vehicle, navigator, setting,
-                              options.T_world_start * T_map_start.inverse(), result);
+  SectionMissionRecord record(session, vehicle, navigator, setting, options.T_world_map, result);
   auto end = run_mission(vehicle, timed, record, progress);
   if (!end) return end.problems();
   result.end = std::move(*end);

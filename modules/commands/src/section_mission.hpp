@@ -29,7 +29,7 @@ struct SectionMissionResult {
 
 struct SectionMissionOptions {
   std::uint64_t seed = 1;
-  Pose2 T_world_start;          ///< where the way's start is
+  Pose2 T_world_map;            ///< how the map lies in the world about the way's start
   double start_sigma_m = 0.02;  ///< how far beside it the vehicle is set down
   double start_sigma_rad = 1 * kDegree;
 };

@@ -22,24 +22,42 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Halls have no base line to follow.
+constexpr BuildingKind kCorridorBuildings[] = {BuildingKind::kOffice, BuildingKind::kRing,
+                                               BuildingKind::kComb};
 constexpr double kBend_rad = 20 * kDegree;  // of a tour that is a turn
 constexpr double kTurnBack_rad = 135 * kDegree;
-constexpr double kLongest_m = 60;
+constexpr double kLongest_m = 60, kSamePoint_m = 0.1, kEndMin_m = 1.5;
 
-/// The tour as far as it does not turn back, and not much longer than a mission should be.
+double length_m(const std::vector<Vec2>& way) {
+  double sum_m = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) sum_m += (way[i] - way[i - 1]).norm();
+  return sum_m;
+}
+
+/// Nobody begins or ends a way just beside a corner.
+std::vector<Vec2> without_short_ends(std::vector<Vec2> way) {
+  while (way.size() > 2 && (way[1] - way[0]).norm() < kEndMin_m) way.erase(way.begin());
+  while (way.size() > 2 && (way[way.size() - 1] - way[way.size() - 2]).norm() < kEndMin_m) way.pop_back();
+  return way;
+}
+
+/// The tour's longest stretch on which it does not turn back, cut where it becomes longer than a mission
+/// should be.
 std::vector<Vec2> one_way(const std::vector<Vec2>& tour) {
-  std::vector<Vec2> way;
-  double way_m = 0;
+  std::vector<Vec2> longest, way;
   for (const Vec2& p : tour) {
-    if (!way.empty()) way_m += (p - way.back()).norm();
-    if (way_m > kLongest_m && way.size() >= 2) break;
     if (way.size() >= 2) {
       const Vec2 before = way.back() - way[way.size() - 2];
-      if (std::abs(wrap_angle(heading_of(p - way.back()) - heading_of(before))) > kTurnBack_rad) break;
+      const bool turns_back =
+          std::abs(wrap_angle(heading_of(p - way.back()) - heading_of(before))) > kTurnBack_rad;
+      const bool is_long = length_m(way) + (p - way.back()).norm() > kLongest_m;
+      if (turns_back || is_long) way = {way.back()};
     }
-    way.push_back(p);
+    if (way.empty() || (p - way.back()).norm() > kSamePoint_m) way.push_back(p);
+    if (length_m(way) > length_m(longest)) longest = way;
   }
-  return way;
+  return without_short_ends(std::move(longest));
 }
 
 /// The sections that a way should be cut into, by how it lies in the building: one letter each.
@@ -86,12 +104,12 @@ Result<SimulationSetting> section_setting(const TrialOptions& options, std::uint
   auto setting = read_setting(named, vehicle_or_usual(options.vehicle, options.method), options.scenario);
   if (!setting) return setting.problems();
   if (by_chance) {
-    setting->world =
-        random_building({.kind = kBuildingKinds[seed % std::size(kBuildingKinds)]}, Random(seed));
-    setting->world_file =
-        fmt::format("{} {}", name_of(kBuildingKinds[seed % std::size(kBuildingKinds)]), seed);
+    const BuildingKind kind = kCorridorBuildings[seed % std::size(kCorridorBuildings)];
+    setting->world = random_building({.kind = kind}, Random(seed));
+    setting->world_file = fmt::format("{} {}", name_of(kind), seed);
   }
   setting->world.tour = one_way(setting->world.tour);
+  setting->world.start.reset();
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty())
     return at_file(problems, options.vehicle);
   return setting;
@@ -154,10 +172,12 @@ Problems run_section_seed(const TrialOptions& options, const SectionTrialParams&
   trial.letters += std::max(due.size(), learned.size());
   trial.letters_wrong += letters_apart(due, learned);
   SectionNavigator navigator(params.navigator, vehicle, vehicle.cameras.front().name, sections,
-                             guided_path(sections, {}, SectionTrip::kThereAndBack));
+                             guided_path(sections, lesson->driven.T_route_start, SectionTrip::kThereAndBack));
   std::optional<SessionRecord> no_session;
   const auto result = drive_section_mission(
-      *setting, navigator, {.seed = 1000 * (seed + 1), .T_world_start = *start}, no_session, progress);
+      *setting, navigator,
+      {.seed = 1000 * (seed + 1), .T_world_map = *start * lesson->driven.T_route_vehicle.front().inverse()},
+      no_session, progress);
   if (!result) return result.problems();
   ++trial.missions;
   trial.arrived += result->end.arrived ? 1U : 0U;
@@ -172,6 +192,7 @@ Problems run_section_seed(const TrialOptions& options, const SectionTrialParams&
               {"world", setting->world.name.empty() ? setting->world_file.string() : setting->world.name},
               {"sections", learned},
               {"sections_due", due}};
+  for (const Section& section : sections) run["list"].push_back(section_text(section));
   run.update(figures_of(*result));
   trial.runs.push_back(std::move(run));
   return {};

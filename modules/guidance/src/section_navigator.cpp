@@ -67,8 +67,7 @@ void SectionNavigatorParams::describe(FieldList& fields) {
               "a base line farther from where it should be is another");
   fields.real("repeat_inflation", repeat_inflation, {1, 100},
               "pictures in a row are not independent: their variances count so many times");
-  fields.real("blind_max_m", blind_max_m, {0.1, 100},
-              "along a section that follows a base line, without seeing any");
+  fields.real("lost_m", lost_m, {0.01, 10}, "less sure how far aside of its way it is, it gives up");
   fields.flag("heading_by_walls", heading_by_walls, "floor edges at right angles correct the heading");
   fields.flag("left_base_line", left_base_line, "is followed where the right one is not seen");
 }
@@ -93,9 +92,8 @@ Decision SectionNavigator::step(const Observation& observation) {
   if (observation.stamp_s - *begun_s_ < params_.look_s) return {.state = "looking"};
   const PathPoint& point = progress_.advance(filter_.pose());
   if (progress_.has_arrived()) return {.status = NavigatorStatus::kDone, .state = "arrived"};
-  if (!guide().follows || is_guided_) guided_m_ = point.along_m;
-  if (point.along_m - guided_m_ > params_.blind_max_m && (guide().right_m || guide().left_m))
-    return fail("blind", fmt::format("no base line was seen for {:.1f} m", point.along_m - guided_m_));
+  if (aside_sigma_m() > params_.lost_m)
+    return fail("lost", fmt::format("saw no base line until unsure by {:.2f} m", aside_sigma_m()));
   const double speed_mps = speed_along(way_.path, point.along_m, 1, vehicle_, params_.speed);
   return {.command = follower_.follow(way_.path, point, filter_.pose(), speed_mps, 0),
           .state = is_guided_ ? "following" : "reckoning",
@@ -114,9 +112,9 @@ void SectionNavigator::locate(const Observation& observation) {
   if (guide().follows) correct_distance();
 }
 
-/// The list's axes are the walls': its first section runs along one.
+/// The map's axes are the walls'.
 void SectionNavigator::correct_heading() {
-  const double heading_rad = filter_.pose().theta - way_.path.at(0).T_map_path.theta;
+  const double heading_rad = filter_.pose().theta;
   const auto walls = heading_from_walls(edges_, heading_rad, std::sqrt(filter_.covariance()(2, 2)));
   if (!walls) return;
   filter_.correct(wrap_angle(walls->heading_rad - heading_rad), Vec3::UnitZ(),
@@ -153,6 +151,11 @@ const WallBeside* SectionNavigator::wall_at(double aside_m) const {
     nearest = &wall;
   }
   return nearest;
+}
+
+double SectionNavigator::aside_sigma_m() const {
+  const Vec2 left = left_normal(unit(progress_.point().T_map_path.theta));
+  return std::sqrt(left.dot(filter_.covariance().topLeftCorner<2, 2>() * left));
 }
 
 std::string SectionNavigator::place() const {

@@ -22,10 +22,14 @@ void SectionLearningParams::describe(FieldList& fields) {
 
 namespace {
 
-constexpr double kWayPoints_m = 0.02;
-constexpr double kStraightMin_m = 0.1;  // shorter lines between turns belong to them
-constexpr double kRoundMin_rad = 2.3;   // a greater turn to either side goes round: two turns, a way between
-constexpr double kMeetingMin = 0.2;     // sine of the angle at which lines still meet somewhere
+constexpr double kStartSigma_rad = 5 * kDegree;  // against the wall beside which a drive begins
+constexpr double kParallel_rad = 6 * kDegree;    // a stretch that is nearly so was meant to be
+constexpr double kWayPoints_m = 0.05;
+constexpr double kTurnsOnTheSpot_rad = 8 * kDegree;  // more than a correction of the heading while it stands
+constexpr double kTurnRadiusMax_m = 2.5;             // what bends less is drift of the odometry, or wander
+constexpr double kStraightMin_m = 0.1;               // shorter lines between turns belong to them
+constexpr double kRoundMin_rad = 2.3;  // a greater turn to either side goes round: two turns, a way between
+constexpr double kMeetingMin = 0.2;    // sine of the angle at which lines still meet somewhere
 constexpr double kOnRun_m = 0.3, kOnRun_rad = 20 * kDegree;  // so near a line a vehicle drives along it
 constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
 constexpr std::size_t kSeenMin = 5;  // cycles in which a base line must be seen for its distance to count
@@ -36,20 +40,20 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Odometry, its heading held by the walls.
+/// Odometry, its heading held by the walls, which are the axes of `route`. A correction of the heading turns the
+/// way that follows, and never moves the vehicle: the way has no jumps.
 std::vector<Pose2> follow(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle) {
-  PoseFilter filter(vehicle, {});
-  std::optional<double> axis_rad;  // of the walls, against the vehicle's first heading
+  PoseFilter filter(vehicle, about({}, 0, kStartSigma_rad));
   std::vector<Pose2> T_route_vehicle;
+  Vec2 p_route_vehicle = Vec2::Zero();
   for (const SectionCycle& cycle : cycles) {
+    const Vec2 before = filter.pose().position();
     filter.predict(cycle.odometry);
-    const double sigma_rad = std::sqrt(filter.covariance()(2, 2));
-    const double expected_rad = filter.pose().theta - axis_rad.value_or(0);
-    const auto walls = heading_from_walls(cycle.floor_edges, expected_rad, axis_rad ? sigma_rad : kPi);
-    if (walls && axis_rad)
-      filter.correct(wrap_angle(walls->heading_rad - expected_rad), Vec3::UnitZ(), walls->sigma_rad);
-    if (walls && !axis_rad) axis_rad = wrap_angle(filter.pose().theta - walls->heading_rad);
-    T_route_vehicle.push_back(filter.pose());
+    p_route_vehicle += filter.pose().position() - before;
+    const double theta = filter.pose().theta;
+    const auto walls = heading_from_walls(cycle.floor_edges, theta, std::sqrt(filter.covariance()(2, 2)));
+    if (walls) filter.correct(wrap_angle(walls->heading_rad - theta), Vec3::UnitZ(), walls->sigma_rad);
+    T_route_vehicle.push_back({p_route_vehicle.x(), p_route_vehicle.y(), filter.pose().theta});
   }
   return T_route_vehicle;
 }
@@ -58,7 +62,7 @@ std::vector<Pose2> way_points(const std::vector<Pose2>& poses) {
   std::vector<Pose2> points;
   for (const Pose2& T : poses) {
     if (points.empty() || (T.position() - points.back().position()).norm() >= kWayPoints_m ||
-        std::abs(wrap_angle(T.theta - points.back().theta)) > kTurnQuantum_rad)
+        std::abs(wrap_angle(T.theta - points.back().theta)) > kTurnsOnTheSpot_rad)
       points.push_back(T);
   }
   return points;
@@ -80,7 +84,9 @@ std::vector<Run> straight_runs(const Path& path, double turn_min_rad) {
   bool is_open = false;
   for (std::size_t i = 0; i < path.pieces().size(); ++i) {
     const PathPiece& piece = path.pieces()[i];
-    const bool is_turning = piece.is_on_the_spot() || std::abs(piece.arc.turn_rad) >= turn_min_rad;
+    const bool is_turning =
+        piece.is_on_the_spot() || (std::abs(piece.arc.turn_rad) >= turn_min_rad &&
+                                   std::abs(piece.curvature_per_m()) > 1 / kTurnRadiusMax_m);
     if (is_turning) {
       is_open = false;
       continue;
@@ -97,6 +103,15 @@ std::vector<Run> straight_runs(const Path& path, double turn_min_rad) {
   }
   std::erase_if(runs, [](const Run& run) { return std::abs(run.length_m) < kStraightMin_m; });
   return runs;
+}
+
+/// Lays a stretch that runs nearly along the axes exactly so, through its middle: a hand wanders, walls do
+/// not.
+void lay_parallel(Run& run) {
+  const double off_rad = wrap_quarter_turn(run.T_route_start.theta);
+  if (std::abs(off_rad) > kParallel_rad) return;
+  const Pose2 T_route_middle = run.T_route_start * Pose2{run.length_m / 2, 0, -off_rad};
+  run.T_route_start = T_route_middle * Pose2{-run.length_m / 2, 0, 0};
 }
 
 double rounded_turn_rad(double turn_rad, double quarter_rad) {
@@ -188,8 +203,10 @@ DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescr
   };
   if (std::none_of(points.begin(), points.end(), moves)) return driven;
   std::vector<Run> runs = straight_runs(fit_path(points, params.path), params.turn_min_rad);
+  for (Run& run : runs) lay_parallel(run);
   std::vector<SectionList> joints;
   for (std::size_t i = 1; i < runs.size(); ++i) joints.push_back(joint(runs[i - 1], runs[i], params));
+  if (runs.empty()) return driven;
   std::vector<double> widths_m;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (i > 0) driven.sections.insert(driven.sections.end(), joints[i - 1].begin(), joints[i - 1].end());
@@ -202,6 +219,7 @@ DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescr
     }
     driven.sections.push_back(section);
   }
+  driven.T_route_start = runs.front().T_route_start;
   if (!widths_m.empty()) driven.corridor_width_m = median(widths_m);
   return driven;
 }

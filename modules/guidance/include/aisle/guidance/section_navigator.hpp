@@ -45,7 +45,7 @@ struct SectionNavigatorParams {
   double wall_sigma_m = 0.03;
   double wall_gate_m = 0.25;
   double repeat_inflation = 3;
-  double blind_max_m = 4;
+  double lost_m = 0.3;
   bool heading_by_walls = true;
   bool left_base_line = true;
 
@@ -54,8 +54,8 @@ struct SectionNavigatorParams {
 
 /// Keeps to the way by its odometry, corrected by what it sees: beside sections that follow a base line, the
 /// distance of the right one (of the left one where that is not seen); everywhere, its heading by floor edges
-/// in a building of right angles, which replaces L03's plain dead reckoning. A base line that should be there
-/// and is not seen for long ends the mission, and so does the bumper; both say where in the list.
+/// in a building of right angles, which replaces L03's plain dead reckoning. Too unsure how far aside of its
+/// way it is, or with the bumper pressed, it gives up, and says where in the list.
 class SectionNavigator final : public Navigator {
  public:
   /// @param camera  the vehicle's, that looks along the corridor
@@ -75,6 +75,7 @@ class SectionNavigator final : public Navigator {
   void correct_heading();
   void correct_distance();
   const WallBeside* wall_at(double aside_m) const;
+  double aside_sigma_m() const;
   std::string place() const;
   Decision fail(std::string state, const std::string& what) const;
 
@@ -90,7 +91,6 @@ class SectionNavigator final : public Navigator {
   std::vector<SensedSegment> edges_;
   std::vector<WallBeside> beside_;
   bool is_guided_ = false;  ///< in this cycle
-  double guided_m_ = 0;     ///< along the path, where it last was guided or need not be
   std::optional<double> begun_s_;
 };
 

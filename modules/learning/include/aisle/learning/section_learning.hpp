@@ -36,12 +36,14 @@ struct SectionLearningParams {
 /// A drive as it was recorded, and what was seen beside it.
 struct DrivenList {
   SectionList sections;                    ///< kFollow, kBack and kTurn alone (L03 Table 2: a b l r)
+  Pose2 T_route_start;                     ///< where the list begins
   std::optional<double> corridor_width_m;  ///< median of left and right distances together
-  std::vector<Pose2> T_route_vehicle;      ///< of each cycle, from the drive's start
+  std::vector<Pose2> T_route_vehicle;      ///< of each cycle; the walls are the axes of `route`
 };
 
 /// L03 section 3.1, from any recorded drive. Where the vehicle is follows from its odometry and from the
-/// walls, which give its heading in a building of right angles; the way is smoothed to lines and arcs. A
+/// walls, which give its heading in a building of right angles; the way is smoothed to lines and arcs, and
+/// lines that run nearly along walls are laid exactly so. A
 /// straight line becomes `a` (backwards: `b`) with the mean distances of the base lines beside it; a turn on
 /// the spot or to the right becomes one turn at the corner of the lines before and after it; a left turn on
 /// an arc becomes two turns with the chord between. Turns are rounded to the quantum, and to a quarter turn
