@@ -48,9 +48,10 @@ std::vector<OutputFile> truth_files(const MapTruth& truth) {
 
 std::vector<OutputFile> learned_files(const Building& building, const MapTruth& truth,
                                       const std::vector<Vec2>& p_map_sightings) {
-  std::vector<OutputFile> files = truth_files(truth);
-  files.push_back({"building", "building.json", building_json(building)});
-  files.push_back({"landmarks_svg", kPicture, picture_of(building, truth.T_map_taught(), p_map_sightings)});
+  std::vector<OutputFile> files = {
+      {"building", "building.json", building_json(building)},
+      {"landmarks_svg", kPicture, picture_of(building, truth.T_map_taught(), p_map_sightings)}};
+  for (OutputFile& file : truth_files(truth)) files.push_back(std::move(file));
   return files;
 }
 
