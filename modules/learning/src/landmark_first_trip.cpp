@@ -9,7 +9,7 @@ namespace aisle {
 
 namespace {
 
-constexpr double kStartSigma = 1e-4;  // the first pose is the map's origin: exact [m, rad]
+constexpr double kOriginSigma = 1e-4;  // the first pose is the map's origin: exact [m, rad]
 constexpr double kRemembered_m =
     10;  // of way: what was last seen before is another pass, if it is seen again
 
@@ -22,7 +22,7 @@ constexpr double kNearSigma_rad = 0.005;
 class FirstTrip {
  public:
   FirstTrip(const VehicleDescription& vehicle, const LandmarkLearningParams& params)
-      : learner_(params), localiser_(params.localiser, vehicle, about({}, kStartSigma, kStartSigma)) {}
+      : learner_(params), localiser_(params.localiser, vehicle, about({}, kOriginSigma, kOriginSigma)) {}
 
   void add(const LandmarkCycle& cycle) {
     if (!T_map_vehicle_.empty()) {

@@ -12,19 +12,19 @@ namespace {
 
 constexpr double kStep_m = 1;          // of way, from one stretch that is tried to the next
 constexpr double kStretch_m = 3;       // of way before and after its middle, whose landmarks are a stretch
-constexpr double kOwnWay_m = 12;       // landmarks seen within this way are the stretch's own
+constexpr double kOwnPass_m = 12;      // landmarks seen within this way are the stretch's own
 constexpr double kReachMin_m = 0.3;    // displacements that are tried ...
 constexpr double kReachPer_m = 0.015;  // ... and more with each metre of way in between
 constexpr double kReachMax_m = 1.5;
-constexpr double kTurnMin_rad = 2 * kDegree;
-constexpr double kTurnPer_m = 0.08 * kDegree;
-constexpr double kTurnMax_rad = 10 * kDegree;
+constexpr double kLoopTurnMin_rad = 2 * kDegree;
+constexpr double kLoopTurnPer_m = 0.08 * kDegree;
+constexpr double kLoopTurnMax_rad = 10 * kDegree;
 constexpr double kPair_m = 0.15;  // landmarks as near as this are one
 constexpr std::size_t kPairsMin = 6;
 constexpr double kPairedShareMin = 0.5;  // of the stretch's landmarks where the earlier pass saw some
 constexpr double kRivalShareMax = 0.75;
-constexpr double kAgreed_m = 0.15;  // what two stretches in a row say of the same loop
-constexpr double kAgreed_rad = 1.5 * kDegree;
+constexpr double kLoopAgreed_m = 0.15;  // what two stretches in a row say of the same loop
+constexpr double kLoopAgreed_rad = 1.5 * kDegree;
 
 /// Some of a trip's landmarks.
 using Selection = std::vector<std::size_t>;
@@ -103,7 +103,8 @@ class LoopFinder {
     for (std::size_t i = 0; i < landmarks_.size(); ++i) {
       const double between_m = way_m_[cycle] - way_m_[landmarks_[i].last_cycle];
       const Vec2 margin = Vec2::Constant(reach_m(between_m)), p = landmarks_[i].landmark.p_map;
-      if (between_m >= kOwnWay_m && (p - low + margin).minCoeff() >= 0 && (high + margin - p).minCoeff() >= 0)
+      if (between_m >= kOwnPass_m && (p - low + margin).minCoeff() >= 0 &&
+          (high + margin - p).minCoeff() >= 0)
         old.push_back(i);
     }
     std::sort(old.begin(), old.end(), [&](std::size_t a, std::size_t b) { return seen_m(a) < seen_m(b); });
@@ -130,11 +131,11 @@ class LoopFinder {
     };
     const double between_m = way_m_[cycle] - seen_m(pass.back());
     const double half_m = reach_m(between_m);
-    const auto match =
-        mwght_.match(seen_from_here(pass), seen_from_here(fresh),
-                     {.x_half_m = half_m,
-                      .y_half_m = half_m,
-                      .turn_half_rad = std::min(kTurnMin_rad + kTurnPer_m * between_m, kTurnMax_rad)});
+    const auto match = mwght_.match(
+        seen_from_here(pass), seen_from_here(fresh),
+        {.x_half_m = half_m,
+         .y_half_m = half_m,
+         .turn_half_rad = std::min(kLoopTurnMin_rad + kLoopTurnPer_m * between_m, kLoopTurnMax_rad)});
     if (!match) return std::nullopt;
     const auto in_map = [&](const Pose2& displacement) {
       return T_map_here * displacement * T_map_here.inverse();
@@ -199,8 +200,8 @@ class LoopFinder {
   }
 
   static bool agree(const Pose2& a, const Pose2& b, const Vec2& p_map) {
-    return (a * p_map - b * p_map).norm() < kAgreed_m &&
-           std::abs(wrap_angle(a.theta - b.theta)) < kAgreed_rad;
+    return (a * p_map - b * p_map).norm() < kLoopAgreed_m &&
+           std::abs(wrap_angle(a.theta - b.theta)) < kLoopAgreed_rad;
   }
 
   static double count(const Fit& fit) { return static_cast<double>(fit.pairs.size()); }
