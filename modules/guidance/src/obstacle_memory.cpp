@@ -1,0 +1,70 @@
+#include "aisle/guidance/obstacle_memory.hpp"
+
+#include <algorithm>
+
+namespace aisle {
+namespace {
+
+constexpr std::size_t kPlacesMax = 256;
+
+}  // namespace
+
+void ObstacleMemoryParams::describe(FieldList& fields) {
+  fields.count("sightings_min", sightings_min, {1, 10}, "pictures in which something must be seen to count");
+  fields.count("free_sightings", free_sightings, {1, 20}, "pictures that show free floor there to forget it");
+  fields.real("join_m", join_m, {0.02, 1}, "sightings so close are of one thing");
+  fields.real("kept_s", kept_s, {1, 600}, "without being seen");
+  fields.real("kept_m", kept_m, {1, 50}, "from the vehicle");
+}
+
+ObstacleMemory::ObstacleMemory(const ObstacleMemoryParams& params) : params_(params) {
+  places_.reserve(kPlacesMax);
+  p_vehicle_.reserve(kPlacesMax);
+}
+
+void ObstacleMemory::see(const std::vector<StandingThing>& things, const StandingThingDetector& detector,
+                         const Pose2& T_odom_vehicle, double stamp_s) {
+  const Pose2 T_vehicle_odom = T_odom_vehicle.inverse();
+  for (Place& place : places_) {
+    const Vec2 p_vehicle = T_vehicle_odom * place.p_odom;
+    const auto seen = detector.seen_at(p_vehicle);
+    const bool would_hide = place.height_m > detector.hidden_height_m(p_vehicle);
+    const bool is_free = seen == StandingThingDetector::Seen::kFree ||
+                         (seen == StandingThingDetector::Seen::kTooNear && would_hide);
+    place.free_sightings = is_free ? place.free_sightings + 1 : 0;
+  }
+  for (const StandingThing& thing : things) remember(thing, T_odom_vehicle, stamp_s);
+  std::erase_if(places_, [&](const Place& place) {
+    const bool is_unsure = place.sightings < params_.sightings_min && place.seen_s < stamp_s;
+    return place.free_sightings >= params_.free_sightings || (is_unsure && place.free_sightings > 0) ||
+           stamp_s - place.seen_s > params_.kept_s ||
+           (place.p_odom - T_odom_vehicle.position()).norm() > params_.kept_m;
+  });
+}
+
+void ObstacleMemory::remember(const StandingThing& thing, const Pose2& T_odom_vehicle, double stamp_s) {
+  const Vec2 p_odom = T_odom_vehicle * thing.p_vehicle;
+  const auto known = std::find_if(places_.begin(), places_.end(), [&](const Place& place) {
+    return (place.p_odom - p_odom).norm() < params_.join_m;
+  });
+  if (known == places_.end()) {
+    if (places_.size() == kPlacesMax) places_.erase(places_.begin());
+    places_.push_back({.p_odom = p_odom, .height_m = thing.height_m, .seen_s = stamp_s, .sightings = 1});
+    return;
+  }
+  if (known->seen_s < stamp_s) ++known->sightings;
+  known->seen_s = stamp_s;
+  known->free_sightings = 0;
+  known->height_m = std::max(known->height_m, thing.height_m);
+}
+
+const std::vector<Vec2>& ObstacleMemory::places(const Pose2& T_odom_vehicle) {
+  const Pose2 T_vehicle_odom = T_odom_vehicle.inverse();
+  p_vehicle_.clear();
+  for (const Place& place : places_) {
+    if (place.sightings >= params_.sightings_min) p_vehicle_.push_back(T_vehicle_odom * place.p_odom);
+  }
+  return p_vehicle_;
+}
+
+}  // namespace aisle
