@@ -1,6 +1,6 @@
 #pragma once
-/// Trips of a simulated cart that knows where it is and follows a line, with nothing but the guard between it and
-/// what is in the way.
+/// Trips of a simulated cart that knows where it is and follows a line, with nothing but the guard between it
+/// and what is in the way.
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +29,9 @@ class LineFollower {
   Command follow(const Pose2& T_world_vehicle, double speed_mps, double wheelbase_m) {
     const Vec2 target = T_world_vehicle.inverse() * aim(T_world_vehicle.position());
     const double turn_rad_per_m = 2 * target.y() / target.squaredNorm();
-    const double steering_rad = target.x() < 0 ? std::copysign(0.7, target.y())
-                                               : std::clamp(std::atan(wheelbase_m * turn_rad_per_m), -0.7, 0.7);
+    const double steering_rad = target.x() < 0
+                                    ? std::copysign(0.7, target.y())
+                                    : std::clamp(std::atan(wheelbase_m * turn_rad_per_m), -0.7, 0.7);
     return {.speed_mps = speed_mps * (1 - 0.6 * std::abs(steering_rad) / 0.7), .steering_rad = steering_rad};
   }
 
@@ -90,15 +91,16 @@ struct GuardedTripOptions {
   double speed_mps = 0.3;
   std::uint64_t seed = 1;
   double time_max_s = 300;
-  std::function<void(const Observation&, const Guarded&, const ObstacleGuard&, const SimulatedVehicle&)> on_cycle = {};
+  std::function<void(const Observation&, const Guarded&, const ObstacleGuard&, const SimulatedVehicle&)>
+      on_cycle = {};
 };
 
 inline GuardedTrip guarded_trip(const World& world, const VehicleModel& model, const Scenario& scenario,
                                 const std::vector<Vec2>& line, const GuardedTripOptions& options) {
   const Vec2 along = line[1] - line[0];
-  SimulatedVehicle vehicle(world, model, scenario,
-                           {.seed = options.seed,
-                            .T_world_start = {line[0].x(), line[0].y(), std::atan2(along.y(), along.x())}});
+  SimulatedVehicle vehicle(
+      world, model, scenario,
+      {.seed = options.seed, .T_world_start = {line[0].x(), line[0].y(), std::atan2(along.y(), along.x())}});
   ObstacleGuard guard(model.description, {});
   LineFollower follower(line);
   GuardedTrip trip;
@@ -106,8 +108,8 @@ inline GuardedTrip guarded_trip(const World& world, const VehicleModel& model, c
   while (vehicle.truth().stamp_s < options.time_max_s && !trip.arrived) {
     const auto observation = vehicle.sense();
     const SimulatedTruth& truth = vehicle.truth();
-    const Command wish =
-        follower.follow(truth.T_world_vehicle, options.speed_mps, model.description.front_steered.wheelbase_m);
+    const Command wish = follower.follow(truth.T_world_vehicle, options.speed_mps,
+                                         model.description.front_steered.wheelbase_m);
     trip.last = guard.guard(*observation, wish);
     vehicle.act(trip.last.command);
     if (trip.last.state != GuardState::kFree && before == GuardState::kFree) {

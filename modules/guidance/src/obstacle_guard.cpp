@@ -13,6 +13,7 @@ namespace aisle {
 namespace {
 
 constexpr std::size_t kPlacesMax = 2048;
+constexpr double kRightAhead_m = 1.2;
 constexpr int kHiddenRaysMin = 4;
 constexpr int kHiddenPicturesMin = 2;
 
@@ -40,7 +41,8 @@ void ObstacleGuardParams::describe(FieldList& fields) {
   fields.real("margin_m", margin_m, {0, 1}, "free floor wanted on either side of the vehicle");
   fields.real("gap_m", gap_m, {0.05, 3}, "left before an obstacle when the vehicle has stopped");
   fields.real("reach_m", reach_m, {0.5, 20}, "how far ahead of the front is looked at");
-  fields.real("deceleration_share", deceleration_share, {0.05, 1}, "of the greatest deceleration, to stop with");
+  fields.real("deceleration_share", deceleration_share, {0.05, 1},
+              "of the greatest deceleration, to stop with");
   fields.real("reaction_s", reaction_s, {0, 2}, "from something's appearance to the first braking");
   fields.real("reverse_speed_mps", reverse_speed_mps, {0.01, 1}, "at most, as nothing sees behind");
   fields.real("free_again_s", free_again_s, {0, 10}, "the way must have been free so long to go on");
@@ -53,7 +55,7 @@ ObstacleGuard::ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGu
   if (const CameraDescription* found = camera_named(vehicle, camera)) {
     eye_.emplace(Eye{StandingThingDetector(params.things, found->intrinsics, found->mount, found->width_px,
                                            found->height_px),
-                     PictureWatch(params.pictures, found->name), Image()});
+                     PictureWatch(params.pictures, found->name)});
   }
   if (!eye_ && !vehicle.scanner) throw std::invalid_argument("the vehicle has neither camera nor scanner");
   p_vehicle_.reserve(kPlacesMax);
@@ -74,7 +76,9 @@ Guarded ObstacleGuard::guard(const Observation& observation, const Command& wish
     return guarded;
   }
   if (observation.bumper_pressed) {
-    return {.command = {.steering_rad = wished.steering_rad}, .state = GuardState::kBlocked, .why = "the vehicle touches something"};
+    return {.command = {.steering_rad = wished.steering_rad},
+            .state = GuardState::kBlocked,
+            .why = "the vehicle touches something"};
   }
   if (eye_) {
     if (auto trouble = eye_->watch.trouble(now_s)) return waiting(now_s, std::move(*trouble));
@@ -117,21 +121,28 @@ Pose2 ObstacleGuard::pose_at(double stamp_s) const {
 
 void ObstacleGuard::look(const Observation& observation) {
   if (const CameraPicture* picture = eye_->watch.look(observation)) {
-    const bool is_grey = picture->image->channels == 1;
-    if (!is_grey) eye_->grey = to_grey(*picture->image);
-    const auto& things = eye_->detector.detect(is_grey ? *picture->image : eye_->grey);
+    const auto& things = eye_->detector.detect(*picture->image);
     eye_->watch.judge(*picture, eye_->detector.mean_level());
     memory_.see(things, eye_->detector, pose_at(picture->stamp_s), picture->stamp_s);
     hidden_pictures_ = is_hidden_right_ahead(things) ? hidden_pictures_ + 1 : 0;
   }
   const auto& places = memory_.places(T_odom_vehicle_);
   p_vehicle_.insert(p_vehicle_.end(), places.begin(), places.end());
-  if (hidden_pictures_ >= kHiddenPicturesMin) {
+  if (hidden_pictures_ >= kHiddenPicturesMin && !is_remembered_right_ahead()) {
     p_vehicle_.push_back({vehicle_.footprint.front_m, 0});
   }
 }
 
-/// Things that begin below the picture straight ahead, and are none of those that are remembered there.
+/// Nearer than the floor begins in the picture.
+bool ObstacleGuard::is_remembered_right_ahead() const {
+  return std::any_of(p_vehicle_.begin(), p_vehicle_.end(), [&](const Vec2& p) {
+    const double ahead_m = p.x() - vehicle_.footprint.front_m;
+    return ahead_m >= 0 && ahead_m < kRightAhead_m &&
+           std::abs(p.y()) < vehicle_.footprint.width_m / 2 + params_.margin_m;
+  });
+}
+
+/// Things straight ahead that begin below the picture: they may stand anywhere before the vehicle.
 bool ObstacleGuard::is_hidden_right_ahead(const std::vector<StandingThing>& things) const {
   const auto rays = std::count_if(things.begin(), things.end(), [&](const StandingThing& thing) {
     return thing.foot_hidden && std::abs(thing.p_vehicle.y()) < vehicle_.footprint.width_m / 2;

@@ -21,7 +21,8 @@ double SweptStrip::free_m(std::span<const Vec2> p_vehicle, double reach_m) const
     const Pose2 T_there_vehicle = end_pose({way_m, way_m * turn_rad_per_m}).inverse();
     const double c = std::cos(T_there_vehicle.theta), s = std::sin(T_there_vehicle.theta);
     for (const Vec2& p : p_vehicle) {
-      const Vec2 p_there(c * p.x() - s * p.y() + T_there_vehicle.x, s * p.x() + c * p.y() + T_there_vehicle.y);
+      const Vec2 p_there(c * p.x() - s * p.y() + T_there_vehicle.x,
+                         s * p.x() + c * p.y() + T_there_vehicle.y);
       if (is_within(footprint, margin_m, p_there)) {
         // On the way since the step before, the front has come at most that far past the point.
         free = std::max(0.0, way_m - std::min(kStep_m, footprint.front_m - p_there.x()));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "aisle/core/angle.hpp"
@@ -17,19 +16,25 @@ void StandingThingParams::describe(FieldList& fields) {
   fields.real("strip_width_m", strip_width_m, {0.1, 5}, "a skirting is seen at least so wide");
   fields.real("tolerance", tolerance, {1, 100}, "by which floor may look different, in grey levels");
   fields.real("tolerance_share", tolerance_share, {0, 1}, "and this share of its brightness");
-  fields.real("drift", drift, {0, 1}, "how fast the look of the floor follows along a ray, a sample");
+  fields.real("texture_max", texture_max, {0, 100}, "by which a rough floor may look different at most");
+  fields.real("tint_tolerance", tint_tolerance, {1, 500}, "by which its colour may differ, in grey levels");
+  fields.real("drift_per_m", drift_per_m, {0, 200}, "of the floor's brightness along a ray, in grey levels");
+  fields.real("foot_step", foot_step, {1, 100}, "of brightness at a thing's foot, in grey levels");
 }
 
 namespace {
 
 constexpr int kCell_px = 4;
-constexpr double kCentral_m = 0.3;      // to either side: the floor in front that brightness is learned from
-constexpr double kLearning = 0.2;       // share of a new picture
-constexpr double kLightJump = 1.3;      // a greater change of the whole picture is one of light
-constexpr std::size_t kAgain = 2;       // samples that look like floor again: floor
-constexpr double kJoin_m = 0.05;        // feet on neighbouring rays so close belong together,
-constexpr double kJoinShare = 0.12;     // and with this share of the distance more
-constexpr std::size_t kNeighbours = 2;  // rays that a thing covers at least
+constexpr double kCentral_m = 0.3;  // to either side: the floor in front that brightness is learned from
+constexpr std::size_t kNearSamples = 6;
+constexpr double kLearning = 0.2;        // share of a new picture
+constexpr double kLightJump = 1.3;       // a greater change of the whole picture is one of light
+constexpr double kLowCameraShare = 0.5;  // of its height: as high are things for a low camera
+constexpr double kShadeShare = 0.8;      // how far back the foot of a thing is looked for
+constexpr std::size_t kAgain = 2;        // samples that look like floor again: floor
+constexpr double kJoin_m = 0.05;         // feet on neighbouring rays so close belong together,
+constexpr double kJoinShare = 0.12;      // and with this share of the distance more
+constexpr std::size_t kNeighbours = 2;   // rays that a thing covers at least
 
 }  // namespace
 
@@ -47,7 +52,7 @@ StandingThingDetector::StandingThingDetector(const StandingThingParams& params,
   if (samples_.empty()) throw std::invalid_argument("the camera sees no floor within reach");
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   gaps_.resize(rays_.size());
-  near_levels_.reserve(rays_.size());
+  near_looks_.reserve(kNearSamples * rays_.size());
   things_.reserve(rays_.size());
 }
 
@@ -68,8 +73,8 @@ void StandingThingDetector::lay_rays(const CameraModel& camera, int width_px, in
       if (u < 0 || v < 0 || u >= kCell_px * (width_px / kCell_px) || v >= kCell_px * (height_px / kCell_px)) {
         continue;
       }
-      samples_.push_back({static_cast<std::uint32_t>(v / kCell_px * columns_ + u / kCell_px),
-                          static_cast<float>(away_m)});
+      samples_.push_back(
+          {static_cast<std::uint32_t>(v / kCell_px * columns_ + u / kCell_px), static_cast<float>(away_m)});
     }
     ray.end = samples_.size();
     rays_.push_back(ray);
@@ -80,43 +85,78 @@ Vec2 StandingThingDetector::place(const Ray& ray, double away_m) const {
   return mount_.p_vehicle_camera.head<2>() + away_m * ray.direction;
 }
 
-void StandingThingDetector::shrink(const Image& grey) {
-  const auto columns = static_cast<std::size_t>(columns_);
-  std::size_t total = 0;
+void StandingThingDetector::shrink(const Image& picture) {
+  constexpr int kPixels = kCell_px * kCell_px;
+  const auto channels = static_cast<std::size_t>(picture.channels);
+  Look* out = cells_.data();
+  long total = 0;
   for (int row = 0; row < rows_; ++row) {
-    std::uint8_t* out = cells_.data() + static_cast<std::size_t>(row) * columns;
-    const std::uint8_t* lines[kCell_px];
-    for (int i = 0; i < kCell_px; ++i) lines[i] = grey.row(kCell_px * row + i);
-    for (std::size_t column = 0; column < columns; ++column) {
-      unsigned sum = 0;
-      for (const std::uint8_t* line : lines) {
-        for (std::size_t u = kCell_px * column; u < kCell_px * (column + 1); ++u) sum += line[u];
+    for (std::size_t column = 0; column < static_cast<std::size_t>(columns_); ++column, ++out) {
+      int sums[3] = {0, 0, 0};
+      for (int line = kCell_px * row; line < kCell_px * (row + 1); ++line) {
+        const std::uint8_t* pixel = picture.row(line) + kCell_px * column * channels;
+        for (int i = 0; i < kCell_px; ++i) {
+          for (std::size_t c = 0; c < channels; ++c) sums[c] += *pixel++;
+        }
       }
-      out[column] = static_cast<std::uint8_t>(sum / (kCell_px * kCell_px));
-      total += out[column];
+      *out =
+          channels == 1
+              ? Look{.level = static_cast<std::uint8_t>(sums[0] / kPixels)}
+              : Look{.level = static_cast<std::uint8_t>((sums[0] + sums[1] + sums[2]) / (3 * kPixels)),
+                     .red_green = static_cast<std::int16_t>((sums[0] - sums[1]) / kPixels),
+                     .yellow_blue = static_cast<std::int16_t>(((sums[0] + sums[1]) / 2 - sums[2]) / kPixels)};
+      total += out->level;
     }
   }
-  const double mean = static_cast<double>(total) / static_cast<double>(cells_.size());
-  const double change = (mean + 1) / (mean_level_ + 1);
+  mean_level_ = static_cast<double>(total) / static_cast<double>(cells_.size());
+}
+
+/// Lamps go on and off: the floor's look goes with the whole picture's.
+void StandingThingDetector::follow_light(double mean_before) {
+  const double change = (mean_level_ + 1) / (mean_before + 1);
   if (floor_level_ >= 0 && (change > kLightJump || change < 1 / kLightJump)) floor_level_ *= change;
-  mean_level_ = mean;
 }
 
 /// The median where the picture begins, before the vehicle.
 void StandingThingDetector::learn_floor() {
-  near_levels_.clear();
+  near_looks_.clear();
   for (const Ray& ray : rays_) {
     if (ray.first == ray.end) continue;
     const double aside_m = std::abs(place(ray, samples_[ray.first].away_m).y());
-    if (aside_m < kCentral_m) near_levels_.push_back(cells_[samples_[ray.first].cell]);
+    if (aside_m >= kCentral_m) continue;
+    const std::size_t end = std::min(ray.end, ray.first + kNearSamples);
+    for (std::size_t i = ray.first; i < end; ++i) near_looks_.push_back(cells_[samples_[i].cell]);
   }
-  if (near_levels_.empty()) return;
-  const auto middle = near_levels_.begin() + static_cast<std::ptrdiff_t>(near_levels_.size() / 2);
-  std::nth_element(near_levels_.begin(), middle, near_levels_.end());
-  if (floor_level_ < 0) floor_level_ = *middle;
-  if (std::abs(*middle - floor_level_) <= tolerance(floor_level_)) {
-    floor_level_ += kLearning * (*middle - floor_level_);
-  }
+  if (near_looks_.empty()) return;
+  const auto middle = near_looks_.begin() + static_cast<std::ptrdiff_t>(near_looks_.size() / 2);
+  std::nth_element(near_looks_.begin(), middle, near_looks_.end(),
+                   [](const Look& a, const Look& b) { return a.level < b.level; });
+  const bool is_first = floor_level_ < 0;
+  if (is_first) floor_level_ = middle->level;
+  if (std::abs(middle->level - floor_level_) > tolerance(floor_level_)) return;
+  const double share = is_first ? 1 : kLearning;
+  floor_level_ += share * (middle->level - floor_level_);
+  red_green_ += share * (middle->red_green - red_green_);
+  yellow_blue_ += share * (middle->yellow_blue - yellow_blue_);
+  texture_ += share * (texture_of_floor() - texture_);
+}
+
+/// Within this of their median lie nearly all looks of a rough floor: three median deviations.
+double StandingThingDetector::texture_of_floor() {
+  const auto off = [&](const Look& look) { return std::abs(look.level - floor_level_); };
+  const auto middle = near_looks_.begin() + static_cast<std::ptrdiff_t>(near_looks_.size() / 2);
+  std::nth_element(near_looks_.begin(), middle, near_looks_.end(),
+                   [&](const Look& a, const Look& b) { return off(a) < off(b); });
+  return std::min(3 * off(*middle), params_.texture_max);
+}
+
+double StandingThingDetector::tolerance(double level) const {
+  return std::max(params_.tolerance + params_.tolerance_share * level, texture_);
+}
+
+bool StandingThingDetector::is_floor(const Look& look, double level) const {
+  return std::abs(look.level - level) <= tolerance(level) &&
+         std::hypot(look.red_green - red_green_, look.yellow_blue - yellow_blue_) <= params_.tint_tolerance;
 }
 
 StandingThingDetector::Gap StandingThingDetector::gap_of(const Ray& ray) const {
@@ -124,9 +164,10 @@ StandingThingDetector::Gap StandingThingDetector::gap_of(const Ray& ray) const {
   double level = floor_level_;
   Gap gap;
   for (std::size_t i = ray.first; i < ray.end;) {
-    const double off = cells_[samples_[i].cell] - level;
-    if (std::abs(off) <= tolerance(level)) {
-      level += params_.drift * off;
+    const Look& look = cells_[samples_[i].cell];
+    if (is_floor(look, level)) {
+      const double drift = params_.drift_per_m * (samples_[i].away_m - gap.free_m);
+      level += std::clamp<double>(look.level - level, -drift, drift);
       gap.free_m = samples_[i++].away_m;
       continue;
     }
@@ -134,9 +175,16 @@ StandingThingDetector::Gap StandingThingDetector::gap_of(const Ray& ray) const {
     if (from_m > params_.foot_max_m) break;
     const std::size_t end = floor_again(ray, i, level);
     const double hidden_m = camera_m * (1 - from_m / samples_[std::min(end, ray.end - 1)].away_m);
-    if (hidden_m >= params_.height_min_m) {
+    if (hidden_m >= std::min(params_.height_min_m, kLowCameraShare * camera_m)) {
+      const auto foot = foot_of_thing(ray, i);
+      if (!foot) {
+        level = look.level;
+        gap.free_m = samples_[i++].away_m;
+        continue;
+      }
       gap.is_thing = true;
-      gap.thing = i;
+      gap.thing = *foot;
+      gap.free_m = *foot > ray.first ? samples_[*foot - 1].away_m : 0;
       gap.height_m = end < ray.end ? hidden_m : camera_m;
       break;
     }
@@ -150,11 +198,29 @@ StandingThingDetector::Gap StandingThingDetector::gap_of(const Ray& ray) const {
   return gap;
 }
 
+/// A thing that looks like the floor at first (a wall in its own shade) begins at the step before. What comes
+/// without any step is gloss or light on the floor.
+std::optional<std::size_t> StandingThingDetector::foot_of_thing(const Ray& ray, std::size_t thing) const {
+  const double step_min = std::max(params_.foot_step, texture_ / 2);
+  const auto is_step = [&](std::size_t i) {
+    const Look &here = cells_[samples_[i].cell], &before = cells_[samples_[i - 1].cell];
+    return std::abs(here.level - before.level) >= step_min ||
+           std::abs(here.red_green - before.red_green) >= step_min ||
+           std::abs(here.yellow_blue - before.yellow_blue) >= step_min;
+  };
+  const double nearest_m = kShadeShare * samples_[thing].away_m;
+  std::size_t foot = thing;
+  while (foot > ray.first && samples_[foot].away_m >= nearest_m && !is_step(foot)) --foot;
+  if (samples_[foot].away_m < nearest_m) return std::nullopt;
+  while (foot > ray.first && is_step(foot)) --foot;
+  return foot == ray.first ? foot : foot + 1;
+}
+
 /// The next sample at which floor of this brightness begins; the ray's end if there is none.
 std::size_t StandingThingDetector::floor_again(const Ray& ray, std::size_t from, double level) const {
   std::size_t alike = 0;
   for (std::size_t i = from; i < ray.end; ++i) {
-    alike = std::abs(cells_[samples_[i].cell] - level) <= tolerance(level) ? alike + 1 : 0;
+    alike = is_floor(cells_[samples_[i].cell], level) ? alike + 1 : 0;
     if (alike == kAgain) return i + 1 - kAgain;
   }
   return ray.end;
@@ -187,11 +253,14 @@ void StandingThingDetector::decide(Gap& gap, bool is_wall, bool is_wide) const {
   gap.is_thing = gap.is_thing && is_wide;
 }
 
-const std::vector<StandingThing>& StandingThingDetector::detect(const Image& grey) {
-  if (grey.channels != 1 || grey.width_px != width_px_ || grey.height_px != height_px_) {
-    throw std::invalid_argument("the picture must be grey and of the camera's size");
+const std::vector<StandingThing>& StandingThingDetector::detect(const Image& picture) {
+  const bool is_known = picture.channels == 1 || picture.channels == 3;
+  if (!is_known || picture.width_px != width_px_ || picture.height_px != height_px_) {
+    throw std::invalid_argument("the picture must be of the camera's size, grey or in colour");
   }
-  shrink(grey);
+  const double mean_before = mean_level_;
+  shrink(picture);
+  follow_light(mean_before);
   learn_floor();
   for (std::size_t i = 0; i < rays_.size(); ++i) gaps_[i] = gap_of(rays_[i]);
   confirm();

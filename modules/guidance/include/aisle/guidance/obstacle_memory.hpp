@@ -17,8 +17,8 @@ struct ObstacleMemoryParams {
   void describe(FieldList& fields);
 };
 
-/// What stood on the floor in the last pictures and may stand there still, in the odometry's frame. A place is
-/// forgotten when the floor has been seen there a few times, when nothing hides the view over it though it
+/// What stood on the floor in the last pictures and may stand there still, in the odometry's frame. A place
+/// is forgotten when the floor has been seen there a few times, when nothing hides the view over it though it
 /// should, when it is far behind, or after a long time. No allocation: at most 256 places.
 class ObstacleMemory {
  public:
