@@ -71,7 +71,6 @@ Guarded ObstacleGuard::guard(const Observation& observation, const Command& wish
   Guarded guarded{.command = limited(wished)};
   if (wished.speed_mps < 0) {
     waiting_from_s_.reset();
-    if (observation.bumper_pressed) return guarded;  // that is how it gets away
     guarded.command.speed_mps = std::max(guarded.command.speed_mps, -params_.reverse_speed_mps);
     return guarded;
   }
@@ -122,9 +121,10 @@ Pose2 ObstacleGuard::pose_at(double stamp_s) const {
 void ObstacleGuard::look(const Observation& observation) {
   if (const CameraPicture* picture = eye_->watch.look(observation)) {
     const auto& things = eye_->detector.detect(*picture->image);
-    eye_->watch.judge(*picture, eye_->detector.mean_level());
-    memory_.see(things, eye_->detector, pose_at(picture->stamp_s), picture->stamp_s);
-    hidden_pictures_ = is_hidden_right_ahead(things) ? hidden_pictures_ + 1 : 0;
+    if (eye_->watch.shows_something(*picture, eye_->detector.mean_level())) {
+      memory_.see(things, eye_->detector, pose_at(picture->stamp_s), picture->stamp_s);
+      hidden_pictures_ = is_hidden_right_ahead(things) ? hidden_pictures_ + 1 : 0;
+    }
   }
   const auto& places = memory_.places(T_odom_vehicle_);
   p_vehicle_.insert(p_vehicle_.end(), places.begin(), places.end());

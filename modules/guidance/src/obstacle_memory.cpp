@@ -27,10 +27,7 @@ void ObstacleMemory::see(const std::vector<StandingThing>& things, const Standin
   const Pose2 T_vehicle_odom = T_odom_vehicle.inverse();
   for (Place& place : places_) {
     const Vec2 p_vehicle = T_vehicle_odom * place.p_odom;
-    const auto seen = detector.seen_at(p_vehicle);
-    const bool would_hide = place.height_m > detector.hidden_height_m(p_vehicle);
-    const bool is_free = seen == StandingThingDetector::Seen::kFree ||
-                         (seen == StandingThingDetector::Seen::kTooNear && would_hide);
+    const bool is_free = detector.seen_at(p_vehicle) == StandingThingDetector::Seen::kFree;
     place.free_sightings = is_free ? place.free_sightings + 1 : 0;
   }
   for (const StandingThing& thing : things) remember(thing, T_odom_vehicle, stamp_s);
@@ -49,13 +46,12 @@ void ObstacleMemory::remember(const StandingThing& thing, const Pose2& T_odom_ve
   });
   if (known == places_.end()) {
     if (places_.size() == kPlacesMax) places_.erase(places_.begin());
-    places_.push_back({.p_odom = p_odom, .height_m = thing.height_m, .seen_s = stamp_s, .sightings = 1});
+    places_.push_back({.p_odom = p_odom, .seen_s = stamp_s, .sightings = 1});
     return;
   }
   if (known->seen_s < stamp_s) ++known->sightings;
   known->seen_s = stamp_s;
   known->free_sightings = 0;
-  known->height_m = std::max(known->height_m, thing.height_m);
 }
 
 const std::vector<Vec2>& ObstacleMemory::places(const Pose2& T_odom_vehicle) {

@@ -31,14 +31,13 @@ const CameraPicture* PictureWatch::look(const Observation& observation) {
   return is_same ? nullptr : &*found;
 }
 
-void PictureWatch::judge(const CameraPicture& picture, double mean_level) {
-  if (mean_level < params_.dark_level) {
-    what_ = "sees no light";
-  } else if (mean_level > params_.bright_level) {
-    what_ = "is dazzled";
-  } else {
-    good_stamp_s_ = picture.stamp_s;
+bool PictureWatch::shows_something(const CameraPicture& picture, double mean_level) {
+  if (mean_level < params_.dark_level || mean_level > params_.bright_level) {
+    what_ = mean_level < params_.dark_level ? "sees no light" : "is dazzled";
+    return false;
   }
+  good_stamp_s_ = picture.stamp_s;
+  return true;
 }
 
 std::optional<std::string> PictureWatch::trouble(double now_s) const {

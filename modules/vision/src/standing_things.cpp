@@ -114,7 +114,8 @@ void StandingThingDetector::shrink(const Image& picture) {
 /// Lamps go on and off: the floor's look goes with the whole picture's.
 void StandingThingDetector::follow_light(double mean_before) {
   const double change = (mean_level_ + 1) / (mean_before + 1);
-  if (floor_level_ >= 0 && (change > kLightJump || change < 1 / kLightJump)) floor_level_ *= change;
+  if (floor_level_ >= 0 && (change > kLightJump || change < 1 / kLightJump))
+    floor_level_ = (floor_level_ + 1) * change - 1;
 }
 
 /// The median where the picture begins, before the vehicle.
@@ -141,17 +142,18 @@ void StandingThingDetector::learn_floor() {
   texture_ += share * (texture_of_floor() - texture_);
 }
 
-/// Within this of their median lie nearly all looks of a rough floor: three median deviations.
+/// Within this of their median lie nearly all looks of a rough floor: two median deviations and the
+/// tolerance.
 double StandingThingDetector::texture_of_floor() {
   const auto off = [&](const Look& look) { return std::abs(look.level - floor_level_); };
   const auto middle = near_looks_.begin() + static_cast<std::ptrdiff_t>(near_looks_.size() / 2);
   std::nth_element(near_looks_.begin(), middle, near_looks_.end(),
                    [&](const Look& a, const Look& b) { return off(a) < off(b); });
-  return std::min(3 * off(*middle), params_.texture_max);
+  return std::min(2 * off(*middle), params_.texture_max);
 }
 
 double StandingThingDetector::tolerance(double level) const {
-  return std::max(params_.tolerance + params_.tolerance_share * level, texture_);
+  return params_.tolerance + params_.tolerance_share * level + texture_;
 }
 
 bool StandingThingDetector::is_floor(const Look& look, double level) const {
@@ -292,13 +294,6 @@ StandingThingDetector::Seen StandingThingDetector::seen_at(const Vec2& p_vehicle
   const double begins_m = samples_[ray->first].away_m;
   if (away_m < begins_m) return gap.free_m > begins_m ? Seen::kTooNear : Seen::kNothing;
   return away_m + kSure_m < gap.free_m ? Seen::kFree : Seen::kNothing;
-}
-
-double StandingThingDetector::hidden_height_m(const Vec2& p_vehicle) const {
-  const Ray* ray = ray_to(p_vehicle);
-  if (ray == nullptr) return mount_.p_vehicle_camera.z();
-  const double away_m = (p_vehicle - mount_.p_vehicle_camera.head<2>()).norm();
-  return mount_.p_vehicle_camera.z() * std::max(0.0, 1 - away_m / samples_[ray->first].away_m);
 }
 
 }  // namespace aisle

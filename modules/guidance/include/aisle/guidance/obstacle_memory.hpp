@@ -8,7 +8,7 @@
 namespace aisle {
 
 struct ObstacleMemoryParams {
-  int sightings_min = 2;
+  int sightings_min = 3;
   int free_sightings = 3;
   double join_m = 0.15;
   double kept_s = 30;
@@ -18,8 +18,8 @@ struct ObstacleMemoryParams {
 };
 
 /// What stood on the floor in the last pictures and may stand there still, in the odometry's frame. A place
-/// is forgotten when the floor has been seen there a few times, when nothing hides the view over it though it
-/// should, when it is far behind, or after a long time. No allocation: at most 256 places.
+/// is forgotten when the floor has been seen there a few times, when it is far away, or after a long time:
+/// what the vehicle has come too near to see is not taken for gone. No allocation: at most 256 places.
 class ObstacleMemory {
  public:
   explicit ObstacleMemory(const ObstacleMemoryParams& params);
@@ -35,7 +35,6 @@ class ObstacleMemory {
  private:
   struct Place {
     Vec2 p_odom = Vec2::Zero();
-    double height_m = 0;
     double seen_s = 0;
     int sightings = 0;
     int free_sightings = 0;

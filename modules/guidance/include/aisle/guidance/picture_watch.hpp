@@ -27,9 +27,9 @@ class PictureWatch {
   /// @return the camera's picture if this observation has one that can be trusted
   const CameraPicture* look(const Observation& observation);
 
-  /// Of a picture that was trusted: whether it shows anything.
+  /// Whether a picture that `look` gave is neither black nor washed out.
   /// @param mean_level  of its pixels [grey levels]
-  void judge(const CameraPicture& picture, double mean_level);
+  bool shows_something(const CameraPicture& picture, double mean_level);
 
   /// What is wrong now, for people: "camera front is frozen"; nullopt if nothing is.
   std::optional<std::string> trouble(double now_s) const;

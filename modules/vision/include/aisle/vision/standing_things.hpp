@@ -19,9 +19,9 @@ struct StandingThingParams {
   double height_min_m = 0.3;  ///< of a thing; what covers less of the floor behind it may lie on it
   double strip_height_m = 0.05;
   double strip_width_m = 0.6;
-  double tolerance = 8;  ///< [grey levels]
-  double tolerance_share = 0.12;
-  double texture_max = 40;
+  double tolerance = 5;  ///< [grey levels]
+  double tolerance_share = 0.04;
+  double texture_max = 25;
   double tint_tolerance = 24;
   double drift_per_m = 14;
   double foot_step = 8;
@@ -60,9 +60,6 @@ class StandingThingDetector {
   };
   /// What the last picture says of a place.
   Seen seen_at(const Vec2& p_vehicle) const;
-
-  /// The height up to which a thing at a place below the picture may stand without hiding any floor in view.
-  double hidden_height_m(const Vec2& p_vehicle) const;
 
   double mean_level() const { return mean_level_; }  ///< of the last picture [grey levels]
 
