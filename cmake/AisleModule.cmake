@@ -39,6 +39,7 @@ function(aisle_module name)
       target_link_libraries(test_${name} PRIVATE aisle_${name} ${M_USES_PRIVATELY} aisle_build GTest::gmock_main rapidcheck)
       target_include_directories(test_${name} PRIVATE src "${PROJECT_SOURCE_DIR}/tests/support")
       target_compile_definitions(test_${name} PRIVATE AISLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+      add_dependencies(unit_tests test_${name})
       # One seed for all properties: a red run can be repeated.
       gtest_discover_tests(test_${name} PROPERTIES LABELS unit ENVIRONMENT "RC_PARAMS=seed=1" DISCOVERY_TIMEOUT 60)
     endif()

@@ -20,6 +20,11 @@ void add_feature(CLI::App& detect, Work& work, const std::string& name, const st
                    feature == Feature::kRegion
                        ? "directory for the region masks and for the pictures with what was found drawn over"
                        : "directory for the pictures with what was found drawn over");
+  if (feature == Feature::kVerticals) {
+    verb->add_flag(
+        "--follow", options->follow,
+        "the pictures are of one drive, in order: the same line has the same number in all of them");
+  }
   verb->add_flag("--force", options->force, "replace results that are there already");
   add_parameter_options(
       *verb, options->parameters, [] { return detect_parameters(feature); }, work,

@@ -92,6 +92,8 @@ int run_program(int argc, char** argv) {
   add_detect_verb(app, work);
   add_calibrate_verb(app, work);
   add_drive_verb(app, work);
+  add_learning_verbs(app, work);
+  add_trial_verb(app, work);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -18,6 +18,8 @@ void add_session_verbs(CLI::App& app, Work& work);
 void add_detect_verb(CLI::App& app, Work& work);
 void add_calibrate_verb(CLI::App& app, Work& work);
 void add_drive_verb(CLI::App& app, Work& work);
+void add_learning_verbs(CLI::App& app, Work& work);
+void add_trial_verb(CLI::App& app, Work& work);
 
 /// The verbs below `aisle sim`.
 void add_sim_log_verb(CLI::App& sim, Work& work);

@@ -85,6 +85,34 @@ TEST_F(Detect, ADoorsEdgesAreVerticalLines) {
   EXPECT_TRUE(lines[0]["foot"].is_boolean());
 }
 
+/// A corridor's end of three tones whose lines are at these columns, as PGM.
+std::string picture_with_lines(int first, int second, int third) {
+  std::string bytes = "P5 320 240 255\n";
+  for (int v = 0; v < 240; ++v) {
+    for (int u = 0; u < 320; ++u) {
+      bytes += static_cast<char>(u < first ? 180 : u < second ? 60 : u < third ? 130 : 30);
+    }
+  }
+  return bytes;
+}
+
+TEST_F(Detect, FollowedLinesKeepTheirNumbersWhileTheCameraComesNearer) {
+  const std::string far = file("far.pgm", picture_with_lines(120, 140, 210));
+  const std::string near = file("near.pgm", picture_with_lines(100, 128, 240));
+  const ProgramRun run =
+      run_aisle({"detect", "verticals", "--follow", far, near, "--overlay", at("out"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto figures = run.json()["figures"];
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto lines = figures["images"][i]["verticals"];
+    ASSERT_EQ(lines.size(), 3);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(lines[k]["number"], k);
+  }
+  EXPECT_EQ(figures["follow"].dump(), R"({"followed":3,"lines":3,"longest_pictures":2})");
+  EXPECT_THAT(names_in(at("out")), ElementsAre("far.overlay.png", "followed.png", "near.overlay.png"));
+  EXPECT_EQ(size_of_png(at("out/followed.png")), std::pair(2 * 320 + 6, 240));
+}
+
 TEST_F(Detect, ACamerasCalibrationMustBeOneAndFitThePicture) {
   const std::string a = file("a.pgm", picture_file());
   const std::string calibration = file("camera.yaml",

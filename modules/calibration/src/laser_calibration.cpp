@@ -95,12 +95,14 @@ PlaneFit fit(const std::vector<StripePoint>& points, const std::vector<bool>& is
 /// Starts at the usual height and takes in, round by round, what is near the plane so far.
 std::vector<bool> agreeing(const std::vector<StripePoint>& points, const Unknowns& unknowns) {
   std::vector<double> heights;
+  heights.reserve(points.size());
   for (const StripePoint& point : points) heights.push_back(point.p_vehicle.z());
   PlaneFit plane;
   plane.values[0] = median(heights);
   std::vector<bool> is_used(points.size());
   for (int round = 0; round < 10; ++round) {
     std::vector<double> distances;
+    distances.reserve(points.size());
     for (const StripePoint& point : points) distances.push_back(std::abs(plane.off(point)));
     const double usual = median(distances);
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -36,14 +36,14 @@ PlanePicture plane_picture(std::span<const FloorMark> marks, const CameraModel& 
 CameraMount mount_of(const Mat3& R_vehicle_camera, const Vec3& p_vehicle_camera) {
   // Column 2 looks along the optical axis: (cos tilt cos pan, cos tilt sin pan, -sin tilt); columns 0 and 1
   // point right and down, and roll leans them.
-  const Mat3& R = R_vehicle_camera;
   CameraMount mount;
   mount.p_vehicle_camera = p_vehicle_camera;
-  mount.tilt_rad = std::asin(std::clamp(-R(2, 2), -1.0, 1.0));
-  if (std::hypot(R(0, 2), R(1, 2)) > 1e-9) mount.pan_rad = std::atan2(R(1, 2), R(0, 2));
+  mount.tilt_rad = std::asin(std::clamp(-R_vehicle_camera(2, 2), -1.0, 1.0));
+  if (std::hypot(R_vehicle_camera(0, 2), R_vehicle_camera(1, 2)) > 1e-9)
+    mount.pan_rad = std::atan2(R_vehicle_camera(1, 2), R_vehicle_camera(0, 2));
   CameraMount upright = mount;
   upright.roll_rad = 0;
-  const Mat3 leaning = upright.R_vehicle_camera().transpose() * R;
+  const Mat3 leaning = upright.R_vehicle_camera().transpose() * R_vehicle_camera;
   mount.roll_rad = std::atan2(leaning(1, 0), leaning(0, 0));
   return mount;
 }

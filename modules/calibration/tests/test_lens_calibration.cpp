@@ -23,8 +23,9 @@ std::vector<BoardView> views(int count, double turn_deg, double noise_px, Random
   std::vector<BoardView> result;
   while (static_cast<int>(result.size()) < count) {
     const auto turn = [&] { return random.uniform(-turn_deg, turn_deg) * kDegree; };
+    const double about_y_rad = turn(), about_x_rad = turn();
     const Mat3 R_camera_board =
-        (Eigen::AngleAxisd(turn(), Vec3::UnitX()) * Eigen::AngleAxisd(turn(), Vec3::UnitY()))
+        (Eigen::AngleAxisd(about_x_rad, Vec3::UnitX()) * Eigen::AngleAxisd(about_y_rad, Vec3::UnitY()))
             .toRotationMatrix();
     const Vec3 p_camera_board{random.uniform(-0.4, 0.15), random.uniform(-0.3, 0.1),
                               random.uniform(0.4, 0.7)};

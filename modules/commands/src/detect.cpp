@@ -9,6 +9,7 @@
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/calibration_file.hpp"
 #include "aisle/formats/picture_file.hpp"
+#include "line_pursuit.hpp"
 #include "picture_detector.hpp"
 
 namespace aisle {
@@ -30,6 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOverlayEnding = ".overlay.png";
 constexpr const char* kMaskEnding = ".region.png";
+constexpr const char* kFollowedName = "followed.png";
 
 std::unique_ptr<PictureDetector> make_detector(Feature feature,
                                                const std::optional<CameraModel>& camera = {}) {
@@ -44,6 +46,12 @@ std::unique_ptr<PictureDetector> make_detector(Feature feature,
       return make_region_detector();
   }
   throw std::invalid_argument("no such feature");
+}
+
+FieldList fields_of(PictureDetector& detector, Feature feature, LineFollowerParams& following) {
+  FieldList fields = fields_of(detector);
+  if (feature == Feature::kVerticals) fields.group("follow", following);
+  return fields;
 }
 
 const char* name_of(Feature feature) {
@@ -88,6 +96,7 @@ Result<std::map<std::string, std::string>> write(const std::vector<OutputFile>& 
                                                  const DetectOptions& options) {
   if (options.overlay->empty()) return Problem{{"--overlay"}, "names no directory"};
   std::vector<std::string> names;
+  names.reserve(drawings.size());
   for (const OutputFile& drawing : drawings) names.push_back(drawing.name);
   const auto directory = OutputDirectory::open(*options.overlay, options.force, names);
   if (!directory) return directory.problems();
@@ -98,7 +107,8 @@ Result<std::map<std::string, std::string>> write(const std::vector<OutputFile>& 
 
 Outcome detect_parameters(Feature feature) {
   const auto detector = make_detector(feature);
-  return parameter_listing(name_of(feature), fields_of(*detector));
+  LineFollowerParams following;
+  return parameter_listing(name_of(feature), fields_of(*detector, feature, following));
 }
 
 Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
@@ -111,12 +121,15 @@ Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
     camera.emplace(calibration->intrinsics);
   }
   const auto detector = make_detector(options.feature, camera);
-  FieldList fields = fields_of(*detector);
+  LineFollowerParams following;
+  FieldList fields = fields_of(*detector, options.feature, following);
   if (const Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   const std::vector<std::string> names = result_names(options.files);
 
   Outcome outcome{.verb = name_of(options.feature)};
   auto& images = outcome.figures["images"] = nlohmann::ordered_json::array();
+  std::optional<LinePursuit> pursuit;
+  if (options.follow) pursuit.emplace(following, options.files.size());
   std::vector<OutputFile> drawings;
   Problems problems;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
@@ -131,6 +144,7 @@ Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
     figures = {
         {"file", options.files[i]}, {"width_px", picture->width_px}, {"height_px", picture->height_px}};
     figures.update(found.figures);
+    if (pursuit) pursuit->add(*picture, found.verticals, figures["verticals"]);
     if (found.mask_png) figures["region_mask"] = nullptr;
     outcome.text += fmt::format("{}: {}\n", options.files[i], found.summary);
     if (!options.overlay) continue;
@@ -141,7 +155,12 @@ Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
     drawings.push_back({mask, mask, std::move(*found.mask_png)});
   }
   if (!problems.empty()) return problems;
+  if (pursuit) {
+    outcome.figures["follow"] = pursuit->figures();
+    outcome.text += pursuit->summary();
+  }
   if (!options.overlay) return outcome;
+  if (pursuit) drawings.push_back({kFollowedName, kFollowedName, pursuit->sheet_png()});
   const auto written = write(drawings, options);
   if (!written) return written.problems();
   outcome.files = *written;

@@ -55,8 +55,8 @@ class VerticalsDetector final : public PictureDetector {
   void describe(FieldList& fields) override { finder_.describe(fields); }
 
   Detection detect(const Image& picture, bool is_drawn) override {
-    const auto verticals = finder_.find(picture).verticals;
     Detection detection;
+    const auto& verticals = detection.verticals = finder_.find(picture).verticals;
     Json& listed = detection.figures["verticals"] = Json::array();
     for (const VerticalLine& line : verticals) {
       listed.push_back(

@@ -76,9 +76,9 @@ Outcome outcome_of(const DriveOptions& options, const Drive& drive, const Missio
   outcome.text = fmt::format(
       "simulated drive through {} with {}: {:.1f} m in {:.1f} s, {} collision{}; {}{}{}\n"
       "{} pictures; {:.1f} times as fast as real time{}\n",
-      drive.setting.world.name, drive.setting.vehicle.description.name, truth.way_m, truth.stamp_s, truth.collisions,
-      truth.collisions == 1 ? "" : "s", end.state, end.why.empty() ? "" : ": ", end.why, pictures, factor,
-      options.out.empty() ? "" : "; session in " + options.out.string());
+      drive.setting.world.name, drive.setting.vehicle.description.name, truth.way_m, truth.stamp_s,
+      truth.collisions, truth.collisions == 1 ? "" : "s", end.state, end.why.empty() ? "" : ": ", end.why,
+      pictures, factor, options.out.empty() ? "" : "; session in " + options.out.string());
   return outcome;
 }
 

@@ -30,10 +30,18 @@ Problems check_building(const Building& building, const VehicleDescription& vehi
   return check_camera(*building.camera, vehicle);
 }
 
+Result<Path> path_along(const Route& route, bool in_reverse, const Footprint& footprint) {
+  if (!in_reverse) return route.path;
+  Path back = way_back(route.path, footprint);
+  if (back.empty())
+    return Problem{{"", 0, "route"}, fmt::format("'{}' is too short for a way back", route.name)};
+  return back;
+}
+
 Result<Path> find_path(const Building& building, const SessionOrigin& origin, const Footprint& footprint) {
   std::string names;
   for (const Route& route : building.routes) {
-    if (route.name == origin.route) return origin.in_reverse ? way_back(route.path, footprint) : route.path;
+    if (route.name == origin.route) return path_along(route, origin.in_reverse, footprint);
     names += (names.empty() ? "" : ", ") + route.name;
   }
   return Problem{
@@ -70,14 +78,13 @@ Result<std::unique_ptr<LandmarkDriver>> LandmarkDriver::make(const SessionOrigin
 
 LandmarkDriver::LandmarkDriver(const LandmarkNavigatorParams& params, const VehicleDescription& vehicle,
                                Building building, Path path)
-    : building_(std::move(building)),
-      path_(std::move(path)),
-      navigator_(params, vehicle, building_, path_) {}
+    : building_(std::move(building)), path_(std::move(path)), navigator_(params, vehicle, building_, path_) {}
 
 Path way_back(const Path& path, const Footprint& footprint) {
   double left_m = path.length_m() - (footprint.front_m - footprint.rear_m);
+  const Path back = path.reversed();
   std::vector<PathPiece> pieces;
-  for (PathPiece piece : path.reversed().pieces()) {
+  for (PathPiece piece : back.pieces()) {
     if (left_m <= 0) break;
     if (piece.way_m() > left_m) {
       const double share = left_m / piece.way_m();

@@ -1,5 +1,6 @@
 #pragma once
-/// How well a simulated mission knew where it was and kept to its path. Nothing of this is ever seen by a navigator.
+/// How well a simulated mission knew where it was and kept to its path. Nothing of this is ever seen by a
+/// navigator.
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -12,8 +13,9 @@
 
 namespace aisle {
 
-/// How a learned map lies in the world, told by the trip that taught it: the map's drift over a long way is not an
-/// error of driving by it. Where the vehicle is on the map is judged against the nearest pose of that trip.
+/// How a learned map lies in the world, told by the trip that taught it: the map's drift over a long way is
+/// not an error of driving by it. Where the vehicle is on the map is judged against the nearest pose of that
+/// trip.
 class MapTruth {
  public:
   MapTruth() = default;
@@ -22,18 +24,25 @@ class MapTruth {
 
   bool empty() const { return T_map_taught_.empty(); }
 
-  /// Where a vehicle that is thought to be at `T_map_thought` really is on the map.
-  Pose2 on_map(const Pose2& T_world_vehicle, const Pose2& T_map_thought) const;
-  /// Where in the world a place of the map is.
+  /// The taught pose next to a place, among those that were taught within a few metres of way before or after
+  /// another; a way that comes by the same place twice is not mixed up.
+  std::size_t nearest(const Pose2& T_map_place, std::size_t near) const;
+  /// The taught pose from which a route, or its way back, begins.
+  std::size_t start(bool in_reverse) const { return in_reverse ? T_map_taught_.size() - 1 : 0; }
+
+  /// Where a vehicle really is on the map, by the taught pose next to it.
+  Pose2 on_map(const Pose2& T_world_vehicle, std::size_t taught) const;
+  /// Where in the world a place of the map is, by the taught pose next to it.
+  Pose2 in_world(const Pose2& T_map_place, std::size_t taught) const;
+  /// The same by the nearest taught pose of all.
   Pose2 in_world(const Pose2& T_map_place) const;
 
   const std::vector<Pose2>& T_map_taught() const { return T_map_taught_; }
   const std::vector<Pose2>& T_world_taught() const { return T_world_taught_; }
 
  private:
-  std::size_t nearest(const Pose2& T_map_place) const;
-
   std::vector<Pose2> T_map_taught_, T_world_taught_;
+  std::vector<double> way_m_;  ///< to each of them
 };
 
 /// Root mean square and greatest magnitude of an error.
@@ -53,9 +62,12 @@ class ErrorFigure {
 /// Errors of one mission, cycle by cycle.
 class MissionErrors {
  public:
-  MissionErrors(const MapTruth& truth, const Path& path) : truth_(truth), path_(path) {}
+  /// @param taught  the taught pose at which the mission begins
+  MissionErrors(const MapTruth& truth, const Path& path, std::size_t taught)
+      : truth_(truth), path_(path), taught_(taught) {}
 
-  void add(const LandmarkFix& fix, const Pose2& T_world_vehicle);
+  /// @return where the vehicle really is on the map
+  Pose2 add(const LandmarkFix& fix, const Pose2& T_world_vehicle);
 
   ErrorFigure across_m, along_m, heading_rad;  ///< of the pose, while it was sure
   ErrorFigure tracking_m;                      ///< of the vehicle against its path
@@ -65,6 +77,7 @@ class MissionErrors {
   const MapTruth& truth_;
   const Path& path_;
   double along_path_m_ = 0;
+  std::size_t taught_;  ///< the pose that was next to the vehicle
 };
 
 }  // namespace aisle

@@ -12,14 +12,15 @@ namespace {
 
 constexpr double kStartSigma_m = 0.15;  // how far from a route's start a trip begins
 constexpr double kStartSigma_rad = 3 * kDegree;
-constexpr double kAtStart_m = 0.05;     // the start view is what is seen before the vehicle has gone so far
-constexpr double kWayPoints_m = 0.05;   // between the poses that a path is fitted to
+constexpr double kAtStart_m = 0.05;    // the start view is what is seen before the vehicle has gone so far
+constexpr double kWayPoints_m = 0.05;  // between the poses that a path is fitted to
 
 /// The poses of a trip without those where it stood.
 std::vector<Pose2> way_points(const std::vector<Pose2>& T_map_vehicle) {
   std::vector<Pose2> points;
   for (const Pose2& T : T_map_vehicle) {
-    if (points.empty() || (T.position() - points.back().position()).norm() >= kWayPoints_m) points.push_back(T);
+    if (points.empty() || (T.position() - points.back().position()).norm() >= kWayPoints_m)
+      points.push_back(T);
   }
   return points;
 }
@@ -47,9 +48,8 @@ Result<LandmarkLesson> learn_lesson(const LandmarkTrip& trip, const std::string&
   if (points.size() < 2) return Problem{{}, "the vehicle stood still all the time"};
   Path path = fit_path(points, params.path);
   const auto turns_on_the_spot =
-      std::any_of(path.pieces().begin(), path.pieces().end(), [](const PathPiece& piece) {
-        return piece.is_on_the_spot() && piece.arc.turn_rad != 0;
-      });
+      std::any_of(path.pieces().begin(), path.pieces().end(),
+                  [](const PathPiece& piece) { return piece.is_on_the_spot() && piece.arc.turn_rad != 0; });
   if (turns_on_the_spot && !trip.vehicle.is_differential)
     return Problem{{}, "the way as it was driven has turns that this vehicle cannot drive"};
   LandmarkLesson lesson;

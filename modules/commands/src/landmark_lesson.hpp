@@ -29,13 +29,13 @@ struct LandmarkLesson {
   std::vector<Pose2> T_map_taught;  ///< of each of the trip's cycles
 };
 
-/// C98 Algorithm 2, and the route as it was driven. A trip that shows no landmarks, or a way that the vehicle cannot
-/// drive, is a problem.
+/// C98 Algorithm 2, and the route as it was driven. A trip that shows no landmarks, or a way that the vehicle
+/// cannot drive, is a problem.
 Result<LandmarkLesson> learn_lesson(const LandmarkTrip& trip, const std::string& route,
                                     const LandmarkLessonParams& params);
 
 /// A refining trip in which fewer of the pictures fit the map is not of its building.
-inline constexpr double kKnownShareMin = 0.3;
+inline constexpr double kKnownShareMin = 0.5;
 
 /// Where a trip may begin that is said to begin there.
 UncertainPose2 about_start(const Pose2& T_map_start);

@@ -17,12 +17,8 @@ constexpr std::uint64_t kSetDown = 0x5e7d03;  // keeps this chance apart from th
 class LandmarkMissionRecord final : public SimulatedRecord {
  public:
   LandmarkMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
-                        const LandmarkNavigator& navigator, const MapTruth& truth, LandmarkMissionResult& result)
-      : SimulatedRecord(session, vehicle),
-        vehicle_(vehicle),
-        navigator_(navigator),
-        truth_(truth),
-        result_(result) {}
+                        const LandmarkNavigator& navigator, LandmarkMissionResult& result)
+      : SimulatedRecord(session, vehicle), vehicle_(vehicle), navigator_(navigator), result_(result) {}
 
   Result<Observation> keep(Observation observation) override {
     auto kept = SimulatedRecord::keep(std::move(observation));
@@ -33,7 +29,7 @@ class LandmarkMissionRecord final : public SimulatedRecord {
   Problems keep(const Decision& decision) override {
     const LandmarkFix fix = navigator_.fix();
     const Pose2& T_world_vehicle = vehicle_.truth().T_world_vehicle;
-    result_.errors.add(fix, T_world_vehicle);
+    result_.T_map_true.push_back(result_.errors.add(fix, T_world_vehicle));
     if (decision.state == "lost" && state_ != "lost") ++result_.lost_count;
     state_ = decision.state;
     cycle_.sightings = navigator_.sightings();
@@ -42,14 +38,12 @@ class LandmarkMissionRecord final : public SimulatedRecord {
     result_.trip.cycles.push_back(cycle_);
     result_.trip.T_world_vehicle.push_back(T_world_vehicle);
     result_.T_map_vehicle.push_back(fix.T_map_vehicle.mean);
-    result_.T_map_true.push_back(truth_.on_map(T_world_vehicle, fix.T_map_vehicle.mean));
     return SimulatedRecord::keep(decision);
   }
 
  private:
   const SimulatedVehicle& vehicle_;
   const LandmarkNavigator& navigator_;
-  const MapTruth& truth_;
   LandmarkMissionResult& result_;
   LandmarkCycle cycle_;
   std::string state_;
@@ -57,7 +51,8 @@ class LandmarkMissionRecord final : public SimulatedRecord {
 
 class TimedNavigator final : public Navigator {
  public:
-  TimedNavigator(Navigator& navigator, std::vector<double>& cycle_s) : navigator_(navigator), cycle_s_(cycle_s) {}
+  TimedNavigator(Navigator& navigator, std::vector<double>& cycle_s)
+      : navigator_(navigator), cycle_s_(cycle_s) {}
 
   Decision step(const Observation& observation) override {
     const double begun_s = thread_cpu_s();
@@ -72,10 +67,11 @@ class TimedNavigator final : public Navigator {
 };
 
 /// Where a person who sets the vehicle down roughly puts it.
-Pose2 set_down(const SimulationSetting& setting, const Pose2& T_world_start, const LandmarkMissionOptions& options) {
+Pose2 set_down(const SimulationSetting& setting, const Pose2& T_world_start,
+               const LandmarkMissionOptions& options) {
   Random random(options.seed ^ kSetDown);
-  const Pose2 off{random.normal(0, options.start_sigma_m), random.normal(0, options.start_sigma_m),
-                  random.normal(0, options.start_sigma_rad)};
+  const Pose2 off{random.normal(options.start_sigma_m), random.normal(options.start_sigma_m),
+                  random.normal(options.start_sigma_rad)};
   const Pose2 T_world_vehicle = T_world_start * off;
   return fits(setting.world, setting.vehicle.description.footprint, T_world_vehicle) ? T_world_vehicle
                                                                                      : T_world_start;
@@ -84,16 +80,20 @@ Pose2 set_down(const SimulationSetting& setting, const Pose2& T_world_start, con
 }  // namespace
 
 Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, LandmarkDriver& driver,
-                                                     const MapTruth& truth, const LandmarkMissionOptions& options,
-                                                     std::optional<SessionRecord>& session, Progress& progress) {
-  const Pose2 T_world_start = truth.in_world(driver.path().at(0).T_map_path);
-  SimulatedVehicle vehicle(setting.world, setting.vehicle, setting.scenario,
-                           {.seed = options.seed, .T_world_start = set_down(setting, T_world_start, options)});
-  LandmarkMissionResult result(truth, driver.path());
+                                                     const MapTruth& truth,
+                                                     const LandmarkMissionOptions& options,
+                                                     std::optional<SessionRecord>& session,
+                                                     Progress& progress) {
+  const std::size_t taught = truth.start(options.in_reverse);
+  const Pose2 T_world_start = truth.in_world(driver.path().at(0).T_map_path, taught);
+  SimulatedVehicle vehicle(
+      setting.world, setting.vehicle, setting.scenario,
+      {.seed = options.seed, .T_world_start = set_down(setting, T_world_start, options)});
+  LandmarkMissionResult result(truth, driver.path(), taught);
   result.trip.vehicle = vehicle.description();
   result.trip.camera = *driver.building().camera;
   TimedNavigator timed(driver, result.cycle_s);
-  LandmarkMissionRecord record(session, vehicle, driver.navigator(), truth, result);
+  LandmarkMissionRecord record(session, vehicle, driver.navigator(), result);
   auto end = run_mission(vehicle, timed, record, progress);
   if (!end) return end.problems();
   result.end = std::move(*end);
@@ -111,23 +111,24 @@ double quantile(std::vector<double> values, double share) {
 
 nlohmann::ordered_json figures_of(const LandmarkMissionResult& result) {
   const MissionErrors& errors = result.errors;
-  return {{"arrived", result.end.arrived},
-          {"state", result.end.state},
-          {"why", result.end.why},
-          {"collisions", result.collisions},
-          {"lost_count", result.lost_count},
-          {"distance_m", rounded(result.distance_m, 3)},
-          {"duration_s", rounded(result.end.duration_s, 3)},
-          {"localisation",
-           {{"across_rmse_m", rounded(errors.across_m.rms(), 4)},
-            {"along_rmse_m", rounded(errors.along_m.rms(), 4)},
-            {"heading_rmse_deg", rounded(to_degrees(errors.heading_rad.rms()), 3)},
-            {"wrong_confident", errors.wrong_confident}}},
-          {"tracking",
-           {{"rmse_m", rounded(errors.tracking_m.rms(), 4)}, {"max_m", rounded(errors.tracking_m.worst(), 4)}}},
-          {"cycle_ms",
-           {{"median", rounded(1e3 * quantile(result.cycle_s, 0.5), 3)},
-            {"p99", rounded(1e3 * quantile(result.cycle_s, 0.99), 3)}}}};
+  return {
+      {"arrived", result.end.arrived},
+      {"state", result.end.state},
+      {"why", result.end.why},
+      {"collisions", result.collisions},
+      {"lost_count", result.lost_count},
+      {"distance_m", rounded(result.distance_m, 3)},
+      {"duration_s", rounded(result.end.duration_s, 3)},
+      {"localisation",
+       {{"across_rmse_m", rounded(errors.across_m.rms(), 4)},
+        {"along_rmse_m", rounded(errors.along_m.rms(), 4)},
+        {"heading_rmse_deg", rounded(to_degrees(errors.heading_rad.rms()), 3)},
+        {"wrong_confident", errors.wrong_confident}}},
+      {"tracking",
+       {{"rmse_m", rounded(errors.tracking_m.rms(), 4)}, {"max_m", rounded(errors.tracking_m.worst(), 4)}}},
+      {"cycle_ms",
+       {{"median", rounded(1e3 * quantile(result.cycle_s, 0.5), 3)},
+        {"p99", rounded(1e3 * quantile(result.cycle_s, 0.99), 3)}}}};
 }
 
 }  // namespace aisle

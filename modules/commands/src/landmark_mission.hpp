@@ -20,7 +20,8 @@ namespace aisle {
 /// What a simulated mission along a learned route came to.
 struct LandmarkMissionResult {
   /// Both must outlive the result.
-  LandmarkMissionResult(const MapTruth& truth, const Path& path) : errors(truth, path) {}
+  LandmarkMissionResult(const MapTruth& truth, const Path& path, std::size_t taught)
+      : errors(truth, path, taught) {}
 
   MissionEnd end;
   std::size_t collisions = 0;
@@ -36,14 +37,17 @@ struct LandmarkMissionResult {
 
 struct LandmarkMissionOptions {
   std::uint64_t seed = 1;
+  bool in_reverse = false;      ///< the path is a route's way back
   double start_sigma_m = 0.05;  ///< how far beside the route's start the vehicle is set down
   double start_sigma_rad = 1 * kDegree;
 };
 
 /// Sets the vehicle down about the path's start and lets it drive there by itself.
 Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, LandmarkDriver& driver,
-                                                     const MapTruth& truth, const LandmarkMissionOptions& options,
-                                                     std::optional<SessionRecord>& session, Progress& progress);
+                                                     const MapTruth& truth,
+                                                     const LandmarkMissionOptions& options,
+                                                     std::optional<SessionRecord>& session,
+                                                     Progress& progress);
 
 /// The figures of a mission as `navigate` prints them.
 nlohmann::ordered_json figures_of(const LandmarkMissionResult& result);

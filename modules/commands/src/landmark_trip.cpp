@@ -15,7 +15,8 @@ const CameraDescription& corridor_camera(const VehicleDescription& vehicle) {
   return named == vehicle.cameras.end() ? vehicle.cameras.front() : *named;
 }
 
-LandmarkTripCollector::LandmarkTripCollector(const LandmarkSightingParams& params, const VehicleDescription& vehicle)
+LandmarkTripCollector::LandmarkTripCollector(const LandmarkSightingParams& params,
+                                             const VehicleDescription& vehicle)
     : trip{.vehicle = vehicle, .camera = corridor_camera(vehicle), .cycles = {}, .T_world_vehicle = {}},
       detector_(params, trip.camera.intrinsics, trip.camera.mount) {}
 
@@ -26,11 +27,12 @@ void LandmarkTripCollector::add(const Observation& observation) {
   trip.cycles.push_back(std::move(cycle));
 }
 
-Result<LandmarkTrip> read_landmark_trip(const std::filesystem::path& session, const LandmarkSightingParams& params,
-                                        Progress& progress) {
+Result<LandmarkTrip> read_landmark_trip(const std::filesystem::path& session,
+                                        const LandmarkSightingParams& params, Progress& progress) {
   auto cycles = SessionCycles::open(session);
   if (!cycles) return cycles.problems();
-  if (cycles->vehicle().cameras.empty()) return Problem{{session.string()}, "is of a vehicle without a camera"};
+  if (cycles->vehicle().cameras.empty())
+    return Problem{{session.string()}, "is of a vehicle without a camera"};
   LandmarkTripCollector collector(params, cycles->vehicle());
   std::size_t pictures = 0;
   while (true) {

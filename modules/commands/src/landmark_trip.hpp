@@ -17,7 +17,8 @@ struct LandmarkTrip {
   VehicleDescription vehicle;
   CameraDescription camera;
   std::vector<LandmarkCycle> cycles;
-  std::vector<Pose2> T_world_vehicle;  ///< the truth of each cycle, if the trip was simulated: for evaluation only
+  std::vector<Pose2>
+      T_world_vehicle;  ///< the truth of each cycle, if the trip was simulated: for evaluation only
 };
 
 /// The camera that looks along corridors: the one of that name, else the first. The vehicle must have one.
@@ -37,7 +38,7 @@ class LandmarkTripCollector {
 };
 
 /// A recorded trip. A session without pictures of that camera is a problem.
-Result<LandmarkTrip> read_landmark_trip(const std::filesystem::path& session, const LandmarkSightingParams& params,
-                                        Progress& progress);
+Result<LandmarkTrip> read_landmark_trip(const std::filesystem::path& session,
+                                        const LandmarkSightingParams& params, Progress& progress);
 
 }  // namespace aisle

@@ -10,6 +10,7 @@
 #include "learned_files.hpp"
 #include "methods.hpp"
 #include "rounded.hpp"
+#include "route_name.hpp"
 
 namespace aisle {
 namespace {
@@ -37,6 +38,15 @@ Outcome outcome_of(const LandmarkTrip& trip, const LandmarkLesson& lesson) {
   return outcome;
 }
 
+std::vector<Vec2> feet_on_map(const LandmarkTrip& trip, const std::vector<Pose2>& T_map_taught) {
+  std::vector<Vec2> feet;
+  for (std::size_t i = 0; i < trip.cycles.size(); ++i) {
+    for (const LandmarkSighting& sighting : trip.cycles[i].sightings)
+      feet.push_back(T_map_taught[i] * sighting.p_vehicle);
+  }
+  return feet;
+}
+
 }  // namespace
 
 Outcome learn_parameters() {
@@ -55,17 +65,20 @@ Result<Outcome> run_learn(const LearnOptions& options, Console& console) {
     if (!opened) return opened.problems();
     directory = std::move(*opened);
   }
-  const auto trip = read_landmark_trip(options.session, params.sightings, console.progress);
-  if (!trip) return trip.problems();
   const auto origin = SessionCycles::open(options.session);
   if (!origin) return origin.problems();
-  const std::string& named = origin->origin().route;
-  const auto lesson = learn_lesson(*trip, named.empty() ? "route" : named, params);
+  const std::string named = origin->origin().route.empty() ? "route" : origin->origin().route;
+  if (Problems problems = check_route_name({options.session.string(), 0, "route"}, named); !problems.empty())
+    return problems;
+  const auto trip = read_landmark_trip(options.session, params.sightings, console.progress);
+  if (!trip) return trip.problems();
+  const auto lesson = learn_lesson(*trip, named, params);
   if (!lesson) return at_file(lesson.problems(), options.session.string());
   Outcome outcome = outcome_of(*trip, *lesson);
   if (!directory) return outcome;
-  auto files = directory->write(
-      learned_files(lesson->building, MapTruth(lesson->T_map_taught, trip->T_world_vehicle), {}));
+  auto files =
+      directory->write(learned_files(lesson->building, MapTruth(lesson->T_map_taught, trip->T_world_vehicle),
+                                     feet_on_map(*trip, lesson->T_map_taught)));
   if (!files) return files.problems();
   outcome.files = std::move(*files);
   outcome.figures["building_bytes"] = building_json(lesson->building).size();

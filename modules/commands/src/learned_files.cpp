@@ -1,11 +1,15 @@
 #include "learned_files.hpp"
 
+#include <fmt/format.h>
+
 #include "aisle/formats/building_json.hpp"
 #include "aisle/formats/trajectory.hpp"
+#include "aisle/report/landmark_picture.hpp"
 
 namespace aisle {
 namespace {
 
+constexpr const char* kPicture = "landmarks.svg";
 constexpr const char* kTrip = "trip.tum";
 constexpr const char* kTripTruth = "trip_truth.tum";
 
@@ -15,21 +19,35 @@ std::string numbered_tum(const std::vector<Pose2>& poses) {
   return tum_text(numbers, poses);
 }
 
+std::string picture_of(const Building& building, const std::vector<Pose2>& T_map_driven,
+                       const std::vector<Vec2>& p_map_sightings) {
+  std::vector<std::vector<Pose2>> driven;
+  if (!T_map_driven.empty()) driven.push_back(T_map_driven);
+  return svg(LandmarkPicture{.landmarks = building.landmarks,
+                             .routes = building.routes,
+                             .driven = driven,
+                             .seen = p_map_sightings,
+                             .title = building.name.empty() ? "learned building" : building.name,
+                             .caption = fmt::format("{} landmarks", building.landmarks.size())});
+}
+
 }  // namespace
 
 std::vector<std::string> learned_file_names() {
-  return {"building.json", kTrip, kTripTruth};
+  return {"building.json", kPicture, kTrip, kTripTruth};
 }
 
 std::vector<OutputFile> learned_files(const Building& building, const MapTruth& truth,
-                                      const std::vector<Vec2>&) {
+                                      const std::vector<Vec2>& p_map_sightings) {
   return {{"building", "building.json", building_json(building)},
+          {"landmarks_svg", kPicture, picture_of(building, truth.T_map_taught(), p_map_sightings)},
           {"trip", kTrip, numbered_tum(truth.T_map_taught())},
           {"trip_truth", kTripTruth, numbered_tum(truth.T_world_taught())}};
 }
 
 Result<MapTruth> read_map_truth(const std::filesystem::path& building) {
-  const std::filesystem::path trip = building.parent_path() / kTrip, truth = building.parent_path() / kTripTruth;
+  const std::filesystem::path trip = building.parent_path() / kTrip,
+                              truth = building.parent_path() / kTripTruth;
   if (!std::filesystem::exists(trip) || !std::filesystem::exists(truth)) return MapTruth();
   auto thought = read_tum(trip);
   if (!thought) return thought.problems();

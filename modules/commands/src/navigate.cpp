@@ -33,13 +33,18 @@ std::string route_name(const Building& building, const std::string& asked) {
   return asked.empty() && !building.routes.empty() ? building.routes.front().name : asked;
 }
 
-/// How the map lies in the world: as learning left it beside the building, else the route begins at the world's start.
+/// How the map lies in the world: as learning left it beside the building, else the route begins at the
+/// world's start.
 Result<MapTruth> map_truth(const NavigateOptions& options, const SimulationSetting& setting) {
   auto truth = read_map_truth(options.building);
   if (!truth || !truth->empty()) return truth;
   const auto start = start_in(setting);
   if (!start) return start.problems();
   return MapTruth({Pose2{}}, {*start});
+}
+
+Pose2 start_in_world(const Mission& mission, bool in_reverse) {
+  return mission.truth.in_world(mission.driver->path().at(0).T_map_path, mission.truth.start(in_reverse));
 }
 
 Result<Mission> read_mission(const NavigateOptions& options) {
@@ -56,24 +61,25 @@ Result<Mission> read_mission(const NavigateOptions& options) {
   if (!setting) return setting.problems();
   Mission mission{.setting = std::move(*setting), .origin = {}, .driver = {}, .truth = {}};
   VehicleDescription& vehicle = mission.setting.vehicle.description;
-  mission.origin = LandmarkDriver::origin(
-      params, {*text, route_name(*building, options.route), options.in_reverse});
+  mission.origin =
+      LandmarkDriver::origin(params, {*text, route_name(*building, options.route), options.in_reverse});
   mission.origin.seed = options.seed;
   mission.origin.simulated = true;
   auto driver = LandmarkDriver::make(mission.origin, vehicle);
   if (!driver) return at_file(driver.problems(), file);
   mission.driver = std::move(*driver);
-  std::erase_if(vehicle.cameras, [&](const CameraDescription& camera) { return camera.name != building->camera->name; });
+  std::erase_if(vehicle.cameras,
+                [&](const CameraDescription& camera) { return camera.name != building->camera->name; });
   auto truth = map_truth(options, mission.setting);
   if (!truth) return truth.problems();
   mission.truth = std::move(*truth);
-  if (!fits(mission.setting.world, vehicle.footprint, mission.truth.in_world(mission.driver->path().at(0).T_map_path)))
+  if (!fits(mission.setting.world, vehicle.footprint, start_in_world(mission, options.in_reverse)))
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
   return mission;
 }
 
-Outcome outcome_of(const NavigateOptions& options, const Mission& mission, const LandmarkMissionResult& result,
-                   double worked_s) {
+Outcome outcome_of(const NavigateOptions& options, const Mission& mission,
+                   const LandmarkMissionResult& result, double worked_s) {
   const MissionErrors& errors = result.errors;
   Outcome outcome{.verb = "navigate", .ok = result.end.arrived && result.collisions == 0};
   outcome.figures = figures_of(result);
@@ -108,15 +114,16 @@ Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
   if (!mission) return mission.problems();
   std::optional<SessionRecord> session;
   if (!options.out.empty()) {
-    auto created =
-        SessionRecord::create(options.out, options.force, mission->setting.vehicle.description, mission->origin);
+    auto created = SessionRecord::create(options.out, options.force, mission->setting.vehicle.description,
+                                         mission->origin);
     if (!created) return created.problems();
     session = std::move(*created);
   }
   const SteadyClock clock;
   const double begun_s = clock.now_s();
   const auto result = drive_landmark_mission(mission->setting, *mission->driver, mission->truth,
-                                             {.seed = options.seed}, session, console.progress);
+                                             {.seed = options.seed, .in_reverse = options.in_reverse},
+                                             session, console.progress);
   if (!result) return result.problems();
   if (const Problems problems = close(session); !problems.empty()) return problems;
   return outcome_of(options, *mission, *result, clock.now_s() - begun_s);

@@ -11,6 +11,7 @@
 #include "aisle/core/parameters.hpp"
 #include "aisle/geometry/camera_model.hpp"
 #include "aisle/geometry/pose2.hpp"
+#include "aisle/vision/vertical_lines.hpp"
 
 namespace aisle {
 
@@ -21,6 +22,7 @@ struct Detection {
   std::string summary;                  ///< for people, half a line
   std::string overlay_png;              ///< empty if not asked for
   std::optional<std::string> mask_png;  ///< of features that are areas
+  std::vector<VerticalLine> verticals;  ///< if these are the feature
 };
 
 /// A feature's detector and its parameters.

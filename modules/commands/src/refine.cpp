@@ -18,8 +18,8 @@
 namespace aisle {
 namespace {
 
-/// Where a trip began: at the start of its route, or of the way back. A session that names none of the building's
-/// routes begins at the first one's start.
+/// Where a trip began: at the start of its route, or of the way back. A session that names none of the
+/// building's routes begins at the first one's start.
 Pose2 start_of(const SessionOrigin& origin, const Building& building, const VehicleDescription& vehicle) {
   for (const Route& route : building.routes) {
     if (route.name != origin.route) continue;
@@ -30,8 +30,9 @@ Pose2 start_of(const SessionOrigin& origin, const Building& building, const Vehi
 }
 
 /// One more trip. @return its figures
-Result<nlohmann::ordered_json> take_in(const std::filesystem::path& session, const LandmarkLessonParams& params,
-                                       Building& building, Progress& progress) {
+Result<nlohmann::ordered_json> take_in(const std::filesystem::path& session,
+                                       const LandmarkLessonParams& params, Building& building,
+                                       Progress& progress) {
   const auto cycles = SessionCycles::open(session);
   if (!cycles) return cycles.problems();
   const auto trip = read_landmark_trip(session, params.sightings, progress);

@@ -11,8 +11,8 @@
 namespace aisle {
 namespace {
 
-/// A scenario's places mean something in its own world, and in no other; a vehicle that is lifted must fit where it
-/// is put.
+/// A scenario's places mean something in its own world, and in no other; a vehicle that is lifted must fit
+/// where it is put.
 Problems check_scenario(const std::string& file, const SimulationSetting& setting) {
   Problems problems;
   if (const std::string& needed = setting.scenario.world; !needed.empty() && needed != setting.world.name) {
@@ -35,10 +35,12 @@ Problems check_scenario(const std::string& file, const SimulationSetting& settin
 Result<SimulationSetting> read_setting(const std::string& world, const std::string& vehicle,
                                        const std::string& scenario) {
   SimulationSetting setting;
-  setting.world_file = shipped_or_own("worlds", world);
-  auto read = read_world(setting.world_file);
-  if (!read) return read.problems();
-  setting.world = std::move(*read);
+  if (!world.empty()) {
+    setting.world_file = shipped_or_own("worlds", world);
+    auto read = read_world(setting.world_file);
+    if (!read) return read.problems();
+    setting.world = std::move(*read);
+  }
   auto model = read_vehicle(shipped_or_own("vehicles", vehicle));
   if (!model) return model.problems();
   setting.vehicle = std::move(*model);

@@ -18,7 +18,7 @@ struct SimulationSetting {
   Scenario scenario;
 };
 
-/// Files or names of shipped ones; no scenario: empty. All files' problems at once where that is possible.
+/// Files or names of shipped ones; empty: no world, no scenario.
 Result<SimulationSetting> read_setting(const std::string& world, const std::string& vehicle,
                                        const std::string& scenario);
 

@@ -6,11 +6,14 @@
 #include "aisle/formats/vehicle_yaml.hpp"
 #include "landmark_trip.hpp"
 #include "methods.hpp"
+#include "route_name.hpp"
 
 namespace aisle {
 
 Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
   if (Problems problems = check_method(options.method); !problems.empty()) return problems;
+  if (Problems problems = check_route_name({"", 0, "--route"}, options.route); !problems.empty())
+    return problems;
   const auto vehicle = read_vehicle(shipped_or_own("vehicles", options.drive.vehicle));
   if (!vehicle) return vehicle.problems();
   if (vehicle->description.cameras.empty())

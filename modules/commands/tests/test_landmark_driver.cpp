@@ -26,7 +26,8 @@ Building learned_building() {
   Building building;
   building.camera = cart().cameras[0];
   building.landmarks.add({.p_map = {4.00049, 1}, .covariance = 0.01 * Mat2::Identity(), .mass = 3});
-  building.routes.push_back({.name = "there", .path = Path({{{1, 0, 0}, {8, 0}}}), .start_view = {}});
+  building.routes.push_back(
+      {.name = "there", .path = Path({PathPiece{{1, 0, 0}, {8, 0}}}), .start_view = {}});
   return building;
 }
 
@@ -92,6 +93,13 @@ TEST(LandmarkDriver, RefusesWhatItCannotDriveBy) {
   unknown.route = "elsewhere";
   EXPECT_THAT(problems(LandmarkDriver::origin({}, unknown)),
               HasSubstr("route: 'elsewhere' is unknown; the building has: there"));
+  LandmarkMission back = mission();
+  Building short_one = learned_building();
+  short_one.routes[0].path = Path({PathPiece{{1, 0, 0}, {0.1, 0}}});
+  back.building = building_json(short_one);
+  back.in_reverse = true;
+  EXPECT_THAT(problems(LandmarkDriver::origin({}, back)),
+              HasSubstr("route: 'there' is too short for a way back"));
   EXPECT_THAT(problems(LandmarkDriver::origin({}, {})), HasSubstr("building: is missing"));
   LandmarkMission damaged = mission();
   damaged.building.resize(50);

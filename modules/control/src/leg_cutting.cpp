@@ -54,13 +54,13 @@ class PointSums {
   Vec2 last_ = Vec2::Zero();
 };
 
-enum Kind : std::size_t { kLine, kArc };
+enum StretchKind : std::size_t { kLine, kArc };
 
 /// The cheapest way to have cut the samples up to one of them, by the kind of its last stretch.
 struct Cut {
   double cost = std::numeric_limits<double>::infinity();
   std::size_t first = 0;
-  Kind kind_before = kArc;
+  StretchKind kind_before = kArc;
   double curvature_per_m = 0;
 };
 using Cuts = std::array<Cut, 2>;
@@ -69,7 +69,7 @@ void improve(Cut& cut, const Cut& tried) {
   if (tried.cost < cut.cost) cut = tried;
 }
 
-Kind cheapest(const Cuts& cuts) {
+StretchKind cheapest(const Cuts& cuts) {
   return cuts[kLine].cost <= cuts[kArc].cost ? kLine : kArc;
 }
 
@@ -85,7 +85,7 @@ std::vector<Stretch> cut_leg(std::span<const Pose2> samples, double step_m, doub
   cuts[0][kArc].cost = cuts[0][kLine].cost = 0;
   for (std::size_t i = 0; i + 1 < count; ++i) {
     PointSums sums;
-    const Kind before = cheapest(cuts[i]);
+    const StretchKind before = cheapest(cuts[i]);
     const double best = cuts[i][before].cost;
     const double after_arc = i == 0 ? 0 : cuts[i][kArc].cost;
     if (!std::isfinite(best)) continue;
@@ -103,7 +103,7 @@ std::vector<Stretch> cut_leg(std::span<const Pose2> samples, double step_m, doub
     }
   }
   std::vector<Stretch> stretches;
-  Kind kind = cheapest(cuts.back());
+  StretchKind kind = cheapest(cuts.back());
   for (std::size_t last = count - 1; last > 0;) {
     const Cut& cut = cuts[last][kind];
     stretches.push_back({cut.first, last, cut.curvature_per_m});

@@ -147,7 +147,7 @@ Path fit_path(std::span<const Pose2> driven, const PathFitParams& params) {
   double price_m3 = kPrice * params.radius_min_m * params.stray_max_m * params.stray_max_m;
   for (int tries = 0; tries < kTries; ++tries) {
     const std::vector<DrivenLeg> legs = driven_legs(driven, step_m);
-    const Path path = smoothed(loose_path(legs, params.radius_min_m, price_m3, step_m), params, step_m);
+    Path path = smoothed(loose_path(legs, params.radius_min_m, price_m3, step_m), params, step_m);
     if (keeps_near(path, driven, params)) return path;
     price_m3 /= kCheaper;
     step_m /= 2;

@@ -34,9 +34,9 @@ ros::Transform transform(const Pose2& T) {
 }
 
 ros::Transform transform(const CameraMount& mount) {
-  const Eigen::Quaterniond R(mount.R_vehicle_camera());
+  const Eigen::Quaterniond q(mount.R_vehicle_camera());
   const Vec3& p = mount.p_vehicle_camera;
-  return {{p.x(), p.y(), p.z()}, {R.x(), R.y(), R.z(), R.w()}};
+  return {{p.x(), p.y(), p.z()}, {q.x(), q.y(), q.z(), q.w()}};
 }
 
 }  // namespace

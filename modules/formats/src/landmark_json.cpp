@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/core/angle.hpp"
 #include "aisle/core/parameters.hpp"
 #include "json_text.hpp"
 
@@ -34,14 +35,21 @@ Mat2 covariance_of(const Spread& spread) {
   return spread.sigma_m.asDiagonal() * correlations * spread.sigma_m.asDiagonal();
 }
 
+/// To the degree; nothing where it is unknown.
+std::string seen_from_json(const Vec2& seen_from) {
+  if (seen_from.isZero()) return "";
+  return fmt::format(R"("seen_from_deg": {:.0f}, )",
+                     to_degrees(std::atan2(seen_from.y(), seen_from.x())) + 0.0);
+}
+
 std::string landmark_json(const Landmark& landmark) {
   const Spread spread = spread_of(landmark.covariance);
   return fmt::format(
       R"({{"at_m": {}, "sigma_m": [{:.4g}, {:.4g}], "correlation": {}, "mass": {:.6g}, "weight": {:.6g}, )"
-      R"("sightings": {}, "passes": {}, "brighter": "{}"}})",
+      R"("sightings": {}, "passes": {}, {}"brighter": "{}"}})",
       point_json(landmark.p_map, kMillimetres), spread.sigma_m.x(), spread.sigma_m.y(),
       decimals(spread.correlation, 4), landmark.mass, landmark.weight, landmark.sightings, landmark.passes,
-      brighter_text(landmark.brighter_right));
+      seen_from_json(landmark.seen_from), brighter_text(landmark.brighter_right));
 }
 
 Mat2 read_covariance(const JsonValue& value) {
@@ -57,8 +65,8 @@ Mat2 read_covariance(const JsonValue& value) {
 
 Landmark read_landmark(const JsonValue& value) {
   Landmark landmark;
-  if (!value.is_object_of(
-          {"at_m", "sigma_m", "correlation", "mass", "weight", "sightings", "passes", "brighter"}))
+  if (!value.is_object_of({"at_m", "sigma_m", "correlation", "mass", "weight", "sightings", "passes",
+                           "seen_from_deg", "brighter"}))
     return landmark;
   if (const auto at = value.require("at_m")) at->read_point(landmark.p_map);
   landmark.covariance = read_covariance(value);
@@ -67,6 +75,11 @@ Landmark read_landmark(const JsonValue& value) {
     weight->read_number(landmark.weight, kWeight.min, kWeight.max);
   if (const auto sightings = value.find("sightings")) sightings->read_count(landmark.sightings);
   if (const auto passes = value.find("passes")) passes->read_count(landmark.passes);
+  if (const auto seen_from = value.find("seen_from_deg")) {
+    double heading_deg = 0;
+    seen_from->read_number(heading_deg, -360, 360);
+    landmark.seen_from = unit(heading_deg * kDegree);
+  }
   if (const auto brighter = value.require("brighter")) read_brighter(*brighter, landmark.brighter_right);
   return landmark;
 }

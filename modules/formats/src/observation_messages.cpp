@@ -94,10 +94,10 @@ class ObservationReader {
         has_odometry_ = true;
       });
     if (topic == kScanTopic)
-      return put(scan_of(message, file_), [this](auto&& scan) { observation_.scan = std::move(scan); });
+      return put(scan_of(message, file_), [this](auto scan) { observation_.scan = std::move(scan); });
     if (topic == kOperatorTopic) {
       return put(operator_of(message, file_),
-                 [this](auto&& input) { observation_.operator_input = std::move(input); });
+                 [this](auto input) { observation_.operator_input = std::move(input); });
     }
     if (topic == kBumperTopic) {
       return put(decoded<ros::Bool>(message, file_),
@@ -105,7 +105,7 @@ class ObservationReader {
     }
     if (const auto camera = camera_of(topic)) {
       return put(picture_of(message, *camera, file_),
-                 [this](auto&& picture) { observation_.pictures.push_back(std::move(picture)); });
+                 [this](auto picture) { observation_.pictures.push_back(std::move(picture)); });
     }
     return {};
   }

@@ -16,8 +16,8 @@ constexpr std::size_t kPictureBytesMax = std::size_t{256} << 20;
 
 /// The picture with the image library's order of colours.
 cv::Mat to_mat(const Image& image) {
-  const cv::Mat pixels(image.height_px, image.width_px, image.channels == 3 ? CV_8UC3 : CV_8UC1,
-                       const_cast<std::uint8_t*>(image.bytes.data()));  // NOLINT: only read
+  cv::Mat pixels(image.height_px, image.width_px, image.channels == 3 ? CV_8UC3 : CV_8UC1,
+                 const_cast<std::uint8_t*>(image.bytes.data()));  // NOLINT: only read
   if (image.channels == 1) return pixels;
   cv::Mat bgr;
   cv::cvtColor(pixels, bgr, cv::COLOR_RGB2BGR);

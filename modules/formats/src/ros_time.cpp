@@ -21,7 +21,8 @@ Stamp_ns stamp_ns(double stamp_s) {
 }
 
 double stamp_s(Stamp_ns stamp) {
-  return static_cast<double>(stamp / kSecond_ns) + static_cast<double>(stamp % kSecond_ns) / 1e9;
+  const Stamp_ns whole_s = stamp / kSecond_ns;
+  return static_cast<double>(whole_s) + static_cast<double>(stamp % kSecond_ns) / 1e9;
 }
 
 Time time_of(Stamp_ns stamp) {

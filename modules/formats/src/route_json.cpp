@@ -54,6 +54,7 @@ std::string pieces_json(const Path& path) {
 
 std::string start_view_json(const std::vector<StartSighting>& view) {
   std::vector<std::string> sightings;
+  sightings.reserve(view.size());
   for (const StartSighting& sighting : view) {
     sightings.push_back(fmt::format(R"({{"at_m": {}, "brighter": "{}"}})",
                                     point_json(sighting.p_vehicle, kMillimetres),
@@ -147,6 +148,7 @@ void check_names(const std::vector<Route>& routes, const JsonValue& value) {
 
 std::string routes_json(const std::vector<Route>& routes) {
   std::vector<std::string> texts;
+  texts.reserve(routes.size());
   for (const Route& route : routes) texts.push_back(route_json(route));
   return list_json(texts);
 }

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 namespace aisle {
 namespace {
@@ -35,7 +36,9 @@ std::optional<std::string> scalar(const YAML::Node& map, const char* key) {
 }
 
 Result<std::string> database_name(const YAML::Node& bag, const std::string& name) {
-  const auto wrong = [&](const char* key, std::string what) { return Problem{{name, 0, key}, what}; };
+  const auto wrong = [&](const char* key, std::string what) {
+    return Problem{{name, 0, key}, std::move(what)};
+  };
   if (const std::string storage = scalar(bag, "storage_identifier").value_or(""); storage != "sqlite3") {
     return wrong("storage_identifier",
                  fmt::format("'{}' is not read, only sqlite3; `ros2 bag convert` makes one", storage));

@@ -16,11 +16,12 @@ Result<Trajectory> read_true_poses(const std::filesystem::path& session) {
     if (!message) return message.problems();
     if (!message->has_value()) return truth;
     if ((*message)->topic.name != kTruePoseTopic) continue;
-    const auto pose =
-        decoded<ros::PoseStamped>({(*message)->topic, std::string((*message)->cdr)}, reader->database().string());
+    const auto pose = decoded<ros::PoseStamped>({(*message)->topic, std::string((*message)->cdr)},
+                                                reader->database().string());
     if (!pose) return pose.problems();
     truth.stamps_s.push_back(ros::stamp_s((*message)->stamp));
-    truth.T_map_vehicle.push_back({pose->pose.position.x, pose->pose.position.y, yaw_of(pose->pose.orientation)});
+    truth.T_map_vehicle.push_back(
+        {pose->pose.position.x, pose->pose.position.y, yaw_of(pose->pose.orientation)});
   }
 }
 

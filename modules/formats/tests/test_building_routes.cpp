@@ -128,7 +128,7 @@ TEST(BuildingRoutes, ARouteWithoutNameOrLengthIsNotWritten) {
   Building building;
   building.routes.push_back({.name = "r", .path = {}, .start_view = {}});
   EXPECT_THROW((void)building_json(building), std::invalid_argument);
-  building.routes[0] = {.name = "", .path = Path({{{}, {1, 0}}}), .start_view = {}};
+  building.routes[0] = {.name = "", .path = Path({PathPiece{{}, {1, 0}}}), .start_view = {}};
   EXPECT_THROW((void)building_json(building), std::invalid_argument);
 }
 

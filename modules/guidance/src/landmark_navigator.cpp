@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kFoundSigma_m = 0.15;  // of a place that was found while lost, before a picture settles it
 constexpr double kFoundSigma_rad = 3 * kDegree;
-constexpr double kAgreed_m = 0.25;      // answers of two pictures that are the same
-constexpr std::size_t kAgreeing = 4;    // pictures in a row that must say the same
+constexpr double kAgreed_m = 0.25;    // answers of two pictures that are the same
+constexpr std::size_t kAgreeing = 4;  // pictures in a row that must say the same
 
 UncertainPose2 roughly(const Pose2& T, double sigma_m, double sigma_rad) {
   return {T, Vec3(square(sigma_m), square(sigma_m), square(sigma_rad)).asDiagonal()};
@@ -60,13 +60,15 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
   fields.group("relocation", relocation);
   fields.group("steering", steering);
   fields.group("speed", speed);
-  fields.real("start_sigma_m", start_sigma_m, {0.001, 2}, "how far from the route's start the vehicle may stand");
+  fields.real("start_sigma_m", start_sigma_m, {0.001, 2},
+              "how far from the route's start the vehicle may stand");
   fields.angle("start_sigma_deg", start_sigma_rad, {0.1, 45}, "how far it may be turned there");
   fields.real("look_s", look_s, {0, 60}, "time to look where it stands before it starts");
   fields.real("unsure_m", unsure_m, {0.001, 5}, "less sure of its place than this it goes slower");
   fields.real("lost_m", lost_m, {0.01, 10}, "less sure of its place than this it is lost");
   fields.angle("lost_deg", lost_rad, {0.1, 90}, "less sure of its heading than this it is lost");
-  fields.real("unmatched_max_s", unmatched_max_s, {0.1, 60}, "seeing other things than are known for so long it is lost");
+  fields.real("unmatched_max_s", unmatched_max_s, {0.1, 60},
+              "seeing other things than are known for so long it is lost");
   fields.real("give_up_s", give_up_s, {1, 600}, "lost for so long it gives up");
   fields.real("off_route_max_m", off_route_max_m, {0.1, 10}, "farther from its route it does not go on");
 }
@@ -78,7 +80,8 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
       building_(&building),
       path_(route),
       camera_(camera_of(vehicle, building).name),
-      detector_(params.sightings, camera_of(vehicle, building).intrinsics, camera_of(vehicle, building).mount),
+      detector_(params.sightings, camera_of(vehicle, building).intrinsics,
+                camera_of(vehicle, building).mount),
       localiser_(params.localiser, vehicle,
                  roughly(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
       relocator_(params.relocation, params.localiser),
@@ -92,12 +95,16 @@ Decision LandmarkNavigator::step(const Observation& observation) {
     state_since_s_ = observation.stamp_s;
     matched_stamp_s_ = observation.stamp_s;
   }
-  if (observation.bumper_pressed) return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
+  if (observation.bumper_pressed)
+    return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
   if (state_ == State::kLooking) return look_around(observation.stamp_s);
-  if (state_ == State::kFollowing && has_lost_itself()) {
-    state_ = State::kLost;
-    state_since_s_ = observation.stamp_s;
-    T_map_found_.clear();
+  if (state_ == State::kFollowing) {
+    why_lost_ = why_lost();
+    if (!why_lost_.empty()) {
+      state_ = State::kLost;
+      state_since_s_ = observation.stamp_s;
+      T_map_found_.clear();
+    }
   }
   if (state_ == State::kLost) return find_itself(observation.stamp_s);
   return follow(observation);
@@ -116,45 +123,45 @@ void LandmarkNavigator::locate(const Observation& observation) {
     sightings_ = detector_.detect(*picture->image);
     if (state_ != State::kLost) match_ = localiser_.correct(building_->landmarks, sightings_);
   }
-  if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing) matched_stamp_s_ = observation.stamp_s;
+  if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
+    matched_stamp_s_ = observation.stamp_s;
   stamp_s_ = observation.stamp_s;
 }
 
-bool LandmarkNavigator::has_lost_itself() const {
-  return position_sigma_m(localiser_.covariance()) > params_.lost_m ||
-         std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad ||
-         stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s;
+/// Why the vehicle does not know where it is; empty: it does.
+std::string LandmarkNavigator::why_lost() const {
+  const double sigma_m = position_sigma_m(localiser_.covariance());
+  if (sigma_m > params_.lost_m)
+    return fmt::format("saw nothing that it knows until unsure by {:.2f} m", sigma_m);
+  if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "is unsure which way it points";
+  if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s) return "sees other things than it knows";
+  return "";
 }
 
 Decision LandmarkNavigator::look_around(double stamp_s) {
   if (stamp_s - *state_since_s_ < params_.look_s) return {.state = "looking"};
   state_ = State::kFollowing;
-  if (has_lost_itself()) {
-    state_ = State::kLost;
-    state_since_s_ = stamp_s;
-    return {.state = "lost", .why = "the start does not look as it was taught"};
-  }
   return {.state = "looking"};
 }
 
 /// Standing, the vehicle compares what it sees with all places that it knows; pictures in a row must agree.
 Decision LandmarkNavigator::find_itself(double stamp_s) {
   if (stamp_s - *state_since_s_ > params_.give_up_s) {
-    return {.status = NavigatorStatus::kFailed, .state = "lost", .why = "does not know where it is"};
+    return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
   }
-  if (sightings_.empty()) return {.state = "lost"};
+  if (sightings_.empty()) return {.state = "lost", .why = why_lost_};
   const auto found = relocator_.find(building_->landmarks, T_map_tried_, sightings_);
-  if (!found) return {.state = "lost"};
-  const bool agrees = !T_map_found_.empty() &&
-                      (T_map_found_.back().position() - found->position()).norm() < kAgreed_m;
+  if (!found) return {.state = "lost", .why = why_lost_};
+  const bool agrees =
+      !T_map_found_.empty() && (T_map_found_.back().position() - found->position()).norm() < kAgreed_m;
   if (!agrees) T_map_found_.clear();
   T_map_found_.push_back(*found);
-  if (T_map_found_.size() < kAgreeing) return {.state = "lost"};
+  if (T_map_found_.size() < kAgreeing) return {.state = "lost", .why = why_lost_};
   localiser_.place(roughly(*found, kFoundSigma_m, kFoundSigma_rad));
   const LandmarkMatch match = localiser_.correct(building_->landmarks, sightings_);
   if (match != LandmarkMatch::kMatched || localiser_.matched_share() < params_.relocation.matched_share_min ||
       localiser_.pairs().size() < static_cast<std::size_t>(params_.relocation.pairs_min))
-    return {.state = "lost"};
+    return {.state = "lost", .why = why_lost_};
   const PathPoint nearest = path_.nearest(localiser_.pose().position(), 0, path_.length_m());
   if (std::abs(nearest.aside_m) > params_.off_route_max_m) {
     return {.status = NavigatorStatus::kFailed,
@@ -171,9 +178,11 @@ Decision LandmarkNavigator::follow(const Observation& observation) {
   const PathPoint& point = progress_.advance(localiser_.pose());
   if (progress_.has_arrived()) return {.status = NavigatorStatus::kDone, .state = "arrived"};
   const double sigma_m = position_sigma_m(localiser_.covariance());
-  const double certainty = std::clamp((params_.lost_m - sigma_m) / (params_.lost_m - params_.unsure_m), 0.0, 1.0);
+  const double certainty =
+      std::clamp((params_.lost_m - sigma_m) / (params_.lost_m - params_.unsure_m), 0.0, 1.0);
   const double speed_mps = speed_along(path_, point.along_m, certainty, vehicle_, params_.speed);
-  return {.command = follower_.follow(path_, point, localiser_.pose(), speed_mps, steering_of(observation.odometry)),
+  return {.command =
+              follower_.follow(path_, point, localiser_.pose(), speed_mps, steering_of(observation.odometry)),
           .state = match_ == LandmarkMatch::kMatched ? "following" : "bridging"};
 }
 

@@ -13,16 +13,16 @@
 namespace aisle {
 namespace {
 
-constexpr double kCauchy = 2;             // standard deviations at which a sighting begins to count less
-constexpr double kKeyframe_m = 0.05;      // poses closer than this to the one before move with it
+constexpr double kCauchy = 2;         // standard deviations at which a sighting begins to count less
+constexpr double kKeyframe_m = 0.05;  // poses closer than this to the one before move with it
 constexpr double kKeyframe_rad = 0.01;
-constexpr double kLeastSigma = 1e-4;      // of a motion [m, rad]
-constexpr int kRounds = 25;
+constexpr double kLeastMotionSigma = 1e-4;  // of a motion [m, rad]
+constexpr int kIterationsMax = 25;
 
 /// The poses that are unknowns, and which cycle belongs to which.
 struct Keyframes {
-  std::vector<std::size_t> cycles;      ///< of each keyframe
-  std::vector<std::size_t> of_cycle;    ///< keyframe at or before each cycle
+  std::vector<std::size_t> cycles;    ///< of each keyframe
+  std::vector<std::size_t> of_cycle;  ///< keyframe at or before each cycle
 };
 
 Keyframes choose_keyframes(const std::vector<Pose2>& T_map_vehicle) {
@@ -127,15 +127,15 @@ OdometryError odometry_error(std::span<const LandmarkCycle> cycles, std::size_t 
     moved = moved * UncertainPose2{end_pose(read.arc), by_arc * read.covariance * by_arc.transpose()};
   }
   error.root_information =
-      root_information(Mat3(moved.covariance + Mat3::Identity() * square(kLeastSigma)));
+      root_information(Mat3(moved.covariance + Mat3::Identity() * square(kLeastMotionSigma)));
   return error;
 }
 
 }  // namespace
 
-void adjust_landmarks(std::span<const LandmarkCycle> cycles, std::span<const LandmarkObservation> observations,
-                      const VehicleDescription& vehicle, std::vector<Pose2>& T_map_vehicle,
-                      std::vector<Landmark>& landmarks) {
+void adjust_landmarks(std::span<const LandmarkCycle> cycles,
+                      std::span<const LandmarkObservation> observations, const VehicleDescription& vehicle,
+                      std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks) {
   const Keyframes keyframes = choose_keyframes(T_map_vehicle);
   std::vector<std::array<double, 3>> keys;
   for (const std::size_t cycle : keyframes.cycles) {
@@ -159,16 +159,14 @@ void adjust_landmarks(std::span<const LandmarkCycle> cycles, std::span<const Lan
   for (const LandmarkObservation& seen : observations) {
     const LandmarkSighting& sighting = cycles[seen.cycle].sightings[seen.sighting];
     const Mat2 own = sighting.covariance - sighting.by_tilt * sighting.by_tilt.transpose();
-    problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<SightingError, 2, 3, 1, 2>(
-            new SightingError{T_key_cycle[seen.cycle], sighting, root_information(own)}),
-        new ceres::CauchyLoss(kCauchy), keys[keyframes.of_cycle[seen.cycle]].data(), &tilts[seen.cycle],
-        landmarks[seen.landmark].p_map.data());
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<SightingError, 2, 3, 1, 2>(
+                                 new SightingError{T_key_cycle[seen.cycle], sighting, root_information(own)}),
+                             new ceres::CauchyLoss(kCauchy), keys[keyframes.of_cycle[seen.cycle]].data(),
+                             &tilts[seen.cycle], landmarks[seen.landmark].p_map.data());
     const double theta = T_map_vehicle[seen.cycle].theta;
     Mat2 R_map_vehicle;
     R_map_vehicle << std::cos(theta), -std::sin(theta), std::sin(theta), std::cos(theta);
-    information[seen.landmark] +=
-        R_map_vehicle * sighting.covariance.inverse() * R_map_vehicle.transpose();
+    information[seen.landmark] += R_map_vehicle * sighting.covariance.inverse() * R_map_vehicle.transpose();
   }
   for (double& tilt : tilts) {
     if (problem.HasParameterBlock(&tilt))
@@ -176,11 +174,12 @@ void adjust_landmarks(std::span<const LandmarkCycle> cycles, std::span<const Lan
   }
   if (keys.size() > 1) {
     problem.SetParameterBlockConstant(keys.front().data());
-    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<NearZero3, 3, 3>(new NearZero3), nullptr, steady.data());
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<NearZero3, 3, 3>(new NearZero3), nullptr,
+                             steady.data());
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  options.max_num_iterations = kRounds;
+  options.max_num_iterations = kIterationsMax;
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);

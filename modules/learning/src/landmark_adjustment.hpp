@@ -14,11 +14,11 @@ struct LandmarkObservation {
   std::size_t landmark = 0;
 };
 
-/// Moves the poses of a trip and its landmarks until sightings and odometry agree best (robust least squares); the
-/// first pose stays. What is steadily wrong with the odometry, and each picture's tilt, are unknowns, too.
-/// Landmarks get the covariance that their sightings leave.
-void adjust_landmarks(std::span<const LandmarkCycle> cycles, std::span<const LandmarkObservation> observations,
-                      const VehicleDescription& vehicle, std::vector<Pose2>& T_map_vehicle,
-                      std::vector<Landmark>& landmarks);
+/// Moves the poses of a trip and its landmarks until sightings and odometry agree best (robust least
+/// squares); the first pose stays. What is steadily wrong with the odometry, and each picture's tilt, are
+/// unknowns, too. Landmarks get the covariance that their sightings leave.
+void adjust_landmarks(std::span<const LandmarkCycle> cycles,
+                      std::span<const LandmarkObservation> observations, const VehicleDescription& vehicle,
+                      std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks);
 
 }  // namespace aisle

@@ -6,6 +6,7 @@
 #include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
 #include "landmark_adjustment.hpp"
+#include "landmark_view.hpp"
 
 namespace aisle {
 
@@ -14,7 +15,7 @@ namespace {
 constexpr int kExpectedMin = 15;        // pictures that show whether a landmark is still there
 constexpr double kSeenShareMin = 0.05;  // seen in fewer of them it is gone
 constexpr double kGoneShare = 0.3;      // of a vanished landmark's mass that remains after a trip
-constexpr double kStartSigma = 1e-4;  // the first pose is the map's origin: exact [m, rad]
+constexpr double kStartSigma = 1e-4;    // the first pose is the map's origin: exact [m, rad]
 
 constexpr int kAdjustments = 3;
 constexpr double kNearSigma_m = 0.02;  // poses of the trip while sightings are paired with its landmarks
@@ -31,6 +32,7 @@ Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, d
           .weight = confidence_weight(sighting.p_vehicle, confidence_m2),
           .sightings = 1,
           .passes = 1,
+          .seen_from = (T_map_vehicle.position() - T_map_vehicle * sighting.p_vehicle).normalized(),
           .brighter_right = sighting.brighter_right};
 }
 
@@ -40,14 +42,17 @@ Landmark united(const Landmark& a, const Landmark& b) {
   both.mass = a.mass + b.mass;
   both.weight = a.weight + b.weight;
   both.p_map = (a.mass * a.p_map + b.mass * b.p_map) / both.mass;
+  both.seen_from = (a.sightings * a.seen_from + b.sightings * b.seen_from).normalized();
   both.covariance = a.covariance.trace() < b.covariance.trace() ? a.covariance : b.covariance;
   both.sightings = a.sightings + b.sightings;
   return both;
 }
 
 /// Which sighting of a trip shows which of its landmarks.
-std::vector<LandmarkObservation> observations(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
-                                              const LandmarkLocaliserParams& params, const LearnedTrip& trip) {
+std::vector<LandmarkObservation> observations(std::span<const LandmarkCycle> cycles,
+                                              const VehicleDescription& vehicle,
+                                              const LandmarkLocaliserParams& params,
+                                              const LearnedTrip& trip) {
   const Mat3 near = Vec3(square(kNearSigma_m), square(kNearSigma_m), square(kNearSigma_rad)).asDiagonal();
   LandmarkLocaliser localiser(params, vehicle, {});
   std::vector<LandmarkObservation> all;
@@ -67,23 +72,14 @@ struct Visibility {
   bool is_gone() const { return expected >= kExpectedMin && seen < kSeenShareMin * expected; }
 };
 
-/// A landmark is expected where others are seen: no farther, and between the outermost of them.
 void count_visibility(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
                       const LandmarkLocaliser& localiser, std::vector<Visibility>& visibility) {
-  double far_m = 0, left_rad = -kPi, right_rad = kPi;
-  for (const LandmarkSighting& sighting : sightings) {
-    const double bearing = std::atan2(sighting.p_vehicle.y(), sighting.p_vehicle.x());
-    far_m = std::max(far_m, sighting.p_vehicle.norm());
-    left_rad = std::max(left_rad, bearing);
-    right_rad = std::min(right_rad, bearing);
-  }
+  const LandmarkView view(sightings);
   std::vector<int> near;
-  map.within(localiser.pose().position(), far_m, near);
-  const Pose2 T_vehicle_map = localiser.pose().inverse();
+  map.within(localiser.pose().position(), view.far_m(), near);
   for (const int i : near) {
-    const Vec2 p_vehicle = T_vehicle_map * map[static_cast<std::size_t>(i)].p_map;
-    const double bearing = std::atan2(p_vehicle.y(), p_vehicle.x());
-    if (bearing <= left_rad && bearing >= right_rad) ++visibility[static_cast<std::size_t>(i)].expected;
+    const auto index = static_cast<std::size_t>(i);
+    if (view.expects(map[index], localiser.pose())) ++visibility[index].expected;
   }
   for (const LandmarkPair& pair : localiser.pairs()) ++visibility[pair.landmark].seen;
 }
@@ -94,7 +90,8 @@ void LandmarkLearningParams::describe(FieldList& fields) {
   fields.group("localiser", localiser);
   fields.real("merge_m", merge_m, {0.01, 1}, "landmarks closer than this are one");
   fields.real("weight_min", weight_min, {0, 1}, "Ts: landmarks less sure than this share of the mean go");
-  fields.count("sightings_min", sightings_min, {1, 100}, "landmarks seen in fewer pictures of the first trip go");
+  fields.count("sightings_min", sightings_min, {1, 100},
+               "landmarks seen in fewer pictures of the first trip go");
   fields.flag("forget", forget, "landmarks that are no longer seen lose their weight");
   fields.flag("adjust", adjust, "move all poses and landmarks together until they agree best");
 }
@@ -156,8 +153,8 @@ LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const Vehicle
   }
   for (int round = 0; params.adjust && round < kAdjustments; ++round) {
     trip.map.assign(landmarks);
-    adjust_landmarks(cycles, observations(cycles, vehicle, params.localiser, trip), vehicle, trip.T_map_vehicle,
-                     landmarks);
+    adjust_landmarks(cycles, observations(cycles, vehicle, params.localiser, trip), vehicle,
+                     trip.T_map_vehicle, landmarks);
   }
   settle_weights(landmarks, trip.T_map_vehicle.front().position(), params.weight_min);
   trip.map.assign(landmarks);

@@ -5,24 +5,36 @@
 #include <cmath>
 
 #include "aisle/core/square.hpp"
+#include "landmark_view.hpp"
 
 namespace aisle {
+namespace {
+
+constexpr double kSureWeight = 0.5;   // landmarks of this weight are there
+constexpr int kContradictingMin = 2;  // so many of them out of sight contradict the map
+
+}  // namespace
 
 void LandmarkLocaliserParams::describe(FieldList& fields) {
   fields.group("mwght", mwght);
-  fields.real("confidence_m2", confidence_m2, {0.01, 1000}, "Cd: landmarks farther away than its root count less");
+  fields.real("confidence_m2", confidence_m2, {0.01, 1000},
+              "Cd: landmarks farther away than its root count less");
   fields.real("window_sigmas", window_sigmas, {1, 10}, "displacements within so many deviations are tried");
   fields.real("window_min_m", window_min_m, {0, 5}, "displacements up to this are always tried");
   fields.angle("window_min_deg", window_min_rad, {0, 45}, "turns up to this are always tried");
   fields.real("window_max_m", window_max_m, {0.1, 10}, "greater displacements are never tried");
   fields.angle("window_max_deg", window_max_rad, {0, 90}, "greater turns are never tried");
-  fields.real("ambiguous_share", ambiguous_share, {0.1, 1}, "a second displacement this good makes a match ambiguous");
+  fields.real("ambiguous_share", ambiguous_share, {0.1, 1},
+              "a second displacement whose pairs agree this well makes a match ambiguous");
   fields.real("gate_sigmas", gate_sigmas, {1, 10}, "a sighting farther from a landmark is not of it");
   fields.real("landmark_sigma_m", landmark_sigma_m, {0, 1}, "least error of a landmark's place");
   fields.real("repeat_inflation", repeat_inflation, {1, 100},
               "pictures in a row are not independent: their variances count so many times");
-  fields.real("matched_share_min", matched_share_min, {0, 1}, "with less of the sightings matched there is no match");
-  fields.flag("polarity", polarity, "a line that is brighter on its right is never taken for one that is brighter left");
+  fields.real("matched_share_min", matched_share_min, {0, 1},
+              "with less of the sightings matched there is no match");
+  fields.count("pairs_min", pairs_min, {1, 20}, "fewer sightings than this make no match");
+  fields.flag("polarity", polarity,
+              "a line that is brighter on its right is never taken for one that is brighter left");
   fields.flag("covariance", covariance, "errors along and across the line of sight are kept apart");
 }
 
@@ -30,28 +42,58 @@ double confidence_weight(const Vec2& p_vehicle, double confidence_m2) {
   return 1 / (1 + p_vehicle.squaredNorm() / confidence_m2);
 }
 
+/// A runner-up on the flank of the best peak is refined to the same place: it is no hypothesis of its own.
+bool LandmarkLocaliser::is_elsewhere(const Pose2& best, const Pose2& other) const {
+  const Pose2 off = between(best, other);
+  return off.position().norm() > params_.mwght.apart_m / 2 ||
+         std::abs(off.theta) > params_.mwght.apart_rad / 2;
+}
+
 LandmarkLocaliser::LandmarkLocaliser(const LandmarkLocaliserParams& params, const VehicleDescription& vehicle,
                                      const UncertainPose2& T_map_vehicle)
     : params_(params), filter_(vehicle, T_map_vehicle), mwght_(params.mwght) {}
 
-LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings) {
+LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
+                                         std::span<const LandmarkSighting> sightings) {
   pairs_.clear();
   matched_share_ = 0;
   gather(map, sightings);
   if (learned_.empty() || seen_.empty()) return LandmarkMatch::kNothing;
   const auto match = mwght_.match(learned_, seen_, window());
-  if (!match) return LandmarkMatch::kUnmatched;
-  if (match->runner_up && match->runner_up->value > params_.ambiguous_share * match->best.value)
-    return LandmarkMatch::kAmbiguous;
-  const Pose2 T_map_guess = filter_.pose() * match->best.displacement;
-  pair_up(map, sightings, T_map_guess);
-  if (pairs_.empty() || matched_share_ < params_.matched_share_min) return LandmarkMatch::kUnmatched;
+  if (!match) return without_match(map, sightings);
+  Pose2 T_map_guess = filter_.pose() * match->best.displacement;
+  const double agreement = pair_up(map, sightings, T_map_guess);
+  if (match->runner_up && is_elsewhere(match->best.displacement, match->runner_up->displacement)) {
+    const Pose2 T_map_other = filter_.pose() * match->runner_up->displacement;
+    const double other = pair_up(map, sightings, T_map_other);
+    if (std::min(agreement, other) > params_.ambiguous_share * std::max(agreement, other)) {
+      pairs_.clear();
+      return LandmarkMatch::kAmbiguous;
+    }
+    if (other > agreement) T_map_guess = T_map_other;
+    if (other < agreement) pair_up(map, sightings, T_map_guess);
+  }
+  if (pairs_.size() < static_cast<std::size_t>(params_.pairs_min) ||
+      matched_share_ < params_.matched_share_min)
+    return without_match(map, sightings);
   filter_.update(points_, T_map_guess);
   return LandmarkMatch::kMatched;
 }
 
-/// Both patterns as the vehicle sees or would see them: the displacement between them is then the correction of the
-/// vehicle's pose.
+/// Unknown things alone do not contradict the map: only where several of its landmarks should be seen and are
+/// not is the vehicle perhaps elsewhere.
+LandmarkMatch LandmarkLocaliser::without_match(const LandmarkMap& map,
+                                               std::span<const LandmarkSighting> sightings) {
+  const LandmarkView view(sightings);
+  const auto expected = std::count_if(near_.begin(), near_.end(), [&](int i) {
+    const Landmark& landmark = map[static_cast<std::size_t>(i)];
+    return landmark.weight >= kSureWeight && view.expects(landmark, filter_.pose());
+  });
+  return expected >= kContradictingMin ? LandmarkMatch::kUnmatched : LandmarkMatch::kNothing;
+}
+
+/// Both patterns as the vehicle sees or would see them: the displacement between them is then the correction
+/// of the vehicle's pose.
 void LandmarkLocaliser::gather(const LandmarkMap& map, std::span<const LandmarkSighting> sightings) {
   learned_.clear();
   seen_.clear();
@@ -63,8 +105,8 @@ void LandmarkLocaliser::gather(const LandmarkMap& map, std::span<const LandmarkS
     seen_.push_back({sighting.p_vehicle, confidence_weight(sighting.p_vehicle, params_.confidence_m2)});
   }
   const MwghtWindow around = window();
-  const double reach_m = std::max(around.x_half_m, around.y_half_m) + high.norm() * around.turn_half_rad +
-                         params_.mwght.reach_m;
+  const double reach_m =
+      std::max(around.x_half_m, around.y_half_m) + high.norm() * around.turn_half_rad + params_.mwght.reach_m;
   map.within(filter_.pose() * Vec2((low + high) / 2), (high - low).norm() / 2 + reach_m, near_);
   const Pose2 T_vehicle_map = filter_.pose().inverse();
   for (const int i : near_) {
@@ -86,17 +128,19 @@ MwghtWindow LandmarkLocaliser::window() const {
           .turn_half_rad = half(covariance(2, 2), params_.window_min_rad, params_.window_max_rad)};
 }
 
-/// Every sighting with the landmark that it lies nearest to, by its own errors and the landmark's; a landmark is
-/// taken once, by the sighting that comes first in order of nearness to the vehicle.
-void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
-                                const Pose2& T_map_vehicle) {
+/// Every sighting with the landmark that it lies nearest to, by its own errors and the landmark's; a landmark
+/// is taken once.
+/// @return how well the pairs agree
+double LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+                                  const Pose2& T_map_vehicle) {
+  pairs_.clear();
   points_.clear();
   taken_.assign(near_.size(), 0);
   const Pose2 T_vehicle_map = T_map_vehicle.inverse();
   const double c = std::cos(T_map_vehicle.theta), s = std::sin(T_map_vehicle.theta);
   Mat2 R_map_vehicle;
   R_map_vehicle << c, -s, s, c;
-  double matched = 0, all = 0;
+  double matched = 0, all = 0, agreement = 0;
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const LandmarkSighting& sighting = sightings[i];
     all += seen_[i].weight;
@@ -108,10 +152,9 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
       if (taken_[k] || (params_.polarity && landmark.brighter_right != sighting.brighter_right)) continue;
       const Mat2 known = R_map_vehicle.transpose() * landmark.covariance * R_map_vehicle +
                          square(params_.landmark_sigma_m) * Mat2::Identity();
-      const Mat2 covariance =
-          params_.covariance
-              ? Mat2(sighting.covariance + known)
-              : Mat2(Mat2::Identity() * (sighting.covariance + known).trace() / 2);
+      const Mat2 covariance = params_.covariance
+                                  ? Mat2(sighting.covariance + known)
+                                  : Mat2(Mat2::Identity() * (sighting.covariance + known).trace() / 2);
       const Vec2 off = sighting.p_vehicle - T_vehicle_map * landmark.p_map;
       const double distance = off.dot(covariance.inverse() * off);
       if (distance >= nearest) continue;
@@ -122,15 +165,18 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
     if (best == near_.size()) continue;
     taken_[best] = 1;
     matched += seen_[i].weight;
+    agreement += seen_[i].weight * std::exp(-nearest / 2);
     const std::size_t landmark = static_cast<std::size_t>(near_[best]);
     pairs_.push_back({i, landmark});
     const Vec2 by_tilt = params_.covariance ? sighting.by_tilt : Vec2(Vec2::Zero());
-    points_.push_back({.p_map = map[landmark].p_map,
-                       .p_vehicle = sighting.p_vehicle,
-                       .covariance = params_.repeat_inflation * (best_covariance - by_tilt * by_tilt.transpose()),
-                       .by_tilt = by_tilt});
+    points_.push_back(
+        {.p_map = map[landmark].p_map,
+         .p_vehicle = sighting.p_vehicle,
+         .covariance = params_.repeat_inflation * (best_covariance - by_tilt * by_tilt.transpose()),
+         .by_tilt = by_tilt});
   }
   matched_share_ = matched / all;
+  return agreement;
 }
 
 }  // namespace aisle

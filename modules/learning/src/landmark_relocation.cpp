@@ -3,7 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/core/square.hpp"
+
 namespace aisle {
+namespace {
+
+constexpr double kPromising = 0.7;     // of the best value: places whose pairs are looked at
+constexpr double kRoughSigma_m = 0.1;  // of a displacement, before its pairs settle it
+constexpr double kRoughSigma_rad = 2 * kDegree;
+
+}  // namespace
+
 void LandmarkRelocationParams::describe(FieldList& fields) {
   fields.real("apart_m", apart_m, {0.1, 5}, "between places that are tried");
   fields.real("window_m", window_m, {0.1, 3}, "displacements up to this are tried around each");
@@ -18,16 +28,38 @@ std::optional<Pose2> LandmarkRelocator::find(const LandmarkMap& map, std::span<c
   if (sightings.size() < static_cast<std::size_t>(params_.pairs_min)) return std::nullopt;
   candidates_.clear();
   for (const Pose2& T_map_place : T_map_tried) try_place(map, T_map_place, sightings);
-  const auto by_value = [](const Candidate& a, const Candidate& b) { return a.value < b.value; };
-  const auto best = std::max_element(candidates_.begin(), candidates_.end(), by_value);
-  if (best == candidates_.end()) return std::nullopt;
+  if (candidates_.empty()) return std::nullopt;
+  judge_by_pairs(map, sightings);
+  const auto by_share = [](const Candidate& a, const Candidate& b) {
+    return a.matched_share < b.matched_share;
+  };
+  const auto best = std::max_element(candidates_.begin(), candidates_.end(), by_share);
+  if (best->matched_share < params_.matched_share_min) return std::nullopt;
   for (const Candidate& other : candidates_) {
     const Pose2 off = between(best->T_map_vehicle, other.T_map_vehicle);
     const bool elsewhere =
         off.position().norm() > matching_.mwght.apart_m || std::abs(off.theta) > matching_.mwght.apart_rad;
-    if (elsewhere && other.value > params_.distinct_share * best->value) return std::nullopt;
+    if (elsewhere && other.matched_share > params_.distinct_share * best->matched_share) return std::nullopt;
   }
   return best->T_map_vehicle;
+}
+
+/// Votes of the Hough transform are broad: wrong places come near the right one. Pairs of sightings and
+/// landmarks, with their errors and brighter sides, tell them apart.
+void LandmarkRelocator::judge_by_pairs(const LandmarkMap& map, std::span<const LandmarkSighting> sightings) {
+  const auto by_value = [](const Candidate& a, const Candidate& b) { return a.value < b.value; };
+  const double greatest = std::max_element(candidates_.begin(), candidates_.end(), by_value)->value;
+  std::erase_if(candidates_, [&](const Candidate& c) { return c.value < kPromising * greatest; });
+  const Mat3 rough = Vec3(square(kRoughSigma_m), square(kRoughSigma_m), square(kRoughSigma_rad)).asDiagonal();
+  LandmarkLocaliser localiser(matching_, {}, {});
+  for (Candidate& candidate : candidates_) {
+    localiser.place({candidate.T_map_vehicle, rough});
+    if (localiser.correct(map, sightings) != LandmarkMatch::kMatched ||
+        localiser.pairs().size() < static_cast<std::size_t>(params_.pairs_min))
+      continue;
+    candidate.T_map_vehicle = localiser.pose();
+    candidate.matched_share = localiser.matched_share();
+  }
 }
 
 void LandmarkRelocator::try_place(const LandmarkMap& map, const Pose2& T_map_tried,

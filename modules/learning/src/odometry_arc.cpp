@@ -12,7 +12,8 @@ UncertainArc arc_read(const VehicleDescription& vehicle, const FrontSteeredMotio
   const double way_m = std::abs(motion.distance_m);
   UncertainArc result{arc_of(vehicle.front_steered, motion)};
   if (way_m == 0) return result;
-  const double way_m2 = square(noise.distance_slip_m_per_sqrt_m) * way_m + square(noise.distance_quantum_m) / 6;
+  const double way_m2 =
+      square(noise.distance_slip_m_per_sqrt_m) * way_m + square(noise.distance_quantum_m) / 6;
   const double steering_rad2 = square(noise.steering_quantum_rad) / 12;
   const Vec2 by_way{std::cos(motion.steering_rad),
                     std::sin(motion.steering_rad) / vehicle.front_steered.wheelbase_m};

@@ -12,8 +12,10 @@
 namespace aisle {
 namespace {
 
-constexpr double kLeastSigma = 1e-5;       // nothing is known better than this [m, rad]
-constexpr double kHuber = 1.5;             // residuals beyond so many standard deviations count less
+constexpr double kLeastSigma = 1e-5;  // nothing is known better than this [m, rad]
+constexpr double kForgotten_per_m =
+    0.01;                       // share of the steady errors' first variance that comes back with each metre
+constexpr double kHuber = 1.5;  // residuals beyond so many standard deviations count less
 constexpr int kRounds = 5;
 constexpr double kSettled = 1e-7;
 
@@ -22,8 +24,8 @@ constexpr double kSettled = 1e-7;
 PoseFilter::PoseFilter(const VehicleDescription& vehicle, const UncertainPose2& T_map_vehicle)
     : vehicle_(vehicle) {
   place(T_map_vehicle);
-  const Vec3 errors = steady_odometry_sigmas(vehicle).cwiseMax(kLeastSigma);
-  covariance_.bottomRightCorner<3, 3>() = errors.cwiseAbs2().asDiagonal();
+  steady_variances_ = steady_odometry_sigmas(vehicle).cwiseMax(kLeastSigma).cwiseAbs2();
+  covariance_.bottomRightCorner<3, 3>() = steady_variances_.asDiagonal();
 }
 
 void PoseFilter::place(const UncertainPose2& T_map_vehicle) {
@@ -56,13 +58,14 @@ void PoseFilter::predict(const OdometryReading& reading) {
   by_state.topRightCorner<3, 3>() = by_arc * by_errors;
   covariance_ = by_state * covariance_ * by_state.transpose();
   covariance_.topLeftCorner<3, 3>() += by_arc * read.covariance * by_arc.transpose();
+  covariance_.diagonal().tail<3>() += kForgotten_per_m * std::abs(arc.length_m) * steady_variances_;
   T_map_vehicle_ = T_map_vehicle_ * moved;
 }
 
 void PoseFilter::update(std::span<const SeenPoint> points, const Pose2& guess) {
   if (points.empty()) return;
-  // The unknowns: change of (x, y, theta, odometry errors) against the prediction, and the picture's tilt error in
-  // standard deviations.
+  // The unknowns: change of (x, y, theta, odometry errors) against the prediction, and the picture's tilt
+  // error in standard deviations.
   using Vec7 = Eigen::Matrix<double, 7, 1>;
   using Mat7 = Eigen::Matrix<double, 7, 7>;
   Mat7 prior = Mat7::Identity();

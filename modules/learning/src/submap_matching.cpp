@@ -200,8 +200,8 @@ std::vector<double> likely_turns(std::span<const WallEstimate> fresh, std::span<
   std::vector<double> turns = {0};
   if (std::any_of(fresh.begin(), fresh.end(), [](const WallEstimate& w) { return !w.is_oblique(); }))
     return turns;
-  constexpr auto kBins = static_cast<std::size_t>(2 * kSubmapTurnMax_rad / kTurnBin_rad);
-  std::array<double, kBins> votes{};
+  constexpr auto kTurnBins = static_cast<std::size_t>(2 * kSubmapTurnMax_rad / kTurnBin_rad);
+  std::array<double, kTurnBins> votes{};
   for (const WallEstimate& a : fresh) {
     for (const WallEstimate& b : old) {
       const double turn = wrap_angle(b.heading_rad - a.heading_rad);
@@ -215,7 +215,7 @@ std::vector<double> likely_turns(std::span<const WallEstimate> fresh, std::span<
     if (*top <= 0) break;
     const auto bin = static_cast<std::size_t>(top - votes.begin());
     turns.push_back((static_cast<double>(bin) + 0.5) * kTurnBin_rad - kSubmapTurnMax_rad);
-    for (std::size_t i = bin > 0 ? bin - 1 : 0; i <= std::min(kBins - 1, bin + 1); ++i) votes[i] = 0;
+    for (std::size_t i = bin > 0 ? bin - 1 : 0; i <= std::min(kTurnBins - 1, bin + 1); ++i) votes[i] = 0;
   }
   return turns;
 }

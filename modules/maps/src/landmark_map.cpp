@@ -18,9 +18,10 @@ void LandmarkMap::replace(std::size_t index, const Landmark& landmark) {
 }
 
 void LandmarkMap::assign(std::vector<Landmark> landmarks) {
-  landmarks_.clear();
+  landmarks_ = std::move(landmarks);
   index_.clear();
-  for (const Landmark& landmark : landmarks) add(landmark);
+  for (std::size_t i = 0; i < landmarks_.size(); ++i)
+    index_.add({landmarks_[i].p_map, landmarks_[i].p_map}, static_cast<int>(i));
 }
 
 void LandmarkMap::within(const Vec2& p_map, double distance_m, std::vector<int>& indices) const {

@@ -52,7 +52,7 @@ TEST(PoseGraph, ALoopClosureBringsTheEndBackToTheStart) {
   graph.optimise(30);
   EXPECT_THAT(graph.pose(0), PoseNear(Pose2{}, 1e-9, 1e-9)) << "the first node is the frame";
   EXPECT_THAT(graph.pose(4), PoseNear(Pose2{}, 0.02, 0.01));
-  EXPECT_THAT(graph.pose(2), PoseNear(Pose2(10, 10, kPi), 0.3, 0.05));
+  EXPECT_THAT(graph.pose(2), PoseNear(Pose2{10, 10, kPi}, 0.3, 0.05));
 }
 
 TEST(PoseGraph, AWrongLoopClosureDoesNotTearTheGraph) {

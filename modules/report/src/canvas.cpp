@@ -85,7 +85,7 @@ void Canvas::fill(const Color& color) {
   cairo_paint(cairo_);
 }
 
-void Canvas::picture(const Image& picture) {
+void Canvas::picture(const Image& picture, const Vec2& corner) {
   const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width_px, picture.height_px),
                         cairo_surface_destroy);
   require(cairo_surface_status(surface.get()));
@@ -99,7 +99,7 @@ void Canvas::picture(const Image& picture) {
       row[u] = std::uint32_t{from[0]} << 16U | std::uint32_t{from[last / 2]} << 8U | from[last];
   }
   cairo_surface_mark_dirty(surface.get());
-  cairo_set_source_surface(cairo_, surface.get(), 0, 0);
+  cairo_set_source_surface(cairo_, surface.get(), corner.x(), corner.y());
   cairo_paint(cairo_);
 }
 

@@ -37,8 +37,8 @@ class Canvas {
   explicit Canvas(cairo_t* cairo);
 
   void fill(const Color& color);
-  /// A picture at its own size, its corner in the top left corner.
-  void picture(const Image& picture);
+  /// A picture at its own size.
+  void picture(const Image& picture, const Vec2& corner = Vec2::Zero());
   void line(const Vec2& start, const Vec2& end, const Pen& pen);
   void polyline(const std::vector<Vec2>& points, const Pen& pen);
   /// All lines as one shape: where they cross, a transparent pen gets no darker.

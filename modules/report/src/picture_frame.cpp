@@ -11,6 +11,7 @@ namespace {
 
 constexpr Font kTitleFont{30, kInk, true};
 constexpr Font kCaptionFont{18, kQuietInk};
+constexpr double kScaleBar_px = 220;  ///< at most
 constexpr double kWallBody_m = 0.12;  ///< how much of a wall is shown behind its face
 
 double footer_line(const PictureScale& scale) {
@@ -41,7 +42,7 @@ void draw_header(Canvas& canvas, const PictureScale& scale, const std::string& t
 }
 
 void draw_scale_bar(Canvas& canvas, const PictureScale& scale) {
-  const double length_m = round_length(220 / scale.px_per_m);
+  const double length_m = round_length(kScaleBar_px / scale.px_per_m);
   const double left = kMargin_px, right = left + length_m * scale.px_per_m, y = footer_line(scale);
   const Pen pen{kInk, 2};
   canvas.lines({{{left, y}, {right, y}}, {{left, y - 6}, {left, y + 6}}, {{right, y - 6}, {right, y + 6}}},
@@ -50,12 +51,22 @@ void draw_scale_bar(Canvas& canvas, const PictureScale& scale) {
 }
 
 Legend::Legend(Canvas& canvas, const PictureScale& scale)
-    : canvas_(canvas), right_px_(scale.width_px - kMargin_px), y_px_(footer_line(scale)) {}
+    : canvas_(canvas),
+      rightmost_px_(scale.width_px - kMargin_px),
+      right_px_(rightmost_px_),
+      y_px_(footer_line(scale)) {}
 
 void Legend::add(const std::string& label, double width_px,
                  const std::function<void(const Vec2&)>& draw_sign) {
-  constexpr double kBesideSign_px = 10, kBetweenEntries_px = 30;
-  const double text_x = right_px_ - canvas_.text_width(label, kLabelFont);
+  constexpr double kBesideSign_px = 10, kBetweenEntries_px = 30, kRow_px = 26, kScaleBarLabel_px = 80;
+  const double text_px = canvas_.text_width(label, kLabelFont);
+  const double left_px = kMargin_px + (is_beside_bar_ ? kScaleBar_px + kScaleBarLabel_px : 0);
+  if (right_px_ - text_px - kBesideSign_px - width_px < left_px) {
+    is_beside_bar_ = false;
+    right_px_ = rightmost_px_;
+    y_px_ -= kRow_px;
+  }
+  const double text_x = right_px_ - text_px;
   canvas_.text({text_x, y_px_ + 6}, label, kLabelFont);
   draw_sign({text_x - kBesideSign_px - width_px / 2, y_px_});
   right_px_ = text_x - kBesideSign_px - width_px - kBetweenEntries_px;

@@ -26,7 +26,7 @@ void draw_header(Canvas& canvas, const PictureScale& scale, const std::string& t
 /// In the lower left corner.
 void draw_scale_bar(Canvas& canvas, const PictureScale& scale);
 
-/// In the lower right corner, from right to left.
+/// In the lower right corner, from right to left; what has no room beside the scale bar goes above it.
 class Legend {
  public:
   Legend(Canvas& canvas, const PictureScale& scale);
@@ -37,8 +37,10 @@ class Legend {
 
  private:
   Canvas& canvas_;
+  double rightmost_px_;
   double right_px_;
   double y_px_;
+  bool is_beside_bar_ = true;
 };
 
 }  // namespace aisle

@@ -71,4 +71,17 @@ Prism leaf_of(const Door& door) {
              door.height_m);
 }
 
+std::vector<Prism> frame_posts_of(const Door& door) {
+  if (door.frame_width_m <= 0) return {};
+  const Pose2 T_world_closed{door.hinge.x(), door.hinge.y(), door.closed_heading_rad};
+  const double depth_m = door.wall_depth_m + 2 * kFrameRelief_m;
+  const double post_m = door.frame_width_m + kFrameInside_m;
+  std::vector<Prism> posts;
+  for (const double x : {kFrameInside_m - post_m / 2, door.width_m - kFrameInside_m + post_m / 2}) {
+    posts.push_back(
+        box(T_world_closed * Pose2{x, 0, 0}, {post_m, depth_m}, 0, door.height_m + door.frame_width_m));
+  }
+  return posts;
+}
+
 }  // namespace aisle

@@ -22,4 +22,11 @@ std::vector<Prism> parts_of(const Furniture& piece);
 
 Prism leaf_of(const Door& door);
 
+inline constexpr double kFrameRelief_m =
+    0.025;  ///< a door's frame is so much ahead of the wall, on either side
+inline constexpr double kFrameInside_m = 0.01;  ///< and reaches so far into the opening
+
+/// At the hinge and at the lock; none if the door has no frame.
+std::vector<Prism> frame_posts_of(const Door& door);
+
 }  // namespace aisle

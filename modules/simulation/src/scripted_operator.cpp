@@ -150,8 +150,8 @@ std::optional<Vec2> ScriptedOperator::place_to_back_to(const Leg& leg, const Vec
   const Vec2 place = corner - beyond_m * (next - corner).normalized();
   const std::vector<Vec2> way = drivable({leg.points.end()[-2], corner, place}, vehicle_);
   const double way_m = length_of(way);
-  for (double at_m = 0; at_m < way_m; at_m += kStep_m) {
-    Pose2 T_world_vehicle = pose_along(way, at_m);
+  for (int step = 0; step * kStep_m < way_m; ++step) {
+    Pose2 T_world_vehicle = pose_along(way, step * kStep_m);
     T_world_vehicle.theta = wrap_angle(T_world_vehicle.theta + kPi);
     if (obstacles.touch(T_world_vehicle)) return std::nullopt;
   }
@@ -194,7 +194,8 @@ void ScriptedOperator::follow(const Vec2& p_world) {
   };
   double nearest_m = along_m_;
   const double end_m = std::min(along_m_ + params_.look_ahead_m, leg.length_m);
-  for (double at_m = along_m_ + kStep_m; at_m <= end_m; at_m += kStep_m) {
+  for (int step = 1; along_m_ + step * kStep_m <= end_m; ++step) {
+    const double at_m = along_m_ + step * kStep_m;
     if (off_m(at_m) < off_m(nearest_m)) nearest_m = at_m;
   }
   along_m_ = nearest_m;

@@ -26,6 +26,10 @@ __attribute__((target_clones("avx2", "default"))) void differentiate(const std::
   }
 }
 
+std::size_t nearest_column(const EdgePoint& edge) {
+  return static_cast<std::size_t>(std::floor(edge.u_px + 0.5F));
+}
+
 /// Offset of the peak of the parabola through three values, the middle one being the greatest.
 float peak_offset(int before, int middle, int after) {
   return 0.5F * static_cast<float>(before - after) / static_cast<float>(before - 2 * middle + after);
@@ -55,8 +59,7 @@ void EdgeBand::find(const Image& grey, int first_row, int rows, float contrast_m
 void EdgeBand::forget() {
   for (const Step step : kBothSteps) {
     const auto side = static_cast<std::size_t>(step);
-    for (const EdgePoint& edge : edges_[side])
-      edge_at_[side][static_cast<std::size_t>(edge.u_px + 0.5F)] = -1;
+    for (const EdgePoint& edge : edges_[side]) edge_at_[side][nearest_column(edge)] = -1;
     edges_[side].clear();
   }
 }
@@ -77,7 +80,7 @@ void EdgeBand::differentiate() {
 
 void EdgeBand::add(Step step, const EdgePoint& edge) {
   const auto side = static_cast<std::size_t>(step);
-  edge_at_[side][static_cast<std::size_t>(edge.u_px + 0.5F)] = static_cast<int>(edges_[side].size());
+  edge_at_[side][nearest_column(edge)] = static_cast<int>(edges_[side].size());
   edges_[side].push_back(edge);
 }
 

@@ -159,7 +159,7 @@ void LandmarkDetector::meet_edges(const VerticalLine& line) {
 std::optional<LandmarkDetector::Meeting> LandmarkDetector::foot_of(const Image& grey,
                                                                    const VerticalLine& line) const {
   if (line.bottom_px.y() > (1 - kCutShare) * grey.height_px) return std::nullopt;
-  if (const auto standing = standing_foot(grey, line)) return standing;
+  if (auto standing = standing_foot(grey, line)) return standing;
   return hanging_foot(line);
 }
 

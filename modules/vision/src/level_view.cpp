@@ -79,9 +79,9 @@ bool LevelView::measure(int width_px, int height_px) {
   const double farthest = mount_.p_vehicle_camera.z() / distance_max_m_;
   double left = std::numeric_limits<double>::infinity(), right = -left, down = -left;
   const double step_px = std::max(1.0, width_px / static_cast<double>(kMeasured));
-  for (double v = 0; v < height_px; v += step_px) {
-    for (double u = 0; u < width_px; u += step_px) {
-      const auto ray = camera_.ray({u, v});
+  for (int row = 0; row * step_px < height_px; ++row) {
+    for (int column = 0; column * step_px < width_px; ++column) {
+      const auto ray = camera_.ray({column * step_px, row * step_px});
       if (!ray) continue;
       const Vec3 level = R_vehicle_level_.transpose() * R_vehicle_camera_ * ray->direction.normalized();
       if (level.z() < kLeastAhead || level.y() < farthest * level.z()) continue;

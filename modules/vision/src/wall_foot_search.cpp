@@ -311,7 +311,7 @@ void WallFootSearch::measure_floor(const SideView& view, WallFoot& foot) const {
   constexpr double kStep_px = 6;
   const Vec2 beneath = floor_->cell_px() * left_normal(foot.direction);
   const auto is_seen = [&](const Vec2& p) {
-    return view.contains(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
+    return view.contains(static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y())));
   };
   int count = 0, on_floor = 0, at_edge = 0;
   const int steps = steps_within(foot.to_px - foot.from_px, kStep_px);

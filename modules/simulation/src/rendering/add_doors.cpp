@@ -3,19 +3,13 @@
 namespace aisle {
 namespace {
 
-constexpr double kFrameRelief_m = 0.025;  ///< ahead of the wall, on either side
-constexpr double kFrameInside_m = 0.01;   ///< how far the frame reaches into the opening
 constexpr double kPlasterBrightness = 0.75;
 
 /// Two posts and a beam around the opening, a little proud of the wall.
 void add_frame(const Door& door, const Pose2& T_world_closed, int material, Panels& panels) {
   const double depth_m = door.wall_depth_m + 2 * kFrameRelief_m;
-  const double post_m = door.frame_width_m + kFrameInside_m;
+  for (const Prism& post : frame_posts_of(door)) add_prism(post, material, panels);
   const double opening_m = door.width_m - 2 * kFrameInside_m;
-  for (const double x : {kFrameInside_m - post_m / 2, door.width_m - kFrameInside_m + post_m / 2}) {
-    add_prism(box(T_world_closed * Pose2{x, 0, 0}, {post_m, depth_m}, 0, door.height_m + door.frame_width_m),
-              material, panels);
-  }
   add_prism(box(T_world_closed * Pose2{door.width_m / 2, 0, 0}, {opening_m, depth_m},
                 door.height_m - kFrameInside_m, door.height_m + door.frame_width_m),
             material, panels);

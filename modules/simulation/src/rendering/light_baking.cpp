@@ -258,7 +258,8 @@ float well_lit(const LightMap& floor, const std::vector<Light>& lights) {
 
 std::uint32_t light_texel(float from_everywhere, float from_lamps) {
   const auto share = [](float light) {
-    return static_cast<std::uint32_t>(65535 * std::clamp(light / LightTexels::kLightMax, 0.0f, 1.0f) + 0.5f);
+    return static_cast<std::uint32_t>(
+        std::lround(65535 * std::clamp(light / LightTexels::kLightMax, 0.0f, 1.0f)));
   };
   return share(from_everywhere) | share(from_lamps) << 16;
 }

@@ -41,9 +41,10 @@ struct LandmarkFix {
   bool is_sure = false;  ///< not lost, and not looking for itself
 };
 
-/// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture that fits
-/// the map; goes on by odometry where none does, the slower the less sure it is. Lost (too unsure, or seeing other
-/// things than are known here) it stops, looks for itself along all routes, and drives on or gives up.
+/// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture
+/// that fits the map; goes on by odometry where none does, the slower the less sure it is. Lost (too unsure,
+/// or seeing other things than are known here) it stops, looks for itself along all routes, and drives on or
+/// gives up.
 class LandmarkNavigator final : public Navigator {
  public:
   /// @param building  with landmarks and their camera, which the vehicle has; must outlive the navigator
@@ -62,7 +63,7 @@ class LandmarkNavigator final : public Navigator {
   enum class State { kLooking, kFollowing, kLost };
 
   void locate(const Observation& observation);
-  bool has_lost_itself() const;
+  std::string why_lost() const;
   Decision look_around(double stamp_s);
   Decision find_itself(double stamp_s);
   Decision follow(const Observation& observation);
@@ -81,6 +82,7 @@ class LandmarkNavigator final : public Navigator {
   std::vector<LandmarkSighting> sightings_;
   std::vector<Pose2> T_map_found_;  ///< what picture after picture says while lost
   State state_ = State::kLooking;
+  std::string why_lost_;
   LandmarkMatch match_ = LandmarkMatch::kNothing;
   std::optional<double> state_since_s_;
   double stamp_s_ = 0;

@@ -27,11 +27,11 @@ struct LandmarkCycle {
   std::vector<LandmarkSighting> sightings;  ///< of its picture, if it has one
 };
 
-/// A map being learned. Each sighting whose place is known becomes a landmark, or moves the ones that it lies on to
-/// their weighted centroid (C98 eq. (16), (17)).
+/// A map being learned. Each sighting whose place is known becomes a landmark, or moves the ones that it lies
+/// on to their weighted centroid (C98 eq. (16), (17)).
 class LandmarkLearner {
  public:
-  LandmarkLearner(const LandmarkLearningParams& params, LandmarkMap map = {})
+  explicit LandmarkLearner(const LandmarkLearningParams& params, LandmarkMap map = {})
       : params_(params), map_(std::move(map)) {}
 
   /// Merges what one picture shows from a pose. @return for each sighting the landmark that it went into
@@ -44,8 +44,8 @@ class LandmarkLearner {
   LandmarkMap map_;
 };
 
-/// Algorithm 4, steps 2 to 4: weights with mean 1 by the masses, those below the least weight go, the landmark nearest
-/// to the start (the primary one) gets the greatest weight.
+/// Algorithm 4, steps 2 to 4: weights with mean 1 by the masses, those below the least weight go, the
+/// landmark nearest to the start (the primary one) gets the greatest weight.
 void settle_weights(std::vector<Landmark>& landmarks, const Vec2& p_map_start, double weight_min);
 
 /// A trip as it was learned.
@@ -54,8 +54,8 @@ struct LearnedTrip {
   std::vector<Pose2> T_map_vehicle;  ///< at the end of every cycle; the first is the map's origin
 };
 
-/// Algorithm 2: the map of a building from one trip. With `adjust`, all poses and landmarks are then moved together
-/// until sightings and odometry agree best.
+/// Algorithm 2: the map of a building from one trip. With `adjust`, all poses and landmarks are then moved
+/// together until sightings and odometry agree best.
 LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
                             const LandmarkLearningParams& params);
 
@@ -66,7 +66,8 @@ struct RefinedLandmarks {
   double matched_share = 0;          ///< of the pictures with sightings
 };
 
-/// Algorithm 4. Landmarks that should have been seen on the trip and were not lose most of their mass, and go in time.
+/// Algorithm 4. Landmarks that should have been seen on the trip and were not lose most of their mass, and go
+/// in time.
 RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const LandmarkCycle> cycles,
                                   const VehicleDescription& vehicle, const UncertainPose2& T_map_start,
                                   const LandmarkLearningParams& params);

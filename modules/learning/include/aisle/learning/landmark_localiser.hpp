@@ -1,6 +1,6 @@
 #pragma once
-/// Where the vehicle is among known landmarks: C98 Algorithm 2 steps 9-13 and Algorithm 3 steps 6-9, one picture after
-/// the other.
+/// Where the vehicle is among known landmarks: C98 Algorithm 2 steps 9-13 and Algorithm 3 steps 6-9, one
+/// picture after the other.
 
 #include <span>
 #include <vector>
@@ -15,7 +15,7 @@ namespace aisle {
 
 struct LandmarkLocaliserParams {
   MwghtParams mwght;
-  double confidence_m2 = 4;         ///< Cd of C98 eq. (16)
+  double confidence_m2 = 4;  ///< Cd of C98 eq. (16)
   double window_sigmas = 3;
   double window_min_m = 0.08;
   double window_min_rad = 1 * kDegree;
@@ -26,6 +26,7 @@ struct LandmarkLocaliserParams {
   double landmark_sigma_m = 0.02;
   double repeat_inflation = 3;
   double matched_share_min = 0.34;
+  int pairs_min = 2;
   bool polarity = true;
   bool covariance = true;
 
@@ -39,8 +40,8 @@ double confidence_weight(const Vec2& p_vehicle, double confidence_m2);
 enum class LandmarkMatch {
   kMatched,    ///< the pose was corrected
   kAmbiguous,  ///< two displacements fit about as well; the pose goes on by odometry
-  kUnmatched,  ///< landmarks were seen, but not those of the map; likewise
-  kNothing,    ///< nothing was seen, or nothing is known here; likewise
+  kUnmatched,  ///< other landmarks were seen than those that should be; likewise
+  kNothing,    ///< nothing was seen, or nothing that is known; likewise
 };
 
 /// A sighting and the landmark that it was taken for.
@@ -56,9 +57,9 @@ class LandmarkLocaliser {
 
   void predict(const OdometryReading& reading) { filter_.predict(reading); }
 
-  /// Finds the displacement of what is seen against what is known within the window that the pose's uncertainty
-  /// leaves open (MWGHT), pairs sightings with landmarks there, and lets the filter take the pairs in. Costs the
-  /// same whatever the size of the map.
+  /// Finds the displacement of what is seen against what is known within the window that the pose's
+  /// uncertainty leaves open (MWGHT), pairs sightings with landmarks there, and lets the filter take the
+  /// pairs in. Costs the same whatever the size of the map.
   LandmarkMatch correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
 
   void place(const UncertainPose2& T_map_vehicle) { filter_.place(T_map_vehicle); }
@@ -66,12 +67,15 @@ class LandmarkLocaliser {
   const Pose2& pose() const { return filter_.pose(); }
   Mat3 covariance() const { return filter_.covariance(); }
   const std::vector<LandmarkPair>& pairs() const { return pairs_; }  ///< of the last picture
-  double matched_share() const { return matched_share_; }  ///< of the last picture's weights
+  double matched_share() const { return matched_share_; }            ///< of the last picture's weights
 
  private:
   void gather(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
+  LandmarkMatch without_match(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
   MwghtWindow window() const;
-  void pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings, const Pose2& T_map_vehicle);
+  bool is_elsewhere(const Pose2& best, const Pose2& other) const;
+  double pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+                 const Pose2& T_map_vehicle);
 
   LandmarkLocaliserParams params_;
   PoseFilter filter_;

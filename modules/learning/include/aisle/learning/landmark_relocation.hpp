@@ -10,8 +10,8 @@
 namespace aisle {
 
 struct LandmarkRelocationParams {
-  double apart_m = 0.8;               ///< between places that are tried
-  double window_m = 0.7;              ///< around each
+  double apart_m = 0.8;   ///< between places that are tried
+  double window_m = 0.7;  ///< around each
   double window_rad = 15 * kDegree;
   double distinct_share = 0.75;
   double matched_share_min = 0.7;
@@ -36,10 +36,13 @@ class LandmarkRelocator {
  private:
   struct Candidate {
     Pose2 T_map_vehicle;
-    double value = 0;
+    double value = 0;          ///< of its peak
+    double matched_share = 0;  ///< of the sightings' weights, with pairs on the map
   };
 
-  void try_place(const LandmarkMap& map, const Pose2& T_map_tried, std::span<const LandmarkSighting> sightings);
+  void try_place(const LandmarkMap& map, const Pose2& T_map_tried,
+                 std::span<const LandmarkSighting> sightings);
+  void judge_by_pairs(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
 
   LandmarkRelocationParams params_;
   LandmarkLocaliserParams matching_;

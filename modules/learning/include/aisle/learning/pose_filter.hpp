@@ -14,20 +14,21 @@ struct SeenPoint {
   Vec2 p_map = Vec2::Zero();
   Vec2 p_vehicle = Vec2::Zero();
   Mat2 covariance = Mat2::Zero();  ///< of the two together, along the vehicle's axes, `by_tilt` excepted
-  Vec2 by_tilt = Vec2::Zero();     ///< what a standard deviation of the picture's common tilt error does to p_vehicle
+  Vec2 by_tilt =
+      Vec2::Zero();  ///< what a standard deviation of the picture's common tilt error does to p_vehicle
 };
 
-/// A Gaussian estimate of the pose together with what is steadily wrong with the odometry: the scale of ways, the
-/// scale of turns, and a turn that comes with every metre (a steering wheel off its zero). Such errors add up in the
-/// pose by themselves; seen landmarks correct both.
+/// A Gaussian estimate of the pose together with what is steadily wrong with the odometry: the scale of ways,
+/// the scale of turns, and a turn that comes with every metre (a steering wheel off its zero). Such errors
+/// add up in the pose by themselves; seen landmarks correct both.
 class PoseFilter {
  public:
   PoseFilter(const VehicleDescription& vehicle, const UncertainPose2& T_map_vehicle);
 
   void predict(const OdometryReading& reading);
 
-  /// Takes in the points of one picture, all at once: the most probable pose by Gauss-Newton, points that stand out
-  /// having less weight (Huber). `guess` is where the search begins.
+  /// Takes in the points of one picture, all at once: the most probable pose by Gauss-Newton, points that
+  /// stand out having less weight (Huber). `guess` is where the search begins.
   void update(std::span<const SeenPoint> points, const Pose2& guess);
 
   /// Puts the vehicle elsewhere; what is known of the odometry stays.
@@ -41,6 +42,7 @@ class PoseFilter {
   using Mat6 = Eigen::Matrix<double, 6, 6>;
 
   VehicleDescription vehicle_;
+  Vec3 steady_variances_ = Vec3::Zero();  ///< of the odometry errors, before anything was seen
   Pose2 T_map_vehicle_;
   Vec3 odometry_errors_ = Vec3::Zero();  ///< way scale, turn scale, turn per metre [1/m]
   Mat6 covariance_ = Mat6::Zero();       ///< of (x, y, theta, odometry errors)

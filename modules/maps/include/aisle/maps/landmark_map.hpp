@@ -15,7 +15,8 @@ struct Landmark {
   double weight = 1;               ///< confidence: 1 is the map's mean, more is surer (C98 eq. (18))
   int sightings = 0;               ///< pictures in which it was seen
   int passes = 0;                  ///< trips on which it was seen
-  bool brighter_right = false;     ///< the right side of the line is the brighter one, from wherever it is seen
+  Vec2 seen_from = Vec2::Zero();   ///< unit vector, in `map`: towards where it was seen from; zero: unknown
+  bool brighter_right = false;  ///< the right side of the line is the brighter one, from wherever it is seen
 };
 
 /// Landmarks that are found by place, at a cost that does not grow with the building.

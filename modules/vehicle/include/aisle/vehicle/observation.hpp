@@ -62,6 +62,7 @@ struct Observation {
 };
 
 /// What a camera saw at the end of the cycle; null if nothing came, or only a picture from an earlier cycle.
-const CameraPicture* present_picture(const Observation& observation, const std::string& camera, double cycle_s);
+const CameraPicture* present_picture(const Observation& observation, const std::string& camera,
+                                     double cycle_s);
 
 }  // namespace aisle

@@ -33,9 +33,9 @@ struct LandmarkSighting {
   Vec2 p_vehicle = Vec2::Zero();   ///< its foot, in base_link
   Mat2 covariance = Mat2::Zero();  ///< of the foot; long along the line of sight
   Vec2 by_tilt = Vec2::Zero();     ///< the part of that which all sightings of one picture share: how far the
-                                ///< foot goes when the tilt is off by a standard deviation [m]
-  Vec2 foot_px = Vec2::Zero();  ///< in the picture
-  bool brighter_right = false;  ///< the right side of the line is the brighter one; a corner: false
+                                   ///< foot goes when the tilt is off by a standard deviation [m]
+  Vec2 foot_px = Vec2::Zero();     ///< in the picture
+  bool brighter_right = false;     ///< the right side of the line is the brighter one; a corner: false
 };
 
 /// Picture -> vertical lines -> edges of the floor -> feet. A line that ends on an edge of the floor, or on

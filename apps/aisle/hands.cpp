@@ -1,0 +1,61 @@
+#include "hands.hpp"
+
+#include <unistd.h>
+
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+#include "aisle/formats/key_script_text.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "option_kinds.hpp"
+#include "terminal_operator.hpp"
+
+using namespace aisle;
+
+namespace {
+
+/// Keys with their times, from a file or from stdin.
+Result<std::unique_ptr<Operator>> timed_keys(const std::string& file, const VehicleDescription& vehicle,
+                                             const KeySpeeds& speeds) {
+  constexpr std::size_t kBytesMax = 16 << 20;
+  Result<std::string> text = std::string();
+  if (file.empty()) {
+    text = std::string(std::istreambuf_iterator<char>(std::cin), {});
+  } else {
+    text = read_whole_file(file, kBytesMax);
+  }
+  if (!text) return text.problems();
+  auto keys = parse_key_script(*text, file.empty() ? "stdin" : file);
+  if (!keys) return keys.problems();
+  return std::unique_ptr<Operator>(
+      std::make_unique<KeyScript>(std::move(*keys), speeds, vehicle.is_differential));
+}
+
+}  // namespace
+
+void add_hand_options(CLI::App& verb, HandOptions& options) {
+  add_choice<Hands>(verb, "--operator", options.person,
+                    {{"keys", Hands::kKeys}, {"scripted", Hands::kScripted}},
+                    "keys: arrows, q, space in the terminal, or timed keys from stdin; scripted: a person "
+                    "follows the world's tour (default: keys in a terminal, else scripted)");
+  verb.add_option("--keys", options.keys,
+                  "file of timed keys to press, such as '0-3 up'; faster than real time");
+}
+
+DriveOptions::KeyOperator key_operator(const HandOptions& options, bool quiet) {
+  const auto& [person, file] = options;
+  const bool has_terminal = isatty(STDIN_FILENO) != 0;
+  if (person == Hands::kScripted || (person == Hands::kAsFits && file.empty() && !has_terminal)) return {};
+  if (!file.empty() || !has_terminal) {
+    return [file = options.keys](const VehicleDescription& vehicle, const KeySpeeds& speeds) {
+      return timed_keys(file, vehicle, speeds);
+    };
+  }
+  return [quiet](const VehicleDescription& vehicle,
+                 const KeySpeeds& speeds) -> Result<std::unique_ptr<Operator>> {
+    const bool shows_status = !quiet && isatty(STDERR_FILENO) != 0;
+    return std::unique_ptr<Operator>(
+        std::make_unique<TerminalOperator>(speeds, vehicle.is_differential, shows_status));
+  };
+}

@@ -1,0 +1,98 @@
+#include <memory>
+
+#include "aisle/commands/learn.hpp"
+#include "aisle/commands/navigate.hpp"
+#include "aisle/commands/refine.hpp"
+#include "aisle/commands/teach.hpp"
+#include "hands.hpp"
+#include "option_kinds.hpp"
+#include "verb.hpp"
+
+using namespace aisle;
+
+namespace {
+
+void add_teach_verb(CLI::App& app, Work& work) {
+  CLI::App* verb = app.add_subcommand("teach", "drive a route once by hand, for a method to learn it");
+  verb->fallthrough();
+  auto options = std::make_shared<TeachOptions>();
+  auto hands = std::make_shared<HandOptions>();
+  verb->add_option("WORLD", options->drive.world, "world file (YAML), or the name of a shipped one");
+  verb->add_option("--method", options->method, "how it will be learned: landmarks (default)");
+  verb->add_option("--route", options->route, "name of the route (default route)");
+  verb->add_option("--vehicle", options->drive.vehicle,
+                   "vehicle file (YAML), or the name of a shipped one (default alv)");
+  add_seed(*verb, options->drive.seed, "of all noise; the same seed gives the same session (default 1)");
+  verb->add_option("--out", options->drive.out, "directory for the session");
+  verb->add_flag("--force", options->drive.force, "replace a session that is there already");
+  add_hand_options(*verb, *hands);
+  add_parameter_options(*verb, options->drive.parameters, drive_parameters, work, [=, &app, &work] {
+    if (options->drive.world.empty()) throw CLI::RequiredError("WORLD");
+    if (options->drive.out.empty()) throw CLI::RequiredError("--out");
+    options->drive.keys = key_operator(*hands, app.count("--quiet") > 0);
+    work = [options](Console& console) { return run_teach(*options, console); };
+  });
+}
+
+void add_learn_verb(CLI::App& app, Work& work) {
+  CLI::App* verb = app.add_subcommand("learn", "make a building of a trip that was taught");
+  verb->fallthrough();
+  auto options = std::make_shared<LearnOptions>();
+  verb->add_option("SESSION", options->session, "the session's directory");
+  verb->add_option("--method", options->method, "how it is learned: landmarks (default)");
+  verb->add_option("--out", options->out, "directory for building.json and its picture");
+  verb->add_flag("--force", options->force, "replace results that are there already");
+  add_parameter_options(*verb, options->parameters, learn_parameters, work, [=, &work] {
+    if (options->session.empty()) throw CLI::RequiredError("SESSION");
+    work = [options](Console& console) { return run_learn(*options, console); };
+  });
+}
+
+void add_navigate_verb(CLI::App& app, Work& work) {
+  CLI::App* verb = app.add_subcommand("navigate", "drive a learned route alone, in the simulator");
+  verb->fallthrough();
+  auto options = std::make_shared<NavigateOptions>();
+  verb->add_option("BUILDING", options->building, "building file (JSON) that was learned");
+  verb->add_option("--world", options->world, "world file (YAML), or the name of a shipped one");
+  verb->add_option("--vehicle", options->vehicle,
+                   "vehicle file (YAML), or the name of a shipped one (default alv)");
+  verb->add_option("--faults", options->scenario,
+                   "scenario file (YAML) of what goes wrong, or the name of a shipped one");
+  verb->add_option("--method", options->method, "how it was learned: landmarks (default)");
+  verb->add_option("--route", options->route, "name of the route (default: the first)");
+  verb->add_flag("--reverse", options->in_reverse, "drive the route's way back");
+  verb->add_option("--speed", options->speed_mps, "speed where nothing speaks against it [m/s]")
+      ->check(CLI::Range(0.05, 5.0));
+  add_seed(*verb, options->seed, "of all noise; the same seed gives the same session (default 1)");
+  verb->add_option("--out", options->out, "directory for the session");
+  verb->add_flag("--force", options->force, "replace a session that is there already");
+  add_parameter_options(*verb, options->parameters, navigate_parameters, work, [=, &work] {
+    if (options->building.empty()) throw CLI::RequiredError("BUILDING");
+    if (options->world.empty()) throw CLI::RequiredError("--world");
+    work = [options](Console& console) { return run_navigate(*options, console); };
+  });
+}
+
+void add_refine_verb(CLI::App& app, Work& work) {
+  CLI::App* verb = app.add_subcommand("refine", "make a learned building better by more trips");
+  verb->fallthrough();
+  auto options = std::make_shared<RefineOptions>();
+  verb->add_option("BUILDING", options->building, "building file (JSON) that was learned");
+  verb->add_option("SESSION", options->sessions, "sessions of trips along its routes");
+  verb->add_option("--out", options->out, "directory for the refined building.json and its picture");
+  verb->add_flag("--force", options->force, "replace results that are there already");
+  add_parameter_options(*verb, options->parameters, refine_parameters, work, [=, &work] {
+    if (options->building.empty()) throw CLI::RequiredError("BUILDING");
+    if (options->sessions.empty()) throw CLI::RequiredError("SESSION");
+    work = [options](Console& console) { return run_refine(*options, console); };
+  });
+}
+
+}  // namespace
+
+void add_learning_verbs(CLI::App& app, Work& work) {
+  add_teach_verb(app, work);
+  add_learn_verb(app, work);
+  add_navigate_verb(app, work);
+  add_refine_verb(app, work);
+}

@@ -1,0 +1,57 @@
+#include <charconv>
+#include <memory>
+#include <string>
+
+#include "aisle/commands/trial.hpp"
+#include "verb.hpp"
+
+using namespace aisle;
+
+namespace {
+
+/// "A..B" or "A".
+bool read_seeds(const std::string& text, std::uint64_t& first, std::uint64_t& last) {
+  constexpr std::uint64_t kSeedsMax = 1'000'000;
+  const auto read = [](std::string_view digits, std::uint64_t& value) {
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return error == std::errc() && end == digits.data() + digits.size();
+  };
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) return read(text, first) && read(text, last);
+  return read(std::string_view(text).substr(0, dots), first) &&
+         read(std::string_view(text).substr(dots + 2), last) && first <= last && last - first < kSeedsMax;
+}
+
+}  // namespace
+
+void add_trial_verb(CLI::App& app, Work& work) {
+  CLI::App* verb = app.add_subcommand("trial", "whole simulated missions, one a seed, and their statistics");
+  verb->fallthrough();
+  auto options = std::make_shared<TrialOptions>();
+  options->method.clear();
+  verb->add_option("METHOD", options->method, "landmarks");
+  verb->add_option_function<std::string>(
+      "--seeds",
+      [options](const std::string& text) {
+        if (!read_seeds(text, options->first_seed, options->last_seed))
+          throw CLI::ValidationError("--seeds", "'" + text + "' is neither a seed nor a range like 1..20");
+      },
+      "the missions' seeds: one, or a range like 1..20 (default 1)");
+  verb->add_option(
+      "--world", options->worlds,
+      "world files (YAML) or names of shipped ones, taken in turn (default: buildings by chance)");
+  verb->add_option("--vehicle", options->vehicle,
+                   "vehicle file (YAML), or the name of a shipped one (default alv)");
+  verb->add_option(
+      "--faults", options->scenario,
+      "scenario file (YAML) of what goes wrong while driving alone, or the name of a shipped one");
+  verb->add_option("--refinements", options->refinements, "trips after the first, each taken in (default 0)")
+      ->check(CLI::Range(0, 100));
+  verb->add_option("--speed", options->speed_mps, "speed where nothing speaks against it [m/s]")
+      ->check(CLI::Range(0.05, 5.0));
+  verb->add_flag("--reverse", options->in_reverse, "drive the routes' ways back");
+  add_parameter_options(*verb, options->parameters, trial_parameters, work, [=, &work] {
+    if (options->method.empty()) throw CLI::RequiredError("METHOD");
+    work = [options](Console& console) { return run_trial(*options, console); };
+  });
+}

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/commands/parameter_sources.hpp"
+
+namespace aisle {
+
+struct TrialOptions {
+  std::string method = "landmarks";
+  std::uint64_t first_seed = 1;
+  std::uint64_t last_seed = 1;
+  std::vector<std::string> worlds;  ///< taken in turn; none: a building by chance for each seed
+  std::string vehicle = "alv";
+  std::string scenario;  ///< empty: nothing goes wrong
+  int refinements = 0;   ///< trips after the first, each taken in before the next
+  std::optional<double> speed_mps;
+  bool in_reverse = false;
+  ParameterSources parameters;
+};
+
+/// `aisle trial METHOD --seeds A..B`: whole simulated missions, one a seed: taught, learned, driven alone,
+/// refined. The outcome is ok if every mission arrived and touched nothing.
+Result<Outcome> run_trial(const TrialOptions& options, Console& console);
+
+/// Every parameter of `aisle trial` with its default.
+Outcome trial_parameters();
+
+}  // namespace aisle

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "aisle/core/image.hpp"
+#include "aisle/report/followed_lines_sheet.hpp"
+#include "aisle/vision/line_follower.hpp"
+
+namespace aisle {
+
+/// Vertical lines followed through the pictures of one drive.
+class LinePursuit {
+ public:
+  /// @param pictures  how many there will be, at least 1
+  LinePursuit(const LineFollowerParams& params, std::size_t pictures) : follower_(params), sheet_(pictures) {}
+
+  /// The next picture. @param figures  a list with an object for each line, which gets its `number`
+  void add(const Image& picture, const std::vector<VerticalLine>& lines, nlohmann::ordered_json& figures);
+
+  /// How many lines were followed, and through how many pictures.
+  nlohmann::ordered_json figures() const;
+  /// The same for people.
+  std::string summary() const;
+  std::string sheet_png() const { return sheet_.png(); }
+
+ private:
+  int followed() const;
+  int longest() const;
+
+  LineFollower follower_;
+  FollowedLinesSheet sheet_;
+  std::map<int, int> pictures_of_;  // of each number
+};
+
+}  // namespace aisle

@@ -1,0 +1,269 @@
+#include "aisle/commands/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "aisle/commands/parameter_listing.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/guidance/hand_driver.hpp"
+#include "aisle/simulation/random_building.hpp"
+#include "aisle/simulation/scripted_operator.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+#include "landmark_lesson.hpp"
+#include "landmark_mission.hpp"
+#include "methods.hpp"
+#include "rounded.hpp"
+
+namespace aisle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct TrialParams {
+  LandmarkLessonParams lesson;
+  LandmarkNavigatorParams navigator;
+  ScriptedOperatorParams person;
+
+  void describe(FieldList& fields) {
+    fields.group("lesson", lesson);
+    fields.group("navigator", navigator);
+    fields.group("person", person);
+  }
+};
+
+/// Collects a trip that a person drives.
+class LessonRecord final : public MissionRecord {
+ public:
+  LessonRecord(const LandmarkSightingParams& params, const SimulatedVehicle& vehicle)
+      : collector_(params, vehicle.description()), vehicle_(vehicle) {}
+
+  Result<Observation> keep(Observation observation) override {
+    collector_.add(observation);
+    collector_.trip.T_world_vehicle.push_back(vehicle_.truth().T_world_vehicle);
+    return observation;
+  }
+  Problems keep(const Decision&) override { return {}; }
+
+  LandmarkTrip take() { return std::move(collector_.trip); }
+
+ private:
+  LandmarkTripCollector collector_;
+  const SimulatedVehicle& vehicle_;
+};
+
+/// The world of a seed: one of those given, in turn, or a building by chance.
+Result<SimulationSetting> setting_of(const TrialOptions& options, std::uint64_t seed) {
+  const bool by_chance = options.worlds.empty();
+  const std::string named =
+      by_chance ? "l-corridor" : options.worlds[(seed - options.first_seed) % options.worlds.size()];
+  auto setting = read_setting(named, options.vehicle, options.scenario);
+  if (!setting) return setting.problems();
+  if (by_chance) {
+    const std::size_t kinds = std::size(kBuildingKinds);
+    setting->world = random_building({.kind = kBuildingKinds[seed % kinds]}, Random(seed));
+    setting->world_file = fmt::format("{} {}", name_of(kBuildingKinds[seed % kinds]), seed);
+  }
+  auto& cameras = setting->vehicle.description.cameras;
+  if (cameras.empty())
+    return Problem{{options.vehicle, 0, "cameras"}, "there is none: nothing can be learned"};
+  cameras = {CameraDescription(corridor_camera(setting->vehicle.description))};
+  return setting;
+}
+
+/// A person drives the world's tour. nullopt: the person did not get through; that is no mission.
+Result<std::optional<LandmarkTrip>> teach(const SimulationSetting& setting, const TrialParams& params,
+                                          std::uint64_t seed, Progress& progress) {
+  const auto start = start_in(setting);
+  if (!start) return start.problems();
+  ScriptedOperator person(setting.world, setting.vehicle.description, params.person, seed);
+  SimulatedVehicle vehicle(setting.world, setting.vehicle, {}, {.seed = seed, .T_world_start = *start},
+                           &person);
+  HandDriver driver({});
+  LessonRecord record(params.lesson.sightings, vehicle);
+  const auto end = run_mission(vehicle, driver, record, progress);
+  if (!end) return end.problems();
+  if (!person.has_arrived()) return std::optional<LandmarkTrip>();
+  return std::optional<LandmarkTrip>(record.take());
+}
+
+/// Mean and worst of a figure over missions.
+class Spread {
+ public:
+  void add(double value) {
+    sum_ += value;
+    worst_ = count_ == 0 ? value : std::max(worst_, value);
+    ++count_;
+  }
+  Json json(int decimals) const {
+    return {{"mean", rounded(count_ == 0 ? 0 : sum_ / static_cast<double>(count_), decimals)},
+            {"worst", rounded(worst_, decimals)}};
+  }
+
+ private:
+  double sum_ = 0, worst_ = 0;
+  std::size_t count_ = 0;
+};
+
+/// All missions that were driven after so many refinements.
+class Statistics {
+ public:
+  void add(const LandmarkMissionResult& result, std::size_t landmarks) {
+    ++missions_;
+    arrived_ += result.end.arrived ? 1 : 0;
+    collisions_ += result.collisions;
+    wrong_confident_ += result.errors.wrong_confident ? 1 : 0;
+    lost_.add(static_cast<double>(result.lost_count));
+    distance_m_.add(result.distance_m);
+    across_m_.add(result.errors.across_m.rms());
+    along_m_.add(result.errors.along_m.rms());
+    heading_deg_.add(to_degrees(result.errors.heading_rad.rms()));
+    tracking_m_.add(result.errors.tracking_m.rms());
+    tracking_worst_m_.add(result.errors.tracking_m.worst());
+    landmarks_.add(static_cast<double>(landmarks));
+    cycle_s_.insert(cycle_s_.end(), result.cycle_s.begin(), result.cycle_s.end());
+  }
+
+  bool all_well() const { return arrived_ == missions_ && collisions_ == 0; }
+
+  Json json() const {
+    return {{"missions", missions_},
+            {"arrived_share",
+             rounded(static_cast<double>(arrived_) / std::max<double>(static_cast<double>(missions_), 1), 4)},
+            {"collisions", collisions_},
+            {"wrong_confident", wrong_confident_},
+            {"lost_count", lost_.json(2)},
+            {"distance_m", distance_m_.json(1)},
+            {"localisation",
+             {{"across_rmse_m", across_m_.json(4)},
+              {"along_rmse_m", along_m_.json(4)},
+              {"heading_rmse_deg", heading_deg_.json(3)}}},
+            {"tracking", {{"rmse_m", tracking_m_.json(4)}, {"max_m", tracking_worst_m_.json(4)}}},
+            {"landmarks", landmarks_.json(1)},
+            {"cycle_ms",
+             {{"median", rounded(1e3 * quantile(cycle_s_, 0.5), 3)},
+              {"p99", rounded(1e3 * quantile(cycle_s_, 0.99), 3)}}}};
+  }
+
+ private:
+  std::size_t missions_ = 0, arrived_ = 0, collisions_ = 0, wrong_confident_ = 0;
+  Spread lost_, distance_m_, across_m_, along_m_, heading_deg_, tracking_m_, tracking_worst_m_, landmarks_;
+  std::vector<double> cycle_s_;
+};
+
+Json mission_json(std::uint64_t seed, const SimulationSetting& setting, int refinement,
+                  const LandmarkMissionResult& result) {
+  Json json = {{"seed", seed},
+               {"world", setting.world.name.empty() ? setting.world_file.string() : setting.world.name},
+               {"refinement", refinement}};
+  json.update(figures_of(result));
+  return json;
+}
+
+struct Trial {
+  std::vector<Statistics> after;  ///< so many refinements
+  Json missions = Json::array();
+  Json not_taught = Json::array();
+};
+
+/// One seed: taught, learned, driven and refined as often as is asked.
+Problems run_seed(const TrialOptions& options, const TrialParams& params, std::uint64_t seed, Trial& trial,
+                  Progress& progress) {
+  const auto setting = setting_of(options, seed);
+  if (!setting) return setting.problems();
+  const auto trip = teach(*setting, params, seed, progress);
+  if (!trip) return trip.problems();
+  if (!*trip) {
+    trial.not_taught.push_back({{"seed", seed}, {"why", "the person did not get through"}});
+    return {};
+  }
+  const auto lesson = learn_lesson(**trip, "route", params.lesson);
+  if (!lesson) {
+    trial.not_taught.push_back({{"seed", seed}, {"why", to_string(lesson.problems())}});
+    return {};
+  }
+  const MapTruth truth(lesson->T_map_taught, (*trip)->T_world_vehicle);
+  Building building = lesson->building;
+  for (int refinement = 0; refinement <= options.refinements; ++refinement) {
+    const VehicleDescription& vehicle = setting->vehicle.description;
+    const auto driver = LandmarkDriver::make(
+        LandmarkDriver::origin(params.navigator, {building_json(building), "route", options.in_reverse}),
+        vehicle);
+    if (!driver) return driver.problems();
+    std::optional<SessionRecord> no_session;
+    const auto result =
+        drive_landmark_mission(*setting, **driver, truth,
+                               {.seed = 1000 * (seed + 1) + static_cast<std::uint64_t>(refinement),
+                                .in_reverse = options.in_reverse},
+                               no_session, progress);
+    if (!result) return result.problems();
+    trial.after[static_cast<std::size_t>(refinement)].add(*result, building.landmarks.size());
+    trial.missions.push_back(mission_json(seed, *setting, refinement, *result));
+    building.landmarks =
+        refine_landmarks(building.landmarks, result->trip.cycles, vehicle,
+                         about_start((*driver)->path().at(0).T_map_path), params.lesson.learning)
+            .map;
+  }
+  return {};
+}
+
+Outcome outcome_of(const TrialOptions& options, const Trial& trial) {
+  Outcome outcome{.verb = "trial"};
+  outcome.figures = trial.after.back().json();
+  outcome.figures["simulated"] = true;
+  outcome.figures["method"] = options.method;
+  if (options.refinements > 0) {
+    for (const Statistics& statistics : trial.after)
+      outcome.figures["after_refinements"].push_back(statistics.json());
+  }
+  outcome.figures["not_taught"] = trial.not_taught;
+  outcome.figures["runs"] = trial.missions;
+  outcome.text =
+      "simulated\n after  missions  arrived  collisions  across  along    heading  tracking  worst\n";
+  for (std::size_t i = 0; i < trial.after.size(); ++i) {
+    const Json figures = trial.after[i].json();
+    const Json& where = figures["localisation"];
+    outcome.text += fmt::format(
+        "{:>6}  {:>8}  {:>6.1f}%  {:>10}  {:>4.1f}cm  {:>4.1f}cm  {:>5.2f}deg  {:>6.1f}cm  {:>4.1f}cm\n", i,
+        figures["missions"].get<int>(), 100 * figures["arrived_share"].get<double>(),
+        figures["collisions"].get<int>(), 100 * where["across_rmse_m"]["mean"].get<double>(),
+        100 * where["along_rmse_m"]["mean"].get<double>(), where["heading_rmse_deg"]["mean"].get<double>(),
+        100 * figures["tracking"]["rmse_m"]["mean"].get<double>(),
+        100 * figures["tracking"]["max_m"]["worst"].get<double>());
+    outcome.ok = outcome.ok && trial.after[i].all_well();
+  }
+  for (const Json& seed : trial.not_taught)
+    outcome.text +=
+        fmt::format("seed {}: {}\n", seed["seed"].get<std::uint64_t>(), seed["why"].get<std::string>());
+  return outcome;
+}
+
+}  // namespace
+
+Outcome trial_parameters() {
+  TrialParams params;
+  return parameter_listing("trial", fields_of(params));
+}
+
+Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
+  if (Problems problems = check_method(options.method); !problems.empty()) return problems;
+  TrialParams params;
+  FieldList fields = fields_of(params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  if (options.speed_mps) params.navigator.speed.speed_mps = *options.speed_mps;
+  Trial trial;
+  trial.after.resize(static_cast<std::size_t>(options.refinements) + 1);
+  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
+  SilentProgress within;
+  for (std::uint64_t i = 0; i < seeds; ++i) {
+    console.progress.report("missions", i, seeds);
+    if (Problems problems = run_seed(options, params, options.first_seed + i, trial, within);
+        !problems.empty())
+      return problems;
+  }
+  return outcome_of(options, trial);
+}
+
+}  // namespace aisle

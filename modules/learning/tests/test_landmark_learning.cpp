@@ -1,0 +1,241 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "corridor_trip.hpp"
+#include "pose_matchers.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::DoubleNear;
+using testing::IsEmpty;
+
+Landmark landmark_of_mass(const Vec2& p_map, double mass) {
+  Landmark landmark;
+  landmark.p_map = p_map;
+  landmark.mass = mass;
+  return landmark;
+}
+
+LandmarkSighting seen_at(const Vec2& p_vehicle, bool brighter_right = false) {
+  return sighting_of(p_vehicle, brighter_right, {});
+}
+
+bool is_known(const LandmarkMap& map, const CorridorLine& line, double tolerance_m) {
+  return std::any_of(map.all().begin(), map.all().end(), [&](const Landmark& landmark) {
+    return landmark.brighter_right == line.brighter_right &&
+           (landmark.p_map - line.p_map).norm() < tolerance_m;
+  });
+}
+
+double position_rmse_m(const std::vector<Pose2>& thought, const std::vector<Pose2>& truth) {
+  double sum_m2 = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    sum_m2 += (thought[i].position() - truth[i].position()).squaredNorm();
+  return std::sqrt(sum_m2 / static_cast<double>(truth.size()));
+}
+
+// C98 eq. (16): 1 at the vehicle, a half at the distance sqrt(Cd).
+TEST(ConfidenceWeight, FallsWithTheSquareOfTheDistance) {
+  EXPECT_DOUBLE_EQ(confidence_weight({0, 0}, 4), 1);
+  EXPECT_DOUBLE_EQ(confidence_weight({0, 2}, 4), 0.5);
+  EXPECT_DOUBLE_EQ(confidence_weight({6, 0}, 4), 0.1);
+}
+
+// Masses 1, 2 and 6 have mean 3: weights 1/3, 2/3, 2; the nearest to the start gets the greatest.
+TEST(SettleWeights, WeightsAreMassesOverTheirMeanAndThePrimaryLandmarkGetsTheGreatest) {
+  std::vector<Landmark> landmarks = {landmark_of_mass({5, 0}, 1), landmark_of_mass({1, 0}, 2),
+                                     landmark_of_mass({9, 0}, 6)};
+  settle_weights(landmarks, {0, 0}, 0.15);
+  ASSERT_EQ(landmarks.size(), 3U);
+  EXPECT_DOUBLE_EQ(landmarks[0].weight, 1.0 / 3);
+  EXPECT_DOUBLE_EQ(landmarks[1].weight, 2);
+  EXPECT_DOUBLE_EQ(landmarks[2].weight, 2);
+}
+
+TEST(SettleWeights, MeanIsOneButForThePrimaryLandmark) {
+  Random random(1);
+  std::vector<Landmark> landmarks;
+  for (int i = 0; i < 50; ++i) landmarks.push_back(landmark_of_mass({1.0 * i, 0}, random.uniform(0.5, 3)));
+  landmarks.front().mass = 3;  // the primary one is the greatest by itself
+  settle_weights(landmarks, {0, 0}, 0);
+  double sum = 0;
+  for (const Landmark& landmark : landmarks) sum += landmark.weight;
+  EXPECT_NEAR(sum / 50, 1, 1e-12);
+}
+
+TEST(SettleWeights, LandmarksBelowTheLeastWeightGo) {
+  std::vector<Landmark> landmarks = {landmark_of_mass({0, 0}, 2), landmark_of_mass({1, 0}, 0.1),
+                                     landmark_of_mass({2, 0}, 2)};
+  settle_weights(landmarks, {0, 0}, 0.15);
+  ASSERT_EQ(landmarks.size(), 2U);
+  EXPECT_EQ(landmarks[1].p_map.x(), 2);
+}
+
+TEST(SettleWeights, ThereMayBeNone) {
+  std::vector<Landmark> landmarks;
+  settle_weights(landmarks, {0, 0}, 0.15);
+  EXPECT_THAT(landmarks, IsEmpty());
+}
+
+// C98 eq. (17): seen at 1 m (weight 0.8) and, 10 cm beside it, at 4 m (weight 0.2).
+TEST(LandmarkLearner, SightingsCloseTogetherBecomeOneAtTheirWeightedCentroid) {
+  LandmarkLearner learner({});
+  learner.merge(std::vector{seen_at({1, 0})}, {0, 0, 0});
+  const double away_m = 4, mass = 1 / (1 + away_m * away_m / 4);
+  EXPECT_THAT(learner.merge(std::vector{seen_at({away_m, 0})}, {1.1 - away_m, 0, 0}),
+              testing::ElementsAre(0U));
+  ASSERT_EQ(learner.map().size(), 1U);
+  EXPECT_NEAR(learner.map()[0].p_map.x(), (0.8 * 1 + mass * 1.1) / (0.8 + mass), 1e-12);
+  EXPECT_DOUBLE_EQ(learner.map()[0].mass, 0.8 + mass);
+  EXPECT_EQ(learner.map()[0].sightings, 2);
+}
+
+TEST(LandmarkLearner, LinesOfOtherPolarityAndLinesFarApartStayApart) {
+  LandmarkLearner learner({});
+  learner.merge(std::vector{seen_at({1, 0}, false), seen_at({1, 0.05}, true), seen_at({1, 0.5}, false)}, {});
+  EXPECT_EQ(learner.map().size(), 3U);
+}
+
+TEST(LearnLandmarks, AnExactTripMakesTheExactMap) {
+  Random random(1);
+  const std::vector<CorridorLine> lines = corridor_lines(8, random);
+  CorridorTrip trip;
+  for (int i = 0; i < 60; ++i) {
+    const Pose2 truth{0.1 * i, 0, 0};
+    trip.cycles.push_back({.stamp_s = 0.2 * i,
+                           .odometry = FrontSteeredMotion{i == 0 ? 0 : 0.1, 0},
+                           .sightings = sightings_from(lines, truth, {})});
+    trip.T_map_vehicle.push_back(truth);
+  }
+  const LearnedTrip learned = learn_landmarks(trip.cycles, corridor_cart(), {});
+  EXPECT_LT(position_rmse_m(learned.T_map_vehicle, trip.T_map_vehicle), 1e-4);
+  for (const CorridorLine& line : lines) {
+    if (line.p_map.x() < 1.2) continue;
+    EXPECT_TRUE(is_known(learned.map, line, 1e-3)) << line.p_map.transpose();
+  }
+}
+
+TEST(LearnLandmarks, LearnsTheLinesOfACorridorFromANoisyTrip) {
+  Random random(2);
+  const std::vector<CorridorLine> lines = corridor_lines(14, random);
+  const CorridorTrip trip = corridor_trip(lines, 12, {}, random);
+  const LearnedTrip learned = learn_landmarks(trip.cycles, corridor_cart(), {});
+  ASSERT_EQ(learned.T_map_vehicle.size(), trip.cycles.size());
+  EXPECT_THAT(learned.T_map_vehicle.front(), PoseNear(Pose2{}, 1e-3, 1e-3));
+  EXPECT_THAT(static_cast<double>(learned.map.size()), DoubleNear(static_cast<double>(lines.size()), 4));
+  int known = 0;
+  for (const CorridorLine& line : lines) known += is_known(learned.map, line, 0.1) ? 1 : 0;
+  EXPECT_GE(known, static_cast<int>(lines.size()) * 9 / 10);
+}
+
+TEST(LearnLandmarks, MovingAllPosesAndLandmarksTogetherMakesTheTripBetter) {
+  double plain_m = 0, adjusted_m = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Random random(seed);
+    const std::vector<CorridorLine> lines = corridor_lines(14, random);
+    const CorridorTrip trip = corridor_trip(lines, 12, {}, random);
+    LandmarkLearningParams params;
+    adjusted_m += position_rmse_m(learn_landmarks(trip.cycles, corridor_cart(), params).T_map_vehicle,
+                                  trip.T_map_vehicle);
+    params.adjust = false;
+    plain_m += position_rmse_m(learn_landmarks(trip.cycles, corridor_cart(), params).T_map_vehicle,
+                               trip.T_map_vehicle);
+  }
+  EXPECT_LT(adjusted_m, 0.8 * plain_m);
+}
+
+TEST(LearnLandmarks, AnEmptyTripAndABlindOneLearnNothing) {
+  EXPECT_TRUE(learn_landmarks({}, corridor_cart(), {}).map.empty());
+  std::vector<LandmarkCycle> blind(5);
+  const LearnedTrip learned = learn_landmarks(blind, corridor_cart(), {});
+  EXPECT_TRUE(learned.map.empty());
+  EXPECT_EQ(learned.T_map_vehicle.size(), 5U);
+}
+
+/// A map that was learned once, and what has changed in its corridor since.
+class RefineLandmarks : public testing::Test {
+ protected:
+  RefineLandmarks() : random_(7), lines_(corridor_lines(14, random_)) {
+    std::erase_if(lines_, [&](const CorridorLine& line) {
+      return (line.p_map - gone_.p_map).norm() < 0.4 || (line.p_map - new_.p_map).norm() < 0.4;
+    });
+    noise_.clutter = 0.6;
+    std::vector<CorridorLine> before = lines_;
+    before.push_back(gone_);
+    const CorridorTrip taught = corridor_trip(before, 12, noise_, random_);
+    LandmarkLearningParams credulous;
+    credulous.sightings_min = 1;
+    map_ = learn_landmarks(taught.cycles, corridor_cart(), credulous).map;
+    now_ = lines_;
+    now_.push_back(new_);
+  }
+
+  void refine(int trips) {
+    for (int i = 0; i < trips; ++i) {
+      const CorridorTrip trip = corridor_trip(now_, 12, noise_, random_);
+      const Mat3 about = Vec3(square(0.1), square(0.1), square(2 * kDegree)).asDiagonal();
+      const RefinedLandmarks refined = refine_landmarks(map_, trip.cycles, corridor_cart(), {{}, about}, {});
+      matched_share_ = refined.matched_share;
+      map_ = refined.map;
+    }
+  }
+
+  /// Landmarks that are none of the corridor's lines.
+  int noise() const {
+    int count = 0;
+    for (const Landmark& landmark : map_.all()) {
+      const bool is_real = std::any_of(now_.begin(), now_.end(), [&](const CorridorLine& line) {
+        return line.brighter_right == landmark.brighter_right && (line.p_map - landmark.p_map).norm() < 0.15;
+      });
+      count += is_real ? 0 : 1;
+    }
+    return count;
+  }
+
+  const CorridorLine gone_{{6.1, 1.1}, true}, new_{{8.0, 1.1}, false};
+  Random random_;
+  SightNoise noise_;
+  std::vector<CorridorLine> lines_;  ///< that stay
+  std::vector<CorridorLine> now_;
+  LandmarkMap map_;
+  double matched_share_ = 0;
+};
+
+TEST_F(RefineLandmarks, LinesThatStayAreKeptWhileNoiseGoes) {
+  const int noise_before = noise();
+  refine(4);
+  EXPECT_GT(matched_share_, 0.9);
+  EXPECT_GE(noise_before, 10);
+  EXPECT_LE(noise(), noise_before / 2);
+  for (const CorridorLine& line : lines_) {
+    if (line.p_map.x() < 1.5) continue;
+    EXPECT_TRUE(is_known(map_, line, 0.15)) << line.p_map.transpose();
+  }
+}
+
+TEST_F(RefineLandmarks, AVanishedLineGoesAndANewOneComes) {
+  ASSERT_TRUE(is_known(map_, gone_, 0.15));
+  ASSERT_FALSE(is_known(map_, new_, 0.15));
+  refine(4);
+  EXPECT_FALSE(is_known(map_, gone_, 0.15));
+  EXPECT_TRUE(is_known(map_, new_, 0.15));
+}
+
+TEST_F(RefineLandmarks, OfATripThroughAnotherBuildingLessThanHalfMatches) {
+  now_ = corridor_lines(14, random_);
+  refine(1);
+  EXPECT_LT(matched_share_, 0.5);
+}
+
+TEST_F(RefineLandmarks, CountsTheTripsOnWhichALandmarkWasSeen) {
+  refine(2);
+  const auto passes = [](const Landmark& a, const Landmark& b) { return a.passes < b.passes; };
+  EXPECT_EQ(std::max_element(map_.all().begin(), map_.all().end(), passes)->passes, 3);
+}
+
+}  // namespace
+}  // namespace aisle

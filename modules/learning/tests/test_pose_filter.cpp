@@ -1,0 +1,183 @@
+#include <gmock/gmock.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <vector>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/core/random.hpp"
+#include "aisle/core/square.hpp"
+#include "aisle/learning/pose_filter.hpp"
+#include "pose_matchers.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kWheelbase_m = 0.75;
+
+/// Odometry without rounding: its errors are Gaussian and as large as it says.
+VehicleDescription cart() {
+  VehicleDescription vehicle;
+  vehicle.front_steered.wheelbase_m = kWheelbase_m;
+  vehicle.front_steered_noise = {.distance_scale = 0.01,
+                                 .distance_slip_m_per_sqrt_m = 0.005,
+                                 .heading_slip_rad_per_sqrt_m = 0.3 * kDegree,
+                                 .distance_quantum_m = 0,
+                                 .steering_bias_rad = 0.5 * kDegree,
+                                 .steering_quantum_rad = 0};
+  return vehicle;
+}
+
+UncertainPose2 about(const Pose2& T, double sigma_m, double sigma_rad) {
+  return {T, Vec3(square(sigma_m), square(sigma_m), square(sigma_rad)).asDiagonal()};
+}
+
+Mat2 round_covariance(double sigma_m) {
+  return square(sigma_m) * Mat2::Identity();
+}
+
+std::vector<Vec2> corridor_feet() {
+  std::vector<Vec2> feet;
+  for (int i = 0; i < 40; ++i) feet.emplace_back(0.45 * i, i % 2 == 0 ? 1.1 : -1.1);
+  return feet;
+}
+
+/// What a vehicle sees of the feet that are 1 to 6 m ahead.
+std::vector<SeenPoint> look(const Pose2& T_map_vehicle, double sigma_m, Random* random = nullptr) {
+  std::vector<SeenPoint> points;
+  for (const Vec2& foot : corridor_feet()) {
+    const Vec2 p_vehicle = T_map_vehicle.inverse() * foot;
+    if (p_vehicle.x() < 1 || p_vehicle.x() > 6) continue;
+    points.push_back({.p_map = foot, .p_vehicle = p_vehicle, .covariance = round_covariance(sigma_m)});
+    if (random != nullptr) points.back().p_vehicle += Vec2(random->normal(sigma_m), random->normal(sigma_m));
+  }
+  return points;
+}
+
+/// e' P^-1 e: for an honest covariance, 3 on average.
+double normalised_error(const PoseFilter& filter, const Pose2& truth) {
+  const Vec3 off{filter.pose().x - truth.x, filter.pose().y - truth.y,
+                 wrap_angle(filter.pose().theta - truth.theta)};
+  return off.dot(filter.covariance().inverse() * off);
+}
+
+TEST(PoseFilter, ExactPointsPutTheVehicleWhereTheySay) {
+  const Pose2 truth{3.2, -0.15, 0.08};
+  PoseFilter filter(cart(), about({3, 0, 0}, 0.3, 5 * kDegree));
+  filter.update(look(truth, 0.001), filter.pose());
+  EXPECT_THAT(filter.pose(), PoseNear(truth, 1e-4, 1e-4));
+}
+
+TEST(PoseFilter, OneExactPointOfTwoCorrectsAlongItsAxesOnly) {
+  // Straight ahead, in a pose whose heading is known: the point tells x and y, each like a measurement of its
+  // own.
+  PoseFilter filter(cart(), about({0, 0, 0}, 0.1, 1e-6));
+  const SeenPoint ahead{.p_map = {2, 0}, .p_vehicle = {1.9, -0.05}, .covariance = round_covariance(0.1)};
+  filter.update(std::vector{ahead}, filter.pose());
+  EXPECT_THAT(filter.pose(), PoseNear(Pose2{0.05, 0.025, 0}, 1e-4, 1e-4));  // half way: both are as sure
+  EXPECT_NEAR(filter.covariance()(0, 0), 0.01 / 2, 1e-4);
+}
+
+TEST(PoseFilter, NothingSeenChangesNothing) {
+  PoseFilter filter(cart(), about({1, 2, 0.3}, 0.1, 0.02));
+  const Mat3 before = filter.covariance();
+  filter.update({}, {9, 9, 1});
+  EXPECT_THAT(filter.pose(), PoseNear(Pose2{1, 2, 0.3}, 0, 0));
+  EXPECT_EQ(filter.covariance(), before);
+}
+
+TEST(PoseFilter, AVehicleThatStandsStaysAsSureAsItWas) {
+  PoseFilter filter(cart(), about({1, 2, 0.3}, 0.1, 0.02));
+  const Mat3 before = filter.covariance();
+  for (int i = 0; i < 100; ++i) filter.predict(FrontSteeredMotion{0, 0.2});
+  EXPECT_EQ(filter.covariance(), before);
+}
+
+TEST(PoseFilter, APointThatIsWrongMovesThePoseLittle) {
+  const Pose2 truth{3, 0, 0};
+  std::vector<SeenPoint> points = look(truth, 0.02);
+  points[4].p_vehicle += Vec2(0.6, 0);
+  PoseFilter filter(cart(), about(truth, 0.3, 5 * kDegree));
+  filter.update(points, filter.pose());
+  EXPECT_THAT(filter.pose(), PoseNear(truth, 0.01, 0.3 * kDegree));
+}
+
+TEST(PoseFilter, ErrorsAreAsLargeAsTheCovarianceSaysBlindAndSeeing) {
+  constexpr int kTrips = 300, kSteps = 40;
+  constexpr double kStep_m = 0.1;
+  const VehicleDescription vehicle = cart();
+  const FrontSteeredNoise& noise = vehicle.front_steered_noise;
+  double blind = 0, seeing = 0;
+  Random random(5);
+  for (int trip = 0; trip < kTrips; ++trip) {
+    const UncertainPose2 start = about({0, 0, 0}, 0.05, 1 * kDegree);
+    Pose2 truth{random.normal(0.05), random.normal(0.05), random.normal(1 * kDegree)};
+    const double way_scale = 1 + random.normal(noise.distance_scale);
+    const double turn_per_m = random.normal(noise.steering_bias_rad / kWheelbase_m);
+    PoseFilter filter(vehicle, start);
+    for (int i = 0; i < kSteps; ++i) {
+      const double way_m =
+          kStep_m * way_scale + random.normal(noise.distance_slip_m_per_sqrt_m * std::sqrt(kStep_m));
+      const double turn_rad =
+          kStep_m * turn_per_m + random.normal(noise.heading_slip_rad_per_sqrt_m * std::sqrt(kStep_m));
+      truth = truth * end_pose({way_m, turn_rad});
+      filter.predict(FrontSteeredMotion{kStep_m, 0});
+    }
+    blind += normalised_error(filter, truth) / kTrips;
+    filter.update(look(truth, 0.02, &random), filter.pose());
+    seeing += normalised_error(filter, truth) / kTrips;
+  }
+  EXPECT_THAT(blind, testing::AllOf(testing::Gt(2.4), testing::Lt(3.6)));
+  EXPECT_THAT(seeing, testing::AllOf(testing::Gt(2.0), testing::Lt(3.6)));
+}
+
+TEST(PoseFilter, SteeringOffItsZeroIsLearnedOnOneStraightAndHelpsOnTheNext) {
+  constexpr double kStep_m = 0.1;
+  constexpr double kTurn_per_m = 0.5 * kDegree / kWheelbase_m;
+  PoseFilter seeing(cart(), about({0, 0, 0}, 0.01, 0.1 * kDegree)), blind = seeing;
+  Pose2 truth;
+  const auto drive = [&](double way_m, bool looks) {
+    for (double s = 0; s < way_m; s += kStep_m) {
+      truth = truth * end_pose({kStep_m, kTurn_per_m * kStep_m});
+      seeing.predict(FrontSteeredMotion{kStep_m, 0});
+      blind.predict(FrontSteeredMotion{kStep_m, 0});
+      if (looks) seeing.update(look(truth, 0.02), seeing.pose());
+    }
+  };
+  drive(6, true);
+  blind.place(about(truth, 0.01, 0.1 * kDegree));
+  drive(5, false);
+  EXPECT_THAT(seeing.pose(), PoseNear(truth, 0.06, 0.5 * kDegree));
+  EXPECT_GT(std::abs(blind.pose().theta - truth.theta), 2 * kDegree);
+}
+
+TEST(PoseFilter, BeingPutElsewhereKeepsWhatIsKnownOfTheOdometry) {
+  constexpr double kStep_m = 0.1, kScale = 1.02;
+  PoseFilter filter(cart(), about({0, 0, 0}, 0.01, 0.1 * kDegree));
+  for (int i = 1; i <= 80; ++i) {
+    filter.predict(FrontSteeredMotion{kStep_m, 0});
+    filter.update(look({kStep_m * kScale * i, 0, 0}, 0.005), filter.pose());
+  }
+  filter.place(about({0, 50, 0}, 0.01, 0.1 * kDegree));
+  for (int i = 0; i < 100; ++i) filter.predict(FrontSteeredMotion{kStep_m, 0});
+  EXPECT_NEAR(filter.pose().x, 10.2, 0.03);
+}
+
+TEST(PoseFilter, HoweverManyPointsShareATiltErrorTheyDoNotMakeItSurerThanTheTiltIs) {
+  constexpr double kPrior_m = 0.3, kTilt_m = 0.03;
+  std::vector<SeenPoint> points;
+  for (int i = 0; i < 400; ++i) {
+    const Vec2 foot{2 + 0.01 * i, i % 2 == 0 ? 1.1 : -1.1};
+    points.push_back(
+        {.p_map = foot, .p_vehicle = foot, .covariance = round_covariance(0.01), .by_tilt = {kTilt_m, 0}});
+  }
+  PoseFilter filter(cart(), about({0, 0, 0}, kPrior_m, 1 * kDegree));
+  filter.update(points, filter.pose());
+  // The sum of way along and tilt error is all but exact: their prior variances share it out.
+  const double along_m2 = square(kPrior_m * kTilt_m) / (square(kPrior_m) + square(kTilt_m));
+  EXPECT_NEAR(filter.covariance()(0, 0), along_m2, 0.02 * along_m2);
+  EXPECT_LT(std::sqrt(filter.covariance()(1, 1)), 0.005);
+}
+
+}  // namespace
+}  // namespace aisle
