@@ -4,38 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
-
-#include "aisle/guidance/swept_strip.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr std::size_t kPlacesMax = 2048;
-constexpr double kRightAhead_m = 1.2;
-constexpr int kHiddenRaysMin = 4;
-constexpr int kHiddenPicturesMin = 2;
-
-const CameraDescription* camera_named(const VehicleDescription& vehicle, const std::string& name) {
-  if (name.empty()) return vehicle.cameras.empty() ? nullptr : &vehicle.cameras.front();
-  const auto found = std::find_if(vehicle.cameras.begin(), vehicle.cameras.end(),
-                                  [&](const CameraDescription& camera) { return camera.name == name; });
-  if (found == vehicle.cameras.end()) throw std::invalid_argument("the vehicle has no camera " + name);
-  return &*found;
-}
-
 Pose2 moved(const VehicleDescription& vehicle, const OdometryReading& odometry) {
-  if (const auto* motion = std::get_if<FrontSteeredMotion>(&odometry)) {
+  if (const auto* motion = std::get_if<FrontSteeredMotion>(&odometry))
     return drive(vehicle.front_steered, *motion);
-  }
   return drive(vehicle.differential, std::get<WheelSteps>(odometry));
 }
 
 }  // namespace
 
 void ObstacleGuardParams::describe(FieldList& fields) {
-  fields.group("things", things);
+  fields.group("stripes", stripes);
   fields.group("memory", memory);
   fields.group("pictures", pictures);
   fields.real("margin_m", margin_m, {0, 1}, "free floor wanted on either side of the vehicle");
@@ -45,131 +28,118 @@ void ObstacleGuardParams::describe(FieldList& fields) {
               "of the greatest deceleration, to stop with");
   fields.real("reaction_s", reaction_s, {0, 2}, "from something's appearance to the first braking");
   fields.real("reverse_speed_mps", reverse_speed_mps, {0.01, 1}, "at most, as nothing sees behind");
+  fields.real("unlit_s", unlit_s, {0.1, 60}, "without any laser light in view the markers may have failed");
+  fields.real("unlit_speed_mps", unlit_speed_mps, {0.01, 5}, "at most, while they may have");
   fields.real("free_again_s", free_again_s, {0, 10}, "the way must have been free so long to go on");
   fields.real("wait_max_s", wait_max_s, {0, 3600}, "then the way is reported as blocked");
 }
 
 ObstacleGuard::ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGuardParams& params,
-                             const std::string& camera)
+                             const CameraDescription* camera)
     : vehicle_(vehicle), params_(params), memory_(params.memory) {
-  if (const CameraDescription* found = camera_named(vehicle, camera)) {
-    eye_.emplace(Eye{StandingThingDetector(params.things, found->intrinsics, found->mount, found->width_px,
-                                           found->height_px),
-                     PictureWatch(params.pictures, found->name)});
+  if (camera == nullptr) return;
+  watch_.emplace(params.pictures, *camera);
+  if (vehicle.laser_markers) {
+    probe_.emplace(params.stripes, camera->intrinsics, camera->mount, camera->width_px, camera->height_px,
+                   vehicle.laser_markers->height_m);
   }
-  if (!eye_ && !vehicle.scanner) throw std::invalid_argument("the vehicle has neither camera nor scanner");
-  p_vehicle_.reserve(kPlacesMax);
 }
 
-Guarded ObstacleGuard::guard(const Observation& observation, const Command& wished) {
-  const double now_s = observation.stamp_s;
+const CameraPicture* ObstacleGuard::look(const Observation& observation) {
   move(observation);
-  p_vehicle_.clear();
-  if (eye_) look(observation);
+  p_vehicle_scanned_.clear();
   if (observation.scan && vehicle_.scanner) take_scan(*observation.scan);
+  const CameraPicture* picture = watch_ ? watch_->look(observation) : nullptr;
+  if (picture != nullptr && probe_) probe(*picture);
+  return picture;
+}
 
+void ObstacleGuard::move(const Observation& observation) {
+  now_ = {observation.stamp_s, now_.T_odom_vehicle * moved(vehicle_, observation.odometry)};
+  poses_[moves_++ % poses_.size()] = now_;
+}
+
+/// The remembered pose nearest in time.
+ObstacleGuard::StampedPose ObstacleGuard::taken_at(double stamp_s) const {
+  const auto end = poses_.begin() + static_cast<std::ptrdiff_t>(std::min(moves_, poses_.size()));
+  const auto nearest = std::min_element(poses_.begin(), end, [&](const StampedPose& a, const StampedPose& b) {
+    return std::abs(a.stamp_s - stamp_s) < std::abs(b.stamp_s - stamp_s);
+  });
+  return {stamp_s, nearest->T_odom_vehicle};
+}
+
+void ObstacleGuard::probe(const CameraPicture& picture) {
+  sight_.taken = taken_at(picture.stamp_s);
+  sight_.p_vehicle_lit =
+      probe_->find(picture.image->channels == 1 ? *picture.image : to_grey(*picture.image));
+  sight_.is_new = true;
+  if (!lit_s_ || probe_->sees_light()) lit_s_ = picture.stamp_s;
+}
+
+void ObstacleGuard::take_scan(const RangeScan& scan) {
+  const LaserScanner& scanner = *vehicle_.scanner;
+  for (std::size_t beam = 0; beam < scan.ranges_m.size(); ++beam) {
+    const double range_m = scan.ranges_m[beam];
+    if (range_m <= 0 || range_m >= scanner.range_max_m) continue;
+    p_vehicle_scanned_.push_back(scanner.T_vehicle_laser * (range_m * unit(scanner.beam_angle(beam))));
+  }
+}
+
+Guarded ObstacleGuard::allow(const Command& wished, const WayAhead& way) {
+  remember_what_is_on(way);
   Guarded guarded{.command = limited(wished)};
   if (wished.speed_mps < 0) {
     waiting_from_s_.reset();
     guarded.command.speed_mps = std::max(guarded.command.speed_mps, -params_.reverse_speed_mps);
     return guarded;
   }
-  if (observation.bumper_pressed) {
-    return {.command = {.steering_rad = wished.steering_rad},
-            .state = GuardState::kBlocked,
-            .why = "the vehicle touches something"};
+  if (watch_) {
+    if (auto trouble = watch_->trouble(now_.stamp_s)) return waiting(wished, std::move(*trouble));
   }
-  if (eye_) {
-    if (auto trouble = eye_->watch.trouble(now_s)) return waiting(now_s, std::move(*trouble));
-  }
-  guarded.free_ahead_m = free_ahead_m(wished);
+  guarded.free_ahead_m = free_ahead_m(way);
   const double speed_mps = speed_before(guarded.free_ahead_m);
-  if (wished.speed_mps > 0 && speed_mps <= 0) {
-    Guarded stopped = waiting(now_s, fmt::format("something stands {:.1f} m ahead", guarded.free_ahead_m));
-    stopped.free_ahead_m = guarded.free_ahead_m;
-    return stopped;
-  }
-  if (waiting_from_s_ && now_s - free_from_s_ < params_.free_again_s) {
-    return {.command = {.steering_rad = guarded.command.steering_rad},
-            .state = GuardState::kWaiting,
-            .why = "the way has just become free",
-            .free_ahead_m = guarded.free_ahead_m};
+  if (wished.speed_mps > 0 && speed_mps <= 0)
+    return waiting(wished, fmt::format("obstacle ahead, {:.1f} m away", guarded.free_ahead_m));
+  if (waiting_from_s_ && now_.stamp_s - free_from_s_ < params_.free_again_s) {
+    guarded.command.speed_mps = 0;
+    guarded.state = GuardState::kWaiting;
+    guarded.why = "the way has just become free";
+    return guarded;
   }
   waiting_from_s_.reset();
   if (speed_mps < guarded.command.speed_mps) {
-    guarded.why = fmt::format("something stands {:.1f} m ahead", guarded.free_ahead_m);
     guarded.command.speed_mps = speed_mps;
+    if (guarded.free_ahead_m < params_.reach_m) guarded.why = "slower: something is ahead";
   }
+  if (lit_s_ && now_.stamp_s - *lit_s_ > params_.unlit_s)
+    guarded.command.speed_mps = std::min(guarded.command.speed_mps, params_.unlit_speed_mps);
   return guarded;
 }
 
-void ObstacleGuard::move(const Observation& observation) {
-  T_odom_vehicle_ = T_odom_vehicle_ * moved(vehicle_, observation.odometry);
-  poses_[moves_++ % poses_.size()] = {observation.stamp_s, T_odom_vehicle_};
+void ObstacleGuard::remember_what_is_on(const WayAhead& way) {
+  if (!std::exchange(sight_.is_new, false)) return;
+  const Pose2 T_now_taken = between(now_.T_odom_vehicle, sight_.taken.T_odom_vehicle);
+  std::erase_if(sight_.p_vehicle_lit, [&](const Vec2& p_vehicle) {
+    return !way_to(T_now_taken * p_vehicle, way, vehicle_.footprint, params_.margin_m);
+  });
+  memory_.see(sight_.p_vehicle_lit, *probe_, sight_.taken.T_odom_vehicle, sight_.taken.stamp_s);
 }
 
-/// The remembered pose nearest in time.
-Pose2 ObstacleGuard::pose_at(double stamp_s) const {
-  const std::size_t known = std::min(moves_, poses_.size());
-  const auto nearer = [&](const StampedPose& a, const StampedPose& b) {
-    return std::abs(a.stamp_s - stamp_s) < std::abs(b.stamp_s - stamp_s);
+double ObstacleGuard::free_ahead_m(const WayAhead& way) {
+  double free_m = params_.reach_m;
+  const auto shorten = [&](const Vec2& p_vehicle) {
+    free_m =
+        std::min(free_m, way_to(p_vehicle, way, vehicle_.footprint, params_.margin_m).value_or(free_m));
   };
-  return std::min_element(poses_.begin(), poses_.begin() + static_cast<std::ptrdiff_t>(known), nearer)
-      ->T_odom_vehicle;
-}
-
-void ObstacleGuard::look(const Observation& observation) {
-  if (const CameraPicture* picture = eye_->watch.look(observation)) {
-    const auto& things = eye_->detector.detect(*picture->image);
-    if (eye_->watch.shows_something(*picture, eye_->detector.mean_level())) {
-      memory_.see(things, eye_->detector, pose_at(picture->stamp_s), picture->stamp_s);
-      hidden_pictures_ = is_hidden_right_ahead(things) ? hidden_pictures_ + 1 : 0;
-    }
-  }
-  const auto& places = memory_.places(T_odom_vehicle_);
-  p_vehicle_.insert(p_vehicle_.end(), places.begin(), places.end());
-  if (hidden_pictures_ >= kHiddenPicturesMin && !is_remembered_right_ahead()) {
-    p_vehicle_.push_back({vehicle_.footprint.front_m, 0});
-  }
-}
-
-/// Nearer than the floor begins in the picture.
-bool ObstacleGuard::is_remembered_right_ahead() const {
-  return std::any_of(p_vehicle_.begin(), p_vehicle_.end(), [&](const Vec2& p) {
-    const double ahead_m = p.x() - vehicle_.footprint.front_m;
-    return ahead_m >= 0 && ahead_m < kRightAhead_m &&
-           std::abs(p.y()) < vehicle_.footprint.width_m / 2 + params_.margin_m;
-  });
-}
-
-/// Things straight ahead that begin below the picture: they may stand anywhere before the vehicle.
-bool ObstacleGuard::is_hidden_right_ahead(const std::vector<StandingThing>& things) const {
-  const auto rays = std::count_if(things.begin(), things.end(), [&](const StandingThing& thing) {
-    return thing.foot_hidden && std::abs(thing.p_vehicle.y()) < vehicle_.footprint.width_m / 2;
-  });
-  return rays >= kHiddenRaysMin;
-}
-
-void ObstacleGuard::take_scan(const RangeScan& scan) {
-  const LaserScanner& scanner = *vehicle_.scanner;
-  for (std::size_t beam = 0; beam < scan.ranges_m.size() && p_vehicle_.size() < kPlacesMax; ++beam) {
-    const double range_m = scan.ranges_m[beam];
-    if (range_m <= 0 || range_m >= scanner.range_max_m) continue;
-    p_vehicle_.push_back(scanner.T_vehicle_laser * (range_m * unit(scanner.beam_angle(beam))));
-  }
-}
-
-double ObstacleGuard::free_ahead_m(const Command& wished) const {
-  const SweptStrip strip{.footprint = vehicle_.footprint,
-                         .margin_m = params_.margin_m,
-                         .turn_rad_per_m = curvature_of(vehicle_, wished)};
-  return strip.free_m(p_vehicle_, params_.reach_m);
+  for (const Vec2& p_vehicle : memory_.places(now_.T_odom_vehicle)) shorten(p_vehicle);
+  for (const Vec2& p_vehicle : p_vehicle_scanned_) shorten(p_vehicle);
+  return free_m;
 }
 
 /// The greatest speed from which the vehicle stops in time: v t + v^2 / (2 a) = way.
 double ObstacleGuard::speed_before(double free_m) const {
+  if (!probe_ && !vehicle_.scanner) return vehicle_.limits.speed_max_mps;
   const double way_m = free_m - params_.gap_m;
-  if (free_m >= params_.reach_m) return vehicle_.limits.speed_max_mps;
   if (way_m <= 0) return 0;
   const double a = params_.deceleration_share * vehicle_.limits.deceleration_max_mps2;
   const double at = a * params_.reaction_s;
@@ -183,11 +153,13 @@ Command ObstacleGuard::limited(const Command& wished) const {
           std::clamp(wished.turn_rate_rad_s, -limits.turn_rate_max_rad_s, limits.turn_rate_max_rad_s)};
 }
 
-Guarded ObstacleGuard::waiting(double now_s, std::string why) {
-  if (!waiting_from_s_) waiting_from_s_ = now_s;
-  free_from_s_ = now_s;
-  const bool too_long = now_s - *waiting_from_s_ > params_.wait_max_s;
-  return {.state = too_long ? GuardState::kBlocked : GuardState::kWaiting, .why = std::move(why)};
+Guarded ObstacleGuard::waiting(const Command& wished, std::string why) {
+  if (!waiting_from_s_) waiting_from_s_ = now_.stamp_s;
+  free_from_s_ = now_.stamp_s;
+  const bool too_long = now_.stamp_s - *waiting_from_s_ > params_.wait_max_s;
+  return {.command = {.steering_rad = wished.steering_rad},
+          .state = too_long ? GuardState::kBlocked : GuardState::kWaiting,
+          .why = std::move(why)};
 }
 
 }  // namespace aisle

@@ -14,7 +14,6 @@ void ObstacleMemoryParams::describe(FieldList& fields) {
   fields.count("free_sightings", free_sightings, {1, 20}, "pictures that show free floor there to forget it");
   fields.real("join_m", join_m, {0.02, 1}, "sightings so close are of one thing");
   fields.real("kept_s", kept_s, {1, 600}, "without being seen");
-  fields.real("kept_m", kept_m, {1, 50}, "from the vehicle");
 }
 
 ObstacleMemory::ObstacleMemory(const ObstacleMemoryParams& params) : params_(params) {
@@ -22,25 +21,22 @@ ObstacleMemory::ObstacleMemory(const ObstacleMemoryParams& params) : params_(par
   p_vehicle_.reserve(kPlacesMax);
 }
 
-void ObstacleMemory::see(const std::vector<StandingThing>& things, const StandingThingDetector& detector,
+void ObstacleMemory::see(const std::vector<Vec2>& p_vehicle_lit, const StripeProbe& probe,
                          const Pose2& T_odom_vehicle, double stamp_s) {
   const Pose2 T_vehicle_odom = T_odom_vehicle.inverse();
   for (Place& place : places_) {
-    const Vec2 p_vehicle = T_vehicle_odom * place.p_odom;
-    const bool is_free = detector.seen_at(p_vehicle) == StandingThingDetector::Seen::kFree;
+    const bool is_free = probe.seen_at(T_vehicle_odom * place.p_odom) == StripeProbe::Seen::kFree;
     place.free_sightings = is_free ? place.free_sightings + 1 : 0;
   }
-  for (const StandingThing& thing : things) remember(thing, T_odom_vehicle, stamp_s);
+  for (const Vec2& p_vehicle : p_vehicle_lit) remember(T_odom_vehicle * p_vehicle, stamp_s);
   std::erase_if(places_, [&](const Place& place) {
     const bool is_unsure = place.sightings < params_.sightings_min && place.seen_s < stamp_s;
-    return place.free_sightings >= params_.free_sightings || (is_unsure && place.free_sightings > 0) ||
-           stamp_s - place.seen_s > params_.kept_s ||
-           (place.p_odom - T_odom_vehicle.position()).norm() > params_.kept_m;
+    return is_unsure || place.free_sightings >= params_.free_sightings ||
+           stamp_s - place.seen_s > params_.kept_s;
   });
 }
 
-void ObstacleMemory::remember(const StandingThing& thing, const Pose2& T_odom_vehicle, double stamp_s) {
-  const Vec2 p_odom = T_odom_vehicle * thing.p_vehicle;
+void ObstacleMemory::remember(const Vec2& p_odom, double stamp_s) {
   const auto known = std::find_if(places_.begin(), places_.end(), [&](const Place& place) {
     return (place.p_odom - p_odom).norm() < params_.join_m;
   });

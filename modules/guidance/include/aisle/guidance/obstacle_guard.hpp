@@ -8,22 +8,25 @@
 
 #include "aisle/guidance/obstacle_memory.hpp"
 #include "aisle/guidance/picture_watch.hpp"
+#include "aisle/guidance/way_ahead.hpp"
 #include "aisle/vehicle/observation.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
-#include "aisle/vision/standing_things.hpp"
+#include "aisle/vision/stripe_probe.hpp"
 
 namespace aisle {
 
 struct ObstacleGuardParams {
-  StandingThingParams things;
+  StripeProbeParams stripes;
   ObstacleMemoryParams memory;
   PictureWatchParams pictures;
-  double margin_m = 0.08;
-  double gap_m = 0.2;
-  double reach_m = 4;
+  double margin_m = 0.02;
+  double gap_m = 0.8;
+  double reach_m = 2.3;
   double deceleration_share = 0.5;
   double reaction_s = 0.4;
   double reverse_speed_mps = 0.15;
+  double unlit_s = 2;
+  double unlit_speed_mps = 0.1;
   double free_again_s = 0.8;
   double wait_max_s = 20;
 
@@ -33,67 +36,67 @@ struct ObstacleGuardParams {
 enum class GuardState {
   kFree,     ///< the wished command, or slower because something is ahead
   kWaiting,  ///< stands until the way is free or the camera is back
-  kBlocked,  ///< has waited too long, or touches something: the navigator should give up or turn back
+  kBlocked,  ///< has waited too long: the navigator should give up or turn back
 };
 
 struct Guarded {
   Command command;
   GuardState state = GuardState::kFree;
-  std::string why;  ///< one line for people; empty while nothing is in the way
-  double free_ahead_m =
-      0;  ///< along the arc of the wished command, at most `reach_m`; 0 if it cannot be known
+  std::string why;          ///< one line for people; empty while nothing is in the way
+  double free_ahead_m = 0;  ///< that the vehicle can go; at most `reach_m`
 };
 
-/// Stands between a navigator and the vehicle. Sees what stands on the floor with the vehicle's range scanner
-/// and one of its cameras, as far as it has them, remembers it while the vehicle comes too near to see it,
-/// and lets the vehicle go only as fast as it can stop before the first thing on the arc of the wished
-/// command. Nothing sees behind: reversing is slow, and the bumper ends it. What was never in view (the floor
-/// before a camera that looks far ahead, at the start) counts as free, as somebody has put the vehicle there.
+/// Stands between a navigator and the vehicle: lets the vehicle go only as fast as it can stop before the
+/// first thing that stands where its footprint will be, and only while its camera shows what is there. It
+/// sees things by the laser markers' stripe, and by the range scanner; a vehicle with neither is only kept
+/// from driving without pictures. Nothing sees behind: reversing is slow.
 class ObstacleGuard {
  public:
-  /// @param camera  the name of the camera to look with; empty: the first one, if there is any
-  /// @throws std::invalid_argument if there is no such camera or it sees no floor, or if the vehicle has
-  /// neither
-  ///         camera nor scanner
+  /// @param camera  to look with; null: none
   ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGuardParams& params,
-                const std::string& camera = {});
+                const CameraDescription* camera);
 
-  /// Once a cycle.
-  Guarded guard(const Observation& observation, const Command& wished);
+  /// Once a cycle, before `allow`.
+  /// @return the camera's picture if it has come in time, is not the one before again, and shows something
+  const CameraPicture* look(const Observation& observation);
 
-  /// The things that count now, in the vehicle's frame; for drawings.
-  const std::vector<Vec2>& places() const { return p_vehicle_; }
+  /// What the vehicle may do of what a navigator wishes.
+  /// @param way  where `wished` leads to; forwards
+  Guarded allow(const Command& wished, const WayAhead& way);
 
  private:
   struct StampedPose {
     double stamp_s = 0;
     Pose2 T_odom_vehicle;
   };
-  struct Eye {
-    StandingThingDetector detector;
-    PictureWatch watch;
+  /// What the last picture shows of laser light.
+  struct Sight {
+    StampedPose taken;
+    std::vector<Vec2> p_vehicle_lit;
+    bool is_new = false;
   };
 
   void move(const Observation& observation);
-  Pose2 pose_at(double stamp_s) const;
-  void look(const Observation& observation);
+  StampedPose taken_at(double stamp_s) const;
+  void probe(const CameraPicture& picture);
   void take_scan(const RangeScan& scan);
-  bool is_remembered_right_ahead() const;
-  bool is_hidden_right_ahead(const std::vector<StandingThing>& things) const;
-  double free_ahead_m(const Command& wished) const;
+  void remember_what_is_on(const WayAhead& way);
+  double free_ahead_m(const WayAhead& way);
   double speed_before(double free_m) const;
   Command limited(const Command& wished) const;
-  Guarded waiting(double now_s, std::string why);
+  Guarded waiting(const Command& wished, std::string why);
 
   VehicleDescription vehicle_;
   ObstacleGuardParams params_;
-  std::optional<Eye> eye_;
+  std::optional<PictureWatch> watch_;
+  std::optional<StripeProbe> probe_;
   ObstacleMemory memory_;
   std::array<StampedPose, 16> poses_;
   std::size_t moves_ = 0;
-  Pose2 T_odom_vehicle_;
-  std::vector<Vec2> p_vehicle_;
-  int hidden_pictures_ = 0;  ///< in a row that show something right ahead whose foot is not in view
+  StampedPose now_;
+  Sight sight_;
+  std::vector<Vec2> p_vehicle_scanned_;
+  std::optional<double> lit_s_;  ///< when laser light was seen last
   std::optional<double> waiting_from_s_;
   double free_from_s_ = 0;
 };

@@ -7,6 +7,7 @@
 #include "aisle/core/image.hpp"
 #include "aisle/core/parameters.hpp"
 #include "aisle/vehicle/observation.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
 
 namespace aisle {
 
@@ -22,21 +23,19 @@ struct PictureWatchParams {
 /// are neither black nor washed out.
 class PictureWatch {
  public:
-  PictureWatch(const PictureWatchParams& params, std::string camera);
+  PictureWatch(const PictureWatchParams& params, const CameraDescription& camera);
 
   /// @return the camera's picture if this observation has one that can be trusted
   const CameraPicture* look(const Observation& observation);
-
-  /// Whether a picture that `look` gave is neither black nor washed out.
-  /// @param mean_level  of its pixels [grey levels]
-  bool shows_something(const CameraPicture& picture, double mean_level);
 
   /// What is wrong now, for people: "camera front is frozen"; nullopt if nothing is.
   std::optional<std::string> trouble(double now_s) const;
 
  private:
+  const char* fault_of(const CameraPicture& picture, double now_s);
+
   PictureWatchParams params_;
-  std::string camera_;
+  CameraDescription camera_;
   std::shared_ptr<const Image> last_;
   std::optional<double> good_stamp_s_;  ///< of the last picture that showed something new
   const char* what_ = "has sent no picture";
