@@ -1,0 +1,91 @@
+#pragma once
+/// The floor of a building as it was seen: square cells in the frame `map`, at one height above the floor.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "aisle/geometry/pose2.hpp"
+
+namespace aisle {
+
+enum class Floor : std::uint8_t { kUnknown, kFree, kOccupied };
+
+/// Column and row. Cell (0, 0) has its lower left corner in the origin of `map`; both may be negative.
+struct FloorCell {
+  int x = 0;
+  int y = 0;
+  bool operator==(const FloorCell&) const = default;
+};
+
+/// Cells from `low` to before `end`, in both directions.
+struct FloorBox {
+  FloorCell low;
+  FloorCell end;
+
+  bool empty() const { return low.x >= end.x || low.y >= end.y; }
+  bool contains(FloorCell cell) const {
+    return cell.x >= low.x && cell.x < end.x && cell.y >= low.y && cell.y < end.y;
+  }
+  /// The smallest box that holds this one and the cell.
+  void include(FloorCell cell);
+  FloorBox widened(int cells) const;
+};
+
+/// What is free, what stands on it, and what nobody has seen. Grows in all directions as it is filled; all
+/// beyond is unknown. Each cell weighs what was seen of it: one view that strikes something outweighs a few
+/// that pass, and what has gone away fades.
+class FloorGrid {
+ public:
+  /// Cells farther from the origin than this, in columns or rows, are never kept.
+  static constexpr int kReach = 8192;
+
+  /// @param cell_m  > 0, else std::invalid_argument
+  explicit FloorGrid(double cell_m = 0.05);
+
+  double cell_m() const { return cell_m_; }
+  FloorCell cell_at(const Vec2& p_map) const;
+  Vec2 centre(FloorCell cell) const { return {(cell.x + 0.5) * cell_m_, (cell.y + 0.5) * cell_m_}; }
+
+  Floor at(FloorCell cell) const {
+    return room_.contains(cell) ? floor_of(evidence_[index(cell)]) : Floor::kUnknown;
+  }
+  Floor at(const Vec2& p_map) const { return at(cell_at(p_map)); }
+
+  /// A view passed through the cell / struck something in it.
+  /// @return whether the cell is something else now
+  bool see_free(FloorCell cell);
+  bool see_occupied(FloorCell cell);
+  /// Puts the cell as firmly as it can be.
+  void set(FloorCell cell, Floor floor);
+
+  /// Holds every cell that is not unknown.
+  const FloorBox& known() const { return known_; }
+  std::size_t count(Floor floor) const { return counts_[static_cast<std::size_t>(floor)]; }
+  double free_m2() const { return static_cast<double>(count(Floor::kFree)) * cell_m_ * cell_m_; }
+
+  void clear();
+
+ private:
+  using Evidence = std::int8_t;  ///< 0: never seen; above: occupied; below: free
+
+  static Floor floor_of(Evidence evidence) {
+    return evidence == 0 ? Floor::kUnknown : evidence > 0 ? Floor::kOccupied : Floor::kFree;
+  }
+  std::size_t index(FloorCell cell) const {
+    return static_cast<std::size_t>(cell.y - room_.low.y) *
+               static_cast<std::size_t>(room_.end.x - room_.low.x) +
+           static_cast<std::size_t>(cell.x - room_.low.x);
+  }
+  bool weigh(FloorCell cell, int weight);
+  bool put(FloorCell cell, Evidence evidence);
+  void make_room(FloorCell cell);
+
+  double cell_m_;
+  FloorBox room_;  ///< what `evidence_` holds, row by row
+  FloorBox known_;
+  std::vector<Evidence> evidence_;
+  std::size_t counts_[3] = {};  ///< of `evidence_`, by Floor; unknown ones are not counted
+};
+
+}  // namespace aisle

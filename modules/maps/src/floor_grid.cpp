@@ -1,0 +1,114 @@
+#include "aisle/maps/floor_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace aisle {
+namespace {
+
+constexpr int kPassed = -1;
+constexpr int kStruck = 4;
+constexpr int kSurelyFree = -10;
+constexpr int kSurelyOccupied = 16;
+constexpr int kSpare = 128;  // cells of room that are added at once, beyond the one that was asked for
+
+bool is_within_reach(FloorCell cell) {
+  return std::abs(cell.x) <= FloorGrid::kReach && std::abs(cell.y) <= FloorGrid::kReach;
+}
+
+int column_of(double coordinate_cells) {
+  constexpr double kLimit = FloorGrid::kReach + 1;
+  return static_cast<int>(std::floor(std::clamp(coordinate_cells, -kLimit, kLimit)));
+}
+
+}  // namespace
+
+void FloorBox::include(FloorCell cell) {
+  const bool first = empty();
+  low = first ? cell : FloorCell{std::min(low.x, cell.x), std::min(low.y, cell.y)};
+  end = first ? FloorCell{cell.x + 1, cell.y + 1}
+              : FloorCell{std::max(end.x, cell.x + 1), std::max(end.y, cell.y + 1)};
+}
+
+FloorBox FloorBox::widened(int cells) const {
+  return {{low.x - cells, low.y - cells}, {end.x + cells, end.y + cells}};
+}
+
+FloorGrid::FloorGrid(double cell_m) : cell_m_(cell_m) {
+  if (!(cell_m > 0)) throw std::invalid_argument("the cells of a floor grid need a size");
+}
+
+FloorCell FloorGrid::cell_at(const Vec2& p_map) const {
+  return {column_of(p_map.x() / cell_m_), column_of(p_map.y() / cell_m_)};
+}
+
+bool FloorGrid::see_free(FloorCell cell) {
+  return weigh(cell, kPassed);
+}
+
+bool FloorGrid::see_occupied(FloorCell cell) {
+  return weigh(cell, kStruck);
+}
+
+void FloorGrid::set(FloorCell cell, Floor floor) {
+  const int evidence = floor == Floor::kFree ? kSurelyFree : floor == Floor::kOccupied ? kSurelyOccupied : 0;
+  if (floor == Floor::kUnknown && !room_.contains(cell)) return;
+  if (!is_within_reach(cell)) return;
+  make_room(cell);
+  put(cell, static_cast<Evidence>(evidence));
+}
+
+bool FloorGrid::weigh(FloorCell cell, int weight) {
+  if (!is_within_reach(cell)) return false;
+  make_room(cell);
+  int evidence = std::clamp(evidence_[index(cell)] + weight, kSurelyFree, kSurelyOccupied);
+  if (evidence == 0) evidence = weight < 0 ? -1 : 1;  // 0 is for what was never seen
+  return put(cell, static_cast<Evidence>(evidence));
+}
+
+bool FloorGrid::put(FloorCell cell, Evidence evidence) {
+  Evidence& held = evidence_[index(cell)];
+  const Floor before = floor_of(held), now = floor_of(evidence);
+  held = evidence;
+  if (before == now) return false;
+  if (before != Floor::kUnknown) --counts_[static_cast<std::size_t>(before)];
+  if (now != Floor::kUnknown) {
+    ++counts_[static_cast<std::size_t>(now)];
+    known_.include(cell);
+  }
+  return true;
+}
+
+/// Moves everything into a larger room when the cell lies outside the present one.
+void FloorGrid::make_room(FloorCell cell) {
+  if (room_.contains(cell)) return;
+  FloorBox wider = room_;
+  const auto clamped = [](int coordinate) { return std::clamp(coordinate, -kReach, kReach); };
+  for (const int spare : {-kSpare, kSpare}) {
+    const bool grows_x = room_.empty() || (spare < 0 ? cell.x < room_.low.x : cell.x >= room_.end.x);
+    const bool grows_y = room_.empty() || (spare < 0 ? cell.y < room_.low.y : cell.y >= room_.end.y);
+    wider.include({clamped(cell.x + (grows_x ? spare : 0)), clamped(cell.y + (grows_y ? spare : 0))});
+  }
+  const FloorBox old_room = room_;
+  const std::vector<Evidence> old = std::move(evidence_);
+  room_ = wider;
+  evidence_.assign(static_cast<std::size_t>(wider.end.x - wider.low.x) *
+                       static_cast<std::size_t>(wider.end.y - wider.low.y),
+                   0);
+  const auto width = static_cast<std::size_t>(old_room.end.x - old_room.low.x);
+  for (int row = old_room.low.y; row < old_room.end.y; ++row) {
+    const auto from =
+        old.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row - old_room.low.y) * width);
+    std::copy(from, from + static_cast<std::ptrdiff_t>(width),
+              evidence_.begin() + static_cast<std::ptrdiff_t>(index({old_room.low.x, row})));
+  }
+}
+
+void FloorGrid::clear() {
+  std::fill(evidence_.begin(), evidence_.end(), Evidence{0});
+  std::fill(std::begin(counts_), std::end(counts_), std::size_t{0});
+  known_ = {};
+}
+
+}  // namespace aisle
