@@ -128,8 +128,7 @@ void ObstacleGuard::remember_what_is_on(const WayAhead& way) {
 double ObstacleGuard::free_ahead_m(const WayAhead& way) {
   double free_m = params_.reach_m;
   const auto shorten = [&](const Vec2& p_vehicle) {
-    free_m =
-        std::min(free_m, way_to(p_vehicle, way, vehicle_.footprint, params_.margin_m).value_or(free_m));
+    free_m = std::min(free_m, way_to(p_vehicle, way, vehicle_.footprint, params_.margin_m).value_or(free_m));
   };
   for (const Vec2& p_vehicle : memory_.places(now_.T_odom_vehicle)) shorten(p_vehicle);
   for (const Vec2& p_vehicle : p_vehicle_scanned_) shorten(p_vehicle);

@@ -26,8 +26,9 @@ PictureWatch::PictureWatch(const PictureWatchParams& params, const CameraDescrip
     : params_(params), camera_(camera) {}
 
 const CameraPicture* PictureWatch::look(const Observation& observation) {
-  const auto found = std::find_if(observation.pictures.begin(), observation.pictures.end(),
-                                  [&](const CameraPicture& picture) { return picture.camera == camera_.name; });
+  const auto found =
+      std::find_if(observation.pictures.begin(), observation.pictures.end(),
+                   [&](const CameraPicture& picture) { return picture.camera == camera_.name; });
   if (found == observation.pictures.end() || !found->image) {
     if (good_stamp_s_ && observation.stamp_s - *good_stamp_s_ > camera_.period_s) what_ = "sends no pictures";
     return nullptr;

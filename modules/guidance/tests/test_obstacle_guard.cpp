@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include "aisle/guidance/obstacle_guard.hpp"
-#include "aisle/guidance/swept_strip.hpp"
 
 namespace aisle {
 namespace {
@@ -18,35 +17,46 @@ VehicleDescription scanner_cart() {
   return vehicle;
 }
 
-Observation seen(double stamp_s, double range_m) {
+Observation scanned(double stamp_s, double range_m) {
   return {.stamp_s = stamp_s,
           .odometry = FrontSteeredMotion{},
           .scan = RangeScan{stamp_s, {static_cast<float>(range_m)}}};
 }
 
-const Command kAhead{.speed_mps = 1};
-
-TEST(ObstacleGuard, LeavesTheCommandAloneWhereNothingStands) {
-  ObstacleGuard guard(scanner_cart(), {});
-  const Guarded guarded = guard.guard(seen(0.1, 30), kAhead);
-  EXPECT_EQ(guarded.command, kAhead);
-  EXPECT_EQ(guarded.state, GuardState::kFree);
-  EXPECT_EQ(guarded.why, "");
+/// Straight on.
+WayAhead straight() {
+  const Path path({{Pose2{}, {10, 0}}});
+  return way_ahead(path, path.at(0), {}, ObstacleGuardParams{}.reach_m);
 }
 
-TEST(ObstacleGuard, HoldsTheVehiclesLimits) {
-  ObstacleGuard guard(scanner_cart(), {});
-  const Guarded guarded = guard.guard(seen(0.1, 30), {.speed_mps = 9, .steering_rad = -9});
-  EXPECT_EQ(guarded.command.speed_mps, 1);
-  EXPECT_EQ(guarded.command.steering_rad, -scanner_cart().limits.steering_max_rad);
+const Command kAhead{.speed_mps = 0.8};
+
+Guarded guarded(ObstacleGuard& guard, const Observation& observation, const Command& wished = kAhead) {
+  guard.look(observation);
+  return guard.allow(wished, straight());
+}
+
+TEST(ObstacleGuard, LeavesTheCommandAloneWhereNothingStands) {
+  ObstacleGuard guard(scanner_cart(), {}, nullptr);
+  const Guarded free = guarded(guard, scanned(0.1, 30));
+  EXPECT_EQ(free.command, kAhead);
+  EXPECT_EQ(free.state, GuardState::kFree);
+  EXPECT_EQ(free.why, "");
+}
+
+TEST(ObstacleGuard, HoldsTheVehiclesLimitsAndGoesNoFasterThanItCanSee) {
+  ObstacleGuard guard(scanner_cart(), {.reach_m = 1.5}, nullptr);
+  const Guarded free = guarded(guard, scanned(0.1, 30), {.speed_mps = 9, .steering_rad = -9});
+  EXPECT_LT(free.command.speed_mps, 0.8);
+  EXPECT_EQ(free.command.steering_rad, -scanner_cart().limits.steering_max_rad);
 }
 
 TEST(ObstacleGuard, StopsAtTheGapHoweverTheVehicleBrakes) {
   const ObstacleGuardParams params;
-  ObstacleGuard guard(scanner_cart(), params);
+  ObstacleGuard guard(scanner_cart(), params, nullptr);
   double range_m = 6, speed_mps = 1, before_mps = 1;
   for (double stamp_s = 0.1; stamp_s < 20; stamp_s += 0.1) {
-    const double told_mps = guard.guard(seen(stamp_s, range_m), kAhead).command.speed_mps;
+    const double told_mps = guarded(guard, scanned(stamp_s, range_m)).command.speed_mps;
     speed_mps = std::clamp(before_mps, speed_mps - 0.1, speed_mps + 0.05);  // a cycle late
     before_mps = told_mps;
     range_m -= 0.1 * speed_mps;
@@ -56,37 +66,28 @@ TEST(ObstacleGuard, StopsAtTheGapHoweverTheVehicleBrakes) {
 }
 
 TEST(ObstacleGuard, WaitsGoesOnWhenItIsFreeForAMomentAndReportsAfterAWhile) {
-  ObstacleGuard guard(scanner_cart(), {.free_again_s = 0.5, .wait_max_s = 10});
-  const Guarded waiting = guard.guard(seen(1, 1.1), kAhead);
+  ObstacleGuard guard(scanner_cart(), {.free_again_s = 0.5, .wait_max_s = 10}, nullptr);
+  const Guarded waiting = guarded(guard, scanned(1, 1.4));
   EXPECT_EQ(waiting.state, GuardState::kWaiting);
   EXPECT_EQ(waiting.command.speed_mps, 0);
-  EXPECT_THAT(waiting.why, HasSubstr("something stands 0.1 m ahead"));
-  EXPECT_EQ(guard.guard(seen(10.9, 1.1), kAhead).state, GuardState::kWaiting);
-  EXPECT_EQ(guard.guard(seen(11.1, 1.1), kAhead).state, GuardState::kBlocked);
-  EXPECT_EQ(guard.guard(seen(11.2, 30), kAhead).command.speed_mps, 0);
-  EXPECT_EQ(guard.guard(seen(11.7, 30), kAhead).command, kAhead);
+  EXPECT_THAT(waiting.why, HasSubstr("obstacle ahead, 0.4 m away"));
+  EXPECT_EQ(guarded(guard, scanned(10.9, 1.4)).state, GuardState::kWaiting);
+  EXPECT_EQ(guarded(guard, scanned(11.1, 1.4)).state, GuardState::kBlocked);
+  EXPECT_EQ(guarded(guard, scanned(11.2, 30)).command.speed_mps, 0);
+  EXPECT_EQ(guarded(guard, scanned(11.7, 30)).command, kAhead);
 }
 
-TEST(ObstacleGuard, ReversesSlowlyAndGetsAwayFromWhatItTouches) {
-  ObstacleGuard guard(scanner_cart(), {.reverse_speed_mps = 0.15});
-  Observation touching = seen(0.1, 1);
-  touching.bumper_pressed = true;
-  EXPECT_EQ(guard.guard(touching, kAhead).state, GuardState::kBlocked);
-  EXPECT_EQ(guard.guard(touching, kAhead).command.speed_mps, 0);
-  EXPECT_EQ(guard.guard(touching, {.speed_mps = -0.4}).command.speed_mps, -0.15);
+TEST(ObstacleGuard, ReversesSlowlyAwayFromWhatIsAhead) {
+  ObstacleGuard guard(scanner_cart(), {.reverse_speed_mps = 0.15}, nullptr);
+  EXPECT_EQ(guarded(guard, scanned(0.1, 1.1), {.speed_mps = -0.4}).command.speed_mps, -0.15);
 }
 
-TEST(ObstacleGuard, AVehicleThatCannotSeeIsRefused) {
-  VehicleDescription blind = scanner_cart();
-  blind.scanner.reset();
-  EXPECT_THROW(ObstacleGuard(blind, {}), std::invalid_argument);
-  EXPECT_THROW(ObstacleGuard(scanner_cart(), {}, "front"), std::invalid_argument);
-}
-
-VehicleDescription camera_cart() {
+/// Sees by the laser markers' stripe.
+VehicleDescription marker_cart() {
   VehicleDescription vehicle = scanner_cart();
   vehicle.scanner.reset();
   vehicle.cameras = {{.name = "front", .mount = {{0.8, 0, 1}, 0.25, 0, 0}}};
+  vehicle.laser_markers.emplace();
   return vehicle;
 }
 
@@ -97,46 +98,96 @@ Observation shown(double stamp_s, double taken_s, int level) {
   return {.stamp_s = stamp_s, .pictures = {{"front", taken_s, image}}, .odometry = FrontSteeredMotion{}};
 }
 
+/// The same with laser light across the whole picture, on something at a distance ahead of base_link.
+Observation lit(double stamp_s, double ahead_m) {
+  Observation observation = shown(stamp_s, stamp_s, 120);
+  Image image = *observation.pictures[0].image;
+  const CameraDescription camera = marker_cart().cameras[0];
+  const Vec3 p_camera = camera.mount.to_camera({ahead_m, 0, marker_cart().laser_markers->height_m});
+  const int row = static_cast<int>(std::lround(CameraModel(camera.intrinsics).project(p_camera)->y()));
+  std::fill(image.row(row), image.row(row + 1), static_cast<std::uint8_t>(220));
+  observation.pictures[0].image = std::make_shared<Image>(image);
+  return observation;
+}
+
+TEST(ObstacleGuard, StopsForLaserLightInItsWayOnceItHasBeenSeenTwice) {
+  const VehicleDescription vehicle = marker_cart();
+  ObstacleGuard guard(vehicle, {}, &vehicle.cameras[0]);
+  EXPECT_EQ(guarded(guard, shown(0.1, 0.1, 120)).command, kAhead);
+  EXPECT_EQ(guarded(guard, lit(0.2, 1.75)).state, GuardState::kFree);
+  const Guarded waiting = guarded(guard, lit(0.3, 1.75));
+  EXPECT_EQ(waiting.state, GuardState::kWaiting);
+  EXPECT_NEAR(waiting.free_ahead_m, 0.7, 0.06);
+}
+
+TEST(ObstacleGuard, RemembersForAWhileWhatHasComeTooNearToBeSeen) {
+  const VehicleDescription vehicle = marker_cart();
+  const ObstacleGuardParams params;
+  ObstacleGuard guard(vehicle, params, &vehicle.cameras[0]);
+  for (double stamp_s : {0.1, 0.2, 0.3}) guarded(guard, lit(stamp_s, 2));
+  Observation moved = shown(0.4, 0.4, 120);
+  moved.odometry = FrontSteeredMotion{.distance_m = 0.6};  // 0.4 m before it
+  EXPECT_EQ(guarded(guard, moved).state, GuardState::kWaiting);
+  EXPECT_EQ(guarded(guard, shown(params.memory.kept_s, params.memory.kept_s, 120)).state,
+            GuardState::kWaiting);
+  double stamp_s = params.memory.kept_s + 0.5;
+  guarded(guard, shown(stamp_s, stamp_s, 120));
+  stamp_s += params.free_again_s;
+  EXPECT_EQ(guarded(guard, shown(stamp_s, stamp_s, 120)).state, GuardState::kFree);
+}
+
+TEST(ObstacleGuard, GoesSlowlyWhereNoLaserLightIsInView) {
+  const VehicleDescription vehicle = marker_cart();
+  const ObstacleGuardParams params;
+  ObstacleGuard guard(vehicle, params, &vehicle.cameras[0]);
+  Guarded last;
+  for (int i = 1; i <= 30; ++i) last = guarded(guard, shown(0.1 * i, 0.1 * i, 120));
+  EXPECT_EQ(last.command.speed_mps, params.unlit_speed_mps);
+  EXPECT_EQ(guarded(guard, lit(3.1, 8)).command, kAhead);
+}
+
 /// What the guard says after a second of good pictures and another of the ones given.
 template <class Bad>
-Guarded after(const Bad& bad) {
-  ObstacleGuard guard(camera_cart(), {});
-  for (int i = 0; i <= 10; ++i) guard.guard(shown(0.1 * i, 0.1 * i, 120), kAhead);
-  EXPECT_EQ(guard.guard(shown(1.1, 1.1, 120), kAhead).state, GuardState::kFree);
+std::string why_after(const Bad& bad) {
+  VehicleDescription vehicle = marker_cart();
+  vehicle.laser_markers.reset();
+  ObstacleGuard guard(vehicle, {}, &vehicle.cameras[0]);
+  for (int i = 0; i <= 10; ++i) guarded(guard, shown(0.1 * i, 0.1 * i, 120));
+  EXPECT_EQ(guarded(guard, shown(1.1, 1.1, 120)).state, GuardState::kFree);
   Guarded last;
-  for (int i = 12; i <= 20; ++i) last = guard.guard(bad(0.1 * i), kAhead);
+  for (int i = 12; i <= 20; ++i) last = guarded(guard, bad(0.1 * i));
   EXPECT_EQ(last.command.speed_mps, 0);
   EXPECT_EQ(last.state, GuardState::kWaiting);
   Guarded again;
-  for (int i = 21; i <= 40; ++i) again = guard.guard(shown(0.1 * i, 0.1 * i, 120), kAhead);
+  for (int i = 21; i <= 40; ++i) again = guarded(guard, shown(0.1 * i, 0.1 * i, 120));
   EXPECT_EQ(again.command, kAhead);
-  return last;
+  return last.why;
 }
 
 TEST(ObstacleGuard, StopsForACameraThatShowsNothingNewAndSaysWhy) {
-  EXPECT_EQ(after([](double now_s) {
-              Observation frozen = shown(now_s, 1.1, 120);
-              frozen.pictures[0].stamp_s = now_s;
-              return frozen;
-            }).why,
-            "camera front is frozen");
-  EXPECT_EQ(after([](double now_s) { return shown(now_s, now_s, 0); }).why, "camera front sees no light");
-  EXPECT_EQ(after([](double now_s) { return shown(now_s, now_s, 255); }).why, "camera front is dazzled");
-  EXPECT_EQ(after([](double now_s) { return shown(now_s, now_s - 0.6, 120); }).why, "camera front is late");
-  EXPECT_EQ(
-      after([](double now_s) { return Observation{.stamp_s = now_s, .odometry = FrontSteeredMotion{}}; }).why,
-      "camera front sends no pictures");
+  const auto frozen = [](double now_s) {
+    Observation observation = shown(now_s, 1.1, 120);
+    observation.pictures[0].stamp_s = now_s;
+    return observation;
+  };
+  EXPECT_EQ(why_after(frozen), "camera front is frozen");
+  EXPECT_EQ(why_after([](double now_s) { return shown(now_s, now_s, 0); }), "camera front sees no light");
+  EXPECT_EQ(why_after([](double now_s) { return shown(now_s, now_s, 255); }), "camera front is dazzled");
+  EXPECT_EQ(why_after([](double now_s) { return shown(now_s, now_s - 0.6, 120); }), "camera front is late");
+  const auto silent = [](double now_s) {
+    return Observation{.stamp_s = now_s, .odometry = FrontSteeredMotion{}};
+  };
+  EXPECT_EQ(why_after(silent), "camera front sends no pictures");
 }
 
-TEST(SweptStrip, IsFreeUpToTheFirstPointOnTheArc) {
-  SweptStrip strip{.footprint = scanner_cart().footprint, .margin_m = 0.1};
-  const std::vector<Vec2> points{{3, 0.39}, {4, 0}, {2, 0.5}};
-  EXPECT_NEAR(strip.free_m(points, 10), 2, 1e-9);
-  EXPECT_EQ(strip.free_m({}, 10), 10);
-  strip.turn_rad_per_m = -1;  // to the right, away from all of them
-  EXPECT_EQ(strip.free_m(points, 1.5), 1.5);
-  strip.turn_rad_per_m = 0.4;
-  EXPECT_LT(strip.free_m(points, 10), 1.3);
+TEST(ObstacleGuard, TrustsNoPictureThatIsTheOneBeforeAgain) {
+  const VehicleDescription vehicle = marker_cart();
+  ObstacleGuard guard(vehicle, {}, &vehicle.cameras[0]);
+  EXPECT_NE(guard.look(shown(0.1, 0.1, 120)), nullptr);
+  Observation again = shown(0.2, 0.1, 120);
+  again.pictures[0].stamp_s = 0.2;
+  EXPECT_EQ(guard.look(again), nullptr);
+  EXPECT_NE(guard.look(shown(0.3, 0.3, 120)), nullptr);
 }
 
 }  // namespace

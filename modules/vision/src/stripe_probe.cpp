@@ -19,11 +19,14 @@ void StripeProbeParams::describe(FieldList& fields) {
   fields.real("reach_m", reach_m, {0.5, 10}, "from the lens; farther off, paper looks as thin as a stripe");
   fields.real("light_reach_m", light_reach_m, {0.5, 20}, "so far any wall shows that the markers are on");
   fields.count("flank_px", flank_px, {2, 20}, "rows from the middle of a stripe to beside it");
-  fields.real("contrast_min", contrast_min, {1, 200}, "by which a stripe outshines both sides, in grey levels");
+  fields.real("contrast_min", contrast_min, {1, 200},
+              "by which a stripe outshines both sides, in grey levels");
   fields.real("noise_factor", noise_factor, {1, 50}, "and by how many times the floor's usual contrast");
   fields.count("columns_min", columns_min, {1, 100}, "of the narrowest stripe");
-  fields.real("columns_per_m", columns_per_m, {0, 100}, "times its distance: narrower, it may be a corner of paper");
-  fields.real("mirrored_share", mirrored_share, {0, 1}, "of a stripe's contrast: fainter below it is mirrored");
+  fields.real("columns_per_m", columns_per_m, {0, 100},
+              "times its distance: narrower, it may be a corner of paper");
+  fields.real("mirrored_share", mirrored_share, {0, 1},
+              "of a stripe's contrast: fainter below it is mirrored");
 }
 
 StripeProbe::StripeProbe(const StripeProbeParams& params, const CameraIntrinsics& intrinsics,

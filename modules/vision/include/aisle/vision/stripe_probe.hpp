@@ -26,9 +26,10 @@ struct StripeProbeParams {
 };
 
 /// Looks for laser light at the places of a picture where it can be from below the picture up to a few
-/// metres away, quickly enough for every cycle. Each row of a column belongs to one distance. Laser light is a
-/// thin bright line across: as much brighter than what is a few rows above as than what is a few rows below.
-/// Paper on the floor is too thick for that within reach, and its corners grow thick. No allocation once warm.
+/// metres away, quickly enough for every cycle. Each row of a column belongs to one distance. Laser light is
+/// a thin bright line across: as much brighter than what is a few rows above as than what is a few rows
+/// below. Paper on the floor is too thick for that within reach, and its corners grow thick. No allocation
+/// once warm.
 class StripeProbe {
  public:
   /// @param height_m  of the light plane above the floor
