@@ -94,12 +94,12 @@ Guarded ObstacleGuard::allow(const Command& wished, const WayAhead& way) {
     return guarded;
   }
   if (watch_) {
-    if (auto trouble = watch_->trouble(now_.stamp_s)) return waiting(wished, std::move(*trouble));
+    if (const auto trouble = watch_->trouble(now_.stamp_s)) return waiting(guarded, *trouble);
   }
   guarded.free_ahead_m = free_ahead_m(way);
   const double speed_mps = speed_before(guarded.free_ahead_m);
   if (wished.speed_mps > 0 && speed_mps <= 0)
-    return waiting(wished, fmt::format("obstacle ahead, {:.1f} m away", guarded.free_ahead_m));
+    return waiting(guarded, fmt::format("obstacle ahead, {:.1f} m away", guarded.free_ahead_m));
   if (waiting_from_s_ && now_.stamp_s - free_from_s_ < params_.free_again_s) {
     guarded.command.speed_mps = 0;
     guarded.state = GuardState::kWaiting;
@@ -152,13 +152,14 @@ Command ObstacleGuard::limited(const Command& wished) const {
           std::clamp(wished.turn_rate_rad_s, -limits.turn_rate_max_rad_s, limits.turn_rate_max_rad_s)};
 }
 
-Guarded ObstacleGuard::waiting(const Command& wished, std::string why) {
+Guarded ObstacleGuard::waiting(Guarded guarded, const std::string& why) {
   if (!waiting_from_s_) waiting_from_s_ = now_.stamp_s;
   free_from_s_ = now_.stamp_s;
   const bool too_long = now_.stamp_s - *waiting_from_s_ > params_.wait_max_s;
-  return {.command = {.steering_rad = wished.steering_rad},
-          .state = too_long ? GuardState::kBlocked : GuardState::kWaiting,
-          .why = std::move(why)};
+  guarded.command = {.steering_rad = guarded.command.steering_rad};
+  guarded.state = too_long ? GuardState::kBlocked : GuardState::kWaiting;
+  guarded.why = why;
+  return guarded;
 }
 
 }  // namespace aisle

@@ -29,9 +29,9 @@ TEST(WayAhead, ReachesUpToWhatStandsOnIt) {
 
 TEST(WayAhead, GoesRoundCorners) {
   EXPECT_EQ(way_from_start({4.5, 0}, 4), std::nullopt);  // straight on, where it turns off
-  const auto round = way_from_start({3, 3}, 4);
+  const auto round = way_from_start({3, 2.3}, 4);
   ASSERT_TRUE(round);
-  EXPECT_NEAR(*round, 2 + kPi / 2 + 2 - 1, 0.3);
+  EXPECT_NEAR(*round, 2 + kPi / 2 + 1.3 - 1, 0.06);
 }
 
 TEST(WayAhead, IsSeenFromWhereTheVehicleReallyIs) {

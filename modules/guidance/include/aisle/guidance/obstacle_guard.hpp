@@ -84,7 +84,7 @@ class ObstacleGuard {
   double free_ahead_m(const WayAhead& way);
   double speed_before(double free_m) const;
   Command limited(const Command& wished) const;
-  Guarded waiting(const Command& wished, std::string why);
+  Guarded waiting(Guarded guarded, const std::string& why);
 
   VehicleDescription vehicle_;
   ObstacleGuardParams params_;
