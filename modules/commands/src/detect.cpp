@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <set>
 
 #include "aisle/commands/output_directory.hpp"
@@ -11,12 +10,12 @@
 #include "aisle/formats/picture_file.hpp"
 #include "line_pursuit.hpp"
 #include "picture_detector.hpp"
+#include "rounded.hpp"
 
 namespace aisle {
 
 nlohmann::ordered_json pixel_json(const Vec2& pixel) {
-  const auto rounded = [](double value) { return std::round(value * 1000) / 1000; };
-  return {rounded(pixel.x()), rounded(pixel.y())};
+  return {rounded(pixel.x(), 3), rounded(pixel.y(), 3)};
 }
 
 nlohmann::ordered_json polyline_json(const std::vector<Vec2>& pixels) {

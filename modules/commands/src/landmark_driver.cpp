@@ -17,10 +17,8 @@ void append(Problems& problems, const Problems& more) {
 
 /// That the vehicle sees with the camera of the landmarks.
 Problems check_camera(const CameraDescription& learned, const VehicleDescription& vehicle) {
-  const auto present =
-      std::find_if(vehicle.cameras.begin(), vehicle.cameras.end(),
-                   [&](const CameraDescription& camera) { return camera.name == learned.name; });
-  if (present != vehicle.cameras.end()) return check_same_camera(learned, *present);
+  if (const CameraDescription* present = vehicle.camera(learned.name))
+    return check_same_camera(learned, *present);
   return {{{"", 0, "cameras." + learned.name}, "is missing: the building's landmarks were seen with it"}};
 }
 

@@ -62,20 +62,19 @@ double ErrorFigure::rms() const {
   return count_ == 0 ? 0 : std::sqrt(sum_of_squares_ / static_cast<double>(count_));
 }
 
-Pose2 MissionErrors::add(const LandmarkFix& fix, const Pose2& T_world_vehicle) {
+void MissionJudge::add(const LandmarkFix& fix, const Pose2& T_world_vehicle) {
   taught_ = truth_.nearest(fix.T_map_vehicle.mean, taught_);
   const Pose2 T_map_true = truth_.on_map(T_world_vehicle, taught_);
   const PathPoint nearest =
       path_.nearest(T_map_true.position(), along_path_m_ - kBack_m, along_path_m_ + kAhead_m);
   along_path_m_ = nearest.along_m;
-  if (!fix.is_sure) return T_map_true;
+  if (!fix.is_sure) return;
   const Pose2 error = between(T_map_true, fix.T_map_vehicle.mean);
-  along_m.add(error.x);
-  across_m.add(error.y);
-  heading_rad.add(error.theta);
-  tracking_m.add((T_map_true.position() - nearest.T_map_path.position()).norm());
-  wrong_confident = wrong_confident || error.position().norm() > kWrong_m;
-  return T_map_true;
+  errors_.along_m.add(error.x);
+  errors_.across_m.add(error.y);
+  errors_.heading_rad.add(error.theta);
+  errors_.tracking_m.add((T_map_true.position() - nearest.T_map_path.position()).norm());
+  errors_.wrong_confident = errors_.wrong_confident || error.position().norm() > kWrong_m;
 }
 
 }  // namespace aisle

@@ -59,25 +59,30 @@ class ErrorFigure {
   std::size_t count_ = 0;
 };
 
-/// Errors of one mission, cycle by cycle.
-class MissionErrors {
- public:
-  /// @param taught  the taught pose at which the mission begins
-  MissionErrors(const MapTruth& truth, const Path& path, std::size_t taught)
-      : truth_(truth), path_(path), taught_(taught) {}
-
-  /// @return where the vehicle really is on the map
-  Pose2 add(const LandmarkFix& fix, const Pose2& T_world_vehicle);
-
+/// Errors of one mission.
+struct MissionErrors {
   ErrorFigure across_m, along_m, heading_rad;  ///< of the pose, while it was sure
   ErrorFigure tracking_m;                      ///< of the vehicle against its path
   bool wrong_confident = false;                ///< ever off by more than half a metre and yet sure
+};
+
+/// Judges a mission, cycle by cycle.
+class MissionJudge {
+ public:
+  /// Truth and path must outlive the judge.
+  /// @param taught  the taught pose at which the mission begins
+  MissionJudge(const MapTruth& truth, const Path& path, std::size_t taught)
+      : truth_(truth), path_(path), taught_(taught) {}
+
+  void add(const LandmarkFix& fix, const Pose2& T_world_vehicle);
+  const MissionErrors& errors() const { return errors_; }
 
  private:
   const MapTruth& truth_;
   const Path& path_;
   double along_path_m_ = 0;
   std::size_t taught_;  ///< the pose that was next to the vehicle
+  MissionErrors errors_;
 };
 
 }  // namespace aisle

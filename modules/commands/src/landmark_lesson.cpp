@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "aisle/core/angle.hpp"
-#include "aisle/core/square.hpp"
 
 namespace aisle {
 namespace {
@@ -63,8 +62,7 @@ Result<LandmarkLesson> learn_lesson(const LandmarkTrip& trip, const std::string&
 }
 
 UncertainPose2 about_start(const Pose2& T_map_start) {
-  return {T_map_start,
-          Vec3(square(kStartSigma_m), square(kStartSigma_m), square(kStartSigma_rad)).asDiagonal()};
+  return about(T_map_start, kStartSigma_m, kStartSigma_rad);
 }
 
 }  // namespace aisle

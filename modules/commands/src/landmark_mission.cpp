@@ -17,8 +17,13 @@ constexpr std::uint64_t kSetDown = 0x5e7d03;  // keeps this chance apart from th
 class LandmarkMissionRecord final : public SimulatedRecord {
  public:
   LandmarkMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
-                        const LandmarkNavigator& navigator, LandmarkMissionResult& result)
-      : SimulatedRecord(session, vehicle), vehicle_(vehicle), navigator_(navigator), result_(result) {}
+                        const LandmarkNavigator& navigator, MissionJudge& judge,
+                        LandmarkMissionResult& result)
+      : SimulatedRecord(session, vehicle),
+        vehicle_(vehicle),
+        navigator_(navigator),
+        judge_(judge),
+        result_(result) {}
 
   Result<Observation> keep(Observation observation) override {
     auto kept = SimulatedRecord::keep(std::move(observation));
@@ -28,22 +33,19 @@ class LandmarkMissionRecord final : public SimulatedRecord {
 
   Problems keep(const Decision& decision) override {
     const LandmarkFix fix = navigator_.fix();
-    const Pose2& T_world_vehicle = vehicle_.truth().T_world_vehicle;
-    result_.T_map_true.push_back(result_.errors.add(fix, T_world_vehicle));
+    judge_.add(fix, vehicle_.truth().T_world_vehicle);
+    result_.T_map_driven.push_back(fix.T_map_vehicle.mean);
     if (decision.state == "lost" && state_ != "lost") ++result_.lost_count;
     state_ = decision.state;
     cycle_.sightings = navigator_.sightings();
-    for (const LandmarkSighting& sighting : cycle_.sightings)
-      result_.p_map_sightings.push_back(fix.T_map_vehicle.mean * sighting.p_vehicle);
-    result_.trip.cycles.push_back(cycle_);
-    result_.trip.T_world_vehicle.push_back(T_world_vehicle);
-    result_.T_map_vehicle.push_back(fix.T_map_vehicle.mean);
+    result_.cycles.push_back(cycle_);
     return SimulatedRecord::keep(decision);
   }
 
  private:
   const SimulatedVehicle& vehicle_;
   const LandmarkNavigator& navigator_;
+  MissionJudge& judge_;
   LandmarkMissionResult& result_;
   LandmarkCycle cycle_;
   std::string state_;
@@ -89,14 +91,15 @@ Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& se
   SimulatedVehicle vehicle(
       setting.world, setting.vehicle, setting.scenario,
       {.seed = options.seed, .T_world_start = set_down(setting, T_world_start, options)});
-  LandmarkMissionResult result(truth, driver.path(), taught);
-  result.trip.vehicle = vehicle.description();
-  result.trip.camera = *driver.building().camera;
+  MissionJudge judge(truth, driver.path(), taught);
+  LandmarkMissionResult result;
+  result.T_map_start = driver.path().at(0).T_map_path;
   TimedNavigator timed(driver, result.cycle_s);
-  LandmarkMissionRecord record(session, vehicle, driver.navigator(), result);
+  LandmarkMissionRecord record(session, vehicle, driver.navigator(), judge, result);
   auto end = run_mission(vehicle, timed, record, progress);
   if (!end) return end.problems();
   result.end = std::move(*end);
+  result.errors = judge.errors();
   result.collisions = vehicle.truth().collisions;
   result.distance_m = vehicle.truth().way_m;
   return result;

@@ -10,29 +10,24 @@
 #include "aisle/formats/session_record.hpp"
 #include "aisle/guidance/landmark_navigator.hpp"
 #include "aisle/guidance/mission.hpp"
+#include "aisle/learning/landmark_learning.hpp"
 #include "landmark_driver.hpp"
 #include "landmark_evaluation.hpp"
-#include "landmark_trip.hpp"
 #include "simulation_setting.hpp"
 
 namespace aisle {
 
 /// What a simulated mission along a learned route came to.
 struct LandmarkMissionResult {
-  /// Both must outlive the result.
-  LandmarkMissionResult(const MapTruth& truth, const Path& path, std::size_t taught)
-      : errors(truth, path, taught) {}
-
   MissionEnd end;
   std::size_t collisions = 0;
   std::size_t lost_count = 0;
   double distance_m = 0;
   MissionErrors errors;
-  std::vector<double> cycle_s;       ///< processor time of each cycle, from image to command
-  LandmarkTrip trip;                 ///< for refinement
-  std::vector<Pose2> T_map_vehicle;  ///< as the vehicle thought
-  std::vector<Pose2> T_map_true;     ///< as it was, on the map
-  std::vector<Vec2> p_map_sightings;
+  std::vector<double> cycle_s;        ///< processor time of each cycle, from image to command
+  Pose2 T_map_start;                  ///< of its path
+  std::vector<LandmarkCycle> cycles;  ///< for refinement
+  std::vector<Pose2> T_map_driven;    ///< of each cycle, as the vehicle thought
 };
 
 struct LandmarkMissionOptions {

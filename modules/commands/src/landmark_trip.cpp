@@ -4,15 +4,13 @@
 
 #include <algorithm>
 
-#include "aisle/formats/session_cycles.hpp"
 #include "aisle/formats/session_truth.hpp"
 
 namespace aisle {
 
 const CameraDescription& corridor_camera(const VehicleDescription& vehicle) {
-  const auto named = std::find_if(vehicle.cameras.begin(), vehicle.cameras.end(),
-                                  [](const CameraDescription& camera) { return camera.name == "corridor"; });
-  return named == vehicle.cameras.end() ? vehicle.cameras.front() : *named;
+  const CameraDescription* named = vehicle.camera("corridor");
+  return named == nullptr ? vehicle.cameras.front() : *named;
 }
 
 LandmarkTripCollector::LandmarkTripCollector(const LandmarkSightingParams& params,
@@ -27,16 +25,14 @@ void LandmarkTripCollector::add(const Observation& observation) {
   trip.cycles.push_back(std::move(cycle));
 }
 
-Result<LandmarkTrip> read_landmark_trip(const std::filesystem::path& session,
+Result<LandmarkTrip> read_landmark_trip(const std::filesystem::path& session, SessionCycles& cycles,
                                         const LandmarkSightingParams& params, Progress& progress) {
-  auto cycles = SessionCycles::open(session);
-  if (!cycles) return cycles.problems();
-  if (cycles->vehicle().cameras.empty())
+  if (cycles.vehicle().cameras.empty())
     return Problem{{session.string()}, "is of a vehicle without a camera"};
-  LandmarkTripCollector collector(params, cycles->vehicle());
+  LandmarkTripCollector collector(params, cycles.vehicle());
   std::size_t pictures = 0;
   while (true) {
-    auto cycle = cycles->next();
+    auto cycle = cycles.next();
     if (!cycle) return cycle.problems();
     if (!cycle->has_value()) break;
     pictures += (*cycle)->observation.pictures.size();

@@ -5,7 +5,7 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_origin.hpp"
+#include "aisle/formats/session_cycles.hpp"
 #include "aisle/learning/landmark_learning.hpp"
 #include "aisle/vehicle/camera_description.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
@@ -37,8 +37,9 @@ class LandmarkTripCollector {
   LandmarkDetector detector_;
 };
 
-/// A recorded trip. A session without pictures of that camera is a problem.
-Result<LandmarkTrip> read_landmark_trip(const std::filesystem::path& session,
+/// A recorded trip: all cycles of a session that was just opened. A session without pictures of that camera
+/// is a problem.
+Result<LandmarkTrip> read_landmark_trip(const std::filesystem::path& session, SessionCycles& cycles,
                                         const LandmarkSightingParams& params, Progress& progress);
 
 }  // namespace aisle

@@ -5,7 +5,6 @@
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/building_json.hpp"
-#include "aisle/formats/session_cycles.hpp"
 #include "landmark_lesson.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
@@ -65,12 +64,12 @@ Result<Outcome> run_learn(const LearnOptions& options, Console& console) {
     if (!opened) return opened.problems();
     directory = std::move(*opened);
   }
-  const auto origin = SessionCycles::open(options.session);
-  if (!origin) return origin.problems();
-  const std::string named = origin->origin().route.empty() ? "route" : origin->origin().route;
+  auto cycles = SessionCycles::open(options.session);
+  if (!cycles) return cycles.problems();
+  const std::string named = cycles->origin().route.empty() ? "route" : cycles->origin().route;
   if (Problems problems = check_route_name({options.session.string(), 0, "route"}, named); !problems.empty())
     return problems;
-  const auto trip = read_landmark_trip(options.session, params.sightings, console.progress);
+  const auto trip = read_landmark_trip(options.session, *cycles, params.sightings, console.progress);
   if (!trip) return trip.problems();
   const auto lesson = learn_lesson(*trip, named, params);
   if (!lesson) return at_file(lesson.problems(), options.session.string());

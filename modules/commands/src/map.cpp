@@ -17,19 +17,15 @@
 #include "aisle/learning/relation_error.hpp"
 #include "aisle/report/map_picture.hpp"
 #include "aisle/report/occupancy.hpp"
+#include "rounded.hpp"
 
 namespace aisle {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// To `per_unit` parts of one, so that it prints with few digits.
-double rounded(double value, double per_unit) {
-  return std::round(value * per_unit) / per_unit;
-}
-
 Json mean_and_std(const MeanAndDeviation& m, double unit) {
-  return {{"mean", rounded(m.mean / unit, 1e5)}, {"std", rounded(m.deviation / unit, 1e5)}};
+  return {{"mean", rounded(m.mean / unit, 5)}, {"std", rounded(m.deviation / unit, 5)}};
 }
 
 Json error_figures(const RelationError& error) {
@@ -40,7 +36,7 @@ Json error_figures(const RelationError& error) {
 Json stage_figures(const std::vector<MapStage>& stages, const std::vector<PoseRelation>& relations) {
   Json figures = Json::array();
   for (const MapStage& stage : stages) {
-    Json row = {{"stage", stage.name}, {"walls", stage.walls}, {"cpu_s", rounded(stage.cpu_s, 100)}};
+    Json row = {{"stage", stage.name}, {"walls", stage.walls}, {"cpu_s", rounded(stage.cpu_s, 2)}};
     if (!relations.empty()) row.update(error_figures(relation_error(stage.T_map_vehicle, relations)));
     figures.push_back(row);
   }
@@ -51,15 +47,15 @@ Json figures_of(const MapResult& result, const LaserLog& log, const std::vector<
   const double cpu_s = process_cpu_s();
   const double duration_s = log.scans.back().time_s - log.scans.front().time_s;
   Json figures = {{"scans", log.scans.size()},
-                  {"path_m", rounded(result.path_m, 100)},
+                  {"path_m", rounded(result.path_m, 2)},
                   {"walls", result.walls.walls.size()},
-                  {"orthogonal_share", rounded(result.walls.orthogonal_share(), 1e4)},
+                  {"orthogonal_share", rounded(result.walls.orthogonal_share(), 4)},
                   {"no_dominant_direction", !result.has_dominant_direction},
                   {"loop_closures", result.loop_closures.size()},
-                  {"odometry_delay_s", rounded(result.odometry_delay_s, 1e4)},
-                  {"cpu_s", rounded(cpu_s, 1e3)},
-                  {"realtime_factor", rounded(duration_s / cpu_s, 10)},
-                  {"peak_rss_mb", rounded(process_peak_rss_mb(), 10)}};
+                  {"odometry_delay_s", rounded(result.odometry_delay_s, 4)},
+                  {"cpu_s", rounded(cpu_s, 3)},
+                  {"realtime_factor", rounded(duration_s / cpu_s, 1)},
+                  {"peak_rss_mb", rounded(process_peak_rss_mb(), 1)}};
   if (relations.empty()) return figures;
   figures["relations"] = {{"count", relations.size()}};
   figures.update(error_figures(relation_error(result.T_map_vehicle, relations)));

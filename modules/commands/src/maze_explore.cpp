@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "aisle/commands/process_usage.hpp"
 #include "aisle/exploration/exploration_run.hpp"
@@ -12,6 +11,7 @@
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/report/maze_picture.hpp"
 #include "aisle/report/maze_screen.hpp"
+#include "rounded.hpp"
 
 namespace aisle {
 namespace {
@@ -49,16 +49,12 @@ double ratio(std::size_t moves, std::size_t bound) {
   return bound == 0 ? 1 : static_cast<double>(moves) / static_cast<double>(bound);
 }
 
-double rounded(double value) {
-  return std::round(value * 1e6) / 1e6;
-}
-
 Json run_figures(const ExplorationFigures& figures) {
   return {{"reachable", figures.reachable},
           {"visited", figures.visited},
-          {"coverage", rounded(figures.coverage())},
+          {"coverage", rounded(figures.coverage(), 6)},
           {"moves", figures.moves},
-          {"moves_over_lower_bound", rounded(ratio(figures.moves, figures.tree_moves()))},
+          {"moves_over_lower_bound", rounded(ratio(figures.moves, figures.tree_moves()), 6)},
           {"max_edge_uses", figures.max_edge_uses},
           {"max_stack", figures.max_stack},
           {"halted", figures.halted},
@@ -90,7 +86,7 @@ class Totals {
   Json json() const {
     Json total = {{"mazes", mazes_}, {"complete", complete_}};
     total.update(run_figures(sum_));
-    total["moves_over_lower_bound"] = rounded(ratio(sum_.moves, tree_moves_));
+    total["moves_over_lower_bound"] = rounded(ratio(sum_.moves, tree_moves_), 6);
     total["halted"] = halted_;
     total["ended_at_start"] = ended_at_start_;
     total["stack_empty"] = stack_empty_;
@@ -284,8 +280,8 @@ Result<Outcome> run_maze_explore(const MazeExploreOptions& options, Console& con
   }
   outcome.figures["total"] = totals.json();
   if (options.compare) outcome.figures["compare"] = compared;
-  outcome.figures["cpu_s"] = rounded(process_cpu_s());
-  outcome.figures["peak_rss_mb"] = rounded(process_peak_rss_mb());
+  outcome.figures["cpu_s"] = rounded(process_cpu_s(), 6);
+  outcome.figures["peak_rss_mb"] = rounded(process_peak_rss_mb(), 6);
   outcome.ok = totals.all_complete();
   outcome.text = exploration_text(outcome.figures);
   for (const auto& [role, path] : outcome.files) outcome.text += fmt::format("{}: {}\n", role, path);

@@ -8,7 +8,6 @@
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/building_json.hpp"
-#include "aisle/formats/session_cycles.hpp"
 #include "aisle/vehicle/same_camera.hpp"
 #include "landmark_driver.hpp"
 #include "landmark_lesson.hpp"
@@ -33,9 +32,9 @@ Pose2 start_of(const SessionOrigin& origin, const Building& building, const Vehi
 Result<nlohmann::ordered_json> take_in(const std::filesystem::path& session,
                                        const LandmarkLessonParams& params, Building& building,
                                        Progress& progress) {
-  const auto cycles = SessionCycles::open(session);
+  auto cycles = SessionCycles::open(session);
   if (!cycles) return cycles.problems();
-  const auto trip = read_landmark_trip(session, params.sightings, progress);
+  const auto trip = read_landmark_trip(session, *cycles, params.sightings, progress);
   if (!trip) return trip.problems();
   if (Problems problems = check_same_camera(*building.camera, trip->camera); !problems.empty())
     return at_file(problems, session.string());

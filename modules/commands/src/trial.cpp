@@ -7,13 +7,9 @@
 #include <utility>
 
 #include "aisle/commands/parameter_listing.hpp"
-#include "aisle/formats/building_json.hpp"
-#include "aisle/guidance/hand_driver.hpp"
 #include "aisle/simulation/random_building.hpp"
-#include "aisle/simulation/scripted_operator.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
-#include "landmark_lesson.hpp"
-#include "landmark_mission.hpp"
+#include "landmark_course.hpp"
+#include "learned_files.hpp"
 #include "methods.hpp"
 #include "rounded.hpp"
 
@@ -21,38 +17,6 @@ namespace aisle {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct TrialParams {
-  LandmarkLessonParams lesson;
-  LandmarkNavigatorParams navigator;
-  ScriptedOperatorParams person;
-
-  void describe(FieldList& fields) {
-    fields.group("lesson", lesson);
-    fields.group("navigator", navigator);
-    fields.group("person", person);
-  }
-};
-
-/// Collects a trip that a person drives.
-class LessonRecord final : public MissionRecord {
- public:
-  LessonRecord(const LandmarkSightingParams& params, const SimulatedVehicle& vehicle)
-      : collector_(params, vehicle.description()), vehicle_(vehicle) {}
-
-  Result<Observation> keep(Observation observation) override {
-    collector_.add(observation);
-    collector_.trip.T_world_vehicle.push_back(vehicle_.truth().T_world_vehicle);
-    return observation;
-  }
-  Problems keep(const Decision&) override { return {}; }
-
-  LandmarkTrip take() { return std::move(collector_.trip); }
-
- private:
-  LandmarkTripCollector collector_;
-  const SimulatedVehicle& vehicle_;
-};
 
 /// The world of a seed: one of those given, in turn, or a building by chance.
 Result<SimulationSetting> setting_of(const TrialOptions& options, std::uint64_t seed) {
@@ -66,27 +30,9 @@ Result<SimulationSetting> setting_of(const TrialOptions& options, std::uint64_t 
     setting->world = random_building({.kind = kBuildingKinds[seed % kinds]}, Random(seed));
     setting->world_file = fmt::format("{} {}", name_of(kBuildingKinds[seed % kinds]), seed);
   }
-  auto& cameras = setting->vehicle.description.cameras;
-  if (cameras.empty())
-    return Problem{{options.vehicle, 0, "cameras"}, "there is none: nothing can be learned"};
-  cameras = {CameraDescription(corridor_camera(setting->vehicle.description))};
+  if (Problems problems = keep_corridor_camera(*setting); !problems.empty())
+    return at_file(problems, options.vehicle);
   return setting;
-}
-
-/// A person drives the world's tour. nullopt: the person did not get through; that is no mission.
-Result<std::optional<LandmarkTrip>> teach(const SimulationSetting& setting, const TrialParams& params,
-                                          std::uint64_t seed, Progress& progress) {
-  const auto start = start_in(setting);
-  if (!start) return start.problems();
-  ScriptedOperator person(setting.world, setting.vehicle.description, params.person, seed);
-  SimulatedVehicle vehicle(setting.world, setting.vehicle, {}, {.seed = seed, .T_world_start = *start},
-                           &person);
-  HandDriver driver({});
-  LessonRecord record(params.lesson.sightings, vehicle);
-  const auto end = run_mission(vehicle, driver, record, progress);
-  if (!end) return end.problems();
-  if (!person.has_arrived()) return std::optional<LandmarkTrip>();
-  return std::optional<LandmarkTrip>(record.take());
 }
 
 /// Mean and worst of a figure over missions.
@@ -169,11 +115,11 @@ struct Trial {
 };
 
 /// One seed: taught, learned, driven and refined as often as is asked.
-Problems run_seed(const TrialOptions& options, const TrialParams& params, std::uint64_t seed, Trial& trial,
-                  Progress& progress) {
+Problems run_seed(const TrialOptions& options, const LandmarkCourseParams& params, std::uint64_t seed,
+                  Trial& trial, Progress& progress) {
   const auto setting = setting_of(options, seed);
   if (!setting) return setting.problems();
-  const auto trip = teach(*setting, params, seed, progress);
+  const auto trip = teach_trip(*setting, params, seed, progress);
   if (!trip) return trip.problems();
   if (!*trip) {
     trial.not_taught.push_back({{"seed", seed}, {"why", "the person did not get through"}});
@@ -187,24 +133,14 @@ Problems run_seed(const TrialOptions& options, const TrialParams& params, std::u
   const MapTruth truth(lesson->T_map_taught, (*trip)->T_world_vehicle);
   Building building = lesson->building;
   for (int refinement = 0; refinement <= options.refinements; ++refinement) {
-    const VehicleDescription& vehicle = setting->vehicle.description;
-    const auto driver = LandmarkDriver::make(
-        LandmarkDriver::origin(params.navigator, {building_json(building), "route", options.in_reverse}),
-        vehicle);
-    if (!driver) return driver.problems();
-    std::optional<SessionRecord> no_session;
-    const auto result =
-        drive_landmark_mission(*setting, **driver, truth,
-                               {.seed = 1000 * (seed + 1) + static_cast<std::uint64_t>(refinement),
-                                .in_reverse = options.in_reverse},
-                               no_session, progress);
+    const auto result = drive_alone(*setting, params, building, truth,
+                                    {.seed = 1000 * (seed + 1) + static_cast<std::uint64_t>(refinement),
+                                     .in_reverse = options.in_reverse},
+                                    progress);
     if (!result) return result.problems();
     trial.after[static_cast<std::size_t>(refinement)].add(*result, building.landmarks.size());
     trial.missions.push_back(mission_json(seed, *setting, refinement, *result));
-    building.landmarks =
-        refine_landmarks(building.landmarks, result->trip.cycles, vehicle,
-                         about_start((*driver)->path().at(0).T_map_path), params.lesson.learning)
-            .map;
+    refine_by(*result, setting->vehicle.description, params.lesson.learning, building);
   }
   return {};
 }
@@ -243,13 +179,13 @@ Outcome outcome_of(const TrialOptions& options, const Trial& trial) {
 }  // namespace
 
 Outcome trial_parameters() {
-  TrialParams params;
+  LandmarkCourseParams params;
   return parameter_listing("trial", fields_of(params));
 }
 
 Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
   if (Problems problems = check_method(options.method); !problems.empty()) return problems;
-  TrialParams params;
+  LandmarkCourseParams params;
   FieldList fields = fields_of(params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   if (options.speed_mps) params.navigator.speed.speed_mps = *options.speed_mps;

@@ -23,12 +23,6 @@ Problems write_all(SessionWriter& writer, ros::Stamp_ns stamp, std::span<const R
   return {};
 }
 
-const CameraDescription* find_camera(const VehicleDescription& vehicle, const std::string& name) {
-  for (const CameraDescription& camera : vehicle.cameras)
-    if (camera.name == name) return &camera;
-  return nullptr;
-}
-
 }  // namespace
 
 Result<SessionRecord> SessionRecord::create(const std::filesystem::path& directory, bool force,
@@ -83,7 +77,7 @@ Problems SessionRecord::write_for_viewers(const Observation& observation, ros::S
   std::vector<RecordedMessage> messages = {odometry_message(stamp, T_odom_vehicle_, motion, duration_s),
                                            frames_message(stamp, T_odom_vehicle_)};
   for (const CameraPicture& picture : observation.pictures) {
-    if (const CameraDescription* camera = find_camera(vehicle_, picture.camera))
+    if (const CameraDescription* camera = vehicle_.camera(picture.camera))
       messages.push_back(camera_info_message(*camera, picture.stamp_s));
   }
   return write_all(writer_, stamp, messages);

@@ -1,15 +1,20 @@
 #include "aisle/geometry/pose2.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/square.hpp"
 
 namespace aisle {
 
 Vec2 rotate(double angle_rad, const Vec2& v) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+Mat2 rotation(double angle_rad) {
+  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  return Mat2{{c, -s}, {s, c}};
 }
 
 Vec2 unit(double angle_rad) {
@@ -44,19 +49,23 @@ Pose2 interpolate(const Pose2& a, const Pose2& b, double share) {
           wrap_angle(a.theta + share * wrap_angle(b.theta - a.theta))};
 }
 
+UncertainPose2 about(const Pose2& T, double sigma_m, double sigma_rad) {
+  return {T, Vec3(square(sigma_m), square(sigma_m), square(sigma_rad)).asDiagonal()};
+}
+
 UncertainPose2 operator*(const UncertainPose2& a, const UncertainPose2& b) {
   const Vec2 lever = rotate(a.mean.theta, b.mean.position());
   Mat3 by_a = Mat3::Identity();
   by_a.block<2, 1>(0, 2) = left_normal(lever);
   Mat3 by_b = Mat3::Identity();
-  by_b.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(a.mean.theta).toRotationMatrix();
+  by_b.topLeftCorner<2, 2>() = rotation(a.mean.theta);
   return {a.mean * b.mean, by_a * a.covariance * by_a.transpose() + by_b * b.covariance * by_b.transpose()};
 }
 
 UncertainPose2 inverse(const UncertainPose2& T) {
   const Pose2 inverted = T.mean.inverse();
   Mat3 jacobian = -Mat3::Identity();
-  jacobian.topLeftCorner<2, 2>() = -Eigen::Rotation2Dd(-T.mean.theta).toRotationMatrix();
+  jacobian.topLeftCorner<2, 2>() = -rotation(-T.mean.theta);
   jacobian.block<2, 1>(0, 2) = -left_normal(inverted.position());
   return {inverted, jacobian * T.covariance * jacobian.transpose()};
 }

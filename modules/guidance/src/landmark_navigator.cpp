@@ -6,8 +6,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "aisle/core/square.hpp"
-
 namespace aisle {
 namespace {
 
@@ -16,13 +14,9 @@ constexpr double kFoundSigma_rad = 3 * kDegree;
 constexpr double kAgreed_m = 0.25;    // answers of two pictures that are the same
 constexpr std::size_t kAgreeing = 4;  // pictures in a row that must say the same
 
-UncertainPose2 roughly(const Pose2& T, double sigma_m, double sigma_rad) {
-  return {T, Vec3(square(sigma_m), square(sigma_m), square(sigma_rad)).asDiagonal()};
-}
-
 const CameraDescription& camera_of(const VehicleDescription& vehicle, const Building& building) {
-  for (const CameraDescription& camera : vehicle.cameras) {
-    if (building.camera && camera.name == building.camera->name) return camera;
+  if (building.camera) {
+    if (const CameraDescription* camera = vehicle.camera(building.camera->name)) return *camera;
   }
   throw std::invalid_argument("the vehicle lacks the camera that the landmarks were seen with");
 }
@@ -83,7 +77,7 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
       detector_(params.sightings, camera_of(vehicle, building).intrinsics,
                 camera_of(vehicle, building).mount),
       localiser_(params.localiser, vehicle,
-                 roughly(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
+                 about(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
       relocator_(params.relocation, params.localiser),
       follower_(vehicle, params.steering),
       progress_(path_),
@@ -139,8 +133,7 @@ std::string LandmarkNavigator::why_lost() const {
 }
 
 Decision LandmarkNavigator::look_around(double stamp_s) {
-  if (stamp_s - *state_since_s_ < params_.look_s) return {.state = "looking"};
-  state_ = State::kFollowing;
+  if (stamp_s - *state_since_s_ >= params_.look_s) state_ = State::kFollowing;
   return {.state = "looking"};
 }
 
@@ -157,7 +150,7 @@ Decision LandmarkNavigator::find_itself(double stamp_s) {
   if (!agrees) T_map_found_.clear();
   T_map_found_.push_back(*found);
   if (T_map_found_.size() < kAgreeing) return {.state = "lost", .why = why_lost_};
-  localiser_.place(roughly(*found, kFoundSigma_m, kFoundSigma_rad));
+  localiser_.place(about(*found, kFoundSigma_m, kFoundSigma_rad));
   const LandmarkMatch match = localiser_.correct(building_->landmarks, sightings_);
   if (match != LandmarkMatch::kMatched || localiser_.matched_share() < params_.relocation.matched_share_min ||
       localiser_.pairs().size() < static_cast<std::size_t>(params_.relocation.pairs_min))

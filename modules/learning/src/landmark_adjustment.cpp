@@ -92,20 +92,17 @@ struct SightingError {
   }
 };
 
-/// Keeps an unknown in standard deviations near zero.
+/// Keeps unknowns in standard deviations near zero.
+template <int kUnknowns>
 struct NearZero {
   template <class T>
-  bool operator()(const T* value, T* residual) const {
-    residual[0] = value[0];
+  bool operator()(const T* values, T* residual) const {
+    std::copy_n(values, kUnknowns, residual);
     return true;
   }
-};
 
-struct NearZero3 {
-  template <class T>
-  bool operator()(const T* values, T* residual) const {
-    std::copy_n(values, 3, residual);
-    return true;
+  static ceres::CostFunction* cost() {
+    return new ceres::AutoDiffCostFunction<NearZero, kUnknowns, kUnknowns>(new NearZero);
   }
 };
 
@@ -163,19 +160,15 @@ void adjust_landmarks(std::span<const LandmarkCycle> cycles,
                                  new SightingError{T_key_cycle[seen.cycle], sighting, root_information(own)}),
                              new ceres::CauchyLoss(kCauchy), keys[keyframes.of_cycle[seen.cycle]].data(),
                              &tilts[seen.cycle], landmarks[seen.landmark].p_map.data());
-    const double theta = T_map_vehicle[seen.cycle].theta;
-    Mat2 R_map_vehicle;
-    R_map_vehicle << std::cos(theta), -std::sin(theta), std::sin(theta), std::cos(theta);
+    const Mat2 R_map_vehicle = rotation(T_map_vehicle[seen.cycle].theta);
     information[seen.landmark] += R_map_vehicle * sighting.covariance.inverse() * R_map_vehicle.transpose();
   }
   for (double& tilt : tilts) {
-    if (problem.HasParameterBlock(&tilt))
-      problem.AddResidualBlock(new ceres::AutoDiffCostFunction<NearZero, 1, 1>(new NearZero), nullptr, &tilt);
+    if (problem.HasParameterBlock(&tilt)) problem.AddResidualBlock(NearZero<1>::cost(), nullptr, &tilt);
   }
   if (keys.size() > 1) {
     problem.SetParameterBlockConstant(keys.front().data());
-    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<NearZero3, 3, 3>(new NearZero3), nullptr,
-                             steady.data());
+    problem.AddResidualBlock(NearZero<3>::cost(), nullptr, steady.data());
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;

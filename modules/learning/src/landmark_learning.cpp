@@ -53,11 +53,10 @@ std::vector<LandmarkObservation> observations(std::span<const LandmarkCycle> cyc
                                               const VehicleDescription& vehicle,
                                               const LandmarkLocaliserParams& params,
                                               const LearnedTrip& trip) {
-  const Mat3 near = Vec3(square(kNearSigma_m), square(kNearSigma_m), square(kNearSigma_rad)).asDiagonal();
   LandmarkLocaliser localiser(params, vehicle, {});
   std::vector<LandmarkObservation> all;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
-    localiser.place({trip.T_map_vehicle[i], near});
+    localiser.place(about(trip.T_map_vehicle[i], kNearSigma_m, kNearSigma_rad));
     if (localiser.correct(trip.map, cycles[i].sightings) != LandmarkMatch::kMatched) continue;
     for (const LandmarkPair& pair : localiser.pairs()) all.push_back({i, pair.sighting, pair.landmark});
   }

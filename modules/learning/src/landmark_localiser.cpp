@@ -117,8 +117,7 @@ void LandmarkLocaliser::gather(const LandmarkMap& map, std::span<const LandmarkS
 
 MwghtWindow LandmarkLocaliser::window() const {
   const Mat3 covariance = filter_.covariance();
-  const double c = std::cos(filter_.pose().theta), s = std::sin(filter_.pose().theta);
-  const Vec2 ahead{c, s}, left{-s, c};
+  const Vec2 ahead = unit(filter_.pose().theta), left = left_normal(ahead);
   const auto half = [&](double variance, double least, double most) {
     return std::clamp(params_.window_sigmas * std::sqrt(variance), least, most);
   };
@@ -137,9 +136,7 @@ double LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landma
   points_.clear();
   taken_.assign(near_.size(), 0);
   const Pose2 T_vehicle_map = T_map_vehicle.inverse();
-  const double c = std::cos(T_map_vehicle.theta), s = std::sin(T_map_vehicle.theta);
-  Mat2 R_map_vehicle;
-  R_map_vehicle << c, -s, s, c;
+  const Mat2 R_map_vehicle = rotation(T_map_vehicle.theta);
   double matched = 0, all = 0, agreement = 0;
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const LandmarkSighting& sighting = sightings[i];

@@ -50,10 +50,9 @@ void LandmarkRelocator::judge_by_pairs(const LandmarkMap& map, std::span<const L
   const auto by_value = [](const Candidate& a, const Candidate& b) { return a.value < b.value; };
   const double greatest = std::max_element(candidates_.begin(), candidates_.end(), by_value)->value;
   std::erase_if(candidates_, [&](const Candidate& c) { return c.value < kPromising * greatest; });
-  const Mat3 rough = Vec3(square(kRoughSigma_m), square(kRoughSigma_m), square(kRoughSigma_rad)).asDiagonal();
   LandmarkLocaliser localiser(matching_, {}, {});
   for (Candidate& candidate : candidates_) {
-    localiser.place({candidate.T_map_vehicle, rough});
+    localiser.place(about(candidate.T_map_vehicle, kRoughSigma_m, kRoughSigma_rad));
     if (localiser.correct(map, sightings) != LandmarkMatch::kMatched ||
         localiser.pairs().size() < static_cast<std::size_t>(params_.pairs_min))
       continue;

@@ -1,6 +1,5 @@
 #include "loop_closer.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -30,9 +29,9 @@ constexpr double kFitFloor_m = 0.02;
 constexpr double kFitFloor_rad = 0.3 * kDegree;
 
 Mat3 rotation3(double angle_rad) {
-  Mat3 rotation = Mat3::Identity();
-  rotation.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(angle_rad).toRotationMatrix();
-  return rotation;
+  Mat3 turned = Mat3::Identity();
+  turned.topLeftCorner<2, 2>() = rotation(angle_rad);
+  return turned;
 }
 
 /// Information of a fit in the frame of the older submap, never surer than the floor.

@@ -177,8 +177,8 @@ class RefineLandmarks : public testing::Test {
   void refine(int trips) {
     for (int i = 0; i < trips; ++i) {
       const CorridorTrip trip = corridor_trip(now_, 12, noise_, random_);
-      const Mat3 about = Vec3(square(0.1), square(0.1), square(2 * kDegree)).asDiagonal();
-      const RefinedLandmarks refined = refine_landmarks(map_, trip.cycles, corridor_cart(), {{}, about}, {});
+      const RefinedLandmarks refined =
+          refine_landmarks(map_, trip.cycles, corridor_cart(), about({}, 0.1, 2 * kDegree), {});
       matched_share_ = refined.matched_share;
       map_ = refined.map;
     }

@@ -28,10 +28,6 @@ VehicleDescription cart() {
   return vehicle;
 }
 
-UncertainPose2 about(const Pose2& T, double sigma_m, double sigma_rad) {
-  return {T, Vec3(square(sigma_m), square(sigma_m), square(sigma_rad)).asDiagonal()};
-}
-
 Mat2 round_covariance(double sigma_m) {
   return square(sigma_m) * Mat2::Identity();
 }

@@ -1,5 +1,7 @@
 #include "aisle/vehicle/vehicle_description.hpp"
 
+#include <algorithm>
+
 namespace aisle {
 
 void Footprint::describe(FieldList& fields) {
@@ -24,6 +26,12 @@ void DriveLimits::describe(FieldList& fields) {
 
 void LaserMarkers::describe(FieldList& fields) {
   fields.real("height_m", height_m, {0.01, 3}, "of the light plane above the floor");
+}
+
+const CameraDescription* VehicleDescription::camera(std::string_view called) const {
+  const auto found = std::find_if(cameras.begin(), cameras.end(),
+                                  [&](const CameraDescription& present) { return present.name == called; });
+  return found == cameras.end() ? nullptr : &*found;
 }
 
 void VehicleDescription::describe(FieldList& fields) {

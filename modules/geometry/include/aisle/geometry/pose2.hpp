@@ -18,6 +18,10 @@ using Mat3 = Eigen::Matrix3d;
 /// `v` turned counter-clockwise.
 Vec2 rotate(double angle_rad, const Vec2& v);
 
+/// The matrix that turns counter-clockwise: from a frame's axes to its parent's, of which it has this
+/// heading.
+Mat2 rotation(double angle_rad);
+
 /// The unit vector with this direction.
 Vec2 unit(double angle_rad);
 
@@ -63,6 +67,9 @@ struct UncertainPose2 {
   Pose2 mean;
   Mat3 covariance = Mat3::Zero();
 };
+
+/// A pose of which position (in every direction) and heading are known with these deviations.
+UncertainPose2 about(const Pose2& T, double sigma_m, double sigma_rad);
 
 /// Composition with first-order propagation; the two are independent.
 UncertainPose2 operator*(const UncertainPose2& a, const UncertainPose2& b);

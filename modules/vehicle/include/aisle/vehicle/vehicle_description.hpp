@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "aisle/vehicle/camera_description.hpp"
@@ -57,6 +58,9 @@ struct VehicleDescription {
   std::vector<CameraDescription> cameras;
   std::optional<LaserScanner> scanner;
   std::optional<LaserMarkers> laser_markers;
+
+  /// The camera of a name; nullptr: the vehicle has none.
+  const CameraDescription* camera(std::string_view called) const;
 
   /// Everything but name, cameras, scanner and laser markers, which a vehicle has or has not.
   void describe(FieldList& fields);
