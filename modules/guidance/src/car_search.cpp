@@ -13,8 +13,8 @@ constexpr double kHeadings = 48;
 constexpr double kCheckEvery_m = 0.13;
 constexpr double kNear_m = 0.1;  // of the vehicle to a way that was searched from its end
 constexpr double kNear_rad = 5 * kDegree;
-constexpr double kBendCost = 0.1;     // of the sharpest bend, per metre
-constexpr double kStartSlack_m = 0.1; // a vehicle that stands too near to something may leave it
+constexpr double kBendCost = 0.1;  // of the sharpest bend, per metre
+constexpr double kLeave_m = 2;     // so far about its start a vehicle may go where it barely fits
 
 /// What a vehicle can do in one step.
 std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_share) {
@@ -139,8 +139,7 @@ void CarSearch::try_arc(const FloorGrid& floor, const FloorClearance& clearance,
   const std::uint64_t bin = bin_of(T_map);
   const auto there = bins_.find(bin);
   if (there != bins_.end() && nodes_[there->second].closed) return;
-  double spare_m = least_spare_m(floor, clearance, nodes_[from].T_map, moved);
-  if (from == 0 && spare_m < 0 && spare_m > -kStartSlack_m) spare_m = 0;
+  const double spare_m = least_spare_m(floor, clearance, nodes_[from].T_map, moved);
   if (spare_m < 0) return;
   const double cost_m = nodes_[from].cost_m + cost_of(arc, nodes_[from].arc, from == 0, spare_m);
   std::size_t node = nodes_.size();
@@ -159,11 +158,14 @@ void CarSearch::try_arc(const FloorGrid& floor, const FloorClearance& clearance,
 double CarSearch::least_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
                                 const Pose2& T_map_from, const Arc& arc) const {
   const int checks = std::max(1, static_cast<int>(std::ceil(std::abs(arc.length_m) / kCheckEvery_m)));
+  const bool is_leaving = (T_map_from.position() - nodes_.front().T_map.position()).norm() < kLeave_m;
   double least_m = clearance.far_m();
-  for (int i = checks; i > 0 && least_m >= -kStartSlack_m; --i) {
+  for (int i = checks; i > 0 && least_m >= 0; --i) {
     const double share = static_cast<double>(i) / checks;
     const Pose2 T_map = T_map_from * end_pose({arc.length_m * share, arc.turn_rad * share});
-    least_m = std::min(least_m, room_.spare_m(floor, clearance, T_map));
+    double spare_m = room_.spare_m(floor, clearance, T_map);
+    if (spare_m < 0 && is_leaving && room_.fits_barely(floor, T_map)) spare_m = 0;
+    least_m = std::min(least_m, spare_m);
   }
   return least_m;
 }

@@ -6,12 +6,12 @@
 namespace aisle {
 namespace {
 
-constexpr double kSlice_m = 0.2;     // of the footprint's length that one disc covers
+constexpr double kSlice_m = 0.2;  // of the footprint's length that one disc covers
 constexpr double kCheckEvery_m = 0.1;
 
 }  // namespace
 
-FootprintRoom::FootprintRoom(const Footprint& footprint, double margin_m) {
+FootprintRoom::FootprintRoom(const Footprint& footprint, double margin_m) : footprint_(footprint) {
   const double length_m = footprint.front_m + footprint.rear_m;
   const auto slices = std::max(1, static_cast<int>(std::ceil(length_m / kSlice_m)));
   const double slice_m = length_m / slices;
@@ -30,13 +30,28 @@ double FootprintRoom::spare_m(const FloorGrid& floor, const FloorClearance& clea
   return least_m - radius_m_;
 }
 
+bool FootprintRoom::fits_barely(const FloorGrid& floor, const Pose2& T_map_vehicle) const {
+  const Vec2 ahead = unit(T_map_vehicle.theta), aside = left_normal(ahead);
+  const double step_m = 0.8 * floor.cell_m(), inset_m = floor.cell_m() / 2, half_m = footprint_.width_m / 2;
+  for (double x = inset_m - footprint_.rear_m; x <= footprint_.front_m - inset_m; x += step_m) {
+    for (double y = inset_m - half_m; y <= half_m - inset_m; y += step_m) {
+      if (floor.at(Vec2(T_map_vehicle.position() + x * ahead + y * aside)) != Floor::kFree) return false;
+    }
+  }
+  return true;
+}
+
 double FootprintRoom::free_way_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path,
                                  double from_m) const {
+  const auto is_free = [&](double along_m) {
+    const Pose2 T_map = path.at(along_m).T_map_path;
+    return fits(floor, clearance, T_map) || fits_barely(floor, T_map);
+  };
   for (double along_m = from_m; along_m < path.length_m(); along_m += kCheckEvery_m) {
-    if (!fits(floor, clearance, path.at(along_m).T_map_path)) return along_m - from_m;
+    if (!is_free(along_m)) return along_m - from_m;
   }
-  return fits(floor, clearance, path.at(path.length_m()).T_map_path) ? path.length_m() - from_m
-                                                                     : path.length_m() - from_m - kCheckEvery_m;
+  const double left_m = path.length_m() - from_m;
+  return is_free(path.length_m()) ? left_m : left_m - kCheckEvery_m;
 }
 
 }  // namespace aisle

@@ -20,11 +20,16 @@ class FootprintRoom {
   /// How much room there is beyond the margin; negative: too little.
   double spare_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle) const;
 
-  /// How far along a path, from a point on it, the vehicle fits: up to its end, or less.
+  /// Whether at least the footprint itself lies on known free floor: where a vehicle is set down, it has not
+  /// seen what is beside it.
+  bool fits_barely(const FloorGrid& floor, const Pose2& T_map_vehicle) const;
+
+  /// How far along a path, from a point on it, the vehicle fits, if barely: up to its end, or less.
   double free_way_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path,
                     double from_m) const;
 
  private:
+  Footprint footprint_;
   double radius_m_;
   std::vector<Vec2> p_vehicle_discs_;
 };

@@ -1,0 +1,173 @@
+#include "aisle/commands/explore.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "aisle/commands/output_directory.hpp"
+#include "aisle/commands/parameter_listing.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/learning/map_building.hpp"
+#include "aisle/report/exploration_picture.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+#include "exploration_mission.hpp"
+#include "landmark_mission.hpp"
+#include "rounded.hpp"
+#include "simulated_record.hpp"
+
+namespace aisle {
+namespace {
+
+/// All that an exploration is made of, read and checked.
+struct ExplorationPlan {
+  SimulationSetting setting;
+  ExplorerNavigatorParams params;
+  Pose2 T_world_start;
+};
+
+std::string vehicle_name(const ExploreOptions& options) {
+  if (!options.vehicle.empty()) return options.vehicle;
+  return options.sensor == ExploringSensor::kScanner ? "alv-scanner" : "alv";
+}
+
+Problems check_sensor(const ExploreOptions& options, const VehicleDescription& vehicle) {
+  const auto lacks = [&](const std::string& what) {
+    return Problems{{{"--vehicle"}, fmt::format("'{}' has no {} to explore with", vehicle.name, what)}};
+  };
+  if (options.sensor == ExploringSensor::kScanner)
+    return vehicle.scanner ? Problems{} : lacks("range scanner");
+  if (!vehicle.laser_markers) return lacks("laser markers");
+  return vehicle.camera(options.camera) != nullptr ? Problems{} : lacks("camera '" + options.camera + "'");
+}
+
+/// What does not serve to explore is switched off.
+void keep_sensor(const ExploreOptions& options, VehicleDescription& vehicle) {
+  const bool by_markers = options.sensor == ExploringSensor::kMarkers;
+  if (by_markers) vehicle.scanner.reset();
+  std::erase_if(vehicle.cameras, [&](const CameraDescription& camera) {
+    return !by_markers || camera.name != options.camera;
+  });
+}
+
+std::unique_ptr<SliceSensor> sensor_of(const ExploreOptions& options, const VehicleDescription& vehicle) {
+  return options.sensor == ExploringSensor::kScanner ? scanner_slices(vehicle)
+                                                     : marker_slices(vehicle, options.camera);
+}
+
+Result<ExplorationPlan> read_plan(const ExploreOptions& options) {
+  ExplorationPlan plan;
+  FieldList fields = fields_of(plan.params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  auto setting = read_setting(options.world, vehicle_name(options), options.scenario);
+  if (!setting) return setting.problems();
+  plan.setting = std::move(*setting);
+  VehicleDescription& vehicle = plan.setting.vehicle.description;
+  if (Problems problems = check_sensor(options, vehicle); !problems.empty()) return problems;
+  keep_sensor(options, vehicle);
+  if (options.T_world_start) {
+    plan.T_world_start = *options.T_world_start;
+    if (!fits(plan.setting.world, vehicle.footprint, plan.T_world_start))
+      return Problem{{"--start"}, "the vehicle does not fit there"};
+    return plan;
+  }
+  const auto start = start_in(plan.setting);
+  if (!start) return start.problems();
+  plan.T_world_start = *start;
+  return plan;
+}
+
+struct Explored {
+  ExplorationMissionResult mission;
+  MapResult map;
+  FloorGrid floor;
+};
+
+Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPlan& plan,
+                              ExploringOrder order, std::optional<SessionRecord>& session,
+                              Progress& progress) {
+  const VehicleDescription& vehicle = plan.setting.vehicle.description;
+  ExplorerNavigator navigator(plan.params, vehicle, order, sensor_of(options, vehicle));
+  auto mission =
+      drive_exploration(plan.setting, navigator, plan.T_world_start, options.seed, session, progress);
+  if (!mission) return mission.problems();
+  MapResult map = build_map(mission->log, plan.params.learner.mapping, 0.0, false, progress);
+  FloorGrid floor = navigator.learner().floor_from(map.T_map_vehicle);
+  return Explored{std::move(*mission), std::move(map), std::move(floor)};
+}
+
+nlohmann::ordered_json figures_of(const Explored& explored) {
+  const ExplorationMissionResult& mission = explored.mission;
+  const Pose2 home_error = between(mission.T_world_vehicle.front(), mission.T_world_vehicle.back());
+  return {{"simulated", true},
+          {"came_home", mission.record.came_home},
+          {"home_error_m", rounded(home_error.position().norm(), 4)},
+          {"home_error_deg", rounded(std::abs(to_degrees(home_error.theta)), 3)},
+          {"collisions", mission.collisions},
+          {"distance_m", rounded(mission.distance_m, 3)},
+          {"duration_s", rounded(mission.end.duration_s, 1)},
+          {"free_m2", rounded(explored.floor.free_m2(), 2)},
+          {"paths_seen", mission.record.paths.empty() ? 0 : mission.record.paths.size()},
+          {"certificate", mission.record.certified() && mission.collisions == 0},
+          {"ended_because", mission.record.ended_because},
+          {"loop_closures", explored.map.loop_closures.size()},
+          {"cycle_ms",
+           {{"median", rounded(1e3 * quantile(mission.cycle_s, 0.5), 3)},
+            {"p99", rounded(1e3 * quantile(mission.cycle_s, 0.99), 3)},
+            {"worst", rounded(1e3 * quantile(mission.cycle_s, 1), 3)}}}};
+}
+
+}  // namespace
+
+Outcome explore_parameters() {
+  ExplorerNavigatorParams params;
+  return parameter_listing("explore", fields_of(params));
+}
+
+Result<Outcome> run_explore(const ExploreOptions& options, Console& console) {
+  const auto plan = read_plan(options);
+  if (!plan) return plan.problems();
+  std::optional<OutputDirectory> out;
+  if (!options.out.empty()) {
+    auto opened = OutputDirectory::open(options.out, options.force,
+                                        {"building.json", "exploration.png", "exploration.svg"});
+    if (!opened) return opened.problems();
+    out = std::move(*opened);
+  }
+  std::optional<SessionRecord> session;
+  const auto explored = explore_once(options, *plan, options.order, session, console.progress);
+  if (!explored) return explored.problems();
+
+  Outcome outcome{.verb = "explore"};
+  outcome.figures = figures_of(*explored);
+  outcome.figures["seed"] = options.seed;
+  outcome.figures["order"] = name_of(options.order);
+  outcome.ok = outcome.figures["certificate"].get<bool>();
+  if (options.compares) {
+    std::optional<SessionRecord> none;
+    const auto nearest = explore_once(options, *plan, ExploringOrder::kNearest, none, console.progress);
+    if (!nearest) return nearest.problems();
+    outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m, 3);
+  }
+  const ExplorationMissionResult& mission = explored->mission;
+  outcome.text = fmt::format("simulated: {}; {:.1f} m in {:.0f} s, {} collisions, home to {:.1f} cm\n",
+                             mission.end.why, mission.distance_m, mission.end.duration_s, mission.collisions,
+                             100 * outcome.figures["home_error_m"].get<double>());
+  if (out) {
+    const Building building{plan->setting.world.name, explored->map.has_dominant_direction,
+                            explored->map.walls};
+    const ExplorationPicture picture{.floor = explored->floor,
+                                     .walls = explored->map.walls,
+                                     .record = mission.record,
+                                     .T_map_vehicle = explored->map.T_map_vehicle,
+                                     .title = plan->setting.world.name,
+                                     .caption = outcome.text.substr(0, outcome.text.size() - 1)};
+    auto written = out->write({{"building", "building.json", building_json(building)},
+                               {"picture_png", "exploration.png", png(picture)},
+                               {"picture_svg", "exploration.svg", svg(picture)}});
+    if (!written) return written.problems();
+    outcome.files = std::move(*written);
+  }
+  return outcome;
+}
+
+}  // namespace aisle
