@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "aisle/commands/process_usage.hpp"
+#include "aisle/report/landmark_picture.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
@@ -103,6 +104,21 @@ Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& se
   result.collisions = vehicle.truth().collisions;
   result.distance_m = vehicle.truth().way_m;
   return result;
+}
+
+std::string trace_picture(const Building& building, const LandmarkMissionResult& result,
+                          const std::string& title) {
+  std::vector<Vec2> seen;
+  for (std::size_t i = 0; i < result.cycles.size(); ++i) {
+    for (const LandmarkSighting& sighting : result.cycles[i].sightings)
+      seen.push_back(result.T_map_driven[i] * sighting.p_vehicle);
+  }
+  const std::vector<std::vector<Pose2>> driven{result.T_map_driven};
+  return svg(LandmarkPicture{.landmarks = building.landmarks,
+                             .routes = building.routes,
+                             .driven = driven,
+                             .seen = seen,
+                             .title = title});
 }
 
 double quantile(std::vector<double> values, double share) {

@@ -47,6 +47,10 @@ Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& se
 /// The figures of a mission as `navigate` prints them.
 nlohmann::ordered_json figures_of(const LandmarkMissionResult& result);
 
+/// Planned path, trace and what was seen on the way (C98 Fig. 12), among the landmarks: an SVG document.
+std::string trace_picture(const Building& building, const LandmarkMissionResult& result,
+                          const std::string& title);
+
 /// The value that a share of all values is not above; 0 if there are none.
 double quantile(std::vector<double> values, double share);
 

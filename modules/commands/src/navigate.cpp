@@ -126,7 +126,15 @@ Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
                                              session, console.progress);
   if (!result) return result.problems();
   if (const Problems problems = close(session); !problems.empty()) return problems;
-  return outcome_of(options, *mission, *result, clock.now_s() - begun_s);
+  Outcome outcome = outcome_of(options, *mission, *result, clock.now_s() - begun_s);
+  if (options.out.empty()) return outcome;
+  const std::filesystem::path picture = options.out / "driven.svg";
+  if (Problems problems = write_whole_file(
+          picture, trace_picture(mission->driver->building(), *result, "driven alone, simulated"));
+      !problems.empty())
+    return problems;
+  outcome.files["driven_svg"] = picture.string();
+  return outcome;
 }
 
 }  // namespace aisle

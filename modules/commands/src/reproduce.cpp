@@ -107,21 +107,6 @@ std::string landmarks_picture(const Building& building, const std::string& title
   return svg(LandmarkPicture{.landmarks = building.landmarks, .title = title});
 }
 
-/// C98 Fig. 12: the planned path, the trace, and what was seen on the way.
-std::string trace_picture(const Building& building, const LandmarkMissionResult& trip) {
-  std::vector<Vec2> seen;
-  for (std::size_t i = 0; i < trip.cycles.size(); ++i) {
-    for (const LandmarkSighting& sighting : trip.cycles[i].sightings)
-      seen.push_back(trip.T_map_driven[i] * sighting.p_vehicle);
-  }
-  const std::vector<std::vector<Pose2>> driven{trip.T_map_driven};
-  return svg(LandmarkPicture{.landmarks = building.landmarks,
-                             .routes = building.routes,
-                             .driven = driven,
-                             .seen = seen,
-                             .title = "C98 Fig. 12, simulated: planned path and trace"});
-}
-
 std::vector<OutputFile> files_of(const Experiment& experiment) {
   const auto title = [](const char* figure, const LandmarkTruth& found) {
     return fmt::format("C98 Fig. {}, simulated: {} landmarks", figure, found.landmarks);
@@ -131,7 +116,9 @@ std::vector<OutputFile> files_of(const Experiment& experiment) {
            landmarks_picture(experiment.initial, title("11(a)", experiment.landmarks.front()))},
           {"refined", kRefinedPicture,
            landmarks_picture(experiment.refined, title("11(b)", experiment.landmarks.back()))},
-          {"trace", kTracePicture, trace_picture(experiment.refined, experiment.trips.back())}};
+          {"trace", kTracePicture,
+           trace_picture(experiment.refined, experiment.trips.back(),
+                         "C98 Fig. 12, simulated: planned path and trace")}};
 }
 
 Problems check_experiment(const std::string& experiment) {

@@ -4,6 +4,8 @@
 
 #include "aisle/formats/whole_file.hpp"
 #include "camera_json.hpp"
+#include "corridor_json.hpp"
+#include "floor_json.hpp"
 #include "json_text.hpp"
 #include "json_value.hpp"
 #include "landmark_json.hpp"
@@ -18,8 +20,8 @@ constexpr int kBuildingVersion = 1;
 
 Building read_version_1(const JsonValue& root) {
   Building building;
-  root.is_object_of(
-      {"format", "version", "name", "has_dominant_direction", "walls", "camera", "landmarks", "routes"});
+  root.is_object_of({"format", "version", "name", "has_dominant_direction", "walls", "camera", "landmarks",
+                     "routes", "corridors", "places", "floor"});
   if (const auto name = root.find("name")) name->read(building.name);
   if (const auto dominant = root.find("has_dominant_direction"))
     dominant->read(building.has_dominant_direction);
@@ -27,6 +29,9 @@ Building read_version_1(const JsonValue& root) {
   if (const auto camera = root.find("camera")) building.camera = read_camera(*camera);
   if (const auto landmarks = root.find("landmarks")) building.landmarks = read_landmarks(*landmarks);
   if (const auto routes = root.find("routes")) building.routes = read_routes(*routes);
+  if (const auto corridors = root.find("corridors")) building.corridors = read_corridors(*corridors);
+  if (const auto places = root.find("places")) building.places = read_places(*places);
+  if (const auto floor = root.find("floor")) building.floor = read_floor(*floor);
   if (!building.landmarks.empty()) root.require("camera");
   return building;
 }
@@ -41,6 +46,9 @@ std::string building_json(const Building& building) {
   if (building.camera) text += ",\n\"camera\": " + camera_json(*building.camera);
   if (!building.landmarks.empty()) text += ",\n\"landmarks\": " + landmarks_json(building.landmarks);
   if (!building.routes.empty()) text += ",\n\"routes\": " + routes_json(building.routes);
+  if (!building.corridors.nodes.empty()) text += ",\n\"corridors\": " + corridors_json(building.corridors);
+  if (!building.places.empty()) text += ",\n\"places\": " + places_json(building.places);
+  if (building.floor) text += ",\n\"floor\": " + floor_json(*building.floor);
   return text + "\n}\n";
 }
 

@@ -8,6 +8,7 @@
 
 #include "aisle/formats/whole_file.hpp"
 #include "file_limits.hpp"
+#include "picture_damage.hpp"
 
 namespace aisle {
 namespace {
@@ -50,6 +51,7 @@ Result<Image> read_picture(const std::filesystem::path& path) {
 
 Result<Image> parse_picture(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) return Problem{{name}, "is empty"};
+  if (const auto damage = picture_damage(bytes)) return Problem{{name}, *damage};
   const cv::Mat decoded = decode(bytes);
   if (decoded.empty())
     return Problem{{name}, "is not a picture that can be read (PNG, JPEG, PGM, PPM, BMP, TIFF)"};

@@ -45,5 +45,26 @@ TEST(PictureFile, WhatIsNoPictureIsRefusedWithItsName) {
   EXPECT_FALSE(read_picture("/nonexistent.png").ok());
 }
 
+TEST(PictureFile, ACutOffOrChangedPngIsRefusedWithThePlace) {
+  const std::string png = png_bytes(noise(64, 64, 1));
+  for (std::size_t size = 8; size < png.size(); size += 97) {
+    const Result<Image> read = parse_picture(png.substr(0, size), "p.png");
+    ASSERT_FALSE(read.ok());
+    EXPECT_THAT(to_string(read.problems()), HasSubstr("cut off"));
+  }
+  for (std::size_t at = 12; at < png.size(); at += 61) {
+    std::string changed = png;
+    changed[at] = static_cast<char>(changed[at] ^ 0x10);
+    EXPECT_FALSE(parse_picture(changed, "p.png").ok()) << at;
+  }
+}
+
+TEST(PictureFile, ACutOffJpegIsRefused) {
+  const std::string jpeg = jpeg_bytes(noise(64, 64, 1), 90);
+  const Result<Image> read = parse_picture(jpeg.substr(0, jpeg.size() / 2), "p.jpg");
+  ASSERT_FALSE(read.ok());
+  EXPECT_THAT(to_string(read.problems()), HasSubstr("p.jpg: is a JPEG that is cut off"));
+}
+
 }  // namespace
 }  // namespace aisle

@@ -4,12 +4,20 @@
 #include <string>
 #include <vector>
 
+#include "aisle/maps/corridor_graph.hpp"
+#include "aisle/maps/floor_grid.hpp"
 #include "aisle/maps/landmark_map.hpp"
 #include "aisle/maps/route.hpp"
 #include "aisle/maps/wall_map.hpp"
 #include "aisle/vehicle/camera_description.hpp"
 
 namespace aisle {
+
+/// A pose with a name, to be sent to.
+struct MapPlace {
+  std::string name;  ///< unique in its building
+  Pose2 T_map_place;
+};
 
 /// Everything that was learned of one building. Every part may be empty.
 struct Building {
@@ -19,6 +27,9 @@ struct Building {
   std::optional<CameraDescription> camera;  ///< that the landmarks were seen with; present if there are any
   LandmarkMap landmarks;
   std::vector<Route> routes;
+  CorridorGraph corridors;
+  std::vector<MapPlace> places;
+  std::optional<FloorGrid> floor;  ///< as it was seen
 };
 
 }  // namespace aisle

@@ -1,0 +1,65 @@
+#pragma once
+/// The record of an explored building as C99 leaves it: crossings, ends, and the corridors between them.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "aisle/geometry/pose2.hpp"
+
+namespace aisle {
+
+struct CorridorNode {
+  enum class Kind {
+    kCrossing,  ///< three corridors or more meet
+    kEnd,       ///< one corridor ends
+    kRound,     ///< any point of a corridor that leads round to itself without a crossing
+  };
+  Kind kind = Kind::kEnd;
+  Vec2 p_map = Vec2::Zero();
+};
+
+/// "crossing", "end" or "round".
+std::string_view name_of(CorridorNode::Kind kind);
+
+struct Corridor {
+  std::size_t from = 0;   ///< node where its way starts
+  std::size_t to = 0;     ///< node where it ends; the same as `from`: it leads round
+  std::vector<Vec2> way;  ///< along its middle, in `map`, from node to node; at least two points
+  double width_m = 0;     ///< between its walls, in the middle of all that is measured along it
+
+  double length_m() const;
+  /// The point after so much way, 0 .. length_m(), else the nearer end.
+  Vec2 at(double along_m) const;
+};
+
+/// A place on a corridor, as far as the graph can tell it.
+struct CorridorPlace {
+  std::size_t corridor = 0;
+  double along_m = 0;  ///< from the corridor's start
+  Vec2 p_map = Vec2::Zero();
+  double aside_m = 0;  ///< from there to the point that was asked for
+};
+
+struct CorridorGraph {
+  std::vector<CorridorNode> nodes;
+  std::vector<Corridor> corridors;
+
+  /// Of all corridors together.
+  double length_m() const;
+  std::size_t count(CorridorNode::Kind kind) const;
+  /// How many corridors end at a node; one that leads round counts twice.
+  std::size_t degree(std::size_t node) const;
+
+  /// The place on a corridor nearest to a point, the first of equally near ones; nullopt without corridors.
+  std::optional<CorridorPlace> nearest(const Vec2& p_map) const;
+  /// Where the graph keeps a node; nullopt if no corridor ends there.
+  std::optional<CorridorPlace> place_of(std::size_t node) const;
+
+  /// "crossing 2", "end 1", "round 1": the nodes of each kind are counted from 1 in their order.
+  std::string name_of(std::size_t node) const;
+};
+
+}  // namespace aisle

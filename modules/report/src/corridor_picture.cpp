@@ -1,0 +1,167 @@
+#include "aisle/report/corridor_picture.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "canvas.hpp"
+#include "picture_frame.hpp"
+#include "picture_scale.hpp"
+#include "polyline.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr Color kFreeFloor{0.93, 0.95, 0.97};
+constexpr Color kStanding{0.55, 0.59, 0.64};
+constexpr Color kCorridorLine{0.80, 0.10, 0.20};
+constexpr Color kMapPlace{0.10, 0.54, 0.30};
+
+constexpr Pen kCorridorPen{kCorridorLine, 3};
+constexpr Pen kWayPen{kPath, 1.25};
+constexpr Pen kWallPen{kInk, 2};
+constexpr Font kNodeFont{15, kCorridorLine, true};
+constexpr Font kPlaceFont{15, kMapPlace, true};
+
+constexpr double kNode_px = 6;
+constexpr double kPlace_px = 5;
+constexpr double kWayTolerance_px = 0.3;
+
+PictureContent content_of(const CorridorPicture& picture) {
+  PictureContent content;
+  const Building& building = picture.building;
+  if (building.floor && !building.floor->known().empty()) {
+    const FloorBox& box = building.floor->known();
+    const double half_m = building.floor->cell_m() / 2;
+    content.add(building.floor->centre(box.low) - Vec2::Constant(half_m));
+    content.add(building.floor->centre(box.end) - Vec2::Constant(half_m));
+  }
+  for (const Wall& wall : building.walls.walls) {
+    content.add(wall.segment.start);
+    content.add(wall.segment.end);
+  }
+  for (const Corridor& corridor : building.corridors.corridors) {
+    for (const Vec2& p : corridor.way) content.add(p);
+  }
+  for (const Pose2& T : picture.path) content.add(T.position());
+  return content;
+}
+
+class CorridorDrawing {
+ public:
+  CorridorDrawing(const CorridorPicture& picture, const PictureScale& scale)
+      : picture_(picture), building_(picture.building), scale_(scale) {}
+
+  void draw_on(Canvas& canvas) const {
+    canvas.fill(kPaper);
+    if (building_.floor) {
+      draw_cells(canvas, Floor::kFree, kFreeFloor);
+      draw_cells(canvas, Floor::kOccupied, kStanding);
+    }
+    draw_walls(canvas);
+    draw_way(canvas);
+    draw_corridors(canvas);
+    draw_names(canvas);
+    draw_header(canvas, scale_, picture_.title, picture_.caption);
+    draw_scale_bar(canvas, scale_);
+    draw_legend(canvas);
+  }
+
+ private:
+  /// Runs of equal cells, a row after the other.
+  void draw_cells(Canvas& canvas, Floor kind, const Color& color) const {
+    const FloorGrid& floor = *building_.floor;
+    const FloorBox& box = floor.known();
+    const Vec2 half = Vec2::Constant(floor.cell_m() / 2);
+    std::vector<std::array<Vec2, 4>> runs;
+    for (int y = box.low.y; y < box.end.y; ++y) {
+      for (int x = box.low.x; x < box.end.x; ++x) {
+        const int begin = x;
+        while (x < box.end.x && floor.at(FloorCell{x, y}) == kind) ++x;
+        if (x == begin) continue;
+        const Vec2 low = floor.centre({begin, y}) - half, high = floor.centre({x - 1, y}) + half;
+        runs.push_back({scale_.to_paper(low), scale_.to_paper({high.x(), low.y()}), scale_.to_paper(high),
+                        scale_.to_paper({low.x(), high.y()})});
+      }
+    }
+    canvas.areas(runs, color);
+  }
+
+  void draw_walls(Canvas& canvas) const {
+    std::vector<std::pair<Vec2, Vec2>> walls;
+    for (const Wall& wall : building_.walls.walls)
+      walls.emplace_back(scale_.to_paper(wall.segment.start), scale_.to_paper(wall.segment.end));
+    canvas.lines(walls, kWallPen);
+  }
+
+  void draw_way(Canvas& canvas) const {
+    std::vector<Vec2> points;
+    for (const Pose2& T : picture_.path) points.push_back(scale_.to_paper(T.position()));
+    canvas.polyline(simplified(points, kWayTolerance_px), kWayPen);
+  }
+
+  void draw_corridors(Canvas& canvas) const {
+    for (const Corridor& corridor : building_.corridors.corridors) {
+      std::vector<Vec2> points;
+      for (const Vec2& p : corridor.way) points.push_back(scale_.to_paper(p));
+      canvas.polyline(points, kCorridorPen);
+    }
+    for (const CorridorNode& node : building_.corridors.nodes)
+      draw_node(canvas, scale_.to_paper(node.p_map), node.kind);
+  }
+
+  static void draw_node(Canvas& canvas, const Vec2& centre, CorridorNode::Kind kind) {
+    const bool is_crossing = kind == CorridorNode::Kind::kCrossing;
+    canvas.disc(centre, kNode_px, is_crossing ? kCorridorLine : kPaper);
+    canvas.ring(centre, kNode_px, kCorridorPen);
+  }
+
+  void draw_names(Canvas& canvas) const {
+    const Vec2 beside(kNode_px + 4, -kNode_px);
+    const auto& nodes = building_.corridors.nodes;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      canvas.text(scale_.to_paper(nodes[i].p_map) + beside, building_.corridors.name_of(i), kNodeFont);
+    for (const MapPlace& place : building_.places) {
+      const Vec2 centre = scale_.to_paper(place.T_map_place.position());
+      canvas.disc(centre, kPlace_px, kMapPlace);
+      canvas.text(centre + Vec2(kPlace_px + 4, 2.5 * kPlace_px), place.name, kPlaceFont);
+    }
+  }
+
+  /// From right to left, only what the picture shows.
+  void draw_legend(Canvas& canvas) const {
+    Legend legend(canvas, scale_);
+    if (!picture_.path.empty()) legend.add_line("way driven", kWayPen);
+    if (!building_.places.empty())
+      legend.add("place", 2 * kPlace_px, [&](const Vec2& p) { canvas.disc(p, kPlace_px, kMapPlace); });
+    if (building_.corridors.count(CorridorNode::Kind::kEnd) > 0)
+      legend.add("end", 2 * kNode_px, [&](const Vec2& p) { draw_node(canvas, p, CorridorNode::Kind::kEnd); });
+    if (building_.corridors.count(CorridorNode::Kind::kCrossing) > 0)
+      legend.add("crossing", 2 * kNode_px,
+                 [&](const Vec2& p) { draw_node(canvas, p, CorridorNode::Kind::kCrossing); });
+    if (!building_.corridors.corridors.empty()) legend.add_line("corridor", kCorridorPen);
+    if (!building_.walls.walls.empty()) legend.add_line("wall", kWallPen);
+  }
+
+  const CorridorPicture& picture_;
+  const Building& building_;
+  const PictureScale& scale_;
+};
+
+std::string render(const CorridorPicture& picture, std::string (*make)(int, int, const Drawing&)) {
+  const PictureScale scale = fit_scale(content_of(picture));
+  const CorridorDrawing drawing(picture, scale);
+  return make(scale.width_px, scale.height_px, [&](Canvas& canvas) { drawing.draw_on(canvas); });
+}
+
+}  // namespace
+
+std::string svg(const CorridorPicture& picture) {
+  return render(picture, svg_document);
+}
+
+std::string png(const CorridorPicture& picture) {
+  return render(picture, png_file);
+}
+
+}  // namespace aisle
