@@ -11,7 +11,8 @@ constexpr double kCheckEvery_m = 0.1;
 
 }  // namespace
 
-FootprintRoom::FootprintRoom(const Footprint& footprint, double margin_m) : footprint_(footprint) {
+FootprintRoom::FootprintRoom(const Footprint& footprint, double margin_m)
+    : footprint_(footprint), margin_m_(margin_m) {
   const double length_m = footprint.front_m + footprint.rear_m;
   const auto slices = std::max(1, static_cast<int>(std::ceil(length_m / kSlice_m)));
   const double slice_m = length_m / slices;
@@ -45,7 +46,8 @@ bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& cl
                                 const Pose2& T_map_vehicle, double spare_m) const {
   if (standing_spare_m(floor, clearance, T_map_vehicle) < std::min(0.0, spare_m)) return false;
   const Vec2 ahead = unit(T_map_vehicle.theta), aside = left_normal(ahead);
-  const double step_m = 0.8 * floor.cell_m(), inset_m = floor.cell_m() / 2, half_m = footprint_.width_m / 2;
+  const double step_m = 0.8 * floor.cell_m(), inset_m = 1.1 * floor.cell_m() - margin_m_ / 2,
+               half_m = footprint_.width_m / 2;
   for (double x = inset_m - footprint_.rear_m; x <= footprint_.front_m - inset_m; x += step_m) {
     for (double y = inset_m - half_m; y <= half_m - inset_m; y += step_m) {
       if (floor.at(Vec2(T_map_vehicle.position() + x * ahead + y * aside)) != Floor::kFree) return false;

@@ -34,6 +34,7 @@ class FootprintRoom {
 
  private:
   Footprint footprint_;
+  double margin_m_;
   double radius_m_;
   std::vector<Vec2> p_vehicle_discs_;
 };
