@@ -5,6 +5,7 @@
 #include "aisle/guidance/hand_driver.hpp"
 #include "changed_parameters.hpp"
 #include "landmark_driver.hpp"
+#include "section_driver.hpp"
 
 namespace aisle {
 namespace {
@@ -27,9 +28,17 @@ Result<std::unique_ptr<Navigator>> make_landmark_navigator(const SessionOrigin& 
   return std::unique_ptr<Navigator>(std::move(*driver));
 }
 
+Result<std::unique_ptr<Navigator>> make_by_sections(const SessionOrigin& origin,
+                                                    const VehicleDescription& vehicle) {
+  auto navigator = make_section_navigator(origin, vehicle);
+  if (!navigator) return navigator.problems();
+  return std::unique_ptr<Navigator>(std::move(*navigator));
+}
+
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {{"hand", make_hand_driver},
-                                         {LandmarkDriver::kName, make_landmark_navigator}};
+                                         {LandmarkDriver::kName, make_landmark_navigator},
+                                         {kSectionNavigator, make_by_sections}};
   return all;
 }
 

@@ -15,9 +15,9 @@ struct TrialOptions {
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 1;
   std::vector<std::string> worlds;  ///< taken in turn; none: a building by chance for each seed
-  std::string vehicle = "alv";
-  std::string scenario;  ///< empty: nothing goes wrong
-  int refinements = 0;   ///< trips after the first, each taken in before the next
+  std::string vehicle;              ///< empty: the method's own: alv, or mini for sections
+  std::string scenario;             ///< empty: nothing goes wrong
+  int refinements = 0;              ///< trips after the first, each taken in before the next
   std::optional<double> speed_mps;
   bool in_reverse = false;
   ParameterSources parameters;
