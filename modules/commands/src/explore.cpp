@@ -14,9 +14,8 @@
 #include "exploration_check.hpp"
 #include "exploration_evaluation.hpp"
 #include "exploration_mission.hpp"
-#include "landmark_mission.hpp"
 #include "rounded.hpp"
-#include "simulated_record.hpp"
+#include "statistics.hpp"
 
 namespace aisle {
 namespace {
