@@ -11,8 +11,8 @@ constexpr double kSpotTurn_rad = 15 * kDegree;
 constexpr double kBin_m = 0.1;
 constexpr double kHeadings = 48;
 constexpr double kCheckEvery_m = 0.13;
-constexpr double kNear_m = 0.1;  // of the vehicle to a way that was searched from its end
-constexpr double kNear_rad = 5 * kDegree;
+constexpr double kNear_m = 0.12;  // of the vehicle to a way that was searched from its end
+constexpr double kNear_rad = 7 * kDegree;
 constexpr double kBendCost = 0.1;  // of the sharpest bend, per metre
 constexpr double kLeave_m = 2;     // so far about its start a vehicle may go where it barely fits
 
