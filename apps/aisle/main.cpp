@@ -92,6 +92,7 @@ int run_program(int argc, char** argv) {
   add_detect_verb(app, work);
   add_calibrate_verb(app, work);
   add_drive_verb(app, work);
+  add_explore_verb(app, work);
   add_learning_verbs(app, work);
   add_reproduce_verb(app, work);
   add_trial_verb(app, work);

@@ -7,15 +7,13 @@
 #include "aisle/geometry/dominant_direction.hpp"
 #include "aisle/learning/odometry_delay.hpp"
 #include "beam_fan.hpp"
-#include "loop_closer.hpp"
-#include "scan_segments.hpp"
+#include "scan_mapping.hpp"
 #include "wall_adjustment.hpp"
 
 namespace aisle {
 namespace {
 
 constexpr double kFrameShare = 0.6;  // a scan that shows its frame so clearly witnesses the odometry delay
-constexpr std::size_t kFirstVerdict = 200;  // scans before the building's angles are judged
 constexpr double kFinalGate_m = 0.15;
 constexpr int kFinalIterations = 4;
 constexpr double kFinalSigma_m = 0.02;  // how far one scan may leave its place between the keyframes
@@ -24,28 +22,6 @@ constexpr double kFinalMargin_m = 0.3;
 
 double cpu_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-/// Poses of all scans from corrected poses of some: every scan keeps its tracked place relative to the
-/// corrected scans before and after it, blended in between.
-std::vector<Pose2> carried_along(const std::vector<Pose2>& tracked, const std::vector<std::size_t>& scans,
-                                 const std::vector<Pose2>& corrected) {
-  std::vector<Pose2> all(tracked.size());
-  for (std::size_t i = 0; i < scans.front(); ++i) {
-    all[i] = corrected.front() * between(tracked[scans.front()], tracked[i]);
-  }
-  for (std::size_t k = 0; k < scans.size(); ++k) {
-    const bool last = k + 1 == scans.size();
-    const std::size_t end = last ? tracked.size() : scans[k + 1];
-    for (std::size_t i = scans[k]; i < end; ++i) {
-      all[i] = corrected[k] * between(tracked[scans[k]], tracked[i]);
-      if (last) continue;
-      const Pose2 from_next = corrected[k + 1] * between(tracked[end], tracked[i]);
-      all[i] = interpolate(all[i], from_next,
-                           static_cast<double>(i - scans[k]) / static_cast<double>(end - scans[k]));
-    }
-  }
-  return all;
 }
 
 class MapBuilder {
@@ -57,52 +33,36 @@ class MapBuilder {
         odometry_(log.odometry),
         delay_(odometry_, log.scan_period_s()),
         segmenter_(beam_fan(log.laser), params.segments),
-        tracker_(params.tracker),
-        loops_(params.loops, params.tracker.motion) {}
+        mapping_(params) {}
 
   void take_scan(std::size_t scan) {
     segmenter_.extract(log_.scans[scan].ranges_m, seen_);
-    segments_.append(seen_);
-    tracked_.push_back(tracker_.step(seen_, motion_to(scan), orthogonal_));
-    judge_angles();
-    if (submap_is_complete()) close_submap();
-    online_.push_back(T_map_track_ * tracked_.back());
+    mapping_.step(seen_, motion_to(scan));
+    online_.push_back(mapping_.T_map_sensor());
   }
 
-  void finish_loops() {
-    if (next_keyframe_ < tracker_.keyframes().size()) close_submap();
-    loops_.finish(tracker_.keyframes());
-  }
-
-  std::vector<Pose2> after_loops() const {
-    std::vector<std::size_t> scans;
-    std::vector<Pose2> corrected;
-    for (std::size_t i = 0; i < loops_.submaps().size(); ++i) {
-      scans.push_back(tracker_.keyframes()[loops_.submaps()[i].anchor_keyframe].scan);
-      corrected.push_back(loops_.T_map_anchor(i));
-    }
-    return carried_along(tracked_, scans, corrected);
-  }
+  void finish_loops() { mapping_.finish_loops(); }
+  std::vector<Pose2> after_loops() const { return mapping_.T_map_sensor_of_all(); }
 
   /// Adjusts keyframes and walls together; returns every scan's pose carried along.
   std::vector<Pose2> adjust(const std::vector<Pose2>& T_map_sensor) {
     std::vector<std::size_t> scans;
     std::vector<Pose2> keyframes;
-    for (const Keyframe& keyframe : tracker_.keyframes()) {
+    for (const Keyframe& keyframe : mapping_.tracker().keyframes()) {
       scans.push_back(keyframe.scan);
       keyframes.push_back(T_map_sensor[keyframe.scan]);
     }
-    WallAdjustment adjustment(tracker_.keyframes(), segments_, keyframes, params_.tracker.motion,
-                              orthogonal_);
+    WallAdjustment adjustment(mapping_.tracker().keyframes(), mapping_.segments(), keyframes,
+                              params_.tracker.motion, mapping_.is_orthogonal());
     adjustment.run(params_.adjustment_rounds);
     walls_ = adjustment.walls();
     sightings_ = adjustment.sightings();
-    return carried_along(tracked_, scans, adjustment.T_map_sensor());
+    return carried_along(mapping_.tracked(), scans, adjustment.T_map_sensor());
   }
 
   /// Lays one scan onto the final walls.
   Pose2 settle(std::size_t scan, const Pose2& T_map_sensor) {
-    const std::span<const SensedSegment> seen = segments_.of_scan(scan);
+    const std::span<const SensedSegment> seen = mapping_.segments().of_scan(scan);
     if (seen.empty()) return T_map_sensor;
     Vec2 low = T_map_sensor.position(), high = low;
     for (const SensedSegment& s : seen) {
@@ -130,30 +90,30 @@ class MapBuilder {
   MapResult result() const {
     MapResult result;
     result.T_map_vehicle_online = of_vehicle(online_);
-    result.path_m = tracker_.path_m();
+    result.path_m = mapping_.tracker().path_m();
     result.odometry_delay_s = delay_s();
-    for (const LoopClosure& closure : loops_.closures()) {
+    for (const LoopClosure& closure : mapping_.loops().closures()) {
       const auto scan = [&](std::size_t submap) {
-        return tracker_.keyframes()[loops_.submaps()[submap].anchor_keyframe].scan;
+        return mapping_.tracker().keyframes()[mapping_.loops().submaps()[submap].anchor_keyframe].scan;
       };
       result.loop_closures.emplace_back(scan(closure.older), scan(closure.newer));
     }
-    result.has_dominant_direction = orthogonal_ && shows_axes();
+    result.has_dominant_direction = mapping_.is_orthogonal() && mapping_.shows_axes();
     return result;
   }
 
   WallMap draw(const std::vector<Pose2>& T_map_sensor) const {
     std::vector<PlacedScan> scans;
-    for (const Keyframe& keyframe : tracker_.keyframes()) {
+    for (const Keyframe& keyframe : mapping_.tracker().keyframes()) {
       scans.push_back({T_map_sensor[keyframe.scan], keyframe.path_m, &log_.scans[keyframe.scan]});
     }
     return draw_walls(walls_, sightings_, scans, log_.laser, params_.drawn_length_m, params_.drawn_sightings);
   }
 
-  const std::vector<Pose2>& tracked() const { return tracked_; }
+  const std::vector<Pose2>& tracked() const { return mapping_.tracked(); }
 
   /// Walls learned so far: the tracker's, until they are adjusted.
-  std::size_t wall_count() const { return walls_.empty() ? tracker_.wall_count() : walls_.size(); }
+  std::size_t wall_count() const { return walls_.empty() ? mapping_.tracker().wall_count() : walls_.size(); }
 
  private:
   double delay_s() const { return given_delay_s_.value_or(delay_.delay_s()); }
@@ -171,49 +131,15 @@ class MapBuilder {
     return between(sensor_at(log_.scans[scan - 1].time_s), sensor_at(now.time_s));
   }
 
-  /// Once too few scans have shown the building's axes, no wall is taken for one any more.
-  void judge_angles() {
-    if (tracked_.size() >= kFirstVerdict && !shows_axes()) orthogonal_ = false;
-  }
-
-  bool shows_axes() const {
-    return static_cast<double>(tracker_.headings_used()) >=
-           params_.dominant_share_min * static_cast<double>(tracked_.size());
-  }
-
-  bool submap_is_complete() const {
-    const std::vector<Keyframe>& keyframes = tracker_.keyframes();
-    return next_keyframe_ < keyframes.size() &&
-           keyframes.back().path_m - keyframes[next_keyframe_].path_m >= params_.loops.submap_m;
-  }
-
-  void close_submap() {
-    const std::vector<Keyframe>& keyframes = tracker_.keyframes();
-    const bool is_last = !submap_is_complete();
-    const std::size_t last = is_last ? keyframes.size() - 1 : keyframes.size() - 2;
-    WallUpdateParams update;
-    if (!orthogonal_) update.axis_tolerance_rad = -1;
-    loops_.add(build_submap(next_keyframe_, last, keyframes, segments_, update), keyframes, orthogonal_);
-    next_keyframe_ = last + 1;
-    const std::size_t newest = loops_.submaps().size() - 1;
-    T_map_track_ = loops_.T_map_anchor(newest) * loops_.submaps()[newest].T_track_anchor.inverse();
-  }
-
   const LaserLog& log_;
   const MapParams& params_;
   std::optional<double> given_delay_s_;
   OdometryTrack odometry_;
   OdometryDelayEstimator delay_;
   RangeSegmenter segmenter_;
-  ScanTracker tracker_;
-  LoopCloser loops_;
+  ScanMapping mapping_;
   std::vector<SensedSegment> seen_;
-  ScanSegments segments_;
-  std::vector<Pose2> tracked_;
   std::vector<Pose2> online_;
-  Pose2 T_map_track_;
-  std::size_t next_keyframe_ = 0;
-  bool orthogonal_ = true;
   std::vector<WallEstimate> walls_;
   std::vector<WallSighting> sightings_;
   CellIndex index_;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/commands/parameter_sources.hpp"
+#include "aisle/exploration/building_explorer.hpp"
+#include "aisle/geometry/pose2.hpp"
+
+namespace aisle {
+
+/// What shows the vehicle its surroundings.
+enum class ExploringSensor { kScanner, kMarkers };
+
+struct ExploreOptions {
+  std::string world;
+  ExploringSensor sensor = ExploringSensor::kScanner;
+  std::string vehicle;              ///< empty: the shipped one with this sensor
+  std::string camera = "corridor";  ///< that sees the markers' stripes
+  std::string scenario;             ///< empty: nothing goes wrong
+  ExploringOrder order = ExploringOrder::kRecommended;
+  std::optional<Pose2> T_world_start;  ///< none: where the world says
+  bool compares = false;               ///< drive by nearest frontier, too
+  std::uint64_t seed = 1;
+  std::filesystem::path out;  ///< empty: nothing is kept
+  bool force = false;
+  ParameterSources parameters;
+};
+
+/// `aisle explore WORLD`: learns a building that nobody has shown, and comes home, in the simulator.
+Result<Outcome> run_explore(const ExploreOptions& options, Console& console);
+
+/// Every parameter of `aisle explore` with its default.
+Outcome explore_parameters();
+
+}  // namespace aisle

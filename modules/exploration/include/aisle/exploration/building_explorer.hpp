@@ -1,0 +1,116 @@
+#pragma once
+/// C99's environment exploration in a real building: preprocessing unit, navigation transducer and the order
+/// in which what waits is taken. Moves nothing itself.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "aisle/exploration/corridor_rules.hpp"
+#include "aisle/exploration/exploration_record.hpp"
+#include "aisle/exploration/gates.hpp"
+
+namespace aisle {
+
+enum class ExploringOrder {
+  kPublished,    ///< C99: last seen, first taken; back from crossing to crossing
+  kRecommended,  ///< what the present path leads to first, then what is near, or far from home
+  kNearest,      ///< the yardstick: always what is nearest
+};
+
+inline constexpr ExploringOrder kExploringOrders[] = {ExploringOrder::kPublished,
+                                                      ExploringOrder::kRecommended, ExploringOrder::kNearest};
+
+std::string_view name_of(ExploringOrder order);
+std::optional<ExploringOrder> exploring_order(std::string_view name);
+
+struct ExplorerParams {
+  GateParams gates;
+  double home_weight = 0.8;      ///< how much a path that is far from home is preferred
+  double leftover_m2 = 1;        ///< less floor behind a gate is a leftover ...
+  double leftover_bonus_m = 4;   ///< ... which is taken before what is so much nearer
+  double same_gate_m = 0.3;      ///< a gate so near to an old one continues it
+  double crossing_near_m = 0.5;  ///< published order: so near to a crossing the vehicle is back at it
+
+  void describe(FieldList& fields);
+};
+
+/// Where to go next.
+struct ExploringTarget {
+  enum class Kind {
+    kPath,      ///< look behind `gate`
+    kCrossing,  ///< back to `T_map_back`
+    kHome,      ///< everything is explored
+  };
+  Kind kind = Kind::kHome;
+  std::size_t path = 0;
+  Gate gate;
+  Pose2 T_map_back;
+};
+
+class BuildingExplorer {
+ public:
+  BuildingExplorer(const ExplorerParams& params, ExploringOrder order);
+
+  /// One learning cycle: what is known now -> where to go. `T_map_home`: where it began.
+  ExploringTarget decide(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                         const Vec2& p_map_middle, const Pose2& T_map_home, std::size_t cycle);
+
+  /// The vehicle cannot look behind this path's gate: it counts as seen from outside.
+  void give_up(std::size_t path, std::size_t cycle);
+  /// The vehicle is home and everything is explored.
+  void stop(std::size_t cycle);
+
+  const TransducerRun& transducer() const { return run_; }
+  const std::vector<PathEvent>& events() const { return events_; }
+  const std::vector<TransducerStep>& steps() const { return steps_; }
+  /// Gates of the latest decision.
+  const std::vector<Gate>& gates() const { return gates_; }
+  std::size_t paths_waiting() const;
+
+ private:
+  enum class PathState { kWaiting, kActive, kExplored, kGivenUp };
+  struct SeenPath {
+    std::size_t parent = 0;
+    Bearing bearing = Bearing::kForward;
+    PathState state = PathState::kWaiting;
+    bool on_stack = false;
+    Gate gate;
+  };
+  /// What a symbol of the stack stands for.
+  struct Waiting {
+    std::size_t path = 0;  ///< of an explore symbol
+    Pose2 T_map_crossing;  ///< of a way back
+  };
+
+  void match_gates(const FloorGrid& floor, const Pose2& T_map_vehicle);
+  std::optional<std::size_t> continued_by(const FloorGrid& floor, const Gate& gate) const;
+  std::size_t add_path(Gate gate, const Pose2& T_map_vehicle);
+  std::optional<ExploringTarget> go_on(const Pose2& T_map_vehicle);
+  ExploringTarget take_from_stack(const Pose2& T_map_vehicle);
+  std::optional<std::size_t> best_child() const;
+  std::optional<std::size_t> best_waiting() const;
+  void push_waiting(const Pose2& T_map_vehicle);
+  void close_stale_tops();
+  ExploringTarget take(std::size_t path);
+  const TransducerRule& feed(Symbol input);
+  void note(PathEvent::Kind kind, std::size_t path);
+
+  ExplorerParams params_;
+  ExploringOrder order_;
+  TransducerRun run_;
+  std::vector<SeenPath> paths_;
+  std::vector<Waiting> stack_;  ///< beside the transducer's, without its start symbol
+  std::optional<std::size_t> active_;
+  std::optional<Pose2> T_map_going_back_;
+  Pose2 T_map_decided_;  ///< where the yardstick chose last
+  bool is_going_home_ = false;
+  std::vector<Gate> gates_;
+  std::vector<PathEvent> events_;
+  std::vector<TransducerStep> steps_;
+  FloorDistances from_vehicle_;
+  FloorDistances from_home_;
+  std::size_t cycle_ = 0;
+};
+
+}  // namespace aisle

@@ -1,0 +1,56 @@
+#pragma once
+/// The rules by which a vehicle explores a real building: C99's navigation transducer (section 4.1) as data.
+/// docs/exploring-buildings.md tells what the inputs stand for.
+
+#include "aisle/exploration/pushdown_transducer.hpp"
+
+namespace aisle {
+
+/// Where a path leads, seen from the vehicle when it was first seen.
+enum class Bearing : Symbol { kForward, kLeft, kRight };
+
+inline constexpr Bearing kBearings[] = {Bearing::kForward, Bearing::kLeft, Bearing::kRight};
+
+enum class CorridorState : Symbol { kExploring, kRetreating, kFinal };
+
+/// Stack symbols: the start symbol, a path to explore, the way back to a crossing.
+inline constexpr Symbol kCorridorStackStart = 0;
+constexpr Symbol explore_symbol(Bearing bearing) {
+  return static_cast<Symbol>(1 + static_cast<Symbol>(bearing));
+}
+inline constexpr Symbol kWayBackSymbol = 4;
+
+/// C99's seven operations.
+enum class CorridorOutput : Symbol {
+  kForward,
+  kForwardLeft,
+  kForwardRight,
+  kBackward,
+  kBackwardLeft,
+  kBackwardRight,
+  kStop
+};
+
+/// Inputs. The paper's crossing is presented path by path: first the way back, then every path that is left
+/// for later.
+namespace corridor_input {
+constexpr Symbol one_way(Bearing bearing) {
+  return static_cast<Symbol>(bearing);
+}
+constexpr Symbol crossing(Bearing bearing) {
+  return static_cast<Symbol>(3 + static_cast<Symbol>(bearing));
+}
+inline constexpr Symbol kCrossingWayBack = 6;
+inline constexpr Symbol kEnd = 7;
+inline constexpr Symbol kExplored = 8;      ///< the vehicle stands before nothing new
+inline constexpr Symbol kClosed = 9;        ///< beyond the paper: what waits on top of the stack is explored
+constexpr Symbol detour(Bearing bearing) {  ///< beyond the paper: what waits below the top is taken first
+  return static_cast<Symbol>(10 + static_cast<Symbol>(bearing));
+}
+inline constexpr Symbol kAway = 13;  ///< beyond the paper: nothing waits, and the vehicle is not at home
+}  // namespace corridor_input
+
+/// Made once, then shared.
+const TransducerTable& corridor_rules();
+
+}  // namespace aisle

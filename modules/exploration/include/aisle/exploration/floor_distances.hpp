@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "aisle/maps/floor_clearance.hpp"
+
+namespace aisle {
+
+/// How far it is over known free floor, for a round vehicle, from one place to all others.
+class FloorDistances {
+ public:
+  static constexpr float kUnreached = std::numeric_limits<float>::infinity();
+
+  /// @param room_m  that the vehicle needs about its middle. Around the place itself, where a vehicle that
+  ///                is not round may stand with less, it may be missing for `leeway_m`.
+  void measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m, double room_m,
+               double leeway_m);
+
+  /// [m]; kUnreached where no way is known.
+  float to(FloorCell cell) const { return room_.contains(cell) ? distances_m_[index(cell)] : kUnreached; }
+  /// To the nearest cell about a place from which there is a way.
+  float near(const FloorGrid& floor, const Vec2& p_map, double within_m) const;
+
+ private:
+  std::size_t index(FloorCell cell) const {
+    return static_cast<std::size_t>(cell.y - room_.low.y) *
+               static_cast<std::size_t>(room_.end.x - room_.low.x) +
+           static_cast<std::size_t>(cell.x - room_.low.x);
+  }
+
+  FloorBox room_;
+  std::vector<float> distances_m_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "aisle/core/parameters.hpp"
+#include "aisle/exploration/floor_distances.hpp"
+#include "aisle/maps/floor_clearance.hpp"
+
+namespace aisle {
+
+struct GateParams {
+  double room_m = 0.32;       ///< from the vehicle's middle line to anything that is not free floor
+  double doubt_m = 0.05;      ///< where so much more is free of things, there may be floor
+  double area_min_m2 = 0.05;  ///< behind a gate; less is no path
+  double cluster_gap_m = 0.15;
+
+  void describe(FieldList& fields);
+};
+
+/// Where floor on which the vehicle can go for sure meets floor on which it may be able to: a path that leads
+/// on (C99 section 4.2: "a navigation path is said to be available").
+struct Gate {
+  std::vector<FloorCell> sill;  ///< cells of sure floor that border on the other
+  std::vector<Vec2> rim;        ///< on the edge of the free floor there: what must be seen to know more [m]
+  Vec2 p_map = Vec2::Zero();    ///< the middle of the sill: one of its cells
+  double behind_m2 = 0;         ///< of floor that may be there, as far as it was counted
+  double way_m = 0;             ///< from the vehicle to the nearest cell of the sill
+};
+
+/// All gates that can be reached. `reached`: measured with `params.room_m`.
+std::vector<Gate> find_gates(const FloorGrid& floor, const FloorClearance& clearance,
+                             const FloorDistances& reached, const GateParams& params);
+
+}  // namespace aisle

@@ -1,0 +1,304 @@
+#include "aisle/exploration/building_explorer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr std::array<std::string_view, 3> kOrderNames = {"published", "recommended", "nearest"};
+constexpr double kLeeway_m = 1.5;     // about itself and about home the vehicle may lack the room of a disc
+constexpr double kDecideAgain_m = 1;  // way after which the yardstick chooses anew
+
+Bearing bearing_of(const Vec2& p_map, const Pose2& T_map_vehicle) {
+  const double angle_rad = wrap_angle(heading_of(p_map - T_map_vehicle.position()) - T_map_vehicle.theta);
+  if (std::abs(angle_rad) < kPi / 4) return Bearing::kForward;
+  return angle_rad > 0 ? Bearing::kLeft : Bearing::kRight;
+}
+
+/// How far two gates are apart [cells]; stops looking once they are nearer than `enough`.
+double apart_cells(const Gate& a, const Gate& b, double enough) {
+  double nearest2 = 1e18;
+  for (const FloorCell p : a.sill) {
+    for (const FloorCell q : b.sill) {
+      const double dx = p.x - q.x, dy = p.y - q.y;
+      nearest2 = std::min(nearest2, dx * dx + dy * dy);
+    }
+    if (nearest2 <= enough * enough) break;
+  }
+  return std::sqrt(nearest2);
+}
+
+}  // namespace
+
+std::string_view name_of(ExploringOrder order) {
+  return kOrderNames[static_cast<std::size_t>(order)];
+}
+
+std::optional<ExploringOrder> exploring_order(std::string_view name) {
+  for (const ExploringOrder order : kExploringOrders) {
+    if (name_of(order) == name) return order;
+  }
+  return std::nullopt;
+}
+
+void ExplorerParams::describe(FieldList& fields) {
+  fields.group("gates", gates);
+  fields.real("home_weight", home_weight, {0, 1}, "how much a path that is far from home is preferred");
+  fields.real("leftover_m2", leftover_m2, {0, 10}, "less floor behind a gate is a leftover");
+  fields.real("leftover_bonus_m", leftover_bonus_m, {0, 50}, "which is taken before what is so much nearer");
+  fields.real("same_gate_m", same_gate_m, {0.05, 2}, "a gate so near to an old one continues it");
+  fields.real("crossing_near_m", crossing_near_m, {0.1, 5},
+              "published order: so near to a crossing the vehicle is back at it");
+}
+
+BuildingExplorer::BuildingExplorer(const ExplorerParams& params, ExploringOrder order)
+    : params_(params), order_(order), run_(corridor_rules()) {}
+
+ExploringTarget BuildingExplorer::decide(const FloorGrid& floor, const FloorClearance& clearance,
+                                         const Pose2& T_map_vehicle, const Vec2& p_map_middle,
+                                         const Pose2& T_map_home, std::size_t cycle) {
+  cycle_ = cycle;
+  from_vehicle_.measure(floor, clearance, p_map_middle, params_.gates.room_m, kLeeway_m);
+  gates_ = find_gates(floor, clearance, from_vehicle_, params_.gates);
+  match_gates(floor, T_map_vehicle);
+  if (order_ == ExploringOrder::kRecommended)
+    from_home_.measure(floor, clearance, T_map_home.position(), params_.gates.room_m, kLeeway_m);
+  if (auto target = go_on(T_map_vehicle)) return *target;
+  return take_from_stack(T_map_vehicle);
+}
+
+/// Each gate continues the path that it belonged to, or is a path that leads off the present one. Paths whose
+/// gate has gone are explored (the twin of a loop's other end falls away like this).
+void BuildingExplorer::match_gates(const FloorGrid& floor, const Pose2& T_map_vehicle) {
+  std::vector<std::optional<std::size_t>> continued(gates_.size());
+  std::vector<std::optional<std::size_t>> gate_of(paths_.size());
+  for (std::size_t i = 0; i < gates_.size(); ++i) {
+    const auto path = continued_by(floor, gates_[i]);
+    if (!path) continue;
+    std::optional<std::size_t>& best = gate_of[*path];
+    if (best && gates_[*best].sill.size() >= gates_[i].sill.size()) continue;
+    if (best) continued[*best].reset();
+    best = i;
+    continued[i] = path;
+  }
+  for (std::size_t p = 0; p < gate_of.size(); ++p) {
+    SeenPath& path = paths_[p];
+    if (path.state == PathState::kExplored) continue;
+    if (gate_of[p]) {
+      path.gate = gates_[*gate_of[p]];
+    } else if (path.state != PathState::kGivenUp) {
+      path.state = PathState::kExplored;
+      note(PathEvent::Kind::kExplored, p);
+    }
+  }
+  for (std::size_t i = 0; i < gates_.size(); ++i) {
+    if (!continued[i]) add_path(gates_[i], T_map_vehicle);
+  }
+}
+
+std::optional<std::size_t> BuildingExplorer::continued_by(const FloorGrid& floor, const Gate& gate) const {
+  const double same_cells = params_.same_gate_m / floor.cell_m();
+  std::optional<std::size_t> nearest;
+  double nearest_cells = same_cells;
+  for (std::size_t p = 0; p < paths_.size(); ++p) {
+    if (paths_[p].state == PathState::kExplored) continue;
+    const double apart = apart_cells(gate, paths_[p].gate, 0);
+    if (apart > nearest_cells) continue;
+    nearest_cells = apart;
+    nearest = p;
+  }
+  return nearest;
+}
+
+std::size_t BuildingExplorer::add_path(Gate gate, const Pose2& T_map_vehicle) {
+  const std::size_t path = paths_.size();
+  const Bearing bearing = bearing_of(gate.p_map, T_map_vehicle);
+  paths_.push_back({.parent = active_.value_or(path), .bearing = bearing, .gate = std::move(gate)});
+  return path;
+}
+
+/// Exploring: on along the active path, or into the best of those that lead off it.
+std::optional<ExploringTarget> BuildingExplorer::go_on(const Pose2& T_map_vehicle) {
+  if (run_.state() != static_cast<Symbol>(CorridorState::kExploring)) return std::nullopt;
+  const bool active_is_open = active_ && paths_[*active_].state == PathState::kActive;
+  const bool chooses_anew = order_ == ExploringOrder::kNearest &&
+                            (T_map_decided_.position() - T_map_vehicle.position()).norm() > kDecideAgain_m;
+  if (active_is_open && !chooses_anew) {
+    push_waiting(T_map_vehicle);
+    return ExploringTarget{
+        .kind = ExploringTarget::Kind::kPath, .path = *active_, .gate = paths_[*active_].gate};
+  }
+  T_map_decided_ = T_map_vehicle;
+  if (active_is_open) {
+    paths_[*active_].state = PathState::kWaiting;
+  } else if (order_ != ExploringOrder::kNearest) {
+    const auto child = best_child();
+    if (child && !paths_[*child].on_stack) {
+      paths_[*child].state = PathState::kActive;
+      push_waiting(T_map_vehicle);
+      feed(corridor_input::one_way(paths_[*child].bearing));
+      return take(*child);
+    }
+  }
+  push_waiting(T_map_vehicle);
+  feed(corridor_input::kEnd);
+  return std::nullopt;
+}
+
+/// Of the paths that lead off the one explored last: the nearest, leftovers before others.
+std::optional<std::size_t> BuildingExplorer::best_child() const {
+  std::optional<std::size_t> best;
+  double least_m = 1e18;
+  for (std::size_t p = 0; p < paths_.size(); ++p) {
+    const SeenPath& path = paths_[p];
+    if (path.state != PathState::kWaiting) continue;
+    const bool from_start = !active_ && path.parent == p;
+    if (!from_start && !(active_ && path.parent == *active_)) continue;
+    const double way_m =
+        path.gate.way_m - (path.gate.behind_m2 < params_.leftover_m2 ? params_.leftover_bonus_m : 0);
+    if (way_m >= least_m) continue;
+    least_m = way_m;
+    best = p;
+  }
+  return best;
+}
+
+/// C99's crossing: the way back first, then every path that is left for later.
+void BuildingExplorer::push_waiting(const Pose2& T_map_vehicle) {
+  bool is_first =
+      order_ == ExploringOrder::kPublished && run_.state() == static_cast<Symbol>(CorridorState::kExploring);
+  for (std::size_t p = 0; p < paths_.size(); ++p) {
+    if (paths_[p].state != PathState::kWaiting || paths_[p].on_stack) continue;
+    if (is_first) {
+      feed(corridor_input::kCrossingWayBack);
+      stack_.push_back({.path = p, .T_map_crossing = T_map_vehicle});
+      is_first = false;
+    }
+    feed(corridor_input::crossing(paths_[p].bearing));
+    stack_.push_back({.path = p, .T_map_crossing = T_map_vehicle});
+    paths_[p].on_stack = true;
+    note(PathEvent::Kind::kPushed, p);
+  }
+}
+
+/// Retreating: back to the next crossing, into a path that waits, or home.
+ExploringTarget BuildingExplorer::take_from_stack(const Pose2& T_map_vehicle) {
+  push_waiting(T_map_vehicle);
+  close_stale_tops();
+  if (T_map_going_back_) {
+    const double apart_m = (T_map_going_back_->position() - T_map_vehicle.position()).norm();
+    if (apart_m > params_.crossing_near_m && run_.top() == kWayBackSymbol)
+      return {
+          .kind = ExploringTarget::Kind::kCrossing, .path = 0, .gate = {}, .T_map_back = *T_map_going_back_};
+    if (run_.top() == kWayBackSymbol) {
+      feed(corridor_input::kExplored);
+      stack_.pop_back();
+    }
+    T_map_going_back_.reset();
+    return take_from_stack(T_map_vehicle);
+  }
+  if (run_.top() == kWayBackSymbol && order_ == ExploringOrder::kPublished) {
+    T_map_going_back_ = stack_.back().T_map_crossing;
+    return take_from_stack(T_map_vehicle);
+  }
+  const auto next = best_waiting();
+  if (!next) {
+    if (!is_going_home_) feed(corridor_input::kAway);
+    is_going_home_ = true;
+    return {};
+  }
+  is_going_home_ = false;
+  const bool is_top = !stack_.empty() && run_.top() != kWayBackSymbol && stack_.back().path == *next;
+  if (is_top) {
+    feed(corridor_input::kExplored);
+    stack_.pop_back();
+    paths_[*next].on_stack = false;
+  } else {
+    feed(corridor_input::detour(paths_[*next].bearing));
+  }
+  return take(*next);
+}
+
+/// Symbols of paths that are explored, or were taken before their turn, are dropped when they come up.
+void BuildingExplorer::close_stale_tops() {
+  while (!stack_.empty() && run_.top() != kWayBackSymbol && run_.top() != kCorridorStackStart) {
+    SeenPath& path = paths_[stack_.back().path];
+    if (path.state == PathState::kWaiting) return;
+    feed(corridor_input::kClosed);
+    stack_.pop_back();
+    path.on_stack = false;
+  }
+}
+
+std::optional<std::size_t> BuildingExplorer::best_waiting() const {
+  if (order_ == ExploringOrder::kPublished) {
+    return stack_.empty() ? std::nullopt : std::optional(stack_.back().path);
+  }
+  const double home_weight = order_ == ExploringOrder::kRecommended ? params_.home_weight : 0;
+  std::optional<std::size_t> best;
+  double least_m = 1e18;
+  for (std::size_t p = 0; p < paths_.size(); ++p) {
+    const SeenPath& path = paths_[p];
+    if (path.state != PathState::kWaiting) continue;
+    double cost_m = path.gate.way_m;
+    if (home_weight > 0) {
+      float home_m = FloorDistances::kUnreached;
+      for (const FloorCell cell : path.gate.sill) home_m = std::min(home_m, from_home_.to(cell));
+      if (std::isfinite(home_m)) cost_m -= home_weight * home_m;
+    }
+    if (cost_m >= least_m) continue;
+    least_m = cost_m;
+    best = p;
+  }
+  return best;
+}
+
+ExploringTarget BuildingExplorer::take(std::size_t path) {
+  paths_[path].state = PathState::kActive;
+  active_ = path;
+  note(PathEvent::Kind::kTaken, path);
+  return {.kind = ExploringTarget::Kind::kPath, .path = path, .gate = paths_[path].gate, .T_map_back = {}};
+}
+
+void BuildingExplorer::give_up(std::size_t path, std::size_t cycle) {
+  cycle_ = cycle;
+  paths_.at(path).state = PathState::kGivenUp;
+  note(PathEvent::Kind::kGivenUp, path);
+}
+
+void BuildingExplorer::stop(std::size_t cycle) {
+  cycle_ = cycle;
+  feed(corridor_input::kExplored);
+}
+
+std::size_t BuildingExplorer::paths_waiting() const {
+  return static_cast<std::size_t>(std::count_if(paths_.begin(), paths_.end(), [](const SeenPath& path) {
+    return path.state == PathState::kWaiting || path.state == PathState::kActive;
+  }));
+}
+
+const TransducerRule& BuildingExplorer::feed(Symbol input) {
+  const TransducerRule& rule = run_.step(input);
+  const TransducerTable& table = corridor_rules();
+  steps_.push_back({.cycle = cycle_,
+                    .state = table.states[run_.state()],
+                    .input = table.inputs[input],
+                    .output = rule.output == TransducerRule::kNoOutput ? "" : table.outputs[rule.output],
+                    .stack = run_.stack().size() - 1});
+  return rule;
+}
+
+void BuildingExplorer::note(PathEvent::Kind kind, std::size_t path) {
+  events_.push_back({.cycle = cycle_,
+                     .kind = kind,
+                     .path = path,
+                     .parent = paths_[path].parent,
+                     .symbol = corridor_rules().stack[explore_symbol(paths_[path].bearing)],
+                     .p_map = paths_[path].gate.p_map});
+}
+
+}  // namespace aisle

@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include "aisle/exploration/gates.hpp"
+
+namespace aisle {
+namespace {
+
+/// A floor drawn by hand: what is not put is unknown.
+class DrawnFloor {
+ public:
+  void put(const Vec2& low, const Vec2& high, Floor kind) {
+    for (double y = low.y() + 0.025; y < high.y(); y += 0.05) {
+      for (double x = low.x() + 0.025; x < high.x(); x += 0.05) floor.set(floor.cell_at({x, y}), kind);
+    }
+  }
+
+  /// A corridor along x, walls on both sides and at its left end.
+  void put_corridor(double length_m, double width_m) {
+    put({0, 0}, {length_m, width_m}, Floor::kFree);
+    put({0, -0.05}, {length_m, 0}, Floor::kOccupied);
+    put({0, width_m}, {length_m, width_m + 0.05}, Floor::kOccupied);
+    put({-0.05, 0}, {0, width_m}, Floor::kOccupied);
+  }
+
+  std::vector<Gate> gates() {
+    FloorClearance clearance;
+    clearance.update(floor, floor.known());
+    FloorDistances reached;
+    reached.measure(floor, clearance, {1, 1}, params.room_m, 1);
+    return find_gates(floor, clearance, reached, params);
+  }
+
+  FloorGrid floor;
+  GateParams params;
+};
+
+TEST(Gates, CorridorWhoseEndIsNotSeenYetHasOne) {
+  DrawnFloor drawn;
+  drawn.put_corridor(5, 2);
+  const auto gates = drawn.gates();
+  ASSERT_EQ(gates.size(), 1);
+  EXPECT_NEAR(gates[0].p_map.x(), 5 - drawn.params.room_m, 0.15);
+  EXPECT_NEAR(gates[0].p_map.y(), 1, 0.3);
+  EXPECT_NEAR(gates[0].way_m, gates[0].p_map.x() - 1, 0.2);
+}
+
+TEST(Gates, ClosedCorridorHasNone) {
+  DrawnFloor drawn;
+  drawn.put_corridor(5, 2);
+  drawn.put({5, 0}, {5.05, 2}, Floor::kOccupied);
+  EXPECT_TRUE(drawn.gates().empty());
+}
+
+TEST(Gates, DoorIsOneWhenTheVehicleFitsThrough) {
+  for (const double width_m : {0.55, 1.0}) {
+    DrawnFloor drawn;
+    drawn.put_corridor(5, 2);
+    drawn.put({5, 0}, {5.05, 2}, Floor::kOccupied);
+    drawn.put({2, 2}, {2 + width_m, 2.05}, Floor::kFree);
+    EXPECT_EQ(drawn.gates().size(), width_m > 0.9 ? 1 : 0) << width_m;
+  }
+}
+
+TEST(Gates, WhatCannotBeReachedIsNone) {
+  DrawnFloor drawn;
+  drawn.put_corridor(5, 2);
+  drawn.put({5, 0}, {5.05, 2}, Floor::kOccupied);
+  drawn.put({7, 0}, {9, 2}, Floor::kFree);
+  EXPECT_TRUE(drawn.gates().empty());
+}
+
+TEST(Gates, RimLiesWhereTheFreeFloorEnds) {
+  DrawnFloor drawn;
+  drawn.put_corridor(5, 2);
+  const auto gates = drawn.gates();
+  ASSERT_EQ(gates.size(), 1);
+  ASSERT_FALSE(gates[0].rim.empty());
+  for (const Vec2& p : gates[0].rim) EXPECT_NEAR(p.x(), 5.025, 0.06);
+}
+
+}  // namespace
+}  // namespace aisle

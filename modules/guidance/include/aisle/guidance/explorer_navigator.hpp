@@ -1,0 +1,96 @@
+#pragma once
+/// Explores a building that nobody has shown to the vehicle, and comes home: C99 Algorithm 1.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "aisle/control/path_progress.hpp"
+#include "aisle/control/speed.hpp"
+#include "aisle/control/steering.hpp"
+#include "aisle/exploration/building_explorer.hpp"
+#include "aisle/guidance/car_search.hpp"
+#include "aisle/guidance/floor_learner.hpp"
+#include "aisle/guidance/navigator.hpp"
+
+namespace aisle {
+
+struct ExplorerNavigatorParams {
+  FloorLearnerParams learner;
+  ExplorerParams explorer;
+  CarSearchParams search;
+  SteeringParams steering;
+  SpeedParams speed{.speed_mps = 0.4};
+  double look_s = 1;         ///< standing, before it starts
+  double look_from_m = 2.5;  ///< so near it drives to what it wants to see
+  double join_m = 0.6;       ///< so far ahead a new way joins the old one
+  int expansions = 250;      ///< of the search, a cycle
+  double stuck_s = 60;       ///< without any way for so long it gives up
+
+  void describe(FieldList& fields);
+};
+
+/// Looks, learns the floor and its own place on it, sees where paths lead on, chooses one by C99's
+/// transducer, searches a way along known free floor to where it can be seen into, and drives it; home when
+/// nothing waits any more.
+class ExplorerNavigator final : public Navigator {
+ public:
+  ExplorerNavigator(const ExplorerNavigatorParams& params, const VehicleDescription& vehicle,
+                    ExploringOrder order, std::unique_ptr<SliceSensor> sensor);
+
+  Decision step(const Observation& observation) override;
+
+  const FloorLearner& learner() const { return learner_; }
+  const BuildingExplorer& explorer() const { return explorer_; }
+  const Path& path() const { return path_; }
+  /// Up to now.
+  ExplorationRecord record() const;
+
+ private:
+  void mark_coverage();
+  void choose();
+  void begin_search();
+  void begin_search_home(const Pose2& T_map_from, const std::function<double(const Vec2&)>& left_m);
+  double look_from_m() const;
+  bool sees_rim(const Pose2& T_map_vehicle) const;
+  void search_way();
+  void give_path_up();
+  void take_way();
+  void shorten_way(double ahead_m);
+  void drop_way();
+  void check_way();
+  bool is_lost_for_ways();
+  Decision drive(const Observation& observation);
+  bool is_ahead_free(const PathPoint& point, double steering_rad) const;
+  std::optional<Command> turn_wheels_first(const PathPoint& point, double steering_rad) const;
+  std::string state_word() const;
+  Decision end(NavigatorStatus status, std::string state, std::string why);
+
+  ExplorerNavigatorParams params_;
+  VehicleDescription vehicle_;
+  FloorLearner learner_;
+  BuildingExplorer explorer_;
+  CarSearch search_;
+  FootprintRoom watch_;  ///< for the way while it is driven
+  PathFollower follower_;
+  FloorDistances left_;
+  std::optional<ExploringTarget> target_;
+  Path path_;
+  std::optional<PathProgress> progress_;
+  Vec2 p_map_left_ = Vec2::Zero();      ///< what `left_` is measured from
+  Vec2 p_map_searched_ = Vec2::Zero();  ///< the gate that the latest search was for
+  bool is_search_due_ = false;
+  bool is_way_home_ = false;  ///< the latest search was for a way that ends exactly at home
+  int attempts_ = 0;          ///< ways that were driven for this target and did not settle it
+  std::size_t arrived_cycle_ = 0;
+  std::size_t cycle_ = 0;
+  std::optional<double> begun_s_;
+  double stamp_s_ = 0;
+  double moved_s_ = 0;
+  std::vector<CoverageMark> coverage_;
+  std::string ended_because_;
+  bool came_home_ = false;
+};
+
+}  // namespace aisle

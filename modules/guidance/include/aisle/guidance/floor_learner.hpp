@@ -1,0 +1,81 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "aisle/guidance/slice_sensor.hpp"
+#include "aisle/learning/online_mapping.hpp"
+#include "aisle/maps/floor_clearance.hpp"
+#include "aisle/maps/floor_view.hpp"
+
+namespace aisle {
+
+struct FloorLearnerParams {
+  MapParams mapping;
+  FloorViewParams view;
+  double cell_m = 0.05;
+  double look_every_m = 0.15;           ///< of way, or ...
+  double look_every_rad = 4 * kDegree;  ///< ... of turning, or ...
+  int look_every_cycles = 10;           ///< ... of time the floor is looked at
+
+  void describe(FieldList& fields);
+};
+
+/// Learns where the vehicle is and what floor there is, both at once, while it drives.
+class FloorLearner {
+ public:
+  enum class News { kNothing, kFloor, kLoop };  ///< kLoop: a place was recognised, and everything moved
+
+  FloorLearner(const FloorLearnerParams& params, const VehicleDescription& vehicle,
+               std::unique_ptr<SliceSensor> sensor);
+
+  News take(const Observation& observation);
+
+  const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
+  const Pose2& T_map_home() const { return T_map_home_; }  ///< where it began, as known now
+  bool has_looked() const { return !looks_.empty(); }
+  const FloorGrid& floor() const { return floor_; }
+  const FloorClearance& clearance() const { return clearance_; }
+  const SliceSensor& sensor() const { return *sensor_; }
+  double way_m() const { return way_m_; }
+  bool is_standing() const { return is_standing_; }
+  /// All slices and the odometry between them, as a log of the trip.
+  const LaserLog& log() const { return log_; }
+  /// One a slice, as known now.
+  std::vector<Pose2> T_map_vehicle_of_all() const { return mapping_.T_map_vehicle_of_all(); }
+  /// The floor as all that was looked at shows it from these poses, one a slice.
+  FloorGrid floor_from(std::span<const Pose2> T_map_vehicle) const;
+
+ private:
+  /// A slice that was put onto the floor.
+  struct Look {
+    std::size_t slice = 0;  ///< of the log
+    std::vector<float> near_m;
+  };
+
+  bool is_time_to_look() const;
+  FloorBox put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const;
+  void keep_slice(double stamp_s);
+  Footprint set_down_room() const;
+  void put_all_anew();
+
+  FloorLearnerParams params_;
+  VehicleDescription vehicle_;
+  std::unique_ptr<SliceSensor> sensor_;
+  OnlineMapping mapping_;
+  FloorGrid floor_;
+  FloorClearance clearance_;
+  SliceView view_;
+  std::vector<Look> looks_;
+  LaserLog log_;
+  int cycles_since_look_ = 0;
+  Pose2 T_odom_vehicle_;
+  Pose2 T_slice_vehicle_;  ///< since the latest slice, by odometry
+  Pose2 T_map_vehicle_;
+  Pose2 T_map_home_;
+  Pose2 T_map_looked_;
+  double way_m_ = 0;
+  bool is_standing_ = true;
+};
+
+}  // namespace aisle

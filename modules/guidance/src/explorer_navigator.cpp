@@ -1,0 +1,366 @@
+#include "aisle/guidance/explorer_navigator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aisle {
+namespace {
+
+constexpr double kCheckShare = 0.4;    // of the margin that a way must keep while it is driven
+constexpr double kStopSpare_m = 0.15;  // the vehicle stops so far before what came into its way
+constexpr double kCoverageEvery_m = 0.5;
+constexpr double kFanEdge_rad = 3 * kDegree;  // nothing is expected to be seen so near to the fan's edge
+constexpr double kUnknownDetour_m = 2;
+constexpr int kAttemptsMax = 3;
+constexpr double kNearHome_m = 1.5;
+constexpr double kNearHome_rad = 30 * kDegree;
+constexpr double kGateMoved_m = 1;
+constexpr double kBrakingWay_m = 0.2;
+constexpr double kBendAhead_m = 0.05;
+constexpr double kWheelsOff_rad = 15 * kDegree;
+
+double steering_now(const OdometryReading& odometry) {
+  const auto* motion = std::get_if<FrontSteeredMotion>(&odometry);
+  return motion == nullptr ? 0 : motion->steering_rad;
+}
+
+/// The path up to a point.
+Path cut_at(const Path& path, double along_m) {
+  std::vector<PathPiece> pieces;
+  for (PathPiece piece : path.pieces()) {
+    const double left_m = along_m - path.start_m(pieces.size());
+    if (left_m <= 0 && !pieces.empty()) break;
+    if (left_m < piece.way_m()) {
+      const double share = std::max(left_m, 1e-3) / piece.way_m();
+      piece.arc = {piece.arc.length_m * share, piece.arc.turn_rad * share};
+    }
+    pieces.push_back(piece);
+  }
+  return Path(std::move(pieces));
+}
+
+Path joined(const Path& a, const Path& b) {
+  std::vector<PathPiece> pieces = a.pieces();
+  pieces.insert(pieces.end(), b.pieces().begin(), b.pieces().end());
+  return Path(std::move(pieces));
+}
+
+/// Nothing stands, and nothing is unknown, between two places.
+bool is_clear(const FloorGrid& floor, const Vec2& from, const Vec2& to, double spare_m) {
+  const Vec2 way = to - from;
+  const double length_m = way.norm();
+  for (double along_m = 0; along_m < length_m - spare_m; along_m += floor.cell_m() / 2) {
+    if (floor.at(Vec2(from + way * (along_m / length_m))) != Floor::kFree) return false;
+  }
+  return true;
+}
+
+bool is_same(const ExploringTarget& a, const ExploringTarget& b) {
+  if (a.kind != b.kind) return false;
+  return a.kind == ExploringTarget::Kind::kHome || a.path == b.path;
+}
+
+}  // namespace
+
+void ExplorerNavigatorParams::describe(FieldList& fields) {
+  fields.group("learner", learner);
+  fields.group("explorer", explorer);
+  fields.group("search", search);
+  fields.group("steering", steering);
+  fields.group("speed", speed);
+  fields.real("look_s", look_s, {0, 60}, "time to look around before it starts");
+  fields.real("look_from_m", look_from_m, {0.3, 10}, "so near it drives to what it wants to see");
+  fields.real("join_m", join_m, {0.1, 5}, "so far ahead a new way joins the old one");
+  fields.count("expansions", expansions, {10, 100000}, "poses that the search looks at in a cycle");
+  fields.real("stuck_s", stuck_s, {1, 3600}, "standing for so long without a way it gives up");
+}
+
+ExplorerNavigator::ExplorerNavigator(const ExplorerNavigatorParams& params, const VehicleDescription& vehicle,
+                                     ExploringOrder order, std::unique_ptr<SliceSensor> sensor)
+    : params_(params),
+      vehicle_(vehicle),
+      learner_(params.learner, vehicle, std::move(sensor)),
+      explorer_(params.explorer, order),
+      search_(params.search, vehicle),
+      watch_(vehicle.footprint, kCheckShare * params.search.margin_m),
+      follower_(vehicle, params.steering) {}
+
+Decision ExplorerNavigator::step(const Observation& observation) {
+  ++cycle_;
+  stamp_s_ = observation.stamp_s;
+  if (!begun_s_) begun_s_ = moved_s_ = stamp_s_;
+  if (observation.bumper_pressed) return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
+  const FloorLearner::News news = learner_.take(observation);
+  mark_coverage();
+  if (stamp_s_ - *begun_s_ < params_.look_s || !learner_.has_looked()) return {.state = "looking"};
+  if (news == FloorLearner::News::kLoop) drop_way();
+  if (news != FloorLearner::News::kNothing || !target_) {
+    check_way();
+    choose();
+  }
+  search_way();
+  if (is_lost_for_ways()) return end(NavigatorStatus::kFailed, "stuck", "finds no way that it can drive");
+  if (came_home_) return end(NavigatorStatus::kDone, "home", "explored");
+  return drive(observation);
+}
+
+void ExplorerNavigator::mark_coverage() {
+  if (!coverage_.empty() && learner_.way_m() - coverage_.back().way_m < kCoverageEvery_m) return;
+  coverage_.push_back({learner_.way_m(), learner_.floor().free_m2()});
+}
+
+/// C99's steps 9 and 10: what is around is encoded, the transducer says where to go.
+void ExplorerNavigator::choose() {
+  const double middle_m = (vehicle_.footprint.front_m - vehicle_.footprint.rear_m) / 2;
+  const ExploringTarget target =
+      explorer_.decide(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(),
+                       learner_.T_map_vehicle() * Vec2(middle_m, 0), learner_.T_map_home(), cycle_);
+  const bool goes_on = target_ && is_same(*target_, target);
+  target_ = target;
+  const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
+  if (goes_on && (!gate_moved || target.kind != ExploringTarget::Kind::kPath)) return;
+  attempts_ = 0;
+  is_search_due_ = true;
+}
+
+/// From where the present way is left: ahead, so that the vehicle need not stop.
+void ExplorerNavigator::begin_search() {
+  is_search_due_ = false;
+  p_map_searched_ = target_->gate.p_map;
+  if (progress_) shorten_way(params_.join_m);
+  const Pose2 T_map_from = path_.empty() ? learner_.T_map_vehicle() : path_.at(path_.length_m()).T_map_path;
+  const FloorGrid& floor = learner_.floor();
+  const double room_m = vehicle_.footprint.width_m / 2;
+  const auto left_m = [this](const Vec2& p_map) {
+    const float left = left_.to(learner_.floor().cell_at(p_map));
+    return std::isfinite(left) ? left : (p_map - p_map_left_).norm() + kUnknownDetour_m;
+  };
+  p_map_left_ = target_->kind == ExploringTarget::Kind::kPath       ? target_->gate.p_map
+                : target_->kind == ExploringTarget::Kind::kCrossing ? target_->T_map_back.position()
+                                                                    : T_map_from.position();
+  left_.measure(floor, learner_.clearance(), p_map_left_, room_m, 1);
+  switch (target_->kind) {
+    case ExploringTarget::Kind::kPath: {
+      const double nearer_m = look_from_m() + vehicle_.footprint.front_m;
+      search_.look_for(
+          T_map_from, [this](const Pose2& T_map) { return sees_rim(T_map); },
+          [=](const Vec2& p_map) { return std::max(0.0, left_m(p_map) - nearer_m); });
+      break;
+    }
+    case ExploringTarget::Kind::kCrossing: {
+      const Vec2 p_map_back = target_->T_map_back.position();
+      const double near_m = params_.explorer.crossing_near_m / 2;
+      search_.look_for(
+          T_map_from, [=](const Pose2& T_map) { return (T_map.position() - p_map_back).norm() < near_m; },
+          left_m);
+      break;
+    }
+    case ExploringTarget::Kind::kHome:
+      begin_search_home(T_map_from, left_m);
+      break;
+  }
+}
+
+/// Exactly home; where no such way is found, near home first, and on from there.
+void ExplorerNavigator::begin_search_home(const Pose2& T_map_from,
+                                          const std::function<double(const Vec2&)>& left_m) {
+  const Pose2 T_map_home = learner_.T_map_home();
+  is_way_home_ = attempts_ % 2 == 0;
+  if (is_way_home_) return search_.look_for_way_to(T_map_home, T_map_from, left_m);
+  p_map_left_ = T_map_home.position();
+  left_.measure(learner_.floor(), learner_.clearance(), p_map_left_, vehicle_.footprint.width_m / 2, 1);
+  search_.look_for(
+      T_map_from,
+      [T_map_home](const Pose2& T_map) {
+        const Pose2 off = between(T_map_home, T_map);
+        return off.position().norm() < kNearHome_m && std::abs(off.theta) < kNearHome_rad;
+      },
+      left_m);
+}
+
+double ExplorerNavigator::look_from_m() const {
+  return attempts_ < 2 ? params_.look_from_m : params_.look_from_m / 2;
+}
+
+/// Whether enough of what is to be seen of the path would be seen from there.
+bool ExplorerNavigator::sees_rim(const Pose2& T_map_vehicle) const {
+  const LaserScanner& fan = learner_.sensor().fan();
+  const Pose2 T_map_fan = T_map_vehicle * fan.T_vehicle_laser;
+  const std::vector<Vec2>& rim = target_->gate.rim;
+  const std::size_t enough = attempts_ == 0 ? (rim.size() + 3) / 4 : 1;
+  std::size_t seen = 0;
+  for (const Vec2& p_map : rim) {
+    const Vec2 towards = p_map - T_map_fan.position();
+    if (towards.norm() > look_from_m()) continue;
+    const double angle_rad = wrap_angle(heading_of(towards) - T_map_fan.theta);
+    if (angle_rad < fan.first_angle_rad + kFanEdge_rad || angle_rad > -fan.first_angle_rad - kFanEdge_rad)
+      continue;
+    if (!is_clear(learner_.floor(), T_map_fan.position(), p_map, 1.5 * learner_.floor().cell_m())) continue;
+    if (++seen >= enough) return true;
+  }
+  return false;
+}
+
+void ExplorerNavigator::search_way() {
+  if (!target_) return;
+  if (is_search_due_ && (progress_ || learner_.is_standing())) begin_search();
+  if (search_.state() == CarSearch::State::kIdle && !progress_ && !is_search_due_) {
+    if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
+    if (++attempts_ > kAttemptsMax && target_->kind == ExploringTarget::Kind::kPath) return give_path_up();
+    begin_search();
+  }
+  if (search_.state() != CarSearch::State::kSearching) return;
+  const auto state = search_.advance(learner_.floor(), learner_.clearance(), params_.expansions);
+  if (state == CarSearch::State::kFound) take_way();
+  if (state == CarSearch::State::kNone) {
+    search_.stop();
+    arrived_cycle_ = cycle_;
+    if (target_->kind == ExploringTarget::Kind::kPath && attempts_ > 0) give_path_up();
+  }
+}
+
+void ExplorerNavigator::give_path_up() {
+  explorer_.give_up(target_->path, cycle_);
+  target_.reset();
+}
+
+void ExplorerNavigator::take_way() {
+  const Path found = search_.path();
+  search_.stop();
+  if (found.empty()) return;
+  const bool leads_on = !path_.empty() && target_->kind != ExploringTarget::Kind::kHome;
+  if (leads_on && progress_) {
+    const double along_m = progress_->point().along_m;
+    path_ = joined(path_, found);
+    progress_.emplace(path_, along_m);
+    return;
+  }
+  path_ = found;
+  progress_.emplace(path_);
+}
+
+/// Keeps only the next stretch of the way, or what is left of the present leg.
+void ExplorerNavigator::shorten_way(double ahead_m) {
+  const double along_m = progress_->point().along_m;
+  const std::size_t leg_end = path_.leg_end(progress_->point().piece);
+  const double leg_end_m = path_.start_m(leg_end - 1) + path_.pieces()[leg_end - 1].way_m();
+  path_ = cut_at(path_, std::min(along_m + ahead_m, leg_end_m));
+  progress_.emplace(path_, std::min(along_m, path_.length_m()));
+}
+
+void ExplorerNavigator::drop_way() {
+  progress_.reset();
+  path_ = {};
+  search_.stop();
+  target_.reset();
+  is_search_due_ = false;
+}
+
+/// What was learned since may lie in the way.
+void ExplorerNavigator::check_way() {
+  if (!progress_) return;
+  const double along_m = progress_->point().along_m;
+  const double free_m = watch_.free_way_m(learner_.floor(), learner_.clearance(), path_, along_m);
+  if (along_m + free_m >= path_.length_m() - 1e-6) return;
+  if (free_m < kStopSpare_m) return drop_way();
+  shorten_way(free_m - kStopSpare_m);
+  target_.reset();
+}
+
+bool ExplorerNavigator::is_lost_for_ways() {
+  if (progress_) moved_s_ = stamp_s_;
+  return stamp_s_ - moved_s_ > params_.stuck_s;
+}
+
+Decision ExplorerNavigator::drive(const Observation& observation) {
+  const double steering_rad = steering_now(observation.odometry);
+  const std::string state = state_word();
+  if (!progress_) return {.command = {.steering_rad = steering_rad}, .state = state};
+  const PathPoint& point = progress_->advance(learner_.T_map_vehicle());
+  if (progress_->has_arrived()) {
+    const bool searching = search_.state() == CarSearch::State::kSearching;
+    came_home_ = !searching && is_way_home_ && target_ && target_->kind == ExploringTarget::Kind::kHome;
+    if (came_home_) explorer_.stop(cycle_);
+    if (!searching) {
+      progress_.reset();
+      path_ = {};
+      arrived_cycle_ = cycle_;
+    }
+    return {.command = {.steering_rad = steering_rad}, .state = state};
+  }
+  const double speed_mps = speed_along(path_, point.along_m, 1, vehicle_, params_.speed);
+  if (const auto turned = turn_wheels_first(point, steering_rad)) return {.command = *turned, .state = state};
+  if (!is_ahead_free(point, steering_rad)) {
+    drop_way();
+    return {.command = {.steering_rad = steering_rad}, .state = state};
+  }
+  return {.command = follower_.follow(path_, point, learner_.T_map_vehicle(), speed_mps, steering_rad),
+          .state = state};
+}
+
+/// Whether the vehicle stays on free floor as its wheels stand now, for as long as it takes to stop.
+bool ExplorerNavigator::is_ahead_free(const PathPoint& point, double steering_rad) const {
+  if (vehicle_.is_differential) return true;
+  const double sign = path_.pieces()[point.piece].arc.length_m < 0 ? -1 : 1;
+  const double spare_now_m = watch_.spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+  const double standing_spare_m =
+      watch_.standing_spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+  const std::size_t leg_end = path_.leg_end(point.piece);
+  const double left_m = path_.start_m(leg_end - 1) + path_.pieces()[leg_end - 1].way_m() - point.along_m;
+  const double braking_m = std::min(kBrakingWay_m, left_m);
+  for (const double way_m : {braking_m / 2, braking_m}) {
+    const Pose2 T_map = learner_.T_map_vehicle() *
+                        aisle::drive(vehicle_.front_steered, FrontSteeredMotion{sign * way_m, steering_rad});
+    const double spare_m = watch_.spare_m(learner_.floor(), learner_.clearance(), T_map);
+    const bool fits = spare_m >= std::min(0.0, spare_now_m) ||
+                      watch_.fits_barely(learner_.floor(), learner_.clearance(), T_map, standing_spare_m);
+    if (!fits) return false;
+  }
+  return true;
+}
+
+/// Where the way bends otherwise than the wheels stand, they turn before the vehicle goes on.
+std::optional<Command> ExplorerNavigator::turn_wheels_first(const PathPoint& point,
+                                                            double steering_rad) const {
+  if (vehicle_.is_differential) return std::nullopt;
+  const std::size_t leg_end = path_.leg_end(point.piece);
+  const double leg_end_m = path_.start_m(leg_end - 1) + path_.pieces()[leg_end - 1].way_m();
+  const PathPoint ahead = path_.at(std::min(point.along_m + kBendAhead_m, leg_end_m - 1e-6));
+  const double wanted_rad = std::atan(ahead.curvature_per_m * vehicle_.front_steered.wheelbase_m);
+  if (std::abs(wanted_rad - steering_rad) < kWheelsOff_rad) return std::nullopt;
+  return Command{.speed_mps = 0, .steering_rad = wanted_rad};
+}
+
+std::string ExplorerNavigator::state_word() const {
+  if (!progress_) return "searching";
+  if (!target_) return "exploring";
+  switch (target_->kind) {
+    case ExploringTarget::Kind::kPath:
+      return "exploring";
+    case ExploringTarget::Kind::kCrossing:
+      return "retreating";
+    case ExploringTarget::Kind::kHome:
+      return "homing";
+  }
+  return "";
+}
+
+Decision ExplorerNavigator::end(NavigatorStatus status, std::string state, std::string why) {
+  ended_because_ = why;
+  return {.status = status, .state = std::move(state), .why = std::move(why)};
+}
+
+ExplorationRecord ExplorerNavigator::record() const {
+  ExplorationRecord record;
+  record.paths = explorer_.events();
+  record.steps = explorer_.steps();
+  record.coverage = coverage_;
+  record.T_map_vehicle = learner_.T_map_vehicle_of_all();
+  record.paths_waiting = explorer_.paths_waiting();
+  record.way_m = learner_.way_m();
+  record.came_home = came_home_;
+  record.ended_because = ended_because_;
+  return record;
+}
+
+}  // namespace aisle

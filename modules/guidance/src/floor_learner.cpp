@@ -1,0 +1,119 @@
+#include "aisle/guidance/floor_learner.hpp"
+
+#include <cmath>
+
+namespace aisle {
+namespace {
+
+constexpr double kSetDownSpare_m = 0.15;
+constexpr double kStanding_m = 0.002;  // of way in a cycle
+
+Pose2 motion_of(const VehicleDescription& vehicle, const OdometryReading& odometry) {
+  if (const auto* motion = std::get_if<FrontSteeredMotion>(&odometry))
+    return drive(vehicle.front_steered, *motion);
+  return drive(vehicle.differential, std::get<WheelSteps>(odometry));
+}
+
+}  // namespace
+
+void FloorLearnerParams::describe(FieldList& fields) {
+  fields.group("mapping", mapping);
+  fields.group("view", view);
+  fields.real("cell_m", cell_m, {0.02, 0.2}, "cells of the floor");
+  fields.real("look_every_m", look_every_m, {0.02, 2}, "way after which the floor is looked at again");
+  fields.angle("look_every_deg", look_every_rad, {0.5, 90}, "turning after which it is");
+  fields.count("look_every_cycles", look_every_cycles, {1, 1000}, "cycles after which it is");
+}
+
+FloorLearner::FloorLearner(const FloorLearnerParams& params, const VehicleDescription& vehicle,
+                           std::unique_ptr<SliceSensor> sensor)
+    : params_(params),
+      vehicle_(vehicle),
+      sensor_(std::move(sensor)),
+      mapping_(params.mapping, sensor_->fan()),
+      floor_(params.cell_m) {
+  log_.laser = sensor_->fan();
+}
+
+FloorLearner::News FloorLearner::take(const Observation& observation) {
+  const Pose2 motion = motion_of(vehicle_, observation.odometry);
+  T_odom_vehicle_ = T_odom_vehicle_ * motion;
+  T_slice_vehicle_ = T_slice_vehicle_ * motion;
+  way_m_ += motion.position().norm();
+  is_standing_ = motion.position().norm() < kStanding_m;
+  ++cycles_since_look_;
+  log_.odometry.push_back({observation.stamp_s, T_odom_vehicle_});
+  const bool sees = sensor_->look(observation, view_);
+  bool recognised = false;
+  if (sees) {
+    recognised = mapping_.take_scan(view_.ranges_m, T_slice_vehicle_);
+    T_slice_vehicle_ = {};
+    keep_slice(observation.stamp_s);
+    if (log_.scans.size() == 1) T_map_home_ = mapping_.T_map_vehicle();
+  }
+  T_map_vehicle_ = mapping_.T_map_vehicle() * T_slice_vehicle_;
+  if (recognised) {
+    put_all_anew();
+    return News::kLoop;
+  }
+  if (!sees || !is_time_to_look()) return News::kNothing;
+  looks_.push_back({log_.scans.size() - 1, view_.near_m});
+  T_map_looked_ = T_map_vehicle_;
+  cycles_since_look_ = 0;
+  const FloorBox changed = put(looks_.back(), T_map_vehicle_, floor_);
+  clearance_.update(floor_, changed);
+  return changed.empty() ? News::kNothing : News::kFloor;
+}
+
+void FloorLearner::keep_slice(double stamp_s) {
+  LaserScan scan;
+  scan.stamp_s = scan.time_s = stamp_s;
+  scan.ranges_m = view_.ranges_m;
+  scan.odometry_known = log_.odometry.size();
+  log_.scans.push_back(std::move(scan));
+}
+
+bool FloorLearner::is_time_to_look() const {
+  const Pose2 since = between(T_map_looked_, T_map_vehicle_);
+  return looks_.empty() || since.position().norm() >= params_.look_every_m ||
+         std::abs(since.theta) >= params_.look_every_rad || cycles_since_look_ >= params_.look_every_cycles;
+}
+
+FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const {
+  FloorBox changed = see_floor(floor, sensor_->fan(), log_.scans[look.slice].ranges_m, look.near_m,
+                               T_map_vehicle, params_.view);
+  const FloorBox stood =
+      stand_on_floor(floor, look.slice == 0 ? set_down_room() : vehicle_.footprint, T_map_vehicle);
+  if (!stood.empty()) {
+    changed.include(stood.low);
+    changed.include({stood.end.x - 1, stood.end.y - 1});
+  }
+  return changed;
+}
+
+/// Who sets a vehicle down leaves it the strip free that it cannot see ahead of itself.
+Footprint FloorLearner::set_down_room() const {
+  Footprint room = vehicle_.footprint;
+  const std::vector<float>& near_m = looks_.front().near_m;
+  if (near_m.empty()) return room;
+  room.front_m = sensor_->fan().T_vehicle_laser.x + near_m[near_m.size() / 2] + kSetDownSpare_m;
+  room.width_m += 2 * kSetDownSpare_m;
+  return room;
+}
+
+FloorGrid FloorLearner::floor_from(std::span<const Pose2> T_map_vehicle) const {
+  FloorGrid floor(params_.cell_m);
+  for (const Look& look : looks_) put(look, T_map_vehicle[look.slice], floor);
+  return floor;
+}
+
+/// A place was recognised: every slice lies elsewhere now.
+void FloorLearner::put_all_anew() {
+  const std::vector<Pose2> T_map_of_all = mapping_.T_map_vehicle_of_all();
+  T_map_home_ = T_map_of_all.front();
+  floor_ = floor_from(T_map_of_all);
+  clearance_ = FloorClearance(clearance_.far_m());
+  clearance_.update(floor_, floor_.known());
+}
+
+}  // namespace aisle

@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include "aisle/guidance/car_search.hpp"
+
+namespace aisle {
+namespace {
+
+VehicleDescription cart() {
+  VehicleDescription vehicle;
+  vehicle.front_steered.wheelbase_m = 0.75;
+  vehicle.footprint = {.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6, .height_m = 1.3};
+  return vehicle;
+}
+
+/// Free rectangles in the unknown.
+class KnownFloor {
+ public:
+  explicit KnownFloor(std::initializer_list<std::pair<Vec2, Vec2>> rectangles) {
+    for (const auto& [low, high] : rectangles) {
+      for (double y = low.y() + 0.025; y < high.y(); y += 0.05) {
+        for (double x = low.x() + 0.025; x < high.x(); x += 0.05)
+          floor.set(floor.cell_at({x, y}), Floor::kFree);
+      }
+    }
+    clearance.update(floor, floor.known());
+  }
+
+  CarSearch::State run(CarSearch& search) const { return search.advance(floor, clearance, 1000000); }
+
+  FloorGrid floor;
+  FloorClearance clearance;
+};
+
+/// Every pose of the way lies on known free floor, and the wheels can drive it.
+void expect_drivable(const Path& path, const KnownFloor& known, const VehicleDescription& vehicle) {
+  const FootprintRoom room(vehicle.footprint, 0);
+  for (double along_m = 0; along_m <= path.length_m(); along_m += 0.02) {
+    const PathPoint point = path.at(along_m);
+    EXPECT_TRUE(room.fits_barely(known.floor, known.clearance, point.T_map_path, -1)) << along_m;
+    EXPECT_LE(std::abs(point.curvature_per_m) * vehicle.front_steered.wheelbase_m,
+              std::tan(vehicle.limits.steering_max_rad));
+  }
+}
+
+double no_guide(const Vec2&) {
+  return 0;
+}
+
+TEST(CarSearch, TurnsRoundInACorridorWhereItCan) {
+  const KnownFloor known({{Vec2(0, 0), Vec2(12, 2.2)}});
+  CarSearch search({}, cart());
+  search.look_for(
+      {3, 1.1, 0}, [](const Pose2& T) { return std::abs(wrap_angle(T.theta - kPi)) < 0.1; }, no_guide);
+  ASSERT_EQ(known.run(search), CarSearch::State::kFound);
+  expect_drivable(search.path(), known, cart());
+}
+
+TEST(CarSearch, ReversesOutOfWhereItCannotTurn) {
+  const KnownFloor known({{Vec2(0, 0), Vec2(8, 0.95)}, {Vec2(0, 0), Vec2(2.2, 4)}});
+  CarSearch search({}, cart());
+  search.look_for(
+      {6, 0.475, 0}, [](const Pose2& T) { return T.y > 2; },
+      [](const Vec2& p) { return std::max(0.0, 2 - p.y()); });
+  ASSERT_EQ(known.run(search), CarSearch::State::kFound);
+  EXPECT_LT(search.path().pieces().front().arc.length_m, 0);
+  expect_drivable(search.path(), known, cart());
+}
+
+TEST(CarSearch, EndsExactlyAtAPose) {
+  const KnownFloor known({{Vec2(0, 0), Vec2(10, 5)}});
+  CarSearch search({}, cart());
+  const Pose2 T_map_goal{2, 2, 0.3}, T_map_vehicle{8, 3, 1};
+  search.look_for_way_to(T_map_goal, T_map_vehicle,
+                         [&](const Vec2& p) { return (p - T_map_vehicle.position()).norm(); });
+  ASSERT_EQ(known.run(search), CarSearch::State::kFound);
+  const Path path = search.path();
+  const Pose2 missed = between(T_map_goal, path.at(path.length_m()).T_map_path);
+  EXPECT_LT(missed.position().norm(), 1e-6);
+  EXPECT_LT(std::abs(missed.theta), 1e-6);
+  EXPECT_LT((path.at(0).T_map_path.position() - T_map_vehicle.position()).norm(), 0.13);
+  expect_drivable(path, known, cart());
+}
+
+TEST(CarSearch, FindsNothingBeyondWhatIsKnown) {
+  const KnownFloor known({{Vec2(0, 0), Vec2(4, 2)}});
+  CarSearch search({}, cart());
+  search.look_for(
+      {2, 1, 0}, [](const Pose2& T) { return T.x > 6; }, no_guide);
+  EXPECT_EQ(known.run(search), CarSearch::State::kNone);
+}
+
+TEST(CarSearch, GoesOnInPortionsToTheSameWay) {
+  const KnownFloor known({{Vec2(0, 0), Vec2(12, 2.2)}});
+  const auto is_turned = [](const Pose2& T) { return std::abs(wrap_angle(T.theta - kPi)) < 0.1; };
+  CarSearch whole({}, cart()), portions({}, cart());
+  whole.look_for({3, 1.1, 0}, is_turned, no_guide);
+  portions.look_for({3, 1.1, 0}, is_turned, no_guide);
+  known.run(whole);
+  while (portions.advance(known.floor, known.clearance, 17) == CarSearch::State::kSearching) continue;
+  EXPECT_EQ(portions.expansions(), whole.expansions());
+  EXPECT_EQ(portions.path().length_m(), whole.path().length_m());
+}
+
+}  // namespace
+}  // namespace aisle

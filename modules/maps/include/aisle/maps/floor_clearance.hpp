@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "aisle/maps/floor_grid.hpp"
+
+namespace aisle {
+
+/// How much room there is on a floor, kept up to date while the floor is learned: from the middle of each
+/// cell to the nearest edge of a cell that is not known to be free, and to the nearest that is occupied.
+class FloorClearance {
+ public:
+  /// @param far_m  larger distances are not told apart
+  explicit FloorClearance(double far_m = 1) : far_m_(far_m) {}
+
+  /// The cells of the box may have changed. O(box widened by the far distance).
+  void update(const FloorGrid& floor, const FloorBox& changed);
+
+  double far_m() const { return far_m_; }
+  /// 0 in a cell that is not free, and outside.
+  double to_doubtful_m(FloorCell cell) const {
+    return room_.contains(cell) ? to_doubtful_m_[index(cell)] : 0;
+  }
+  /// 0 in an occupied cell.
+  double to_occupied_m(FloorCell cell) const {
+    return room_.contains(cell) ? to_occupied_m_[index(cell)] : static_cast<float>(far_m_);
+  }
+  /// Where the two say more than "unknown": the floor's known box and a margin.
+  const FloorBox& room() const { return room_; }
+  /// The number of a cell of the room, 0 .. size() - 1: row by row.
+  std::size_t index(FloorCell cell) const {
+    return static_cast<std::size_t>(cell.y - room_.low.y) * columns() +
+           static_cast<std::size_t>(cell.x - room_.low.x);
+  }
+  std::size_t columns() const { return static_cast<std::size_t>(room_.end.x - room_.low.x); }
+  std::size_t size() const { return to_doubtful_m_.size(); }
+  FloorCell cell(std::size_t index) const {
+    return {room_.low.x + static_cast<int>(index % columns()),
+            room_.low.y + static_cast<int>(index / columns())};
+  }
+
+ private:
+  double far_m_;
+  FloorBox room_;
+  std::vector<float> to_doubtful_m_;
+  std::vector<float> to_occupied_m_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+
+#include "aisle/maps/floor_grid.hpp"
+#include "aisle/vehicle/laser_log.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+
+namespace aisle {
+
+/// How a fan of ranges tells free floor. Between two beams the floor counts as free as far as the nearer of
+/// both goes.
+struct FloorViewParams {
+  double reach_m = 6;  ///< farther floor is left unknown
+
+  void describe(FieldList& fields);
+};
+
+/// Puts what one scan shows onto the floor: free up to what each beam strikes, occupied there.
+/// @param near_m  one a beam: what is nearer was not looked at; empty: everything was
+/// @return the cells that are something else now lie in this box
+FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
+                   std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params);
+
+/// Floor on which the vehicle stands is free.
+FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle);
+
+}  // namespace aisle

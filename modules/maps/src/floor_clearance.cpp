@@ -1,0 +1,93 @@
+#include "aisle/maps/floor_clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aisle {
+namespace {
+
+constexpr int kMargin = 32;  // cells of room beyond what is known
+
+FloorBox common(const FloorBox& a, const FloorBox& b) {
+  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
+          {std::min(a.end.x, b.end.x), std::min(a.end.y, b.end.y)}};
+}
+
+/// Exact distances to marked cells in a box, up to a limit: down and up the columns first, then along the
+/// rows over at most as many cells as the limit holds.
+class BoxDistances {
+ public:
+  BoxDistances(const FloorBox& box, int limit)
+      : box_(box),
+        width_(box.end.x - box.low.x),
+        height_(box.end.y - box.low.y),
+        limit_(limit),
+        in_column_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), limit) {}
+
+  template <class IsMarked>
+  void mark(IsMarked is_marked) {
+    for (int y = 0; y < height_; ++y) {
+      for (int x = 0; x < width_; ++x) {
+        const bool marked = is_marked(FloorCell{box_.low.x + x, box_.low.y + y});
+        at(x, y) = marked ? 0 : y == 0 ? limit_ : std::min(limit_, at(x, y - 1) + 1);
+      }
+    }
+    for (int y = height_ - 2; y >= 0; --y) {
+      for (int x = 0; x < width_; ++x) at(x, y) = std::min(at(x, y), at(x, y + 1) + 1);
+    }
+  }
+
+  /// In cells, from middle to middle.
+  double distance(FloorCell cell) {
+    const int x = cell.x - box_.low.x, y = cell.y - box_.low.y;
+    int best = at(x, y) * at(x, y);
+    for (int away = 1; away * away < best; ++away) {
+      if (x >= away) best = std::min(best, away * away + at(x - away, y) * at(x - away, y));
+      if (x + away < width_) best = std::min(best, away * away + at(x + away, y) * at(x + away, y));
+    }
+    return std::sqrt(best);
+  }
+
+ private:
+  int& at(int x, int y) {
+    return in_column_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                      static_cast<std::size_t>(x)];
+  }
+
+  FloorBox box_;
+  int width_;
+  int height_;
+  int limit_;
+  std::vector<int> in_column_;
+};
+
+}  // namespace
+
+void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
+  if (changed.empty()) return;
+  const int limit = static_cast<int>(std::ceil(far_m_ / floor.cell_m())) + 1;
+  FloorBox anew = changed.widened(limit);
+  const bool is_within = room_.contains(anew.low) && room_.contains({anew.end.x - 1, anew.end.y - 1});
+  if (!is_within) {
+    room_ = floor.known().widened(2 * kMargin);
+    anew = room_;
+    const std::size_t size = columns() * static_cast<std::size_t>(room_.end.y - room_.low.y);
+    to_doubtful_m_.assign(size, 0);
+    to_occupied_m_.assign(size, static_cast<float>(far_m_));
+  }
+  anew = common(anew, room_);
+  BoxDistances doubtful(anew.widened(limit), limit), occupied(anew.widened(limit), limit);
+  doubtful.mark([&](FloorCell cell) { return floor.at(cell) != Floor::kFree; });
+  occupied.mark([&](FloorCell cell) { return floor.at(cell) == Floor::kOccupied; });
+  const auto metres = [&](double cells) {
+    return static_cast<float>(std::clamp((cells - 0.5) * floor.cell_m(), 0.0, far_m_));
+  };
+  for (int y = anew.low.y; y < anew.end.y; ++y) {
+    for (int x = anew.low.x; x < anew.end.x; ++x) {
+      to_doubtful_m_[index({x, y})] = metres(doubtful.distance({x, y}));
+      to_occupied_m_[index({x, y})] = metres(occupied.distance({x, y}));
+    }
+  }
+}
+
+}  // namespace aisle

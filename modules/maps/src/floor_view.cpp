@@ -1,0 +1,119 @@
+#include "aisle/maps/floor_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace aisle {
+namespace {
+
+/// The cells that a disc or rectangle about a place may touch.
+FloorBox box_around(const FloorGrid& floor, const Vec2& p_map, double reach_m) {
+  FloorBox box;
+  box.include(floor.cell_at(p_map.array() - reach_m));
+  box.include(floor.cell_at(p_map.array() + reach_m));
+  return box;
+}
+
+class FloorPainter {
+ public:
+  FloorPainter(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
+               std::span<const float> near_m, const Pose2& T_map_laser, double reach_m)
+      : floor_(floor),
+        laser_(laser),
+        ranges_m_(ranges_m),
+        near_m_(near_m),
+        T_map_laser_(T_map_laser),
+        reach_m_(reach_m),
+        around_(box_around(floor, T_map_laser.position(), reach_m)),
+        struck_(static_cast<std::size_t>(around_.end.x - around_.low.x) *
+                    static_cast<std::size_t>(around_.end.y - around_.low.y),
+                false) {}
+
+  FloorBox paint() {
+    for (std::size_t beam = 0; beam < ranges_m_.size(); ++beam) strike(beam);
+    for (int y = around_.low.y; y < around_.end.y; ++y) {
+      for (int x = around_.low.x; x < around_.end.x; ++x) pass({x, y});
+    }
+    return changed_;
+  }
+
+ private:
+  bool is_usable(std::size_t beam) const { return std::isfinite(ranges_m_[beam]) && ranges_m_[beam] > 0; }
+
+  void strike(std::size_t beam) {
+    const double range_m = ranges_m_[beam];
+    if (!is_usable(beam) || range_m >= laser_.range_max_m || range_m > reach_m_) return;
+    const Vec2 p_map = T_map_laser_ * Vec2(range_m * unit(laser_.beam_angle(beam)));
+    const FloorCell cell = floor_.cell_at(p_map);
+    if (!around_.contains(cell) || struck_[place(cell)]) return;
+    struck_[place(cell)] = true;
+    if (floor_.see_occupied(cell)) changed_.include(cell);
+  }
+
+  /// A cell that lies before what both beams beside it strike is free.
+  void pass(FloorCell cell) {
+    if (struck_[place(cell)]) return;
+    const Vec2 towards = floor_.centre(cell) - T_map_laser_.position();
+    const double distance_m = towards.norm();
+    if (distance_m > reach_m_) return;
+    const double beam =
+        wrap_angle(heading_of(towards) - T_map_laser_.theta - laser_.first_angle_rad - kPi) + kPi;
+    const double below = std::floor(beam / laser_.angle_step_rad);
+    if (below < 0 || below + 1 >= static_cast<double>(ranges_m_.size())) return;
+    const auto first = static_cast<std::size_t>(below);
+    if (!is_usable(first) || !is_usable(first + 1)) return;
+    const double far_m = std::min(ranges_m_[first], ranges_m_[first + 1]) - floor_.cell_m();
+    const double near_m = near_m_.empty() ? 0 : std::max(near_m_[first], near_m_[first + 1]);
+    if (distance_m >= far_m || distance_m < near_m) return;
+    if (floor_.see_free(cell)) changed_.include(cell);
+  }
+
+  std::size_t place(FloorCell cell) const {
+    return static_cast<std::size_t>(cell.y - around_.low.y) *
+               static_cast<std::size_t>(around_.end.x - around_.low.x) +
+           static_cast<std::size_t>(cell.x - around_.low.x);
+  }
+
+  FloorGrid& floor_;
+  const LaserScanner& laser_;
+  std::span<const float> ranges_m_;
+  std::span<const float> near_m_;
+  Pose2 T_map_laser_;
+  double reach_m_;
+  FloorBox around_;
+  std::vector<bool> struck_;
+  FloorBox changed_;
+};
+
+}  // namespace
+
+void FloorViewParams::describe(FieldList& fields) {
+  fields.real("reach_m", reach_m, {1, 20}, "farther floor is left unknown");
+}
+
+FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
+                   std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params) {
+  return FloorPainter(floor, laser, ranges_m, near_m, T_map_vehicle * laser.T_vehicle_laser, params.reach_m)
+      .paint();
+}
+
+FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle) {
+  const double half_m = footprint.width_m / 2;
+  const double reach_m = std::hypot(std::max(footprint.front_m, footprint.rear_m), half_m);
+  const FloorBox around = box_around(floor, T_map_vehicle.position(), reach_m);
+  const Pose2 T_vehicle_map = T_map_vehicle.inverse();
+  FloorBox changed;
+  for (int y = around.low.y; y < around.end.y; ++y) {
+    for (int x = around.low.x; x < around.end.x; ++x) {
+      const Vec2 p_vehicle = T_vehicle_map * floor.centre({x, y});
+      const bool under = p_vehicle.x() <= footprint.front_m && p_vehicle.x() >= -footprint.rear_m &&
+                         std::abs(p_vehicle.y()) <= half_m;
+      if (under && floor.see_free({x, y})) changed.include({x, y});
+    }
+  }
+  return changed;
+}
+
+}  // namespace aisle

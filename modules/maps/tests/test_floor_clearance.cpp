@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/random.hpp"
+#include "aisle/maps/floor_clearance.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kFar_m = 0.6;
+
+/// By looking at every cell around.
+double distance_by_trying_m(const FloorGrid& floor, FloorCell cell, bool unknown_counts) {
+  const int reach = 14;
+  double nearest_m = kFar_m;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      const Floor there = floor.at(FloorCell{cell.x + x, cell.y + y});
+      const bool counts = there == Floor::kOccupied || (unknown_counts && there == Floor::kUnknown);
+      if (counts) nearest_m = std::min(nearest_m, (std::hypot(x, y) - 0.5) * floor.cell_m());
+    }
+  }
+  return std::max(nearest_m, 0.0);
+}
+
+RC_GTEST_PROP(FloorClearance, IsTheDistanceThatTryingAllCellsGives, (std::uint64_t seed)) {
+  Random random(seed);
+  FloorGrid floor(0.05);
+  FloorClearance clearance(kFar_m);
+  for (int round = 0; round < 4; ++round) {
+    FloorBox changed;
+    const int left = static_cast<int>(random.index(60)) - 30, low = static_cast<int>(random.index(60)) - 30;
+    for (int y = low; y < low + 25; ++y) {
+      for (int x = left; x < left + 25; ++x) {
+        floor.set({x, y}, random.uniform() < 0.03 ? Floor::kOccupied : Floor::kFree);
+        changed.include({x, y});
+      }
+    }
+    clearance.update(floor, changed);
+  }
+  for (int i = 0; i < 200; ++i) {
+    const FloorCell cell{static_cast<int>(random.index(80)) - 40, static_cast<int>(random.index(80)) - 40};
+    RC_ASSERT(std::abs(clearance.to_doubtful_m(cell) - distance_by_trying_m(floor, cell, true)) < 1e-6);
+    RC_ASSERT(std::abs(clearance.to_occupied_m(cell) - distance_by_trying_m(floor, cell, false)) < 1e-6);
+  }
+}
+
+TEST(FloorClearance, KnowsNoFreeFloorBeforeItWasSeen) {
+  const FloorClearance clearance;
+  EXPECT_EQ(clearance.to_doubtful_m({5, 5}), 0);
+  EXPECT_EQ(clearance.to_occupied_m({5, 5}), clearance.far_m());
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/maps/floor_view.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr LaserScanner kScanner{-90 * kDegree, 1 * kDegree, 30, {}};
+
+/// What a scanner at the origin sees of a wall straight ahead, across its view.
+std::vector<float> wall_ahead(double distance_m) {
+  std::vector<float> ranges_m;
+  for (std::size_t beam = 0; beam <= 180; ++beam) {
+    const double along = std::cos(kScanner.beam_angle(beam));
+    ranges_m.push_back(along > 0.05 ? static_cast<float>(distance_m / along) : 30.0F);
+  }
+  return ranges_m;
+}
+
+TEST(FloorView, FreeUpToTheWallAndUnknownBehindIt) {
+  FloorGrid floor;
+  see_floor(floor, kScanner, wall_ahead(2.02), {}, {}, {});
+  EXPECT_EQ(floor.at(Vec2(1.5, 0.3)), Floor::kFree);
+  EXPECT_EQ(floor.at(Vec2(2.02, 0.3)), Floor::kOccupied);
+  EXPECT_EQ(floor.at(Vec2(2.2, 0.3)), Floor::kUnknown);
+}
+
+TEST(FloorView, LeavesWhatLiesBehindTheScannerUnknown) {
+  FloorGrid floor;
+  see_floor(floor, kScanner, wall_ahead(2), {}, {}, {});
+  EXPECT_EQ(floor.at(Vec2(-0.5, 0.2)), Floor::kUnknown);
+}
+
+TEST(FloorView, TurnsWithTheVehicle) {
+  FloorGrid floor;
+  see_floor(floor, kScanner, wall_ahead(2.02), {}, {10, 5, kPi / 2}, {});
+  EXPECT_EQ(floor.at(Vec2(10.3, 7.02)), Floor::kOccupied);
+  EXPECT_EQ(floor.at(Vec2(10.3, 6)), Floor::kFree);
+}
+
+TEST(FloorView, LeavesWhatIsNearerThanItLooksUnknown) {
+  FloorGrid floor;
+  const std::vector<float> near_m(181, 0.8F);
+  see_floor(floor, kScanner, wall_ahead(2), near_m, {}, {});
+  EXPECT_EQ(floor.at(Vec2(0.5, 0)), Floor::kUnknown);
+  EXPECT_EQ(floor.at(Vec2(1, 0)), Floor::kFree);
+}
+
+TEST(FloorView, UnusableReadingsTellNothing) {
+  FloorGrid floor;
+  std::vector<float> ranges_m = wall_ahead(2);
+  ranges_m[90] = 0;
+  see_floor(floor, kScanner, ranges_m, {}, {}, {});
+  EXPECT_EQ(floor.at(Vec2(1.5, 0.01)), Floor::kUnknown);
+  EXPECT_EQ(floor.at(Vec2(1.5, 0.2)), Floor::kFree);
+}
+
+TEST(FloorView, FloorUnderTheVehicleIsFree) {
+  FloorGrid floor;
+  stand_on_floor(floor, Footprint{.front_m = 0.9, .rear_m = 0.2, .width_m = 0.6}, {3, 4, kPi});
+  EXPECT_EQ(floor.at(Vec2(2.2, 4.2)), Floor::kFree);
+  EXPECT_EQ(floor.at(Vec2(3.4, 4)), Floor::kUnknown);
+}
+
+}  // namespace
+}  // namespace aisle
