@@ -7,9 +7,12 @@
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/building_json.hpp"
+#include "aisle/learning/corridor_tracing.hpp"
 #include "aisle/learning/map_building.hpp"
 #include "aisle/report/exploration_picture.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
+#include "exploration_check.hpp"
+#include "exploration_evaluation.hpp"
 #include "exploration_mission.hpp"
 #include "landmark_mission.hpp"
 #include "rounded.hpp"
@@ -68,11 +71,15 @@ Result<ExplorationPlan> read_plan(const ExploreOptions& options) {
     plan.T_world_start = *options.T_world_start;
     if (!fits(plan.setting.world, vehicle.footprint, plan.T_world_start))
       return Problem{{"--start"}, "the vehicle does not fit there"};
-    return plan;
+  } else {
+    const auto start = start_in(plan.setting);
+    if (!start) return start.problems();
+    plan.T_world_start = *start;
   }
-  const auto start = start_in(plan.setting);
-  if (!start) return start.problems();
-  plan.T_world_start = *start;
+  if (Problems problems =
+          check_explorable(plan.setting.world, plan.setting.world_file.string(), vehicle, plan.T_world_start);
+      !problems.empty())
+    return problems;
   return plan;
 }
 
@@ -95,13 +102,32 @@ Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPl
   return Explored{std::move(*mission), std::move(map), std::move(floor)};
 }
 
+/// How the sensor that explored looks at walls.
+SensorField sensor_field(const ExploreOptions& options, const ExplorationPlan& plan) {
+  const VehicleModel& vehicle = plan.setting.vehicle;
+  const LaserScanner fan = sensor_of(options, vehicle.description)->fan();
+  const auto& markers = vehicle.description.laser_markers;
+  return {.T_vehicle_sensor = fan.T_vehicle_laser,
+          .reach_m = plan.params.learner.view.reach_m,
+          .width_rad = -2 * fan.first_angle_rad,
+          .height_m = vehicle.description.scanner || !markers ? vehicle.simulated.scanner.height_m
+                                                              : markers->height_m};
+}
+
+/// What the vehicle leaves of its exploration.
+Building building_of(const ExplorationPlan& plan, const Explored& explored) {
+  const Pose2& T_map_home = explored.map.T_map_vehicle.front();
+  Building building{plan.setting.world.name, explored.map.has_dominant_direction, explored.map.walls};
+  building.corridors = trace_corridors(explored.floor, T_map_home.position(), {});
+  building.places = {{"home", T_map_home}};
+  building.floor = explored.floor;
+  return building;
+}
+
 nlohmann::ordered_json figures_of(const Explored& explored) {
   const ExplorationMissionResult& mission = explored.mission;
-  const Pose2 home_error = between(mission.T_world_vehicle.front(), mission.T_world_vehicle.back());
   return {{"simulated", true},
           {"came_home", mission.record.came_home},
-          {"home_error_m", rounded(home_error.position().norm(), 4)},
-          {"home_error_deg", rounded(std::abs(to_degrees(home_error.theta)), 3)},
           {"collisions", mission.collisions},
           {"distance_m", rounded(mission.distance_m, 3)},
           {"duration_s", rounded(mission.end.duration_s, 1)},
@@ -139,6 +165,14 @@ Result<Outcome> run_explore(const ExploreOptions& options, Console& console) {
 
   Outcome outcome{.verb = "explore"};
   outcome.figures = figures_of(*explored);
+  const Building building = building_of(*plan, *explored);
+  outcome.figures["crossings"] = building.corridors.count(CorridorNode::Kind::kCrossing);
+  outcome.figures["dead_ends"] = building.corridors.count(CorridorNode::Kind::kEnd);
+  outcome.figures.update(json_of(evaluate_exploration(
+      plan->setting.world, plan->setting.vehicle.description, sensor_field(options, *plan),
+      {explored->mission.T_world_vehicle,
+       map_in_world(explored->map.T_map_vehicle, explored->mission.T_world_slice), explored->floor,
+       explored->map.walls})));
   outcome.figures["seed"] = options.seed;
   outcome.figures["order"] = name_of(options.order);
   outcome.ok = outcome.figures["certificate"].get<bool>();
@@ -153,8 +187,6 @@ Result<Outcome> run_explore(const ExploreOptions& options, Console& console) {
                              mission.end.why, mission.distance_m, mission.end.duration_s, mission.collisions,
                              100 * outcome.figures["home_error_m"].get<double>());
   if (out) {
-    const Building building{plan->setting.world.name, explored->map.has_dominant_direction,
-                            explored->map.walls};
     const ExplorationPicture picture{.floor = explored->floor,
                                      .walls = explored->map.walls,
                                      .record = mission.record,

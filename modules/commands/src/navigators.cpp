@@ -4,6 +4,7 @@
 
 #include "aisle/guidance/hand_driver.hpp"
 #include "changed_parameters.hpp"
+#include "guide_driver.hpp"
 #include "landmark_driver.hpp"
 
 namespace aisle {
@@ -27,9 +28,17 @@ Result<std::unique_ptr<Navigator>> make_landmark_navigator(const SessionOrigin& 
   return std::unique_ptr<Navigator>(std::move(*driver));
 }
 
+Result<std::unique_ptr<Navigator>> make_guide_navigator(const SessionOrigin& origin,
+                                                        const VehicleDescription& vehicle) {
+  auto driver = GuideDriver::make(origin, vehicle);
+  if (!driver) return driver.problems();
+  return std::unique_ptr<Navigator>(std::move(*driver));
+}
+
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {{"hand", make_hand_driver},
-                                         {LandmarkDriver::kName, make_landmark_navigator}};
+                                         {LandmarkDriver::kName, make_landmark_navigator},
+                                         {GuideDriver::kName, make_guide_navigator}};
   return all;
 }
 
