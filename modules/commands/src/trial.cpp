@@ -8,6 +8,7 @@
 
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/simulation/random_building.hpp"
+#include "exploration_trial.hpp"
 #include "landmark_course.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
@@ -23,7 +24,8 @@ Result<SimulationSetting> setting_of(const TrialOptions& options, std::uint64_t 
   const bool by_chance = options.worlds.empty();
   const std::string named =
       by_chance ? "l-corridor" : options.worlds[(seed - options.first_seed) % options.worlds.size()];
-  auto setting = read_setting(named, options.vehicle, options.scenario);
+  const std::string vehicle = options.vehicle.value_or("alv");
+  auto setting = read_setting(named, vehicle, options.scenario);
   if (!setting) return setting.problems();
   if (by_chance) {
     const std::size_t kinds = std::size(kBuildingKinds);
@@ -31,7 +33,7 @@ Result<SimulationSetting> setting_of(const TrialOptions& options, std::uint64_t 
     setting->world_file = fmt::format("{} {}", name_of(kBuildingKinds[seed % kinds]), seed);
   }
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty())
-    return at_file(problems, options.vehicle);
+    return at_file(problems, vehicle);
   return setting;
 }
 
@@ -184,6 +186,7 @@ Outcome trial_parameters() {
 }
 
 Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
+  if (options.method == "explore") return run_exploration_trial(options, console);
   if (Problems problems = check_method(options.method); !problems.empty()) return problems;
   LandmarkCourseParams params;
   FieldList fields = fields_of(params);

@@ -7,6 +7,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
+#include "aisle/simulation/random_building.hpp"
 
 namespace aisle {
 
@@ -14,12 +15,14 @@ struct TrialOptions {
   std::string method = "landmarks";
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 1;
-  std::vector<std::string> worlds;  ///< taken in turn; none: a building by chance for each seed
-  std::string vehicle = "alv";
-  std::string scenario;  ///< empty: nothing goes wrong
-  int refinements = 0;   ///< trips after the first, each taken in before the next
+  std::vector<std::string> worlds;     ///< taken in turn; none: a building by chance for each seed
+  std::optional<std::string> vehicle;  ///< none: the shipped one for the method
+  std::string scenario;                ///< empty: nothing goes wrong
+  int refinements = 0;                 ///< trips after the first, each taken in before the next
   std::optional<double> speed_mps;
   bool in_reverse = false;
+  std::optional<BuildingKind> kind;  ///< of buildings by chance; none: all in turn (explore)
+  double noise_scale = 1;            ///< of the odometry's errors (explore)
   ParameterSources parameters;
 };
 
