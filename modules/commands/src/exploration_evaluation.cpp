@@ -7,7 +7,6 @@
 #include "aisle/learning/corridor_tracing.hpp"
 #include "aisle/simulation/free_floor.hpp"
 #include "aisle/simulation/slice.hpp"
-#include "rounded.hpp"
 
 namespace aisle {
 namespace {
@@ -100,18 +99,6 @@ FloorGrid floor_between(std::span<const Segment2> obstacles) {
 }
 
 }  // namespace
-
-nlohmann::ordered_json json_of(const ExplorationFigures& figures) {
-  return {{"covered_share", rounded(figures.covered_share, 5)},
-          {"mapped_share", rounded(figures.mapped_share, 5)},
-          {"coverable_m2", rounded(figures.coverable_m2, 2)},
-          {"home_error_m", rounded(figures.home_error_m, 4)},
-          {"home_error_deg", rounded(to_degrees(figures.home_error_rad), 3)},
-          {"wall_rmse_m", rounded(figures.walls.rmse_m, 4)},
-          {"wall_missed_share", rounded(figures.walls.missed_share(), 4)},
-          {"wall_false_share", rounded(figures.walls.false_share(), 4)},
-          {"graph_bound_m", rounded(figures.graph_bound_m, 2)}};
-}
 
 Pose2 map_in_world(const std::vector<Pose2>& T_map_vehicle, const std::vector<Pose2>& T_world_vehicle) {
   const std::size_t count = std::min(T_map_vehicle.size(), T_world_vehicle.size());

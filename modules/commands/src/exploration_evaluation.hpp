@@ -2,7 +2,6 @@
 /// How well a simulated exploration knew its building in the end, by the truth. Nothing of this is ever seen
 /// by a navigator.
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "aisle/geometry/pose2.hpp"
@@ -41,9 +40,6 @@ inline constexpr double kPassableMargin_m = 0.05;
 
 ExplorationFigures evaluate_exploration(const World& world, const VehicleDescription& vehicle,
                                         const SensorField& sensor, const DrivenExploration& driven);
-
-/// The figures as `explore` prints them.
-nlohmann::ordered_json json_of(const ExplorationFigures& figures);
 
 /// How a learned map lies in the world: the turn and shift that bring the learned way onto the true one
 /// (least squares). The map's frame is its own: only what is bent in it counts as an error. The two are of

@@ -63,8 +63,6 @@ Result<ExplorationPlan> read_plan(const ExploreOptions& options, SimulationSetti
   keep_sensor(options, vehicle);
   if (options.T_world_start) {
     plan.T_world_start = *options.T_world_start;
-    if (!fits(plan.setting.world, vehicle.footprint, plan.T_world_start))
-      return Problem{{"--start"}, "the vehicle does not fit there"};
   } else {
     const auto start = start_in(plan.setting);
     if (!start) return start.problems();
@@ -81,7 +79,16 @@ struct Explored {
   ExplorationMissionResult mission;
   MapResult map;
   FloorGrid floor;
+  CorridorGraph corridors;
+  ExplorationFigures truth;  ///< how well the building is known, by the truth
 };
+
+SensorField field_of(const LaserScanner& fan, std::size_t beams, double reach_m, double height_m) {
+  return {.T_vehicle_sensor = fan.T_vehicle_laser,
+          .reach_m = reach_m,
+          .width_rad = fan.angle_step_rad * static_cast<double>(beams - 1),
+          .height_m = height_m};
+}
 
 Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPlan& plan,
                               ExploringOrder order, std::optional<SessionRecord>& session,
@@ -91,42 +98,38 @@ Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPl
   auto mission =
       drive_exploration(plan.setting, navigator, plan.T_world_start, options.seed, session, progress);
   if (!mission) return mission.problems();
-  MapResult map = build_map(mission->log, plan.params.learner.mapping, 0.0, false, progress);
+  const LaserLog& log = mission->log;
+  MapResult map = build_map(log, plan.params.learner.mapping, 0.0, false, progress);
   FloorGrid floor = navigator.learner().floor_from(map.T_map_vehicle);
-  return Explored{std::move(*mission), std::move(map), std::move(floor)};
-}
-
-/// How the sensor that explored looks at walls.
-SensorField sensor_field(const ExploreOptions& options, const ExplorationPlan& plan) {
-  const VehicleModel& vehicle = plan.setting.vehicle;
-  const LaserScanner fan = sensor_of(options, vehicle.description)->fan();
-  const auto& markers = vehicle.description.laser_markers;
-  return {.T_vehicle_sensor = fan.T_vehicle_laser,
-          .reach_m = plan.params.learner.view.reach_m,
-          .width_rad = -2 * fan.first_angle_rad,
-          .height_m = vehicle.description.scanner || !markers ? vehicle.simulated.scanner.height_m
-                                                              : markers->height_m};
-}
-
-/// What the vehicle leaves of its exploration.
-Building building_of(const ExplorationPlan& plan, const Explored& explored) {
-  const Pose2& T_map_home = explored.map.T_map_vehicle.front();
-  Building building{plan.setting.world.name, explored.map.has_dominant_direction, explored.map.walls};
-  building.corridors = trace_corridors(explored.floor, T_map_home.position(), {});
-  building.places = {{"home", T_map_home}};
-  building.floor = explored.floor;
-  return building;
+  CorridorGraph corridors = trace_corridors(floor, map.T_map_vehicle.front().position(), {});
+  const double height_m = vehicle.laser_markers ? vehicle.laser_markers->height_m
+                                                : plan.setting.vehicle.simulated.scanner.height_m;
+  const SensorField field =
+      field_of(log.laser, log.scans.front().ranges_m.size(), plan.params.learner.view.reach_m, height_m);
+  const ExplorationFigures truth = evaluate_exploration(
+      plan.setting.world, vehicle, field, {mission->T_world_slice, map.T_map_vehicle, floor, map.walls});
+  return Explored{std::move(*mission), std::move(map), std::move(floor), std::move(corridors), truth};
 }
 
 nlohmann::ordered_json figures_of(const Explored& explored) {
   const ExplorationMissionResult& mission = explored.mission;
+  const ExplorationFigures& truth = explored.truth;
   return {{"simulated", true},
+          {"covered_share", rounded(truth.covered_share, 4)},
+          {"mapped_share", rounded(truth.mapped_share, 4)},
           {"came_home", mission.record.came_home},
+          {"home_error_m", rounded(truth.home_error_m, 4)},
+          {"home_error_deg", rounded(to_degrees(truth.home_error_rad), 3)},
           {"collisions", mission.collisions},
           {"distance_m", rounded(mission.distance_m, 3)},
           {"duration_s", rounded(mission.end.duration_s, 1)},
+          {"graph_bound_m", rounded(truth.graph_bound_m, 3)},
+          {"crossings", explored.corridors.count(CorridorNode::Kind::kCrossing)},
+          {"dead_ends", explored.corridors.count(CorridorNode::Kind::kEnd)},
+          {"wall_rmse_m", rounded(truth.walls.rmse_m, 4)},
+          {"wall_missed_share", rounded(truth.walls.missed_share(), 4)},
+          {"wall_false_share", rounded(truth.walls.false_share(), 4)},
           {"free_m2", rounded(explored.floor.free_m2(), 2)},
-          {"paths_seen", mission.record.paths.empty() ? 0 : mission.record.paths.size()},
           {"certificate", mission.record.certified() && mission.collisions == 0},
           {"ended_because", mission.record.ended_because},
           {"loop_closures", explored.map.loop_closures.size()},
@@ -170,14 +173,6 @@ Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting sett
 
   Outcome outcome{.verb = "explore"};
   outcome.figures = figures_of(*explored);
-  const Building building = building_of(*plan, *explored);
-  outcome.figures["crossings"] = building.corridors.count(CorridorNode::Kind::kCrossing);
-  outcome.figures["dead_ends"] = building.corridors.count(CorridorNode::Kind::kEnd);
-  outcome.figures.update(json_of(evaluate_exploration(
-      plan->setting.world, plan->setting.vehicle.description, sensor_field(options, *plan),
-      {explored->mission.T_world_vehicle,
-       map_in_world(explored->map.T_map_vehicle, explored->mission.T_world_slice), explored->floor,
-       explored->map.walls})));
   outcome.figures["seed"] = options.seed;
   outcome.figures["order"] = name_of(options.order);
   outcome.ok = outcome.figures["certificate"].get<bool>();
@@ -192,6 +187,9 @@ Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting sett
                              mission.end.why, mission.distance_m, mission.end.duration_s, mission.collisions,
                              100 * outcome.figures["home_error_m"].get<double>());
   if (out) {
+    Building building{plan->setting.world.name, explored->map.has_dominant_direction, explored->map.walls};
+    building.corridors = explored->corridors;
+    building.floor = explored->floor;
     const ExplorationPicture picture{.floor = explored->floor,
                                      .walls = explored->map.walls,
                                      .record = mission.record,

@@ -159,12 +159,13 @@ double CarSearch::least_spare_m(const FloorGrid& floor, const FloorClearance& cl
                                 const Pose2& T_map_from, const Arc& arc) const {
   const int checks = std::max(1, static_cast<int>(std::ceil(std::abs(arc.length_m) / kCheckEvery_m)));
   const bool is_leaving = (T_map_from.position() - nodes_.front().T_map.position()).norm() < kLeave_m;
+  const double root_spare_m = is_leaving ? room_.standing_spare_m(floor, clearance, nodes_.front().T_map) : 0;
   double least_m = clearance.far_m();
   for (int i = checks; i > 0 && least_m >= 0; --i) {
     const double share = static_cast<double>(i) / checks;
     const Pose2 T_map = T_map_from * end_pose({arc.length_m * share, arc.turn_rad * share});
     double spare_m = room_.spare_m(floor, clearance, T_map);
-    if (spare_m < 0 && is_leaving && room_.fits_barely(floor, T_map)) spare_m = 0;
+    if (spare_m < 0 && is_leaving && room_.fits_barely(floor, clearance, T_map, root_spare_m)) spare_m = 0;
     least_m = std::min(least_m, spare_m);
   }
   return least_m;

@@ -12,6 +12,7 @@ constexpr double kCoverageEvery_m = 0.5;
 constexpr double kFanEdge_rad = 3 * kDegree;  // nothing is expected to be seen so near to the fan's edge
 constexpr double kUnknownDetour_m = 2;
 constexpr int kAttemptsMax = 3;
+constexpr double kGateMoved_m = 1;
 constexpr double kBrakingWay_m = 0.2;
 constexpr double kBendAhead_m = 0.05;
 constexpr double kWheelsOff_rad = 15 * kDegree;
@@ -114,13 +115,16 @@ void ExplorerNavigator::choose() {
                        learner_.T_map_vehicle() * Vec2(middle_m, 0), learner_.T_map_home(), cycle_);
   const bool goes_on = target_ && is_same(*target_, target);
   target_ = target;
-  if (goes_on) return;
+  const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
+  if (goes_on && (!gate_moved || target.kind != ExploringTarget::Kind::kPath)) return;
   attempts_ = 0;
-  begin_search();
+  is_search_due_ = true;
 }
 
 /// From where the present way is left: ahead, so that the vehicle need not stop.
 void ExplorerNavigator::begin_search() {
+  is_search_due_ = false;
+  p_map_searched_ = target_->gate.p_map;
   if (progress_) shorten_way(params_.join_m);
   const Pose2 T_map_from = path_.empty() ? learner_.T_map_vehicle() : path_.at(path_.length_m()).T_map_path;
   const FloorGrid& floor = learner_.floor();
@@ -180,7 +184,8 @@ bool ExplorerNavigator::sees_rim(const Pose2& T_map_vehicle) const {
 
 void ExplorerNavigator::search_way() {
   if (!target_) return;
-  if (search_.state() == CarSearch::State::kIdle && !progress_) {
+  if (is_search_due_ && (progress_ || learner_.is_standing())) begin_search();
+  if (search_.state() == CarSearch::State::kIdle && !progress_ && !is_search_due_) {
     if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
     if (++attempts_ > kAttemptsMax && target_->kind == ExploringTarget::Kind::kPath) return give_path_up();
     begin_search();
@@ -229,6 +234,7 @@ void ExplorerNavigator::drop_way() {
   path_ = {};
   search_.stop();
   target_.reset();
+  is_search_due_ = false;
 }
 
 /// What was learned since may lie in the way.
@@ -278,6 +284,8 @@ bool ExplorerNavigator::is_ahead_free(const PathPoint& point, double steering_ra
   if (vehicle_.is_differential) return true;
   const double sign = path_.pieces()[point.piece].arc.length_m < 0 ? -1 : 1;
   const double spare_now_m = watch_.spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+  const double standing_spare_m =
+      watch_.standing_spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
   const std::size_t leg_end = path_.leg_end(point.piece);
   const double left_m = path_.start_m(leg_end - 1) + path_.pieces()[leg_end - 1].way_m() - point.along_m;
   const double braking_m = std::min(kBrakingWay_m, left_m);
@@ -285,7 +293,9 @@ bool ExplorerNavigator::is_ahead_free(const PathPoint& point, double steering_ra
     const Pose2 T_map = learner_.T_map_vehicle() *
                         aisle::drive(vehicle_.front_steered, FrontSteeredMotion{sign * way_m, steering_rad});
     const double spare_m = watch_.spare_m(learner_.floor(), learner_.clearance(), T_map);
-    if (spare_m < std::min(0.0, spare_now_m) && !watch_.fits_barely(learner_.floor(), T_map)) return false;
+    const bool fits = spare_m >= std::min(0.0, spare_now_m) ||
+                      watch_.fits_barely(learner_.floor(), learner_.clearance(), T_map, standing_spare_m);
+    if (!fits) return false;
   }
   return true;
 }

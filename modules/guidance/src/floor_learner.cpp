@@ -6,6 +6,7 @@ namespace aisle {
 namespace {
 
 constexpr double kSetDownSpare_m = 0.15;
+constexpr double kStanding_m = 0.002;  // of way in a cycle
 
 Pose2 motion_of(const VehicleDescription& vehicle, const OdometryReading& odometry) {
   if (const auto* motion = std::get_if<FrontSteeredMotion>(&odometry))
@@ -39,6 +40,7 @@ FloorLearner::News FloorLearner::take(const Observation& observation) {
   T_odom_vehicle_ = T_odom_vehicle_ * motion;
   T_slice_vehicle_ = T_slice_vehicle_ * motion;
   way_m_ += motion.position().norm();
+  is_standing_ = motion.position().norm() < kStanding_m;
   ++cycles_since_look_;
   log_.odometry.push_back({observation.stamp_s, T_odom_vehicle_});
   const bool sees = sensor_->look(observation, view_);

@@ -11,7 +11,8 @@ constexpr double kCheckEvery_m = 0.1;
 
 }  // namespace
 
-FootprintRoom::FootprintRoom(const Footprint& footprint, double margin_m) : footprint_(footprint) {
+FootprintRoom::FootprintRoom(const Footprint& footprint, double margin_m)
+    : footprint_(footprint), margin_m_(margin_m) {
   const double length_m = footprint.front_m + footprint.rear_m;
   const auto slices = std::max(1, static_cast<int>(std::ceil(length_m / kSlice_m)));
   const double slice_m = length_m / slices;
@@ -30,9 +31,23 @@ double FootprintRoom::spare_m(const FloorGrid& floor, const FloorClearance& clea
   return least_m - radius_m_;
 }
 
-bool FootprintRoom::fits_barely(const FloorGrid& floor, const Pose2& T_map_vehicle) const {
+double FootprintRoom::standing_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
+                                       const Pose2& T_map_vehicle) const {
+  const Vec2 ahead = unit(T_map_vehicle.theta);
+  double least_m = clearance.far_m();
+  for (const Vec2& p : p_vehicle_discs_) {
+    const FloorCell cell = floor.cell_at(T_map_vehicle.position() + p.x() * ahead);
+    least_m = std::min(least_m, clearance.to_occupied_m(cell));
+  }
+  return least_m - radius_m_;
+}
+
+bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& clearance,
+                                const Pose2& T_map_vehicle, double spare_m) const {
+  if (standing_spare_m(floor, clearance, T_map_vehicle) < std::min(0.0, spare_m)) return false;
   const Vec2 ahead = unit(T_map_vehicle.theta), aside = left_normal(ahead);
-  const double step_m = 0.8 * floor.cell_m(), inset_m = floor.cell_m() / 2, half_m = footprint_.width_m / 2;
+  const double step_m = 0.8 * floor.cell_m(), inset_m = 1.1 * floor.cell_m() - margin_m_ / 2,
+               half_m = footprint_.width_m / 2;
   for (double x = inset_m - footprint_.rear_m; x <= footprint_.front_m - inset_m; x += step_m) {
     for (double y = inset_m - half_m; y <= half_m - inset_m; y += step_m) {
       if (floor.at(Vec2(T_map_vehicle.position() + x * ahead + y * aside)) != Floor::kFree) return false;
@@ -45,7 +60,7 @@ double FootprintRoom::free_way_m(const FloorGrid& floor, const FloorClearance& c
                                  double from_m) const {
   const auto is_free = [&](double along_m) {
     const Pose2 T_map = path.at(along_m).T_map_path;
-    return fits(floor, clearance, T_map) || fits_barely(floor, T_map);
+    return fits(floor, clearance, T_map) || fits_barely(floor, clearance, T_map, 0);
   };
   for (double along_m = from_m; along_m < path.length_m(); along_m += kCheckEvery_m) {
     if (!is_free(along_m)) return along_m - from_m;

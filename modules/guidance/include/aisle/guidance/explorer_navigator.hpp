@@ -76,8 +76,10 @@ class ExplorerNavigator final : public Navigator {
   std::optional<ExploringTarget> target_;
   Path path_;
   std::optional<PathProgress> progress_;
-  Vec2 p_map_left_ = Vec2::Zero();  ///< what `left_` is measured from
-  int attempts_ = 0;                ///< ways that were driven for this target and did not settle it
+  Vec2 p_map_left_ = Vec2::Zero();      ///< what `left_` is measured from
+  Vec2 p_map_searched_ = Vec2::Zero();  ///< the gate that the latest search was for
+  bool is_search_due_ = false;
+  int attempts_ = 0;  ///< ways that were driven for this target and did not settle it
   std::size_t arrived_cycle_ = 0;
   std::size_t cycle_ = 0;
   std::optional<double> begun_s_;

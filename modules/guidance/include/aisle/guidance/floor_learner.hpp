@@ -38,6 +38,7 @@ class FloorLearner {
   const FloorClearance& clearance() const { return clearance_; }
   const SliceSensor& sensor() const { return *sensor_; }
   double way_m() const { return way_m_; }
+  bool is_standing() const { return is_standing_; }
   /// All slices and the odometry between them, as a log of the trip.
   const LaserLog& log() const { return log_; }
   /// One a slice, as known now.
@@ -74,6 +75,7 @@ class FloorLearner {
   Pose2 T_map_home_;
   Pose2 T_map_looked_;
   double way_m_ = 0;
+  bool is_standing_ = true;
 };
 
 }  // namespace aisle

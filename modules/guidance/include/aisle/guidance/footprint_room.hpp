@@ -20,9 +20,13 @@ class FootprintRoom {
   /// How much room there is beyond the margin; negative: too little.
   double spare_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle) const;
 
-  /// Whether at least the footprint itself lies on known free floor: where a vehicle is set down, it has not
-  /// seen what is beside it.
-  bool fits_barely(const FloorGrid& floor, const Pose2& T_map_vehicle) const;
+  /// The same towards what is known to stand there only.
+  double standing_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
+                          const Pose2& T_map_vehicle) const;
+  /// Whether at least the footprint itself lies on known free floor, no nearer to what stands there than it
+  /// must or than `spare_m`: where a vehicle is set down, it has not seen what is beside it.
+  bool fits_barely(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                   double spare_m) const;
 
   /// How far along a path, from a point on it, the vehicle fits, if barely: up to its end, or less.
   double free_way_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path,
@@ -30,6 +34,7 @@ class FootprintRoom {
 
  private:
   Footprint footprint_;
+  double margin_m_;
   double radius_m_;
   std::vector<Vec2> p_vehicle_discs_;
 };
