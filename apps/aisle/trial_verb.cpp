@@ -30,7 +30,7 @@ void add_trial_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   auto options = std::make_shared<TrialOptions>();
   options->method.clear();
-  verb->add_option("METHOD", options->method, "landmarks, or explore");
+  verb->add_option("METHOD", options->method, "landmarks, sections or explore");
   verb->add_option_function<std::string>(
       "--seeds",
       [options](const std::string& text) {
@@ -42,7 +42,8 @@ void add_trial_verb(CLI::App& app, Work& work) {
       "--world", options->worlds,
       "world files (YAML) or names of shipped ones, taken in turn (default: buildings by chance)");
   verb->add_option("--vehicle", options->vehicle,
-                   "vehicle file (YAML), or the name of a shipped one (default alv, to explore alv-scanner)");
+                   "vehicle file (YAML), or the name of a shipped one (default alv; mini for sections, "
+                   "alv-scanner to explore)");
   verb->add_option(
       "--faults", options->scenario,
       "scenario file (YAML) of what goes wrong while driving alone, or the name of a shipped one");

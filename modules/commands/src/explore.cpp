@@ -15,9 +15,9 @@
 #include "exploration_evaluation.hpp"
 #include "exploration_mission.hpp"
 #include "explore_in.hpp"
-#include "landmark_mission.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
+#include "statistics.hpp"
 
 namespace aisle {
 namespace {

@@ -8,9 +8,9 @@
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "guide_mission.hpp"
-#include "landmark_mission.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
+#include "statistics.hpp"
 
 namespace aisle {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "aisle/commands/process_usage.hpp"
 #include "aisle/geometry/segment2.hpp"
 #include "aisle/maps/cell_index.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "simulated_record.hpp"
+#include "timed_navigator.hpp"
 
 namespace aisle {
 namespace {
@@ -38,22 +38,6 @@ class GuideMissionRecord final : public SimulatedRecord {
   GuideMissionResult& result_;
 };
 
-class TimedGuide final : public Navigator {
- public:
-  TimedGuide(Navigator& navigator, std::vector<double>& cycle_s) : navigator_(navigator), cycle_s_(cycle_s) {}
-
-  Decision step(const Observation& observation) override {
-    const double begun_s = thread_cpu_s();
-    Decision decision = navigator_.step(observation);
-    cycle_s_.push_back(thread_cpu_s() - begun_s);
-    return decision;
-  }
-
- private:
-  Navigator& navigator_;
-  std::vector<double>& cycle_s_;
-};
-
 /// Where a person who sets the vehicle down roughly puts it.
 Pose2 set_down_about(const SimulationSetting& setting, const Pose2& T_world_start, std::uint64_t seed) {
   Random random(seed ^ kSetDownStream);
@@ -72,7 +56,7 @@ Result<GuideMissionResult> drive_guide_mission(const SimulationSetting& setting,
   SimulatedVehicle vehicle(setting.world, setting.vehicle, setting.scenario,
                            {.seed = seed, .T_world_start = set_down_about(setting, T_world_start, seed)});
   GuideMissionResult result;
-  TimedGuide timed(driver, result.cycle_s);
+  TimedNavigator timed(driver, result.cycle_s);
   GuideMissionRecord record(session, vehicle, driver.navigator(), result);
   auto end = run_mission(vehicle, timed, record, progress);
   if (!end) return end.problems();

@@ -1,18 +1,16 @@
 #include "landmark_mission.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "aisle/commands/process_usage.hpp"
 #include "aisle/report/landmark_picture.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
+#include "statistics.hpp"
+#include "timed_navigator.hpp"
 
 namespace aisle {
 namespace {
-
-constexpr std::uint64_t kSetDown = 0x5e7d03;  // keeps this chance apart from the vehicle's own
 
 /// Keeps the mission's session and, beside it, what a mission comes to.
 class LandmarkMissionRecord final : public SimulatedRecord {
@@ -52,34 +50,6 @@ class LandmarkMissionRecord final : public SimulatedRecord {
   std::string state_;
 };
 
-class TimedNavigator final : public Navigator {
- public:
-  TimedNavigator(Navigator& navigator, std::vector<double>& cycle_s)
-      : navigator_(navigator), cycle_s_(cycle_s) {}
-
-  Decision step(const Observation& observation) override {
-    const double begun_s = thread_cpu_s();
-    Decision decision = navigator_.step(observation);
-    cycle_s_.push_back(thread_cpu_s() - begun_s);
-    return decision;
-  }
-
- private:
-  Navigator& navigator_;
-  std::vector<double>& cycle_s_;
-};
-
-/// Where a person who sets the vehicle down roughly puts it.
-Pose2 set_down(const SimulationSetting& setting, const Pose2& T_world_start,
-               const LandmarkMissionOptions& options) {
-  Random random(options.seed ^ kSetDown);
-  const Pose2 off{random.normal(options.start_sigma_m), random.normal(options.start_sigma_m),
-                  random.normal(options.start_sigma_rad)};
-  const Pose2 T_world_vehicle = T_world_start * off;
-  return fits(setting.world, setting.vehicle.description.footprint, T_world_vehicle) ? T_world_vehicle
-                                                                                     : T_world_start;
-}
-
 }  // namespace
 
 Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, LandmarkDriver& driver,
@@ -91,7 +61,9 @@ Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& se
   const Pose2 T_world_start = truth.in_world(driver.path().at(0).T_map_path, taught);
   SimulatedVehicle vehicle(
       setting.world, setting.vehicle, setting.scenario,
-      {.seed = options.seed, .T_world_start = set_down(setting, T_world_start, options)});
+      {.seed = options.seed,
+       .T_world_start = set_down(
+           setting, about(T_world_start, options.start_sigma_m, options.start_sigma_rad), options.seed)});
   MissionJudge judge(truth, driver.path(), taught);
   LandmarkMissionResult result;
   result.T_map_start = driver.path().at(0).T_map_path;
@@ -121,13 +93,6 @@ std::string trace_picture(const Building& building, const LandmarkMissionResult&
                              .title = title});
 }
 
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto index = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(index), values.end());
-  return values[index];
-}
-
 nlohmann::ordered_json figures_of(const LandmarkMissionResult& result) {
   const MissionErrors& errors = result.errors;
   return {
@@ -145,9 +110,7 @@ nlohmann::ordered_json figures_of(const LandmarkMissionResult& result) {
         {"wrong_confident", errors.wrong_confident}}},
       {"tracking",
        {{"rmse_m", rounded(errors.tracking_m.rms(), 4)}, {"max_m", rounded(errors.tracking_m.worst(), 4)}}},
-      {"cycle_ms",
-       {{"median", rounded(1e3 * quantile(result.cycle_s, 0.5), 3)},
-        {"p99", rounded(1e3 * quantile(result.cycle_s, 0.99), 3)}}}};
+      {"cycle_ms", cycle_figures(result.cycle_s)}};
 }
 
 }  // namespace aisle

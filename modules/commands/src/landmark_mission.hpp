@@ -51,7 +51,4 @@ nlohmann::ordered_json figures_of(const LandmarkMissionResult& result);
 std::string trace_picture(const Building& building, const LandmarkMissionResult& result,
                           const std::string& title);
 
-/// The value that a share of all values is not above; 0 if there are none.
-double quantile(std::vector<double> values, double share);
-
 }  // namespace aisle

@@ -10,9 +10,20 @@
 #include "methods.hpp"
 #include "rounded.hpp"
 #include "route_name.hpp"
+#include "section_verbs.hpp"
 
 namespace aisle {
 namespace {
+
+struct LearnParams {
+  LandmarkLessonParams landmarks;
+  SectionLessonParams sections;
+
+  void describe(FieldList& fields) {
+    landmarks.describe(fields);
+    fields.group("sections", sections);
+  }
+};
 
 Outcome outcome_of(const LandmarkTrip& trip, const LandmarkLesson& lesson) {
   const Route& route = lesson.building.routes.front();
@@ -49,15 +60,17 @@ std::vector<Vec2> feet_on_map(const LandmarkTrip& trip, const std::vector<Pose2>
 }  // namespace
 
 Outcome learn_parameters() {
-  LandmarkLessonParams params;
+  LearnParams params;
   return parameter_listing("learn", fields_of(params));
 }
 
 Result<Outcome> run_learn(const LearnOptions& options, Console& console) {
   if (Problems problems = check_method(options.method); !problems.empty()) return problems;
-  LandmarkLessonParams params;
-  FieldList fields = fields_of(params);
+  LearnParams all;
+  FieldList fields = fields_of(all);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  if (options.method == "sections") return learn_by_sections(options, all.sections, console);
+  const LandmarkLessonParams& params = all.landmarks;
   std::optional<OutputDirectory> directory;
   if (!options.out.empty()) {
     auto opened = OutputDirectory::open(options.out, options.force, learned_file_names());

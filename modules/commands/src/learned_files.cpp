@@ -37,12 +37,22 @@ std::vector<std::string> learned_file_names() {
   return {"building.json", kPicture, kTrip, kTripTruth};
 }
 
+std::vector<std::string> truth_file_names() {
+  return {kTrip, kTripTruth};
+}
+
+std::vector<OutputFile> truth_files(const MapTruth& truth) {
+  return {{"trip", kTrip, numbered_tum(truth.T_map_taught())},
+          {"trip_truth", kTripTruth, numbered_tum(truth.T_world_taught())}};
+}
+
 std::vector<OutputFile> learned_files(const Building& building, const MapTruth& truth,
                                       const std::vector<Vec2>& p_map_sightings) {
-  return {{"building", "building.json", building_json(building)},
-          {"landmarks_svg", kPicture, picture_of(building, truth.T_map_taught(), p_map_sightings)},
-          {"trip", kTrip, numbered_tum(truth.T_map_taught())},
-          {"trip_truth", kTripTruth, numbered_tum(truth.T_world_taught())}};
+  std::vector<OutputFile> files = {
+      {"building", "building.json", building_json(building)},
+      {"landmarks_svg", kPicture, picture_of(building, truth.T_map_taught(), p_map_sightings)}};
+  for (OutputFile& file : truth_files(truth)) files.push_back(std::move(file));
+  return files;
 }
 
 Result<MapTruth> read_map_truth(const std::filesystem::path& building) {

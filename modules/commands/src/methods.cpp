@@ -5,8 +5,13 @@
 namespace aisle {
 
 Problems check_method(const std::string& method) {
-  if (method == "landmarks") return {};
-  return {{{"", 0, "--method"}, fmt::format("'{}' is unknown; there is: landmarks", method)}};
+  if (method == "landmarks" || method == "sections") return {};
+  return {{{"", 0, "--method"}, fmt::format("'{}' is unknown; there are: landmarks, sections", method)}};
+}
+
+std::string vehicle_or_usual(const std::string& vehicle, const std::string& method) {
+  if (!vehicle.empty()) return vehicle;
+  return method == "sections" ? "mini" : "alv";
 }
 
 }  // namespace aisle

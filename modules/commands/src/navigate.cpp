@@ -15,10 +15,21 @@
 #include "learned_files.hpp"
 #include "methods.hpp"
 #include "rounded.hpp"
+#include "section_verbs.hpp"
 #include "simulated_record.hpp"
 
 namespace aisle {
 namespace {
+
+struct NavigateParams {
+  LandmarkNavigatorParams landmarks;
+  SectionDriverParams sections;
+
+  void describe(FieldList& fields) {
+    landmarks.describe(fields);
+    fields.group("sections", sections);
+  }
+};
 
 /// All that a mission is made of, read and checked.
 struct Mission {
@@ -47,17 +58,14 @@ Pose2 start_in_world(const Mission& mission, bool in_reverse) {
   return mission.truth.in_world(mission.driver->path().at(0).T_map_path, mission.truth.start(in_reverse));
 }
 
-Result<Mission> read_mission(const NavigateOptions& options) {
+Result<Mission> read_mission(const NavigateOptions& options, const LandmarkNavigatorParams& params) {
   const std::string file = options.building.string();
-  LandmarkNavigatorParams params;
-  FieldList fields = fields_of(params);
-  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
-  if (options.speed_mps) params.speed.speed_mps = *options.speed_mps;
   const auto text = read_whole_file(options.building);
   if (!text) return text.problems();
   const auto building = parse_building(*text, file);
   if (!building) return building.problems();
-  auto setting = read_setting(options.world, options.vehicle, options.scenario);
+  auto setting =
+      read_setting(options.world, vehicle_or_usual(options.vehicle, options.method), options.scenario);
   if (!setting) return setting.problems();
   Mission mission{.setting = std::move(*setting), .origin = {}, .driver = {}, .truth = {}};
   VehicleDescription& vehicle = mission.setting.vehicle.description;
@@ -104,13 +112,22 @@ Outcome outcome_of(const NavigateOptions& options, const Mission& mission,
 }  // namespace
 
 Outcome navigate_parameters() {
-  LandmarkNavigatorParams params;
+  NavigateParams params;
   return parameter_listing("navigate", fields_of(params));
 }
 
 Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
   if (Problems problems = check_method(options.method); !problems.empty()) return problems;
-  const auto mission = read_mission(options);
+  NavigateParams params;
+  FieldList fields = fields_of(params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  if (options.speed_mps)
+    params.landmarks.speed.speed_mps = params.sections.navigator.speed.speed_mps = *options.speed_mps;
+  params.sections.and_back = params.sections.and_back || options.and_back;
+  if (options.method == "sections") return navigate_by_sections(options, params.sections, console);
+  if (options.and_back)
+    return Problem{{"--and-back"}, "is for --method sections; by landmarks the way back is --reverse"};
+  const auto mission = read_mission(options, params.landmarks);
   if (!mission) return mission.problems();
   std::optional<SessionRecord> session;
   if (!options.out.empty()) {

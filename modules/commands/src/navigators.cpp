@@ -6,6 +6,7 @@
 #include "changed_parameters.hpp"
 #include "guide_driver.hpp"
 #include "landmark_driver.hpp"
+#include "section_driver.hpp"
 
 namespace aisle {
 namespace {
@@ -35,9 +36,17 @@ Result<std::unique_ptr<Navigator>> make_guide_navigator(const SessionOrigin& ori
   return std::unique_ptr<Navigator>(std::move(*driver));
 }
 
+Result<std::unique_ptr<Navigator>> make_by_sections(const SessionOrigin& origin,
+                                                    const VehicleDescription& vehicle) {
+  auto navigator = make_section_navigator(origin, vehicle);
+  if (!navigator) return navigator.problems();
+  return std::unique_ptr<Navigator>(std::move(*navigator));
+}
+
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {{"hand", make_hand_driver},
                                          {LandmarkDriver::kName, make_landmark_navigator},
+                                         {kSectionNavigator, make_by_sections},
                                          {GuideDriver::kName, make_guide_navigator}};
   return all;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "aisle/commands/shipped_files.hpp"
+#include "aisle/core/random.hpp"
 #include "aisle/formats/scenario_yaml.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
 #include "aisle/formats/world_yaml.hpp"
@@ -60,6 +61,16 @@ Result<Pose2> start_in(const SimulationSetting& setting) {
     return Problem{{file, 0, setting.world.start ? "start" : "tour"}, "the vehicle does not fit there"};
   }
   return *start;
+}
+
+Pose2 set_down(const SimulationSetting& setting, const UncertainPose2& T_world_start, std::uint64_t seed) {
+  constexpr std::uint64_t kSetDown = 0x5e7d03;  // keeps this chance apart from the vehicle's own
+  Random random(seed ^ kSetDown);
+  const Vec3 sigmas = T_world_start.covariance.diagonal().cwiseSqrt();
+  const Pose2 off{random.normal(sigmas.x()), random.normal(sigmas.y()), random.normal(sigmas.z())};
+  const Pose2 T_world_vehicle = T_world_start.mean * off;
+  return fits(setting.world, setting.vehicle.description.footprint, T_world_vehicle) ? T_world_vehicle
+                                                                                     : T_world_start.mean;
 }
 
 }  // namespace aisle

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -24,5 +25,8 @@ Result<SimulationSetting> read_setting(const std::string& world, const std::stri
 
 /// Where the world says that a vehicle is set down; a problem unless it fits there.
 Result<Pose2> start_in(const SimulationSetting& setting);
+
+/// Where a person who sets the vehicle down roughly puts it; exactly there if it would touch something.
+Pose2 set_down(const SimulationSetting& setting, const UncertainPose2& T_world_start, std::uint64_t seed);
 
 }  // namespace aisle

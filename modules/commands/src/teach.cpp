@@ -14,11 +14,12 @@ Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
   if (Problems problems = check_method(options.method); !problems.empty()) return problems;
   if (Problems problems = check_route_name({"", 0, "--route"}, options.route); !problems.empty())
     return problems;
-  const auto vehicle = read_vehicle(shipped_or_own("vehicles", options.drive.vehicle));
+  DriveOptions drive = options.drive;
+  drive.vehicle = vehicle_or_usual(drive.vehicle, options.method);
+  const auto vehicle = read_vehicle(shipped_or_own("vehicles", drive.vehicle));
   if (!vehicle) return vehicle.problems();
   if (vehicle->description.cameras.empty())
-    return Problem{{options.drive.vehicle, 0, "cameras"}, "there is none: nothing can be learned"};
-  DriveOptions drive = options.drive;
+    return Problem{{drive.vehicle, 0, "cameras"}, "there is none: nothing can be learned"};
   drive.camera = corridor_camera(vehicle->description).name;
   drive.route = options.route;
   auto outcome = run_drive(drive, console);

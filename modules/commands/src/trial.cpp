@@ -13,19 +13,30 @@
 #include "learned_files.hpp"
 #include "methods.hpp"
 #include "rounded.hpp"
+#include "section_verbs.hpp"
+#include "statistics.hpp"
 
 namespace aisle {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+struct TrialParams {
+  LandmarkCourseParams landmarks;
+  SectionTrialParams sections;
+
+  void describe(FieldList& fields) {
+    landmarks.describe(fields);
+    fields.group("sections", sections);
+  }
+};
+
 /// The world of a seed: one of those given, in turn, or a building by chance.
 Result<SimulationSetting> setting_of(const TrialOptions& options, std::uint64_t seed) {
   const bool by_chance = options.worlds.empty();
   const std::string named =
       by_chance ? "l-corridor" : options.worlds[(seed - options.first_seed) % options.worlds.size()];
-  const std::string vehicle = options.vehicle.value_or("alv");
-  auto setting = read_setting(named, vehicle, options.scenario);
+  auto setting = read_setting(named, vehicle_or_usual(options.vehicle, options.method), options.scenario);
   if (!setting) return setting.problems();
   if (by_chance) {
     const std::size_t kinds = std::size(kBuildingKinds);
@@ -33,27 +44,9 @@ Result<SimulationSetting> setting_of(const TrialOptions& options, std::uint64_t 
     setting->world_file = fmt::format("{} {}", name_of(kBuildingKinds[seed % kinds]), seed);
   }
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty())
-    return at_file(problems, vehicle);
+    return at_file(problems, options.vehicle);
   return setting;
 }
-
-/// Mean and worst of a figure over missions.
-class Spread {
- public:
-  void add(double value) {
-    sum_ += value;
-    worst_ = count_ == 0 ? value : std::max(worst_, value);
-    ++count_;
-  }
-  Json json(int decimals) const {
-    return {{"mean", rounded(count_ == 0 ? 0 : sum_ / static_cast<double>(count_), decimals)},
-            {"worst", rounded(worst_, decimals)}};
-  }
-
- private:
-  double sum_ = 0, worst_ = 0;
-  std::size_t count_ = 0;
-};
 
 /// All missions that were driven after so many refinements.
 class Statistics {
@@ -90,9 +83,7 @@ class Statistics {
               {"heading_rmse_deg", heading_deg_.json(3)}}},
             {"tracking", {{"rmse_m", tracking_m_.json(4)}, {"max_m", tracking_worst_m_.json(4)}}},
             {"landmarks", landmarks_.json(1)},
-            {"cycle_ms",
-             {{"median", rounded(1e3 * quantile(cycle_s_, 0.5), 3)},
-              {"p99", rounded(1e3 * quantile(cycle_s_, 0.99), 3)}}}};
+            {"cycle_ms", cycle_figures(cycle_s_)}};
   }
 
  private:
@@ -181,17 +172,20 @@ Outcome outcome_of(const TrialOptions& options, const Trial& trial) {
 }  // namespace
 
 Outcome trial_parameters() {
-  LandmarkCourseParams params;
+  TrialParams params;
   return parameter_listing("trial", fields_of(params));
 }
 
 Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
   if (options.method == "explore") return run_exploration_trial(options, console);
   if (Problems problems = check_method(options.method); !problems.empty()) return problems;
-  LandmarkCourseParams params;
-  FieldList fields = fields_of(params);
+  TrialParams all;
+  FieldList fields = fields_of(all);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
-  if (options.speed_mps) params.navigator.speed.speed_mps = *options.speed_mps;
+  LandmarkCourseParams& params = all.landmarks;
+  if (options.speed_mps)
+    params.navigator.speed.speed_mps = all.sections.navigator.speed.speed_mps = *options.speed_mps;
+  if (options.method == "sections") return trial_by_sections(options, all.sections, console);
   Trial trial;
   trial.after.resize(static_cast<std::size_t>(options.refinements) + 1);
   const std::uint64_t seeds = options.last_seed - options.first_seed + 1;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/formats/section_text.hpp"
 #include "json_text.hpp"
 #include "landmark_json.hpp"
 
@@ -20,6 +21,7 @@ constexpr int kPathDecimals_deg = 8;
 
 constexpr std::size_t kRoutesMax = 1000;
 constexpr std::size_t kPiecesMax = 100'000;
+constexpr std::size_t kSectionsMax = 10'000;
 constexpr std::size_t kStartViewMax = 10'000;
 constexpr double kPieceLengthMin_m = 0.001;  // of one of them, so that a route leads somewhere
 constexpr double kRouteLengthMax_m = 100'000;
@@ -52,6 +54,13 @@ std::string pieces_json(const Path& path) {
   return list_json(pieces);
 }
 
+std::string sections_json(const SectionList& sections) {
+  std::vector<std::string> lines;
+  lines.reserve(sections.size());
+  for (const Section& section : sections) lines.push_back(quoted_json(section_text(section)));
+  return list_json(lines);
+}
+
 std::string start_view_json(const std::vector<StartSighting>& view) {
   std::vector<std::string> sightings;
   sightings.reserve(view.size());
@@ -70,8 +79,9 @@ std::string route_json(const Route& route) {
   const std::string start =
       fmt::format(R"({{"at_m": {}, "heading_deg": {}}})", point_json(T_map_start.position(), kPathDecimals_m),
                   heading_text(T_map_start.theta));
-  std::string text = fmt::format(R"({{"name": {}, "start": {}, "pieces": {})", quoted_json(route.name), start,
-                                 pieces_json(route.path));
+  std::string text = fmt::format(R"({{"name": {}, "start": {}, )", quoted_json(route.name), start) +
+                     (route.sections.empty() ? R"("pieces": )" + pieces_json(route.path)
+                                             : R"("sections": )" + sections_json(route.sections));
   if (!route.start_view.empty()) text += R"(, "start_view": )" + start_view_json(route.start_view);
   return text + "}";
 }
@@ -110,6 +120,32 @@ Path read_path(const Pose2& T_map_start, const JsonValue& value) {
   return path;
 }
 
+SectionList read_sections(const JsonValue& value) {
+  SectionList sections;
+  if (!value.is_list_up_to(kSectionsMax)) return sections;
+  bool is_good = true;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    std::string line;
+    value.element(i).read(line);
+    auto section = parse_section(line);
+    is_good = is_good && section.ok();
+    if (section) {
+      sections.push_back(*section);
+    } else {
+      value.element(i).wrong(section.problems().front().what);
+    }
+  }
+  if (!is_good) return {};
+  for (const SectionFault& fault : section_faults(sections)) {
+    if (sections.empty())
+      value.wrong(fault.what);
+    else
+      value.element(fault.section).wrong(fault.what);
+    is_good = false;
+  }
+  return is_good ? sections : SectionList();
+}
+
 std::vector<StartSighting> read_start_view(const JsonValue& value) {
   std::vector<StartSighting> view;
   if (!value.is_list_up_to(kStartViewMax)) return view;
@@ -125,11 +161,17 @@ std::vector<StartSighting> read_start_view(const JsonValue& value) {
 
 Route read_route(const JsonValue& value) {
   Route route;
-  if (!value.is_object_of({"name", "start", "pieces", "start_view"})) return route;
+  if (!value.is_object_of({"name", "start", "pieces", "sections", "start_view"})) return route;
   Pose2 T_map_start;
   if (const auto name = value.require("name")) name->read_name(route.name);
   if (const auto start = value.require("start")) T_map_start = read_start(*start);
-  if (const auto pieces = value.require("pieces")) route.path = read_path(T_map_start, *pieces);
+  if (const auto sections = value.find("sections")) {
+    route.sections = read_sections(*sections);
+    if (!route.sections.empty()) route.path = path_of(route.sections, T_map_start);
+    if (const auto pieces = value.find("pieces")) pieces->wrong("stand beside sections, which are the path");
+  } else if (const auto pieces = value.require("pieces")) {
+    route.path = read_path(T_map_start, *pieces);
+  }
   if (const auto view = value.find("start_view")) route.start_view = read_start_view(*view);
   return route;
 }

@@ -64,6 +64,13 @@ TEST(DocumentedExamples, TheBuildingsAreReadAndWrittenAsTheyStand) {
   }
 }
 
+TEST(DocumentedExamples, TheSectionsAreReadAndWrittenAsTheyStand) {
+  const std::string text = example("sections.md");
+  const auto building = parse_building(text, "sections.md");
+  ASSERT_TRUE(building.ok()) << to_string(building.problems());
+  EXPECT_EQ(building_json(*building), text);
+}
+
 TEST(DocumentedExamples, TheTrajectoryIsReadAndWrittenAsItStands) {
   const std::string text = example("trajectory.md");
   const auto trajectory = parse_tum(text, "trajectory.md");

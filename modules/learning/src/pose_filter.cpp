@@ -16,6 +16,7 @@ constexpr double kLeastSigma = 1e-5;  // nothing is known better than this [m, r
 constexpr double kForgotten_per_m =
     0.01;                       // share of the steady errors' first variance that comes back with each metre
 constexpr double kHuber = 1.5;  // residuals beyond so many standard deviations count less
+constexpr double kBelieved = 3;
 constexpr int kRounds = 5;
 constexpr double kSettled = 1e-7;
 
@@ -60,6 +61,20 @@ void PoseFilter::predict(const OdometryReading& reading) {
   covariance_.topLeftCorner<3, 3>() += by_arc * read.covariance * by_arc.transpose();
   covariance_.diagonal().tail<3>() += kForgotten_per_m * std::abs(arc.length_m) * steady_variances_;
   T_map_vehicle_ = T_map_vehicle_ * moved;
+}
+
+bool PoseFilter::correct(double off, const Vec3& by_pose, double sigma) {
+  Vec6 by_state = Vec6::Zero();
+  by_state.head<3>() = by_pose;
+  const Vec6 with_state = covariance_ * by_state;
+  const double variance = by_state.dot(with_state) + square(sigma);
+  if (square(off) > square(kBelieved) * variance) return false;
+  const Vec6 change = with_state * off / variance;
+  covariance_ -= with_state * with_state.transpose() / variance;
+  T_map_vehicle_ = {T_map_vehicle_.x + change[0], T_map_vehicle_.y + change[1],
+                    wrap_angle(T_map_vehicle_.theta + change[2])};
+  odometry_errors_ += change.tail<3>();
+  return true;
 }
 
 void PoseFilter::update(std::span<const SeenPoint> points, const Pose2& guess) {

@@ -7,7 +7,6 @@
 namespace aisle {
 namespace {
 
-constexpr double kSkirtingDepth_m = 0.012;
 
 /// Where a door with its frame covers a wall, in the frame of the closed leaf.
 struct Doorway {

@@ -13,11 +13,12 @@ namespace aisle {
 struct NavigateOptions {
   std::filesystem::path building;
   std::string world;
-  std::string vehicle = "alv";
+  std::string vehicle;   ///< empty: the method's own: alv, or mini for sections
   std::string scenario;  ///< empty: nothing goes wrong
   std::string method = "landmarks";
   std::string route;  ///< empty: the building's first
   bool in_reverse = false;
+  bool and_back = false;  ///< sections: there, turned about, and home again
   std::optional<double> speed_mps;
   std::uint64_t seed = 1;
   std::filesystem::path out;  ///< of the session; empty: none is kept

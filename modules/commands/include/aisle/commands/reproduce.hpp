@@ -17,9 +17,9 @@ struct ReproduceOptions {
   ParameterSources parameters;
 };
 
-/// `aisle reproduce c98`: the experiment of C98 section VI in simulation. One corridor is learned, then driven
-/// five times, refined by each trip; what becomes of the landmarks and how well it drives, beside the paper's
-/// figures. Draws C98 Figs. 11 and 12. The outcome is ok if all trips arrived and touched nothing.
+/// `aisle reproduce c98`: the experiment of C98 section VI in simulation. One corridor is learned, then
+/// driven five times, refined by each trip; what becomes of the landmarks and how well it drives, beside the
+/// paper's figures. Draws C98 Figs. 11 and 12. The outcome is ok if all trips arrived and touched nothing.
 Result<Outcome> run_reproduce(const ReproduceOptions& options, Console& console);
 
 /// Every parameter of `aisle reproduce` with its default.

@@ -15,10 +15,10 @@ struct TrialOptions {
   std::string method = "landmarks";
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 1;
-  std::vector<std::string> worlds;     ///< taken in turn; none: a building by chance for each seed
-  std::optional<std::string> vehicle;  ///< none: the shipped one for the method
-  std::string scenario;                ///< empty: nothing goes wrong
-  int refinements = 0;                 ///< trips after the first, each taken in before the next
+  std::vector<std::string> worlds;  ///< taken in turn; none: a building by chance for each seed
+  std::string vehicle;              ///< empty: the method's own: alv, or mini for sections
+  std::string scenario;             ///< empty: nothing goes wrong
+  int refinements = 0;              ///< trips after the first, each taken in before the next
   std::optional<double> speed_mps;
   bool in_reverse = false;
   std::optional<BuildingKind> kind;  ///< of buildings by chance; none: all in turn (explore)

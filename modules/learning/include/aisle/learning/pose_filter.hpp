@@ -31,6 +31,12 @@ class PoseFilter {
   /// stand out having less weight (Huber). `guess` is where the search begins.
   void update(std::span<const SeenPoint> points, const Pose2& guess);
 
+  /// Takes in one number that is known to depend on the pose.
+  /// @param off      how far the number that was measured is above the one expected by the pose
+  /// @param by_pose  what a change of (x, y, theta) does to the one expected
+  /// @return whether it was likely enough to be believed: within three standard deviations
+  bool correct(double off, const Vec3& by_pose, double sigma);
+
   /// Puts the vehicle elsewhere; what is known of the odometry stays.
   void place(const UncertainPose2& T_map_vehicle);
 

@@ -5,6 +5,7 @@
 
 #include "aisle/control/path.hpp"
 #include "aisle/geometry/pose2.hpp"
+#include "aisle/maps/section.hpp"
 
 namespace aisle {
 
@@ -19,6 +20,7 @@ struct Route {
   std::string name;                       ///< unique in its building
   Path path;                              ///< in `map`, base_link; as driven, smoothed
   std::vector<StartSighting> start_view;  ///< from the path's start
+  SectionList sections;                   ///< L03; not empty: the path is theirs
 };
 
 }  // namespace aisle

@@ -113,6 +113,9 @@ struct NamedPlace {
   Pose2 T_world_place;
 };
 
+/// How far skirting boards stand before their walls.
+inline constexpr double kSkirtingDepth_m = 0.012;
+
 struct World {
   std::string name;
   std::vector<WallFace> walls;

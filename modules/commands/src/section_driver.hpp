@@ -1,0 +1,31 @@
+#pragma once
+/// The section navigator as missions and their replays make it: both from the origin that the session
+/// records.
+
+#include <memory>
+#include <string>
+
+#include "aisle/core/result.hpp"
+#include "aisle/formats/session_origin.hpp"
+#include "aisle/guidance/section_navigator.hpp"
+
+namespace aisle {
+
+inline constexpr const char* kSectionNavigator = "sections";  ///< as a session's navigator
+
+struct SectionDriverParams {
+  SectionNavigatorParams navigator;
+  bool and_back = false;
+
+  void describe(FieldList& fields) {
+    navigator.describe(fields);
+    fields.flag("and_back", and_back, "at the end the vehicle turns about and drives home again");
+  }
+};
+
+/// Problems: parameters and building that cannot be read, an unknown route, one without sections, a vehicle
+/// without a camera or that cannot turn on the spot.
+Result<std::unique_ptr<SectionNavigator>> make_section_navigator(const SessionOrigin& origin,
+                                                                 const VehicleDescription& vehicle);
+
+}  // namespace aisle

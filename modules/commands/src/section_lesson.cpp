@@ -1,0 +1,68 @@
+#include "section_lesson.hpp"
+
+#include <fmt/format.h>
+
+#include "aisle/formats/section_text.hpp"
+#include "landmark_trip.hpp"
+
+namespace aisle {
+
+SectionTripCollector::SectionTripCollector(const FloorEdgeParams& params, const VehicleDescription& vehicle)
+    : vehicle_(vehicle),
+      camera_(corridor_camera(vehicle).name),
+      detector_(params, corridor_camera(vehicle).intrinsics, corridor_camera(vehicle).mount) {}
+
+void SectionTripCollector::add(const Observation& observation) {
+  SectionCycle cycle{.stamp_s = observation.stamp_s, .odometry = observation.odometry, .floor_edges = {}};
+  if (const CameraPicture* picture = present_picture(observation, camera_, vehicle_.cycle_s)) {
+    for (const FloorEdge& edge : detector_.detect(*picture->image))
+      cycle.floor_edges.push_back(edge.on_floor);
+  }
+  cycles.push_back(std::move(cycle));
+}
+
+Result<std::vector<SectionCycle>> read_section_trip(const std::filesystem::path& session,
+                                                    SessionCycles& cycles, const FloorEdgeParams& params,
+                                                    Progress& progress) {
+  if (cycles.vehicle().cameras.empty())
+    return Problem{{session.string()}, "is of a vehicle without a camera"};
+  SectionTripCollector collector(params, cycles.vehicle());
+  std::size_t pictures = 0;
+  while (true) {
+    auto cycle = cycles.next();
+    if (!cycle) return cycle.problems();
+    if (!cycle->has_value()) break;
+    pictures += (*cycle)->observation.pictures.size();
+    collector.add((*cycle)->observation);
+    progress.report("looking at pictures", pictures, 0);
+  }
+  if (collector.cycles.empty()) return Problem{{session.string()}, "has no cycles"};
+  if (pictures == 0) return Problem{{session.string()}, "has no pictures"};
+  return std::move(collector.cycles);
+}
+
+Result<SectionLesson> learn_sections(const std::vector<SectionCycle>& cycles,
+                                     const VehicleDescription& vehicle, const std::string& route,
+                                     const SectionLessonParams& params) {
+  SectionLesson lesson;
+  lesson.driven = record_drive(cycles, vehicle, params.learning);
+  if (lesson.driven.sections.empty()) return Problem{{}, "the vehicle stood still all the time"};
+  Route learned{
+      .name = route,
+      .sections = decide_sections(lesson.driven.sections, lesson.driven.corridor_width_m, params.learning)};
+  Problems problems;
+  for (const SectionFault& fault : section_faults(learned.sections)) {
+    problems.push_back({{},
+                        fmt::format("section {} ({}): {}", fault.section + 1,
+                                    section_text(learned.sections[fault.section]), fault.what)});
+  }
+  if (!vehicle.is_differential)
+    problems.push_back({{}, "is of a vehicle that cannot turn on the spot, as sections need it"});
+  if (!problems.empty()) return problems;
+  learned.path = path_of(learned.sections, lesson.driven.T_route_start);
+  lesson.building.name = route;
+  lesson.building.routes.push_back(std::move(learned));
+  return lesson;
+}
+
+}  // namespace aisle

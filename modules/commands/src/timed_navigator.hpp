@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "aisle/commands/process_usage.hpp"
+#include "aisle/guidance/navigator.hpp"
+
+namespace aisle {
+
+/// Notes how much processor time each cycle takes, from observation to decision.
+class TimedNavigator final : public Navigator {
+ public:
+  /// Both must outlive this.
+  TimedNavigator(Navigator& navigator, std::vector<double>& cycle_s)
+      : navigator_(navigator), cycle_s_(cycle_s) {}
+
+  Decision step(const Observation& observation) override {
+    const double begun_s = thread_cpu_s();
+    Decision decision = navigator_.step(observation);
+    cycle_s_.push_back(thread_cpu_s() - begun_s);
+    return decision;
+  }
+
+ private:
+  Navigator& navigator_;
+  std::vector<double>& cycle_s_;
+};
+
+}  // namespace aisle

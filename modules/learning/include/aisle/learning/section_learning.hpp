@@ -1,0 +1,60 @@
+#pragma once
+/// From one drive by hand to a list of sections: L03 section 3.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "aisle/control/path_fit.hpp"
+#include "aisle/core/parameters.hpp"
+#include "aisle/geometry/sensed_segment.hpp"
+#include "aisle/maps/section.hpp"
+#include "aisle/vehicle/observation.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+
+namespace aisle {
+
+/// What one cycle of the drive told.
+struct SectionCycle {
+  double stamp_s = 0;
+  OdometryReading odometry;
+  std::vector<SensedSegment> floor_edges;  ///< in base_link
+};
+
+struct SectionLearningParams {
+  double corner_rad =
+      12 * kDegree;  ///< t_a: two left turns that sum to a quarter turn so nearly are a corner
+  double crossing_rad = 12 * kDegree;  ///< t_b: a turn that is so nearly a quarter turn
+  double crossing_m = 0.3;             ///< t_c: by which a way across may miss the corridor's width
+  double corner_max_m = 1.5;           ///< farther apart two left turns are two corners
+  double turn_min_rad = 20 * kDegree;  ///< less is wander
+  PathFitParams path{.stray_max_m = 0.1, .radius_min_m = 0.2};
+
+  void describe(FieldList& fields);
+};
+
+/// A drive as it was recorded, and what was seen beside it.
+struct DrivenList {
+  SectionList sections;                    ///< kFollow, kBack and kTurn alone (L03 Table 2: a b l r)
+  Pose2 T_route_start;                     ///< where the list begins
+  std::optional<double> corridor_width_m;  ///< median of left and right distances together
+  std::vector<Pose2> T_route_vehicle;      ///< of each cycle; the walls are the axes of `route`
+};
+
+/// L03 section 3.1, from any recorded drive. Where the vehicle is follows from its odometry and from the
+/// walls, which give its heading in a building of right angles; the way is smoothed to lines and arcs, and
+/// lines that run nearly along walls are laid exactly so. A
+/// straight line becomes `a` (backwards: `b`) with the mean distances of the base lines beside it; a turn on
+/// the spot or to the right becomes one turn at the corner of the lines before and after it; a left turn on
+/// an arc becomes two turns with the chord between. Turns are rounded to the quantum, and to a quarter turn
+/// where they miss it by less than `crossing_rad`.
+/// @return without sections if the vehicle did not go anywhere
+DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
+                        const SectionLearningParams& params);
+
+/// L03 Algorithm 1: corners, ways across, ways before right turns; what is left is followed along a base
+/// line.
+SectionList decide_sections(const SectionList& driven, std::optional<double> corridor_width_m,
+                            const SectionLearningParams& params);
+
+}  // namespace aisle

@@ -1,0 +1,29 @@
+#pragma once
+/// Base lines as walls beside a straight way (L03 section 3.1 C: the safe distance).
+
+#include <span>
+#include <vector>
+
+#include "aisle/geometry/pose2.hpp"
+#include "aisle/geometry/sensed_segment.hpp"
+
+namespace aisle {
+
+/// A base line that runs along a way.
+struct WallBeside {
+  double aside_m = 0;   ///< to the left of the way
+  double length_m = 0;  ///< that is seen
+  double from_m = 0;    ///< along the way, from its start
+  double to_m = 0;
+  double sigma_m = 0;             ///< of `aside_m`
+  Vec2 p_vehicle = Vec2::Zero();  ///< the middle of what is seen
+};
+
+/// Those of the edges that run along a way within 8 degrees, at least 0.2 m of them.
+/// @param edges            in base_link
+/// @param T_way_vehicle    the vehicle in a frame whose x axis is the way
+/// @param beside           filled
+void find_walls_beside(std::span<const SensedSegment> edges, const Pose2& T_way_vehicle,
+                       std::vector<WallBeside>& beside);
+
+}  // namespace aisle

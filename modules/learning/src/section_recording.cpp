@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/learning/pose_filter.hpp"
+#include "aisle/learning/section_learning.hpp"
+#include "aisle/learning/wall_heading.hpp"
+#include "aisle/learning/walls_beside.hpp"
+
+namespace aisle {
+
+void SectionLearningParams::describe(FieldList& fields) {
+  fields.angle("corner_deg", corner_rad, {0.1, 45},
+               "t_a: two left turns that sum to a quarter turn so nearly are a corner");
+  fields.angle("crossing_deg", crossing_rad, {0.1, 45}, "t_b: a turn that is so nearly a quarter turn");
+  fields.real("crossing_m", crossing_m, {0.01, 2},
+              "t_c: by which a way across may miss the corridor's width");
+  fields.real("corner_max_m", corner_max_m, {0.1, 10}, "farther apart two left turns are two corners");
+  fields.angle("turn_min_deg", turn_min_rad, {1, 45}, "less is wander");
+  fields.group("path", path);
+}
+
+namespace {
+
+constexpr double kStartSigma_rad = 5 * kDegree;  // against the wall beside which a drive begins
+constexpr double kParallel_rad = 6 * kDegree;    // a stretch that is nearly so was meant to be
+constexpr double kWayPoints_m = 0.05;
+constexpr double kTurnsOnTheSpot_rad = 8 * kDegree;  // more than a correction of the heading while it stands
+constexpr double kTurnRadiusMax_m = 2.5;             // what bends less is drift of the odometry, or wander
+constexpr double kStraightMin_m = 0.1;               // shorter lines between turns belong to them
+constexpr double kRoundMin_rad = 2.3;  // a greater turn to either side goes round: two turns, a way between
+constexpr double kMeetingMin = 0.2;    // sine of the angle at which lines still meet somewhere
+constexpr double kOnRun_m = 0.3, kOnRun_rad = 20 * kDegree;  // so near a line a vehicle drives along it
+constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
+constexpr std::size_t kSeenMin = 5;  // cycles in which a base line must be seen for its distance to count
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Odometry, its heading held by the walls, which are the axes of `route`. A correction of the heading turns the
+/// way that follows, and never moves the vehicle: the way has no jumps.
+std::vector<Pose2> follow(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle) {
+  PoseFilter filter(vehicle, about({}, 0, kStartSigma_rad));
+  std::vector<Pose2> T_route_vehicle;
+  Vec2 p_route_vehicle = Vec2::Zero();
+  for (const SectionCycle& cycle : cycles) {
+    const Vec2 before = filter.pose().position();
+    filter.predict(cycle.odometry);
+    p_route_vehicle += filter.pose().position() - before;
+    const double theta = filter.pose().theta;
+    const auto walls = heading_from_walls(cycle.floor_edges, theta, std::sqrt(filter.covariance()(2, 2)));
+    if (walls) filter.correct(wrap_angle(walls->heading_rad - theta), Vec3::UnitZ(), walls->sigma_rad);
+    T_route_vehicle.push_back({p_route_vehicle.x(), p_route_vehicle.y(), filter.pose().theta});
+  }
+  return T_route_vehicle;
+}
+
+std::vector<Pose2> way_points(const std::vector<Pose2>& poses) {
+  std::vector<Pose2> points;
+  for (const Pose2& T : poses) {
+    if (points.empty() || (T.position() - points.back().position()).norm() >= kWayPoints_m ||
+        std::abs(wrap_angle(T.theta - points.back().theta)) > kTurnsOnTheSpot_rad)
+      points.push_back(T);
+  }
+  return points;
+}
+
+/// A straight stretch of the way.
+struct Run {
+  Pose2 T_route_start;
+  double length_m = 0;                      ///< backwards: negative
+  double along_from_m = 0, along_to_m = 0;  ///< of the whole way
+
+  Vec2 end() const { return T_route_start * Vec2(length_m, 0); }
+};
+
+/// The path's straight stretches; what bends less than a turn is one stretch, laid from its first to its last
+/// point.
+std::vector<Run> straight_runs(const Path& path, double turn_min_rad) {
+  std::vector<Run> runs;
+  bool is_open = false;
+  for (std::size_t i = 0; i < path.pieces().size(); ++i) {
+    const PathPiece& piece = path.pieces()[i];
+    const bool is_turning =
+        piece.is_on_the_spot() || (std::abs(piece.arc.turn_rad) >= turn_min_rad &&
+                                   std::abs(piece.curvature_per_m()) > 1 / kTurnRadiusMax_m);
+    if (is_turning) {
+      is_open = false;
+      continue;
+    }
+    const bool goes_on = is_open && (runs.back().length_m > 0) == (piece.arc.length_m > 0);
+    if (!goes_on) runs.push_back({.T_route_start = piece.T_map_start, .along_from_m = path.start_m(i)});
+    Run& run = runs.back();
+    const Vec2 chord = piece.end().position() - run.T_route_start.position();
+    const double sign = piece.arc.length_m < 0 ? -1 : 1;
+    run.T_route_start.theta = heading_of(sign * chord);
+    run.length_m = sign * chord.norm();
+    run.along_to_m = path.start_m(i) + piece.way_m();
+    is_open = true;
+  }
+  std::erase_if(runs, [](const Run& run) { return std::abs(run.length_m) < kStraightMin_m; });
+  return runs;
+}
+
+/// Lays a stretch that runs nearly along the axes exactly so, through its middle: a hand wanders, walls do
+/// not.
+void lay_parallel(Run& run) {
+  const double off_rad = wrap_quarter_turn(run.T_route_start.theta);
+  if (std::abs(off_rad) > kParallel_rad) return;
+  const Pose2 T_route_middle = run.T_route_start * Pose2{run.length_m / 2, 0, -off_rad};
+  run.T_route_start = T_route_middle * Pose2{-run.length_m / 2, 0, 0};
+}
+
+double rounded_turn_rad(double turn_rad, double quarter_rad) {
+  const double quarters = std::round(turn_rad / (kPi / 2)) * (kPi / 2);
+  if (quarters != 0 && std::abs(turn_rad - quarters) < quarter_rad) return quarters;
+  return std::round(turn_rad / kTurnQuantum_rad) * kTurnQuantum_rad;
+}
+
+Section straight(double length_m) {
+  return {.kind = length_m < 0 ? Section::Kind::kBack : Section::Kind::kFollow,
+          .length_m = std::abs(length_m)};
+}
+
+void append_turn(SectionList& list, double turn_rad) {
+  if (turn_rad != 0) list.push_back({.kind = Section::Kind::kTurn, .turn_rad = turn_rad});
+}
+
+/// Leads two stretches to the corner where their lines meet.
+void lead_to_corner(Run& before, Run& after, const Vec2& gap, double turn_rad) {
+  if (std::abs(std::sin(turn_rad)) < kMeetingMin) {
+    before.length_m += gap.x();
+    return;
+  }
+  const double back_m = gap.y() / std::sin(turn_rad);
+  before.length_m += gap.x() - back_m * std::cos(turn_rad);
+  after.T_route_start = after.T_route_start * Pose2{-back_m, 0, 0};
+  after.length_m += back_m;
+}
+
+/// What lies between two stretches: one turn at their corner, or two with a way between.
+SectionList joint(Run& before, Run& after, const SectionLearningParams& params) {
+  const double turn_rad = wrap_angle(after.T_route_start.theta - before.T_route_start.theta);
+  const Vec2 gap = rotate(-before.T_route_start.theta, after.T_route_start.position() - before.end());
+  const auto round_turn = [&](double angle_rad) { return rounded_turn_rad(angle_rad, params.crossing_rad); };
+  SectionList list;
+  const bool goes_round = std::abs(turn_rad) > kRoundMin_rad;
+  if (gap.norm() < kStraightMin_m || (turn_rad <= 0 && !goes_round)) {
+    lead_to_corner(before, after, gap, turn_rad);
+    append_turn(list, round_turn(turn_rad));
+    return list;
+  }
+  const double way_rad = heading_of(gap);
+  append_turn(list, round_turn(way_rad));
+  list.push_back(straight(gap.norm()));
+  append_turn(list, round_turn(wrap_angle(turn_rad - way_rad)));
+  return list;
+}
+
+/// Distances of the base lines beside a stretch, one a cycle that shows them.
+struct DistancesBeside {
+  std::vector<double> right_m, left_m;
+};
+
+DistancesBeside distances_beside(const Run& run, std::span<const SectionCycle> cycles,
+                                 const std::vector<Pose2>& T_route_vehicle) {
+  DistancesBeside distances;
+  std::vector<WallBeside> beside;
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    const Pose2 T_run_vehicle = between(run.T_route_start, T_route_vehicle[i]);
+    const bool is_on_run = T_run_vehicle.x >= 0 && T_run_vehicle.x <= run.length_m &&
+                           std::abs(T_run_vehicle.y) < kOnRun_m && std::abs(T_run_vehicle.theta) < kOnRun_rad;
+    if (!is_on_run) continue;
+    find_walls_beside(cycles[i].floor_edges, T_run_vehicle, beside);
+    double right_m = kBesideMax_m, left_m = kBesideMax_m;
+    for (const WallBeside& wall : beside) {
+      if (wall.from_m > run.length_m || std::abs(wall.aside_m) < kBesideMin_m) continue;
+      double& nearest_m = wall.aside_m < 0 ? right_m : left_m;
+      nearest_m = std::min(nearest_m, std::abs(wall.aside_m));
+    }
+    if (right_m < kBesideMax_m) distances.right_m.push_back(right_m);
+    if (left_m < kBesideMax_m) distances.left_m.push_back(left_m);
+  }
+  return distances;
+}
+
+std::optional<double> usual(const std::vector<double>& distances_m) {
+  if (distances_m.size() < kSeenMin) return std::nullopt;
+  return median(distances_m);
+}
+
+}  // namespace
+
+DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
+                        const SectionLearningParams& params) {
+  DrivenList driven{.sections = {}, .corridor_width_m = {}, .T_route_vehicle = follow(cycles, vehicle)};
+  const std::vector<Pose2> points = way_points(driven.T_route_vehicle);
+  const auto moves = [&](const Pose2& T) {
+    return (T.position() - points.front().position()).norm() > kStraightMin_m;
+  };
+  if (std::none_of(points.begin(), points.end(), moves)) return driven;
+  std::vector<Run> runs = straight_runs(fit_path(points, params.path), params.turn_min_rad);
+  for (Run& run : runs) lay_parallel(run);
+  std::vector<SectionList> joints;
+  for (std::size_t i = 1; i < runs.size(); ++i) joints.push_back(joint(runs[i - 1], runs[i], params));
+  if (runs.empty()) return driven;
+  std::vector<double> widths_m;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (i > 0) driven.sections.insert(driven.sections.end(), joints[i - 1].begin(), joints[i - 1].end());
+    Section section = straight(runs[i].length_m);
+    if (section.kind == Section::Kind::kFollow) {
+      const DistancesBeside distances = distances_beside(runs[i], cycles, driven.T_route_vehicle);
+      section.right_m = usual(distances.right_m);
+      section.left_m = usual(distances.left_m);
+      if (section.right_m && section.left_m) widths_m.push_back(*section.right_m + *section.left_m);
+    }
+    driven.sections.push_back(section);
+  }
+  driven.T_route_start = runs.front().T_route_start;
+  if (!widths_m.empty()) driven.corridor_width_m = median(widths_m);
+  return driven;
+}
+
+}  // namespace aisle

@@ -1,0 +1,134 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/learning/section_learning.hpp"
+
+namespace aisle {
+namespace {
+
+using Kind = Section::Kind;
+
+VehicleDescription mini_vehicle() {
+  VehicleDescription vehicle;
+  vehicle.is_differential = true;
+  return vehicle;
+}
+
+/// Drives a mini-vehicle and says what its wheels count.
+class Drive {
+ public:
+  /// A wall along the drive's first direction, to its left (positive) or right.
+  void set_wall(double aside_m) { wall_m_ = aside_m; }
+
+  void go(double length_m, double turn_rad = 0) {
+    const double step_m = vehicle_.differential.step_length_m();
+    const double turn_m = turn_rad * vehicle_.differential.wheel_separation_m / 2;
+    const int cycles = std::max(1, static_cast<int>((std::abs(length_m) + std::abs(turn_m)) / 0.02));
+    for (int i = 0; i < cycles; ++i) {
+      left_m_ += (length_m - turn_m) / cycles;
+      right_m_ += (length_m + turn_m) / cycles;
+      const int left = static_cast<int>(std::lround(left_m_ / step_m)) - left_;
+      const int right = static_cast<int>(std::lround(right_m_ / step_m)) - right_;
+      left_ += left;
+      right_ += right;
+      T_ = T_ * end_pose(Arc{length_m / cycles, turn_rad / cycles});
+      cycles_.push_back({.stamp_s = 0.1 * static_cast<double>(cycles_.size()),
+                         .odometry = WheelSteps{left, right},
+                         .floor_edges = edges()});
+    }
+  }
+
+  DrivenList recorded() const { return record_drive(cycles_, vehicle_, {}); }
+
+ private:
+  std::vector<SensedSegment> edges() const {
+    if (wall_m_ == 0) return {};
+    const Vec2 near = T_.inverse() * Vec2(T_.x + 0.5, wall_m_),
+               far = T_.inverse() * Vec2(T_.x + 2.5, wall_m_);
+    SensedSegment edge;
+    edge.segment = wall_m_ > 0 ? Segment2{far, near} : Segment2{near, far};
+    edge.centroid = (near + far) / 2;
+    edge.heading_rad = heading_of(edge.segment.end - edge.segment.start);
+    edge.length_m = 2;
+    edge.sigma_offset_m = 0.02;
+    edge.sigma_heading_rad = 1 * kDegree;
+    return {edge};
+  }
+
+  VehicleDescription vehicle_ = mini_vehicle();
+  Pose2 T_;
+  double wall_m_ = 0;
+  double left_m_ = 0, right_m_ = 0;
+  int left_ = 0, right_ = 0;
+  std::vector<SectionCycle> cycles_;
+};
+
+TEST(SectionRecording, TurnsOnTheSpotAreTakenAsTheyAre) {
+  Drive drive;
+  drive.go(3);
+  drive.go(0, -kPi / 2);
+  drive.go(2);
+  const SectionList list = drive.recorded().sections;
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_NEAR(list[0].length_m, 3, 0.05);
+  EXPECT_NEAR(list[1].turn_rad, -kPi / 2, 1e-12);
+  EXPECT_NEAR(list[2].length_m, 2, 0.05);
+}
+
+TEST(SectionRecording, ARightArcBecomesATurnAtTheCornerOfItsTangents) {
+  Drive drive;
+  drive.go(3);
+  drive.go(0.5 * kPi / 2, -kPi / 2);  // radius 0.5 m
+  drive.go(2);
+  const SectionList list = drive.recorded().sections;
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_NEAR(list[0].length_m, 3.5, 0.05);
+  EXPECT_NEAR(list[1].turn_rad, -kPi / 2, 1e-12);
+  EXPECT_NEAR(list[2].length_m, 2.5, 0.05);
+}
+
+TEST(SectionRecording, ALeftArcBecomesTwoTurnsWithItsChordAndThusACorner) {
+  Drive drive;
+  drive.go(3);
+  drive.go(0.6 * kPi / 2, kPi / 2);
+  drive.go(2);
+  const DrivenList driven = drive.recorded();
+  const SectionList list = decide_sections(driven.sections, {}, {});
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[1].kind, Kind::kCurve);
+  EXPECT_NEAR(list[1].p_start_end.x(), 0.6, 0.08);
+  EXPECT_NEAR(list[1].p_start_end.y(), 0.6, 0.08);
+}
+
+TEST(SectionRecording, TheMeanDistanceOfABaseLineIsKept) {
+  Drive drive;
+  drive.set_wall(-0.45);
+  drive.go(4);
+  const SectionList list = drive.recorded().sections;
+  ASSERT_EQ(list.size(), 1U);
+  ASSERT_TRUE(list[0].right_m);
+  EXPECT_NEAR(*list[0].right_m, 0.45, 0.02);
+  EXPECT_FALSE(list[0].left_m);
+}
+
+TEST(SectionRecording, WhoStandsRecordsNothing) {
+  Drive drive;
+  drive.go(0);
+  EXPECT_TRUE(drive.recorded().sections.empty());
+  EXPECT_TRUE(record_drive({}, mini_vehicle(), {}).sections.empty());
+}
+
+TEST(SectionRecording, BackwardsStaysBackwards) {
+  Drive drive;
+  drive.go(2);
+  drive.go(-0.8);
+  const SectionList list = drive.recorded().sections;
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[1].kind, Kind::kBack);
+  EXPECT_NEAR(list[1].length_m, 0.8, 0.05);
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "aisle/maps/route.hpp"
+
+namespace aisle {
+
+/// A way with its sections, each in the colour of its kind and marked with its letter (L03 Fig. 4).
+struct SectionPicture {
+  const Route& route;                  ///< with sections
+  std::span<const Pose2> driven = {};  ///< as it was taught: a thin line
+  std::string title = {};
+};
+
+/// The picture as an SVG document. Same picture, same bytes.
+std::string svg(const SectionPicture& picture);
+
+}  // namespace aisle
