@@ -107,7 +107,8 @@ Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPl
   const SensorField field =
       field_of(log.laser, log.scans.front().ranges_m.size(), plan.params.learner.view.reach_m, height_m);
   const ExplorationFigures truth = evaluate_exploration(
-      plan.setting.world, vehicle, field, {mission->T_world_slice, map.T_map_vehicle, floor, map.walls});
+      plan.setting.world, vehicle, field,
+      {mission->T_world_slice, map_in_world(map.T_map_vehicle, mission->T_world_slice), floor, map.walls});
   return Explored{std::move(*mission), std::move(map), std::move(floor), std::move(corridors), truth};
 }
 
