@@ -24,7 +24,7 @@ constexpr double kPlaceLeeway_m = 1;  // about a place, where the vehicle may ha
 constexpr double kCareAhead_m = 0.6;  // of the way that decides how careful the vehicle is
 constexpr double kCareEvery_m = 0.15;
 constexpr double kAmpleSpare_m = 0.3;  // with so much room on its sides it need not be careful
-constexpr double kWheelsOff_rad =
+constexpr double kWheelsAstray_rad =
     25 * kDegree;                         // of where the way wants them: as slow as in the narrowest place
 constexpr double kCareMax = 0.2;          // share of the speed that is left with the greatest care
 constexpr double kOffKnownFloor_m = 100;  // how much farther places seem from which no way is known
@@ -219,7 +219,7 @@ double GuideNavigator::care(double steering_rad) const {
     if (!vehicle_.is_differential && ahead_m <= kCareEvery_m)
       wheels_off_rad = std::max(wheels_off_rad, std::abs(wanted_rad - steering_rad));
   }
-  return std::clamp(std::min(spare_m / kAmpleSpare_m, 1 - wheels_off_rad / kWheelsOff_rad), kCareMax, 1.0);
+  return std::clamp(std::min(spare_m / kAmpleSpare_m, 1 - wheels_off_rad / kWheelsAstray_rad), kCareMax, 1.0);
 }
 
 Decision GuideNavigator::drive(const Observation& observation) {
