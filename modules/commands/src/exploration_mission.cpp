@@ -1,8 +1,8 @@
 #include "exploration_mission.hpp"
 
-#include "aisle/commands/process_usage.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "simulated_record.hpp"
+#include "timed_navigator.hpp"
 
 namespace aisle {
 namespace {
@@ -30,23 +30,6 @@ class ExplorationMissionRecord final : public SimulatedRecord {
   ExplorationMissionResult& result_;
 };
 
-class TimedExplorer final : public Navigator {
- public:
-  TimedExplorer(Navigator& navigator, std::vector<double>& cycle_s)
-      : navigator_(navigator), cycle_s_(cycle_s) {}
-
-  Decision step(const Observation& observation) override {
-    const double begun_s = thread_cpu_s();
-    Decision decision = navigator_.step(observation);
-    cycle_s_.push_back(thread_cpu_s() - begun_s);
-    return decision;
-  }
-
- private:
-  Navigator& navigator_;
-  std::vector<double>& cycle_s_;
-};
-
 }  // namespace
 
 Result<ExplorationMissionResult> drive_exploration(const SimulationSetting& setting,
@@ -56,7 +39,7 @@ Result<ExplorationMissionResult> drive_exploration(const SimulationSetting& sett
   SimulatedVehicle vehicle(setting.world, setting.vehicle, setting.scenario,
                            {.seed = seed, .T_world_start = T_world_start});
   ExplorationMissionResult result;
-  TimedExplorer timed(navigator, result.cycle_s);
+  TimedNavigator timed(navigator, result.cycle_s);
   ExplorationMissionRecord record(session, vehicle, navigator, result);
   auto end = run_mission(vehicle, timed, record, progress);
   if (!end) return end.problems();

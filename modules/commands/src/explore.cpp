@@ -16,7 +16,6 @@
 #include "exploration_mission.hpp"
 #include "explore_in.hpp"
 #include "rounded.hpp"
-#include "simulated_record.hpp"
 #include "statistics.hpp"
 
 namespace aisle {

@@ -6,13 +6,13 @@
 namespace aisle {
 namespace {
 
-constexpr double kStep_m = 0.25;
+constexpr double kSearchStep_m = 0.25;
 constexpr double kSpotTurn_rad = 15 * kDegree;
 constexpr double kBin_m = 0.1;
 constexpr double kHeadings = 48;
 constexpr double kCheckEvery_m = 0.13;
-constexpr double kNear_m = 0.1;  // of the vehicle to a way that was searched from its end
-constexpr double kNear_rad = 5 * kDegree;
+constexpr double kNear_m = 0.12;  // of the vehicle to a way that was searched from its end
+constexpr double kNear_rad = 7 * kDegree;
 constexpr double kBendCost = 0.1;  // of the sharpest bend, per metre
 constexpr double kLeave_m = 2;     // so far about its start a vehicle may go where it barely fits
 
@@ -23,7 +23,7 @@ std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_shar
       vehicle.is_differential
           ? 0.0
           : std::tan(vehicle.limits.steering_max_rad * steering_share) / vehicle.front_steered.wheelbase_m;
-  for (const double length_m : {kStep_m, -kStep_m}) {
+  for (const double length_m : {kSearchStep_m, -kSearchStep_m}) {
     for (const double share : {0.0, 0.5, -0.5, 1.0, -1.0}) {
       if (share == 0 || curvature_per_m > 0) arcs.push_back({length_m, share * curvature_per_m * length_m});
     }

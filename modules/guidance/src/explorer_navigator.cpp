@@ -12,6 +12,8 @@ constexpr double kCoverageEvery_m = 0.5;
 constexpr double kFanEdge_rad = 3 * kDegree;  // nothing is expected to be seen so near to the fan's edge
 constexpr double kUnknownDetour_m = 2;
 constexpr int kAttemptsMax = 3;
+constexpr double kNearHome_m = 1.5;
+constexpr double kNearHome_rad = 30 * kDegree;
 constexpr double kGateMoved_m = 1;
 constexpr double kBrakingWay_m = 0.2;
 constexpr double kBendAhead_m = 0.05;
@@ -154,9 +156,26 @@ void ExplorerNavigator::begin_search() {
       break;
     }
     case ExploringTarget::Kind::kHome:
-      search_.look_for_way_to(learner_.T_map_home(), T_map_from, left_m);
+      begin_search_home(T_map_from, left_m);
       break;
   }
+}
+
+/// Exactly home; where no such way is found, near home first, and on from there.
+void ExplorerNavigator::begin_search_home(const Pose2& T_map_from,
+                                          const std::function<double(const Vec2&)>& left_m) {
+  const Pose2 T_map_home = learner_.T_map_home();
+  is_way_home_ = attempts_ % 2 == 0;
+  if (is_way_home_) return search_.look_for_way_to(T_map_home, T_map_from, left_m);
+  p_map_left_ = T_map_home.position();
+  left_.measure(learner_.floor(), learner_.clearance(), p_map_left_, vehicle_.footprint.width_m / 2, 1);
+  search_.look_for(
+      T_map_from,
+      [T_map_home](const Pose2& T_map) {
+        const Pose2 off = between(T_map_home, T_map);
+        return off.position().norm() < kNearHome_m && std::abs(off.theta) < kNearHome_rad;
+      },
+      left_m);
 }
 
 double ExplorerNavigator::look_from_m() const {
@@ -260,7 +279,7 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
   const PathPoint& point = progress_->advance(learner_.T_map_vehicle());
   if (progress_->has_arrived()) {
     const bool searching = search_.state() == CarSearch::State::kSearching;
-    came_home_ = !searching && target_ && target_->kind == ExploringTarget::Kind::kHome;
+    came_home_ = !searching && is_way_home_ && target_ && target_->kind == ExploringTarget::Kind::kHome;
     if (came_home_) explorer_.stop(cycle_);
     if (!searching) {
       progress_.reset();

@@ -7,7 +7,7 @@ namespace aisle {
 namespace {
 
 constexpr double kSlice_m = 0.2;  // of the footprint's length that one disc covers
-constexpr double kCheckEvery_m = 0.1;
+constexpr double kWayCheck_m = 0.1;
 
 }  // namespace
 
@@ -62,11 +62,11 @@ double FootprintRoom::free_way_m(const FloorGrid& floor, const FloorClearance& c
     const Pose2 T_map = path.at(along_m).T_map_path;
     return fits(floor, clearance, T_map) || fits_barely(floor, clearance, T_map, 0);
   };
-  for (double along_m = from_m; along_m < path.length_m(); along_m += kCheckEvery_m) {
+  for (double along_m = from_m; along_m < path.length_m(); along_m += kWayCheck_m) {
     if (!is_free(along_m)) return along_m - from_m;
   }
   const double left_m = path.length_m() - from_m;
-  return is_free(path.length_m()) ? left_m : left_m - kCheckEvery_m;
+  return is_free(path.length_m()) ? left_m : left_m - kWayCheck_m;
 }
 
 }  // namespace aisle

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace aisle {
 namespace {
@@ -54,6 +55,8 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
   fields.group("relocation", relocation);
   fields.group("steering", steering);
   fields.group("speed", speed);
+  fields.group("guard", guard);
+  fields.flag("guarded", guarded, "stop for what stands in the way, and while the camera shows nothing new");
   fields.real("start_sigma_m", start_sigma_m, {0.001, 2},
               "how far from the route's start the vehicle may stand");
   fields.angle("start_sigma_deg", start_sigma_rad, {0.1, 45}, "how far it may be turned there");
@@ -81,6 +84,7 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
       relocator_(params.relocation, params.localiser),
       follower_(vehicle, params.steering),
       progress_(path_),
+      guard_(vehicle, params.guard, &camera_of(vehicle, building)),
       T_map_tried_(places_to_try(building, path_, params.relocation.apart_m)) {}
 
 Decision LandmarkNavigator::step(const Observation& observation) {
@@ -101,7 +105,7 @@ Decision LandmarkNavigator::step(const Observation& observation) {
     }
   }
   if (state_ == State::kLost) return find_itself(observation.stamp_s);
-  return follow(observation);
+  return guarded(follow(observation));
 }
 
 LandmarkFix LandmarkNavigator::fix() const {
@@ -113,7 +117,8 @@ void LandmarkNavigator::locate(const Observation& observation) {
   localiser_.predict(observation.odometry);
   sightings_.clear();
   match_ = LandmarkMatch::kNothing;
-  if (const CameraPicture* picture = present_picture(observation, camera_, vehicle_.cycle_s)) {
+  const CameraPicture* picture = guard_.look(observation);
+  if (picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s)) {
     sightings_ = detector_.detect(*picture->image);
     if (state_ != State::kLost) match_ = localiser_.correct(building_->landmarks, sightings_);
   }
@@ -177,6 +182,21 @@ Decision LandmarkNavigator::follow(const Observation& observation) {
   return {.command =
               follower_.follow(path_, point, localiser_.pose(), speed_mps, steering_of(observation.odometry)),
           .state = match_ == LandmarkMatch::kMatched ? "following" : "bridging"};
+}
+
+/// The same as far as nothing stands in the way.
+Decision LandmarkNavigator::guarded(Decision decision) {
+  if (!params_.guarded || decision.status != NavigatorStatus::kGoing) return decision;
+  const WayAhead way = way_ahead(path_, progress_.point(), localiser_.pose(), params_.guard.reach_m);
+  Guarded allowed = guard_.allow(decision.command, way);
+  decision.command = allowed.command;
+  if (allowed.state != GuardState::kFree) decision.state = "waiting";
+  if (allowed.state == GuardState::kBlocked) {
+    decision.status = NavigatorStatus::kFailed;
+    decision.state = "blocked";
+  }
+  if (!allowed.why.empty()) decision.why = std::move(allowed.why);
+  return decision;
 }
 
 }  // namespace aisle

@@ -65,9 +65,9 @@ class BoxDistances {
 
 void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return;
-  FloorBox anew = changed;
-  const bool is_within =
-      room_.contains(changed.low) && room_.contains({changed.end.x - 1, changed.end.y - 1});
+  const int limit = static_cast<int>(std::ceil(far_m_ / floor.cell_m())) + 1;
+  FloorBox anew = changed.widened(limit);
+  const bool is_within = room_.contains(anew.low) && room_.contains({anew.end.x - 1, anew.end.y - 1});
   if (!is_within) {
     room_ = floor.known().widened(2 * kMargin);
     anew = room_;
@@ -75,8 +75,7 @@ void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
     to_doubtful_m_.assign(size, 0);
     to_occupied_m_.assign(size, static_cast<float>(far_m_));
   }
-  const int limit = static_cast<int>(std::ceil(far_m_ / floor.cell_m())) + 1;
-  anew = common(anew.widened(limit), room_);
+  anew = common(anew, room_);
   BoxDistances doubtful(anew.widened(limit), limit), occupied(anew.widened(limit), limit);
   doubtful.mark([&](FloorCell cell) { return floor.at(cell) != Floor::kFree; });
   occupied.mark([&](FloorCell cell) { return floor.at(cell) == Floor::kOccupied; });

@@ -12,13 +12,13 @@
 namespace aisle {
 namespace {
 
-constexpr Color kFreeFloor{1, 1, 1};
+constexpr Color kExploredFloor{1, 1, 1};
 constexpr Color kUnseenFloor{0.90, 0.91, 0.92};
-constexpr Color kStanding{0.42, 0.45, 0.50};
+constexpr Color kExploredThings{0.42, 0.45, 0.50};
 constexpr Color kPushed{0.95, 0.60, 0.10};
 constexpr Color kGivenUp{0.80, 0.10, 0.20};
-constexpr Pen kWallPen{kInk, 2};
-constexpr Pen kWayPen{kPath, 2.5};
+constexpr Pen kExploredWallPen{kInk, 2};
+constexpr Pen kExploredWayPen{kPath, 2.5};
 constexpr double kGate_px = 6;
 
 class ExplorationDrawing {
@@ -28,8 +28,8 @@ class ExplorationDrawing {
 
   void draw_on(Canvas& canvas) const {
     canvas.fill(kUnseenFloor);
-    canvas.areas(cells_of(Floor::kFree), kFreeFloor);
-    canvas.areas(cells_of(Floor::kOccupied), kStanding);
+    canvas.areas(cells_of(Floor::kFree), kExploredFloor);
+    canvas.areas(cells_of(Floor::kOccupied), kExploredThings);
     draw_walls(canvas);
     draw_way(canvas);
     draw_gates(canvas);
@@ -65,7 +65,7 @@ class ExplorationDrawing {
     std::vector<std::pair<Vec2, Vec2>> ends;
     for (const Wall& wall : picture_.walls.walls)
       ends.emplace_back(scale_.to_paper(wall.segment.start), scale_.to_paper(wall.segment.end));
-    canvas.lines(ends, kWallPen);
+    canvas.lines(ends, kExploredWallPen);
   }
 
   void draw_way(Canvas& canvas) const {
@@ -73,7 +73,7 @@ class ExplorationDrawing {
     std::vector<Vec2> points;
     for (const Pose2& pose : picture_.T_map_vehicle) points.push_back(scale_.to_paper(pose.position()));
     if (points.empty()) return;
-    canvas.polyline(simplified(points, kTolerance_px), kWayPen);
+    canvas.polyline(simplified(points, kTolerance_px), kExploredWayPen);
     canvas.disc(points.front(), kGate_px, kPath);
   }
 
@@ -91,8 +91,8 @@ class ExplorationDrawing {
     legend.add("path left for later", 2 * kGate_px, [&](const Vec2& p) {
       canvas.ring(p, kGate_px, {kPushed, 2});
     });
-    legend.add_line("way", kWayPen);
-    legend.add_line("walls", kWallPen);
+    legend.add_line("way", kExploredWayPen);
+    legend.add_line("walls", kExploredWallPen);
   }
 
   const ExplorationPicture& picture_;

@@ -1,6 +1,7 @@
 #pragma once
 /// Explores a building that nobody has shown to the vehicle, and comes home: C99 Algorithm 1.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,6 +51,7 @@ class ExplorerNavigator final : public Navigator {
   void mark_coverage();
   void choose();
   void begin_search();
+  void begin_search_home(const Pose2& T_map_from, const std::function<double(const Vec2&)>& left_m);
   double look_from_m() const;
   bool sees_rim(const Pose2& T_map_vehicle) const;
   void search_way();
@@ -79,7 +81,8 @@ class ExplorerNavigator final : public Navigator {
   Vec2 p_map_left_ = Vec2::Zero();      ///< what `left_` is measured from
   Vec2 p_map_searched_ = Vec2::Zero();  ///< the gate that the latest search was for
   bool is_search_due_ = false;
-  int attempts_ = 0;  ///< ways that were driven for this target and did not settle it
+  bool is_way_home_ = false;  ///< the latest search was for a way that ends exactly at home
+  int attempts_ = 0;          ///< ways that were driven for this target and did not settle it
   std::size_t arrived_cycle_ = 0;
   std::size_t cycle_ = 0;
   std::optional<double> begun_s_;

@@ -9,6 +9,7 @@
 #include "aisle/control/speed.hpp"
 #include "aisle/control/steering.hpp"
 #include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/obstacle_guard.hpp"
 #include "aisle/learning/landmark_localiser.hpp"
 #include "aisle/learning/landmark_relocation.hpp"
 #include "aisle/maps/building.hpp"
@@ -22,6 +23,8 @@ struct LandmarkNavigatorParams {
   LandmarkRelocationParams relocation;
   SteeringParams steering;
   SpeedParams speed;
+  ObstacleGuardParams guard;
+  bool guarded = true;
   double start_sigma_m = 0.15;
   double start_sigma_rad = 3 * kDegree;
   double look_s = 1;
@@ -44,7 +47,7 @@ struct LandmarkFix {
 /// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture
 /// that fits the map; goes on by odometry where none does, the slower the less sure it is. Lost (too unsure,
 /// or seeing other things than are known here) it stops, looks for itself along all routes, and drives on or
-/// gives up.
+/// gives up. It waits for what stands on its route, and for its camera, and gives up if that lasts.
 class LandmarkNavigator final : public Navigator {
  public:
   /// @param building  with landmarks and their camera, which the vehicle has; must outlive the navigator
@@ -67,6 +70,7 @@ class LandmarkNavigator final : public Navigator {
   Decision look_around(double stamp_s);
   Decision find_itself(double stamp_s);
   Decision follow(const Observation& observation);
+  Decision guarded(Decision decision);
 
   LandmarkNavigatorParams params_;
   VehicleDescription vehicle_;
@@ -78,6 +82,7 @@ class LandmarkNavigator final : public Navigator {
   LandmarkRelocator relocator_;
   PathFollower follower_;
   PathProgress progress_;
+  ObstacleGuard guard_;
   std::vector<Pose2> T_map_tried_;
   std::vector<LandmarkSighting> sightings_;
   std::vector<Pose2> T_map_found_;  ///< what picture after picture says while lost

@@ -1,0 +1,104 @@
+#pragma once
+/// Keeps any navigator from driving against something.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/guidance/obstacle_memory.hpp"
+#include "aisle/guidance/picture_watch.hpp"
+#include "aisle/guidance/way_ahead.hpp"
+#include "aisle/vehicle/observation.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+#include "aisle/vision/stripe_probe.hpp"
+
+namespace aisle {
+
+struct ObstacleGuardParams {
+  StripeProbeParams stripes;
+  ObstacleMemoryParams memory;
+  PictureWatchParams pictures;
+  double margin_m = 0.02;
+  double gap_m = 0.8;
+  double reach_m = 2.3;
+  double deceleration_share = 0.5;
+  double reaction_s = 0.4;
+  double reverse_speed_mps = 0.15;
+  double unlit_s = 2;
+  double unlit_speed_mps = 0.1;
+  double free_again_s = 0.8;
+  double wait_max_s = 20;
+
+  void describe(FieldList& fields);
+};
+
+enum class GuardState {
+  kFree,     ///< the wished command, or slower because something is ahead
+  kWaiting,  ///< stands until the way is free or the camera is back
+  kBlocked,  ///< has waited too long: the navigator should give up or turn back
+};
+
+struct Guarded {
+  Command command;
+  GuardState state = GuardState::kFree;
+  std::string why;          ///< one line for people; empty while nothing is in the way
+  double free_ahead_m = 0;  ///< that the vehicle can go; at most `reach_m`
+};
+
+/// Stands between a navigator and the vehicle: lets the vehicle go only as fast as it can stop before the
+/// first thing that stands where its footprint will be, and only while its camera shows what is there. It
+/// sees things by the laser markers' stripe, and by the range scanner; a vehicle with neither is only kept
+/// from driving without pictures. Nothing sees behind: reversing is slow.
+class ObstacleGuard {
+ public:
+  /// @param camera  to look with; null: none
+  ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGuardParams& params,
+                const CameraDescription* camera);
+
+  /// Once a cycle, before `allow`.
+  /// @return the camera's picture if it has come in time, is not the one before again, and shows something
+  const CameraPicture* look(const Observation& observation);
+
+  /// What the vehicle may do of what a navigator wishes.
+  /// @param way  where `wished` leads to; forwards
+  Guarded allow(const Command& wished, const WayAhead& way);
+
+ private:
+  struct StampedPose {
+    double stamp_s = 0;
+    Pose2 T_odom_vehicle;
+  };
+  /// What the last picture shows of laser light.
+  struct Sight {
+    StampedPose taken;
+    std::vector<Vec2> p_vehicle_lit;
+    bool is_new = false;
+  };
+
+  void move(const Observation& observation);
+  StampedPose taken_at(double stamp_s) const;
+  void probe(const CameraPicture& picture);
+  void take_scan(const RangeScan& scan);
+  void remember_what_is_on(const WayAhead& way);
+  double free_ahead_m(const WayAhead& way);
+  double speed_before(double free_m) const;
+  Command limited(const Command& wished) const;
+  Guarded waiting(Guarded guarded, const std::string& why);
+
+  VehicleDescription vehicle_;
+  ObstacleGuardParams params_;
+  std::optional<PictureWatch> watch_;
+  std::optional<StripeProbe> probe_;
+  ObstacleMemory memory_;
+  std::array<StampedPose, 16> poses_;
+  std::size_t moves_ = 0;
+  StampedPose now_;
+  Sight sight_;
+  std::vector<Vec2> p_vehicle_scanned_;
+  std::optional<double> lit_s_;  ///< when laser light was seen last
+  std::optional<double> waiting_from_s_;
+  double free_from_s_ = 0;
+};
+
+}  // namespace aisle

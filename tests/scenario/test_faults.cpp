@@ -1,0 +1,84 @@
+/// Everything that a shipped scenario lets go wrong while a learned route is driven alone: the vehicle
+/// arrives, or ends with a reason, and never against something. Simulated.
+
+#include <gmock/gmock.h>
+
+#include "workplace.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::HasSubstr;
+
+/// The southern corridor of the world `crossings`, learned.
+class Faults : public Workplace {
+ protected:
+  void SetUp() override {
+    const std::string shipped = read_bytes(AISLE_SOURCE_DIR "/worlds/crossings.yaml");
+    file("crossings.yaml", shipped.substr(0, shipped.find("\ntour:")) + "\ntour: [[4, 1.1], [17.5, 1.1]]\n");
+    const ProgramRun taught =
+        run_aisle({"teach", at("crossings.yaml"), "--operator", "scripted", "--out", at("taught")});
+    ASSERT_EQ(taught.exit_code, 0) << taught.err;
+    const ProgramRun learned = run_aisle({"learn", at("taught"), "--out", at("learned")});
+    ASSERT_EQ(learned.exit_code, 0) << learned.err;
+  }
+
+  ProgramRun drive(const std::string& scenario, const Arguments& more = {}) const {
+    Arguments arguments = {"navigate", at("learned/building.json"),
+                           "--world",  "crossings",
+                           "--faults", scenario,
+                           "--speed",  "0.5",
+                           "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_aisle(arguments);
+  }
+
+  void expect_arrival(const std::string& scenario) const {
+    const ProgramRun run = drive(scenario);
+    EXPECT_EQ(run.exit_code, 0) << scenario << run.err << run.out;
+    EXPECT_EQ(run.json()["figures"]["collisions"], 0) << scenario;
+  }
+
+  void expect_arrival_or_a_reason(const std::string& scenario) const {
+    const ProgramRun run = drive(scenario);
+    const auto figures = run.json()["figures"];
+    EXPECT_EQ(run.exit_code, figures["arrived"] ? 0 : 1) << scenario << run.err;
+    EXPECT_TRUE(figures["arrived"] || figures["why"] != "") << scenario;
+    EXPECT_EQ(figures["collisions"], 0) << scenario;
+  }
+};
+
+TEST_F(Faults, TheVehicleArrivesAlthoughItsCameraFailsForAWhile) {
+  for (const char* scenario : {"camera-frozen", "camera-dark", "camera-dropped", "camera-late"})
+    expect_arrival(scenario);
+}
+
+TEST_F(Faults, TheVehicleArrivesThroughChangesOfLightAndWithoutItsMarkers) {
+  for (const char* scenario : {"light-change", "laser-off"}) expect_arrival(scenario);
+}
+
+TEST_F(Faults, NeitherSlipNorSteeringErrorsDriveTheVehicleAgainstAnything) {
+  for (const char* scenario : {"slip-burst", "steering-bias"}) expect_arrival_or_a_reason(scenario);
+}
+
+TEST_F(Faults, ABlockedCorridorEndsTheMissionBeforeTheVehicleTouchesAnything) {
+  const ProgramRun run = drive("blocked-corridor", {"--out", at("trip")});
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  const auto figures = run.json()["figures"];
+  EXPECT_EQ(figures["state"], "blocked");
+  EXPECT_THAT(figures["why"].get<std::string>(), HasSubstr("obstacle ahead"));
+  EXPECT_EQ(figures["collisions"], 0);
+  EXPECT_NEAR(figures["distance_m"], 16 - 0.3 - 0.8 - 0.95 - 4,
+              0.2);  // from x = 4 m until 0.8 m before the box
+
+  const auto replayed = run_aisle({"replay", at("trip"), "--json"}).json()["figures"];
+  EXPECT_EQ(replayed["different"], 0);
+  EXPECT_EQ(replayed["compared"], replayed["cycles"]);
+}
+
+TEST_F(Faults, APersonWhoCrossesIsWaitedFor) {
+  expect_arrival("person-crossing");
+}
+
+}  // namespace
+}  // namespace aisle
