@@ -3,6 +3,7 @@
 #include <string>
 
 #include "aisle/commands/trial.hpp"
+#include "option_kinds.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -29,7 +30,7 @@ void add_trial_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   auto options = std::make_shared<TrialOptions>();
   options->method.clear();
-  verb->add_option("METHOD", options->method, "landmarks or sections");
+  verb->add_option("METHOD", options->method, "landmarks, sections or explore");
   verb->add_option_function<std::string>(
       "--seeds",
       [options](const std::string& text) {
@@ -41,7 +42,8 @@ void add_trial_verb(CLI::App& app, Work& work) {
       "--world", options->worlds,
       "world files (YAML) or names of shipped ones, taken in turn (default: buildings by chance)");
   verb->add_option("--vehicle", options->vehicle,
-                   "vehicle file (YAML), or the name of a shipped one (default alv; mini for sections)");
+                   "vehicle file (YAML), or the name of a shipped one (default alv; mini for sections, "
+                   "alv-scanner to explore)");
   verb->add_option(
       "--faults", options->scenario,
       "scenario file (YAML) of what goes wrong while driving alone, or the name of a shipped one");
@@ -49,6 +51,13 @@ void add_trial_verb(CLI::App& app, Work& work) {
       ->check(CLI::Range(0, 100));
   verb->add_option("--speed", options->speed_mps, "speed where nothing speaks against it [m/s]")
       ->check(CLI::Range(0.05, 5.0));
+  Choices<BuildingKind> kinds;
+  for (const BuildingKind kind : kBuildingKinds) kinds.emplace_back(name_of(kind), kind);
+  add_choice<std::optional<BuildingKind>>(*verb, "--kind", options->kind, {kinds.begin(), kinds.end()},
+                                          "explore: of buildings by chance (default: all in turn)");
+  verb->add_option("--noise-scale", options->noise_scale,
+                   "explore: how much worse the odometry is (default 1)")
+      ->check(CLI::Range(0.0, 20.0));
   verb->add_flag("--reverse", options->in_reverse, "drive the routes' ways back");
   add_parameter_options(*verb, options->parameters, trial_parameters, work, [=, &work] {
     if (options->method.empty()) throw CLI::RequiredError("METHOD");

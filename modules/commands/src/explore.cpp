@@ -14,6 +14,7 @@
 #include "exploration_check.hpp"
 #include "exploration_evaluation.hpp"
 #include "exploration_mission.hpp"
+#include "explore_in.hpp"
 #include "rounded.hpp"
 #include "statistics.hpp"
 
@@ -26,11 +27,6 @@ struct ExplorationPlan {
   ExplorerNavigatorParams params;
   Pose2 T_world_start;
 };
-
-std::string vehicle_name(const ExploreOptions& options) {
-  if (!options.vehicle.empty()) return options.vehicle;
-  return options.sensor == ExploringSensor::kScanner ? "alv-scanner" : "alv";
-}
 
 Problems check_sensor(const ExploreOptions& options, const VehicleDescription& vehicle) {
   const auto lacks = [&](const std::string& what) {
@@ -56,13 +52,11 @@ std::unique_ptr<SliceSensor> sensor_of(const ExploreOptions& options, const Vehi
                                                      : marker_slices(vehicle, options.camera);
 }
 
-Result<ExplorationPlan> read_plan(const ExploreOptions& options) {
+Result<ExplorationPlan> read_plan(const ExploreOptions& options, SimulationSetting setting) {
   ExplorationPlan plan;
   FieldList fields = fields_of(plan.params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
-  auto setting = read_setting(options.world, vehicle_name(options), options.scenario);
-  if (!setting) return setting.problems();
-  plan.setting = std::move(*setting);
+  plan.setting = std::move(setting);
   VehicleDescription& vehicle = plan.setting.vehicle.description;
   if (Problems problems = check_sensor(options, vehicle); !problems.empty()) return problems;
   keep_sensor(options, vehicle);
@@ -152,8 +146,19 @@ Outcome explore_parameters() {
   return parameter_listing("explore", fields_of(params));
 }
 
+std::string exploring_vehicle(const ExploreOptions& options) {
+  if (!options.vehicle.empty()) return options.vehicle;
+  return options.sensor == ExploringSensor::kScanner ? "alv-scanner" : "alv";
+}
+
 Result<Outcome> run_explore(const ExploreOptions& options, Console& console) {
-  const auto plan = read_plan(options);
+  auto setting = read_setting(options.world, exploring_vehicle(options), options.scenario);
+  if (!setting) return setting.problems();
+  return explore_in(options, std::move(*setting), console);
+}
+
+Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting setting, Console& console) {
+  const auto plan = read_plan(options, std::move(setting));
   if (!plan) return plan.problems();
   std::optional<OutputDirectory> out;
   if (!options.out.empty()) {

@@ -4,6 +4,7 @@
 
 #include "aisle/guidance/hand_driver.hpp"
 #include "changed_parameters.hpp"
+#include "guide_driver.hpp"
 #include "landmark_driver.hpp"
 #include "section_driver.hpp"
 
@@ -28,6 +29,13 @@ Result<std::unique_ptr<Navigator>> make_landmark_navigator(const SessionOrigin& 
   return std::unique_ptr<Navigator>(std::move(*driver));
 }
 
+Result<std::unique_ptr<Navigator>> make_guide_navigator(const SessionOrigin& origin,
+                                                        const VehicleDescription& vehicle) {
+  auto driver = GuideDriver::make(origin, vehicle);
+  if (!driver) return driver.problems();
+  return std::unique_ptr<Navigator>(std::move(*driver));
+}
+
 Result<std::unique_ptr<Navigator>> make_by_sections(const SessionOrigin& origin,
                                                     const VehicleDescription& vehicle) {
   auto navigator = make_section_navigator(origin, vehicle);
@@ -38,7 +46,8 @@ Result<std::unique_ptr<Navigator>> make_by_sections(const SessionOrigin& origin,
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {{"hand", make_hand_driver},
                                          {LandmarkDriver::kName, make_landmark_navigator},
-                                         {kSectionNavigator, make_by_sections}};
+                                         {kSectionNavigator, make_by_sections},
+                                         {GuideDriver::kName, make_guide_navigator}};
   return all;
 }
 

@@ -8,6 +8,7 @@
 
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/simulation/random_building.hpp"
+#include "exploration_trial.hpp"
 #include "landmark_course.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
@@ -176,6 +177,7 @@ Outcome trial_parameters() {
 }
 
 Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
+  if (options.method == "explore") return run_exploration_trial(options, console);
   if (Problems problems = check_method(options.method); !problems.empty()) return problems;
   TrialParams all;
   FieldList fields = fields_of(all);

@@ -12,16 +12,16 @@
 namespace aisle {
 namespace {
 
-constexpr Color kFreeFloor{0.93, 0.95, 0.97};
-constexpr Color kStanding{0.55, 0.59, 0.64};
-constexpr Color kCorridorLine{0.80, 0.10, 0.20};
-constexpr Color kMapPlace{0.10, 0.54, 0.30};
+constexpr Color kSeenFloor{0.93, 0.95, 0.97};
+constexpr Color kSeenStanding{0.55, 0.59, 0.64};
+constexpr Color kGraphLine{0.80, 0.10, 0.20};
+constexpr Color kNamedPlace{0.10, 0.54, 0.30};
 
-constexpr Pen kCorridorPen{kCorridorLine, 3};
-constexpr Pen kWayPen{kPath, 1.25};
-constexpr Pen kWallPen{kInk, 2};
-constexpr Font kNodeFont{15, kCorridorLine, true};
-constexpr Font kPlaceFont{15, kMapPlace, true};
+constexpr Pen kCorridorPen{kGraphLine, 3};
+constexpr Pen kDrivenWayPen{kPath, 1.25};
+constexpr Pen kLearnedWallPen{kInk, 2};
+constexpr Font kNodeFont{15, kGraphLine, true};
+constexpr Font kPlaceFont{15, kNamedPlace, true};
 
 constexpr double kNode_px = 6;
 constexpr double kPlace_px = 5;
@@ -55,8 +55,8 @@ class CorridorDrawing {
   void draw_on(Canvas& canvas) const {
     canvas.fill(kPaper);
     if (building_.floor) {
-      draw_cells(canvas, Floor::kFree, kFreeFloor);
-      draw_cells(canvas, Floor::kOccupied, kStanding);
+      draw_cells(canvas, Floor::kFree, kSeenFloor);
+      draw_cells(canvas, Floor::kOccupied, kSeenStanding);
     }
     draw_walls(canvas);
     draw_way(canvas);
@@ -91,13 +91,13 @@ class CorridorDrawing {
     std::vector<std::pair<Vec2, Vec2>> walls;
     for (const Wall& wall : building_.walls.walls)
       walls.emplace_back(scale_.to_paper(wall.segment.start), scale_.to_paper(wall.segment.end));
-    canvas.lines(walls, kWallPen);
+    canvas.lines(walls, kLearnedWallPen);
   }
 
   void draw_way(Canvas& canvas) const {
     std::vector<Vec2> points;
     for (const Pose2& T : picture_.path) points.push_back(scale_.to_paper(T.position()));
-    canvas.polyline(simplified(points, kWayTolerance_px), kWayPen);
+    canvas.polyline(simplified(points, kWayTolerance_px), kDrivenWayPen);
   }
 
   void draw_corridors(Canvas& canvas) const {
@@ -112,7 +112,7 @@ class CorridorDrawing {
 
   static void draw_node(Canvas& canvas, const Vec2& centre, CorridorNode::Kind kind) {
     const bool is_crossing = kind == CorridorNode::Kind::kCrossing;
-    canvas.disc(centre, kNode_px, is_crossing ? kCorridorLine : kPaper);
+    canvas.disc(centre, kNode_px, is_crossing ? kGraphLine : kPaper);
     canvas.ring(centre, kNode_px, kCorridorPen);
   }
 
@@ -123,7 +123,7 @@ class CorridorDrawing {
       canvas.text(scale_.to_paper(nodes[i].p_map) + beside, building_.corridors.name_of(i), kNodeFont);
     for (const MapPlace& place : building_.places) {
       const Vec2 centre = scale_.to_paper(place.T_map_place.position());
-      canvas.disc(centre, kPlace_px, kMapPlace);
+      canvas.disc(centre, kPlace_px, kNamedPlace);
       canvas.text(centre + Vec2(kPlace_px + 4, 2.5 * kPlace_px), place.name, kPlaceFont);
     }
   }
@@ -131,16 +131,16 @@ class CorridorDrawing {
   /// From right to left, only what the picture shows.
   void draw_legend(Canvas& canvas) const {
     Legend legend(canvas, scale_);
-    if (!picture_.path.empty()) legend.add_line("way driven", kWayPen);
+    if (!picture_.path.empty()) legend.add_line("way driven", kDrivenWayPen);
     if (!building_.places.empty())
-      legend.add("place", 2 * kPlace_px, [&](const Vec2& p) { canvas.disc(p, kPlace_px, kMapPlace); });
+      legend.add("place", 2 * kPlace_px, [&](const Vec2& p) { canvas.disc(p, kPlace_px, kNamedPlace); });
     if (building_.corridors.count(CorridorNode::Kind::kEnd) > 0)
       legend.add("end", 2 * kNode_px, [&](const Vec2& p) { draw_node(canvas, p, CorridorNode::Kind::kEnd); });
     if (building_.corridors.count(CorridorNode::Kind::kCrossing) > 0)
       legend.add("crossing", 2 * kNode_px,
                  [&](const Vec2& p) { draw_node(canvas, p, CorridorNode::Kind::kCrossing); });
     if (!building_.corridors.corridors.empty()) legend.add_line("corridor", kCorridorPen);
-    if (!building_.walls.walls.empty()) legend.add_line("wall", kWallPen);
+    if (!building_.walls.walls.empty()) legend.add_line("wall", kLearnedWallPen);
   }
 
   const CorridorPicture& picture_;

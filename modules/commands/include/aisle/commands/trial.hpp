@@ -7,6 +7,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
+#include "aisle/simulation/random_building.hpp"
 
 namespace aisle {
 
@@ -20,6 +21,8 @@ struct TrialOptions {
   int refinements = 0;              ///< trips after the first, each taken in before the next
   std::optional<double> speed_mps;
   bool in_reverse = false;
+  std::optional<BuildingKind> kind;  ///< of buildings by chance; none: all in turn (explore)
+  double noise_scale = 1;            ///< of the odometry's errors (explore)
   ParameterSources parameters;
 };
 

@@ -1,0 +1,62 @@
+#include <memory>
+
+#include "aisle/commands/guide.hpp"
+#include "option_kinds.hpp"
+#include "verb.hpp"
+
+using namespace aisle;
+
+namespace {
+
+void add_mission_options(CLI::App& verb, GuideOptions& options) {
+  verb.add_option("--world", options.world, "world file (YAML), or the name of a shipped one");
+  verb.add_option("--vehicle", options.vehicle,
+                  "vehicle file (YAML), or the name of a shipped one (default alv-scanner)");
+  verb.add_option("--faults", options.scenario,
+                  "scenario file (YAML) of what goes wrong, or the name of a shipped one");
+  add_seed(verb, options.seed, "of all noise; the same seed gives the same session (default 1)");
+  verb.add_option("--out", options.out, "directory for the session");
+  verb.add_flag("--force", options.force, "replace a session that is there already");
+}
+
+void require(const GuideOptions& options) {
+  if (options.building.empty()) throw CLI::RequiredError("BUILDING");
+  if (options.world.empty()) throw CLI::RequiredError("--world");
+}
+
+void add_go_verb(CLI::App& app, Work& work) {
+  CLI::App* verb =
+      app.add_subcommand("go", "drive from home to a place of an explored building, in the simulator");
+  verb->fallthrough();
+  auto options = std::make_shared<GuideOptions>();
+  verb->add_option("BUILDING", options->building, "building file (JSON) that was explored");
+  verb->add_option("PLACE", options->place,
+                   "a place or a node of the corridors by its name (\"end 1\"), or x,y in the map");
+  add_mission_options(*verb, *options);
+  add_parameter_options(*verb, options->parameters, guide_parameters, work, [=, &work] {
+    require(*options);
+    if (options->place.empty()) throw CLI::RequiredError("PLACE");
+    work = [options](Console& console) { return run_go(*options, console); };
+  });
+}
+
+void add_patrol_verb(CLI::App& app, Work& work) {
+  CLI::App* verb = app.add_subcommand(
+      "patrol", "drive all corridors of an explored building about once a round, in the simulator");
+  verb->fallthrough();
+  auto options = std::make_shared<GuideOptions>();
+  verb->add_option("BUILDING", options->building, "building file (JSON) that was explored");
+  verb->add_option("--rounds", options->rounds, "how often (default 1)")->check(CLI::Range(1, 1000));
+  add_mission_options(*verb, *options);
+  add_parameter_options(*verb, options->parameters, guide_parameters, work, [=, &work] {
+    require(*options);
+    work = [options](Console& console) { return run_patrol(*options, console); };
+  });
+}
+
+}  // namespace
+
+void add_guide_verbs(CLI::App& app, Work& work) {
+  add_go_verb(app, work);
+  add_patrol_verb(app, work);
+}

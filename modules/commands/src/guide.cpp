@@ -1,0 +1,113 @@
+#include "aisle/commands/guide.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+#include "aisle/commands/parameter_listing.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "guide_mission.hpp"
+#include "rounded.hpp"
+#include "simulated_record.hpp"
+#include "statistics.hpp"
+
+namespace aisle {
+namespace {
+
+/// All that a mission is made of, read and checked.
+struct GuidePlan {
+  SimulationSetting setting;
+  Pose2 T_world_start;
+  SessionOrigin origin;
+  std::unique_ptr<GuideDriver> driver;
+};
+
+Problems in_file(Problems problems, const std::string& file) {
+  for (Problem& problem : problems) {
+    if (problem.where.file.empty() || problem.where.file == "building") problem.where.file = file;
+  }
+  return problems;
+}
+
+Result<GuidePlan> read_guide_plan(const GuideOptions& options, const std::string& errand) {
+  GuideNavigatorParams params;
+  FieldList fields = fields_of(params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  auto building = read_whole_file(options.building);
+  if (!building) return building.problems();
+  auto setting = read_setting(options.world, options.vehicle, options.scenario);
+  if (!setting) return setting.problems();
+  setting->vehicle.description.cameras.clear();
+  const auto start = start_in(*setting);
+  if (!start) return start.problems();
+  GuidePlan plan{std::move(*setting), *start, GuideDriver::origin(params, std::move(*building), errand), {}};
+  plan.origin.seed = options.seed;
+  plan.origin.simulated = true;
+  auto driver = GuideDriver::make(plan.origin, plan.setting.vehicle.description);
+  if (!driver) return in_file(driver.problems(), options.building.string());
+  plan.driver = std::move(*driver);
+  return plan;
+}
+
+Result<Outcome> run_errand(const char* verb, const GuideOptions& options, const std::string& errand,
+                           Console& console) {
+  const auto plan = read_guide_plan(options, errand);
+  if (!plan) return plan.problems();
+  std::optional<SessionRecord> session;
+  if (!options.out.empty()) {
+    auto created =
+        SessionRecord::create(options.out, options.force, plan->setting.vehicle.description, plan->origin);
+    if (!created) return created.problems();
+    session = std::move(*created);
+  }
+  const auto result = drive_guide_mission(plan->setting, *plan->driver, plan->T_world_start, options.seed,
+                                          session, console.progress);
+  if (!result) return result.problems();
+  if (const Problems problems = close(session); !problems.empty()) return problems;
+
+  const GuideNavigator& navigator = plan->driver->navigator();
+  const Building& building = plan->driver->building();
+  const Footprint& footprint = plan->setting.vehicle.description.footprint;
+  const Errand& sent = plan->driver->errand();
+  Outcome outcome{.verb = verb, .ok = result->end.arrived && result->collisions == 0};
+  outcome.figures = {
+      {"simulated", true},
+      {"seed", options.seed},
+      {"arrived", result->end.arrived},
+      {"why", result->end.why},
+      {"places", sent.p_map_places.size()},
+      {"places_reached", navigator.places_reached()},
+      {"ways_closed", navigator.ways_closed()},
+      {"distance_m", rounded(result->distance_m, 3)},
+      {"shortest_m", rounded(sent.shortest_m, 3)},
+      {"collisions", result->collisions},
+      {"duration_s", rounded(result->end.duration_s, 1)},
+      {"graph_coverage", rounded(graph_coverage(building.corridors, result->T_map_vehicle, footprint), 4)},
+      {"cycle_ms",
+       {{"median", rounded(1e3 * quantile(result->cycle_s, 0.5), 3)},
+        {"p99", rounded(1e3 * quantile(result->cycle_s, 0.99), 3)}}}};
+  if (!options.out.empty()) outcome.files["session"] = options.out.string();
+  outcome.text = fmt::format(
+      "simulated: {}{}{}; {:.1f} m in {:.0f} s (the shortest way is {:.1f} m), {} collision{}\n",
+      result->end.state, result->end.why.empty() ? "" : ": ", result->end.why, result->distance_m,
+      result->end.duration_s, sent.shortest_m, result->collisions, result->collisions == 1 ? "" : "s");
+  return outcome;
+}
+
+}  // namespace
+
+Outcome guide_parameters() {
+  GuideNavigatorParams params;
+  return parameter_listing("go", fields_of(params));
+}
+
+Result<Outcome> run_go(const GuideOptions& options, Console& console) {
+  return run_errand("go", options, "go " + options.place, console);
+}
+
+Result<Outcome> run_patrol(const GuideOptions& options, Console& console) {
+  return run_errand("patrol", options, "patrol " + std::to_string(options.rounds), console);
+}
+
+}  // namespace aisle

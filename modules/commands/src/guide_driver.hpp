@@ -1,0 +1,63 @@
+#pragma once
+/// The guide navigator as missions and their replays make it: both from the origin that the session records.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "aisle/core/result.hpp"
+#include "aisle/formats/session_origin.hpp"
+#include "aisle/guidance/guide_navigator.hpp"
+#include "aisle/maps/corridor_way.hpp"
+
+namespace aisle {
+
+/// Where a vehicle is sent in a building.
+struct Errand {
+  std::vector<Vec2> p_map_places;  ///< in order
+  double shortest_m = 0;           ///< the shortest way along the corridors, from home
+};
+
+/// To one place: one of the building's places by its name, a node of its corridors ("crossing 2", "end 1"),
+/// or "x,y" in the map. A problem lists what there is.
+Result<Errand> errand_to(const Building& building, const std::string& place);
+
+/// So many times along all corridors and home again.
+Result<Errand> patrol_errand(const Building& building, int rounds);
+
+/// Where missions in a building begin: its place "home", else the map's origin.
+Pose2 home_of(const Building& building);
+
+/// Owns the building that its navigator drives in.
+class GuideDriver final : public Navigator {
+ public:
+  static constexpr const char* kName = "guide";  ///< as a session's navigator
+
+  /// What a session records of it. Seed and "simulated" are the caller's.
+  /// @param building  the text of a building file
+  /// @param errand    "go PLACE" or "patrol ROUNDS"
+  static SessionOrigin origin(const GuideNavigatorParams& params, std::string building, std::string errand);
+
+  /// Problems: parameters and building that cannot be read, a building without walls, floor or corridors, an
+  /// unknown place, a vehicle without a range scanner.
+  static Result<std::unique_ptr<GuideDriver>> make(const SessionOrigin& origin,
+                                                   const VehicleDescription& vehicle);
+
+  GuideDriver(const GuideNavigatorParams& params, const VehicleDescription& vehicle, Building building,
+              Errand errand);
+  GuideDriver(const GuideDriver&) = delete;
+  GuideDriver& operator=(const GuideDriver&) = delete;
+
+  Decision step(const Observation& observation) override { return navigator_.step(observation); }
+
+  const Building& building() const { return building_; }
+  const Errand& errand() const { return errand_; }
+  const GuideNavigator& navigator() const { return navigator_; }
+
+ private:
+  Building building_;
+  Errand errand_;
+  GuideNavigator navigator_;
+};
+
+}  // namespace aisle

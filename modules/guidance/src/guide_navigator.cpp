@@ -1,0 +1,243 @@
+#include "aisle/guidance/guide_navigator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "aisle/geometry/segment2.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kWatchShare = 0.4;     // of the margin that a way must keep while it is driven
+constexpr double kSpareNoise_m = 0.02;  // of the room that the vehicle seems to have
+constexpr double kWatchAhead_m = 1.5;
+constexpr double kWatchEvery_m = 0.1;
+constexpr double kGetsOn_m = 0.3;  // within the time after which it gives up
+constexpr double kReaction_s = 0.4;
+constexpr double kStopSlack_m = 0.04;
+constexpr double kSearchAgain_s = 2;  // after there was no way
+constexpr double kPlaceLeeway_m = 1;  // about a place, where the vehicle may have less room than elsewhere
+constexpr double kCareAhead_m = 0.6;  // of the way that decides how careful the vehicle is
+constexpr double kCareEvery_m = 0.15;
+constexpr double kAmpleSpare_m = 0.3;  // with so much room on its sides it need not be careful
+constexpr double kWheelsAstray_rad =
+    25 * kDegree;                         // of where the way wants them: as slow as in the narrowest place
+constexpr double kCareMax = 0.2;          // share of the speed that is left with the greatest care
+constexpr double kOffKnownFloor_m = 100;  // how much farther places seem from which no way is known
+
+Pose2 counted_motion(const VehicleDescription& vehicle, const OdometryReading& odometry) {
+  if (const auto* motion = std::get_if<FrontSteeredMotion>(&odometry))
+    return drive(vehicle.front_steered, *motion);
+  return drive(vehicle.differential, std::get<WheelSteps>(odometry));
+}
+
+double wheels_now(const OdometryReading& odometry) {
+  const auto* motion = std::get_if<FrontSteeredMotion>(&odometry);
+  return motion == nullptr ? 0 : motion->steering_rad;
+}
+
+UncertainPose2 about_start(const Pose2& T_map_start, const GuideNavigatorParams& params) {
+  const Vec3 sigma(params.start_sigma_m, params.start_sigma_m, params.start_sigma_rad);
+  return {T_map_start, sigma.cwiseAbs2().asDiagonal()};
+}
+
+const FloorGrid& floor_of(const Building& building) {
+  if (!building.floor) throw std::invalid_argument("a building to be guided in needs its floor");
+  return *building.floor;
+}
+
+}  // namespace
+
+void GuideNavigatorParams::describe(FieldList& fields) {
+  fields.group("localiser", localiser);
+  fields.group("view", view);
+  fields.group("search", search);
+  fields.group("steering", steering);
+  fields.group("speed", speed);
+  fields.real("start_sigma_m", start_sigma_m, {0.001, 2}, "how far off its start the vehicle may stand");
+  fields.angle("start_sigma_deg", start_sigma_rad, {0.05, 30}, "how far it may be turned there");
+  fields.real("look_s", look_s, {0, 60}, "time to look around before it starts");
+  fields.real("look_every_m", look_every_m, {0.02, 2}, "way after which the floor is looked at again");
+  fields.real("look_every_s", look_every_s, {0.05, 10}, "time after which it is");
+  fields.real("arrive_m", arrive_m, {0.05, 3}, "so near the vehicle has reached a place");
+  fields.real("lost_s", lost_s, {0.5, 60}, "seeing other walls than are known for so long it is lost");
+  fields.real("give_up_s", give_up_s, {1, 3600}, "without any way for so long it gives up");
+  fields.count("expansions", expansions, {10, 100000}, "poses that the search looks at in a cycle");
+}
+
+GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
+                               const Building& building, const Pose2& T_map_start,
+                               std::vector<Vec2> p_map_places, std::unique_ptr<SliceSensor> sensor)
+    : params_(params),
+      vehicle_(vehicle),
+      sensor_(std::move(sensor)),
+      localiser_(params.localiser, sensor_->fan(), building.walls, about_start(T_map_start, params)),
+      floor_(floor_of(building)),
+      search_(params.search, vehicle),
+      watch_(vehicle.footprint, kWatchShare * params.search.margin_m),
+      follower_(vehicle, params.steering),
+      p_map_places_(std::move(p_map_places)),
+      T_map_vehicle_(T_map_start) {
+  clearance_.update(floor_, floor_.known());
+}
+
+Decision GuideNavigator::step(const Observation& observation) {
+  const double stamp_s = observation.stamp_s;
+  if (!begun_s_) begun_s_ = sure_s_ = hopeful_s_ = stamp_s;
+  locate(observation);
+  if (const std::string why = why_failed(observation); !why.empty())
+    return {.status = NavigatorStatus::kFailed, .state = "given up", .why = why};
+  if (stamp_s - *begun_s_ < params_.look_s) return {.state = "looking"};
+  check_way();
+  if (next_ < p_map_places_.size()) search_way(stamp_s);
+  if (next_ == p_map_places_.size()) return {.status = NavigatorStatus::kDone, .state = "arrived"};
+  return drive(observation);
+}
+
+void GuideNavigator::locate(const Observation& observation) {
+  T_scan_vehicle_ = T_scan_vehicle_ * counted_motion(vehicle_, observation.odometry);
+  const bool sees = sensor_->look(observation, view_);
+  if (sees) localiser_.take_scan(view_.ranges_m, std::exchange(T_scan_vehicle_, {}));
+  T_map_vehicle_ = localiser_.T_map_vehicle().mean * T_scan_vehicle_;
+  if (!localiser_.is_doubtful()) sure_s_ = observation.stamp_s;
+  if (sees && !localiser_.is_doubtful()) look_at_floor(observation.stamp_s);
+}
+
+void GuideNavigator::look_at_floor(double stamp_s) {
+  const bool moved = between(T_map_looked_, T_map_vehicle_).position().norm() >= params_.look_every_m;
+  if (!moved && stamp_s - looked_s_ < params_.look_every_s) return;
+  looked_s_ = stamp_s;
+  T_map_looked_ = T_map_vehicle_;
+  FloorBox changed =
+      see_floor(floor_, sensor_->fan(), view_.ranges_m, view_.near_m, T_map_vehicle_, params_.view);
+  const FloorBox stood = stand_on_floor(floor_, vehicle_.footprint, T_map_vehicle_);
+  if (!stood.empty()) {
+    changed.include(stood.low);
+    changed.include({stood.end.x - 1, stood.end.y - 1});
+  }
+  clearance_.update(floor_, changed);
+}
+
+std::string GuideNavigator::why_failed(const Observation& observation) {
+  if (observation.bumper_pressed) return "the bumper is pressed";
+  if (observation.stamp_s - sure_s_ > params_.lost_s) return "lost: what it sees fits no walls that it knows";
+  if (observation.stamp_s - hopeful_s_ <= params_.give_up_s) return "";
+  const Vec2& p = p_map_places_[next_];
+  return fmt::format("there is no way to {:.1f}, {:.1f}", p.x(), p.y());
+}
+
+/// Something may have come into the way, or the vehicle may have strayed from it. Where it has less room
+/// already than it should, only still less is worse.
+void GuideNavigator::check_way() {
+  if (!progress_) return;
+  const double spare_min_m = std::min(0.0, room_at(T_map_vehicle_)) - kSpareNoise_m;
+  const double along_m = progress_->point().along_m;
+  for (double ahead_m = 0; ahead_m <= kWatchAhead_m && along_m + ahead_m < path_.length_m();
+       ahead_m += kWatchEvery_m) {
+    if (room_at(path_.at(along_m + ahead_m).T_map_path) >= spare_min_m) continue;
+    ++ways_closed_;
+    return drop_way();
+  }
+}
+
+double GuideNavigator::room_at(const Pose2& T_map_vehicle) const {
+  return watch_.spare_m(floor_, clearance_, T_map_vehicle);
+}
+
+/// Whether the vehicle would come too near to something before it can stop.
+bool GuideNavigator::is_too_near(const Command& command, double steering_rad) const {
+  const double stop_m = kReaction_s * command.speed_mps + std::copysign(kStopSlack_m, command.speed_mps);
+  const Arc arc = vehicle_.is_differential
+                      ? Arc{stop_m, 0}
+                      : Arc{stop_m, stop_m * std::tan(steering_rad) / vehicle_.front_steered.wheelbase_m};
+  const double room_m = room_at(T_map_vehicle_ * end_pose(arc));
+  return room_m < 0 && room_m < room_at(T_map_vehicle_) - kSpareNoise_m;
+}
+
+void GuideNavigator::drop_way() {
+  progress_.reset();
+  path_ = {};
+  search_.stop();
+}
+
+bool GuideNavigator::is_at_place(const Pose2& T_map_vehicle) const {
+  const Footprint& footprint = vehicle_.footprint;
+  const Segment2 axis{T_map_vehicle * Vec2(-footprint.rear_m, 0), T_map_vehicle * Vec2(footprint.front_m, 0)};
+  return axis.distance(p_map_places_[next_]) <= params_.arrive_m;
+}
+
+void GuideNavigator::begin_search() {
+  const Vec2 p_map_place = p_map_places_[next_];
+  left_.measure(floor_, clearance_, p_map_place, vehicle_.footprint.width_m / 2, kPlaceLeeway_m);
+  search_.look_for(
+      T_map_vehicle_, [this](const Pose2& T_map) { return is_at_place(T_map); },
+      [this, p_map_place](const Vec2& p_map) {
+        const float left_m = left_.to(floor_.cell_at(p_map));
+        const double straight_m = (p_map - p_map_place).norm();
+        return std::isfinite(left_m) ? std::max(0.0, left_m - vehicle_.footprint.front_m)
+                                     : straight_m + kOffKnownFloor_m;
+      });
+}
+
+void GuideNavigator::search_way(double stamp_s) {
+  if ((T_map_vehicle_.position() - p_map_hopeful_).norm() > kGetsOn_m) {
+    hopeful_s_ = stamp_s;
+    p_map_hopeful_ = T_map_vehicle_.position();
+  }
+  if (progress_) return;
+  if (search_.state() == CarSearch::State::kIdle) begin_search();
+  if (search_.state() == CarSearch::State::kNone) {
+    if (stamp_s - searched_s_ < kSearchAgain_s) return;
+    begin_search();
+  }
+  const CarSearch::State state = search_.advance(floor_, clearance_, params_.expansions);
+  if (state == CarSearch::State::kNone) searched_s_ = stamp_s;
+  if (state != CarSearch::State::kFound) return;
+  path_ = search_.path();
+  search_.stop();
+  if (path_.empty()) {
+    ++next_;
+    hopeful_s_ = stamp_s;
+  } else {
+    progress_.emplace(path_);
+  }
+}
+
+/// The share of its speed at which it keeps to its way well enough: less where there is little room, and
+/// where the wheels have yet to turn.
+double GuideNavigator::care(double steering_rad) const {
+  const double along_m = progress_->point().along_m;
+  double spare_m = kAmpleSpare_m, wheels_off_rad = 0;
+  for (double ahead_m = 0; ahead_m <= kCareAhead_m; ahead_m += kCareEvery_m) {
+    const PathPoint point = path_.at(along_m + ahead_m);
+    spare_m = std::min(spare_m, room_at(point.T_map_path));
+    const double wanted_rad = std::atan(point.curvature_per_m * vehicle_.front_steered.wheelbase_m);
+    if (!vehicle_.is_differential && ahead_m <= kCareEvery_m)
+      wheels_off_rad = std::max(wheels_off_rad, std::abs(wanted_rad - steering_rad));
+  }
+  return std::clamp(std::min(spare_m / kAmpleSpare_m, 1 - wheels_off_rad / kWheelsAstray_rad), kCareMax, 1.0);
+}
+
+Decision GuideNavigator::drive(const Observation& observation) {
+  const double steering_rad = wheels_now(observation.odometry);
+  const Decision standing{.command = {.steering_rad = steering_rad}, .state = "searching"};
+  if (!progress_) return standing;
+  const PathPoint& point = progress_->advance(T_map_vehicle_);
+  if (progress_->has_arrived()) {
+    drop_way();
+    return standing;
+  }
+  const double speed_mps = speed_along(path_, point.along_m, care(steering_rad), vehicle_, params_.speed);
+  const Command command = follower_.follow(path_, point, T_map_vehicle_, speed_mps, steering_rad);
+  if (is_too_near(command, steering_rad)) {
+    drop_way();
+    return standing;
+  }
+  return {.command = command, .state = "driving"};
+}
+
+}  // namespace aisle
