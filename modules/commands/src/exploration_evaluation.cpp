@@ -63,7 +63,7 @@ bool is_known_nearby(const FloorGrid& floor, const Vec2& p_map) {
   return false;
 }
 
-void add_coverage(ExplorationFigures& figures, const SensorView& possible, const SensorView& seen,
+void add_coverage(ExplorationScore& figures, const SensorView& possible, const SensorView& seen,
                   const FloorGrid& floor, const Pose2& T_world_map) {
   const Pose2 T_map_world = T_world_map.inverse();
   std::size_t all = 0, covered = 0, mapped = 0;
@@ -133,12 +133,12 @@ CorridorGraph true_corridors(const World& world, const VehicleDescription& vehic
                          {.clearance_min_m = passable_radius_m(vehicle)});
 }
 
-ExplorationFigures evaluate_exploration(const World& world, const VehicleDescription& vehicle,
+ExplorationScore evaluate_exploration(const World& world, const VehicleDescription& vehicle,
                                         const SensorField& sensor, const DrivenExploration& driven) {
   const std::vector<Segment2> standing = slice(world, sensor.height_m);
   const std::vector<Segment2> obstacles = obstacles_below(world, vehicle.footprint.height_m);
   const Pose2& T_world_start = driven.T_world_vehicle.front();
-  ExplorationFigures figures;
+  ExplorationScore figures;
   const Pose2 home_error = between(T_world_start, driven.T_world_vehicle.back());
   figures.home_error_m = home_error.position().norm();
   figures.home_error_rad = std::abs(home_error.theta);

@@ -23,7 +23,7 @@ struct DrivenExploration {
   const WallMap& walls;
 };
 
-struct ExplorationFigures {
+struct ExplorationScore {
   double coverable_m2 =
       0;  ///< floor that the sensor can see from where the footprint can get, in any direction
   double covered_share = 0;  ///< of that floor: was in the sensor's view on the way that was driven
@@ -38,7 +38,7 @@ struct ExplorationFigures {
 /// and this much.
 inline constexpr double kPassableMargin_m = 0.05;
 
-ExplorationFigures evaluate_exploration(const World& world, const VehicleDescription& vehicle,
+ExplorationScore evaluate_exploration(const World& world, const VehicleDescription& vehicle,
                                         const SensorField& sensor, const DrivenExploration& driven);
 
 /// How a learned map lies in the world: the turn and shift that bring the learned way onto the true one

@@ -79,7 +79,7 @@ struct Explored {
   MapResult map;
   FloorGrid floor;
   CorridorGraph corridors;
-  ExplorationFigures truth;  ///< how well the building is known, by the truth
+  ExplorationScore truth;  ///< how well the building is known, by the truth
 };
 
 SensorField field_of(const LaserScanner& fan, std::size_t beams, double reach_m, double height_m) {
@@ -105,7 +105,7 @@ Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPl
                                                 : plan.setting.vehicle.simulated.scanner.height_m;
   const SensorField field =
       field_of(log.laser, log.scans.front().ranges_m.size(), plan.params.learner.view.reach_m, height_m);
-  const ExplorationFigures truth = evaluate_exploration(
+  const ExplorationScore truth = evaluate_exploration(
       plan.setting.world, vehicle, field,
       {mission->T_world_slice, map_in_world(map.T_map_vehicle, mission->T_world_slice), floor, map.walls});
   return Explored{std::move(*mission), std::move(map), std::move(floor), std::move(corridors), truth};
@@ -113,7 +113,7 @@ Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPl
 
 nlohmann::ordered_json figures_of(const Explored& explored) {
   const ExplorationMissionResult& mission = explored.mission;
-  const ExplorationFigures& truth = explored.truth;
+  const ExplorationScore& truth = explored.truth;
   return {{"simulated", true},
           {"covered_share", rounded(truth.covered_share, 4)},
           {"mapped_share", rounded(truth.mapped_share, 4)},

@@ -54,14 +54,14 @@ struct Learned {
       : floor(known_floor(T_map_world)), walls(walls_of(l_world(), T_map_world)) {
     for (const Pose2& T : T_world_vehicle) T_map_vehicle.push_back(T_map_world * T);
   }
-  ExplorationFigures figures(const SensorField& sensor = kAllRound) const {
+  ExplorationScore figures(const SensorField& sensor = kAllRound) const {
     return evaluate_exploration(
         l_world(), {}, sensor, {T_world_vehicle, map_in_world(T_map_vehicle, T_world_vehicle), floor, walls});
   }
 };
 
 TEST(ExplorationEvaluation, TheTruthAgainstItselfIsWithoutError) {
-  const ExplorationFigures figures = Learned({}).figures();
+  const ExplorationScore figures = Learned({}).figures();
   EXPECT_NEAR(figures.coverable_m2, 12 * 2 + 2 * 8, 2.5);
   EXPECT_GE(figures.covered_share, 0.998);
   EXPECT_GE(figures.mapped_share, 0.999);
@@ -75,7 +75,7 @@ TEST(ExplorationEvaluation, TheTruthAgainstItselfIsWithoutError) {
 
 TEST(ExplorationEvaluation, WhereTheMapsOriginLiesMakesNoDifference) {
   for (const Pose2& T_map_world : {Pose2{-50, 30, 1}, Pose2{0.333, -7, -3}, Pose2{20, 20.02, kPi / 2}}) {
-    const ExplorationFigures figures = Learned(T_map_world).figures();
+    const ExplorationScore figures = Learned(T_map_world).figures();
     EXPECT_LT(figures.walls.rmse_m, 1e-6);
     EXPECT_EQ(figures.walls.missed_m, 0);
     EXPECT_EQ(figures.walls.false_m, 0);
@@ -88,7 +88,7 @@ TEST(ExplorationEvaluation, HalfTheWaySeesHalfTheFloor) {
   std::vector<Pose2> short_way(learned.T_world_vehicle.begin(), learned.T_world_vehicle.begin() + 30);
   learned.T_world_vehicle = short_way;
   learned.T_map_vehicle = short_way;
-  const ExplorationFigures figures = learned.figures();
+  const ExplorationScore figures = learned.figures();
   EXPECT_NEAR(figures.covered_share, 24.0 / 40, 0.03);
   EXPECT_GE(figures.mapped_share, 0.999);
   EXPECT_NEAR(figures.home_error_m, 2.9, 1e-9);
@@ -155,7 +155,7 @@ TEST(ExplorationEvaluation, ClosedRoomsAreNoCorridorsAndNotMissed) {
                              std::pair(Vec2(9, 9), Vec2(0, 9)), std::pair(Vec2(0, 9), Vec2(0, 3))})
     world.walls.push_back({.foot = {a, b}});
   const Learned learned({});
-  const ExplorationFigures figures =
+  const ExplorationScore figures =
       evaluate_exploration(world, {}, kAllRound, {learned.T_world_vehicle, {}, learned.floor, learned.walls});
   EXPECT_EQ(figures.walls.missed_m, 0);
   EXPECT_NEAR(figures.graph_bound_m, Learned({}).figures().graph_bound_m, 1e-9);
