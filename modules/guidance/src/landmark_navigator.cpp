@@ -80,8 +80,8 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
               "seeing other things than are known for so long it is lost");
   fields.count("strange_sightings_min", strange_sightings_min, {1, 100},
                "a picture with so many sightings of which none is known is strange");
-  fields.count("strange_pictures_max", strange_pictures_max, {1, 10000},
-               "more strange pictures than this, and it is lost; known ones make up for strange ones");
+  fields.real("strange_max_m", strange_max_m, {0.1, 1000},
+              "after so much way of strange pictures it is lost; known ones make up for strange ones");
   fields.real("give_up_s", give_up_s, {1, 600}, "lost for so long it gives up");
   fields.real("off_route_max_m", off_route_max_m, {0.1, 10}, "farther from its route it does not go on");
 }
@@ -130,6 +130,7 @@ LandmarkFix LandmarkNavigator::fix() const {
 
 /// Odometry, then the picture: pose and sightings of this cycle.
 void LandmarkNavigator::locate(const Observation& observation) {
+  const Vec2 p_map_before = localiser_.pose().position();
   localiser_.predict(observation.odometry);
   sightings_.clear();
   match_ = LandmarkMatch::kNothing;
@@ -137,20 +138,20 @@ void LandmarkNavigator::locate(const Observation& observation) {
   if (picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s)) {
     sightings_ = detector_.detect(*picture->image);
     if (state_ != State::kLost) match_ = localiser_.correct(building_->landmarks, sightings_);
-    weigh_strangeness();
+    weigh_strangeness((localiser_.pose().position() - p_map_before).norm());
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
     matched_stamp_s_ = observation.stamp_s;
   stamp_s_ = observation.stamp_s;
 }
 
-/// A single picture of unknown things contradicts nothing: the map has gaps. Many of them do, and a chance
-/// match among them does not make them good.
-void LandmarkNavigator::weigh_strangeness() {
+/// Unknown things contradict nothing where the map has a gap, and standing the vehicle sees the same ones
+/// again and again. A long way of them does, and a chance match among them does not make them good.
+void LandmarkNavigator::weigh_strangeness(double way_m) {
   if (match_ == LandmarkMatch::kMatched) {
-    strange_pictures_ /= 2;
+    strange_way_m_ /= 2;
   } else if (sightings_.size() >= static_cast<std::size_t>(params_.strange_sightings_min)) {
-    ++strange_pictures_;
+    strange_way_m_ += way_m;
   }
 }
 
@@ -160,8 +161,7 @@ std::string LandmarkNavigator::why_lost() const {
   if (sigma_m > params_.lost_m)
     return fmt::format("saw nothing that it knows until unsure by {:.2f} m", sigma_m);
   if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "is unsure which way it points";
-  if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s ||
-      strange_pictures_ > params_.strange_pictures_max)
+  if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s || strange_way_m_ > params_.strange_max_m)
     return "sees other things than it knows";
   return "";
 }
@@ -194,7 +194,7 @@ Decision LandmarkNavigator::find_itself(double stamp_s) {
   progress_ = PathProgress(path_, *along_m);
   state_ = State::kFollowing;
   matched_stamp_s_ = stamp_s;
-  strange_pictures_ = 0;
+  strange_way_m_ = 0;
   return {.state = "found", .why = fmt::format("{:.1f} m along the route", *along_m)};
 }
 

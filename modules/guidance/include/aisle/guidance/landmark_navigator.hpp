@@ -33,7 +33,7 @@ struct LandmarkNavigatorParams {
   double lost_rad = 6 * kDegree;
   double unmatched_max_s = 1.5;
   int strange_sightings_min = 3;
-  int strange_pictures_max = 25;
+  double strange_max_m = 3;
   double give_up_s = 20;
   double off_route_max_m = 1;
 
@@ -69,7 +69,7 @@ class LandmarkNavigator final : public Navigator {
   enum class State { kLooking, kFollowing, kLost };
 
   void locate(const Observation& observation);
-  void weigh_strangeness();
+  void weigh_strangeness(double way_m);
   std::string why_lost() const;
   Decision look_around(double stamp_s);
   Decision find_itself(double stamp_s);
@@ -90,7 +90,7 @@ class LandmarkNavigator final : public Navigator {
   std::vector<LandmarkSighting> sightings_;
   State state_ = State::kLooking;
   std::string why_lost_;
-  int strange_pictures_ = 0;
+  double strange_way_m_ = 0;
   LandmarkMatch match_ = LandmarkMatch::kNothing;
   std::optional<double> state_since_s_;
   double stamp_s_ = 0;
