@@ -134,7 +134,7 @@ CorridorGraph true_corridors(const World& world, const VehicleDescription& vehic
 }
 
 ExplorationScore evaluate_exploration(const World& world, const VehicleDescription& vehicle,
-                                        const SensorField& sensor, const DrivenExploration& driven) {
+                                      const SensorField& sensor, const DrivenExploration& driven) {
   const std::vector<Segment2> standing = slice(world, sensor.height_m);
   const std::vector<Segment2> obstacles = obstacles_below(world, vehicle.footprint.height_m);
   const Pose2& T_world_start = driven.T_world_vehicle.front();

@@ -40,8 +40,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Odometry, its heading held by the walls, which are the axes of `route`. A correction of the heading turns the
-/// way that follows, and never moves the vehicle: the way has no jumps.
+/// Odometry, its heading held by the walls, which are the axes of `route`. A correction of the heading turns
+/// the way that follows, and never moves the vehicle: the way has no jumps.
 std::vector<Pose2> follow(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle) {
   PoseFilter filter(vehicle, about({}, 0, kStartSigma_rad));
   std::vector<Pose2> T_route_vehicle;

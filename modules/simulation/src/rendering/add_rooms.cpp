@@ -7,7 +7,6 @@
 namespace aisle {
 namespace {
 
-
 /// Where a door with its frame covers a wall, in the frame of the closed leaf.
 struct Doorway {
   Pose2 T_leaf_world;

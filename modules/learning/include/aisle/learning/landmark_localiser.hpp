@@ -79,7 +79,7 @@ class LandmarkLocaliser {
   MwghtWindow window() const;
   bool is_elsewhere(const Pose2& best, const Pose2& other) const;
   void pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
-                 const Pose2& T_map_vehicle);
+               const Pose2& T_map_vehicle);
 
   LandmarkLocaliserParams params_;
   PoseFilter filter_;
