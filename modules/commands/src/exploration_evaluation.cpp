@@ -30,8 +30,11 @@ SensorView view_from_everywhere(std::span<const Segment2> standing, std::span<co
     low = low.cwiseMin(s.start).cwiseMin(s.end);
     high = high.cwiseMax(s.start).cwiseMax(s.end);
   }
-  for (double y = low.y(); y < high.y(); y += kViewEvery_m) {
-    for (double x = low.x(); x < high.x(); x += kViewEvery_m) {
+  const Vec2 size = (high - low) / kViewEvery_m;
+  const int rows = static_cast<int>(std::ceil(size.y())), columns = static_cast<int>(std::ceil(size.x()));
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const double x = low.x() + column * kViewEvery_m, y = low.y() + row * kViewEvery_m;
       if (floor.reaches({x, y})) view.look({x, y, 0}, sensor.reach_m, 2 * kPi);
     }
   }

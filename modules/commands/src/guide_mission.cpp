@@ -78,8 +78,9 @@ double graph_coverage(const CorridorGraph& graph, const std::vector<Pose2>& T_ma
   std::size_t points = 0, covered = 0;
   std::vector<int> near;
   for (const Corridor& corridor : graph.corridors) {
-    for (double along_m = 0; along_m <= corridor.length_m(); along_m += kCoverEvery_m) {
-      const Vec2 p = corridor.at(along_m);
+    const int steps = static_cast<int>(corridor.length_m() / kCoverEvery_m);
+    for (int k = 0; k <= steps; ++k) {
+      const Vec2 p = corridor.at(k * kCoverEvery_m);
       index.query(p, p, kCoverWithin_m, near);
       const bool is_covered = std::any_of(near.begin(), near.end(), [&](int i) {
         return lines[static_cast<std::size_t>(i)].distance(p) <= kCoverWithin_m;

@@ -34,8 +34,8 @@ void SensorView::look(const Pose2& T_world_sensor, double reach_m, double width_
     const Vec2 direction = unit(T_world_sensor.theta + width_rad * (static_cast<double>(i) / rays - 0.5));
     const double wall_m = grid_.cast(origin, direction);
     const double free_m = std::min(reach_m, wall_m);
-    for (double way_m = 0; way_m < free_m; way_m += cell_m_ / kMarksPerCell)
-      mark(origin + way_m * direction, kPassed);
+    const int marks = static_cast<int>(std::ceil(free_m * kMarksPerCell / cell_m_));
+    for (int k = 0; k < marks; ++k) mark(origin + k * cell_m_ / kMarksPerCell * direction, kPassed);
     if (wall_m <= reach_m) mark(origin + wall_m * direction, kStruck);
   }
 }

@@ -49,7 +49,10 @@ Path joined(const Path& a, const Path& b) {
 bool is_clear(const FloorGrid& floor, const Vec2& from, const Vec2& to, double spare_m) {
   const Vec2 way = to - from;
   const double length_m = way.norm();
-  for (double along_m = 0; along_m < length_m - spare_m; along_m += floor.cell_m() / 2) {
+  const double step_m = floor.cell_m() / 2;
+  const int steps = static_cast<int>(std::ceil((length_m - spare_m) / step_m));
+  for (int i = 0; i < steps; ++i) {
+    const double along_m = i * step_m;
     if (floor.at(Vec2(from + way * (along_m / length_m))) != Floor::kFree) return false;
   }
   return true;

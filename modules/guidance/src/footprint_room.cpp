@@ -48,8 +48,11 @@ bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& cl
   const Vec2 ahead = unit(T_map_vehicle.theta), aside = left_normal(ahead);
   const double step_m = 0.8 * floor.cell_m(), inset_m = 1.1 * floor.cell_m() - margin_m_ / 2,
                half_m = footprint_.width_m / 2;
-  for (double x = inset_m - footprint_.rear_m; x <= footprint_.front_m - inset_m; x += step_m) {
-    for (double y = inset_m - half_m; y <= half_m - inset_m; y += step_m) {
+  const int columns = static_cast<int>((footprint_.front_m + footprint_.rear_m - 2 * inset_m) / step_m),
+            rows = static_cast<int>(2 * (half_m - inset_m) / step_m);
+  for (int column = 0; column <= columns; ++column) {
+    for (int row = 0; row <= rows; ++row) {
+      const double x = inset_m - footprint_.rear_m + column * step_m, y = inset_m - half_m + row * step_m;
       if (floor.at(Vec2(T_map_vehicle.position() + x * ahead + y * aside)) != Floor::kFree) return false;
     }
   }
@@ -62,10 +65,11 @@ double FootprintRoom::free_way_m(const FloorGrid& floor, const FloorClearance& c
     const Pose2 T_map = path.at(along_m).T_map_path;
     return fits(floor, clearance, T_map) || fits_barely(floor, clearance, T_map, 0);
   };
-  for (double along_m = from_m; along_m < path.length_m(); along_m += kWayCheck_m) {
-    if (!is_free(along_m)) return along_m - from_m;
-  }
   const double left_m = path.length_m() - from_m;
+  const int checks = static_cast<int>(std::ceil(left_m / kWayCheck_m));
+  for (int i = 0; i < checks; ++i) {
+    if (!is_free(from_m + i * kWayCheck_m)) return i * kWayCheck_m;
+  }
   return is_free(path.length_m()) ? left_m : left_m - kWayCheck_m;
 }
 

@@ -212,7 +212,9 @@ void GuideNavigator::search_way(double stamp_s) {
 double GuideNavigator::care(double steering_rad) const {
   const double along_m = progress_->point().along_m;
   double spare_m = kAmpleSpare_m, wheels_off_rad = 0;
-  for (double ahead_m = 0; ahead_m <= kCareAhead_m; ahead_m += kCareEvery_m) {
+  constexpr int kPlaces = static_cast<int>(kCareAhead_m / kCareEvery_m) + 1;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double ahead_m = i * kCareEvery_m;
     const PathPoint point = path_.at(along_m + ahead_m);
     spare_m = std::min(spare_m, room_at(point.T_map_path));
     const double wanted_rad = std::atan(point.curvature_per_m * vehicle_.front_steered.wheelbase_m);
@@ -224,7 +226,7 @@ double GuideNavigator::care(double steering_rad) const {
 
 Decision GuideNavigator::drive(const Observation& observation) {
   const double steering_rad = wheels_now(observation.odometry);
-  const Decision standing{.command = {.steering_rad = steering_rad}, .state = "searching"};
+  Decision standing{.command = {.steering_rad = steering_rad}, .state = "searching"};
   if (!progress_) return standing;
   const PathPoint& point = progress_->advance(T_map_vehicle_);
   if (progress_->has_arrived()) {

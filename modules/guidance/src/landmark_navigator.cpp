@@ -41,7 +41,9 @@ std::optional<double> along_route(const Path& path, const Pose2& T_map_vehicle, 
   constexpr double kStep_m = 0.05, kFacing_rad = 45 * kDegree;
   std::optional<double> nearest;
   double nearest_m = off_max_m;
-  for (double along_m = 0; along_m <= path.length_m(); along_m += kStep_m) {
+  const int steps = static_cast<int>(path.length_m() / kStep_m);
+  for (int i = 0; i <= steps; ++i) {
+    const double along_m = i * kStep_m;
     const Pose2 off = between(path.at(along_m).T_map_path, T_map_vehicle);
     if (std::abs(off.theta) > kFacing_rad || off.position().norm() > nearest_m) continue;
     nearest = along_m;

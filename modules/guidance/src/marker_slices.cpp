@@ -68,13 +68,13 @@ class MarkerSlices final : public SliceSensor {
     const CameraModel model(camera_.intrinsics);
     for (std::size_t beam = 0; beam < near_m_.size(); ++beam) {
       const Vec2 along = unit(fan_.beam_angle(beam));
-      double range_m = kNearStep_m;
-      for (; range_m < kStripeReach_m; range_m += kNearStep_m) {
-        const Vec2 p = p_vehicle_lens() + range_m * along;
+      int step = 1;
+      for (; step * kNearStep_m < kStripeReach_m; ++step) {
+        const Vec2 p = p_vehicle_lens() + step * kNearStep_m * along;
         const auto pixel = model.project(camera_.mount.to_camera({p.x(), p.y(), height_m_}));
         if (pixel && is_inside(*pixel)) break;
       }
-      near_m_[beam] = static_cast<float>(range_m);
+      near_m_[beam] = static_cast<float>(step * kNearStep_m);
     }
   }
 
@@ -105,12 +105,11 @@ class MarkerSlices final : public SliceSensor {
   void put_line(const Vec2& right, const Vec2& left, std::vector<float>& ranges_m) const {
     const double first = (heading_of(right) - fan_.first_angle_rad) / kFanStep_rad;
     const double last = (heading_of(left) - fan_.first_angle_rad) / kFanStep_rad;
-    for (double beam = std::max(0.0, std::ceil(first)); beam <= last; ++beam) {
-      const auto at = static_cast<std::size_t>(beam);
-      if (at >= ranges_m.size()) return;
+    const auto beams = static_cast<int>(ranges_m.size());
+    for (int beam = static_cast<int>(std::ceil(std::max(0.0, first))); beam <= last && beam < beams; ++beam) {
       const double share = last > first ? (beam - first) / (last - first) : 0;
       const auto range_m = static_cast<float>((right + share * (left - right)).norm());
-      float& held_m = ranges_m[at];
+      float& held_m = ranges_m[static_cast<std::size_t>(beam)];
       if (held_m == 0 || range_m < held_m) held_m = range_m;
     }
   }

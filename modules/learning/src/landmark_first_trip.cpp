@@ -154,6 +154,7 @@ class TripAdjuster {
   void adjust(std::vector<Pose2>& T_map_vehicle, std::vector<TripLandmark>& landmarks,
               std::span<const LandmarkLoop> loops) const {
     std::vector<Landmark> moved;
+    moved.reserve(landmarks.size());
     for (const TripLandmark& landmark : landmarks) moved.push_back(landmark.landmark);
     adjust_landmarks(cycles_, observations(cycles_, vehicle_, params_.localiser, T_map_vehicle, landmarks),
                      loops, vehicle_, T_map_vehicle, moved);
@@ -176,6 +177,7 @@ LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const Vehicle
   std::vector<TripLandmark> found = first.landmarks(params.sightings_min);
   if (params.adjust) TripAdjuster(cycles, vehicle, params).run(trip.T_map_vehicle, found);
   std::vector<Landmark> landmarks;
+  landmarks.reserve(found.size());
   for (const TripLandmark& landmark : found) landmarks.push_back(landmark.landmark);
   settle_weights(landmarks, trip.T_map_vehicle.front().position(), params.weight_min);
   trip.map.assign(std::move(landmarks));

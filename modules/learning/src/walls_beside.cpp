@@ -9,7 +9,7 @@ namespace aisle {
 namespace {
 
 constexpr double kAlong_rad = 8 * kDegree;
-constexpr double kSeenMin_m = 0.2;
+constexpr double kSeenBesideMin_m = 0.2;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ void find_walls_beside(std::span<const SensedSegment> edges, const Pose2& T_way_
                        std::vector<WallBeside>& beside) {
   beside.clear();
   for (const SensedSegment& edge : edges) {
-    if (edge.length_m < kSeenMin_m) continue;
+    if (edge.length_m < kSeenBesideMin_m) continue;
     const Vec2 start = T_way_vehicle * edge.segment.start, end = T_way_vehicle * edge.segment.end;
     const double along_m = std::abs(end.x() - start.x()), across_m = std::abs(end.y() - start.y());
     if (std::atan2(across_m, along_m) > kAlong_rad) continue;

@@ -35,7 +35,7 @@ class WaySearch {
  private:
   /// The leg's length; infinity if a closed place lies on it.
   double free_m(const CorridorLeg& leg) const {
-    const auto [low_m, high_m] = std::minmax(leg.from_m, leg.to_m);
+    const double low_m = std::min(leg.from_m, leg.to_m), high_m = std::max(leg.from_m, leg.to_m);
     const bool is_closed = std::any_of(closed_.begin(), closed_.end(), [&](const CorridorPlace& place) {
       return place.corridor == leg.corridor && low_m <= place.along_m && place.along_m <= high_m;
     });

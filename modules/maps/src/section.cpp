@@ -52,7 +52,9 @@ std::vector<Vec2> curve_vertices(const Vec2& p_start_end) {
   const double bend = ahead_m / (left_m * left_m);  // x = ahead - bend (left - y)^2
   std::vector<Vec2> vertices;
   double y = 0;
-  for (double direction_rad = kTurnQuantum_rad; direction_rad < kPi / 2; direction_rad += kTurnQuantum_rad) {
+  constexpr int kQuantaToQuarter = 36;
+  for (int quanta = 1; quanta < kQuantaToQuarter; ++quanta) {
+    const double direction_rad = quanta * kTurnQuantum_rad;
     const double next = 2 * left_m - y - 1 / (std::tan(direction_rad) * bend);
     if (next <= y) continue;
     if (next >= left_m) break;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kWidth_px = 1200;
 constexpr double kLeft_px = 90, kRight_px = kWidth_px - 30, kTop_px = 46, kChartBottom_px = 72;
-constexpr Color kCurve{0.13, 0.47, 0.86}, kUnderCurve{0.13, 0.47, 0.86, 0.15}, kGrid{0.88, 0.89, 0.91};
+constexpr Color kCurve{0.13, 0.47, 0.86}, kUnderCurve{0.13, 0.47, 0.86, 0.15}, kRule{0.88, 0.89, 0.91};
 constexpr std::array<Color, 6> kStateColors = {{{0.30, 0.62, 0.87},
                                                 {0.95, 0.66, 0.24},
                                                 {0.45, 0.74, 0.45},
@@ -44,7 +44,7 @@ void draw_axes(Canvas& canvas, const Axes& axes, const std::string& title, const
   const double value_step = round_length(std::max(axes.value_max / 3, 1e-9));
   for (int i = 0; i * value_step <= axes.value_max; ++i) {
     const Vec2 left = axes.at(0, i * value_step);
-    canvas.line(left, axes.at(axes.way_m, i * value_step), {kGrid, 1});
+    canvas.line(left, axes.at(axes.way_m, i * value_step), {kRule, 1});
     const std::string label = fmt::format("{:g}", i * value_step);
     canvas.text(left - Vec2(canvas.text_width(label, kAxisFont) + 10, -5), label, kAxisFont);
   }
