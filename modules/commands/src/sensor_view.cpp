@@ -48,8 +48,8 @@ void SensorView::mark(const Vec2& p_world, std::uint8_t mark) {
 
 Vec2 SensorView::centre(std::size_t cell) const {
   const auto columns = static_cast<std::size_t>(columns_);
-  return corner_ +
-         cell_m_ * Vec2(static_cast<double>(cell % columns) + 0.5, static_cast<double>(cell / columns) + 0.5);
+  const std::size_t column = cell % columns, row = cell / columns;
+  return corner_ + cell_m_ * Vec2(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
 }
 
 bool SensorView::has_nearby(std::size_t cell, std::uint8_t mark) const {
