@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Section::Kind;
 
-constexpr int kMillimetres = 3;
+constexpr int kSectionDecimals = 3;
 constexpr double kLengthMax_m = 10'000, kCornerMax_m = 10, kCornerMin_m = 0.05, kBesideMax_m = 20;
 constexpr int kQuantaMax = 144;  // of a whole turn
 
@@ -127,12 +127,12 @@ std::string section_text(const Section& section) {
   if (section.kind == Kind::kTurn)
     return text + fmt::format(" {}", std::lround(std::abs(section.turn_rad) / kTurnQuantum_rad));
   if (section.kind == Kind::kCurve) {
-    return text + " " + decimals(section.p_start_end.x(), kMillimetres) + " " +
-           decimals(section.p_start_end.y(), kMillimetres);
+    return text + " " + decimals(section.p_start_end.x(), kSectionDecimals) + " " +
+           decimals(section.p_start_end.y(), kSectionDecimals);
   }
-  text += " " + decimals(section.length_m, kMillimetres);
-  if (section.right_m) text += " right " + decimals(*section.right_m, kMillimetres);
-  if (section.left_m) text += " left " + decimals(*section.left_m, kMillimetres);
+  text += " " + decimals(section.length_m, kSectionDecimals);
+  if (section.right_m) text += " right " + decimals(*section.right_m, kSectionDecimals);
+  if (section.left_m) text += " left " + decimals(*section.left_m, kSectionDecimals);
   return text;
 }
 
