@@ -132,6 +132,7 @@ CorridorGraph read_corridors(const JsonValue& value) {
 
 std::string places_json(const std::vector<MapPlace>& places) {
   std::vector<std::string> texts;
+  texts.reserve(places.size());
   for (const MapPlace& place : places) {
     texts.push_back(fmt::format(R"({{"name": {}, "at_m": {}, "heading_deg": {}}})", quoted_json(place.name),
                                 point_json(place.T_map_place.position(), kCorridorDecimals_m),
