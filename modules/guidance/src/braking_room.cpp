@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kReaction_s = 0.25;  // from a command to what comes of it
 constexpr double kStopSlack_m = 0.03;
-constexpr double kSpareNoise_m = 0.004;   // of the room that the vehicle seems to have
+constexpr double kRoomNoise_m = 0.004;    // of the room that the vehicle seems to have
 constexpr double kStruckMatters_m = 1.5;  // from the vehicle's outline
 constexpr double kStruckMargin_m = 0.03;
 
@@ -59,11 +59,11 @@ double BrakingRoom::stopping_way_m(double speed_mps) const {
 bool BrakingRoom::is_free_at(const FloorGrid& floor, const FloorClearance& clearance,
                              const Pose2& T_map_vehicle, const Pose2& T_vehicle_later) const {
   const double struck_later_m = struck_m(T_vehicle_later);
-  if (struck_later_m < kStruckMargin_m && struck_later_m < struck_m({}) - kSpareNoise_m) return false;
+  if (struck_later_m < kStruckMargin_m && struck_later_m < struck_m({}) - kRoomNoise_m) return false;
   const Pose2 T_map_later = T_map_vehicle * T_vehicle_later;
   if (room_.spare_m(floor, clearance, T_map_later) >= 0) return true;
   const double standing_m = room_.standing_spare_m(floor, clearance, T_map_vehicle);
-  return room_.fits_barely(floor, clearance, T_map_later, standing_m - kSpareNoise_m);
+  return room_.fits_barely(floor, clearance, T_map_later, standing_m - kRoomNoise_m);
 }
 
 /// From the footprint to the nearest thing that was struck.
