@@ -38,10 +38,6 @@ void LandmarkLocaliserParams::describe(FieldList& fields) {
   fields.flag("covariance", covariance, "errors along and across the line of sight are kept apart");
 }
 
-double confidence_weight(const Vec2& p_vehicle, double confidence_m2) {
-  return 1 / (1 + p_vehicle.squaredNorm() / confidence_m2);
-}
-
 /// A runner-up on the flank of the best peak is refined to the same place: it is no hypothesis of its own.
 bool LandmarkLocaliser::is_elsewhere(const Pose2& best, const Pose2& other) const {
   const Pose2 off = between(best, other);
@@ -59,9 +55,9 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
   matched_share_ = 0;
   agreement_ = 0;
   evidence_ = 0;
-  gather(map, sightings);
-  if (learned_.empty() || seen_.empty()) return LandmarkMatch::kNothing;
-  const auto match = mwght_.match(learned_, seen_, window());
+  patterns_.gather(map, sightings, filter_.pose(), params_.confidence_m2, window(), params_.mwght.reach_m);
+  if (patterns_.learned.empty()) return LandmarkMatch::kNothing;
+  const auto match = mwght_.match(patterns_.learned, patterns_.seen, window());
   if (!match) return without_match(map, sightings);
   Pose2 T_map_guess = filter_.pose() * match->best.displacement;
   pair_up(map, sightings, T_map_guess);
@@ -95,34 +91,11 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
 LandmarkMatch LandmarkLocaliser::without_match(const LandmarkMap& map,
                                                std::span<const LandmarkSighting> sightings) {
   const LandmarkView view(sightings);
-  const auto expected = std::count_if(near_.begin(), near_.end(), [&](int i) {
+  const auto expected = std::count_if(patterns_.near.begin(), patterns_.near.end(), [&](int i) {
     const Landmark& landmark = map[static_cast<std::size_t>(i)];
     return landmark.weight >= kSureWeight && view.expects(landmark, filter_.pose());
   });
   return expected >= kContradictingMin ? LandmarkMatch::kUnmatched : LandmarkMatch::kNothing;
-}
-
-/// Both patterns as the vehicle sees or would see them: the displacement between them is then the correction
-/// of the vehicle's pose.
-void LandmarkLocaliser::gather(const LandmarkMap& map, std::span<const LandmarkSighting> sightings) {
-  learned_.clear();
-  seen_.clear();
-  if (sightings.empty()) return;
-  Vec2 low = sightings.front().p_vehicle, high = low;
-  for (const LandmarkSighting& sighting : sightings) {
-    low = low.cwiseMin(sighting.p_vehicle);
-    high = high.cwiseMax(sighting.p_vehicle);
-    seen_.push_back({sighting.p_vehicle, confidence_weight(sighting.p_vehicle, params_.confidence_m2)});
-  }
-  const MwghtWindow around = window();
-  const double reach_m =
-      std::max(around.x_half_m, around.y_half_m) + high.norm() * around.turn_half_rad + params_.mwght.reach_m;
-  map.within(filter_.pose() * Vec2((low + high) / 2), (high - low).norm() / 2 + reach_m, near_);
-  const Pose2 T_vehicle_map = filter_.pose().inverse();
-  for (const int i : near_) {
-    const Landmark& landmark = map[static_cast<std::size_t>(i)];
-    learned_.push_back({T_vehicle_map * landmark.p_map, landmark.weight});
-  }
 }
 
 MwghtWindow LandmarkLocaliser::window() const {
@@ -143,19 +116,19 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
                                 const Pose2& T_map_vehicle) {
   pairs_.clear();
   points_.clear();
-  taken_.assign(near_.size(), 0);
+  taken_.assign(patterns_.near.size(), 0);
   const Pose2 T_vehicle_map = T_map_vehicle.inverse();
   const Mat2 R_map_vehicle = rotation(T_map_vehicle.theta);
   double matched = 0, all = 0, agreement = 0;
   evidence_ = 0;
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const LandmarkSighting& sighting = sightings[i];
-    all += seen_[i].weight;
+    all += patterns_.seen[i].weight;
     double nearest = square(params_.gate_sigmas);
-    std::size_t best = near_.size();
+    std::size_t best = patterns_.near.size();
     Mat2 best_covariance = Mat2::Identity();
-    for (std::size_t k = 0; k < near_.size(); ++k) {
-      const Landmark& landmark = map[static_cast<std::size_t>(near_[k])];
+    for (std::size_t k = 0; k < patterns_.near.size(); ++k) {
+      const Landmark& landmark = map[static_cast<std::size_t>(patterns_.near[k])];
       if (taken_[k] || (params_.polarity && landmark.brighter_right != sighting.brighter_right)) continue;
       const Mat2 known = R_map_vehicle.transpose() * landmark.covariance * R_map_vehicle +
                          square(params_.landmark_sigma_m) * Mat2::Identity();
@@ -169,12 +142,12 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
       best = k;
       best_covariance = covariance;
     }
-    if (best == near_.size()) continue;
+    if (best == patterns_.near.size()) continue;
     taken_[best] = 1;
-    matched += seen_[i].weight;
-    agreement += seen_[i].weight * std::exp(-nearest / 2);
+    matched += patterns_.seen[i].weight;
+    agreement += patterns_.seen[i].weight * std::exp(-nearest / 2);
     evidence_ += std::max(0.0, kPairEvidence - nearest / 2);
-    const std::size_t landmark = static_cast<std::size_t>(near_[best]);
+    const std::size_t landmark = static_cast<std::size_t>(patterns_.near[best]);
     pairs_.push_back({i, landmark});
     const Vec2 by_tilt = params_.covariance ? sighting.by_tilt : Vec2(Vec2::Zero());
     points_.push_back(

@@ -152,25 +152,11 @@ bool LandmarkRelocator::best_is_distinct() const {
 
 void LandmarkRelocator::try_place(const LandmarkMap& map, const Pose2& T_map_tried,
                                   std::span<const LandmarkSighting> seen) {
-  Vec2 low = seen.front().p_vehicle, high = low;
-  seen_.clear();
-  for (const LandmarkSighting& sighting : seen) {
-    low = low.cwiseMin(sighting.p_vehicle);
-    high = high.cwiseMax(sighting.p_vehicle);
-    seen_.push_back({sighting.p_vehicle, confidence_weight(sighting.p_vehicle, matching_.confidence_m2)});
-  }
-  const double reach_m = (high - low).norm() / 2 + params_.window_m + high.norm() * params_.window_rad;
-  map.within(T_map_tried * Vec2((low + high) / 2), reach_m, near_);
-  if (near_.size() < static_cast<std::size_t>(params_.pairs_min)) return;
-  const Pose2 T_tried_map = T_map_tried.inverse();
-  learned_.clear();
-  for (const int i : near_) {
-    const Landmark& landmark = map[static_cast<std::size_t>(i)];
-    learned_.push_back({T_tried_map * landmark.p_map, 1});
-  }
   const MwghtWindow window{
       .x_half_m = params_.window_m, .y_half_m = params_.window_m, .turn_half_rad = params_.window_rad};
-  const auto match = mwght_.match(learned_, seen_, window);
+  patterns_.gather(map, seen, T_map_tried, matching_.confidence_m2, window, matching_.mwght.reach_m);
+  if (patterns_.near.size() < static_cast<std::size_t>(params_.pairs_min)) return;
+  const auto match = mwght_.match(patterns_.learned, patterns_.seen, window);
   if (!match) return;
   candidates_.push_back({T_map_tried * match->best.displacement, match->best.value});
   if (match->runner_up)

@@ -6,10 +6,8 @@
 #include <vector>
 
 #include "aisle/core/parameters.hpp"
+#include "aisle/learning/landmark_patterns.hpp"
 #include "aisle/learning/pose_filter.hpp"
-#include "aisle/maps/landmark_map.hpp"
-#include "aisle/matching/mwght.hpp"
-#include "aisle/vision/landmark_sightings.hpp"
 
 namespace aisle {
 
@@ -32,9 +30,6 @@ struct LandmarkLocaliserParams {
 
   void describe(FieldList& fields);
 };
-
-/// C98 eq. (16): how much a landmark at this place counts when it is seen for the first time.
-double confidence_weight(const Vec2& p_vehicle, double confidence_m2);
 
 /// What one picture said about the pose.
 enum class LandmarkMatch {
@@ -78,7 +73,6 @@ class LandmarkLocaliser {
   static constexpr double kPairEvidence = 3;
 
  private:
-  void gather(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
   LandmarkMatch without_match(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
   MwghtWindow window() const;
   bool is_elsewhere(const Pose2& best, const Pose2& other) const;
@@ -88,8 +82,7 @@ class LandmarkLocaliser {
   LandmarkLocaliserParams params_;
   PoseFilter filter_;
   Mwght mwght_;
-  std::vector<int> near_;
-  std::vector<WeightedPoint> learned_, seen_;  ///< in base_link as predicted
+  LandmarkPatterns patterns_;  ///< of the last picture, in base_link as predicted
   std::vector<LandmarkPair> pairs_, first_pairs_;
   std::vector<SeenPoint> points_;
   std::vector<char> taken_;

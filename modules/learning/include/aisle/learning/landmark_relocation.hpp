@@ -76,8 +76,7 @@ class LandmarkRelocator {
   std::size_t judged_ = 0;  ///< candidates, of those that are promising
   int agreed_ = 0;          ///< pictures in which the best stayed the best
   std::vector<Candidate> candidates_;
-  std::vector<int> near_;
-  std::vector<WeightedPoint> learned_, seen_;
+  LandmarkPatterns patterns_;  ///< at one place
 };
 
 }  // namespace aisle
