@@ -20,10 +20,11 @@ std::string turning_json(const RoomTurning& turning) {
                      decimals(turning.start_m, kRoomMillimetres), decimals(turning.end_m, kRoomMillimetres));
 }
 
-std::string view_json(const BrightnessView& view) {
-  std::string text;
-  for (const double share : view) text += (text.empty() ? "[" : ", ") + decimals(share, kViewDecimals);
-  return text + "]";
+std::string view_json(const StopView& view) {
+  std::string shares;
+  for (const double share : view.brightness)
+    shares += (shares.empty() ? "[" : ", ") + decimals(share, kViewDecimals);
+  return fmt::format(R"({{"left_m": {}, "at": {}]}})", decimals(view.left_m, kRoomMillimetres), shares);
 }
 
 template <class Item, class Text>
@@ -55,10 +56,14 @@ RoomTurning read_turning(const JsonValue& value) {
   return turning;
 }
 
-BrightnessView read_view(const JsonValue& value) {
-  BrightnessView view{};
-  if (!value.is_list_of(view.size())) return view;
-  for (std::size_t i = 0; i < view.size(); ++i) value.element(i).read_number(view[i], 0, 1);
+StopView read_view(const JsonValue& value) {
+  StopView view;
+  if (!value.is_object_of({"left_m", "at"})) return view;
+  if (const auto left = value.require("left_m")) left->read_number(view.left_m, 0, kWayMax_m);
+  const auto at = value.require("at");
+  if (!at || !at->is_list_of(view.brightness.size())) return view;
+  for (std::size_t i = 0; i < view.brightness.size(); ++i)
+    at->element(i).read_number(view.brightness[i], 0, 1);
   return view;
 }
 

@@ -36,7 +36,7 @@ void FrameParking::look(const Observation& observation, const Pose2& T_odom_vehi
   T_odom_vehicle_ = T_odom_vehicle;
   if (const auto* motion = std::get_if<FrontSteeredMotion>(&observation.odometry))
     steering_rad_ = motion->steering_rad;
-  for (const char* name : {kThirdCamera, kFirstCamera, kSecondCamera}) {
+  for (const char* name : {kFirstCamera, kThirdCamera, kSecondCamera}) {
     const CameraDescription* camera = vehicle_.camera(name);
     if (camera == nullptr) continue;
     const CameraPicture* picture = present_picture(observation, name, vehicle_.cycle_s);

@@ -34,6 +34,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.group("steering", steering);
   fields.group("pictures", pictures);
   fields.group("frame", frame);
+  fields.group("stop_views", stop_views);
   fields.real("speed_mps", speed_mps, {0.02, 2}, "between turnings");
   fields.real("turning_speed_mps", turning_speed_mps, {0.02, 2}, "in turnings");
   fields.real("parking_speed_mps", parking_speed_mps, {0.02, 2}, "near the end");
@@ -56,15 +57,17 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("blind_max_s", blind_max_s, {0.5, 1000}, "without a good picture it gives up");
 }
 
-RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle, Route route)
+RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle, Route route,
+                             double from_m)
     : params_(params),
       vehicle_(vehicle),
       route_(room_route(std::move(route))),
       view_(first_view(params, vehicle)),
       watch_(params.pictures, room_camera(vehicle, kFirstCamera)),
       edges_(kRemembered_m),
-      progress_(route_.path),
-      T_odom_vehicle_(route_.path.at(0).T_map_path),
+      progress_(route_.path, from_m),
+      stop_views_(params.stop_views, route_.room->views),
+      T_odom_vehicle_(route_.path.at(from_m).T_map_path),
       brightness_(route_.room->brightness) {
   if (route_.room->parking == ParkingStrategy::kFrame)
     frame_ = std::make_unique<FrameParking>(params.frame, vehicle, route_.room->frame_size_m);
@@ -83,12 +86,11 @@ Decision RoomNavigator::step(const Observation& observation) {
             .state = "blind",
             .why = trouble.value_or("no picture yet")};
   }
-  if (frame_) {
+  if (frame_ && left_m() < params_.frame_within_m) {
     frame_->look(observation, T_odom_vehicle_, route_.path.pieces().back().end().theta);
-    if (state_ == State::kFollowing && left_m() < params_.frame_within_m && frame_->sees_frame())
-      state_ = State::kParkingInFrame;
+    if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
   }
-  if (state_ == State::kParkingInFrame) return frame_->step();
+  if (state_ == State::kParkingInFrame) return park_in_frame(observation.stamp_s);
   if (state_ == State::kBackingOff) return back_off(observation.stamp_s);
   return follow(observation.stamp_s);
 }
@@ -97,6 +99,7 @@ void RoomNavigator::look(const Observation& observation) {
   const CameraPicture* picture = watch_.look(observation);
   if (picture == nullptr) return;
   sight_ = view_.look(*picture->image);
+  stop_views_.take(*picture->image, left_to_end_m());
   is_strange_ = !is_route_bright_as_learned();
   if (!is_strange_) edges_.take(view_, *sight_, T_odom_vehicle_);
 }
@@ -114,10 +117,31 @@ double RoomNavigator::steering_to(const Vec2& p_vehicle) const {
   return std::atan(vehicle_.front_steered.wheelbase_m * curvature_per_m);
 }
 
+/// The frame's lines look like edges of the route, and are none.
+Decision RoomNavigator::park_in_frame(double now_s) {
+  constexpr double kAboutLines_m = 0.15;
+  edges_.clear(*frame_->frame(), frame_->size_m() + 2 * Vec2(kAboutLines_m, kAboutLines_m));
+  const Decision decision = frame_->step();
+  if (decision.status != NavigatorStatus::kGoing || decision.command.speed_mps == 0) return decision;
+  const int direction = decision.command.speed_mps > 0 ? 1 : -1;
+  const SteeringChoice way = free_way(vehicle_, params_.steering, edges_.around(T_odom_vehicle_),
+                                      decision.command.steering_rad, direction);
+  if (way.free_m >= params_.stop_free_m) {
+    stopped_s_.reset();
+    return decision;
+  }
+  if (!stopped_s_) stopped_s_ = now_s;
+  const bool is_lasting = now_s - *stopped_s_ > params_.blind_max_s;
+  return {.status = is_lasting ? NavigatorStatus::kFailed : NavigatorStatus::kGoing,
+          .state = "waiting",
+          .why = "something is in the way to the frame"};
+}
+
 /// L96 section 3.1: 30 degrees away from what the check regions show.
 std::optional<double> RoomNavigator::avoiding_rad() const {
   const RouteChecks& checks = sight_->checks;
-  if (!params_.avoid_as_published) return std::nullopt;
+  const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
+  if (!params_.avoid_as_published || is_turning) return std::nullopt;
   if (checks.left && !checks.right) return -params_.avoid_rad;
   if (checks.right && !checks.left) return params_.avoid_rad;
   if (checks.ahead) return checks.left_share > checks.right_share ? params_.avoid_rad : -params_.avoid_rad;
@@ -197,6 +221,13 @@ double RoomNavigator::gap_ahead_m() const {
   return gap_m;
 }
 
+/// Way to the end of the route as the last leg leads on.
+double RoomNavigator::left_to_end_m() const {
+  const double straight_m = between(T_odom_vehicle_, route_.path.pieces().back().end()).x;
+  constexpr double kLastLeg_m = 1;
+  return left_m() > kLastLeg_m ? left_m() : straight_m;
+}
+
 std::optional<Decision> RoomNavigator::arrived() {
   const Decision done{.status = NavigatorStatus::kDone, .state = "parked"};
   switch (route_.room->parking) {
@@ -210,7 +241,7 @@ std::optional<Decision> RoomNavigator::arrived() {
             .status = NavigatorStatus::kFailed, .state = "no frame", .why = "there is no frame to be seen"};
       break;
     case ParkingStrategy::kView:
-      if (progress_.has_arrived()) return done;
+      if (left_to_end_m() + stop_views_.shift_m() <= vehicle_.cycle_s * params_.parking_speed_mps) return done;
       break;
   }
   return std::nullopt;

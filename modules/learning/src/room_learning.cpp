@@ -15,6 +15,7 @@ void RoomLearningParams::describe(FieldList& fields) {
   fields.group("frame", frame);
   fields.real("frame_from_m", frame_from_m, {0, 20}, "the parking frame is measured so far from the end");
   fields.real("frame_to_m", frame_to_m, {0, 20}, "up to so far");
+  fields.real("views_m", views_m, {0, 20}, "views are learned on so much way before a taught place");
 }
 
 namespace {
@@ -108,6 +109,16 @@ std::optional<Vec2> frame_size(std::span<const RoomCycle> cycles, const LearnedR
   return Vec2(median_of(along_m), median_of(across_m));
 }
 
+std::vector<StopView> views_before_end(std::span<const RoomCycle> cycles, const LearnedRoute& learned,
+                                       double reach_m) {
+  std::vector<StopView> views;
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    const double left_m = between(learned.T_route_vehicle[i], learned.T_route_vehicle.back()).position().norm();
+    if (cycles[i].view && left_m <= reach_m) views.push_back({left_m, *cycles[i].view});
+  }
+  return views;
+}
+
 }  // namespace
 
 Result<LearnedRoute> learn_room_route(std::span<const RoomCycle> cycles, const VehicleDescription& vehicle,
@@ -137,6 +148,7 @@ Result<LearnedRoute> learn_room_route(std::span<const RoomCycle> cycles, const V
     if (!size_m) return Problem{{}, "shows no parking frame before its end"};
     room.frame_size_m = *size_m;
   }
+  if (room.parking == ParkingStrategy::kView) room.views = views_before_end(cycles, learned, params.views_m);
   learned.route.path = fit_path(learned.T_route_vehicle, params.path);
   learned.route.room = std::move(room);
   return learned;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <optional>
 #include <string>
 
 #include "aisle/commands/outcome.hpp"
@@ -35,6 +36,7 @@ struct DriveOptions {
   std::string scenario;  ///< empty: nothing goes wrong
   std::string camera;    ///< the only one that takes pictures; empty: all do
   std::string route;     ///< what the session calls the way that is driven; may be empty
+  std::optional<Pose2> T_world_start;  ///< else the world's
   std::uint64_t seed = 1;
   std::filesystem::path out;  ///< of the session; empty: none is kept
   bool force = false;

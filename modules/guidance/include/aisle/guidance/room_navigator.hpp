@@ -12,6 +12,7 @@
 #include "aisle/guidance/free_steering.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/picture_watch.hpp"
+#include "aisle/guidance/stop_view_matcher.hpp"
 #include "aisle/maps/route.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 #include "aisle/vision/route_view.hpp"
@@ -23,10 +24,11 @@ struct RoomNavigatorParams {
   FreeSteeringParams steering;
   PictureWatchParams pictures;
   FrameParkingParams frame;
+  StopViewParams stop_views;
   double speed_mps = 0.3;
   double turning_speed_mps = 0.2;
   double parking_speed_mps = 0.12;
-  double look_ahead_m = 1.1;
+  double look_ahead_m = 0.8;
   double middle_share = 0.4;
   double turning_middle_share = 0.15;
   double avoid_rad = 30 * kDegree;
@@ -53,7 +55,9 @@ class RoomNavigator final : public Navigator {
  public:
   /// @throws std::invalid_argument if the vehicle lacks the cameras `top` and, to park in a frame, `middle`,
   ///         or the route was not taught in a room
-  RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle, Route route);
+  /// @param from_m  about where on the route the vehicle stands
+  RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle, Route route,
+                double from_m = 0);
 
   Decision step(const Observation& observation) override;
 
@@ -62,6 +66,8 @@ class RoomNavigator final : public Navigator {
   const Pose2& pose() const { return T_odom_vehicle_; }
   const std::optional<RouteSight>& sight() const { return sight_; }
   const EdgeMemory& edges() const { return edges_; }
+  /// How often it has driven into the parking frame.
+  int parking_tries() const { return frame_ ? frame_->tries() : 1; }
 
  private:
   enum class State { kFollowing, kBackingOff, kParkingInFrame };
@@ -69,6 +75,7 @@ class RoomNavigator final : public Navigator {
   void look(const Observation& observation);
   bool is_route_bright_as_learned();
   Decision follow(double now_s);
+  Decision park_in_frame(double now_s);
   Decision back_off(double now_s);
   Decision blocked(double now_s);
   Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
@@ -78,6 +85,7 @@ class RoomNavigator final : public Navigator {
   double gap_ahead_m() const;
   std::optional<Decision> arrived();
   double left_m() const { return route_.path.length_m() - progress_.point().along_m; }
+  double left_to_end_m() const;
 
   RoomNavigatorParams params_;
   VehicleDescription vehicle_;
@@ -87,6 +95,7 @@ class RoomNavigator final : public Navigator {
   EdgeMemory edges_;
   PathProgress progress_;
   std::unique_ptr<FrameParking> frame_;
+  StopViewMatcher stop_views_;
   Pose2 T_odom_vehicle_;
   std::optional<RouteSight> sight_;
   RouteBrightness brightness_;

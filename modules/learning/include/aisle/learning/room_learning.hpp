@@ -29,6 +29,7 @@ struct RoomLearningParams {
   PaintedFrameParams frame;
   double frame_from_m = 1.2;
   double frame_to_m = 3;
+  double views_m = 1;
 
   void describe(FieldList& fields);
 };

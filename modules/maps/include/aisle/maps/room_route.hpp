@@ -53,12 +53,18 @@ enum class ParkingStrategy { kFrame, kDeadEnd, kView };
 /// 2), as shares of the part's width: upper max, upper min, lower max, ...
 using BrightnessView = std::array<double, 8>;
 
+/// The view from a place just before the end of a route.
+struct StopView {
+  double left_m = 0;  ///< way to the end
+  BrightnessView brightness{};
+};
+
 struct RoomRoute {
   RouteBrightness brightness;
   std::vector<RoomTurning> turnings;  ///< in order; they may overlap
   ParkingStrategy parking = ParkingStrategy::kView;
   Vec2 frame_size_m = Vec2::Zero();   ///< kFrame: of the painted rectangle, outer, along the way and across
-  std::vector<BrightnessView> views;  ///< kView: of the place where the route ends
+  std::vector<StopView> views;        ///< kView: on the last stretch of the way
 };
 
 }  // namespace aisle
