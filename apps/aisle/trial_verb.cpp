@@ -30,7 +30,7 @@ void add_trial_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   auto options = std::make_shared<TrialOptions>();
   options->method.clear();
-  verb->add_option("METHOD", options->method, "landmarks, sections, explore, route or park");
+  verb->add_option("METHOD", options->method, "landmarks, sections, explore, route, turnings or park");
   verb->add_option_function<std::string>(
       "--seeds",
       [options](const std::string& text) {

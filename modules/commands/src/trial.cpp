@@ -181,8 +181,8 @@ Outcome trial_parameters() {
 
 Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
   if (options.method == "explore") return run_exploration_trial(options, console);
-  const bool parks = options.method == "park";
-  if (Problems problems = check_method(parks ? "route" : options.method); !problems.empty()) return problems;
+  const bool parks = options.method == "park", turns = options.method == "turnings";
+  if (Problems problems = check_method(parks || turns ? "route" : options.method); !problems.empty()) return problems;
   TrialParams all;
   FieldList fields = fields_of(all);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
@@ -191,6 +191,7 @@ Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
     params.navigator.speed.speed_mps = all.sections.navigator.speed.speed_mps =
         all.route.navigator.speed_mps = *options.speed_mps;
   if (options.method == "sections") return trial_by_sections(options, all.sections, console);
+  if (turns) return trial_of_turnings(options, all.route, console);
   if (parks) return trial_of_parking(options, all.route, console);
   if (options.method == "route") return trial_by_route(options, all.route, console);
   Trial trial;

@@ -8,6 +8,7 @@
 #include "aisle/guidance/hand_driver.hpp"
 #include "aisle/simulation/route_guide.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/simulation/turning_course.hpp"
 #include "methods.hpp"
 #include "room_mission.hpp"
 #include "room_verbs.hpp"
@@ -77,8 +78,8 @@ SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& ch
     piece.centre.x() += random.uniform(-change.furniture_m, change.furniture_m);
     piece.centre.y() += random.uniform(-change.furniture_m, change.furniture_m);
   }
-  const double light = 1 + random.uniform(-change.light_share, change.light_share);
-  setting.scenario.events.push_back({.fault = LightChange{.light = light}});
+  LightChange& change_of_light = setting.scenario.events.emplace_back().fault.emplace<LightChange>();
+  change_of_light.light = 1 + random.uniform(-change.light_share, change.light_share);
   return setting;
 }
 
@@ -255,6 +256,51 @@ Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialPar
       "ended {:.1f} cm, {:.2f} deg off (mean), {:.1f} cm, {:.2f} deg (worst)\n",
       options.strategy, trial.missions, 100 * trial.share(trial.arrived), trial.collisions,
       100 * trial.end_m.mean(), trial.end_deg.mean(), 100 * trial.end_m.worst(), trial.end_deg.worst());
+  return outcome;
+}
+
+/// One course for each turning, taught once; the room is another for each seed's teaching and driving light.
+Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params, Console& console) {
+  constexpr double kThere_m = 0.5;
+  auto vehicle = read_setting("", vehicle_or_usual(options.vehicle, "route"), options.scenario);
+  if (!vehicle) return vehicle.problems();
+  if (Problems problems = unfit_for_rooms(vehicle->vehicle.description, ParkingStrategy::kView);
+      !problems.empty())
+    return problems;
+  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
+  RoomTrial trial;
+  Json shares = Json::object();
+  SilentProgress within;
+  std::size_t succeeded = 0;
+  for (int number = 1; number <= kTurningNumbers; ++number) {
+    Random course(options.first_seed);
+    SimulationSetting setting = *vehicle;
+    setting.world = turning_course(number, course);
+    const auto taught =
+        teach_route(setting, setting.world.routes.front(), params.lesson, options.first_seed, within);
+    if (!taught) return taught.problems();
+    std::uint64_t good = 0;
+    for (std::uint64_t i = 0; i < seeds; ++i) {
+      console.progress.report("missions", (static_cast<std::uint64_t>(number) - 1) * seeds + i, 13 * seeds);
+      const std::uint64_t seed = options.first_seed + i;
+      Random random(seed);
+      const SimulationSetting today = on_another_day(setting, {.furniture_m = 0}, random);
+      const auto result = drive_taught(today, *taught, params.navigator, seed,
+                                       set_down(today, about(taught->place.at(0), 0.02, 1 * kDegree), seed), 0, within);
+      if (!result) return result.problems();
+      trial.add(*result, seed, fmt::format("turning {}", number));
+      good += result->parked() && result->end_error_m < kThere_m ? 1U : 0U;
+    }
+    succeeded += good;
+    shares[std::to_string(number)] = rounded(static_cast<double>(good) / static_cast<double>(seeds), 4);
+  }
+  Outcome outcome{.verb = "trial", .ok = succeeded == trial.missions};
+  outcome.figures = {{"missions", trial.missions}, {"success_share", shares},
+                     {"success_share_all", trial.share(succeeded)}, {"collisions", trial.collisions},
+                     {"safe_stop_share", trial.share(trial.stopped)}, {"cycle_ms", cycle_figures(trial.cycle_s)},
+                     {"simulated", true}, {"runs", trial.runs}};
+  outcome.text = fmt::format("simulated: thirteen turnings, {} missions, {:.1f} % succeeded, {} collisions\n",
+                             trial.missions, 100 * trial.share(succeeded), trial.collisions);
   return outcome;
 }
 
