@@ -19,7 +19,8 @@ void add_teach_verb(CLI::App& app, Work& work) {
   options->drive.vehicle.clear();
   auto hands = std::make_shared<HandOptions>();
   verb->add_option("WORLD", options->drive.world, "world file (YAML), or the name of a shipped one");
-  verb->add_option("--method", options->method, "how it will be learned: landmarks (default), sections or route");
+  verb->add_option("--method", options->method,
+                   "how it will be learned: landmarks (default), sections or route");
   verb->add_option("--route", options->route, "name of the route (default route)");
   verb->add_option("--vehicle", options->drive.vehicle,
                    "vehicle file (YAML), or the name of a shipped one (default alv; mini for sections)");

@@ -23,7 +23,8 @@ void add_park_verb(CLI::App& app, Work& work) {
                                               {"view", ParkingStrategy::kView}},
                                              "how the route was taught to end");
   verb->add_option_function<std::string>(
-          "--start", [options](const std::string& text) { options->T_world_start = parse_place("--start", text); },
+          "--start",
+          [options](const std::string& text) { options->T_world_start = parse_place("--start", text); },
           "where the vehicle stands in the world: x,y,degrees (default: on the route, 3 m before its end)")
       ->type_name("X,Y,DEG");
   add_seed(*verb, options->seed, "of all noise; the same seed gives the same session (default 1)");

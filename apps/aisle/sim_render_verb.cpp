@@ -19,7 +19,8 @@ void add_sim_render_verb(CLI::App& sim, Work& work) {
       ->type_name("FILE");
   verb->add_option("--camera", options->camera, "of the vehicle, by its name; else its first");
   verb->add_option_function<std::string>(
-          "--at", [options](const std::string& text) { options->T_world_vehicle = parse_place("--at", text); },
+          "--at",
+          [options](const std::string& text) { options->T_world_vehicle = parse_place("--at", text); },
           "where the vehicle is: x,y,degrees; else at the world's start")
       ->type_name("X,Y,DEG");
   verb->add_option("--light", options->light, "all light times this (default 1)")

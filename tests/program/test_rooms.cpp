@@ -50,8 +50,9 @@ TEST_F(Rooms, AWayThatWasShownOnceIsDrivenIntoItsFrame) {
   EXPECT_NEAR(learned["frame_size_m"][1].get<double>(), 1.14, 0.03);
   EXPECT_THAT(names_in(at("learned")), ElementsAre("building.json", "trip.tum", "trip_truth.tum"));
 
-  const auto parked = run_for_figures({"park", at("learned/building.json"), "to the bay", "--world", world,
-                                       "--strategy", "frame", "--start", "2.4,1.6,-6", "--out", at("parking")});
+  const auto parked =
+      run_for_figures({"park", at("learned/building.json"), "to the bay", "--world", world, "--strategy",
+                       "frame", "--start", "2.4,1.6,-6", "--out", at("parking")});
   EXPECT_EQ(parked["parked"], true);
   EXPECT_EQ(parked["collisions"], 0);
   EXPECT_LT(parked["end_error_m"], 0.03);
@@ -77,8 +78,8 @@ TEST_F(Rooms, WhatCannotBeDrivenIsRefused) {
   EXPECT_EQ(run_aisle({"park", building, "nowhere", "--world", world}).exit_code, 2);
   EXPECT_EQ(run_aisle({"park", building, "way", "--world", world, "--vehicle", "mini"}).exit_code, 2);
   EXPECT_EQ(run_aisle({"park", building, "way", "--world", world, "--start", "1,2"}).exit_code, 2);
-  const ProgramRun unknown =
-      run_aisle({"teach", world, "--method", "route", "--route", "none", "--operator", "scripted", "--out", at("x")});
+  const ProgramRun unknown = run_aisle(
+      {"teach", world, "--method", "route", "--route", "none", "--operator", "scripted", "--out", at("x")});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("routes: none is 'none'"));
 }

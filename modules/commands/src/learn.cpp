@@ -8,9 +8,9 @@
 #include "landmark_lesson.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
+#include "room_verbs.hpp"
 #include "rounded.hpp"
 #include "route_name.hpp"
-#include "room_verbs.hpp"
 #include "section_verbs.hpp"
 
 namespace aisle {

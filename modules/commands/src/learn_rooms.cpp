@@ -29,17 +29,20 @@ Outcome room_lesson_outcome(const RoomLesson& lesson) {
                      {"route_grey", rounded(room.brightness.grey, 2)},
                      {"turnings", turnings},
                      {"parking", parking}};
-  outcome.text = fmt::format("route {}: {:.1f} m, {} turnings, route of grey level {:.0f}; parks: {}\n", route.name,
-                             route.path.length_m(), room.turnings.size(), room.brightness.grey, parking);
+  outcome.text =
+      fmt::format("route {}: {:.1f} m, {} turnings, route of grey level {:.0f}; parks: {}\n", route.name,
+                  route.path.length_m(), room.turnings.size(), room.brightness.grey, parking);
   if (room.parking != ParkingStrategy::kFrame) return outcome;
   outcome.figures["frame_size_m"] = {rounded(room.frame_size_m.x(), 3), rounded(room.frame_size_m.y(), 3)};
-  outcome.text += fmt::format("parking frame of {:.2f} m x {:.2f} m\n", room.frame_size_m.x(), room.frame_size_m.y());
+  outcome.text +=
+      fmt::format("parking frame of {:.2f} m x {:.2f} m\n", room.frame_size_m.x(), room.frame_size_m.y());
   return outcome;
 }
 
 }  // namespace
 
-Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLessonParams& params, Console& console) {
+Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLessonParams& params,
+                               Console& console) {
   std::optional<OutputDirectory> directory;
   if (!options.out.empty()) {
     std::vector<std::string> names = truth_file_names();

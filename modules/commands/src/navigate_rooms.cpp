@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/park.hpp"
 #include "aisle/formats/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
-#include "aisle/commands/parameter_listing.hpp"
 #include "changed_parameters.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
@@ -89,8 +89,8 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   }
   const Pose2 T_world_due = due_end(setting->world, vehicle.footprint, route->room->parking, place->end());
   const auto result = drive_room_mission(
-      *setting, **navigator,
-      {.seed = drive.seed, .T_world_start = T_world_start, .T_world_due = T_world_due}, session, console.progress);
+      *setting, **navigator, {.seed = drive.seed, .T_world_start = T_world_start, .T_world_due = T_world_due},
+      session, console.progress);
   if (!result) return result.problems();
   if (const Problems problems = close(session); !problems.empty()) return problems;
   return room_outcome(verb, drive, *route, *result);

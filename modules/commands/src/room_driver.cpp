@@ -42,7 +42,8 @@ void keep_room_cameras(VehicleDescription& vehicle, ParkingStrategy parking) {
 Problems unfit_for_rooms(const VehicleDescription& vehicle, ParkingStrategy parking) {
   Problems problems;
   if (vehicle.is_differential)
-    problems.push_back({{"", 0, "is_differential"}, "is true: ways through rooms need a front-steered vehicle"});
+    problems.push_back(
+        {{"", 0, "is_differential"}, "is true: ways through rooms need a front-steered vehicle"});
   for (const std::string& name : cameras_needed(parking)) {
     if (vehicle.camera(name) == nullptr)
       problems.push_back({{"", 0, "cameras"}, fmt::format("lack '{}', which looks at the route", name)});
@@ -61,7 +62,8 @@ Result<std::unique_ptr<RoomNavigator>> make_room_navigator(const SessionOrigin& 
     problems.insert(problems.end(), route.problems().begin(), route.problems().end());
     return problems;
   }
-  for (Problem& problem : unfit_for_rooms(vehicle, route->room->parking)) problems.push_back(std::move(problem));
+  for (Problem& problem : unfit_for_rooms(vehicle, route->room->parking))
+    problems.push_back(std::move(problem));
   if (!problems.empty()) return problems;
   return std::make_unique<RoomNavigator>(params.navigator, vehicle, std::move(*route), params.from_m);
 }

@@ -26,8 +26,10 @@ struct RoomTrialParams {
 /// `trial route`: routes of a world with their furniture moved and other light.
 Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParams& params, Console& console);
 /// `trial turnings`: the thirteen turnings, each in a room of its own.
-Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params, Console& console);
+Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
+                                  Console& console);
 /// `trial park`: the ends of routes, from disturbed starts.
-Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialParams& params, Console& console);
+Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialParams& params,
+                                 Console& console);
 
 }  // namespace aisle

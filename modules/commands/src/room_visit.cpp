@@ -16,7 +16,8 @@ Result<RouteInWorld> RouteInWorld::read(const std::filesystem::path& building, c
   return RouteInWorld(MapTruth({route.path.at(0).T_map_path}, {*start}), route);
 }
 
-RouteInWorld::RouteInWorld(MapTruth truth, Route route) : truth_(std::move(truth)), route_(std::move(route)) {}
+RouteInWorld::RouteInWorld(MapTruth truth, Route route)
+    : truth_(std::move(truth)), route_(std::move(route)) {}
 
 Pose2 RouteInWorld::at(double along_m) const {
   return truth_.in_world(route_.path.at(along_m).T_map_path);

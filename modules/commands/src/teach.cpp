@@ -17,7 +17,8 @@ namespace {
 
 /// The first camera alone is learned from; a scripted person drives the world's route of that name.
 Problems take_route(const TeachOptions& options, const VehicleDescription& vehicle, DriveOptions& drive) {
-  if (Problems problems = unfit_for_rooms(vehicle, ParkingStrategy::kView); !problems.empty()) return problems;
+  if (Problems problems = unfit_for_rooms(vehicle, ParkingStrategy::kView); !problems.empty())
+    return problems;
   drive.camera = "top";
   const std::filesystem::path file = shipped_or_own("worlds", drive.world);
   const auto world = read_world(file);
@@ -29,8 +30,7 @@ Problems take_route(const TeachOptions& options, const VehicleDescription& vehic
     return {{{file.string(), 0, "routes"},
              fmt::format("none is '{}', which a scripted person could drive", options.route)}};
   drive.keys = [world = *world, way = *way, seed = drive.seed](
-                   const VehicleDescription& driven,
-                   const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
+                   const VehicleDescription& driven, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
     return std::unique_ptr<Operator>(
         std::make_unique<RouteGuide>(world, way, driven, ScriptedOperatorParams{}, seed));
   };
@@ -51,7 +51,8 @@ Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
     return Problem{{drive.vehicle, 0, "cameras"}, "there is none: nothing can be learned"};
   drive.route = options.route;
   if (options.method == "route") {
-    if (Problems problems = take_route(options, vehicle->description, drive); !problems.empty()) return problems;
+    if (Problems problems = take_route(options, vehicle->description, drive); !problems.empty())
+      return problems;
   } else {
     drive.camera = corridor_camera(vehicle->description).name;
   }

@@ -12,8 +12,8 @@
 #include "landmark_course.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
-#include "rounded.hpp"
 #include "room_verbs.hpp"
+#include "rounded.hpp"
 #include "section_verbs.hpp"
 #include "statistics.hpp"
 
@@ -193,7 +193,8 @@ Outcome trial_parameters() {
 Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
   if (options.method == "explore") return run_exploration_trial(options, console);
   const bool parks = options.method == "park", turns = options.method == "turnings";
-  if (Problems problems = check_method(parks || turns ? "route" : options.method); !problems.empty()) return problems;
+  if (Problems problems = check_method(parks || turns ? "route" : options.method); !problems.empty())
+    return problems;
   TrialParams all;
   FieldList fields = fields_of(all);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;

@@ -58,7 +58,8 @@ Result<TaughtRoute> teach_route(const SimulationSetting& setting, const TaughtWa
   RoomLessonRecord record(params, vehicle);
   const auto end = run_mission(vehicle, driver, record, progress);
   if (!end) return end.problems();
-  if (!person.has_arrived()) return Problem{{setting.world_file.string(), 0, way.name}, "the person did not get through"};
+  if (!person.has_arrived())
+    return Problem{{setting.world_file.string(), 0, way.name}, "the person did not get through"};
   auto lesson = learn_room(record.collector.cycles, taught.vehicle.description, way.name, params);
   if (!lesson) return lesson.problems();
   Route route = std::move(lesson->building.routes.front());
@@ -117,17 +118,19 @@ Result<RoomMissionResult> drive_taught(SimulationSetting setting, const TaughtRo
   RoomNavigator navigator(params, vehicle, taught.route, from_m);
   keep_room_cameras(vehicle, parking);
   std::optional<SessionRecord> no_session;
-  return drive_room_mission(setting, navigator,
-                            {.seed = 1000 * (seed + 1),
-                             .T_world_start = T_world_start,
-                             .T_world_due = due_end(setting.world, vehicle.footprint, parking, taught.place.end())},
-                            no_session, progress);
+  return drive_room_mission(
+      setting, navigator,
+      {.seed = 1000 * (seed + 1),
+       .T_world_start = T_world_start,
+       .T_world_due = due_end(setting.world, vehicle.footprint, parking, taught.place.end())},
+      no_session, progress);
 }
 
 /// The routes of the trial's worlds, each taught once.
 class TaughtRoutes {
  public:
-  TaughtRoutes(const TrialOptions& options, const RoomTrialParams& params) : options_(options), params_(params) {}
+  TaughtRoutes(const TrialOptions& options, const RoomTrialParams& params)
+      : options_(options), params_(params) {}
 
   Result<SimulationSetting> setting(std::uint64_t seed) const {
     const std::string world =
@@ -141,7 +144,8 @@ class TaughtRoutes {
     return setting;
   }
 
-  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const TaughtWay& way, Progress& progress) {
+  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const TaughtWay& way,
+                                    Progress& progress) {
     const std::string key = setting.world_file.string() + "/" + way.name;
     auto known = taught_.find(key);
     if (known == taught_.end()) {
@@ -218,12 +222,14 @@ Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParam
   outcome.figures.erase("success_share");
   outcome.figures["method"] = "route";
   outcome.text = fmt::format(
-      "simulated, furniture and light changed: {} missions, {:.1f} % arrived, {:.1f} % stopped safely, {} collisions\n",
+      "simulated, furniture and light changed: {} missions, {:.1f} % arrived, {:.1f} % stopped safely, {} "
+      "collisions\n",
       trial.missions, 100 * trial.share(trial.arrived), 100 * trial.share(trial.stopped), trial.collisions);
   return outcome;
 }
 
-Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialParams& params, Console& console) {
+Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialParams& params,
+                                 Console& console) {
   constexpr double kBeforeEnd_m = 3.2;
   RoomTrial trial;
   TaughtRoutes routes(options, params);
@@ -243,8 +249,9 @@ Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialPar
     if (!taught) return taught.problems();
     Random random(seed);
     const double from_m = std::max(0.0, (*taught)->route.path.length_m() - kBeforeEnd_m);
-    const auto result = drive_taught(*setting, **taught, params.navigator, seed,
-                                     disturbed_start(*setting, (*taught)->place.at(from_m), random), from_m, within);
+    const auto result =
+        drive_taught(*setting, **taught, params.navigator, seed,
+                     disturbed_start(*setting, (*taught)->place.at(from_m), random), from_m, within);
     if (!result) return result.problems();
     trial.add(*result, seed, way->name);
   }
@@ -260,7 +267,8 @@ Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialPar
 }
 
 /// One course for each turning, taught once; the room is another for each seed's teaching and driving light.
-Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params, Console& console) {
+Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
+                                  Console& console) {
   constexpr double kThere_m = 0.5;
   auto vehicle = read_setting("", vehicle_or_usual(options.vehicle, "route"), options.scenario);
   if (!vehicle) return vehicle.problems();
@@ -285,8 +293,9 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
       const std::uint64_t seed = options.first_seed + i;
       Random random(seed);
       const SimulationSetting today = on_another_day(setting, {.furniture_m = 0}, random);
-      const auto result = drive_taught(today, *taught, params.navigator, seed,
-                                       set_down(today, about(taught->place.at(0), 0.02, 1 * kDegree), seed), 0, within);
+      const auto result =
+          drive_taught(today, *taught, params.navigator, seed,
+                       set_down(today, about(taught->place.at(0), 0.02, 1 * kDegree), seed), 0, within);
       if (!result) return result.problems();
       trial.add(*result, seed, fmt::format("turning {}", number));
       good += result->parked() && result->end_error_m < kThere_m ? 1U : 0U;
@@ -295,10 +304,14 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
     shares[std::to_string(number)] = rounded(static_cast<double>(good) / static_cast<double>(seeds), 4);
   }
   Outcome outcome{.verb = "trial", .ok = succeeded == trial.missions};
-  outcome.figures = {{"missions", trial.missions}, {"success_share", shares},
-                     {"success_share_all", trial.share(succeeded)}, {"collisions", trial.collisions},
-                     {"safe_stop_share", trial.share(trial.stopped)}, {"cycle_ms", cycle_figures(trial.cycle_s)},
-                     {"simulated", true}, {"runs", trial.runs}};
+  outcome.figures = {{"missions", trial.missions},
+                     {"success_share", shares},
+                     {"success_share_all", trial.share(succeeded)},
+                     {"collisions", trial.collisions},
+                     {"safe_stop_share", trial.share(trial.stopped)},
+                     {"cycle_ms", cycle_figures(trial.cycle_s)},
+                     {"simulated", true},
+                     {"runs", trial.runs}};
   outcome.text = fmt::format("simulated: thirteen turnings, {} missions, {:.1f} % succeeded, {} collisions\n",
                              trial.missions, 100 * trial.share(succeeded), trial.collisions);
   return outcome;

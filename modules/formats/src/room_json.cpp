@@ -79,9 +79,10 @@ void read_parking(const JsonValue& value, ParkingStrategy& parking) {
 }  // namespace
 
 std::string room_json(const RoomRoute& room) {
-  std::string text = fmt::format(
-      R"({{"brightness": {{"grey": {}, "deviation": {}}}, "parking": "{}")", decimals(room.brightness.grey, kGreyDecimals),
-      decimals(room.brightness.deviation, kGreyDecimals), kParkingWords[static_cast<std::size_t>(room.parking)]);
+  std::string text = fmt::format(R"({{"brightness": {{"grey": {}, "deviation": {}}}, "parking": "{}")",
+                                 decimals(room.brightness.grey, kGreyDecimals),
+                                 decimals(room.brightness.deviation, kGreyDecimals),
+                                 kParkingWords[static_cast<std::size_t>(room.parking)]);
   if (room.parking == ParkingStrategy::kFrame)
     text += R"(, "frame_size_m": )" + point_json(room.frame_size_m, kRoomMillimetres);
   if (!room.turnings.empty()) text += R"(, "turnings": )" + list_of(room.turnings, turning_json);

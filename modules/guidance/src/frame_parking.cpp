@@ -41,8 +41,8 @@ void FrameParking::look(const Observation& observation, const Pose2& T_odom_vehi
     if (camera == nullptr) continue;
     const CameraPicture* picture = present_picture(observation, name, vehicle_.cycle_s);
     if (picture == nullptr) continue;
-    const auto points = painted_line_points(*picture->image, CameraModel(camera->intrinsics), camera->mount,
-                                            params_.frame);
+    const auto points =
+        painted_line_points(*picture->image, CameraModel(camera->intrinsics), camera->mount, params_.frame);
     const auto fit =
         T_odom_frame_ ? track_frame(points, size_m_, between(T_odom_vehicle, *T_odom_frame_), params_.frame)
                       : find_frame(points, size_m_, wrap_angle(expected_heading_rad - T_odom_vehicle.theta),
@@ -84,8 +84,8 @@ Decision FrameParking::approach() {
   constexpr double kRunUp_m = 8;
   const Pose2 T_odom_begin = T_odom_parked() * Pose2{-kRunUp_m, 0, 0};
   const Path path({{T_odom_begin, {kRunUp_m, 0}}});
-  const double speed_mps = std::clamp(std::sqrt(2 * params_.deceleration_mps2 * left_m), params_.speed_min_mps,
-                                      params_.speed_mps);
+  const double speed_mps =
+      std::clamp(std::sqrt(2 * params_.deceleration_mps2 * left_m), params_.speed_min_mps, params_.speed_mps);
   const PathPoint point = path.nearest(T_odom_vehicle_.position(), 0, kRunUp_m);
   return {.command = follower_.follow(path, point, T_odom_vehicle_, speed_mps, steering_rad_),
           .state = "parking",
@@ -95,7 +95,8 @@ Decision FrameParking::approach() {
 /// Ends, or backs off for another try.
 Decision FrameParking::settle() {
   const Pose2 off = FrameParking::off();
-  const bool is_good = std::abs(off.y) <= params_.aside_max_m && std::abs(off.theta) <= params_.turned_max_rad;
+  const bool is_good =
+      std::abs(off.y) <= params_.aside_max_m && std::abs(off.theta) <= params_.turned_max_rad;
   if (is_good || tries_ >= params_.tries_max) {
     return {.status = NavigatorStatus::kDone,
             .state = "parked",

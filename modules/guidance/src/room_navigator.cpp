@@ -23,8 +23,8 @@ Route room_route(Route route) {
 
 RouteView first_view(const RoomNavigatorParams& params, const VehicleDescription& vehicle) {
   const CameraDescription& camera = room_camera(vehicle, kFirstCamera);
-  return {params.view, CameraModel(camera.intrinsics), camera.mount, camera.width_px, camera.height_px,
-          vehicle.footprint.width_m};
+  return {params.view,      CameraModel(camera.intrinsics), camera.mount, camera.width_px,
+          camera.height_px, vehicle.footprint.width_m};
 }
 
 }  // namespace
@@ -49,7 +49,8 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("frame_within_m", frame_within_m, {0.5, 20}, "before the route's end it looks for the frame");
   fields.real("brightness_tolerance", brightness_tolerance, {0.01, 1},
               "by which share the route may suddenly look brighter or darker");
-  fields.real("brightness_gain", brightness_gain, {0, 1}, "how fast the learned brightness follows the light");
+  fields.real("brightness_gain", brightness_gain, {0, 1},
+              "how fast the learned brightness follows the light");
   fields.real("stop_free_m", stop_free_m, {0.01, 2}, "with less way free it stops");
   fields.real("wait_s", wait_s, {0, 100}, "for what is in the way to go");
   fields.real("back_off_m", back_off_m, {0.05, 5}, "way back before it tries again");
@@ -57,8 +58,8 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("blind_max_s", blind_max_s, {0.5, 1000}, "without a good picture it gives up");
 }
 
-RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle, Route route,
-                             double from_m)
+RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle,
+                             Route route, double from_m)
     : params_(params),
       vehicle_(vehicle),
       route_(room_route(std::move(route))),
@@ -179,7 +180,8 @@ Decision RoomNavigator::follow(double now_s) {
   return drive(choice, speed_mps, avoiding ? "avoiding" : is_turning ? "turning" : "following");
 }
 
-Decision RoomNavigator::drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const {
+Decision RoomNavigator::drive(const SteeringChoice& choice, double speed_mps,
+                              const std::string& state) const {
   const double braking_m = std::max(0.0, choice.free_m - params_.stop_free_m / 2);
   const double stoppable_mps = std::sqrt(vehicle_.limits.deceleration_max_mps2 * braking_m);
   return {.command = {.speed_mps = std::min(speed_mps, stoppable_mps), .steering_rad = choice.steering_rad},
@@ -201,8 +203,7 @@ Decision RoomNavigator::blocked(double now_s) {
 
 Decision RoomNavigator::back_off(double now_s) {
   const double backed_m = (T_odom_vehicle_.position() - T_odom_stopped_.position()).norm();
-  const SteeringChoice back =
-      free_way(vehicle_, params_.steering, edges_.around(T_odom_vehicle_), 0, -1);
+  const SteeringChoice back = free_way(vehicle_, params_.steering, edges_.around(T_odom_vehicle_), 0, -1);
   if (backed_m >= params_.back_off_m || back.free_m < params_.stop_free_m) {
     state_ = State::kFollowing;
     stopped_s_ = now_s;
@@ -241,7 +242,8 @@ std::optional<Decision> RoomNavigator::arrived() {
             .status = NavigatorStatus::kFailed, .state = "no frame", .why = "there is no frame to be seen"};
       break;
     case ParkingStrategy::kView:
-      if (left_to_end_m() + stop_views_.shift_m() <= vehicle_.cycle_s * params_.parking_speed_mps) return done;
+      if (left_to_end_m() + stop_views_.shift_m() <= vehicle_.cycle_s * params_.parking_speed_mps)
+        return done;
       break;
   }
   return std::nullopt;

@@ -113,7 +113,8 @@ std::vector<StopView> views_before_end(std::span<const RoomCycle> cycles, const 
                                        double reach_m) {
   std::vector<StopView> views;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
-    const double left_m = between(learned.T_route_vehicle[i], learned.T_route_vehicle.back()).position().norm();
+    const double left_m =
+        between(learned.T_route_vehicle[i], learned.T_route_vehicle.back()).position().norm();
     if (cycles[i].view && left_m <= reach_m) views.push_back({left_m, *cycles[i].view});
   }
   return views;

@@ -23,7 +23,8 @@ TEST(RoomRoute, ThirteenTurningsAreOfThreeClasses) {
 }
 
 TEST(RoomRoute, ATurnBlotsOutTheOtherSideHalfAndThenAQuarter) {
-  const RoomTurning left{.number = 1, .start_m = 2, .end_m = 6}, right{.number = 12, .start_m = 2, .end_m = 6};
+  const RoomTurning left{.number = 1, .start_m = 2, .end_m = 6},
+      right{.number = 12, .start_m = 2, .end_m = 6};
   EXPECT_EQ(blot_out(left, 4.9), (BlotOut{.right = 0.5}));
   EXPECT_EQ(blot_out(left, 5.1), (BlotOut{.right = 0.25}));
   EXPECT_EQ(blot_out(right, 4.9), (BlotOut{.left = 0.5}));

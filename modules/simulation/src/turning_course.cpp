@@ -5,10 +5,10 @@
 namespace aisle {
 namespace {
 
-constexpr double kHalf_m = 5;       // the room's
-constexpr double kAisle_m = 1.6;    // width
-constexpr double kEntry_m = 4;      // before the crossing
-constexpr double kExit_m = 3;       // beyond it
+constexpr double kHalf_m = 5;         // the room's
+constexpr double kAisle_m = 1.6;      // width
+constexpr double kEntry_m = 4;        // before the crossing
+constexpr double kExit_m = 3;         // beyond it
 constexpr double kLaneApart_m = 2.6;  // of the two lanes of a turn about
 
 /// What a turning's crossing is open to, seen from who comes to it, and where the way leads.
@@ -72,8 +72,7 @@ class Course {
 
   World take(int number, std::vector<Vec2> way, const Vec2& at, double reach_m) {
     world_.routes = {{.name = "way", .parking = TaughtWay::Parking::kView, .way = std::move(way)}};
-    world_.turnings = {
-        {.route = "way", .number = number, .at = at, .before_m = reach_m, .after_m = reach_m}};
+    world_.turnings = {{.route = "way", .number = number, .at = at, .before_m = reach_m, .after_m = reach_m}};
     return std::move(world_);
   }
 
@@ -107,10 +106,9 @@ World turning_about(int number, double side, Course course) {
   box({w, -h}, {kLaneApart_m - w, -w});
   box({kLaneApart_m + w, -h}, {h, h});
   box({-w, w}, {kLaneApart_m + w, h});
-  return course.take(
-      number,
-      {{0, -kEntry_m}, {0, 0}, {side * kLaneApart_m, 0}, {side * kLaneApart_m, -kExit_m}},
-      {side * kLaneApart_m / 2, 0}, kTurning_m);
+  return course.take(number,
+                     {{0, -kEntry_m}, {0, 0}, {side * kLaneApart_m, 0}, {side * kLaneApart_m, -kExit_m}},
+                     {side * kLaneApart_m / 2, 0}, kTurning_m);
 }
 
 }  // namespace

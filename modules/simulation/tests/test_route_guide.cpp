@@ -21,8 +21,8 @@ TEST(RouteGuide, SaysWhereTurningsBeginAndEndAndHowToPark) {
   const World world = open_floor();
   const VehicleModel model;
   RouteGuide person(world, world.routes.front(), model.description, {}, 1);
-  SimulatedVehicle vehicle(world, model, {},
-                           {.T_world_start = start_of(world.routes.front()), .takes_pictures = false}, &person);
+  SimulatedVehicle vehicle(
+      world, model, {}, {.T_world_start = start_of(world.routes.front()), .takes_pictures = false}, &person);
   HandDriver driver({});
   std::vector<Mark> marks;
   std::vector<Vec2> places;
@@ -38,9 +38,9 @@ TEST(RouteGuide, SaysWhereTurningsBeginAndEndAndHowToPark) {
     vehicle.act(decision.command);
   }
   EXPECT_TRUE(person.has_arrived());
-  EXPECT_THAT(marks, testing::ElementsAre(Mark{Mark::Kind::kTurningBegins, "1"},
-                                          Mark{Mark::Kind::kTurningEnds, "1"},
-                                          Mark{Mark::Kind::kStop, "dead-end"}));
+  EXPECT_THAT(marks,
+              testing::ElementsAre(Mark{Mark::Kind::kTurningBegins, "1"}, Mark{Mark::Kind::kTurningEnds, "1"},
+                                   Mark{Mark::Kind::kStop, "dead-end"}));
   ASSERT_EQ(places.size(), 3U);
   EXPECT_NEAR(places[0].x(), 2.5, 0.15);
   EXPECT_NEAR(places[1].y(), 1, 0.2);

@@ -80,8 +80,9 @@ std::array<int, 4> covered_bins(std::span<const Vec2> p_vehicle, double near_m, 
     squares += square(off_m(q, fit.size_m, *side));
     ++count;
     const double share = 0.5 + along_m(q, *side) / (2 * reach_m(fit.size_m, *side));
-    is_covered[*side][static_cast<std::size_t>(std::clamp(static_cast<int>(share * kSideBins), 0, kSideBins - 1))] =
-        true;
+    is_covered[*side]
+              [static_cast<std::size_t>(std::clamp(static_cast<int>(share * kSideBins), 0, kSideBins - 1))] =
+                  true;
   }
   fit.rms_m = count > 0 ? std::sqrt(squares / count) : 0;
   std::array<int, 4> bins{};
@@ -131,7 +132,8 @@ class AxisCounts {
 FrameFit settled(std::span<const Vec2> p_vehicle, const Vec2& size_m, const Pose2& T_vehicle_frame,
                  const PaintedFrameParams& params, bool size_is_free) {
   FrameFit fit{.T_vehicle_frame = T_vehicle_frame, .size_m = size_m};
-  for (const double wider : {3.0, 2.0, 1.5, 1.0, 1.0}) refine(p_vehicle, wider * params.near_line_m, size_is_free, fit);
+  for (const double wider : {3.0, 2.0, 1.5, 1.0, 1.0})
+    refine(p_vehicle, wider * params.near_line_m, size_is_free, fit);
   count_sides(p_vehicle, params, fit);
   return fit;
 }
@@ -160,7 +162,8 @@ void PaintedFrameParams::describe(FieldList& fields) {
   fields.real("contrast", contrast, {0.01, 2}, "by which share a painted line is brighter than the floor");
   fields.real("line_m", line_m, {0.01, 0.5}, "how wide it is, about");
   fields.real("range_m", range_m, {0.5, 50}, "farther lines are not looked at");
-  fields.angle("heading_reach_deg", heading_reach_rad, {1, 90}, "how far the frame may be turned against the way");
+  fields.angle("heading_reach_deg", heading_reach_rad, {1, 90},
+               "how far the frame may be turned against the way");
   fields.real("near_line_m", near_line_m, {0.005, 0.5}, "points so near a side lie on it");
   fields.real("covered_share", covered_share, {0.1, 1}, "of a side has points on it, or it is not seen");
 }

@@ -60,7 +60,8 @@ std::vector<Vec2> painted_line_points(const Image& grey, const CameraModel& came
   std::vector<double> across_px(grey.rows(), 0), along_px(grey.rows(), 0);
   for (int v = 0; v < grey.height_px; ++v) {
     const double u = (grey.width_px - 1) / 2.0;
-    const auto p = floor.point(Vec2(u, v)), beside = floor.point(Vec2(u + 1, v)), beyond = floor.point(Vec2(u, v - 1));
+    const auto p = floor.point(Vec2(u, v)), beside = floor.point(Vec2(u + 1, v)),
+               beyond = floor.point(Vec2(u, v - 1));
     if (!p || !beside || !beyond || p->norm() > params.range_m) continue;
     across_px[static_cast<std::size_t>(v)] = params.line_m / (*beside - *p).norm();
     along_px[static_cast<std::size_t>(v)] = params.line_m / (*beyond - *p).norm();
@@ -68,17 +69,18 @@ std::vector<Vec2> painted_line_points(const Image& grey, const CameraModel& came
   for (int v = 0; v < grey.height_px; v += kStep) {
     const double wide_px = across_px[static_cast<std::size_t>(v)];
     if (wide_px < 2) continue;
-    for_each_strip({grey.row(v), 1, grey.width_px}, params.contrast, [&](int) { return wide_px; },
-                   [&](double u) { add(u, v); });
+    for_each_strip(
+        {grey.row(v), 1, grey.width_px}, params.contrast, [&](int) { return wide_px; },
+        [&](double u) { add(u, v); });
   }
   for (int u = 0; u < grey.width_px; u += kStep) {
-    for_each_strip({grey.row(0) + u, static_cast<std::ptrdiff_t>(grey.row_bytes()), grey.height_px},
-                   params.contrast,
-                   [&](int v) {
-                     const double wide_px = along_px[static_cast<std::size_t>(v)];
-                     return wide_px < 1.5 ? 1e6 : wide_px;
-                   },
-                   [&](double v) { add(u, v); });
+    for_each_strip(
+        {grey.row(0) + u, static_cast<std::ptrdiff_t>(grey.row_bytes()), grey.height_px}, params.contrast,
+        [&](int v) {
+          const double wide_px = along_px[static_cast<std::size_t>(v)];
+          return wide_px < 1.5 ? 1e6 : wide_px;
+        },
+        [&](double v) { add(u, v); });
   }
   return points;
 }

@@ -8,6 +8,7 @@ namespace aisle {
 namespace {
 
 constexpr int kEdgeColumns = 80;
+constexpr double kDarkShare = 0.65;  // of the patch's grey level: what is darker is no route
 
 /// Share of the columns from `begin` to before `end` that is route.
 double route_share(const Image& mask, int begin, int end) {
@@ -33,14 +34,30 @@ void measure_patch(const Image& picture, RouteSight& sight) {
   sight.patch_deviation = std::sqrt(std::max(0.0, squares / count - sight.patch_grey * sight.patch_grey));
 }
 
+/// L96 section 2.2: what stands alone amid the route is known by its grey level.
+void take_out_dark(const Image& picture, RouteSight& sight) {
+  const double least = kDarkShare * sight.patch_grey;
+  long count = 0;
+  for (int v = 0; v < picture.height_px; ++v) {
+    std::uint8_t* route = sight.mask.row(v);
+    for (int u = 0; u < picture.width_px; ++u) {
+      if (picture.row(v)[static_cast<std::ptrdiff_t>(u) * picture.channels] < least) route[u] = 0;
+      count += route[u] != 0 ? 1 : 0;
+    }
+  }
+  sight.share = static_cast<double>(count) / static_cast<double>(sight.mask.bytes.size());
+}
+
 }  // namespace
 
 void RouteViewParams::describe(FieldList& fields) {
   fields.group("region", region);
   fields.real("far_scan_m", far_scan_m, {0.3, 20}, "floor distance of the upper scan line from the camera");
   fields.real("near_scan_m", near_scan_m, {0.3, 20}, "of the lower one");
-  fields.real("check_ahead_m", check_ahead_m, {0.05, 5}, "how far beyond the view's lower edge region A reaches");
-  fields.real("check_beside_m", check_beside_m, {0.02, 2}, "how wide regions B and C are, beside the vehicle");
+  fields.real("check_ahead_m", check_ahead_m, {0.05, 5},
+              "how far beyond the view's lower edge region A reaches");
+  fields.real("check_beside_m", check_beside_m, {0.02, 2},
+              "how wide regions B and C are, beside the vehicle");
   fields.real("check_share", check_share, {0, 1}, "of a check region is route, or it is occupied");
   fields.real("edge_range_m", edge_range_m, {0.5, 20}, "farther edges of the route are not remembered");
 }
@@ -77,7 +94,8 @@ int RouteView::row_at(double ahead_m) const {
   return pixel ? static_cast<int>(std::lround(pixel->y())) : height_px_ - 1;
 }
 
-RouteView::FloorPatch RouteView::patch_of(double ahead_from_m, double ahead_to_m, const Interval& aside_m) const {
+RouteView::FloorPatch RouteView::patch_of(double ahead_from_m, double ahead_to_m,
+                                          const Interval& aside_m) const {
   constexpr double kGrid_m = 0.02;
   FloorPatch patch;
   const int rows = static_cast<int>((ahead_to_m - ahead_from_m) / kGrid_m);
@@ -86,7 +104,8 @@ RouteView::FloorPatch RouteView::patch_of(double ahead_from_m, double ahead_to_m
     for (int k = 0; k <= columns; ++k) {
       const auto pixel = pixel_of({ahead_from_m + i * kGrid_m, aside_m.min + k * kGrid_m});
       if (!pixel) continue;
-      patch.push_back(static_cast<std::size_t>(std::lround(pixel->y())) * static_cast<std::size_t>(width_px_) +
+      patch.push_back(static_cast<std::size_t>(std::lround(pixel->y())) *
+                          static_cast<std::size_t>(width_px_) +
                       static_cast<std::size_t>(std::lround(pixel->x())));
     }
   }
@@ -94,14 +113,17 @@ RouteView::FloorPatch RouteView::patch_of(double ahead_from_m, double ahead_to_m
 }
 
 bool RouteView::is_occupied(const Image& mask, const FloorPatch& patch) const {
-  const auto route = std::count_if(patch.begin(), patch.end(), [&](std::size_t i) { return mask.bytes[i] != 0; });
+  const auto route =
+      std::count_if(patch.begin(), patch.end(), [&](std::size_t i) { return mask.bytes[i] != 0; });
   return static_cast<double>(route) < params_.check_share * static_cast<double>(patch.size());
 }
 
 RouteSight RouteView::look(const Image& picture) const {
   RouteRegion region = find_route_region(picture, params_.region);
-  RouteSight sight{.mask = std::move(region.mask), .share = region.share, .checks = {}, .p_vehicle_edges = {}};
+  RouteSight sight{
+      .mask = std::move(region.mask), .share = region.share, .checks = {}, .p_vehicle_edges = {}};
   measure_patch(picture, sight);
+  take_out_dark(picture, sight);
   sight.checks = {.ahead = is_occupied(sight.mask, ahead_),
                   .left = is_occupied(sight.mask, left_),
                   .right = is_occupied(sight.mask, right_),

@@ -17,8 +17,8 @@ RouteView eye() {
 Image way(double right_m, double left_m, const Segment2& thing = {{20, 20}, {20, 20}}) {
   return seen_floor([&](const Vec2& p) {
     const bool is_route = p.y() > right_m && p.y() < left_m && p.x() < 6;
-    const bool is_thing = p.x() > thing.start.x() && p.x() < thing.end.x() && p.y() > thing.start.y() &&
-                          p.y() < thing.end.y();
+    const bool is_thing =
+        p.x() > thing.start.x() && p.x() < thing.end.x() && p.y() > thing.start.y() && p.y() < thing.end.y();
     return is_route && !is_thing ? 165.0 : 60.0;
   });
 }

@@ -15,10 +15,10 @@ struct ParkOptions {
   std::filesystem::path building;
   std::string place;  ///< the name of the route that ends there
   std::string world;
-  std::string vehicle;                       ///< empty: alv
-  std::string scenario;                      ///< empty: nothing goes wrong
-  std::optional<ParkingStrategy> strategy;   ///< a problem unless the route ends so
-  std::optional<Pose2> T_world_start;        ///< else on the route, 3 m before its end
+  std::string vehicle;                      ///< empty: alv
+  std::string scenario;                     ///< empty: nothing goes wrong
+  std::optional<ParkingStrategy> strategy;  ///< a problem unless the route ends so
+  std::optional<Pose2> T_world_start;       ///< else on the route, 3 m before its end
   std::uint64_t seed = 1;
   std::filesystem::path out;  ///< of the session; empty: none is kept
   bool force = false;

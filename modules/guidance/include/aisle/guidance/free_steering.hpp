@@ -22,7 +22,7 @@ struct FreeSteeringParams {
 /// How the wheels should be held, and what that leads to.
 struct SteeringChoice {
   double steering_rad = 0;
-  double free_m = 0;       ///< way of base_link until something comes nearer than the margin; at most the reach
+  double free_m = 0;  ///< way of base_link until something comes nearer than the margin; at most the reach
   double clearance_m = 0;  ///< to what comes nearest on that way
 };
 

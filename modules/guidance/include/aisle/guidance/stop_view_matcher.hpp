@@ -23,7 +23,8 @@ struct StopViewParams {
 
 /// Tells by what is seen how far off the odometry is about the way that is left to a taught place (L96
 /// section 3.5). A learned view matches when all eight positions are within delta. Beyond the paper, a match
-/// counts only if no view from elsewhere is nearly as much alike, and if several pictures in succession agree.
+/// counts only if no view from elsewhere is nearly as much alike, and if several pictures in succession
+/// agree.
 class StopViewMatcher {
  public:
   StopViewMatcher(const StopViewParams& params, std::vector<StopView> views);

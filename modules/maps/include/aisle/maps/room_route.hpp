@@ -63,8 +63,8 @@ struct RoomRoute {
   RouteBrightness brightness;
   std::vector<RoomTurning> turnings;  ///< in order; they may overlap
   ParkingStrategy parking = ParkingStrategy::kView;
-  Vec2 frame_size_m = Vec2::Zero();   ///< kFrame: of the painted rectangle, outer, along the way and across
-  std::vector<StopView> views;        ///< kView: on the last stretch of the way
+  Vec2 frame_size_m = Vec2::Zero();  ///< kFrame: of the painted rectangle, outer, along the way and across
+  std::vector<StopView> views;       ///< kView: on the last stretch of the way
 };
 
 }  // namespace aisle

@@ -123,11 +123,11 @@ struct TaughtWay {
 
 /// A turning on a taught way (METHODS 9).
 struct TaughtTurning {
-  std::string route;           ///< of a TaughtWay
-  int number = 1;              ///< 1 to 13
-  Vec2 at = Vec2::Zero();      ///< the crossing's middle
-  double before_m = 1.3;       ///< it begins so far before that point
-  double after_m = 1.3;        ///< and ends so far beyond
+  std::string route;       ///< of a TaughtWay
+  int number = 1;          ///< 1 to 13
+  Vec2 at = Vec2::Zero();  ///< the crossing's middle
+  double before_m = 1.3;   ///< it begins so far before that point
+  double after_m = 1.3;    ///< and ends so far beyond
 };
 
 /// How far skirting boards stand before their walls.

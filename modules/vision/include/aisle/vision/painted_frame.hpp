@@ -28,10 +28,10 @@ std::vector<Vec2> painted_line_points(const Image& grey, const CameraModel& came
 
 /// A rectangle as it was found.
 struct FrameFit {
-  Pose2 T_vehicle_frame;  ///< its middle, x along the way in
+  Pose2 T_vehicle_frame;       ///< its middle, x along the way in
   Vec2 size_m = Vec2::Zero();  ///< between its lines' middles, along the way in and across
-  double rms_m = 0;       ///< of the points on its lines
-  int sides = 0;          ///< of the four, that are covered with points
+  double rms_m = 0;            ///< of the points on its lines
+  int sides = 0;               ///< of the four, that are covered with points
   /// Corners in base_link: far left, far right, near right, near left.
   std::vector<Vec2> corners() const;
 };

@@ -24,18 +24,18 @@ struct RouteViewParams {
 
 /// Where something stands that will be too near (L96 Fig. 7), and where there is more room.
 struct RouteChecks {
-  bool ahead = false;       ///< A
-  bool left = false;        ///< B
-  bool right = false;       ///< C
-  double left_share = 0;    ///< route area in the left half of the view, of that half
+  bool ahead = false;     ///< A
+  bool left = false;      ///< B
+  bool right = false;     ///< C
+  double left_share = 0;  ///< route area in the left half of the view, of that half
   double right_share = 0;
 };
 
 /// One look at the route.
 struct RouteSight {
-  Image mask;                      ///< 255 on the route, as large as the picture
-  double share = 0;                ///< route area, of the picture
-  double patch_grey = 0;           ///< mean of the patch before the vehicle (L96 section 2.2)
+  Image mask;             ///< 255 on the route, as large as the picture
+  double share = 0;       ///< route area, of the picture
+  double patch_grey = 0;  ///< mean of the patch before the vehicle (L96 section 2.2)
   double patch_deviation = 0;
   RouteChecks checks;
   std::vector<Vec2> p_vehicle_edges;  ///< where the route ends, seen from the vehicle; near ones
