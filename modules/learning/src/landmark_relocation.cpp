@@ -8,8 +8,9 @@ namespace aisle {
 namespace {
 
 constexpr std::size_t kPromisingMax = 64;  // places whose pairs are looked at
-constexpr std::size_t kBestMax = 6;        // that are compared picture after picture
-constexpr double kRoughSigma_m = 0.1;      // of a displacement, before its pairs settle it
+constexpr std::size_t kJudgedPerPicture = 4;
+constexpr std::size_t kBestMax = 4;    // that are compared picture after picture
+constexpr double kRoughSigma_m = 0.1;  // of a displacement, before its pairs settle it
 constexpr double kRoughSigma_rad = 2 * kDegree;
 constexpr double kSamePlace_m = 0.3;
 constexpr double kSamePlace_rad = 5 * kDegree;
@@ -102,8 +103,7 @@ void LandmarkRelocator::keep_promising() {
 /// @return whether all were judged with the pictures before this one
 bool LandmarkRelocator::judge_candidates(const LandmarkMap& map, std::span<const LandmarkSighting> seen) {
   if (judged_ == candidates_.size()) return true;
-  const std::size_t end =
-      std::min(judged_ + static_cast<std::size_t>(params_.places_per_picture), candidates_.size());
+  const std::size_t end = std::min(judged_ + kJudgedPerPicture, candidates_.size());
   while (judged_ < end) judge(candidates_[judged_++], map, seen);
   if (judged_ == candidates_.size()) keep_best();
   return false;
