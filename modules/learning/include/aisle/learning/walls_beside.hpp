@@ -1,5 +1,5 @@
 #pragma once
-/// Base lines as walls beside a straight way (L03 section 3.1 C: the safe distance).
+/// Base lines as walls beside a straight way (L03 section 3.1 C: the safe distance), and across it.
 
 #include <span>
 #include <vector>
@@ -25,5 +25,18 @@ struct WallBeside {
 /// @param beside           filled
 void find_walls_beside(std::span<const SensedSegment> edges, const Pose2& T_way_vehicle,
                        std::vector<WallBeside>& beside);
+
+/// A base line that runs across a way.
+struct WallAcross {
+  double along_m = 0;  ///< the way, from its start
+  double from_m = 0;   ///< aside of the way, to the left
+  double to_m = 0;
+  double sigma_m = 0;             ///< of `along_m`
+  Vec2 p_vehicle = Vec2::Zero();  ///< the middle of what is seen
+};
+
+/// Those of the edges that run across a way within 8 degrees, at least 0.2 m of them.
+void find_walls_across(std::span<const SensedSegment> edges, const Pose2& T_way_vehicle,
+                       std::vector<WallAcross>& across);
 
 }  // namespace aisle
