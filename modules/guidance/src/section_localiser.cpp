@@ -103,8 +103,9 @@ void SectionLocaliser::correct_by_wall_ahead(const Here& here, std::span<const S
     nearest = &wall;
   }
   if (nearest == nullptr) return;
-  correct_along(here, expected_m - nearest->along_m, nearest->p_vehicle,
-                std::hypot(nearest->sigma_m, params_.wall_sigma_m));
+  const Vec2 along = unit(here.piece.T_map_start.theta);
+  filter_.correct(expected_m - nearest->along_m, {along.x(), along.y(), 0},
+                  inflated(std::hypot(nearest->sigma_m, params_.wall_sigma_m)));
 }
 
 /// L03 section 4.3, where the base line disappears, which tells how far it is to the turn.
@@ -121,17 +122,12 @@ void SectionLocaliser::correct_by_line_end(const Here& here) {
     const Vec2 p_vehicle = here.T_piece_vehicle.inverse() * Vec2(wall.to_m, wall.aside_m);
     const double sigma_m = kEndDirection_rad * p_vehicle.squaredNorm() / std::abs(wall.aside_m);
     if (sigma_m > kEndSigmaMax_m) continue;
-    correct_along(here, off_m, p_vehicle, std::hypot(sigma_m, params_.wall_sigma_m));
+    const Vec2 along = unit(here.piece.T_map_start.theta);
+    const double left_m = rotate(here.T_piece_vehicle.theta, p_vehicle).y();
+    filter_.correct(off_m, {along.x(), along.y(), -left_m},
+                    inflated(std::hypot(sigma_m, params_.wall_sigma_m)));
     return;
   }
-}
-
-/// @param off_m      how much farther along the piece than seen a thing should be
-/// @param p_vehicle  where it is seen
-bool SectionLocaliser::correct_along(const Here& here, double off_m, const Vec2& p_vehicle, double sigma_m) {
-  const Vec2 along = unit(here.piece.T_map_start.theta);
-  const double left_m = rotate(here.T_piece_vehicle.theta, p_vehicle).y();
-  return filter_.correct(off_m, {along.x(), along.y(), -left_m}, inflated(sigma_m));
 }
 
 double SectionLocaliser::aside_sigma_m(double heading_rad) const {

@@ -74,7 +74,7 @@ TEST(ObstacleGuard, StopsWhereTheFloorEndsOnTheWayOnceTwoPicturesShowIt) {
     return edge;
   };
   ObstacleGuard guard(blind, {}, nullptr);
-  const auto speed_mps = [&, stamp_s = 0.0](const SensedSegment& edge) mutable {
+  auto speed_mps = [&, stamp_s = 0.0](const SensedSegment& edge) mutable {
     guard.look({.stamp_s = stamp_s += 0.1, .odometry = FrontSteeredMotion{}});
     guard.see_floor({&edge, 1});
     return guard.allow(kAhead, straight()).command.speed_mps;

@@ -38,11 +38,12 @@ void find_walls_across(std::span<const SensedSegment> edges, const Pose2& T_way_
     const Vec2 start = T_way_vehicle * edge.segment.start, end = T_way_vehicle * edge.segment.end;
     const double along_m = std::abs(end.x() - start.x()), across_m = std::abs(end.y() - start.y());
     if (std::atan2(along_m, across_m) > kParallelWithin_rad) continue;
-    across.push_back({.along_m = (T_way_vehicle * edge.centroid).x(),
+    const double ahead_m = std::abs(cross(unit(edge.heading_rad), edge.centroid));
+    const double side = edge.centroid.x() < 0 ? -1 : 1;
+    across.push_back({.along_m = T_way_vehicle.x + side * ahead_m,
                       .from_m = std::min(start.y(), end.y()),
                       .to_m = std::max(start.y(), end.y()),
-                      .sigma_m = edge.sigma_offset_m,
-                      .p_vehicle = edge.centroid});
+                      .sigma_m = edge.sigma_offset_m});
   }
 }
 

@@ -23,14 +23,14 @@ struct SectionLocaliserParams {
   bool heading_by_walls = true;
   bool left_base_line = true;
   bool length_by_wall_ahead = true;
-  bool length_by_line_end = true;
+  bool length_by_line_end = false;
 
   void describe(FieldList& fields);
 };
 
 /// Odometry, corrected by the floor's edges: the distances of the base lines beside a section say how far
-/// aside the vehicle is; the wall across its end, and where the base line inside of the next turn ends, how
-/// far along; walls at right angles, everywhere, its heading.
+/// aside the vehicle is; the wall across its end (and, if wanted, where the base line inside of the next turn
+/// ends) how far along; walls at right angles, everywhere, its heading.
 class SectionLocaliser {
  public:
   /// @param way  must outlive it; not empty
@@ -63,7 +63,6 @@ class SectionLocaliser {
   void correct_distance(const Here& here);
   void correct_by_wall_ahead(const Here& here, std::span<const SensedSegment> edges);
   void correct_by_line_end(const Here& here);
-  bool correct_along(const Here& here, double off_m, const Vec2& p_vehicle, double sigma_m);
   const WallBeside* wall_at(double aside_m) const;
   double inflated(double sigma_m) const;
 

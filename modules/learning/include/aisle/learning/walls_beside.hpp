@@ -28,11 +28,11 @@ void find_walls_beside(std::span<const SensedSegment> edges, const Pose2& T_way_
 
 /// A base line that runs across a way.
 struct WallAcross {
-  double along_m = 0;  ///< the way, from its start
+  double along_m = 0;  ///< the way, from its start: where the vehicle is and how far from it the wall, by
+                       ///< the wall's own direction, so that the vehicle's heading does not matter
   double from_m = 0;   ///< aside of the way, to the left
   double to_m = 0;
-  double sigma_m = 0;             ///< of `along_m`
-  Vec2 p_vehicle = Vec2::Zero();  ///< the middle of what is seen
+  double sigma_m = 0;  ///< of `along_m`
 };
 
 /// Those of the edges that run across a way within 8 degrees, at least 0.2 m of them.
