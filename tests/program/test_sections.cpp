@@ -75,7 +75,7 @@ TEST_F(Sections, WhatStandsOnTheFloorAheadIsWaitedFor) {
        R"("start": {"at_m": [0, 0], "heading_deg": 0}, "sections": ["a 3.2 right 0.55"]}]})");
   const auto drive = [&](const std::string& scenario) {
     return run_aisle({"navigate", at("building.json"), "--method", "sections", "--world", "mini-corridor",
-                      "--scenario", scenario, "--set", "guard.wait_max_s=25", "--set", "speed.speed_mps=0.2",
+                      "--faults", scenario, "--set", "guard.wait_max_s=25", "--set", "speed.speed_mps=0.2",
                       "--json"});
   };
   const ProgramRun blocked = drive("mini-blocked");
