@@ -58,6 +58,9 @@ void add_trial_verb(CLI::App& app, Work& work) {
   verb->add_option("--noise-scale", options->noise_scale,
                    "explore: how much worse the odometry is (default 1)")
       ->check(CLI::Range(0.0, 20.0));
+  verb->add_option("--lift", options->lift_m,
+                   "landmarks: somewhere on its way the vehicle is lifted and put so far on or back [m]")
+      ->check(CLI::Range(0.5, 100.0));
   verb->add_flag("--reverse", options->in_reverse, "drive the routes' ways back");
   add_parameter_options(*verb, options->parameters, trial_parameters, work, [=, &work] {
     if (options->method.empty()) throw CLI::RequiredError("METHOD");

@@ -1,5 +1,6 @@
 #include "landmark_course.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "aisle/formats/building_json.hpp"
@@ -70,6 +71,25 @@ Result<LandmarkMissionResult> drive_alone(const SimulationSetting& setting,
   if (!driver) return driver.problems();
   std::optional<SessionRecord> no_session;
   return drive_landmark_mission(setting, **driver, truth, options, no_session, progress);
+}
+
+std::optional<ScenarioEvent> lift_on_route(const SimulationSetting& setting, const Path& path,
+                                           const MapTruth& truth, double lift_m, std::uint64_t seed) {
+  constexpr double kFromEnds_m = 1, kAside_m = 0.15, kTurned_rad = 5 * kDegree;
+  constexpr int kTrials = 50;
+  Random random(seed);
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const double from_m = random.uniform(kFromEnds_m, std::max(kFromEnds_m, path.length_m() - kFromEnds_m));
+    const double to_m = from_m + (random.uniform(0, 1) < 0.5 ? -lift_m : lift_m);
+    const Pose2 off{0, random.uniform(-kAside_m, kAside_m), random.uniform(-kTurned_rad, kTurned_rad)};
+    if (to_m < kFromEnds_m || to_m > path.length_m() - kFromEnds_m) continue;
+    const Pose2 T_world_to = truth.in_world(path.at(to_m).T_map_path) * off;
+    if (!fits(setting.world, setting.vehicle.description.footprint, T_world_to)) continue;
+    return ScenarioEvent{.fault = Lifted{T_world_to},
+                         .near = truth.in_world(path.at(from_m).T_map_path).position(),
+                         .radius_m = 0.3};
+  }
+  return std::nullopt;
 }
 
 void refine_by(const LandmarkMissionResult& mission, const VehicleDescription& vehicle,

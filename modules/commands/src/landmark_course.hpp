@@ -37,6 +37,11 @@ Result<LandmarkMissionResult> drive_alone(const SimulationSetting& setting,
                                           const MapTruth& truth, const LandmarkMissionOptions& options,
                                           Progress& progress);
 
+/// Somebody lifts the vehicle somewhere on its way and puts it down farther on or back, nearly as it stood.
+/// @return nullopt if the way is too short, or too narrow to put it down
+std::optional<ScenarioEvent> lift_on_route(const SimulationSetting& setting, const Path& path,
+                                           const MapTruth& truth, double lift_m, std::uint64_t seed);
+
 /// Takes a mission's trip into the building's landmarks: C98 Algorithm 4.
 void refine_by(const LandmarkMissionResult& mission, const VehicleDescription& vehicle,
                const LandmarkLearningParams& params, Building& building);

@@ -82,6 +82,7 @@ void MissionJudge::add(double stamp_s, const LandmarkFix& fix, const Pose2& T_wo
       path_.nearest(T_map_true.position(), along_path_m_ - kBack_m, along_path_m_ + kAhead_m);
   along_path_m_ = nearest.along_m;
   const Pose2 error = between(T_map_true, fix.T_map_vehicle.mean);
+  errors_.knew_place_at_end = !fix.is_lost && error.position().norm() <= kWrong_m;
   if (!fix.is_sure || error.position().norm() <= kWrong_m) {
     wrong_since_s_.reset();
   } else {

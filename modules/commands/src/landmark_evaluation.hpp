@@ -69,6 +69,7 @@ struct MissionErrors {
   /// Ever off by more than half a metre for longer than three seconds on end and yet sure: a vehicle that was
   /// lifted cannot know it at once.
   bool wrong_confident = false;
+  bool knew_place_at_end = false;  ///< was not lost, and not off by more than half a metre
 };
 
 /// Judges a mission, cycle by cycle.

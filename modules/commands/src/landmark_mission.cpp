@@ -107,7 +107,8 @@ nlohmann::ordered_json figures_of(const LandmarkMissionResult& result) {
        {{"across_rmse_m", rounded(errors.across_m.rms(), 4)},
         {"along_rmse_m", rounded(errors.along_m.rms(), 4)},
         {"heading_rmse_deg", rounded(to_degrees(errors.heading_rad.rms()), 3)},
-        {"wrong_confident", errors.wrong_confident}}},
+        {"wrong_confident", errors.wrong_confident},
+        {"knew_place_at_end", errors.knew_place_at_end}}},
       {"tracking",
        {{"rmse_m", rounded(errors.tracking_m.rms(), 4)}, {"max_m", rounded(errors.tracking_m.worst(), 4)}}},
       {"cycle_ms", cycle_figures(result.cycle_s)}};

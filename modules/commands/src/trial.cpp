@@ -56,6 +56,7 @@ class Statistics {
     arrived_ += result.end.arrived ? 1 : 0;
     collisions_ += result.collisions;
     wrong_confident_ += result.errors.wrong_confident ? 1 : 0;
+    knew_place_at_end_ += result.errors.knew_place_at_end ? 1 : 0;
     lost_.add(static_cast<double>(result.lost_count));
     distance_m_.add(result.distance_m);
     across_m_.add(result.errors.across_m.rms());
@@ -71,10 +72,10 @@ class Statistics {
 
   Json json() const {
     return {{"missions", missions_},
-            {"arrived_share",
-             rounded(static_cast<double>(arrived_) / std::max<double>(static_cast<double>(missions_), 1), 4)},
+            {"arrived_share", share(arrived_)},
             {"collisions", collisions_},
             {"wrong_confident", wrong_confident_},
+            {"knew_place_at_end_share", share(knew_place_at_end_)},
             {"lost_count", lost_.json(2)},
             {"distance_m", distance_m_.json(1)},
             {"localisation",
@@ -87,7 +88,11 @@ class Statistics {
   }
 
  private:
-  std::size_t missions_ = 0, arrived_ = 0, collisions_ = 0, wrong_confident_ = 0;
+  double share(std::size_t missions) const {
+    return rounded(static_cast<double>(missions) / std::max<double>(static_cast<double>(missions_), 1), 4);
+  }
+
+  std::size_t missions_ = 0, arrived_ = 0, collisions_ = 0, wrong_confident_ = 0, knew_place_at_end_ = 0;
   Spread lost_, distance_m_, across_m_, along_m_, heading_deg_, tracking_m_, tracking_worst_m_, landmarks_;
   std::vector<double> cycle_s_;
 };
@@ -126,10 +131,16 @@ Problems run_seed(const TrialOptions& options, const LandmarkCourseParams& param
   const MapTruth truth(lesson->T_map_taught, (*trip)->T_world_vehicle);
   Building building = lesson->building;
   for (int refinement = 0; refinement <= options.refinements; ++refinement) {
-    const auto result = drive_alone(*setting, params, building, truth,
-                                    {.seed = 1000 * (seed + 1) + static_cast<std::uint64_t>(refinement),
-                                     .in_reverse = options.in_reverse},
-                                    progress);
+    const std::uint64_t mission_seed = 1000 * (seed + 1) + static_cast<std::uint64_t>(refinement);
+    SimulationSetting present = *setting;
+    if (options.lift_m) {
+      const auto lift =
+          lift_on_route(present, building.routes.front().path, truth, *options.lift_m, mission_seed);
+      if (!lift) return {{{}, fmt::format("seed {}: the way is too short to be lifted along it", seed)}};
+      present.scenario.events.push_back(*lift);
+    }
+    const auto result = drive_alone(present, params, building, truth,
+                                    {.seed = mission_seed, .in_reverse = options.in_reverse}, progress);
     if (!result) return result.problems();
     trial.after[static_cast<std::size_t>(refinement)].add(*result, building.landmarks.size());
     trial.missions.push_back(mission_json(seed, *setting, refinement, *result));

@@ -88,9 +88,10 @@ void BuildingExplorer::match_gates(const FloorGrid& floor, const Pose2& T_map_ve
   for (std::size_t p = 0; p < gate_of.size(); ++p) {
     SeenPath& path = paths_[p];
     if (path.state == PathState::kExplored) continue;
+    path.has_gate = gate_of[p].has_value();
     if (gate_of[p]) {
       path.gate = gates_[*gate_of[p]];
-    } else if (path.state != PathState::kGivenUp) {
+    } else if (!is_left(path)) {
       path.state = PathState::kExplored;
       note(PathEvent::Kind::kExplored, p);
     }
@@ -207,6 +208,7 @@ ExploringTarget BuildingExplorer::take_from_stack(const Pose2& T_map_vehicle) {
   }
   const auto next = best_waiting();
   if (!next) {
+    if (resume_left()) return take_from_stack(T_map_vehicle);
     if (!is_going_home_) feed(corridor_input::kAway);
     is_going_home_ = true;
     return {};
@@ -265,9 +267,37 @@ ExploringTarget BuildingExplorer::take(std::size_t path) {
 }
 
 void BuildingExplorer::give_up(std::size_t path, std::size_t cycle) {
+  leave(path, PathState::kGivenUp, PathEvent::Kind::kGivenUp, cycle);
+}
+
+void BuildingExplorer::abandon(std::size_t path, std::size_t cycle) {
+  leave(path, PathState::kAbandoned, PathEvent::Kind::kAbandoned, cycle);
+}
+
+void BuildingExplorer::abandon_all(std::size_t cycle) {
+  for (std::size_t p = 0; p < paths_.size(); ++p) {
+    if (!is_open(paths_[p])) continue;
+    abandon(p, cycle);
+    paths_[p].chances = 0;
+  }
+}
+
+void BuildingExplorer::leave(std::size_t path, PathState state, PathEvent::Kind kind, std::size_t cycle) {
   cycle_ = cycle;
-  paths_.at(path).state = PathState::kGivenUp;
-  note(PathEvent::Kind::kGivenUp, path);
+  paths_.at(path).state = state;
+  note(kind, path);
+}
+
+/// With nothing else to do, what was left is tried once more, from elsewhere.
+bool BuildingExplorer::resume_left() {
+  bool resumed = false;
+  for (SeenPath& path : paths_) {
+    if (!is_left(path) || !path.has_gate || path.chances == 0) continue;
+    --path.chances;
+    path.state = PathState::kWaiting;
+    resumed = true;
+  }
+  return resumed;
 }
 
 void BuildingExplorer::stop(std::size_t cycle) {
@@ -276,8 +306,12 @@ void BuildingExplorer::stop(std::size_t cycle) {
 }
 
 std::size_t BuildingExplorer::paths_waiting() const {
+  return static_cast<std::size_t>(std::count_if(paths_.begin(), paths_.end(), is_open));
+}
+
+std::size_t BuildingExplorer::paths_abandoned() const {
   return static_cast<std::size_t>(std::count_if(paths_.begin(), paths_.end(), [](const SeenPath& path) {
-    return path.state == PathState::kWaiting || path.state == PathState::kActive;
+    return path.state == PathState::kAbandoned && path.has_gate;
   }));
 }
 

@@ -6,7 +6,6 @@
 namespace aisle {
 namespace {
 
-constexpr double kCheckShare = 0.4;    // of the margin that a way must keep while it is driven
 constexpr double kStopSpare_m = 0.15;  // the vehicle stops so far before what came into its way
 constexpr double kCoverageEvery_m = 0.5;
 constexpr double kFanEdge_rad = 3 * kDegree;  // nothing is expected to be seen so near to the fan's edge
@@ -15,9 +14,12 @@ constexpr int kAttemptsMax = 3;
 constexpr double kNearHome_m = 1.5;
 constexpr double kNearHome_rad = 30 * kDegree;
 constexpr double kGateMoved_m = 1;
-constexpr double kBrakingWay_m = 0.2;
 constexpr double kBendAhead_m = 0.05;
-constexpr double kWheelsOff_rad = 15 * kDegree;
+constexpr double kWheelsOff_rad = 25 * kDegree;
+constexpr double kWheelsOffAtFirst_rad = 4 * kDegree;  // at the start of a leg
+constexpr double kLearned_m2 = 0.5;                    // so much more floor is something learned
+constexpr double kIdleWay_m = 150;                     // without learning anything: what waits is left undone
+constexpr double kWatchMargin_m = 0.02;                // around the footprint, while it is driven
 
 double steering_now(const OdometryReading& odometry) {
   const auto* motion = std::get_if<FrontSteeredMotion>(&odometry);
@@ -74,6 +76,8 @@ void ExplorerNavigatorParams::describe(FieldList& fields) {
   fields.real("look_s", look_s, {0, 60}, "time to look around before it starts");
   fields.real("look_from_m", look_from_m, {0.3, 10}, "so near it drives to what it wants to see");
   fields.real("join_m", join_m, {0.1, 5}, "so far ahead a new way joins the old one");
+  fields.group("patience", patience);
+  fields.real("time_max_s", time_max_s, {10, 100000}, "then it gives up, wherever it is");
   fields.count("expansions", expansions, {10, 100000}, "poses that the search looks at in a cycle");
   fields.real("stuck_s", stuck_s, {1, 3600}, "standing for so long without a way it gives up");
 }
@@ -85,7 +89,9 @@ ExplorerNavigator::ExplorerNavigator(const ExplorerNavigatorParams& params, cons
       learner_(params.learner, vehicle, std::move(sensor)),
       explorer_(params.explorer, order),
       search_(params.search, vehicle),
-      watch_(vehicle.footprint, kCheckShare * params.search.margin_m),
+      watch_(vehicle.footprint, kWatchMargin_m),
+      braking_(vehicle, kWatchMargin_m),
+      patience_(params.patience),
       follower_(vehicle, params.steering) {}
 
 Decision ExplorerNavigator::step(const Observation& observation) {
@@ -95,6 +101,9 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   if (observation.bumper_pressed) return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
   const FloorLearner::News news = learner_.take(observation);
   mark_coverage();
+  if (stamp_s_ - *begun_s_ > params_.time_max_s)
+    return end(NavigatorStatus::kFailed, "late", "its time is over");
+  if (learner_.is_laying_anew()) return wait_for_floor();
   if (stamp_s_ - *begun_s_ < params_.look_s || !learner_.has_looked()) return {.state = "looking"};
   if (news == FloorLearner::News::kLoop) drop_way();
   if (news != FloorLearner::News::kNothing || !target_) {
@@ -102,6 +111,8 @@ Decision ExplorerNavigator::step(const Observation& observation) {
     choose();
   }
   search_way();
+  lose_patience();
+  if (!ended_because_.empty()) return end(NavigatorStatus::kFailed, "stuck", ended_because_);
   if (is_lost_for_ways()) return end(NavigatorStatus::kFailed, "stuck", "finds no way that it can drive");
   if (came_home_) return end(NavigatorStatus::kDone, "home", "explored");
   return drive(observation);
@@ -120,6 +131,7 @@ void ExplorerNavigator::choose() {
                        learner_.T_map_vehicle() * Vec2(middle_m, 0), learner_.T_map_home(), cycle_);
   const bool goes_on = target_ && is_same(*target_, target);
   target_ = target;
+  watch_learning(goes_on);
   const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
   if (goes_on && (!gate_moved || target.kind != ExploringTarget::Kind::kPath)) return;
   attempts_ = 0;
@@ -217,6 +229,7 @@ void ExplorerNavigator::search_way() {
   if (state == CarSearch::State::kFound) take_way();
   if (state == CarSearch::State::kNone) {
     search_.stop();
+    patience_.hitch(learner_.T_map_vehicle());
     arrived_cycle_ = cycle_;
     if (target_->kind == ExploringTarget::Kind::kPath && attempts_ > 0) give_path_up();
   }
@@ -225,6 +238,48 @@ void ExplorerNavigator::search_way() {
 void ExplorerNavigator::give_path_up() {
   explorer_.give_up(target_->path, cycle_);
   target_.reset();
+}
+
+/// New floor, or another target: that is worth its time.
+void ExplorerNavigator::watch_learning(bool goes_on) {
+  const bool learned = learner_.floor().free_m2() > learned_m2_ + kLearned_m2;
+  if (learned) {
+    learned_m2_ = learner_.floor().free_m2();
+    learned_way_m_ = learner_.way_m();
+  }
+  if (!learned && goes_on) return;
+  const bool is_home = target_->kind == ExploringTarget::Kind::kHome;
+  const double target_m = is_home ? learner_.way_m() / 2 : target_->gate.way_m;
+  patience_.renew(stamp_s_, learner_.way_m(), target_m);
+}
+
+/// What leads nowhere is left undone, and in the end everything.
+void ExplorerNavigator::lose_patience() {
+  if (!target_) return;
+  const bool is_idle = learner_.way_m() - learned_way_m_ > kIdleWay_m;
+  if (is_idle && target_->kind != ExploringTarget::Kind::kHome) {
+    explorer_.abandon_all(cycle_);
+    return drop_way();
+  }
+  if (!patience_.is_over(stamp_s_, learner_.way_m())) return;
+  switch (target_->kind) {
+    case ExploringTarget::Kind::kPath:
+      explorer_.abandon(target_->path, cycle_);
+      return drop_way();
+    case ExploringTarget::Kind::kCrossing:
+      ended_because_ = "does not get back to a crossing";
+      return;
+    case ExploringTarget::Kind::kHome:
+      ended_because_ = "does not get home";
+      return;
+  }
+}
+
+/// A place was recognised: the floor is laid anew while the vehicle stands.
+Decision ExplorerNavigator::wait_for_floor() {
+  drop_way();
+  moved_s_ = stamp_s_;
+  return {.state = "recognising"};
 }
 
 void ExplorerNavigator::take_way() {
@@ -239,6 +294,7 @@ void ExplorerNavigator::take_way() {
     return;
   }
   path_ = found;
+  leg_begun_ = 0;
   progress_.emplace(path_);
 }
 
@@ -263,9 +319,14 @@ void ExplorerNavigator::drop_way() {
 void ExplorerNavigator::check_way() {
   if (!progress_) return;
   const double along_m = progress_->point().along_m;
-  const double free_m = watch_.free_way_m(learner_.floor(), learner_.clearance(), path_, along_m);
+  const double standing_m =
+      watch_.standing_spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+  const double free_m = watch_.free_way_m(learner_.floor(), learner_.clearance(), path_, along_m, standing_m);
   if (along_m + free_m >= path_.length_m() - 1e-6) return;
-  if (free_m < kStopSpare_m) return drop_way();
+  if (free_m < kStopSpare_m) {
+    patience_.hitch(learner_.T_map_vehicle());
+    return drop_way();
+  }
   shorten_way(free_m - kStopSpare_m);
   target_.reset();
 }
@@ -291,46 +352,33 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
     }
     return {.command = {.steering_rad = steering_rad}, .state = state};
   }
-  const double speed_mps = speed_along(path_, point.along_m, 1, vehicle_, params_.speed);
   if (const auto turned = turn_wheels_first(point, steering_rad)) return {.command = *turned, .state = state};
-  if (!is_ahead_free(point, steering_rad)) {
+  const double care = driving_care(vehicle_, search_.room(), learner_.floor(), learner_.clearance(), path_,
+                                   point.along_m, steering_rad);
+  const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, params_.speed);
+  const Command command = follower_.follow(path_, point, learner_.T_map_vehicle(), speed_mps, steering_rad);
+  braking_.see(learner_.sensor().fan(), learner_.view().ranges_m);
+  if (!braking_.is_free(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(), command,
+                        steering_rad)) {
+    patience_.hitch(learner_.T_map_vehicle());
     drop_way();
-    return {.command = {.steering_rad = steering_rad}, .state = state};
+    return {.command = {.steering_rad = steering_rad}, .state = "blocked"};
   }
-  return {.command = follower_.follow(path_, point, learner_.T_map_vehicle(), speed_mps, steering_rad),
-          .state = state};
-}
-
-/// Whether the vehicle stays on free floor as its wheels stand now, for as long as it takes to stop.
-bool ExplorerNavigator::is_ahead_free(const PathPoint& point, double steering_rad) const {
-  if (vehicle_.is_differential) return true;
-  const double sign = path_.pieces()[point.piece].arc.length_m < 0 ? -1 : 1;
-  const double spare_now_m = watch_.spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
-  const double standing_spare_m =
-      watch_.standing_spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
-  const std::size_t leg_end = path_.leg_end(point.piece);
-  const double left_m = path_.start_m(leg_end - 1) + path_.pieces()[leg_end - 1].way_m() - point.along_m;
-  const double braking_m = std::min(kBrakingWay_m, left_m);
-  for (const double way_m : {braking_m / 2, braking_m}) {
-    const Pose2 T_map = learner_.T_map_vehicle() *
-                        aisle::drive(vehicle_.front_steered, FrontSteeredMotion{sign * way_m, steering_rad});
-    const double spare_m = watch_.spare_m(learner_.floor(), learner_.clearance(), T_map);
-    const bool fits = spare_m >= std::min(0.0, spare_now_m) ||
-                      watch_.fits_barely(learner_.floor(), learner_.clearance(), T_map, standing_spare_m);
-    if (!fits) return false;
-  }
-  return true;
+  return {.command = command, .state = state};
 }
 
 /// Where the way bends otherwise than the wheels stand, they turn before the vehicle goes on.
-std::optional<Command> ExplorerNavigator::turn_wheels_first(const PathPoint& point,
-                                                            double steering_rad) const {
+std::optional<Command> ExplorerNavigator::turn_wheels_first(const PathPoint& point, double steering_rad) {
   if (vehicle_.is_differential) return std::nullopt;
   const std::size_t leg_end = path_.leg_end(point.piece);
   const double leg_end_m = path_.start_m(leg_end - 1) + path_.pieces()[leg_end - 1].way_m();
   const PathPoint ahead = path_.at(std::min(point.along_m + kBendAhead_m, leg_end_m - 1e-6));
   const double wanted_rad = std::atan(ahead.curvature_per_m * vehicle_.front_steered.wheelbase_m);
-  if (std::abs(wanted_rad - steering_rad) < kWheelsOff_rad) return std::nullopt;
+  const double off_max_rad = leg_end == leg_begun_ ? kWheelsOff_rad : kWheelsOffAtFirst_rad;
+  if (std::abs(wanted_rad - steering_rad) < off_max_rad) {
+    leg_begun_ = leg_end;
+    return std::nullopt;
+  }
   return Command{.speed_mps = 0, .steering_rad = wanted_rad};
 }
 
@@ -360,6 +408,7 @@ ExplorationRecord ExplorerNavigator::record() const {
   record.coverage = coverage_;
   record.T_map_vehicle = learner_.T_map_vehicle_of_all();
   record.paths_waiting = explorer_.paths_waiting();
+  record.paths_abandoned = explorer_.paths_abandoned();
   record.way_m = learner_.way_m();
   record.came_home = came_home_;
   record.ended_because = ended_because_;

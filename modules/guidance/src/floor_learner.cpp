@@ -1,12 +1,19 @@
 #include "aisle/guidance/floor_learner.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace aisle {
 namespace {
 
-constexpr double kSetDownSpare_m = 0.15;
-constexpr double kStanding_m = 0.002;  // of way in a cycle
+constexpr double kSetDownAhead_m = 0.15;
+constexpr double kSetDownBeside_m = 0.1;
+constexpr double kOutOfPlace_m =
+    0.025;                      // the floor is laid anew when a slice lies so far from where it was put
+constexpr double kLever_m = 2;  // at which turns count
+constexpr std::size_t kLaidACycle = 2;  // of the slices that are laid anew
+constexpr double kStanding_m = 0.002;   // of way in a cycle
 
 Pose2 motion_of(const VehicleDescription& vehicle, const OdometryReading& odometry) {
   if (const auto* motion = std::get_if<FrontSteeredMotion>(&odometry))
@@ -52,12 +59,10 @@ FloorLearner::News FloorLearner::take(const Observation& observation) {
     if (log_.scans.size() == 1) T_map_home_ = mapping_.T_map_vehicle();
   }
   T_map_vehicle_ = mapping_.T_map_vehicle() * T_slice_vehicle_;
-  if (recognised) {
-    put_all_anew();
-    return News::kLoop;
-  }
+  if (recognised && places_moved()) begin_anew();
+  if (anew_) return lay_on() ? News::kLoop : News::kNothing;
   if (!sees || !is_time_to_look()) return News::kNothing;
-  looks_.push_back({log_.scans.size() - 1, view_.near_m});
+  looks_.push_back({log_.scans.size() - 1, view_.near_m, T_map_vehicle_});
   T_map_looked_ = T_map_vehicle_;
   cycles_since_look_ = 0;
   const FloorBox changed = put(looks_.back(), T_map_vehicle_, floor_);
@@ -91,13 +96,15 @@ FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGr
   return changed;
 }
 
-/// Who sets a vehicle down leaves it the strip free that it cannot see ahead of itself.
+/// Who sets a vehicle down leaves it a little room beside and behind it, and the strip free that it cannot
+/// see ahead of itself.
 Footprint FloorLearner::set_down_room() const {
   Footprint room = vehicle_.footprint;
+  room.rear_m += kSetDownBeside_m;
+  room.width_m += 2 * kSetDownBeside_m;
   const std::vector<float>& near_m = looks_.front().near_m;
-  if (near_m.empty()) return room;
-  room.front_m = sensor_->fan().T_vehicle_laser.x + near_m[near_m.size() / 2] + kSetDownSpare_m;
-  room.width_m += 2 * kSetDownSpare_m;
+  if (!near_m.empty())
+    room.front_m = sensor_->fan().T_vehicle_laser.x + near_m[near_m.size() / 2] + kSetDownAhead_m;
   return room;
 }
 
@@ -107,13 +114,33 @@ FloorGrid FloorLearner::floor_from(std::span<const Pose2> T_map_vehicle) const {
   return floor;
 }
 
-/// A place was recognised: every slice lies elsewhere now.
-void FloorLearner::put_all_anew() {
-  const std::vector<Pose2> T_map_of_all = mapping_.T_map_vehicle_of_all();
-  T_map_home_ = T_map_of_all.front();
-  floor_ = floor_from(T_map_of_all);
-  clearance_ = FloorClearance(clearance_.far_m());
-  clearance_.update(floor_, floor_.known());
+/// A place was recognised: whether any slice lies elsewhere now, by more than the floor is accurate.
+bool FloorLearner::places_moved() {
+  T_map_of_all_ = mapping_.T_map_vehicle_of_all();
+  T_map_home_ = T_map_of_all_.front();
+  return std::any_of(looks_.begin(), looks_.end(), [&](const Look& look) {
+    const Pose2 off = between(look.T_map_put, T_map_of_all_[look.slice]);
+    return off.position().norm() + kLever_m * std::abs(off.theta) > kOutOfPlace_m;
+  });
+}
+
+void FloorLearner::begin_anew() {
+  anew_.emplace(params_.cell_m, clearance_.far_m());
+}
+
+/// Lays a few slices more onto the floor as they lie now; true when all are laid.
+bool FloorLearner::lay_on() {
+  const std::size_t end = std::min(anew_->next + kLaidACycle, looks_.size());
+  for (; anew_->next < end; ++anew_->next) {
+    Look& look = looks_[anew_->next];
+    look.T_map_put = T_map_of_all_[look.slice];
+    anew_->clearance.update(anew_->floor, put(look, look.T_map_put, anew_->floor));
+  }
+  if (anew_->next < looks_.size()) return false;
+  floor_ = std::move(anew_->floor);
+  clearance_ = std::move(anew_->clearance);
+  anew_.reset();
+  return true;
 }
 
 }  // namespace aisle

@@ -8,6 +8,20 @@ namespace {
 
 constexpr double kSlice_m = 0.2;  // of the footprint's length that one disc covers
 constexpr double kWayCheck_m = 0.1;
+constexpr double kTouchedCells = 0.8;  // between the points that are looked at under the footprint
+
+/// What cells have at their middles, at any point between four of them.
+template <class ValueOf>
+double between_cells(const FloorGrid& floor, const Vec2& p_map, ValueOf value_of) {
+  const double x = p_map.x() / floor.cell_m() - 0.5, y = p_map.y() / floor.cell_m() - 0.5;
+  const double column = std::floor(x), row = std::floor(y);
+  const double right = x - column, up = y - row;
+  const FloorCell low{static_cast<int>(column), static_cast<int>(row)};
+  const auto in_row = [&](int cell_y) -> double {
+    return (1 - right) * value_of(FloorCell{low.x, cell_y}) + right * value_of(FloorCell{low.x + 1, cell_y});
+  };
+  return (1 - up) * in_row(low.y) + up * in_row(low.y + 1);
+}
 
 }  // namespace
 
@@ -22,23 +36,23 @@ FootprintRoom::FootprintRoom(const Footprint& footprint, double margin_m)
 
 double FootprintRoom::spare_m(const FloorGrid& floor, const FloorClearance& clearance,
                               const Pose2& T_map_vehicle) const {
-  const Vec2 ahead = unit(T_map_vehicle.theta);
-  double least_m = clearance.far_m();
-  for (const Vec2& p : p_vehicle_discs_) {
-    const FloorCell cell = floor.cell_at(T_map_vehicle.position() + p.x() * ahead);
-    least_m = std::min(least_m, clearance.to_doubtful_m(cell));
-  }
-  return least_m - radius_m_;
+  return least_m(floor, T_map_vehicle, clearance.far_m(),
+                 [&](FloorCell cell) { return clearance.to_doubtful_m(cell); });
 }
 
 double FootprintRoom::standing_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
                                        const Pose2& T_map_vehicle) const {
+  return least_m(floor, T_map_vehicle, clearance.far_m(),
+                 [&](FloorCell cell) { return clearance.to_occupied_m(cell); });
+}
+
+template <class DistanceAt>
+double FootprintRoom::least_m(const FloorGrid& floor, const Pose2& T_map_vehicle, double far_m,
+                              DistanceAt distance_at) const {
   const Vec2 ahead = unit(T_map_vehicle.theta);
-  double least_m = clearance.far_m();
-  for (const Vec2& p : p_vehicle_discs_) {
-    const FloorCell cell = floor.cell_at(T_map_vehicle.position() + p.x() * ahead);
-    least_m = std::min(least_m, clearance.to_occupied_m(cell));
-  }
+  double least_m = far_m;
+  for (const Vec2& p : p_vehicle_discs_)
+    least_m = std::min(least_m, between_cells(floor, T_map_vehicle.position() + p.x() * ahead, distance_at));
   return least_m - radius_m_;
 }
 
@@ -46,13 +60,17 @@ bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& cl
                                 const Pose2& T_map_vehicle, double spare_m) const {
   if (standing_spare_m(floor, clearance, T_map_vehicle) < std::min(0.0, spare_m)) return false;
   const Vec2 ahead = unit(T_map_vehicle.theta), aside = left_normal(ahead);
-  const double step_m = 0.8 * floor.cell_m(), inset_m = 1.1 * floor.cell_m() - margin_m_ / 2,
-               half_m = footprint_.width_m / 2;
-  const int columns = static_cast<int>((footprint_.front_m + footprint_.rear_m - 2 * inset_m) / step_m),
-            rows = static_cast<int>(2 * (half_m - inset_m) / step_m);
+  const double inset_m = floor.cell_m() / 2;
+  const double length_m = footprint_.front_m + footprint_.rear_m - 2 * inset_m,
+               width_m = footprint_.width_m - 2 * inset_m;
+  const auto steps_over = [&](double way_m) {
+    return static_cast<int>(std::ceil(way_m / (kTouchedCells * floor.cell_m())));
+  };
+  const int columns = steps_over(length_m), rows = steps_over(width_m);
   for (int column = 0; column <= columns; ++column) {
     for (int row = 0; row <= rows; ++row) {
-      const double x = inset_m - footprint_.rear_m + column * step_m, y = inset_m - half_m + row * step_m;
+      const double x = length_m * column / columns + inset_m - footprint_.rear_m,
+                   y = width_m * (static_cast<double>(row) / rows - 0.5);
       if (floor.at(Vec2(T_map_vehicle.position() + x * ahead + y * aside)) != Floor::kFree) return false;
     }
   }
@@ -60,10 +78,10 @@ bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& cl
 }
 
 double FootprintRoom::free_way_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path,
-                                 double from_m) const {
+                                 double from_m, double spare_m) const {
   const auto is_free = [&](double along_m) {
     const Pose2 T_map = path.at(along_m).T_map_path;
-    return fits(floor, clearance, T_map) || fits_barely(floor, clearance, T_map, 0);
+    return fits(floor, clearance, T_map) || fits_barely(floor, clearance, T_map, spare_m);
   };
   const double left_m = path.length_m() - from_m;
   const int checks = static_cast<int>(std::ceil(left_m / kWayCheck_m));

@@ -16,17 +16,9 @@ constexpr double kWatchShare = 0.4;     // of the margin that a way must keep wh
 constexpr double kSpareNoise_m = 0.02;  // of the room that the vehicle seems to have
 constexpr double kWatchAhead_m = 1.5;
 constexpr double kWatchEvery_m = 0.1;
-constexpr double kGetsOn_m = 0.3;  // within the time after which it gives up
-constexpr double kReaction_s = 0.4;
-constexpr double kStopSlack_m = 0.04;
+constexpr double kGetsOn_m = 0.3;     // within the time after which it gives up
 constexpr double kSearchAgain_s = 2;  // after there was no way
 constexpr double kPlaceLeeway_m = 1;  // about a place, where the vehicle may have less room than elsewhere
-constexpr double kCareAhead_m = 0.6;  // of the way that decides how careful the vehicle is
-constexpr double kCareEvery_m = 0.15;
-constexpr double kAmpleSpare_m = 0.3;  // with so much room on its sides it need not be careful
-constexpr double kWheelsAstray_rad =
-    25 * kDegree;                         // of where the way wants them: as slow as in the narrowest place
-constexpr double kCareMax = 0.2;          // share of the speed that is left with the greatest care
 constexpr double kOffKnownFloor_m = 100;  // how much farther places seem from which no way is known
 
 Pose2 counted_motion(const VehicleDescription& vehicle, const OdometryReading& odometry) {
@@ -79,6 +71,7 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
       floor_(floor_of(building)),
       search_(params.search, vehicle),
       watch_(vehicle.footprint, kWatchShare * params.search.margin_m),
+      braking_(vehicle, kWatchShare * params.search.margin_m),
       follower_(vehicle, params.steering),
       p_map_places_(std::move(p_map_places)),
       T_map_vehicle_(T_map_start) {
@@ -148,16 +141,6 @@ double GuideNavigator::room_at(const Pose2& T_map_vehicle) const {
   return watch_.spare_m(floor_, clearance_, T_map_vehicle);
 }
 
-/// Whether the vehicle would come too near to something before it can stop.
-bool GuideNavigator::is_too_near(const Command& command, double steering_rad) const {
-  const double stop_m = kReaction_s * command.speed_mps + std::copysign(kStopSlack_m, command.speed_mps);
-  const Arc arc = vehicle_.is_differential
-                      ? Arc{stop_m, 0}
-                      : Arc{stop_m, stop_m * std::tan(steering_rad) / vehicle_.front_steered.wheelbase_m};
-  const double room_m = room_at(T_map_vehicle_ * end_pose(arc));
-  return room_m < 0 && room_m < room_at(T_map_vehicle_) - kSpareNoise_m;
-}
-
 void GuideNavigator::drop_way() {
   progress_.reset();
   path_ = {};
@@ -207,23 +190,6 @@ void GuideNavigator::search_way(double stamp_s) {
   }
 }
 
-/// The share of its speed at which it keeps to its way well enough: less where there is little room, and
-/// where the wheels have yet to turn.
-double GuideNavigator::care(double steering_rad) const {
-  const double along_m = progress_->point().along_m;
-  double spare_m = kAmpleSpare_m, wheels_off_rad = 0;
-  constexpr int kPlaces = static_cast<int>(kCareAhead_m / kCareEvery_m) + 1;
-  for (int i = 0; i < kPlaces; ++i) {
-    const double ahead_m = i * kCareEvery_m;
-    const PathPoint point = path_.at(along_m + ahead_m);
-    spare_m = std::min(spare_m, room_at(point.T_map_path));
-    const double wanted_rad = std::atan(point.curvature_per_m * vehicle_.front_steered.wheelbase_m);
-    if (!vehicle_.is_differential && ahead_m <= kCareEvery_m)
-      wheels_off_rad = std::max(wheels_off_rad, std::abs(wanted_rad - steering_rad));
-  }
-  return std::clamp(std::min(spare_m / kAmpleSpare_m, 1 - wheels_off_rad / kWheelsAstray_rad), kCareMax, 1.0);
-}
-
 Decision GuideNavigator::drive(const Observation& observation) {
   const double steering_rad = wheels_now(observation.odometry);
   Decision standing{.command = {.steering_rad = steering_rad}, .state = "searching"};
@@ -233,9 +199,11 @@ Decision GuideNavigator::drive(const Observation& observation) {
     drop_way();
     return standing;
   }
-  const double speed_mps = speed_along(path_, point.along_m, care(steering_rad), vehicle_, params_.speed);
+  const double care = driving_care(vehicle_, watch_, floor_, clearance_, path_, point.along_m, steering_rad);
+  const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, params_.speed);
   const Command command = follower_.follow(path_, point, T_map_vehicle_, speed_mps, steering_rad);
-  if (is_too_near(command, steering_rad)) {
+  braking_.see(sensor_->fan(), view_.ranges_m);
+  if (!braking_.is_free(floor_, clearance_, T_map_vehicle_, command, steering_rad)) {
     drop_way();
     return standing;
   }

@@ -10,8 +10,8 @@
 namespace aisle {
 namespace {
 
-constexpr double kFoundSigma_m = 0.15;  // of a place that was found while lost, before a picture settles it
-constexpr double kFoundSigma_rad = 3 * kDegree;
+constexpr double kFoundSigma_m = 0.1;  // of a place that was found while lost, before a picture settles it
+constexpr double kFoundSigma_rad = 2 * kDegree;
 
 const CameraDescription& camera_of(const VehicleDescription& vehicle, const Building& building) {
   if (building.camera) {
@@ -84,6 +84,8 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
                "a picture with so many sightings of which none is known is strange");
   fields.real("strange_max_m", strange_max_m, {0.1, 1000},
               "after so much way of strange pictures it is lost; known ones make up for strange ones");
+  fields.real("search_speed_mps", search_speed_mps, {0, 1}, "lost, it goes so fast to see more");
+  fields.real("search_max_m", search_max_m, {0, 50}, "and so far");
   fields.real("give_up_s", give_up_s, {1, 600}, "lost for so long it gives up");
   fields.real("off_route_max_m", off_route_max_m, {0.1, 10}, "farther from its route it does not go on");
 }
@@ -99,7 +101,7 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
                 camera_of(vehicle, building).mount),
       localiser_(params.localiser, vehicle,
                  about(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
-      relocator_(params.relocation, params.localiser,
+      relocator_(params.relocation, params.localiser, vehicle,
                  places_to_try(building, path_, params.relocation.apart_m)),
       follower_(vehicle, params.steering),
       progress_(path_),
@@ -119,10 +121,12 @@ Decision LandmarkNavigator::step(const Observation& observation) {
     if (!why_lost_.empty()) {
       state_ = State::kLost;
       state_since_s_ = observation.stamp_s;
+      was_lifted_ = false;
+      searched_m_ = 0;
       relocator_.start();
     }
   }
-  if (state_ == State::kLost) return find_itself(observation.stamp_s);
+  if (state_ == State::kLost) return find_itself(observation);
   return guarded(follow(observation));
 }
 
@@ -132,15 +136,17 @@ LandmarkFix LandmarkNavigator::fix() const {
 
 /// Odometry, then the picture: pose and sightings of this cycle.
 void LandmarkNavigator::locate(const Observation& observation) {
-  const Vec2 p_map_before = localiser_.pose().position();
+  const Pose2 T_map_before = localiser_.pose();
   localiser_.predict(observation.odometry);
+  scenes_.move(between(T_map_before, localiser_.pose()));
   sightings_.clear();
   match_ = LandmarkMatch::kNothing;
   const CameraPicture* picture = guard_.look(observation);
   if (picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s)) {
     sightings_ = detector_.detect(*picture->image);
     if (state_ != State::kLost) match_ = localiser_.correct(building_->landmarks, sightings_);
-    weigh_strangeness((localiser_.pose().position() - p_map_before).norm());
+    weigh_strangeness((localiser_.pose().position() - T_map_before.position()).norm());
+    if (scenes_.look(sightings_)) was_lifted_ = true;
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
     matched_stamp_s_ = observation.stamp_s;
@@ -163,6 +169,7 @@ std::string LandmarkNavigator::why_lost() const {
   if (sigma_m > params_.lost_m)
     return fmt::format("saw nothing that it knows until unsure by {:.2f} m", sigma_m);
   if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "is unsure which way it points";
+  if (was_lifted_) return "sees other things than a moment ago";
   if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s || strange_way_m_ > params_.strange_max_m)
     return "sees other things than it knows";
   return "";
@@ -173,19 +180,16 @@ Decision LandmarkNavigator::look_around(double stamp_s) {
   return {.state = "looking"};
 }
 
-/// Standing, the vehicle compares what it sees with all places that it knows; pictures in a row must agree.
-Decision LandmarkNavigator::find_itself(double stamp_s) {
-  if (stamp_s - *state_since_s_ > params_.give_up_s) {
+/// The vehicle compares what it has seen since it was lost with all places that it knows.
+Decision LandmarkNavigator::find_itself(const Observation& observation) {
+  if (was_lifted_) relocator_.start();
+  was_lifted_ = false;
+  relocator_.predict(observation.odometry);
+  if (observation.stamp_s - *state_since_s_ > params_.give_up_s)
     return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
-  }
-  if (sightings_.empty()) return {.state = "lost", .why = why_lost_};
-  const auto found = relocator_.look(building_->landmarks, sightings_);
-  if (!found) return {.state = "lost", .why = why_lost_};
+  const auto found = sightings_.empty() ? std::nullopt : relocator_.look(building_->landmarks, sightings_);
+  if (!found) return search();
   localiser_.place(about(*found, kFoundSigma_m, kFoundSigma_rad));
-  const LandmarkMatch match = localiser_.correct(building_->landmarks, sightings_);
-  if (match != LandmarkMatch::kMatched || localiser_.matched_share() < params_.relocation.matched_share_min ||
-      localiser_.pairs().size() < static_cast<std::size_t>(params_.relocation.pairs_min))
-    return {.state = "lost", .why = why_lost_};
   const auto along_m = along_route(path_, localiser_.pose(), params_.off_route_max_m);
   if (!along_m) {
     return {.status = NavigatorStatus::kFailed,
@@ -195,9 +199,22 @@ Decision LandmarkNavigator::find_itself(double stamp_s) {
   }
   progress_ = PathProgress(path_, *along_m);
   state_ = State::kFollowing;
-  matched_stamp_s_ = stamp_s;
+  matched_stamp_s_ = observation.stamp_s;
   strange_way_m_ = 0;
   return {.state = "found", .why = fmt::format("{:.1f} m along the route", *along_m)};
+}
+
+/// Stands until one look at all places has said nothing, then goes ahead a little where the way is seen to be
+/// free.
+Decision LandmarkNavigator::search() {
+  Decision decision{.state = "lost", .why = why_lost_};
+  const bool sees_the_way = params_.guarded && guard_.sees_obstacles();
+  const bool has_looked = stamp_s_ - *state_since_s_ > params_.look_s && relocator_.rounds() > 0;
+  if (!sees_the_way || !has_looked || searched_m_ > params_.search_max_m) return decision;
+  const Command ahead{.speed_mps = params_.search_speed_mps};
+  decision.command = guard_.allow(ahead, straight_ahead(params_.guard.reach_m)).command;
+  searched_m_ += decision.command.speed_mps * vehicle_.cycle_s;
+  return decision;
 }
 
 Decision LandmarkNavigator::follow(const Observation& observation) {

@@ -1,35 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "aisle/guidance/car_search.hpp"
+#include "known_floor.hpp"
 
 namespace aisle {
 namespace {
-
-VehicleDescription cart() {
-  VehicleDescription vehicle;
-  vehicle.front_steered.wheelbase_m = 0.75;
-  vehicle.footprint = {.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6, .height_m = 1.3};
-  return vehicle;
-}
-
-/// Free rectangles in the unknown.
-class KnownFloor {
- public:
-  explicit KnownFloor(std::initializer_list<std::pair<Vec2, Vec2>> rectangles) {
-    for (const auto& [low, high] : rectangles) {
-      for (double y = low.y() + 0.025; y < high.y(); y += 0.05) {
-        for (double x = low.x() + 0.025; x < high.x(); x += 0.05)
-          floor.set(floor.cell_at({x, y}), Floor::kFree);
-      }
-    }
-    clearance.update(floor, floor.known());
-  }
-
-  CarSearch::State run(CarSearch& search) const { return search.advance(floor, clearance, 1000000); }
-
-  FloorGrid floor;
-  FloorClearance clearance;
-};
 
 /// Every pose of the way lies on known free floor, and the wheels can drive it.
 void expect_drivable(const Path& path, const KnownFloor& known, const VehicleDescription& vehicle) {
@@ -42,6 +17,10 @@ void expect_drivable(const Path& path, const KnownFloor& known, const VehicleDes
   }
 }
 
+CarSearch::State run(const KnownFloor& known, CarSearch& search) {
+  return search.advance(known.floor, known.clearance, 1000000);
+}
+
 double no_guide(const Vec2&) {
   return 0;
 }
@@ -51,7 +30,7 @@ TEST(CarSearch, TurnsRoundInACorridorWhereItCan) {
   CarSearch search({}, cart());
   search.look_for(
       {3, 1.1, 0}, [](const Pose2& T) { return std::abs(wrap_angle(T.theta - kPi)) < 0.1; }, no_guide);
-  ASSERT_EQ(known.run(search), CarSearch::State::kFound);
+  ASSERT_EQ(run(known, search), CarSearch::State::kFound);
   expect_drivable(search.path(), known, cart());
 }
 
@@ -61,7 +40,7 @@ TEST(CarSearch, ReversesOutOfWhereItCannotTurn) {
   search.look_for(
       {6, 0.475, 0}, [](const Pose2& T) { return T.y > 2; },
       [](const Vec2& p) { return std::max(0.0, 2 - p.y()); });
-  ASSERT_EQ(known.run(search), CarSearch::State::kFound);
+  ASSERT_EQ(run(known, search), CarSearch::State::kFound);
   EXPECT_LT(search.path().pieces().front().arc.length_m, 0);
   expect_drivable(search.path(), known, cart());
 }
@@ -72,7 +51,7 @@ TEST(CarSearch, EndsExactlyAtAPose) {
   const Pose2 T_map_goal{2, 2, 0.3}, T_map_vehicle{8, 3, 1};
   search.look_for_way_to(T_map_goal, T_map_vehicle,
                          [&](const Vec2& p) { return (p - T_map_vehicle.position()).norm(); });
-  ASSERT_EQ(known.run(search), CarSearch::State::kFound);
+  ASSERT_EQ(run(known, search), CarSearch::State::kFound);
   const Path path = search.path();
   const Pose2 missed = between(T_map_goal, path.at(path.length_m()).T_map_path);
   EXPECT_LT(missed.position().norm(), 1e-6);
@@ -86,7 +65,7 @@ TEST(CarSearch, FindsNothingBeyondWhatIsKnown) {
   CarSearch search({}, cart());
   search.look_for(
       {2, 1, 0}, [](const Pose2& T) { return T.x > 6; }, no_guide);
-  EXPECT_EQ(known.run(search), CarSearch::State::kNone);
+  EXPECT_EQ(run(known, search), CarSearch::State::kNone);
 }
 
 TEST(CarSearch, GoesOnInPortionsToTheSameWay) {
@@ -95,7 +74,7 @@ TEST(CarSearch, GoesOnInPortionsToTheSameWay) {
   CarSearch whole({}, cart()), portions({}, cart());
   whole.look_for({3, 1.1, 0}, is_turned, no_guide);
   portions.look_for({3, 1.1, 0}, is_turned, no_guide);
-  known.run(whole);
+  run(known, whole);
   while (portions.advance(known.floor, known.clearance, 17) == CarSearch::State::kSearching) continue;
   EXPECT_EQ(portions.expansions(), whole.expansions());
   EXPECT_EQ(portions.path().length_m(), whole.path().length_m());

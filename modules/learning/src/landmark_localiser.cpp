@@ -58,6 +58,7 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
   pairs_.clear();
   matched_share_ = 0;
   agreement_ = 0;
+  evidence_ = 0;
   gather(map, sightings);
   if (learned_.empty() || seen_.empty()) return LandmarkMatch::kNothing;
   const auto match = mwght_.match(learned_, seen_, window());
@@ -146,6 +147,7 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
   const Pose2 T_vehicle_map = T_map_vehicle.inverse();
   const Mat2 R_map_vehicle = rotation(T_map_vehicle.theta);
   double matched = 0, all = 0, agreement = 0;
+  evidence_ = 0;
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const LandmarkSighting& sighting = sightings[i];
     all += seen_[i].weight;
@@ -171,6 +173,7 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
     taken_[best] = 1;
     matched += seen_[i].weight;
     agreement += seen_[i].weight * std::exp(-nearest / 2);
+    evidence_ += std::max(0.0, kPairEvidence - nearest / 2);
     const std::size_t landmark = static_cast<std::size_t>(near_[best]);
     pairs_.push_back({i, landmark});
     const Vec2 by_tilt = params_.covariance ? sighting.by_tilt : Vec2(Vec2::Zero());

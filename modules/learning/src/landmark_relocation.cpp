@@ -7,12 +7,17 @@
 namespace aisle {
 namespace {
 
-constexpr double kPromising = 0.7;      // of the best value: places whose pairs are looked at
-constexpr std::size_t kJudgedMax = 24;  // places whose pairs are looked at in a picture
-constexpr int kJudgedPicturesMax = 12;  // before all places are tried again
-constexpr double kRoughSigma_m = 0.1;   // of a displacement, before its pairs settle it
+constexpr std::size_t kPromisingMax = 64;  // places whose pairs are looked at
+constexpr std::size_t kBestMax = 6;        // that are compared picture after picture
+constexpr double kRoughSigma_m = 0.1;      // of a displacement, before its pairs settle it
 constexpr double kRoughSigma_rad = 2 * kDegree;
-constexpr double kAgreed_m = 0.25;  // answers of two pictures that are the same
+constexpr double kSamePlace_m = 0.3;
+constexpr double kSamePlace_rad = 5 * kDegree;
+
+bool is_same_place(const Pose2& a, const Pose2& b) {
+  const Pose2 off = between(a, b);
+  return off.position().norm() < kSamePlace_m && std::abs(off.theta) < kSamePlace_rad;
+}
 
 }  // namespace
 
@@ -21,87 +26,135 @@ void LandmarkRelocationParams::describe(FieldList& fields) {
   fields.real("window_m", window_m, {0.1, 3}, "displacements up to this are tried around each");
   fields.angle("window_deg", window_rad, {1, 90}, "turns up to this are tried around each");
   fields.count("places_per_picture", places_per_picture, {1, 10000}, "so many places are tried in a cycle");
-  fields.real("distinct_share", distinct_share, {0, 1}, "another place this good makes an answer ambiguous");
+  fields.real("distinct_evidence", distinct_evidence, {0, 1000},
+              "a place must be more likely than any other by this (logarithm of the ratio)");
   fields.real("matched_share_min", matched_share_min, {0, 1}, "so much of what is seen must be known there");
-  fields.real("agreement_min", agreement_min, {0, 1}, "so nearly must it lie upon what is known there");
   fields.count("pairs_min", pairs_min, {1, 100}, "so many sightings must be known there");
   fields.count("agreeing_pictures", agreeing_pictures, {1, 100}, "so many in a row must say the same");
 }
 
 LandmarkRelocator::LandmarkRelocator(const LandmarkRelocationParams& params,
-                                     const LandmarkLocaliserParams& matching, std::vector<Pose2> T_map_tried)
-    : params_(params), matching_(matching), T_map_tried_(std::move(T_map_tried)), mwght_(matching.mwght) {}
+                                     const LandmarkLocaliserParams& matching,
+                                     const VehicleDescription& vehicle, std::vector<Pose2> T_map_tried)
+    : params_(params),
+      T_map_tried_(std::move(T_map_tried)),
+      surroundings_({.localiser = matching}, vehicle),
+      localiser_(matching, vehicle, {}),
+      matching_(matching),
+      mwght_(matching.mwght) {}
 
 void LandmarkRelocator::start() {
+  surroundings_.start();
+  rounds_ = 0;
+  begin_round();
+}
+
+void LandmarkRelocator::begin_round() {
   tried_ = 0;
   judged_ = 0;
+  agreed_ = 0;
   candidates_.clear();
-  T_map_agreed_.clear();
+}
+
+void LandmarkRelocator::predict(const OdometryReading& reading) {
+  const Pose2 before = surroundings_.T_begin_vehicle();
+  surroundings_.predict(reading);
+  const Pose2 moved = between(before, surroundings_.T_begin_vehicle());
+  for (Candidate& candidate : candidates_) candidate.T_map_vehicle = candidate.T_map_vehicle * moved;
 }
 
 std::optional<Pose2> LandmarkRelocator::look(const LandmarkMap& map,
-                                             std::span<const LandmarkSighting> sightings) {
-  if (sightings.size() < static_cast<std::size_t>(params_.pairs_min)) return std::nullopt;
-  if (judged_ >= kJudgedPicturesMax) start();
-  if (tried_ < T_map_tried_.size()) {
-    const std::size_t end =
-        std::min(tried_ + static_cast<std::size_t>(params_.places_per_picture), T_map_tried_.size());
-    while (tried_ < end) try_place(map, T_map_tried_[tried_++], sightings);
-    if (tried_ == T_map_tried_.size()) keep_promising();
+                                             std::span<const LandmarkSighting> picture) {
+  surroundings_.add(picture);
+  const std::vector<LandmarkSighting>& seen = surroundings_.seen();
+  if (seen.size() < static_cast<std::size_t>(params_.pairs_min)) {
+    ++rounds_;
     return std::nullopt;
   }
-  ++judged_;
-  const auto found = judge(map, sightings);
-  const bool agrees = found && (T_map_agreed_.empty() ||
-                                (T_map_agreed_.back().position() - found->position()).norm() < kAgreed_m);
-  if (!agrees) T_map_agreed_.clear();
-  if (found) T_map_agreed_.push_back(*found);
-  return T_map_agreed_.size() < static_cast<std::size_t>(params_.agreeing_pictures) ? std::nullopt : found;
+  if (!try_places(map, seen) || !judge_candidates(map, seen)) return std::nullopt;
+  if (!best_is_distinct()) {
+    ++rounds_;
+    begin_round();
+    return std::nullopt;
+  }
+  if (++agreed_ >= params_.agreeing_pictures) return candidates_.front().T_map_vehicle;
+  for (Candidate& candidate : candidates_) judge(candidate, map, seen);
+  keep_best();
+  return std::nullopt;
+}
+
+/// @return whether all were tried with the pictures before this one
+bool LandmarkRelocator::try_places(const LandmarkMap& map, std::span<const LandmarkSighting> seen) {
+  if (tried_ == T_map_tried_.size()) return true;
+  const std::size_t end =
+      std::min(tried_ + static_cast<std::size_t>(params_.places_per_picture), T_map_tried_.size());
+  while (tried_ < end) try_place(map, T_map_tried_[tried_++], seen);
+  if (tried_ == T_map_tried_.size()) keep_promising();
+  return false;
 }
 
 void LandmarkRelocator::keep_promising() {
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& a, const Candidate& b) { return a.value > b.value; });
-  std::erase_if(candidates_, [least = candidates_.empty() ? 0 : kPromising * candidates_.front().value](
-                                 const Candidate& c) { return c.value < least; });
-  if (candidates_.size() > kJudgedMax) candidates_.resize(kJudgedMax);
+  if (candidates_.size() > kPromisingMax) candidates_.resize(kPromisingMax);
+}
+
+/// @return whether all were judged with the pictures before this one
+bool LandmarkRelocator::judge_candidates(const LandmarkMap& map, std::span<const LandmarkSighting> seen) {
+  if (judged_ == candidates_.size()) return true;
+  const std::size_t end =
+      std::min(judged_ + static_cast<std::size_t>(params_.places_per_picture), candidates_.size());
+  while (judged_ < end) judge(candidates_[judged_++], map, seen);
+  if (judged_ == candidates_.size()) keep_best();
+  return false;
 }
 
 /// Votes of the Hough transform are broad: wrong places come near the right one. Pairs of sightings and
 /// landmarks, with their errors and brighter sides, tell them apart.
-std::optional<Pose2> LandmarkRelocator::judge(const LandmarkMap& map,
-                                              std::span<const LandmarkSighting> sightings) {
-  LandmarkLocaliser localiser(matching_, {}, {});
-  const Candidate* best = nullptr;
-  for (Candidate& candidate : candidates_) {
-    localiser.place(about(candidate.T_map_vehicle, kRoughSigma_m, kRoughSigma_rad));
-    candidate.agreement = 0;
-    // once to come near, once to see how well it fits there
-    if (localiser.correct(map, sightings) != LandmarkMatch::kMatched ||
-        localiser.correct(map, sightings) != LandmarkMatch::kMatched ||
-        localiser.pairs().size() < static_cast<std::size_t>(params_.pairs_min) ||
-        localiser.matched_share() < params_.matched_share_min ||
-        localiser.agreement() < params_.agreement_min)
-      continue;
-    candidate.T_map_vehicle = localiser.pose();
-    candidate.agreement = localiser.agreement();
-    if (best == nullptr || candidate.agreement > best->agreement) best = &candidate;
+void LandmarkRelocator::judge(Candidate& candidate, const LandmarkMap& map,
+                              std::span<const LandmarkSighting> seen) {
+  localiser_.place(about(candidate.T_map_vehicle, kRoughSigma_m, kRoughSigma_rad));
+  candidate.evidence = 0;
+  // once to come near, once to see how well it fits there
+  if (localiser_.correct(map, seen) != LandmarkMatch::kMatched ||
+      localiser_.correct(map, seen) != LandmarkMatch::kMatched)
+    return;
+  candidate.T_map_vehicle = localiser_.pose();
+  candidate.evidence = localiser_.evidence();
+  candidate.matched_share = localiser_.matched_share();
+}
+
+/// The most likely first, each place once.
+void LandmarkRelocator::keep_best() {
+  std::sort(candidates_.begin(), candidates_.end(),
+            [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < candidates_.size() && kept < kBestMax; ++i) {
+    const Candidate candidate = candidates_[i];
+    const bool is_known =
+        std::any_of(candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(kept),
+                    [&](const Candidate& better) {
+                      return is_same_place(better.T_map_vehicle, candidate.T_map_vehicle);
+                    });
+    if (!is_known) candidates_[kept++] = candidate;
   }
-  if (best == nullptr) return std::nullopt;
-  for (const Candidate& other : candidates_) {
-    const Pose2 off = between(best->T_map_vehicle, other.T_map_vehicle);
-    const bool elsewhere =
-        off.position().norm() > matching_.mwght.apart_m || std::abs(off.theta) > matching_.mwght.apart_rad;
-    if (elsewhere && other.agreement > params_.distinct_share * best->agreement) return std::nullopt;
-  }
-  return best->T_map_vehicle;
+  candidates_.resize(kept);
+  judged_ = kept;
+}
+
+bool LandmarkRelocator::best_is_distinct() const {
+  if (candidates_.empty()) return false;
+  const Candidate& best = candidates_.front();
+  const double rival = candidates_.size() > 1 ? candidates_[1].evidence : 0;
+  return best.matched_share >= params_.matched_share_min &&
+         best.evidence - rival >= params_.distinct_evidence;
 }
 
 void LandmarkRelocator::try_place(const LandmarkMap& map, const Pose2& T_map_tried,
-                                  std::span<const LandmarkSighting> sightings) {
-  Vec2 low = sightings.front().p_vehicle, high = low;
+                                  std::span<const LandmarkSighting> seen) {
+  Vec2 low = seen.front().p_vehicle, high = low;
   seen_.clear();
-  for (const LandmarkSighting& sighting : sightings) {
+  for (const LandmarkSighting& sighting : seen) {
     low = low.cwiseMin(sighting.p_vehicle);
     high = high.cwiseMax(sighting.p_vehicle);
     seen_.push_back({sighting.p_vehicle, confidence_weight(sighting.p_vehicle, matching_.confidence_m2)});

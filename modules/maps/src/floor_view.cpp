@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 namespace aisle {
@@ -101,16 +102,19 @@ FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const 
 
 FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle) {
   const double half_m = footprint.width_m / 2;
-  const double reach_m = std::hypot(std::max(footprint.front_m, footprint.rear_m), half_m);
+  const double touched_m = floor.cell_m() * std::numbers::sqrt2 / 2;
+  const double reach_m = std::hypot(std::max(footprint.front_m, footprint.rear_m), half_m) + touched_m;
   const FloorBox around = box_around(floor, T_map_vehicle.position(), reach_m);
   const Pose2 T_vehicle_map = T_map_vehicle.inverse();
   FloorBox changed;
   for (int y = around.low.y; y < around.end.y; ++y) {
     for (int x = around.low.x; x < around.end.x; ++x) {
       const Vec2 p_vehicle = T_vehicle_map * floor.centre({x, y});
-      const bool under = p_vehicle.x() <= footprint.front_m && p_vehicle.x() >= -footprint.rear_m &&
-                         std::abs(p_vehicle.y()) <= half_m;
-      if (under && floor.see_free({x, y})) changed.include({x, y});
+      const double outside_m = std::max({p_vehicle.x() - footprint.front_m, -footprint.rear_m - p_vehicle.x(),
+                                         std::abs(p_vehicle.y()) - half_m});
+      const bool stands_on =
+          outside_m <= 0 || (outside_m <= touched_m && floor.at(FloorCell{x, y}) == Floor::kUnknown);
+      if (stands_on && floor.see_free({x, y})) changed.include({x, y});
     }
   }
   return changed;

@@ -65,5 +65,14 @@ TEST(FloorView, FloorUnderTheVehicleIsFree) {
   EXPECT_EQ(floor.at(Vec2(3.4, 4)), Floor::kUnknown);
 }
 
+TEST(FloorView, FloorThatTheVehicleCoversInPartIsFreeUnlessSomethingStandsThere) {
+  const Footprint footprint{.front_m = 0.92, .rear_m = 0.2, .width_m = 0.6};
+  FloorGrid floor;
+  floor.set(floor.cell_at({0.93, 0.1}), Floor::kOccupied);
+  stand_on_floor(floor, footprint, {});
+  EXPECT_EQ(floor.at(Vec2(0.93, -0.1)), Floor::kFree);
+  EXPECT_EQ(floor.at(Vec2(0.93, 0.1)), Floor::kOccupied);
+}
+
 }  // namespace
 }  // namespace aisle

@@ -21,6 +21,7 @@ struct TrialOptions {
   int refinements = 0;              ///< trips after the first, each taken in before the next
   std::optional<double> speed_mps;
   bool in_reverse = false;
+  std::optional<double> lift_m;      ///< somewhere on its way the vehicle is put so much farther on or back
   std::optional<BuildingKind> kind;  ///< of buildings by chance; none: all in turn (explore)
   double noise_scale = 1;            ///< of the odometry's errors (explore)
   ParameterSources parameters;

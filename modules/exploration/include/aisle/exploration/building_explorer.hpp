@@ -58,6 +58,10 @@ class BuildingExplorer {
 
   /// The vehicle cannot look behind this path's gate: it counts as seen from outside.
   void give_up(std::size_t path, std::size_t cycle);
+  /// The vehicle has spent its time on this path: it is left undone.
+  void abandon(std::size_t path, std::size_t cycle);
+  /// All that waits is left undone.
+  void abandon_all(std::size_t cycle);
   /// The vehicle is home and everything is explored.
   void stop(std::size_t cycle);
 
@@ -67,14 +71,17 @@ class BuildingExplorer {
   /// Gates of the latest decision.
   const std::vector<Gate>& gates() const { return gates_; }
   std::size_t paths_waiting() const;
+  std::size_t paths_abandoned() const;
 
  private:
-  enum class PathState { kWaiting, kActive, kExplored, kGivenUp };
+  enum class PathState { kWaiting, kActive, kExplored, kGivenUp, kAbandoned };
   struct SeenPath {
     std::size_t parent = 0;
     Bearing bearing = Bearing::kForward;
     PathState state = PathState::kWaiting;
     bool on_stack = false;
+    bool has_gate = true;
+    int chances = 1;  ///< to be tried again after it was left
     Gate gate;
   };
   /// What a symbol of the stack stands for.
@@ -95,6 +102,14 @@ class BuildingExplorer {
   ExploringTarget take(std::size_t path);
   const TransducerRule& feed(Symbol input);
   void note(PathEvent::Kind kind, std::size_t path);
+  void leave(std::size_t path, PathState state, PathEvent::Kind kind, std::size_t cycle);
+  bool resume_left();
+  static bool is_open(const SeenPath& path) {
+    return path.state == PathState::kWaiting || path.state == PathState::kActive;
+  }
+  static bool is_left(const SeenPath& path) {
+    return path.state == PathState::kGivenUp || path.state == PathState::kAbandoned;
+  }
 
   ExplorerParams params_;
   ExploringOrder order_;

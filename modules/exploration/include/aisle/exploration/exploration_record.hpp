@@ -12,10 +12,11 @@ namespace aisle {
 /// Something happened to a path that was seen to lead on: C99's stack symbols with their places.
 struct PathEvent {
   enum class Kind {
-    kPushed,    ///< seen, and left for later
-    kTaken,     ///< popped: entered, or resumed
-    kExplored,  ///< all that it led to is known; off the stack if it was still there
-    kGivenUp,   ///< the vehicle cannot get there: seen from outside only
+    kPushed,     ///< seen, and left for later
+    kTaken,      ///< popped: entered, or resumed
+    kExplored,   ///< all that it led to is known; off the stack if it was still there
+    kGivenUp,    ///< the vehicle cannot get there: seen from outside only
+    kAbandoned,  ///< the vehicle did not get there in the time that it has: left undone
   };
   std::size_t cycle = 0;
   Kind kind = Kind::kPushed;
@@ -46,12 +47,15 @@ struct ExplorationRecord {
   std::vector<CoverageMark> coverage;  ///< every half metre of way
   std::vector<Pose2> T_map_vehicle;    ///< one a cycle, as known at the end
   std::size_t paths_waiting = 0;       ///< pushed, and neither explored nor given up
+  std::size_t paths_abandoned = 0;     ///< left undone
   double way_m = 0;                    ///< driven, forwards and backwards, by the vehicle's own account
   bool came_home = false;
   std::string ended_because;  ///< "explored" or why not
 
-  /// Every path that was pushed was popped, and the vehicle came home.
-  bool certified() const { return came_home && paths_waiting == 0 && ended_because == "explored"; }
+  /// Every path that was pushed was popped, none was left undone, and the vehicle came home.
+  bool certified() const {
+    return came_home && paths_waiting == 0 && paths_abandoned == 0 && ended_because == "explored";
+  }
 };
 
 }  // namespace aisle

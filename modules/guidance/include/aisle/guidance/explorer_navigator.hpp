@@ -10,9 +10,12 @@
 #include "aisle/control/speed.hpp"
 #include "aisle/control/steering.hpp"
 #include "aisle/exploration/building_explorer.hpp"
+#include "aisle/guidance/braking_room.hpp"
 #include "aisle/guidance/car_search.hpp"
+#include "aisle/guidance/driving_care.hpp"
 #include "aisle/guidance/floor_learner.hpp"
 #include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/patience.hpp"
 
 namespace aisle {
 
@@ -25,8 +28,10 @@ struct ExplorerNavigatorParams {
   double look_s = 1;         ///< standing, before it starts
   double look_from_m = 2.5;  ///< so near it drives to what it wants to see
   double join_m = 0.6;       ///< so far ahead a new way joins the old one
-  int expansions = 250;      ///< of the search, a cycle
-  double stuck_s = 60;       ///< without any way for so long it gives up
+  PatienceParams patience;
+  double time_max_s = 14400;  ///< then it gives up, wherever it is
+  int expansions = 1500;      ///< of the search, a cycle
+  double stuck_s = 60;        ///< without any way for so long it gives up
 
   void describe(FieldList& fields);
 };
@@ -56,14 +61,16 @@ class ExplorerNavigator final : public Navigator {
   bool sees_rim(const Pose2& T_map_vehicle) const;
   void search_way();
   void give_path_up();
+  void watch_learning(bool goes_on);
+  void lose_patience();
+  Decision wait_for_floor();
   void take_way();
   void shorten_way(double ahead_m);
   void drop_way();
   void check_way();
   bool is_lost_for_ways();
   Decision drive(const Observation& observation);
-  bool is_ahead_free(const PathPoint& point, double steering_rad) const;
-  std::optional<Command> turn_wheels_first(const PathPoint& point, double steering_rad) const;
+  std::optional<Command> turn_wheels_first(const PathPoint& point, double steering_rad);
   std::string state_word() const;
   Decision end(NavigatorStatus status, std::string state, std::string why);
 
@@ -73,6 +80,8 @@ class ExplorerNavigator final : public Navigator {
   BuildingExplorer explorer_;
   CarSearch search_;
   FootprintRoom watch_;  ///< for the way while it is driven
+  BrakingRoom braking_;
+  Patience patience_;
   PathFollower follower_;
   FloorDistances left_;
   std::optional<ExploringTarget> target_;
@@ -80,6 +89,7 @@ class ExplorerNavigator final : public Navigator {
   std::optional<PathProgress> progress_;
   Vec2 p_map_left_ = Vec2::Zero();      ///< what `left_` is measured from
   Vec2 p_map_searched_ = Vec2::Zero();  ///< the gate that the latest search was for
+  std::size_t leg_begun_ = 0;           ///< end of the leg for which the wheels were turned
   bool is_search_due_ = false;
   bool is_way_home_ = false;  ///< the latest search was for a way that ends exactly at home
   int attempts_ = 0;          ///< ways that were driven for this target and did not settle it
@@ -88,6 +98,8 @@ class ExplorerNavigator final : public Navigator {
   std::optional<double> begun_s_;
   double stamp_s_ = 0;
   double moved_s_ = 0;
+  double learned_m2_ = 0;     ///< of floor, when patience was renewed for it
+  double learned_way_m_ = 0;  ///< driven until then
   std::vector<CoverageMark> coverage_;
   std::string ended_because_;
   bool came_home_ = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "aisle/guidance/slice_sensor.hpp"
@@ -24,7 +25,7 @@ struct FloorLearnerParams {
 /// Learns where the vehicle is and what floor there is, both at once, while it drives.
 class FloorLearner {
  public:
-  enum class News { kNothing, kFloor, kLoop };  ///< kLoop: a place was recognised, and everything moved
+  enum class News { kNothing, kFloor, kLoop };  ///< kLoop: the whole floor was laid anew
 
   FloorLearner(const FloorLearnerParams& params, const VehicleDescription& vehicle,
                std::unique_ptr<SliceSensor> sensor);
@@ -37,6 +38,10 @@ class FloorLearner {
   const FloorGrid& floor() const { return floor_; }
   const FloorClearance& clearance() const { return clearance_; }
   const SliceSensor& sensor() const { return *sensor_; }
+  /// A place was recognised, and the floor does not lie yet where it belongs: no time to drive.
+  bool is_laying_anew() const { return anew_.has_value(); }
+  /// What the sensor showed last.
+  const SliceView& view() const { return view_; }
   double way_m() const { return way_m_; }
   bool is_standing() const { return is_standing_; }
   /// All slices and the odometry between them, as a log of the trip.
@@ -51,13 +56,23 @@ class FloorLearner {
   struct Look {
     std::size_t slice = 0;  ///< of the log
     std::vector<float> near_m;
+    Pose2 T_map_put;  ///< of the vehicle, where the floor shows it
+  };
+  /// The floor after a place was recognised, while it is made.
+  struct LaidAnew {
+    LaidAnew(double cell_m, double far_m) : floor(cell_m), clearance(far_m) {}
+    FloorGrid floor;
+    FloorClearance clearance;
+    std::size_t next = 0;  ///< of the looks
   };
 
   bool is_time_to_look() const;
   FloorBox put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const;
   void keep_slice(double stamp_s);
   Footprint set_down_room() const;
-  void put_all_anew();
+  bool places_moved();
+  void begin_anew();
+  bool lay_on();
 
   FloorLearnerParams params_;
   VehicleDescription vehicle_;
@@ -65,6 +80,8 @@ class FloorLearner {
   OnlineMapping mapping_;
   FloorGrid floor_;
   FloorClearance clearance_;
+  std::optional<LaidAnew> anew_;
+  std::vector<Pose2> T_map_of_all_;  ///< when a place was recognised last
   SliceView view_;
   std::vector<Look> looks_;
   LaserLog log_;

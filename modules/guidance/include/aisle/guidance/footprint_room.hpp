@@ -23,16 +23,22 @@ class FootprintRoom {
   /// The same towards what is known to stand there only.
   double standing_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
                           const Pose2& T_map_vehicle) const;
-  /// Whether at least the footprint itself lies on known free floor, no nearer to what stands there than it
-  /// must or than `spare_m`: where a vehicle is set down, it has not seen what is beside it.
+  /// Whether at least the whole footprint lies on known free floor, no nearer to what stands there than it
+  /// must or than `spare_m`: where a vehicle is set down, it has not seen what is beside it, and in a narrow
+  /// place it may have come nearer to something than it would go.
   bool fits_barely(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                    double spare_m) const;
 
-  /// How far along a path, from a point on it, the vehicle fits, if barely: up to its end, or less.
-  double free_way_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path,
-                    double from_m) const;
+  /// How far along a path, from a point on it, the vehicle fits, if barely with so much room: up to its end,
+  /// or less.
+  double free_way_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path, double from_m,
+                    double spare_m) const;
 
  private:
+  template <class DistanceAt>
+  double least_m(const FloorGrid& floor, const Pose2& T_map_vehicle, double far_m,
+                 DistanceAt distance_at) const;
+
   Footprint footprint_;
   double margin_m_;
   double radius_m_;

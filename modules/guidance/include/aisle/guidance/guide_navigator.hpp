@@ -11,7 +11,9 @@
 #include "aisle/control/speed.hpp"
 #include "aisle/control/steering.hpp"
 #include "aisle/exploration/floor_distances.hpp"
+#include "aisle/guidance/braking_room.hpp"
 #include "aisle/guidance/car_search.hpp"
+#include "aisle/guidance/driving_care.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/slice_sensor.hpp"
 #include "aisle/learning/wall_localiser.hpp"
@@ -70,9 +72,7 @@ class GuideNavigator final : public Navigator {
   void search_way(double stamp_s);
   bool is_at_place(const Pose2& T_map_vehicle) const;
   double room_at(const Pose2& T_map_vehicle) const;
-  bool is_too_near(const Command& command, double steering_rad) const;
   void drop_way();
-  double care(double steering_rad) const;
   Decision drive(const Observation& observation);
   std::string why_failed(const Observation& observation);
 
@@ -84,6 +84,7 @@ class GuideNavigator final : public Navigator {
   FloorClearance clearance_;
   CarSearch search_;
   FootprintRoom watch_;  ///< for the way while it is driven
+  BrakingRoom braking_;
   PathFollower follower_;
   FloorDistances left_;
   std::vector<Vec2> p_map_places_;

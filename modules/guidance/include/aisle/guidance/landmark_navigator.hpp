@@ -10,6 +10,7 @@
 #include "aisle/control/steering.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/obstacle_guard.hpp"
+#include "aisle/guidance/scene_watch.hpp"
 #include "aisle/learning/landmark_localiser.hpp"
 #include "aisle/learning/landmark_relocation.hpp"
 #include "aisle/maps/building.hpp"
@@ -34,7 +35,9 @@ struct LandmarkNavigatorParams {
   double unmatched_max_s = 1.5;
   int strange_sightings_min = 3;
   double strange_max_m = 3;
-  double give_up_s = 20;
+  double search_speed_mps = 0.15;
+  double search_max_m = 4;
+  double give_up_s = 60;
   double off_route_max_m = 1;
 
   void describe(FieldList& fields);
@@ -49,8 +52,8 @@ struct LandmarkFix {
 
 /// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture
 /// that fits the map; goes on by odometry where none does, the slower the less sure it is. Lost (too unsure,
-/// or seeing other things than are known here) it stops, looks for itself along all routes, and drives on or
-/// gives up. It waits for what stands on its route, and for its camera, and gives up if that lasts.
+/// or seeing other things than are known here, or than a moment ago) it stops and looks for itself along all
+/// routes, goes slowly ahead to see more where that is safe, and drives on or gives up. It waits for what stands on its route, and for its camera, and gives up if that lasts.
 class LandmarkNavigator final : public Navigator {
  public:
   /// @param building  with landmarks and their camera, which the vehicle has; must outlive the navigator
@@ -72,7 +75,8 @@ class LandmarkNavigator final : public Navigator {
   void weigh_strangeness(double way_m);
   std::string why_lost() const;
   Decision look_around(double stamp_s);
-  Decision find_itself(double stamp_s);
+  Decision find_itself(const Observation& observation);
+  Decision search();
   Decision follow(const Observation& observation);
   Decision guarded(Decision decision);
 
@@ -87,10 +91,13 @@ class LandmarkNavigator final : public Navigator {
   PathFollower follower_;
   PathProgress progress_;
   ObstacleGuard guard_;
+  SceneWatch scenes_;
   std::vector<LandmarkSighting> sightings_;
   State state_ = State::kLooking;
   std::string why_lost_;
   double strange_way_m_ = 0;
+  bool was_lifted_ = false;
+  double searched_m_ = 0;  ///< since it was lost
   LandmarkMatch match_ = LandmarkMatch::kNothing;
   std::optional<double> state_since_s_;
   double stamp_s_ = 0;

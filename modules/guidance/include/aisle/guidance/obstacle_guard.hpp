@@ -58,6 +58,9 @@ class ObstacleGuard {
   ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGuardParams& params,
                 const CameraDescription* camera);
 
+  /// Whether it has the means to: laser markers in view of its camera, or a range scanner.
+  bool sees_obstacles() const { return probe_ || vehicle_.scanner; }
+
   /// Once a cycle, before `allow`.
   /// @return the camera's picture if it has come in time, is not the one before again, and shows something
   const CameraPicture* look(const Observation& observation);

@@ -72,6 +72,10 @@ class LandmarkLocaliser {
   double matched_share() const { return matched_share_; }            ///< of the last picture's weights
   /// The same with each pair counted by how nearly the two lie upon each other, 0 .. matched_share.
   double agreement() const { return agreement_; }
+  /// How much more likely the last picture is here than among unknown things (logarithm of the ratio): each
+  /// pair adds kPairEvidence less half its squared distance in standard deviations, and never less than 0.
+  double evidence() const { return evidence_; }
+  static constexpr double kPairEvidence = 3;
 
  private:
   void gather(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
@@ -91,6 +95,7 @@ class LandmarkLocaliser {
   std::vector<char> taken_;
   double matched_share_ = 0;
   double agreement_ = 0;
+  double evidence_ = 0;
 };
 
 }  // namespace aisle

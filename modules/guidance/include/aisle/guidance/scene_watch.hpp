@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "aisle/vision/landmark_sightings.hpp"
+
+namespace aisle {
+
+/// Notices that the vehicle was lifted and put elsewhere: from one picture to the next everything is another.
+/// That everything is gone proves nothing: light may have failed, or something stand before the camera.
+class SceneWatch {
+ public:
+  /// The vehicle has moved since the last call, by its odometry.
+  void move(const Pose2& T_before_now);
+
+  /// Takes in a picture. @return whether it shows, like the one before it, other things than were seen until
+  /// then. False as long as there is too little to compare
+  bool look(std::span<const LandmarkSighting> picture);
+
+ private:
+  using Scene = std::vector<LandmarkSighting>;
+
+  Scene known_;  ///< the last picture that went on from the one before, seen from where the vehicle is now
+  double since_known_m_ = 0;  ///< of way
+  Scene other_;               ///< the last picture if it did not
+  int empty_ = 0;             ///< pictures in a row that showed hardly anything
+};
+
+}  // namespace aisle

@@ -1,0 +1,78 @@
+#include "aisle/guidance/braking_room.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace aisle {
+namespace {
+
+constexpr double kReaction_s = 0.25;  // from a command to what comes of it
+constexpr double kStopSlack_m = 0.03;
+constexpr double kRoomNoise_m = 0.004;    // of the room that the vehicle seems to have
+constexpr double kStruckMatters_m = 1.5;  // from the vehicle's outline
+constexpr double kStruckMargin_m = 0.03;
+
+/// From a point to the outline of the footprint; 0 inside.
+double outside_m(const Footprint& footprint, const Vec2& p_vehicle) {
+  const double x = std::max({p_vehicle.x() - footprint.front_m, -footprint.rear_m - p_vehicle.x(), 0.0});
+  const double y = std::max(std::abs(p_vehicle.y()) - footprint.width_m / 2, 0.0);
+  return std::hypot(x, y);
+}
+
+}  // namespace
+
+BrakingRoom::BrakingRoom(const VehicleDescription& vehicle, double margin_m)
+    : vehicle_(vehicle), room_(vehicle.footprint, margin_m) {}
+
+void BrakingRoom::see(const LaserScanner& fan, std::span<const float> ranges_m) {
+  p_vehicle_struck_.clear();
+  for (std::size_t beam = 0; beam < ranges_m.size(); ++beam) {
+    const double range_m = ranges_m[beam];
+    if (!(range_m > 0) || range_m >= fan.range_max_m) continue;
+    const Vec2 p_vehicle = fan.T_vehicle_laser * Vec2(range_m * unit(fan.beam_angle(beam)));
+    if (outside_m(vehicle_.footprint, p_vehicle) < kStruckMatters_m) p_vehicle_struck_.push_back(p_vehicle);
+  }
+}
+
+bool BrakingRoom::is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                          const Command& command, double steering_rad) const {
+  const double way_m = std::copysign(stopping_way_m(command.speed_mps), command.speed_mps);
+  if (vehicle_.is_differential) {
+    const double turn_rad = command.turn_rate_rad_s * kReaction_s;
+    return is_free_at(floor, clearance, T_map_vehicle, end_pose({way_m, turn_rad}));
+  }
+  const std::array<double, 2> steerings_rad = {steering_rad, command.steering_rad};
+  return std::all_of(steerings_rad.begin(), steerings_rad.end(), [&](double wheels_rad) {
+    const Pose2 T_vehicle_half = drive(vehicle_.front_steered, FrontSteeredMotion{way_m / 2, wheels_rad});
+    const Pose2 T_vehicle_stopped = drive(vehicle_.front_steered, FrontSteeredMotion{way_m, wheels_rad});
+    return is_free_at(floor, clearance, T_map_vehicle, T_vehicle_half) &&
+           is_free_at(floor, clearance, T_map_vehicle, T_vehicle_stopped);
+  });
+}
+
+double BrakingRoom::stopping_way_m(double speed_mps) const {
+  const double speed = std::abs(speed_mps);
+  return speed * kReaction_s + speed * speed / (2 * vehicle_.limits.deceleration_max_mps2) + kStopSlack_m;
+}
+
+bool BrakingRoom::is_free_at(const FloorGrid& floor, const FloorClearance& clearance,
+                             const Pose2& T_map_vehicle, const Pose2& T_vehicle_later) const {
+  const double struck_later_m = struck_m(T_vehicle_later);
+  if (struck_later_m < kStruckMargin_m && struck_later_m < struck_m({}) - kRoomNoise_m) return false;
+  const Pose2 T_map_later = T_map_vehicle * T_vehicle_later;
+  if (room_.spare_m(floor, clearance, T_map_later) >= 0) return true;
+  const double standing_m = room_.standing_spare_m(floor, clearance, T_map_vehicle);
+  return room_.fits_barely(floor, clearance, T_map_later, standing_m - kRoomNoise_m);
+}
+
+/// From the footprint to the nearest thing that was struck.
+double BrakingRoom::struck_m(const Pose2& T_vehicle_later) const {
+  const Pose2 T_later_vehicle = T_vehicle_later.inverse();
+  double least_m = kStruckMatters_m;
+  for (const Vec2& p_vehicle : p_vehicle_struck_)
+    least_m = std::min(least_m, outside_m(vehicle_.footprint, T_later_vehicle * p_vehicle));
+  return least_m;
+}
+
+}  // namespace aisle
