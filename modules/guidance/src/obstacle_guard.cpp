@@ -10,6 +10,7 @@ namespace aisle {
 namespace {
 
 constexpr double kFloorStep_m = 0.05;  // between points of an edge that are looked at
+constexpr double kNoWay_m = 0.005;     // a shorter way is none: the vehicle stands
 
 Pose2 moved(const VehicleDescription& vehicle, const OdometryReading& odometry) {
   if (const auto* motion = std::get_if<FrontSteeredMotion>(&odometry))
@@ -169,7 +170,7 @@ double ObstacleGuard::free_ahead_m(const WayAhead& way) {
 double ObstacleGuard::speed_before(double free_m) const {
   if (!probe_ && !vehicle_.scanner && !floor_.is_used) return vehicle_.limits.speed_max_mps;
   const double way_m = free_m - params_.gap_m;
-  if (way_m <= 0) return 0;
+  if (way_m < kNoWay_m) return 0;
   const double a = params_.deceleration_share * vehicle_.limits.deceleration_max_mps2;
   const double at = a * params_.reaction_s;
   return std::sqrt(at * at + 2 * a * way_m) - at;

@@ -51,7 +51,8 @@ struct Guarded {
 /// Stands between a navigator and the vehicle: lets the vehicle go only as fast as it can stop before the
 /// first thing that stands where its footprint will be, and only while its camera shows what is there. It
 /// sees things by the laser markers' stripe, by the range scanner, and by the floor's edges where a navigator
-/// finds them; a vehicle with none of these is only kept from driving without pictures. Nothing sees behind: reversing is slow.
+/// finds them; a vehicle with none of these is only kept from driving without pictures. Nothing sees behind:
+/// reversing is slow.
 class ObstacleGuard {
  public:
   /// @param camera  to look with; null: none
