@@ -19,7 +19,8 @@ void add_teach_verb(CLI::App& app, Work& work) {
   options->drive.vehicle.clear();
   auto hands = std::make_shared<HandOptions>();
   verb->add_option("WORLD", options->drive.world, "world file (YAML), or the name of a shipped one");
-  verb->add_option("--method", options->method, "how it will be learned: landmarks (default) or sections");
+  verb->add_option("--method", options->method,
+                   "how it will be learned: landmarks (default), sections or route");
   verb->add_option("--route", options->route, "name of the route (default route)");
   verb->add_option("--vehicle", options->drive.vehicle,
                    "vehicle file (YAML), or the name of a shipped one (default alv; mini for sections)");
@@ -40,7 +41,7 @@ void add_learn_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   auto options = std::make_shared<LearnOptions>();
   verb->add_option("SESSION", options->session, "the session's directory");
-  verb->add_option("--method", options->method, "how it is learned: landmarks (default) or sections");
+  verb->add_option("--method", options->method, "how it is learned: landmarks (default), sections or route");
   verb->add_option("--out", options->out, "directory for building.json and its picture");
   verb->add_flag("--force", options->force, "replace results that are there already");
   add_parameter_options(*verb, options->parameters, learn_parameters, work, [=, &work] {
@@ -59,7 +60,7 @@ void add_navigate_verb(CLI::App& app, Work& work) {
                    "vehicle file (YAML), or the name of a shipped one (default alv; mini for sections)");
   verb->add_option("--faults", options->scenario,
                    "scenario file (YAML) of what goes wrong, or the name of a shipped one");
-  verb->add_option("--method", options->method, "how it was learned: landmarks (default) or sections");
+  verb->add_option("--method", options->method, "how it was learned: landmarks (default), sections or route");
   verb->add_option("--route", options->route, "name of the route (default: the first)");
   verb->add_flag("--reverse", options->in_reverse, "drive the route's way back");
   verb->add_flag("--and-back", options->and_back, "sections: there, turned about, and home again");

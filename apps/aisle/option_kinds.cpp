@@ -1,6 +1,13 @@
 #include "option_kinds.hpp"
 
 #include <charconv>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+
+using aisle::kDegree;
+using aisle::Pose2;
+using aisle::wrap_angle;
 
 void add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& meaning) {
   const auto read = [&seed](const std::string& text) {
@@ -11,4 +18,19 @@ void add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& meaning) {
                                fmt::format("'{}' is not a whole number from 0 to {}", text, UINT64_MAX));
   };
   verb.add_option_function<std::string>("--seed", read, meaning)->type_name("NUMBER");
+}
+
+Pose2 parse_place(const std::string& option, const std::string& text) {
+  constexpr double kFarthest_m = 1e6;
+  double values[3] = {0, 0, 0};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (int i = 0; i < 3; ++i) {
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    if (error != std::errc() || !(std::abs(values[i]) < kFarthest_m)) break;
+    if (i == 2 && next == end) return {values[0], values[1], wrap_angle(values[2] * kDegree)};
+    if (next == end || *next != ',') break;
+    at = next + 1;
+  }
+  throw CLI::ValidationError(option, fmt::format("'{}' is not x,y,degrees (metres)", text));
 }

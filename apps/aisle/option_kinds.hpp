@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "aisle/geometry/pose2.hpp"
+
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
@@ -29,6 +31,9 @@ void add_choice(CLI::App& verb, const std::string& name, Value& chosen, const Ch
   verb.add_option_function<std::string>(name, choose, meaning)
       ->type_name(fmt::format("{}", fmt::join(words, "|")));
 }
+
+/// "x,y,heading_deg": where a vehicle is.
+aisle::Pose2 parse_place(const std::string& option, const std::string& text);
 
 /// --seed: a whole number that is not negative.
 void add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& meaning);

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <memory>
 
 #include "aisle/commands/render_view.hpp"
@@ -10,26 +8,6 @@
 #include "verb.hpp"
 
 using namespace aisle;
-
-namespace {
-
-/// "x,y,heading_deg": where the vehicle is.
-Pose2 parse_place(const std::string& text) {
-  constexpr double kFarthest_m = 1e6;
-  double values[3] = {0, 0, 0};
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  for (int i = 0; i < 3; ++i) {
-    const auto [next, error] = std::from_chars(at, end, values[i]);
-    if (error != std::errc() || !(std::abs(values[i]) < kFarthest_m)) break;
-    if (i == 2 && next == end) return {values[0], values[1], wrap_angle(values[2] * kDegree)};
-    if (next == end || *next != ',') break;
-    at = next + 1;
-  }
-  throw CLI::ValidationError("--at", fmt::format("'{}' is not x,y,degrees (metres)", text));
-}
-
-}  // namespace
 
 void add_sim_render_verb(CLI::App& sim, Work& work) {
   CLI::App* verb = sim.add_subcommand("render", "take the picture that a vehicle's camera sees at a place");
@@ -41,7 +19,8 @@ void add_sim_render_verb(CLI::App& sim, Work& work) {
       ->type_name("FILE");
   verb->add_option("--camera", options->camera, "of the vehicle, by its name; else its first");
   verb->add_option_function<std::string>(
-          "--at", [options](const std::string& text) { options->T_world_vehicle = parse_place(text); },
+          "--at",
+          [options](const std::string& text) { options->T_world_vehicle = parse_place("--at", text); },
           "where the vehicle is: x,y,degrees; else at the world's start")
       ->type_name("X,Y,DEG");
   verb->add_option("--light", options->light, "all light times this (default 1)")

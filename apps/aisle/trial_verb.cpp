@@ -30,7 +30,7 @@ void add_trial_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   auto options = std::make_shared<TrialOptions>();
   options->method.clear();
-  verb->add_option("METHOD", options->method, "landmarks, sections or explore");
+  verb->add_option("METHOD", options->method, "landmarks, sections, explore, route, turnings or park");
   verb->add_option_function<std::string>(
       "--seeds",
       [options](const std::string& text) {
@@ -47,6 +47,8 @@ void add_trial_verb(CLI::App& app, Work& work) {
   verb->add_option(
       "--faults", options->scenario,
       "scenario file (YAML) of what goes wrong while driving alone, or the name of a shipped one");
+  verb->add_option("--strategy", options->strategy, "park: frame (default), dead-end or view")
+      ->check(CLI::IsMember({"frame", "dead-end", "view"}));
   verb->add_option("--refinements", options->refinements, "trips after the first, each taken in (default 0)")
       ->check(CLI::Range(0, 100));
   verb->add_option("--speed", options->speed_mps, "speed where nothing speaks against it [m/s]")

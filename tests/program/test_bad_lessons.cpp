@@ -63,7 +63,7 @@ TEST_F(BadLessons, NamesThatNoRouteCanHaveAreRefusedBeforeTheDrive) {
 }
 
 TEST_F(BadLessons, UnknownMethodsAreRefused) {
-  const char* what = "'owls' is unknown; there are: landmarks, sections";
+  const char* what = "'owls' is unknown; there are: landmarks, sections, route";
   EXPECT_THAT(run_aisle({"teach", "l-corridor", "--method", "owls", "--out", at("out"), "--json"}),
               IsRefused(what));
   EXPECT_THAT(run_aisle({"learn", at("none"), "--method", "owls", "--out", at("out"), "--json"}),

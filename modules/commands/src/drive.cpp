@@ -34,7 +34,7 @@ Result<Drive> read_drive(const DriveOptions& options) {
     if (drive.setting.vehicle.description.cameras.empty())
       return Problem{{options.vehicle, 0, "cameras"}, "there is no camera " + options.camera};
   }
-  const auto start = start_in(drive.setting);
+  const auto start = options.T_world_start ? Result<Pose2>(*options.T_world_start) : start_in(drive.setting);
   if (!start) return start.problems();
   drive.T_world_start = *start;
   if (!options.keys && drive.setting.world.tour.size() < 2) {

@@ -8,6 +8,7 @@
 #include "landmark_lesson.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
+#include "room_verbs.hpp"
 #include "rounded.hpp"
 #include "route_name.hpp"
 #include "section_verbs.hpp"
@@ -18,10 +19,12 @@ namespace {
 struct LearnParams {
   LandmarkLessonParams landmarks;
   SectionLessonParams sections;
+  RoomLessonParams route;
 
   void describe(FieldList& fields) {
     landmarks.describe(fields);
     fields.group("sections", sections);
+    fields.group("route", route);
   }
 };
 
@@ -70,6 +73,7 @@ Result<Outcome> run_learn(const LearnOptions& options, Console& console) {
   FieldList fields = fields_of(all);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   if (options.method == "sections") return learn_by_sections(options, all.sections, console);
+  if (options.method == "route") return learn_by_route(options, all.route, console);
   const LandmarkLessonParams& params = all.landmarks;
   std::optional<OutputDirectory> directory;
   if (!options.out.empty()) {

@@ -14,6 +14,7 @@
 #include "landmark_mission.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
+#include "room_verbs.hpp"
 #include "rounded.hpp"
 #include "section_verbs.hpp"
 #include "simulated_record.hpp"
@@ -24,10 +25,12 @@ namespace {
 struct NavigateParams {
   LandmarkNavigatorParams landmarks;
   SectionDriverParams sections;
+  RoomDriverParams route;
 
   void describe(FieldList& fields) {
     landmarks.describe(fields);
     fields.group("sections", sections);
+    fields.group("route", route);
   }
 };
 
@@ -122,9 +125,11 @@ Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
   FieldList fields = fields_of(params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   if (options.speed_mps)
-    params.landmarks.speed.speed_mps = params.sections.navigator.speed.speed_mps = *options.speed_mps;
+    params.landmarks.speed.speed_mps = params.sections.navigator.speed.speed_mps =
+        params.route.navigator.speed_mps = *options.speed_mps;
   params.sections.and_back = params.sections.and_back || options.and_back;
   if (options.method == "sections") return navigate_by_sections(options, params.sections, console);
+  if (options.method == "route") return navigate_by_route(options, params.route, console);
   if (options.and_back)
     return Problem{{"--and-back"}, "is for --method sections; by landmarks the way back is --reverse"};
   const auto mission = read_mission(options, params.landmarks);

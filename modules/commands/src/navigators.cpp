@@ -6,6 +6,7 @@
 #include "changed_parameters.hpp"
 #include "guide_driver.hpp"
 #include "landmark_driver.hpp"
+#include "room_driver.hpp"
 #include "section_driver.hpp"
 
 namespace aisle {
@@ -43,10 +44,18 @@ Result<std::unique_ptr<Navigator>> make_by_sections(const SessionOrigin& origin,
   return std::unique_ptr<Navigator>(std::move(*navigator));
 }
 
+Result<std::unique_ptr<Navigator>> make_through_room(const SessionOrigin& origin,
+                                                     const VehicleDescription& vehicle) {
+  auto navigator = make_room_navigator(origin, vehicle);
+  if (!navigator) return navigator.problems();
+  return std::unique_ptr<Navigator>(std::move(*navigator));
+}
+
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {{"hand", make_hand_driver},
                                          {LandmarkDriver::kName, make_landmark_navigator},
                                          {kSectionNavigator, make_by_sections},
+                                         {kRoomNavigator, make_through_room},
                                          {GuideDriver::kName, make_guide_navigator}};
   return all;
 }

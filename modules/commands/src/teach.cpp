@@ -4,11 +4,40 @@
 
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
+#include "aisle/formats/world_yaml.hpp"
+#include "aisle/simulation/route_guide.hpp"
 #include "landmark_trip.hpp"
 #include "methods.hpp"
+#include "room_driver.hpp"
 #include "route_name.hpp"
 
 namespace aisle {
+
+namespace {
+
+/// The first camera alone is learned from; a scripted person drives the world's route of that name.
+Problems take_route(const TeachOptions& options, const VehicleDescription& vehicle, DriveOptions& drive) {
+  if (Problems problems = unfit_for_rooms(vehicle, ParkingStrategy::kView); !problems.empty())
+    return problems;
+  drive.camera = "top";
+  const std::filesystem::path file = shipped_or_own("worlds", drive.world);
+  const auto world = read_world(file);
+  if (!world) return world.problems();
+  const TaughtWay* way = route_of(*world, options.route);
+  if (way != nullptr) drive.T_world_start = start_of(*way);
+  if (drive.keys) return {};
+  if (way == nullptr)
+    return {{{file.string(), 0, "routes"},
+             fmt::format("none is '{}', which a scripted person could drive", options.route)}};
+  drive.keys = [world = *world, way = *way, seed = drive.seed](
+                   const VehicleDescription& driven, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
+    return std::unique_ptr<Operator>(
+        std::make_unique<RouteGuide>(world, way, driven, ScriptedOperatorParams{}, seed));
+  };
+  return {};
+}
+
+}  // namespace
 
 Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
   if (Problems problems = check_method(options.method); !problems.empty()) return problems;
@@ -20,8 +49,13 @@ Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
   if (!vehicle) return vehicle.problems();
   if (vehicle->description.cameras.empty())
     return Problem{{drive.vehicle, 0, "cameras"}, "there is none: nothing can be learned"};
-  drive.camera = corridor_camera(vehicle->description).name;
   drive.route = options.route;
+  if (options.method == "route") {
+    if (Problems problems = take_route(options, vehicle->description, drive); !problems.empty())
+      return problems;
+  } else {
+    drive.camera = corridor_camera(vehicle->description).name;
+  }
   auto outcome = run_drive(drive, console);
   if (!outcome) return outcome.problems();
   outcome->verb = "teach";

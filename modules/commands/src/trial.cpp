@@ -12,6 +12,7 @@
 #include "landmark_course.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
+#include "room_verbs.hpp"
 #include "rounded.hpp"
 #include "section_verbs.hpp"
 #include "statistics.hpp"
@@ -24,10 +25,12 @@ using Json = nlohmann::ordered_json;
 struct TrialParams {
   LandmarkCourseParams landmarks;
   SectionTrialParams sections;
+  RoomTrialParams route;
 
   void describe(FieldList& fields) {
     landmarks.describe(fields);
     fields.group("sections", sections);
+    fields.group("route", route);
   }
 };
 
@@ -189,14 +192,20 @@ Outcome trial_parameters() {
 
 Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
   if (options.method == "explore") return run_exploration_trial(options, console);
-  if (Problems problems = check_method(options.method); !problems.empty()) return problems;
+  const bool parks = options.method == "park", turns = options.method == "turnings";
+  if (Problems problems = check_method(parks || turns ? "route" : options.method); !problems.empty())
+    return problems;
   TrialParams all;
   FieldList fields = fields_of(all);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   LandmarkCourseParams& params = all.landmarks;
   if (options.speed_mps)
-    params.navigator.speed.speed_mps = all.sections.navigator.speed.speed_mps = *options.speed_mps;
+    params.navigator.speed.speed_mps = all.sections.navigator.speed.speed_mps =
+        all.route.navigator.speed_mps = *options.speed_mps;
   if (options.method == "sections") return trial_by_sections(options, all.sections, console);
+  if (turns) return trial_of_turnings(options, all.route, console);
+  if (parks) return trial_of_parking(options, all.route, console);
+  if (options.method == "route") return trial_by_route(options, all.route, console);
   Trial trial;
   trial.after.resize(static_cast<std::size_t>(options.refinements) + 1);
   const std::uint64_t seeds = options.last_seed - options.first_seed + 1;

@@ -10,6 +10,7 @@
 #include "aisle/formats/section_text.hpp"
 #include "json_text.hpp"
 #include "landmark_json.hpp"
+#include "room_json.hpp"
 
 namespace aisle {
 namespace {
@@ -83,6 +84,7 @@ std::string route_json(const Route& route) {
                      (route.sections.empty() ? R"("pieces": )" + pieces_json(route.path)
                                              : R"("sections": )" + sections_json(route.sections));
   if (!route.start_view.empty()) text += R"(, "start_view": )" + start_view_json(route.start_view);
+  if (route.room) text += R"(, "room": )" + room_json(*route.room);
   return text + "}";
 }
 
@@ -161,7 +163,7 @@ std::vector<StartSighting> read_start_view(const JsonValue& value) {
 
 Route read_route(const JsonValue& value) {
   Route route;
-  if (!value.is_object_of({"name", "start", "pieces", "sections", "start_view"})) return route;
+  if (!value.is_object_of({"name", "start", "pieces", "sections", "start_view", "room"})) return route;
   Pose2 T_map_start;
   if (const auto name = value.require("name")) name->read_name(route.name);
   if (const auto start = value.require("start")) T_map_start = read_start(*start);
@@ -173,6 +175,7 @@ Route read_route(const JsonValue& value) {
     route.path = read_path(T_map_start, *pieces);
   }
   if (const auto view = value.find("start_view")) route.start_view = read_start_view(*view);
+  if (const auto room = value.find("room")) route.room = read_room(*room);
   return route;
 }
 

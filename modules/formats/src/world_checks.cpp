@@ -124,6 +124,9 @@ class Checks {
       if (!leads_somewhere) add(key, "needs at least two different points");
     };
     if (!world_.tour.empty()) check("tour", world_.tour);
+    for (std::size_t i = 0; i < world_.routes.size(); ++i) {
+      check(fmt::format("routes[{}].way", i), world_.routes[i].way);
+    }
     for (std::size_t i = 0; i < world_.people.size(); ++i) {
       check(fmt::format("people[{}].path", i), world_.people[i].path);
     }

@@ -146,6 +146,20 @@ WorldFields fields_of(NamedPlace& place) {
   return fields;
 }
 
+WorldFields fields_of(TaughtWay& route) {
+  static constexpr std::array<std::string_view, 3> kParkings = {"frame", "dead-end", "view"};
+  return {needed(text("name", route.name)), word("park", route.parking, kParkings),
+          needed(points("way", route.way))};
+}
+
+WorldFields fields_of(TaughtTurning& turning) {
+  constexpr int kTurnings = 13;
+  constexpr Range kLength_m = {0, 20};
+  return {needed(text("route", turning.route)), needed(count("number", turning.number, {1, kTurnings})),
+          needed(point("at", turning.at)), number("before_m", turning.before_m, kLength_m),
+          number("after_m", turning.after_m, kLength_m)};
+}
+
 WorldFields fields_of(Pose2& pose) {
   return {needed(point("at", pose.x, pose.y)), angle("heading_deg", pose.theta)};
 }

@@ -63,6 +63,8 @@ WorldFields fields_of(ParkingFrame& frame);
 WorldFields fields_of(CalibrationBoard& board);
 WorldFields fields_of(Person& person);
 WorldFields fields_of(NamedPlace& place);
+WorldFields fields_of(TaughtWay& route);
+WorldFields fields_of(TaughtTurning& turning);
 WorldFields fields_of(Pose2& pose);
 
 /// What a world has one of: its name, tour, ceiling, skirting, light.
@@ -83,6 +85,8 @@ void for_each_list(SomeWorld& world, const Visit& visit) {
   visit("boards", world.boards, kFew);
   visit("people", world.people, kPeopleMax);
   visit("places", world.places, kFew);
+  visit("routes", world.routes, kFew);
+  visit("turnings", world.turnings, kThingsMax);
 }
 
 }  // namespace aisle

@@ -71,6 +71,15 @@ TEST(DocumentedExamples, TheSectionsAreReadAndWrittenAsTheyStand) {
   EXPECT_EQ(building_json(*building), text);
 }
 
+TEST(DocumentedExamples, TheWayThroughARoomIsReadAndWrittenAsItStands) {
+  const std::string text = example("rooms.md");
+  const auto building = parse_building(text, "rooms.md");
+  ASSERT_TRUE(building.ok()) << to_string(building.problems());
+  ASSERT_TRUE(building->routes.front().room);
+  EXPECT_EQ(building->routes.front().room->turnings.front().number, 5);
+  EXPECT_EQ(building_json(*building), text);
+}
+
 TEST(DocumentedExamples, TheTrajectoryIsReadAndWrittenAsItStands) {
   const std::string text = example("trajectory.md");
   const auto trajectory = parse_tum(text, "trajectory.md");

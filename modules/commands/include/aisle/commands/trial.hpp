@@ -18,6 +18,7 @@ struct TrialOptions {
   std::vector<std::string> worlds;  ///< taken in turn; none: a building by chance for each seed
   std::string vehicle;              ///< empty: the method's own: alv, or mini for sections
   std::string scenario;             ///< empty: nothing goes wrong
+  std::string strategy = "frame";   ///< park: frame, dead-end or view
   int refinements = 0;              ///< trips after the first, each taken in before the next
   std::optional<double> speed_mps;
   bool in_reverse = false;

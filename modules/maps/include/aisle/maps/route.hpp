@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "aisle/control/path.hpp"
 #include "aisle/geometry/pose2.hpp"
+#include "aisle/maps/room_route.hpp"
 #include "aisle/maps/section.hpp"
 
 namespace aisle {
@@ -21,6 +23,7 @@ struct Route {
   Path path;                              ///< in `map`, base_link; as driven, smoothed
   std::vector<StartSighting> start_view;  ///< from the path's start
   SectionList sections;                   ///< L03; not empty: the path is theirs
+  std::optional<RoomRoute> room;          ///< L96
 };
 
 }  // namespace aisle

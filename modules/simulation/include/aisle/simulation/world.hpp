@@ -113,6 +113,23 @@ struct NamedPlace {
   Pose2 T_world_place;
 };
 
+/// A way that a person shows the vehicle, and how it is to park there (L96).
+struct TaughtWay {
+  enum class Parking { kFrame, kDeadEnd, kView };
+  std::string name;
+  Parking parking = Parking::kView;
+  std::vector<Vec2> way;  ///< at least two different points; base_link drives from one to the next
+};
+
+/// A turning on a taught way (METHODS 9).
+struct TaughtTurning {
+  std::string route;       ///< of a TaughtWay
+  int number = 1;          ///< 1 to 13
+  Vec2 at = Vec2::Zero();  ///< the crossing's middle
+  double before_m = 1.3;   ///< it begins so far before that point
+  double after_m = 1.3;    ///< and ends so far beyond
+};
+
 /// How far skirting boards stand before their walls.
 inline constexpr double kSkirtingDepth_m = 0.012;
 
@@ -128,6 +145,8 @@ struct World {
   std::vector<CalibrationBoard> boards;
   std::vector<Person> people;
   std::vector<NamedPlace> places;
+  std::vector<TaughtWay> routes;
+  std::vector<TaughtTurning> turnings;
   std::vector<Vec2> tour;      ///< way points that a vehicle drives in this order; may be empty
   std::optional<Pose2> start;  ///< where a vehicle is set down; else at the tour's start, facing along it
 

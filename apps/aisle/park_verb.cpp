@@ -1,0 +1,39 @@
+#include <memory>
+
+#include "aisle/commands/park.hpp"
+#include "option_kinds.hpp"
+#include "verb.hpp"
+
+using namespace aisle;
+
+void add_park_verb(CLI::App& app, Work& work) {
+  CLI::App* verb = app.add_subcommand("park", "park at the end of a route through a room, in the simulator");
+  verb->fallthrough();
+  auto options = std::make_shared<ParkOptions>();
+  verb->add_option("BUILDING", options->building, "building file (JSON) with the route that ends there");
+  verb->add_option("PLACE", options->place, "the route's name");
+  verb->add_option("--world", options->world, "world file (YAML), or the name of a shipped one");
+  verb->add_option("--vehicle", options->vehicle,
+                   "vehicle file (YAML), or the name of a shipped one (default alv)");
+  verb->add_option("--faults", options->scenario,
+                   "scenario file (YAML) of what goes wrong, or the name of a shipped one");
+  add_choice<std::optional<ParkingStrategy>>(*verb, "--strategy", options->strategy,
+                                             {{"frame", ParkingStrategy::kFrame},
+                                              {"dead-end", ParkingStrategy::kDeadEnd},
+                                              {"view", ParkingStrategy::kView}},
+                                             "how the route was taught to end");
+  verb->add_option_function<std::string>(
+          "--start",
+          [options](const std::string& text) { options->T_world_start = parse_place("--start", text); },
+          "where the vehicle stands in the world: x,y,degrees (default: on the route, 3 m before its end)")
+      ->type_name("X,Y,DEG");
+  add_seed(*verb, options->seed, "of all noise; the same seed gives the same session (default 1)");
+  verb->add_option("--out", options->out, "directory for the session");
+  verb->add_flag("--force", options->force, "replace a session that is there already");
+  add_parameter_options(*verb, options->parameters, park_parameters, work, [=, &work] {
+    if (options->building.empty()) throw CLI::RequiredError("BUILDING");
+    if (options->place.empty()) throw CLI::RequiredError("PLACE");
+    if (options->world.empty()) throw CLI::RequiredError("--world");
+    work = [options](Console& console) { return run_park(*options, console); };
+  });
+}

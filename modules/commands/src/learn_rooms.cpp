@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include "aisle/commands/output_directory.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/session_truth.hpp"
+#include "learned_files.hpp"
+#include "room_verbs.hpp"
+#include "rounded.hpp"
+#include "route_name.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr const char* kParkingNames[] = {"frame", "dead-end", "view"};
+
+Outcome room_lesson_outcome(const RoomLesson& lesson) {
+  const Route& route = lesson.building.routes.front();
+  const RoomRoute& room = *route.room;
+  auto turnings = nlohmann::ordered_json::array();
+  for (const RoomTurning& turning : room.turnings)
+    turnings.push_back({{"number", turning.number},
+                        {"start_m", rounded(turning.start_m, 3)},
+                        {"end_m", rounded(turning.end_m, 3)}});
+  Outcome outcome{.verb = "learn"};
+  const char* parking = kParkingNames[static_cast<std::size_t>(room.parking)];
+  outcome.figures = {{"cycles", lesson.T_route_vehicle.size()},
+                     {"route", route.name},
+                     {"length_m", rounded(route.path.length_m(), 3)},
+                     {"route_grey", rounded(room.brightness.grey, 2)},
+                     {"turnings", turnings},
+                     {"parking", parking}};
+  outcome.text =
+      fmt::format("route {}: {:.1f} m, {} turnings, route of grey level {:.0f}; parks: {}\n", route.name,
+                  route.path.length_m(), room.turnings.size(), room.brightness.grey, parking);
+  if (room.parking != ParkingStrategy::kFrame) return outcome;
+  outcome.figures["frame_size_m"] = {rounded(room.frame_size_m.x(), 3), rounded(room.frame_size_m.y(), 3)};
+  outcome.text +=
+      fmt::format("parking frame of {:.2f} m x {:.2f} m\n", room.frame_size_m.x(), room.frame_size_m.y());
+  return outcome;
+}
+
+}  // namespace
+
+Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLessonParams& params,
+                               Console& console) {
+  std::optional<OutputDirectory> directory;
+  if (!options.out.empty()) {
+    std::vector<std::string> names = truth_file_names();
+    names.emplace_back("building.json");
+    auto opened = OutputDirectory::open(options.out, options.force, names);
+    if (!opened) return opened.problems();
+    directory = std::move(*opened);
+  }
+  auto cycles = SessionCycles::open(options.session);
+  if (!cycles) return cycles.problems();
+  const std::string named = cycles->origin().route.empty() ? "route" : cycles->origin().route;
+  if (Problems problems = check_route_name({options.session.string(), 0, "route"}, named); !problems.empty())
+    return problems;
+  const auto trip = read_room_trip(options.session, *cycles, params, console.progress);
+  if (!trip) return trip.problems();
+  const auto lesson = learn_room(*trip, cycles->vehicle(), named, params);
+  if (!lesson) return at_file(lesson.problems(), options.session.string());
+  Outcome outcome = room_lesson_outcome(*lesson);
+  if (!directory) return outcome;
+  const auto truth = read_true_poses(options.session);
+  if (!truth) return truth.problems();
+  std::vector<OutputFile> files;
+  if (truth->T_map_vehicle.size() == lesson->T_route_vehicle.size())
+    files = truth_files(MapTruth(lesson->T_route_vehicle, truth->T_map_vehicle));
+  files.push_back({"building", "building.json", building_json(lesson->building)});
+  auto written = directory->write(files);
+  if (!written) return written.problems();
+  outcome.files = std::move(*written);
+  return outcome;
+}
+
+}  // namespace aisle

@@ -1,0 +1,75 @@
+#include "room_lesson.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "aisle/vision/brightness_view.hpp"
+#include "room_driver.hpp"
+
+namespace aisle {
+namespace {
+
+const CameraDescription& first_room_camera(const VehicleDescription& vehicle) {
+  if (const CameraDescription* camera = vehicle.camera("top")) return *camera;
+  throw std::invalid_argument("the vehicle lacks the camera top");
+}
+
+}  // namespace
+
+RoomTripCollector::RoomTripCollector(const RoomLessonParams& params, const VehicleDescription& vehicle)
+    : params_(params),
+      vehicle_(vehicle),
+      camera_(first_room_camera(vehicle)),
+      view_(params.view, CameraModel(camera_.intrinsics), camera_.mount, camera_.width_px, camera_.height_px,
+            vehicle.footprint.width_m) {}
+
+void RoomTripCollector::add(const Observation& observation) {
+  RoomCycle cycle{.stamp_s = observation.stamp_s,
+                  .odometry = observation.odometry,
+                  .marks = observation.operator_input.marks,
+                  .patch = {},
+                  .p_vehicle_painted = {},
+                  .view = {}};
+  if (const CameraPicture* picture = present_picture(observation, camera_.name, vehicle_.cycle_s)) {
+    if (!std::exchange(has_patch_, true)) {
+      const RouteSight sight = view_.look(*picture->image);
+      cycle.patch = RouteBrightness{sight.patch_grey, sight.patch_deviation};
+    }
+    cycle.view = brightness_view(*picture->image);
+    cycle.p_vehicle_painted = painted_line_points(*picture->image, CameraModel(camera_.intrinsics),
+                                                  camera_.mount, params_.learning.frame);
+  }
+  cycles.push_back(std::move(cycle));
+}
+
+Result<std::vector<RoomCycle>> read_room_trip(const std::filesystem::path& session, SessionCycles& cycles,
+                                              const RoomLessonParams& params, Progress& progress) {
+  Problems problems = unfit_for_rooms(cycles.vehicle(), ParkingStrategy::kView);
+  for (Problem& problem : problems) problem.where.file = session.string();
+  if (!problems.empty()) return problems;
+  RoomTripCollector collector(params, cycles.vehicle());
+  std::size_t pictures = 0;
+  while (true) {
+    auto cycle = cycles.next();
+    if (!cycle) return cycle.problems();
+    if (!cycle->has_value()) break;
+    pictures += (*cycle)->observation.pictures.size();
+    collector.add((*cycle)->observation);
+    progress.report("looking at pictures", pictures, 0);
+  }
+  if (collector.cycles.empty()) return Problem{{session.string()}, "has no cycles"};
+  return std::move(collector.cycles);
+}
+
+Result<RoomLesson> learn_room(const std::vector<RoomCycle>& cycles, const VehicleDescription& vehicle,
+                              const std::string& route, const RoomLessonParams& params) {
+  auto learned = learn_room_route(cycles, vehicle, params.learning);
+  if (!learned) return learned.problems();
+  RoomLesson lesson{.building = {}, .T_route_vehicle = std::move(learned->T_route_vehicle)};
+  learned->route.name = route;
+  lesson.building.name = route;
+  lesson.building.routes.push_back(std::move(learned->route));
+  return lesson;
+}
+
+}  // namespace aisle

@@ -1,0 +1,109 @@
+#pragma once
+/// Drives a taught way through a room: L96 Algorithm 5.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/control/path_progress.hpp"
+#include "aisle/guidance/edge_memory.hpp"
+#include "aisle/guidance/frame_parking.hpp"
+#include "aisle/guidance/free_steering.hpp"
+#include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/picture_watch.hpp"
+#include "aisle/guidance/stop_view_matcher.hpp"
+#include "aisle/maps/route.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+#include "aisle/vision/route_view.hpp"
+
+namespace aisle {
+
+struct RoomNavigatorParams {
+  RouteViewParams view;
+  FreeSteeringParams steering;
+  PictureWatchParams pictures;
+  FrameParkingParams frame;
+  StopViewParams stop_views;
+  double speed_mps = 0.3;
+  double turning_speed_mps = 0.2;
+  double parking_speed_mps = 0.12;
+  double look_ahead_m = 0.8;
+  double middle_share = 0.4;
+  double turning_middle_share = 0.15;
+  double avoid_rad = 30 * kDegree;
+  bool avoid_as_published = true;
+  double dead_end_share = 1.0 / 3;
+  double dead_end_gap_m = 0.4;
+  double frame_within_m = 3.5;
+  double brightness_tolerance = 0.35;
+  double brightness_gain = 0.05;
+  double stop_free_m = 0.15;
+  double wait_s = 3;
+  double back_off_m = 0.6;
+  int back_offs_max = 4;
+  double blind_max_s = 10;
+
+  void describe(FieldList& fields);
+};
+
+/// Keeps to the middle of the route as the first camera sees it, where the way that was taught goes; in a
+/// turning, to the middle of what is not blotted out. Turns away from what stands too near, waits before what
+/// blocks the way, backs off and tries again. At the end it parks as the route says. `middle_share` is how
+/// much the route's middle counts against the way taught, carried on by odometry: 1 is as published.
+class RoomNavigator final : public Navigator {
+ public:
+  /// @throws std::invalid_argument if the vehicle lacks the cameras `top` and, to park in a frame, `middle`,
+  ///         or the route was not taught in a room
+  /// @param from_m  about where on the route the vehicle stands
+  RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle, Route route,
+                double from_m = 0);
+
+  Decision step(const Observation& observation) override;
+
+  /// Along the route as it was taught, which starts at the origin of `odom`.
+  const PathPoint& point() const { return progress_.point(); }
+  const Pose2& pose() const { return T_odom_vehicle_; }
+  const std::optional<RouteSight>& sight() const { return sight_; }
+  const EdgeMemory& edges() const { return edges_; }
+  /// How often it has driven into the parking frame.
+  int parking_tries() const { return frame_ ? frame_->tries() : 1; }
+
+ private:
+  enum class State { kFollowing, kBackingOff, kParkingInFrame };
+
+  void look(const Observation& observation);
+  bool is_route_bright_as_learned();
+  Decision follow(double now_s);
+  Decision park_in_frame(double now_s);
+  Decision back_off(double now_s);
+  Decision blocked(double now_s);
+  Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
+  double wished_steering_rad() const;
+  std::optional<double> avoiding_rad() const;
+  double steering_to(const Vec2& p_vehicle) const;
+  double gap_ahead_m() const;
+  std::optional<Decision> arrived();
+  double left_m() const { return route_.path.length_m() - progress_.point().along_m; }
+  double left_to_end_m() const;
+
+  RoomNavigatorParams params_;
+  VehicleDescription vehicle_;
+  Route route_;
+  RouteView view_;
+  PictureWatch watch_;
+  EdgeMemory edges_;
+  PathProgress progress_;
+  std::unique_ptr<FrameParking> frame_;
+  StopViewMatcher stop_views_;
+  Pose2 T_odom_vehicle_;
+  std::optional<RouteSight> sight_;
+  RouteBrightness brightness_;
+  bool is_strange_ = false;  ///< what is before the vehicle does not look like the route
+  State state_ = State::kFollowing;
+  std::optional<double> stopped_s_;
+  Pose2 T_odom_stopped_;
+  int back_offs_ = 0;
+};
+
+}  // namespace aisle

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "aisle/core/image.hpp"
+#include "aisle/core/parameters.hpp"
+#include "aisle/maps/room_route.hpp"
+
+namespace aisle {
+
+struct StopViewParams {
+  double delta = 0.04;
+  double within_m = 1.5;
+  double rival_m = 0.15;
+  double rival_factor = 1.3;
+  int confirmations = 3;
+  double agree_m = 0.12;
+  double gain = 0.3;
+
+  void describe(FieldList& fields);
+};
+
+/// Tells by what is seen how far off the odometry is about the way that is left to a taught place (L96
+/// section 3.5). A learned view matches when all eight positions are within delta. Beyond the paper, a match
+/// counts only if no view from elsewhere is nearly as much alike, and if several pictures in succession
+/// agree.
+class StopViewMatcher {
+ public:
+  StopViewMatcher(const StopViewParams& params, std::vector<StopView> views);
+
+  /// @param left_m  way to the place, by odometry
+  void take(const Image& picture, double left_m);
+
+  /// More way to go than the odometry says; 0 while nothing has matched.
+  double shift_m() const { return shift_m_; }
+
+ private:
+  const StopView* match(const BrightnessView& seen) const;
+
+  StopViewParams params_;
+  std::vector<StopView> views_;
+  std::deque<double> shifts_m_;  ///< of the latest pictures that matched, one after another
+  double shift_m_ = 0;
+};
+
+}  // namespace aisle

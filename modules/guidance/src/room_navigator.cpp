@@ -1,0 +1,252 @@
+#include "aisle/guidance/room_navigator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "aisle/core/square.hpp"
+#include "aisle/learning/odometry_step.hpp"
+#include "room_cameras.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kRemembered_m = 4;
+
+Route room_route(Route route) {
+  if (!route.room || route.path.empty()) throw std::invalid_argument("the route was not taught in a room");
+  return route;
+}
+
+RouteView first_view(const RoomNavigatorParams& params, const VehicleDescription& vehicle) {
+  const CameraDescription& camera = room_camera(vehicle, kFirstCamera);
+  return {params.view,      CameraModel(camera.intrinsics), camera.mount, camera.width_px,
+          camera.height_px, vehicle.footprint.width_m};
+}
+
+}  // namespace
+
+void RoomNavigatorParams::describe(FieldList& fields) {
+  fields.group("view", view);
+  fields.group("steering", steering);
+  fields.group("pictures", pictures);
+  fields.group("frame", frame);
+  fields.group("stop_views", stop_views);
+  fields.real("speed_mps", speed_mps, {0.02, 2}, "between turnings");
+  fields.real("turning_speed_mps", turning_speed_mps, {0.02, 2}, "in turnings");
+  fields.real("parking_speed_mps", parking_speed_mps, {0.02, 2}, "near the end");
+  fields.real("look_ahead_m", look_ahead_m, {0.2, 5}, "the point of the taught way that it steers to");
+  fields.real("middle_share", middle_share, {0, 1},
+              "how much the route's middle counts against the taught way; 1: as published");
+  fields.real("turning_middle_share", turning_middle_share, {0, 1}, "likewise in turnings");
+  fields.angle("avoid_deg", avoid_rad, {0, 60}, "the wheels' turn away from what stands too near");
+  fields.flag("avoid_as_published", avoid_as_published, "by the three check regions, before all else");
+  fields.real("dead_end_share", dead_end_share, {0, 1}, "of the view is route: less is a dead end");
+  fields.real("dead_end_gap_m", dead_end_gap_m, {0, 3}, "from there it goes on until so near");
+  fields.real("frame_within_m", frame_within_m, {0.5, 20}, "before the route's end it looks for the frame");
+  fields.real("brightness_tolerance", brightness_tolerance, {0.01, 1},
+              "by which share the route may suddenly look brighter or darker");
+  fields.real("brightness_gain", brightness_gain, {0, 1},
+              "how fast the learned brightness follows the light");
+  fields.real("stop_free_m", stop_free_m, {0.01, 2}, "with less way free it stops");
+  fields.real("wait_s", wait_s, {0, 100}, "for what is in the way to go");
+  fields.real("back_off_m", back_off_m, {0.05, 5}, "way back before it tries again");
+  fields.count("back_offs_max", back_offs_max, {0, 100}, "then it gives up");
+  fields.real("blind_max_s", blind_max_s, {0.5, 1000}, "without a good picture it gives up");
+}
+
+RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle,
+                             Route route, double from_m)
+    : params_(params),
+      vehicle_(vehicle),
+      route_(room_route(std::move(route))),
+      view_(first_view(params, vehicle)),
+      watch_(params.pictures, room_camera(vehicle, kFirstCamera)),
+      edges_(kRemembered_m),
+      progress_(route_.path, from_m),
+      stop_views_(params.stop_views, route_.room->views),
+      T_odom_vehicle_(route_.path.at(from_m).T_map_path),
+      brightness_(route_.room->brightness) {
+  if (route_.room->parking == ParkingStrategy::kFrame)
+    frame_ = std::make_unique<FrameParking>(params.frame, vehicle, route_.room->frame_size_m);
+}
+
+Decision RoomNavigator::step(const Observation& observation) {
+  T_odom_vehicle_ = T_odom_vehicle_ * odometry_step(vehicle_, observation.odometry);
+  if (state_ != State::kBackingOff) progress_.advance(T_odom_vehicle_);
+  look(observation);
+  if (observation.bumper_pressed)
+    return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
+  if (const auto trouble = watch_.trouble(observation.stamp_s); trouble || !sight_) {
+    if (!stopped_s_) stopped_s_ = observation.stamp_s;
+    const bool is_lasting = observation.stamp_s - *stopped_s_ > params_.blind_max_s;
+    return {.status = is_lasting ? NavigatorStatus::kFailed : NavigatorStatus::kGoing,
+            .state = "blind",
+            .why = trouble.value_or("no picture yet")};
+  }
+  if (frame_ && left_m() < params_.frame_within_m) {
+    frame_->look(observation, T_odom_vehicle_, route_.path.pieces().back().end().theta);
+    if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
+  }
+  if (state_ == State::kParkingInFrame) return park_in_frame(observation.stamp_s);
+  if (state_ == State::kBackingOff) return back_off(observation.stamp_s);
+  return follow(observation.stamp_s);
+}
+
+void RoomNavigator::look(const Observation& observation) {
+  const CameraPicture* picture = watch_.look(observation);
+  if (picture == nullptr) return;
+  sight_ = view_.look(*picture->image);
+  stop_views_.take(*picture->image, left_to_end_m());
+  is_strange_ = !is_route_bright_as_learned();
+  if (!is_strange_) edges_.take(view_, *sight_, T_odom_vehicle_);
+}
+
+/// The learned brightness follows slow change of light (METHODS 9).
+bool RoomNavigator::is_route_bright_as_learned() {
+  const double change = sight_->patch_grey / std::max(1.0, brightness_.grey) - 1;
+  if (std::abs(change) > params_.brightness_tolerance) return false;
+  brightness_.grey += params_.brightness_gain * (sight_->patch_grey - brightness_.grey);
+  return true;
+}
+
+double RoomNavigator::steering_to(const Vec2& p_vehicle) const {
+  const double curvature_per_m = 2 * p_vehicle.y() / std::max(p_vehicle.squaredNorm(), 0.01);
+  return std::atan(vehicle_.front_steered.wheelbase_m * curvature_per_m);
+}
+
+/// The frame's lines look like edges of the route, and are none.
+Decision RoomNavigator::park_in_frame(double now_s) {
+  constexpr double kAboutLines_m = 0.15;
+  edges_.clear(*frame_->frame(), frame_->size_m() + 2 * Vec2(kAboutLines_m, kAboutLines_m));
+  const Decision decision = frame_->step();
+  if (decision.status != NavigatorStatus::kGoing || decision.command.speed_mps == 0) return decision;
+  const int direction = decision.command.speed_mps > 0 ? 1 : -1;
+  const SteeringChoice way = free_way(vehicle_, params_.steering, edges_.around(T_odom_vehicle_),
+                                      decision.command.steering_rad, direction);
+  if (way.free_m >= params_.stop_free_m) {
+    stopped_s_.reset();
+    return decision;
+  }
+  if (!stopped_s_) stopped_s_ = now_s;
+  const bool is_lasting = now_s - *stopped_s_ > params_.blind_max_s;
+  return {.status = is_lasting ? NavigatorStatus::kFailed : NavigatorStatus::kGoing,
+          .state = "waiting",
+          .why = "something is in the way to the frame"};
+}
+
+/// L96 section 3.1: 30 degrees away from what the check regions show.
+std::optional<double> RoomNavigator::avoiding_rad() const {
+  const RouteChecks& checks = sight_->checks;
+  const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
+  if (!params_.avoid_as_published || is_turning) return std::nullopt;
+  if (checks.left && !checks.right) return -params_.avoid_rad;
+  if (checks.right && !checks.left) return params_.avoid_rad;
+  if (checks.ahead) return checks.left_share > checks.right_share ? params_.avoid_rad : -params_.avoid_rad;
+  return std::nullopt;
+}
+
+double RoomNavigator::wished_steering_rad() const {
+  const double along_m = progress_.point().along_m;
+  const RoomTurning* turning = turning_at(route_.room->turnings, along_m);
+  const BlotOut blot = turning != nullptr ? blot_out(*turning, along_m) : BlotOut{};
+  const double ahead_m = along_m + params_.look_ahead_m;
+  const double beyond_m = std::max(0.0, ahead_m - route_.path.length_m());
+  const Vec2 p_odom_ahead = route_.path.at(ahead_m).T_map_path * Vec2(beyond_m, 0);
+  const double taught_rad = steering_to(T_odom_vehicle_.inverse() * p_odom_ahead);
+  const auto middle = view_.middle(*sight_, blot.left, blot.right);
+  if (!middle) return taught_rad;
+  const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
+  const double share = turns ? params_.turning_middle_share : params_.middle_share;
+  return share * steering_to(*middle) + (1 - share) * taught_rad;
+}
+
+Decision RoomNavigator::follow(double now_s) {
+  if (auto decision = arrived()) return *decision;
+  const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
+  const bool is_near_end = left_m() < 1;
+  const auto avoiding = is_near_end ? std::nullopt : avoiding_rad();
+  const double wish_rad = avoiding.value_or(wished_steering_rad());
+  const SteeringChoice choice = choose_steering(vehicle_, params_.steering, around, wish_rad);
+  if (is_strange_ || choice.free_m < params_.stop_free_m) return blocked(now_s);
+  stopped_s_.reset();
+  const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
+  const double speed_mps = is_near_end  ? params_.parking_speed_mps
+                           : is_turning ? params_.turning_speed_mps
+                                        : params_.speed_mps;
+  return drive(choice, speed_mps, avoiding ? "avoiding" : is_turning ? "turning" : "following");
+}
+
+Decision RoomNavigator::drive(const SteeringChoice& choice, double speed_mps,
+                              const std::string& state) const {
+  const double braking_m = std::max(0.0, choice.free_m - params_.stop_free_m / 2);
+  const double stoppable_mps = std::sqrt(vehicle_.limits.deceleration_max_mps2 * braking_m);
+  return {.command = {.speed_mps = std::min(speed_mps, stoppable_mps), .steering_rad = choice.steering_rad},
+          .state = state,
+          .why = fmt::format("{:.1f} m to go, {:.2f} m free", std::max(0.0, left_m()), choice.free_m)};
+}
+
+/// Whoever stands in the way may go; what stays is passed on another way.
+Decision RoomNavigator::blocked(double now_s) {
+  if (!stopped_s_) stopped_s_ = now_s;
+  if (now_s - *stopped_s_ < params_.wait_s) return {.state = "waiting", .why = "something is in the way"};
+  if (back_offs_ >= params_.back_offs_max)
+    return {.status = NavigatorStatus::kFailed, .state = "blocked", .why = "found no way past what is there"};
+  ++back_offs_;
+  T_odom_stopped_ = T_odom_vehicle_;
+  state_ = State::kBackingOff;
+  return {.state = "backing off"};
+}
+
+Decision RoomNavigator::back_off(double now_s) {
+  const double backed_m = (T_odom_vehicle_.position() - T_odom_stopped_.position()).norm();
+  const SteeringChoice back = free_way(vehicle_, params_.steering, edges_.around(T_odom_vehicle_), 0, -1);
+  if (backed_m >= params_.back_off_m || back.free_m < params_.stop_free_m) {
+    state_ = State::kFollowing;
+    stopped_s_ = now_s;
+    return {.state = "backing off"};
+  }
+  return {.command = {.speed_mps = -params_.parking_speed_mps}, .state = "backing off"};
+}
+
+/// To the nearest edge straight ahead of the bumper.
+double RoomNavigator::gap_ahead_m() const {
+  double gap_m = kRemembered_m;
+  for (const Vec2& p : edges_.around(T_odom_vehicle_)) {
+    if (std::abs(p.y()) < vehicle_.footprint.width_m / 2 && p.x() > 0)
+      gap_m = std::min(gap_m, p.x() - vehicle_.footprint.front_m);
+  }
+  return gap_m;
+}
+
+/// Way to the end of the route as the last leg leads on.
+double RoomNavigator::left_to_end_m() const {
+  const double straight_m = between(T_odom_vehicle_, route_.path.pieces().back().end()).x;
+  constexpr double kLastLeg_m = 1;
+  return left_m() > kLastLeg_m ? left_m() : straight_m;
+}
+
+std::optional<Decision> RoomNavigator::arrived() {
+  const Decision done{.status = NavigatorStatus::kDone, .state = "parked"};
+  switch (route_.room->parking) {
+    case ParkingStrategy::kDeadEnd:
+      if (left_m() < 2 && sight_->share < params_.dead_end_share && gap_ahead_m() < params_.dead_end_gap_m)
+        return done;
+      break;
+    case ParkingStrategy::kFrame:
+      if (progress_.has_arrived())
+        return Decision{
+            .status = NavigatorStatus::kFailed, .state = "no frame", .why = "there is no frame to be seen"};
+      break;
+    case ParkingStrategy::kView:
+      if (left_to_end_m() + stop_views_.shift_m() <= vehicle_.cycle_s * params_.parking_speed_mps)
+        return done;
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace aisle

@@ -1,0 +1,56 @@
+#include "aisle/guidance/free_steering.hpp"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+#include "aisle/geometry/pose2.hpp"
+
+namespace aisle {
+namespace {
+
+VehicleDescription cart() {
+  VehicleDescription vehicle;
+  vehicle.front_steered.wheelbase_m = 0.75;
+  vehicle.footprint = {.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6, .height_m = 1.3};
+  return vehicle;
+}
+
+/// Points along a line.
+std::vector<Vec2> wall(const Vec2& from, const Vec2& to) {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 50; ++i) points.push_back(from + i / 50.0 * (to - from));
+  return points;
+}
+
+TEST(FreeSteering, TheWishIsFollowedWhereNothingStands) {
+  const SteeringChoice choice = choose_steering(cart(), {}, {}, 0.2);
+  EXPECT_NEAR(choice.steering_rad, 0.2, 1e-12);
+  EXPECT_DOUBLE_EQ(choice.free_m, FreeSteeringParams{}.reach_m);
+}
+
+TEST(FreeSteering, TheFreeWayEndsAMarginBeforeAWall) {
+  const auto ahead = wall({1.75, -1}, {1.75, 1});
+  const SteeringChoice straight = free_way(cart(), {}, ahead, 0, 1);
+  EXPECT_NEAR(straight.free_m, 0.7, 0.06);  // 0.95 of the vehicle, 0.06 of margin
+}
+
+TEST(FreeSteering, TurnsAsideOfWhatStandsAheadOnOneSide) {
+  const auto left = wall({1.9, 0.1}, {1.9, 0.8});
+  EXPECT_LT(choose_steering(cart(), {}, left, 0).steering_rad, -2 * kDegree);
+}
+
+TEST(FreeSteering, WhatIsTooNearAlreadyMayBeLeftBehind) {
+  const std::vector<Vec2> beside = {{0.3, 0.33}};
+  EXPECT_GT(free_way(cart(), {}, beside, 0, 1).free_m, 1);
+  EXPECT_LT(free_way(cart(), {}, beside, 30 * kDegree, 1).free_m, 0.5);
+}
+
+TEST(FreeSteering, BackwardsItLooksBehind) {
+  const auto behind = wall({-0.75, -1}, {-0.75, 1});
+  EXPECT_NEAR(free_way(cart(), {}, behind, 0, -1).free_m, 0.4, 0.06);
+  EXPECT_DOUBLE_EQ(free_way(cart(), {}, behind, 0, 1).free_m, FreeSteeringParams{}.reach_m);
+}
+
+}  // namespace
+}  // namespace aisle

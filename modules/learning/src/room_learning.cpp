@@ -1,0 +1,158 @@
+#include "aisle/learning/room_learning.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "aisle/learning/odometry_step.hpp"
+
+namespace aisle {
+
+void RoomLearningParams::describe(FieldList& fields) {
+  fields.group("path", path);
+  fields.group("frame", frame);
+  fields.real("frame_from_m", frame_from_m, {0, 20}, "the parking frame is measured so far from the end");
+  fields.real("frame_to_m", frame_to_m, {0, 20}, "up to so far");
+  fields.real("views_m", views_m, {0, 20}, "views are learned on so much way before a taught place");
+}
+
+namespace {
+
+std::optional<int> turning_number(const std::string& label) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(label.data(), label.data() + label.size(), number);
+  const bool is_whole = error == std::errc() && end == label.data() + label.size();
+  return is_whole && number >= 1 && number <= kTurningNumbers ? std::optional(number) : std::nullopt;
+}
+
+std::optional<ParkingStrategy> parking_of(const std::string& label) {
+  if (label == "frame") return ParkingStrategy::kFrame;
+  if (label == "dead-end") return ParkingStrategy::kDeadEnd;
+  if (label == "view" || label.empty()) return ParkingStrategy::kView;
+  return std::nullopt;
+}
+
+/// Reads the marks in the order in which they were made.
+class MarkReader {
+ public:
+  explicit MarkReader(RoomRoute& room) : room_(room) {}
+
+  void read(const Mark& mark, double along_m) {
+    const auto number = turning_number(mark.label);
+    switch (mark.kind) {
+      case Mark::Kind::kTurningBegins:
+        if (!number) return wrong(fmt::format("'{}' is no turning; there are 1 to 13", mark.label));
+        room_.turnings.push_back({*number, along_m, -1});
+        return;
+      case Mark::Kind::kTurningEnds:
+        return end(along_m);
+      case Mark::Kind::kStop:
+        if (const auto parking = parking_of(mark.label)) {
+          room_.parking = *parking;
+        } else {
+          wrong(fmt::format("'{}' is no way to park; there are frame, dead-end, view", mark.label));
+        }
+        return;
+      case Mark::Kind::kPlace:
+        return;
+    }
+  }
+
+  Problems take() {
+    for (const RoomTurning& turning : room_.turnings) {
+      if (turning.end_m < turning.start_m) wrong(fmt::format("turning {} has no end", turning.number));
+    }
+    return std::move(problems_);
+  }
+
+ private:
+  /// What began first ends first.
+  void end(double along_m) {
+    const auto open = std::find_if(room_.turnings.begin(), room_.turnings.end(),
+                                   [](const RoomTurning& turning) { return turning.end_m < 0; });
+    if (open == room_.turnings.end()) return wrong("a turning ends that has not begun");
+    open->end_m = along_m;
+  }
+  void wrong(std::string what) { problems_.push_back({{"", 0, "marks"}, std::move(what)}); }
+
+  RoomRoute& room_;
+  Problems problems_;
+};
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The frame's size as the pictures from a good distance show it.
+std::optional<Vec2> frame_size(std::span<const RoomCycle> cycles, const LearnedRoute& learned,
+                               const RoomLearningParams& params) {
+  constexpr std::size_t kPicturesMin = 2, kPicturesMax = 9;
+  const Pose2& T_route_end = learned.T_route_vehicle.back();
+  std::vector<double> along_m, across_m;
+  std::size_t looked_at = 0;
+  for (std::size_t i = 0; i < cycles.size() && looked_at < kPicturesMax; i += 1) {
+    const Pose2 T_vehicle_end = between(learned.T_route_vehicle[i], T_route_end);
+    const double left_m = T_vehicle_end.position().norm();
+    if (left_m < params.frame_from_m || left_m > params.frame_to_m || cycles[i].p_vehicle_painted.empty())
+      continue;
+    ++looked_at;
+    const auto fit = find_frame_and_size(cycles[i].p_vehicle_painted, T_vehicle_end.theta, params.frame);
+    if (!fit) continue;
+    along_m.push_back(fit->size_m.x());
+    across_m.push_back(fit->size_m.y());
+  }
+  if (along_m.size() < kPicturesMin) return std::nullopt;
+  return Vec2(median_of(along_m), median_of(across_m));
+}
+
+std::vector<StopView> views_before_end(std::span<const RoomCycle> cycles, const LearnedRoute& learned,
+                                       double reach_m) {
+  std::vector<StopView> views;
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    const double left_m =
+        between(learned.T_route_vehicle[i], learned.T_route_vehicle.back()).position().norm();
+    if (cycles[i].view && left_m <= reach_m) views.push_back({left_m, *cycles[i].view});
+  }
+  return views;
+}
+
+}  // namespace
+
+Result<LearnedRoute> learn_room_route(std::span<const RoomCycle> cycles, const VehicleDescription& vehicle,
+                                      const RoomLearningParams& params) {
+  constexpr double kWayMin_m = 0.3;
+  LearnedRoute learned;
+  RoomRoute room;
+  MarkReader marks(room);
+  Pose2 T_route_vehicle;
+  double along_m = 0;
+  std::optional<RouteBrightness> patch;
+  for (const RoomCycle& cycle : cycles) {
+    const Pose2 step = odometry_step(vehicle, cycle.odometry);
+    T_route_vehicle = T_route_vehicle * step;
+    along_m += step.position().norm();
+    learned.T_route_vehicle.push_back(T_route_vehicle);
+    if (!patch) patch = cycle.patch;
+    for (const Mark& mark : cycle.marks) marks.read(mark, along_m);
+  }
+  Problems problems = marks.take();
+  if (!patch) problems.push_back({{}, "has no pictures of the camera top"});
+  if (along_m < kWayMin_m) problems.push_back({{}, "the vehicle stood still all the time"});
+  if (!problems.empty()) return problems;
+  room.brightness = *patch;
+  if (room.parking == ParkingStrategy::kFrame) {
+    const auto size_m = frame_size(cycles, learned, params);
+    if (!size_m) return Problem{{}, "shows no parking frame before its end"};
+    room.frame_size_m = *size_m;
+  }
+  if (room.parking == ParkingStrategy::kView) room.views = views_before_end(cycles, learned, params.views_m);
+  learned.route.path = fit_path(learned.T_route_vehicle, params.path);
+  learned.route.room = std::move(room);
+  return learned;
+}
+
+}  // namespace aisle

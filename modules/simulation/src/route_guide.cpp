@@ -1,0 +1,93 @@
+#include "aisle/simulation/route_guide.hpp"
+
+#include <algorithm>
+
+namespace aisle {
+namespace {
+
+World with_tour(World world, const TaughtWay& route) {
+  world.tour = route.way;
+  return world;
+}
+
+/// Way along a polyline to its point nearest to `p`, of those at most so far along.
+double along_way_m(const std::vector<Vec2>& way, const Vec2& p, double from_m, double to_m) {
+  constexpr double kStep_m = 0.02;
+  double best_m = from_m, least_m = -1, begin_m = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Vec2 step = way[i] - way[i - 1];
+    const double length_m = step.norm();
+    const int steps = static_cast<int>(length_m / kStep_m);
+    for (int k = 0; k <= steps; ++k) {
+      const double at_m = begin_m + k * kStep_m;
+      if (at_m < from_m || at_m > to_m) continue;
+      const double off_m = (way[i - 1] + k * kStep_m / length_m * step - p).norm();
+      if (least_m >= 0 && off_m >= least_m) continue;
+      least_m = off_m;
+      best_m = at_m;
+    }
+    begin_m += length_m;
+  }
+  return best_m;
+}
+
+double length_of_way_m(const std::vector<Vec2>& way) {
+  double sum_m = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) sum_m += (way[i] - way[i - 1]).norm();
+  return sum_m;
+}
+
+}  // namespace
+
+const TaughtWay* route_of(const World& world, const std::string& name) {
+  const auto route = std::find_if(world.routes.begin(), world.routes.end(),
+                                  [&](const TaughtWay& candidate) { return candidate.name == name; });
+  return route == world.routes.end() ? nullptr : &*route;
+}
+
+Pose2 start_of(const TaughtWay& route) {
+  const Vec2& p = route.way.front();
+  return {p.x(), p.y(), heading_of(route.way[1] - p)};
+}
+
+std::string parking_word(TaughtWay::Parking parking) {
+  switch (parking) {
+    case TaughtWay::Parking::kFrame:
+      return "frame";
+    case TaughtWay::Parking::kDeadEnd:
+      return "dead-end";
+    case TaughtWay::Parking::kView:
+      return "view";
+  }
+  return {};
+}
+
+RouteGuide::RouteGuide(const World& world, const TaughtWay& route, const VehicleDescription& vehicle,
+                       const ScriptedOperatorParams& params, std::uint64_t seed)
+    : route_(route), driver_(with_tour(world, route), vehicle, params, seed) {
+  for (const TaughtTurning& turning : world.turnings) {
+    if (turning.route != route.name) continue;
+    const double at_m = along_way_m(route.way, turning.at, 0, length_of_way_m(route.way));
+    const std::string number = std::to_string(turning.number);
+    marks_.push_back({at_m - turning.before_m, {Mark::Kind::kTurningBegins, number}});
+    marks_.push_back({at_m + turning.after_m, {Mark::Kind::kTurningEnds, number}});
+  }
+  std::stable_sort(marks_.begin(), marks_.end(),
+                   [](const TurningMark& a, const TurningMark& b) { return a.along_m < b.along_m; });
+}
+
+OperatorInput RouteGuide::look(const OperatorView& view) {
+  constexpr double kAhead_m = 0.6;
+  OperatorInput input = driver_.look(view);
+  along_m_ = along_way_m(route_.way, view.T_world_vehicle.position(), along_m_, along_m_ + kAhead_m);
+  while (!marks_.empty() && (marks_.front().along_m <= along_m_ || driver_.has_arrived())) {
+    input.marks.insert(input.marks.begin(), marks_.front().mark);
+    marks_.erase(marks_.begin());
+  }
+  for (Mark& mark : input.marks) {
+    if (mark.kind == Mark::Kind::kStop) mark.label = parking_word(route_.parking);
+  }
+  return input;
+}
+
+}  // namespace aisle

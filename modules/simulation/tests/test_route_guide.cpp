@@ -1,0 +1,57 @@
+#include "aisle/simulation/route_guide.hpp"
+
+#include <gmock/gmock.h>
+
+#include "aisle/guidance/hand_driver.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+
+namespace aisle {
+namespace {
+
+/// An L of two legs in the open, with one turning.
+World open_floor() {
+  World world;
+  world.routes = {{.name = "way", .parking = TaughtWay::Parking::kDeadEnd, .way = {{0, 0}, {4, 0}, {4, 4}}}};
+  world.turnings = {{.route = "way", .number = 1, .at = {4, 0}, .before_m = 1.5, .after_m = 1},
+                    {.route = "other", .number = 2, .at = {1, 0}}};
+  return world;
+}
+
+TEST(RouteGuide, SaysWhereTurningsBeginAndEndAndHowToPark) {
+  const World world = open_floor();
+  const VehicleModel model;
+  RouteGuide person(world, world.routes.front(), model.description, {}, 1);
+  SimulatedVehicle vehicle(
+      world, model, {}, {.T_world_start = start_of(world.routes.front()), .takes_pictures = false}, &person);
+  HandDriver driver({});
+  std::vector<Mark> marks;
+  std::vector<Vec2> places;
+  for (int cycle = 0; cycle < 600; ++cycle) {
+    const auto observation = vehicle.sense();
+    ASSERT_TRUE(observation);
+    for (const Mark& mark : observation->operator_input.marks) {
+      marks.push_back(mark);
+      places.push_back(vehicle.truth().T_world_vehicle.position());
+    }
+    const Decision decision = driver.step(*observation);
+    if (decision.status != NavigatorStatus::kGoing) break;
+    vehicle.act(decision.command);
+  }
+  EXPECT_TRUE(person.has_arrived());
+  EXPECT_THAT(marks,
+              testing::ElementsAre(Mark{Mark::Kind::kTurningBegins, "1"}, Mark{Mark::Kind::kTurningEnds, "1"},
+                                   Mark{Mark::Kind::kStop, "dead-end"}));
+  ASSERT_EQ(places.size(), 3U);
+  EXPECT_NEAR(places[0].x(), 2.5, 0.15);
+  EXPECT_NEAR(places[1].y(), 1, 0.2);
+  EXPECT_NEAR(places[2].y(), 4, 0.3);
+}
+
+TEST(RouteGuide, RoutesAreFoundByName) {
+  const World world = open_floor();
+  EXPECT_EQ(route_of(world, "way"), world.routes.data());
+  EXPECT_EQ(route_of(world, "no way"), nullptr);
+}
+
+}  // namespace
+}  // namespace aisle

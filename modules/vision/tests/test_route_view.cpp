@@ -1,0 +1,66 @@
+#include "aisle/vision/route_view.hpp"
+
+#include <gmock/gmock.h>
+
+#include "seen_floor.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kVehicleWidth_m = 0.6;
+
+RouteView eye() {
+  return {{}, floor_lens(), floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m};
+}
+
+/// A bright way between dark sides, and a dark thing on it.
+Image way(double right_m, double left_m, const Segment2& thing = {{20, 20}, {20, 20}}) {
+  return seen_floor([&](const Vec2& p) {
+    const bool is_route = p.y() > right_m && p.y() < left_m && p.x() < 6;
+    const bool is_thing =
+        p.x() > thing.start.x() && p.x() < thing.end.x() && p.y() > thing.start.y() && p.y() < thing.end.y();
+    return is_route && !is_thing ? 165.0 : 60.0;
+  });
+}
+
+TEST(RouteView, TheMiddleLiesBetweenTheSides) {
+  const RouteView view = eye();
+  const auto middle = view.middle(view.look(way(-0.9, 0.5)), 0, 0);
+  ASSERT_TRUE(middle);
+  EXPECT_NEAR(middle->y(), -0.2, 0.06);
+  EXPECT_GT(middle->x(), 1.5);
+}
+
+TEST(RouteView, BlottingOutASideMovesTheMiddleToTheOther) {
+  const RouteView view = eye();
+  const RouteSight sight = view.look(way(-0.8, 0.8));
+  EXPECT_GT(view.middle(sight, 0, 0.5)->y(), 0.2);
+  EXPECT_LT(view.middle(sight, 0.5, 0)->y(), -0.2);
+}
+
+TEST(RouteView, TheCheckRegionsTellWhereSomethingStands) {
+  const RouteView view = eye();
+  const RouteChecks free = view.look(way(-1, 1)).checks;
+  EXPECT_FALSE(free.ahead || free.left || free.right);
+  const RouteChecks ahead = view.look(way(-1, 1, {{1.5, -0.25}, {2.2, 0.3}})).checks;
+  EXPECT_TRUE(ahead.ahead);
+  const RouteChecks left = view.look(way(-1, 0.3)).checks;
+  EXPECT_TRUE(left.left);
+  EXPECT_FALSE(left.right);
+  EXPECT_GT(left.right_share, left.left_share);
+}
+
+TEST(RouteView, EdgesLieWhereTheRouteEnds) {
+  const RouteView view = eye();
+  const RouteSight sight = view.look(way(-0.6, 0.6));
+  ASSERT_THAT(sight.p_vehicle_edges, testing::SizeIs(testing::Gt(20U)));
+  for (const Vec2& p : sight.p_vehicle_edges) {
+    if (p.x() < 3) EXPECT_NEAR(std::abs(p.y()), 0.6, 0.1) << p.transpose();
+  }
+  EXPECT_TRUE(view.sees_route(sight, {2, 0}));
+  EXPECT_FALSE(view.sees_route(sight, {2, 0.8}));
+  EXPECT_FALSE(view.sees_route(sight, {0, 0})) << "below the view";
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,88 @@
+/// A way through a furnished room, shown once, learned, and parked at by the vehicle alone.
+
+#include <gmock/gmock.h>
+
+#include "workplace.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+using Rooms = Workplace;
+
+/// A short bright way between dark boxes, with a painted frame at its end.
+constexpr const char* kRoom = R"(format: aisle.world
+version: 1
+name: short room
+floor: {kind: plain, brightness: 0.62, contrast: 0.04}
+walls:
+  - [[0, 0], [8, 0], [8, 3], [0, 3], [0, 0]]
+furniture:
+  - {centre: [2.5, 0.25], size: [3, 0.5], brightness: 0.2}
+  - {centre: [2.5, 2.75], size: [3, 0.5], brightness: 0.2}
+lamps:
+  - {centre: [2, 1.5]}
+  - {centre: [6, 1.5]}
+parking_frames:
+  - {name: bay, centre: [6.2, 1.5], size: [1.7, 1.2], line_width_m: 0.06, brightness: 1}
+start: {at: [1, 1.5]}
+routes:
+  - {name: to the bay, park: frame, way: [[1, 1.5], [5.85, 1.5]]}
+)";
+
+nlohmann::json run_for_figures(const Arguments& arguments, int exit_code = 0) {
+  Arguments with_json = arguments;
+  with_json.emplace_back("--json");
+  const ProgramRun run = run_aisle(with_json);
+  EXPECT_EQ(run.exit_code, exit_code) << run.out << run.err;
+  return nlohmann::json::parse(run.out)["figures"];
+}
+
+TEST_F(Rooms, AWayThatWasShownOnceIsDrivenIntoItsFrame) {
+  const std::string world = file("room.yaml", kRoom);
+  run_for_figures({"teach", world, "--method", "route", "--route", "to the bay", "--operator", "scripted",
+                   "--out", at("taught")});
+  const auto learned = run_for_figures({"learn", at("taught"), "--method", "route", "--out", at("learned")});
+  EXPECT_EQ(learned["parking"], "frame");
+  EXPECT_NEAR(learned["frame_size_m"][0].get<double>(), 1.64, 0.03);
+  EXPECT_NEAR(learned["frame_size_m"][1].get<double>(), 1.14, 0.03);
+  EXPECT_THAT(names_in(at("learned")), ElementsAre("building.json", "trip.tum", "trip_truth.tum"));
+
+  const auto parked =
+      run_for_figures({"park", at("learned/building.json"), "to the bay", "--world", world, "--strategy",
+                       "frame", "--start", "2.4,1.6,-6", "--out", at("parking")});
+  EXPECT_EQ(parked["parked"], true);
+  EXPECT_EQ(parked["collisions"], 0);
+  EXPECT_LT(parked["end_error_m"], 0.03);
+  EXPECT_LT(parked["end_error_deg"], 1.5);
+
+  const auto replayed = run_for_figures({"replay", at("parking")});
+  EXPECT_EQ(replayed["navigator"], "route");
+  EXPECT_EQ(replayed["different"], 0);
+}
+
+TEST_F(Rooms, WhatCannotBeDrivenIsRefused) {
+  const std::string world = file("room.yaml", kRoom);
+  const std::string building = file("building.json", R"({"format": "aisle.building", "version": 1, "routes": [
+{"name": "way", "start": {"at_m": [0, 0], "heading_deg": 0}, "pieces": [{"length_m": 3}],
+ "room": {"brightness": {"grey": 160, "deviation": 2}, "parking": "view"}},
+{"name": "corridor", "start": {"at_m": [0, 0], "heading_deg": 0}, "pieces": [{"length_m": 3}]}]})");
+  const ProgramRun strategy = run_aisle({"park", building, "way", "--world", world, "--strategy", "frame"});
+  EXPECT_EQ(strategy.exit_code, 2);
+  EXPECT_THAT(strategy.err, HasSubstr("was taught to end otherwise"));
+  const ProgramRun corridor = run_aisle({"park", building, "corridor", "--world", world});
+  EXPECT_EQ(corridor.exit_code, 2);
+  EXPECT_THAT(corridor.err, HasSubstr("was not taught as a way through a room"));
+  EXPECT_EQ(run_aisle({"park", building, "nowhere", "--world", world}).exit_code, 2);
+  EXPECT_EQ(run_aisle({"park", building, "way", "--world", world, "--vehicle", "mini"}).exit_code, 2);
+  EXPECT_EQ(run_aisle({"park", building, "way", "--world", world, "--start", "1,2"}).exit_code, 2);
+  const ProgramRun unknown = run_aisle(
+      {"teach", world, "--method", "route", "--route", "none", "--operator", "scripted", "--out", at("x")});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("routes: none is 'none'"));
+}
+
+}  // namespace
+}  // namespace aisle
