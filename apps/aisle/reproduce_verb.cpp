@@ -10,8 +10,10 @@ void add_reproduce_verb(CLI::App& app, Work& work) {
       app.add_subcommand("reproduce", "a published experiment in simulation, beside its figures");
   verb->fallthrough();
   auto options = std::make_shared<ReproduceOptions>();
-  verb->add_option("EXPERIMENT", options->experiment,
-                   "c98: a corridor learned, driven and refined five times");
+  verb->add_option(
+      "EXPERIMENT", options->experiment,
+      "c98: a corridor learned, driven and refined five times; l03: one learned from one drive by\n"
+      "sections, driven there and back");
   verb->add_option("--seed", options->seed, "of everything that is left to chance (default 1)");
   verb->add_option("--out", options->out, "directory for the pictures and the learned building");
   verb->add_flag("--force", options->force, "replace results that are already there");

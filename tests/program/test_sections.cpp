@@ -69,12 +69,36 @@ TEST_F(Sections, WhatCannotBeDrivenIsRefusedWithItsPlace) {
   EXPECT_THAT(blocked.out, HasSubstr("in section 2 of 2"));
 }
 
-TEST_F(Sections, TurningOnTheSpotIsNeeded) {
-  file("keys.txt", "0-3 up\n");
+TEST_F(Sections, WhatStandsOnTheFloorAheadIsWaitedFor) {
+  file("building.json",
+       R"({"format": "aisle.building", "version": 1, "routes": [{"name": "way", )"
+       R"("start": {"at_m": [0, 0], "heading_deg": 0}, "sections": ["a 3.2 right 0.55"]}]})");
+  const auto drive = [&](const std::string& scenario) {
+    return run_aisle({"navigate", at("building.json"), "--method", "sections", "--world", "mini-corridor",
+                      "--faults", scenario, "--set", "guard.wait_max_s=25", "--set", "speed.speed_mps=0.2",
+                      "--json"});
+  };
+  const ProgramRun blocked = drive("mini-blocked");
+  EXPECT_EQ(blocked.exit_code, 1) << blocked.err;
+  const auto figures = blocked.json()["figures"];
+  EXPECT_EQ(figures["state"], "blocked");
+  EXPECT_THAT(figures["why"].get<std::string>(), HasSubstr("obstacle ahead"));
+  EXPECT_THAT(figures["why"].get<std::string>(), HasSubstr("in section 1 of 1"));
+  EXPECT_EQ(figures["collisions"], 0);
+  EXPECT_NEAR(figures["distance_m"], 2.4 - 0.6 - 0.11 - 0.25, 0.1);  // the front a gap before the box
+
+  const ProgramRun crossed = drive("mini-person-crossing");
+  EXPECT_EQ(crossed.exit_code, 0) << crossed.out << crossed.err;
+  EXPECT_EQ(crossed.json()["figures"]["collisions"], 0);
+  EXPECT_GT(crossed.json()["figures"]["duration_s"], 20);
+}
+
+TEST_F(Sections, AnyVehiclesDriveIsLearned) {
+  file("keys.txt", "0-8 up\n");
   run_well({"teach", "l-corridor", "--keys", at("keys.txt"), "--out", at("taught")});
-  const ProgramRun run = run_aisle({"learn", at("taught"), "--method", "sections"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.err, HasSubstr("cannot turn on the spot"));
+  const auto learned = run_well({"learn", at("taught"), "--method", "sections"});
+  ASSERT_EQ(learned["figures"]["sections"].size(), 1U);
+  EXPECT_THAT(learned["figures"]["sections"][0].get<std::string>(), StartsWith("a "));
 }
 
 }  // namespace

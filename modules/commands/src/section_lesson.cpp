@@ -56,8 +56,6 @@ Result<SectionLesson> learn_sections(const std::vector<SectionCycle>& cycles,
                         fmt::format("section {} ({}): {}", fault.section + 1,
                                     section_text(learned.sections[fault.section]), fault.what)});
   }
-  if (!vehicle.is_differential)
-    problems.push_back({{}, "is of a vehicle that cannot turn on the spot, as sections need it"});
   if (!problems.empty()) return problems;
   learned.path = path_of(learned.sections, lesson.driven.T_route_start);
   lesson.building.name = route;

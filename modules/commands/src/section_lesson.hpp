@@ -48,8 +48,7 @@ struct SectionLesson {
   DrivenList driven;
 };
 
-/// L03 section 3. A drive that leads nowhere, or on which a front-steered vehicle would have to turn on the
-/// spot, is a problem.
+/// L03 section 3, from a drive of any vehicle. One that leads nowhere is a problem.
 Result<SectionLesson> learn_sections(const std::vector<SectionCycle>& cycles,
                                      const VehicleDescription& vehicle, const std::string& route,
                                      const SectionLessonParams& params);

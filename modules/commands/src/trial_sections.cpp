@@ -5,14 +5,12 @@
 #include <numeric>
 
 #include "aisle/formats/section_text.hpp"
-#include "aisle/guidance/hand_driver.hpp"
 #include "aisle/simulation/random_building.hpp"
-#include "aisle/simulation/scripted_operator.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
 #include "landmark_course.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
 #include "rounded.hpp"
+#include "section_course.hpp"
 #include "section_mission.hpp"
 #include "section_verbs.hpp"
 #include "statistics.hpp"
@@ -115,21 +113,6 @@ Result<SimulationSetting> section_setting(const TrialOptions& options, std::uint
   return setting;
 }
 
-/// Collects what is learned from, and how the vehicle really went.
-class SectionLessonRecord final : public MissionRecord {
- public:
-  SectionLessonRecord(const FloorEdgeParams& params, const SimulatedVehicle& vehicle)
-      : collector(params, vehicle.description()) {}
-
-  Result<Observation> keep(Observation observation) override {
-    collector.add(observation);
-    return observation;
-  }
-  Problems keep(const Decision&) override { return {}; }
-
-  SectionTripCollector collector;
-};
-
 struct SectionTrial {
   std::size_t missions = 0, arrived = 0, collisions = 0;
   std::size_t letters = 0, letters_wrong = 0;
@@ -148,36 +131,23 @@ Problems run_section_seed(const TrialOptions& options, const SectionTrialParams&
   const auto setting = section_setting(options, seed);
   if (!setting) return setting.problems();
   const VehicleDescription& vehicle = setting->vehicle.description;
-  const auto start = start_in(*setting);
-  if (!start) return start.problems();
-  const auto not_taught = [&](const std::string& why) {
-    trial.not_taught.push_back({{"seed", seed}, {"why", why}});
-    return Problems{};
-  };
-
-  ScriptedOperator person(setting->world, vehicle, {}, seed);
-  SimulatedVehicle taught(setting->world, setting->vehicle, {}, {.seed = seed, .T_world_start = *start},
-                          &person);
-  HandDriver driver({});
-  SectionLessonRecord record(params.lesson.floor_edges, taught);
-  const auto end = run_mission(taught, driver, record, progress);
-  if (!end) return end.problems();
-  if (!person.has_arrived()) return not_taught("the person did not get through");
-  const auto lesson = learn_sections(record.collector.cycles, vehicle, "route", params.lesson);
-  if (!lesson) return not_taught(to_string(lesson.problems()));
-
-  const SectionList& sections = lesson->building.routes.front().sections;
+  const auto course = teach_sections(*setting, params.lesson, seed, progress);
+  if (!course) {
+    trial.not_taught.push_back({{"seed", seed}, {"why", to_string(course.problems())}});
+    return {};
+  }
+  const SectionLesson& lesson = course->lesson;
+  const SectionList& sections = lesson.building.routes.front().sections;
   const std::string due = due_letters(setting->world.tour, params.lesson.learning);
   const std::string learned = letters_of(sections);
   trial.letters += std::max(due.size(), learned.size());
   trial.letters_wrong += letters_apart(due, learned);
   SectionNavigator navigator(params.navigator, vehicle, vehicle.cameras.front().name, sections,
-                             guided_path(sections, lesson->driven.T_route_start, SectionTrip::kThereAndBack));
+                             guided_path(sections, lesson.driven.T_route_start, SectionTrip::kThereAndBack));
   std::optional<SessionRecord> no_session;
-  const auto result = drive_section_mission(
-      *setting, navigator,
-      {.seed = 1000 * (seed + 1), .T_world_map = *start * lesson->driven.T_route_vehicle.front().inverse()},
-      no_session, progress);
+  const auto result = drive_section_mission(*setting, navigator,
+                                            {.seed = 1000 * (seed + 1), .T_world_map = course->T_world_map},
+                                            no_session, progress);
   if (!result) return result.problems();
   ++trial.missions;
   trial.arrived += result->end.arrived ? 1U : 0U;

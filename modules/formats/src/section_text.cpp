@@ -88,11 +88,12 @@ class SectionParser {
       auto* beside_m = !has_walls             ? nullptr
                        : words_[i] == "right" ? &section.right_m
                        : words_[i] == "left"  ? &section.left_m
+                       : words_[i] == "ahead" ? &section.ahead_m
                                               : nullptr;
       const auto distance_m = within(i + 1, 0, kBesideMax_m);
       if (beside_m == nullptr || beside_m->has_value() || !distance_m) {
         return wrong(fmt::format("'{}' is not understood{}", words_[i],
-                                 has_walls ? "; after the length come 'right' or 'left' and metres" : ""));
+                                 has_walls ? "; after the length come 'right', 'left' or 'ahead' and metres" : ""));
       }
       *beside_m = distance_m;
     }
@@ -133,6 +134,7 @@ std::string section_text(const Section& section) {
   text += " " + decimals(section.length_m, kSectionDecimals);
   if (section.right_m) text += " right " + decimals(*section.right_m, kSectionDecimals);
   if (section.left_m) text += " left " + decimals(*section.left_m, kSectionDecimals);
+  if (section.ahead_m) text += " ahead " + decimals(*section.ahead_m, kSectionDecimals);
   return text;
 }
 

@@ -9,6 +9,9 @@
 namespace aisle {
 namespace {
 
+constexpr double kFloorStep_m = 0.05;  // between points of an edge that are looked at
+constexpr double kNoWay_m = 0.005;     // a shorter way is none: the vehicle stands
+
 Pose2 moved(const VehicleDescription& vehicle, const OdometryReading& odometry) {
   if (const auto* motion = std::get_if<FrontSteeredMotion>(&odometry))
     return drive(vehicle.front_steered, *motion);
@@ -87,6 +90,7 @@ void ObstacleGuard::take_scan(const RangeScan& scan) {
 
 Guarded ObstacleGuard::allow(const Command& wished, const WayAhead& way) {
   remember_what_is_on(way);
+  judge_floor(way);
   Guarded guarded{.command = limited(wished)};
   if (wished.speed_mps < 0) {
     waiting_from_s_.reset();
@@ -125,6 +129,29 @@ void ObstacleGuard::remember_what_is_on(const WayAhead& way) {
   memory_.see(sight_.p_vehicle_lit, *probe_, sight_.taken.T_odom_vehicle, sight_.taken.stamp_s);
 }
 
+void ObstacleGuard::see_floor(std::span<const SensedSegment> edges) {
+  floor_.is_used = floor_.is_new = true;
+  floor_.taken = now_;
+  floor_.p_vehicle_end.clear();
+  for (const SensedSegment& edge : edges) {
+    const int steps = std::max(1, static_cast<int>(edge.segment.length() / kFloorStep_m));
+    for (int i = 0; i <= steps; ++i) {
+      const double share = static_cast<double>(i) / steps;
+      floor_.p_vehicle_end.emplace_back((1 - share) * edge.segment.start + share * edge.segment.end);
+    }
+  }
+}
+
+/// Keeps those ends of the floor that are on the way within reach.
+void ObstacleGuard::judge_floor(const WayAhead& way) {
+  if (!std::exchange(floor_.is_new, false)) return;
+  std::erase_if(floor_.p_vehicle_end, [&](const Vec2& p_vehicle) {
+    const auto way_m = way_to(p_vehicle, way, vehicle_.footprint, params_.margin_m);
+    return !way_m || *way_m > params_.reach_m;
+  });
+  floor_.sightings = floor_.p_vehicle_end.empty() ? 0 : floor_.sightings + 1;
+}
+
 double ObstacleGuard::free_ahead_m(const WayAhead& way) {
   double free_m = params_.reach_m;
   const auto shorten = [&](const Vec2& p_vehicle) {
@@ -132,14 +159,18 @@ double ObstacleGuard::free_ahead_m(const WayAhead& way) {
   };
   for (const Vec2& p_vehicle : memory_.places(now_.T_odom_vehicle)) shorten(p_vehicle);
   for (const Vec2& p_vehicle : p_vehicle_scanned_) shorten(p_vehicle);
+  if (floor_.sightings >= params_.memory.sightings_min) {
+    const Pose2 T_now_taken = between(now_.T_odom_vehicle, floor_.taken.T_odom_vehicle);
+    for (const Vec2& p_vehicle : floor_.p_vehicle_end) shorten(T_now_taken * p_vehicle);
+  }
   return free_m;
 }
 
 /// The greatest speed from which the vehicle stops in time: v t + v^2 / (2 a) = way.
 double ObstacleGuard::speed_before(double free_m) const {
-  if (!probe_ && !vehicle_.scanner) return vehicle_.limits.speed_max_mps;
+  if (!probe_ && !vehicle_.scanner && !floor_.is_used) return vehicle_.limits.speed_max_mps;
   const double way_m = free_m - params_.gap_m;
-  if (way_m <= 0) return 0;
+  if (way_m < kNoWay_m) return 0;
   const double a = params_.deceleration_share * vehicle_.limits.deceleration_max_mps2;
   const double at = a * params_.reaction_s;
   return std::sqrt(at * at + 2 * a * way_m) - at;

@@ -65,6 +65,25 @@ TEST(ObstacleGuard, StopsAtTheGapHoweverTheVehicleBrakes) {
   EXPECT_NEAR(range_m - 1, params.gap_m, 0.1);
 }
 
+TEST(ObstacleGuard, StopsWhereTheFloorEndsOnTheWayOnceTwoPicturesShowIt) {
+  VehicleDescription blind = scanner_cart();
+  blind.scanner.reset();
+  const auto wall_at = [](double ahead_m, double right_m, double left_m) {
+    SensedSegment edge;
+    edge.segment = {{ahead_m, -right_m}, {ahead_m, left_m}};
+    return edge;
+  };
+  ObstacleGuard guard(blind, {}, nullptr);
+  auto speed_mps = [&, stamp_s = 0.0](const SensedSegment& edge) mutable {
+    guard.look({.stamp_s = stamp_s += 0.1, .odometry = FrontSteeredMotion{}});
+    guard.see_floor({&edge, 1});
+    return guard.allow(kAhead, straight()).command.speed_mps;
+  };
+  EXPECT_EQ(speed_mps(wall_at(1.5, 1, 1)), 0.8);
+  EXPECT_EQ(speed_mps(wall_at(1.5, 1, 1)), 0);
+  EXPECT_EQ(speed_mps(wall_at(1.5, -0.5, 1)), 0);  // the first free picture is not trusted
+}
+
 TEST(ObstacleGuard, WaitsGoesOnWhenItIsFreeForAMomentAndReportsAfterAWhile) {
   ObstacleGuard guard(scanner_cart(), {.free_again_s = 0.5, .wait_max_s = 10}, nullptr);
   const Guarded waiting = guarded(guard, scanned(1, 1.4));

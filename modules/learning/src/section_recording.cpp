@@ -32,7 +32,9 @@ constexpr double kRoundMin_rad = 2.3;  // a greater turn to either side goes rou
 constexpr double kMeetingMin = 0.2;    // sine of the angle at which lines still meet somewhere
 constexpr double kOnRun_m = 0.3, kOnRun_rad = 20 * kDegree;  // so near a line a vehicle drives along it
 constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
-constexpr std::size_t kSeenMin = 5;  // cycles in which a base line must be seen for its distance to count
+constexpr double kAcrossNear_m = 2.5;  // of a wall ahead: there its distance is known well
+constexpr double kWayWidth_m = 0.3;    // a wall ahead stands on the way itself
+constexpr std::size_t kSeenMin = 5;    // cycles in which a base line must be seen for its distance to count
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -162,18 +164,35 @@ SectionList joint(Run& before, Run& after, const SectionLearningParams& params) 
 
 /// Distances of the base lines beside a stretch, one a cycle that shows them.
 struct DistancesBeside {
-  std::vector<double> right_m, left_m;
+  std::vector<double> right_m, left_m, ahead_m;
 };
+
+/// From a stretch's end to the nearest wall across it; nullopt: none is seen from near.
+std::optional<double> distance_ahead(const Run& run, const Pose2& T_run_vehicle,
+                                     const std::vector<WallAcross>& across) {
+  std::optional<double> nearest_m;
+  for (const WallAcross& wall : across) {
+    const double ahead_m = wall.along_m - run.length_m;
+    const bool is_ahead = ahead_m > kBesideMin_m && wall.along_m - T_run_vehicle.x < kAcrossNear_m;
+    if (!is_ahead || wall.from_m > kWayWidth_m || wall.to_m < -kWayWidth_m) continue;
+    if (!nearest_m || ahead_m < *nearest_m) nearest_m = ahead_m;
+  }
+  return nearest_m;
+}
 
 DistancesBeside distances_beside(const Run& run, std::span<const SectionCycle> cycles,
                                  const std::vector<Pose2>& T_route_vehicle) {
   DistancesBeside distances;
   std::vector<WallBeside> beside;
+  std::vector<WallAcross> across;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
     const Pose2 T_run_vehicle = between(run.T_route_start, T_route_vehicle[i]);
     const bool is_on_run = T_run_vehicle.x >= 0 && T_run_vehicle.x <= run.length_m &&
                            std::abs(T_run_vehicle.y) < kOnRun_m && std::abs(T_run_vehicle.theta) < kOnRun_rad;
     if (!is_on_run) continue;
+    find_walls_across(cycles[i].floor_edges, T_run_vehicle, across);
+    if (const auto ahead_m = distance_ahead(run, T_run_vehicle, across))
+      distances.ahead_m.push_back(*ahead_m);
     find_walls_beside(cycles[i].floor_edges, T_run_vehicle, beside);
     double right_m = kBesideMax_m, left_m = kBesideMax_m;
     for (const WallBeside& wall : beside) {
@@ -215,6 +234,7 @@ DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescr
       const DistancesBeside distances = distances_beside(runs[i], cycles, driven.T_route_vehicle);
       section.right_m = usual(distances.right_m);
       section.left_m = usual(distances.left_m);
+      section.ahead_m = usual(distances.ahead_m);
       if (section.right_m && section.left_m) widths_m.push_back(*section.right_m + *section.left_m);
     }
     driven.sections.push_back(section);

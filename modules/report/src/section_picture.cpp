@@ -91,7 +91,7 @@ class SectionDrawing {
   void draw_legend(Canvas& canvas) const {
     Legend legend(canvas, scale_);
     const auto& sections = picture_.route.sections;
-    if (!picture_.driven.empty()) legend.add_line("as taught", kDrivenPen);
+    if (!picture_.driven.empty()) legend.add_line(picture_.driven_as, kDrivenPen);
     for (const KindSign& sign : kSigns) {
       const bool is_there = std::any_of(sections.begin(), sections.end(),
                                         [&](const Section& section) { return section.kind == sign.kind; });

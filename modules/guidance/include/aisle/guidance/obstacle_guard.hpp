@@ -3,9 +3,11 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "aisle/geometry/sensed_segment.hpp"
 #include "aisle/guidance/obstacle_memory.hpp"
 #include "aisle/guidance/picture_watch.hpp"
 #include "aisle/guidance/way_ahead.hpp"
@@ -48,8 +50,9 @@ struct Guarded {
 
 /// Stands between a navigator and the vehicle: lets the vehicle go only as fast as it can stop before the
 /// first thing that stands where its footprint will be, and only while its camera shows what is there. It
-/// sees things by the laser markers' stripe, and by the range scanner; a vehicle with neither is only kept
-/// from driving without pictures. Nothing sees behind: reversing is slow.
+/// sees things by the laser markers' stripe, by the range scanner, and by the floor's edges where a navigator
+/// finds them; a vehicle with none of these is only kept from driving without pictures. Nothing sees behind:
+/// reversing is slow.
 class ObstacleGuard {
  public:
   /// @param camera  to look with; null: none
@@ -62,6 +65,10 @@ class ObstacleGuard {
   /// Once a cycle, before `allow`.
   /// @return the camera's picture if it has come in time, is not the one before again, and shows something
   const CameraPicture* look(const Observation& observation);
+
+  /// Takes in where the floor ends in the picture that `look` has just returned. A thing that is seen so
+  /// counts from the second picture in a row on, and as long as it is in view: `gap_m` must leave it there.
+  void see_floor(std::span<const SensedSegment> edges);
 
   /// What the vehicle may do of what a navigator wishes.
   /// @param way  where `wished` leads to; forwards
@@ -78,12 +85,21 @@ class ObstacleGuard {
     std::vector<Vec2> p_vehicle_lit;
     bool is_new = false;
   };
+  /// What the last picture shows of the floor's end.
+  struct FloorSight {
+    StampedPose taken;
+    std::vector<Vec2> p_vehicle_end;
+    int sightings = 0;  ///< pictures in a row that show it on the way
+    bool is_new = false;
+    bool is_used = false;  ///< at all
+  };
 
   void move(const Observation& observation);
   StampedPose taken_at(double stamp_s) const;
   void probe(const CameraPicture& picture);
   void take_scan(const RangeScan& scan);
   void remember_what_is_on(const WayAhead& way);
+  void judge_floor(const WayAhead& way);
   double free_ahead_m(const WayAhead& way);
   double speed_before(double free_m) const;
   Command limited(const Command& wished) const;
@@ -99,6 +115,7 @@ class ObstacleGuard {
   StampedPose now_;
   Sight sight_;
   std::vector<Vec2> p_vehicle_scanned_;
+  FloorSight floor_;
   std::optional<double> lit_s_;  ///< when laser light was seen last
   std::optional<double> waiting_from_s_;
   double free_from_s_ = 0;

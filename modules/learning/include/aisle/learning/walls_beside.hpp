@@ -1,5 +1,5 @@
 #pragma once
-/// Base lines as walls beside a straight way (L03 section 3.1 C: the safe distance).
+/// Base lines as walls beside a straight way (L03 section 3.1 C: the safe distance), and across it.
 
 #include <span>
 #include <vector>
@@ -25,5 +25,18 @@ struct WallBeside {
 /// @param beside           filled
 void find_walls_beside(std::span<const SensedSegment> edges, const Pose2& T_way_vehicle,
                        std::vector<WallBeside>& beside);
+
+/// A base line that runs across a way.
+struct WallAcross {
+  double along_m = 0;  ///< the way, from its start: where the vehicle is and how far from it the wall, by
+                       ///< the wall's own direction, so that the vehicle's heading does not matter
+  double from_m = 0;   ///< aside of the way, to the left
+  double to_m = 0;
+  double sigma_m = 0;  ///< of `along_m`
+};
+
+/// Those of the edges that run across a way within 8 degrees, at least 0.2 m of them.
+void find_walls_across(std::span<const SensedSegment> edges, const Pose2& T_way_vehicle,
+                       std::vector<WallAcross>& across);
 
 }  // namespace aisle

@@ -28,6 +28,7 @@ struct Section {
   Vec2 p_start_end = Vec2::Zero();  ///< kCurve: P2 as seen from P1, x ahead, y left; both > 0
   std::optional<double> right_m;    ///< kFollow, kHybrid: mean distance to the right base line
   std::optional<double> left_m;     ///< and to the left one
+  std::optional<double> ahead_m;    ///< kFollow, kHybrid: from its end to the wall across the way
 
   bool is_straight() const { return kind != Kind::kCurve && kind != Kind::kTurn; }
   friend bool operator==(const Section&, const Section&) = default;

@@ -10,7 +10,8 @@ namespace aisle {
 /// A way with its sections, each in the colour of its kind and marked with its letter (L03 Fig. 4).
 struct SectionPicture {
   const Route& route;                  ///< with sections
-  std::span<const Pose2> driven = {};  ///< as it was taught: a thin line
+  std::span<const Pose2> driven = {};  ///< a thin line
+  std::string driven_as = "as taught";
   std::string title = {};
 };
 

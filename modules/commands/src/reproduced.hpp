@@ -1,0 +1,15 @@
+#pragma once
+/// The experiments of `aisle reproduce`, one a paper.
+
+#include "aisle/commands/reproduce.hpp"
+#include "landmark_course.hpp"
+#include "section_verbs.hpp"
+
+namespace aisle {
+
+Result<Outcome> reproduce_c98(const ReproduceOptions& options, const LandmarkCourseParams& params,
+                              Console& console);
+Result<Outcome> reproduce_l03(const ReproduceOptions& options, const SectionTrialParams& params,
+                              Console& console);
+
+}  // namespace aisle

@@ -1,0 +1,142 @@
+#include "aisle/guidance/section_localiser.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/square.hpp"
+#include "aisle/learning/wall_heading.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kEndDirection_rad = 0.4 * kDegree;  // to which the end of a base line is seen
+constexpr double kEndSigmaMax_m = 0.08;              // less sure, it is too far away to tell
+
+}  // namespace
+
+void SectionLocaliserParams::describe(FieldList& fields) {
+  fields.real("start_sigma_m", start_sigma_m, {0.001, 2},
+              "how far from the way's start the vehicle may stand");
+  fields.angle("start_sigma_deg", start_sigma_rad, {0.1, 45}, "how far it may be turned there");
+  fields.real("wall_sigma_m", wall_sigma_m, {0.001, 1}, "how steadily a base line keeps its distance");
+  fields.real("wall_gate_m", wall_gate_m, {0.01, 2},
+              "a base line farther from where it should be is another");
+  fields.real("length_gate_m", length_gate_m, {0.01, 5}, "likewise a wall ahead, and the end of a base line");
+  fields.real("length_reach_m", length_reach_m, {0.2, 20}, "a wall ahead that is farther away is not used");
+  fields.real("repeat_inflation", repeat_inflation, {1, 100},
+              "pictures in a row are not independent: their variances count so many times");
+  fields.flag("heading_by_walls", heading_by_walls, "floor edges at right angles correct the heading");
+  fields.flag("left_base_line", left_base_line, "is followed as well as the right one");
+  fields.flag("length_by_wall_ahead", length_by_wall_ahead, "the wall ahead corrects a section's length");
+  fields.flag("length_by_line_end", length_by_line_end,
+              "the end of the base line before a turn corrects a section's length");
+}
+
+SectionLocaliser::SectionLocaliser(const SectionLocaliserParams& params, const VehicleDescription& vehicle,
+                                   const GuidedPath& way)
+    : params_(params),
+      way_(&way),
+      filter_(vehicle, about(way.path.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)) {}
+
+void SectionLocaliser::correct(std::span<const SensedSegment> edges, std::size_t piece) {
+  is_guided_ = false;
+  if (params_.heading_by_walls) correct_heading(edges);
+  if (way_->path.pieces()[piece].is_on_the_spot()) return;
+  find_walls_beside(edges, here(piece).T_piece_vehicle, beside_);
+  if (way_->guides[piece].follows) correct_distance(here(piece));
+  if (params_.length_by_wall_ahead) correct_by_wall_ahead(here(piece), edges);
+  if (params_.length_by_line_end) correct_by_line_end(here(piece));
+}
+
+SectionLocaliser::Here SectionLocaliser::here(std::size_t piece) const {
+  const PathPiece& present = way_->path.pieces()[piece];
+  return {present, way_->guides[piece], between(present.T_map_start, filter_.pose())};
+}
+
+/// The map's axes are the walls'.
+void SectionLocaliser::correct_heading(std::span<const SensedSegment> edges) {
+  const double heading_rad = filter_.pose().theta;
+  const auto walls = heading_from_walls(edges, heading_rad, std::sqrt(filter_.covariance()(2, 2)));
+  if (!walls) return;
+  filter_.correct(wrap_angle(walls->heading_rad - heading_rad), Vec3::UnitZ(), inflated(walls->sigma_rad));
+}
+
+/// L03 section 4.1. A camera that nods shows both base lines too near or both too far: together they tell
+/// better than twice as well where the vehicle is between them.
+void SectionLocaliser::correct_distance(const Here& here) {
+  const Vec2 left = left_normal(unit(here.piece.T_map_start.theta));
+  const auto correct_by = [&](double aside_m) {
+    const WallBeside* wall = wall_at(aside_m);
+    if (wall == nullptr || wall->from_m > here.piece.way_m()) return;
+    const double ahead_m = rotate(here.T_piece_vehicle.theta, wall->p_vehicle).x();
+    const double sigma_m = std::hypot(wall->sigma_m, params_.wall_sigma_m);
+    if (filter_.correct(aside_m - wall->aside_m, {left.x(), left.y(), ahead_m}, inflated(sigma_m)))
+      is_guided_ = true;
+  };
+  if (here.guide.right_m) correct_by(-*here.guide.right_m);
+  if (here.guide.left_m && params_.left_base_line) correct_by(*here.guide.left_m);
+}
+
+/// The base line nearest to where one should be; nullptr: none is near.
+const WallBeside* SectionLocaliser::wall_at(double aside_m) const {
+  const WallBeside* nearest = nullptr;
+  double least_m = params_.wall_gate_m;
+  for (const WallBeside& wall : beside_) {
+    const double off_m = std::abs(wall.aside_m - aside_m);
+    if (off_m >= least_m) continue;
+    least_m = off_m;
+    nearest = &wall;
+  }
+  return nearest;
+}
+
+void SectionLocaliser::correct_by_wall_ahead(const Here& here, std::span<const SensedSegment> edges) {
+  if (!here.guide.ahead_m) return;
+  const double expected_m = here.piece.way_m() + *here.guide.ahead_m;
+  find_walls_across(edges, here.T_piece_vehicle, across_);
+  const WallAcross* nearest = nullptr;
+  double least_m = params_.length_gate_m;
+  for (const WallAcross& wall : across_) {
+    const double off_m = std::abs(wall.along_m - expected_m);
+    if (wall.along_m - here.T_piece_vehicle.x > params_.length_reach_m || off_m >= least_m) continue;
+    least_m = off_m;
+    nearest = &wall;
+  }
+  if (nearest == nullptr) return;
+  const Vec2 along = unit(here.piece.T_map_start.theta);
+  filter_.correct(expected_m - nearest->along_m, {along.x(), along.y(), 0},
+                  inflated(std::hypot(nearest->sigma_m, params_.wall_sigma_m)));
+}
+
+/// L03 section 4.3, where the base line disappears, which tells how far it is to the turn.
+void SectionLocaliser::correct_by_line_end(const Here& here) {
+  const auto aside_m = here.guide.turns_right ? here.guide.right_m : here.guide.left_m;
+  if (!here.guide.line_ends_m || !aside_m) return;
+  const double side = here.guide.turns_right ? -1 : 1;
+  const double expected_m = here.piece.way_m() - *here.guide.line_ends_m;
+  for (const WallBeside& wall : beside_) {
+    const double off_m = expected_m - wall.to_m;
+    if (std::abs(off_m) > params_.length_gate_m ||
+        std::abs(wall.aside_m - side * *aside_m) > params_.wall_gate_m)
+      continue;
+    const Vec2 p_vehicle = here.T_piece_vehicle.inverse() * Vec2(wall.to_m, wall.aside_m);
+    const double sigma_m = kEndDirection_rad * p_vehicle.squaredNorm() / std::abs(wall.aside_m);
+    if (sigma_m > kEndSigmaMax_m) continue;
+    const Vec2 along = unit(here.piece.T_map_start.theta);
+    const double left_m = rotate(here.T_piece_vehicle.theta, p_vehicle).y();
+    filter_.correct(off_m, {along.x(), along.y(), -left_m},
+                    inflated(std::hypot(sigma_m, params_.wall_sigma_m)));
+    return;
+  }
+}
+
+double SectionLocaliser::aside_sigma_m(double heading_rad) const {
+  const Vec2 left = left_normal(unit(heading_rad));
+  return std::sqrt(left.dot(filter_.covariance().topLeftCorner<2, 2>() * left));
+}
+
+double SectionLocaliser::inflated(double sigma) const {
+  return sigma * std::sqrt(params_.repeat_inflation);
+}
+
+}  // namespace aisle
