@@ -92,7 +92,7 @@ void localise(benchmark::State& state) {
 
 void relocate(benchmark::State& state) {
   const ManyCorridors many = corridors_with(static_cast<std::size_t>(state.range(0)));
-  LandmarkRelocator relocator({}, {}, many.T_map_tried);
+  LandmarkRelocator relocator({}, {}, corridor_cart(), many.T_map_tried);
   measure(state, "relocate", many, [&](const std::vector<LandmarkSighting>& sightings) {
     benchmark::DoNotOptimize(relocator.look(many.map, sightings));
   });
