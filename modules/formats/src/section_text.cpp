@@ -92,8 +92,9 @@ class SectionParser {
                                               : nullptr;
       const auto distance_m = within(i + 1, 0, kBesideMax_m);
       if (beside_m == nullptr || beside_m->has_value() || !distance_m) {
-        return wrong(fmt::format("'{}' is not understood{}", words_[i],
-                                 has_walls ? "; after the length come 'right', 'left' or 'ahead' and metres" : ""));
+        return wrong(
+            fmt::format("'{}' is not understood{}", words_[i],
+                        has_walls ? "; after the length come 'right', 'left' or 'ahead' and metres" : ""));
       }
       *beside_m = distance_m;
     }

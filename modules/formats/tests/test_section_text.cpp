@@ -44,9 +44,28 @@ RC_GTEST_PROP(SectionText, IsReadAsItWasWritten, ()) {
 }
 
 TEST(SectionText, SaysWhatALineShouldHaveBeen) {
-  for (const char* line :
-       {"", "x 3", "a", "a -1", "a nan", "a 3 right", "a 3 right 0", "a 3 right 1 right 2", "a 3 up 1", "a 3 ahead 0", "a 3 ahead 1 ahead 1", "d 2 ahead 1",
-        "d 2 right 1", "l 0", "l 3.5", "r 145", "l 3 4", "c 1", "c 1 0", "c 1 11", "a 1e99", "b 0"}) {
+  for (const char* line : {"",
+                           "x 3",
+                           "a",
+                           "a -1",
+                           "a nan",
+                           "a 3 right",
+                           "a 3 right 0",
+                           "a 3 right 1 right 2",
+                           "a 3 up 1",
+                           "a 3 ahead 0",
+                           "a 3 ahead 1 ahead 1",
+                           "d 2 ahead 1",
+                           "d 2 right 1",
+                           "l 0",
+                           "l 3.5",
+                           "r 145",
+                           "l 3 4",
+                           "c 1",
+                           "c 1 0",
+                           "c 1 11",
+                           "a 1e99",
+                           "b 0"}) {
     EXPECT_FALSE(parse_section(line).ok()) << line;
   }
   EXPECT_THAT(to_string(parse_section("x 3").problems()), HasSubstr("a, h, d, b, c, l, r"));

@@ -118,7 +118,8 @@ TEST(LandmarkRelocation, TriesSoManyPlacesAPictureAndNoMore) {
     ASSERT_EQ(relocator.look(map, sightings_from(lines, {9, 0, 0}, kNoise)), std::nullopt) << i;
   EXPECT_EQ(relocator.rounds(), 2) << "pictures until it had seen things often enough";
   std::optional<Pose2> found;
-  for (int i = 0; i < 40 && !found; ++i) found = relocator.look(map, sightings_from(lines, {9, 0, 0}, kNoise));
+  for (int i = 0; i < 40 && !found; ++i)
+    found = relocator.look(map, sightings_from(lines, {9, 0, 0}, kNoise));
   EXPECT_TRUE(found);
 }
 

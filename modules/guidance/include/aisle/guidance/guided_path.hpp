@@ -18,7 +18,7 @@ struct SectionGuide {
   std::optional<double> ahead_m;      ///< from the piece's end to the wall across it
   std::optional<double> line_ends_m;  ///< the base line inside of the turn that follows ends so far before
                                       ///< the piece's end
-  bool turns_right = false;  ///< the turn that follows
+  bool turns_right = false;           ///< the turn that follows
 };
 
 struct GuidedPath {
