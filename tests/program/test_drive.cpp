@@ -42,7 +42,7 @@ TEST_F(DriveByKeys, GoesWhereTheKeysSayAndKeepsASession) {
   EXPECT_EQ(result["figures"]["state"], "ended");
   EXPECT_EQ(result["figures"]["collisions"], 0);
   EXPECT_NEAR(result["figures"]["duration_s"], 3.0, 0.11);
-  EXPECT_NEAR(result["figures"]["distance_m"], 0.2 * 2.5, 0.15);  // 0.2 m/s for two and a half seconds
+  EXPECT_NEAR(result["figures"]["distance_m"], 0.3 * 2.5, 0.15);  // 0.3 m/s for two and a half seconds
   EXPECT_EQ(result["figures"]["pictures"], result["figures"]["cycles"]);
   EXPECT_EQ(result["files"]["session"], at("drive"));
   EXPECT_THAT(names_in(at("drive")), ElementsAre("drive_0.db3", "metadata.yaml"));

@@ -205,8 +205,8 @@ TEST(WorldYaml, ReportsEveryProblemWithItsLineAndKey) {
       "w.yaml:17: texture_seed: '-1' is not a whole number from 0 to 18446744073709551615\n"
       "w.yaml:18: door: unknown key (known: format, version, walls, boxes, floor, start, doors, posters, "
       "lamps, "
-      "papers, furniture, parking_frames, boards, people, places, name, ceiling_m, ceiling_brightness, "
-      "skirting_height_m, skirting_brightness, ambient_light, texture_seed, tour)\n"
+      "papers, furniture, parking_frames, boards, people, places, routes, turnings, name, ceiling_m, "
+      "ceiling_brightness, skirting_height_m, skirting_brightness, ambient_light, texture_seed, tour)\n"
       "w.yaml:19: tour: is not a list");
 }
 

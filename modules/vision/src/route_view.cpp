@@ -83,7 +83,7 @@ RouteView::RouteView(const RouteViewParams& params, const CameraModel& camera, c
 }
 
 std::optional<Vec2> RouteView::pixel_of(const Vec2& p_vehicle) const {
-  const auto pixel = camera_.project(mount_.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
+  auto pixel = camera_.project(mount_.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
   if (!pixel || pixel->x() < 0 || pixel->y() < 0 || pixel->x() > width_px_ - 1 || pixel->y() > height_px_ - 1)
     return std::nullopt;
   return pixel;
