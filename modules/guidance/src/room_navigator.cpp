@@ -122,7 +122,7 @@ double RoomNavigator::steering_to(const Vec2& p_vehicle) const {
 Decision RoomNavigator::park_in_frame(double now_s) {
   constexpr double kAboutLines_m = 0.15;
   edges_.clear(*frame_->frame(), frame_->size_m() + 2 * Vec2(kAboutLines_m, kAboutLines_m));
-  const Decision decision = frame_->step();
+  Decision decision = frame_->step();
   if (decision.status != NavigatorStatus::kGoing || decision.command.speed_mps == 0) return decision;
   const int direction = decision.command.speed_mps > 0 ? 1 : -1;
   const SteeringChoice way = free_way(vehicle_, params_.steering, edges_.around(T_odom_vehicle_),

@@ -61,7 +61,7 @@ const StopView* StopViewMatcher::match(const BrightnessView& seen) const {
     least = mean;
     most_off = most;
   }
-  if (most_off > params_.delta) return nullptr;
+  if (best == nullptr || most_off > params_.delta) return nullptr;
   const bool has_rival = std::any_of(views_.begin(), views_.end(), [&](const StopView& view) {
     return std::abs(view.left_m - best->left_m) > params_.rival_m &&
            unlikeness(seen, view.brightness).first < params_.rival_factor * least;

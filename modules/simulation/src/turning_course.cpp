@@ -82,7 +82,8 @@ class Course {
 };
 
 World with_crossing(int number, Course course) {
-  constexpr double kTurning_m = 1.3, w = kAisle_m / 2, h = kHalf_m;
+  constexpr double kTurning_m = 1.3;
+  const double w = kAisle_m / 2, h = kHalf_m;
   const Crossing crossing = crossing_of(number);
   course.add_box({-h, -h}, {-w, -w});
   course.add_box({w, -h}, {h, -w});
@@ -97,7 +98,8 @@ World with_crossing(int number, Course course) {
 /// Round an island between two lanes.
 /// @param side  1: to the right, -1: to the left
 World turning_about(int number, double side, Course course) {
-  constexpr double w = kAisle_m / 2, h = kHalf_m, kTurning_m = kLaneApart_m / 2 + 1.3;
+  constexpr double kTurning_m = kLaneApart_m / 2 + 1.3;
+  const double w = kAisle_m / 2, h = kHalf_m;
   const auto box = [&](const Vec2& a, const Vec2& b) {
     const Vec2 p(side * a.x(), a.y()), q(side * b.x(), b.y());
     course.add_box(p.cwiseMin(q), p.cwiseMax(q));
