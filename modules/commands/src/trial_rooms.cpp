@@ -84,6 +84,8 @@ SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& ch
   return setting;
 }
 
+constexpr double kFalseStop_m = 0.5;  // who parks farther away has taken another place for the taught one
+
 struct RoomTrial {
   std::size_t missions = 0, arrived = 0, stopped = 0, collisions = 0, false_stops = 0;
   Spread end_m, end_deg, clearance_m;
@@ -92,7 +94,9 @@ struct RoomTrial {
 
   void add(const RoomMissionResult& result, std::uint64_t seed, const std::string& route) {
     ++missions;
-    arrived += result.parked() ? 1U : 0U;
+    const bool is_there = result.end_error_m < kFalseStop_m;
+    arrived += result.parked() && is_there ? 1U : 0U;
+    false_stops += result.end.arrived && !is_there ? 1U : 0U;
     stopped += !result.end.arrived && result.collisions == 0 ? 1U : 0U;
     collisions += result.collisions;
     if (result.end.arrived) {
