@@ -29,8 +29,8 @@ std::string picture_sheet_png(std::span<const TakenPicture> pictures) {
   return png_file(sheet_width_px, sheet_height_px, [&](Canvas& canvas) {
     canvas.fill(kPaper);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-      const Vec2 corner(static_cast<double>(i % columns) * width_px,
-                        static_cast<double>(i / columns) * height_px);
+      const std::size_t row = i / columns, column = i % columns;
+      const Vec2 corner(static_cast<double>(column) * width_px, static_cast<double>(row) * height_px);
       canvas.picture(pictures[i].picture, corner);
       canvas.text(corner + Vec2(6, kTitleHeight_px), pictures[i].title, {kTitleHeight_px - 3, kPaper, true});
     }
