@@ -41,12 +41,6 @@ ros::Transform transform(const CameraMount& mount) {
 
 }  // namespace
 
-Pose2 motion_of(const VehicleDescription& vehicle, const OdometryReading& reading) {
-  if (const auto* steered = std::get_if<FrontSteeredMotion>(&reading))
-    return drive(vehicle.front_steered, *steered);
-  return drive(vehicle.differential, std::get<WheelSteps>(reading));
-}
-
 RecordedMessage odometry_message(ros::Stamp_ns stamp, const Pose2& T_odom_vehicle, const Pose2& motion,
                                  double duration_s) {
   ros::Odometry message;

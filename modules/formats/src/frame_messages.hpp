@@ -9,9 +9,6 @@
 
 namespace aisle {
 
-/// base_link after the motion, seen from base_link before it.
-Pose2 motion_of(const VehicleDescription& vehicle, const OdometryReading& reading);
-
 /// /odom: where the readings alone put the vehicle. @param duration_s  of the last motion; 0: unknown
 RecordedMessage odometry_message(ros::Stamp_ns stamp, const Pose2& T_odom_vehicle, const Pose2& motion,
                                  double duration_s);

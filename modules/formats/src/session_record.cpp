@@ -8,6 +8,7 @@
 
 #include "aisle/formats/decision_text.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
+#include "aisle/vehicle/odometry_step.hpp"
 #include "frame_messages.hpp"
 #include "observation_messages.hpp"
 #include "picture_messages.hpp"
@@ -71,7 +72,7 @@ Result<Observation> SessionRecord::keep(Observation observation) {
 }
 
 Problems SessionRecord::write_for_viewers(const Observation& observation, ros::Stamp_ns stamp) {
-  const Pose2 motion = motion_of(vehicle_, observation.odometry);
+  const Pose2 motion = odometry_step(vehicle_, observation.odometry);
   T_odom_vehicle_ = T_odom_vehicle_ * motion;
   const double duration_s = last_stamp_ ? static_cast<double>(stamp - *last_stamp_) / 1e9 : 0;
   std::vector<RecordedMessage> messages = {odometry_message(stamp, T_odom_vehicle_, motion, duration_s),

@@ -13,13 +13,6 @@ constexpr double kRoomNoise_m = 0.004;    // of the room that the vehicle seems 
 constexpr double kStruckMatters_m = 1.5;  // from the vehicle's outline
 constexpr double kStruckMargin_m = 0.03;
 
-/// From a point to the outline of the footprint; 0 inside.
-double outside_m(const Footprint& footprint, const Vec2& p_vehicle) {
-  const double x = std::max({p_vehicle.x() - footprint.front_m, -footprint.rear_m - p_vehicle.x(), 0.0});
-  const double y = std::max(std::abs(p_vehicle.y()) - footprint.width_m / 2, 0.0);
-  return std::hypot(x, y);
-}
-
 }  // namespace
 
 BrakingRoom::BrakingRoom(const VehicleDescription& vehicle, double margin_m)
@@ -31,7 +24,8 @@ void BrakingRoom::see(const LaserScanner& fan, std::span<const float> ranges_m) 
     const double range_m = ranges_m[beam];
     if (!(range_m > 0) || range_m >= fan.range_max_m) continue;
     const Vec2 p_vehicle = fan.T_vehicle_laser * Vec2(range_m * unit(fan.beam_angle(beam)));
-    if (outside_m(vehicle_.footprint, p_vehicle) < kStruckMatters_m) p_vehicle_struck_.push_back(p_vehicle);
+    if (off_footprint_m(vehicle_.footprint, p_vehicle) < kStruckMatters_m)
+      p_vehicle_struck_.push_back(p_vehicle);
   }
 }
 
@@ -66,13 +60,13 @@ bool BrakingRoom::is_free_at(const FloorGrid& floor, const FloorClearance& clear
   return room_.fits_barely(floor, clearance, T_map_later, standing_m - kRoomNoise_m);
 }
 
-/// From the footprint to the nearest thing that was struck.
+/// From the footprint to the nearest thing that was struck; 0 inside.
 double BrakingRoom::struck_m(const Pose2& T_vehicle_later) const {
   const Pose2 T_later_vehicle = T_vehicle_later.inverse();
   double least_m = kStruckMatters_m;
   for (const Vec2& p_vehicle : p_vehicle_struck_)
-    least_m = std::min(least_m, outside_m(vehicle_.footprint, T_later_vehicle * p_vehicle));
-  return least_m;
+    least_m = std::min(least_m, off_footprint_m(vehicle_.footprint, T_later_vehicle * p_vehicle));
+  return std::max(0.0, least_m);
 }
 
 }  // namespace aisle

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/vehicle/odometry_step.hpp"
+
 namespace aisle {
 namespace {
 
@@ -20,11 +22,6 @@ constexpr double kWheelsOffAtFirst_rad = 4 * kDegree;  // at the start of a leg
 constexpr double kLearned_m2 = 0.5;                    // so much more floor is something learned
 constexpr double kIdleWay_m = 150;                     // without learning anything: what waits is left undone
 constexpr double kWatchMargin_m = 0.02;                // around the footprint, while it is driven
-
-double steering_now(const OdometryReading& odometry) {
-  const auto* motion = std::get_if<FrontSteeredMotion>(&odometry);
-  return motion == nullptr ? 0 : motion->steering_rad;
-}
 
 /// The path up to a point.
 Path cut_at(const Path& path, double along_m) {
@@ -337,7 +334,7 @@ bool ExplorerNavigator::is_lost_for_ways() {
 }
 
 Decision ExplorerNavigator::drive(const Observation& observation) {
-  const double steering_rad = steering_now(observation.odometry);
+  const double steering_rad = steering_rad_of(observation.odometry);
   const std::string state = state_word();
   if (!progress_) return {.command = {.steering_rad = steering_rad}, .state = state};
   const PathPoint& point = progress_->advance(learner_.T_map_vehicle());

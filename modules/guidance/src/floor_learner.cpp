@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "aisle/vehicle/odometry_step.hpp"
+
 namespace aisle {
 namespace {
 
@@ -14,12 +16,6 @@ constexpr double kOutOfPlace_m =
 constexpr double kLever_m = 2;  // at which turns count
 constexpr std::size_t kLaidACycle = 2;  // of the slices that are laid anew
 constexpr double kStanding_m = 0.002;   // of way in a cycle
-
-Pose2 motion_of(const VehicleDescription& vehicle, const OdometryReading& odometry) {
-  if (const auto* motion = std::get_if<FrontSteeredMotion>(&odometry))
-    return drive(vehicle.front_steered, *motion);
-  return drive(vehicle.differential, std::get<WheelSteps>(odometry));
-}
 
 }  // namespace
 
@@ -43,7 +39,7 @@ FloorLearner::FloorLearner(const FloorLearnerParams& params, const VehicleDescri
 }
 
 FloorLearner::News FloorLearner::take(const Observation& observation) {
-  const Pose2 motion = motion_of(vehicle_, observation.odometry);
+  const Pose2 motion = odometry_step(vehicle_, observation.odometry);
   T_odom_vehicle_ = T_odom_vehicle_ * motion;
   T_slice_vehicle_ = T_slice_vehicle_ * motion;
   way_m_ += motion.position().norm();

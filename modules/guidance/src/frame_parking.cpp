@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/vehicle/odometry_step.hpp"
 #include "room_cameras.hpp"
 
 namespace aisle {
@@ -34,8 +35,7 @@ void FrameParking::look(const Observation& observation, const Pose2& T_odom_vehi
                         double expected_heading_rad) {
   unseen_m_ += (T_odom_vehicle.position() - T_odom_vehicle_.position()).norm();
   T_odom_vehicle_ = T_odom_vehicle;
-  if (const auto* motion = std::get_if<FrontSteeredMotion>(&observation.odometry))
-    steering_rad_ = motion->steering_rad;
+  steering_rad_ = steering_rad_of(observation.odometry);
   for (const char* name : {kFirstCamera, kThirdCamera, kSecondCamera}) {
     const CameraDescription* camera = vehicle_.camera(name);
     if (camera == nullptr) continue;

@@ -12,14 +12,6 @@ namespace {
 
 constexpr double kWayStep_m = 0.1;
 
-/// From a point to the footprint's rectangle; negative inside.
-double off_footprint_m(const Footprint& footprint, const Vec2& p_vehicle) {
-  const double along_m = std::max(p_vehicle.x() - footprint.front_m, -footprint.rear_m - p_vehicle.x());
-  const double across_m = std::abs(p_vehicle.y()) - footprint.width_m / 2;
-  if (along_m > 0 && across_m > 0) return std::hypot(along_m, across_m);
-  return std::max(along_m, across_m);
-}
-
 double nearest_m(const Footprint& footprint, std::span<const Vec2> p_vehicle, const Pose2& T_now_then) {
   constexpr double kFar_m = 10;
   const Pose2 T_then_now = T_now_then.inverse();

@@ -1,13 +1,14 @@
 #include "aisle/guidance/guide_navigator.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "aisle/geometry/segment2.hpp"
+#include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {
 namespace {
@@ -20,17 +21,6 @@ constexpr double kGetsOn_m = 0.3;     // within the time after which it gives up
 constexpr double kSearchAgain_s = 2;  // after there was no way
 constexpr double kPlaceLeeway_m = 1;  // about a place, where the vehicle may have less room than elsewhere
 constexpr double kOffKnownFloor_m = 100;  // how much farther places seem from which no way is known
-
-Pose2 counted_motion(const VehicleDescription& vehicle, const OdometryReading& odometry) {
-  if (const auto* motion = std::get_if<FrontSteeredMotion>(&odometry))
-    return drive(vehicle.front_steered, *motion);
-  return drive(vehicle.differential, std::get<WheelSteps>(odometry));
-}
-
-double wheels_now(const OdometryReading& odometry) {
-  const auto* motion = std::get_if<FrontSteeredMotion>(&odometry);
-  return motion == nullptr ? 0 : motion->steering_rad;
-}
 
 UncertainPose2 about_start(const Pose2& T_map_start, const GuideNavigatorParams& params) {
   const Vec3 sigma(params.start_sigma_m, params.start_sigma_m, params.start_sigma_rad);
@@ -92,7 +82,7 @@ Decision GuideNavigator::step(const Observation& observation) {
 }
 
 void GuideNavigator::locate(const Observation& observation) {
-  T_scan_vehicle_ = T_scan_vehicle_ * counted_motion(vehicle_, observation.odometry);
+  T_scan_vehicle_ = T_scan_vehicle_ * odometry_step(vehicle_, observation.odometry);
   const bool sees = sensor_->look(observation, view_);
   if (sees) localiser_.take_scan(view_.ranges_m, std::exchange(T_scan_vehicle_, {}));
   T_map_vehicle_ = localiser_.T_map_vehicle().mean * T_scan_vehicle_;
@@ -191,7 +181,7 @@ void GuideNavigator::search_way(double stamp_s) {
 }
 
 Decision GuideNavigator::drive(const Observation& observation) {
-  const double steering_rad = wheels_now(observation.odometry);
+  const double steering_rad = steering_rad_of(observation.odometry);
   Decision standing{.command = {.steering_rad = steering_rad}, .state = "searching"};
   if (!progress_) return standing;
   const PathPoint& point = progress_->advance(T_map_vehicle_);

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "aisle/vehicle/odometry_step.hpp"
+
 namespace aisle {
 namespace {
 
@@ -50,11 +52,6 @@ std::optional<double> along_route(const Path& path, const Pose2& T_map_vehicle, 
     nearest_m = off.position().norm();
   }
   return nearest;
-}
-
-double steering_of(const OdometryReading& odometry) {
-  const auto* motion = std::get_if<FrontSteeredMotion>(&odometry);
-  return motion == nullptr ? 0 : motion->steering_rad;
 }
 
 double position_sigma_m(const Mat3& covariance) {
@@ -224,8 +221,8 @@ Decision LandmarkNavigator::follow(const Observation& observation) {
   const double certainty =
       std::clamp((params_.lost_m - sigma_m) / (params_.lost_m - params_.unsure_m), 0.0, 1.0);
   const double speed_mps = speed_along(path_, point.along_m, certainty, vehicle_, params_.speed);
-  return {.command =
-              follower_.follow(path_, point, localiser_.pose(), speed_mps, steering_of(observation.odometry)),
+  return {.command = follower_.follow(path_, point, localiser_.pose(), speed_mps,
+                                      steering_rad_of(observation.odometry)),
           .state = match_ == LandmarkMatch::kMatched ? "following" : "bridging"};
 }
 

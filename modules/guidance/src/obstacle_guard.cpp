@@ -6,17 +6,13 @@
 #include <cmath>
 #include <utility>
 
+#include "aisle/vehicle/odometry_step.hpp"
+
 namespace aisle {
 namespace {
 
 constexpr double kFloorStep_m = 0.05;  // between points of an edge that are looked at
 constexpr double kNoWay_m = 0.005;     // a shorter way is none: the vehicle stands
-
-Pose2 moved(const VehicleDescription& vehicle, const OdometryReading& odometry) {
-  if (const auto* motion = std::get_if<FrontSteeredMotion>(&odometry))
-    return drive(vehicle.front_steered, *motion);
-  return drive(vehicle.differential, std::get<WheelSteps>(odometry));
-}
 
 }  // namespace
 
@@ -58,7 +54,7 @@ const CameraPicture* ObstacleGuard::look(const Observation& observation) {
 }
 
 void ObstacleGuard::move(const Observation& observation) {
-  now_ = {observation.stamp_s, now_.T_odom_vehicle * moved(vehicle_, observation.odometry)};
+  now_ = {observation.stamp_s, now_.T_odom_vehicle * odometry_step(vehicle_, observation.odometry)};
   poses_[moves_++ % poses_.size()] = now_;
 }
 

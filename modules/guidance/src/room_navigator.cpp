@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "aisle/core/square.hpp"
-#include "aisle/learning/odometry_step.hpp"
+#include "aisle/vehicle/odometry_step.hpp"
 #include "room_cameras.hpp"
 
 namespace aisle {

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "aisle/learning/odometry_step.hpp"
+#include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {
 

@@ -16,9 +16,7 @@ constexpr int kHalvings = 8;
 }  // namespace
 
 double distance_to(const Footprint& footprint, const Vec2& p_vehicle) {
-  const double x = std::max({0.0, p_vehicle.x() - footprint.front_m, -footprint.rear_m - p_vehicle.x()});
-  const double y = std::max(0.0, std::abs(p_vehicle.y()) - footprint.width_m / 2);
-  return std::hypot(x, y);
+  return std::max(0.0, off_footprint_m(footprint, p_vehicle));
 }
 
 /// Cuts the segment by each side of the rectangle in turn (Liang and Barsky); something must remain.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +23,14 @@ struct Footprint {
 
   void describe(FieldList& fields);
 };
+
+/// From the footprint's outline to a point; negative inside.
+inline double off_footprint_m(const Footprint& footprint, const Vec2& p_vehicle) {
+  const double along_m = std::max(p_vehicle.x() - footprint.front_m, -footprint.rear_m - p_vehicle.x());
+  const double across_m = std::abs(p_vehicle.y()) - footprint.width_m / 2;
+  if (along_m > 0 && across_m > 0) return std::hypot(along_m, across_m);
+  return std::max(along_m, across_m);
+}
 
 /// What the vehicle can do and will not exceed, whatever it is told.
 struct DriveLimits {
