@@ -22,9 +22,7 @@ function schema_of(type) {
   };
   add(type);
   const line = ({ type, name, isArray, arrayLength, isConstant, valueText }) =>
-    isConstant
-      ? `${type} ${name}=${valueText}`
-      : `${type}${isArray ? `[${arrayLength ?? ""}]` : ""} ${name}`;
+    isConstant ? `${type} ${name}=${valueText}` : `${type}${isArray ? `[${arrayLength ?? ""}]` : ""} ${name}`;
   const text = (definitions) => definitions.map(line).join("\n");
   return [...needed]
     .map(([name, definitions], index) =>
@@ -38,8 +36,20 @@ export class FakeVehicle {
   calls = [];
   answers = {};
   state = {
-    mode: "idle", mission: "", world: "l-corridor", vehicle: "ALV", paused: false, emergency: false, driven_by_hand: true,
-    lease_held: false, stamp_s: 0, rate: 1, task: "", done: 0, total: 0, session: "",
+    mode: "idle",
+    mission: "",
+    world: "l-corridor",
+    vehicle: "ALV",
+    paused: false,
+    emergency: false,
+    driven_by_hand: true,
+    lease_held: false,
+    stamp_s: 0,
+    rate: 1,
+    task: "",
+    done: 0,
+    total: 0,
+    session: "",
   };
   #channels = new Map();
   #latest = new Map();
@@ -54,7 +64,9 @@ export class FakeVehicle {
       try {
         const name = path === "/" ? "/index.html" : path;
         const body = readFileSync(join(page_directory, name));
-        response.writeHead(200, { "content-type": types[extname(name)] ?? "application/octet-stream" }).end(body);
+        response
+          .writeHead(200, { "content-type": types[extname(name)] ?? "application/octet-stream" })
+          .end(body);
       } catch {
         response.writeHead(404).end("{}");
       }
@@ -66,7 +78,9 @@ export class FakeVehicle {
     await new Promise((resolve) => this.#http.listen(port, "127.0.0.1", resolve));
     this.#sockets = new WebSocketServer({ server: this.#http, handleProtocols: () => "foxglove.sdk.v1" });
     this.#server = new protocol.FoxgloveServer({
-      name: "fake", capabilities: ["clientPublish", "services", "time"], supportedEncodings: ["json"],
+      name: "fake",
+      capabilities: ["clientPublish", "services", "time"],
+      supportedEncodings: ["json"],
     });
     this.#server.on("subscribe", (id) => {
       const latest = this.#latest.get(id);
@@ -77,11 +91,29 @@ export class FakeVehicle {
     this.#sockets.on("connection", (socket) => this.#server.handleConnection(socket, "client"));
     this.services = new Map();
     for (const name of [
-      "lease/take", "lease/renew", "lease/release", "mission/start", "mission/pause", "mission/resume", "mission/stop",
-      "mission/emergency_stop", "mission/emergency_release", "mission/mark", "mission/finish", "mission/go", "maze/run",
-      "sessions/list", "sessions/info", "buildings/list", "replay/start", "replay/stop",
+      "lease/take",
+      "lease/renew",
+      "lease/release",
+      "mission/start",
+      "mission/pause",
+      "mission/resume",
+      "mission/stop",
+      "mission/emergency_stop",
+      "mission/emergency_release",
+      "mission/mark",
+      "mission/finish",
+      "mission/go",
+      "maze/run",
+      "sessions/list",
+      "sessions/info",
+      "buildings/list",
+      "replay/start",
+      "replay/stop",
     ]) {
-      this.services.set(this.#server.addService({ name, type: name, requestSchema: "", responseSchema: "" }), name);
+      this.services.set(
+        this.#server.addService({ name, type: name, requestSchema: "", responseSchema: "" }),
+        name,
+      );
     }
     this.#beat = setInterval(() => this.tell_state({}), 500);
     this.tell_state({});
@@ -112,7 +144,11 @@ export class FakeVehicle {
       const [room, name] = type.split("/");
       const schema = schema_of(type);
       const id = this.#server.addChannel({
-        topic, encoding: "cdr", schemaName: `${room}/msg/${name}`, schema, schemaEncoding: "ros2msg",
+        topic,
+        encoding: "cdr",
+        schemaName: `${room}/msg/${name}`,
+        schema,
+        schemaEncoding: "ros2msg",
       });
       this.#channels.set(topic, { id, writer: new MessageWriter(parse(schema, { ros2: true })) });
     }
