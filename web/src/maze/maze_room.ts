@@ -68,10 +68,11 @@ export function maze_room(app: App): Room {
 
   const size = (label: string) => {
     const input = element("input", { type: "number", min: 1, max: max_size, value: 8, class: "size" });
-    return { input, field: element("label", { class: "tick" }, element("span", {}, label), input) };
+    input.setAttribute("aria-label", label);
+    return input;
   };
   const [width, height] = [size("Width"), size("Height")];
-  const wanted = ({ input }: { input: HTMLInputElement }) =>
+  const wanted = (input: HTMLInputElement) =>
     Math.min(max_size, Math.max(1, Math.round(Number(input.value) || 1)));
   const begin = (make: (width: number, height: number) => Maze) => {
     history.put(make(wanted(width), wanted(height)));
@@ -81,7 +82,7 @@ export function maze_room(app: App): Room {
   const file = element("input", {
     type: "file",
     accept: ".txt,.num,.maz,text/plain",
-    "aria-label": "Maze file",
+    hidden: true,
     onchange: () => void app.notices.attempt(load(file.files?.[0]).finally(() => (file.value = ""))),
   });
   const load = async (chosen: File | undefined) => {
@@ -112,21 +113,23 @@ export function maze_room(app: App): Room {
     panel(
       "Draw",
       "maze-draw",
-      tool.field,
-      element("div", { class: "buttons" }, undo, redo),
-      element("div", { class: "buttons" }, width.field, height.field),
+      element("div", { class: "buttons line" }, tool.field, undo, redo),
       element(
         "div",
-        { class: "buttons" },
+        { class: "buttons line" },
+        width,
+        "x",
+        height,
         button("Empty", () => begin((w, h) => new Maze(w, h))),
         button("Random", () => begin((w, h) => random_maze(w, h, 0.08, Math.random))),
       ),
-      element("label", { class: "field" }, element("span", {}, "Load"), file),
       element(
         "div",
-        { class: "buttons" },
+        { class: "buttons line" },
+        button("Load", () => file.click()),
         button("Save text", () => download_text("maze.txt", maze_picture(history.present))),
         button("Save num", () => download_text("maze.num", maze_numbers(history.present))),
+        file,
       ),
     ),
     panel(

@@ -4,6 +4,7 @@ import { known_after } from "./maze_run";
 import type { MazeRun } from "./maze_run";
 
 const input_px = 76;
+const directions = { N: "up", E: "right", S: "down", W: "left", "": "stop" };
 
 /** Steps through a run: state, input, rule and stack of each learning cycle. */
 export class RunPlayer {
@@ -30,7 +31,7 @@ export class RunPlayer {
 
   /** @param show told how many cycles are to be seen */
   constructor(private readonly show: (count: number) => void) {
-    this.#play = button("Run", () => this.#toggle(), { class: "primary" });
+    this.#play = button("Run", () => this.#toggle());
     this.#slider.addEventListener("input", () => {
       this.pause();
       this.go_to(Number(this.#slider.value));
@@ -130,7 +131,7 @@ export class RunPlayer {
     say(this.#position, `${this.#count} of ${this.#run.steps.length}`);
     say(this.#state, step.state);
     say(this.#symbol, step.input);
-    say(this.#move, step.move === "" ? "stop" : step.move);
+    say(this.#move, directions[step.move]);
     say(this.#rule, step.rule);
     this.#stack.replaceChildren(...step.stack.toReversed().map((symbol) => element("li", {}, symbol)));
     const context = this.#input.getContext("2d");

@@ -35,6 +35,9 @@ export class FakeVehicle {
   drives = [];
   calls = [];
   answers = {};
+  /** Files by their path, as JSON; and what was posted, which becomes NAME-2. */
+  files = {};
+  posts = [];
   state = {
     mode: "idle",
     mission: "",
@@ -61,16 +64,30 @@ export class FakeVehicle {
   constructor(page_directory) {
     this.#http = createServer((request, response) => {
       const path = new URL(request.url, "http://localhost").pathname;
-      try {
-        const name = path === "/" ? "/index.html" : path;
-        const body = readFileSync(join(page_directory, name));
-        response
-          .writeHead(200, { "content-type": types[extname(name)] ?? "application/octet-stream" })
-          .end(body);
-      } catch {
-        response.writeHead(404).end("{}");
-      }
+      if (request.method === "POST") this.#keep(path, request, response);
+      else if (path in this.files) response.writeHead(200).end(JSON.stringify(this.files[path]));
+      else this.#serve(join(page_directory, path === "/" ? "index.html" : path), response);
     });
+  }
+
+  #serve(file, response) {
+    try {
+      const body = readFileSync(file);
+      response
+        .writeHead(200, { "content-type": types[extname(file)] ?? "application/octet-stream" })
+        .end(body);
+    } catch {
+      response.writeHead(404).end('{"problems":["there is no such file"]}');
+    }
+  }
+
+  async #keep(path, request, response) {
+    const parts = await request.toArray();
+    const body = JSON.parse(Buffer.concat(parts).toString());
+    this.posts.push({ path, lease: request.headers["x-aisle-lease"], body });
+    this.files[`${path}-2.json`] = body;
+    const building = `${path.slice(path.lastIndexOf("/") + 1)}-2`;
+    response.writeHead(201).end(JSON.stringify({ building }));
   }
 
   /** @returns the page's address */
