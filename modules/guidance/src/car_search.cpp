@@ -68,6 +68,7 @@ void CarSearchParams::describe(FieldList& fields) {
   fields.real("spare_wanted_m", spare_wanted_m, {0, 2}, "less room than this beside the footprint costs");
   fields.real("narrow_factor", narrow_factor, {0, 20}, "so much way more, where there is none");
   fields.real("haste", haste, {1, 5}, "how much the way that is left counts in the search");
+  fields.real("stage_m", stage_m, {3, 100}, "what is much farther away is not searched at once");
   fields.count("expansions_max", expansions_max, {100, 1000000}, "poses looked at before a search gives up");
 }
 

@@ -21,8 +21,9 @@ struct CarSearchParams {
   double turnabout_m = 0.8;      ///< what a change of direction costs
   double spare_wanted_m = 0.35;  ///< less room than this on its sides costs
   double narrow_factor = 2;      ///< so much way more, where there is none
-  double haste = 1.4;          ///< way that is left counts so much: finds sooner what may be a little longer
-  int expansions_max = 40000;  ///< poses looked at before the search gives up
+  double haste = 1.4;           ///< way that is left counts so much: finds sooner what may be a little longer
+  double stage_m = 12;          ///< what is much farther away is not searched at once
+  int expansions_max = 200000;  ///< poses looked at before the search gives up
 
   void describe(FieldList& fields);
 };
