@@ -101,6 +101,8 @@ void CarSearch::begin(const Pose2& T_map_start) {
   bins_.clear();
   queue_.clear();
   expansions_ = 0;
+  expansions_max_ = params_.expansions_max;
+  forbidden_first_ = 0;
   nodes_.push_back({.T_map = T_map_start, .arc = {}});
   bins_[bin_of(T_map_start)] = 0;
   queue_.push_back({0, 0});
@@ -109,7 +111,7 @@ void CarSearch::begin(const Pose2& T_map_start) {
 
 CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
   for (int i = 0; i < expansions && state_ == State::kSearching; ++i) {
-    if (queue_.empty() || expansions_ >= params_.expansions_max) {
+    if (queue_.empty() || expansions_ >= expansions_max_) {
       state_ = State::kNone;
       break;
     }
@@ -135,6 +137,7 @@ void CarSearch::expand(const FloorGrid& floor, const FloorClearance& clearance, 
 
 void CarSearch::try_arc(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from,
                         const Arc& arc) {
+  if (from == 0 && arc.length_m * forbidden_first_ > 0) return;
   const Arc moved = from_the_end_ ? inverse_of(arc) : arc;
   const Pose2 T_map = nodes_[from].T_map * end_pose(moved);
   const std::uint64_t bin = bin_of(T_map);

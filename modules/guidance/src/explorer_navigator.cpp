@@ -15,6 +15,7 @@ constexpr int kAttemptsMax = 3;
 constexpr double kNearHome_m = 1.5;
 constexpr double kNearHome_rad = 30 * kDegree;
 constexpr double kGateMoved_m = 1;
+constexpr double kSameSpot_m = 0.2;   // about a place where the vehicle was blocked
 constexpr double kStageLeft_m = 2.5;  // of a stage, when the next one is searched
 constexpr double kBendAhead_m = 0.05;
 constexpr double kWheelsOff_rad = 25 * kDegree;
@@ -127,8 +128,8 @@ void ExplorerNavigator::choose() {
       explorer_.decide(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(),
                        learner_.T_map_vehicle() * Vec2(middle_m, 0), learner_.T_map_home(), cycle_);
   const bool goes_on = target_ && is_same(*target_, target);
-  target_ = target;
-  watch_learning(goes_on);
+  watch_learning(target);
+  target_ = former_ = target;
   const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
   if (goes_on && (!gate_moved || target.kind != ExploringTarget::Kind::kPath)) return;
   attempts_ = 0;
@@ -141,6 +142,12 @@ void ExplorerNavigator::begin_search() {
   p_map_searched_ = target_->gate.p_map;
   if (progress_) shorten_way(params_.join_m);
   const Pose2 T_map_from = path_.empty() ? learner_.T_map_vehicle() : path_.at(path_.length_m()).T_map_path;
+  begin_search_from(T_map_from);
+  const double since_blocked_m = (T_map_from.position() - p_map_blocked_).norm();
+  if (since_blocked_m < kSameSpot_m) search_.forbid_first(blocked_direction_);
+}
+
+void ExplorerNavigator::begin_search_from(const Pose2& T_map_from) {
   switch (target_->kind) {
     case ExploringTarget::Kind::kPath:
       return search_.look_for(learner_.floor(), learner_.clearance(), T_map_from, target_->gate.p_map,
@@ -231,18 +238,20 @@ void ExplorerNavigator::search_way() {
 void ExplorerNavigator::give_path_up() {
   explorer_.give_up(target_->path, cycle_);
   target_.reset();
+  moved_s_ = stamp_s_;
 }
 
 /// New floor, or another target: that is worth its time.
-void ExplorerNavigator::watch_learning(bool goes_on) {
+void ExplorerNavigator::watch_learning(const ExploringTarget& target) {
+  const bool goes_on = former_ && is_same(*former_, target);
   const bool learned = learner_.floor().free_m2() > learned_m2_ + kLearned_m2;
   if (learned) {
     learned_m2_ = learner_.floor().free_m2();
     learned_way_m_ = learner_.way_m();
   }
   if (!learned && goes_on) return;
-  const bool is_home = target_->kind == ExploringTarget::Kind::kHome;
-  const double target_m = is_home ? learner_.way_m() / 2 : target_->gate.way_m;
+  const bool is_home = target.kind == ExploringTarget::Kind::kHome;
+  const double target_m = is_home ? learner_.way_m() / 2 : target.gate.way_m;
   patience_.renew(stamp_s_, learner_.way_m(), target_m);
 }
 
@@ -360,6 +369,8 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
   if (!braking_.is_free(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(), command,
                         steering_rad)) {
     patience_.hitch(learner_.T_map_vehicle());
+    p_map_blocked_ = learner_.T_map_vehicle().position();
+    blocked_direction_ = command.speed_mps > 0 ? 1 : -1;
     drop_way();
     return {.command = {.steering_rad = steering_rad}, .state = "blocked"};
   }

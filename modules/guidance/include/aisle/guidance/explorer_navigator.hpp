@@ -55,13 +55,14 @@ class ExplorerNavigator final : public Navigator {
   void mark_coverage();
   void choose();
   void begin_search();
+  void begin_search_from(const Pose2& T_map_from);
   void begin_search_home(const Pose2& T_map_from);
   void search_on();
   double look_from_m() const;
   bool sees_rim(const Pose2& T_map_vehicle) const;
   void search_way();
   void give_path_up();
-  void watch_learning(bool goes_on);
+  void watch_learning(const ExploringTarget& target);
   void lose_patience();
   Decision wait_for_floor();
   void take_way();
@@ -85,10 +86,13 @@ class ExplorerNavigator final : public Navigator {
   Patience patience_;
   PathFollower follower_;
   std::optional<ExploringTarget> target_;
+  std::optional<ExploringTarget> former_;  ///< the latest, also after its way was dropped
   Path path_;
   std::optional<PathProgress> progress_;
-  Vec2 p_map_searched_ = Vec2::Zero();  ///< the gate that the latest search was for
-  std::size_t leg_begun_ = 0;           ///< end of the leg for which the wheels were turned
+  Vec2 p_map_blocked_ = Vec2::Constant(1e9);  ///< where the vehicle could not go on ...
+  int blocked_direction_ = 0;                 ///< ... forwards (1) or backwards (-1)
+  Vec2 p_map_searched_ = Vec2::Zero();        ///< the gate that the latest search was for
+  std::size_t leg_begun_ = 0;                 ///< end of the leg for which the wheels were turned
   bool is_search_due_ = false;
   bool is_stage_ = false;         ///< the way ends before what it leads to
   bool stands_first_ = false;     ///< the search that is due begins where the vehicle comes to stand

@@ -22,6 +22,8 @@ class StagedSearch {
   void look_for_way_to(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_goal,
                        const Pose2& T_map_vehicle);
 
+  /// See CarSearch; of the search that was begun.
+  void forbid_first(int direction) { search_.forbid_first(direction); }
   CarSearch::State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
     return search_.advance(floor, clearance, expansions);
   }
@@ -32,11 +34,10 @@ class StagedSearch {
   Path path() const { return search_.path(); }
   /// What was found, or is searched, ends where a stage does.
   bool is_stage() const { return is_stage_; }
-  /// Over the floor, for a round vehicle as wide as this one; infinity: no way is known.
-  double way_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-               const Vec2& p_map_place);
 
  private:
+  double measure(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                 const Vec2& p_map_place);
   double left_m(const Vec2& p_map) const;
 
   CarSearchParams params_;
@@ -46,6 +47,7 @@ class StagedSearch {
   const FloorGrid* floor_ = nullptr;  ///< of `distances_`
   Vec2 p_map_place_ = Vec2::Zero();   ///< what `distances_` are measured from
   bool is_stage_ = false;
+  bool is_narrow_ = false;  ///< there is a way only with less room than the search keeps, or none
 };
 
 }  // namespace aisle
