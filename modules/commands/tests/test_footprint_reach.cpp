@@ -45,9 +45,9 @@ TEST(FootprintReach, TurnsIntoAPassageWhereThereIsRoom) {
 }
 
 TEST(FootprintReach, DoesNotTurnWhereADiscWouldButTheVehicleIsTooLong) {
-  const auto poses = poses_in_reach(corridor_with_passage(0.8, 0.8), cart_in_reach(), {1, 0.4, 0}, 0.05);
-  EXPECT_TRUE(has_pose_in(poses, {9, 0}, {11.5, 0.8}));
-  EXPECT_FALSE(has_pose_in(poses, {6, 3}, {6.8, 8}));
+  const auto poses = poses_in_reach(corridor_with_passage(0.85, 0.85), cart_in_reach(), {1, 0.425, 0}, 0.05);
+  EXPECT_TRUE(has_pose_in(poses, {9, 0}, {11.5, 0.85}));
+  EXPECT_FALSE(has_pose_in(poses, {6, 3}, {6.85, 8}));
 }
 
 TEST(FootprintReach, StaysInsideWalls) {
