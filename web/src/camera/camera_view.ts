@@ -64,8 +64,9 @@ export class CameraView {
     ];
   }
 
-  /** Decodes one picture at a time; of those that come meanwhile only the newest is kept. */
+  /** Decodes one picture at a time, and none where it cannot be seen; of those that come meanwhile the newest is kept. */
   #take(decode: () => Promise<Picture>): void {
+    if (this.#canvas.offsetParent === null) return;
     this.#waiting = decode;
     if (!this.#is_decoding) void this.#decode_waiting();
   }

@@ -24,10 +24,10 @@ export function hand_panel(app: App): HTMLElement {
   const label = element("input", {
     type: "text",
     maxlength: 64,
-    placeholder: "name of the place",
+    placeholder: "name or number",
     autocomplete: "off",
   });
-  label.setAttribute("aria-label", "Name of the place");
+  label.setAttribute("aria-label", "Name or number of the mark");
   const mark = (kind: string, text: string) => () =>
     void notices.attempt(lease.call("mission/mark", { kind, label: text }), `Marked: ${kind}`);
   const marks = element(

@@ -1,7 +1,8 @@
 import type { BuildingShelf } from "../building/building_shelf";
 import type { App } from "../page/app";
 import { button, element, panel, say, tick } from "../page/element";
-import { building_layer, building_points } from "../plan/building_plan";
+import { building_points } from "../plan/building_geometry";
+import { building_layer } from "../plan/building_layer";
 import { draw_dots } from "../plan/draw";
 import { bounds_of } from "../plan/geometry";
 import type { Point } from "../plan/geometry";

@@ -22,9 +22,7 @@ function schema_of(type) {
   };
   add(type);
   const line = ({ type, name, isArray, arrayLength, isConstant, valueText }) =>
-    isConstant
-      ? `${type} ${name}=${valueText}`
-      : `${type}${isArray ? `[${arrayLength ?? ""}]` : ""} ${name}`;
+    isConstant ? `${type} ${name}=${valueText}` : `${type}${isArray ? `[${arrayLength ?? ""}]` : ""} ${name}`;
   const text = (definitions) => definitions.map(line).join("\n");
   return [...needed]
     .map(([name, definitions], index) =>
@@ -37,9 +35,24 @@ export class FakeVehicle {
   drives = [];
   calls = [];
   answers = {};
+  /** Files by their path, as JSON; and what was posted, which becomes NAME-2. */
+  files = {};
+  posts = [];
   state = {
-    mode: "idle", mission: "", world: "l-corridor", vehicle: "ALV", paused: false, emergency: false, driven_by_hand: true,
-    lease_held: false, stamp_s: 0, rate: 1, task: "", done: 0, total: 0, session: "",
+    mode: "idle",
+    mission: "",
+    world: "l-corridor",
+    vehicle: "ALV",
+    paused: false,
+    emergency: false,
+    driven_by_hand: true,
+    lease_held: false,
+    stamp_s: 0,
+    rate: 1,
+    task: "",
+    done: 0,
+    total: 0,
+    session: "",
   };
   #channels = new Map();
   #latest = new Map();
@@ -51,14 +64,30 @@ export class FakeVehicle {
   constructor(page_directory) {
     this.#http = createServer((request, response) => {
       const path = new URL(request.url, "http://localhost").pathname;
-      try {
-        const name = path === "/" ? "/index.html" : path;
-        const body = readFileSync(join(page_directory, name));
-        response.writeHead(200, { "content-type": types[extname(name)] ?? "application/octet-stream" }).end(body);
-      } catch {
-        response.writeHead(404).end("{}");
-      }
+      if (request.method === "POST") this.#keep(path, request, response);
+      else if (path in this.files) response.writeHead(200).end(JSON.stringify(this.files[path]));
+      else this.#serve(join(page_directory, path === "/" ? "index.html" : path), response);
     });
+  }
+
+  #serve(file, response) {
+    try {
+      const body = readFileSync(file);
+      response
+        .writeHead(200, { "content-type": types[extname(file)] ?? "application/octet-stream" })
+        .end(body);
+    } catch {
+      response.writeHead(404).end('{"problems":["there is no such file"]}');
+    }
+  }
+
+  async #keep(path, request, response) {
+    const parts = await request.toArray();
+    const body = JSON.parse(Buffer.concat(parts).toString());
+    this.posts.push({ path, lease: request.headers["x-aisle-lease"], body });
+    this.files[`${path}-2.json`] = body;
+    const building = `${path.slice(path.lastIndexOf("/") + 1)}-2`;
+    response.writeHead(201).end(JSON.stringify({ building }));
   }
 
   /** @returns the page's address */
@@ -66,7 +95,9 @@ export class FakeVehicle {
     await new Promise((resolve) => this.#http.listen(port, "127.0.0.1", resolve));
     this.#sockets = new WebSocketServer({ server: this.#http, handleProtocols: () => "foxglove.sdk.v1" });
     this.#server = new protocol.FoxgloveServer({
-      name: "fake", capabilities: ["clientPublish", "services", "time"], supportedEncodings: ["json"],
+      name: "fake",
+      capabilities: ["clientPublish", "services", "time"],
+      supportedEncodings: ["json"],
     });
     this.#server.on("subscribe", (id) => {
       const latest = this.#latest.get(id);
@@ -77,11 +108,29 @@ export class FakeVehicle {
     this.#sockets.on("connection", (socket) => this.#server.handleConnection(socket, "client"));
     this.services = new Map();
     for (const name of [
-      "lease/take", "lease/renew", "lease/release", "mission/start", "mission/pause", "mission/resume", "mission/stop",
-      "mission/emergency_stop", "mission/emergency_release", "mission/mark", "mission/finish", "mission/go", "maze/run",
-      "sessions/list", "sessions/info", "buildings/list", "replay/start", "replay/stop",
+      "lease/take",
+      "lease/renew",
+      "lease/release",
+      "mission/start",
+      "mission/pause",
+      "mission/resume",
+      "mission/stop",
+      "mission/emergency_stop",
+      "mission/emergency_release",
+      "mission/mark",
+      "mission/finish",
+      "mission/go",
+      "maze/run",
+      "sessions/list",
+      "sessions/info",
+      "buildings/list",
+      "replay/start",
+      "replay/stop",
     ]) {
-      this.services.set(this.#server.addService({ name, type: name, requestSchema: "", responseSchema: "" }), name);
+      this.services.set(
+        this.#server.addService({ name, type: name, requestSchema: "", responseSchema: "" }),
+        name,
+      );
     }
     this.#beat = setInterval(() => this.tell_state({}), 500);
     this.tell_state({});
@@ -112,7 +161,11 @@ export class FakeVehicle {
       const [room, name] = type.split("/");
       const schema = schema_of(type);
       const id = this.#server.addChannel({
-        topic, encoding: "cdr", schemaName: `${room}/msg/${name}`, schema, schemaEncoding: "ros2msg",
+        topic,
+        encoding: "cdr",
+        schemaName: `${room}/msg/${name}`,
+        schema,
+        schemaEncoding: "ros2msg",
       });
       this.#channels.set(topic, { id, writer: new MessageWriter(parse(schema, { ros2: true })) });
     }
