@@ -19,6 +19,8 @@ constexpr double kStepsPerRadius = 6;
 constexpr double kPrice = 2.5;  // of an arc, for each radius and square of the stray
 constexpr int kTries = 3;
 constexpr double kCheaper = 4;
+constexpr double kBetweenSamples = 0.95;  // of the stray: between them it may be a little more
+constexpr double kStricter = 0.9;
 
 void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<Stretch>& stretches, double step_m) {
   if (leg.turn_before_rad != 0) {
@@ -56,10 +58,22 @@ LoosePath loose_path(const std::vector<DrivenLeg>& legs, double radius_min_m, do
   return loose;
 }
 
+/// A leg's end strays from the piece's end, too: an end that shoots over is no end.
 double stray_m(const LoosePath& loose, const Waypoint& waypoint) {
   const LoosePiece& piece = loose.pieces[waypoint.piece];
   const PathPiece shape{piece.T_map_start, piece.arc()};
+  if (waypoint.ends_leg) return (shape.end().position() - waypoint.p_map).norm();
   return (shape.at(shape.nearest(waypoint.p_map, 0, shape.way_m())).position() - waypoint.p_map).norm();
+}
+
+/// How far the pieces are from joining.
+double widest_gap_m(const LoosePath& loose) {
+  double widest_m = 0;
+  for (std::size_t k = 1; k < loose.pieces.size(); ++k) {
+    const Pose2 end = loose.pieces[k - 1].T_map_start * end_pose(loose.pieces[k - 1].arc());
+    widest_m = std::max(widest_m, (loose.pieces[k].T_map_start.position() - end.position()).norm());
+  }
+  return widest_m;
 }
 
 /// Cuts a piece in two halves, each bent by itself.
@@ -80,10 +94,11 @@ void split(LoosePath& loose, std::size_t k) {
 }
 
 /// Adjusts, pulls harder where the way strays most, and cuts where pulling does not help.
-Path smoothed(LoosePath loose, const PathFitParams& params, double step_m) {
+/// @param stray_max_m  at the samples
+Path smoothed(LoosePath loose, double stray_max_m, const PathFitParams& params, double step_m) {
   constexpr int kRounds = 24, kPullsBeforeCut = 3;
   constexpr double kPull = 4;
-  const double stray_max_m = 0.95 * params.stray_max_m;  // between the samples it may be a little more
+  constexpr double kGapMax = 0.02;  // of the stray: gaps add up where the pieces are laid end to end
   for (int round = 1; round <= kRounds; ++round) {
     adjust(loose, params.radius_min_m);
     std::size_t worst_piece = 0;
@@ -94,8 +109,9 @@ Path smoothed(LoosePath loose, const PathFitParams& params, double step_m) {
       if (off_m > worst_m) worst_piece = waypoint.piece;
       worst_m = std::max(worst_m, off_m);
     }
-    if (worst_m <= stray_max_m) break;
-    if (round % kPullsBeforeCut != 0) continue;
+    const bool is_near = worst_m <= stray_max_m;
+    if (is_near && widest_gap_m(loose) < kGapMax * stray_max_m) break;
+    if (is_near || round % kPullsBeforeCut != 0) continue;
     split(loose, worst_piece);
     for (Waypoint& waypoint : loose.waypoints) waypoint.weight = step_m;
   }
@@ -145,10 +161,13 @@ Path fit_path(std::span<const Pose2> driven, const PathFitParams& params) {
   if (!goes_somewhere) throw std::invalid_argument("a path needs two different positions");
   double step_m = params.radius_min_m / kStepsPerRadius;
   double price_m3 = kPrice * params.radius_min_m * params.stray_max_m * params.stray_max_m;
+  double stray_max_m = kBetweenSamples * params.stray_max_m;
   for (int tries = 0; tries < kTries; ++tries) {
     const std::vector<DrivenLeg> legs = driven_legs(driven, step_m);
-    Path path = smoothed(loose_path(legs, params.radius_min_m, price_m3, step_m), params, step_m);
+    Path path =
+        smoothed(loose_path(legs, params.radius_min_m, price_m3, step_m), stray_max_m, params, step_m);
     if (keeps_near(path, driven, params)) return path;
+    stray_max_m *= kStricter;
     price_m3 /= kCheaper;
     step_m /= 2;
   }

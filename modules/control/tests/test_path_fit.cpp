@@ -96,5 +96,21 @@ TEST(FitPath, NeverStraysFartherThanAllowed) {
   }
 }
 
+TEST(FitPath, NarrowBendsAreSmoothedWhateverTheLeastRadius) {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    Random random(seed);
+    const Path way = path_of({{14, 0}, {0.4 * kPi / 2, -kPi / 2}, {9, 0}, {0.4 * kPi / 2, kPi / 2}, {9, 0}});
+    const std::vector<Pose2> driven = driven_by_hand(way, 0.03, random);
+    for (const double radius_min_m : {0.1, 0.2, 0.3, 0.6}) {
+      for (const double stray_max_m : {0.08, 0.12, 0.2}) {
+        const Path path = fit_path(driven, {.stray_max_m = stray_max_m, .radius_min_m = radius_min_m});
+        EXPECT_LE(path.pieces().size(), 20) << seed << " " << radius_min_m << " " << stray_max_m;
+        EXPECT_NEAR(path.length_m(), way.length_m(), 0.8)
+            << seed << " " << radius_min_m << " " << stray_max_m;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace aisle

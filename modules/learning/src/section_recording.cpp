@@ -34,6 +34,7 @@ constexpr double kOnRun_m = 0.3, kOnRun_rad = 20 * kDegree;  // so near a line a
 constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
 constexpr double kAcrossNear_m = 2.5;  // of a wall ahead: there its distance is known well
 constexpr double kWayWidth_m = 0.3;    // a wall ahead stands on the way itself
+constexpr double kBeginning_m = 3;     // of a stretch
 constexpr std::size_t kSeenMin = 5;    // cycles in which a base line must be seen for its distance to count
 
 double median(std::vector<double> values) {
@@ -44,9 +45,11 @@ double median(std::vector<double> values) {
 
 /// Odometry, its heading held by the walls, which are the axes of `route`. A correction of the heading turns
 /// the way that follows, and never moves the vehicle: the way has no jumps.
-std::vector<Pose2> follow(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle) {
-  PoseFilter filter(vehicle, about({}, 0, kStartSigma_rad));
+/// @param filter  what it knows of the odometry's steady errors is used, and known better afterwards
+std::vector<Pose2> follow(std::span<const SectionCycle> cycles, PoseFilter& filter) {
+  filter.place(about({}, 0, kStartSigma_rad));
   std::vector<Pose2> T_route_vehicle;
+  T_route_vehicle.reserve(cycles.size());
   Vec2 p_route_vehicle = Vec2::Zero();
   for (const SectionCycle& cycle : cycles) {
     const Vec2 before = filter.pose().position();
@@ -58,6 +61,13 @@ std::vector<Pose2> follow(std::span<const SectionCycle> cycles, const VehicleDes
     T_route_vehicle.push_back({p_route_vehicle.x(), p_route_vehicle.y(), filter.pose().theta});
   }
   return T_route_vehicle;
+}
+
+/// Followed twice: the first time teaches how unequal the wheels are, which would else bend the first metres.
+std::vector<Pose2> follow_twice(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle) {
+  PoseFilter filter(vehicle, about({}, 0, kStartSigma_rad));
+  follow(cycles, filter);
+  return follow(cycles, filter);
 }
 
 std::vector<Pose2> way_points(const std::vector<Pose2>& poses) {
@@ -165,6 +175,7 @@ SectionList joint(Run& before, Run& after, const SectionLearningParams& params) 
 /// Distances of the base lines beside a stretch, one a cycle that shows them.
 struct DistancesBeside {
   std::vector<double> right_m, left_m, ahead_m;
+  std::size_t first_right = 0, first_left = 0;  ///< so many of them were seen where the stretch begins
 };
 
 /// From a stretch's end to the nearest wall across it; nullopt: none is seen from near.
@@ -202,6 +213,9 @@ DistancesBeside distances_beside(const Run& run, std::span<const SectionCycle> c
     }
     if (right_m < kBesideMax_m) distances.right_m.push_back(right_m);
     if (left_m < kBesideMax_m) distances.left_m.push_back(left_m);
+    if (T_run_vehicle.x > kBeginning_m) continue;
+    distances.first_right = distances.right_m.size();
+    distances.first_left = distances.left_m.size();
   }
   return distances;
 }
@@ -211,11 +225,29 @@ std::optional<double> usual(const std::vector<double>& distances_m) {
   return median(distances_m);
 }
 
+/// How much farther a wall seems where a stretch begins than along all of it; nullopt: not seen there.
+std::optional<double> farther_at_first(const std::vector<double>& distances_m, std::size_t first) {
+  const auto there = distances_m.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto at_first_m = usual({distances_m.begin(), there});
+  if (!at_first_m) return std::nullopt;
+  return *at_first_m - median(distances_m);
+}
+
+/// By how much a stretch lies too far to the right of where the vehicle set out, by the walls on either side
+/// of it there: a place beside a door shows on one side alone, so of two the smaller counts. A long stretch
+/// is laid through its middle, up to where odometry has wandered off.
+double begins_too_far_right_m(const DistancesBeside& distances) {
+  const auto right_m = farther_at_first(distances.right_m, distances.first_right),
+             left_m = farther_at_first(distances.left_m, distances.first_left);
+  if (!right_m || !left_m) return left_m.value_or(-right_m.value_or(0));
+  return std::abs(*left_m) < std::abs(*right_m) ? *left_m : -*right_m;
+}
+
 }  // namespace
 
 DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
                         const SectionLearningParams& params) {
-  DrivenList driven{.sections = {}, .corridor_width_m = {}, .T_route_vehicle = follow(cycles, vehicle)};
+  DrivenList driven{.sections = {}, .corridor_width_m = {}, .T_route_vehicle = follow_twice(cycles, vehicle)};
   const std::vector<Pose2> points = way_points(driven.T_route_vehicle);
   const auto moves = [&](const Pose2& T) {
     return (T.position() - points.front().position()).norm() > kStraightMin_m;
@@ -227,6 +259,7 @@ DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescr
   for (std::size_t i = 1; i < runs.size(); ++i) joints.push_back(joint(runs[i - 1], runs[i], params));
   if (runs.empty()) return driven;
   std::vector<double> widths_m;
+  double aside_m = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (i > 0) driven.sections.insert(driven.sections.end(), joints[i - 1].begin(), joints[i - 1].end());
     Section section = straight(runs[i].length_m);
@@ -236,10 +269,11 @@ DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescr
       section.left_m = usual(distances.left_m);
       section.ahead_m = usual(distances.ahead_m);
       if (section.right_m && section.left_m) widths_m.push_back(*section.right_m + *section.left_m);
+      if (i == 0) aside_m = begins_too_far_right_m(distances);
     }
     driven.sections.push_back(section);
   }
-  driven.T_route_start = runs.front().T_route_start;
+  driven.T_route_start = runs.front().T_route_start * Pose2{0, aside_m, 0};
   if (!widths_m.empty()) driven.corridor_width_m = median(widths_m);
   return driven;
 }
