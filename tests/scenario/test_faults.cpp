@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <memory>
+
 #include "workplace.hpp"
 
 namespace aisle {
@@ -10,18 +12,24 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The southern corridor of the world `crossings`, learned.
-class Faults : public Workplace {
+/// The southern corridor of the world `crossings`, learned once for all tests.
+class Faults : public testing::Test {
  protected:
-  void SetUp() override {
+  static void SetUpTestSuite() {
+    directory_ = std::make_unique<TemporaryDirectory>();
     const std::string shipped = read_bytes(AISLE_SOURCE_DIR "/worlds/crossings.yaml");
-    file("crossings.yaml", shipped.substr(0, shipped.find("\ntour:")) + "\ntour: [[4, 1.1], [17.5, 1.1]]\n");
+    write_bytes(at("crossings.yaml"),
+                shipped.substr(0, shipped.find("\ntour:")) + "\ntour: [[4, 1.1], [17.5, 1.1]]\n");
     const ProgramRun taught =
         run_aisle({"teach", at("crossings.yaml"), "--operator", "scripted", "--out", at("taught")});
     ASSERT_EQ(taught.exit_code, 0) << taught.err;
     const ProgramRun learned = run_aisle({"learn", at("taught"), "--out", at("learned")});
     ASSERT_EQ(learned.exit_code, 0) << learned.err;
   }
+
+  static void TearDownTestSuite() { directory_.reset(); }
+
+  static std::string at(const std::string& name) { return (directory_->path() / name).string(); }
 
   ProgramRun drive(const std::string& scenario, const Arguments& more = {}) const {
     Arguments arguments = {"navigate", at("learned/building.json"),
@@ -46,6 +54,9 @@ class Faults : public Workplace {
     EXPECT_TRUE(figures["arrived"] || figures["why"] != "") << scenario;
     EXPECT_EQ(figures["collisions"], 0) << scenario;
   }
+
+ private:
+  static inline std::unique_ptr<TemporaryDirectory> directory_;
 };
 
 TEST_F(Faults, TheVehicleArrivesAlthoughItsCameraFailsForAWhile) {
