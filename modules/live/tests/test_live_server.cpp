@@ -27,7 +27,8 @@ class Server : public testing::Test {
   void publish_until(LiveClient& client, std::size_t count) {
     ros::Stamp_ns stamp = 0;
     while (client.messages.size() < count) {
-      server->take(kText, ++stamp, "text " + std::to_string(stamp));
+      ++stamp;
+      server->take(kText, stamp, "text " + std::to_string(stamp));
       client.read();
     }
   }
