@@ -19,6 +19,8 @@ class ExplorationMissionRecord final : public SimulatedRecord {
   Problems keep(const Decision& decision) override {
     const Pose2& T_world_vehicle = vehicle_.truth().T_world_vehicle;
     result_.T_world_vehicle.push_back(T_world_vehicle);
+    show_pose({navigator_.learner().T_map_vehicle()});
+    show_plan(navigator_.path());
     if (navigator_.learner().log().scans.size() > result_.T_world_slice.size())
       result_.T_world_slice.push_back(T_world_vehicle);
     return SimulatedRecord::keep(decision);

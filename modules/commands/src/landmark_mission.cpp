@@ -34,6 +34,7 @@ class LandmarkMissionRecord final : public SimulatedRecord {
     const LandmarkFix fix = navigator_.fix();
     judge_.add(cycle_.stamp_s, fix, vehicle_.truth().T_world_vehicle);
     result_.T_map_driven.push_back(fix.T_map_vehicle.mean);
+    show_pose(fix.T_map_vehicle);
     if (decision.state == "lost" && state_ != "lost") ++result_.lost_count;
     state_ = decision.state;
     cycle_.sightings = navigator_.sightings();
