@@ -152,6 +152,7 @@ void LiveControl::do_as_asked(const ServiceCall& call) {
   const std::string& service = call.service();
   if (service == "mission/pause") {
     state_.is_paused = true;
+    hand_.forget_command();
   } else if (service == "mission/resume") {
     state_.is_paused = false;
   } else if (service == "mission/stop") {

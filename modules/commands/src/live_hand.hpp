@@ -25,6 +25,9 @@ class LiveHand {
   /// While held no command is heard.
   void hold(bool held) { is_held_ = held; }
 
+  /// Time stood still: what was said before is too old, however little of it has passed for the vehicle.
+  void forget_command() { newest_.reset(); }
+
   /// A drive begins: nothing of before counts.
   void begin();
 

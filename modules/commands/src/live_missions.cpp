@@ -104,7 +104,7 @@ LiveMission teach_mission(const MissionDesk& desk) {
 
 LiveMission learn_mission(const MissionDesk& desk) {
   LearnOptions options;
-  options.session = desk.session(desk.arguments.needed_name("session"));
+  options.sessions = {desk.session(desk.arguments.needed_name("session"))};
   const fs::path building = desk.new_building(desk.arguments.needed_name("building"));
   if (const std::string method = desk.arguments.text("method"); !method.empty()) options.method = method;
   return {.name = "learn", .drives = false, .work = [options, building](Console& console, const auto&) {

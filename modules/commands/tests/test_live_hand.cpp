@@ -53,6 +53,13 @@ TEST_F(Hand, HearsNothingWhileItIsHeld) {
   EXPECT_EQ(speed_at(1.1), 0.3);
 }
 
+TEST_F(Hand, ForgetsWhatWasSaidBeforeTimeStoodStill) {
+  say(1, 0.3);
+  EXPECT_EQ(speed_at(10), 0.3);
+  hand.forget_command();
+  EXPECT_EQ(speed_at(10.1), 0);
+}
+
 TEST_F(Hand, HandsOnEachMarkAndTheEndOnce) {
   hand.mark({Mark::Kind::kPlace, "desk"});
   hand.finish();

@@ -41,13 +41,13 @@ class LiveServer::Engine {
   Engine(LiveServerOptions options, const asio::ip::address& address, std::vector<LiveService> services)
       : options_(std::move(options)),
         address_(address),
-        acceptor_(io_),
         drive_(clock_),
         hub_(options_.name, options_.version, std::move(services), clock_, drive_,
              [this](std::function<void()> work) { asio::post(io_, std::move(work)); }),
         premises_{.hub = hub_,
                   .gatekeeper = Gatekeeper(address.is_loopback(), options_.token),
-                  .desk = HttpDesk(options_.folders, options_.version)} {}
+                  .desk = HttpDesk(options_.folders, options_.version)},
+        acceptor_(io_) {}
 
   ~Engine() {
     io_.stop();
@@ -78,13 +78,13 @@ class LiveServer::Engine {
   LiveServerOptions options_;
   asio::ip::address address_;
   SteadyClock clock_;
-  asio::io_context io_{1};
-  Tcp::acceptor acceptor_;
   DriveInbox drive_;
   Hub hub_;
   Premises premises_;
   Outbox outbox_;
   std::atomic<bool> lease_is_held_ = false;
+  asio::io_context io_{1};  // with the connections in it: they use all of the above to their end
+  Tcp::acceptor acceptor_;
   std::thread thread_;
 };
 

@@ -104,7 +104,7 @@ TEST_F(Inbox, BeginsAnewWithEachLease) {
 TEST_F(Inbox, CountsHowLongACommandLay) {
   inbox.put({.lease = "t", .sequence = 1, .age_s = 0.1, .command = {}});
   clock.time_s += 0.4;
-  EXPECT_DOUBLE_EQ(inbox.take()->age_s, 0.5);
+  EXPECT_NEAR(inbox.take()->age_s, 0.5, 1e-9);
 }
 
 }  // namespace

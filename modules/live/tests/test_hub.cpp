@@ -41,7 +41,11 @@ struct Sent {
 
 class HubTest : public testing::Test {
  protected:
-  HubTest() { join(1, client); }
+  HubTest() {
+    join(1, client);
+    greeting = client.texts.back();
+    client.texts.clear();
+  }
 
   void join(ClientId id, Sent& sent) {
     hub.join(id, [&sent](OutFrame frame) { sent.take(std::move(frame)); });
@@ -86,7 +90,7 @@ class HubTest : public testing::Test {
   Hub hub{"aisle", "1",   {{"open", false, &mailbox}, {"closed", true, &mailbox}},
           clock,   inbox, [](const std::function<void()>& work) { work(); }};
   Sent client;
-  const Json greeting = client.texts.empty() ? Json() : client.texts.back();
+  Json greeting;  ///< the services
 };
 
 TEST_F(HubTest, GreetsWithWhatItOffers) {

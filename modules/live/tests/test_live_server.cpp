@@ -23,15 +23,6 @@ class Server : public testing::Test {
     return std::move(*server);
   }
 
-  /// Publishes until the client has as many messages.
-  void publish_until(LiveClient& client, std::size_t count) {
-    ros::Stamp_ns stamp = 0;
-    while (client.messages.size() < count) {
-      server->take(kText, ++stamp, "text " + std::to_string(stamp));
-      client.read();
-    }
-  }
-
   ServiceMailbox calls;
   std::unique_ptr<LiveServer> server = open({.version = "1.2"}, calls);
 };
@@ -57,6 +48,7 @@ TEST_F(Server, ShowsWhatIsPublished) {
   server->take(kText, 7, "text");
   server->take_time(8);
   client.read_until([&] { return client.time_ns == 8 && client.topics.size() == 2; });
+  client.call("lease/take");  // answered after the subscription was taken
   server->take(kText, 9, "next");
   client.read_until([&] { return client.messages.back().cdr == "next"; });
   EXPECT_EQ(client.messages.back().stamp, 9);
@@ -150,10 +142,11 @@ TEST_F(Server, IsNotHeldUpByAClientThatReadsNothing) {
   LiveClient stalled(server->port());
   LiveClient awake(server->port());
   server->take(kText, 1, "");
-  stalled.subscribe_to_all();
-  awake.subscribe_to_all();
-  stalled.read_until([&] { return !stalled.topics.empty(); });
-  publish_until(awake, 1);
+  server->take(kKept, 1, "latched");  // comes when both are subscribed to
+  for (LiveClient* client : {&stalled, &awake}) {
+    client->subscribe_to_all();
+    client->read_until([client] { return !client->messages.empty(); });
+  }
   const std::string large(1 << 20, 'x');
   for (int i = 0; i < 100; ++i) {
     server->take(kText, 100 + i, large);
