@@ -101,7 +101,6 @@ void CarSearch::begin(const Pose2& T_map_start) {
   bins_.clear();
   queue_.clear();
   expansions_ = 0;
-  expansions_max_ = params_.expansions_max;
   forbidden_first_ = 0;
   nodes_.push_back({.T_map = T_map_start, .arc = {}});
   bins_[bin_of(T_map_start)] = 0;
@@ -111,7 +110,7 @@ void CarSearch::begin(const Pose2& T_map_start) {
 
 CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
   for (int i = 0; i < expansions && state_ == State::kSearching; ++i) {
-    if (queue_.empty() || expansions_ >= expansions_max_) {
+    if (queue_.empty() || expansions_ >= params_.expansions_max) {
       state_ = State::kNone;
       break;
     }

@@ -49,8 +49,6 @@ class CarSearch {
   /// Of the search that was begun: the way must not begin forwards (1) or backwards (-1), where something is
   /// in the way that the floor does not show.
   void forbid_first(int direction) { forbidden_first_ = direction; }
-  /// Of the search that was begun: where there is little hope, it gives up after fewer poses.
-  void give_up_after(int expansions) { expansions_max_ = expansions; }
 
   /// Looks at so many poses more.
   State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
@@ -96,7 +94,6 @@ class CarSearch {
   bool from_the_end_ = false;
   State state_ = State::kIdle;
   int expansions_ = 0;
-  int expansions_max_ = 0;
   int forbidden_first_ = 0;
   std::vector<Node> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> bins_;

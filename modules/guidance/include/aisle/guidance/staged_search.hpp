@@ -47,7 +47,6 @@ class StagedSearch {
   const FloorGrid* floor_ = nullptr;  ///< of `distances_`
   Vec2 p_map_place_ = Vec2::Zero();   ///< what `distances_` are measured from
   bool is_stage_ = false;
-  bool is_narrow_ = false;  ///< there is a way only with less room than the search keeps, or none
 };
 
 }  // namespace aisle
