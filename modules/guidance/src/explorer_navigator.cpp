@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "aisle/vehicle/odometry_step.hpp"
 
@@ -16,6 +17,7 @@ constexpr double kNearHome_m = 1.5;
 constexpr double kNearHome_rad = 30 * kDegree;
 constexpr double kGateMoved_m = 1;
 constexpr double kSameSpot_m = 0.2;   // about a place where the vehicle was blocked
+constexpr double kStruckNow_m = 1.5;  // so far from the vehicle ways keep off what is struck now
 constexpr double kStageLeft_m = 2.5;  // of a stage, when the next one is searched
 constexpr double kBendAhead_m = 0.05;
 constexpr double kWheelsOff_rad = 25 * kDegree;
@@ -98,6 +100,7 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   if (!begun_s_) begun_s_ = moved_s_ = stamp_s_;
   if (observation.bumper_pressed) return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
   const FloorLearner::News news = learner_.take(observation);
+  braking_.see(learner_.sensor().fan(), learner_.view().ranges_m);
   mark_coverage();
   if (stamp_s_ - *begun_s_ > params_.time_max_s)
     return end(NavigatorStatus::kFailed, "late", "its time is over");
@@ -145,6 +148,15 @@ void ExplorerNavigator::begin_search() {
   begin_search_from(T_map_from);
   const double since_blocked_m = (T_map_from.position() - p_map_blocked_).norm();
   if (since_blocked_m < kSameSpot_m) search_.forbid_first(blocked_direction_);
+  keep_off_struck();
+}
+
+/// What the sensor strikes now stands a little off where the floor's cells show it.
+void ExplorerNavigator::keep_off_struck() {
+  search_.keep_to([this](const Pose2& T_map_later) {
+    const Pose2 T_vehicle_later = between(learner_.T_map_vehicle(), T_map_later);
+    return T_vehicle_later.position().norm() > kStruckNow_m || braking_.is_off_struck(T_vehicle_later);
+  });
 }
 
 void ExplorerNavigator::begin_search_from(const Pose2& T_map_from) {
@@ -231,6 +243,7 @@ void ExplorerNavigator::search_way() {
     search_.stop();
     patience_.hitch(learner_.T_map_vehicle());
     arrived_cycle_ = cycle_;
+    if (std::exchange(blocked_direction_, 0) != 0) return;
     if (target_->kind == ExploringTarget::Kind::kPath && attempts_ > 0) give_path_up();
   }
 }
@@ -365,7 +378,6 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
                                    point.along_m, steering_rad);
   const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, params_.speed);
   const Command command = follower_.follow(path_, point, learner_.T_map_vehicle(), speed_mps, steering_rad);
-  braking_.see(learner_.sensor().fan(), learner_.view().ranges_m);
   if (!braking_.is_free(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(), command,
                         steering_rad)) {
     patience_.hitch(learner_.T_map_vehicle());

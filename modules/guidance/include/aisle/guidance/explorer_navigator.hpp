@@ -57,6 +57,7 @@ class ExplorerNavigator final : public Navigator {
   void begin_search();
   void begin_search_from(const Pose2& T_map_from);
   void begin_search_home(const Pose2& T_map_from);
+  void keep_off_struck();
   void search_on();
   double look_from_m() const;
   bool sees_rim(const Pose2& T_map_vehicle) const;
