@@ -146,22 +146,38 @@ std::string text_of(const Explored& explored) {
                      100 * explored.truth.home_error_m);
 }
 
+/// Drives, judges, and keeps what was learned.
+Result<JudgedExploration> judge(const ExploreOptions& options, const ExplorationPlan& plan,
+                                Console& console) {
+  std::optional<SessionRecord> session;
+  auto explored = explore_once(options, plan, options.order, session, console.progress);
+  if (!explored) return explored.problems();
+  Outcome outcome{.verb = "explore"};
+  outcome.figures = figures_of(*explored);
+  outcome.figures["seed"] = options.seed;
+  outcome.figures["order"] = name_of(options.order);
+  outcome.ok = outcome.figures["certificate"].get<bool>();
+  if (options.compares) {
+    const auto nearest = explore_once(options, plan, ExploringOrder::kNearest, session, console.progress);
+    if (!nearest) return nearest.problems();
+    outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m, 3);
+  }
+  outcome.text = text_of(*explored);
+  Building building{plan.setting.world.name, explored->map.has_dominant_direction,
+                    std::move(explored->map.walls)};
+  building.corridors = std::move(explored->corridors);
+  building.floor = std::move(explored->floor);
+  return JudgedExploration{std::move(outcome), std::move(building), std::move(explored->mission.record),
+                           std::move(explored->map.T_map_vehicle)};
+}
+
 /// What was learned, pictures of it, and the report.
-std::vector<OutputFile> files_of(const ExplorationPlan& plan, const Explored& explored,
-                                 const Outcome& outcome) {
-  Building building{plan.setting.world.name, explored.map.has_dominant_direction, explored.map.walls};
-  building.corridors = explored.corridors;
-  building.floor = explored.floor;
-  const ExplorationPicture picture{.floor = explored.floor,
-                                   .walls = explored.map.walls,
-                                   .record = explored.mission.record,
-                                   .T_map_vehicle = explored.map.T_map_vehicle,
-                                   .title = building.name,
-                                   .caption = outcome.text.substr(0, outcome.text.size() - 1)};
-  return {{"building", "building.json", building_json(building)},
+std::vector<OutputFile> files_of(const JudgedExploration& explored) {
+  const ExplorationPicture picture = picture_of(explored);
+  return {{"building", "building.json", building_json(explored.building)},
           {"picture_png", "exploration.png", png(picture)},
           {"picture_svg", "exploration.svg", svg(picture)},
-          {"report", "report.html", exploration_report(picture, building, outcome)}};
+          {"report", "report.html", exploration_report(picture, explored.building, explored.outcome)}};
 }
 
 }  // namespace
@@ -182,6 +198,23 @@ Result<Outcome> run_explore(const ExploreOptions& options, Console& console) {
   return explore_in(options, std::move(*setting), console);
 }
 
+ExplorationPicture picture_of(const JudgedExploration& explored) {
+  const std::string& text = explored.outcome.text;
+  return {.floor = *explored.building.floor,
+          .walls = explored.building.walls,
+          .record = explored.record,
+          .T_map_vehicle = explored.T_map_vehicle,
+          .title = explored.building.name,
+          .caption = text.substr(0, text.size() - 1)};
+}
+
+Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, SimulationSetting setting,
+                                            Console& console) {
+  const auto plan = read_plan(options, std::move(setting));
+  if (!plan) return plan.problems();
+  return judge(options, *plan, console);
+}
+
 Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting setting, Console& console) {
   const auto plan = read_plan(options, std::move(setting));
   if (!plan) return plan.problems();
@@ -192,28 +225,14 @@ Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting sett
     if (!opened) return opened.problems();
     out = std::move(*opened);
   }
-  std::optional<SessionRecord> session;
-  const auto explored = explore_once(options, *plan, options.order, session, console.progress);
+  auto explored = judge(options, *plan, console);
   if (!explored) return explored.problems();
-
-  Outcome outcome{.verb = "explore"};
-  outcome.figures = figures_of(*explored);
-  outcome.figures["seed"] = options.seed;
-  outcome.figures["order"] = name_of(options.order);
-  outcome.ok = outcome.figures["certificate"].get<bool>();
-  if (options.compares) {
-    std::optional<SessionRecord> none;
-    const auto nearest = explore_once(options, *plan, ExploringOrder::kNearest, none, console.progress);
-    if (!nearest) return nearest.problems();
-    outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m, 3);
-  }
-  outcome.text = text_of(*explored);
   if (out) {
-    auto written = out->write(files_of(*plan, *explored, outcome));
+    auto written = out->write(files_of(*explored));
     if (!written) return written.problems();
-    outcome.files = std::move(*written);
+    explored->outcome.files = std::move(*written);
   }
-  return outcome;
+  return std::move(explored->outcome);
 }
 
 }  // namespace aisle
