@@ -8,7 +8,7 @@ export interface Picture {
 }
 
 function seconds({ stamp }: Header): number {
-  return stamp.sec + stamp.nsec / 1e9;
+  return stamp.sec + stamp.nanosec / 1e9;
 }
 
 export async function decode_compressed({ header, format, data }: CompressedImage): Promise<Picture> {

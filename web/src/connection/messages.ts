@@ -16,7 +16,7 @@ export interface RosPose {
 }
 
 export interface Header {
-  stamp: { sec: number; nsec: number };
+  stamp: { sec: number; nanosec: number };
   frame_id: string;
 }
 

@@ -141,20 +141,20 @@ export function draw_cursor(context: Context, frame: MazeFrame, { x, y }: Cell):
   context.strokeRect(u + 4, v + 4, frame.cell_px - 8, frame.cell_px - 8);
 }
 
-/** What the preprocessing unit makes of a cell: its walls, and dashed the side that the vehicle came from. */
+/** What the preprocessing unit makes of a cell: its walls, and dashed the false ones. */
 export function draw_input(
   context: Context,
   size_px: number,
   open: string,
-  came_from: Side | undefined,
+  false_walls: readonly Side[],
 ): void {
   const frame = { cell_px: size_px - 16, left_px: 8, bottom_px: size_px - 8 };
   const cell = { x: 0, y: 0 };
   context.clearRect(0, 0, size_px, size_px);
   context.lineCap = "round";
   for (const side of sides) {
-    if (open.includes(side) && side !== came_from) continue;
-    const is_false = side === came_from;
+    const is_false = false_walls.includes(side);
+    if (open.includes(side) && !is_false) continue;
     context.strokeStyle = colour(is_false ? "path" : "wall");
     context.lineWidth = is_false ? 3 : 5;
     context.setLineDash(is_false ? [4, 5] : []);

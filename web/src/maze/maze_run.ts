@@ -6,6 +6,9 @@ export interface MazeStep {
   cell: [number, number];
   open: string;
   input: string;
+  /** What the preprocessing unit made of the cell, and the sides that it left open. */
+  input_kind: string;
+  input_open: string;
   rule: string;
   state: string;
   move: Side | "";
@@ -50,6 +53,13 @@ export function known_after(run: MazeRun, count: number): Known {
     way,
     came_from: before ? opposite(before) : undefined,
   };
+}
+
+/** The sides that the preprocessing unit closed by a false wall. Of explored cells only where it came from is told. */
+export function false_walls(step: MazeStep, came_from: Side | undefined): Side[] {
+  const is_told = step.input_open !== "" || /ending|dead/.test(step.input_kind);
+  const shut = (side: Side) => (is_told ? !step.input_open.includes(side) : side === came_from);
+  return ([...step.open] as Side[]).filter(shut);
 }
 
 /** Cells to which a visited one is open, and that were not visited. */

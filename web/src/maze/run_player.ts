@@ -1,6 +1,6 @@
 import { button, element, say } from "../page/element";
 import { draw_input } from "./maze_drawing";
-import { known_after } from "./maze_run";
+import { false_walls, known_after } from "./maze_run";
 import type { MazeRun } from "./maze_run";
 
 const input_px = 76;
@@ -130,12 +130,18 @@ export class RunPlayer {
     if (!this.#run || !step) return;
     say(this.#position, `${this.#count} of ${this.#run.steps.length}`);
     say(this.#state, step.state);
-    say(this.#symbol, step.input);
+    say(this.#symbol, `${step.input}, ${step.input_kind}`);
     say(this.#move, directions[step.move]);
     say(this.#rule, step.rule);
     this.#stack.replaceChildren(...step.stack.toReversed().map((symbol) => element("li", {}, symbol)));
     const context = this.#input.getContext("2d");
-    if (context) draw_input(context, input_px, step.open, known_after(this.#run, this.#count).came_from);
+    if (context)
+      draw_input(
+        context,
+        input_px,
+        step.open,
+        false_walls(step, known_after(this.#run, this.#count).came_from),
+      );
     this.#input.setAttribute("aria-label", `Open sides: ${step.open}`);
   }
 }

@@ -34,9 +34,11 @@ export function replay_bar(app: App): HTMLElement {
     rate.field,
     button("End the replay", () => ask("replay/stop")),
   );
+  const none = element("p", { class: "about" }, "No replay: the vehicle as it is now.");
   app.state.watch((state) => {
     const replay = state?.mode === "replay" ? state.replay : undefined;
     bar.hidden = replay === undefined;
+    none.hidden = replay !== undefined;
     if (!replay) return;
     say(play, replay.playing ? "Pause" : "Play");
     say(
@@ -47,5 +49,5 @@ export function replay_bar(app: App): HTMLElement {
     slider.max = String(replay.to_s);
     if (!is_scrubbing) slider.value = String(replay.at_s);
   });
-  return bar;
+  return element("div", {}, none, bar);
 }

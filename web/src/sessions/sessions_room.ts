@@ -34,6 +34,7 @@ export function sessions_room(app: App): Room {
   const table = element("div", {});
   const figures = element("dl", { class: "figures" });
   const about = element("div", { class: "player", hidden: true });
+  const none = element("p", { class: "about" }, "Choose a session.");
 
   const show_table = () =>
     table.replaceChildren(session_table(shelf.sessions.value, chosen.value, (name) => (chosen.value = name)));
@@ -52,6 +53,7 @@ export function sessions_room(app: App): Room {
   chosen.watch((name) => {
     show_table();
     about.hidden = name === "";
+    none.hidden = name !== "";
     if (name === "") return;
     figures.replaceChildren();
     about.replaceChildren(element("div", { class: "buttons" }, replay(name)), download_links(name), figures);
@@ -69,10 +71,10 @@ export function sessions_room(app: App): Room {
     panel(
       "Replay",
       "sessions-replay",
-      element("div", { class: "seen" }, new CameraView(app.connection).element, plan_of(app)),
       replay_bar(app),
+      element("div", { class: "seen" }, new CameraView(app.connection).element, plan_of(app)),
     ),
-    panel("Figures and files", "sessions-figures", about),
+    panel("Figures and files", "sessions-figures", none, about),
   );
   return { name: "sessions", title: "Sessions", element: room };
 }

@@ -3,8 +3,8 @@ import { test } from "node:test";
 
 import { Maze, neighbour, sides } from "../../src/maze/maze";
 import { cell_at, edge_at } from "../../src/maze/maze_picking";
-import { known_after, waiting_cells } from "../../src/maze/maze_run";
-import type { MazeRun } from "../../src/maze/maze_run";
+import { false_walls, known_after, waiting_cells } from "../../src/maze/maze_run";
+import type { MazeRun, MazeStep } from "../../src/maze/maze_run";
 import { maze_numbers, maze_picture, read_maze } from "../../src/maze/maze_text";
 import { random_maze } from "../../src/maze/random_maze";
 
@@ -79,7 +79,14 @@ test("The outer walls stay", () => {
 });
 
 test("After two cycles the vehicle knows two cells and what they are open to", () => {
-  const step = { input: "G1", rule: "", state: "exploring", stack: ["Z_0"] };
+  const step = {
+    input: "G1",
+    input_kind: "one-way",
+    input_open: "E",
+    rule: "",
+    state: "exploring",
+    stack: ["Z_0"],
+  };
   const run: MazeRun = {
     width: 3,
     height: 1,
@@ -96,6 +103,7 @@ test("After two cycles the vehicle knows two cells and what they are open to", (
   assert.deepEqual(known.at, { x: 1, y: 0 });
   assert.equal(known.came_from, "W");
   assert.deepEqual(waiting_cells(run, known), [{ x: 2, y: 0 }]);
+  assert.deepEqual(false_walls(run.steps[1] as MazeStep, known.came_from), ["W"]);
 });
 
 /** Numbers that look random and are the same in every run. */

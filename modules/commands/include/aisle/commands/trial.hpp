@@ -19,6 +19,7 @@ struct TrialOptions {
   std::string vehicle;              ///< empty: the method's own: alv, or mini for sections
   std::string scenario;             ///< empty: nothing goes wrong
   std::string strategy = "frame";   ///< park: frame, dead-end or view
+  int teachings = 1;                ///< of the way before it is driven alone (sections)
   int refinements = 0;              ///< trips after the first, each taken in before the next
   std::optional<double> speed_mps;
   bool in_reverse = false;
