@@ -221,6 +221,9 @@ bool ExplorerNavigator::sees_rim(const Pose2& T_map_vehicle) const {
     const double angle_rad = wrap_angle(heading_of(towards) - T_map_fan.theta);
     if (angle_rad < fan.first_angle_rad + kFanEdge_rad || angle_rad > -fan.first_angle_rad - kFanEdge_rad)
       continue;
+    const std::vector<float>& near_m = learner_.view().near_m;
+    const auto beam = static_cast<std::size_t>((angle_rad - fan.first_angle_rad) / fan.angle_step_rad);
+    if (beam < near_m.size() && towards.norm() < near_m[beam]) continue;
     if (!is_clear(learner_.floor(), T_map_fan.position(), p_map, 1.5 * learner_.floor().cell_m())) continue;
     if (++seen >= enough) return true;
   }
@@ -233,7 +236,7 @@ void ExplorerNavigator::search_way() {
   if (is_search_due_ && (progress_ ? !stands_first_ : learner_.is_standing())) begin_search();
   if (search_.state() == CarSearch::State::kIdle && !progress_ && !is_search_due_) {
     if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
-    if (++attempts_ > kAttemptsMax && target_->kind == ExploringTarget::Kind::kPath) return give_path_up();
+    if (++attempts_ > kAttemptsMax && target_->kind == ExploringTarget::Kind::kPath) return leave_path();
     begin_search();
   }
   if (search_.state() != CarSearch::State::kSearching) return;
@@ -246,6 +249,14 @@ void ExplorerNavigator::search_way() {
     if (std::exchange(blocked_direction_, 0) != 0) return;
     if (target_->kind == ExploringTarget::Kind::kPath && attempts_ > 0) give_path_up();
   }
+}
+
+/// It went where it should have seen behind the gate, and did not: a corner is left out, more is left undone.
+void ExplorerNavigator::leave_path() {
+  if (target_->gate.behind_m2 < params_.explorer.leftover_m2) return give_path_up();
+  explorer_.abandon(target_->path, cycle_);
+  target_.reset();
+  moved_s_ = stamp_s_;
 }
 
 void ExplorerNavigator::give_path_up() {

@@ -62,6 +62,7 @@ class ExplorerNavigator final : public Navigator {
   double look_from_m() const;
   bool sees_rim(const Pose2& T_map_vehicle) const;
   void search_way();
+  void leave_path();
   void give_path_up();
   void watch_learning(const ExploringTarget& target);
   void lose_patience();
