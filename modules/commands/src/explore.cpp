@@ -16,6 +16,7 @@
 #include "exploration_evaluation.hpp"
 #include "exploration_mission.hpp"
 #include "exploration_report.hpp"
+#include "exploration_trial.hpp"
 #include "explore_in.hpp"
 #include "explorer_driver.hpp"
 #include "rounded.hpp"
@@ -122,7 +123,8 @@ nlohmann::ordered_json figures_of(const Explored& explored) {
           {"wall_missed_share", rounded(truth.walls.missed_share(), 4)},
           {"wall_false_share", rounded(truth.walls.false_share(), 4)},
           {"free_m2", rounded(explored.floor.free_m2(), 2)},
-          {"certificate", mission.record.certified() && mission.collisions == 0},
+          {"certificate",
+           mission.record.certified() && mission.collisions == 0 && truth.covered_share >= kCompleteShare},
           {"ended_because", mission.record.ended_because},
           {"loop_closures", explored.map.loop_closures.size()},
           {"cycle_ms",

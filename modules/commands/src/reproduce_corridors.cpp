@@ -42,7 +42,6 @@ Result<Outcome> reproduce_c99(const ReproduceOptions& options, Console& console)
     directory = std::move(*opened);
   }
   ExploreOptions explore;
-  explore.sensor = ExploringSensor::kMarkers;
   explore.order = ExploringOrder::kPublished;
   explore.seed = options.seed;
   auto setting = read_setting(kExploredWorld, exploring_vehicle(explore), "");
@@ -52,15 +51,17 @@ Result<Outcome> reproduce_c99(const ReproduceOptions& options, Console& console)
 
   Outcome outcome{.verb = "reproduce", .ok = explored->outcome.ok};
   outcome.figures = explored->outcome.figures;
+  outcome.figures["sensor"] = "scanner";
   outcome.figures["walls"] = explored->building.walls.walls.size();
   outcome.figures["paper"] = {{"cycle_s", {kPaperCycleLeast_s, kPaperCycleMost_s}},
                               {"speed_mps", kPaperSpeed_mps}};
   const auto& cycle_ms = outcome.figures["cycle_ms"];
   outcome.text =
-      explored->outcome.text +
-      fmt::format("a cycle took {:.1f} ms (median), {:.1f} ms (99th percentile); C99: {} to {} s\n",
-                  cycle_ms["median"].get<double>(), cycle_ms["p99"].get<double>(), kPaperCycleLeast_s,
-                  kPaperCycleMost_s);
+      explored->outcome.text + fmt::format(
+                                   "a range scanner stood for the laser markers; a cycle took {:.1f} ms "
+                                   "(median), {:.1f} ms (99th percentile); C99: {} to {} s\n",
+                                   cycle_ms["median"].get<double>(), cycle_ms["p99"].get<double>(),
+                                   kPaperCycleLeast_s, kPaperCycleMost_s);
   if (!directory) return outcome;
   auto files = directory->write(files_of_exploration(*explored));
   if (!files) return files.problems();
