@@ -1,22 +1,44 @@
 #include "exploration_mission.hpp"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "aisle/exploration/corridor_rules.hpp"
+#include "aisle/formats/cdr.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
+#include "simulated_record.hpp"
 #include "timed_navigator.hpp"
 
 namespace aisle {
 namespace {
 
+/// What the transducer did last and what is on its stack, bottom first: /transducer of docs/live.md.
+std::string transducer_json(const BuildingExplorer& explorer) {
+  const TransducerTable& table = corridor_rules();
+  auto stack = nlohmann::ordered_json::array();
+  for (const Symbol symbol : explorer.transducer().stack()) stack.push_back(table.stack[symbol]);
+  const TransducerStep& last = explorer.steps().back();
+  return nlohmann::ordered_json{
+      {"state", last.state}, {"input", last.input}, {"output", last.output}, {"stack", std::move(stack)}}
+      .dump();
+}
+
 /// Keeps the mission's session and, beside it, where the vehicle really was.
-class ExplorationMissionRecord final : public MissionRecord {
+class ExplorationMissionRecord final : public SimulatedRecord {
  public:
-  ExplorationMissionRecord(std::optional<SessionRecord>& session, const ExplorationTrip& trip,
-                           const ExplorerNavigator& navigator, ExplorationMissionResult& result)
-      : session_(session), trip_(trip), navigator_(navigator), result_(result) {}
+  ExplorationMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
+                           const ExplorationTrip& trip, const ExplorerNavigator& navigator,
+                           ExplorationMissionResult& result)
+      : SimulatedRecord(session, vehicle),
+        session_(session),
+        trip_(trip),
+        watcher_(session ? session->watcher() : nullptr),
+        vehicle_(vehicle),
+        navigator_(navigator),
+        result_(result) {}
 
   Result<Observation> keep(Observation observation) override {
-    if (!session_) return observation;
+    if (!trip_.was_interrupted() || !session_) return SimulatedRecord::keep(std::move(observation));
     auto kept = session_->keep(std::move(observation));
     if (!kept) return kept.problems();
     if (Problems problems = session_->keep_truth(kept->stamp_s, trip_.T_world_vehicle()); !problems.empty())
@@ -25,15 +47,37 @@ class ExplorationMissionRecord final : public MissionRecord {
   }
 
   Problems keep(const Decision& decision) override {
-    result_.T_world_vehicle.push_back(trip_.T_world_vehicle());
+    const Pose2& T_world_vehicle = trip_.T_world_vehicle();
+    result_.T_world_vehicle.push_back(T_world_vehicle);
+    if (!trip_.was_interrupted()) show();
     if (navigator_.learner().log().scans.size() > result_.T_world_slice.size())
-      result_.T_world_slice.push_back(trip_.T_world_vehicle());
-    return session_ ? session_->keep(decision) : Problems{};
+      result_.T_world_slice.push_back(T_world_vehicle);
+    return SimulatedRecord::keep(decision);
   }
 
  private:
+  /// To whoever watches.
+  void show() {
+    show_pose({navigator_.learner().T_map_vehicle()});
+    show_plan(navigator_.path());
+    show_transducer();
+  }
+
+  /// After each of its steps.
+  void show_transducer() {
+    const BuildingExplorer& explorer = navigator_.explorer();
+    if (watcher_ == nullptr || explorer.steps().size() == steps_shown_) return;
+    steps_shown_ = explorer.steps().size();
+    static const SessionTopic topic{"/transducer", ros::String::kType, true};
+    watcher_->take(topic, ros::stamp_ns(vehicle_.truth().stamp_s),
+                   cdr_bytes(ros::String{transducer_json(explorer)}));
+  }
+
   std::optional<SessionRecord>& session_;
   const ExplorationTrip& trip_;
+  MessageSink* watcher_;  ///< null: nobody
+  std::size_t steps_shown_ = 0;
+  const SimulatedVehicle& vehicle_;
   const ExplorerNavigator& navigator_;
   ExplorationMissionResult& result_;
 };
@@ -51,7 +95,7 @@ Result<ExplorationMissionResult> drive_exploration(const SimulationSetting& sett
   ExplorationTrip trip(vehicle, std::move(former));
   ExplorationMissionResult result;
   TimedNavigator timed(navigator, result.cycle_s);
-  ExplorationMissionRecord record(session, trip, navigator, result);
+  ExplorationMissionRecord record(session, vehicle, trip, navigator, result);
   auto end = run_mission(trip, timed, record, progress);
   if (!end) return end.problems();
   if (!trip.problems().empty()) return trip.problems();

@@ -19,13 +19,14 @@ struct InterruptedTrip {
 class ExplorationTrip final : public Vehicle {
  public:
   ExplorationTrip(SimulatedVehicle& vehicle, std::optional<InterruptedTrip> former)
-      : vehicle_(vehicle), former_(std::move(former)) {}
+      : vehicle_(vehicle), former_(std::move(former)), was_interrupted_(former_.has_value()) {}
 
   const VehicleDescription& description() const override { return vehicle_.description(); }
   /// nullopt also where the session cannot be read any farther: then problems() says why.
   std::optional<Observation> sense() override;
   void act(const Command& command) override;
 
+  bool was_interrupted() const { return was_interrupted_; }
   /// Where the vehicle really is, or was.
   const Pose2& T_world_vehicle() const;
   double way_m() const { return former_way_m_ + vehicle_.truth().way_m; }
@@ -36,8 +37,9 @@ class ExplorationTrip final : public Vehicle {
 
   SimulatedVehicle& vehicle_;
   std::optional<InterruptedTrip> former_;  ///< none any more when all of it was sensed again
-  std::size_t sensed_ = 0;                 ///< cycles of it
-  double former_s_ = 0;                    ///< when it ended
+  bool was_interrupted_;
+  std::size_t sensed_ = 0;  ///< cycles of it
+  double former_s_ = 0;     ///< when it ended
   double former_way_m_ = 0;
   Problems problems_;
 };

@@ -164,24 +164,16 @@ Result<std::optional<InterruptedTrip>> former_trip(const ExploreOptions& options
   return std::optional(std::move(trip));
 }
 
-Result<std::optional<SessionRecord>> session_of(const ExploreOptions& options, const ExplorationPlan& plan,
-                                                SessionOrigin origin) {
-  if (options.session.empty()) return std::optional<SessionRecord>();
-  origin.seed = options.seed;
-  origin.simulated = true;
-  auto session =
-      SessionRecord::create(options.session, options.force, plan.setting.vehicle.description, origin);
-  if (!session) return session.problems();
-  return std::optional(std::move(*session));
-}
-
 /// Drives, judges, and keeps what was learned.
 Result<JudgedExploration> judge(const ExploreOptions& options, const ExplorationPlan& plan,
                                 Console& console) {
-  const SessionOrigin origin = explorer_origin(plan.params, options);
+  SessionOrigin origin = explorer_origin(plan.params, options);
+  origin.seed = options.seed;
+  origin.simulated = true;
   auto former = former_trip(options, origin);
   if (!former) return former.problems();
-  auto session = session_of(options, plan, origin);
+  auto session =
+      open_session(options.session, options.force, plan.setting.vehicle.description, origin, console.watcher);
   if (!session) return session.problems();
   auto explored = explore_once(options, plan, std::move(*former), *session, console.progress);
   if (!explored) return explored.problems();

@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-inline constexpr const char* kExplorerNavigator = "explore";  ///< as a session's navigator
+inline constexpr const char* kExplorerNavigator = "explorer";  ///< as a session's navigator
 
 /// What a session records of it. Seed and "simulated" are the caller's.
 SessionOrigin explorer_origin(const ExplorerNavigatorParams& params, const ExploreOptions& options);

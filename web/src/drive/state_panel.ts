@@ -83,10 +83,8 @@ export function state_panel(app: App): HTMLElement {
     const { a_m } = ellipse_of(covariance[0] ?? 0, covariance[1] ?? 0, covariance[7] ?? 0);
     const heading = Math.sqrt(Math.max(0, covariance[35] ?? 0)) * degrees;
     const { x, y } = pose.position;
-    say(
-      rows.place.value,
-      `${x.toFixed(2)}, ${y.toFixed(2)} m · σ ${(a_m * 100).toFixed(1)} cm, ${heading.toFixed(1)}°`,
-    );
+    const sure = a_m > 0 ? ` · σ ${(a_m * 100).toFixed(1)} cm, ${heading.toFixed(1)}°` : "";
+    say(rows.place.value, `${x.toFixed(2)}, ${y.toFixed(2)} m${sure}`);
   });
   app.connection.listen("/match", (message) => {
     const { quality, text } = json_of<Match>(message);
