@@ -6,14 +6,15 @@
 #include <vector>
 
 #include "aisle/formats/building_json.hpp"
+#include "aisle/guidance/room_cameras.hpp"
 #include "changed_parameters.hpp"
 
 namespace aisle {
 namespace {
 
 std::vector<std::string> cameras_needed(ParkingStrategy parking) {
-  if (parking == ParkingStrategy::kFrame) return {"top", "middle", "bottom"};
-  return {"top"};
+  if (parking == ParkingStrategy::kFrame) return {kFirstCamera, kSecondCamera, kThirdCamera};
+  return {kFirstCamera};
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "aisle/core/square.hpp"
+#include "aisle/guidance/room_cameras.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
-#include "room_cameras.hpp"
 
 namespace aisle {
 namespace {
@@ -35,6 +35,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.group("pictures", pictures);
   fields.group("frame", frame);
   fields.group("stop_views", stop_views);
+  fields.group("place", place);
   fields.real("speed_mps", speed_mps, {0.02, 2}, "between turnings");
   fields.real("turning_speed_mps", turning_speed_mps, {0.02, 2}, "in turnings");
   fields.real("parking_speed_mps", parking_speed_mps, {0.02, 2}, "near the end");
@@ -46,6 +47,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.flag("avoid_as_published", avoid_as_published, "by the three check regions, before all else");
   fields.real("dead_end_share", dead_end_share, {0, 1}, "of the view is route: less is a dead end");
   fields.real("dead_end_gap_m", dead_end_gap_m, {0, 3}, "from there it goes on until so near");
+  fields.count("dead_end_pictures", dead_end_pictures, {1, 100}, "in succession must show it");
   fields.real("frame_within_m", frame_within_m, {0.5, 20}, "before the route's end it looks for the frame");
   fields.real("brightness_tolerance", brightness_tolerance, {0.01, 1},
               "by which share the route may suddenly look brighter or darker");
@@ -54,7 +56,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("stop_free_m", stop_free_m, {0.01, 2}, "with less way free it stops");
   fields.real("wait_s", wait_s, {0, 100}, "for what is in the way to go");
   fields.real("back_off_m", back_off_m, {0.05, 5}, "way back before it tries again");
-  fields.count("back_offs_max", back_offs_max, {0, 100}, "then it gives up");
+  fields.count("back_offs_max", back_offs_max, {0, 100}, "at one place, then it gives up");
   fields.real("blind_max_s", blind_max_s, {0.5, 1000}, "without a good picture it gives up");
 }
 
@@ -66,6 +68,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       view_(first_view(params, vehicle)),
       watch_(params.pictures, room_camera(vehicle, kFirstCamera)),
       edges_(kRemembered_m),
+      place_(params.place, route_.room->edges),
       progress_(route_.path, from_m),
       stop_views_(params.stop_views, route_.room->views),
       T_odom_vehicle_(route_.path.at(from_m).T_map_path),
@@ -76,7 +79,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
 
 Decision RoomNavigator::step(const Observation& observation) {
   T_odom_vehicle_ = T_odom_vehicle_ * odometry_step(vehicle_, observation.odometry);
-  if (state_ != State::kBackingOff) progress_.advance(T_odom_vehicle_);
+  if (state_ != State::kBackingOff) progress_.advance(pose());
   look(observation);
   if (observation.bumper_pressed)
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
@@ -88,7 +91,8 @@ Decision RoomNavigator::step(const Observation& observation) {
             .why = trouble.value_or("no picture yet")};
   }
   if (frame_ && left_m() < params_.frame_within_m) {
-    frame_->look(observation, T_odom_vehicle_, route_.path.pieces().back().end().theta);
+    const double heading_rad = route_.path.pieces().back().end().theta - place_.T_map_odom().theta;
+    frame_->look(observation, T_odom_vehicle_, heading_rad);
     if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
   }
   if (state_ == State::kParkingInFrame) return park_in_frame(observation.stamp_s);
@@ -102,15 +106,28 @@ void RoomNavigator::look(const Observation& observation) {
   sight_ = view_.look(*picture->image);
   stop_views_.take(*picture->image, left_to_end_m());
   is_strange_ = !is_route_bright_as_learned();
-  if (!is_strange_) edges_.take(view_, *sight_, T_odom_vehicle_);
+  dead_end_pictures_ = is_at_dead_end() ? dead_end_pictures_ + 1 : 0;
+  if (is_strange_) return;
+  // The learned brightness follows slow change of light (METHODS 9).
+  brightness_.grey += params_.brightness_gain * (sight_->patch_grey - brightness_.grey);
+  edges_.take(view_, *sight_, T_odom_vehicle_);
+  find_place();
 }
 
-/// The learned brightness follows slow change of light (METHODS 9).
-bool RoomNavigator::is_route_bright_as_learned() {
+bool RoomNavigator::is_route_bright_as_learned() const {
   const double change = sight_->patch_grey / std::max(1.0, brightness_.grey) - 1;
-  if (std::abs(change) > params_.brightness_tolerance) return false;
-  brightness_.grey += params_.brightness_gain * (sight_->patch_grey - brightness_.grey);
-  return true;
+  return std::abs(change) <= params_.brightness_tolerance;
+}
+
+/// Where the vehicle was set down is known roughly; what is seen then may tell better.
+void RoomNavigator::find_place() {
+  constexpr double kAbout_m = 1;
+  const bool was_sure = place_.is_sure();
+  const double along_m = progress_.point().along_m;
+  place_.take(sight_->p_vehicle_edges, T_odom_vehicle_, along_m);
+  if (was_sure || !place_.is_sure()) return;
+  const PathPoint there = route_.path.nearest(pose().position(), along_m - kAbout_m, along_m + kAbout_m);
+  progress_ = PathProgress(route_.path, there.along_m);
 }
 
 double RoomNavigator::steering_to(const Vec2& p_vehicle) const {
@@ -155,8 +172,8 @@ double RoomNavigator::wished_steering_rad() const {
   const BlotOut blot = turning != nullptr ? blot_out(*turning, along_m) : BlotOut{};
   const double ahead_m = along_m + params_.look_ahead_m;
   const double beyond_m = std::max(0.0, ahead_m - route_.path.length_m());
-  const Vec2 p_odom_ahead = route_.path.at(ahead_m).T_map_path * Vec2(beyond_m, 0);
-  const double taught_rad = steering_to(T_odom_vehicle_.inverse() * p_odom_ahead);
+  const Vec2 p_map_ahead = route_.path.at(ahead_m).T_map_path * Vec2(beyond_m, 0);
+  const double taught_rad = steering_to(pose().inverse() * p_map_ahead);
   const auto middle = view_.middle(*sight_, blot.left, blot.right);
   if (!middle) return taught_rad;
   const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
@@ -193,23 +210,59 @@ Decision RoomNavigator::drive(const SteeringChoice& choice, double speed_mps,
 Decision RoomNavigator::blocked(double now_s) {
   if (!stopped_s_) stopped_s_ = now_s;
   if (now_s - *stopped_s_ < params_.wait_s) return {.state = "waiting", .why = "something is in the way"};
+  const double along_m = progress_.point().along_m;
+  if (along_m > back_offs_at_m_ + 2 * params_.back_off_m) back_offs_ = 0;
+  back_offs_at_m_ = along_m;
   if (back_offs_ >= params_.back_offs_max)
     return {.status = NavigatorStatus::kFailed, .state = "blocked", .why = "found no way past what is there"};
   ++back_offs_;
   T_odom_stopped_ = T_odom_vehicle_;
+  way_back_ = choose_way_back();
   state_ = State::kBackingOff;
   return {.state = "backing off"};
 }
 
+/// Of the ways back, the one that leads nearest to the taught way. What is behind the vehicle is in no
+/// camera's view, but was in view at teaching.
+SteeringChoice RoomNavigator::choose_way_back() const {
+  constexpr double kAsideWeight_per_m = 1, kTurnedWeight_per_rad = 1, kShortWeight_per_m = 4;
+  const double max_rad = vehicle_.limits.steering_max_rad;
+  const int steps = static_cast<int>(max_rad / params_.steering.step_rad);
+  std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
+  const Pose2 T_vehicle_map = pose().inverse();
+  for (const Vec2& p : place_.taught().around(pose().position(), kRemembered_m))
+    around.push_back(T_vehicle_map * p);
+  SteeringChoice best;
+  double least = -1;
+  for (int i = -steps; i <= steps; ++i) {
+    const double steering_rad = i * params_.steering.step_rad;
+    const SteeringChoice way = free_way(vehicle_, params_.steering, around, steering_rad, -1);
+    const double back_m = std::min(params_.back_off_m, way.free_m);
+    const double turn_rad = -back_m * std::tan(steering_rad) / vehicle_.front_steered.wheelbase_m;
+    const Pose2 T_map_then = pose() * end_pose({-back_m, turn_rad});
+    const double along_m = progress_.point().along_m;
+    const PathPoint there = route_.path.nearest(T_map_then.position(), along_m - 2 * params_.back_off_m,
+                                                along_m + params_.back_off_m);
+    const double cost =
+        kAsideWeight_per_m * std::abs(there.aside_m) +
+        kTurnedWeight_per_rad * std::abs(wrap_angle(T_map_then.theta - there.T_map_path.theta)) +
+        kShortWeight_per_m * (params_.back_off_m - back_m);
+    if (least >= 0 && cost >= least) continue;
+    least = cost;
+    best = way;
+  }
+  return best;
+}
+
 Decision RoomNavigator::back_off(double now_s) {
   const double backed_m = (T_odom_vehicle_.position() - T_odom_stopped_.position()).norm();
-  const SteeringChoice back = free_way(vehicle_, params_.steering, edges_.around(T_odom_vehicle_), 0, -1);
-  if (backed_m >= params_.back_off_m || back.free_m < params_.stop_free_m) {
+  if (backed_m >= std::min(params_.back_off_m, way_back_.free_m - params_.stop_free_m)) {
     state_ = State::kFollowing;
     stopped_s_ = now_s;
     return {.state = "backing off"};
   }
-  return {.command = {.speed_mps = -params_.parking_speed_mps}, .state = "backing off"};
+  return {.command = {.speed_mps = -params_.parking_speed_mps, .steering_rad = way_back_.steering_rad},
+          .state = "backing off"};
 }
 
 /// To the nearest edge straight ahead of the bumper.
@@ -222,9 +275,16 @@ double RoomNavigator::gap_ahead_m() const {
   return gap_m;
 }
 
+/// L96 section 2.4, and so near that what is seen is the end.
+bool RoomNavigator::is_at_dead_end() const {
+  constexpr double kNearEnd_m = 1;
+  return left_m() < kNearEnd_m && sight_->share < params_.dead_end_share &&
+         (is_strange_ || gap_ahead_m() < params_.dead_end_gap_m);
+}
+
 /// Way to the end of the route as the last leg leads on.
 double RoomNavigator::left_to_end_m() const {
-  const double straight_m = between(T_odom_vehicle_, route_.path.pieces().back().end()).x;
+  const double straight_m = between(pose(), route_.path.pieces().back().end()).x;
   constexpr double kLastLeg_m = 1;
   return left_m() > kLastLeg_m ? left_m() : straight_m;
 }
@@ -233,8 +293,7 @@ std::optional<Decision> RoomNavigator::arrived() {
   const Decision done{.status = NavigatorStatus::kDone, .state = "parked"};
   switch (route_.room->parking) {
     case ParkingStrategy::kDeadEnd:
-      if (left_m() < 2 && sight_->share < params_.dead_end_share && gap_ahead_m() < params_.dead_end_gap_m)
-        return done;
+      if (dead_end_pictures_ >= params_.dead_end_pictures) return done;
       break;
     case ParkingStrategy::kFrame:
       if (progress_.has_arrived())

@@ -8,6 +8,7 @@
 
 #include "aisle/control/path_progress.hpp"
 #include "aisle/guidance/edge_memory.hpp"
+#include "aisle/guidance/edge_place.hpp"
 #include "aisle/guidance/frame_parking.hpp"
 #include "aisle/guidance/free_steering.hpp"
 #include "aisle/guidance/navigator.hpp"
@@ -25,6 +26,7 @@ struct RoomNavigatorParams {
   PictureWatchParams pictures;
   FrameParkingParams frame;
   StopViewParams stop_views;
+  EdgePlaceParams place;
   double speed_mps = 0.3;
   double turning_speed_mps = 0.2;
   double parking_speed_mps = 0.12;
@@ -35,6 +37,7 @@ struct RoomNavigatorParams {
   bool avoid_as_published = true;
   double dead_end_share = 1.0 / 3;
   double dead_end_gap_m = 0.4;
+  int dead_end_pictures = 3;
   double frame_within_m = 3.5;
   double brightness_tolerance = 0.35;
   double brightness_gain = 0.05;
@@ -49,8 +52,9 @@ struct RoomNavigatorParams {
 
 /// Keeps to the middle of the route as the first camera sees it, where the way that was taught goes; in a
 /// turning, to the middle of what is not blotted out. Turns away from what stands too near, waits before what
-/// blocks the way, backs off and tries again. At the end it parks as the route says. `middle_share` is how
-/// much the route's middle counts against the way taught, carried on by odometry: 1 is as published.
+/// blocks the way, backs off towards the taught way and tries again. At the end it parks as the route says.
+/// `middle_share` is how much the route's middle counts against the way taught, carried on by odometry: 1 is
+/// as published.
 class RoomNavigator final : public Navigator {
  public:
   /// @throws std::invalid_argument if the vehicle lacks the cameras `top` and, to park in a frame, `middle`,
@@ -61,9 +65,9 @@ class RoomNavigator final : public Navigator {
 
   Decision step(const Observation& observation) override;
 
-  /// Along the route as it was taught, which starts at the origin of `odom`.
+  /// Along the route as it was taught, in whose frame the pose is.
   const PathPoint& point() const { return progress_.point(); }
-  const Pose2& pose() const { return T_odom_vehicle_; }
+  Pose2 pose() const { return place_.T_map_odom() * T_odom_vehicle_; }
   const std::optional<RouteSight>& sight() const { return sight_; }
   const EdgeMemory& edges() const { return edges_; }
   /// How often it has driven into the parking frame.
@@ -73,7 +77,8 @@ class RoomNavigator final : public Navigator {
   enum class State { kFollowing, kBackingOff, kParkingInFrame };
 
   void look(const Observation& observation);
-  bool is_route_bright_as_learned();
+  bool is_route_bright_as_learned() const;
+  void find_place();
   Decision follow(double now_s);
   Decision park_in_frame(double now_s);
   Decision back_off(double now_s);
@@ -83,6 +88,8 @@ class RoomNavigator final : public Navigator {
   std::optional<double> avoiding_rad() const;
   double steering_to(const Vec2& p_vehicle) const;
   double gap_ahead_m() const;
+  bool is_at_dead_end() const;
+  SteeringChoice choose_way_back() const;
   std::optional<Decision> arrived();
   double left_m() const { return route_.path.length_m() - progress_.point().along_m; }
   double left_to_end_m() const;
@@ -93,6 +100,7 @@ class RoomNavigator final : public Navigator {
   RouteView view_;
   PictureWatch watch_;
   EdgeMemory edges_;
+  EdgePlace place_;
   PathProgress progress_;
   std::unique_ptr<FrameParking> frame_;
   StopViewMatcher stop_views_;
@@ -101,9 +109,12 @@ class RoomNavigator final : public Navigator {
   RouteBrightness brightness_;
   bool is_strange_ = false;  ///< what is before the vehicle does not look like the route
   State state_ = State::kFollowing;
+  int dead_end_pictures_ = 0;  ///< in succession that showed one
   std::optional<double> stopped_s_;
   Pose2 T_odom_stopped_;
-  int back_offs_ = 0;
+  SteeringChoice way_back_;
+  int back_offs_ = 0;  ///< about one place
+  double back_offs_at_m_ = 0;
 };
 
 }  // namespace aisle
