@@ -6,6 +6,8 @@ foreach(module IN LISTS modules)
 endforeach()
 install(TARGETS aisle)
 install(DIRECTORY worlds vehicles scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/aisle)
+# The live page, if scripts/web has built it.
+install(DIRECTORY web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/aisle/web OPTIONAL)
 install(EXPORT aisle NAMESPACE aisle:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/aisle FILE aisleTargets.cmake)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/aisleConfig.cmake.in ${PROJECT_BINARY_DIR}/aisleConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/aisle)

@@ -5,13 +5,12 @@
 #include <span>
 
 #include "aisle/learning/corridor_tracing.hpp"
-#include "aisle/simulation/free_floor.hpp"
 #include "aisle/simulation/slice.hpp"
+#include "footprint_reach.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr double kViewEvery_m = 0.3;  ///< between the places that are looked from
 constexpr double kLookEvery_m = 0.1;  ///< of the way driven
 constexpr double kLookEvery_rad = 5 * kDegree;
 
@@ -19,26 +18,13 @@ double passable_radius_m(const VehicleDescription& vehicle) {
   return vehicle.footprint.width_m / 2 + kPassableMargin_m;
 }
 
-/// Looks all round from everywhere that the vehicle's middle can get to.
-SensorView view_from_everywhere(std::span<const Segment2> standing, std::span<const Segment2> obstacles,
-                                const VehicleDescription& vehicle, const SensorField& sensor,
-                                const Vec2& p_world_start) {
+/// Looks as the sensor would from everywhere that the vehicle's footprint can get to.
+SensorView view_in_reach(std::span<const Segment2> standing, std::span<const Segment2> obstacles,
+                         const VehicleDescription& vehicle, const SensorField& sensor,
+                         const Pose2& T_world_start) {
   SensorView view(standing);
-  const FreeFloor floor(obstacles, p_world_start, passable_radius_m(vehicle));
-  Vec2 low = p_world_start, high = p_world_start;
-  for (const Segment2& s : obstacles) {
-    low = low.cwiseMin(s.start).cwiseMin(s.end);
-    high = high.cwiseMax(s.start).cwiseMax(s.end);
-  }
-  const Vec2 size = (high - low) / kViewEvery_m;
-  const int rows = static_cast<int>(std::ceil(size.y())), columns = static_cast<int>(std::ceil(size.x()));
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const double x = low.x() + column * kViewEvery_m, y = low.y() + row * kViewEvery_m;
-      if (floor.reaches({x, y})) view.look({x, y, 0}, sensor.reach_m, 2 * kPi);
-    }
-  }
-  view.look({p_world_start.x(), p_world_start.y(), 0}, sensor.reach_m, 2 * kPi);
+  for (const Pose2& T : poses_in_reach(obstacles, vehicle, T_world_start, kPassableMargin_m))
+    view.look(T * sensor.T_vehicle_sensor, sensor.reach_m, sensor.width_rad);
   return view;
 }
 
@@ -147,8 +133,7 @@ ExplorationScore evaluate_exploration(const World& world, const VehicleDescripti
   figures.home_error_rad = std::abs(home_error.theta);
   if (standing.empty()) return figures;
 
-  const SensorView possible =
-      view_from_everywhere(standing, obstacles, vehicle, sensor, T_world_start.position());
+  const SensorView possible = view_in_reach(standing, obstacles, vehicle, sensor, T_world_start);
   const SensorView seen = view_on_the_way(standing, sensor, driven.T_world_vehicle);
   add_coverage(figures, possible, seen, driven.floor, driven.T_world_map);
   figures.walls = wall_errors(driven.walls, driven.T_world_map, standing,

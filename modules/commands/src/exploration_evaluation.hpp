@@ -24,8 +24,7 @@ struct DrivenExploration {
 };
 
 struct ExplorationScore {
-  double coverable_m2 =
-      0;  ///< floor that the sensor can see from where the footprint can get, in any direction
+  double coverable_m2 = 0;   ///< floor that the sensor can see from some pose that the footprint can get to
   double covered_share = 0;  ///< of that floor: was in the sensor's view on the way that was driven
   double mapped_share = 0;   ///< of that floor: is known in the learned floor
   double home_error_m = 0;   ///< true end against true start
@@ -34,8 +33,7 @@ struct ExplorationScore {
   double graph_bound_m = 0;  ///< twice the length of all true corridors
 };
 
-/// How far a vehicle keeps from what stands there at least, for a gap to count as passable: half its width
-/// and this much.
+/// How far a vehicle's footprint keeps from what stands there at least, for a gap to count as passable.
 inline constexpr double kPassableMargin_m = 0.05;
 
 ExplorationScore evaluate_exploration(const World& world, const VehicleDescription& vehicle,

@@ -9,11 +9,11 @@
 #include "aisle/formats/building_json.hpp"
 #include "aisle/learning/corridor_tracing.hpp"
 #include "aisle/learning/map_building.hpp"
-#include "aisle/report/exploration_picture.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "exploration_check.hpp"
 #include "exploration_evaluation.hpp"
 #include "exploration_mission.hpp"
+#include "exploration_report.hpp"
 #include "explore_in.hpp"
 #include "rounded.hpp"
 #include "statistics.hpp"
@@ -139,6 +139,31 @@ nlohmann::ordered_json figures_of(const Explored& explored) {
             {"worst", rounded(1e3 * quantile(mission.cycle_s, 1), 3)}}}};
 }
 
+std::string text_of(const Explored& explored) {
+  const ExplorationMissionResult& mission = explored.mission;
+  return fmt::format("simulated: {}; {:.1f} m in {:.0f} s, {} collisions, home to {:.1f} cm\n",
+                     mission.end.why, mission.distance_m, mission.end.duration_s, mission.collisions,
+                     100 * explored.truth.home_error_m);
+}
+
+/// What was learned, pictures of it, and the report.
+std::vector<OutputFile> files_of(const ExplorationPlan& plan, const Explored& explored,
+                                 const Outcome& outcome) {
+  Building building{plan.setting.world.name, explored.map.has_dominant_direction, explored.map.walls};
+  building.corridors = explored.corridors;
+  building.floor = explored.floor;
+  const ExplorationPicture picture{.floor = explored.floor,
+                                   .walls = explored.map.walls,
+                                   .record = explored.mission.record,
+                                   .T_map_vehicle = explored.map.T_map_vehicle,
+                                   .title = building.name,
+                                   .caption = outcome.text.substr(0, outcome.text.size() - 1)};
+  return {{"building", "building.json", building_json(building)},
+          {"picture_png", "exploration.png", png(picture)},
+          {"picture_svg", "exploration.svg", svg(picture)},
+          {"report", "report.html", exploration_report(picture, building, outcome)}};
+}
+
 }  // namespace
 
 Outcome explore_parameters() {
@@ -162,8 +187,8 @@ Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting sett
   if (!plan) return plan.problems();
   std::optional<OutputDirectory> out;
   if (!options.out.empty()) {
-    auto opened = OutputDirectory::open(options.out, options.force,
-                                        {"building.json", "exploration.png", "exploration.svg"});
+    auto opened = OutputDirectory::open(
+        options.out, options.force, {"building.json", "exploration.png", "exploration.svg", "report.html"});
     if (!opened) return opened.problems();
     out = std::move(*opened);
   }
@@ -182,23 +207,9 @@ Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting sett
     if (!nearest) return nearest.problems();
     outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m, 3);
   }
-  const ExplorationMissionResult& mission = explored->mission;
-  outcome.text = fmt::format("simulated: {}; {:.1f} m in {:.0f} s, {} collisions, home to {:.1f} cm\n",
-                             mission.end.why, mission.distance_m, mission.end.duration_s, mission.collisions,
-                             100 * outcome.figures["home_error_m"].get<double>());
+  outcome.text = text_of(*explored);
   if (out) {
-    Building building{plan->setting.world.name, explored->map.has_dominant_direction, explored->map.walls};
-    building.corridors = explored->corridors;
-    building.floor = explored->floor;
-    const ExplorationPicture picture{.floor = explored->floor,
-                                     .walls = explored->map.walls,
-                                     .record = mission.record,
-                                     .T_map_vehicle = explored->map.T_map_vehicle,
-                                     .title = plan->setting.world.name,
-                                     .caption = outcome.text.substr(0, outcome.text.size() - 1)};
-    auto written = out->write({{"building", "building.json", building_json(building)},
-                               {"picture_png", "exploration.png", png(picture)},
-                               {"picture_svg", "exploration.svg", svg(picture)}});
+    auto written = out->write(files_of(*plan, *explored, outcome));
     if (!written) return written.problems();
     outcome.files = std::move(*written);
   }

@@ -68,6 +68,7 @@ void CarSearchParams::describe(FieldList& fields) {
   fields.real("spare_wanted_m", spare_wanted_m, {0, 2}, "less room than this beside the footprint costs");
   fields.real("narrow_factor", narrow_factor, {0, 20}, "so much way more, where there is none");
   fields.real("haste", haste, {1, 5}, "how much the way that is left counts in the search");
+  fields.real("stage_m", stage_m, {3, 100}, "what is much farther away is not searched at once");
   fields.count("expansions_max", expansions_max, {100, 1000000}, "poses looked at before a search gives up");
 }
 
@@ -100,6 +101,8 @@ void CarSearch::begin(const Pose2& T_map_start) {
   bins_.clear();
   queue_.clear();
   expansions_ = 0;
+  expansions_max_ = params_.expansions_max;
+  forbidden_first_ = 0;
   nodes_.push_back({.T_map = T_map_start, .arc = {}});
   bins_[bin_of(T_map_start)] = 0;
   queue_.push_back({0, 0});
@@ -108,7 +111,7 @@ void CarSearch::begin(const Pose2& T_map_start) {
 
 CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
   for (int i = 0; i < expansions && state_ == State::kSearching; ++i) {
-    if (queue_.empty() || expansions_ >= params_.expansions_max) {
+    if (queue_.empty() || expansions_ >= expansions_max_) {
       state_ = State::kNone;
       break;
     }
@@ -134,6 +137,7 @@ void CarSearch::expand(const FloorGrid& floor, const FloorClearance& clearance, 
 
 void CarSearch::try_arc(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from,
                         const Arc& arc) {
+  if (from == 0 && arc.length_m * forbidden_first_ > 0) return;
   const Arc moved = from_the_end_ ? inverse_of(arc) : arc;
   const Pose2 T_map = nodes_[from].T_map * end_pose(moved);
   const std::uint64_t bin = bin_of(T_map);

@@ -12,13 +12,6 @@ namespace {
 /// Neighbouring points are off together: so many of them count as one.
 constexpr double kAlikePoints = 4;
 
-std::vector<Vec2> near_ones(std::span<const Vec2> points, double within_m) {
-  std::vector<Vec2> near;
-  for (const Vec2& p : points)
-    if (p.norm() < within_m) near.push_back(p);
-  return near;
-}
-
 /// Normal equations of small moves (x, y in `map`, turn) of a pose.
 class PoseEquations {
  public:
@@ -56,8 +49,8 @@ class PoseEquations {
 void EdgePlaceParams::describe(FieldList& fields) {
   fields.real("window_m", window_m, {0.5, 50}, "edges seen so far before or beyond on the way count");
   fields.real("reach_m", reach_m, {0.05, 1}, "edges farther off than this do not belong together");
-  fields.real("within_m", within_m, {0.5, 20}, "farther edges are not seen well enough");
   fields.real("deviation_m", deviation_m, {0.005, 1}, "of an edge from where it was taught");
+  fields.real("far_m", far_m, {0.5, 20}, "beyond, it grows with the square of the distance");
   fields.real("set_down_m", set_down_m, {0.01, 2}, "deviation of the place where the vehicle is set down");
   fields.angle("set_down_deg", set_down_rad, {0.5, 60}, "and of its heading there");
   fields.real("drift_m", drift_m, {0.001, 1}, "how far the odometry is trusted against one picture");
@@ -71,13 +64,12 @@ EdgePlace::EdgePlace(const EdgePlaceParams& params, const std::vector<RouteEdge>
     : params_(params), taught_(taught, params.reach_m) {}
 
 void EdgePlace::take(std::span<const Vec2> p_vehicle, const Pose2& T_odom_vehicle, double along_m) {
-  const std::vector<Vec2> points = near_ones(p_vehicle, params_.within_m);
-  if (points.size() < static_cast<std::size_t>(params_.points_min)) return;
+  if (p_vehicle.size() < static_cast<std::size_t>(params_.points_min)) return;
   const Pose2 T_map_expected = T_map_odom_ * T_odom_vehicle;
   taught_.move_to(along_m, params_.window_m, T_map_expected.position());
   const Fit fit = is_sure_
-                      ? refined(points, T_map_expected, T_map_expected, params_.drift_m, params_.drift_rad)
-                      : refined(points, most_alike(points, T_map_expected), T_map_expected,
+                      ? refined(p_vehicle, T_map_expected, T_map_expected, params_.drift_m, params_.drift_rad)
+                      : refined(p_vehicle, most_alike(p_vehicle, T_map_expected), T_map_expected,
                                 params_.set_down_m, params_.set_down_rad);
   if (fit.fitting_share < params_.fitting_min) return;
   const Pose2 T_map_odom = fit.T_map_vehicle * T_odom_vehicle.inverse();
@@ -90,12 +82,15 @@ void EdgePlace::take(std::span<const Vec2> p_vehicle, const Pose2& T_odom_vehicl
   is_sure_ = true;
 }
 
+double EdgePlace::variance_m2(const Vec2& p_vehicle) const {
+  return square(params_.deviation_m * std::max(1.0, p_vehicle.squaredNorm() / square(params_.far_m)));
+}
+
 /// By trying the poses around the expected one.
 Pose2 EdgePlace::most_alike(std::span<const Vec2> p_vehicle, const Pose2& T_map_expected) const {
   constexpr double kStep_m = 0.1, kTurn_rad = 2 * kDegree, kReach = 2;  // deviations
   const int steps = static_cast<int>(kReach * params_.set_down_m / kStep_m);
   const int turns = static_cast<int>(kReach * params_.set_down_rad / kTurn_rad);
-  const double weight = 1 / (kAlikePoints * square(params_.deviation_m));
   Pose2 best = T_map_expected;
   double least = -1;
   for (int k = -turns; k <= turns; ++k) {
@@ -113,7 +108,7 @@ Pose2 EdgePlace::most_alike(std::span<const Vec2> p_vehicle, const Pose2& T_map_
           const double off2_m2 = edge == nullptr ? square(params_.reach_m)
                                                  : std::min((p_map_vehicle + p - edge->p_map).squaredNorm(),
                                                             square(params_.reach_m));
-          cost += weight * off2_m2;
+          cost += off2_m2 / (kAlikePoints * variance_m2(p));
         }
         if (least >= 0 && cost >= least) continue;
         least = cost;
@@ -130,7 +125,6 @@ EdgePlace::Fit EdgePlace::refined(std::span<const Vec2> p_vehicle, const Pose2& 
   constexpr int kIterations = 8;
   constexpr double kFitting = 2;  // deviations
   Fit fit{.T_map_vehicle = T_map_begin};
-  const double variance_m2 = square(params_.deviation_m);
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     PoseEquations equations(fit.T_map_vehicle);
     equations.add_prior(T_map_expected, sigma_m, sigma_rad);
@@ -140,10 +134,11 @@ EdgePlace::Fit EdgePlace::refined(std::span<const Vec2> p_vehicle, const Pose2& 
       const TaughtEdges::Edge* edge = taught_.nearest(p_map);
       if (edge == nullptr) continue;
       const Vec2 off = p_map - edge->p_map;
+      const double expected_m2 = variance_m2(p);
       const bool is_on_line = !edge->normal.isZero();
       const double off2_m2 = is_on_line ? square(edge->normal.dot(off)) : off.squaredNorm();
-      fitting += off2_m2 < square(kFitting) * variance_m2 ? 1U : 0U;
-      const double weight = 1 / (kAlikePoints * variance_m2 * (1 + off2_m2 / variance_m2));
+      fitting += off2_m2 < square(kFitting) * expected_m2 ? 1U : 0U;
+      const double weight = 1 / (kAlikePoints * (expected_m2 + off2_m2));
       if (is_on_line) {
         equations.add_point(p, edge->normal, edge->normal.dot(off), weight);
       } else {

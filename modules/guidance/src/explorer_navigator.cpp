@@ -11,11 +11,12 @@ namespace {
 constexpr double kStopSpare_m = 0.15;  // the vehicle stops so far before what came into its way
 constexpr double kCoverageEvery_m = 0.5;
 constexpr double kFanEdge_rad = 3 * kDegree;  // nothing is expected to be seen so near to the fan's edge
-constexpr double kUnknownDetour_m = 2;
 constexpr int kAttemptsMax = 3;
 constexpr double kNearHome_m = 1.5;
 constexpr double kNearHome_rad = 30 * kDegree;
 constexpr double kGateMoved_m = 1;
+constexpr double kSameSpot_m = 0.2;   // about a place where the vehicle was blocked
+constexpr double kStageLeft_m = 2.5;  // of a stage, when the next one is searched
 constexpr double kBendAhead_m = 0.05;
 constexpr double kWheelsOff_rad = 25 * kDegree;
 constexpr double kWheelsOffAtFirst_rad = 4 * kDegree;  // at the start of a leg
@@ -127,8 +128,8 @@ void ExplorerNavigator::choose() {
       explorer_.decide(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(),
                        learner_.T_map_vehicle() * Vec2(middle_m, 0), learner_.T_map_home(), cycle_);
   const bool goes_on = target_ && is_same(*target_, target);
-  target_ = target;
-  watch_learning(goes_on);
+  watch_learning(target);
+  target_ = former_ = target;
   const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
   if (goes_on && (!gate_moved || target.kind != ExploringTarget::Kind::kPath)) return;
   attempts_ = 0;
@@ -137,57 +138,58 @@ void ExplorerNavigator::choose() {
 
 /// From where the present way is left: ahead, so that the vehicle need not stop.
 void ExplorerNavigator::begin_search() {
-  is_search_due_ = false;
+  is_search_due_ = stands_first_ = false;
   p_map_searched_ = target_->gate.p_map;
   if (progress_) shorten_way(params_.join_m);
   const Pose2 T_map_from = path_.empty() ? learner_.T_map_vehicle() : path_.at(path_.length_m()).T_map_path;
-  const FloorGrid& floor = learner_.floor();
-  const double room_m = vehicle_.footprint.width_m / 2;
-  const auto left_m = [this](const Vec2& p_map) {
-    const float left = left_.to(learner_.floor().cell_at(p_map));
-    return std::isfinite(left) ? left : (p_map - p_map_left_).norm() + kUnknownDetour_m;
-  };
-  p_map_left_ = target_->kind == ExploringTarget::Kind::kPath       ? target_->gate.p_map
-                : target_->kind == ExploringTarget::Kind::kCrossing ? target_->T_map_back.position()
-                                                                    : T_map_from.position();
-  left_.measure(floor, learner_.clearance(), p_map_left_, room_m, 1);
+  begin_search_from(T_map_from);
+  const double since_blocked_m = (T_map_from.position() - p_map_blocked_).norm();
+  if (since_blocked_m < kSameSpot_m) search_.forbid_first(blocked_direction_);
+}
+
+void ExplorerNavigator::begin_search_from(const Pose2& T_map_from) {
   switch (target_->kind) {
-    case ExploringTarget::Kind::kPath: {
-      const double nearer_m = look_from_m() + vehicle_.footprint.front_m;
-      search_.look_for(
-          T_map_from, [this](const Pose2& T_map) { return sees_rim(T_map); },
-          [=](const Vec2& p_map) { return std::max(0.0, left_m(p_map) - nearer_m); });
-      break;
-    }
+    case ExploringTarget::Kind::kPath:
+      return search_.look_for(learner_.floor(), learner_.clearance(), T_map_from, target_->gate.p_map,
+                              look_from_m() + vehicle_.footprint.front_m,
+                              [this](const Pose2& T_map) { return sees_rim(T_map); });
     case ExploringTarget::Kind::kCrossing: {
       const Vec2 p_map_back = target_->T_map_back.position();
       const double near_m = params_.explorer.crossing_near_m / 2;
-      search_.look_for(
-          T_map_from, [=](const Pose2& T_map) { return (T_map.position() - p_map_back).norm() < near_m; },
-          left_m);
-      break;
+      return search_.look_for(
+          learner_.floor(), learner_.clearance(), T_map_from, p_map_back, 0,
+          [=](const Pose2& T_map) { return (T_map.position() - p_map_back).norm() < near_m; });
     }
     case ExploringTarget::Kind::kHome:
-      begin_search_home(T_map_from, left_m);
-      break;
+      return begin_search_home(T_map_from);
   }
 }
 
 /// Exactly home; where no such way is found, near home first, and on from there.
-void ExplorerNavigator::begin_search_home(const Pose2& T_map_from,
-                                          const std::function<double(const Vec2&)>& left_m) {
+void ExplorerNavigator::begin_search_home(const Pose2& T_map_from) {
   const Pose2 T_map_home = learner_.T_map_home();
-  is_way_home_ = attempts_ % 2 == 0;
-  if (is_way_home_) return search_.look_for_way_to(T_map_home, T_map_from, left_m);
-  p_map_left_ = T_map_home.position();
-  left_.measure(learner_.floor(), learner_.clearance(), p_map_left_, vehicle_.footprint.width_m / 2, 1);
-  search_.look_for(
-      T_map_from,
-      [T_map_home](const Pose2& T_map) {
-        const Pose2 off = between(T_map_home, T_map);
-        return off.position().norm() < kNearHome_m && std::abs(off.theta) < kNearHome_rad;
-      },
-      left_m);
+  is_exactly_home_ = attempts_ % 2 == 0;
+  if (is_exactly_home_) {
+    search_.look_for_way_to(learner_.floor(), learner_.clearance(), T_map_home, T_map_from);
+    if (search_.is_stage() || !progress_) return;
+    search_.stop();
+    is_search_due_ = stands_first_ = true;
+    return;
+  }
+  search_.look_for(learner_.floor(), learner_.clearance(), T_map_from, T_map_home.position(), kNearHome_m,
+                   [T_map_home](const Pose2& T_map) {
+                     const Pose2 off = between(T_map_home, T_map);
+                     return off.position().norm() < kNearHome_m && std::abs(off.theta) < kNearHome_rad;
+                   });
+}
+
+/// Before a stage ends, the way on from it is searched.
+void ExplorerNavigator::search_on() {
+  const bool ends_soon =
+      is_stage_ && progress_ && path_.length_m() - progress_->point().along_m < kStageLeft_m;
+  if (!ends_soon || search_.state() != CarSearch::State::kIdle) return;
+  is_stage_ = false;
+  is_search_due_ = true;
 }
 
 double ExplorerNavigator::look_from_m() const {
@@ -215,7 +217,8 @@ bool ExplorerNavigator::sees_rim(const Pose2& T_map_vehicle) const {
 
 void ExplorerNavigator::search_way() {
   if (!target_) return;
-  if (is_search_due_ && (progress_ || learner_.is_standing())) begin_search();
+  search_on();
+  if (is_search_due_ && (progress_ ? !stands_first_ : learner_.is_standing())) begin_search();
   if (search_.state() == CarSearch::State::kIdle && !progress_ && !is_search_due_) {
     if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
     if (++attempts_ > kAttemptsMax && target_->kind == ExploringTarget::Kind::kPath) return give_path_up();
@@ -235,18 +238,20 @@ void ExplorerNavigator::search_way() {
 void ExplorerNavigator::give_path_up() {
   explorer_.give_up(target_->path, cycle_);
   target_.reset();
+  moved_s_ = stamp_s_;
 }
 
 /// New floor, or another target: that is worth its time.
-void ExplorerNavigator::watch_learning(bool goes_on) {
+void ExplorerNavigator::watch_learning(const ExploringTarget& target) {
+  const bool goes_on = former_ && is_same(*former_, target);
   const bool learned = learner_.floor().free_m2() > learned_m2_ + kLearned_m2;
   if (learned) {
     learned_m2_ = learner_.floor().free_m2();
     learned_way_m_ = learner_.way_m();
   }
   if (!learned && goes_on) return;
-  const bool is_home = target_->kind == ExploringTarget::Kind::kHome;
-  const double target_m = is_home ? learner_.way_m() / 2 : target_->gate.way_m;
+  const bool is_home = target.kind == ExploringTarget::Kind::kHome;
+  const double target_m = is_home ? learner_.way_m() / 2 : target.gate.way_m;
   patience_.renew(stamp_s_, learner_.way_m(), target_m);
 }
 
@@ -281,10 +286,11 @@ Decision ExplorerNavigator::wait_for_floor() {
 
 void ExplorerNavigator::take_way() {
   const Path found = search_.path();
+  is_stage_ = search_.is_stage();
+  ends_at_home_ = target_->kind == ExploringTarget::Kind::kHome && is_exactly_home_ && !is_stage_;
   search_.stop();
-  if (found.empty()) return;
-  const bool leads_on = !path_.empty() && target_->kind != ExploringTarget::Kind::kHome;
-  if (leads_on && progress_) {
+  if (found.empty()) return arrive();
+  if (!path_.empty() && progress_) {
     const double along_m = progress_->point().along_m;
     path_ = joined(path_, found);
     progress_.emplace(path_, along_m);
@@ -295,12 +301,22 @@ void ExplorerNavigator::take_way() {
   progress_.emplace(path_);
 }
 
+void ExplorerNavigator::arrive() {
+  progress_.reset();
+  path_ = {};
+  arrived_cycle_ = cycle_;
+  if (!ends_at_home_) return;
+  came_home_ = true;
+  explorer_.stop(cycle_);
+}
+
 /// Keeps only the next stretch of the way, or what is left of the present leg.
 void ExplorerNavigator::shorten_way(double ahead_m) {
   const double along_m = progress_->point().along_m;
   const std::size_t leg_end = path_.leg_end(progress_->point().piece);
   const double leg_end_m = path_.start_m(leg_end - 1) + path_.pieces()[leg_end - 1].way_m();
   path_ = cut_at(path_, std::min(along_m + ahead_m, leg_end_m));
+  ends_at_home_ = false;
   progress_.emplace(path_, std::min(along_m, path_.length_m()));
 }
 
@@ -310,6 +326,8 @@ void ExplorerNavigator::drop_way() {
   search_.stop();
   target_.reset();
   is_search_due_ = false;
+  is_stage_ = false;
+  ends_at_home_ = false;
 }
 
 /// What was learned since may lie in the way.
@@ -339,14 +357,7 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
   if (!progress_) return {.command = {.steering_rad = steering_rad}, .state = state};
   const PathPoint& point = progress_->advance(learner_.T_map_vehicle());
   if (progress_->has_arrived()) {
-    const bool searching = search_.state() == CarSearch::State::kSearching;
-    came_home_ = !searching && is_way_home_ && target_ && target_->kind == ExploringTarget::Kind::kHome;
-    if (came_home_) explorer_.stop(cycle_);
-    if (!searching) {
-      progress_.reset();
-      path_ = {};
-      arrived_cycle_ = cycle_;
-    }
+    if (search_.state() != CarSearch::State::kSearching) arrive();
     return {.command = {.steering_rad = steering_rad}, .state = state};
   }
   if (const auto turned = turn_wheels_first(point, steering_rad)) return {.command = *turned, .state = state};
@@ -358,6 +369,8 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
   if (!braking_.is_free(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(), command,
                         steering_rad)) {
     patience_.hitch(learner_.T_map_vehicle());
+    p_map_blocked_ = learner_.T_map_vehicle().position();
+    blocked_direction_ = command.speed_mps > 0 ? 1 : -1;
     drop_way();
     return {.command = {.steering_rad = steering_rad}, .state = "blocked"};
   }

@@ -15,6 +15,7 @@ constexpr double kOutOfPlace_m =
     0.025;                      // the floor is laid anew when a slice lies so far from where it was put
 constexpr double kLever_m = 2;  // at which turns count
 constexpr std::size_t kLaidACycle = 2;  // of the slices that are laid anew
+constexpr double kClearanceFar_m = 1;   // more room is not told apart
 constexpr double kStanding_m = 0.002;   // of way in a cycle
 
 }  // namespace
@@ -22,6 +23,7 @@ constexpr double kStanding_m = 0.002;   // of way in a cycle
 void FloorLearnerParams::describe(FieldList& fields) {
   fields.group("mapping", mapping);
   fields.group("view", view);
+  fields.group("legs", legs);
   fields.real("cell_m", cell_m, {0.02, 0.2}, "cells of the floor");
   fields.real("look_every_m", look_every_m, {0.02, 2}, "way after which the floor is looked at again");
   fields.angle("look_every_deg", look_every_rad, {0.5, 90}, "turning after which it is");
@@ -34,7 +36,8 @@ FloorLearner::FloorLearner(const FloorLearnerParams& params, const VehicleDescri
       vehicle_(vehicle),
       sensor_(std::move(sensor)),
       mapping_(params.mapping, sensor_->fan()),
-      floor_(params.cell_m) {
+      floor_(params.cell_m),
+      clearance_(kClearanceFar_m, params.legs) {
   log_.laser = sensor_->fan();
 }
 
@@ -121,7 +124,7 @@ bool FloorLearner::places_moved() {
 }
 
 void FloorLearner::begin_anew() {
-  anew_.emplace(params_.cell_m, clearance_.far_m());
+  anew_.emplace(params_.cell_m, clearance_.far_m(), params_.legs);
 }
 
 /// Lays a few slices more onto the floor as they lie now; true when all are laid.

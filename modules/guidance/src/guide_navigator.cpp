@@ -17,10 +17,9 @@ constexpr double kWatchShare = 0.4;     // of the margin that a way must keep wh
 constexpr double kSpareNoise_m = 0.02;  // of the room that the vehicle seems to have
 constexpr double kWatchAhead_m = 1.5;
 constexpr double kWatchEvery_m = 0.1;
-constexpr double kGetsOn_m = 0.3;     // within the time after which it gives up
-constexpr double kSearchAgain_s = 2;  // after there was no way
-constexpr double kPlaceLeeway_m = 1;  // about a place, where the vehicle may have less room than elsewhere
-constexpr double kOffKnownFloor_m = 100;  // how much farther places seem from which no way is known
+constexpr double kGetsOn_m = 0.3;      // within the time after which it gives up
+constexpr double kSearchAgain_s = 2;   // after there was no way
+constexpr double kClearanceFar_m = 1;  // more room is not told apart
 
 UncertainPose2 about_start(const Pose2& T_map_start, const GuideNavigatorParams& params) {
   const Vec3 sigma(params.start_sigma_m, params.start_sigma_m, params.start_sigma_rad);
@@ -37,6 +36,7 @@ const FloorGrid& floor_of(const Building& building) {
 void GuideNavigatorParams::describe(FieldList& fields) {
   fields.group("localiser", localiser);
   fields.group("view", view);
+  fields.group("legs", legs);
   fields.group("search", search);
   fields.group("steering", steering);
   fields.group("speed", speed);
@@ -59,6 +59,7 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
       sensor_(std::move(sensor)),
       localiser_(params.localiser, sensor_->fan(), building.walls, about_start(T_map_start, params)),
       floor_(floor_of(building)),
+      clearance_(kClearanceFar_m, params.legs),
       search_(params.search, vehicle),
       watch_(vehicle.footprint, kWatchShare * params.search.margin_m),
       braking_(vehicle, kWatchShare * params.search.margin_m),
@@ -144,16 +145,9 @@ bool GuideNavigator::is_at_place(const Pose2& T_map_vehicle) const {
 }
 
 void GuideNavigator::begin_search() {
-  const Vec2 p_map_place = p_map_places_[next_];
-  left_.measure(floor_, clearance_, p_map_place, vehicle_.footprint.width_m / 2, kPlaceLeeway_m);
-  search_.look_for(
-      T_map_vehicle_, [this](const Pose2& T_map) { return is_at_place(T_map); },
-      [this, p_map_place](const Vec2& p_map) {
-        const float left_m = left_.to(floor_.cell_at(p_map));
-        const double straight_m = (p_map - p_map_place).norm();
-        return std::isfinite(left_m) ? std::max(0.0, left_m - vehicle_.footprint.front_m)
-                                     : straight_m + kOffKnownFloor_m;
-      });
+  const Vec2& p_map_place = p_map_places_[next_];
+  search_.look_for(floor_, clearance_, T_map_vehicle_, p_map_place, vehicle_.footprint.front_m,
+                   [this](const Pose2& T_map) { return is_at_place(T_map); });
 }
 
 void GuideNavigator::search_way(double stamp_s) {

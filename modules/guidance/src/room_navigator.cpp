@@ -43,6 +43,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("middle_share", middle_share, {0, 1},
               "how much the route's middle counts against the taught way; 1: as published");
   fields.real("turning_middle_share", turning_middle_share, {0, 1}, "likewise in turnings");
+  fields.real("taught_alone_m", taught_alone_m, {0, 20}, "before the end the taught way counts alone");
   fields.angle("avoid_deg", avoid_rad, {0, 60}, "the wheels' turn away from what stands too near");
   fields.flag("avoid_as_published", avoid_as_published, "by the three check regions, before all else");
   fields.real("dead_end_share", dead_end_share, {0, 1}, "of the view is route: less is a dead end");
@@ -177,7 +178,8 @@ double RoomNavigator::wished_steering_rad() const {
   const auto middle = view_.middle(*sight_, blot.left, blot.right);
   if (!middle) return taught_rad;
   const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
-  const double share = turns ? params_.turning_middle_share : params_.middle_share;
+  const bool knows_end = place_.is_sure() && left_m() < params_.taught_alone_m;
+  const double share = knows_end ? 0 : turns ? params_.turning_middle_share : params_.middle_share;
   return share * steering_to(*middle) + (1 - share) * taught_rad;
 }
 

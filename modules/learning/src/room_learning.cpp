@@ -18,7 +18,7 @@ void RoomLearningParams::describe(FieldList& fields) {
   fields.real("frame_to_m", frame_to_m, {0, 20}, "up to so far");
   fields.real("views_m", views_m, {0, 20}, "views are learned on so much way before a taught place");
   fields.real("edge_apart_m", edge_apart_m, {0.01, 1}, "nearer edges of the route are one");
-  fields.real("edge_within_m", edge_within_m, {0.5, 20}, "farther edges are not seen well enough");
+  fields.real("edge_within_m", edge_within_m, {0.5, 20}, "farther ones are not learned");
   fields.count("edge_sightings", edge_sightings, {1, 1000}, "pictures that must show an edge");
 }
 

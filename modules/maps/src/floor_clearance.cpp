@@ -13,6 +13,12 @@ FloorBox common(const FloorBox& a, const FloorBox& b) {
           {std::min(a.end.x, b.end.x), std::min(a.end.y, b.end.y)}};
 }
 
+void include(FloorBox& box, const FloorBox& other) {
+  if (other.empty()) return;
+  box.include(other.low);
+  box.include({other.end.x - 1, other.end.y - 1});
+}
+
 /// Exact distances to marked cells in a box, up to a limit: down and up the columns first, then along the
 /// rows over at most as many cells as the limit holds.
 class BoxDistances {
@@ -66,7 +72,9 @@ class BoxDistances {
 void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return;
   const int limit = static_cast<int>(std::ceil(far_m_ / floor.cell_m())) + 1;
-  FloorBox anew = changed.widened(limit);
+  FloorBox anew = changed;
+  if (legs_) include(anew, legs_->update(floor, changed));
+  anew = anew.widened(limit);
   const bool is_within = room_.contains(anew.low) && room_.contains({anew.end.x - 1, anew.end.y - 1});
   if (!is_within) {
     room_ = floor.known().widened(2 * kMargin);
@@ -77,8 +85,8 @@ void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
   }
   anew = common(anew, room_);
   BoxDistances doubtful(anew.widened(limit), limit), occupied(anew.widened(limit), limit);
-  doubtful.mark([&](FloorCell cell) { return floor.at(cell) != Floor::kFree; });
-  occupied.mark([&](FloorCell cell) { return floor.at(cell) == Floor::kOccupied; });
+  doubtful.mark([&](FloorCell cell) { return floor.at(cell) != Floor::kFree || is_closed(cell); });
+  occupied.mark([&](FloorCell cell) { return floor.at(cell) == Floor::kOccupied || is_closed(cell); });
   const auto metres = [&](double cells) {
     return static_cast<float>(std::clamp((cells - 0.5) * floor.cell_m(), 0.0, far_m_));
   };

@@ -21,8 +21,9 @@ struct CarSearchParams {
   double turnabout_m = 0.8;      ///< what a change of direction costs
   double spare_wanted_m = 0.35;  ///< less room than this on its sides costs
   double narrow_factor = 2;      ///< so much way more, where there is none
-  double haste = 1.4;          ///< way that is left counts so much: finds sooner what may be a little longer
-  int expansions_max = 40000;  ///< poses looked at before the search gives up
+  double haste = 1.4;           ///< way that is left counts so much: finds sooner what may be a little longer
+  double stage_m = 12;          ///< what is much farther away is not searched at once
+  int expansions_max = 200000;  ///< poses looked at before the search gives up
 
   void describe(FieldList& fields);
 };
@@ -44,6 +45,12 @@ class CarSearch {
   /// @param left_m  how far it is from the vehicle to a place, at least
   void look_for_way_to(const Pose2& T_map_goal, const Pose2& T_map_vehicle,
                        std::function<double(const Vec2&)> left_m);
+
+  /// Of the search that was begun: the way must not begin forwards (1) or backwards (-1), where something is
+  /// in the way that the floor does not show.
+  void forbid_first(int direction) { forbidden_first_ = direction; }
+  /// Of the search that was begun: where there is little hope, it gives up after fewer poses.
+  void give_up_after(int expansions) { expansions_max_ = expansions; }
 
   /// Looks at so many poses more.
   State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
@@ -89,6 +96,8 @@ class CarSearch {
   bool from_the_end_ = false;
   State state_ = State::kIdle;
   int expansions_ = 0;
+  int expansions_max_ = 0;
+  int forbidden_first_ = 0;
   std::vector<Node> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> bins_;
   std::vector<Waiting> queue_;

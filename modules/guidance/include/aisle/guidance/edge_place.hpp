@@ -12,8 +12,8 @@ namespace aisle {
 struct EdgePlaceParams {
   double window_m = 4;
   double reach_m = 0.3;
-  double within_m = 3;
   double deviation_m = 0.05;
+  double far_m = 2.5;
   double set_down_m = 0.35;
   double set_down_rad = 12 * kDegree;
   double drift_m = 0.03;
@@ -49,6 +49,8 @@ class EdgePlace {
     double fitting_share = 0;  ///< of the points that lie on edges
   };
 
+  /// Of an edge that is seen there: one picture row is the more floor, the farther away it is.
+  double variance_m2(const Vec2& p_vehicle) const;
   Pose2 most_alike(std::span<const Vec2> p_vehicle, const Pose2& T_map_expected) const;
   Fit refined(std::span<const Vec2> p_vehicle, const Pose2& T_map_begin, const Pose2& T_map_expected,
               double sigma_m, double sigma_rad) const;

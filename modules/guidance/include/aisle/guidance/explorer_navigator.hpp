@@ -1,7 +1,6 @@
 #pragma once
 /// Explores a building that nobody has shown to the vehicle, and comes home: C99 Algorithm 1.
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,11 +10,11 @@
 #include "aisle/control/steering.hpp"
 #include "aisle/exploration/building_explorer.hpp"
 #include "aisle/guidance/braking_room.hpp"
-#include "aisle/guidance/car_search.hpp"
 #include "aisle/guidance/driving_care.hpp"
 #include "aisle/guidance/floor_learner.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/patience.hpp"
+#include "aisle/guidance/staged_search.hpp"
 
 namespace aisle {
 
@@ -31,7 +30,7 @@ struct ExplorerNavigatorParams {
   PatienceParams patience;
   double time_max_s = 14400;  ///< then it gives up, wherever it is
   int expansions = 1500;      ///< of the search, a cycle
-  double stuck_s = 60;        ///< without any way for so long it gives up
+  double stuck_s = 120;       ///< without any way for so long it gives up
 
   void describe(FieldList& fields);
 };
@@ -56,15 +55,18 @@ class ExplorerNavigator final : public Navigator {
   void mark_coverage();
   void choose();
   void begin_search();
-  void begin_search_home(const Pose2& T_map_from, const std::function<double(const Vec2&)>& left_m);
+  void begin_search_from(const Pose2& T_map_from);
+  void begin_search_home(const Pose2& T_map_from);
+  void search_on();
   double look_from_m() const;
   bool sees_rim(const Pose2& T_map_vehicle) const;
   void search_way();
   void give_path_up();
-  void watch_learning(bool goes_on);
+  void watch_learning(const ExploringTarget& target);
   void lose_patience();
   Decision wait_for_floor();
   void take_way();
+  void arrive();
   void shorten_way(double ahead_m);
   void drop_way();
   void check_way();
@@ -78,21 +80,25 @@ class ExplorerNavigator final : public Navigator {
   VehicleDescription vehicle_;
   FloorLearner learner_;
   BuildingExplorer explorer_;
-  CarSearch search_;
+  StagedSearch search_;
   FootprintRoom watch_;  ///< for the way while it is driven
   BrakingRoom braking_;
   Patience patience_;
   PathFollower follower_;
-  FloorDistances left_;
   std::optional<ExploringTarget> target_;
+  std::optional<ExploringTarget> former_;  ///< the latest, also after its way was dropped
   Path path_;
   std::optional<PathProgress> progress_;
-  Vec2 p_map_left_ = Vec2::Zero();      ///< what `left_` is measured from
-  Vec2 p_map_searched_ = Vec2::Zero();  ///< the gate that the latest search was for
-  std::size_t leg_begun_ = 0;           ///< end of the leg for which the wheels were turned
+  Vec2 p_map_blocked_ = Vec2::Constant(1e9);  ///< where the vehicle could not go on ...
+  int blocked_direction_ = 0;                 ///< ... forwards (1) or backwards (-1)
+  Vec2 p_map_searched_ = Vec2::Zero();        ///< the gate that the latest search was for
+  std::size_t leg_begun_ = 0;                 ///< end of the leg for which the wheels were turned
   bool is_search_due_ = false;
-  bool is_way_home_ = false;  ///< the latest search was for a way that ends exactly at home
-  int attempts_ = 0;          ///< ways that were driven for this target and did not settle it
+  bool is_stage_ = false;         ///< the way ends before what it leads to
+  bool stands_first_ = false;     ///< the search that is due begins where the vehicle comes to stand
+  bool is_exactly_home_ = false;  ///< the latest search was for a way that ends exactly at home
+  bool ends_at_home_ = false;     ///< the way does
+  int attempts_ = 0;              ///< ways that were driven for this target and did not settle it
   std::size_t arrived_cycle_ = 0;
   std::size_t cycle_ = 0;
   std::optional<double> begun_s_;

@@ -14,6 +14,7 @@ namespace aisle {
 struct FloorLearnerParams {
   MapParams mapping;
   FloorViewParams view;
+  LegParams legs;
   double cell_m = 0.05;
   double look_every_m = 0.15;           ///< of way, or ...
   double look_every_rad = 4 * kDegree;  ///< ... of turning, or ...
@@ -60,7 +61,7 @@ class FloorLearner {
   };
   /// The floor after a place was recognised, while it is made.
   struct LaidAnew {
-    LaidAnew(double cell_m, double far_m) : floor(cell_m), clearance(far_m) {}
+    LaidAnew(double cell_m, double far_m, const LegParams& legs) : floor(cell_m), clearance(far_m, legs) {}
     FloorGrid floor;
     FloorClearance clearance;
     std::size_t next = 0;  ///< of the looks

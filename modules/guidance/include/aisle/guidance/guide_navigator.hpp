@@ -10,12 +10,11 @@
 #include "aisle/control/path_progress.hpp"
 #include "aisle/control/speed.hpp"
 #include "aisle/control/steering.hpp"
-#include "aisle/exploration/floor_distances.hpp"
 #include "aisle/guidance/braking_room.hpp"
-#include "aisle/guidance/car_search.hpp"
 #include "aisle/guidance/driving_care.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/slice_sensor.hpp"
+#include "aisle/guidance/staged_search.hpp"
 #include "aisle/learning/wall_localiser.hpp"
 #include "aisle/maps/building.hpp"
 #include "aisle/maps/floor_view.hpp"
@@ -25,6 +24,7 @@ namespace aisle {
 struct GuideNavigatorParams {
   WallLocaliserParams localiser;
   FloorViewParams view;
+  LegParams legs;
   CarSearchParams search;
   SteeringParams steering;
   SpeedParams speed{.speed_mps = 0.4};
@@ -82,11 +82,10 @@ class GuideNavigator final : public Navigator {
   WallLocaliser localiser_;
   FloorGrid floor_;
   FloorClearance clearance_;
-  CarSearch search_;
+  StagedSearch search_;
   FootprintRoom watch_;  ///< for the way while it is driven
   BrakingRoom braking_;
   PathFollower follower_;
-  FloorDistances left_;
   std::vector<Vec2> p_map_places_;
   std::size_t next_ = 0;  ///< of the places
   Path path_;

@@ -33,6 +33,7 @@ struct RoomNavigatorParams {
   double look_ahead_m = 0.8;
   double middle_share = 0.4;
   double turning_middle_share = 0.15;
+  double taught_alone_m = 2;
   double avoid_rad = 30 * kDegree;
   bool avoid_as_published = true;
   double dead_end_share = 1.0 / 3;

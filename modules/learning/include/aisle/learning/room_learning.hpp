@@ -32,7 +32,7 @@ struct RoomLearningParams {
   double frame_to_m = 3;
   double views_m = 1;
   double edge_apart_m = 0.05;
-  double edge_within_m = 3;
+  double edge_within_m = 5;
   int edge_sightings = 3;
 
   void describe(FieldList& fields);

@@ -1,18 +1,22 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "aisle/maps/floor_grid.hpp"
+#include "aisle/maps/leg_barriers.hpp"
 
 namespace aisle {
 
 /// How much room there is on a floor, kept up to date while the floor is learned: from the middle of each
-/// cell to the nearest edge of a cell that is not known to be free, and to the nearest that is occupied.
+/// cell to the nearest edge of a cell that is not known to be free, and to the nearest that is occupied. With
+/// legs told, what lies between them counts as occupied.
 class FloorClearance {
  public:
   /// @param far_m  larger distances are not told apart
   explicit FloorClearance(double far_m = 1) : far_m_(far_m) {}
+  FloorClearance(double far_m, const LegParams& legs) : far_m_(far_m), legs_(legs) {}
 
   /// The cells of the box may have changed. O(box widened by the far distance).
   void update(const FloorGrid& floor, const FloorBox& changed);
@@ -41,7 +45,10 @@ class FloorClearance {
   }
 
  private:
+  bool is_closed(FloorCell cell) const { return legs_ && legs_->is_closed(cell); }
+
   double far_m_;
+  std::optional<LegBarriers> legs_;
   FloorBox room_;
   std::vector<float> to_doubtful_m_;
   std::vector<float> to_occupied_m_;

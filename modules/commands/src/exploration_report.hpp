@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "aisle/commands/outcome.hpp"
+#include "aisle/maps/building.hpp"
+#include "aisle/report/exploration_picture.hpp"
+
+namespace aisle {
+
+/// An exploration on one page: map and way, graph of corridors, how much was known after so much way, the
+/// transducer's states and stack, figures, and what went wrong.
+std::string exploration_report(const ExplorationPicture& picture, const Building& building,
+                               const Outcome& outcome);
+
+}  // namespace aisle

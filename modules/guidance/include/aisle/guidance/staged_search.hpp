@@ -1,0 +1,53 @@
+#pragma once
+
+#include "aisle/exploration/floor_distances.hpp"
+#include "aisle/guidance/car_search.hpp"
+
+namespace aisle {
+
+/// Ways of any length. What is farther away than a stage is not searched at once: the vehicle is led a stage
+/// along the floor's own distances, and searches on from there.
+class StagedSearch {
+ public:
+  StagedSearch(const CarSearchParams& params, const VehicleDescription& vehicle);
+  StagedSearch(const StagedSearch&) = delete;
+  StagedSearch& operator=(const StagedSearch&) = delete;
+
+  /// To a pose that is good enough, which lies about a place. The floor must outlive the search.
+  /// @param about_m  so far from the place it may lie
+  void look_for(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                const Vec2& p_map_place, double about_m, CarSearch::IsGoal is_goal);
+
+  /// Exactly to a pose; from where the vehicle stands, once it has come within a stage of it.
+  void look_for_way_to(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_goal,
+                       const Pose2& T_map_vehicle);
+
+  /// See CarSearch; of the search that was begun.
+  void forbid_first(int direction) { search_.forbid_first(direction); }
+  CarSearch::State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
+    return search_.advance(floor, clearance, expansions);
+  }
+  void stop() { search_.stop(); }
+
+  CarSearch::State state() const { return search_.state(); }
+  const FootprintRoom& room() const { return search_.room(); }
+  Path path() const { return search_.path(); }
+  /// What was found, or is searched, ends where a stage does.
+  bool is_stage() const { return is_stage_; }
+
+ private:
+  double measure(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                 const Vec2& p_map_place);
+  double left_m(const Vec2& p_map) const;
+
+  CarSearchParams params_;
+  double half_width_m_;
+  CarSearch search_;
+  FloorDistances distances_;
+  const FloorGrid* floor_ = nullptr;  ///< of `distances_`
+  Vec2 p_map_place_ = Vec2::Zero();   ///< what `distances_` are measured from
+  bool is_stage_ = false;
+  bool is_narrow_ = false;  ///< there is a way only with less room than the search keeps, or none
+};
+
+}  // namespace aisle

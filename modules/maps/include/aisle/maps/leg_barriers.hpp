@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "aisle/core/parameters.hpp"
+#include "aisle/maps/floor_grid.hpp"
+
+namespace aisle {
+
+/// Which small things bound one obstacle.
+struct LegParams {
+  double leg_max_m = 0.2;    ///< as wide as a leg may seem, with all that blurs it
+  double apart_max_m = 2;    ///< legs so near to each other carry one piece of furniture
+  double plate_min_m = 0.6;  ///< under smaller pieces no vehicle fits ...
+  double wall_max_m = 0.95;  ///< ... larger ones may stand with their back legs so near to a wall
+
+  void describe(FieldList& fields);
+};
+
+/// A slice at one height shows the legs of tables and chairs, not their tops. Small things that stand in
+/// groups are taken for legs, and what lies between them for closed; so is the way in between a wall and
+/// two legs before it, where a table stands with its back to the wall.
+class LegBarriers {
+ public:
+  explicit LegBarriers(const LegParams& params = {}) : params_(params) {}
+
+  /// The cells of the box may have changed.
+  /// @return where it is closed now and was not, or the other way round
+  FloorBox update(const FloorGrid& floor, const FloorBox& changed);
+
+  bool is_closed(FloorCell cell) const;
+  std::size_t legs() const { return legs_.size(); }
+
+ private:
+  struct Leg {
+    FloorCell first;  ///< its lowest cell, the leftmost of these
+    Vec2 p_map;       ///< its middle
+  };
+
+  std::vector<FloorCell> small_thing(const FloorGrid& floor, FloorCell start) const;
+  bool stands_free(const FloorGrid& floor, const Vec2& p_map) const;
+  void find_legs(const FloorGrid& floor, const FloorBox& within);
+  std::vector<FloorCell> cells_between(const FloorGrid& floor) const;
+  bool is_in_sight(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& p_map_other) const;
+  std::optional<Vec2> wall_behind(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& along) const;
+
+  LegParams params_;
+  std::vector<Leg> legs_;
+  std::vector<FloorCell> closed_;  ///< row by row
+};
+
+}  // namespace aisle

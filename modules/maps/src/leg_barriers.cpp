@@ -1,0 +1,168 @@
+#include "aisle/maps/leg_barriers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aisle {
+namespace {
+
+constexpr double kRing_m = 0.25;        // about a leg: nothing else stands there
+constexpr double kRingFreeShare = 0.7;  // of it; the rest may be what the leg hides
+constexpr double kAcrossMin = 0.8;      // cosine: a wall lies behind two legs, not beside them
+constexpr double kLineStepCells = 0.5;
+
+bool is_before(FloorCell a, FloorCell b) {
+  return a.y != b.y ? a.y < b.y : a.x < b.x;
+}
+
+template <class Visit>
+void for_cells_around(FloorCell middle, int reach, Visit visit) {
+  for (int y = middle.y - reach; y <= middle.y + reach; ++y) {
+    for (int x = middle.x - reach; x <= middle.x + reach; ++x) visit(FloorCell{x, y});
+  }
+}
+
+/// From one place straight to another, both included.
+template <class Visit>
+void for_cells_on_line(const FloorGrid& floor, const Vec2& from, const Vec2& to, Visit visit) {
+  const int steps =
+      std::max(1, static_cast<int>(std::ceil((to - from).norm() / (kLineStepCells * floor.cell_m()))));
+  for (int i = 0; i <= steps; ++i) visit(floor.cell_at(Vec2(from + (to - from) * i / steps)));
+}
+
+}  // namespace
+
+void LegParams::describe(FieldList& fields) {
+  fields.real("leg_max_m", leg_max_m, {0.05, 0.5}, "as wide as the leg of a piece of furniture may seem");
+  fields.real("apart_max_m", apart_max_m, {0, 5}, "nothing is driven between legs so near to each other");
+  fields.real("plate_min_m", plate_min_m, {0.1, 2},
+              "legs farther apart carry a table, under which one may drive");
+  fields.real("wall_max_m", wall_max_m, {0, 2},
+              "so near to a wall behind it a table's legs close the way in");
+}
+
+FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
+  if (changed.empty()) return {};
+  const double matters_m = params_.leg_max_m + kRing_m;
+  find_legs(floor, changed.widened(static_cast<int>(std::ceil(matters_m / floor.cell_m())) + 1));
+  std::vector<FloorCell> closed = cells_between(floor);
+  std::vector<FloorCell> differ;
+  std::set_symmetric_difference(closed.begin(), closed.end(), closed_.begin(), closed_.end(),
+                                std::back_inserter(differ), is_before);
+  closed_ = std::move(closed);
+  FloorBox box;
+  for (const FloorCell cell : differ) box.include(cell);
+  return box;
+}
+
+bool LegBarriers::is_closed(FloorCell cell) const {
+  return std::binary_search(closed_.begin(), closed_.end(), cell, is_before);
+}
+
+void LegBarriers::find_legs(const FloorGrid& floor, const FloorBox& within) {
+  std::erase_if(legs_, [&](const Leg& leg) { return within.contains(leg.first); });
+  for (int y = within.low.y; y < within.end.y; ++y) {
+    for (int x = within.low.x; x < within.end.x; ++x) {
+      const FloorCell first{x, y};
+      if (floor.at(first) != Floor::kOccupied) continue;
+      const std::vector<FloorCell> cells = small_thing(floor, first);
+      if (cells.empty()) continue;
+      Vec2 p_map = Vec2::Zero();
+      for (const FloorCell cell : cells) p_map += floor.centre(cell) / static_cast<double>(cells.size());
+      if (stands_free(floor, p_map)) legs_.push_back({first, p_map});
+    }
+  }
+  std::sort(legs_.begin(), legs_.end(),
+            [](const Leg& a, const Leg& b) { return is_before(a.first, b.first); });
+}
+
+/// The cells that hang together with the first one of them; none if they are too many for a leg, or if it is
+/// not the first.
+std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCell start) const {
+  const int wide = std::max(1, static_cast<int>(std::lround(params_.leg_max_m / floor.cell_m())));
+  std::vector<FloorCell> cells = {start};
+  FloorBox box;
+  box.include(start);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    bool fits = true;
+    for_cells_around(FloorCell(cells[i]), 1, [&](FloorCell next) {
+      if (!fits || floor.at(next) != Floor::kOccupied) return;
+      if (std::find(cells.begin(), cells.end(), next) != cells.end()) return;
+      box.include(next);
+      fits = !is_before(next, start) && box.end.x - box.low.x <= wide && box.end.y - box.low.y <= wide;
+      cells.push_back(next);
+    });
+    if (!fits) return {};
+  }
+  return cells;
+}
+
+bool LegBarriers::stands_free(const FloorGrid& floor, const Vec2& p_map) const {
+  const int reach = static_cast<int>(std::ceil(kRing_m / floor.cell_m())) + 1;
+  int ring = 0, free = 0;
+  for_cells_around(floor.cell_at(p_map), reach, [&](FloorCell cell) {
+    if (std::abs((floor.centre(cell) - p_map).norm() - kRing_m) > floor.cell_m() / 2) return;
+    ++ring;
+    free += floor.at(cell) == Floor::kFree ? 1 : 0;
+  });
+  return free >= kRingFreeShare * ring;
+}
+
+std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const {
+  std::vector<FloorCell> cells;
+  const auto close = [&](const Vec2& from, const Vec2& to) {
+    for_cells_on_line(floor, from, to, [&](FloorCell cell) { cells.push_back(cell); });
+  };
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    for (std::size_t j = i + 1; j < legs_.size(); ++j) {
+      const Vec2 &a = legs_[i].p_map, &b = legs_[j].p_map;
+      const double apart_m = (b - a).norm();
+      if (apart_m > params_.apart_max_m || !is_in_sight(floor, a, b)) continue;
+      close(a, b);
+      if (apart_m < params_.plate_min_m) continue;
+      const auto behind_a = wall_behind(floor, a, b - a), behind_b = wall_behind(floor, b, b - a);
+      if (!behind_a || !behind_b) continue;
+      close(a, *behind_a);
+      close(b, *behind_b);
+    }
+  }
+  std::sort(cells.begin(), cells.end(), is_before);
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+/// Whether nothing stands between a leg and something else.
+bool LegBarriers::is_in_sight(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& p_map_other) const {
+  bool in_sight = true;
+  for_cells_on_line(floor, p_map_leg, p_map_other, [&](FloorCell cell) {
+    const Vec2 p_map = floor.centre(cell);
+    const double from_end_m = std::min((p_map - p_map_leg).norm(), (p_map - p_map_other).norm());
+    if (from_end_m > params_.leg_max_m && floor.at(cell) == Floor::kOccupied) in_sight = false;
+  });
+  return in_sight;
+}
+
+/// The nearest place, across a line of legs, of something that is no leg.
+std::optional<Vec2> LegBarriers::wall_behind(const FloorGrid& floor, const Vec2& p_map_leg,
+                                             const Vec2& along) const {
+  const Vec2 across = left_normal(along.normalized());
+  std::optional<Vec2> nearest;
+  double nearest_m = params_.wall_max_m;
+  const int reach = static_cast<int>(std::ceil(params_.wall_max_m / floor.cell_m()));
+  for_cells_around(floor.cell_at(p_map_leg), reach, [&](FloorCell cell) {
+    if (floor.at(cell) != Floor::kOccupied) return;
+    const Vec2 p_map = floor.centre(cell);
+    const double away_m = (p_map - p_map_leg).norm();
+    if (away_m <= params_.leg_max_m || away_m >= nearest_m) return;
+    if (std::abs(across.dot(p_map - p_map_leg)) < kAcrossMin * away_m) return;
+    const bool is_leg = std::any_of(legs_.begin(), legs_.end(), [&](const Leg& leg) {
+      return (leg.p_map - p_map).norm() <= params_.leg_max_m;
+    });
+    if (is_leg) return;
+    nearest_m = away_m;
+    nearest = p_map;
+  });
+  return nearest;
+}
+
+}  // namespace aisle

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "aisle/core/random.hpp"
+#include "aisle/maps/floor_clearance.hpp"
+#include "aisle/maps/leg_barriers.hpp"
+
+namespace aisle {
+namespace {
+
+/// A free floor of 8 m x 6 m with things on it.
+class LegBarriersOnAFloor : public testing::Test {
+ protected:
+  LegBarriersOnAFloor() {
+    for (int y = 0; y < 120; ++y) {
+      for (int x = 0; x < 160; ++x) floor_.set({x, y}, Floor::kFree);
+    }
+  }
+  void stand(double x_m, double y_m) { floor_.set(floor_.cell_at({x_m, y_m}), Floor::kOccupied); }
+  void wall(double x_m, double from_y_m, double to_y_m) {
+    for (double y_m = from_y_m; y_m < to_y_m; y_m += 0.05) stand(x_m, y_m);
+  }
+  /// Whether a straight way is closed anywhere.
+  bool is_closed(const Vec2& from, const Vec2& to) {
+    LegBarriers barriers;
+    barriers.update(floor_, floor_.known());
+    for (double share = 0; share <= 1; share += 0.005) {
+      if (barriers.is_closed(floor_.cell_at(Vec2(from + share * (to - from))))) return true;
+    }
+    return false;
+  }
+  FloorGrid floor_;
+};
+
+TEST_F(LegBarriersOnAFloor, CloseThatUnderATable) {
+  for (const double x_m : {3.02, 4.62}) {
+    for (const double y_m : {2.02, 2.92}) stand(x_m, y_m);
+  }
+  EXPECT_TRUE(is_closed({3.8, 1}, {3.8, 4}));
+  EXPECT_TRUE(is_closed({2, 2.5}, {6, 2.5}));
+  EXPECT_FALSE(is_closed({2, 1.6}, {6, 1.6}));
+}
+
+TEST_F(LegBarriersOnAFloor, LeaveThingsAloneThatStandFarApart) {
+  stand(2.02, 3.02);
+  stand(4.22, 3.02);
+  EXPECT_FALSE(is_closed({3, 1}, {3, 5}));
+}
+
+TEST_F(LegBarriersOnAFloor, DoNotTakeTheEndsOfWallsForLegs) {
+  wall(3, 0, 2);
+  wall(3, 3.2, 5);
+  stand(4.02, 2.62);
+  EXPECT_FALSE(is_closed({2, 2.6}, {6, 2.6}));
+}
+
+TEST_F(LegBarriersOnAFloor, DoNotTakeAWallSeenFromFarForLegs) {
+  for (int y = 0; y < 120; ++y) {
+    for (int x = 80; x < 160; ++x) floor_.set({x, y}, Floor::kUnknown);
+  }
+  for (double y_m = 1; y_m < 5; y_m += 0.3) stand(4, y_m);
+  EXPECT_FALSE(is_closed({2, 3}, {6, 3}));
+  EXPECT_FALSE(is_closed({4, 0}, {4, 6}));
+}
+
+TEST_F(LegBarriersOnAFloor, CloseTheWayInBetweenAWallAndATableAtIt) {
+  wall(2, 0, 6);
+  stand(2.87, 2.02);
+  stand(2.87, 3.62);
+  EXPECT_TRUE(is_closed({2.4, 1}, {2.4, 5}));
+}
+
+TEST_F(LegBarriersOnAFloor, LeaveAPassageBetweenAWallAndAChair) {
+  wall(2, 0, 6);
+  for (const double x_m : {2.87, 3.27}) {
+    for (const double y_m : {2.02, 2.42}) stand(x_m, y_m);
+  }
+  EXPECT_FALSE(is_closed({2.4, 1}, {2.4, 5}));
+}
+
+TEST_F(LegBarriersOnAFloor, DoNotReachThroughWalls) {
+  wall(3, 0, 6);
+  stand(2.27, 3.02);
+  stand(3.72, 3.02);
+  EXPECT_FALSE(is_closed({2.6, 1}, {2.6, 5}));
+}
+
+RC_GTEST_PROP(LegBarriers, AreTheSameWhetherSeenAtOnceOrBitByBit, (std::uint64_t seed)) {
+  Random random(seed);
+  FloorGrid floor;
+  LegBarriers bit_by_bit;
+  for (int round = 0; round < 5; ++round) {
+    FloorBox changed;
+    const int left = static_cast<int>(random.index(60)), low = static_cast<int>(random.index(60));
+    for (int y = low; y < low + 40; ++y) {
+      for (int x = left; x < left + 40; ++x) {
+        floor.set({x, y}, random.uniform() < 0.004 ? Floor::kOccupied : Floor::kFree);
+        changed.include({x, y});
+      }
+    }
+    bit_by_bit.update(floor, changed);
+  }
+  LegBarriers at_once;
+  at_once.update(floor, floor.known());
+  RC_ASSERT(at_once.legs() == bit_by_bit.legs());
+  for (int y = 0; y < 110; ++y) {
+    for (int x = 0; x < 110; ++x) RC_ASSERT(at_once.is_closed({x, y}) == bit_by_bit.is_closed({x, y}));
+  }
+}
+
+TEST(LegBarriers, TakeTheRoomBetweenLegs) {
+  FloorGrid floor;
+  for (int y = 0; y < 80; ++y) {
+    for (int x = 0; x < 80; ++x) floor.set({x, y}, Floor::kFree);
+  }
+  floor.set({20, 40}, Floor::kOccupied);
+  FloorClearance clearance(1, LegParams{});
+  clearance.update(floor, floor.known());
+  floor.set({50, 40}, Floor::kOccupied);
+  FloorBox changed;
+  changed.include({50, 40});
+  clearance.update(floor, changed);
+  EXPECT_EQ(clearance.to_occupied_m({35, 40}), 0);
+  EXPECT_EQ(clearance.to_doubtful_m({35, 40}), 0);
+  EXPECT_NEAR(clearance.to_occupied_m({35, 45}), 0.225, 1e-6);
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,47 @@
+/** A building file as docs/formats/building.md tells: the parts that the page shows and mends. */
+
+export type Pair = [number, number];
+
+export interface Wall {
+  start_m: Pair;
+  end_m: Pair;
+}
+
+export interface Landmark {
+  at_m: Pair;
+}
+
+export interface Place {
+  name: string;
+  at_m: Pair;
+  heading_deg?: number;
+}
+
+export interface RoutePiece {
+  length_m?: number;
+  turn_deg?: number;
+}
+
+export interface Route {
+  name: string;
+  start?: { at_m: Pair; heading_deg?: number };
+  pieces?: RoutePiece[];
+}
+
+export interface Floor {
+  cell_m: number;
+  low_cell: Pair;
+  rows: string[];
+}
+
+export interface Building {
+  format: string;
+  version: number;
+  name?: string;
+  walls?: Wall[];
+  landmarks?: Landmark[];
+  routes?: Route[];
+  corridors?: { nodes: { kind: string; at_m: Pair }[]; corridors: { way_m: Pair[] }[] };
+  places?: Place[];
+  floor?: Floor;
+}

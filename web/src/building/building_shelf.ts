@@ -1,0 +1,39 @@
+import type { App } from "../page/app";
+import { Signal } from "../page/signal";
+import { get_json } from "../page/server_files";
+import type { Building } from "./building_file";
+
+/** A list that cannot be had now is asked for again at the next change. */
+const ignore = (): void => undefined;
+
+/** The buildings that the server keeps, and the one that is chosen. */
+export class BuildingShelf {
+  readonly names = new Signal<string[]>([]);
+  readonly chosen = new Signal("");
+  readonly building = new Signal<Building | undefined>(undefined);
+
+  constructor(private readonly app: App) {
+    let mode: string | undefined;
+    app.state.watch((state) => {
+      if (state && state.mode !== mode) void this.refresh().catch(ignore);
+      mode = state?.mode;
+    });
+    app.connection.services.watch(() => void this.refresh().catch(ignore));
+  }
+
+  async refresh(): Promise<void> {
+    if (!this.app.connection.services.value.has("buildings/list")) return;
+    const { buildings } = await this.app.connection.call<{ buildings: { name: string }[] }>("buildings/list");
+    const names = buildings.map(({ name }) => name).sort();
+    if (names.join("\n") !== this.names.value.join("\n")) this.names.value = names;
+    if (!names.includes(this.chosen.value)) await this.choose(names[0] ?? "");
+  }
+
+  async choose(name: string): Promise<void> {
+    this.chosen.value = name;
+    this.building.value = undefined;
+    if (name === "") return;
+    const building = await get_json<Building>(`buildings/${encodeURIComponent(name)}.json`);
+    if (this.chosen.value === name) this.building.value = building;
+  }
+}

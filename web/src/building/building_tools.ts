@@ -1,0 +1,81 @@
+import { colour } from "../page/theme";
+import { draw_dots, draw_line } from "../plan/draw";
+import type { Point } from "../plan/geometry";
+import type { Layer, PlanCanvas, PlanTool } from "../plan/plan_canvas";
+import { nearest_part, with_cleared, with_glass, with_keep_out, without_part } from "./building_edits";
+import type { Building } from "./building_file";
+
+export type ToolName = "look" | "place" | "delete" | "keep_out" | "glass" | "clear";
+
+export const tool_labels: { value: ToolName; label: string; hint: string }[] = [
+  { value: "look", label: "Look", hint: "Drag to move the plan, turn the wheel or pinch to zoom." },
+  { value: "place", label: "Name a place", hint: "Click where it is, then name it." },
+  { value: "delete", label: "Delete", hint: "Click a wall or a landmark that is not there." },
+  { value: "keep_out", label: "Keep-out line", hint: "Drag a line: the vehicle does not drive over it." },
+  { value: "glass", label: "Glass", hint: "Drag along a pane that sensors do not see." },
+  { value: "clear", label: "Clear the floor", hint: "Drag over blocked floor that is free." },
+];
+
+const near_px = 12;
+
+interface Editing {
+  building(): Building | undefined;
+  /** Puts the next version in its place; what it throws is told to the person. */
+  edit(change: (building: Building) => Building): void;
+  pick_place(at: Point): void;
+}
+
+const line_edits = { keep_out: with_keep_out, glass: with_glass, clear: with_cleared };
+
+/** What a press on the plan does with each tool, and the line that is being drawn. */
+export class BuildingTools {
+  readonly layer: Layer;
+  /** Where a place is about to be named. */
+  place: Point | undefined;
+  #line: [Point, Point] | undefined;
+
+  constructor(
+    private readonly canvas: PlanCanvas,
+    private readonly editing: Editing,
+  ) {
+    this.layer = (context, view) => {
+      if (this.#line) draw_line(context, view, this.#line, { colour: colour("trouble"), width_px: 3 });
+      if (this.place) draw_dots(context, view, [this.place], colour("path"), 6);
+    };
+  }
+
+  choose(name: ToolName): void {
+    this.place = undefined;
+    this.canvas.tool = this.#tool(name);
+    this.canvas.redraw();
+  }
+
+  #tool(name: ToolName): PlanTool {
+    if (name === "look") return {};
+    if (name === "place") {
+      return {
+        click: (at) => {
+          this.place = at;
+          this.editing.pick_place(at);
+          this.canvas.redraw();
+        },
+      };
+    }
+    if (name === "delete") return { click: (at) => this.#delete(at) };
+    const edit = line_edits[name];
+    return {
+      drag: (from, to, ended) => {
+        this.#line = ended ? undefined : [from, to];
+        if (ended) this.editing.edit((building) => edit(building, from, to));
+        this.canvas.redraw();
+      },
+    };
+  }
+
+  #delete(at: Point): void {
+    const building = this.editing.building();
+    const within_m = near_px / this.canvas.view.scale_px_per_m;
+    const found = building && nearest_part(building, at, within_m);
+    if (found) this.editing.edit((present) => without_part(present, found));
+  }
+}

@@ -1,0 +1,119 @@
+import type { LiveConnection } from "../connection/live_connection";
+import { json_of } from "../connection/live_state";
+import type { CompressedImage, Image } from "../connection/messages";
+import { element, say, select, tick } from "../page/element";
+import { draw_overlay, kinds_of } from "./overlay";
+import type { Overlay } from "./overlay";
+import { decode_compressed, decode_raw } from "./picture";
+import type { Picture } from "./picture";
+
+const topic_form = /^\/camera\/([^/]+)\/image_raw(\/compressed)?$/;
+
+/** A camera's newest picture with what the navigator saw in it. */
+export class CameraView {
+  readonly element: HTMLElement;
+  readonly #canvas = element("canvas", { role: "img", "aria-label": "Camera picture" });
+  readonly #empty = element("p", { class: "empty" }, "No picture yet");
+  readonly #toggles = element("div", { class: "toggles", role: "group", "aria-label": "Overlays" });
+  readonly #chooser = select("Camera", [], (name) => this.#choose(name));
+  readonly #hidden = new Set<string>();
+  readonly #known_kinds = new Set<string>();
+  #camera = "";
+  #ends: (() => void)[] = [];
+  #picture: Picture | undefined;
+  #overlay: Overlay | undefined;
+  #is_decoding = false;
+  #waiting: (() => Promise<Picture>) | undefined;
+
+  constructor(private readonly connection: LiveConnection) {
+    this.#chooser.field.hidden = true;
+    this.element = element(
+      "div",
+      { class: "camera" },
+      element("div", { class: "camera-picture" }, this.#canvas, this.#empty),
+      element("div", { class: "camera-bar" }, this.#chooser.field, this.#toggles),
+    );
+    connection.channels.watch(() => this.#offer_cameras());
+  }
+
+  #offer_cameras(): void {
+    const names = this.connection.topics().flatMap(({ topic }) => topic_form.exec(topic)?.[1] ?? []);
+    const offered = [...new Set(names)].sort();
+    const shown = [...this.#chooser.list.options].map(({ value }) => value);
+    if (offered.length === 0 || offered.join() === shown.join()) return;
+    this.#chooser.list.replaceChildren(...offered.map((name) => element("option", { value: name }, name)));
+    this.#chooser.field.hidden = offered.length < 2;
+    this.#choose(offered.includes(this.#camera) ? this.#camera : (offered[0] ?? ""));
+  }
+
+  #choose(name: string): void {
+    this.#chooser.list.value = name;
+    if (name === this.#camera) return;
+    for (const end of this.#ends) end();
+    this.#camera = name;
+    this.#picture = undefined;
+    this.#overlay = undefined;
+    this.#ends = [
+      this.connection.listen(`/camera/${name}/image_raw/compressed`, (message) =>
+        this.#take(() => decode_compressed(message as CompressedImage)),
+      ),
+      this.connection.listen(`/camera/${name}/image_raw`, (message) =>
+        this.#take(() => decode_raw(message as Image)),
+      ),
+      this.connection.listen(`/overlay/${name}`, (message) => this.#take_overlay(json_of<Overlay>(message))),
+    ];
+  }
+
+  /** Decodes one picture at a time, and none where it cannot be seen; of those that come meanwhile the newest is kept. */
+  #take(decode: () => Promise<Picture>): void {
+    if (this.#canvas.offsetParent === null) return;
+    this.#waiting = decode;
+    if (!this.#is_decoding) void this.#decode_waiting();
+  }
+
+  async #decode_waiting(): Promise<void> {
+    this.#is_decoding = true;
+    while (this.#waiting) {
+      const decode = this.#waiting;
+      this.#waiting = undefined;
+      try {
+        this.#picture = await decode();
+        this.#draw();
+      } catch {
+        say(this.#empty, "A picture could not be read");
+        this.#empty.hidden = false;
+      }
+    }
+    this.#is_decoding = false;
+  }
+
+  #take_overlay(overlay: Overlay): void {
+    this.#overlay = overlay;
+    for (const kind of kinds_of(overlay)) this.#offer_toggle(kind);
+    this.#draw();
+  }
+
+  #offer_toggle(kind: string): void {
+    if (this.#known_kinds.has(kind)) return;
+    this.#known_kinds.add(kind);
+    const toggle = tick(kind, true, (shown) => {
+      if (shown) this.#hidden.delete(kind);
+      else this.#hidden.add(kind);
+      this.#draw();
+    });
+    toggle.classList.add(`line-${kind.replace(/\W/g, "-")}`);
+    this.#toggles.append(toggle);
+  }
+
+  #draw(): void {
+    const context = this.#canvas.getContext("2d");
+    if (!context || !this.#picture) return;
+    const { width, height, source, stamp_s } = this.#picture;
+    if (this.#canvas.width !== width) this.#canvas.width = width;
+    if (this.#canvas.height !== height) this.#canvas.height = height;
+    context.drawImage(source, 0, 0);
+    if (this.#overlay) draw_overlay(context, this.#overlay, stamp_s, this.#hidden);
+    this.#empty.hidden = true;
+    this.#canvas.dataset["stampS"] = stamp_s.toFixed(3);
+  }
+}

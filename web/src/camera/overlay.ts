@@ -1,0 +1,39 @@
+import { colour } from "../page/theme";
+
+/** What the navigator saw in a picture: the JSON of /overlay/CAMERA, in pixels. */
+export interface Overlay {
+  stamp_s: number;
+  lines: { kind: string; u0: number; v0: number; u1: number; v1: number }[];
+}
+
+/** An overlay this much older or newer than the picture is of another view. */
+const same_view_s = 0.35;
+
+export function kinds_of({ lines }: Overlay): string[] {
+  return [...new Set(lines.map(({ kind }) => kind))];
+}
+
+function stroke_of(kind: string): string {
+  const named = ["vertical", "foot", "stripe", "region", "base"].find((name) => kind.startsWith(name));
+  return colour(`line-${named ?? "other"}`);
+}
+
+export function draw_overlay(
+  context: CanvasRenderingContext2D,
+  { stamp_s, lines }: Overlay,
+  picture_s: number,
+  hidden: ReadonlySet<string>,
+): void {
+  if (Math.abs(stamp_s - picture_s) > same_view_s) return;
+  context.lineWidth = Math.max(1.5, context.canvas.width / 320);
+  context.lineCap = "round";
+  for (const { kind, u0, v0, u1, v1 } of lines) {
+    if (hidden.has(kind)) continue;
+    context.strokeStyle = stroke_of(kind);
+    context.beginPath();
+    // Whole numbers are pixel centres; a canvas counts from the corners.
+    context.moveTo(u0 + 0.5, v0 + 0.5);
+    context.lineTo(u1 + 0.5, v1 + 0.5);
+    context.stroke();
+  }
+}

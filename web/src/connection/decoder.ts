@@ -1,0 +1,16 @@
+import { parse } from "@foxglove/rosmsg";
+import { MessageReader } from "@foxglove/rosmsg2-serialization";
+import type { Channel } from "@foxglove/ws-protocol";
+
+export type Decode = (data: ArrayBufferView) => unknown;
+
+/** Reads the messages of a channel by the schema that the server advertised for it. */
+export function decoder_of(channel: Channel): Decode {
+  if (channel.encoding === "json") {
+    const text = new TextDecoder();
+    return (data) => JSON.parse(text.decode(data)) as unknown;
+  }
+  if (channel.encoding !== "cdr") throw new Error(`${channel.topic}: unknown encoding ${channel.encoding}`);
+  const reader = new MessageReader(parse(channel.schema, { ros2: true }));
+  return (data) => reader.readMessage(data);
+}

@@ -1,0 +1,41 @@
+import type { LiveConnection } from "./live_connection";
+import { Signal } from "../page/signal";
+
+/** What the server is doing: the JSON of /live/state. */
+export interface LiveState {
+  mode: "idle" | "mission" | "work" | "replay";
+  mission: string;
+  world: string;
+  vehicle: string;
+  paused: boolean;
+  emergency: boolean;
+  driven_by_hand: boolean;
+  lease_held: boolean;
+  stamp_s: number;
+  rate: number;
+  task: string;
+  done: number;
+  total: number;
+  session: string;
+  last?: { mission: string; ok: boolean; text: string; problems: string[] };
+  replay?: { session: string; from_s: number; to_s: number; at_s: number; playing: boolean; rate: number };
+}
+
+/** std_msgs/String, which carries the texts of docs/formats/session.md and docs/live.md. */
+interface StringMessage {
+  data: string;
+}
+
+export function json_of<T>(message: unknown): T {
+  return JSON.parse((message as StringMessage).data) as T;
+}
+
+/** The server's state; undefined while there is no connection. */
+export function follow_state(connection: LiveConnection): Signal<LiveState | undefined> {
+  const state = new Signal<LiveState | undefined>(undefined);
+  connection.listen("/live/state", (message) => (state.value = json_of<LiveState>(message)));
+  connection.state.watch((connected) => {
+    if (connected !== "connected") state.value = undefined;
+  });
+  return state;
+}

@@ -1,0 +1,78 @@
+import type { App } from "../page/app";
+import { button, element, panel, say } from "../page/element";
+import { vehicle_shape } from "./vehicle_text";
+import { drive_pad } from "./pad";
+
+/** Take the controls and drive; in a lesson, set marks. */
+export function hand_panel(app: App): HTMLElement {
+  const { driver, lease, notices } = app;
+  const take = button(
+    "Take the controls",
+    () => void notices.attempt(lease.token.value === undefined ? lease.take() : lease.release()),
+    { class: "primary" },
+  );
+  const hint = element("p", { class: "about" });
+  const pad = drive_pad((wish) => driver.press("pad", wish));
+  const pace = element("input", {
+    type: "range",
+    min: 0.1,
+    max: 1,
+    step: 0.1,
+    value: driver.pace,
+    oninput: () => (driver.pace = Number(pace.value)),
+  });
+  const label = element("input", {
+    type: "text",
+    maxlength: 64,
+    placeholder: "name or number",
+    autocomplete: "off",
+  });
+  label.setAttribute("aria-label", "Name or number of the mark");
+  const mark = (kind: string, text: string) => () =>
+    void notices.attempt(lease.call("mission/mark", { kind, label: text }), `Marked: ${kind}`);
+  const marks = element(
+    "fieldset",
+    { class: "marks" },
+    element("legend", {}, "Marks"),
+    label,
+    button("Place", () => mark("place", label.value.trim())()),
+    button("Turning begins", () => mark("turning begins", label.value.trim())()),
+    button("Turning ends", () => mark("turning ends", label.value.trim())()),
+    button("Way ends", () => mark("stop", "")()),
+  );
+  const finish = button("Finish", () => void notices.attempt(lease.call("mission/finish"), "Finished"));
+
+  const show = () => {
+    const drives = lease.token.value !== undefined;
+    const heard = app.state.value?.driven_by_hand ?? false;
+    const in_mission = app.state.value?.mode === "mission";
+    say(take, drives ? "Give the controls back" : "Take the controls");
+    take.classList.toggle("primary", !drives);
+    const silence = "The mission drives by itself; stop it to drive by hand.";
+    const how =
+      "Hold the arrow keys, drag on the pad or use a gamepad. Whatever is let go, the vehicle stops.";
+    say(hint, !drives ? "Whoever holds the controls drives; everybody watches." : heard ? how : silence);
+    pad.classList.toggle("off", !drives || !heard);
+    marks.disabled = !drives || !heard || !in_mission;
+    finish.disabled = !drives || !heard || !in_mission;
+  };
+  lease.token.watch(show);
+  app.state.watch(show);
+  app.connection.listen("/vehicle_description", (message) => {
+    driver.vehicle = vehicle_shape((message as { data: string }).data);
+  });
+
+  return panel(
+    "By hand",
+    "hand-panel",
+    element("div", { class: "buttons" }, take, finish),
+    hint,
+    element(
+      "div",
+      { class: "steering" },
+      pad,
+      element("label", { class: "field pace" }, element("span", {}, "Speed"), pace),
+    ),
+    marks,
+  );
+}

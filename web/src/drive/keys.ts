@@ -1,0 +1,42 @@
+import { no_wish, strongest } from "./wish";
+import type { Wish } from "./wish";
+
+const wishes: Record<string, Wish> = {
+  ArrowUp: { ahead: 1, left: 0 },
+  ArrowDown: { ahead: -1, left: 0 },
+  ArrowLeft: { ahead: 0, left: 1 },
+  ArrowRight: { ahead: 0, left: -1 },
+};
+
+/** A control that uses the arrow keys itself. */
+function wants_arrows(target: EventTarget | null): boolean {
+  return (
+    target instanceof HTMLElement && target.matches("input, select, textarea, [role=slider], [data-arrows]")
+  );
+}
+
+/**
+ * Arrow keys, held: told as one wish.
+ * @param active whether keys drive now; otherwise the page keeps them
+ */
+export function watch_keys(active: () => boolean, tell: (wish: Wish) => void): void {
+  const held = new Set<string>();
+  const changed = () => tell(strongest([...held].map((key) => wishes[key] ?? no_wish)));
+  const release_all = () => {
+    held.clear();
+    changed();
+  };
+
+  addEventListener("keydown", (event) => {
+    if (!(event.key in wishes) || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (!active() || wants_arrows(event.target)) return;
+    event.preventDefault();
+    held.add(event.key);
+    if (!event.repeat) changed();
+  });
+  addEventListener("keyup", (event) => {
+    if (held.delete(event.key)) changed();
+  });
+  addEventListener("blur", release_all);
+  document.addEventListener("visibilitychange", release_all);
+}

@@ -1,0 +1,90 @@
+import type { BuildingShelf } from "../building/building_shelf";
+import { element } from "../page/element";
+import type { SessionShelf } from "../sessions/session_shelf";
+import { fresh_name } from "./mission_forms";
+import type { Field, MissionForm } from "./mission_forms";
+
+type Input = HTMLInputElement | HTMLSelectElement;
+
+const name_pattern = "[A-Za-z0-9_\\-][A-Za-z0-9_.\\-]{0,63}";
+
+function option(value: string, label = value): HTMLOptionElement {
+  return element("option", { value }, label);
+}
+
+/** The fields of one mission's form; lists follow what the server keeps. */
+export class MissionFields {
+  readonly elements: HTMLElement[];
+  readonly #inputs = new Map<Field, Input>();
+
+  constructor(
+    form: MissionForm,
+    private readonly shelf: BuildingShelf,
+    private readonly sessions: SessionShelf,
+  ) {
+    this.elements = form.fields.map((field) => this.#labelled(field));
+    this.refill();
+  }
+
+  values(): Record<string, string | boolean> {
+    const read = (input: Input) =>
+      input instanceof HTMLInputElement && input.type === "checkbox" ? input.checked : input.value.trim();
+    return Object.fromEntries([...this.#inputs].map(([{ key }, input]) => [key, read(input)]));
+  }
+
+  refill(): void {
+    for (const [field, input] of this.#inputs) {
+      if (input instanceof HTMLSelectElement) this.#refill_list(field, input);
+      else if (field.is_needed && input.value === "") input.value = this.#proposed(field);
+    }
+  }
+
+  #labelled(field: Field): HTMLElement {
+    const input = this.#input(field);
+    this.#inputs.set(field, input);
+    const caption = element("span", {}, field.label);
+    return field.kind === "yes"
+      ? element("label", { class: "tick" }, input, caption)
+      : element("label", { class: "field" }, caption, input);
+  }
+
+  #input(field: Field): Input {
+    if (field.kind === "yes") return element("input", { type: "checkbox" });
+    if (["building", "session", "route", "place", "method"].includes(field.kind)) {
+      const list = element("select", {});
+      if (field.kind === "building")
+        list.addEventListener("change", () => void this.shelf.choose(list.value));
+      return list;
+    }
+    const placeholder = field.is_needed ? "" : field.kind === "text" ? "as it comes" : "not kept";
+    const pattern = field.kind === "text" ? undefined : name_pattern;
+    return element("input", { type: "text", placeholder, pattern, autocomplete: "off", spellcheck: "false" });
+  }
+
+  #refill_list(field: Field, list: HTMLSelectElement): void {
+    const kept = field.kind === "building" ? this.shelf.chosen.value : list.value;
+    const names = this.#names(field);
+    const first = field.is_needed ? [] : [option("", "as it comes")];
+    list.replaceChildren(...first, ...names.map((name) => option(name)));
+    if (names.includes(kept)) list.value = kept;
+  }
+
+  #names(field: Field): string[] {
+    const building = this.shelf.building.value;
+    if (field.kind === "building") return this.shelf.names.value;
+    if (field.kind === "session") return this.sessions.sessions.value.map(({ name }) => name);
+    if (field.kind === "route") return (building?.routes ?? []).map(({ name }) => name);
+    if (field.kind === "place") return (building?.places ?? []).map(({ name }) => name);
+    return field.choices ?? [];
+  }
+
+  #proposed({ kind }: Field): string {
+    if (kind === "new_building") return fresh_name("building", this.shelf.names.value);
+    if (kind === "new_session")
+      return fresh_name(
+        "lesson",
+        this.sessions.sessions.value.map(({ name }) => name),
+      );
+    return "";
+  }
+}

@@ -1,0 +1,41 @@
+import { element } from "../page/element";
+import { no_wish } from "./wish";
+import type { Wish } from "./wish";
+
+const dead = 0.12;
+
+function beyond_dead(value: number): number {
+  const size = Math.min(1, Math.max(0, (Math.abs(value) - dead) / (1 - dead)));
+  return Math.sign(value) * size;
+}
+
+/** A round pad for a finger or the mouse: up is ahead, left is left. */
+export function drive_pad(tell: (wish: Wish) => void): HTMLElement {
+  const knob = element("div", { class: "knob" });
+  const pad = element(
+    "div",
+    { class: "pad", role: "application", "aria-label": "Drive pad: drag to drive" },
+    knob,
+  );
+
+  const show = (wish: Wish) => {
+    knob.style.transform = `translate(${-wish.left * 40}%, ${-wish.ahead * 40}%)`;
+    tell(wish);
+  };
+  const move = (event: PointerEvent) => {
+    const box = pad.getBoundingClientRect();
+    const right = ((event.clientX - box.left) / box.width) * 2 - 1;
+    const down = ((event.clientY - box.top) / box.height) * 2 - 1;
+    show({ ahead: beyond_dead(-down), left: beyond_dead(-right) });
+  };
+  pad.addEventListener("pointerdown", (event) => {
+    pad.setPointerCapture(event.pointerId);
+    move(event);
+  });
+  pad.addEventListener("pointermove", (event) => {
+    if (pad.hasPointerCapture(event.pointerId)) move(event);
+  });
+  for (const end of ["pointerup", "pointercancel", "lostpointercapture"])
+    pad.addEventListener(end, () => show(no_wish));
+  return pad;
+}

@@ -1,0 +1,108 @@
+import { json_of } from "../connection/live_state";
+import type { LiveState } from "../connection/live_state";
+import type { PoseWithCovarianceStamped } from "../connection/messages";
+import type { App } from "../page/app";
+import { element, panel, say } from "../page/element";
+import { ellipse_of } from "../plan/geometry";
+
+interface Decision {
+  command: { speed_mps: number; steering_rad: number; turn_rate_rad_s: number };
+  status: string;
+  state: string;
+  why: string;
+}
+
+interface Match {
+  quality: number;
+  text: string;
+}
+
+/** What the exploring navigator's transducer did last: the JSON of /transducer. */
+interface TransducerView {
+  state: string;
+  input: string;
+  output: string;
+  stack: string[];
+}
+
+const degrees = 180 / Math.PI;
+
+function row(label: string): { term: HTMLElement; value: HTMLElement } {
+  return { term: element("dt", {}, label), value: element("dd", {}, "–") };
+}
+
+function progress_text(state: LiveState): string {
+  if (state.mode === "work") return state.total > 0 ? `${state.done} of ${state.total}` : "working";
+  return `${state.stamp_s.toFixed(1)} s`;
+}
+
+/** State and why, how sure the vehicle is of its place, what waits on the transducer's stack, how the last one ended. */
+export function state_panel(app: App): HTMLElement {
+  const rows = {
+    task: row("Task"),
+    clock: row("Clock"),
+    state: row("State"),
+    why: row("Why"),
+    command: row("Command"),
+    place: row("Place"),
+    match: row("Match"),
+  };
+  const stack = element("ol", { class: "stack", "aria-label": "Stack, top first" });
+  const rule = element("p", { class: "rule" });
+  const transducer = element(
+    "div",
+    { class: "transducer", hidden: true },
+    element("h3", {}, "Transducer"),
+    rule,
+    stack,
+  );
+  const last = element("p", { class: "last", hidden: true });
+
+  app.state.watch((state) => {
+    say(rows.task.value, state ? [state.mode, state.mission, state.task].filter(Boolean).join(" · ") : "–");
+    say(rows.clock.value, state ? progress_text(state) : "–");
+    last.hidden = !state?.last;
+    if (!state?.last) return;
+    const { mission, ok, text, problems } = state.last;
+    last.dataset["ok"] = String(ok);
+    say(
+      last,
+      `Last: ${mission} ${ok ? "done" : "not done"}. ${[text, ...problems].filter(Boolean).join(" ")}`,
+    );
+  });
+  app.connection.listen("/decision", (message) => {
+    const { command, state, why, status } = json_of<Decision>(message);
+    say(rows.state.value, status === "going" ? state : `${state} (${status})`);
+    say(rows.why.value, why === "" ? "–" : why);
+    const turn = command.turn_rate_rad_s !== 0 ? command.turn_rate_rad_s : command.steering_rad;
+    const unit = command.turn_rate_rad_s !== 0 ? "°/s" : "°";
+    say(rows.command.value, `${command.speed_mps.toFixed(2)} m/s, ${(turn * degrees).toFixed(1)}${unit}`);
+  });
+  app.connection.listen("/pose", (message) => {
+    const { pose, covariance } = (message as PoseWithCovarianceStamped).pose;
+    const { a_m } = ellipse_of(covariance[0] ?? 0, covariance[1] ?? 0, covariance[7] ?? 0);
+    const heading = Math.sqrt(Math.max(0, covariance[35] ?? 0)) * degrees;
+    const { x, y } = pose.position;
+    say(
+      rows.place.value,
+      `${x.toFixed(2)}, ${y.toFixed(2)} m · σ ${(a_m * 100).toFixed(1)} cm, ${heading.toFixed(1)}°`,
+    );
+  });
+  app.connection.listen("/match", (message) => {
+    const { quality, text } = json_of<Match>(message);
+    say(rows.match.value, `${Math.round(quality * 100)} % · ${text}`);
+  });
+  app.connection.listen("/transducer", (message) => {
+    const { state, input, output, stack: symbols } = json_of<TransducerView>(message);
+    transducer.hidden = false;
+    say(rule, `${state}: ${input} → ${output}`);
+    stack.replaceChildren(...symbols.toReversed().map((symbol) => element("li", {}, symbol)));
+  });
+  app.connection.listen("/session", () => {
+    transducer.hidden = true;
+    for (const { value } of [rows.state, rows.why, rows.command, rows.place, rows.match]) say(value, "–");
+  });
+
+  const list = element("dl", {}, ...Object.values(rows).flatMap(({ term, value }) => [term, value]));
+  return panel("State", "state-panel", list, transducer, last);
+}

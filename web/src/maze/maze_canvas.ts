@@ -1,0 +1,135 @@
+import { element } from "../page/element";
+import { edge_at, cell_at } from "./maze_picking";
+import type { Edge } from "./maze_picking";
+import {
+  draw_cursor,
+  draw_grid,
+  draw_known,
+  draw_mouse,
+  draw_start_and_goals,
+  draw_walls,
+  draw_way,
+  frame_of,
+} from "./maze_drawing";
+import { Maze, neighbour } from "./maze";
+import type { Cell, Side } from "./maze";
+import { known_after } from "./maze_run";
+import type { MazeRun } from "./maze_run";
+
+export type MazeTool = "walls" | "start" | "goals";
+
+const key_sides: Record<string, Side> = { ArrowUp: "N", ArrowRight: "E", ArrowDown: "S", ArrowLeft: "W" };
+
+interface Actions {
+  /** A wall is to be put up or taken down. */
+  wall(edge: Edge, is_closed: boolean, begins: boolean): void;
+  pick(cell: Cell, tool: MazeTool): void;
+}
+
+/** The maze on a canvas: drawn on while it is edited, watched while it is explored. */
+export class MazeCanvas {
+  readonly element: HTMLCanvasElement;
+  tool: MazeTool = "walls";
+  maze = new Maze(8, 8);
+  run: MazeRun | undefined;
+  /** Cycles of the run that are shown. */
+  count = 0;
+
+  #cursor: Cell = { x: 0, y: 0 };
+  #drawing: boolean | undefined;
+  #size = { width_px: 1, height_px: 1 };
+  #is_due = false;
+
+  constructor(private readonly actions: Actions) {
+    this.element = element("canvas", {
+      class: "maze-canvas",
+      tabindex: 0,
+      "data-arrows": "",
+      role: "application",
+    });
+    this.element.setAttribute(
+      "aria-label",
+      "Maze: arrow keys move, with Shift they put up or take down a wall, S sets the start, G a goal",
+    );
+    this.element.addEventListener("pointerdown", (event) => this.#press(event));
+    this.element.addEventListener("pointermove", (event) => this.#move(event));
+    for (const end of ["pointerup", "pointercancel"]) {
+      this.element.addEventListener(end, () => (this.#drawing = undefined));
+    }
+    this.element.addEventListener("keydown", (event) => this.#key(event));
+    for (const change of ["focus", "blur"]) this.element.addEventListener(change, () => this.redraw());
+    new ResizeObserver(() => this.#resize()).observe(this.element);
+    addEventListener("aisle-theme", () => this.redraw());
+  }
+
+  redraw(): void {
+    if (this.#is_due) return;
+    this.#is_due = true;
+    requestAnimationFrame(() => {
+      this.#is_due = false;
+      this.#draw();
+    });
+  }
+
+  #frame() {
+    return frame_of(this.maze, this.#size.width_px, this.#size.height_px);
+  }
+
+  #draw(): void {
+    const context = this.element.getContext("2d");
+    if (!context) return;
+    const frame = this.#frame();
+    context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
+    context.clearRect(0, 0, this.#size.width_px, this.#size.height_px);
+    const known = this.run && this.count > 0 ? known_after(this.run, this.count) : undefined;
+    if (this.run && known) draw_known(context, frame, this.run, known);
+    draw_grid(context, frame, this.maze);
+    draw_start_and_goals(context, frame, this.maze);
+    if (known) draw_way(context, frame, known);
+    draw_walls(context, frame, this.maze, known);
+    if (known) draw_mouse(context, frame, known.at, this.run?.steps[this.count - 1]?.move ?? "");
+    if (document.activeElement === this.element) draw_cursor(context, frame, this.#cursor);
+  }
+
+  #resize(): void {
+    this.#size = { width_px: this.element.clientWidth, height_px: this.element.clientHeight };
+    this.element.width = Math.round(this.#size.width_px * devicePixelRatio);
+    this.element.height = Math.round(this.#size.height_px * devicePixelRatio);
+    this.redraw();
+  }
+
+  #press(event: PointerEvent): void {
+    this.element.setPointerCapture(event.pointerId);
+    const cell = cell_at(this.maze, this.#frame(), event.offsetX, event.offsetY);
+    if (cell) this.#cursor = cell;
+    if (this.tool !== "walls") {
+      if (cell) this.actions.pick(cell, this.tool);
+      return;
+    }
+    const edge = edge_at(this.maze, this.#frame(), event.offsetX, event.offsetY);
+    if (!edge) return;
+    this.#drawing = !this.maze.has_wall(edge.cell, edge.side);
+    this.actions.wall(edge, this.#drawing, true);
+  }
+
+  #move(event: PointerEvent): void {
+    if (this.#drawing === undefined) return;
+    const edge = edge_at(this.maze, this.#frame(), event.offsetX, event.offsetY);
+    if (edge) this.actions.wall(edge, this.#drawing, false);
+  }
+
+  #key(event: KeyboardEvent): void {
+    const side = key_sides[event.key];
+    const letter = event.key.toLowerCase();
+    if (side && event.shiftKey) {
+      this.actions.wall({ cell: this.#cursor, side }, !this.maze.has_wall(this.#cursor, side), true);
+    } else if (side) {
+      const next = neighbour(this.#cursor, side);
+      if (this.maze.contains(next)) this.#cursor = next;
+    } else if (letter === "s" && !event.ctrlKey) this.actions.pick(this.#cursor, "start");
+    else if (letter === "g" && !event.ctrlKey) this.actions.pick(this.#cursor, "goals");
+    else return;
+    event.preventDefault();
+    this.redraw();
+  }
+}

@@ -1,0 +1,147 @@
+import { button, element, say } from "../page/element";
+import { draw_input } from "./maze_drawing";
+import { false_walls, known_after } from "./maze_run";
+import type { MazeRun } from "./maze_run";
+
+const input_px = 76;
+const directions = { N: "up", E: "right", S: "down", W: "left", "": "stop" };
+
+/** Steps through a run: state, input, rule and stack of each learning cycle. */
+export class RunPlayer {
+  readonly element: HTMLElement;
+  readonly #slider = element("input", { type: "range", min: 1, max: 1, value: 1, "aria-label": "Cycle" });
+  readonly #speed = element("input", { type: "range", min: 0, max: 100, value: 45, "aria-label": "Speed" });
+  readonly #play: HTMLButtonElement;
+  readonly #position = element("span", { class: "position" });
+  readonly #input = element("canvas", {
+    width: input_px,
+    height: input_px,
+    role: "img",
+    class: "input-picture",
+  });
+  readonly #state = element("dd", {});
+  readonly #symbol = element("dd", {});
+  readonly #rule = element("dd", { class: "rule" });
+  readonly #move = element("dd", {});
+  readonly #stack = element("ol", { class: "stack", "aria-label": "Stack, top first" });
+  readonly #figures = element("p", { class: "about", role: "status" });
+  #run: MazeRun | undefined;
+  #count = 0;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** @param show told how many cycles are to be seen */
+  constructor(private readonly show: (count: number) => void) {
+    this.#play = button("Run", () => this.#toggle());
+    this.#slider.addEventListener("input", () => {
+      this.pause();
+      this.go_to(Number(this.#slider.value));
+    });
+    const step = (by: number) => () => {
+      this.pause();
+      this.go_to(this.#count + by);
+    };
+    this.element = element(
+      "div",
+      { class: "player" },
+      element(
+        "div",
+        { class: "buttons" },
+        this.#play,
+        button("Back", step(-1), { "aria-label": "One step back" }),
+        button("Step", step(1), { "aria-label": "One step on" }),
+        button("To the end", step(Infinity)),
+      ),
+      element("label", { class: "field" }, element("span", {}, "Speed"), this.#speed),
+      element("label", { class: "field" }, this.#position, this.#slider),
+      element(
+        "div",
+        { class: "cycle" },
+        this.#input,
+        element(
+          "dl",
+          {},
+          ...[
+            ["State", this.#state],
+            ["Input", this.#symbol],
+            ["Move", this.#move],
+            ["Rule", this.#rule],
+          ].flatMap(([label, value]) => [element("dt", {}, label as string), value as HTMLElement]),
+        ),
+      ),
+      element("h3", {}, "Stack, top first"),
+      this.#stack,
+      this.#figures,
+    );
+    addEventListener("aisle-theme", () => this.#tell());
+  }
+
+  load(run: MazeRun | undefined): void {
+    this.pause();
+    this.#run = run;
+    this.#count = 0;
+    this.element.hidden = run === undefined;
+    if (!run) return;
+    this.#slider.max = String(run.steps.length);
+    const { visited, reachable, moves, complete } = run.figures;
+    const outcome = complete ? "Explored completely and home again" : "Not explored completely";
+    say(this.#figures, `${outcome}: ${visited} of ${reachable} cells, ${moves} moves.`);
+    this.go_to(1);
+  }
+
+  go_to(count: number): void {
+    if (!this.#run) return;
+    this.#count = Math.min(this.#run.steps.length, Math.max(1, count));
+    this.#slider.value = String(this.#count);
+    this.#tell();
+    this.show(this.#count);
+  }
+
+  play(): void {
+    if (!this.#run) return;
+    if (this.#count === this.#run.steps.length) this.go_to(1);
+    say(this.#play, "Pause");
+    this.#advance();
+  }
+
+  pause(): void {
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+    say(this.#play, "Run");
+  }
+
+  #toggle(): void {
+    if (this.#timer === undefined) this.play();
+    else this.pause();
+  }
+
+  /** From one cycle a second to some hundreds: several at once where the screen is slower. */
+  #advance(): void {
+    const cycles_per_s = 10 ** (Number(this.#speed.value) / 40);
+    const wait_ms = Math.max(16, 1000 / cycles_per_s);
+    this.#timer = setTimeout(() => {
+      this.go_to(this.#count + Math.max(1, Math.round((cycles_per_s * wait_ms) / 1000)));
+      if (this.#count === this.#run?.steps.length) this.pause();
+      else this.#advance();
+    }, wait_ms);
+  }
+
+  #tell(): void {
+    const step = this.#run?.steps[this.#count - 1];
+    if (!this.#run || !step) return;
+    say(this.#position, `${this.#count} of ${this.#run.steps.length}`);
+    say(this.#state, step.state);
+    say(this.#symbol, `${step.input}, ${step.input_kind}`);
+    say(this.#move, directions[step.move]);
+    say(this.#rule, step.rule);
+    this.#stack.replaceChildren(...step.stack.toReversed().map((symbol) => element("li", {}, symbol)));
+    const context = this.#input.getContext("2d");
+    if (context)
+      draw_input(
+        context,
+        input_px,
+        step.open,
+        false_walls(step, known_after(this.#run, this.#count).came_from),
+      );
+    this.#input.setAttribute("aria-label", `Open sides: ${step.open}`);
+  }
+}

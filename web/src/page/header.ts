@@ -1,0 +1,88 @@
+import type { App, Room } from "./app";
+import { button, element, say } from "./element";
+import { standing } from "./standing";
+import { present_theme, toggle_theme } from "./theme";
+
+function rooms_bar(app: App, rooms: Room[]): HTMLElement {
+  const links = rooms.map(({ name, title }) => element("a", { href: `#${name}` }, title));
+  app.room.watch((shown) => {
+    links.forEach((link, index) => {
+      if (rooms[index]?.name === shown) link.setAttribute("aria-current", "page");
+      else link.removeAttribute("aria-current");
+    });
+  });
+  return element("nav", { "aria-label": "Rooms" }, ...links);
+}
+
+/** Connected or not, old data, who drives: always in sight. */
+function standing_line(app: App): HTMLElement {
+  const text = element("span", {});
+  const line = element("p", { class: "standing", role: "status" }, element("span", { class: "lamp" }), text);
+  const show = () => {
+    const { lamp, text: said } = standing({
+      connection: app.connection.state.value,
+      silent_s: (performance.now() - app.connection.heard_ms) / 1000,
+      state: app.state.value,
+      drives_here: app.lease.token.value !== undefined,
+    });
+    line.dataset["lamp"] = lamp;
+    document.documentElement.dataset["lamp"] = lamp;
+    say(text, said);
+  };
+  app.connection.state.watch(show);
+  app.state.watch(show);
+  app.lease.token.watch(show);
+  setInterval(show, 500);
+  return line;
+}
+
+function theme_button(): HTMLElement {
+  const made = button("", toggle_theme, { class: "theme" });
+  const show = () => {
+    const other = present_theme() === "dark" ? "light" : "dark";
+    made.setAttribute("aria-label", `Switch to ${other} colours`);
+    made.title = made.getAttribute("aria-label") ?? "";
+    say(made, other === "dark" ? "☾" : "☀");
+  };
+  addEventListener("aisle-theme", show);
+  show();
+  return made;
+}
+
+/** The one control that needs no lease and is in every room. */
+function emergency_stop(app: App): HTMLElement {
+  const stop = () => void app.notices.attempt(app.connection.call("mission/emergency_stop"));
+  const stop_button = button("STOP", stop, { class: "emergency", title: "Emergency stop (Escape)" });
+  stop_button.setAttribute("aria-label", "Emergency stop");
+  const release = button(
+    "Release",
+    () => void app.notices.attempt(app.lease.call("mission/emergency_release")),
+    {
+      class: "release",
+      hidden: true,
+    },
+  );
+  addEventListener("keydown", (event) => {
+    if (event.key === "Escape") stop();
+  });
+  app.connection.state.watch((connection) => (stop_button.disabled = connection !== "connected"));
+  app.state.watch((state) => {
+    const stopped = state?.emergency ?? false;
+    stop_button.classList.toggle("stopped", stopped);
+    say(stop_button, stopped ? "STOPPED" : "STOP");
+    release.hidden = !stopped;
+  });
+  return element("div", { class: "stopper" }, release, stop_button);
+}
+
+export function header(app: App, rooms: Room[]): HTMLElement {
+  return element(
+    "header",
+    {},
+    element("strong", { class: "brand" }, "aisle"),
+    rooms_bar(app, rooms),
+    standing_line(app),
+    theme_button(),
+    emergency_stop(app),
+  );
+}

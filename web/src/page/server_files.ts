@@ -1,0 +1,40 @@
+/** Files that the server keeps, over HTTP. */
+
+/** The address of a file; where the page was opened with a token, it bears it as well. */
+export function file_address(path: string): string {
+  const address = new URL(path, new URL(".", location.href));
+  const token = new URL(location.href).searchParams.get("token");
+  if (token !== null) address.searchParams.set("token", token);
+  return address.href;
+}
+
+async function problems_of(response: Response): Promise<string> {
+  try {
+    const { problems } = (await response.json()) as { problems: string[] };
+    return problems.join("; ");
+  } catch {
+    return `${response.status} ${response.statusText}`;
+  }
+}
+
+export async function get_json<T>(path: string): Promise<T> {
+  const response = await fetch(file_address(path), { cache: "no-store" });
+  if (!response.ok) throw new Error(await problems_of(response));
+  return (await response.json()) as T;
+}
+
+export async function post_text<T>(path: string, text: string, lease: string): Promise<T> {
+  const headers = { "content-type": "application/json", "x-aisle-lease": lease };
+  const response = await fetch(file_address(path), { method: "POST", body: text, headers });
+  if (!response.ok) throw new Error(await problems_of(response));
+  return (await response.json()) as T;
+}
+
+/** Hands a text made here to the browser as a download. */
+export function download_text(name: string, text: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
+}

@@ -1,0 +1,40 @@
+import type { ConnectionState } from "../connection/live_connection";
+import type { LiveState } from "../connection/live_state";
+
+/** The server speaks twice a second; this long without a word is too long. */
+const old_after_s = 1.6;
+
+export interface Standing {
+  lamp: "good" | "busy" | "trouble";
+  text: string;
+}
+
+interface Facts {
+  connection: ConnectionState;
+  silent_s: number;
+  state: LiveState | undefined;
+  drives_here: boolean;
+}
+
+function doing({ mode, mission, paused, task, replay }: LiveState): string {
+  if (mode === "mission") return paused ? `${mission}, paused` : mission;
+  if (mode === "work") return task;
+  if (mode === "replay") return `replay of ${replay?.session ?? "a session"}`;
+  return "waiting";
+}
+
+function driver(state: LiveState, drives_here: boolean): string {
+  if (drives_here) return "you hold the controls";
+  return state.lease_held ? "somebody else holds the controls" : "nobody holds the controls";
+}
+
+/** One line: whether what is seen is true now, what goes on, and who may drive. */
+export function standing({ connection, silent_s, state, drives_here }: Facts): Standing {
+  if (connection === "connecting") return { lamp: "busy", text: "Connecting" };
+  if (connection === "lost") return { lamp: "trouble", text: "Not connected: trying again" };
+  if (!state) return { lamp: "busy", text: "Connected, nothing heard yet" };
+  if (silent_s > old_after_s)
+    return { lamp: "trouble", text: `Old data: nothing heard for ${silent_s.toFixed(0)} s` };
+  if (state.emergency) return { lamp: "trouble", text: "Emergency stop" };
+  return { lamp: "good", text: `${state.world}: ${doing(state)}; ${driver(state, drives_here)}` };
+}

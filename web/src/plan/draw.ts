@@ -1,0 +1,156 @@
+/** Strokes and marks on a plan, in the map's metres. */
+
+import { colour } from "../page/theme";
+import { moved_by } from "./geometry";
+import type { Ellipse, Point, Pose } from "./geometry";
+import { round_length_m } from "./plan_view";
+import type { PlanView } from "./plan_view";
+
+type Context = CanvasRenderingContext2D;
+
+export interface Stroke {
+  colour: string;
+  width_px: number;
+  dash_px?: number[];
+}
+
+function apply(context: Context, stroke: Stroke): void {
+  context.strokeStyle = stroke.colour;
+  context.lineWidth = stroke.width_px;
+  context.lineCap = "round";
+  context.lineJoin = "round";
+  context.setLineDash(stroke.dash_px ?? []);
+}
+
+export function trace(context: Context, view: PlanView, points: readonly Point[], is_closed = false): void {
+  points.forEach((point, index) => {
+    const { x, y } = view.to_screen(point);
+    if (index === 0) context.moveTo(x, y);
+    else context.lineTo(x, y);
+  });
+  if (is_closed) context.closePath();
+}
+
+export function draw_line(context: Context, view: PlanView, points: readonly Point[], stroke: Stroke): void {
+  apply(context, stroke);
+  context.beginPath();
+  trace(context, view, points);
+  context.stroke();
+}
+
+export function draw_pieces(
+  context: Context,
+  view: PlanView,
+  pieces: Iterable<[Point, Point]>,
+  stroke: Stroke,
+): void {
+  apply(context, stroke);
+  context.beginPath();
+  for (const piece of pieces) trace(context, view, piece);
+  context.stroke();
+}
+
+export function draw_dots(
+  context: Context,
+  view: PlanView,
+  points: Iterable<Point>,
+  fill: string,
+  radius_px: number,
+): void {
+  context.fillStyle = fill;
+  context.beginPath();
+  for (const point of points) {
+    const { x, y } = view.to_screen(point);
+    context.moveTo(x + radius_px, y);
+    context.arc(x, y, radius_px, 0, 2 * Math.PI);
+  }
+  context.fill();
+}
+
+/** A name beside a point, legible over anything. */
+export function draw_name(context: Context, view: PlanView, at: Point, name: string): void {
+  const { x, y } = view.to_screen(at);
+  context.font = "12px system-ui, sans-serif";
+  context.textBaseline = "middle";
+  context.lineWidth = 3;
+  context.lineJoin = "round";
+  context.setLineDash([]);
+  context.strokeStyle = colour("sheet");
+  context.strokeText(name, x + 8, y - 8);
+  context.fillStyle = colour("ink");
+  context.fillText(name, x + 8, y - 8);
+}
+
+export function draw_ellipse(context: Context, view: PlanView, at: Point, ellipse: Ellipse): void {
+  const { x, y } = view.to_screen(at);
+  context.beginPath();
+  context.ellipse(
+    x,
+    y,
+    ellipse.a_m * view.scale_px_per_m,
+    ellipse.b_m * view.scale_px_per_m,
+    -ellipse.heading_rad,
+    0,
+    2 * Math.PI,
+  );
+  context.globalAlpha = 0.2;
+  context.fillStyle = colour("accent");
+  context.fill();
+  context.globalAlpha = 1;
+  apply(context, { colour: colour("accent"), width_px: 1 });
+  context.stroke();
+}
+
+/** The vehicle from above: its outline and, however small it is, an arrow that can be seen. */
+export function draw_vehicle(
+  context: Context,
+  view: PlanView,
+  pose: Pose,
+  size: { front_m: number; rear_m: number; width_m: number },
+): void {
+  const { front_m, rear_m, width_m } = size;
+  const corners = [
+    { x: front_m, y: width_m / 2 },
+    { x: -rear_m, y: width_m / 2 },
+    { x: -rear_m, y: -width_m / 2 },
+    { x: front_m, y: -width_m / 2 },
+  ].map((corner) => moved_by(pose, corner));
+  context.beginPath();
+  trace(context, view, corners, true);
+  context.globalAlpha = 0.25;
+  context.fillStyle = colour("accent");
+  context.fill();
+  context.globalAlpha = 1;
+  apply(context, { colour: colour("accent"), width_px: 1.5 });
+  context.stroke();
+
+  const unit = Math.max(11 / view.scale_px_per_m, Math.min(front_m, width_m) * 0.5);
+  const arrow = [
+    { x: unit, y: 0 },
+    { x: -0.7 * unit, y: 0.6 * unit },
+    { x: -0.35 * unit, y: 0 },
+    { x: -0.7 * unit, y: -0.6 * unit },
+  ].map((corner) => moved_by(pose, corner));
+  context.beginPath();
+  trace(context, view, arrow, true);
+  context.fillStyle = colour("accent");
+  context.fill();
+}
+
+/** A bar of a round length in the lower left corner. */
+export function draw_scale(context: Context, view: PlanView): void {
+  const length_m = round_length_m(view.scale_px_per_m, 90);
+  const length_px = length_m * view.scale_px_per_m;
+  const y = view.height_px - 14;
+  apply(context, { colour: colour("muted"), width_px: 1.5 });
+  context.beginPath();
+  context.moveTo(14, y - 4);
+  context.lineTo(14, y);
+  context.lineTo(14 + length_px, y);
+  context.lineTo(14 + length_px, y - 4);
+  context.stroke();
+  context.font = "11px system-ui, sans-serif";
+  context.textBaseline = "alphabetic";
+  context.fillStyle = colour("muted");
+  context.fillText(length_m < 1 ? `${Math.round(length_m * 100)} cm` : `${length_m} m`, 18, y - 5);
+}

@@ -1,0 +1,56 @@
+/** How the live plan is drawn: each layer by the name under which it is switched on and off. */
+
+import { colour } from "../page/theme";
+import { draw_dots, draw_ellipse, draw_line, draw_name, draw_pieces, draw_vehicle } from "./draw";
+import type { Stroke } from "./draw";
+import type { Point } from "./geometry";
+import type { LivePlan, Mark } from "./live_plan";
+import type { Layer } from "./plan_canvas";
+
+function pairs(points: Point[]): [Point, Point][] {
+  const made: [Point, Point][] = [];
+  for (let first = 0; first + 1 < points.length; first += 2) {
+    made.push([points[first] as Point, points[first + 1] as Point]);
+  }
+  return made;
+}
+
+function stroke_of(room: string): Stroke {
+  if (room === "walls") return { colour: colour("wall"), width_px: 2.5 };
+  if (room === "graph") return { colour: colour("graph"), width_px: 1.5, dash_px: [6, 4] };
+  return { colour: colour("muted"), width_px: 1.5 };
+}
+
+function draw_mark(mark: Mark, ...[context, view]: Parameters<Layer>): void {
+  const stroke = stroke_of(mark.room);
+  const dot = mark.room === "landmarks" ? colour("landmark") : stroke.colour;
+  if (mark.kind === "pieces") draw_pieces(context, view, pairs(mark.points), stroke);
+  else if (mark.kind === "line") draw_line(context, view, mark.points, stroke);
+  else if (mark.kind === "points")
+    draw_dots(context, view, mark.points, dot, mark.room === "landmarks" ? 2.5 : 4);
+  else for (const at of mark.points) draw_name(context, view, at, mark.text);
+}
+
+function marks_layer(plan: LivePlan, wanted: (room: string) => boolean): Layer {
+  return (context, view) => {
+    for (const mark of plan.marks.values()) if (wanted(mark.room)) draw_mark(mark, context, view);
+  };
+}
+
+export function live_layers(plan: LivePlan): Record<string, Layer> {
+  return {
+    walls: marks_layer(plan, (room) => !["landmarks", "graph", "places"].includes(room)),
+    landmarks: marks_layer(plan, (room) => room === "landmarks"),
+    graph: marks_layer(plan, (room) => room === "graph" || room === "places"),
+    scan: (context, view) => draw_dots(context, view, plan.scan, colour("scan"), 1.5),
+    trail: (context, view) =>
+      draw_line(context, view, plan.trail, { colour: colour("trail"), width_px: 1.5 }),
+    path: (context, view) =>
+      draw_line(context, view, plan.path, { colour: colour("path"), width_px: 2, dash_px: [2, 5] }),
+    vehicle: (context, view) => {
+      if (!plan.pose) return;
+      if (plan.ellipse) draw_ellipse(context, view, plan.pose, plan.ellipse);
+      draw_vehicle(context, view, plan.pose, plan.shape);
+    },
+  };
+}

@@ -1,0 +1,162 @@
+import type { LiveConnection } from "../connection/live_connection";
+import { marker_type } from "../connection/messages";
+import type {
+  LaserScan,
+  Marker,
+  MarkerArray,
+  Odometry,
+  Path,
+  PoseWithCovarianceStamped,
+  RosPose,
+  TFMessage,
+} from "../connection/messages";
+import { vehicle_shape } from "../drive/vehicle_text";
+import { distance, ellipse_of, heading_of, moved_by } from "./geometry";
+import type { Ellipse, Point, Pose } from "./geometry";
+
+const trail_every_m = 0.05;
+
+function pose_of({ position, orientation }: RosPose): Pose {
+  return { x: position.x, y: position.y, heading_rad: heading_of(orientation) };
+}
+
+function points_of(marker: Marker): Point[] {
+  const pose = pose_of(marker.pose);
+  return marker.points.length > 0 ? marker.points.map((point) => moved_by(pose, point)) : [pose];
+}
+
+/** One marker as it is drawn. */
+export interface Mark {
+  room: string;
+  kind: "pieces" | "line" | "points" | "text";
+  points: Point[];
+  text: string;
+}
+
+function mark_of(marker: Marker): Mark {
+  const { line_list, line_strip, text } = marker_type;
+  const kind =
+    marker.type === line_list
+      ? "pieces"
+      : marker.type === line_strip
+        ? "line"
+        : marker.type === text
+          ? "text"
+          : "points";
+  return { room: marker.ns, kind, points: points_of(marker), text: marker.text };
+}
+
+/** What the vehicle is believed to know and do now, kept from the topics of the connection. */
+export class LivePlan {
+  marks = new Map<string, Mark>();
+  path: Point[] = [];
+  trail: Point[] = [];
+  scan: Point[] = [];
+  shape = vehicle_shape("");
+  /** In `map` where the navigator knows it, else in `odom`. */
+  pose: Pose | undefined;
+  ellipse: Ellipse | undefined;
+  heading_sigma_rad = 0;
+
+  #laser: Pose = { x: 0, y: 0, heading_rad: 0 };
+  #stamp_ns = 0n;
+  #has_map_pose = false;
+
+  constructor(connection: LiveConnection, changed: () => void) {
+    const listen = <T>(topic: string, take: (message: T, stamp_ns: bigint) => void) =>
+      connection.listen(topic, (message, stamp_ns) => {
+        take(message as T, stamp_ns);
+        changed();
+      });
+    listen("/session", () => this.#begin());
+    listen<PoseWithCovarianceStamped>("/pose", (message, stamp_ns) => {
+      this.#keep_time(stamp_ns);
+      this.#take_pose(message);
+    });
+    listen<Odometry>("/odom", ({ pose }, stamp_ns) => {
+      this.#keep_time(stamp_ns);
+      if (!this.#has_map_pose) this.#move_to(pose_of(pose.pose));
+    });
+    listen<MarkerArray>("/map", ({ markers }) => this.#take_map(markers));
+    listen<Path>("/plan", ({ poses }) => (this.path = poses.map(({ pose }) => pose_of(pose))));
+    listen<LaserScan>("/scan", (scan) => this.#take_scan(scan));
+    listen<TFMessage>("/tf_static", ({ transforms }) => this.#take_mounting(transforms));
+    listen<{ data: string }>("/vehicle_description", ({ data }) => (this.shape = vehicle_shape(data)));
+  }
+
+  /** Everything that has a place in the plan. */
+  *points(): Iterable<Point> {
+    for (const { points } of this.marks.values()) yield* points;
+    yield* this.path;
+    yield* this.trail;
+    if (this.pose) {
+      yield { x: this.pose.x - 1.5, y: this.pose.y - 1.5 };
+      yield { x: this.pose.x + 1.5, y: this.pose.y + 1.5 };
+    }
+  }
+
+  /** A mission begins: what was driven, planned and known before is gone. */
+  #begin(): void {
+    this.#forget_drive();
+    this.marks.clear();
+  }
+
+  /** A replay may go back in time. */
+  #keep_time(stamp_ns: bigint): void {
+    if (stamp_ns < this.#stamp_ns) this.#forget_drive();
+    this.#stamp_ns = stamp_ns;
+  }
+
+  #forget_drive(): void {
+    this.trail = [];
+    this.path = [];
+    this.scan = [];
+    this.pose = undefined;
+    this.ellipse = undefined;
+    this.#has_map_pose = false;
+    this.#stamp_ns = 0n;
+  }
+
+  #take_pose({ pose: { pose, covariance } }: PoseWithCovarianceStamped): void {
+    if (!this.#has_map_pose) this.trail = [];
+    this.#has_map_pose = true;
+    this.#move_to(pose_of(pose));
+    this.ellipse = ellipse_of(covariance[0] ?? 0, covariance[1] ?? 0, covariance[7] ?? 0);
+    this.heading_sigma_rad = Math.sqrt(Math.max(0, covariance[35] ?? 0));
+  }
+
+  #move_to(pose: Pose): void {
+    this.pose = pose;
+    const last = this.trail.at(-1);
+    if (!last || distance(last, pose) > trail_every_m) this.trail.push({ x: pose.x, y: pose.y });
+  }
+
+  #take_map(markers: Marker[]): void {
+    for (const marker of markers) {
+      const key = `${marker.ns}/${marker.id}`;
+      if (marker.action === 3) this.marks.clear();
+      else if (marker.action === 2) this.marks.delete(key);
+      else this.marks.set(key, mark_of(marker));
+    }
+  }
+
+  #take_mounting(transforms: TFMessage["transforms"]): void {
+    const laser = transforms.find(({ child_frame_id }) => child_frame_id === "laser");
+    if (!laser) return;
+    const { translation, rotation } = laser.transform;
+    this.#laser = { x: translation.x, y: translation.y, heading_rad: heading_of(rotation) };
+  }
+
+  #take_scan({ angle_min, angle_increment, range_max, ranges }: LaserScan): void {
+    if (!this.pose) return;
+    const points: Point[] = [];
+    for (let beam = 0; beam < ranges.length; beam += 1) {
+      const range_m = ranges[beam] ?? 0;
+      if (range_m <= 0 || range_m >= range_max) continue;
+      const heading = angle_min + beam * angle_increment;
+      const seen = { x: range_m * Math.cos(heading), y: range_m * Math.sin(heading) };
+      points.push(moved_by(this.pose, moved_by(this.#laser, seen)));
+    }
+    this.scan = points;
+  }
+}

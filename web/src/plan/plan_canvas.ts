@@ -1,0 +1,147 @@
+import { button, element } from "../page/element";
+import type { Bounds, Point } from "./geometry";
+import { draw_scale } from "./draw";
+import { PlanView } from "./plan_view";
+import { watch_pointers } from "./pointers";
+
+export type Layer = (context: CanvasRenderingContext2D, view: PlanView) => void;
+
+/** What a press on the plan does, in the map's metres; without `drag` a drag moves the plan. */
+export interface PlanTool {
+  click?(at: Point): void;
+  drag?(from: Point, to: Point, ended: boolean): void;
+}
+
+/** A plan to look at: layers drawn one over the other, moved by mouse, fingers and keys. */
+export class PlanCanvas {
+  readonly view = new PlanView();
+  readonly element: HTMLElement;
+  tool: PlanTool = {};
+  layers: Layer[] = [];
+  /** What to show as a whole; undefined: nothing yet. */
+  extent: () => Bounds | undefined = () => undefined;
+  /** What stays in the middle while the plan follows; undefined: nothing to follow. */
+  followed: () => Point | undefined = () => undefined;
+
+  readonly #canvas: HTMLCanvasElement;
+  readonly #follow: HTMLButtonElement;
+  #follows = false;
+  #is_moved = false;
+  #is_due = false;
+
+  constructor(label: string) {
+    this.#canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": label });
+    this.#follow = button("Follow", () => this.#set_following(!this.#follows), { "aria-pressed": "false" });
+    const tools = element(
+      "div",
+      { class: "plan-tools", role: "toolbar", "aria-label": "View" },
+      button("+", () => this.#zoom_middle(1.4), { "aria-label": "Zoom in" }),
+      button("−", () => this.#zoom_middle(1 / 1.4), { "aria-label": "Zoom out" }),
+      button("Fit", () => this.#fit_again()),
+      this.#follow,
+    );
+    this.element = element("div", { class: "plan" }, this.#canvas, tools);
+    new ResizeObserver(() => this.#resize()).observe(this.#canvas);
+    addEventListener("aisle-theme", () => this.redraw());
+    this.#canvas.addEventListener("keydown", (event) => this.#key(event));
+    watch_pointers(this.#canvas, {
+      pan: (right, down) => this.#pan(right, down),
+      zoom: (factor, at) => this.#zoom(factor, at),
+      click: (at) => this.tool.click?.(this.view.to_map(at)),
+      drag: (from, to, ended) => {
+        if (!this.tool.drag) return false;
+        this.tool.drag(this.view.to_map(from), this.view.to_map(to), ended);
+        return true;
+      },
+    });
+  }
+
+  hide_follow(): void {
+    this.#follow.hidden = true;
+  }
+
+  redraw(): void {
+    if (this.#is_due) return;
+    this.#is_due = true;
+    requestAnimationFrame(() => {
+      this.#is_due = false;
+      this.#draw();
+    });
+  }
+
+  /** Shows the whole extent again, as at first. */
+  refit(): void {
+    this.#is_moved = false;
+    this.redraw();
+  }
+
+  #draw(): void {
+    const context = this.#canvas.getContext("2d");
+    if (!context || this.view.width_px < 2) return;
+    this.#place();
+    const ratio = devicePixelRatio;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, this.view.width_px, this.view.height_px);
+    for (const layer of this.layers) {
+      context.save();
+      layer(context, this.view);
+      context.restore();
+    }
+    draw_scale(context, this.view);
+  }
+
+  #place(): void {
+    const middle = this.#follows ? this.followed() : undefined;
+    if (middle) this.view.middle = middle;
+    else if (!this.#is_moved) {
+      const extent = this.extent();
+      if (extent) this.view.fit(extent);
+    }
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.#canvas;
+    this.view.width_px = clientWidth;
+    this.view.height_px = clientHeight;
+    this.#canvas.width = Math.round(clientWidth * devicePixelRatio);
+    this.#canvas.height = Math.round(clientHeight * devicePixelRatio);
+    this.redraw();
+  }
+
+  #set_following(follows: boolean): void {
+    this.#follows = follows;
+    this.#is_moved = true;
+    this.#follow.setAttribute("aria-pressed", String(follows));
+    this.redraw();
+  }
+
+  #fit_again(): void {
+    this.#set_following(false);
+    this.refit();
+  }
+
+  #pan(right: number, down: number): void {
+    if (this.#follows) this.#set_following(false);
+    this.#is_moved = true;
+    this.view.pan_px(right, down);
+    this.redraw();
+  }
+
+  #zoom(factor: number, at: Point): void {
+    this.#is_moved = true;
+    this.view.zoom(factor, at);
+    this.redraw();
+  }
+
+  #zoom_middle(factor: number): void {
+    this.#zoom(factor, { x: this.view.width_px / 2, y: this.view.height_px / 2 });
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (event.key === "+" || event.key === "=") this.#zoom_middle(1.4);
+    else if (event.key === "-") this.#zoom_middle(1 / 1.4);
+    else if (event.key === "0") this.#fit_again();
+    else return;
+    event.preventDefault();
+  }
+}

@@ -1,0 +1,57 @@
+import type { Bounds, Point } from "./geometry";
+
+/** Where the map lies on the screen: x to the right, y up, `scale` pixels a metre. */
+export class PlanView {
+  middle: Point = { x: 0, y: 0 };
+  scale_px_per_m = 40;
+  width_px = 1;
+  height_px = 1;
+
+  to_screen({ x, y }: Point): Point {
+    return {
+      x: this.width_px / 2 + (x - this.middle.x) * this.scale_px_per_m,
+      y: this.height_px / 2 - (y - this.middle.y) * this.scale_px_per_m,
+    };
+  }
+
+  to_map({ x, y }: Point): Point {
+    return {
+      x: this.middle.x + (x - this.width_px / 2) / this.scale_px_per_m,
+      y: this.middle.y - (y - this.height_px / 2) / this.scale_px_per_m,
+    };
+  }
+
+  pan_px(right: number, down: number): void {
+    this.middle = {
+      x: this.middle.x - right / this.scale_px_per_m,
+      y: this.middle.y + down / this.scale_px_per_m,
+    };
+  }
+
+  /** What lies under `at` on the screen stays there. */
+  zoom(factor: number, at: Point): void {
+    const fixed = this.to_map(at);
+    this.scale_px_per_m = Math.min(2000, Math.max(0.5, this.scale_px_per_m * factor));
+    const moved = this.to_map(at);
+    this.middle = { x: this.middle.x + fixed.x - moved.x, y: this.middle.y + fixed.y - moved.y };
+  }
+
+  fit({ low, high }: Bounds, margin_px = 32): void {
+    this.middle = { x: (low.x + high.x) / 2, y: (low.y + high.y) / 2 };
+    const across = (size_px: number, size_m: number) =>
+      Math.max(1, size_px - 2 * margin_px) / Math.max(1, size_m);
+    this.scale_px_per_m = Math.min(
+      200,
+      across(this.width_px, high.x - low.x),
+      across(this.height_px, high.y - low.y),
+    );
+  }
+}
+
+/** A round length that takes about `wanted_px` on the screen: 1, 2 or 5 times a power of ten [m]. */
+export function round_length_m(scale_px_per_m: number, wanted_px: number): number {
+  const wanted_m = wanted_px / scale_px_per_m;
+  const power = 10 ** Math.floor(Math.log10(wanted_m));
+  const step = [1, 2, 5].findLast((candidate) => candidate * power <= wanted_m) ?? 1;
+  return step * power;
+}

@@ -1,0 +1,50 @@
+// A real browser for the tests: pages that report their own errors, and pictures of them.
+import { mkdirSync } from "node:fs";
+import { join } from "node:path";
+import { chromium } from "playwright-core";
+
+export const page_directory = new URL("../../dist", import.meta.url).pathname;
+
+export const desktop = { viewport: { width: 1280, height: 800 }, colorScheme: "dark" };
+export const desktop_light = { ...desktop, colorScheme: "light" };
+export const phone = {
+  viewport: { width: 360, height: 740 },
+  colorScheme: "dark",
+  hasTouch: true,
+  isMobile: true,
+};
+
+export function open_browser() {
+  return chromium.launch({
+    executablePath: process.env.AISLE_BROWSER ?? "/usr/bin/chromium",
+    args: ["--no-sandbox"],
+  });
+}
+
+/** A page of its own; what goes wrong in it is collected in `page.errors`. */
+export async function open_page(browser, address, options = desktop) {
+  const context = await browser.newContext(options);
+  const page = await context.newPage();
+  page.setDefaultTimeout(15000);
+  page.errors = [];
+  page.on("pageerror", (error) => page.errors.push(error.message));
+  await page.goto(address);
+  return page;
+}
+
+/** Keeps a picture where AISLE_PICTURES says so. */
+export async function keep_picture(page, name, options = {}) {
+  const directory = process.env.AISLE_PICTURES;
+  if (!directory) return;
+  mkdirSync(directory, { recursive: true });
+  await page.screenshot({ path: join(directory, `${name}.png`), ...options });
+}
+
+/** Waits until `condition` is true of what the test itself can see. */
+export async function until(condition, what, timeout_ms = 15000) {
+  const end_ms = performance.now() + timeout_ms;
+  while (!(await condition())) {
+    if (performance.now() > end_ms) throw new Error(`waited in vain: ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 10));
+  }
+}

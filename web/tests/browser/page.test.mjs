@@ -1,0 +1,230 @@
+// The page in a real browser, with a server that says what each test needs.
+import assert from "node:assert/strict";
+import { after, afterEach, before, beforeEach, test } from "node:test";
+
+import { desktop_light, open_browser, open_page, page_directory, phone, until } from "./browser.mjs";
+import { FakeVehicle } from "./fake_vehicle.mjs";
+
+let browser, vehicle, address, page;
+
+before(async () => (browser = await open_browser()));
+after(() => browser.close());
+beforeEach(async () => {
+  vehicle = new FakeVehicle(page_directory);
+  vehicle.answers["lease/take"] = () => ({ lease: "token", valid_s: 3 });
+  vehicle.answers["lease/renew"] = () => ({ valid_s: 3 });
+  vehicle.answers["buildings/list"] = () => ({ buildings: [] });
+  vehicle.answers["sessions/list"] = () => ({ sessions: [] });
+  address = await vehicle.start();
+  page = await open_page(browser, address);
+  await page.getByText("l-corridor: waiting").waitFor();
+});
+afterEach(async () => {
+  const errors = page.errors;
+  await page.context().close();
+  await vehicle.stop();
+  assert.deepEqual(errors, []);
+});
+
+const called = (name) => vehicle.calls.filter((call) => call.name === name);
+
+test("Says when the connection is lost, and connects again by itself", async () => {
+  const port = Number(new URL(address).port);
+  await vehicle.stop();
+  await page.getByText("Not connected").waitFor();
+  assert.ok(await page.getByRole("button", { name: "Emergency stop" }).isDisabled());
+  await vehicle.start(port);
+  await page.getByText("l-corridor: waiting").waitFor();
+});
+
+test("Says when what is seen has grown old", async () => {
+  vehicle.fall_silent();
+  await page.getByText("Old data").waitFor();
+});
+
+test("Says who drives, and why the controls cannot be had", async () => {
+  vehicle.tell_state({ lease_held: true });
+  await page.getByText("somebody else holds the controls").waitFor();
+  vehicle.answers["lease/take"] = () => new Error("anna drives");
+  await page.getByRole("button", { name: "Take the controls" }).click();
+  await page.getByText("anna drives").waitFor();
+});
+
+test("Arrow keys drive while they are held, and the last word is to stand", async () => {
+  await page.getByRole("button", { name: "Take the controls" }).click();
+  await page.getByText("you hold the controls").waitFor();
+  await page.keyboard.down("ArrowUp");
+  await page.keyboard.down("ArrowLeft");
+  await until(() => vehicle.drives.some(({ steering_rad }) => steering_rad > 0), "a curve to the left");
+  await page.keyboard.up("ArrowUp");
+  await page.keyboard.up("ArrowLeft");
+  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "standing");
+  const sequences = vehicle.drives.map(({ sequence }) => sequence);
+  assert.deepEqual(
+    sequences,
+    sequences.toSorted((a, b) => a - b),
+  );
+  assert.equal(new Set(sequences).size, sequences.length);
+  assert.ok(vehicle.drives.every(({ lease }) => lease === "token"));
+});
+
+test("Without the controls the arrow keys say nothing", async () => {
+  await page.keyboard.press("ArrowUp");
+  await page.getByRole("button", { name: "Emergency stop" }).click();
+  await until(() => called("mission/emergency_stop").length === 1, "the call that comes after the key");
+  assert.deepEqual(vehicle.drives, []);
+});
+
+test("The pad drives under the finger", async () => {
+  await page.getByRole("button", { name: "Take the controls" }).click();
+  await page.getByText("you hold the controls").waitFor();
+  const pad = page.getByRole("application", { name: /Drive pad/ });
+  const box = await pad.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2, box.y + 6);
+  await until(() => vehicle.drives.some(({ speed_mps }) => speed_mps > 0), "driving ahead");
+  await page.mouse.up();
+  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "standing");
+});
+
+test("Stop and Escape stop in every room and need no controls", async () => {
+  for (const room of ["Drive", "Maze", "Sessions", "Building"]) {
+    await page.getByRole("link", { name: room }).click();
+    const before = called("mission/emergency_stop").length;
+    await page.getByRole("button", { name: "Emergency stop" }).click();
+    await page.keyboard.press("Escape");
+    await until(() => called("mission/emergency_stop").length === before + 2, `two stops in ${room}`);
+  }
+  assert.equal(called("lease/take").length, 0);
+});
+
+test("A mission is begun with what was filled in", async () => {
+  await page.getByRole("combobox", { name: "Mission" }).selectOption("teach");
+  await page.getByRole("textbox", { name: "Route" }).fill("desk to lift");
+  await page.getByRole("button", { name: "Begin the lesson" }).click();
+  await until(() => called("mission/start").length === 1, "the mission's start");
+  assert.deepEqual(called("mission/start")[0].request, {
+    mission: "teach",
+    session: "lesson-1",
+    route: "desk to lift",
+    lease: "token",
+  });
+});
+
+test("A click on the plan sends the vehicle there", async () => {
+  vehicle.answers["buildings/list"] = () => ({ buildings: [{ name: "floor" }] });
+  vehicle.files["/buildings/floor.json"] = {
+    format: "aisle.building",
+    version: 1,
+    walls: [{ start_m: [0, 0], end_m: [10, 0] }],
+  };
+  vehicle.tell_state({ mode: "work" });
+  vehicle.tell_state({ mode: "idle" });
+  await page.getByRole("combobox", { name: "Mission" }).selectOption("go");
+  await until(
+    async () =>
+      (await page.locator(".mission-panel").getByRole("combobox", { name: "Building" }).inputValue()) ===
+      "floor",
+    "the building",
+  );
+  await page.getByRole("img", { name: /Plan of the building and/ }).click();
+  await page.getByRole("button", { name: "Go there" }).click();
+  await until(() => called("mission/go").length === 1, "the call");
+  const { building, x_m, y_m } = called("mission/go")[0].request;
+  assert.equal(building, "floor");
+  assert.ok(Math.abs(x_m - 5) < 0.2 && Math.abs(y_m) < 0.2, `${x_m}, ${y_m}`);
+});
+
+test("A mended building is saved with its place, its keep-out line and without the false wall", async () => {
+  vehicle.answers["buildings/list"] = () => ({ buildings: [{ name: "floor" }] });
+  vehicle.files["/buildings/floor.json"] = {
+    format: "aisle.building",
+    version: 1,
+    walls: [
+      { start_m: [0, 0], end_m: [10, 0] },
+      { start_m: [5, 3], end_m: [5, -3] },
+    ],
+    floor: { cell_m: 0.5, low_cell: [0, -8], rows: Array(16).fill("20.") },
+  };
+  await page.goto(`${address}#building`);
+  await page.getByText("2 walls, floor").waitFor();
+  const plan = page.getByRole("img", { name: "Plan of the building", exact: true });
+  const box = await plan.boundingBox();
+  const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+
+  await page.getByLabel("Tool").selectOption("delete");
+  await page.mouse.click(middle.x, middle.y + 60);
+  await page.getByText("1 wall, floor").waitFor();
+  await page.getByLabel("Tool").selectOption("place");
+  await page.mouse.click(middle.x, middle.y - 40);
+  await page.getByLabel("Name of the place").fill("desk");
+  await page.getByRole("button", { name: "Name it" }).click();
+  await page.getByText("1 wall, 1 place, floor").waitFor();
+  await page.getByLabel("Tool").selectOption("keep_out");
+  await page.mouse.move(middle.x - 60, middle.y);
+  await page.mouse.down();
+  await page.mouse.move(middle.x + 60, middle.y, { steps: 4 });
+  await page.mouse.up();
+  await page.getByRole("button", { name: "Save as a new version" }).click();
+  await page.getByText("Saved as floor-2").waitFor();
+
+  const { path, lease, body } = vehicle.posts[0];
+  assert.equal(path, "/buildings/floor");
+  assert.equal(lease, "token");
+  assert.equal(body.walls.length, 1);
+  assert.equal(body.places[0].name, "desk");
+  assert.equal(body.floor.rows.filter((row) => row.includes("#")).length, 1);
+});
+
+test("A maze that was drawn by keys is what is explored", async () => {
+  vehicle.answers["maze/run"] = () => new Error("no engine here");
+  await page.getByRole("link", { name: "Maze" }).click();
+  await page.getByLabel("Width").fill("2");
+  await page.getByLabel("Height").fill("1");
+  await page.getByRole("button", { name: "Empty" }).click();
+  await page.getByRole("application", { name: /Maze/ }).focus();
+  await page.keyboard.press("Shift+ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("s");
+  await page.getByRole("button", { name: "Explore" }).click();
+  await page.getByText("no engine here").waitFor();
+  assert.equal(called("maze/run")[0].request.maze, "o---o---o\n|   | S |\no---o---o\n");
+});
+
+test("Nothing hangs over the edge of a phone, in any room", async () => {
+  const small = await open_page(browser, address, phone);
+  for (const room of ["Drive", "Maze", "Sessions", "Building"]) {
+    await small.getByRole("link", { name: room }).click();
+    const width = await small.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(width <= 360, `${room} is ${width} px wide`);
+    assert.ok(await small.getByRole("button", { name: "Emergency stop" }).isVisible());
+  }
+  await small.context().close();
+});
+
+test("Every control can be reached by the keyboard and has a name", async () => {
+  for (const room of ["drive", "maze", "sessions", "building"]) {
+    await page.goto(`${address}#${room}`);
+    const nameless = await page.evaluate(() =>
+      [...document.querySelectorAll("button, input, select, canvas, a")]
+        .filter((control) => control.checkVisibility())
+        .filter((control) => {
+          const label = control.labels?.[0]?.textContent ?? control.textContent;
+          return !(control.getAttribute("aria-label") ?? label ?? "").trim() || control.tabIndex > 0;
+        })
+        .map((control) => control.outerHTML),
+    );
+    assert.deepEqual(nameless, [], room);
+  }
+});
+
+test("Colours follow the system until they are chosen", async () => {
+  const light = await open_page(browser, address, desktop_light);
+  const theme = () => light.evaluate(() => document.documentElement.dataset.theme);
+  assert.equal(await theme(), "light");
+  await light.getByRole("button", { name: "Switch to dark colours" }).click();
+  await light.reload();
+  assert.equal(await theme(), "dark");
+  await light.context().close();
+});

@@ -1,0 +1,152 @@
+// The page in a real browser, with a simulated vehicle behind it: `aisle live`.
+import assert from "node:assert/strict";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, afterEach, before, beforeEach, test } from "node:test";
+
+import { desktop, desktop_light, keep_picture, open_browser, open_page, phone, until } from "./browser.mjs";
+import { Watcher, start_live } from "./watcher.mjs";
+
+/** How long the vehicle may take to obey, in its own time. */
+const obeys_within_s = 0.3;
+
+let browser, server, watcher, directory, page;
+
+before(async () => {
+  browser = await open_browser();
+  directory = mkdtempSync(join(tmpdir(), "aisle-live-"));
+  server = await start_live("l-corridor", directory, "--vehicle", "mini");
+  watcher = new Watcher(server.address, ["/cmd_vel", "/odom", "/decision"]);
+});
+after(async () => {
+  watcher.close();
+  assert.equal(await server.stop(), 130);
+  await browser.close();
+  rmSync(directory, { recursive: true });
+});
+beforeEach(async () => {
+  page = await open_page(browser, server.address);
+  await page.getByText(/l-corridor: /).waitFor();
+});
+afterEach(async () => {
+  const errors = page.errors;
+  await page.context().close();
+  assert.deepEqual(errors, []);
+});
+
+async function drive_ahead() {
+  await page.getByRole("button", { name: "Take the controls" }).click();
+  await page.getByText("you hold the controls").waitFor();
+  await page.keyboard.down("ArrowUp");
+  await until(() => watcher.speed_mps() > 0.1, "the vehicle drives");
+}
+
+const mission = () => page.getByRole("combobox", { name: "Mission" });
+
+test("Shows the camera, the plan and the state of a vehicle that waits", async () => {
+  const camera = page.locator(".camera-panel canvas[data-stamp-s]");
+  await camera.waitFor();
+  const first_s = Number(await camera.getAttribute("data-stamp-s"));
+  await until(async () => Number(await camera.getAttribute("data-stamp-s")) > first_s, "a newer picture");
+  await keep_picture(page, "drive-dark");
+  for (const [name, options] of [
+    ["drive-light", desktop_light],
+    ["drive-phone", phone],
+  ]) {
+    const other = await open_page(browser, server.address, options);
+    await other.locator(".camera-panel canvas[data-stamp-s]").waitFor();
+    await keep_picture(other, name);
+    await other.context().close();
+  }
+});
+
+test("The stop button stops a vehicle that is driven", async () => {
+  await drive_ahead();
+  const pressed_s = watcher.now_s;
+  await page.keyboard.press("Escape");
+  assert.ok((await watcher.told_to_stand_s(pressed_s)) <= pressed_s + obeys_within_s);
+  await page.getByText("Emergency stop", { exact: true }).waitFor();
+  await page.keyboard.up("ArrowUp");
+  await page.getByRole("button", { name: "Release" }).click();
+  await page.getByText("l-corridor: waiting").waitFor();
+});
+
+test("A vehicle whose page is closed stops", async () => {
+  await drive_ahead();
+  const closed_s = watcher.now_s;
+  await page.close();
+  assert.ok((await watcher.told_to_stand_s(closed_s)) <= closed_s + obeys_within_s);
+  await until(() => watcher.state?.lease_held === false, "the controls are free again");
+});
+
+test("Two pages: one drives, the other sees that somebody does", async () => {
+  await page.getByRole("button", { name: "Take the controls" }).click();
+  await page.getByText("you hold the controls").waitFor();
+  const other = await open_page(browser, server.address, desktop);
+  await other.getByText("somebody else holds the controls").waitFor();
+  await other.getByRole("button", { name: "Take the controls" }).click();
+  await other.locator(".notice.trouble").waitFor();
+  await other.context().close();
+});
+
+test("A maze is drawn, explored and shown to be explored completely", async () => {
+  await page.getByRole("link", { name: "Maze" }).click();
+  await page.getByLabel("Width").fill("6");
+  await page.getByLabel("Height").fill("5");
+  await page.getByRole("button", { name: "Random" }).click();
+  const maze = page.getByRole("application", { name: /Maze/ });
+  await maze.focus();
+  await page.keyboard.press("Shift+ArrowRight");
+  await page.keyboard.press("Shift+ArrowRight");
+  for (const rules of ["published", "homing"]) {
+    await page.getByLabel("Rules").selectOption(rules);
+    await page.getByRole("button", { name: "Explore" }).click();
+    await page.getByText("Explored completely and home again: 30 of 30 cells").waitFor();
+  }
+  await page.getByRole("button", { name: "To the end" }).click();
+  await page.getByText("q_fin").waitFor();
+  await keep_picture(page, "maze-dark");
+});
+
+test("A route that is taught by keys is learned and driven", { timeout: 120000 }, async () => {
+  await mission().selectOption("teach");
+  await page.getByRole("button", { name: "Begin the lesson" }).click();
+  await page.getByText("l-corridor: teach").waitFor();
+  await page.keyboard.down("ArrowUp");
+  await until(() => (watcher.latest("/odom")?.message.pose.pose.position.x ?? 0) > 2, "two metres", 60000);
+  await page.keyboard.up("ArrowUp");
+  await page.getByRole("button", { name: "Way ends" }).click();
+  await page.getByText("Last: teach done").waitFor();
+
+  await mission().selectOption("learn");
+  await page.getByRole("button", { name: "Learn", exact: true }).click();
+  await page.getByText("Last: learn done").waitFor({ timeout: 60000 });
+
+  await mission().selectOption("navigate");
+  await page.getByRole("button", { name: "Drive the route" }).click();
+  await page.getByText("l-corridor: navigate").waitFor();
+  await page.getByText("Last: navigate done").waitFor({ timeout: 90000 });
+  await keep_picture(page, "driven-dark");
+});
+
+test("What was recorded is listed, replayed and mended", async () => {
+  await page.getByRole("link", { name: "Sessions" }).click();
+  await page.getByRole("button", { name: "lesson-1" }).click();
+  await page.getByRole("link", { name: "lesson-1_0.db3" }).waitFor();
+  await page.getByRole("button", { name: "Replay", exact: true }).click();
+  await page.locator(".sessions-replay canvas[data-stamp-s]").waitFor();
+  await keep_picture(page, "sessions-dark");
+  await page.getByRole("button", { name: "End the replay" }).click();
+  await page.getByText("l-corridor: waiting").waitFor();
+
+  await page.getByRole("link", { name: "Building" }).click();
+  await page.getByText(/landmarks, 1 route/).waitFor();
+  await page.getByLabel("Tool").selectOption("place");
+  await page.getByRole("img", { name: "Plan of the building", exact: true }).click();
+  await page.getByLabel("Name of the place").fill("desk");
+  await page.getByRole("button", { name: "Name it" }).click();
+  await page.getByRole("button", { name: "Save as a new version" }).click();
+  await page.getByText("Saved as building-1-2").waitFor();
+  await keep_picture(page, "building-dark");
+});

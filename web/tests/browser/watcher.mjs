@@ -1,0 +1,75 @@
+// A client of its own that watches what the vehicle does, beside the page that is tested.
+import { spawn } from "node:child_process";
+import { parse } from "@foxglove/rosmsg";
+import { MessageReader } from "@foxglove/rosmsg2-serialization";
+import protocol from "@foxglove/ws-protocol";
+import { WebSocket } from "ws";
+
+import { until } from "./browser.mjs";
+
+export class Watcher {
+  /** All messages of the watched topics: {topic, stamp_s, message}. */
+  heard = [];
+  now_s = 0;
+  state;
+  #socket;
+
+  constructor(address, topics) {
+    this.#socket = new WebSocket(address.replace("http", "ws"), ["foxglove.sdk.v1"]);
+    const client = new protocol.FoxgloveClient({ ws: this.#socket });
+    const readers = new Map();
+    client.on("advertise", (channels) => {
+      for (const { id, topic, schema } of channels) {
+        if (!topics.includes(topic) && topic !== "/live/state") continue;
+        readers.set(client.subscribe(id), {
+          topic,
+          reader: new MessageReader(parse(schema, { ros2: true })),
+        });
+      }
+    });
+    client.on("message", ({ subscriptionId, timestamp, data }) => {
+      const { topic, reader } = readers.get(subscriptionId);
+      const heard = { topic, stamp_s: Number(timestamp) / 1e9, message: reader.readMessage(data) };
+      if (topic === "/live/state") this.state = JSON.parse(heard.message.data);
+      else this.heard.push(heard);
+    });
+    client.on("time", ({ timestamp }) => (this.now_s = Number(timestamp) / 1e9));
+  }
+
+  latest(topic) {
+    return this.heard.findLast((heard) => heard.topic === topic);
+  }
+
+  speed_mps() {
+    return this.latest("/cmd_vel")?.message.linear.x ?? 0;
+  }
+
+  /** The vehicle's time at which it was first told to stand after `from_s`. */
+  async told_to_stand_s(from_s) {
+    const stands = ({ topic, stamp_s, message }) =>
+      topic === "/cmd_vel" && stamp_s >= from_s && message.linear.x === 0 && message.angular.z === 0;
+    await until(() => this.heard.some(stands), "a command to stand");
+    return this.heard.find(stands).stamp_s;
+  }
+
+  close() {
+    this.#socket.close();
+  }
+}
+
+/** Starts `aisle live WORLD` on any free port. @returns {address, stop} */
+export async function start_live(world, directory, ...options) {
+  const program = process.env.AISLE;
+  const process_of = spawn(program, ["live", world, "--port", "0", "--out", directory, ...options]);
+  let said = "";
+  process_of.stderr.on("data", (data) => (said += data));
+  await until(() => /live: (\S+)/.test(said) || process_of.exitCode !== null, "the server's address");
+  const address = /live: (\S+)/.exec(said)?.[1];
+  if (!address) throw new Error(`aisle live ended: ${said}`);
+  const stop = async () => {
+    process_of.kill("SIGINT");
+    await until(() => process_of.exitCode !== null || process_of.signalCode !== null, "the server's end");
+    return process_of.exitCode;
+  };
+  return { address, stop };
+}

@@ -1,0 +1,99 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { rgba_of } from "../../src/camera/picture";
+import { fresh_name, mission_forms, start_request } from "../../src/drive/mission_forms";
+import { vehicle_shape } from "../../src/drive/vehicle_text";
+import { command_of, strongest } from "../../src/drive/wish";
+import { standing } from "../../src/page/standing";
+import { figure_lines, short_bytes, short_duration } from "../../src/sessions/session_figures";
+import type { LiveState } from "../../src/connection/live_state";
+
+const differential = vehicle_shape(
+  "is_differential: true\nlimits:\n  speed_max_mps: 0.3\n  turn_rate_max_deg_s: 45\n",
+);
+const front_steered = vehicle_shape(
+  "is_differential: false\nlimits:\n  speed_max_mps: 0.5\n  reverse_speed_max_mps: 0.3\n  steering_max_deg: 40\n",
+);
+
+test("The vehicle's limits are read from its text", () => {
+  assert.equal(differential.is_differential, true);
+  assert.equal(differential.speed_max_mps, 0.3);
+  assert.equal(front_steered.reverse_speed_max_mps, 0.3);
+  assert.ok(Math.abs(front_steered.steering_max_rad - 0.698) < 0.001);
+});
+
+test("Left is positive for both kinds of vehicle", () => {
+  assert.ok(command_of({ ahead: 0, left: 1 }, 0.5, differential).turn_rate_rad_s > 0);
+  assert.ok(command_of({ ahead: 1, left: 1 }, 0.5, front_steered).steering_rad > 0);
+});
+
+test("Reversing keeps to its own limit", () => {
+  assert.equal(command_of({ ahead: -1, left: 0 }, 1, front_steered).speed_mps, -0.3);
+});
+
+test("Two arrow keys make a curve", () => {
+  assert.deepEqual(
+    strongest([
+      { ahead: 1, left: 0 },
+      { ahead: 0, left: -1 },
+    ]),
+    { ahead: 1, left: -1 },
+  );
+});
+
+test("What is left empty is not asked for", () => {
+  const teach = mission_forms.find(({ mission }) => mission === "teach");
+  assert.ok(teach);
+  const request = start_request(teach, { session: "lesson-1", route: "", method: "", scripted: false });
+  assert.deepEqual(request, { mission: "teach", session: "lesson-1" });
+});
+
+test("A proposed name is not there yet", () => {
+  assert.equal(fresh_name("lesson", ["lesson-1", "lesson-2"]), "lesson-3");
+});
+
+test("Grey and coloured pixels become what a canvas takes, row by row", () => {
+  const grey = { width: 2, height: 1, encoding: "mono8", step: 4, data: Uint8Array.of(7, 9, 0, 0) };
+  assert.deepEqual([...rgba_of({ ...grey, width: 2 } as never)], [7, 7, 7, 255, 9, 9, 9, 255]);
+  const colour = { width: 1, height: 2, encoding: "rgb8", step: 3, data: Uint8Array.of(1, 2, 3, 4, 5, 6) };
+  assert.deepEqual([...rgba_of(colour as never)], [1, 2, 3, 255, 4, 5, 6, 255]);
+});
+
+const state: LiveState = {
+  mode: "idle",
+  mission: "",
+  world: "hall",
+  vehicle: "alv",
+  paused: false,
+  emergency: false,
+  driven_by_hand: true,
+  lease_held: false,
+  stamp_s: 0,
+  rate: 1,
+  task: "",
+  done: 0,
+  total: 0,
+  session: "",
+};
+const facts = { connection: "connected" as const, silent_s: 0.2, state, drives_here: false };
+
+test("The standing line says when what is seen is not true now", () => {
+  assert.equal(standing(facts).lamp, "good");
+  assert.match(standing({ ...facts, silent_s: 4 }).text, /nothing heard for 4 s/);
+  assert.match(standing({ ...facts, connection: "lost" }).text, /Not connected/);
+});
+
+test("The standing line says who drives", () => {
+  assert.match(standing({ ...facts, drives_here: true }).text, /you hold the controls/);
+  assert.match(standing({ ...facts, state: { ...state, lease_held: true } }).text, /somebody else/);
+});
+
+test("Figures are lines with short numbers", () => {
+  assert.deepEqual(figure_lines({ way_m: 12.3456789, topics: [{ name: "/odom" }] }), [
+    ["way_m", "12.346"],
+    ["topics 1 name", "/odom"],
+  ]);
+  assert.equal(short_bytes(1234567), "1.23 MB");
+  assert.equal(short_duration(187.4), "3:07");
+});
