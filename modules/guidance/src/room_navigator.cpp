@@ -36,6 +36,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.group("frame", frame);
   fields.group("stop_views", stop_views);
   fields.group("place", place);
+  fields.group("end_steering", end_steering);
   fields.real("speed_mps", speed_mps, {0.02, 2}, "between turnings");
   fields.real("turning_speed_mps", turning_speed_mps, {0.02, 2}, "in turnings");
   fields.real("parking_speed_mps", parking_speed_mps, {0.02, 2}, "near the end");
@@ -44,6 +45,11 @@ void RoomNavigatorParams::describe(FieldList& fields) {
               "how much the route's middle counts against the taught way; 1: as published");
   fields.real("turning_middle_share", turning_middle_share, {0, 1}, "likewise in turnings");
   fields.real("taught_alone_m", taught_alone_m, {0, 20}, "before the end the taught way counts alone");
+  fields.real("end_comfort_m", end_comfort_m, {0.01, 2}, "there it tries to keep only so far off");
+  fields.real("end_aside_m", end_aside_m, {0.005, 1}, "farther aside of a taught place it tries again");
+  fields.angle("end_turned_deg", end_turned_rad, {0.1, 45}, "turned more, it tries again");
+  fields.real("end_back_off_m", end_back_off_m, {0.2, 5}, "way back before that");
+  fields.count("end_tries_max", end_tries_max, {1, 100}, "then it stays as it stands");
   fields.angle("avoid_deg", avoid_rad, {0, 60}, "the wheels' turn away from what stands too near");
   fields.flag("avoid_as_published", avoid_as_published, "by the three check regions, before all else");
   fields.real("dead_end_share", dead_end_share, {0, 1}, "of the view is route: less is a dead end");
@@ -73,13 +79,15 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       progress_(route_.path, from_m),
       stop_views_(params.stop_views, route_.room->views),
       T_odom_vehicle_(route_.path.at(from_m).T_map_path),
-      brightness_(route_.room->brightness) {
+      brightness_(route_.room->brightness),
+      end_follower_(vehicle, params.end_steering) {
   if (route_.room->parking == ParkingStrategy::kFrame)
     frame_ = std::make_unique<FrameParking>(params.frame, vehicle, route_.room->frame_size_m);
 }
 
 Decision RoomNavigator::step(const Observation& observation) {
   T_odom_vehicle_ = T_odom_vehicle_ * odometry_step(vehicle_, observation.odometry);
+  steering_rad_ = steering_rad_of(observation.odometry);
   if (state_ != State::kBackingOff) progress_.advance(pose());
   look(observation);
   if (observation.bumper_pressed)
@@ -167,7 +175,16 @@ std::optional<double> RoomNavigator::avoiding_rad() const {
   return std::nullopt;
 }
 
+bool RoomNavigator::keeps_to_taught_end() const {
+  return place_.is_sure() && left_m() < params_.taught_alone_m;
+}
+
 double RoomNavigator::wished_steering_rad() const {
+  if (keeps_to_taught_end()) {
+    return end_follower_
+        .follow(route_.path, progress_.point(), pose(), params_.parking_speed_mps, steering_rad_)
+        .steering_rad;
+  }
   const double along_m = progress_.point().along_m;
   const RoomTurning* turning = turning_at(route_.room->turnings, along_m);
   const BlotOut blot = turning != nullptr ? blot_out(*turning, along_m) : BlotOut{};
@@ -178,8 +195,7 @@ double RoomNavigator::wished_steering_rad() const {
   const auto middle = view_.middle(*sight_, blot.left, blot.right);
   if (!middle) return taught_rad;
   const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
-  const bool knows_end = place_.is_sure() && left_m() < params_.taught_alone_m;
-  const double share = knows_end ? 0 : turns ? params_.turning_middle_share : params_.middle_share;
+  const double share = turns ? params_.turning_middle_share : params_.middle_share;
   return share * steering_to(*middle) + (1 - share) * taught_rad;
 }
 
@@ -189,7 +205,9 @@ Decision RoomNavigator::follow(double now_s) {
   const bool is_near_end = left_m() < 1;
   const auto avoiding = is_near_end ? std::nullopt : avoiding_rad();
   const double wish_rad = avoiding.value_or(wished_steering_rad());
-  const SteeringChoice choice = choose_steering(vehicle_, params_.steering, around, wish_rad);
+  FreeSteeringParams steering = params_.steering;
+  if (keeps_to_taught_end()) steering.comfort_m = params_.end_comfort_m;
+  const SteeringChoice choice = choose_steering(vehicle_, steering, around, wish_rad);
   if (is_strange_ || choice.free_m < params_.stop_free_m) return blocked(now_s);
   stopped_s_.reset();
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
@@ -218,7 +236,12 @@ Decision RoomNavigator::blocked(double now_s) {
   if (back_offs_ >= params_.back_offs_max)
     return {.status = NavigatorStatus::kFailed, .state = "blocked", .why = "found no way past what is there"};
   ++back_offs_;
+  return start_back_off(params_.back_off_m);
+}
+
+Decision RoomNavigator::start_back_off(double way_m) {
   T_odom_stopped_ = T_odom_vehicle_;
+  back_off_m_ = way_m;
   way_back_ = choose_way_back();
   state_ = State::kBackingOff;
   return {.state = "backing off"};
@@ -239,16 +262,16 @@ SteeringChoice RoomNavigator::choose_way_back() const {
   for (int i = -steps; i <= steps; ++i) {
     const double steering_rad = i * params_.steering.step_rad;
     const SteeringChoice way = free_way(vehicle_, params_.steering, around, steering_rad, -1);
-    const double back_m = std::min(params_.back_off_m, way.free_m);
+    const double back_m = std::min(back_off_m_, way.free_m);
     const double turn_rad = -back_m * std::tan(steering_rad) / vehicle_.front_steered.wheelbase_m;
     const Pose2 T_map_then = pose() * end_pose({-back_m, turn_rad});
     const double along_m = progress_.point().along_m;
-    const PathPoint there = route_.path.nearest(T_map_then.position(), along_m - 2 * params_.back_off_m,
-                                                along_m + params_.back_off_m);
+    const PathPoint there =
+        route_.path.nearest(T_map_then.position(), along_m - 2 * back_off_m_, along_m + back_off_m_);
     const double cost =
         kAsideWeight_per_m * std::abs(there.aside_m) +
         kTurnedWeight_per_rad * std::abs(wrap_angle(T_map_then.theta - there.T_map_path.theta)) +
-        kShortWeight_per_m * (params_.back_off_m - back_m);
+        kShortWeight_per_m * (back_off_m_ - back_m);
     if (least >= 0 && cost >= least) continue;
     least = cost;
     best = way;
@@ -258,7 +281,7 @@ SteeringChoice RoomNavigator::choose_way_back() const {
 
 Decision RoomNavigator::back_off(double now_s) {
   const double backed_m = (T_odom_vehicle_.position() - T_odom_stopped_.position()).norm();
-  if (backed_m >= std::min(params_.back_off_m, way_back_.free_m - params_.stop_free_m)) {
+  if (backed_m >= std::min(back_off_m_, way_back_.free_m - params_.stop_free_m)) {
     state_ = State::kFollowing;
     stopped_s_ = now_s;
     return {.state = "backing off"};
@@ -275,6 +298,13 @@ double RoomNavigator::gap_ahead_m() const {
       gap_m = std::min(gap_m, p.x() - vehicle_.footprint.front_m);
   }
   return gap_m;
+}
+
+/// At a taught place, by what is known of it.
+bool RoomNavigator::stands_askew() const {
+  const Pose2 off = between(route_.path.pieces().back().end(), pose());
+  return place_.is_sure() &&
+         (std::abs(off.y) > params_.end_aside_m || std::abs(off.theta) > params_.end_turned_rad);
 }
 
 /// L96 section 2.4, and so near that what is seen is the end.
@@ -305,7 +335,11 @@ std::optional<Decision> RoomNavigator::arrived() {
     case ParkingStrategy::kView: {
       // Columns of brightness tell less than the edges of the floor, if those stand as they were taught.
       const double shift_m = place_.is_sure() ? 0 : stop_views_.shift_m();
-      if (left_to_end_m() + shift_m <= vehicle_.cycle_s * params_.parking_speed_mps) return done;
+      if (left_to_end_m() + shift_m <= vehicle_.cycle_s * params_.parking_speed_mps) {
+        if (!stands_askew() || end_tries_ >= params_.end_tries_max) return done;
+        ++end_tries_;
+        return start_back_off(params_.end_back_off_m);
+      }
       break;
     }
   }
