@@ -36,3 +36,7 @@ if(AISLE_SANITIZE)
   # Among a sanitizer's own instructions GCC 12 sees overflows and overlaps that are not there.
   target_compile_options(aisle_build INTERFACE -Wno-error)
 endif()
+
+# Tests are read by the compiler far longer than they run.
+add_library(aisle_test_build INTERFACE)
+target_compile_options(aisle_test_build INTERFACE $<$<CONFIG:Release>:-O1>)

@@ -40,12 +40,12 @@ void add_learn_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand("learn", "make a building of a trip that was taught");
   verb->fallthrough();
   auto options = std::make_shared<LearnOptions>();
-  verb->add_option("SESSION", options->session, "the session's directory");
+  verb->add_option("SESSION", options->sessions, "the session's directory; sections: several of one way");
   verb->add_option("--method", options->method, "how it is learned: landmarks (default), sections or route");
   verb->add_option("--out", options->out, "directory for building.json and its picture");
   verb->add_flag("--force", options->force, "replace results that are there already");
   add_parameter_options(*verb, options->parameters, learn_parameters, work, [=, &work] {
-    if (options->session.empty()) throw CLI::RequiredError("SESSION");
+    if (options->sessions.empty()) throw CLI::RequiredError("SESSION");
     work = [options](Console& console) { return run_learn(*options, console); };
   });
 }

@@ -50,6 +50,9 @@ void add_trial_verb(CLI::App& app, Work& work) {
       "scenario file (YAML) of what goes wrong while driving alone, or the name of a shipped one");
   add_choice<ParkingStrategy>(*verb, "--strategy", options->strategy, parking_choices<ParkingStrategy>(),
                               "park: how the routes end (default frame)");
+  verb->add_option("--teachings", options->teachings,
+                   "sections: times that the way is shown before it is driven alone (default 1)")
+      ->check(CLI::Range(1, 20));
   verb->add_option("--refinements", options->refinements, "trips after the first, each taken in (default 0)")
       ->check(CLI::Range(0, 100));
   verb->add_option("--speed", options->speed_mps, "speed where nothing speaks against it [m/s]")

@@ -53,6 +53,12 @@ class BadLessons : public Workplace {
   }
 };
 
+TEST_F(BadLessons, OnlySectionsAreLearnedFromSeveralSessions) {
+  const ProgramRun run = run_aisle({"learn", at("one"), at("two"), "--out", at("out"), "--json"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, testing::HasSubstr("two: is one too many"));
+}
+
 TEST_F(BadLessons, NamesThatNoRouteCanHaveAreRefusedBeforeTheDrive) {
   for (const std::string& name :
        {std::string(), std::string(201, 'a'), std::string("a/b"), std::string("a\nb")}) {

@@ -28,6 +28,9 @@ TEST_F(Sections, AWayThatWasDrivenOnceIsDrivenThereAndBack) {
   std::string letters;
   for (const auto& section : learned["figures"]["sections"]) letters += section.get<std::string>().front();
   EXPECT_EQ(letters, "achrhra");  // left, right, right: as the corridors lie
+  const auto twice = run_well({"learn", at("taught"), at("taught"), "--method", "sections"})["figures"];
+  EXPECT_EQ(twice["teachings"], 2);
+  EXPECT_EQ(twice["sections"], learned["figures"]["sections"]);
   EXPECT_THAT(names_in(at("learned")),
               ElementsAre("building.json", "sections.svg", "trip.tum", "trip_truth.tum"));
 

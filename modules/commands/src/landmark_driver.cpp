@@ -7,6 +7,7 @@
 #include "aisle/formats/building_json.hpp"
 #include "aisle/vehicle/same_camera.hpp"
 #include "changed_parameters.hpp"
+#include "route_name.hpp"
 
 namespace aisle {
 namespace {
@@ -28,23 +29,14 @@ Problems check_building(const Building& building, const VehicleDescription& vehi
   return check_camera(*building.camera, vehicle);
 }
 
-Result<Path> path_along(const Route& route, bool in_reverse, const Footprint& footprint) {
-  if (!in_reverse) return route.path;
-  Path back = way_back(route.path, footprint);
-  if (back.empty())
-    return Problem{{"", 0, "route"}, fmt::format("'{}' is too short for a way back", route.name)};
-  return back;
-}
-
 Result<Path> find_path(const Building& building, const SessionOrigin& origin, const Footprint& footprint) {
-  std::string names;
-  for (const Route& route : building.routes) {
-    if (route.name == origin.route) return path_along(route, origin.in_reverse, footprint);
-    names += (names.empty() ? "" : ", ") + route.name;
-  }
-  return Problem{
-      {"", 0, "route"},
-      fmt::format("'{}' is unknown; the building has: {}", origin.route, names.empty() ? "none" : names)};
+  auto route = find_route(building, origin.route);
+  if (!route) return route.problems();
+  if (!origin.in_reverse) return std::move(route->path);
+  Path back = way_back(route->path, footprint);
+  if (back.empty())
+    return Problem{{"", 0, "route"}, fmt::format("'{}' is too short for a way back", route->name)};
+  return back;
 }
 
 }  // namespace

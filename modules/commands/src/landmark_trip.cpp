@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "aisle/formats/session_truth.hpp"
+#include "session_trip.hpp"
 
 namespace aisle {
 
@@ -30,24 +28,16 @@ Result<LandmarkTrip> read_landmark_trip(const std::filesystem::path& session, Se
   if (cycles.vehicle().cameras.empty())
     return Problem{{session.string()}, "is of a vehicle without a camera"};
   LandmarkTripCollector collector(params, cycles.vehicle());
-  std::size_t pictures = 0;
-  while (true) {
-    auto cycle = cycles.next();
-    if (!cycle) return cycle.problems();
-    if (!cycle->has_value()) break;
-    pictures += (*cycle)->observation.pictures.size();
-    collector.add((*cycle)->observation);
-    progress.report("looking at pictures", pictures, 0);
-  }
-  if (collector.trip.cycles.empty()) return Problem{{session.string()}, "has no cycles"};
-  if (pictures == 0) {
+  const auto pictures = take_observations(
+      session, cycles, progress, [&](const Observation& observation) { collector.add(observation); });
+  if (!pictures) return pictures.problems();
+  if (*pictures == 0) {
     return Problem{{session.string()},
                    fmt::format("has no pictures of the camera {}", collector.trip.camera.name)};
   }
-  auto truth = read_true_poses(session);
+  auto truth = true_poses(session, collector.trip.cycles.size());
   if (!truth) return truth.problems();
-  if (truth->T_map_vehicle.size() == collector.trip.cycles.size())
-    collector.trip.T_world_vehicle = std::move(truth->T_map_vehicle);
+  collector.trip.T_world_vehicle = std::move(*truth);
   return std::move(collector.trip);
 }
 

@@ -10,8 +10,8 @@
 #include "methods.hpp"
 #include "room_verbs.hpp"
 #include "rounded.hpp"
-#include "route_name.hpp"
 #include "section_verbs.hpp"
+#include "session_trip.hpp"
 
 namespace aisle {
 namespace {
@@ -73,28 +73,27 @@ Result<Outcome> run_learn(const LearnOptions& options, Console& console) {
   FieldList fields = fields_of(all);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   if (options.method == "sections") return learn_by_sections(options, all.sections, console);
+  if (options.sessions.size() > 1)
+    return Problem{{options.sessions[1].string()}, "is one too many: by sections alone several are learned"};
   if (options.method == "route") return learn_by_route(options, all.route, console);
   const LandmarkLessonParams& params = all.landmarks;
-  std::optional<OutputDirectory> directory;
-  if (!options.out.empty()) {
-    auto opened = OutputDirectory::open(options.out, options.force, learned_file_names());
-    if (!opened) return opened.problems();
-    directory = std::move(*opened);
-  }
-  auto cycles = SessionCycles::open(options.session);
+  const std::filesystem::path& session = options.sessions.front();
+  const auto directory = OutputDirectory::open_if_named(options.out, options.force, learned_file_names());
+  if (!directory) return directory.problems();
+  auto cycles = SessionCycles::open(session);
   if (!cycles) return cycles.problems();
-  const std::string named = cycles->origin().route.empty() ? "route" : cycles->origin().route;
-  if (Problems problems = check_route_name({options.session.string(), 0, "route"}, named); !problems.empty())
-    return problems;
-  const auto trip = read_landmark_trip(options.session, *cycles, params.sightings, console.progress);
+  const auto named = route_of_session(session, cycles->origin());
+  if (!named) return named.problems();
+  const auto trip = read_landmark_trip(session, *cycles, params.sightings, console.progress);
   if (!trip) return trip.problems();
-  const auto lesson = learn_lesson(*trip, named, params);
-  if (!lesson) return at_file(lesson.problems(), options.session.string());
+  const auto lesson = learn_lesson(*trip, *named, params);
+  if (!lesson) return at_file(lesson.problems(), session.string());
   Outcome outcome = outcome_of(*trip, *lesson);
-  if (!directory) return outcome;
+  if (!*directory) return outcome;
   auto files =
-      directory->write(learned_files(lesson->building, MapTruth(lesson->T_map_taught, trip->T_world_vehicle),
-                                     feet_on_map(*trip, lesson->T_map_taught)));
+      (*directory)
+          ->write(learned_files(lesson->building, MapTruth(lesson->T_map_taught, trip->T_world_vehicle),
+                                feet_on_map(*trip, lesson->T_map_taught)));
   if (!files) return files.problems();
   outcome.files = std::move(*files);
   outcome.figures["building_bytes"] = building_json(lesson->building).size();

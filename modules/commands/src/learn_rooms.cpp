@@ -2,11 +2,10 @@
 
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/formats/building_json.hpp"
-#include "aisle/formats/session_truth.hpp"
 #include "learned_files.hpp"
 #include "room_verbs.hpp"
 #include "rounded.hpp"
-#include "route_name.hpp"
+#include "session_trip.hpp"
 
 namespace aisle {
 namespace {
@@ -41,32 +40,28 @@ Outcome room_lesson_outcome(const RoomLesson& lesson) {
 
 Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLessonParams& params,
                                Console& console) {
-  std::optional<OutputDirectory> directory;
-  if (!options.out.empty()) {
-    std::vector<std::string> names = truth_file_names();
-    names.emplace_back("building.json");
-    auto opened = OutputDirectory::open(options.out, options.force, names);
-    if (!opened) return opened.problems();
-    directory = std::move(*opened);
-  }
-  auto cycles = SessionCycles::open(options.session);
+  std::vector<std::string> names = truth_file_names();
+  names.emplace_back("building.json");
+  const auto directory = OutputDirectory::open_if_named(options.out, options.force, names);
+  if (!directory) return directory.problems();
+  const std::filesystem::path& session = options.sessions.front();
+  auto cycles = SessionCycles::open(session);
   if (!cycles) return cycles.problems();
-  const std::string named = cycles->origin().route.empty() ? "route" : cycles->origin().route;
-  if (Problems problems = check_route_name({options.session.string(), 0, "route"}, named); !problems.empty())
-    return problems;
-  const auto trip = read_room_trip(options.session, *cycles, params, console.progress);
+  const auto named = route_of_session(session, cycles->origin());
+  if (!named) return named.problems();
+  const auto trip = read_room_trip(session, *cycles, params, console.progress);
   if (!trip) return trip.problems();
-  const auto lesson = learn_room(*trip, cycles->vehicle(), named, params);
-  if (!lesson) return at_file(lesson.problems(), options.session.string());
+  const auto lesson = learn_room(*trip, cycles->vehicle(), *named, params);
+  if (!lesson) return at_file(lesson.problems(), session.string());
   Outcome outcome = room_lesson_outcome(*lesson);
-  if (!directory) return outcome;
-  const auto truth = read_true_poses(options.session);
+  if (!*directory) return outcome;
+  const std::vector<Pose2>& driven = lesson->T_route_vehicle;
+  const auto truth = true_poses(session, driven.size());
   if (!truth) return truth.problems();
   std::vector<OutputFile> files;
-  if (truth->T_map_vehicle.size() == lesson->T_route_vehicle.size())
-    files = truth_files(MapTruth(lesson->T_route_vehicle, truth->T_map_vehicle));
+  if (!truth->empty()) files = truth_files(MapTruth(driven, *truth));
   files.push_back({"building", "building.json", building_json(lesson->building)});
-  auto written = directory->write(files);
+  auto written = (*directory)->write(files);
   if (!written) return written.problems();
   outcome.files = std::move(*written);
   return outcome;

@@ -1,14 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/formats/building_json.hpp"
 #include "aisle/formats/section_text.hpp"
-#include "aisle/formats/session_truth.hpp"
 #include "aisle/report/section_picture.hpp"
 #include "learned_files.hpp"
 #include "rounded.hpp"
-#include "route_name.hpp"
 #include "section_verbs.hpp"
+#include "session_trip.hpp"
 
 namespace aisle {
 namespace {
@@ -37,40 +38,63 @@ Outcome section_lesson_outcome(const SectionLesson& lesson) {
   return outcome;
 }
 
+struct SectionTeachings {
+  std::string route;  ///< as the first one names it
+  std::vector<DrivenList> drives;
+};
+
+Result<SectionTeachings> read_teachings(const std::vector<std::filesystem::path>& sessions,
+                                        const SectionLessonParams& params, Progress& progress) {
+  SectionTeachings teachings;
+  for (const std::filesystem::path& session : sessions) {
+    auto cycles = SessionCycles::open(session);
+    if (!cycles) return cycles.problems();
+    auto route = route_of_session(session, cycles->origin());
+    if (!route) return route.problems();
+    if (teachings.drives.empty()) teachings.route = std::move(*route);
+    auto drive = read_section_drive(session, *cycles, params, progress);
+    if (!drive) return drive.problems();
+    teachings.drives.push_back(std::move(*drive));
+  }
+  return teachings;
+}
+
+void warn_of_other_ways(const std::vector<std::filesystem::path>& sessions,
+                        const std::vector<std::size_t>& taken, Console& console) {
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    if (!std::binary_search(taken.begin(), taken.end(), i))
+      console.warn(
+          fmt::format("{}: goes another way than the other sessions, and is left out", sessions[i].string()));
+  }
+}
+
 }  // namespace
 
 Result<Outcome> learn_by_sections(const LearnOptions& options, const SectionLessonParams& params,
                                   Console& console) {
-  std::optional<OutputDirectory> directory;
-  if (!options.out.empty()) {
-    std::vector<std::string> names = truth_file_names();
-    names.insert(names.end(), {"building.json", kSectionsPicture});
-    auto opened = OutputDirectory::open(options.out, options.force, names);
-    if (!opened) return opened.problems();
-    directory = std::move(*opened);
-  }
-  auto cycles = SessionCycles::open(options.session);
-  if (!cycles) return cycles.problems();
-  const std::string named = cycles->origin().route.empty() ? "route" : cycles->origin().route;
-  if (Problems problems = check_route_name({options.session.string(), 0, "route"}, named); !problems.empty())
-    return problems;
-  const auto trip = read_section_trip(options.session, *cycles, params.floor_edges, console.progress);
-  if (!trip) return trip.problems();
-  const auto lesson = learn_sections(*trip, cycles->vehicle(), named, params);
-  if (!lesson) return at_file(lesson.problems(), options.session.string());
+  std::vector<std::string> names = truth_file_names();
+  names.insert(names.end(), {"building.json", kSectionsPicture});
+  const auto directory = OutputDirectory::open_if_named(options.out, options.force, names);
+  if (!directory) return directory.problems();
+  const auto taught = read_teachings(options.sessions, params, console.progress);
+  if (!taught) return taught.problems();
+  const auto lesson = learn_sections(taught->drives, taught->route, params.learning);
+  if (!lesson) return at_file(lesson.problems(), options.sessions.front().string());
+  warn_of_other_ways(options.sessions, lesson->taken, console);
   Outcome outcome = section_lesson_outcome(*lesson);
-  if (!directory) return outcome;
-  const auto truth = read_true_poses(options.session);
+  if (options.sessions.size() > 1) outcome.figures["teachings"] = lesson->taken.size();
+  if (!*directory) return outcome;
+  const std::vector<Pose2>& driven = lesson->driven.T_route_vehicle;
+  const auto truth = true_poses(options.sessions[lesson->taken.front()], driven.size());
   if (!truth) return truth.problems();
   std::vector<OutputFile> files;
-  if (truth->T_map_vehicle.size() == lesson->driven.T_route_vehicle.size())
-    files = truth_files(MapTruth(lesson->driven.T_route_vehicle, truth->T_map_vehicle));
+  if (!truth->empty()) files = truth_files(MapTruth(driven, *truth));
   files.push_back({"building", "building.json", building_json(lesson->building)});
   files.push_back({"sections_svg", kSectionsPicture,
                    svg(SectionPicture{.route = lesson->building.routes.front(),
-                                      .driven = lesson->driven.T_route_vehicle,
-                                      .title = fmt::format("{}: sections as learned", named)})});
-  auto written = directory->write(files);
+                                      .driven = driven,
+                                      .title = fmt::format("{}: sections as learned", taught->route)})});
+  auto written = (*directory)->write(files);
   if (!written) return written.problems();
   outcome.files = std::move(*written);
   return outcome;

@@ -48,6 +48,14 @@ Result<OutputDirectory> OutputDirectory::open(const fs::path& directory, bool fo
   return OutputDirectory(directory);
 }
 
+Result<std::optional<OutputDirectory>> OutputDirectory::open_if_named(const fs::path& directory, bool force,
+                                                                      const std::vector<std::string>& names) {
+  if (directory.empty()) return std::optional<OutputDirectory>();
+  auto opened = open(directory, force, names);
+  if (!opened) return opened.problems();
+  return std::optional<OutputDirectory>(std::move(opened).value());
+}
+
 Result<std::map<std::string, std::string>> OutputDirectory::write(
     const std::vector<OutputFile>& files) const {
   const fs::path unfinished = directory_ / ".unfinished";

@@ -69,12 +69,8 @@ Result<Outcome> run_refine(const RefineOptions& options, Console& console) {
     return Problem{{options.building.string(), 0, "landmarks"}, "are missing: there is nothing to refine"};
   auto truth = read_map_truth(options.building);
   if (!truth) return truth.problems();
-  std::optional<OutputDirectory> directory;
-  if (!options.out.empty()) {
-    auto opened = OutputDirectory::open(options.out, options.force, learned_file_names());
-    if (!opened) return opened.problems();
-    directory = std::move(*opened);
-  }
+  const auto directory = OutputDirectory::open_if_named(options.out, options.force, learned_file_names());
+  if (!directory) return directory.problems();
   const std::size_t before = building->landmarks.size();
   Outcome outcome{.verb = "refine"};
   outcome.figures = {{"landmarks_before", before}, {"trips", nlohmann::ordered_json::array()}};
@@ -86,8 +82,8 @@ Result<Outcome> run_refine(const RefineOptions& options, Console& console) {
   outcome.figures["landmarks"] = building->landmarks.size();
   outcome.text = fmt::format("{} landmarks before, {} after {} trip{}\n", before, building->landmarks.size(),
                              options.sessions.size(), options.sessions.size() == 1 ? "" : "s");
-  if (!directory) return outcome;
-  auto files = directory->write(learned_files(*building, *truth, {}));
+  if (!*directory) return outcome;
+  auto files = (*directory)->write(learned_files(*building, *truth, {}));
   if (!files) return files.problems();
   outcome.files = std::move(*files);
   return outcome;

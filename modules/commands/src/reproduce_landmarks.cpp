@@ -123,13 +123,9 @@ std::vector<OutputFile> files_of(const Experiment& experiment) {
 
 Result<Outcome> reproduce_c98(const ReproduceOptions& options, const LandmarkCourseParams& params,
                               Console& console) {
-  std::optional<OutputDirectory> directory;
-  if (!options.out.empty()) {
-    auto opened = OutputDirectory::open(options.out, options.force,
-                                        {"building.json", kInitialPicture, kRefinedPicture, kTracePicture});
-    if (!opened) return opened.problems();
-    directory = std::move(*opened);
-  }
+  const auto directory = OutputDirectory::open_if_named(
+      options.out, options.force, {"building.json", kInitialPicture, kRefinedPicture, kTracePicture});
+  if (!directory) return directory.problems();
   auto setting = read_setting("c98-corridor", "alv", "");
   if (!setting) return setting.problems();
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty()) return problems;
@@ -141,8 +137,8 @@ Result<Outcome> reproduce_c98(const ReproduceOptions& options, const LandmarkCou
   outcome.text = text_of(*experiment);
   for (const LandmarkMissionResult& trip : experiment->trips)
     outcome.ok = outcome.ok && trip.end.arrived && trip.collisions == 0;
-  if (!directory) return outcome;
-  auto files = directory->write(files_of(*experiment));
+  if (!*directory) return outcome;
+  auto files = (*directory)->write(files_of(*experiment));
   if (!files) return files.problems();
   outcome.files = std::move(*files);
   return outcome;

@@ -77,19 +77,15 @@ std::vector<OutputFile> files_of(const SectionLesson& lesson, const SectionMissi
 
 Result<Outcome> reproduce_l03(const ReproduceOptions& options, const SectionTrialParams& params,
                               Console& console) {
-  std::optional<OutputDirectory> directory;
-  if (!options.out.empty()) {
-    auto opened = OutputDirectory::open(options.out, options.force,
-                                        {"building.json", kSectionsFigure, kTripFigure, kPicturesFigure});
-    if (!opened) return opened.problems();
-    directory = std::move(*opened);
-  }
+  const auto directory = OutputDirectory::open_if_named(
+      options.out, options.force, {"building.json", kSectionsFigure, kTripFigure, kPicturesFigure});
+  if (!directory) return directory.problems();
   auto setting = read_setting("mini-corridor", "mini", "");
   if (!setting) return setting.problems();
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty()) return problems;
   SilentProgress within;
   console.progress.report("trips", 0, 2);
-  const auto course = teach_sections(*setting, params.lesson, options.seed, within);
+  const auto course = teach_sections(*setting, params.lesson, options.seed, 1, within);
   if (!course) return course.problems();
   const SectionLesson& lesson = course->lesson;
   const VehicleDescription& vehicle = setting->vehicle.description;
@@ -106,8 +102,8 @@ Result<Outcome> reproduce_l03(const ReproduceOptions& options, const SectionTria
   Outcome outcome{.verb = "reproduce", .ok = trip->end.arrived && trip->collisions == 0};
   outcome.figures = figures_of(lesson, *trip, params.navigator.speed.speed_mps);
   outcome.text = text_of(lesson, *trip, params.navigator.speed.speed_mps);
-  if (!directory) return outcome;
-  auto files = directory->write(files_of(lesson, *trip));
+  if (!*directory) return outcome;
+  auto files = (*directory)->write(files_of(lesson, *trip));
   if (!files) return files.problems();
   outcome.files = std::move(*files);
   return outcome;

@@ -8,6 +8,7 @@
 #include "aisle/formats/building_json.hpp"
 #include "aisle/guidance/room_cameras.hpp"
 #include "changed_parameters.hpp"
+#include "route_name.hpp"
 
 namespace aisle {
 namespace {
@@ -20,17 +21,12 @@ std::vector<std::string> cameras_needed(ParkingStrategy parking) {
 }  // namespace
 
 Result<Route> find_room_route(const Building& building, const std::string& name) {
-  std::string names;
-  for (const Route& route : building.routes) {
-    if (route.name == name || name.empty()) {
-      if (route.room) return route;
-      return Problem{{"", 0, "route"},
-                     fmt::format("'{}' was not taught as a way through a room", route.name)};
-    }
-    names += (names.empty() ? "" : ", ") + route.name;
+  const bool is_first = name.empty() && !building.routes.empty();
+  auto route = find_route(building, is_first ? building.routes.front().name : name);
+  if (route && !route->room) {
+    return Problem{{"", 0, "route"}, fmt::format("'{}' was not taught as a way through a room", route->name)};
   }
-  return Problem{{"", 0, "route"},
-                 fmt::format("'{}' is unknown; the building has: {}", name, names.empty() ? "none" : names)};
+  return route;
 }
 
 void keep_room_cameras(VehicleDescription& vehicle, ParkingStrategy parking) {

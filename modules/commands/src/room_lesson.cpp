@@ -5,6 +5,7 @@
 #include "aisle/guidance/room_cameras.hpp"
 #include "aisle/vision/brightness_view.hpp"
 #include "room_driver.hpp"
+#include "session_trip.hpp"
 
 namespace aisle {
 
@@ -41,16 +42,10 @@ Result<std::vector<RoomCycle>> read_room_trip(const std::filesystem::path& sessi
   for (Problem& problem : problems) problem.where.file = session.string();
   if (!problems.empty()) return problems;
   RoomTripCollector collector(params, cycles.vehicle());
-  std::size_t pictures = 0;
-  while (true) {
-    auto cycle = cycles.next();
-    if (!cycle) return cycle.problems();
-    if (!cycle->has_value()) break;
-    pictures += (*cycle)->observation.pictures.size();
-    collector.add((*cycle)->observation);
-    progress.report("looking at pictures", pictures, 0);
-  }
-  if (collector.cycles.empty()) return Problem{{session.string()}, "has no cycles"};
+  const auto pictures = take_observations(
+      session, cycles, progress, [&](const Observation& observation) { collector.add(observation); });
+  if (!pictures) return pictures.problems();
+  if (*pictures == 0) return Problem{{session.string()}, "has no pictures"};
   return std::move(collector.cycles);
 }
 

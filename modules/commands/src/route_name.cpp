@@ -20,4 +20,14 @@ Problems check_route_name(const Place& where, const std::string& name) {
   return {};
 }
 
+Result<Route> find_route(const Building& building, const std::string& name) {
+  std::string names;
+  for (const Route& route : building.routes) {
+    if (route.name == name) return route;
+    names += (names.empty() ? "" : ", ") + route.name;
+  }
+  return Problem{{"", 0, "route"},
+                 fmt::format("'{}' is unknown; the building has: {}", name, names.empty() ? "none" : names)};
+}
+
 }  // namespace aisle

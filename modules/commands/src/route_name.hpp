@@ -3,11 +3,16 @@
 #include <string>
 
 #include "aisle/core/problem.hpp"
+#include "aisle/core/result.hpp"
+#include "aisle/maps/building.hpp"
 
 namespace aisle {
 
 /// Empty if a building can have a route of this name.
 /// @param where  that gave the name
 Problems check_route_name(const Place& where, const std::string& name);
+
+/// The building's route of that name.
+Result<Route> find_route(const Building& building, const std::string& name);
 
 }  // namespace aisle

@@ -13,9 +13,9 @@ struct SectionCourse {
   Pose2 T_world_map;  ///< of the lesson's map
 };
 
-/// A person drives the world's tour, and it is learned. A problem says why it was not: the person did not get
-/// through, or went nowhere.
+/// A person drives the world's tour once or more often, and it is learned. A problem says why it was not: the
+/// person did not get through, or went nowhere.
 Result<SectionCourse> teach_sections(const SimulationSetting& setting, const SectionLessonParams& params,
-                                     std::uint64_t seed, Progress& progress);
+                                     std::uint64_t seed, int teachings, Progress& progress);
 
 }  // namespace aisle

@@ -5,22 +5,16 @@
 #include "aisle/formats/building_json.hpp"
 #include "changed_parameters.hpp"
 #include "landmark_trip.hpp"
+#include "route_name.hpp"
 
 namespace aisle {
 namespace {
 
 Result<Route> find_section_route(const Building& building, const std::string& name) {
-  std::string names;
-  for (const Route& route : building.routes) {
-    if (route.name == name) {
-      if (route.sections.empty())
-        return Problem{{"", 0, "route"}, fmt::format("'{}' has no sections: it was learned otherwise", name)};
-      return route;
-    }
-    names += (names.empty() ? "" : ", ") + route.name;
-  }
-  return Problem{{"", 0, "route"},
-                 fmt::format("'{}' is unknown; the building has: {}", name, names.empty() ? "none" : names)};
+  auto route = find_route(building, name);
+  if (route && route->sections.empty())
+    return Problem{{"", 0, "route"}, fmt::format("'{}' has no sections: it was learned otherwise", name)};
+  return route;
 }
 
 SectionTrip trip_of(const SessionOrigin& origin, bool and_back) {

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "aisle/formats/section_text.hpp"
 #include "landmark_trip.hpp"
+#include "session_trip.hpp"
 
 namespace aisle {
 
@@ -21,35 +24,25 @@ void SectionTripCollector::add(const Observation& observation) {
   cycles.push_back(std::move(cycle));
 }
 
-Result<std::vector<SectionCycle>> read_section_trip(const std::filesystem::path& session,
-                                                    SessionCycles& cycles, const FloorEdgeParams& params,
-                                                    Progress& progress) {
+Result<DrivenList> read_section_drive(const std::filesystem::path& session, SessionCycles& cycles,
+                                      const SectionLessonParams& params, Progress& progress) {
   if (cycles.vehicle().cameras.empty())
     return Problem{{session.string()}, "is of a vehicle without a camera"};
-  SectionTripCollector collector(params, cycles.vehicle());
-  std::size_t pictures = 0;
-  while (true) {
-    auto cycle = cycles.next();
-    if (!cycle) return cycle.problems();
-    if (!cycle->has_value()) break;
-    pictures += (*cycle)->observation.pictures.size();
-    collector.add((*cycle)->observation);
-    progress.report("looking at pictures", pictures, 0);
-  }
-  if (collector.cycles.empty()) return Problem{{session.string()}, "has no cycles"};
-  if (pictures == 0) return Problem{{session.string()}, "has no pictures"};
-  return std::move(collector.cycles);
+  SectionTripCollector collector(params.floor_edges, cycles.vehicle());
+  const auto pictures = take_observations(
+      session, cycles, progress, [&](const Observation& observation) { collector.add(observation); });
+  if (!pictures) return pictures.problems();
+  if (*pictures == 0) return Problem{{session.string()}, "has no pictures"};
+  return record_drive(collector.cycles, cycles.vehicle(), params.learning);
 }
 
-Result<SectionLesson> learn_sections(const std::vector<SectionCycle>& cycles,
-                                     const VehicleDescription& vehicle, const std::string& route,
-                                     const SectionLessonParams& params) {
-  SectionLesson lesson;
-  lesson.driven = record_drive(cycles, vehicle, params.learning);
+Result<SectionLesson> learn_sections(std::span<const DrivenList> drives, const std::string& route,
+                                     const SectionLearningParams& params) {
+  MergedDrives merged = merge_drives(drives);
+  SectionLesson lesson{.building = {}, .driven = std::move(merged.driven), .taken = std::move(merged.taken)};
   if (lesson.driven.sections.empty()) return Problem{{}, "the vehicle stood still all the time"};
-  Route learned{
-      .name = route,
-      .sections = decide_sections(lesson.driven.sections, lesson.driven.corridor_width_m, params.learning)};
+  Route learned{.name = route,
+                .sections = decide_sections(lesson.driven.sections, lesson.driven.corridor_width_m, params)};
   Problems problems;
   for (const SectionFault& fault : section_faults(learned.sections)) {
     problems.push_back({{},

@@ -1,7 +1,10 @@
 #pragma once
 /// Learning a way by sections, from a recorded or a simulated drive.
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "aisle/core/progress.hpp"
@@ -38,19 +41,18 @@ class SectionTripCollector {
   FloorEdgeDetector detector_;
 };
 
-/// All cycles of a session that was just opened. A session without pictures is a problem.
-Result<std::vector<SectionCycle>> read_section_trip(const std::filesystem::path& session,
-                                                    SessionCycles& cycles, const FloorEdgeParams& params,
-                                                    Progress& progress);
+/// L03 section 3.1, from a session that was just opened, of any vehicle. One without pictures is a problem.
+Result<DrivenList> read_section_drive(const std::filesystem::path& session, SessionCycles& cycles,
+                                      const SectionLessonParams& params, Progress& progress);
 
 struct SectionLesson {
   Building building;  ///< with the route alone
   DrivenList driven;
+  std::vector<std::size_t> taken;  ///< of the drives: those that went the way
 };
 
-/// L03 section 3, from a drive of any vehicle. One that leads nowhere is a problem.
-Result<SectionLesson> learn_sections(const std::vector<SectionCycle>& cycles,
-                                     const VehicleDescription& vehicle, const std::string& route,
-                                     const SectionLessonParams& params);
+/// L03 section 3.2, from one or more drives of one way. One that leads nowhere is a problem.
+Result<SectionLesson> learn_sections(std::span<const DrivenList> drives, const std::string& route,
+                                     const SectionLearningParams& params);
 
 }  // namespace aisle

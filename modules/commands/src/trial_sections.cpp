@@ -131,7 +131,7 @@ Problems run_section_seed(const TrialOptions& options, const SectionTrialParams&
   const auto setting = section_setting(options, seed);
   if (!setting) return setting.problems();
   const VehicleDescription& vehicle = setting->vehicle.description;
-  const auto course = teach_sections(*setting, params.lesson, seed, progress);
+  const auto course = teach_sections(*setting, params.lesson, seed, options.teachings, progress);
   if (!course) {
     trial.not_taught.push_back({{"seed", seed}, {"why", to_string(course.problems())}});
     return {};

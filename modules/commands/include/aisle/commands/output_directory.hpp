@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,6 +27,11 @@ class OutputDirectory {
   /// `names` are the files that the verb is going to write. The directory is created.
   static Result<OutputDirectory> open(const std::filesystem::path& directory, bool force,
                                       const std::vector<std::string>& names);
+
+  /// The same for a verb that can do without: none where none is named.
+  static Result<std::optional<OutputDirectory>> open_if_named(const std::filesystem::path& directory,
+                                                              bool force,
+                                                              const std::vector<std::string>& names);
 
   std::filesystem::path path(std::string_view name) const { return directory_ / name; }
 

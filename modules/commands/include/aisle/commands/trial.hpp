@@ -20,6 +20,7 @@ struct TrialOptions {
   std::string vehicle;              ///< empty: the method's own: alv, or mini for sections
   std::string scenario;             ///< empty: nothing goes wrong
   ParkingStrategy strategy = ParkingStrategy::kFrame;  ///< park
+  int teachings = 1;                                   ///< of the way before it is driven alone (sections)
   int refinements = 0;  ///< trips after the first, each taken in before the next
   std::optional<double> speed_mps;
   bool in_reverse = false;

@@ -1,6 +1,7 @@
 #pragma once
 /// From one drive by hand to a list of sections: L03 section 3.
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -51,6 +52,18 @@ struct DrivenList {
 /// @return without sections if the vehicle did not go anywhere
 DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
                         const SectionLearningParams& params);
+
+/// Several drives of one way as one.
+struct MergedDrives {
+  DrivenList driven;
+  std::vector<std::size_t> taken;  ///< drives of the form that most have; the others are left out
+};
+
+/// Drives whose lists have the same form went the same way: the same symbols, turns alike to three quanta,
+/// lines as long to half a metre or a tenth. Of the form that most have (of as many: the earliest drive's)
+/// each length, turn and distance is the middle one; where each cycle was is the earliest one's.
+/// @param drives  at least one
+MergedDrives merge_drives(std::span<const DrivenList> drives);
 
 /// L03 Algorithm 1: corners, ways across, ways before right turns; what is left is followed along a base
 /// line.
