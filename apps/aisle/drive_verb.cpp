@@ -2,6 +2,7 @@
 
 #include "aisle/commands/drive.hpp"
 #include "hands.hpp"
+#include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
 
@@ -22,11 +23,17 @@ void add_drive_verb(CLI::App& app, Work& work) {
   verb->add_option("--out", options->out, "directory for the session");
   verb->add_flag("--force", options->force, "replace a session that is there already");
   add_hand_options(*verb, *hands);
+  const LiveOption live(*verb);
   verb->add_flag("--no-pictures", *no_pictures, "the cameras see nothing: faster");
   add_parameter_options(*verb, options->parameters, drive_parameters, work, [=, &app, &work] {
     if (options->world.empty()) throw CLI::RequiredError("WORLD");
+    check_page_driver(*hands, live);
     options->takes_pictures = !*no_pictures;
     options->keys = key_operator(*hands, app.count("--quiet") > 0);
-    work = [options](Console& console) { return run_drive(*options, console); };
+    work = live.around([options, hands](Console& console, const DriveOptions::KeyOperator& hand) {
+      DriveOptions driven = *options;
+      if (hands->person == Hands::kPage) driven.keys = hand;
+      return run_drive(driven, console);
+    });
   });
 }

@@ -3,6 +3,7 @@
 
 #include "aisle/commands/explore.hpp"
 #include "aisle/core/angle.hpp"
+#include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
 
@@ -34,10 +35,11 @@ void add_explore_verb(CLI::App& app, Work& work) {
   add_seed(*verb, options->seed, "of all noise; the same seed gives the same trip (default 1)");
   verb->add_option("--out", options->out, "directory for building.json and the pictures");
   verb->add_flag("--force", options->force, "replace results that are there already");
+  const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, explore_parameters, work, [=, &work] {
     if (options->world.empty()) throw CLI::RequiredError("WORLD");
     if (start->size() == 3)
       options->T_world_start = Pose2{(*start)[0], (*start)[1], wrap_angle((*start)[2] * kDegree)};
-    work = [options](Console& console) { return run_explore(*options, console); };
+    work = live.around([options](Console& console, const auto&) { return run_explore(*options, console); });
   });
 }

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "aisle/commands/guide.hpp"
+#include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
 
@@ -33,10 +34,11 @@ void add_go_verb(CLI::App& app, Work& work) {
   verb->add_option("PLACE", options->place,
                    "a place or a node of the corridors by its name (\"end 1\"), or x,y in the map");
   add_mission_options(*verb, *options);
+  const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, guide_parameters, work, [=, &work] {
     require(*options);
     if (options->place.empty()) throw CLI::RequiredError("PLACE");
-    work = [options](Console& console) { return run_go(*options, console); };
+    work = live.around([options](Console& console, const auto&) { return run_go(*options, console); });
   });
 }
 
@@ -48,9 +50,10 @@ void add_patrol_verb(CLI::App& app, Work& work) {
   verb->add_option("BUILDING", options->building, "building file (JSON) that was explored");
   verb->add_option("--rounds", options->rounds, "how often (default 1)")->check(CLI::Range(1, 1000));
   add_mission_options(*verb, *options);
+  const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, guide_parameters, work, [=, &work] {
     require(*options);
-    work = [options](Console& console) { return run_patrol(*options, console); };
+    work = live.around([options](Console& console, const auto&) { return run_patrol(*options, console); });
   });
 }
 

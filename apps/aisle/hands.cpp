@@ -36,17 +36,25 @@ Result<std::unique_ptr<Operator>> timed_keys(const std::string& file, const Vehi
 
 void add_hand_options(CLI::App& verb, HandOptions& options) {
   add_choice<Hands>(verb, "--operator", options.person,
-                    {{"keys", Hands::kKeys}, {"scripted", Hands::kScripted}},
+                    {{"keys", Hands::kKeys}, {"scripted", Hands::kScripted}, {"page", Hands::kPage}},
                     "keys: arrows, q, space in the terminal, or timed keys from stdin; scripted: a person "
-                    "follows the world's tour (default: keys in a terminal, else scripted)");
+                    "follows the world's tour; page: whoever drives from the page of --live (default: keys "
+                    "in a terminal, else scripted)");
   verb.add_option("--keys", options.keys,
                   "file of timed keys to press, such as '0-3 up'; faster than real time");
+}
+
+void check_page_driver(const HandOptions& options, const LiveOption& live) {
+  if (options.person == Hands::kPage && !live.is_wanted())
+    throw CLI::ValidationError("--operator", "page needs --live");
 }
 
 DriveOptions::KeyOperator key_operator(const HandOptions& options, bool quiet) {
   const auto& [person, file] = options;
   const bool has_terminal = isatty(STDIN_FILENO) != 0;
-  if (person == Hands::kScripted || (person == Hands::kAsFits && file.empty() && !has_terminal)) return {};
+  if (person == Hands::kScripted || person == Hands::kPage ||
+      (person == Hands::kAsFits && file.empty() && !has_terminal))
+    return {};
   if (!file.empty() || !has_terminal) {
     return [file = options.keys](const VehicleDescription& vehicle, const KeySpeeds& speeds) {
       return timed_keys(file, vehicle, speeds);

@@ -3,10 +3,11 @@
 #include <string>
 
 #include "aisle/commands/drive.hpp"
+#include "live_options.hpp"
 #include "verb.hpp"
 
 /// Who drives by hand.
-enum class Hands { kAsFits, kKeys, kScripted };
+enum class Hands { kAsFits, kKeys, kScripted, kPage };
 
 struct HandOptions {
   Hands person = Hands::kAsFits;
@@ -16,5 +17,8 @@ struct HandOptions {
 /// --operator and --keys.
 void add_hand_options(CLI::App& verb, HandOptions& options);
 
-/// The person that the options mean; null: a scripted one.
+/// Who drives from the page needs one: --live.
+void check_page_driver(const HandOptions& options, const LiveOption& live);
+
+/// The person that the options mean; null: a scripted one, or one at the page.
 aisle::DriveOptions::KeyOperator key_operator(const HandOptions& options, bool quiet);

@@ -5,6 +5,7 @@
 #include "aisle/commands/refine.hpp"
 #include "aisle/commands/teach.hpp"
 #include "hands.hpp"
+#include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
 
@@ -28,11 +29,17 @@ void add_teach_verb(CLI::App& app, Work& work) {
   verb->add_option("--out", options->drive.out, "directory for the session");
   verb->add_flag("--force", options->drive.force, "replace a session that is there already");
   add_hand_options(*verb, *hands);
+  const LiveOption live(*verb);
   add_parameter_options(*verb, options->drive.parameters, drive_parameters, work, [=, &app, &work] {
     if (options->drive.world.empty()) throw CLI::RequiredError("WORLD");
     if (options->drive.out.empty()) throw CLI::RequiredError("--out");
+    check_page_driver(*hands, live);
     options->drive.keys = key_operator(*hands, app.count("--quiet") > 0);
-    work = [options](Console& console) { return run_teach(*options, console); };
+    work = live.around([options, hands](Console& console, const DriveOptions::KeyOperator& hand) {
+      TeachOptions taught = *options;
+      if (hands->person == Hands::kPage) taught.drive.keys = hand;
+      return run_teach(taught, console);
+    });
   });
 }
 
@@ -69,10 +76,11 @@ void add_navigate_verb(CLI::App& app, Work& work) {
   add_seed(*verb, options->seed, "of all noise; the same seed gives the same session (default 1)");
   verb->add_option("--out", options->out, "directory for the session");
   verb->add_flag("--force", options->force, "replace a session that is there already");
+  const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, navigate_parameters, work, [=, &work] {
     if (options->building.empty()) throw CLI::RequiredError("BUILDING");
     if (options->world.empty()) throw CLI::RequiredError("--world");
-    work = [options](Console& console) { return run_navigate(*options, console); };
+    work = live.around([options](Console& console, const auto&) { return run_navigate(*options, console); });
   });
 }
 

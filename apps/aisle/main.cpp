@@ -95,6 +95,7 @@ int run_program(int argc, char** argv) {
   add_explore_verb(app, work);
   add_guide_verbs(app, work);
   add_learning_verbs(app, work);
+  add_live_verb(app, work);
   add_park_verb(app, work);
   add_reproduce_verb(app, work);
   add_trial_verb(app, work);

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "aisle/commands/park.hpp"
+#include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "parking_choices.hpp"
 #include "verb.hpp"
@@ -29,10 +30,11 @@ void add_park_verb(CLI::App& app, Work& work) {
   add_seed(*verb, options->seed, "of all noise; the same seed gives the same session (default 1)");
   verb->add_option("--out", options->out, "directory for the session");
   verb->add_flag("--force", options->force, "replace a session that is there already");
+  const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, park_parameters, work, [=, &work] {
     if (options->building.empty()) throw CLI::RequiredError("BUILDING");
     if (options->place.empty()) throw CLI::RequiredError("PLACE");
     if (options->world.empty()) throw CLI::RequiredError("--world");
-    work = [options](Console& console) { return run_park(*options, console); };
+    work = live.around([options](Console& console, const auto&) { return run_park(*options, console); });
   });
 }

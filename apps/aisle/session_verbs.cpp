@@ -3,6 +3,7 @@
 #include "aisle/commands/session_cut.hpp"
 #include "aisle/commands/session_info.hpp"
 #include "aisle/commands/session_replay.hpp"
+#include "live_options.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -43,8 +44,10 @@ void add_replay_verb(CLI::App& app, Work& work) {
   auto options = std::make_shared<SessionReplayOptions>();
   verb->add_option("SESSION", options->session, kSessionMeaning)->required();
   verb->add_option("--navigator", options->navigator, "who decides; default: the one that drove");
-  verb->callback([options, &work] {
-    work = [options](Console& console) { return run_session_replay(*options, console); };
+  const LiveOption live(*verb);
+  verb->callback([options, live, &work] {
+    work = live.around(
+        [options](Console& console, const auto&) { return run_session_replay(*options, console); });
   });
 }
 

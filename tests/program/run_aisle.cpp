@@ -20,13 +20,18 @@ int make_sink(const char* name) {
   return sink;
 }
 
-std::string drain(int sink) {
+std::string text_in(int sink) {
   std::string text;
   std::array<char, 1 << 16> chunk{};
-  lseek(sink, 0, SEEK_SET);
-  for (ssize_t count = 0; (count = read(sink, chunk.data(), chunk.size())) > 0;) {
+  for (ssize_t count = 0;
+       (count = pread(sink, chunk.data(), chunk.size(), static_cast<off_t>(text.size()))) > 0;) {
     text.append(chunk.data(), static_cast<std::size_t>(count));
   }
+  return text;
+}
+
+std::string drain(int sink) {
+  std::string text = text_in(sink);
   close(sink);
   return text;
 }
@@ -60,6 +65,10 @@ RunningAisle::~RunningAisle() {
 
 void RunningAisle::signal(int number) const {
   kill(process_, number);
+}
+
+std::string RunningAisle::error_so_far() const {
+  return text_in(err_);
 }
 
 ProgramRun RunningAisle::wait() {

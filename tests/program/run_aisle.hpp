@@ -31,6 +31,8 @@ class RunningAisle {
   ~RunningAisle();
 
   void signal(int number) const;
+  /// What it has said on standard error by now.
+  std::string error_so_far() const;
   ProgramRun wait();
 
  private:

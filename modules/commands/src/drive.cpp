@@ -44,17 +44,13 @@ Result<Drive> read_drive(const DriveOptions& options) {
   return drive;
 }
 
-Result<std::optional<SessionRecord>> open_session(const DriveOptions& options, const Drive& drive) {
-  if (options.out.empty()) return std::optional<SessionRecord>{};
-  auto session = SessionRecord::create(options.out, options.force, drive.setting.vehicle.description,
-                                       {.navigator = "hand",
-                                        .parameters = changed_parameters(drive.params.limits),
-                                        .seed = options.seed,
-                                        .simulated = true,
-                                        .building = {},
-                                        .route = options.route});
-  if (!session) return session.problems();
-  return std::optional<SessionRecord>(std::move(*session));
+SessionOrigin origin_of(const DriveOptions& options, const Drive& drive) {
+  return {.navigator = "hand",
+          .parameters = changed_parameters(drive.params.limits),
+          .seed = options.seed,
+          .simulated = true,
+          .building = {},
+          .route = options.route};
 }
 
 Outcome outcome_of(const DriveOptions& options, const Drive& drive, const MissionEnd& end,
@@ -101,7 +97,8 @@ Result<Outcome> run_drive(const DriveOptions& options, Console& console) {
   if (!drive) return drive.problems();
   const auto person = operator_of(options, *drive);
   if (!person) return person.problems();
-  auto session = open_session(options, *drive);
+  auto session = open_session(options.out, options.force, drive->setting.vehicle.description,
+                              origin_of(options, *drive), console.watcher);
   if (!session) return session.problems();
 
   SimulatedVehicle vehicle(

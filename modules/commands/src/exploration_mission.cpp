@@ -1,5 +1,10 @@
 #include "exploration_mission.hpp"
 
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "aisle/exploration/corridor_rules.hpp"
+#include "aisle/formats/cdr.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "simulated_record.hpp"
 #include "timed_navigator.hpp"
@@ -7,24 +12,54 @@
 namespace aisle {
 namespace {
 
+/// What the transducer did last and what is on its stack, bottom first: /transducer of docs/live.md.
+std::string transducer_json(const BuildingExplorer& explorer) {
+  const TransducerTable& table = corridor_rules();
+  auto stack = nlohmann::ordered_json::array();
+  for (const Symbol symbol : explorer.transducer().stack()) stack.push_back(table.stack[symbol]);
+  const TransducerStep& last = explorer.steps().back();
+  return nlohmann::ordered_json{
+      {"state", last.state}, {"input", last.input}, {"output", last.output}, {"stack", std::move(stack)}}
+      .dump();
+}
+
 /// Keeps the mission's session and, beside it, where the vehicle really was.
 class ExplorationMissionRecord final : public SimulatedRecord {
  public:
   ExplorationMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
                            const ExplorerNavigator& navigator, ExplorationMissionResult& result)
-      : SimulatedRecord(session, vehicle), vehicle_(vehicle), navigator_(navigator), result_(result) {}
+      : SimulatedRecord(session, vehicle),
+        watcher_(session ? session->watcher() : nullptr),
+        vehicle_(vehicle),
+        navigator_(navigator),
+        result_(result) {}
 
   using SimulatedRecord::keep;
 
   Problems keep(const Decision& decision) override {
     const Pose2& T_world_vehicle = vehicle_.truth().T_world_vehicle;
     result_.T_world_vehicle.push_back(T_world_vehicle);
+    show_pose({navigator_.learner().T_map_vehicle()});
+    show_plan(navigator_.path());
+    show_transducer();
     if (navigator_.learner().log().scans.size() > result_.T_world_slice.size())
       result_.T_world_slice.push_back(T_world_vehicle);
     return SimulatedRecord::keep(decision);
   }
 
  private:
+  /// After each of its steps.
+  void show_transducer() {
+    const BuildingExplorer& explorer = navigator_.explorer();
+    if (watcher_ == nullptr || explorer.steps().size() == steps_shown_) return;
+    steps_shown_ = explorer.steps().size();
+    static const SessionTopic topic{"/transducer", ros::String::kType, true};
+    watcher_->take(topic, ros::stamp_ns(vehicle_.truth().stamp_s),
+                   cdr_bytes(ros::String{transducer_json(explorer)}));
+  }
+
+  MessageSink* watcher_;  ///< null: nobody
+  std::size_t steps_shown_ = 0;
   const SimulatedVehicle& vehicle_;
   const ExplorerNavigator& navigator_;
   ExplorationMissionResult& result_;

@@ -16,6 +16,7 @@
 #include "exploration_report.hpp"
 #include "explore_in.hpp"
 #include "rounded.hpp"
+#include "simulated_record.hpp"
 #include "statistics.hpp"
 
 namespace aisle {
@@ -192,8 +193,10 @@ Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting sett
     if (!opened) return opened.problems();
     out = std::move(*opened);
   }
-  std::optional<SessionRecord> session;
-  const auto explored = explore_once(options, *plan, options.order, session, console.progress);
+  SessionOrigin origin{.navigator = "explorer", .seed = options.seed, .simulated = true};
+  auto session = open_session({}, false, plan->setting.vehicle.description, origin, console.watcher);
+  if (!session) return session.problems();
+  const auto explored = explore_once(options, *plan, options.order, *session, console.progress);
   if (!explored) return explored.problems();
 
   Outcome outcome{.verb = "explore"};

@@ -54,17 +54,13 @@ Result<Outcome> run_errand(const char* verb, const GuideOptions& options, const 
                            Console& console) {
   const auto plan = read_guide_plan(options, errand);
   if (!plan) return plan.problems();
-  std::optional<SessionRecord> session;
-  if (!options.out.empty()) {
-    auto created =
-        SessionRecord::create(options.out, options.force, plan->setting.vehicle.description, plan->origin);
-    if (!created) return created.problems();
-    session = std::move(*created);
-  }
+  auto session = open_session(options.out, options.force, plan->setting.vehicle.description, plan->origin,
+                              console.watcher);
+  if (!session) return session.problems();
   const auto result = drive_guide_mission(plan->setting, *plan->driver, plan->T_world_start, options.seed,
-                                          session, console.progress);
+                                          *session, console.progress);
   if (!result) return result.problems();
-  if (const Problems problems = close(session); !problems.empty()) return problems;
+  if (const Problems problems = close(*session); !problems.empty()) return problems;
 
   const GuideNavigator& navigator = plan->driver->navigator();
   const Building& building = plan->driver->building();

@@ -29,6 +29,8 @@ class GuideMissionRecord final : public SimulatedRecord {
   Problems keep(const Decision& decision) override {
     result_.T_map_vehicle.push_back(navigator_.T_map_vehicle());
     result_.T_world_vehicle.push_back(vehicle_.truth().T_world_vehicle);
+    show_pose({navigator_.T_map_vehicle()});
+    show_plan(navigator_.path());
     return SimulatedRecord::keep(decision);
   }
 

@@ -1,7 +1,10 @@
 #include "landmark_mission.hpp"
 
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
+#include "aisle/formats/cdr.hpp"
 #include "aisle/report/landmark_picture.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "rounded.hpp"
@@ -12,6 +15,18 @@
 namespace aisle {
 namespace {
 
+/// The feet that a picture showed, as small crosses: /overlay/CAMERA of docs/live.md.
+std::string overlay_json(double stamp_s, const std::vector<LandmarkSighting>& sightings) {
+  constexpr double kArm_px = 7;
+  auto lines = nlohmann::ordered_json::array();
+  for (const LandmarkSighting& sighting : sightings) {
+    const double u = sighting.foot_px.x(), v = sighting.foot_px.y();
+    lines.push_back({{"kind", "foot"}, {"u0", u - kArm_px}, {"v0", v}, {"u1", u + kArm_px}, {"v1", v}});
+    lines.push_back({{"kind", "foot"}, {"u0", u}, {"v0", v - kArm_px}, {"u1", u}, {"v1", v + kArm_px}});
+  }
+  return nlohmann::ordered_json{{"stamp_s", stamp_s}, {"lines", std::move(lines)}}.dump();
+}
+
 /// Keeps the mission's session and, beside it, what a mission comes to.
 class LandmarkMissionRecord final : public SimulatedRecord {
  public:
@@ -19,6 +34,7 @@ class LandmarkMissionRecord final : public SimulatedRecord {
                         const LandmarkNavigator& navigator, MissionJudge& judge,
                         LandmarkMissionResult& result)
       : SimulatedRecord(session, vehicle),
+        watcher_(session ? session->watcher() : nullptr),
         vehicle_(vehicle),
         navigator_(navigator),
         judge_(judge),
@@ -26,6 +42,9 @@ class LandmarkMissionRecord final : public SimulatedRecord {
 
   Result<Observation> keep(Observation observation) override {
     auto kept = SimulatedRecord::keep(std::move(observation));
+    picture_.reset();
+    if (kept && !kept->pictures.empty())
+      picture_ = {kept->pictures.front().camera, kept->pictures.front().stamp_s};
     if (kept) cycle_ = {.stamp_s = kept->stamp_s, .odometry = kept->odometry, .sightings = {}};
     return kept;
   }
@@ -34,6 +53,8 @@ class LandmarkMissionRecord final : public SimulatedRecord {
     const LandmarkFix fix = navigator_.fix();
     judge_.add(cycle_.stamp_s, fix, vehicle_.truth().T_world_vehicle);
     result_.T_map_driven.push_back(fix.T_map_vehicle.mean);
+    show_pose(fix.T_map_vehicle);
+    show_overlay();
     if (decision.state == "lost" && state_ != "lost") ++result_.lost_count;
     state_ = decision.state;
     cycle_.sightings = navigator_.sightings();
@@ -42,6 +63,20 @@ class LandmarkMissionRecord final : public SimulatedRecord {
   }
 
  private:
+  struct SeenPicture {
+    std::string camera;
+    double stamp_s = 0;
+  };
+
+  void show_overlay() const {
+    if (watcher_ == nullptr || !picture_) return;
+    const SessionTopic topic{"/overlay/" + picture_->camera, ros::String::kType};
+    watcher_->take(topic, ros::stamp_ns(cycle_.stamp_s),
+                   cdr_bytes(ros::String{overlay_json(picture_->stamp_s, navigator_.sightings())}));
+  }
+
+  MessageSink* watcher_;                ///< null: nobody
+  std::optional<SeenPicture> picture_;  ///< of this cycle
   const SimulatedVehicle& vehicle_;
   const LandmarkNavigator& navigator_;
   MissionJudge& judge_;

@@ -134,20 +134,16 @@ Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
     return Problem{{"--and-back"}, "is for --method sections; by landmarks the way back is --reverse"};
   const auto mission = read_mission(options, params.landmarks);
   if (!mission) return mission.problems();
-  std::optional<SessionRecord> session;
-  if (!options.out.empty()) {
-    auto created = SessionRecord::create(options.out, options.force, mission->setting.vehicle.description,
-                                         mission->origin);
-    if (!created) return created.problems();
-    session = std::move(*created);
-  }
+  auto session = open_session(options.out, options.force, mission->setting.vehicle.description,
+                              mission->origin, console.watcher);
+  if (!session) return session.problems();
   const SteadyClock clock;
   const double begun_s = clock.now_s();
   const auto result = drive_landmark_mission(mission->setting, *mission->driver, mission->truth,
                                              {.seed = options.seed, .in_reverse = options.in_reverse},
-                                             session, console.progress);
+                                             *session, console.progress);
   if (!result) return result.problems();
-  if (const Problems problems = close(session); !problems.empty()) return problems;
+  if (const Problems problems = close(*session); !problems.empty()) return problems;
   Outcome outcome = outcome_of(options, *mission, *result, clock.now_s() - begun_s);
   if (options.out.empty()) return outcome;
   const std::filesystem::path picture = options.out / "driven.svg";

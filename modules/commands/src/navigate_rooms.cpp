@@ -81,18 +81,14 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   keep_room_cameras(vehicle, route->room->parking);
   if (!fits(setting->world, vehicle.footprint, T_world_start))
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at its start in this world"};
-  std::optional<SessionRecord> session;
-  if (!drive.out.empty()) {
-    auto created = SessionRecord::create(drive.out, drive.force, vehicle, origin);
-    if (!created) return created.problems();
-    session = std::move(*created);
-  }
+  auto session = open_session(drive.out, drive.force, vehicle, origin, console.watcher);
+  if (!session) return session.problems();
   const Pose2 T_world_due = due_end(setting->world, vehicle.footprint, route->room->parking, place->end());
   const auto result = drive_room_mission(
       *setting, **navigator, {.seed = drive.seed, .T_world_start = T_world_start, .T_world_due = T_world_due},
-      session, console.progress);
+      *session, console.progress);
   if (!result) return result.problems();
-  if (const Problems problems = close(session); !problems.empty()) return problems;
+  if (const Problems problems = close(*session); !problems.empty()) return problems;
   return room_outcome(verb, drive, *route, *result);
 }
 

@@ -73,18 +73,14 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
   if (!T_world_map) return T_world_map.problems();
   if (!fits(setting->world, vehicle.footprint, *T_world_map * T_map_start))
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
-  std::optional<SessionRecord> session;
-  if (!options.out.empty()) {
-    auto created = SessionRecord::create(options.out, options.force, vehicle, origin);
-    if (!created) return created.problems();
-    session = std::move(*created);
-  }
+  auto session = open_session(options.out, options.force, vehicle, origin, console.watcher);
+  if (!session) return session.problems();
   const SteadyClock clock;
   const double begun_s = clock.now_s();
   const auto result = drive_section_mission(
-      *setting, **navigator, {.seed = options.seed, .T_world_map = *T_world_map}, session, console.progress);
+      *setting, **navigator, {.seed = options.seed, .T_world_map = *T_world_map}, *session, console.progress);
   if (!result) return result.problems();
-  if (const Problems problems = close(session); !problems.empty()) return problems;
+  if (const Problems problems = close(*session); !problems.empty()) return problems;
   Outcome outcome{.verb = "navigate", .ok = result->end.arrived && result->collisions == 0};
   outcome.figures = figures_of(*result);
   outcome.figures["simulated"] = true;

@@ -59,6 +59,7 @@ class SectionMissionRecord final : public SimulatedRecord {
 
   Problems keep(const Decision& decision) override {
     result_.T_map_driven.push_back(navigator_.pose());
+    show_pose({navigator_.pose()});
     if (last_picture_) keep_picture();
     if (decision.state == "following") judge_distance();
     return SimulatedRecord::keep(decision);

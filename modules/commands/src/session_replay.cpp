@@ -9,6 +9,7 @@
 #include "aisle/formats/decision_text.hpp"
 #include "aisle/formats/recorded_vehicle.hpp"
 #include "aisle/guidance/mission.hpp"
+#include "simulated_record.hpp"
 
 namespace aisle {
 namespace {
@@ -23,15 +24,21 @@ struct Difference {
 /// In the place of a session being recorded: compares what is decided with what was.
 class Comparison final : public MissionRecord {
  public:
-  explicit Comparison(const RecordedVehicle& vehicle) : vehicle_(vehicle) {}
+  /// @param shown  what is shown of the replay; nullopt: nothing
+  Comparison(const RecordedVehicle& vehicle, std::optional<SessionRecord>& shown)
+      : vehicle_(vehicle), shown_(shown) {}
 
   Result<Observation> keep(Observation observation) override {
     ++cycle_;
     stamp_s_ = observation.stamp_s;
+    if (shown_) {
+      if (const auto kept = shown_->keep(observation); !kept) return kept.problems();
+    }
     return observation;
   }
 
   Problems keep(const Decision& decision) override {
+    if (shown_) (void)shown_->keep(decision);  // it only goes to who watches
     if (!vehicle_.recorded_decision()) return {};
     ++compared;
     // The texts are equal just where all bits are.
@@ -49,6 +56,7 @@ class Comparison final : public MissionRecord {
 
  private:
   const RecordedVehicle& vehicle_;
+  std::optional<SessionRecord>& shown_;
   std::size_t cycle_ = 0;
   double stamp_s_ = 0;
 };
@@ -87,7 +95,9 @@ Result<Outcome> run_session_replay(const SessionReplayOptions& options, Console&
   const auto navigator = make_navigator(driver, cycles->vehicle());
   if (!navigator) return navigator.problems();
   RecordedVehicle vehicle(std::move(*cycles));
-  Comparison comparison(vehicle);
+  auto shown = open_session({}, false, vehicle.description(), driver, console.watcher);
+  if (!shown) return shown.problems();
+  Comparison comparison(vehicle, *shown);
   const auto end = run_mission(vehicle, **navigator, comparison, console.progress);
   if (!end) return end.problems();
   if (!vehicle.problems().empty()) return vehicle.problems();

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 
+#include "aisle/control/path.hpp"
 #include "aisle/formats/session_record.hpp"
 #include "aisle/guidance/mission.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
@@ -19,11 +21,22 @@ class SimulatedRecord : public MissionRecord {
 
   std::size_t pictures() const { return pictures_; }
 
+ protected:
+  /// Shows whoever watches where the navigator takes the vehicle to be, and along what it drives; nothing of
+  /// it is kept.
+  void show_pose(const UncertainPose2& T_map_vehicle) const;
+  void show_plan(const Path& path) const;
+
  private:
   std::optional<SessionRecord>& session_;
   const SimulatedVehicle& vehicle_;
   std::size_t pictures_ = 0;
 };
+
+/// The session of a mission: kept in `out` unless that is empty, shown to whoever watches; nullopt: neither.
+Result<std::optional<SessionRecord>> open_session(const std::filesystem::path& out, bool force,
+                                                  const VehicleDescription& vehicle,
+                                                  const SessionOrigin& origin, MessageSink* watcher);
 
 /// Ends a session; what was driven before an interruption stays.
 Problems close(std::optional<SessionRecord>& session);

@@ -16,12 +16,18 @@
 namespace aisle {
 namespace {
 
-Problems write_all(SessionWriter& writer, ros::Stamp_ns stamp, std::span<const RecordedMessage> messages) {
-  for (const RecordedMessage& message : messages) {
-    if (Problems problems = writer.write(message.topic, stamp, message.cdr); !problems.empty())
-      return problems;
-  }
-  return {};
+/// The description as it stands in a session, and as it comes back.
+struct DescribedVehicle {
+  std::string text;
+  VehicleDescription description;
+};
+
+Result<DescribedVehicle> as_described(const VehicleDescription& vehicle) {
+  DescribedVehicle described{.text = vehicle_yaml(vehicle)};
+  auto read_back = parse_vehicle(described.text, "the vehicle's description");
+  if (!read_back) return read_back.problems();
+  described.description = std::move(read_back->description);
+  return described;
 }
 
 }  // namespace
@@ -29,22 +35,41 @@ Problems write_all(SessionWriter& writer, ros::Stamp_ns stamp, std::span<const R
 Result<SessionRecord> SessionRecord::create(const std::filesystem::path& directory, bool force,
                                             const VehicleDescription& vehicle, const SessionOrigin& origin,
                                             const PictureCoding& coding) {
-  std::string text = vehicle_yaml(vehicle);
-  auto read_back = parse_vehicle(text, "the vehicle's description");
-  if (!read_back) return read_back.problems();
+  auto described = as_described(vehicle);
+  if (!described) return described.problems();
   auto writer = SessionWriter::create(directory, force);
   if (!writer) return writer.problems();
-  return SessionRecord(std::move(*writer), std::move(read_back->description), std::move(text), origin,
-                       coding);
+  return SessionRecord(std::move(*writer), std::move(described->description), std::move(described->text),
+                       origin, coding);
 }
 
-SessionRecord::SessionRecord(SessionWriter writer, VehicleDescription vehicle, std::string vehicle_text,
-                             SessionOrigin origin, const PictureCoding& coding)
+Result<SessionRecord> SessionRecord::shown(MessageSink& watcher, const VehicleDescription& vehicle,
+                                           const SessionOrigin& origin, const PictureCoding& coding) {
+  auto described = as_described(vehicle);
+  if (!described) return described.problems();
+  SessionRecord record(std::nullopt, std::move(described->description), std::move(described->text), origin,
+                       coding);
+  record.show_to(watcher);
+  return record;
+}
+
+SessionRecord::SessionRecord(std::optional<SessionWriter> writer, VehicleDescription vehicle,
+                             std::string vehicle_text, SessionOrigin origin, const PictureCoding& coding)
     : writer_(std::move(writer)),
       vehicle_(std::move(vehicle)),
       vehicle_text_(std::move(vehicle_text)),
       origin_(std::move(origin)),
       coding_(coding) {}
+
+Problems SessionRecord::write(ros::Stamp_ns stamp, std::span<const RecordedMessage> messages) {
+  for (const RecordedMessage& message : messages) {
+    if (watcher_ != nullptr) watcher_->take(message.topic, stamp, message.cdr);
+    if (!writer_) continue;
+    if (Problems problems = writer_->write(message.topic, stamp, message.cdr); !problems.empty())
+      return problems;
+  }
+  return {};
+}
 
 /// What the session needs to be understood, before everything else.
 Problems SessionRecord::write_head(ros::Stamp_ns stamp) {
@@ -52,7 +77,7 @@ Problems SessionRecord::write_head(ros::Stamp_ns stamp) {
   const RecordedMessage head[] = {latched(kOriginTopic, ros::String{session_origin_json(origin_)}),
                                   latched(kVehicleTopic, ros::String{vehicle_text_}),
                                   static_frames_message(stamp, vehicle_)};
-  return write_all(writer_, stamp, head);
+  return write(stamp, head);
 }
 
 Result<Observation> SessionRecord::keep(Observation observation) {
@@ -62,7 +87,7 @@ Result<Observation> SessionRecord::keep(Observation observation) {
         fmt::format("an observation at {} ns after one at {} ns", stamp, *last_stamp_));
   const auto messages = messages_of(observation, vehicle_, coding_);
   if (Problems problems = write_head(stamp); !problems.empty()) return problems;
-  if (Problems problems = write_all(writer_, stamp, messages); !problems.empty()) return problems;
+  if (Problems problems = write(stamp, messages); !problems.empty()) return problems;
   if (Problems problems = write_for_viewers(observation, stamp); !problems.empty()) return problems;
   last_stamp_ = stamp;
 
@@ -81,21 +106,23 @@ Problems SessionRecord::write_for_viewers(const Observation& observation, ros::S
     if (const CameraDescription* camera = vehicle_.camera(picture.camera))
       messages.push_back(camera_info_message(*camera, picture.stamp_s));
   }
-  return write_all(writer_, stamp, messages);
+  return write(stamp, messages);
 }
 
 Problems SessionRecord::keep(const Decision& decision) {
   if (!last_stamp_) throw std::logic_error("a decision before the first observation");
   const RecordedMessage messages[] = {recorded(kDecisionTopic, ros::String{decision_text(decision)}),
                                       command_message(vehicle_, decision.command)};
-  return write_all(writer_, *last_stamp_, messages);
+  return write(*last_stamp_, messages);
 }
 
 Problems SessionRecord::keep_truth(double stamp_s, const Pose2& T_map_vehicle) {
   const ros::Stamp_ns stamp = ros::stamp_ns(stamp_s);
   if (Problems problems = write_head(stamp); !problems.empty()) return problems;
-  const RecordedMessage message[] = {true_pose_message(stamp, T_map_vehicle)};
-  return write_all(writer_, stamp, message);
+  if (watcher_ != nullptr) watcher_->take_truth(T_map_vehicle);
+  if (!writer_) return {};
+  const RecordedMessage message = true_pose_message(stamp, T_map_vehicle);
+  return writer_->write(message.topic, stamp, message.cdr);
 }
 
 }  // namespace aisle

@@ -7,6 +7,7 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
+#include "aisle/formats/message_sink.hpp"
 
 namespace aisle {
 
@@ -26,6 +27,7 @@ std::string to_json(const Outcome& outcome);
 struct Console {
   Progress& progress;
   std::function<void(const std::string&)> warn;
+  MessageSink* watcher = nullptr;  ///< is shown what a mission records; null: nobody watches
 };
 
 }  // namespace aisle

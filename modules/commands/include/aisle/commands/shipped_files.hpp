@@ -10,4 +10,7 @@ namespace aisle {
 /// it was built or installed. If there is neither, the path as it stands.
 std::filesystem::path shipped_or_own(const std::string& kind, const std::string& name);
 
+/// The folder of the live page as it was built or installed; empty if it was not.
+std::filesystem::path shipped_page();
+
 }  // namespace aisle

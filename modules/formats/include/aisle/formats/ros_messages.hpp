@@ -333,4 +333,141 @@ struct TFMessage {
   friend bool operator==(const TFMessage&, const TFMessage&) = default;
 };
 
+struct PoseWithCovarianceStamped {
+  static constexpr const char* kType = "geometry_msgs/msg/PoseWithCovarianceStamped";
+  Header header;
+  PoseWithCovariance pose;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("pose", self.pose);
+  }
+  friend bool operator==(const PoseWithCovarianceStamped&, const PoseWithCovarianceStamped&) = default;
+};
+
+struct Path {
+  static constexpr const char* kType = "nav_msgs/msg/Path";
+  Header header;
+  std::vector<PoseStamped> poses;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("poses", self.poses);
+  }
+  friend bool operator==(const Path&, const Path&) = default;
+};
+
+struct ColorRGBA {
+  float r = 0;
+  float g = 0;
+  float b = 0;
+  float a = 1;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("r", self.r);
+    visit("g", self.g);
+    visit("b", self.b);
+    visit("a", self.a);
+  }
+  friend bool operator==(const ColorRGBA&, const ColorRGBA&) = default;
+};
+
+struct Duration {
+  std::int32_t sec = 0;
+  std::uint32_t nanosec = 0;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("sec", self.sec);
+    visit("nanosec", self.nanosec);
+  }
+  friend bool operator==(const Duration&, const Duration&) = default;
+};
+
+struct UVCoordinate {
+  float u = 0;
+  float v = 0;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("u", self.u);
+    visit("v", self.v);
+  }
+  friend bool operator==(const UVCoordinate&, const UVCoordinate&) = default;
+};
+
+struct MeshFile {
+  std::string filename;
+  std::vector<std::uint8_t> data;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("filename", self.filename);
+    visit("data", self.data);
+  }
+  friend bool operator==(const MeshFile&, const MeshFile&) = default;
+};
+
+struct Marker {
+  enum Kind : std::int32_t { kSphereList = 7, kLineStrip = 4, kLineList = 5, kText = 9 };
+  static constexpr const char* kType = "visualization_msgs/msg/Marker";
+  Header header;
+  std::string ns;
+  std::int32_t id = 0;
+  std::int32_t type = 0;
+  std::int32_t action = 0;
+  Pose pose;
+  Vector3 scale;
+  ColorRGBA color;
+  Duration lifetime;
+  bool frame_locked = false;
+  std::vector<Vector3> points;
+  std::vector<ColorRGBA> colors;
+  std::string texture_resource;
+  CompressedImage texture;
+  std::vector<UVCoordinate> uv_coordinates;
+  std::string text;
+  std::string mesh_resource;
+  MeshFile mesh_file;
+  bool mesh_use_embedded_materials = false;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("header", self.header);
+    visit("ns", self.ns);
+    visit("id", self.id);
+    visit("type", self.type);
+    visit("action", self.action);
+    visit("pose", self.pose);
+    visit("scale", self.scale);
+    visit("color", self.color);
+    visit("lifetime", self.lifetime);
+    visit("frame_locked", self.frame_locked);
+    visit("points", self.points);
+    visit("colors", self.colors);
+    visit("texture_resource", self.texture_resource);
+    visit("texture", self.texture);
+    visit("uv_coordinates", self.uv_coordinates);
+    visit("text", self.text);
+    visit("mesh_resource", self.mesh_resource);
+    visit("mesh_file", self.mesh_file);
+    visit("mesh_use_embedded_materials", self.mesh_use_embedded_materials);
+  }
+  friend bool operator==(const Marker&, const Marker&) = default;
+};
+
+struct MarkerArray {
+  static constexpr const char* kType = "visualization_msgs/msg/MarkerArray";
+  std::vector<Marker> markers;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("markers", self.markers);
+  }
+  friend bool operator==(const MarkerArray&, const MarkerArray&) = default;
+};
+
 }  // namespace aisle::ros

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 
+#include "aisle/formats/message_sink.hpp"
 #include "aisle/formats/picture_coding.hpp"
 #include "aisle/formats/session_origin.hpp"
 #include "aisle/formats/session_writer.hpp"
@@ -12,14 +14,25 @@
 
 namespace aisle {
 
-/// A mission's cycles kept as a session. All messages of a cycle bear the stamp of its observation, so a
-/// killed session ends with a whole cycle.
+struct RecordedMessage;
+
+/// A mission's cycles kept as a session, shown to a watcher, or both. All messages of a cycle bear the stamp
+/// of its observation, so a killed session ends with a whole cycle.
 class SessionRecord final : public MissionRecord {
  public:
   /// `directory` and `force` as in SessionWriter::create.
   static Result<SessionRecord> create(const std::filesystem::path& directory, bool force,
                                       const VehicleDescription& vehicle, const SessionOrigin& origin,
                                       const PictureCoding& coding = {});
+
+  /// Keeps nothing: everything only goes to `watcher`, who must outlive it.
+  static Result<SessionRecord> shown(MessageSink& watcher, const VehicleDescription& vehicle,
+                                     const SessionOrigin& origin, const PictureCoding& coding = {});
+
+  /// From now on `watcher` is shown what is kept, but never the truth; must outlive the record.
+  void show_to(MessageSink& watcher) { watcher_ = &watcher; }
+  /// Who is shown it; null: nobody.
+  MessageSink* watcher() const { return watcher_; }
 
   /// The vehicle as a replay will know it; who makes the navigator from this one sees the same in both.
   const VehicleDescription& vehicle() const { return vehicle_; }
@@ -35,16 +48,18 @@ class SessionRecord final : public MissionRecord {
   Problems keep_truth(double stamp_s, const Pose2& T_map_vehicle);
 
   /// Ends the session; the destructor does, too, but cannot say whether that succeeded.
-  Problems close() { return writer_.close(); }
+  Problems close() { return writer_ ? writer_->close() : Problems{}; }
 
  private:
-  SessionRecord(SessionWriter writer, VehicleDescription vehicle, std::string vehicle_text,
+  SessionRecord(std::optional<SessionWriter> writer, VehicleDescription vehicle, std::string vehicle_text,
                 SessionOrigin origin, const PictureCoding& coding);
 
   Problems write_head(ros::Stamp_ns stamp);
+  Problems write(ros::Stamp_ns stamp, std::span<const RecordedMessage> messages);
   Problems write_for_viewers(const Observation& observation, ros::Stamp_ns stamp);
 
-  SessionWriter writer_;
+  std::optional<SessionWriter> writer_;
+  MessageSink* watcher_ = nullptr;
   VehicleDescription vehicle_;
   std::string vehicle_text_;
   SessionOrigin origin_;

@@ -1,0 +1,46 @@
+#include "live_options.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+using namespace aisle;
+
+namespace {
+
+constexpr double kRateMax = 1000;
+
+}  // namespace
+
+void add_listening_options(CLI::App& verb, LiveListening& listening) {
+  listening.version = AISLE_VERSION;
+  verb.add_option("--port", listening.port, "that the page is served on (default 8765; 0: any that is free)");
+  verb.add_option("--listen", listening.address,
+                  "address that others can reach, such as 0.0.0.0; needs --token-file (default 127.0.0.1)");
+  verb.add_option("--token-file", listening.token_file, "file with the one line that who connects must know");
+  verb.add_option("--web", listening.web, "directory of the page (default: the one that was built)");
+  verb.add_option("--rate", listening.rate,
+                  "vehicle's seconds in a second (default 1; 0: as fast as it goes)")
+      ->check(CLI::Range(0.0, kRateMax));
+}
+
+void announce_live(const std::string& url) {
+  fmt::print(stderr, "live: {}\n", url);
+  std::fflush(stderr);
+}
+
+LiveOption::LiveOption(CLI::App& verb)
+    : verb_(verb.get_name()),
+      is_wanted_(std::make_shared<bool>(false)),
+      listening_(std::make_shared<LiveListening>()) {
+  verb.add_flag("--live", *is_wanted_,
+                "serve a page on which the mission can be watched, paused and stopped");
+  add_listening_options(verb, *listening_);
+}
+
+Work LiveOption::around(const WatchedWork& work) const {
+  if (!*is_wanted_) return [work](Console& console) { return work(console, {}); };
+  return [work, verb = verb_, listening = listening_](Console& console) {
+    return run_watched(*listening, verb, work, console, announce_live);
+  };
+}

@@ -1,0 +1,33 @@
+#include <memory>
+
+#include "aisle/commands/live.hpp"
+#include "live_options.hpp"
+#include "option_kinds.hpp"
+#include "verb.hpp"
+
+using namespace aisle;
+
+void add_live_verb(CLI::App& app, Work& work) {
+  CLI::App* verb = app.add_subcommand(
+      "live",
+      "a simulated vehicle that is watched and driven from a browser, and does what it is told there");
+  verb->fallthrough();
+  auto options = std::make_shared<LiveOptions>();
+  auto out = std::make_shared<std::filesystem::path>();
+  verb->add_option("WORLD", options->world, "world file (YAML), or the name of a shipped one");
+  verb->add_option("--vehicle", options->vehicle,
+                   "vehicle file (YAML), or the name of a shipped one (default alv)");
+  add_seed(*verb, options->seed, "of all noise (default 1)");
+  verb->add_option("--out", *out,
+                   "directory for what is recorded and learned: DIR/sessions and DIR/buildings");
+  verb->add_option("--sessions", options->sessions, "directory of sessions, in the place of DIR/sessions");
+  verb->add_option("--buildings", options->buildings,
+                   "directory of building files, in the place of DIR/buildings");
+  add_listening_options(*verb, options->listening);
+  verb->callback([=, &work] {
+    if (options->world.empty()) throw CLI::RequiredError("WORLD");
+    if (options->sessions.empty() && !out->empty()) options->sessions = *out / "sessions";
+    if (options->buildings.empty() && !out->empty()) options->buildings = *out / "buildings";
+    work = [options](Console& console) { return run_live(*options, console, announce_live); };
+  });
+}

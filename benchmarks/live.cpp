@@ -1,0 +1,118 @@
+/// What it costs a mission's cycle to be watched: recorded for nobody, and shown to ten clients, one of which
+/// reads nothing. Processor time of the mission's thread alone.
+
+#include <benchmark/benchmark.h>
+
+#include <ctime>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "aisle/core/random.hpp"
+#include "aisle/formats/session_record.hpp"
+#include "aisle/live/live_server.hpp"
+#include "live_client.hpp"
+
+using namespace aisle;
+
+namespace {
+
+constexpr int kClients = 10;
+constexpr int kWidth = 640, kHeight = 480;
+
+class Nobody final : public MessageSink {
+ public:
+  void take(const SessionTopic&, ros::Stamp_ns, std::string_view) override {}
+};
+
+double thread_cpu_s() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+VehicleDescription vehicle_with_camera() {
+  VehicleDescription vehicle;
+  vehicle.name = "watched";
+  CameraDescription camera;
+  camera.name = "top";
+  camera.width_px = kWidth;
+  camera.height_px = kHeight;
+  vehicle.cameras.push_back(camera);
+  return vehicle;
+}
+
+/// Not too smooth, not too rough for a JPEG of a usual size.
+std::shared_ptr<const Image> picture() {
+  auto image = std::make_shared<Image>(kWidth, kHeight);
+  Random random(1);
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u)
+      image->row(v)[u] = static_cast<std::uint8_t>(100 + 60 * ((u / 40 + v / 60) % 2) + random.bits() % 8);
+  }
+  return image;
+}
+
+/// A client that reads all that comes, on a thread of its own.
+std::jthread reading_client(std::uint16_t port) {
+  return std::jthread([port](const std::stop_token& stop) {
+    LiveClient client(port);
+    client.subscribe_to_all();
+    while (!stop.stop_requested()) {
+      client.read();
+      client.messages.clear();
+    }
+  });
+}
+
+/// Cycles of one mission, one after the other.
+class Cycles {
+ public:
+  explicit Cycles(MessageSink& watcher)
+      : record_(*SessionRecord::shown(watcher, vehicle_with_camera(), {})) {}
+
+  double drive_one() {
+    stamp_s_ += 1.0 / 30;
+    const double begun_s = thread_cpu_s();
+    Observation observation{.stamp_s = stamp_s_, .odometry = FrontSteeredMotion{}};
+    observation.pictures.push_back({"top", stamp_s_, image_});
+    if (!record_.keep(std::move(observation))) throw std::runtime_error("a cycle was not shown");
+    (void)record_.keep(Decision{.state = "driving"});
+    return thread_cpu_s() - begun_s;
+  }
+
+ private:
+  SessionRecord record_;
+  std::shared_ptr<const Image> image_ = picture();
+  double stamp_s_ = 0;
+};
+
+void for_nobody(benchmark::State& state) {
+  Nobody nobody;
+  Cycles cycles(nobody);
+  for (auto _ : state) state.SetIterationTime(cycles.drive_one());
+}
+BENCHMARK(for_nobody)->UseManualTime()->Unit(benchmark::kMicrosecond);
+
+void for_ten_clients_one_stalled(benchmark::State& state) {
+  auto server = LiveServer::open({.port = 0}, {});
+  if (!server) return state.SkipWithError("no server");
+  Cycles cycles(**server);
+  cycles.drive_one();  // the channels are known
+  LiveClient stalled((*server)->port());
+  stalled.subscribe_to_all();
+  std::vector<std::jthread> clients;
+  for (int i = 1; i < kClients; ++i) clients.push_back(reading_client((*server)->port()));
+  while ((*server)->clients() < kClients) std::this_thread::yield();
+  for (auto _ : state) {
+    state.SetIterationTime(cycles.drive_one());
+    (*server)->take_time(1);
+  }
+  for (std::jthread& client : clients) client.request_stop();
+  cycles.drive_one();
+  (*server)->take_time(2);
+}
+BENCHMARK(for_ten_clients_one_stalled)->UseManualTime()->Unit(benchmark::kMicrosecond);
+
+}  // namespace

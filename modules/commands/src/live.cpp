@@ -1,0 +1,208 @@
+#include "aisle/commands/live.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <system_error>
+#include <utility>
+
+#include "aisle/commands/shipped_files.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "live_control.hpp"
+#include "live_desk.hpp"
+#include "live_missions.hpp"
+#include "live_operator.hpp"
+#include "live_replay.hpp"
+
+namespace aisle {
+namespace {
+
+Result<LiveServerOptions> server_options(const LiveListening& listening, LiveFolders folders) {
+  LiveServerOptions options{.address = listening.address,
+                            .port = listening.port,
+                            .token = {},
+                            .version = listening.version,
+                            .folders = std::move(folders)};
+  options.folders.web = listening.web.empty() ? shipped_page() : listening.web;
+  if (listening.token_file.empty()) return options;
+  constexpr std::size_t kTokenFileMax = 4096;
+  auto text = read_whole_file(listening.token_file, kTokenFileMax);
+  if (!text) return text.problems();
+  while (!text->empty() && std::isspace(static_cast<unsigned char>(text->back())) != 0) text->pop_back();
+  if (text->empty())
+    return Problem{{listening.token_file.string()}, "is empty: one line is needed, the token"};
+  options.token = std::move(*text);
+  return options;
+}
+
+std::vector<LiveService> mission_services(ServiceMailbox& calls) {
+  std::vector<LiveService> services = control_services(calls);
+  for (const char* name : {"mission/start", "mission/go", "replay/start", "replay/play", "replay/pause",
+                           "replay/seek", "replay/rate", "replay/stop"})
+    services.push_back({name, true, &calls});
+  return services;
+}
+
+std::vector<LiveService> all_services(ServiceMailbox& missions, ServiceMailbox& desk) {
+  std::vector<LiveService> services = mission_services(missions);
+  const std::vector<LiveService> others = desk_services(desk);
+  services.insert(services.end(), others.begin(), others.end());
+  return services;
+}
+
+DriveOptions::KeyOperator hand_of(LiveControl& control) {
+  return [&control](const VehicleDescription&, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
+    return std::unique_ptr<Operator>(std::make_unique<LiveOperator>(control));
+  };
+}
+
+/// A vehicle that does one thing after the other, as clients want it.
+class LiveRun {
+ public:
+  LiveRun(const LiveOptions& options, Console& console, LiveServer& server, ServiceMailbox& calls)
+      : options_(options),
+        console_(console),
+        control_(console.progress, server, calls, options.listening.rate,
+                 [this](const ServiceCall& call) { take_order(call); }),
+        watched_{control_, console.warn, &control_} {
+    control_.state().world = options.world;
+    control_.state().vehicle = options.vehicle;
+  }
+
+  /// Only the first time can the setting itself be wrong.
+  Problems run() {
+    while (true) {
+      const auto idled = idle();
+      if (!idled && !control_.T_world_vehicle()) return idled.problems();
+      if (auto mission = std::exchange(wanted_, std::nullopt)) drive(*mission);
+      if (auto session = std::exchange(wanted_replay_, std::nullopt)) replay(*session);
+    }
+  }
+
+ private:
+  Result<Outcome> idle() {
+    LiveState& state = control_.state();
+    state.mode = "idle";
+    state.mission.clear();
+    state.session.clear();
+    state.is_driven_by_hand = true;
+    return work(live_idling(options_, control_.T_world_vehicle()));
+  }
+
+  void drive(const LiveMission& mission) {
+    LiveState& state = control_.state();
+    state.mode = mission.drives ? "mission" : "work";
+    state.mission = mission.name;
+    state.session = mission.session;
+    state.is_driven_by_hand = mission.is_driven_by_hand;
+    const auto outcome = work(mission);
+    state.last = control_.was_stopped() ? live_end_stopped(mission.name) : live_end(mission.name, outcome);
+  }
+
+  /// Passes Interrupted on only where it was no client who wished it.
+  Result<Outcome> work(const LiveMission& mission) {
+    control_.begin();
+    try {
+      return mission.work(watched_, hand_of(control_));
+    } catch (const Interrupted&) {
+      if (!control_.was_stopped()) throw;
+      return Outcome{.verb = mission.name, .ok = false};
+    }
+  }
+
+  void replay(const std::filesystem::path& session) {
+    LiveState& state = control_.state();
+    state.mode = "replay";
+    state.mission = "replay";
+    state.session = session.filename();
+    state.is_driven_by_hand = false;
+    control_.begin();
+    replay_ = std::make_unique<LiveReplay>(session, control_);
+    const Problems problems = replay_->run();
+    replay_.reset();
+    state.replay = nullptr;
+    control_.set_rate(options_.listening.rate);
+    if (!problems.empty()) state.last = live_end("replay", problems);
+  }
+
+  void take_order(const ServiceCall& call) {
+    const std::string& service = call.service();
+    if (replay_ && service.starts_with("replay/")) return replay_->take_order(call);
+    if (control_.state().mode != "idle" || wanted_ || wanted_replay_)
+      return call.refuse("a mission is under way; mission/stop ends it");
+    if (service == "mission/start" || service == "mission/go") return begin_mission(call);
+    if (service == "replay/start") return begin_replay(call);
+    call.refuse("nothing is being replayed");
+  }
+
+  void begin_mission(const ServiceCall& call) {
+    nlohmann::json arguments = call.arguments();
+    if (call.service() == "mission/go") arguments["mission"] = "go";
+    auto mission = live_mission(options_, arguments, control_.T_world_vehicle());
+    if (!mission) return call.refuse(to_string(mission.problems()));
+    if (control_.state().is_emergency && mission->drives)
+      return call.refuse("the emergency stop is not released");
+    wanted_ = std::move(*mission);
+    control_.hand().finish();
+    call.answer(nlohmann::ordered_json::object());
+  }
+
+  void begin_replay(const ServiceCall& call) {
+    auto session = session_named(options_.sessions, call.arguments());
+    if (!session) return call.refuse(to_string(session.problems()));
+    wanted_replay_ = std::move(*session);
+    control_.hand().finish();
+    call.answer(nlohmann::ordered_json::object());
+  }
+
+  const LiveOptions& options_;
+  Console& console_;
+  LiveControl control_;
+  Console watched_;
+  std::optional<LiveMission> wanted_;
+  std::optional<std::filesystem::path> wanted_replay_;
+  std::unique_ptr<LiveReplay> replay_;
+};
+
+}  // namespace
+
+Result<Outcome> run_live(const LiveOptions& options, Console& console,
+                         const std::function<void(const std::string&)>& announce) {
+  for (const std::filesystem::path& folder : {options.sessions, options.buildings}) {
+    std::error_code error;
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
+    if (error) return Problem{{folder.string()}, "cannot be made: " + error.message()};
+  }
+  auto listening = server_options(options.listening,
+                                  {.web = {}, .sessions = options.sessions, .buildings = options.buildings});
+  if (!listening) return listening.problems();
+  ServiceMailbox missions, questions;
+  const auto server = LiveServer::open(std::move(*listening), all_services(missions, questions));
+  if (!server) return server.problems();
+  const LiveDesk desk({.sessions = options.sessions, .buildings = options.buildings}, questions);
+  announce((*server)->url());
+  LiveRun run(options, console, **server, missions);
+  return run.run();
+}
+
+Result<Outcome> run_watched(const LiveListening& listening, const std::string& verb, const WatchedWork& work,
+                            Console& console, const std::function<void(const std::string&)>& announce) {
+  auto options = server_options(listening, {});
+  if (!options) return options.problems();
+  ServiceMailbox missions, questions;
+  const auto server = LiveServer::open(std::move(*options), all_services(missions, questions));
+  if (!server) return server.problems();
+  const LiveDesk desk({}, questions);
+  announce((*server)->url());
+  LiveControl control(console.progress, **server, missions, listening.rate, [&](const ServiceCall& call) {
+    call.refuse(fmt::format("this is `aisle {}`, which is only watched; `aisle live` does that", verb));
+  });
+  control.state().mode = "mission";
+  control.state().mission = verb;
+  control.begin();
+  Console watched{control, console.warn, &control};
+  return work(watched, hand_of(control));
+}
+
+}  // namespace aisle

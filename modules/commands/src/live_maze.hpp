@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "aisle/core/result.hpp"
+
+namespace aisle {
+
+/// The service maze/run: every learning cycle of a run through a maze; docs/live.md.
+Result<nlohmann::ordered_json> maze_steps(const nlohmann::json& arguments);
+
+}  // namespace aisle

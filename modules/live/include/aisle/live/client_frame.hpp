@@ -1,0 +1,68 @@
+#pragma once
+/// What clients send over the open Foxglove WebSocket protocol.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace aisle {
+
+struct Subscription {
+  std::uint32_t id = 0;  ///< the client's own
+  std::uint32_t channel = 0;
+};
+
+struct SubscribeRequest {
+  std::vector<Subscription> subscriptions;
+};
+
+struct UnsubscribeRequest {
+  std::vector<std::uint32_t> subscriptions;
+};
+
+/// A channel on which a client wants to send.
+struct ClientChannel {
+  std::uint32_t id = 0;  ///< the client's own
+  std::string topic;
+  std::string encoding;
+};
+
+struct AdvertiseRequest {
+  std::vector<ClientChannel> channels;
+};
+
+struct UnadvertiseRequest {
+  std::vector<std::uint32_t> channels;
+};
+
+/// A request that makes sense, but is of a capability that is not offered.
+struct UnofferedRequest {
+  std::string op;
+};
+
+struct ClientMessage {
+  std::uint32_t channel = 0;
+  std::string_view data;  ///< within the frame
+};
+
+struct ServiceRequest {
+  std::uint32_t service = 0;
+  std::uint32_t call = 0;
+  std::string_view encoding;  ///< within the frame, as `data`
+  std::string_view data;
+};
+
+using ClientFrame = std::variant<SubscribeRequest, UnsubscribeRequest, AdvertiseRequest, UnadvertiseRequest,
+                                 UnofferedRequest, ClientMessage, ServiceRequest>;
+
+/// @return nullopt: no such message
+std::optional<ClientFrame> parse_client_text(std::string_view text);
+
+/// Views in the result point into `bytes`.
+/// @return nullopt: no such message
+std::optional<ClientFrame> parse_client_bytes(std::string_view bytes);
+
+}  // namespace aisle

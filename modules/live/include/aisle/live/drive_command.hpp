@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "aisle/core/clock.hpp"
+#include "aisle/vehicle/command.hpp"
+
+namespace aisle {
+
+/// What a driver sends over the topic /drive.
+struct DriveCommand {
+  std::string lease;
+  std::uint64_t sequence = 0;
+  double age_s = 0;  ///< when it was sent
+  Command command;
+};
+
+/// @return nullopt: not all of it is there, finite and in range
+std::optional<DriveCommand> parse_drive_command(std::string_view json);
+
+/// Hands the newest drive command from the server's thread to the mission's.
+class DriveInbox {
+ public:
+  explicit DriveInbox(const Clock& clock) : clock_(clock) {}
+
+  /// A new lease: what waits is not heard any more, and sequences start anew.
+  void begin_lease();
+
+  /// @return false: its sequence is not greater than all before
+  bool put(const DriveCommand& command);
+
+  /// The newest since the last call, its age as of now; nullopt: none has come.
+  std::optional<DriveCommand> take();
+
+ private:
+  const Clock& clock_;
+  std::mutex mutex_;
+  std::optional<DriveCommand> newest_;
+  double put_s_ = 0;
+  std::optional<std::uint64_t> last_sequence_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "aisle/live/client_frame.hpp"
+#include "aisle/live/drive_command.hpp"
+#include "aisle/live/driver_lease.hpp"
+#include "aisle/live/service_call.hpp"
+#include "send_queue.hpp"
+#include "server_frame.hpp"
+
+namespace aisle {
+
+/// The protocol without its sockets: channels, subscriptions, services and the lease. Used by one thread.
+class Hub {
+ public:
+  using Send = std::function<void(OutFrame)>;
+  /// Runs something on the hub's thread, from any thread.
+  using Post = std::function<void(std::function<void()>)>;
+
+  static constexpr std::size_t kSubscriptionsMax = 1000;
+  static constexpr std::size_t kClientChannelsMax = 64;
+
+  /// The lease's own services come first.
+  Hub(std::string name, std::string version, std::vector<LiveService> services, const Clock& clock,
+      DriveInbox& drive, Post post);
+
+  /// A client is there, and is greeted.
+  void join(ClientId client, Send send);
+  void leave(ClientId client);
+
+  /// @return false: garbage
+  bool receive_text(ClientId client, std::string_view text);
+  bool receive_bytes(ClientId client, std::string_view bytes);
+
+  void publish(const SessionTopic& topic, ros::Stamp_ns stamp, std::shared_ptr<const std::string> cdr);
+  void publish_time(ros::Stamp_ns stamp);
+  /// Who subscribes from now on gets no message of before.
+  void forget_latched();
+
+  DriverLease& lease() { return lease_; }
+
+ private:
+  struct Channel {
+    SessionTopic topic;
+    ros::Stamp_ns stamp = 0;
+    std::shared_ptr<const std::string> latched;  ///< the last message; null: none
+  };
+
+  struct Client {
+    Send send;
+    std::map<std::uint32_t, std::uint32_t> channel_of;       ///< by subscription
+    std::map<std::uint32_t, std::uint32_t> subscription_of;  ///< by channel
+    std::map<std::uint32_t, ClientChannel> channels;         ///< its own
+
+    void say(StatusLevel level, const std::string& message) const;
+    void send_text(std::string text) const { send({.head = std::move(text), .is_text = true}); }
+  };
+
+  struct Reception;
+
+  std::uint32_t channel_id(const SessionTopic& topic);
+  void subscribe(Client& client, const Subscription& wanted);
+  void advertise(Client& client, ClientChannel channel);
+  void hear(Client& client, const ClientMessage& message);
+  void call(ClientId id, Client& client, const ServiceRequest& request);
+  void call_mailbox(ClientId id, const ServiceRequest& request, const LiveService& service,
+                    nlohmann::json arguments);
+  void call_lease(ClientId id, const ServiceRequest& request, const nlohmann::json& arguments);
+  void answer(ClientId id, std::uint32_t service, std::uint32_t call, bool is_done, const std::string& text);
+
+  std::string name_, version_;
+  std::vector<LiveService> services_;
+  DriveInbox& drive_;
+  Post post_;
+  DriverLease lease_;
+  std::vector<Channel> channels_;  ///< ids count from 1
+  std::map<std::string, std::uint32_t> ids_;
+  std::map<ClientId, Client> clients_;
+};
+
+}  // namespace aisle

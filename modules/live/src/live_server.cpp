@@ -1,0 +1,187 @@
+#include "aisle/live/live_server.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/address.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <thread>
+#include <utility>
+
+#include "http_connection.hpp"
+#include "outbox.hpp"
+#include "premises.hpp"
+
+namespace aisle {
+namespace {
+
+namespace asio = boost::asio;
+using Tcp = asio::ip::tcp;
+
+constexpr std::size_t kTokenMin = 16;
+
+Result<asio::ip::address> address_of(const LiveServerOptions& options) {
+  boost::system::error_code error;
+  const auto address = asio::ip::make_address(options.address, error);
+  if (error)
+    return Problem{{"--listen"}, fmt::format("'{}' is no address such as 192.168.1.5", options.address)};
+  if (!options.token.empty() && options.token.size() < kTokenMin)
+    return Problem{{"--token-file"}, fmt::format("the token must have at least {} characters", kTokenMin)};
+  if (!address.is_loopback() && options.token.empty())
+    return Problem{{"--listen"}, "an address that others can reach needs --token-file"};
+  return address;
+}
+
+}  // namespace
+
+/// The sockets, the thread that serves them, and what comes in from the mission's thread.
+class LiveServer::Engine {
+ public:
+  Engine(LiveServerOptions options, const asio::ip::address& address, std::vector<LiveService> services)
+      : options_(std::move(options)),
+        address_(address),
+        drive_(clock_),
+        hub_(options_.name, options_.version, std::move(services), clock_, drive_,
+             [this](std::function<void()> work) { asio::post(io_, std::move(work)); }),
+        premises_{.hub = hub_,
+                  .gatekeeper = Gatekeeper(address.is_loopback(), options_.token),
+                  .desk = HttpDesk(options_.folders, options_.version)},
+        acceptor_(io_) {}
+
+  ~Engine() {
+    io_.stop();
+    if (thread_.joinable()) thread_.join();
+  }
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  Problems start();
+  Tcp::endpoint endpoint() const { return acceptor_.local_endpoint(); }
+
+  void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr);
+  void take_time(ros::Stamp_ns stamp);
+  void forget_latched() {
+    asio::post(io_, [this] { hub_.forget_latched(); });
+  }
+
+  DriveInbox& drive() { return drive_; }
+  bool lease_is_held() const { return lease_is_held_; }
+  std::size_t clients() const { return premises_.clients; }
+
+ private:
+  void accept();
+  void admit(Tcp::socket socket);
+  void deliver();
+  void drain();
+
+  LiveServerOptions options_;
+  asio::ip::address address_;
+  SteadyClock clock_;
+  DriveInbox drive_;
+  Hub hub_;
+  Premises premises_;
+  Outbox outbox_;
+  std::atomic<bool> lease_is_held_ = false;
+  asio::io_context io_{1};  // with the connections in it: they use all of the above to their end
+  Tcp::acceptor acceptor_;
+  std::thread thread_;
+};
+
+Problems LiveServer::Engine::start() {
+  boost::system::error_code error;
+  const Tcp::endpoint wanted(address_, options_.port);
+  acceptor_.open(wanted.protocol(), error);
+  if (!error) acceptor_.set_option(asio::socket_base::reuse_address(true), error);
+  if (!error) acceptor_.bind(wanted, error);
+  if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
+  if (error) {
+    return {{{fmt::format("{}:{}", options_.address, options_.port)},
+             "cannot be listened on: " + error.message() + "; --port chooses another"}};
+  }
+  accept();
+  thread_ = std::thread([this] { io_.run(); });
+  return {};
+}
+
+void LiveServer::Engine::accept() {
+  acceptor_.async_accept([this](const boost::system::error_code& error, Tcp::socket socket) {
+    if (error == asio::error::operation_aborted) return;
+    if (!error) admit(std::move(socket));
+    accept();
+  });
+}
+
+void LiveServer::Engine::admit(Tcp::socket socket) {
+  if (premises_.connections >= kConnectionsMax) return;
+  boost::system::error_code ignored;
+  socket.set_option(Tcp::no_delay(true), ignored);
+  using Stream = boost::beast::tcp_stream;
+  std::make_shared<net::HttpConnection<Stream>>(Stream(std::move(socket)), premises_)->read();
+}
+
+void LiveServer::Engine::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) {
+  if (outbox_.put(topic, stamp, cdr, premises_.clients > 0)) deliver();
+}
+
+void LiveServer::Engine::take_time(ros::Stamp_ns stamp) {
+  if (outbox_.put_time(stamp)) deliver();
+}
+
+void LiveServer::Engine::deliver() {
+  asio::post(io_, [this] { drain(); });
+}
+
+void LiveServer::Engine::drain() {
+  for (const Outbox::Item& item : outbox_.take()) {
+    if (item.topic.name.empty()) {
+      hub_.publish_time(item.stamp);
+    } else {
+      hub_.publish(item.topic, item.stamp, item.cdr);
+    }
+  }
+  lease_is_held_ = hub_.lease().is_held();
+}
+
+Result<std::unique_ptr<LiveServer>> LiveServer::open(LiveServerOptions options,
+                                                     std::vector<LiveService> services) {
+  const auto address = address_of(options);
+  if (!address) return address.problems();
+  auto engine = std::make_unique<Engine>(std::move(options), *address, std::move(services));
+  if (Problems problems = engine->start(); !problems.empty()) return problems;
+  return std::unique_ptr<LiveServer>(new LiveServer(std::move(engine)));
+}
+
+LiveServer::LiveServer(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
+LiveServer::~LiveServer() = default;
+
+std::uint16_t LiveServer::port() const {
+  return engine_->endpoint().port();
+}
+
+std::string LiveServer::url() const {
+  const auto endpoint = engine_->endpoint();
+  const std::string host = endpoint.address().to_string();
+  return fmt::format("http://{}:{}/", endpoint.address().is_v6() ? "[" + host + "]" : host, endpoint.port());
+}
+
+void LiveServer::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) {
+  engine_->take(topic, stamp, cdr);
+}
+void LiveServer::take_time(ros::Stamp_ns stamp) {
+  engine_->take_time(stamp);
+}
+void LiveServer::forget_latched() {
+  engine_->forget_latched();
+}
+DriveInbox& LiveServer::drive() {
+  return engine_->drive();
+}
+bool LiveServer::lease_is_held() const {
+  return engine_->lease_is_held();
+}
+std::size_t LiveServer::clients() const {
+  return engine_->clients();
+}
+
+}  // namespace aisle
