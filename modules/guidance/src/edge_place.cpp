@@ -63,10 +63,14 @@ void EdgePlaceParams::describe(FieldList& fields) {
 EdgePlace::EdgePlace(const EdgePlaceParams& params, const std::vector<RouteEdge>& taught)
     : params_(params), taught_(taught, params.reach_m) {}
 
+void EdgePlace::come_to(const Pose2& T_odom_vehicle, double along_m) {
+  taught_.move_to(along_m, params_.window_m, (T_map_odom_ * T_odom_vehicle).position());
+}
+
 void EdgePlace::take(std::span<const Vec2> p_vehicle, const Pose2& T_odom_vehicle, double along_m) {
   if (p_vehicle.size() < static_cast<std::size_t>(params_.points_min)) return;
   const Pose2 T_map_expected = T_map_odom_ * T_odom_vehicle;
-  taught_.move_to(along_m, params_.window_m, T_map_expected.position());
+  come_to(T_odom_vehicle, along_m);
   const Fit fit = is_sure_
                       ? refined(p_vehicle, T_map_expected, T_map_expected, params_.drift_m, params_.drift_rad)
                       : refined(p_vehicle, most_alike(p_vehicle, T_map_expected), T_map_expected,

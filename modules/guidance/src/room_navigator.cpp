@@ -44,6 +44,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("middle_share", middle_share, {0, 1},
               "how much the route's middle counts against the taught way; 1: as published");
   fields.real("turning_middle_share", turning_middle_share, {0, 1}, "likewise in turnings");
+  fields.real("place_from_m", place_from_m, {0, 1000}, "before the end the edges tell where it is");
   fields.real("taught_alone_m", taught_alone_m, {0, 20}, "before the end the taught way counts alone");
   fields.real("end_comfort_m", end_comfort_m, {0.01, 2}, "there it tries to keep only so far off");
   fields.real("end_aside_m", end_aside_m, {0.005, 1}, "farther aside of a taught place it tries again");
@@ -128,8 +129,11 @@ bool RoomNavigator::is_route_bright_as_learned() const {
   return std::abs(change) <= params_.brightness_tolerance;
 }
 
-/// Where the vehicle was set down is known roughly; what is seen then may tell better.
+/// Where the vehicle comes to the end of its way, or was set down before it, is known roughly; what is seen
+/// there may tell better. On the way there what stands otherwise than at teaching does more harm.
 void RoomNavigator::find_place() {
+  place_.come_to(T_odom_vehicle_, progress_.point().along_m);
+  if (left_m() > params_.place_from_m) return;
   constexpr double kAbout_m = 1;
   const bool was_sure = place_.is_sure();
   const double along_m = progress_.point().along_m;

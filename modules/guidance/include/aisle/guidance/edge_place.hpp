@@ -34,6 +34,8 @@ class EdgePlace {
   /// @param taught  may be empty: then `map` stays `odom`
   EdgePlace(const EdgePlaceParams& params, const std::vector<RouteEdge>& taught);
 
+  /// Looks up the edges of the way about there, for `taught` and `take`.
+  void come_to(const Pose2& T_odom_vehicle, double along_m);
   /// Takes in the edges that a picture shows.
   /// @param along_m  about where on the route the vehicle is
   void take(std::span<const Vec2> p_vehicle, const Pose2& T_odom_vehicle, double along_m);

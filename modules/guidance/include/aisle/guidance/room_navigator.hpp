@@ -35,6 +35,7 @@ struct RoomNavigatorParams {
   double look_ahead_m = 0.8;
   double middle_share = 0.4;
   double turning_middle_share = 0.15;
+  double place_from_m = 4;
   double taught_alone_m = 2;
   double end_comfort_m = 0.1;
   double avoid_rad = 30 * kDegree;
