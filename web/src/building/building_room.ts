@@ -121,7 +121,8 @@ export function building_room(app: App): Room {
   const show = () => {
     const building = history?.present;
     canvas.layers = building ? [building_layer(building), tools.layer] : [];
-    canvas.extent = () => building && bounds_of(building_points(building));
+    const extent = building && bounds_of(building_points(building));
+    canvas.extent = () => extent;
     undo.disabled = !history?.can_undo;
     redo.disabled = !history?.can_redo;
     save.disabled = !history?.can_undo;

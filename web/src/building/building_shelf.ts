@@ -11,6 +11,8 @@ export class BuildingShelf {
   readonly names = new Signal<string[]>([]);
   readonly chosen = new Signal("");
   readonly building = new Signal<Building | undefined>(undefined);
+  /** Whether plans show the chosen building in the place of what the vehicle knows. */
+  readonly is_shown = new Signal(false);
 
   constructor(private readonly app: App) {
     let mode: string | undefined;

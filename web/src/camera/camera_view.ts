@@ -7,6 +7,9 @@ import type { Overlay } from "./overlay";
 import { decode_compressed, decode_raw } from "./picture";
 import type { Picture } from "./picture";
 
+/** Cameras that look ahead come first. */
+const ahead = ["corridor", "front"];
+
 const topic_form = /^\/camera\/([^/]+)\/image_raw(\/compressed)?$/;
 
 /** A camera's newest picture with what the navigator saw in it. */
@@ -15,10 +18,15 @@ export class CameraView {
   readonly #canvas = element("canvas", { role: "img", "aria-label": "Camera picture" });
   readonly #empty = element("p", { class: "empty" }, "No picture yet");
   readonly #toggles = element("div", { class: "toggles", role: "group", "aria-label": "Overlays" });
-  readonly #chooser = select("Camera", [], (name) => this.#choose(name));
+  readonly #chooser = select("Camera", [], (name) => {
+    this.#is_picked = true;
+    this.#choose(name);
+  });
   readonly #hidden = new Set<string>();
   readonly #known_kinds = new Set<string>();
   #camera = "";
+  /** A person chose it. */
+  #is_picked = false;
   #ends: (() => void)[] = [];
   #picture: Picture | undefined;
   #overlay: Overlay | undefined;
@@ -38,12 +46,13 @@ export class CameraView {
 
   #offer_cameras(): void {
     const names = this.connection.topics().flatMap(({ topic }) => topic_form.exec(topic)?.[1] ?? []);
-    const offered = [...new Set(names)].sort();
+    const rank = (name: string) => (ahead.includes(name) ? 0 : 1);
+    const offered = [...new Set(names)].sort((a, b) => rank(a) - rank(b) || a.localeCompare(b));
     const shown = [...this.#chooser.list.options].map(({ value }) => value);
     if (offered.length === 0 || offered.join() === shown.join()) return;
     this.#chooser.list.replaceChildren(...offered.map((name) => element("option", { value: name }, name)));
     this.#chooser.field.hidden = offered.length < 2;
-    this.#choose(offered.includes(this.#camera) ? this.#camera : (offered[0] ?? ""));
+    this.#choose(this.#is_picked && offered.includes(this.#camera) ? this.#camera : (offered[0] ?? ""));
   }
 
   #choose(name: string): void {

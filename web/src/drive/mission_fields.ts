@@ -82,7 +82,7 @@ export class MissionFields {
     if (kind === "new_building") return fresh_name("building", this.shelf.names.value);
     if (kind === "new_session")
       return fresh_name(
-        "lesson",
+        "lesson-",
         this.sessions.sessions.value.map(({ name }) => name),
       );
     return "";

@@ -110,10 +110,10 @@ export function start_request(
   return request;
 }
 
-/** A name that is not there yet, such as `lesson-2`. */
+/** A name that is not there yet, such as `lesson-2`. A building's has no dash: what follows one counts versions. */
 export function fresh_name(stem: string, taken: readonly string[]): string {
   for (let number = 1; ; number += 1) {
-    const name = `${stem}-${number}`;
+    const name = `${stem}${number}`;
     if (!taken.includes(name)) return name;
   }
 }

@@ -20,6 +20,7 @@ export function mission_panel(app: App, shelf: BuildingShelf): HTMLElement {
     say(about, form.about);
     say(start, form.begin);
     place.replaceChildren(...fields.elements);
+    shelf.is_shown.value = form.fields.some(({ kind }) => kind === "building");
   };
   const chooser = select(
     "Mission",

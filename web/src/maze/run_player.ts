@@ -64,7 +64,7 @@ export class RunPlayer {
             ["State", this.#state],
             ["Input", this.#symbol],
             ["Move", this.#move],
-            ["Rule", this.#rule],
+            ["Super rule", this.#rule],
           ].flatMap(([label, value]) => [element("dt", {}, label as string), value as HTMLElement]),
         ),
       ),

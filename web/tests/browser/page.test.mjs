@@ -62,7 +62,7 @@ test("Arrow keys drive while they are held, and the last word is to stand", asyn
   const sequences = vehicle.drives.map(({ sequence }) => sequence);
   assert.deepEqual(
     sequences,
-    sequences.toSorted((a, b) => a - b),
+    [...sequences].sort((a, b) => a - b),
   );
   assert.equal(new Set(sequences).size, sequences.length);
   assert.ok(vehicle.drives.every(({ lease }) => lease === "token"));

@@ -50,7 +50,7 @@ test("What is left empty is not asked for", () => {
 });
 
 test("A proposed name is not there yet", () => {
-  assert.equal(fresh_name("lesson", ["lesson-1", "lesson-2"]), "lesson-3");
+  assert.equal(fresh_name("lesson-", ["lesson-1", "lesson-2"]), "lesson-3");
 });
 
 test("Grey and coloured pixels become what a canvas takes, row by row", () => {

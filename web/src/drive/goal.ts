@@ -1,0 +1,58 @@
+import type { BuildingShelf } from "../building/building_shelf";
+import type { App } from "../page/app";
+import { button, element, say } from "../page/element";
+import { colour } from "../page/theme";
+import { draw_dots } from "../plan/draw";
+import type { Point } from "../plan/geometry";
+import type { Layer } from "../plan/plan_canvas";
+
+/** A place of the chosen building that was clicked: asked about before the vehicle goes there. */
+export class Goal {
+  readonly element: HTMLElement;
+  readonly layer: Layer;
+  readonly #where = element("span", { class: "goal-text" });
+  #at: Point | undefined;
+
+  constructor(
+    private readonly app: App,
+    private readonly shelf: BuildingShelf,
+    private readonly changed: () => void,
+  ) {
+    this.element = element(
+      "div",
+      { class: "goal-bar", hidden: true },
+      this.#where,
+      button("Go there", () => void this.#send(), { class: "primary" }),
+      button("Forget it", () => this.forget()),
+    );
+    this.layer = (context, view) => {
+      if (this.#at) draw_dots(context, view, [this.#at], colour("path"), 7);
+    };
+  }
+
+  pick(at: Point): void {
+    if (!this.shelf.is_shown.value || !this.shelf.building.value) {
+      this.app.notices.tell(
+        "To go to a place, choose “Go to a place” under Mission and click it in the building",
+      );
+      return;
+    }
+    this.#at = at;
+    this.element.hidden = false;
+    say(this.#where, `x ${at.x.toFixed(2)} m, y ${at.y.toFixed(2)} m in ${this.shelf.chosen.value}`);
+    this.changed();
+  }
+
+  forget(): void {
+    this.#at = undefined;
+    this.element.hidden = true;
+    this.changed();
+  }
+
+  async #send(): Promise<void> {
+    if (!this.#at) return;
+    const request = { building: this.shelf.chosen.value, x_m: this.#at.x, y_m: this.#at.y };
+    if (await this.app.notices.attempt(this.app.lease.call("mission/go", request), "On the way"))
+      this.forget();
+  }
+}
