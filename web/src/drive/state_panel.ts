@@ -58,6 +58,11 @@ export function state_panel(app: App): HTMLElement {
   );
   const last = element("p", { class: "last", hidden: true });
 
+  const show_match = (is_said: boolean) => {
+    for (const part of Object.values(rows.match)) part.hidden = !is_said;
+  };
+  show_match(false);
+
   app.state.watch((state) => {
     say(rows.task.value, state ? [state.mode, state.mission, state.task].filter(Boolean).join(" · ") : "–");
     say(rows.clock.value, state ? progress_text(state) : "–");
@@ -88,6 +93,7 @@ export function state_panel(app: App): HTMLElement {
   });
   app.connection.listen("/match", (message) => {
     const { quality, text } = json_of<Match>(message);
+    show_match(true);
     say(rows.match.value, `${Math.round(quality * 100)} % · ${text}`);
   });
   app.connection.listen("/transducer", (message) => {
@@ -98,6 +104,7 @@ export function state_panel(app: App): HTMLElement {
   });
   app.connection.listen("/session", () => {
     transducer.hidden = true;
+    show_match(false);
     for (const { value } of [rows.state, rows.why, rows.command, rows.place, rows.match]) say(value, "–");
   });
 
