@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "aisle/core/random.hpp"
@@ -66,11 +67,16 @@ std::jthread reading_client(std::uint16_t port) {
   });
 }
 
+SessionRecord record_for(MessageSink& watcher) {
+  auto record = SessionRecord::shown(watcher, vehicle_with_camera(), {});
+  if (!record) throw std::runtime_error(to_string(record.problems()));
+  return std::move(*record);
+}
+
 /// Cycles of one mission, one after the other.
 class Cycles {
  public:
-  explicit Cycles(MessageSink& watcher)
-      : record_(*SessionRecord::shown(watcher, vehicle_with_camera(), {})) {}
+  explicit Cycles(MessageSink& watcher) : record_(record_for(watcher)) {}
 
   double drive_one() {
     stamp_s_ += 1.0 / 30;

@@ -3,6 +3,7 @@
 #include "aisle/commands/park.hpp"
 #include "live_options.hpp"
 #include "option_kinds.hpp"
+#include "parking_choices.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -19,9 +20,7 @@ void add_park_verb(CLI::App& app, Work& work) {
   verb->add_option("--faults", options->scenario,
                    "scenario file (YAML) of what goes wrong, or the name of a shipped one");
   add_choice<std::optional<ParkingStrategy>>(*verb, "--strategy", options->strategy,
-                                             {{"frame", ParkingStrategy::kFrame},
-                                              {"dead-end", ParkingStrategy::kDeadEnd},
-                                              {"view", ParkingStrategy::kView}},
+                                             parking_choices<std::optional<ParkingStrategy>>(),
                                              "how the route was taught to end");
   verb->add_option_function<std::string>(
           "--start",

@@ -4,6 +4,7 @@
 
 #include "aisle/commands/trial.hpp"
 #include "option_kinds.hpp"
+#include "parking_choices.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
@@ -47,8 +48,8 @@ void add_trial_verb(CLI::App& app, Work& work) {
   verb->add_option(
       "--faults", options->scenario,
       "scenario file (YAML) of what goes wrong while driving alone, or the name of a shipped one");
-  verb->add_option("--strategy", options->strategy, "park: frame (default), dead-end or view")
-      ->check(CLI::IsMember({"frame", "dead-end", "view"}));
+  add_choice<ParkingStrategy>(*verb, "--strategy", options->strategy, parking_choices<ParkingStrategy>(),
+                              "park: how the routes end (default frame)");
   verb->add_option("--teachings", options->teachings,
                    "sections: times that the way is shown before it is driven alone (default 1)")
       ->check(CLI::Range(1, 20));

@@ -96,6 +96,43 @@ TEST(RealPictures, ACoveredPlaceIsNoRoute) {
   EXPECT_LE(worst, 0.1);
 }
 
+/// The middle of what a row of a mask shows; nullopt: nothing.
+std::optional<double> middle_of(const Image& mask, int row) {
+  const std::uint8_t* begin = mask.row(row);
+  const std::uint8_t* end = begin + mask.width_px;
+  const auto is_drawn = [](std::uint8_t value) { return value > 127; };
+  const auto first = std::find_if(begin, end, is_drawn);
+  if (first == end) return std::nullopt;
+  const auto last = std::find_if(std::reverse_iterator(end), std::reverse_iterator(begin), is_drawn).base();
+  return (static_cast<double>(first - begin) + static_cast<double>(last - begin) - 1) / 2;
+}
+
+TEST(RealPictures, TheMiddleOfTheRouteIsNearTheDrawnWay) {
+  const fs::path folder = pictures("office_corridor_walkable");
+  AISLE_NEEDS(folder);
+  std::vector<double> off_shares;
+  std::size_t rows = 0;
+  for (const fs::path& file : jpegs_in(folder)) {
+    const Image picture = read(file), drawn = to_grey(read(fs::path(file).replace_extension(".png")));
+    const Image region = find_route_region(picture).mask;
+    for (const double height_share : {0.7, 0.9}) {
+      const int row = static_cast<int>(height_share * picture.height_px);
+      const auto due_px = middle_of(drawn, row);
+      if (!due_px) continue;
+      ++rows;
+      const auto middle = find_route_middle(region, row, row);
+      if (middle) off_shares.push_back(std::abs(middle->mean_px.x() - *due_px) / picture.width_px);
+    }
+  }
+  ASSERT_FALSE(off_shares.empty());
+  std::sort(off_shares.begin(), off_shares.end());
+  const double median = off_shares[off_shares.size() / 2], high = off_shares[off_shares.size() * 9 / 10];
+  fmt::print("middle of the route: {} of {} rows, off by {:.3f} of the width (median), {:.3f} (9 in 10)\n",
+             off_shares.size(), rows, median, high);
+  EXPECT_GE(off_shares.size(), rows * 9 / 10);
+  EXPECT_LE(median, 0.1);
+}
+
 /// The rows of all stripes in a range of columns that lie within 20 px of `row`.
 std::vector<double> rows_near(const std::vector<LaserStripe>& stripes, double row, double first,
                               double last) {

@@ -27,27 +27,42 @@ std::string transducer_json(const BuildingExplorer& explorer) {
 class ExplorationMissionRecord final : public SimulatedRecord {
  public:
   ExplorationMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
-                           const ExplorerNavigator& navigator, ExplorationMissionResult& result)
+                           const ExplorationTrip& trip, const ExplorerNavigator& navigator,
+                           ExplorationMissionResult& result)
       : SimulatedRecord(session, vehicle),
+        session_(session),
+        trip_(trip),
         watcher_(session ? session->watcher() : nullptr),
         vehicle_(vehicle),
         navigator_(navigator),
         result_(result) {}
 
-  using SimulatedRecord::keep;
+  Result<Observation> keep(Observation observation) override {
+    if (!trip_.was_interrupted() || !session_) return SimulatedRecord::keep(std::move(observation));
+    auto kept = session_->keep(std::move(observation));
+    if (!kept) return kept.problems();
+    if (Problems problems = session_->keep_truth(kept->stamp_s, trip_.T_world_vehicle()); !problems.empty())
+      return problems;
+    return kept;
+  }
 
   Problems keep(const Decision& decision) override {
-    const Pose2& T_world_vehicle = vehicle_.truth().T_world_vehicle;
+    const Pose2& T_world_vehicle = trip_.T_world_vehicle();
     result_.T_world_vehicle.push_back(T_world_vehicle);
-    show_pose({navigator_.learner().T_map_vehicle()});
-    show_plan(navigator_.path());
-    show_transducer();
+    if (!trip_.was_interrupted()) show();
     if (navigator_.learner().log().scans.size() > result_.T_world_slice.size())
       result_.T_world_slice.push_back(T_world_vehicle);
     return SimulatedRecord::keep(decision);
   }
 
  private:
+  /// To whoever watches.
+  void show() {
+    show_pose({navigator_.learner().T_map_vehicle()});
+    show_plan(navigator_.path());
+    show_transducer();
+  }
+
   /// After each of its steps.
   void show_transducer() {
     const BuildingExplorer& explorer = navigator_.explorer();
@@ -58,6 +73,8 @@ class ExplorationMissionRecord final : public SimulatedRecord {
                    cdr_bytes(ros::String{transducer_json(explorer)}));
   }
 
+  std::optional<SessionRecord>& session_;
+  const ExplorationTrip& trip_;
   MessageSink* watcher_;  ///< null: nobody
   std::size_t steps_shown_ = 0;
   const SimulatedVehicle& vehicle_;
@@ -69,20 +86,24 @@ class ExplorationMissionRecord final : public SimulatedRecord {
 
 Result<ExplorationMissionResult> drive_exploration(const SimulationSetting& setting,
                                                    ExplorerNavigator& navigator, const Pose2& T_world_start,
-                                                   std::uint64_t seed, std::optional<SessionRecord>& session,
+                                                   std::uint64_t seed, std::optional<InterruptedTrip> former,
+                                                   std::optional<SessionRecord>& session,
                                                    Progress& progress) {
+  const Pose2 T_world_set_down = former ? former->T_world_vehicle.back() : T_world_start;
   SimulatedVehicle vehicle(setting.world, setting.vehicle, setting.scenario,
-                           {.seed = seed, .T_world_start = T_world_start});
+                           {.seed = seed, .T_world_start = T_world_set_down});
+  ExplorationTrip trip(vehicle, std::move(former));
   ExplorationMissionResult result;
   TimedNavigator timed(navigator, result.cycle_s);
-  ExplorationMissionRecord record(session, vehicle, navigator, result);
-  auto end = run_mission(vehicle, timed, record, progress);
+  ExplorationMissionRecord record(session, vehicle, trip, navigator, result);
+  auto end = run_mission(trip, timed, record, progress);
   if (!end) return end.problems();
+  if (!trip.problems().empty()) return trip.problems();
   result.end = std::move(*end);
   result.record = navigator.record();
   result.log = navigator.learner().log();
   result.collisions = vehicle.truth().collisions;
-  result.distance_m = vehicle.truth().way_m;
+  result.distance_m = trip.way_m();
   return result;
 }
 

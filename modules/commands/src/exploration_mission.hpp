@@ -9,6 +9,7 @@
 #include "aisle/formats/session_record.hpp"
 #include "aisle/guidance/explorer_navigator.hpp"
 #include "aisle/guidance/mission.hpp"
+#include "exploration_trip.hpp"
 #include "simulation_setting.hpp"
 
 namespace aisle {
@@ -25,10 +26,10 @@ struct ExplorationMissionResult {
   std::vector<double> cycle_s;         ///< processor time of each cycle, from observation to command
 };
 
-/// Sets the vehicle down and lets it explore.
+/// Sets the vehicle down and lets it explore, or go on with a trip that was interrupted.
 Result<ExplorationMissionResult> drive_exploration(const SimulationSetting& setting,
                                                    ExplorerNavigator& navigator, const Pose2& T_world_start,
-                                                   std::uint64_t seed, std::optional<SessionRecord>& session,
-                                                   Progress& progress);
+                                                   std::uint64_t seed, std::optional<InterruptedTrip> former,
+                                                   std::optional<SessionRecord>& session, Progress& progress);
 
 }  // namespace aisle

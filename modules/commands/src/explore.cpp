@@ -7,6 +7,8 @@
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/building_json.hpp"
+#include "aisle/formats/session_cycles.hpp"
+#include "aisle/formats/session_truth.hpp"
 #include "aisle/learning/corridor_tracing.hpp"
 #include "aisle/learning/map_building.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
@@ -14,7 +16,9 @@
 #include "exploration_evaluation.hpp"
 #include "exploration_mission.hpp"
 #include "exploration_report.hpp"
+#include "exploration_trial.hpp"
 #include "explore_in.hpp"
+#include "explorer_driver.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
 #include "statistics.hpp"
@@ -29,16 +33,6 @@ struct ExplorationPlan {
   Pose2 T_world_start;
 };
 
-Problems check_sensor(const ExploreOptions& options, const VehicleDescription& vehicle) {
-  const auto lacks = [&](const std::string& what) {
-    return Problems{{{"--vehicle"}, fmt::format("'{}' has no {} to explore with", vehicle.name, what)}};
-  };
-  if (options.sensor == ExploringSensor::kScanner)
-    return vehicle.scanner ? Problems{} : lacks("range scanner");
-  if (!vehicle.laser_markers) return lacks("laser markers");
-  return vehicle.camera(options.camera) != nullptr ? Problems{} : lacks("camera '" + options.camera + "'");
-}
-
 /// What does not serve to explore is switched off.
 void keep_sensor(const ExploreOptions& options, VehicleDescription& vehicle) {
   const bool by_markers = options.sensor == ExploringSensor::kMarkers;
@@ -48,18 +42,14 @@ void keep_sensor(const ExploreOptions& options, VehicleDescription& vehicle) {
   });
 }
 
-std::unique_ptr<SliceSensor> sensor_of(const ExploreOptions& options, const VehicleDescription& vehicle) {
-  return options.sensor == ExploringSensor::kScanner ? scanner_slices(vehicle)
-                                                     : marker_slices(vehicle, options.camera);
-}
-
 Result<ExplorationPlan> read_plan(const ExploreOptions& options, SimulationSetting setting) {
   ExplorationPlan plan;
   FieldList fields = fields_of(plan.params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   plan.setting = std::move(setting);
   VehicleDescription& vehicle = plan.setting.vehicle.description;
-  if (Problems problems = check_sensor(options, vehicle); !problems.empty()) return problems;
+  if (Problems problems = check_sensor(options.sensor, options.camera, vehicle); !problems.empty())
+    return problems;
   keep_sensor(options, vehicle);
   if (options.T_world_start) {
     plan.T_world_start = *options.T_world_start;
@@ -91,12 +81,14 @@ SensorField field_of(const LaserScanner& fan, std::size_t beams, double reach_m,
 }
 
 Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPlan& plan,
-                              ExploringOrder order, std::optional<SessionRecord>& session,
+                              std::optional<InterruptedTrip> former, std::optional<SessionRecord>& session,
                               Progress& progress) {
   const VehicleDescription& vehicle = plan.setting.vehicle.description;
-  ExplorerNavigator navigator(plan.params, vehicle, order, sensor_of(options, vehicle));
-  auto mission =
-      drive_exploration(plan.setting, navigator, plan.T_world_start, options.seed, session, progress);
+  const auto explorer = make_explorer(explorer_origin(plan.params, options), vehicle);
+  if (!explorer) return explorer.problems();
+  ExplorerNavigator& navigator = **explorer;
+  auto mission = drive_exploration(plan.setting, navigator, plan.T_world_start, options.seed,
+                                   std::move(former), session, progress);
   if (!mission) return mission.problems();
   const LaserLog& log = mission->log;
   MapResult map = build_map(log, plan.params.learner.mapping, 0.0, false, progress);
@@ -131,7 +123,8 @@ nlohmann::ordered_json figures_of(const Explored& explored) {
           {"wall_missed_share", rounded(truth.walls.missed_share(), 4)},
           {"wall_false_share", rounded(truth.walls.false_share(), 4)},
           {"free_m2", rounded(explored.floor.free_m2(), 2)},
-          {"certificate", mission.record.certified() && mission.collisions == 0},
+          {"certificate",
+           mission.record.certified() && mission.collisions == 0 && truth.covered_share >= kCompleteShare},
           {"ended_because", mission.record.ended_because},
           {"loop_closures", explored.map.loop_closures.size()},
           {"cycle_ms",
@@ -147,22 +140,73 @@ std::string text_of(const Explored& explored) {
                      100 * explored.truth.home_error_m);
 }
 
+/// The trip that is to be gone on with; it must have been driven by the same explorer.
+Result<std::optional<InterruptedTrip>> former_trip(const ExploreOptions& options,
+                                                   const SessionOrigin& origin) {
+  if (options.resumed.empty()) return std::optional<InterruptedTrip>();
+  const std::string file = options.resumed.string();
+  std::error_code none;
+  if (std::filesystem::equivalent(options.resumed, options.session, none))
+    return Problem{{"--session"}, fmt::format("'{}' is the trip that is gone on with; name another", file)};
+  auto truth = read_true_poses(options.resumed);
+  if (!truth) return truth.problems();
+  auto cycles = SessionCycles::open(options.resumed);
+  if (!cycles) return cycles.problems();
+  const SessionOrigin& driven = cycles->origin();
+  if (driven.navigator != origin.navigator || driven.route != origin.route ||
+      driven.parameters != origin.parameters)
+    return Problem{{file, 0, "navigator"},
+                   fmt::format("'{} {}' drove, with its parameters; going on takes the same, not '{} {}'",
+                               driven.navigator, driven.route, origin.navigator, origin.route)};
+  InterruptedTrip trip{std::move(*cycles), std::move(truth->T_map_vehicle)};
+  if (trip.T_world_vehicle.empty())
+    return Problem{{file, 0, "/truth/pose"}, "is empty: only a simulated trip can be gone on with"};
+  return std::optional(std::move(trip));
+}
+
+/// Drives, judges, and keeps what was learned.
+Result<JudgedExploration> judge(const ExploreOptions& options, const ExplorationPlan& plan,
+                                Console& console) {
+  SessionOrigin origin = explorer_origin(plan.params, options);
+  origin.seed = options.seed;
+  origin.simulated = true;
+  auto former = former_trip(options, origin);
+  if (!former) return former.problems();
+  auto session =
+      open_session(options.session, options.force, plan.setting.vehicle.description, origin, console.watcher);
+  if (!session) return session.problems();
+  auto explored = explore_once(options, plan, std::move(*former), *session, console.progress);
+  if (!explored) return explored.problems();
+  if (Problems problems = close(*session); !problems.empty()) return problems;
+  Outcome outcome{.verb = "explore"};
+  outcome.figures = figures_of(*explored);
+  outcome.figures["seed"] = options.seed;
+  outcome.figures["order"] = name_of(options.order);
+  outcome.ok = outcome.figures["certificate"].get<bool>();
+  if (options.compares) {
+    ExploreOptions yardstick = options;
+    yardstick.order = ExploringOrder::kNearest;
+    std::optional<SessionRecord> unrecorded;
+    const auto nearest = explore_once(yardstick, plan, {}, unrecorded, console.progress);
+    if (!nearest) return nearest.problems();
+    outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m, 3);
+  }
+  outcome.text = text_of(*explored);
+  Building building{plan.setting.world.name, explored->map.has_dominant_direction,
+                    std::move(explored->map.walls)};
+  building.corridors = std::move(explored->corridors);
+  building.floor = std::move(explored->floor);
+  return JudgedExploration{std::move(outcome), std::move(building), std::move(explored->mission.record),
+                           std::move(explored->map.T_map_vehicle)};
+}
+
 /// What was learned, pictures of it, and the report.
-std::vector<OutputFile> files_of(const ExplorationPlan& plan, const Explored& explored,
-                                 const Outcome& outcome) {
-  Building building{plan.setting.world.name, explored.map.has_dominant_direction, explored.map.walls};
-  building.corridors = explored.corridors;
-  building.floor = explored.floor;
-  const ExplorationPicture picture{.floor = explored.floor,
-                                   .walls = explored.map.walls,
-                                   .record = explored.mission.record,
-                                   .T_map_vehicle = explored.map.T_map_vehicle,
-                                   .title = building.name,
-                                   .caption = outcome.text.substr(0, outcome.text.size() - 1)};
-  return {{"building", "building.json", building_json(building)},
+std::vector<OutputFile> files_of(const JudgedExploration& explored) {
+  const ExplorationPicture picture = picture_of(explored);
+  return {{"building", "building.json", building_json(explored.building)},
           {"picture_png", "exploration.png", png(picture)},
           {"picture_svg", "exploration.svg", svg(picture)},
-          {"report", "report.html", exploration_report(picture, building, outcome)}};
+          {"report", "report.html", exploration_report(picture, explored.building, explored.outcome)}};
 }
 
 }  // namespace
@@ -183,6 +227,23 @@ Result<Outcome> run_explore(const ExploreOptions& options, Console& console) {
   return explore_in(options, std::move(*setting), console);
 }
 
+ExplorationPicture picture_of(const JudgedExploration& explored) {
+  const std::string& text = explored.outcome.text;
+  return {.floor = *explored.building.floor,
+          .walls = explored.building.walls,
+          .record = explored.record,
+          .T_map_vehicle = explored.T_map_vehicle,
+          .title = explored.building.name,
+          .caption = text.substr(0, text.size() - 1)};
+}
+
+Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, SimulationSetting setting,
+                                            Console& console) {
+  const auto plan = read_plan(options, std::move(setting));
+  if (!plan) return plan.problems();
+  return judge(options, *plan, console);
+}
+
 Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting setting, Console& console) {
   const auto plan = read_plan(options, std::move(setting));
   if (!plan) return plan.problems();
@@ -193,30 +254,14 @@ Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting sett
     if (!opened) return opened.problems();
     out = std::move(*opened);
   }
-  SessionOrigin origin{.navigator = "explorer", .seed = options.seed, .simulated = true};
-  auto session = open_session({}, false, plan->setting.vehicle.description, origin, console.watcher);
-  if (!session) return session.problems();
-  const auto explored = explore_once(options, *plan, options.order, *session, console.progress);
+  auto explored = judge(options, *plan, console);
   if (!explored) return explored.problems();
-
-  Outcome outcome{.verb = "explore"};
-  outcome.figures = figures_of(*explored);
-  outcome.figures["seed"] = options.seed;
-  outcome.figures["order"] = name_of(options.order);
-  outcome.ok = outcome.figures["certificate"].get<bool>();
-  if (options.compares) {
-    std::optional<SessionRecord> none;
-    const auto nearest = explore_once(options, *plan, ExploringOrder::kNearest, none, console.progress);
-    if (!nearest) return nearest.problems();
-    outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m, 3);
-  }
-  outcome.text = text_of(*explored);
   if (out) {
-    auto written = out->write(files_of(*plan, *explored, outcome));
+    auto written = out->write(files_of(*explored));
     if (!written) return written.problems();
-    outcome.files = std::move(*written);
+    explored->outcome.files = std::move(*written);
   }
-  return outcome;
+  return std::move(explored->outcome);
 }
 
 }  // namespace aisle

@@ -10,8 +10,6 @@
 namespace aisle {
 namespace {
 
-constexpr const char* kParkingNames[] = {"frame", "dead-end", "view"};
-
 Outcome room_lesson_outcome(const RoomLesson& lesson) {
   const Route& route = lesson.building.routes.front();
   const RoomRoute& room = *route.room;
@@ -21,7 +19,7 @@ Outcome room_lesson_outcome(const RoomLesson& lesson) {
                         {"start_m", rounded(turning.start_m, 3)},
                         {"end_m", rounded(turning.end_m, 3)}});
   Outcome outcome{.verb = "learn"};
-  const char* parking = kParkingNames[static_cast<std::size_t>(room.parking)];
+  const std::string_view parking = parking_word(room.parking);
   outcome.figures = {{"cycles", lesson.T_route_vehicle.size()},
                      {"route", route.name},
                      {"length_m", rounded(route.path.length_m(), 3)},

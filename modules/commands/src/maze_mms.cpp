@@ -17,9 +17,9 @@ constexpr char kFastColor = 'G';
 /// Thrown when the reset button was pressed.
 struct Restart {};
 
-class Mission {
+class MmsMission {
  public:
-  Mission(const MazeMmsOptions& options, Progress& progress)
+  MmsMission(const MazeMmsOptions& options, Progress& progress)
       : options_(options), progress_(progress), mouse_(*options.replies, *options.commands) {}
 
   Result<Outcome> run() {
@@ -121,7 +121,7 @@ class Mission {
 }  // namespace
 
 Result<Outcome> run_maze_mms(const MazeMmsOptions& options, Console& console) {
-  return Mission(options, console.progress).run();
+  return MmsMission(options, console.progress).run();
 }
 
 }  // namespace aisle

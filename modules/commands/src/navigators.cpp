@@ -4,6 +4,7 @@
 
 #include "aisle/guidance/hand_driver.hpp"
 #include "changed_parameters.hpp"
+#include "explorer_driver.hpp"
 #include "guide_driver.hpp"
 #include "landmark_driver.hpp"
 #include "room_driver.hpp"
@@ -51,12 +52,20 @@ Result<std::unique_ptr<Navigator>> make_through_room(const SessionOrigin& origin
   return std::unique_ptr<Navigator>(std::move(*navigator));
 }
 
+Result<std::unique_ptr<Navigator>> make_exploring(const SessionOrigin& origin,
+                                                  const VehicleDescription& vehicle) {
+  auto navigator = make_explorer(origin, vehicle);
+  if (!navigator) return navigator.problems();
+  return std::unique_ptr<Navigator>(std::move(*navigator));
+}
+
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {{"hand", make_hand_driver},
                                          {LandmarkDriver::kName, make_landmark_navigator},
                                          {kSectionNavigator, make_by_sections},
                                          {kRoomNavigator, make_through_room},
-                                         {GuideDriver::kName, make_guide_navigator}};
+                                         {GuideDriver::kName, make_guide_navigator},
+                                         {kExplorerNavigator, make_exploring}};
   return all;
 }
 

@@ -9,6 +9,7 @@ namespace aisle {
 
 Result<Outcome> reproduce_c98(const ReproduceOptions& options, const LandmarkCourseParams& params,
                               Console& console);
+Result<Outcome> reproduce_c99(const ReproduceOptions& options, Console& console);
 Result<Outcome> reproduce_l03(const ReproduceOptions& options, const SectionTrialParams& params,
                               Console& console);
 

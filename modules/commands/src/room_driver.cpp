@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "aisle/formats/building_json.hpp"
+#include "aisle/guidance/room_cameras.hpp"
 #include "changed_parameters.hpp"
 #include "route_name.hpp"
 
@@ -13,8 +14,8 @@ namespace aisle {
 namespace {
 
 std::vector<std::string> cameras_needed(ParkingStrategy parking) {
-  if (parking == ParkingStrategy::kFrame) return {"top", "middle", "bottom"};
-  return {"top"};
+  if (parking == ParkingStrategy::kFrame) return {kFirstCamera, kSecondCamera, kThirdCamera};
+  return {kFirstCamera};
 }
 
 }  // namespace

@@ -1,26 +1,18 @@
 #include "room_lesson.hpp"
 
-#include <stdexcept>
 #include <utility>
 
+#include "aisle/guidance/room_cameras.hpp"
 #include "aisle/vision/brightness_view.hpp"
 #include "room_driver.hpp"
 #include "session_trip.hpp"
 
 namespace aisle {
-namespace {
-
-const CameraDescription& first_room_camera(const VehicleDescription& vehicle) {
-  if (const CameraDescription* camera = vehicle.camera("top")) return *camera;
-  throw std::invalid_argument("the vehicle lacks the camera top");
-}
-
-}  // namespace
 
 RoomTripCollector::RoomTripCollector(const RoomLessonParams& params, const VehicleDescription& vehicle)
     : params_(params),
       vehicle_(vehicle),
-      camera_(first_room_camera(vehicle)),
+      camera_(room_camera(vehicle, kFirstCamera)),
       view_(params.view, CameraModel(camera_.intrinsics), camera_.mount, camera_.width_px, camera_.height_px,
             vehicle.footprint.width_m) {}
 
@@ -30,12 +22,13 @@ void RoomTripCollector::add(const Observation& observation) {
                   .marks = observation.operator_input.marks,
                   .patch = {},
                   .p_vehicle_painted = {},
-                  .view = {}};
+                  .view = {},
+                  .p_vehicle_edges = {}};
   if (const CameraPicture* picture = present_picture(observation, camera_.name, vehicle_.cycle_s)) {
-    if (!std::exchange(has_patch_, true)) {
-      const RouteSight sight = view_.look(*picture->image);
+    RouteSight sight = view_.look(*picture->image);
+    if (!std::exchange(has_patch_, true))
       cycle.patch = RouteBrightness{sight.patch_grey, sight.patch_deviation};
-    }
+    cycle.p_vehicle_edges = std::move(sight.p_vehicle_edges);
     cycle.view = brightness_view(*picture->image);
     cycle.p_vehicle_painted = painted_line_points(*picture->image, CameraModel(camera_.intrinsics),
                                                   camera_.mount, params_.learning.frame);

@@ -57,6 +57,7 @@ Result<RoomMissionResult> drive_room_mission(const SimulationSetting& setting, R
   const Pose2 off = between(options.T_world_due, truth.T_world_vehicle);
   result.end_error_m = off.position().norm();
   result.end_error_rad = std::abs(off.theta);
+  result.p_due_end = off.position();
   result.clearance_m =
       clearance_ahead_m(setting.world, setting.vehicle.description.footprint, truth.T_world_vehicle);
   result.tries = navigator.parking_tries();
@@ -70,6 +71,8 @@ nlohmann::ordered_json figures_of(const RoomMissionResult& result) {
           {"why", result.end.why},
           {"collisions", result.collisions},
           {"end_error_m", rounded(result.end_error_m, 4)},
+          {"end_ahead_m", rounded(result.p_due_end.x(), 4)},
+          {"end_left_m", rounded(result.p_due_end.y(), 4)},
           {"end_error_deg", rounded(to_degrees(result.end_error_rad), 3)},
           {"tries", result.tries},
           {"clearance_m", rounded(result.clearance_m, 3)},

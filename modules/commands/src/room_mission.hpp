@@ -21,7 +21,8 @@ struct RoomMissionResult {
   double distance_m = 0;
   double end_error_m = 0;  ///< from where the vehicle was to park, by the truth
   double end_error_rad = 0;
-  double clearance_m = 0;  ///< at the end, straight ahead of the vehicle
+  Vec2 p_due_end = Vec2::Zero();  ///< where it stands, seen from where it was to: ahead, left
+  double clearance_m = 0;         ///< at the end, straight ahead of the vehicle
   int tries = 1;
   std::vector<double> cycle_s;  ///< processor time of each cycle, from image to command
 

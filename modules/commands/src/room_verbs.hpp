@@ -13,13 +13,28 @@ Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLessonPara
 Result<Outcome> navigate_by_route(const NavigateOptions& options, const RoomDriverParams& params,
                                   Console& console);
 
+/// By how much a room changes between teaching and driving.
+struct RoomChange {
+  double furniture_m = 0.2;  ///< each piece, along x and along y
+  double light_share = 0.3;
+
+  void describe(FieldList& fields) {
+    fields.real("furniture_m", furniture_m, {0, 2}, "by which each piece is moved, along x and y");
+    fields.real("light_share", light_share, {0, 0.95}, "by which the light is more or less");
+  }
+};
+
 struct RoomTrialParams {
   RoomLessonParams lesson;
   RoomNavigatorParams navigator;
+  RoomChange change;
+  RoomChange park_change{.furniture_m = 0, .light_share = 0};
 
   void describe(FieldList& fields) {
     fields.group("lesson", lesson);
     fields.group("navigator", navigator);
+    fields.group("change", change);
+    fields.group("park_change", park_change);
   }
 };
 

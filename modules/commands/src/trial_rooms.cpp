@@ -67,13 +67,7 @@ Result<TaughtRoute> teach_route(const SimulationSetting& setting, const TaughtWa
   return TaughtRoute{std::move(route), std::move(place)};
 }
 
-/// The shares by which a room changes between teaching and driving.
-struct RoomChange {
-  double furniture_m = 0.2;  ///< each piece, along x and along y
-  double light_share = 0.3;
-};
-
-/// The same room on another day; furniture that would come to stand on the way stays where it was.
+/// The same room on another day.
 SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& change, Random& random) {
   for (Furniture& piece : setting.world.furniture) {
     piece.centre.x() += random.uniform(-change.furniture_m, change.furniture_m);
@@ -181,6 +175,52 @@ Pose2 disturbed_start(const SimulationSetting& setting, const Pose2& T_world_sta
   return T_world_start;
 }
 
+/// Those that end with a way to park, or all.
+std::vector<const TaughtWay*> ways_of(const World& world, std::optional<ParkingStrategy> parking) {
+  std::vector<const TaughtWay*> ways;
+  for (const TaughtWay& way : world.routes)
+    if (!parking || way.parking == *parking) ways.push_back(&way);
+  return ways;
+}
+
+/// How a mission begins.
+struct MissionBegin {
+  SimulationSetting setting;
+  Pose2 T_world_vehicle;
+  double from_m = 0;  ///< along the route, where the vehicle takes itself to be
+};
+
+/// One mission for each seed, over the ways in turn.
+/// @param begin  (setting, taught route, seed) -> MissionBegin
+template <class Begin>
+Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialParams& params,
+                                 std::optional<ParkingStrategy> parking, Console& console,
+                                 const Begin& begin) {
+  RoomTrial trial;
+  TaughtRoutes routes(options, params);
+  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
+  SilentProgress within;
+  for (std::uint64_t i = 0; i < seeds; ++i) {
+    console.progress.report("missions", i, seeds);
+    const std::uint64_t seed = options.first_seed + i;
+    const auto setting = routes.setting(seed);
+    if (!setting) return setting.problems();
+    const auto ways = ways_of(setting->world, parking);
+    if (ways.empty())
+      return Problem{{setting->world_file.string(), 0, "routes"},
+                     fmt::format("none ends with parking: {}", parking_word(*parking))};
+    const TaughtWay& way = *ways[seed % ways.size()];
+    const auto taught = routes.taught(*setting, way, within);
+    if (!taught) return taught.problems();
+    const MissionBegin mission = begin(*setting, **taught, seed);
+    const auto result = drive_taught(mission.setting, **taught, params.navigator, seed,
+                                     mission.T_world_vehicle, mission.from_m, within);
+    if (!result) return result.problems();
+    trial.add(*result, seed, way.name);
+  }
+  return trial;
+}
+
 Json park_figures(const RoomTrial& trial) {
   return {{"missions", trial.missions},
           {"success_share", trial.share(trial.arrived)},
@@ -198,26 +238,16 @@ Json park_figures(const RoomTrial& trial) {
 }  // namespace
 
 Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParams& params, Console& console) {
-  RoomTrial trial;
-  TaughtRoutes routes(options, params);
-  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  SilentProgress within;
-  for (std::uint64_t i = 0; i < seeds; ++i) {
-    console.progress.report("missions", i, seeds);
-    const std::uint64_t seed = options.first_seed + i;
-    const auto setting = routes.setting(seed);
-    if (!setting) return setting.problems();
-    const TaughtWay& way = setting->world.routes[seed % setting->world.routes.size()];
-    const auto taught = routes.taught(*setting, way, within);
-    if (!taught) return taught.problems();
-    Random random(seed);
-    const SimulationSetting today = on_another_day(*setting, {}, random);
-    const UncertainPose2 T_world_start = about((*taught)->place.at(0), 0.02, 1 * kDegree);
-    const auto result = drive_taught(today, **taught, params.navigator, seed,
-                                     set_down(today, T_world_start, seed), 0, within);
-    if (!result) return result.problems();
-    trial.add(*result, seed, way.name);
-  }
+  const auto missions = drive_missions(
+      options, params, {}, console,
+      [&](const SimulationSetting& setting, const TaughtRoute& taught, std::uint64_t seed) {
+        Random random(seed);
+        SimulationSetting today = on_another_day(setting, params.change, random);
+        const Pose2 T_world_start = set_down(today, about(taught.place.at(0), 0.02, 1 * kDegree), seed);
+        return MissionBegin{std::move(today), T_world_start};
+      });
+  if (!missions) return missions.problems();
+  const RoomTrial& trial = *missions;
   Outcome outcome{.verb = "trial", .ok = trial.arrived == trial.missions};
   outcome.figures = {{"missions", trial.missions},
                      {"arrived_share", trial.share(trial.arrived)},
@@ -235,37 +265,24 @@ Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParam
 Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialParams& params,
                                  Console& console) {
   constexpr double kBeforeEnd_m = 3.2;
-  RoomTrial trial;
-  TaughtRoutes routes(options, params);
-  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  SilentProgress within;
-  for (std::uint64_t i = 0; i < seeds; ++i) {
-    console.progress.report("missions", i, seeds);
-    const std::uint64_t seed = options.first_seed + i;
-    const auto setting = routes.setting(seed);
-    if (!setting) return setting.problems();
-    const auto way = std::find_if(
-        setting->world.routes.begin(), setting->world.routes.end(),
-        [&](const TaughtWay& candidate) { return parking_word(candidate.parking) == options.strategy; });
-    if (way == setting->world.routes.end())
-      return Problem{{setting->world_file.string(), 0, "routes"}, "none parks by " + options.strategy};
-    const auto taught = routes.taught(*setting, *way, within);
-    if (!taught) return taught.problems();
-    Random random(seed);
-    const double from_m = std::max(0.0, (*taught)->route.path.length_m() - kBeforeEnd_m);
-    const auto result =
-        drive_taught(*setting, **taught, params.navigator, seed,
-                     disturbed_start(*setting, (*taught)->place.at(from_m), random), from_m, within);
-    if (!result) return result.problems();
-    trial.add(*result, seed, way->name);
-  }
+  const auto missions =
+      drive_missions(options, params, options.strategy, console,
+                     [&](const SimulationSetting& setting, const TaughtRoute& taught, std::uint64_t seed) {
+                       const double from_m = std::max(0.0, taught.route.path.length_m() - kBeforeEnd_m);
+                       Random change(seed), start(seed);
+                       SimulationSetting today = on_another_day(setting, params.park_change, change);
+                       const Pose2 T_world_start = disturbed_start(today, taught.place.at(from_m), start);
+                       return MissionBegin{std::move(today), T_world_start, from_m};
+                     });
+  if (!missions) return missions.problems();
+  const RoomTrial& trial = *missions;
   Outcome outcome{.verb = "trial", .ok = trial.arrived == trial.missions};
   outcome.figures = park_figures(trial);
-  outcome.figures["strategy"] = options.strategy;
+  outcome.figures["strategy"] = parking_word(options.strategy);
   outcome.text = fmt::format(
       "simulated, parking ({}) from disturbed starts: {} missions, {:.1f} % parked, {} collisions\n"
       "ended {:.1f} cm, {:.2f} deg off (mean), {:.1f} cm, {:.2f} deg (worst)\n",
-      options.strategy, trial.missions, 100 * trial.share(trial.arrived), trial.collisions,
+      parking_word(options.strategy), trial.missions, 100 * trial.share(trial.arrived), trial.collisions,
       100 * trial.end_m.mean(), trial.end_deg.mean(), 100 * trial.end_m.worst(), trial.end_deg.worst());
   return outcome;
 }
@@ -273,7 +290,6 @@ Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialPar
 /// One course for each turning, taught once; the room is another for each seed's teaching and driving light.
 Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
                                   Console& console) {
-  constexpr double kThere_m = 0.5;
   auto vehicle = read_setting("", vehicle_or_usual(options.vehicle, "route"), options.scenario);
   if (!vehicle) return vehicle.problems();
   if (Problems problems = unfit_for_rooms(vehicle->vehicle.description, ParkingStrategy::kView);
@@ -293,16 +309,18 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
     if (!taught) return taught.problems();
     std::uint64_t good = 0;
     for (std::uint64_t i = 0; i < seeds; ++i) {
-      console.progress.report("missions", (static_cast<std::uint64_t>(number) - 1) * seeds + i, 13 * seeds);
+      console.progress.report("missions", (static_cast<std::uint64_t>(number) - 1) * seeds + i,
+                              kTurningNumbers * seeds);
       const std::uint64_t seed = options.first_seed + i;
       Random random(seed);
-      const SimulationSetting today = on_another_day(setting, {.furniture_m = 0}, random);
+      const SimulationSetting today =
+          on_another_day(setting, {.furniture_m = 0, .light_share = params.change.light_share}, random);
       const auto result =
           drive_taught(today, *taught, params.navigator, seed,
                        set_down(today, about(taught->place.at(0), 0.02, 1 * kDegree), seed), 0, within);
       if (!result) return result.problems();
       trial.add(*result, seed, fmt::format("turning {}", number));
-      good += result->parked() && result->end_error_m < kThere_m ? 1U : 0U;
+      good += result->parked() && result->end_error_m < kFalseStop_m ? 1U : 0U;
     }
     succeeded += good;
     shares[std::to_string(number)] = rounded(static_cast<double>(good) / static_cast<double>(seeds), 4);

@@ -11,9 +11,8 @@ namespace aisle {
 namespace {
 
 constexpr int kRoomMillimetres = 3, kGreyDecimals = 2, kViewDecimals = 4;
-constexpr std::size_t kTurningsMax = 1000, kViewsMax = 10'000;
+constexpr std::size_t kTurningsMax = 1000, kViewsMax = 10'000, kEdgesMax = 100'000;
 constexpr double kWayMax_m = 100'000, kFrameMax_m = 20, kFrameMin_m = 0.2, kGreyMax = 255;
-constexpr std::array<std::string_view, 3> kParkingWords = {"frame", "dead-end", "view"};
 
 std::string turning_json(const RoomTurning& turning) {
   return fmt::format(R"({{"number": {}, "start_m": {}, "end_m": {}}})", turning.number,
@@ -25,6 +24,11 @@ std::string view_json(const StopView& view) {
   for (const double share : view.brightness)
     shares += (shares.empty() ? "[" : ", ") + decimals(share, kViewDecimals);
   return fmt::format(R"({{"left_m": {}, "at": {}]}})", decimals(view.left_m, kRoomMillimetres), shares);
+}
+
+std::string edge_json(const RouteEdge& edge) {
+  return fmt::format("[{}, {}, {}]", decimals(edge.along_m, kRoomMillimetres),
+                     decimals(edge.p_map.x(), kRoomMillimetres), decimals(edge.p_map.y(), kRoomMillimetres));
 }
 
 template <class Item, class Text>
@@ -67,6 +71,15 @@ StopView read_view(const JsonValue& value) {
   return view;
 }
 
+RouteEdge read_edge(const JsonValue& value) {
+  RouteEdge edge;
+  if (!value.is_list_of(3)) return edge;
+  value.element(0).read_number(edge.along_m, 0, kWayMax_m);
+  value.element(1).read_number(edge.p_map.x(), -kWayMax_m, kWayMax_m);
+  value.element(2).read_number(edge.p_map.y(), -kWayMax_m, kWayMax_m);
+  return edge;
+}
+
 void read_parking(const JsonValue& value, ParkingStrategy& parking) {
   for (std::size_t i = 0; i < kParkingWords.size(); ++i) {
     if (!value.is(kParkingWords[i])) continue;
@@ -79,20 +92,22 @@ void read_parking(const JsonValue& value, ParkingStrategy& parking) {
 }  // namespace
 
 std::string room_json(const RoomRoute& room) {
-  std::string text = fmt::format(R"({{"brightness": {{"grey": {}, "deviation": {}}}, "parking": "{}")",
-                                 decimals(room.brightness.grey, kGreyDecimals),
-                                 decimals(room.brightness.deviation, kGreyDecimals),
-                                 kParkingWords[static_cast<std::size_t>(room.parking)]);
+  std::string text =
+      fmt::format(R"({{"brightness": {{"grey": {}, "deviation": {}}}, "parking": "{}")",
+                  decimals(room.brightness.grey, kGreyDecimals),
+                  decimals(room.brightness.deviation, kGreyDecimals), parking_word(room.parking));
   if (room.parking == ParkingStrategy::kFrame)
     text += R"(, "frame_size_m": )" + point_json(room.frame_size_m, kRoomMillimetres);
   if (!room.turnings.empty()) text += R"(, "turnings": )" + list_of(room.turnings, turning_json);
   if (!room.views.empty()) text += R"(, "views": )" + list_of(room.views, view_json);
+  if (!room.edges.empty()) text += R"(, "edges": )" + list_of(room.edges, edge_json);
   return text + "}";
 }
 
 RoomRoute read_room(const JsonValue& value) {
   RoomRoute room;
-  if (!value.is_object_of({"brightness", "parking", "frame_size_m", "turnings", "views"})) return room;
+  if (!value.is_object_of({"brightness", "parking", "frame_size_m", "turnings", "views", "edges"}))
+    return room;
   if (const auto brightness = value.require("brightness")) room.brightness = read_brightness(*brightness);
   if (const auto parking = value.require("parking")) read_parking(*parking, room.parking);
   if (room.parking == ParkingStrategy::kFrame) {
@@ -109,6 +124,9 @@ RoomRoute read_room(const JsonValue& value) {
   }
   if (const auto views = value.find("views"); views && views->is_list_up_to(kViewsMax)) {
     for (std::size_t i = 0; i < views->size(); ++i) room.views.push_back(read_view(views->element(i)));
+  }
+  if (const auto edges = value.find("edges"); edges && edges->is_list_up_to(kEdgesMax)) {
+    for (std::size_t i = 0; i < edges->size(); ++i) room.edges.push_back(read_edge(edges->element(i)));
   }
   return room;
 }

@@ -147,8 +147,7 @@ WorldFields fields_of(NamedPlace& place) {
 }
 
 WorldFields fields_of(TaughtWay& route) {
-  static constexpr std::array<std::string_view, 3> kParkings = {"frame", "dead-end", "view"};
-  return {needed(text("name", route.name)), word("park", route.parking, kParkings),
+  return {needed(text("name", route.name)), word("park", route.parking, kParkingWords),
           needed(points("way", route.way))};
 }
 

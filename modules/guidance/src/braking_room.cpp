@@ -27,6 +27,12 @@ void BrakingRoom::see(const LaserScanner& fan, std::span<const float> ranges_m) 
     if (off_footprint_m(vehicle_.footprint, p_vehicle) < kStruckMatters_m)
       p_vehicle_struck_.push_back(p_vehicle);
   }
+  struck_now_m_ = struck_m({});
+}
+
+bool BrakingRoom::is_off_struck(const Pose2& T_vehicle_later) const {
+  const double struck_later_m = struck_m(T_vehicle_later);
+  return struck_later_m >= kStruckMargin_m || struck_later_m >= struck_now_m_ - kRoomNoise_m;
 }
 
 bool BrakingRoom::is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
@@ -52,8 +58,7 @@ double BrakingRoom::stopping_way_m(double speed_mps) const {
 
 bool BrakingRoom::is_free_at(const FloorGrid& floor, const FloorClearance& clearance,
                              const Pose2& T_map_vehicle, const Pose2& T_vehicle_later) const {
-  const double struck_later_m = struck_m(T_vehicle_later);
-  if (struck_later_m < kStruckMargin_m && struck_later_m < struck_m({}) - kRoomNoise_m) return false;
+  if (!is_off_struck(T_vehicle_later)) return false;
   const Pose2 T_map_later = T_map_vehicle * T_vehicle_later;
   if (room_.spare_m(floor, clearance, T_map_later) >= 0) return true;
   const double standing_m = room_.standing_spare_m(floor, clearance, T_map_vehicle);

@@ -101,8 +101,8 @@ void CarSearch::begin(const Pose2& T_map_start) {
   bins_.clear();
   queue_.clear();
   expansions_ = 0;
-  expansions_max_ = params_.expansions_max;
   forbidden_first_ = 0;
+  is_free_ = nullptr;
   nodes_.push_back({.T_map = T_map_start, .arc = {}});
   bins_[bin_of(T_map_start)] = 0;
   queue_.push_back({0, 0});
@@ -111,7 +111,7 @@ void CarSearch::begin(const Pose2& T_map_start) {
 
 CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
   for (int i = 0; i < expansions && state_ == State::kSearching; ++i) {
-    if (queue_.empty() || expansions_ >= expansions_max_) {
+    if (queue_.empty() || expansions_ >= params_.expansions_max) {
       state_ = State::kNone;
       break;
     }
@@ -168,6 +168,7 @@ double CarSearch::least_spare_m(const FloorGrid& floor, const FloorClearance& cl
   for (int i = checks; i > 0 && least_m >= 0; --i) {
     const double share = static_cast<double>(i) / checks;
     const Pose2 T_map = T_map_from * end_pose({arc.length_m * share, arc.turn_rad * share});
+    if (is_free_ && !is_free_(T_map)) return -1;
     double spare_m = room_.spare_m(floor, clearance, T_map);
     if (spare_m < 0 && is_leaving && room_.fits_barely(floor, clearance, T_map, root_spare_m)) spare_m = 0;
     least_m = std::min(least_m, spare_m);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "aisle/vehicle/odometry_step.hpp"
 
@@ -16,6 +17,7 @@ constexpr double kNearHome_m = 1.5;
 constexpr double kNearHome_rad = 30 * kDegree;
 constexpr double kGateMoved_m = 1;
 constexpr double kSameSpot_m = 0.2;   // about a place where the vehicle was blocked
+constexpr double kStruckNow_m = 1.5;  // so far from the vehicle ways keep off what is struck now
 constexpr double kStageLeft_m = 2.5;  // of a stage, when the next one is searched
 constexpr double kBendAhead_m = 0.05;
 constexpr double kWheelsOff_rad = 25 * kDegree;
@@ -98,6 +100,7 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   if (!begun_s_) begun_s_ = moved_s_ = stamp_s_;
   if (observation.bumper_pressed) return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
   const FloorLearner::News news = learner_.take(observation);
+  braking_.see(learner_.sensor().fan(), learner_.view().ranges_m);
   mark_coverage();
   if (stamp_s_ - *begun_s_ > params_.time_max_s)
     return end(NavigatorStatus::kFailed, "late", "its time is over");
@@ -145,6 +148,15 @@ void ExplorerNavigator::begin_search() {
   begin_search_from(T_map_from);
   const double since_blocked_m = (T_map_from.position() - p_map_blocked_).norm();
   if (since_blocked_m < kSameSpot_m) search_.forbid_first(blocked_direction_);
+  keep_off_struck();
+}
+
+/// What the sensor strikes now stands a little off where the floor's cells show it.
+void ExplorerNavigator::keep_off_struck() {
+  search_.keep_to([this](const Pose2& T_map_later) {
+    const Pose2 T_vehicle_later = between(learner_.T_map_vehicle(), T_map_later);
+    return T_vehicle_later.position().norm() > kStruckNow_m || braking_.is_off_struck(T_vehicle_later);
+  });
 }
 
 void ExplorerNavigator::begin_search_from(const Pose2& T_map_from) {
@@ -209,6 +221,9 @@ bool ExplorerNavigator::sees_rim(const Pose2& T_map_vehicle) const {
     const double angle_rad = wrap_angle(heading_of(towards) - T_map_fan.theta);
     if (angle_rad < fan.first_angle_rad + kFanEdge_rad || angle_rad > -fan.first_angle_rad - kFanEdge_rad)
       continue;
+    const std::vector<float>& near_m = learner_.view().near_m;
+    const auto beam = static_cast<std::size_t>((angle_rad - fan.first_angle_rad) / fan.angle_step_rad);
+    if (beam < near_m.size() && towards.norm() < near_m[beam]) continue;
     if (!is_clear(learner_.floor(), T_map_fan.position(), p_map, 1.5 * learner_.floor().cell_m())) continue;
     if (++seen >= enough) return true;
   }
@@ -221,7 +236,7 @@ void ExplorerNavigator::search_way() {
   if (is_search_due_ && (progress_ ? !stands_first_ : learner_.is_standing())) begin_search();
   if (search_.state() == CarSearch::State::kIdle && !progress_ && !is_search_due_) {
     if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
-    if (++attempts_ > kAttemptsMax && target_->kind == ExploringTarget::Kind::kPath) return give_path_up();
+    if (++attempts_ > kAttemptsMax && target_->kind == ExploringTarget::Kind::kPath) return leave_path();
     begin_search();
   }
   if (search_.state() != CarSearch::State::kSearching) return;
@@ -231,8 +246,17 @@ void ExplorerNavigator::search_way() {
     search_.stop();
     patience_.hitch(learner_.T_map_vehicle());
     arrived_cycle_ = cycle_;
+    if (std::exchange(blocked_direction_, 0) != 0) return;
     if (target_->kind == ExploringTarget::Kind::kPath && attempts_ > 0) give_path_up();
   }
+}
+
+/// It went where it should have seen behind the gate, and did not: a corner is left out, more is left undone.
+void ExplorerNavigator::leave_path() {
+  if (target_->gate.behind_m2 < params_.explorer.leftover_m2) return give_path_up();
+  explorer_.abandon(target_->path, cycle_);
+  target_.reset();
+  moved_s_ = stamp_s_;
 }
 
 void ExplorerNavigator::give_path_up() {
@@ -365,7 +389,6 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
                                    point.along_m, steering_rad);
   const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, params_.speed);
   const Command command = follower_.follow(path_, point, learner_.T_map_vehicle(), speed_mps, steering_rad);
-  braking_.see(learner_.sensor().fan(), learner_.view().ranges_m);
   if (!braking_.is_free(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(), command,
                         steering_rad)) {
     patience_.hitch(learner_.T_map_vehicle());

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/guidance/room_cameras.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
-#include "room_cameras.hpp"
 
 namespace aisle {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "aisle/core/square.hpp"
+#include "aisle/guidance/room_cameras.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
-#include "room_cameras.hpp"
 
 namespace aisle {
 namespace {
@@ -35,6 +35,8 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.group("pictures", pictures);
   fields.group("frame", frame);
   fields.group("stop_views", stop_views);
+  fields.group("place", place);
+  fields.group("end_steering", end_steering);
   fields.real("speed_mps", speed_mps, {0.02, 2}, "between turnings");
   fields.real("turning_speed_mps", turning_speed_mps, {0.02, 2}, "in turnings");
   fields.real("parking_speed_mps", parking_speed_mps, {0.02, 2}, "near the end");
@@ -42,10 +44,18 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("middle_share", middle_share, {0, 1},
               "how much the route's middle counts against the taught way; 1: as published");
   fields.real("turning_middle_share", turning_middle_share, {0, 1}, "likewise in turnings");
+  fields.real("place_from_m", place_from_m, {0, 1000}, "before the end the edges tell where it is");
+  fields.real("taught_alone_m", taught_alone_m, {0, 20}, "before the end the taught way counts alone");
+  fields.real("end_comfort_m", end_comfort_m, {0.01, 2}, "there it tries to keep only so far off");
+  fields.real("end_aside_m", end_aside_m, {0.005, 1}, "farther aside of a taught place it tries again");
+  fields.angle("end_turned_deg", end_turned_rad, {0.1, 45}, "turned more, it tries again");
+  fields.real("end_back_off_m", end_back_off_m, {0.2, 5}, "way back before that");
+  fields.count("end_tries_max", end_tries_max, {1, 100}, "then it stays as it stands");
   fields.angle("avoid_deg", avoid_rad, {0, 60}, "the wheels' turn away from what stands too near");
   fields.flag("avoid_as_published", avoid_as_published, "by the three check regions, before all else");
   fields.real("dead_end_share", dead_end_share, {0, 1}, "of the view is route: less is a dead end");
   fields.real("dead_end_gap_m", dead_end_gap_m, {0, 3}, "from there it goes on until so near");
+  fields.count("dead_end_pictures", dead_end_pictures, {1, 100}, "in succession must show it");
   fields.real("frame_within_m", frame_within_m, {0.5, 20}, "before the route's end it looks for the frame");
   fields.real("brightness_tolerance", brightness_tolerance, {0.01, 1},
               "by which share the route may suddenly look brighter or darker");
@@ -54,7 +64,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("stop_free_m", stop_free_m, {0.01, 2}, "with less way free it stops");
   fields.real("wait_s", wait_s, {0, 100}, "for what is in the way to go");
   fields.real("back_off_m", back_off_m, {0.05, 5}, "way back before it tries again");
-  fields.count("back_offs_max", back_offs_max, {0, 100}, "then it gives up");
+  fields.count("back_offs_max", back_offs_max, {0, 100}, "at one place, then it gives up");
   fields.real("blind_max_s", blind_max_s, {0.5, 1000}, "without a good picture it gives up");
 }
 
@@ -66,17 +76,20 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       view_(first_view(params, vehicle)),
       watch_(params.pictures, room_camera(vehicle, kFirstCamera)),
       edges_(kRemembered_m),
+      place_(params.place, route_.room->edges),
       progress_(route_.path, from_m),
       stop_views_(params.stop_views, route_.room->views),
       T_odom_vehicle_(route_.path.at(from_m).T_map_path),
-      brightness_(route_.room->brightness) {
+      brightness_(route_.room->brightness),
+      end_follower_(vehicle, params.end_steering) {
   if (route_.room->parking == ParkingStrategy::kFrame)
     frame_ = std::make_unique<FrameParking>(params.frame, vehicle, route_.room->frame_size_m);
 }
 
 Decision RoomNavigator::step(const Observation& observation) {
   T_odom_vehicle_ = T_odom_vehicle_ * odometry_step(vehicle_, observation.odometry);
-  if (state_ != State::kBackingOff) progress_.advance(T_odom_vehicle_);
+  steering_rad_ = steering_rad_of(observation.odometry);
+  if (state_ != State::kBackingOff) progress_.advance(pose());
   look(observation);
   if (observation.bumper_pressed)
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
@@ -88,7 +101,8 @@ Decision RoomNavigator::step(const Observation& observation) {
             .why = trouble.value_or("no picture yet")};
   }
   if (frame_ && left_m() < params_.frame_within_m) {
-    frame_->look(observation, T_odom_vehicle_, route_.path.pieces().back().end().theta);
+    const double heading_rad = route_.path.pieces().back().end().theta - place_.T_map_odom().theta;
+    frame_->look(observation, T_odom_vehicle_, heading_rad);
     if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
   }
   if (state_ == State::kParkingInFrame) return park_in_frame(observation.stamp_s);
@@ -102,15 +116,31 @@ void RoomNavigator::look(const Observation& observation) {
   sight_ = view_.look(*picture->image);
   stop_views_.take(*picture->image, left_to_end_m());
   is_strange_ = !is_route_bright_as_learned();
-  if (!is_strange_) edges_.take(view_, *sight_, T_odom_vehicle_);
+  dead_end_pictures_ = is_at_dead_end() ? dead_end_pictures_ + 1 : 0;
+  if (is_strange_) return;
+  // The learned brightness follows slow change of light (METHODS 9).
+  brightness_.grey += params_.brightness_gain * (sight_->patch_grey - brightness_.grey);
+  edges_.take(view_, *sight_, T_odom_vehicle_);
+  find_place();
 }
 
-/// The learned brightness follows slow change of light (METHODS 9).
-bool RoomNavigator::is_route_bright_as_learned() {
+bool RoomNavigator::is_route_bright_as_learned() const {
   const double change = sight_->patch_grey / std::max(1.0, brightness_.grey) - 1;
-  if (std::abs(change) > params_.brightness_tolerance) return false;
-  brightness_.grey += params_.brightness_gain * (sight_->patch_grey - brightness_.grey);
-  return true;
+  return std::abs(change) <= params_.brightness_tolerance;
+}
+
+/// Where the vehicle comes to the end of its way, or was set down before it, is known roughly; what is seen
+/// there may tell better. On the way there what stands otherwise than at teaching does more harm.
+void RoomNavigator::find_place() {
+  place_.come_to(T_odom_vehicle_, progress_.point().along_m);
+  if (left_m() > params_.place_from_m) return;
+  constexpr double kAbout_m = 1;
+  const bool was_sure = place_.is_sure();
+  const double along_m = progress_.point().along_m;
+  place_.take(sight_->p_vehicle_edges, T_odom_vehicle_, along_m);
+  if (was_sure || !place_.is_sure()) return;
+  const PathPoint there = route_.path.nearest(pose().position(), along_m - kAbout_m, along_m + kAbout_m);
+  progress_ = PathProgress(route_.path, there.along_m);
 }
 
 double RoomNavigator::steering_to(const Vec2& p_vehicle) const {
@@ -149,14 +179,23 @@ std::optional<double> RoomNavigator::avoiding_rad() const {
   return std::nullopt;
 }
 
+bool RoomNavigator::keeps_to_taught_end() const {
+  return place_.is_sure() && left_m() < params_.taught_alone_m;
+}
+
 double RoomNavigator::wished_steering_rad() const {
+  if (keeps_to_taught_end()) {
+    return end_follower_
+        .follow(route_.path, progress_.point(), pose(), params_.parking_speed_mps, steering_rad_)
+        .steering_rad;
+  }
   const double along_m = progress_.point().along_m;
   const RoomTurning* turning = turning_at(route_.room->turnings, along_m);
   const BlotOut blot = turning != nullptr ? blot_out(*turning, along_m) : BlotOut{};
   const double ahead_m = along_m + params_.look_ahead_m;
   const double beyond_m = std::max(0.0, ahead_m - route_.path.length_m());
-  const Vec2 p_odom_ahead = route_.path.at(ahead_m).T_map_path * Vec2(beyond_m, 0);
-  const double taught_rad = steering_to(T_odom_vehicle_.inverse() * p_odom_ahead);
+  const Vec2 p_map_ahead = route_.path.at(ahead_m).T_map_path * Vec2(beyond_m, 0);
+  const double taught_rad = steering_to(pose().inverse() * p_map_ahead);
   const auto middle = view_.middle(*sight_, blot.left, blot.right);
   if (!middle) return taught_rad;
   const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
@@ -170,7 +209,9 @@ Decision RoomNavigator::follow(double now_s) {
   const bool is_near_end = left_m() < 1;
   const auto avoiding = is_near_end ? std::nullopt : avoiding_rad();
   const double wish_rad = avoiding.value_or(wished_steering_rad());
-  const SteeringChoice choice = choose_steering(vehicle_, params_.steering, around, wish_rad);
+  FreeSteeringParams steering = params_.steering;
+  if (keeps_to_taught_end()) steering.comfort_m = params_.end_comfort_m;
+  const SteeringChoice choice = choose_steering(vehicle_, steering, around, wish_rad);
   if (is_strange_ || choice.free_m < params_.stop_free_m) return blocked(now_s);
   stopped_s_.reset();
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
@@ -193,23 +234,64 @@ Decision RoomNavigator::drive(const SteeringChoice& choice, double speed_mps,
 Decision RoomNavigator::blocked(double now_s) {
   if (!stopped_s_) stopped_s_ = now_s;
   if (now_s - *stopped_s_ < params_.wait_s) return {.state = "waiting", .why = "something is in the way"};
+  const double along_m = progress_.point().along_m;
+  if (along_m > back_offs_at_m_ + 2 * params_.back_off_m) back_offs_ = 0;
+  back_offs_at_m_ = along_m;
   if (back_offs_ >= params_.back_offs_max)
     return {.status = NavigatorStatus::kFailed, .state = "blocked", .why = "found no way past what is there"};
   ++back_offs_;
+  return start_back_off(params_.back_off_m);
+}
+
+Decision RoomNavigator::start_back_off(double way_m) {
   T_odom_stopped_ = T_odom_vehicle_;
+  back_off_m_ = way_m;
+  way_back_ = choose_way_back();
   state_ = State::kBackingOff;
   return {.state = "backing off"};
 }
 
+/// Of the ways back, the one that leads nearest to the taught way. What is behind the vehicle is in no
+/// camera's view, but was in view at teaching.
+SteeringChoice RoomNavigator::choose_way_back() const {
+  constexpr double kAsideWeight_per_m = 1, kTurnedWeight_per_rad = 1, kShortWeight_per_m = 4;
+  const double max_rad = vehicle_.limits.steering_max_rad;
+  const int steps = static_cast<int>(max_rad / params_.steering.step_rad);
+  std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
+  const Pose2 T_vehicle_map = pose().inverse();
+  for (const Vec2& p : place_.taught().around(pose().position(), kRemembered_m))
+    around.push_back(T_vehicle_map * p);
+  SteeringChoice best;
+  double least = -1;
+  for (int i = -steps; i <= steps; ++i) {
+    const double steering_rad = i * params_.steering.step_rad;
+    const SteeringChoice way = free_way(vehicle_, params_.steering, around, steering_rad, -1);
+    const double back_m = std::min(back_off_m_, way.free_m);
+    const double turn_rad = -back_m * std::tan(steering_rad) / vehicle_.front_steered.wheelbase_m;
+    const Pose2 T_map_then = pose() * end_pose({-back_m, turn_rad});
+    const double along_m = progress_.point().along_m;
+    const PathPoint there =
+        route_.path.nearest(T_map_then.position(), along_m - 2 * back_off_m_, along_m + back_off_m_);
+    const double cost =
+        kAsideWeight_per_m * std::abs(there.aside_m) +
+        kTurnedWeight_per_rad * std::abs(wrap_angle(T_map_then.theta - there.T_map_path.theta)) +
+        kShortWeight_per_m * (back_off_m_ - back_m);
+    if (least >= 0 && cost >= least) continue;
+    least = cost;
+    best = way;
+  }
+  return best;
+}
+
 Decision RoomNavigator::back_off(double now_s) {
   const double backed_m = (T_odom_vehicle_.position() - T_odom_stopped_.position()).norm();
-  const SteeringChoice back = free_way(vehicle_, params_.steering, edges_.around(T_odom_vehicle_), 0, -1);
-  if (backed_m >= params_.back_off_m || back.free_m < params_.stop_free_m) {
+  if (backed_m >= std::min(back_off_m_, way_back_.free_m - params_.stop_free_m)) {
     state_ = State::kFollowing;
     stopped_s_ = now_s;
     return {.state = "backing off"};
   }
-  return {.command = {.speed_mps = -params_.parking_speed_mps}, .state = "backing off"};
+  return {.command = {.speed_mps = -params_.parking_speed_mps, .steering_rad = way_back_.steering_rad},
+          .state = "backing off"};
 }
 
 /// To the nearest edge straight ahead of the bumper.
@@ -222,9 +304,23 @@ double RoomNavigator::gap_ahead_m() const {
   return gap_m;
 }
 
+/// At a taught place, by what is known of it.
+bool RoomNavigator::stands_askew() const {
+  const Pose2 off = between(route_.path.pieces().back().end(), pose());
+  return place_.is_sure() &&
+         (std::abs(off.y) > params_.end_aside_m || std::abs(off.theta) > params_.end_turned_rad);
+}
+
+/// L96 section 2.4, and so near that what is seen is the end.
+bool RoomNavigator::is_at_dead_end() const {
+  constexpr double kNearEnd_m = 1;
+  return left_m() < kNearEnd_m && sight_->share < params_.dead_end_share &&
+         (is_strange_ || gap_ahead_m() < params_.dead_end_gap_m);
+}
+
 /// Way to the end of the route as the last leg leads on.
 double RoomNavigator::left_to_end_m() const {
-  const double straight_m = between(T_odom_vehicle_, route_.path.pieces().back().end()).x;
+  const double straight_m = between(pose(), route_.path.pieces().back().end()).x;
   constexpr double kLastLeg_m = 1;
   return left_m() > kLastLeg_m ? left_m() : straight_m;
 }
@@ -233,18 +329,23 @@ std::optional<Decision> RoomNavigator::arrived() {
   const Decision done{.status = NavigatorStatus::kDone, .state = "parked"};
   switch (route_.room->parking) {
     case ParkingStrategy::kDeadEnd:
-      if (left_m() < 2 && sight_->share < params_.dead_end_share && gap_ahead_m() < params_.dead_end_gap_m)
-        return done;
+      if (dead_end_pictures_ >= params_.dead_end_pictures) return done;
       break;
     case ParkingStrategy::kFrame:
       if (progress_.has_arrived())
         return Decision{
             .status = NavigatorStatus::kFailed, .state = "no frame", .why = "there is no frame to be seen"};
       break;
-    case ParkingStrategy::kView:
-      if (left_to_end_m() + stop_views_.shift_m() <= vehicle_.cycle_s * params_.parking_speed_mps)
-        return done;
+    case ParkingStrategy::kView: {
+      // Columns of brightness tell less than the edges of the floor, if those stand as they were taught.
+      const double shift_m = place_.is_sure() ? 0 : stop_views_.shift_m();
+      if (left_to_end_m() + shift_m <= vehicle_.cycle_s * params_.parking_speed_mps) {
+        if (!stands_askew() || end_tries_ >= params_.end_tries_max) return done;
+        ++end_tries_;
+        return start_back_off(params_.end_back_off_m);
+      }
       break;
+    }
   }
   return std::nullopt;
 }

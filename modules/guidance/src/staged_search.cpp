@@ -10,7 +10,6 @@ namespace {
 constexpr double kLeeway_m = 1;         // about a place, where there may be less room than elsewhere
 constexpr double kBeside_m = 0.5;       // so near to the vehicle there is room for a disc
 constexpr double kOffKnownFloor_m = 2;  // how much farther places seem from which no way is known
-constexpr int kNarrowShare = 5;         // of the search is spent where a way is unlikely
 constexpr double kStageSpare = 1.5;     // in stages: what is a little farther than one is searched at once
 
 }  // namespace
@@ -33,7 +32,6 @@ double StagedSearch::measure(const FloorGrid& floor, const FloorClearance& clear
   for (const double room_m : {half_width_m_ + params_.margin_m, half_width_m_}) {
     distances_.measure(floor, clearance, p_map_place, room_m, kLeeway_m);
     way_m = distances_.near(floor, T_map_vehicle.position(), kBeside_m);
-    is_narrow_ = room_m == half_width_m_ || !std::isfinite(way_m);
     if (std::isfinite(way_m)) break;
   }
   return way_m;
@@ -54,7 +52,6 @@ void StagedSearch::look_for(const FloorGrid& floor, const FloorClearance& cleara
         return is_there || is_stage_;
       },
       [this, about_m](const Vec2& p_map) { return std::max(0.0, left_m(p_map) - about_m); });
-  if (is_narrow_) search_.give_up_after(params_.expansions_max / kNarrowShare);
 }
 
 void StagedSearch::look_for_way_to(const FloorGrid& floor, const FloorClearance& clearance,

@@ -45,6 +45,27 @@ TEST(CarSearch, ReversesOutOfWhereItCannotTurn) {
   expect_drivable(search.path(), known, cart());
 }
 
+TEST(CarSearch, BeginsTheOtherWayWhereItIsTold) {
+  const KnownFloor known({{Vec2(0, 0), Vec2(10, 5)}});
+  CarSearch search({}, cart());
+  search.look_for({4, 2.5, 0}, [](const Pose2& T) { return T.x > 7; }, no_guide);
+  search.forbid_first(1);
+  ASSERT_EQ(run(known, search), CarSearch::State::kFound);
+  EXPECT_LT(search.path().pieces().front().arc.length_m, 0);
+}
+
+TEST(CarSearch, GoesRoundWhatTheFloorDoesNotShow) {
+  const KnownFloor known({{Vec2(0, 0), Vec2(12, 5)}});
+  CarSearch search({}, cart());
+  const auto is_free = [](const Pose2& T) { return (T.position() - Vec2(6, 2.5)).norm() > 1; };
+  search.look_for({2, 2.5, 0}, [](const Pose2& T) { return T.x > 9; }, no_guide);
+  search.keep_to(is_free);
+  ASSERT_EQ(run(known, search), CarSearch::State::kFound);
+  const Path path = search.path();
+  for (double along_m = 0; along_m <= path.length_m(); along_m += 0.05)
+    EXPECT_GT((path.at(along_m).T_map_path.position() - Vec2(6, 2.5)).norm(), 0.98);
+}
+
 TEST(CarSearch, EndsExactlyAtAPose) {
   const KnownFloor known({{Vec2(0, 0), Vec2(10, 5)}});
   CarSearch search({}, cart());

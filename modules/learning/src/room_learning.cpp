@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "aisle/vehicle/odometry_step.hpp"
+#include "lasting_edges.hpp"
 
 namespace aisle {
 
@@ -16,6 +17,9 @@ void RoomLearningParams::describe(FieldList& fields) {
   fields.real("frame_from_m", frame_from_m, {0, 20}, "the parking frame is measured so far from the end");
   fields.real("frame_to_m", frame_to_m, {0, 20}, "up to so far");
   fields.real("views_m", views_m, {0, 20}, "views are learned on so much way before a taught place");
+  fields.real("edge_apart_m", edge_apart_m, {0.01, 1}, "nearer edges of the route are one");
+  fields.real("edge_within_m", edge_within_m, {0.5, 20}, "farther ones are not learned");
+  fields.count("edge_sightings", edge_sightings, {1, 1000}, "pictures that must show an edge");
 }
 
 namespace {
@@ -25,13 +29,6 @@ std::optional<int> turning_number(const std::string& label) {
   const auto [end, error] = std::from_chars(label.data(), label.data() + label.size(), number);
   const bool is_whole = error == std::errc() && end == label.data() + label.size();
   return is_whole && number >= 1 && number <= kTurningNumbers ? std::optional(number) : std::nullopt;
-}
-
-std::optional<ParkingStrategy> parking_of(const std::string& label) {
-  if (label == "frame") return ParkingStrategy::kFrame;
-  if (label == "dead-end") return ParkingStrategy::kDeadEnd;
-  if (label == "view" || label.empty()) return ParkingStrategy::kView;
-  return std::nullopt;
 }
 
 /// Reads the marks in the order in which they were made.
@@ -49,10 +46,13 @@ class MarkReader {
       case Mark::Kind::kTurningEnds:
         return end(along_m);
       case Mark::Kind::kStop:
-        if (const auto parking = parking_of(mark.label)) {
+        if (mark.label.empty()) {
+          room_.parking = ParkingStrategy::kView;
+        } else if (const auto parking = parking_of(mark.label)) {
           room_.parking = *parking;
         } else {
-          wrong(fmt::format("'{}' is no way to park; there are frame, dead-end, view", mark.label));
+          wrong(fmt::format("'{}' is no way to park; there are {}", mark.label,
+                            fmt::join(kParkingWords, ", ")));
         }
         return;
       case Mark::Kind::kPlace:
@@ -150,6 +150,7 @@ Result<LearnedRoute> learn_room_route(std::span<const RoomCycle> cycles, const V
     room.frame_size_m = *size_m;
   }
   if (room.parking == ParkingStrategy::kView) room.views = views_before_end(cycles, learned, params.views_m);
+  room.edges = lasting_edges(cycles, learned.T_route_vehicle, params);
   learned.route.path = fit_path(learned.T_route_vehicle, params.path);
   learned.route.room = std::move(room);
   return learned;

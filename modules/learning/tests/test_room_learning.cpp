@@ -66,5 +66,21 @@ TEST(RoomLearning, NeedsAWayPicturesAndAFrame) {
   EXPECT_FALSE(learn_room_route(no_frame, cart(), {}).ok());
 }
 
+TEST(RoomLearning, EdgesThatSeveralPicturesShowAreKeptWhereTheyWereSeenLast) {
+  auto trip = drive(100);
+  for (std::size_t i = 0; i < trip.size(); ++i) {
+    const double x = 0.01 * static_cast<double>(i);  // odometry's first reading counts
+    if (i < 50) trip[i].p_vehicle_edges = {Vec2(2.01 - x, 0.51)};
+  }
+  trip[60].p_vehicle_edges = {Vec2(1, -0.5)};
+  const auto learned = learn_room_route(trip, cart(), {});
+  ASSERT_TRUE(learned.ok()) << to_string(learned.problems());
+  const std::vector<RouteEdge>& edges = learned->route.room->edges;
+  ASSERT_THAT(edges, SizeIs(1));
+  EXPECT_NEAR(edges[0].along_m, 0.49, 0.001);
+  EXPECT_NEAR(edges[0].p_map.x(), 2.02, 0.02);
+  EXPECT_NEAR(edges[0].p_map.y(), 0.51, 1e-6);
+}
+
 }  // namespace
 }  // namespace aisle

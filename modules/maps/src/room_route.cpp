@@ -1,5 +1,6 @@
 #include "aisle/maps/room_route.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace aisle {
@@ -50,6 +51,12 @@ const RoomTurning* turning_at(const std::vector<RoomTurning>& turnings, double a
     if (along_m >= turning.start_m && along_m < turning.end_m) latest = &turning;
   }
   return latest;
+}
+
+std::optional<ParkingStrategy> parking_of(std::string_view word) {
+  const auto found = std::find(kParkingWords.begin(), kParkingWords.end(), word);
+  if (found == kParkingWords.end()) return std::nullopt;
+  return static_cast<ParkingStrategy>(found - kParkingWords.begin());
 }
 
 }  // namespace aisle

@@ -50,18 +50,6 @@ Pose2 start_of(const TaughtWay& route) {
   return {p.x(), p.y(), heading_of(route.way[1] - p)};
 }
 
-std::string parking_word(TaughtWay::Parking parking) {
-  switch (parking) {
-    case TaughtWay::Parking::kFrame:
-      return "frame";
-    case TaughtWay::Parking::kDeadEnd:
-      return "dead-end";
-    case TaughtWay::Parking::kView:
-      return "view";
-  }
-  return {};
-}
-
 RouteGuide::RouteGuide(const World& world, const TaughtWay& route, const VehicleDescription& vehicle,
                        const ScriptedOperatorParams& params, std::uint64_t seed)
     : route_(route), driver_(with_tour(world, route), vehicle, params, seed) {
@@ -85,7 +73,7 @@ OperatorInput RouteGuide::look(const OperatorView& view) {
     marks_.erase(marks_.begin());
   }
   for (Mark& mark : input.marks) {
-    if (mark.kind == Mark::Kind::kStop) mark.label = parking_word(route_.parking);
+    if (mark.kind == Mark::Kind::kStop) mark.label = std::string(parking_word(route_.parking));
   }
   return input;
 }

@@ -71,7 +71,7 @@ class Course {
   }
 
   World take(int number, std::vector<Vec2> way, const Vec2& at, double reach_m) {
-    world_.routes = {{.name = "way", .parking = TaughtWay::Parking::kView, .way = std::move(way)}};
+    world_.routes = {{.name = "way", .parking = ParkingStrategy::kView, .way = std::move(way)}};
     world_.turnings = {{.route = "way", .number = number, .at = at, .before_m = reach_m, .after_m = reach_m}};
     return std::move(world_);
   }

@@ -11,7 +11,7 @@ namespace {
 /// An L of two legs in the open, with one turning.
 World open_floor() {
   World world;
-  world.routes = {{.name = "way", .parking = TaughtWay::Parking::kDeadEnd, .way = {{0, 0}, {4, 0}, {4, 4}}}};
+  world.routes = {{.name = "way", .parking = ParkingStrategy::kDeadEnd, .way = {{0, 0}, {4, 0}, {4, 4}}}};
   world.turnings = {{.route = "way", .number = 1, .at = {4, 0}, .before_m = 1.5, .after_m = 1},
                     {.route = "other", .number = 2, .at = {1, 0}}};
   return world;

@@ -139,23 +139,43 @@ FrameFit settled(std::span<const Vec2> p_vehicle, const Vec2& size_m, const Pose
   return fit;
 }
 
-/// By voting: for each heading, the two pairs of parallel lines with most points.
-std::pair<Pose2, double> most_voted(std::span<const Vec2> p_vehicle, const Vec2& size_m,
-                                    double expected_heading_rad, const PaintedFrameParams& params) {
-  constexpr double kHeadingStep_rad = 1.5 * kDegree;
-  std::pair<Pose2, double> best{{}, -1};
-  const int steps = static_cast<int>(params.heading_reach_rad / kHeadingStep_rad);
-  for (int i = -steps; i <= steps; ++i) {
-    const double heading_rad = expected_heading_rad + i * kHeadingStep_rad;
-    const auto [x_m, x_votes] = AxisCounts(p_vehicle, heading_rad, params.range_m).best_pair(size_m.x());
-    const auto [y_m, y_votes] =
-        AxisCounts(p_vehicle, heading_rad + kPi / 2, params.range_m).best_pair(size_m.y());
-    if (x_votes + y_votes <= best.second) continue;
-    const Vec2 p = rotate(heading_rad, {x_m, y_m});
-    best = {{p.x(), p.y(), heading_rad}, x_votes + y_votes};
+/// The points' counts for every heading that the frame may have.
+class HeadingVotes {
+ public:
+  HeadingVotes(std::span<const Vec2> p_vehicle, double expected_heading_rad,
+               const PaintedFrameParams& params) {
+    constexpr double kHeadingStep_rad = 1.5 * kDegree;
+    const int steps = static_cast<int>(params.heading_reach_rad / kHeadingStep_rad);
+    headings_.reserve(static_cast<std::size_t>(2 * steps) + 1);
+    for (int i = -steps; i <= steps; ++i) {
+      const double heading_rad = expected_heading_rad + i * kHeadingStep_rad;
+      headings_.push_back({heading_rad, AxisCounts(p_vehicle, heading_rad, params.range_m),
+                           AxisCounts(p_vehicle, heading_rad + kPi / 2, params.range_m)});
+    }
   }
-  return best;
-}
+
+  /// The frame of this size whose two pairs of parallel lines have most points.
+  Pose2 most_voted(const Vec2& size_m) const {
+    Pose2 T_vehicle_frame;
+    double most = -1;
+    for (const Heading& heading : headings_) {
+      const auto [x_m, x_votes] = heading.along.best_pair(size_m.x());
+      const auto [y_m, y_votes] = heading.across.best_pair(size_m.y());
+      if (x_votes + y_votes <= most) continue;
+      most = x_votes + y_votes;
+      const Vec2 p = rotate(heading.heading_rad, {x_m, y_m});
+      T_vehicle_frame = {p.x(), p.y(), heading.heading_rad};
+    }
+    return T_vehicle_frame;
+  }
+
+ private:
+  struct Heading {
+    double heading_rad;
+    AxisCounts along, across;
+  };
+  std::vector<Heading> headings_;
+};
 
 }  // namespace
 
@@ -179,8 +199,8 @@ std::optional<FrameFit> find_frame(std::span<const Vec2> p_vehicle, const Vec2& 
                                    double expected_heading_rad, const PaintedFrameParams& params) {
   constexpr int kSidesMin = 3;
   if (p_vehicle.size() < kPointsMin) return std::nullopt;
-  const Pose2 T_vehicle_voted = most_voted(p_vehicle, size_m, expected_heading_rad, params).first;
-  const FrameFit fit = settled(p_vehicle, size_m, T_vehicle_voted, params, false);
+  const HeadingVotes votes(p_vehicle, expected_heading_rad, params);
+  const FrameFit fit = settled(p_vehicle, size_m, votes.most_voted(size_m), params, false);
   return fit.sides >= kSidesMin ? std::optional(fit) : std::nullopt;
 }
 
@@ -201,13 +221,13 @@ std::optional<FrameFit> find_frame_and_size(std::span<const Vec2> p_vehicle, dou
                                             const PaintedFrameParams& params) {
   constexpr double kLeast_m = 0.8, kMost_m = 3, kStep_m = 0.2;
   if (p_vehicle.size() < kPointsMin) return std::nullopt;
+  const HeadingVotes votes(p_vehicle, expected_heading_rad, params);
   std::optional<FrameFit> best;
   const int sizes = static_cast<int>(std::lround((kMost_m - kLeast_m) / kStep_m));
   for (int i = 0; i <= sizes; ++i) {
     for (int k = 0; k <= sizes; ++k) {
       const Vec2 size_m(kLeast_m + i * kStep_m, kLeast_m + k * kStep_m);
-      const Pose2 T_vehicle_voted = most_voted(p_vehicle, size_m, expected_heading_rad, params).first;
-      const FrameFit fit = settled(p_vehicle, size_m, T_vehicle_voted, params, true);
+      const FrameFit fit = settled(p_vehicle, size_m, votes.most_voted(size_m), params, true);
       if (fit.sides == 4 && (!best || fit.rms_m < best->rms_m)) best = fit;
     }
   }

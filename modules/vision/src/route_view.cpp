@@ -154,11 +154,13 @@ bool RouteView::sees_route(const RouteSight& sight, const Vec2& p_vehicle) const
 std::optional<Vec2> RouteView::middle(const RouteSight& sight, double blot_left, double blot_right) const {
   const int left = static_cast<int>(blot_left * width_px_);
   const int right = width_px_ - static_cast<int>(blot_right * width_px_);
-  Image seen(width_px_, height_px_);
-  for (const int row : {far_row_, near_row_})
-    std::copy(sight.mask.row(row) + left, sight.mask.row(row) + right, seen.row(row) + left);
-  const auto middle = find_route_middle(seen, far_row_, near_row_);
-  return middle ? floor_.point(middle->mean_px) : std::nullopt;
+  constexpr int kFarLine = 0, kNearLine = 1;
+  Image lines(right - left, 2);
+  std::copy(sight.mask.row(far_row_) + left, sight.mask.row(far_row_) + right, lines.row(kFarLine));
+  std::copy(sight.mask.row(near_row_) + left, sight.mask.row(near_row_) + right, lines.row(kNearLine));
+  const auto middle = find_route_middle(lines, kFarLine, kNearLine);
+  if (!middle) return std::nullopt;
+  return floor_.point(Vec2(left + middle->mean_px.x(), (far_row_ + near_row_) / 2.0));
 }
 
 }  // namespace aisle

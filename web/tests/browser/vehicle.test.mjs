@@ -137,6 +137,7 @@ test("What was recorded is listed, replayed and mended", async () => {
   await page.getByRole("button", { name: "lesson-1" }).click();
   await page.getByRole("link", { name: "lesson-1_0.db3" }).waitFor();
   await page.getByRole("button", { name: "Replay", exact: true }).click();
+  await page.getByText(/^[1-9]\.\d of \d/).waitFor();
   await page.locator(".sessions-replay canvas[data-stamp-s]").waitFor();
   await keep_picture(page, "sessions-dark");
   await page.getByRole("button", { name: "End the replay" }).click();

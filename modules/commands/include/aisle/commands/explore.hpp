@@ -25,7 +25,9 @@ struct ExploreOptions {
   std::optional<Pose2> T_world_start;  ///< none: where the world says
   bool compares = false;               ///< drive by nearest frontier, too
   std::uint64_t seed = 1;
-  std::filesystem::path out;  ///< empty: nothing is kept
+  std::filesystem::path out;      ///< empty: nothing is kept
+  std::filesystem::path session;  ///< the trip is recorded there; empty: it is not
+  std::filesystem::path resumed;  ///< a recorded trip that was interrupted, to go on with; empty: none
   bool force = false;
   ParameterSources parameters;
 };

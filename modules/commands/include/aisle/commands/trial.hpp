@@ -7,6 +7,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
+#include "aisle/maps/room_route.hpp"
 #include "aisle/simulation/random_building.hpp"
 
 namespace aisle {
@@ -18,9 +19,9 @@ struct TrialOptions {
   std::vector<std::string> worlds;  ///< taken in turn; none: a building by chance for each seed
   std::string vehicle;              ///< empty: the method's own: alv, or mini for sections
   std::string scenario;             ///< empty: nothing goes wrong
-  std::string strategy = "frame";   ///< park: frame, dead-end or view
-  int teachings = 1;                ///< of the way before it is driven alone (sections)
-  int refinements = 0;              ///< trips after the first, each taken in before the next
+  ParkingStrategy strategy = ParkingStrategy::kFrame;  ///< park
+  int teachings = 1;                                   ///< of the way before it is driven alone (sections)
+  int refinements = 0;  ///< trips after the first, each taken in before the next
   std::optional<double> speed_mps;
   bool in_reverse = false;
   std::optional<double> lift_m;      ///< somewhere on its way the vehicle is put so much farther on or back

@@ -19,6 +19,9 @@ class BrakingRoom {
   /// What the sensor shows now.
   void see(const LaserScanner& fan, std::span<const float> ranges_m);
 
+  /// Whether the vehicle would stand off what the sensor strikes now, or at least not nearer to it.
+  bool is_off_struck(const Pose2& T_vehicle_later) const;
+
   /// @param steering_rad  as the wheels stand now
   bool is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                const Command& command, double steering_rad) const;
@@ -32,6 +35,7 @@ class BrakingRoom {
   VehicleDescription vehicle_;
   FootprintRoom room_;
   std::vector<Vec2> p_vehicle_struck_;  ///< near enough to matter
+  double struck_now_m_ = 0;             ///< from the footprint to the nearest of them
 };
 
 }  // namespace aisle

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "aisle/control/path.hpp"
@@ -49,8 +50,9 @@ class CarSearch {
   /// Of the search that was begun: the way must not begin forwards (1) or backwards (-1), where something is
   /// in the way that the floor does not show.
   void forbid_first(int direction) { forbidden_first_ = direction; }
-  /// Of the search that was begun: where there is little hope, it gives up after fewer poses.
-  void give_up_after(int expansions) { expansions_max_ = expansions; }
+
+  /// Of the search that was begun: poses that do not pass are never taken, whatever the floor shows.
+  void keep_to(std::function<bool(const Pose2& T_map_vehicle)> is_free) { is_free_ = std::move(is_free); }
 
   /// Looks at so many poses more.
   State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
@@ -96,8 +98,8 @@ class CarSearch {
   bool from_the_end_ = false;
   State state_ = State::kIdle;
   int expansions_ = 0;
-  int expansions_max_ = 0;
   int forbidden_first_ = 0;
+  std::function<bool(const Pose2&)> is_free_;
   std::vector<Node> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> bins_;
   std::vector<Waiting> queue_;

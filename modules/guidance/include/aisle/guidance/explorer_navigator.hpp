@@ -57,10 +57,12 @@ class ExplorerNavigator final : public Navigator {
   void begin_search();
   void begin_search_from(const Pose2& T_map_from);
   void begin_search_home(const Pose2& T_map_from);
+  void keep_off_struck();
   void search_on();
   double look_from_m() const;
   bool sees_rim(const Pose2& T_map_vehicle) const;
   void search_way();
+  void leave_path();
   void give_path_up();
   void watch_learning(const ExploringTarget& target);
   void lose_patience();

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "aisle/control/path_progress.hpp"
+#include "aisle/control/steering.hpp"
 #include "aisle/guidance/edge_memory.hpp"
+#include "aisle/guidance/edge_place.hpp"
 #include "aisle/guidance/frame_parking.hpp"
 #include "aisle/guidance/free_steering.hpp"
 #include "aisle/guidance/navigator.hpp"
@@ -25,22 +27,32 @@ struct RoomNavigatorParams {
   PictureWatchParams pictures;
   FrameParkingParams frame;
   StopViewParams stop_views;
+  EdgePlaceParams place;
+  SteeringParams end_steering{.look_ahead_m = 0.25};
   double speed_mps = 0.3;
   double turning_speed_mps = 0.2;
   double parking_speed_mps = 0.12;
   double look_ahead_m = 0.8;
   double middle_share = 0.4;
   double turning_middle_share = 0.15;
+  double place_from_m = 4;
+  double taught_alone_m = 2;
+  double end_comfort_m = 0.1;
   double avoid_rad = 30 * kDegree;
   bool avoid_as_published = true;
   double dead_end_share = 1.0 / 3;
   double dead_end_gap_m = 0.4;
+  int dead_end_pictures = 3;
   double frame_within_m = 3.5;
   double brightness_tolerance = 0.35;
   double brightness_gain = 0.05;
   double stop_free_m = 0.15;
   double wait_s = 3;
   double back_off_m = 0.6;
+  double end_aside_m = 0.05;
+  double end_turned_rad = 2.5 * kDegree;
+  double end_back_off_m = 1.5;
+  int end_tries_max = 3;
   int back_offs_max = 4;
   double blind_max_s = 10;
 
@@ -49,8 +61,9 @@ struct RoomNavigatorParams {
 
 /// Keeps to the middle of the route as the first camera sees it, where the way that was taught goes; in a
 /// turning, to the middle of what is not blotted out. Turns away from what stands too near, waits before what
-/// blocks the way, backs off and tries again. At the end it parks as the route says. `middle_share` is how
-/// much the route's middle counts against the way taught, carried on by odometry: 1 is as published.
+/// blocks the way, backs off towards the taught way and tries again. At the end it parks as the route says.
+/// `middle_share` is how much the route's middle counts against the way taught, carried on by odometry: 1 is
+/// as published.
 class RoomNavigator final : public Navigator {
  public:
   /// @throws std::invalid_argument if the vehicle lacks the cameras `top` and, to park in a frame, `middle`,
@@ -61,29 +74,36 @@ class RoomNavigator final : public Navigator {
 
   Decision step(const Observation& observation) override;
 
-  /// Along the route as it was taught, which starts at the origin of `odom`.
+  /// Along the route as it was taught, in whose frame the pose is.
   const PathPoint& point() const { return progress_.point(); }
-  const Pose2& pose() const { return T_odom_vehicle_; }
+  Pose2 pose() const { return place_.T_map_odom() * T_odom_vehicle_; }
   const std::optional<RouteSight>& sight() const { return sight_; }
   const EdgeMemory& edges() const { return edges_; }
-  /// How often it has driven into the parking frame.
-  int parking_tries() const { return frame_ ? frame_->tries() : 1; }
+  /// How often it has driven up to its place.
+  int parking_tries() const { return frame_ ? frame_->tries() : end_tries_; }
 
  private:
   enum class State { kFollowing, kBackingOff, kParkingInFrame };
 
   void look(const Observation& observation);
-  bool is_route_bright_as_learned();
+  bool is_route_bright_as_learned() const;
+  void find_place();
   Decision follow(double now_s);
   Decision park_in_frame(double now_s);
   Decision back_off(double now_s);
   Decision blocked(double now_s);
   Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
   double wished_steering_rad() const;
+  /// Near a taught end, at a place that is known: the taught way counts alone.
+  bool keeps_to_taught_end() const;
+  bool stands_askew() const;
   std::optional<double> avoiding_rad() const;
   double steering_to(const Vec2& p_vehicle) const;
   double gap_ahead_m() const;
+  bool is_at_dead_end() const;
+  SteeringChoice choose_way_back() const;
   std::optional<Decision> arrived();
+  Decision start_back_off(double way_m);
   double left_m() const { return route_.path.length_m() - progress_.point().along_m; }
   double left_to_end_m() const;
 
@@ -93,6 +113,7 @@ class RoomNavigator final : public Navigator {
   RouteView view_;
   PictureWatch watch_;
   EdgeMemory edges_;
+  EdgePlace place_;
   PathProgress progress_;
   std::unique_ptr<FrameParking> frame_;
   StopViewMatcher stop_views_;
@@ -101,9 +122,16 @@ class RoomNavigator final : public Navigator {
   RouteBrightness brightness_;
   bool is_strange_ = false;  ///< what is before the vehicle does not look like the route
   State state_ = State::kFollowing;
+  int dead_end_pictures_ = 0;  ///< in succession that showed one
   std::optional<double> stopped_s_;
   Pose2 T_odom_stopped_;
-  int back_offs_ = 0;
+  PathFollower end_follower_;
+  double steering_rad_ = 0;
+  SteeringChoice way_back_;
+  double back_off_m_ = 0;
+  int end_tries_ = 1;
+  int back_offs_ = 0;  ///< about one place
+  double back_offs_at_m_ = 0;
 };
 
 }  // namespace aisle

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <utility>
+
 #include "aisle/exploration/floor_distances.hpp"
 #include "aisle/guidance/car_search.hpp"
 
@@ -23,6 +26,9 @@ class StagedSearch {
                        const Pose2& T_map_vehicle);
 
   /// See CarSearch; of the search that was begun.
+  void keep_to(std::function<bool(const Pose2& T_map_vehicle)> is_free) {
+    search_.keep_to(std::move(is_free));
+  }
   void forbid_first(int direction) { search_.forbid_first(direction); }
   CarSearch::State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
     return search_.advance(floor, clearance, expansions);
@@ -47,7 +53,6 @@ class StagedSearch {
   const FloorGrid* floor_ = nullptr;  ///< of `distances_`
   Vec2 p_map_place_ = Vec2::Zero();   ///< what `distances_` are measured from
   bool is_stage_ = false;
-  bool is_narrow_ = false;  ///< there is a way only with less room than the search keeps, or none
 };
 
 }  // namespace aisle

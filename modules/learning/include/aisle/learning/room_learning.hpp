@@ -22,6 +22,7 @@ struct RoomCycle {
   std::optional<RouteBrightness> patch;  ///< before the vehicle, in the first camera's picture
   std::vector<Vec2> p_vehicle_painted;   ///< on painted lines, in the same picture
   std::optional<BrightnessView> view;    ///< of the same picture
+  std::vector<Vec2> p_vehicle_edges;     ///< where the route ends, in the same picture
 };
 
 struct RoomLearningParams {
@@ -30,6 +31,9 @@ struct RoomLearningParams {
   double frame_from_m = 1.2;
   double frame_to_m = 3;
   double views_m = 1;
+  double edge_apart_m = 0.05;
+  double edge_within_m = 5;
+  int edge_sightings = 3;
 
   void describe(FieldList& fields);
 };

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "aisle/core/angle.hpp"
@@ -47,7 +48,18 @@ struct RouteBrightness {
   double deviation = 0;  ///< standard deviation within the patch
 };
 
+/// In a painted frame, where the route has a dead end, or where the view is the one that was learned.
 enum class ParkingStrategy { kFrame, kDeadEnd, kView };
+
+/// What people and files call them, in the order of the strategies.
+inline constexpr std::array<std::string_view, 3> kParkingWords = {"frame", "dead-end", "view"};
+
+constexpr std::string_view parking_word(ParkingStrategy parking) {
+  return kParkingWords[static_cast<std::size_t>(parking)];
+}
+
+/// @return nullopt for any other word
+std::optional<ParkingStrategy> parking_of(std::string_view word);
 
 /// Where the columns of a view's upper, lower, left and right part are brightest and darkest (L96 Algorithm
 /// 2), as shares of the part's width: upper max, upper min, lower max, ...
@@ -59,12 +71,19 @@ struct StopView {
   BrightnessView brightness{};
 };
 
+/// A point where the route was seen to end when the way was taught: the foot of what stood there.
+struct RouteEdge {
+  double along_m = 0;         ///< where on the route the vehicle was when it last saw it
+  Vec2 p_map = Vec2::Zero();  ///< in the frame of the route's path
+};
+
 struct RoomRoute {
   RouteBrightness brightness;
   std::vector<RoomTurning> turnings;  ///< in order; they may overlap
   ParkingStrategy parking = ParkingStrategy::kView;
   Vec2 frame_size_m = Vec2::Zero();  ///< kFrame: of the painted rectangle, outer, along the way and across
   std::vector<StopView> views;       ///< kView: on the last stretch of the way
+  std::vector<RouteEdge> edges;      ///< none: the way is driven by odometry and by the route's middle alone
 };
 
 }  // namespace aisle

@@ -14,9 +14,6 @@ const TaughtWay* route_of(const World& world, const std::string& name);
 /// Where a vehicle stands that is to be shown a route: at its start, facing along it.
 Pose2 start_of(const TaughtWay& route);
 
-/// What a person at the end of a route says about parking there: a stop mark's label.
-std::string parking_word(TaughtWay::Parking parking);
-
 /// Drives a vehicle along a route of its world, and says where its turnings begin and end and how to park at
 /// the end (L96 Algorithm 1).
 class RouteGuide final : public Operator {

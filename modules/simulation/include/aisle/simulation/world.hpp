@@ -9,6 +9,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/geometry/segment2.hpp"
+#include "aisle/maps/room_route.hpp"
 #include "aisle/simulation/calibration_board.hpp"
 
 namespace aisle {
@@ -115,9 +116,8 @@ struct NamedPlace {
 
 /// A way that a person shows the vehicle, and how it is to park there (L96).
 struct TaughtWay {
-  enum class Parking { kFrame, kDeadEnd, kView };
   std::string name;
-  Parking parking = Parking::kView;
+  ParkingStrategy parking = ParkingStrategy::kView;
   std::vector<Vec2> way;  ///< at least two different points; base_link drives from one to the next
 };
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "aisle/formats/session_cycles.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+
+namespace aisle {
+
+/// A trip that was interrupted, as its session keeps it.
+struct InterruptedTrip {
+  SessionCycles cycles;
+  std::vector<Pose2> T_world_vehicle;  ///< as it was, one a cycle; not empty
+};
+
+/// A vehicle on a trip that may have been interrupted: first it senses once more what was recorded, so that
+/// whoever explores knows again all that it knew, then it goes on in the simulator from where it stood.
+class ExplorationTrip final : public Vehicle {
+ public:
+  ExplorationTrip(SimulatedVehicle& vehicle, std::optional<InterruptedTrip> former)
+      : vehicle_(vehicle), former_(std::move(former)), was_interrupted_(former_.has_value()) {}
+
+  const VehicleDescription& description() const override { return vehicle_.description(); }
+  /// nullopt also where the session cannot be read any farther: then problems() says why.
+  std::optional<Observation> sense() override;
+  void act(const Command& command) override;
+
+  bool was_interrupted() const { return was_interrupted_; }
+  /// Where the vehicle really is, or was.
+  const Pose2& T_world_vehicle() const;
+  double way_m() const { return former_way_m_ + vehicle_.truth().way_m; }
+  const Problems& problems() const { return problems_; }
+
+ private:
+  std::optional<Observation> sense_again();
+
+  SimulatedVehicle& vehicle_;
+  std::optional<InterruptedTrip> former_;  ///< none any more when all of it was sensed again
+  bool was_interrupted_;
+  std::size_t sensed_ = 0;  ///< cycles of it
+  double former_s_ = 0;     ///< when it ended
+  double former_way_m_ = 0;
+  Problems problems_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,26 @@
+#pragma once
+/// The explorer as missions and their replays make it: both from the origin that the session records.
+
+#include <memory>
+#include <string>
+
+#include "aisle/commands/explore.hpp"
+#include "aisle/core/result.hpp"
+#include "aisle/formats/session_origin.hpp"
+#include "aisle/guidance/explorer_navigator.hpp"
+
+namespace aisle {
+
+inline constexpr const char* kExplorerNavigator = "explorer";  ///< as a session's navigator
+
+/// What a session records of it. Seed and "simulated" are the caller's.
+SessionOrigin explorer_origin(const ExplorerNavigatorParams& params, const ExploreOptions& options);
+
+/// Problems: parameters that cannot be read, an unknown order or sensor, a vehicle that lacks the sensor.
+Result<std::unique_ptr<ExplorerNavigator>> make_explorer(const SessionOrigin& origin,
+                                                         const VehicleDescription& vehicle);
+
+/// What `vehicle` lacks to explore by a sensor.
+Problems check_sensor(ExploringSensor sensor, const std::string& camera, const VehicleDescription& vehicle);
+
+}  // namespace aisle

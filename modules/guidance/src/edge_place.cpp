@@ -1,0 +1,159 @@
+#include "aisle/guidance/edge_place.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/square.hpp"
+
+namespace aisle {
+namespace {
+
+/// Neighbouring points are off together: so many of them count as one.
+constexpr double kAlikePoints = 4;
+
+/// Normal equations of small moves (x, y in `map`, turn) of a pose.
+class PoseEquations {
+ public:
+  explicit PoseEquations(const Pose2& T_map_vehicle) : T_map_vehicle_(T_map_vehicle) {}
+
+  void add_prior(const Pose2& T_map_expected, double sigma_m, double sigma_rad) {
+    add({1, 0, 0}, T_map_vehicle_.x - T_map_expected.x, 1 / square(sigma_m));
+    add({0, 1, 0}, T_map_vehicle_.y - T_map_expected.y, 1 / square(sigma_m));
+    add({0, 0, 1}, wrap_angle(T_map_vehicle_.theta - T_map_expected.theta), 1 / square(sigma_rad));
+  }
+  /// A point that should have no distance along `n` from where it is seen.
+  void add_point(const Vec2& p_vehicle, const Vec2& n, double off_m, double weight) {
+    const Vec2 lever = left_normal(rotate(T_map_vehicle_.theta, p_vehicle));
+    add({n.x(), n.y(), n.dot(lever)}, off_m, weight);
+  }
+  Pose2 moved() const {
+    const Vec3 step = normal_.ldlt().solve(right_);
+    return {T_map_vehicle_.x + step.x(), T_map_vehicle_.y + step.y(),
+            wrap_angle(T_map_vehicle_.theta + step.z())};
+  }
+
+ private:
+  void add(const Vec3& by, double off, double weight) {
+    normal_ += weight * by * by.transpose();
+    right_ -= weight * off * by;
+  }
+
+  Pose2 T_map_vehicle_;
+  Mat3 normal_ = Mat3::Zero();
+  Vec3 right_ = Vec3::Zero();
+};
+
+}  // namespace
+
+void EdgePlaceParams::describe(FieldList& fields) {
+  fields.real("window_m", window_m, {0.5, 50}, "edges seen so far before or beyond on the way count");
+  fields.real("reach_m", reach_m, {0.05, 1}, "edges farther off than this do not belong together");
+  fields.real("deviation_m", deviation_m, {0.005, 1}, "of an edge from where it was taught");
+  fields.real("far_m", far_m, {0.5, 20}, "beyond, it grows with the square of the distance");
+  fields.real("set_down_m", set_down_m, {0.01, 2}, "deviation of the place where the vehicle is set down");
+  fields.angle("set_down_deg", set_down_rad, {0.5, 60}, "and of its heading there");
+  fields.real("drift_m", drift_m, {0.001, 1}, "how far the odometry is trusted against one picture");
+  fields.angle("drift_deg", drift_rad, {0.05, 30}, "and its heading");
+  fields.count("points_min", points_min, {3, 10'000}, "fewer edges say nothing");
+  fields.real("fitting_min", fitting_min, {0, 1}, "share of the edges that must be where they were taught");
+  fields.real("gain", gain, {0, 1}, "how much one picture corrects the pose; 0: the odometry alone counts");
+}
+
+EdgePlace::EdgePlace(const EdgePlaceParams& params, const std::vector<RouteEdge>& taught)
+    : params_(params), taught_(taught, params.reach_m) {}
+
+void EdgePlace::come_to(const Pose2& T_odom_vehicle, double along_m) {
+  taught_.move_to(along_m, params_.window_m, (T_map_odom_ * T_odom_vehicle).position());
+}
+
+void EdgePlace::take(std::span<const Vec2> p_vehicle, const Pose2& T_odom_vehicle, double along_m) {
+  if (p_vehicle.size() < static_cast<std::size_t>(params_.points_min)) return;
+  const Pose2 T_map_expected = T_map_odom_ * T_odom_vehicle;
+  come_to(T_odom_vehicle, along_m);
+  const Fit fit = is_sure_
+                      ? refined(p_vehicle, T_map_expected, T_map_expected, params_.drift_m, params_.drift_rad)
+                      : refined(p_vehicle, most_alike(p_vehicle, T_map_expected), T_map_expected,
+                                params_.set_down_m, params_.set_down_rad);
+  if (fit.fitting_share < params_.fitting_min) return;
+  const Pose2 T_map_odom = fit.T_map_vehicle * T_odom_vehicle.inverse();
+  if (is_sure_) {
+    const Pose2 T_map_vehicle = interpolate(T_map_expected, fit.T_map_vehicle, params_.gain);
+    T_map_odom_ = T_map_vehicle * T_odom_vehicle.inverse();
+  } else {
+    T_map_odom_ = T_map_odom;
+  }
+  is_sure_ = true;
+}
+
+double EdgePlace::variance_m2(const Vec2& p_vehicle) const {
+  return square(params_.deviation_m * std::max(1.0, p_vehicle.squaredNorm() / square(params_.far_m)));
+}
+
+/// By trying the poses around the expected one.
+Pose2 EdgePlace::most_alike(std::span<const Vec2> p_vehicle, const Pose2& T_map_expected) const {
+  constexpr double kStep_m = 0.1, kTurn_rad = 2 * kDegree, kReach = 2;  // deviations
+  const int steps = static_cast<int>(kReach * params_.set_down_m / kStep_m);
+  const int turns = static_cast<int>(kReach * params_.set_down_rad / kTurn_rad);
+  Pose2 best = T_map_expected;
+  double least = -1;
+  for (int k = -turns; k <= turns; ++k) {
+    const double turned_rad = k * kTurn_rad;
+    std::vector<Vec2> p_turned;
+    p_turned.reserve(p_vehicle.size());
+    for (const Vec2& p : p_vehicle) p_turned.push_back(rotate(T_map_expected.theta + turned_rad, p));
+    for (int i = -steps; i <= steps; ++i) {
+      for (int j = -steps; j <= steps; ++j) {
+        const Vec2 p_map_vehicle = T_map_expected.position() + Vec2(i * kStep_m, j * kStep_m);
+        double cost = square(turned_rad / params_.set_down_rad) +
+                      (p_map_vehicle - T_map_expected.position()).squaredNorm() / square(params_.set_down_m);
+        for (const Vec2& p : p_turned) {
+          const TaughtEdges::Edge* edge = taught_.nearest(p_map_vehicle + p);
+          const double off2_m2 = edge == nullptr ? square(params_.reach_m)
+                                                 : std::min((p_map_vehicle + p - edge->p_map).squaredNorm(),
+                                                            square(params_.reach_m));
+          cost += off2_m2 / (kAlikePoints * variance_m2(p));
+        }
+        if (least >= 0 && cost >= least) continue;
+        least = cost;
+        best = {p_map_vehicle.x(), p_map_vehicle.y(), wrap_angle(T_map_expected.theta + turned_rad)};
+      }
+    }
+  }
+  return best;
+}
+
+/// Gauss-Newton with a Cauchy weight, on the distances from the lines that edges lie on, or from the edges.
+EdgePlace::Fit EdgePlace::refined(std::span<const Vec2> p_vehicle, const Pose2& T_map_begin,
+                                  const Pose2& T_map_expected, double sigma_m, double sigma_rad) const {
+  constexpr int kIterations = 8;
+  constexpr double kFitting = 2;  // deviations
+  Fit fit{.T_map_vehicle = T_map_begin};
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    PoseEquations equations(fit.T_map_vehicle);
+    equations.add_prior(T_map_expected, sigma_m, sigma_rad);
+    std::size_t fitting = 0;
+    for (const Vec2& p : p_vehicle) {
+      const Vec2 p_map = fit.T_map_vehicle * p;
+      const TaughtEdges::Edge* edge = taught_.nearest(p_map);
+      if (edge == nullptr) continue;
+      const Vec2 off = p_map - edge->p_map;
+      const double expected_m2 = variance_m2(p);
+      const bool is_on_line = !edge->normal.isZero();
+      const double off2_m2 = is_on_line ? square(edge->normal.dot(off)) : off.squaredNorm();
+      fitting += off2_m2 < square(kFitting) * expected_m2 ? 1U : 0U;
+      const double weight = 1 / (kAlikePoints * (expected_m2 + off2_m2));
+      if (is_on_line) {
+        equations.add_point(p, edge->normal, edge->normal.dot(off), weight);
+      } else {
+        equations.add_point(p, {1, 0}, off.x(), weight);
+        equations.add_point(p, {0, 1}, off.y(), weight);
+      }
+    }
+    fit.T_map_vehicle = equations.moved();
+    fit.fitting_share = static_cast<double>(fitting) / static_cast<double>(p_vehicle.size());
+  }
+  return fit;
+}
+
+}  // namespace aisle
