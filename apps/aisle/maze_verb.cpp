@@ -17,32 +17,12 @@
 #include "aisle/commands/maze_generate.hpp"
 #include "aisle/commands/maze_mms.hpp"
 #include "aisle/commands/maze_table.hpp"
+#include "option_kinds.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
 
 namespace {
-
-/// An option that takes one of a few words.
-template <class Value>
-void add_choice(CLI::App& verb, const std::string& option, Value& target,
-                const std::vector<std::pair<std::string, Value>>& choices, const std::string& doc) {
-  std::string words;
-  for (const auto& [word, value] : choices) words += (words.empty() ? "" : ", ") + word;
-  verb.add_option_function<std::string>(
-          option,
-          [&target, choices, option, words](const std::string& text) {
-            for (const auto& [word, value] : choices) {
-              if (word == text) {
-                target = value;
-                return;
-              }
-            }
-            throw CLI::ValidationError(option, fmt::format("'{}' is none of {}", text, words));
-          },
-          fmt::format("{}: {}", doc, words))
-      ->type_name("WORD");
-}
 
 template <class All>
 auto named(const All& values) {

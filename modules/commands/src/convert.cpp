@@ -6,6 +6,7 @@
 
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/world_yaml.hpp"
+#include "aisle/geometry/polyline.hpp"
 #include "aisle/simulation/dressing.hpp"
 #include "plan_reading.hpp"
 
@@ -13,12 +14,6 @@ namespace aisle {
 namespace {
 
 constexpr std::size_t kWallsMax = 200'000;  ///< of a world that can be read again
-
-double tour_length_m(const std::vector<Vec2>& tour) {
-  double length_m = 0;
-  for (std::size_t i = 1; i < tour.size(); ++i) length_m += (tour[i] - tour[i - 1]).norm();
-  return length_m;
-}
 
 double to_decimetre(double length_m) {
   return std::round(length_m * 10) / 10;
@@ -74,10 +69,10 @@ Result<Outcome> run_convert(const ConvertOptions& options, Console& console) {
                      {"lamps", world->lamps.size()},
                      {"posters", world->posters.size()},
                      {"drivable_m2", to_decimetre(drivable_m2)},
-                     {"tour_m", to_decimetre(tour_length_m(world->tour))}};
+                     {"tour_m", to_decimetre(polyline_length_m(world->tour))}};
   outcome.files["world"] = options.out.string();
   outcome.text = fmt::format("{}: {} walls, {:.0f} m; a tour of {:.0f} m\n", options.out.string(),
-                             world->walls.size(), walls_m, tour_length_m(world->tour));
+                             world->walls.size(), walls_m, polyline_length_m(world->tour));
   return outcome;
 }
 

@@ -14,7 +14,6 @@ namespace aisle {
 namespace {
 
 constexpr double kStateEvery_s = 0.5;
-constexpr double kPausedLook_s = 0.05;
 
 const SessionTopic& state_topic() {
   static const SessionTopic topic{"/live/state", ros::String::kType, true};

@@ -15,6 +15,9 @@
 
 namespace aisle {
 
+/// So often a paused mission looks what clients ask for.
+inline constexpr double kPausedLook_s = 0.05;
+
 /// The names of the services that LiveControl answers.
 std::vector<LiveService> control_services(ServiceMailbox& calls);
 

@@ -10,7 +10,6 @@ namespace aisle {
 namespace {
 
 constexpr double kRateMin = 0.1, kRateMax = 20;
-constexpr double kPausedLook_s = 0.05;
 
 double seconds_of(ros::Stamp_ns duration) {
   return static_cast<double>(duration) / 1e9;

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kExploredWorld = "crossings";
 constexpr double kPaperCycleLeast_s = 1.5;  // C99 section 5, on a Pentium of 133 MHz
 constexpr double kPaperCycleMost_s = 3.5;
-constexpr double kPaperSpeed_mps = 0.3;
+constexpr double kC99Speed_mps = 0.3;
 constexpr const char* kExploringTracePicture = "fig7_trace.svg";
 constexpr const char* kGlobalModelPicture = "fig10_global_model.svg";
 
@@ -54,7 +54,7 @@ Result<Outcome> reproduce_c99(const ReproduceOptions& options, Console& console)
   outcome.figures["sensor"] = "scanner";
   outcome.figures["walls"] = explored->building.walls.walls.size();
   outcome.figures["paper"] = {{"cycle_s", {kPaperCycleLeast_s, kPaperCycleMost_s}},
-                              {"speed_mps", kPaperSpeed_mps}};
+                              {"speed_mps", kC99Speed_mps}};
   const auto& cycle_ms = outcome.figures["cycle_ms"];
   outcome.text =
       explored->outcome.text + fmt::format(

@@ -19,7 +19,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kPaperSpeed_mps = 0.1;  // L03 section 5; it gives no other figure
+constexpr double kL03Speed_mps = 0.1;  // L03 section 5; it gives no other figure
 constexpr const char* kSectionsFigure = "fig4_sections.svg";
 constexpr const char* kTripFigure = "there_and_back.svg";
 constexpr const char* kPicturesFigure = "fig7_pictures.png";
@@ -28,7 +28,7 @@ nlohmann::ordered_json figures_of(const SectionLesson& lesson, const SectionMiss
                                   double speed_mps) {
   auto figures = figures_of(trip);
   figures["simulated"] = true;
-  figures["paper"] = {{"speed_mps", kPaperSpeed_mps}};
+  figures["paper"] = {{"speed_mps", kL03Speed_mps}};
   figures["speed_mps"] = speed_mps;
   figures["length_m"] = rounded(lesson.building.routes.front().path.length_m(), 3);
   for (const Section& section : lesson.building.routes.front().sections)
@@ -48,10 +48,9 @@ std::string text_of(const SectionLesson& lesson, const SectionMissionResult& tri
       "home within      no figure            {:.1f} cm, {:.2f} deg\n"
       "distance kept    no figure            {:.1f} cm (rms, right base line)\n"
       "a cycle          no figure            {:.1f} ms (median)\n",
-      kPaperSpeed_mps, speed_mps, trip.end.state, trip.end.arrived ? "" : ", " + trip.end.why,
-      trip.distance_m, trip.end.duration_s, trip.collisions, 100 * trip.closing_error_m,
-      to_degrees(trip.closing_error_rad), 100 * trip.wall_distance_m.rms(),
-      1000 * quantile(trip.cycle_s, 0.5));
+      kL03Speed_mps, speed_mps, trip.end.state, trip.end.arrived ? "" : ", " + trip.end.why, trip.distance_m,
+      trip.end.duration_s, trip.collisions, 100 * trip.closing_error_m, to_degrees(trip.closing_error_rad),
+      100 * trip.wall_distance_m.rms(), 1000 * quantile(trip.cycle_s, 0.5));
   return text;
 }
 

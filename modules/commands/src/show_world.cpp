@@ -9,6 +9,7 @@
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/world_yaml.hpp"
+#include "aisle/geometry/polyline.hpp"
 #include "aisle/report/world_picture.hpp"
 #include "aisle/simulation/free_floor.hpp"
 #include "aisle/simulation/slice.hpp"
@@ -22,12 +23,6 @@ constexpr double kVehicleHeight_m = 1.3;
 
 double to_centimetre(double value_m) {
   return std::round(value_m * 100) / 100;
-}
-
-double length_m(const std::vector<Vec2>& way) {
-  double sum_m = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) sum_m += (way[i] - way[i - 1]).norm();
-  return sum_m;
 }
 
 double wall_length_m(const World& world) {
@@ -70,8 +65,8 @@ class Reach {
   void add_tour(Outcome& outcome, Console& console) const {
     if (world_.tour.empty()) return;
     const double tour_clearance_m = clearance_m(world_.tour, obstacles_);
-    outcome.figures["tour_m"] = to_centimetre(length_m(world_.tour));
-    outcome.text += fmt::format("  tour of {:.1f} m", length_m(world_.tour));
+    outcome.figures["tour_m"] = to_centimetre(polyline_length_m(world_.tour));
+    outcome.text += fmt::format("  tour of {:.1f} m", polyline_length_m(world_.tour));
     if (std::isfinite(tour_clearance_m)) {
       outcome.figures["tour_clearance_m"] = to_centimetre(tour_clearance_m);
       outcome.text += fmt::format(", {:.2f} m from the nearest obstacle", tour_clearance_m);

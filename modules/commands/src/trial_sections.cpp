@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "aisle/formats/section_text.hpp"
+#include "aisle/geometry/polyline.hpp"
 #include "aisle/simulation/random_building.hpp"
 #include "landmark_course.hpp"
 #include "learned_files.hpp"
@@ -27,12 +28,6 @@ constexpr double kBend_rad = 20 * kDegree;  // of a tour that is a turn
 constexpr double kTurnBack_rad = 135 * kDegree;
 constexpr double kLongest_m = 60, kSamePoint_m = 0.1, kEndMin_m = 1.5;
 
-double length_m(const std::vector<Vec2>& way) {
-  double sum_m = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) sum_m += (way[i] - way[i - 1]).norm();
-  return sum_m;
-}
-
 /// Nobody begins or ends a way just beside a corner.
 std::vector<Vec2> without_short_ends(std::vector<Vec2> way) {
   while (way.size() > 2 && (way[1] - way[0]).norm() < kEndMin_m) way.erase(way.begin());
@@ -49,11 +44,11 @@ std::vector<Vec2> one_way(const std::vector<Vec2>& tour) {
       const Vec2 before = way.back() - way[way.size() - 2];
       const bool turns_back =
           std::abs(wrap_angle(heading_of(p - way.back()) - heading_of(before))) > kTurnBack_rad;
-      const bool is_long = length_m(way) + (p - way.back()).norm() > kLongest_m;
+      const bool is_long = polyline_length_m(way) + (p - way.back()).norm() > kLongest_m;
       if (turns_back || is_long) way = {way.back()};
     }
     if (way.empty() || (p - way.back()).norm() > kSamePoint_m) way.push_back(p);
-    if (length_m(way) > length_m(longest)) longest = way;
+    if (polyline_length_m(way) > polyline_length_m(longest)) longest = way;
   }
   return without_short_ends(std::move(longest));
 }

@@ -11,7 +11,6 @@
 namespace aisle {
 namespace {
 
-constexpr const char* kMapFrame = "map";
 constexpr const char* kOdometryFrame = "odom";
 constexpr const char* kVehicleFrame = "base_link";
 constexpr const char* kScannerFrame = "laser";

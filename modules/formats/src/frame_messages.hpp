@@ -9,6 +9,8 @@
 
 namespace aisle {
 
+inline constexpr const char* kMapFrame = "map";
+
 /// /odom: where the readings alone put the vehicle. @param duration_s  of the last motion; 0: unknown
 RecordedMessage odometry_message(ros::Stamp_ns stamp, const Pose2& T_odom_vehicle, const Pose2& motion,
                                  double duration_s);

@@ -6,11 +6,11 @@
 
 #include "aisle/formats/cdr.hpp"
 #include "aisle/formats/ros_time.hpp"
+#include "frame_messages.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr const char* kMapFrame = "map";
 constexpr double kPlanEvery_m = 0.1;
 constexpr double kTextHeight_m = 0.4;
 

@@ -15,7 +15,6 @@ constexpr double kOutOfPlace_m =
     0.025;                      // the floor is laid anew when a slice lies so far from where it was put
 constexpr double kLever_m = 2;  // at which turns count
 constexpr std::size_t kLaidACycle = 2;  // of the slices that are laid anew
-constexpr double kClearanceFar_m = 1;   // more room is not told apart
 constexpr double kStanding_m = 0.002;   // of way in a cycle
 
 }  // namespace
@@ -37,7 +36,7 @@ FloorLearner::FloorLearner(const FloorLearnerParams& params, const VehicleDescri
       sensor_(std::move(sensor)),
       mapping_(params.mapping, sensor_->fan()),
       floor_(params.cell_m),
-      clearance_(kClearanceFar_m, params.legs) {
+      clearance_(params.legs) {
   log_.laser = sensor_->fan();
 }
 

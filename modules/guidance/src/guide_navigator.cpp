@@ -17,9 +17,8 @@ constexpr double kWatchShare = 0.4;     // of the margin that a way must keep wh
 constexpr double kSpareNoise_m = 0.02;  // of the room that the vehicle seems to have
 constexpr double kWatchAhead_m = 1.5;
 constexpr double kWatchEvery_m = 0.1;
-constexpr double kGetsOn_m = 0.3;      // within the time after which it gives up
-constexpr double kSearchAgain_s = 2;   // after there was no way
-constexpr double kClearanceFar_m = 1;  // more room is not told apart
+constexpr double kGetsOn_m = 0.3;     // within the time after which it gives up
+constexpr double kSearchAgain_s = 2;  // after there was no way
 
 UncertainPose2 about_start(const Pose2& T_map_start, const GuideNavigatorParams& params) {
   const Vec3 sigma(params.start_sigma_m, params.start_sigma_m, params.start_sigma_rad);
@@ -59,7 +58,7 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
       sensor_(std::move(sensor)),
       localiser_(params.localiser, sensor_->fan(), building.walls, about_start(T_map_start, params)),
       floor_(floor_of(building)),
-      clearance_(kClearanceFar_m, params.legs),
+      clearance_(params.legs),
       search_(params.search, vehicle),
       watch_(vehicle.footprint, kWatchShare * params.search.margin_m),
       braking_(vehicle, kWatchShare * params.search.margin_m),

@@ -114,7 +114,7 @@ TEST(LegBarriers, TakeTheRoomBetweenLegs) {
     for (int x = 0; x < 80; ++x) floor.set({x, y}, Floor::kFree);
   }
   floor.set({20, 40}, Floor::kOccupied);
-  FloorClearance clearance(1, LegParams{});
+  FloorClearance clearance(LegParams{});
   clearance.update(floor, floor.known());
   floor.set({50, 40}, Floor::kOccupied);
   FloorBox changed;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "aisle/geometry/polyline.hpp"
 #include "aisle/simulation/obstacles.hpp"
 
 namespace aisle {
@@ -13,12 +14,6 @@ namespace {
 constexpr double kKeptClear_m = 0.15;  ///< how near people go to the vehicle
 constexpr double kPatience_s = 4;
 constexpr int kPersonSides = 12;
-
-double length_m(const std::vector<Vec2>& path) {
-  double sum_m = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) sum_m += (path[i] - path[i - 1]).norm();
-  return sum_m;
-}
 
 bool is_clear(const MovingBody& box, const Footprint& footprint, const Pose2& T_world_vehicle) {
   const std::vector<Segment2> edges = outline(box);
@@ -52,7 +47,7 @@ std::vector<Segment2> outline(const MovingBody& body) {
   return edges;
 }
 
-Walker::Walker(Person person) : person_(std::move(person)), path_m_(length_m(person_.path)) {}
+Walker::Walker(Person person) : person_(std::move(person)), path_m_(polyline_length_m(person_.path)) {}
 
 Pose2 Walker::pose_after(double way_m) const {
   const double there_and_back_m = path_m_ > 0 ? std::fmod(way_m, 2 * path_m_) : 0;

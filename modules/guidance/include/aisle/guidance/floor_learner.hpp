@@ -61,7 +61,7 @@ class FloorLearner {
   };
   /// The floor after a place was recognised, while it is made.
   struct LaidAnew {
-    LaidAnew(double cell_m, double far_m, const LegParams& legs) : floor(cell_m), clearance(far_m, legs) {}
+    LaidAnew(double cell_m, double far_m, const LegParams& legs) : floor(cell_m), clearance(legs, far_m) {}
     FloorGrid floor;
     FloorClearance clearance;
     std::size_t next = 0;  ///< of the looks

@@ -16,7 +16,7 @@ class FloorClearance {
  public:
   /// @param far_m  larger distances are not told apart
   explicit FloorClearance(double far_m = 1) : far_m_(far_m) {}
-  FloorClearance(double far_m, const LegParams& legs) : far_m_(far_m), legs_(legs) {}
+  explicit FloorClearance(const LegParams& legs, double far_m = 1) : far_m_(far_m), legs_(legs) {}
 
   /// The cells of the box may have changed. O(box widened by the far distance).
   void update(const FloorGrid& floor, const FloorBox& changed);
