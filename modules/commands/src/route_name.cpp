@@ -13,7 +13,8 @@ constexpr std::size_t kNameBytesMax = 200;  // as in building files
 
 Problems check_route_name(const Place& where, const std::string& name) {
   if (name.empty() || name.size() > kNameBytesMax)
-    return {{where, fmt::format("{} bytes are no name of a route; it has 1 to {}", name.size(), kNameBytesMax)}};
+    return {
+        {where, fmt::format("{} bytes are no name of a route; it has 1 to {}", name.size(), kNameBytesMax)}};
   const auto is_odd = [](char c) { return c == '/' || static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
   if (std::any_of(name.begin(), name.end(), is_odd))
     return {{where, "a route's name has neither slashes nor control characters"}};

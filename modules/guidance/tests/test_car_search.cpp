@@ -48,7 +48,8 @@ TEST(CarSearch, ReversesOutOfWhereItCannotTurn) {
 TEST(CarSearch, BeginsTheOtherWayWhereItIsTold) {
   const KnownFloor known({{Vec2(0, 0), Vec2(10, 5)}});
   CarSearch search({}, cart());
-  search.look_for({4, 2.5, 0}, [](const Pose2& T) { return T.x > 7; }, no_guide);
+  search.look_for(
+      {4, 2.5, 0}, [](const Pose2& T) { return T.x > 7; }, no_guide);
   search.forbid_first(1);
   ASSERT_EQ(run(known, search), CarSearch::State::kFound);
   EXPECT_LT(search.path().pieces().front().arc.length_m, 0);
@@ -58,7 +59,8 @@ TEST(CarSearch, GoesRoundWhatTheFloorDoesNotShow) {
   const KnownFloor known({{Vec2(0, 0), Vec2(12, 5)}});
   CarSearch search({}, cart());
   const auto is_free = [](const Pose2& T) { return (T.position() - Vec2(6, 2.5)).norm() > 1; };
-  search.look_for({2, 2.5, 0}, [](const Pose2& T) { return T.x > 9; }, no_guide);
+  search.look_for(
+      {2, 2.5, 0}, [](const Pose2& T) { return T.x > 9; }, no_guide);
   search.keep_to(is_free);
   ASSERT_EQ(run(known, search), CarSearch::State::kFound);
   const Path path = search.path();
