@@ -53,7 +53,8 @@ std::string LiveArguments::name(const char* key) {
 std::string LiveArguments::needed_name(const char* key) {
   const bool is_there = json_.contains(key);
   std::string value = name(key);
-  if (!is_there || json_[key] == "") wrong(key, "is missing");
+  const bool is_empty = is_there && json_[key].is_string() && json_[key].get<std::string>().empty();
+  if (!is_there || is_empty) wrong(key, "is missing");
   return value;
 }
 

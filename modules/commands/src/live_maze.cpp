@@ -94,7 +94,7 @@ Result<OrderedJson> maze_steps(const nlohmann::json& arguments) {
   OrderedJson steps = OrderedJson::array();
   while (steps.size() < kStepsMax) {
     steps.push_back(step_json(explorer, world.open(explorer.at_index()), fired));
-    if (steps.back()["move"] == "") break;
+    if (steps.back()["move"].get<std::string>().empty()) break;
   }
   SilentProgress silent;
   const ExplorationFigures figures = explore(world, world.start, rules, silent).figures;
