@@ -20,12 +20,12 @@ TEST(LiveMaze, TellsEveryStepOfARun) {
   const auto run = maze_steps({{"maze", kMaze}, {"rules", "published"}});
   ASSERT_TRUE(run) << to_string(run.problems());
   EXPECT_EQ((*run)["width"], 2);
-  EXPECT_EQ((*run)["start"], Json({0, 0}));
+  EXPECT_EQ((*run)["start"], nlohmann::ordered_json({0, 0}));
   const Json steps = (*run)["steps"];
   ASSERT_EQ(steps.size(), 3);
   EXPECT_EQ(steps[0]["open"], "E");
   EXPECT_EQ(steps[0]["move"], "E");
-  EXPECT_EQ(steps[1]["cell"], Json({1, 0}));
+  EXPECT_EQ(steps[1]["cell"], nlohmann::ordered_json({1, 0}));
   EXPECT_EQ(steps[1]["move"], "W");
   EXPECT_EQ(steps[2]["move"], "");
   EXPECT_EQ((*run)["figures"]["moves"], 2);
