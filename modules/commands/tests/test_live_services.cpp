@@ -25,7 +25,7 @@ TEST(LiveMaze, TellsEveryStepOfARun) {
   ASSERT_EQ(steps.size(), 3);
   EXPECT_EQ(steps[0]["open"], "E");
   EXPECT_EQ(steps[0]["move"], "E");
-  EXPECT_EQ(steps[1]["cell"], nlohmann::ordered_json({1, 0}));
+  EXPECT_EQ(steps[1]["cell"], Json({1, 0}));
   EXPECT_EQ(steps[1]["move"], "W");
   EXPECT_EQ(steps[2]["move"], "");
   EXPECT_EQ((*run)["figures"]["moves"], 2);
