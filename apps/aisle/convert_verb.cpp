@@ -49,8 +49,7 @@ void add_convert_verb(CLI::App& app, Work& work) {
                         {"map_server", PlanKind::kMapServer},
                         {"maze", PlanKind::kMaze}},
                        "what PLAN is (default: told from its content)");
-  verb->add_option("--resolution", options->resolution_m, "metres a pixel of a picture (default 0.05)")
-      ->check(CLI::Range(0.001, 10.0));
+  add_resolution(*verb, options->resolution_m);
   verb->add_option("--tolerance", options->tracing.tolerance_cells,
                    "how far a straight wall may lie from the pixels' border, in pixels (default 1)")
       ->check(CLI::Range(0.5, 5.0));

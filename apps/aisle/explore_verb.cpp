@@ -1,8 +1,7 @@
 #include <memory>
-#include <vector>
+#include <string>
 
 #include "aisle/commands/explore.hpp"
-#include "aisle/core/angle.hpp"
 #include "live_options.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
@@ -13,8 +12,9 @@ void add_explore_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand("explore", "learn a building that nobody has shown, and come home");
   verb->fallthrough();
   auto options = std::make_shared<ExploreOptions>();
-  auto start = std::make_shared<std::vector<double>>();
-  verb->add_option("WORLD", options->world, "world file (YAML), or the name of a shipped one");
+  verb->add_option("WORLD", options->world,
+                   "world file (YAML), the name of a shipped one, or a plan as 'convert' reads them");
+  add_resolution(*verb, options->plan_pixel_m);
   verb->add_option("--vehicle", options->vehicle,
                    "vehicle file (YAML), or the name of a shipped one (default: the one with the sensor)");
   add_choice<ExploringSensor>(
@@ -28,9 +28,11 @@ void add_explore_verb(CLI::App& app, Work& work) {
                               {"published", ExploringOrder::kPublished},
                               {"nearest-frontier", ExploringOrder::kNearest}},
                              "in which order paths are taken (default recommended)");
-  verb->add_option("--start", *start, "x,y,heading_deg where the vehicle is set down (default: the world's)")
-      ->delimiter(',')
-      ->expected(3);
+  verb->add_option_function<std::string>(
+          "--start",
+          [options](const std::string& text) { options->T_world_start = parse_place("--start", text); },
+          "where the vehicle is set down in the world: x,y,degrees (default: where the world says)")
+      ->type_name("X,Y,DEG");
   verb->add_flag("--compare", options->compares, "drive by nearest frontier as well, and tell both ways");
   add_seed(*verb, options->seed, "of all noise; the same seed gives the same trip (default 1)");
   verb->add_option("--out", options->out, "directory for building.json, the pictures and report.html");
@@ -41,8 +43,6 @@ void add_explore_verb(CLI::App& app, Work& work) {
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, explore_parameters, work, [=, &work] {
     if (options->world.empty()) throw CLI::RequiredError("WORLD");
-    if (start->size() == 3)
-      options->T_world_start = Pose2{(*start)[0], (*start)[1], wrap_angle((*start)[2] * kDegree)};
     work = live.around([options](Console& console, const auto&) { return run_explore(*options, console); });
   });
 }

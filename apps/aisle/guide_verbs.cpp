@@ -10,7 +10,9 @@ using namespace aisle;
 namespace {
 
 void add_mission_options(CLI::App& verb, GuideOptions& options) {
-  verb.add_option("--world", options.world, "world file (YAML), or the name of a shipped one");
+  verb.add_option("--world", options.world,
+                  "world file (YAML), the name of a shipped one, or a plan as 'convert' reads them");
+  add_resolution(verb, options.plan_pixel_m);
   verb.add_option("--vehicle", options.vehicle,
                   "vehicle file (YAML), or the name of a shipped one (default alv-scanner)");
   verb.add_option("--faults", options.scenario,

@@ -18,6 +18,12 @@ void add_listening_options(CLI::App& verb, LiveListening& listening) {
   verb.add_option("--listen", listening.address,
                   "address that others can reach, such as 0.0.0.0; needs --token-file (default 127.0.0.1)");
   verb.add_option("--token-file", listening.token_file, "file with the one line that who connects must know");
+  verb.add_option("--cert", listening.tls.certificate,
+                  "certificate (PEM) by which the page is encrypted: https; needs --key");
+  verb.add_option("--key", listening.tls.key, "private key (PEM) of that certificate");
+  verb.add_option("--sessions", listening.sessions, "directory of sessions that the page lists");
+  verb.add_option("--buildings", listening.buildings,
+                  "directory of building files that the page lists, and keeps mended ones in");
   verb.add_option("--web", listening.web, "directory of the page (default: the one that was built)");
   verb.add_option("--rate", listening.rate,
                   "vehicle's seconds in a second (default 1; 0: as fast as it goes)")

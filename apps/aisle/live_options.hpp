@@ -7,7 +7,7 @@
 #include "aisle/commands/live.hpp"
 #include "verb.hpp"
 
-/// --port, --listen, --token-file, --web and --rate.
+/// Where and to whom is served, by what certificate, and how fast: --port to --rate.
 void add_listening_options(CLI::App& verb, aisle::LiveListening& listening);
 
 /// Says on stderr where the page is.

@@ -18,16 +18,16 @@ void add_live_verb(CLI::App& app, Work& work) {
   verb->add_option("--vehicle", options->vehicle,
                    "vehicle file (YAML), or the name of a shipped one (default alv)");
   add_seed(*verb, options->seed, "of all noise (default 1)");
-  verb->add_option("--out", *out,
-                   "directory for what is recorded and learned: DIR/sessions and DIR/buildings");
-  verb->add_option("--sessions", options->sessions, "directory of sessions, in the place of DIR/sessions");
-  verb->add_option("--buildings", options->buildings,
-                   "directory of building files, in the place of DIR/buildings");
+  verb->add_option(
+      "--out", *out,
+      "directory for what is recorded and learned: DIR/sessions and DIR/buildings, where --sessions "
+      "and --buildings name no others");
   add_listening_options(*verb, options->listening);
   verb->callback([=, &work] {
     if (options->world.empty()) throw CLI::RequiredError("WORLD");
-    if (options->sessions.empty() && !out->empty()) options->sessions = *out / "sessions";
-    if (options->buildings.empty() && !out->empty()) options->buildings = *out / "buildings";
+    LiveListening& listening = options->listening;
+    if (listening.sessions.empty() && !out->empty()) listening.sessions = *out / "sessions";
+    if (listening.buildings.empty() && !out->empty()) listening.buildings = *out / "buildings";
     work = [options](Console& console) { return run_live(*options, console, announce_live); };
   });
 }

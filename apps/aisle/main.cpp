@@ -46,6 +46,17 @@ std::string verb_of(const CLI::App& app) {
   return words;
 }
 
+/// A word that is there but empty, such as a shell's variable that was never set, is not one that was left
+/// out.
+void refuse_empty_words(const CLI::App& verb) {
+  for (const CLI::Option* option : verb.get_options()) {
+    for (const std::string& word : option->results()) {
+      if (word.empty()) throw CLI::ValidationError(option->get_name(), "is an empty word");
+    }
+  }
+  for (const CLI::App* below : verb.get_subcommands()) refuse_empty_words(*below);
+}
+
 int refuse_usage(const CLI::App& app, const CLI::ParseError& error, Output output, int argc, char** argv) {
   // The parser stops at the first error, which may stand before --json.
   output.json = std::any_of(argv, argv + argc, [](const std::string& word) { return word == "--json"; });
@@ -101,6 +112,7 @@ int run_program(int argc, char** argv) {
   add_trial_verb(app, work);
   try {
     app.parse(argc, argv);
+    refuse_empty_words(app);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return refuse_usage(app, error, output, argc, argv);

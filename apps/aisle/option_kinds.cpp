@@ -20,6 +20,12 @@ void add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& meaning) {
   verb.add_option_function<std::string>("--seed", read, meaning)->type_name("NUMBER");
 }
 
+void add_resolution(CLI::App& verb, double& pixel_m) {
+  verb.add_option("--resolution", pixel_m,
+                  "metres a pixel of a plan that does not say it itself (default 0.05)")
+      ->check(CLI::Range(0.001, 10.0));
+}
+
 Pose2 parse_place(const std::string& option, const std::string& text) {
   constexpr double kFarthest_m = 1e6;
   double values[3] = {0, 0, 0};

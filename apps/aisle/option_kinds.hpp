@@ -35,5 +35,8 @@ void add_choice(CLI::App& verb, const std::string& name, Value& chosen, const Ch
 /// "x,y,heading_deg": where a vehicle is.
 aisle::Pose2 parse_place(const std::string& option, const std::string& text);
 
+/// --resolution: metres a pixel of a plan.
+void add_resolution(CLI::App& verb, double& pixel_m);
+
 /// --seed: a whole number that is not negative.
 void add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& meaning);

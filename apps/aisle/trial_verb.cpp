@@ -41,7 +41,9 @@ void add_trial_verb(CLI::App& app, Work& work) {
       "the missions' seeds: one, or a range like 1..20 (default 1)");
   verb->add_option(
       "--world", options->worlds,
-      "world files (YAML) or names of shipped ones, taken in turn (default: buildings by chance)");
+      "world files (YAML), names of shipped ones, or plans as 'convert' reads them, taken in turn (default: "
+      "buildings by chance)");
+  add_resolution(*verb, options->plan_pixel_m);
   verb->add_option("--vehicle", options->vehicle,
                    "vehicle file (YAML), or the name of a shipped one (default alv; mini for sections, "
                    "alv-scanner to explore)");
@@ -60,7 +62,7 @@ void add_trial_verb(CLI::App& app, Work& work) {
   Choices<BuildingKind> kinds;
   for (const BuildingKind kind : kBuildingKinds) kinds.emplace_back(name_of(kind), kind);
   add_choice<std::optional<BuildingKind>>(*verb, "--kind", options->kind, {kinds.begin(), kinds.end()},
-                                          "explore: of buildings by chance (default: all in turn)");
+                                          "of buildings by chance (default: all in turn)");
   verb->add_option("--noise-scale", options->noise_scale,
                    "explore: how much worse the odometry is (default 1)")
       ->check(CLI::Range(0.0, 20.0));

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "room_plan.hpp"
 #include "workplace.hpp"
 
 namespace aisle {
@@ -13,18 +14,6 @@ const std::string kMaze =
     "o   o---o\n"
     "|     G |\n"
     "o---o---o\n";
-
-/// A room of `width` x `height` pixels behind walls one pixel thick.
-std::string room_pbm(int width, int height) {
-  std::string text = "P1\n" + std::to_string(width + 2) + " " + std::to_string(height + 2) + "\n";
-  for (int y = 0; y < height + 2; ++y) {
-    for (int x = 0; x < width + 2; ++x) {
-      text += x == 0 || y == 0 || x == width + 1 || y == height + 1 ? '1' : '0';
-    }
-    text += '\n';
-  }
-  return text;
-}
 
 class Convert : public Workplace {
  protected:

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "room_plan.hpp"
 #include "workplace.hpp"
 
 namespace aisle {
@@ -7,7 +8,7 @@ namespace {
 
 class Explore : public Workplace {};
 
-TEST_F(Explore, AnInterruptedTripGoesOnFromWhereItStoodAndComesHome) {
+TEST_F(Explore, ATripIsReplayedDecisionByDecisionAndGoneOnWithOnlyByTheSameExplorer) {
   const ProgramRun whole =
       run_aisle({"explore", "l-corridor", "--session", at("trip"), "--set", "time_max_s=60", "--json"});
   EXPECT_EQ(whole.exit_code, 1) << whole.err;
@@ -35,7 +36,32 @@ TEST_F(Explore, WhatWasLearnedBeforeTheInterruptionIsKnownAfterIt) {
   EXPECT_GT(figures["duration_s"], 90);
   EXPECT_THAT(names_in(at("out")),
               testing::ElementsAre("building.json", "exploration.png", "exploration.svg", "report.html"));
-  EXPECT_NE(read_bytes(at("out") + "/report.html").find("States and stack"), std::string::npos);
+  EXPECT_THAT(read_bytes(at("out") + "/report.html"),
+              testing::AllOf(testing::HasSubstr("States and stack"), testing::HasSubstr("100.0 %"),
+                             testing::HasSubstr("<dt>home error</dt>")));
+}
+
+TEST_F(Explore, APlanIsExploredLikeTheWorldThatIsMadeOfIt) {
+  const std::string plan = file("room.pbm", room_pbm(90, 40));
+  ASSERT_EQ(run_aisle({"convert", plan, "--resolution", "0.1", "-o", at("room.yaml")}).exit_code, 0);
+  const ProgramRun on_plan =
+      run_aisle({"explore", plan, "--resolution", "0.1", "--set", "time_max_s=20", "--json"});
+  const ProgramRun in_world = run_aisle({"explore", at("room.yaml"), "--set", "time_max_s=20", "--json"});
+  const auto of_plan = on_plan.json()["figures"], of_world = in_world.json()["figures"];
+  EXPECT_GT(of_plan["distance_m"], 1);
+  for (const char* figure : {"distance_m", "covered_share", "free_m2", "wall_rmse_m"})
+    EXPECT_EQ(of_plan[figure], of_world[figure]) << figure;
+}
+
+TEST_F(Explore, InWhatWasExploredTheVehicleFindsItsWay) {
+  ASSERT_EQ(run_aisle({"explore", "l-corridor", "--out", at("out"), "--json"}).exit_code, 0);
+  const ProgramRun round =
+      run_aisle({"patrol", at("out") + "/building.json", "--world", "l-corridor", "--json"});
+  EXPECT_EQ(round.exit_code, 0) << round.out;
+  const auto figures = round.json()["figures"];
+  EXPECT_EQ(figures["arrived"], true);
+  EXPECT_EQ(figures["collisions"], 0);
+  EXPECT_GE(figures["graph_coverage"], 0.9);
 }
 
 }  // namespace

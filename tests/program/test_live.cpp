@@ -193,12 +193,25 @@ TEST_F(LiveProgram, WatchesAnotherVerb) {
   EXPECT_EQ(run.json()["figures"]["state"], "ended");
 }
 
+TEST_F(LiveProgram, ListsTheSessionsOfAFolderWhileAnotherVerbIsWatched) {
+  ASSERT_EQ(run_aisle({"drive", "l-corridor", "--out", at("kept/trip"), "--no-pictures", "--keys",
+                       file("keys", "0-0.5 up\n")})
+                .exit_code,
+            0);
+  start({"drive", "l-corridor", "--operator", "page", "--live", "--no-pictures", "--sessions", at("kept")});
+  LiveClient client(port);
+  EXPECT_EQ(client.call("sessions/list")["sessions"][0]["name"], "trip");
+}
+
 TEST_F(LiveProgram, RefusesWhatWouldBeUnsafe) {
   const std::string token = file("token", "short\n");
   EXPECT_THAT(run_aisle({"--json", "live", "l-corridor", "--listen", "0.0.0.0"}), IsRefused("--token-file"));
   EXPECT_THAT(run_aisle({"--json", "live", "l-corridor", "--listen", "0.0.0.0", "--token-file", token}),
               IsRefused("at least 16"));
   EXPECT_THAT(run_aisle({"--json", "live", "l-corridor", "--listen", "lan"}), IsRefused("no address"));
+  EXPECT_THAT(run_aisle({"--json", "live", "l-corridor", "--cert", token}), IsRefused("--key"));
+  EXPECT_THAT(run_aisle({"--json", "live", "l-corridor", "--cert", token, "--key", token}),
+              IsRefused("no certificate in PEM form"));
   EXPECT_THAT(run_aisle({"--json", "drive", "l-corridor", "--operator", "page"}), IsRefused("needs --live"));
 }
 

@@ -53,6 +53,7 @@ TEST_F(OutputDirectory, AFileInItsPlaceIsRefused) {
 TEST_F(OutputDirectory, OneThatCannotBeMadeIsRefused) {
   EXPECT_THAT(run_aisle({"map", log(), "--out", "/proc/aisle", "--json"}), IsRefused("/proc/aisle: "));
   EXPECT_THAT(run_aisle({"map", log(), "--out", "", "--json"}), IsRefused("--out"));
+  EXPECT_THAT(run_aisle({"explore", "l-corridor", "--out", "", "--json"}), IsRefused("--out"));
 }
 
 TEST_F(OutputDirectory, ADirectoryInAResultsPlaceIsRefusedBeforeAnythingIsWritten) {

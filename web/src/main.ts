@@ -6,6 +6,7 @@ import { element } from "./page/element";
 import { header } from "./page/header";
 import { Notices } from "./page/notices";
 import { follow_theme } from "./page/theme";
+import { token_gate } from "./page/token_gate";
 import { sessions_room } from "./sessions/sessions_room";
 import "./style.css";
 
@@ -15,7 +16,7 @@ const app = make_app(new URL(location.href), notices);
 const rooms = [drive_room(app), maze_room(app), sessions_room(app), building_room(app)];
 
 const main = element("main", { id: "main" }, ...rooms.map((room) => room.element));
-document.body.append(header(app, rooms), main, notices.element);
+document.body.append(header(app, rooms), token_gate(app.connection), main, notices.element);
 
 function enter(): void {
   const wanted = location.hash.slice(1);

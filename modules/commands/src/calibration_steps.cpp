@@ -35,14 +35,11 @@ Result<Image> read_calibrated_picture(const std::filesystem::path& path,
   return picture;
 }
 
-Result<std::optional<OutputDirectory>> open_calibration_directory(
-    const std::optional<std::filesystem::path>& directory, bool force, bool with_residuals) {
-  if (!directory) return std::optional<OutputDirectory>();
+Result<std::optional<OutputDirectory>> open_calibration_directory(const std::filesystem::path& directory,
+                                                                  bool force, bool with_residuals) {
   std::vector<std::string> names = {"camera.yaml", "camera_info.yaml"};
   if (with_residuals) names.insert(names.end(), {"residuals.svg", "residuals.png"});
-  auto opened = OutputDirectory::open(*directory, force, names);
-  if (!opened) return opened.problems();
-  return std::optional<OutputDirectory>(std::move(opened).value());
+  return OutputDirectory::open_if_named(directory, force, names);
 }
 
 std::vector<OutputFile> calibration_files(const CameraCalibration& calibration,

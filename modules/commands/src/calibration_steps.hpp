@@ -28,8 +28,8 @@ Result<Image> read_calibrated_picture(const std::filesystem::path& path,
                                       const CameraCalibration& calibration);
 
 /// The directory for a calibration's files, checked before the work; none was asked for: nullopt.
-Result<std::optional<OutputDirectory>> open_calibration_directory(
-    const std::optional<std::filesystem::path>& directory, bool force, bool with_residuals);
+Result<std::optional<OutputDirectory>> open_calibration_directory(const std::filesystem::path& directory,
+                                                                  bool force, bool with_residuals);
 
 /// The calibration in both layouts, and the picture of its residuals.
 std::vector<OutputFile> calibration_files(const CameraCalibration& calibration,

@@ -8,8 +8,8 @@
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/calibration_file.hpp"
 #include "aisle/formats/picture_file.hpp"
-#include "line_pursuit.hpp"
-#include "picture_detector.hpp"
+#include "detection/line_pursuit.hpp"
+#include "detection/picture_detector.hpp"
 #include "rounded.hpp"
 
 namespace aisle {

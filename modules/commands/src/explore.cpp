@@ -12,13 +12,13 @@
 #include "aisle/learning/corridor_tracing.hpp"
 #include "aisle/learning/map_building.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
-#include "exploration_check.hpp"
-#include "exploration_evaluation.hpp"
-#include "exploration_mission.hpp"
-#include "exploration_report.hpp"
-#include "exploration_trial.hpp"
-#include "explore_in.hpp"
-#include "explorer_driver.hpp"
+#include "exploration/exploration_check.hpp"
+#include "exploration/exploration_evaluation.hpp"
+#include "exploration/exploration_mission.hpp"
+#include "exploration/exploration_report.hpp"
+#include "exploration/exploration_trial.hpp"
+#include "exploration/explore_in.hpp"
+#include "exploration/explorer_driver.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
 #include "statistics.hpp"
@@ -194,6 +194,7 @@ Result<JudgedExploration> judge(const ExploreOptions& options, const Exploration
   outcome.text = text_of(*explored);
   Building building{plan.setting.world.name, explored->map.has_dominant_direction,
                     std::move(explored->map.walls)};
+  building.places.push_back({kHomePlace, explored->map.T_map_vehicle.front()});
   building.corridors = std::move(explored->corridors);
   building.floor = std::move(explored->floor);
   return JudgedExploration{std::move(outcome), std::move(building), std::move(explored->mission.record),
@@ -222,7 +223,8 @@ std::string exploring_vehicle(const ExploreOptions& options) {
 }
 
 Result<Outcome> run_explore(const ExploreOptions& options, Console& console) {
-  auto setting = read_setting(options.world, exploring_vehicle(options), options.scenario);
+  auto setting =
+      read_setting(options.world, exploring_vehicle(options), options.scenario, options.plan_pixel_m);
   if (!setting) return setting.problems();
   return explore_in(options, std::move(*setting), console);
 }
@@ -247,21 +249,19 @@ Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, Simul
 Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting setting, Console& console) {
   const auto plan = read_plan(options, std::move(setting));
   if (!plan) return plan.problems();
-  std::optional<OutputDirectory> out;
-  if (!options.out.empty()) {
-    auto opened = OutputDirectory::open(
-        options.out, options.force, {"building.json", "exploration.png", "exploration.svg", "report.html"});
-    if (!opened) return opened.problems();
-    out = std::move(*opened);
-  }
+  const auto directory = OutputDirectory::open_if_named(
+      options.out, options.force, {"building.json", "exploration.png", "exploration.svg", "report.html"});
+  if (!directory) return directory.problems();
   auto explored = judge(options, *plan, console);
   if (!explored) return explored.problems();
-  if (out) {
-    auto written = out->write(files_of(*explored));
+  Outcome& outcome = explored->outcome;
+  if (*directory) {
+    auto written = (*directory)->write(files_of(*explored));
     if (!written) return written.problems();
-    explored->outcome.files = std::move(*written);
+    outcome.files = std::move(*written);
+    outcome.text += "see " + outcome.files.at("report") + "\n";
   }
-  return std::move(explored->outcome);
+  return std::move(outcome);
 }
 
 }  // namespace aisle

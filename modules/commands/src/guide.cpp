@@ -7,7 +7,7 @@
 
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/whole_file.hpp"
-#include "guide_mission.hpp"
+#include "exploration/guide_mission.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
 #include "statistics.hpp"
@@ -36,7 +36,7 @@ Result<GuidePlan> read_guide_plan(const GuideOptions& options, const std::string
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   auto building = read_whole_file(options.building);
   if (!building) return building.problems();
-  auto setting = read_setting(options.world, options.vehicle, options.scenario);
+  auto setting = read_setting(options.world, options.vehicle, options.scenario, options.plan_pixel_m);
   if (!setting) return setting.problems();
   setting->vehicle.description.cameras.clear();
   const auto start = start_in(*setting);

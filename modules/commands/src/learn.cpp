@@ -5,12 +5,12 @@
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/building_json.hpp"
-#include "landmark_lesson.hpp"
+#include "landmarks/landmark_lesson.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
-#include "room_verbs.hpp"
+#include "rooms/room_verbs.hpp"
 #include "rounded.hpp"
-#include "section_verbs.hpp"
+#include "sections/section_verbs.hpp"
 #include "session_trip.hpp"
 
 namespace aisle {

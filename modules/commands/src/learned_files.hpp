@@ -8,7 +8,7 @@
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/core/result.hpp"
 #include "aisle/maps/building.hpp"
-#include "landmark_evaluation.hpp"
+#include "landmarks/landmark_evaluation.hpp"
 
 namespace aisle {
 

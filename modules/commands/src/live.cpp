@@ -2,54 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <system_error>
 #include <utility>
 
-#include "aisle/commands/shipped_files.hpp"
-#include "aisle/formats/whole_file.hpp"
-#include "live_control.hpp"
-#include "live_desk.hpp"
-#include "live_missions.hpp"
-#include "live_operator.hpp"
-#include "live_replay.hpp"
+#include "live/live_control.hpp"
+#include "live/live_desk.hpp"
+#include "live/live_missions.hpp"
+#include "live/live_operator.hpp"
+#include "live/live_replay.hpp"
+#include "live/live_site.hpp"
 
 namespace aisle {
 namespace {
-
-Result<LiveServerOptions> server_options(const LiveListening& listening, LiveFolders folders) {
-  LiveServerOptions options{.address = listening.address,
-                            .port = listening.port,
-                            .token = {},
-                            .version = listening.version,
-                            .folders = std::move(folders)};
-  options.folders.web = listening.web.empty() ? shipped_page() : listening.web;
-  if (listening.token_file.empty()) return options;
-  constexpr std::size_t kTokenFileMax = 4096;
-  auto text = read_whole_file(listening.token_file, kTokenFileMax);
-  if (!text) return text.problems();
-  while (!text->empty() && std::isspace(static_cast<unsigned char>(text->back())) != 0) text->pop_back();
-  if (text->empty())
-    return Problem{{listening.token_file.string()}, "is empty: one line is needed, the token"};
-  options.token = std::move(*text);
-  return options;
-}
-
-std::vector<LiveService> mission_services(ServiceMailbox& calls) {
-  std::vector<LiveService> services = control_services(calls);
-  for (const char* name : {"mission/start", "mission/go", "replay/start", "replay/play", "replay/pause",
-                           "replay/seek", "replay/rate", "replay/stop"})
-    services.push_back({name, true, &calls});
-  return services;
-}
-
-std::vector<LiveService> all_services(ServiceMailbox& missions, ServiceMailbox& desk) {
-  std::vector<LiveService> services = mission_services(missions);
-  const std::vector<LiveService> others = desk_services(desk);
-  services.insert(services.end(), others.begin(), others.end());
-  return services;
-}
 
 DriveOptions::KeyOperator hand_of(LiveControl& control) {
   return [&control](const VehicleDescription&, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
@@ -60,10 +24,9 @@ DriveOptions::KeyOperator hand_of(LiveControl& control) {
 /// A vehicle that does one thing after the other, as clients want it.
 class LiveRun {
  public:
-  LiveRun(const LiveOptions& options, Console& console, LiveServer& server, ServiceMailbox& calls)
+  LiveRun(const LiveOptions& options, const Console& console, LiveSite& site)
       : options_(options),
-        console_(console),
-        control_(console.progress, server, calls, options.listening.rate,
+        control_(console.progress, site.server(), site.mission_calls(), options.listening.rate,
                  [this](const ServiceCall& call) { take_order(call); }),
         watched_{control_, console.warn, &control_} {
     control_.state().world = options.world;
@@ -149,7 +112,7 @@ class LiveRun {
   }
 
   void begin_replay(const ServiceCall& call) {
-    auto session = session_named(options_.sessions, call.arguments());
+    auto session = session_named(options_.listening.sessions, call.arguments());
     if (!session) return call.refuse(to_string(session.problems()));
     wanted_replay_ = std::move(*session);
     control_.hand().finish();
@@ -157,7 +120,6 @@ class LiveRun {
   }
 
   const LiveOptions& options_;
-  Console& console_;
   LiveControl control_;
   Console watched_;
   std::optional<LiveMission> wanted_;
@@ -169,35 +131,26 @@ class LiveRun {
 
 Result<Outcome> run_live(const LiveOptions& options, Console& console,
                          const std::function<void(const std::string&)>& announce) {
-  for (const std::filesystem::path& folder : {options.sessions, options.buildings}) {
+  for (const std::filesystem::path& folder : {options.listening.sessions, options.listening.buildings}) {
     std::error_code error;
     if (!folder.empty()) std::filesystem::create_directories(folder, error);
     if (error) return Problem{{folder.string()}, "cannot be made: " + error.message()};
   }
-  auto listening = server_options(options.listening,
-                                  {.web = {}, .sessions = options.sessions, .buildings = options.buildings});
-  if (!listening) return listening.problems();
-  ServiceMailbox missions, questions;
-  const auto server = LiveServer::open(std::move(*listening), all_services(missions, questions));
-  if (!server) return server.problems();
-  const LiveDesk desk({.sessions = options.sessions, .buildings = options.buildings}, questions);
-  announce((*server)->url());
-  LiveRun run(options, console, **server, missions);
+  const auto site = LiveSite::open(options.listening, console, announce);
+  if (!site) return site.problems();
+  LiveRun run(options, console, **site);
   return run.run();
 }
 
 Result<Outcome> run_watched(const LiveListening& listening, const std::string& verb, const WatchedWork& work,
                             Console& console, const std::function<void(const std::string&)>& announce) {
-  auto options = server_options(listening, {});
-  if (!options) return options.problems();
-  ServiceMailbox missions, questions;
-  const auto server = LiveServer::open(std::move(*options), all_services(missions, questions));
-  if (!server) return server.problems();
-  const LiveDesk desk({}, questions);
-  announce((*server)->url());
-  LiveControl control(console.progress, **server, missions, listening.rate, [&](const ServiceCall& call) {
-    call.refuse(fmt::format("this is `aisle {}`, which is only watched; `aisle live` does that", verb));
-  });
+  const auto site = LiveSite::open(listening, console, announce);
+  if (!site) return site.problems();
+  LiveControl control(
+      console.progress, (*site)->server(), (*site)->mission_calls(), listening.rate,
+      [&](const ServiceCall& call) {
+        call.refuse(fmt::format("this is `aisle {}`, which is only watched; `aisle live` does that", verb));
+      });
   control.state().mode = "mission";
   control.state().mission = verb;
   control.begin();

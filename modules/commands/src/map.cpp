@@ -181,14 +181,10 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
     if (!found) return found.problems();
     relations = std::move(*found);
   }
-  std::optional<OutputDirectory> out;
-  if (options.out) {
-    auto opened = OutputDirectory::open(
-        *options.out, options.force,
-        {"building.json", "map.svg", "map.png", "trajectory.tum", "map.pgm", "map.yaml"});
-    if (!opened) return opened.problems();
-    out = *opened;
-  }
+  const auto directory = OutputDirectory::open_if_named(
+      options.out, options.force,
+      {"building.json", "map.svg", "map.png", "trajectory.tum", "map.pgm", "map.yaml"});
+  if (!directory) return directory.problems();
 
   const MapResult result =
       options.rules == MapRules::kRefined
@@ -205,8 +201,8 @@ Result<Outcome> run_map(const MapOptions& options, Console& console) {
     outcome.figures["stages"] = stage_figures(stages, relations);
   }
   outcome.text = mapping_text(outcome.figures);
-  if (out) {
-    auto written = write_results(result, log, title_of(options.log), *out);
+  if (*directory) {
+    auto written = write_results(result, log, title_of(options.log), **directory);
     if (!written) return written.problems();
     outcome.files = std::move(*written);
     outcome.text += fmt::format("see {}\n", outcome.files["picture_png"]);

@@ -9,8 +9,8 @@ namespace aisle {
 
 Result<Outcome> run_maze_generate(const MazeGenerateOptions& options, Console&) {
   if (Problems problems = options.recipe.problems(); !problems.empty()) return problems;
-  if (options.out && !options.force && std::filesystem::exists(*options.out)) {
-    return Problem{{options.out->string()}, "exists already; --force replaces it"};
+  if (!options.out.empty() && !options.force && std::filesystem::exists(options.out)) {
+    return Problem{{options.out.string()}, "exists already; --force replaces it"};
   }
   const MazeRecipe& recipe = options.recipe;
   const std::string maze = maze_text(generate_maze(recipe, Random(options.seed)));
@@ -19,14 +19,14 @@ Result<Outcome> run_maze_generate(const MazeGenerateOptions& options, Console&) 
                      {"width", recipe.width},
                      {"height", recipe.height},
                      {"seed", options.seed}};
-  if (!options.out) {
+  if (options.out.empty()) {
     outcome.figures["maze"] = maze;
     outcome.text = maze;
     return outcome;
   }
-  if (Problems problems = write_whole_file(*options.out, maze); !problems.empty()) return problems;
-  outcome.files["maze"] = options.out->string();
-  outcome.text = fmt::format("{}: {} maze of {} x {} cells\n", options.out->string(), name_of(recipe.kind),
+  if (Problems problems = write_whole_file(options.out, maze); !problems.empty()) return problems;
+  outcome.files["maze"] = options.out.string();
+  outcome.text = fmt::format("{}: {} maze of {} x {} cells\n", options.out.string(), name_of(recipe.kind),
                              recipe.width, recipe.height);
   return outcome;
 }

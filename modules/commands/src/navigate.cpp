@@ -11,12 +11,12 @@
 #include "aisle/formats/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
-#include "landmark_mission.hpp"
+#include "landmarks/landmark_mission.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
-#include "room_verbs.hpp"
+#include "rooms/room_verbs.hpp"
 #include "rounded.hpp"
-#include "section_verbs.hpp"
+#include "sections/section_verbs.hpp"
 #include "simulated_record.hpp"
 
 namespace aisle {

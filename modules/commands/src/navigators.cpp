@@ -4,11 +4,11 @@
 
 #include "aisle/guidance/hand_driver.hpp"
 #include "changed_parameters.hpp"
-#include "explorer_driver.hpp"
-#include "guide_driver.hpp"
-#include "landmark_driver.hpp"
-#include "room_driver.hpp"
-#include "section_driver.hpp"
+#include "exploration/explorer_driver.hpp"
+#include "exploration/guide_driver.hpp"
+#include "landmarks/landmark_driver.hpp"
+#include "rooms/room_driver.hpp"
+#include "sections/section_driver.hpp"
 
 namespace aisle {
 namespace {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "aisle/formats/map_server.hpp"
 #include "aisle/formats/maze_file.hpp"
@@ -91,6 +93,10 @@ Result<World> walls_of_plan(const ConvertOptions& options, Console& console) {
   return world_of_maze(*bytes, options, console);
 }
 
+bool is_yaml(const std::filesystem::path& file) {
+  return file.extension() == ".yaml" || file.extension() == ".yml";
+}
+
 }  // namespace
 
 PlanKind plan_kind_of(const std::filesystem::path& name, std::string_view bytes) {
@@ -99,7 +105,7 @@ PlanKind plan_kind_of(const std::filesystem::path& name, std::string_view bytes)
   if (std::any_of(kPictures.begin(), kPictures.end(), [&](auto magic) { return bytes.starts_with(magic); })) {
     return PlanKind::kPicture;
   }
-  if (name.extension() == ".yaml" || name.extension() == ".yml") return PlanKind::kMapServer;
+  if (is_yaml(name)) return PlanKind::kMapServer;
   return begins_with_wall_segment(bytes) ? PlanKind::kSegments : PlanKind::kMaze;
 }
 
@@ -107,6 +113,29 @@ Result<World> world_of_plan(const ConvertOptions& options, Console& console) {
   Result<World> world = walls_of_plan(options, console);
   if (world) world->name = options.plan.stem().string();
   return world;
+}
+
+PlannedWorld with_tour(World world, const RoundTripParams& params, Console& console) {
+  auto trip = plan_round_trip(world, params, console.progress);
+  if (!trip) {
+    console.warn(fmt::format("{}: no room for a vehicle {:g} m wide: the world has neither start nor tour",
+                             world.name, params.vehicle_width_m));
+    return {std::move(world), 0};
+  }
+  if (!world.start) world.start = trip->T_world_start;
+  if (world.tour.empty() && trip->tour.size() > 1) world.tour = std::move(trip->tour);
+  return {std::move(world), trip->drivable_m2};
+}
+
+bool is_plan(const std::filesystem::path& file) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none)) return false;
+  if (!is_yaml(file)) return true;
+  std::ifstream lines(file);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("image:")) return true;
+  }
+  return false;
 }
 
 }  // namespace aisle

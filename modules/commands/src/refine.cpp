@@ -9,8 +9,8 @@
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/building_json.hpp"
 #include "aisle/vehicle/same_camera.hpp"
-#include "landmark_driver.hpp"
-#include "landmark_lesson.hpp"
+#include "landmarks/landmark_driver.hpp"
+#include "landmarks/landmark_lesson.hpp"
 #include "learned_files.hpp"
 #include "rounded.hpp"
 

@@ -2,8 +2,8 @@
 /// The experiments of `aisle reproduce`, one a paper.
 
 #include "aisle/commands/reproduce.hpp"
-#include "landmark_course.hpp"
-#include "section_verbs.hpp"
+#include "landmarks/landmark_course.hpp"
+#include "sections/section_verbs.hpp"
 
 namespace aisle {
 

@@ -15,4 +15,9 @@ Problems check_route_name(const Place& where, const std::string& name);
 /// The building's route of that name.
 Result<Route> find_route(const Building& building, const std::string& name);
 
+/// Whether the vehicle meets no barrier of the building on the way.
+/// @param route  its name
+Problems check_barriers(const Building& building, const std::string& route, const Path& way,
+                        const Footprint& footprint);
+
 }  // namespace aisle

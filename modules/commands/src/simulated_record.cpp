@@ -8,6 +8,11 @@ namespace aisle {
 
 Result<Observation> SimulatedRecord::keep(Observation observation) {
   pictures_ += observation.pictures.size();
+  picture_camera_.clear();
+  if (!observation.pictures.empty()) {
+    picture_camera_ = observation.pictures.front().camera;
+    picture_stamp_s_ = observation.pictures.front().stamp_s;
+  }
   if (!session_) return observation;
   const SimulatedTruth& truth = vehicle_.truth();
   auto kept = session_->keep(std::move(observation));
@@ -21,16 +26,36 @@ Problems SimulatedRecord::keep(const Decision& decision) {
   return session_ ? session_->keep(decision) : Problems{};
 }
 
+void SimulatedRecord::show(const SessionTopic& topic, const std::string& cdr) const {
+  session_->watcher()->take(topic, ros::stamp_ns(vehicle_.truth().stamp_s), cdr);
+}
+
 void SimulatedRecord::show_pose(const UncertainPose2& T_map_vehicle) const {
-  if (!session_ || session_->watcher() == nullptr) return;
-  const ros::Stamp_ns stamp = ros::stamp_ns(vehicle_.truth().stamp_s);
-  session_->watcher()->take(pose_topic(), stamp, pose_cdr(stamp, T_map_vehicle));
+  if (is_watched()) show(pose_topic(), pose_cdr(ros::stamp_ns(vehicle_.truth().stamp_s), T_map_vehicle));
 }
 
 void SimulatedRecord::show_plan(const Path& path) const {
-  if (!session_ || session_->watcher() == nullptr) return;
-  const ros::Stamp_ns stamp = ros::stamp_ns(vehicle_.truth().stamp_s);
-  session_->watcher()->take(plan_topic(), stamp, plan_cdr(stamp, path));
+  if (is_watched()) show(plan_topic(), plan_cdr(ros::stamp_ns(vehicle_.truth().stamp_s), path));
+}
+
+void SimulatedRecord::show_match(const ViewMatch& match) const {
+  if (is_watched()) show(match_topic(), match_cdr(vehicle_.truth().stamp_s, match));
+}
+
+void SimulatedRecord::show_overlay(const Overlay& overlay) const {
+  if (is_watched() && !picture_camera_.empty())
+    show(overlay_topic(picture_camera_), overlay_cdr(picture_stamp_s_, overlay));
+}
+
+void SimulatedRecord::show_floor(const FloorGrid& floor) {
+  constexpr double kFloorEvery_s = 2;
+  const double stamp_s = vehicle_.truth().stamp_s;
+  if (!is_watched() || (floor_shown_s_ >= 0 && stamp_s - floor_shown_s_ < kFloorEvery_s)) return;
+  floor_shown_s_ = stamp_s;
+  std::string cdr = floor_cdr(floor);
+  if (cdr == floor_shown_) return;
+  show(floor_topic(), cdr);
+  floor_shown_ = std::move(cdr);
 }
 
 Result<std::optional<SessionRecord>> open_session(const std::filesystem::path& out, bool force,

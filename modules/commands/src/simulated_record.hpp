@@ -2,11 +2,14 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "aisle/control/path.hpp"
 #include "aisle/formats/session_record.hpp"
 #include "aisle/guidance/mission.hpp"
+#include "aisle/maps/floor_grid.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
+#include "viewer_messages.hpp"
 
 namespace aisle {
 
@@ -22,15 +25,28 @@ class SimulatedRecord : public MissionRecord {
   std::size_t pictures() const { return pictures_; }
 
  protected:
-  /// Shows whoever watches where the navigator takes the vehicle to be, and along what it drives; nothing of
-  /// it is kept.
+  /// To whoever watches; nothing of it is kept. Where the navigator takes the vehicle to be, along what it
+  /// drives, how well what it sees fits what it knows, and what it saw in the cycle's first picture.
   void show_pose(const UncertainPose2& T_map_vehicle) const;
   void show_plan(const Path& path) const;
+  void show_match(const ViewMatch& match) const;
+  void show_overlay(const Overlay& overlay) const;
+  /// The floor as it is known now: at most every two seconds, and only what is new.
+  void show_floor(const FloorGrid& floor);
+  void show(const SessionTopic& topic, const std::string& cdr) const;
+
+  bool is_watched() const { return session_ && session_->watcher() != nullptr; }
+  /// The camera of the cycle's first picture; empty: none was taken.
+  const std::string& pictured_by() const { return picture_camera_; }
 
  private:
   std::optional<SessionRecord>& session_;
   const SimulatedVehicle& vehicle_;
   std::size_t pictures_ = 0;
+  std::string picture_camera_;
+  double picture_stamp_s_ = 0;
+  std::string floor_shown_;
+  double floor_shown_s_ = -1;
 };
 
 /// The session of a mission: kept in `out` unless that is empty, shown to whoever watches; nullopt: neither.

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/core/random.hpp"
 #include "aisle/formats/scenario_yaml.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
 #include "aisle/formats/world_yaml.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
+#include "plan_reading.hpp"
 
 namespace aisle {
 namespace {
@@ -31,14 +34,24 @@ Problems check_scenario(const std::string& file, const SimulationSetting& settin
   return problems;
 }
 
+Result<World> read_world_or_plan(const std::filesystem::path& file, double plan_pixel_m) {
+  if (!is_plan(file)) return read_world(file);
+  ConvertOptions convert{.plan = file, .resolution_m = plan_pixel_m};
+  SilentProgress silent;
+  Console console{silent, [](const std::string&) {}};
+  auto world = world_of_plan(convert, console);
+  if (!world) return world;
+  return with_tour(std::move(*world), convert.trip, console).world;
+}
+
 }  // namespace
 
 Result<SimulationSetting> read_setting(const std::string& world, const std::string& vehicle,
-                                       const std::string& scenario) {
+                                       const std::string& scenario, double plan_pixel_m) {
   SimulationSetting setting;
   if (!world.empty()) {
     setting.world_file = shipped_or_own("worlds", world);
-    auto read = read_world(setting.world_file);
+    auto read = read_world_or_plan(setting.world_file, plan_pixel_m);
     if (!read) return read.problems();
     setting.world = std::move(*read);
   }

@@ -19,9 +19,13 @@ struct SimulationSetting {
   Scenario scenario;
 };
 
-/// Files or names of shipped ones; empty: no world, no scenario.
+inline constexpr double kPlanPixel_m = 0.05;
+
+/// Files or names of shipped ones; empty: no world, no scenario. The world may be any plan that `aisle
+/// convert` reads, too.
+/// @param plan_pixel_m  side of a plan's pixel where its file does not say it
 Result<SimulationSetting> read_setting(const std::string& world, const std::string& vehicle,
-                                       const std::string& scenario);
+                                       const std::string& scenario, double plan_pixel_m = kPlanPixel_m);
 
 /// Where the world says that a vehicle is set down; a problem unless it fits there.
 Result<Pose2> start_in(const SimulationSetting& setting);

@@ -6,9 +6,9 @@
 #include "aisle/formats/vehicle_yaml.hpp"
 #include "aisle/formats/world_yaml.hpp"
 #include "aisle/simulation/route_guide.hpp"
-#include "landmark_trip.hpp"
+#include "landmarks/landmark_trip.hpp"
 #include "methods.hpp"
-#include "room_driver.hpp"
+#include "rooms/room_driver.hpp"
 #include "route_name.hpp"
 
 namespace aisle {

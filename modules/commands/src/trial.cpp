@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "aisle/commands/parameter_listing.hpp"
-#include "aisle/simulation/random_building.hpp"
-#include "exploration_trial.hpp"
-#include "landmark_course.hpp"
+#include "exploration/exploration_trial.hpp"
+#include "landmarks/landmark_course.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
-#include "room_verbs.hpp"
+#include "rooms/room_verbs.hpp"
 #include "rounded.hpp"
-#include "section_verbs.hpp"
+#include "sections/section_verbs.hpp"
 #include "statistics.hpp"
+#include "trial_setting.hpp"
 
 namespace aisle {
 namespace {
@@ -34,18 +34,10 @@ struct TrialParams {
   }
 };
 
-/// The world of a seed: one of those given, in turn, or a building by chance.
-Result<SimulationSetting> setting_of(const TrialOptions& options, std::uint64_t seed) {
-  const bool by_chance = options.worlds.empty();
-  const std::string named =
-      by_chance ? "l-corridor" : options.worlds[(seed - options.first_seed) % options.worlds.size()];
-  auto setting = read_setting(named, vehicle_or_usual(options.vehicle, options.method), options.scenario);
+Result<SimulationSetting> landmark_setting(const TrialOptions& options, std::uint64_t seed) {
+  auto setting =
+      setting_of_seed(options, seed, vehicle_or_usual(options.vehicle, options.method), kBuildingKinds);
   if (!setting) return setting.problems();
-  if (by_chance) {
-    const std::size_t kinds = std::size(kBuildingKinds);
-    setting->world = random_building({.kind = kBuildingKinds[seed % kinds]}, Random(seed));
-    setting->world_file = fmt::format("{} {}", name_of(kBuildingKinds[seed % kinds]), seed);
-  }
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty())
     return at_file(problems, options.vehicle);
   return setting;
@@ -118,7 +110,7 @@ struct Trial {
 /// One seed: taught, learned, driven and refined as often as is asked.
 Problems run_seed(const TrialOptions& options, const LandmarkCourseParams& params, std::uint64_t seed,
                   Trial& trial, Progress& progress) {
-  const auto setting = setting_of(options, seed);
+  const auto setting = landmark_setting(options, seed);
   if (!setting) return setting.problems();
   const auto trip = teach_trip(*setting, params, seed, progress);
   if (!trip) return trip.problems();

@@ -2,7 +2,7 @@
 
 #include "aisle/simulation/random_building.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
-#include "exploration_check.hpp"
+#include "exploration/exploration_check.hpp"
 
 namespace aisle {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "aisle/simulation/slice.hpp"
-#include "exploration_evaluation.hpp"
+#include "exploration/exploration_evaluation.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {

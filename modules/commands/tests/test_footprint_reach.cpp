@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "footprint_reach.hpp"
+#include "exploration/footprint_reach.hpp"
 
 namespace aisle {
 namespace {

@@ -1,11 +1,13 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "aisle/formats/building_json.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "aisle/simulation/slice.hpp"
-#include "exploration_evaluation.hpp"
-#include "guide_mission.hpp"
+#include "exploration/exploration_evaluation.hpp"
+#include "exploration/guide_mission.hpp"
 
 namespace aisle {
 namespace {
@@ -22,6 +24,27 @@ World l_building() {
   return world;
 }
 
+bool is_floor_of_l(const Vec2& p) {
+  return p.y() < 2 || p.x() > 12;
+}
+
+/// Corridors 2 m wide round a block, in a square of 10 m.
+World ring_building() {
+  World world;
+  const Vec2 outer[] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, block[] = {{2, 2}, {2, 8}, {8, 8}, {8, 2}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    world.walls.push_back({.foot = {outer[i], outer[(i + 1) % 4]}});
+    world.walls.push_back({.foot = {block[i], block[(i + 1) % 4]}});
+  }
+  world.start = Pose2{1, 1.5, kPi / 2};
+  return world;
+}
+
+bool is_floor_of_ring(const Vec2& p) {
+  const auto is_in_block = [](double x) { return x > 2 && x < 8; };
+  return p.x() < 10 && p.y() < 10 && !(is_in_block(p.x()) && is_in_block(p.y()));
+}
+
 VehicleModel cart_with_scanner() {
   auto model = read_vehicle(std::filesystem::path(AISLE_SOURCE_DIR) / "vehicles/alv-scanner.yaml");
   EXPECT_TRUE(model.ok());
@@ -30,16 +53,16 @@ VehicleModel cart_with_scanner() {
 }
 
 /// What a vehicle that learned everything rightly would leave.
-Building learned(const World& world) {
-  Building building{.name = "L"};
+Building learned(const World& world, bool (*is_floor)(const Vec2&) = is_floor_of_l) {
+  Building building{.name = "corridors"};
   for (const Segment2& s : slice(world, 0.3))
     building.walls.walls.push_back({.segment = s, .is_orthogonal = true, .sightings = 9, .sigma_m = 0.01});
-  building.corridors = true_corridors(world, cart_with_scanner().description, {1.5, 1});
+  building.corridors = true_corridors(world, cart_with_scanner().description, world.start->position());
   building.places = {{"home", *world.start}, {"lift", {13, 8, 0}}};
   building.floor.emplace();
   for (double x = 0.025; x < 14; x += 0.05) {
     for (double y = 0.025; y < 12; y += 0.05) {
-      if (y < 2 || x > 12) building.floor->set(building.floor->cell_at({x, y}), Floor::kFree);
+      if (is_floor({x, y})) building.floor->set(building.floor->cell_at({x, y}), Floor::kFree);
     }
   }
   return building;
@@ -51,15 +74,16 @@ struct Driven {
   double coverage = 0;
 };
 
-Driven drive(const std::string& errand, const World& world = l_building()) {
+Driven drive(const std::string& errand, const World& world = l_building(),
+             const Building& building = learned(l_building())) {
   const SimulationSetting setting{
       .world_file = {}, .world = world, .vehicle = cart_with_scanner(), .scenario = {}};
-  auto driver = GuideDriver::make(GuideDriver::origin({}, building_json(learned(l_building())), errand),
+  auto driver = GuideDriver::make(GuideDriver::origin({}, building_json(building), errand),
                                   setting.vehicle.description);
   EXPECT_TRUE(driver.ok()) << to_string(driver.problems());
   std::optional<SessionRecord> no_session;
   SilentProgress progress;
-  auto result = drive_guide_mission(setting, **driver, *l_building().start, 1, no_session, progress);
+  auto result = drive_guide_mission(setting, **driver, *world.start, 1, no_session, progress);
   EXPECT_TRUE(result.ok());
   const double coverage = graph_coverage((*driver)->building().corridors, result->T_map_vehicle,
                                          setting.vehicle.description.footprint);
@@ -94,6 +118,33 @@ TEST(GuideMission, GivesUpBeforeAWayThatIsClosedNowAndTouchesNothing) {
   EXPECT_FALSE(driven.result.end.arrived);
   EXPECT_THAT(driven.result.end.why, HasSubstr("there is no way to 13.0, 8.0"));
   EXPECT_EQ(driven.result.collisions, 0U);
+}
+
+bool ever_met(const Barrier& barrier, const Driven& driven) {
+  const Footprint footprint = cart_with_scanner().description.footprint;
+  const auto& T_world_vehicle = driven.result.T_world_vehicle;
+  return std::any_of(T_world_vehicle.begin(), T_world_vehicle.end(), [&](const Pose2& T) {
+    return barrier_met({&barrier, 1}, footprint, T) != nullptr;
+  });
+}
+
+TEST(GuideMission, GivesUpBeforeAKeepOutLineThatOnlyTheMapShows) {
+  Building building = learned(l_building());
+  building.barriers = {{.segment = {{12, 5}, {14, 5}}}};
+  const Driven driven = drive("go lift", l_building(), building);
+  EXPECT_FALSE(driven.result.end.arrived);
+  EXPECT_THAT(driven.result.end.why, HasSubstr("no way to 13.0, 8.0 that crosses neither keep-out lines"));
+  EXPECT_FALSE(ever_met(building.barriers[0], driven));
+}
+
+TEST(GuideMission, GoesTheOtherWayRoundRatherThanThroughGlass) {
+  Building building = learned(ring_building(), is_floor_of_ring);
+  building.barriers = {{.kind = Barrier::Kind::kGlass, .segment = {{4, 0}, {4, 2}}}};
+  const Driven driven = drive("go 6,1", ring_building(), building);
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_EQ(driven.result.collisions, 0U);
+  EXPECT_GT(driven.result.distance_m, 20) << "round the block";
+  EXPECT_FALSE(ever_met(building.barriers[0], driven));
 }
 
 TEST(GuideErrand, PlacesAreNamesNodesAndPoints) {

@@ -2,7 +2,7 @@
 
 #include "aisle/commands/navigators.hpp"
 #include "aisle/formats/building_json.hpp"
-#include "landmark_driver.hpp"
+#include "landmarks/landmark_driver.hpp"
 
 namespace aisle {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "aisle/core/angle.hpp"
-#include "landmark_truth.hpp"
+#include "landmarks/landmark_truth.hpp"
 
 namespace aisle {
 namespace {

@@ -1,4 +1,4 @@
-#include "live_hand.hpp"
+#include "live/live_hand.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 
-#include "live_arguments.hpp"
-#include "live_maze.hpp"
-#include "live_missions.hpp"
-#include "live_pace.hpp"
+#include "live/live_arguments.hpp"
+#include "live/live_maze.hpp"
+#include "live/live_missions.hpp"
+#include "live/live_pace.hpp"
 
 namespace aisle {
 namespace {
@@ -71,7 +71,8 @@ TEST_F(LiveMissions, AreCheckedBeforeTheyBegin) {
 }
 
 TEST_F(LiveMissions, NeedWhatIsThereAndReplaceNothing) {
-  options.sessions = options.buildings = std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden";
+  options.listening.sessions = options.listening.buildings =
+      std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden";
   EXPECT_THAT(refusal({{"mission", "go"}, {"building", "none"}, {"place", "a"}}),
               HasSubstr("there is no 'none'"));
   EXPECT_EQ(refusal({{"mission", "go"}, {"building", "building.v1"}, {"x_m", 1}, {"y_m", 2}}), "");

@@ -26,7 +26,7 @@ class MazeCommands : public testing::Test {
   std::string generated(MazeKind kind, int size, const std::string& name) {
     MazeGenerateOptions options{{kind, size, size}, 1, directory_ / name};
     EXPECT_TRUE(run_maze_generate(options, console_).ok());
-    return options.out->string();
+    return options.out.string();
   }
 
   fs::path directory_;

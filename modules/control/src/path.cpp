@@ -98,6 +98,27 @@ std::size_t Path::leg_end(std::size_t piece) const {
   return end;
 }
 
+Path Path::up_to(double along_m) const {
+  constexpr double kLeast_m = 1e-3;
+  std::vector<PathPiece> pieces;
+  for (PathPiece piece : pieces_) {
+    const double left_m = along_m - starts_m_[pieces.size()];
+    if (left_m <= 0 && !pieces.empty()) break;
+    if (left_m < piece.way_m()) {
+      const double share = std::max(left_m, kLeast_m) / piece.way_m();
+      piece.arc = {piece.arc.length_m * share, piece.arc.turn_rad * share};
+    }
+    pieces.push_back(piece);
+  }
+  return Path(std::move(pieces));
+}
+
+Path Path::followed_by(const Path& next) const {
+  std::vector<PathPiece> pieces = pieces_;
+  pieces.insert(pieces.end(), next.pieces_.begin(), next.pieces_.end());
+  return Path(std::move(pieces));
+}
+
 Path Path::reversed() const {
   const Pose2 about{0, 0, kPi};
   std::vector<PathPiece> back;

@@ -4,106 +4,103 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
-
-#include "aisle/core/angle.hpp"
+#include <utility>
 
 namespace aisle {
 namespace {
 
 using Kind = LoosePiece::Kind;
 
-constexpr int kUnknowns = 5;  ///< of a piece: x, y, theta of its start, length, and curvature or turn
-constexpr double kJoins = 1e5;
-constexpr double kDamping = 1e-6;
+constexpr double kShortest_m = 1e-3;
+constexpr int kUnknowns = 5;  ///< of a piece: x, y, theta of its start, length, turn
+constexpr int kOfNext = kUnknowns;
 
-/// Rows of a linear least-squares problem, gathered into its normal equations.
+/// How a residual changes with the unknowns of a piece and, from `kOfNext` on, with those of the next.
+using Slopes = Eigen::Matrix<double, 2 * kUnknowns, 1>;
+
+/// Residuals of a least-squares problem, gathered piece by piece into its normal equations.
 class NormalEquations {
  public:
-  explicit NormalEquations(int unknowns) : size_(unknowns), gradient_(Eigen::VectorXd::Zero(unknowns)) {
-    for (int i = 0; i < unknowns; ++i) entries_.emplace_back(i, i, kDamping);
+  explicit NormalEquations(std::size_t pieces)
+      : blocks_(pieces, Block::Zero()), gradient_(Eigen::VectorXd::Zero(first_unknown(pieces + 1))) {}
+
+  void add(std::size_t piece, double residual, const Slopes& slopes, double weight) {
+    cost_ += weight * residual * residual;
+    blocks_[piece] += weight * slopes * slopes.transpose();
+    gradient_.segment<2 * kUnknowns>(first_unknown(piece)) -= weight * residual * slopes;
   }
 
-  struct Term {
-    int unknown;
-    double slope;
-  };
+  double cost() const { return cost_; }
 
-  /// A residual that changes by `slope` with each unknown.
-  void add(double residual, std::initializer_list<Term> terms, double weight) {
-    for (const Term& a : terms) {
-      gradient_[a.unknown] -= weight * a.slope * residual;
-      for (const Term& b : terms) entries_.emplace_back(a.unknown, b.unknown, weight * a.slope * b.slope);
+  /// The step of all unknowns.
+  Eigen::VectorXd solve(double damping) const {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(static_cast<std::size_t>(gradient_.size()) + blocks_.size() * Block::SizeAtCompileTime);
+    for (int i = 0; i < gradient_.size(); ++i) entries.emplace_back(i, i, damping);
+    for (std::size_t k = 0; k < blocks_.size(); ++k) {
+      for (int row = 0; row < 2 * kUnknowns; ++row) {
+        for (int column = 0; column < 2 * kUnknowns; ++column) {
+          entries.emplace_back(first_unknown(k) + row, first_unknown(k) + column, blocks_[k](row, column));
+        }
+      }
     }
-  }
-
-  Eigen::VectorXd solve() const {
-    Eigen::SparseMatrix<double> matrix(size_, size_);
-    matrix.setFromTriplets(entries_.begin(), entries_.end());
+    Eigen::SparseMatrix<double> matrix(gradient_.size(), gradient_.size());
+    matrix.setFromTriplets(entries.begin(), entries.end());
     return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(gradient_);
   }
 
+  static int first_unknown(std::size_t piece) { return static_cast<int>(piece) * kUnknowns; }
+
  private:
-  int size_;
-  std::vector<Eigen::Triplet<double>> entries_;
+  using Block = Eigen::Matrix<double, 2 * kUnknowns, 2 * kUnknowns>;
+
+  std::vector<Block> blocks_;
   Eigen::VectorXd gradient_;
+  double cost_ = 0;
 };
 
-int unknown(std::size_t piece, int which) {
-  return static_cast<int>(piece) * kUnknowns + which;
+/// How a place on a piece, `share` (0 .. 1) of it behind, changes with the unknowns of the piece.
+Eigen::Matrix<double, 3, kUnknowns> place_slopes(const LoosePiece& piece, double share) {
+  const Arc part{share * piece.arc().length_m, share * piece.turn_rad};
+  const Vec2 lever = rotate(piece.T_map_start.theta, end_pose(part).position());
+  const Mat32 by_part = end_pose_jacobian(part);
+  Eigen::Matrix<double, 3, kUnknowns> slopes;
+  slopes.leftCols<3>().setIdentity();
+  slopes.col(2) << left_normal(lever), 1;
+  slopes.rightCols<2>() = share * by_part;
+  slopes.topRightCorner<2, 2>() = rotation(piece.T_map_start.theta) * slopes.topRightCorner<2, 2>().eval();
+  slopes.col(3) *= piece.kind == Kind::kTurnOnTheSpot ? 0 : piece.direction;
+  slopes.col(4) *= piece.kind == Kind::kLine ? 0 : 1;
+  return slopes;
 }
 
 /// The end of a piece is the start of the next.
-void add_joint(NormalEquations& equations, const LoosePath& loose, std::size_t k) {
-  const LoosePiece& piece = loose.pieces[k];
+void add_joint(NormalEquations& equations, const LoosePath& loose, std::size_t k, double weight) {
+  const Pose2 end = loose.pieces[k].end();
   const Pose2& next = k + 1 < loose.pieces.size() ? loose.pieces[k + 1].T_map_start : loose.T_map_end;
-  const Arc arc = piece.arc();
-  const Pose2 end = piece.T_map_start * end_pose(arc);
-  const Mat32 local = end_pose_jacobian(arc);
-  const Vec2 lever = end.position() - piece.T_map_start.position();
-  // by (length, curvature or turn)
-  Mat32 by_arc = local;
-  by_arc.topRows<2>() << rotate(piece.T_map_start.theta, local.topRows<2>().col(0)),
-      rotate(piece.T_map_start.theta, local.topRows<2>().col(1));
-  const bool on_the_spot = piece.kind == Kind::kTurnOnTheSpot;
-  Mat32 by_own = by_arc;
-  if (!on_the_spot) {
-    const double signed_curvature = piece.curvature_per_m * piece.direction;
-    by_own.col(0) = piece.direction * by_arc.col(0) + signed_curvature * by_arc.col(1);
-    by_own.col(1) = piece.length_m * piece.direction * by_arc.col(1);
-  }
-  const double off[3] = {end.x - next.x, end.y - next.y, wrap_angle(end.theta - next.theta)};
-  const double by_heading[3] = {-lever.y(), lever.x(), 1};
-  for (int row = 0; row < 3; ++row) {
-    const double by_position = row < 2 ? 1 : 0;
-    equations.add(off[row],
-                  {{unknown(k, row), row < 2 ? by_position : 0},
-                   {unknown(k, 2), by_heading[row]},
-                   {unknown(k, 3), on_the_spot ? 0 : by_own(row, 0)},
-                   {unknown(k, 4), piece.kind == Kind::kLine ? 0 : by_own(row, 1)},
-                   {unknown(k + 1, row), -1}},
-                  kJoins);
-  }
+  const Vec3 off{end.x - next.x, end.y - next.y, end.theta - next.theta};
+  Eigen::Matrix<double, 3, 2 * kUnknowns> slopes = Eigen::Matrix<double, 3, 2 * kUnknowns>::Zero();
+  slopes.leftCols<kUnknowns>() = place_slopes(loose.pieces[k], 1);
+  slopes.middleCols<3>(kOfNext) = -Mat3::Identity();
+  for (int row = 0; row < 3; ++row) equations.add(k, off[row], slopes.row(row).transpose(), weight);
 }
 
+/// The nearest point of its piece is where base_link was. Along a piece only its ends pull.
 void add_waypoint(NormalEquations& equations, const LoosePath& loose, const Waypoint& waypoint) {
-  const std::size_t k = waypoint.piece;
-  const LoosePiece& piece = loose.pieces[k];
+  const LoosePiece& piece = loose.pieces[waypoint.piece];
   const PathPiece shape{piece.T_map_start, piece.arc()};
-  const double along_m = shape.nearest(waypoint.p_map, 0, shape.way_m()) * piece.direction;
-  const Arc part{along_m, piece.curvature_per_m * along_m};
-  const Pose2 T_map_foot = piece.T_map_start * end_pose(part);
+  const double way_m = shape.nearest(waypoint.p_map, 0, shape.way_m());
+  const Pose2 T_map_foot = shape.at(way_m);
   const Vec2 off = T_map_foot.position() - waypoint.p_map;
-  const Vec2 lever = T_map_foot.position() - piece.T_map_start.position();
-  const Vec2 by_curvature =
-      rotate(piece.T_map_start.theta, end_pose_jacobian(part).topRows<2>().col(1)) * along_m;
-  const Vec2 left = left_normal(unit(T_map_foot.theta));
-  const double free_curvature = piece.kind == Kind::kArc ? 1 : 0;
-  equations.add(left.dot(off),
-                {{unknown(k, 0), left.x()},
-                 {unknown(k, 1), left.y()},
-                 {unknown(k, 2), left.dot(left_normal(lever))},
-                 {unknown(k, 4), free_curvature * left.dot(by_curvature)}},
-                waypoint.weight);
+  const Eigen::Matrix<double, 3, kUnknowns> foot_slopes = place_slopes(piece, way_m / shape.way_m());
+  const auto pull = [&](const Vec2& towards) {
+    Slopes slopes = Slopes::Zero();
+    slopes.head<kUnknowns>() = foot_slopes.topRows<2>().transpose() * towards;
+    equations.add(waypoint.piece, towards.dot(off), slopes, waypoint.weight);
+  };
+  const Vec2 ahead = unit(T_map_foot.theta);
+  pull(left_normal(ahead));
+  if (way_m == 0 || way_m == shape.way_m()) pull(ahead);
 }
 
 /// A leg begins and ends where it was driven to.
@@ -111,21 +108,26 @@ void add_leg_end(NormalEquations& equations, const LoosePath& loose, const Waypo
   const std::size_t k = waypoint.begins_leg ? waypoint.piece : waypoint.piece + 1;
   const Pose2& at = k < loose.pieces.size() ? loose.pieces[k].T_map_start : loose.T_map_end;
   const Vec2 ahead = unit(at.theta);
-  equations.add(ahead.dot(at.position() - waypoint.p_map),
-                {{unknown(k, 0), ahead.x()}, {unknown(k, 1), ahead.y()}}, 1);
+  Slopes slopes = Slopes::Zero();
+  slopes.segment<2>(waypoint.begins_leg ? 0 : kOfNext) = ahead;
+  equations.add(waypoint.piece, ahead.dot(at.position() - waypoint.p_map), slopes, 1);
 }
 
-NormalEquations equations_of(const LoosePath& loose, double radius_min_m) {
-  NormalEquations equations(static_cast<int>(loose.pieces.size() + 1) * kUnknowns);
+void add_bend_limit(NormalEquations& equations, const LoosePath& loose, std::size_t k, double radius_min_m) {
+  const LoosePiece& piece = loose.pieces[k];
+  const double too_short_m = radius_min_m * std::abs(piece.turn_rad) - piece.length_m;
+  if (piece.kind != Kind::kArc || too_short_m < 0) return;
+  Slopes slopes = Slopes::Zero();
+  slopes[3] = -1;
+  slopes[4] = std::copysign(radius_min_m, piece.turn_rad);
+  equations.add(k, too_short_m, slopes, 1);
+}
+
+NormalEquations equations_of(const LoosePath& loose, double radius_min_m, double joint_weight) {
+  NormalEquations equations(loose.pieces.size());
   for (std::size_t k = 0; k < loose.pieces.size(); ++k) {
-    const LoosePiece& piece = loose.pieces[k];
-    add_joint(equations, loose, k);
-    if (piece.kind == Kind::kTurnOnTheSpot) continue;
-    const double too_bent = std::abs(piece.curvature_per_m) - 1 / radius_min_m;
-    if (too_bent > 0) {
-      const double side = std::copysign(1, piece.curvature_per_m);
-      equations.add(side * too_bent, {{unknown(k, 4), 1}}, 1);
-    }
+    add_joint(equations, loose, k, joint_weight);
+    add_bend_limit(equations, loose, k, radius_min_m);
   }
   for (const Waypoint& waypoint : loose.waypoints) {
     add_waypoint(equations, loose, waypoint);
@@ -134,71 +136,112 @@ NormalEquations equations_of(const LoosePath& loose, double radius_min_m) {
   return equations;
 }
 
-Pose2 moved(const Pose2& pose, const Eigen::VectorXd& step, std::size_t k) {
-  return {pose.x + step[unknown(k, 0)], pose.y + step[unknown(k, 1)],
-          wrap_angle(pose.theta + step[unknown(k, 2)])};
+void move(Pose2& pose, const Vec3& step) {
+  pose = {pose.x + step.x(), pose.y + step.y(), pose.theta + step.z()};
 }
 
 void apply(LoosePath& loose, const Eigen::VectorXd& step) {
-  constexpr double kShortest_m = 1e-3;
   for (std::size_t k = 0; k < loose.pieces.size(); ++k) {
     LoosePiece& piece = loose.pieces[k];
-    piece.T_map_start = moved(piece.T_map_start, step, k);
-    if (piece.kind == Kind::kTurnOnTheSpot) {
-      piece.turn_rad += step[unknown(k, 4)];
-      continue;
-    }
-    piece.length_m = std::max(kShortest_m, piece.length_m + step[unknown(k, 3)]);
-    if (piece.kind == Kind::kArc) piece.curvature_per_m += step[unknown(k, 4)];
+    const Eigen::Matrix<double, kUnknowns, 1> own =
+        step.segment<kUnknowns>(NormalEquations::first_unknown(k));
+    move(piece.T_map_start, own.head<3>());
+    if (piece.kind != Kind::kTurnOnTheSpot) piece.length_m = std::max(kShortest_m, piece.length_m + own[3]);
+    piece.turn_rad += own[4];
   }
-  loose.T_map_end = moved(loose.T_map_end, step, loose.pieces.size());
+  move(loose.T_map_end, step.segment<3>(NormalEquations::first_unknown(loose.pieces.size())));
 }
 
-/// Each waypoint goes to the piece beside its own that is nearest.
+/// Where one piece's waypoints end and the next one's begin, each goes to the nearer piece; they stay in
+/// order, so that none leaps over to a stretch that passes near by.
 void reassign(LoosePath& loose) {
-  const auto off_m = [&](std::size_t k, const Vec2& p_map) {
-    const PathPiece shape{loose.pieces[k].T_map_start, loose.pieces[k].arc()};
-    return (shape.at(shape.nearest(p_map, 0, shape.way_m())).position() - p_map).norm();
-  };
-  const auto is_of_leg = [&](std::size_t k, std::size_t own) {
-    return k < loose.pieces.size() && loose.pieces[k].kind != Kind::kTurnOnTheSpot &&
-           loose.pieces[k].direction == loose.pieces[own].direction;
-  };
-  for (Waypoint& waypoint : loose.waypoints) {
-    if (waypoint.begins_leg || waypoint.ends_leg) continue;
-    const std::size_t own = waypoint.piece;
-    for (const std::size_t k : {own - 1, own + 1}) {
-      if (is_of_leg(k, own) && off_m(k, waypoint.p_map) < off_m(waypoint.piece, waypoint.p_map)) {
-        waypoint.piece = k;
-      }
+  const auto choose = [&](Waypoint& waypoint, std::size_t first, std::size_t last) {
+    if (waypoint.begins_leg || waypoint.ends_leg || first == last) return;
+    const auto off_m = [&](std::size_t k) {
+      const PathPiece shape{loose.pieces[k].T_map_start, loose.pieces[k].arc()};
+      return (shape.at(shape.nearest(waypoint.p_map, 0, shape.way_m())).position() - waypoint.p_map).norm();
+    };
+    double least_m = off_m(waypoint.piece);
+    for (std::size_t k = first; k <= last; ++k) {
+      const double here_m = off_m(k);
+      if (here_m >= least_m) continue;
+      waypoint.piece = k;
+      least_m = here_m;
     }
+  };
+  std::vector<Waypoint>& waypoints = loose.waypoints;
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    choose(waypoints[i], waypoints[i - 1].piece, waypoints[i].piece);
+  }
+  for (std::size_t i = waypoints.size() - 1; i > 0; --i) {
+    choose(waypoints[i - 1], waypoints[i - 1].piece, waypoints[i].piece);
+  }
+}
+
+/// Leaves out the pieces that shrank to nothing; their waypoints go to a piece of their leg beside them.
+void drop_vanished(LoosePath& loose) {
+  const auto is_of_leg = [&](std::size_t k, double direction) {
+    return k < loose.pieces.size() && loose.pieces[k].kind != Kind::kTurnOnTheSpot &&
+           loose.pieces[k].direction == direction;
+  };
+  for (std::size_t k = loose.pieces.size(); k-- > 0;) {
+    const LoosePiece piece = loose.pieces[k];
+    if (piece.kind == Kind::kTurnOnTheSpot || piece.length_m > kShortest_m) continue;
+    const bool has_before = is_of_leg(k - 1, piece.direction);
+    if (!has_before && !is_of_leg(k + 1, piece.direction)) continue;
+    loose.pieces.erase(loose.pieces.begin() + static_cast<std::ptrdiff_t>(k));
+    for (Waypoint& waypoint : loose.waypoints) {
+      if (waypoint.piece > k || (waypoint.piece == k && has_before)) --waypoint.piece;
+    }
+  }
+}
+
+/// Steps that lower the sum of squares, by Levenberg's rule: shorter ones after a step that did not.
+void descend(LoosePath& loose, double radius_min_m, double joint_weight) {
+  constexpr int kRounds = 30;
+  constexpr double kDampingStart = 1e-3, kDampingLeast = 1e-7, kDampingMost = 1e4, kDamp = 10;
+  constexpr double kStill = 1e-3;  // of the sum
+  NormalEquations here = equations_of(loose, radius_min_m, joint_weight);
+  double damping = kDampingStart;
+  for (int round = 0; round < kRounds && damping < kDampingMost; ++round) {
+    LoosePath tried = loose;
+    apply(tried, here.solve(damping));
+    reassign(tried);
+    NormalEquations there = equations_of(tried, radius_min_m, joint_weight);
+    if (!(there.cost() < here.cost())) {
+      damping *= kDamp;
+      continue;
+    }
+    const bool is_still = there.cost() > (1 - kStill) * here.cost();
+    loose = std::move(tried);
+    here = std::move(there);
+    damping = std::max(kDampingLeast, damping / kDamp);
+    if (is_still) break;
   }
 }
 
 }  // namespace
 
 Arc LoosePiece::arc() const {
-  if (kind == Kind::kTurnOnTheSpot) return {0, turn_rad};
-  return {direction * length_m, direction * length_m * curvature_per_m};
+  return {kind == Kind::kTurnOnTheSpot ? 0 : direction * length_m, turn_rad};
+}
+
+Pose2 LoosePiece::end() const {
+  const Vec2 p_map_end = T_map_start * end_pose(arc()).position();
+  return {p_map_end.x(), p_map_end.y(), T_map_start.theta + turn_rad};
 }
 
 void adjust(LoosePath& loose, double radius_min_m) {
-  constexpr int kRounds = 30;
-  constexpr double kStepMax = 0.3;  // of metres, radians, and curvatures: farther the slopes do not hold
-  constexpr double kStill = 1e-7;
-  for (int round = 0; round < kRounds; ++round) {
-    const Eigen::VectorXd step = equations_of(loose, radius_min_m).solve();
-    const double largest = step.lpNorm<Eigen::Infinity>();
-    if (!std::isfinite(largest)) break;
-    apply(loose, std::min(1.0, kStepMax / largest) * step);
-    if (largest < kStill) break;
-    reassign(loose);
+  // first the pieces lie well, then they come together: from far apart a stiff joint leads astray
+  for (const double joint_weight : {1.0, 1e2, 1e4, 1e6}) {
+    drop_vanished(loose);
+    descend(loose, radius_min_m, joint_weight);
   }
 }
 
 Path joined(const LoosePath& loose) {
   std::vector<PathPiece> pieces;
-  Pose2 T_map_start = loose.pieces.front().T_map_start;
+  Pose2 T_map_start = loose.pieces.front().T_map_start * Pose2{};
   for (const LoosePiece& piece : loose.pieces) {
     pieces.push_back({T_map_start, piece.arc()});
     T_map_start = pieces.back().end();

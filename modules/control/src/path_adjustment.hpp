@@ -8,17 +8,17 @@
 namespace aisle {
 
 /// A path in the making: what its pieces are, how long and how bent, and where they start. Adjusting makes
-/// them join.
+/// them join. Headings go on over whole turns: the end's heading is the start's and the turn, nothing else.
 struct LoosePiece {
   enum class Kind { kLine, kArc, kTurnOnTheSpot };
   Kind kind = Kind::kArc;
   double direction = 1;  ///< -1: driven backwards
   Pose2 T_map_start;
-  double length_m = 0;         ///< > 0
-  double curvature_per_m = 0;  ///< left positive
-  double turn_rad = 0;         ///< on the spot
+  double length_m = 0;  ///< > 0, but 0 of a turn on the spot
+  double turn_rad = 0;  ///< left positive; 0 of a line
 
   Arc arc() const;
+  Pose2 end() const;
 };
 
 /// A place where base_link was, and the piece that is to pass there.

@@ -22,19 +22,26 @@ constexpr double kCheaper = 4;
 constexpr double kBetweenSamples = 0.95;  // of the stray: between them it may be a little more
 constexpr double kStricter = 0.9;
 
+double way_m(const DrivenLeg& leg, const Stretch& stretch) {
+  double way_m = 0;
+  for (std::size_t i = stretch.first; i < stretch.last; ++i) {
+    way_m += (leg.samples[i + 1].position() - leg.samples[i].position()).norm();
+  }
+  return way_m;
+}
+
 void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<Stretch>& stretches, double step_m) {
   if (leg.turn_before_rad != 0) {
     loose.pieces.push_back(
         {.kind = Kind::kTurnOnTheSpot, .T_map_start = loose.T_map_end, .turn_rad = leg.turn_before_rad});
   }
   for (const Stretch& stretch : stretches) {
-    const Pose2& start = leg.samples[stretch.first];
-    loose.pieces.push_back(
-        {.kind = stretch.curvature_per_m == 0 ? Kind::kLine : Kind::kArc,
-         .direction = leg.direction,
-         .T_map_start = start,
-         .length_m = std::max(step_m / 2, static_cast<double>(stretch.last - stretch.first) * step_m),
-         .curvature_per_m = stretch.curvature_per_m * leg.direction});
+    const double length_m = way_m(leg, stretch);
+    loose.pieces.push_back({.kind = stretch.curvature_per_m == 0 ? Kind::kLine : Kind::kArc,
+                            .direction = leg.direction,
+                            .T_map_start = leg.samples[stretch.first],
+                            .length_m = length_m,
+                            .turn_rad = stretch.curvature_per_m * length_m});
     for (std::size_t i = stretch.first; i < stretch.last; ++i) {
       loose.waypoints.push_back({.p_map = leg.samples[i].position(),
                                  .piece = loose.pieces.size() - 1,
@@ -47,6 +54,18 @@ void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<Stretch>&
                              .weight = step_m,
                              .ends_leg = true});
   loose.T_map_end = leg.samples.back();
+}
+
+/// Headings that go on over whole turns.
+void unwind(std::vector<DrivenLeg>& legs) {
+  double heading_rad = legs.front().samples.front().theta;
+  for (DrivenLeg& leg : legs) {
+    heading_rad += leg.turn_before_rad;
+    for (Pose2& sample : leg.samples) {
+      heading_rad += wrap_angle(sample.theta - heading_rad);
+      sample.theta = heading_rad;
+    }
+  }
 }
 
 LoosePath loose_path(const std::vector<DrivenLeg>& legs, double radius_min_m, double price_m3,
@@ -70,8 +89,8 @@ double stray_m(const LoosePath& loose, const Waypoint& waypoint) {
 double widest_gap_m(const LoosePath& loose) {
   double widest_m = 0;
   for (std::size_t k = 1; k < loose.pieces.size(); ++k) {
-    const Pose2 end = loose.pieces[k - 1].T_map_start * end_pose(loose.pieces[k - 1].arc());
-    widest_m = std::max(widest_m, (loose.pieces[k].T_map_start.position() - end.position()).norm());
+    const Vec2 off_m = loose.pieces[k].T_map_start.position() - loose.pieces[k - 1].end().position();
+    widest_m = std::max(widest_m, off_m.norm());
   }
   return widest_m;
 }
@@ -81,8 +100,9 @@ void split(LoosePath& loose, std::size_t k) {
   LoosePiece first = loose.pieces[k];
   first.kind = Kind::kArc;
   first.length_m /= 2;
+  first.turn_rad /= 2;
   LoosePiece second = first;
-  second.T_map_start = first.T_map_start * end_pose(first.arc());
+  second.T_map_start = first.end();
   loose.pieces[k] = first;
   loose.pieces.insert(loose.pieces.begin() + static_cast<std::ptrdiff_t>(k) + 1, second);
   for (Waypoint& waypoint : loose.waypoints) {
@@ -163,7 +183,8 @@ Path fit_path(std::span<const Pose2> driven, const PathFitParams& params) {
   double price_m3 = kPrice * params.radius_min_m * params.stray_max_m * params.stray_max_m;
   double stray_max_m = kBetweenSamples * params.stray_max_m;
   for (int tries = 0; tries < kTries; ++tries) {
-    const std::vector<DrivenLeg> legs = driven_legs(driven, step_m);
+    std::vector<DrivenLeg> legs = driven_legs(driven, step_m);
+    unwind(legs);
     Path path =
         smoothed(loose_path(legs, params.radius_min_m, price_m3, step_m), stray_max_m, params, step_m);
     if (keeps_near(path, driven, params)) return path;

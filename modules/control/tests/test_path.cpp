@@ -64,6 +64,21 @@ RC_GTEST_PROP(Path, NearestIsTheNearestOfManyPoints, (std::uint64_t seed)) {
   }
 }
 
+RC_GTEST_PROP(Path, ItsFirstPartAndAnotherBehindItLieWhereTheyLay, (std::uint64_t seed)) {
+  Random random(seed);
+  const Path whole = any_path(random);
+  const double cut_m = random.uniform(0.01, 1) * whole.length_m();
+  RC_PRE(cut_m > 1e-3);
+  const Path part = whole.up_to(cut_m);
+  RC_ASSERT(std::abs(part.length_m() - cut_m) < 1e-9);
+  const Path longer = part.followed_by(path_of({{1, 0.3}}, part.pieces().back().end()));
+  RC_ASSERT(std::abs(longer.length_m() - cut_m - 1) < 1e-9);
+  for (const double share : {0.0, 0.3, 0.7, 0.99}) {
+    const Vec2 p = whole.at(share * cut_m).T_map_path.position();
+    RC_ASSERT((longer.at(share * cut_m).T_map_path.position() - p).norm() < 1e-9);
+  }
+}
+
 RC_GTEST_PROP(Path, ReversedTwiceItIsItself, (std::uint64_t seed)) {
   Random random(seed);
   const Path path = any_path(random);

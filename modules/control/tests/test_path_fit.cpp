@@ -30,16 +30,18 @@ std::vector<Pose2> driven_by_hand(const Path& path, double wander_m, Random& ran
   return driven;
 }
 
-/// Straight stretches with bends, U-turns and turning points between.
-Path any_route(Random& random) {
-  std::vector<Arc> arcs = {{random.uniform(2, 10), 0}};
+/// Straight stretches up to 25 m with bends, U-turns and turning points between.
+Path any_route(Random& random, double radius_least_m) {
+  constexpr double kStretchLeast_m = 2, kStretchMost_m = 25;
+  std::vector<Arc> arcs = {{random.uniform(kStretchLeast_m, kStretchMost_m), 0}};
   double direction = 1;
   const std::uint64_t bends = random.index(5);
   for (std::uint64_t i = 0; i < bends; ++i) {
-    const double radius_m = random.uniform(0.8, 2), turn_rad = random.uniform() < 0.2 ? kPi : kPi / 2;
+    const double radius_m = random.uniform(radius_least_m, 2),
+                 turn_rad = random.uniform() < 0.2 ? kPi : kPi / 2;
     if (random.uniform() < 0.15) direction = -direction;
     arcs.push_back({direction * radius_m * turn_rad, random.uniform() < 0.5 ? turn_rad : -turn_rad});
-    arcs.push_back({direction * random.uniform(2, 10), 0});
+    arcs.push_back({direction * random.uniform(kStretchLeast_m, kStretchMost_m), 0});
   }
   return path_of(arcs);
 }
@@ -86,14 +88,24 @@ TEST(FitPath, KeepsTurnsOnTheSpotAndTurningPoints) {
   EXPECT_NEAR(path.pieces()[3].arc.length_m, -3, 0.02);
 }
 
-TEST(FitPath, NeverStraysFartherThanAllowed) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    Random random(seed);
-    const std::vector<Pose2> driven = driven_by_hand(any_route(random), seed % 2 == 0 ? 0 : 0.05, random);
-    const Path path = fit_path(driven, {});
-    EXPECT_LE(stray_m(path, driven), PathFitParams{}.stray_max_m) << seed;
-    EXPECT_LE(path.pieces().size(), 20) << seed;
-  }
+double backwards_m(const Path& path) {
+  double sum_m = 0;
+  for (const PathPiece& piece : path.pieces()) sum_m += std::max(0.0, -piece.arc.length_m);
+  return sum_m;
+}
+
+RC_GTEST_PROP(FitPath, AWayDrivenByHandIsGivenBackInFewPieces, (std::uint64_t seed)) {
+  Random random(seed);
+  const PathFitParams params{.radius_min_m = random.uniform(0.2, 0.8)};
+  const Path way = any_route(random, 0.3);
+  const std::vector<Pose2> driven = driven_by_hand(way, random.uniform(0, 0.05), random);
+  const Path path = fit_path(driven, params);
+  RC_ASSERT(stray_m(path, driven) <= params.stray_max_m);
+  RC_ASSERT(path.pieces().size() <= 2 * way.pieces().size() + 6);
+  RC_ASSERT(std::abs(path.length_m() - way.length_m()) <= 0.02 * way.length_m());
+  RC_ASSERT(std::abs(backwards_m(path) - backwards_m(way)) <= 0.02 * way.length_m());
+  const Pose2 end = path.pieces().back().end();
+  RC_ASSERT((end.position() - driven.back().position()).norm() <= params.stray_max_m);
 }
 
 TEST(FitPath, NarrowBendsAreSmoothedWhateverTheLeastRadius) {

@@ -300,8 +300,13 @@ bool BuildingExplorer::resume_left() {
   return resumed;
 }
 
+/// What was left, and has no gate any more, was seen from elsewhere.
 void BuildingExplorer::stop(std::size_t cycle) {
   cycle_ = cycle;
+  for (std::size_t p = 0; p < paths_.size(); ++p) {
+    if (is_left(paths_[p]) && !paths_[p].has_gate)
+      leave(p, PathState::kExplored, PathEvent::Kind::kExplored, cycle);
+  }
   feed(corridor_input::kExplored);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "aisle/formats/whole_file.hpp"
+#include "barrier_json.hpp"
 #include "camera_json.hpp"
 #include "corridor_json.hpp"
 #include "floor_json.hpp"
@@ -21,7 +22,7 @@ constexpr int kBuildingVersion = 1;
 Building read_version_1(const JsonValue& root) {
   Building building;
   root.is_object_of({"format", "version", "name", "has_dominant_direction", "walls", "camera", "landmarks",
-                     "routes", "corridors", "places", "floor"});
+                     "routes", "corridors", "places", "barriers", "floor"});
   if (const auto name = root.find("name")) name->read(building.name);
   if (const auto dominant = root.find("has_dominant_direction"))
     dominant->read(building.has_dominant_direction);
@@ -31,6 +32,7 @@ Building read_version_1(const JsonValue& root) {
   if (const auto routes = root.find("routes")) building.routes = read_routes(*routes);
   if (const auto corridors = root.find("corridors")) building.corridors = read_corridors(*corridors);
   if (const auto places = root.find("places")) building.places = read_places(*places);
+  if (const auto barriers = root.find("barriers")) building.barriers = read_barriers(*barriers);
   if (const auto floor = root.find("floor")) building.floor = read_floor(*floor);
   if (!building.landmarks.empty()) root.require("camera");
   return building;
@@ -48,6 +50,7 @@ std::string building_json(const Building& building) {
   if (!building.routes.empty()) text += ",\n\"routes\": " + routes_json(building.routes);
   if (!building.corridors.nodes.empty()) text += ",\n\"corridors\": " + corridors_json(building.corridors);
   if (!building.places.empty()) text += ",\n\"places\": " + places_json(building.places);
+  if (!building.barriers.empty()) text += ",\n\"barriers\": " + barriers_json(building.barriers);
   if (building.floor) text += ",\n\"floor\": " + floor_json(*building.floor);
   return text + "\n}\n";
 }

@@ -6,6 +6,7 @@
 
 #include "aisle/formats/cdr.hpp"
 #include "aisle/formats/ros_time.hpp"
+#include "floor_json.hpp"
 #include "frame_messages.hpp"
 
 namespace aisle {
@@ -18,6 +19,8 @@ constexpr ros::ColorRGBA kWallColour{0.2F, 0.2F, 0.25F, 1};
 constexpr ros::ColorRGBA kLandmarkColour{0.8F, 0.3F, 0.1F, 1};
 constexpr ros::ColorRGBA kGraphColour{0.1F, 0.5F, 0.8F, 1};
 constexpr ros::ColorRGBA kRouteColour{0.2F, 0.6F, 0.2F, 1};
+constexpr ros::ColorRGBA kKeepOutColour{0.8F, 0.2F, 0.2F, 1};
+constexpr ros::ColorRGBA kGlassColour{0.2F, 0.7F, 0.85F, 1};
 
 ros::Vector3 point(const Vec2& p) {
   return {.x = p.x(), .y = p.y()};
@@ -49,6 +52,15 @@ std::vector<double> plan_marks_m(const Path& path) {
   for (std::size_t i = 0; i <= count; ++i) marks.push_back(static_cast<double>(i) * kPlanEvery_m);
   marks.push_back(path.length_m());
   return marks;
+}
+
+ros::Marker barriers_of(const Building& building, Barrier::Kind kind, ros::Marker lines) {
+  for (const Barrier& barrier : building.barriers) {
+    if (barrier.kind != kind) continue;
+    lines.points.push_back(point(barrier.segment.start));
+    lines.points.push_back(point(barrier.segment.end));
+  }
+  return lines;
 }
 
 ros::Marker walls_of(const Building& building, ros::Stamp_ns stamp) {
@@ -135,7 +147,21 @@ std::string map_cdr(ros::Stamp_ns stamp, const Building& building) {
   for (const Route& route : building.routes)
     add_line(array, marker(stamp, "routes", ros::Marker::kLineStrip, 0.05, kRouteColour), way_of(route.path));
   add_places(array, building, stamp);
+  array.markers.push_back(
+      barriers_of(building, Barrier::Kind::kKeepOut,
+                  marker(stamp, "keep_out", ros::Marker::kLineList, 0.06, kKeepOutColour)));
+  array.markers.push_back(barriers_of(building, Barrier::Kind::kGlass,
+                                      marker(stamp, "glass", ros::Marker::kLineList, 0.06, kGlassColour)));
   return cdr_bytes(array);
+}
+
+const SessionTopic& floor_topic() {
+  static const SessionTopic topic{"/floor", ros::String::kType, true};
+  return topic;
+}
+
+std::string floor_cdr(const FloorGrid& floor) {
+  return cdr_bytes(ros::String{floor_json(floor)});
 }
 
 }  // namespace aisle

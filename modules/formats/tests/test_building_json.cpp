@@ -95,6 +95,20 @@ RC_GTEST_PROP(BuildingJson, ReadingItGivesTheSameBuildingToTheMillimetre, (std::
   }
 }
 
+TEST(BuildingJson, BarriersAreReadAndWrittenAndOtherKindsAreRefused) {
+  const auto building = parse_building(
+      with(R"("barriers": [{"kind": "glass", "start_m": [1, 2], "end_m": [1, 3.5]}])"), "b.json");
+  ASSERT_TRUE(building.ok());
+  ASSERT_THAT(building->barriers, SizeIs(1));
+  EXPECT_EQ(building->barriers[0].kind, Barrier::Kind::kGlass);
+  EXPECT_THAT(building->barriers[0].segment.end, PointNear(Vec2(1, 3.5), 0));
+  EXPECT_EQ(building_json(*parse_building(building_json(*building), "written")), building_json(*building));
+  EXPECT_THAT(problems(with(R"("barriers": [{"kind": "fence", "start_m": [1]}])")),
+              AllOf(HasSubstr("barriers[0].kind: is neither \"keep_out\" nor \"glass\""),
+                    HasSubstr("barriers[0].start_m: is not a list of 2"),
+                    HasSubstr("barriers[0].end_m: is missing")));
+}
+
 TEST(BuildingJson, SixHundredWallsAreSmall) {
   Random random(1);
   EXPECT_LE(building_json(any_building(random, 600)).size(), 100000U);

@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kReaction_s = 0.25;  // from a command to what comes of it
 constexpr double kStopSlack_m = 0.03;
-constexpr double kRoomNoise_m = 0.004;    // of the room that the vehicle seems to have
 constexpr double kStruckMatters_m = 1.5;  // from the vehicle's outline
 constexpr double kStruckMargin_m = 0.03;
 

@@ -14,7 +14,9 @@ constexpr double kCheckEvery_m = 0.13;
 constexpr double kNear_m = 0.12;  // of the vehicle to a way that was searched from its end
 constexpr double kNear_rad = 7 * kDegree;
 constexpr double kBendCost = 0.1;  // of the sharpest bend, per metre
-constexpr double kLeave_m = 2;     // so far about its start a vehicle may go where it barely fits
+constexpr double kLeave_m = 2;     // so far about its start a vehicle may go where it barely fits ...
+constexpr double kTightCost = 4;   // of way with less room than the margin, on the way out of a narrow place
+constexpr double kLeaveMargin_m = 0.025;  // ... or has so much room around its footprint
 
 /// What a vehicle can do in one step.
 std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_share) {
@@ -101,6 +103,7 @@ void CarSearch::begin(const Pose2& T_map_start) {
   bins_.clear();
   queue_.clear();
   expansions_ = 0;
+  reached_m_ = 0;
   forbidden_first_ = 0;
   is_free_ = nullptr;
   nodes_.push_back({.T_map = T_map_start, .arc = {}});
@@ -121,6 +124,8 @@ CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance
     if (nodes_[node].closed) continue;
     nodes_[node].closed = true;
     ++expansions_;
+    const Vec2 p_map_start = nodes_.front().T_map.position();
+    reached_m_ = std::max(reached_m_, (nodes_[node].T_map.position() - p_map_start).norm());
     if (is_goal_(nodes_[node].T_map)) {
       found_ = node;
       state_ = State::kFound;
@@ -143,9 +148,9 @@ void CarSearch::try_arc(const FloorGrid& floor, const FloorClearance& clearance,
   const std::uint64_t bin = bin_of(T_map);
   const auto there = bins_.find(bin);
   if (there != bins_.end() && nodes_[there->second].closed) return;
-  const double spare_m = least_spare_m(floor, clearance, nodes_[from].T_map, moved);
-  if (spare_m < 0) return;
-  const double cost_m = nodes_[from].cost_m + cost_of(arc, nodes_[from].arc, from == 0, spare_m);
+  const auto spare_m = least_spare_m(floor, clearance, nodes_[from].T_map, moved);
+  if (!spare_m) return;
+  const double cost_m = nodes_[from].cost_m + cost_of(arc, nodes_[from].arc, from == 0, *spare_m);
   std::size_t node = nodes_.size();
   if (there != bins_.end()) {
     node = there->second;
@@ -159,18 +164,23 @@ void CarSearch::try_arc(const FloorGrid& floor, const FloorClearance& clearance,
   std::push_heap(queue_.begin(), queue_.end());
 }
 
-double CarSearch::least_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
-                                const Pose2& T_map_from, const Arc& arc) const {
+/// None where the arc cannot be driven; negative on the way out of a place with less room than the margin.
+std::optional<double> CarSearch::least_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
+                                               const Pose2& T_map_from, const Arc& arc) const {
   const int checks = std::max(1, static_cast<int>(std::ceil(std::abs(arc.length_m) / kCheckEvery_m)));
   const bool is_leaving = (T_map_from.position() - nodes_.front().T_map.position()).norm() < kLeave_m;
   const double root_spare_m = is_leaving ? room_.standing_spare_m(floor, clearance, nodes_.front().T_map) : 0;
   double least_m = clearance.far_m();
-  for (int i = checks; i > 0 && least_m >= 0; --i) {
+  for (int i = checks; i > 0; --i) {
     const double share = static_cast<double>(i) / checks;
     const Pose2 T_map = T_map_from * end_pose({arc.length_m * share, arc.turn_rad * share});
-    if (is_free_ && !is_free_(T_map)) return -1;
-    double spare_m = room_.spare_m(floor, clearance, T_map);
-    if (spare_m < 0 && is_leaving && room_.fits_barely(floor, clearance, T_map, root_spare_m)) spare_m = 0;
+    if (is_free_ && !is_free_(T_map)) return std::nullopt;
+    const double spare_m = room_.spare_m(floor, clearance, T_map);
+    const bool fits =
+        spare_m >= 0 ||
+        (is_leaving && (spare_m + params_.margin_m >= kLeaveMargin_m ||
+                        room_.fits_barely(floor, clearance, T_map, root_spare_m - kRoomNoise_m)));
+    if (!fits) return std::nullopt;
     least_m = std::min(least_m, spare_m);
   }
   return least_m;
@@ -180,7 +190,8 @@ double CarSearch::cost_of(const Arc& arc, const Arc& before, bool is_first, doub
   const double way_m = arc.length_m == 0 ? std::abs(arc.turn_rad) * 0.3 : std::abs(arc.length_m);
   double cost_m = way_m * (arc.length_m < 0 ? params_.reverse_factor : 1);
   if (spare_m < params_.spare_wanted_m)
-    cost_m += way_m * params_.narrow_factor * (1 - spare_m / params_.spare_wanted_m);
+    cost_m += way_m * params_.narrow_factor * std::min(1.0, 1 - spare_m / params_.spare_wanted_m);
+  if (spare_m < 0) cost_m += way_m * kTightCost;
   cost_m += kBendCost * std::abs(arc.turn_rad);
   if (!is_first && changes_direction(arc, before)) cost_m += params_.turnabout_m;
   return cost_m;

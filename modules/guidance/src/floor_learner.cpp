@@ -14,7 +14,7 @@ constexpr double kSetDownBeside_m = 0.1;
 constexpr double kOutOfPlace_m =
     0.025;                      // the floor is laid anew when a slice lies so far from where it was put
 constexpr double kLever_m = 2;  // at which turns count
-constexpr std::size_t kLaidACycle = 2;  // of the slices that are laid anew
+constexpr std::size_t kLaidACycle = 8;  // of the slices that are laid anew
 constexpr double kStanding_m = 0.002;   // of way in a cycle
 
 }  // namespace

@@ -71,7 +71,8 @@ bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& cl
     for (int row = 0; row <= rows; ++row) {
       const double x = length_m * column / columns + inset_m - footprint_.rear_m,
                    y = width_m * (static_cast<double>(row) / rows - 0.5);
-      if (floor.at(Vec2(T_map_vehicle.position() + x * ahead + y * aside)) != Floor::kFree) return false;
+      const FloorCell cell = floor.cell_at(T_map_vehicle.position() + x * ahead + y * aside);
+      if (floor.at(cell) != Floor::kFree || clearance.is_barred(cell)) return false;
     }
   }
   return true;

@@ -13,10 +13,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kWatchShare = 0.4;     // of the margin that a way must keep while it is driven
-constexpr double kSpareNoise_m = 0.02;  // of the room that the vehicle seems to have
 constexpr double kWatchAhead_m = 1.5;
-constexpr double kWatchEvery_m = 0.1;
 constexpr double kGetsOn_m = 0.3;     // within the time after which it gives up
 constexpr double kSearchAgain_s = 2;  // after there was no way
 
@@ -57,14 +54,14 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
       vehicle_(vehicle),
       sensor_(std::move(sensor)),
       localiser_(params.localiser, sensor_->fan(), building.walls, about_start(T_map_start, params)),
+      has_barriers_(!building.barriers.empty()),
       floor_(floor_of(building)),
       clearance_(params.legs),
       search_(params.search, vehicle),
-      watch_(vehicle.footprint, kWatchShare * params.search.margin_m),
-      braking_(vehicle, kWatchShare * params.search.margin_m),
-      follower_(vehicle, params.steering),
+      driver_(vehicle, params.steering, params.speed),
       p_map_places_(std::move(p_map_places)),
       T_map_vehicle_(T_map_start) {
+  clearance_.bar(building.barriers, floor_.cell_m());
   clearance_.update(floor_, floor_.known());
 }
 
@@ -110,30 +107,20 @@ std::string GuideNavigator::why_failed(const Observation& observation) {
   if (observation.stamp_s - sure_s_ > params_.lost_s) return "lost: what it sees fits no walls that it knows";
   if (observation.stamp_s - hopeful_s_ <= params_.give_up_s) return "";
   const Vec2& p = p_map_places_[next_];
-  return fmt::format("there is no way to {:.1f}, {:.1f}", p.x(), p.y());
+  return fmt::format("there is no way to {:.1f}, {:.1f}{}", p.x(), p.y(),
+                     has_barriers_ ? " that crosses neither keep-out lines nor glass" : "");
 }
 
-/// Something may have come into the way, or the vehicle may have strayed from it. Where it has less room
-/// already than it should, only still less is worse.
+/// Something may have come into the way.
 void GuideNavigator::check_way() {
-  if (!progress_) return;
-  const double spare_min_m = std::min(0.0, room_at(T_map_vehicle_)) - kSpareNoise_m;
-  const double along_m = progress_->point().along_m;
-  for (double ahead_m = 0; ahead_m <= kWatchAhead_m && along_m + ahead_m < path_.length_m();
-       ahead_m += kWatchEvery_m) {
-    if (room_at(path_.at(along_m + ahead_m).T_map_path) >= spare_min_m) continue;
-    ++ways_closed_;
-    return drop_way();
-  }
-}
-
-double GuideNavigator::room_at(const Pose2& T_map_vehicle) const {
-  return watch_.spare_m(floor_, clearance_, T_map_vehicle);
+  const double watched_m = std::min(kWatchAhead_m, driver_.left_m());
+  if (driver_.free_m(floor_, clearance_, T_map_vehicle_) >= watched_m - 1e-6) return;
+  ++ways_closed_;
+  drop_way();
 }
 
 void GuideNavigator::drop_way() {
-  progress_.reset();
-  path_ = {};
+  driver_.drop();
   search_.stop();
 }
 
@@ -147,6 +134,7 @@ void GuideNavigator::begin_search() {
   const Vec2& p_map_place = p_map_places_[next_];
   search_.look_for(floor_, clearance_, T_map_vehicle_, p_map_place, vehicle_.footprint.front_m,
                    [this](const Pose2& T_map) { return is_at_place(T_map); });
+  if (blocked_direction_ != 0) search_.forbid_first(std::exchange(blocked_direction_, 0));
 }
 
 void GuideNavigator::search_way(double stamp_s) {
@@ -154,7 +142,7 @@ void GuideNavigator::search_way(double stamp_s) {
     hopeful_s_ = stamp_s;
     p_map_hopeful_ = T_map_vehicle_.position();
   }
-  if (progress_) return;
+  if (driver_.has_way()) return;
   if (search_.state() == CarSearch::State::kIdle) begin_search();
   if (search_.state() == CarSearch::State::kNone) {
     if (stamp_s - searched_s_ < kSearchAgain_s) return;
@@ -163,34 +151,25 @@ void GuideNavigator::search_way(double stamp_s) {
   const CarSearch::State state = search_.advance(floor_, clearance_, params_.expansions);
   if (state == CarSearch::State::kNone) searched_s_ = stamp_s;
   if (state != CarSearch::State::kFound) return;
-  path_ = search_.path();
+  const Path way = search_.path();
   search_.stop();
-  if (path_.empty()) {
+  if (way.empty()) {
     ++next_;
     hopeful_s_ = stamp_s;
   } else {
-    progress_.emplace(path_);
+    driver_.take(way);
   }
 }
 
 Decision GuideNavigator::drive(const Observation& observation) {
-  const double steering_rad = steering_rad_of(observation.odometry);
-  Decision standing{.command = {.steering_rad = steering_rad}, .state = "searching"};
-  if (!progress_) return standing;
-  const PathPoint& point = progress_->advance(T_map_vehicle_);
-  if (progress_->has_arrived()) {
-    drop_way();
-    return standing;
-  }
-  const double care = driving_care(vehicle_, watch_, floor_, clearance_, path_, point.along_m, steering_rad);
-  const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, params_.speed);
-  const Command command = follower_.follow(path_, point, T_map_vehicle_, speed_mps, steering_rad);
-  braking_.see(sensor_->fan(), view_.ranges_m);
-  if (!braking_.is_free(floor_, clearance_, T_map_vehicle_, command, steering_rad)) {
-    drop_way();
-    return standing;
-  }
-  return {.command = command, .state = "driving"};
+  driver_.see(sensor_->fan(), view_.ranges_m);
+  const WayDriver::Step step = driver_.drive(floor_, clearance_, search_.room(), T_map_vehicle_,
+                                             steering_rad_of(observation.odometry));
+  const bool drives =
+      step.state == WayDriver::State::kDriving || step.state == WayDriver::State::kTurningWheels;
+  if (step.state == WayDriver::State::kBlocked) blocked_direction_ = step.direction;
+  if (!drives && driver_.has_way()) drop_way();
+  return {.command = step.command, .state = drives ? "driving" : "searching"};
 }
 
 }  // namespace aisle

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "aisle/guidance/barrier_watch.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {
@@ -228,7 +229,13 @@ Decision LandmarkNavigator::follow(const Observation& observation) {
 
 /// The same as far as nothing stands in the way.
 Decision LandmarkNavigator::guarded(Decision decision) {
-  if (!params_.guarded || decision.status != NavigatorStatus::kGoing) return decision;
+  if (decision.status != NavigatorStatus::kGoing) return decision;
+  if (const Barrier* barrier =
+          barrier_ahead(building_->barriers, vehicle_, localiser_.pose(), decision.command))
+    return {.status = NavigatorStatus::kFailed,
+            .state = "blocked",
+            .why = fmt::format("{} ahead", words_for(barrier->kind))};
+  if (!params_.guarded) return decision;
   const WayAhead way = way_ahead(path_, progress_.point(), localiser_.pose(), params_.guard.reach_m);
   Guarded allowed = guard_.allow(decision.command, way);
   decision.command = allowed.command;

@@ -62,10 +62,11 @@ void SectionNavigator::locate(const Observation& observation) {
   is_guided_ = false;
   const CameraPicture* picture = guard_.look(observation);
   if (picture == nullptr || picture != present_picture(observation, camera_, vehicle_.cycle_s)) return;
-  edges_.clear();
-  for (const FloorEdge& edge : detector_.detect(*picture->image)) edges_.push_back(edge.on_floor);
-  guard_.see_floor(edges_);
-  localiser_.correct(edges_, progress_.point().piece);
+  edges_ = detector_.detect(*picture->image);
+  edges_on_floor_.clear();
+  for (const FloorEdge& edge : edges_) edges_on_floor_.push_back(edge.on_floor);
+  guard_.see_floor(edges_on_floor_);
+  localiser_.correct(edges_on_floor_, progress_.point().piece);
   is_guided_ = localiser_.is_guided();
 }
 

@@ -45,6 +45,21 @@ TEST(CarSearch, ReversesOutOfWhereItCannotTurn) {
   expect_drivable(search.path(), known, cart());
 }
 
+TEST(CarSearch, LeavesADoorwayThatIsTooNarrowToBeEntered) {
+  KnownFloor known({{Vec2(0, 0), Vec2(3, 3)}, {Vec2(3, 1.15), Vec2(3.2, 1.85)}, {Vec2(3.2, 0), Vec2(6, 3)}});
+  for (int y = 0; y < 60; ++y) {
+    if (y < 23 || y >= 37) known.floor.set({62, y}, Floor::kOccupied);
+  }
+  known.clearance.update(known.floor, known.floor.known());
+  CarSearch search({}, cart());
+  const auto beyond = [](const Pose2& T) { return T.x > 4; };
+  search.look_for({1, 1.5, 0}, beyond, no_guide);
+  EXPECT_EQ(run(known, search), CarSearch::State::kNone);
+  search.look_for({2.9, 1.5, 1 * kDegree}, beyond, no_guide);
+  EXPECT_EQ(run(known, search), CarSearch::State::kFound);
+  EXPECT_GT(search.reached_m(), 1);
+}
+
 TEST(CarSearch, BeginsTheOtherWayWhereItIsTold) {
   const KnownFloor known({{Vec2(0, 0), Vec2(10, 5)}});
   CarSearch search({}, cart());

@@ -65,6 +65,8 @@ void WallLocaliser::take_scan(std::span<const float> ranges_m, const Pose2& T_la
   index_.query(p_map, p_map, params_.reach_m, near_);
   const PosePrior prior{T_map_sensor.mean, T_map_sensor.covariance.inverse()};
   const Alignment alignment = aligner_.align(seen_, walls_, near_, prior, params_.gate_m, kLayingIterations);
+  seen_m_ = alignment.seen_m;
+  fitting_m_ = alignment.fitting_m;
   is_doubtful_ = alignment.seen_m > kTelling_m && alignment.fitting_share() < params_.lost_share;
   const UncertainPose2 laid{alignment.T_map_sensor,
                             (prior.information + alignment.wall_information).inverse()};

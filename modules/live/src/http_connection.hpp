@@ -1,7 +1,6 @@
 #pragma once
 
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "streams.hpp"
 #include "websocket_connection.hpp"
 
 namespace aisle::net {
@@ -22,8 +22,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
   static constexpr std::uint32_t kHeaderBytesMax = 16 << 10;
   static constexpr std::chrono::seconds kPatience{30};
 
-  HttpConnection(Stream stream, Premises& premises)
-      : stream_(std::move(stream)), premises_(premises), connection_(premises.connections) {}
+  HttpConnection(Stream stream, Premises& premises, Counted connection)
+      : stream_(std::move(stream)), premises_(premises), connection_(std::move(connection)) {}
 
   void read() {
     parser_.emplace();
@@ -150,8 +150,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
 
   void on_sent(bool goes_on) {
     if (goes_on) return read();
-    beast::error_code ignored;
-    beast::get_lowest_layer(stream_).socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
+    end_stream(stream_, this->shared_from_this());
   }
 
   Stream stream_;

@@ -6,12 +6,15 @@
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "http_connection.hpp"
 #include "outbox.hpp"
 #include "premises.hpp"
+#include "tls_context.hpp"
+#include "tls_door.hpp"
 
 namespace aisle {
 namespace {
@@ -20,6 +23,8 @@ namespace asio = boost::asio;
 using Tcp = asio::ip::tcp;
 
 constexpr std::size_t kTokenMin = 16;
+
+using Tls = std::optional<asio::ssl::context>;
 
 Result<asio::ip::address> address_of(const LiveServerOptions& options) {
   boost::system::error_code error;
@@ -33,14 +38,24 @@ Result<asio::ip::address> address_of(const LiveServerOptions& options) {
   return address;
 }
 
+/// Nothing where none is wanted.
+Result<Tls> tls_of(const LiveServerOptions& options) {
+  if (!options.tls.are_given()) return Tls();
+  auto context = tls_context(options.tls);
+  if (!context) return context.problems();
+  return Tls(std::move(*context));
+}
+
 }  // namespace
 
 /// The sockets, the thread that serves them, and what comes in from the mission's thread.
 class LiveServer::Engine {
  public:
-  Engine(LiveServerOptions options, const asio::ip::address& address, std::vector<LiveService> services)
+  Engine(LiveServerOptions options, const asio::ip::address& address, Tls tls,
+         std::vector<LiveService> services)
       : options_(std::move(options)),
         address_(address),
+        tls_(std::move(tls)),
         drive_(clock_),
         hub_(options_.name, options_.version, std::move(services), clock_, drive_,
              [this](std::function<void()> work) { asio::post(io_, std::move(work)); }),
@@ -58,6 +73,7 @@ class LiveServer::Engine {
 
   Problems start();
   Tcp::endpoint endpoint() const { return acceptor_.local_endpoint(); }
+  bool is_encrypted() const { return tls_.has_value(); }
 
   void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr);
   void take_time(ros::Stamp_ns stamp);
@@ -77,6 +93,7 @@ class LiveServer::Engine {
 
   LiveServerOptions options_;
   asio::ip::address address_;
+  Tls tls_;
   SteadyClock clock_;
   DriveInbox drive_;
   Hub hub_;
@@ -116,8 +133,11 @@ void LiveServer::Engine::admit(Tcp::socket socket) {
   if (premises_.connections >= kConnectionsMax) return;
   boost::system::error_code ignored;
   socket.set_option(Tcp::no_delay(true), ignored);
-  using Stream = boost::beast::tcp_stream;
-  std::make_shared<net::HttpConnection<Stream>>(Stream(std::move(socket)), premises_)->read();
+  net::PlainStream stream(std::move(socket));
+  if (tls_) return std::make_shared<net::TlsDoor>(std::move(stream), *tls_, premises_)->open();
+  std::make_shared<net::HttpConnection<net::PlainStream>>(std::move(stream), premises_,
+                                                          Counted(premises_.connections))
+      ->read();
 }
 
 void LiveServer::Engine::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) {
@@ -147,7 +167,9 @@ Result<std::unique_ptr<LiveServer>> LiveServer::open(LiveServerOptions options,
                                                      std::vector<LiveService> services) {
   const auto address = address_of(options);
   if (!address) return address.problems();
-  auto engine = std::make_unique<Engine>(std::move(options), *address, std::move(services));
+  auto tls = tls_of(options);
+  if (!tls) return tls.problems();
+  auto engine = std::make_unique<Engine>(std::move(options), *address, std::move(*tls), std::move(services));
   if (Problems problems = engine->start(); !problems.empty()) return problems;
   return std::unique_ptr<LiveServer>(new LiveServer(std::move(engine)));
 }
@@ -162,7 +184,12 @@ std::uint16_t LiveServer::port() const {
 std::string LiveServer::url() const {
   const auto endpoint = engine_->endpoint();
   const std::string host = endpoint.address().to_string();
-  return fmt::format("http://{}:{}/", endpoint.address().is_v6() ? "[" + host + "]" : host, endpoint.port());
+  return fmt::format("{}://{}:{}/", engine_->is_encrypted() ? "https" : "http",
+                     endpoint.address().is_v6() ? "[" + host + "]" : host, endpoint.port());
+}
+
+bool LiveServer::can_be_overheard() const {
+  return !engine_->is_encrypted() && !engine_->endpoint().address().is_loopback();
 }
 
 void LiveServer::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) {

@@ -69,6 +69,18 @@ class BoxDistances {
 
 }  // namespace
 
+void FloorClearance::bar(std::span<const Barrier> barriers, double cell_m) {
+  for (const Barrier& barrier : barriers) {
+    const std::vector<FloorCell> cells = cells_under(barrier.segment, cell_m);
+    barred_.insert(barred_.end(), cells.begin(), cells.end());
+  }
+  std::sort(barred_.begin(), barred_.end(), is_before);
+}
+
+bool FloorClearance::is_barred(FloorCell cell) const {
+  return std::binary_search(barred_.begin(), barred_.end(), cell, is_before);
+}
+
 void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return;
   const int limit = static_cast<int>(std::ceil(far_m_ / floor.cell_m())) + 1;

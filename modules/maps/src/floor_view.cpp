@@ -27,7 +27,7 @@ class FloorPainter {
         near_m_(near_m),
         T_map_laser_(T_map_laser),
         reach_m_(reach_m),
-        around_(box_around(floor, T_map_laser.position(), reach_m)),
+        around_(box_of_beams()),
         struck_(static_cast<std::size_t>(around_.end.x - around_.low.x) *
                     static_cast<std::size_t>(around_.end.y - around_.low.y),
                 false) {}
@@ -41,6 +41,18 @@ class FloorPainter {
   }
 
  private:
+  /// Holds every cell that the beams pass or strike.
+  FloorBox box_of_beams() const {
+    FloorBox box;
+    box.include(floor_.cell_at(T_map_laser_.position()));
+    for (std::size_t beam = 0; beam < ranges_m_.size(); ++beam) {
+      if (!is_usable(beam)) continue;
+      const double range_m = std::min<double>(ranges_m_[beam], reach_m_);
+      box.include(floor_.cell_at(Vec2(T_map_laser_ * Vec2(range_m * unit(laser_.beam_angle(beam))))));
+    }
+    return box.widened(1);
+  }
+
   bool is_usable(std::size_t beam) const { return std::isfinite(ranges_m_[beam]) && ranges_m_[beam] > 0; }
 
   void strike(std::size_t beam) {

@@ -11,10 +11,6 @@ constexpr double kRingFreeShare = 0.7;  // of it; the rest may be what the leg h
 constexpr double kAcrossMin = 0.8;      // cosine: a wall lies behind two legs, not beside them
 constexpr double kLineStepCells = 0.5;
 
-bool is_before(FloorCell a, FloorCell b) {
-  return a.y != b.y ? a.y < b.y : a.x < b.x;
-}
-
 template <class Visit>
 void for_cells_around(FloorCell middle, int reach, Visit visit) {
   for (int y = middle.y - reach; y <= middle.y + reach; ++y) {
@@ -66,7 +62,9 @@ void LegBarriers::find_legs(const FloorGrid& floor, const FloorBox& within) {
       const FloorCell first{x, y};
       if (floor.at(first) != Floor::kOccupied) continue;
       const std::vector<FloorCell> cells = small_thing(floor, first);
-      if (cells.empty()) continue;
+      const bool begins_here =
+          std::none_of(cells.begin(), cells.end(), [&](FloorCell cell) { return is_before(cell, first); });
+      if (cells.empty() || !begins_here) continue;
       Vec2 p_map = Vec2::Zero();
       for (const FloorCell cell : cells) p_map += floor.centre(cell) / static_cast<double>(cells.size());
       if (stands_free(floor, p_map)) legs_.push_back({first, p_map});
@@ -76,8 +74,7 @@ void LegBarriers::find_legs(const FloorGrid& floor, const FloorBox& within) {
             [](const Leg& a, const Leg& b) { return is_before(a.first, b.first); });
 }
 
-/// The cells that hang together with the first one of them; none if they are too many for a leg, or if it is
-/// not the first.
+/// The cells that hang together with one of them; none if they are too many for a leg.
 std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCell start) const {
   const int wide = std::max(1, static_cast<int>(std::lround(params_.leg_max_m / floor.cell_m())));
   std::vector<FloorCell> cells = {start};
@@ -89,7 +86,7 @@ std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCel
       if (!fits || floor.at(next) != Floor::kOccupied) return;
       if (std::find(cells.begin(), cells.end(), next) != cells.end()) return;
       box.include(next);
-      fits = !is_before(next, start) && box.end.x - box.low.x <= wide && box.end.y - box.low.y <= wide;
+      fits = box.end.x - box.low.x <= wide && box.end.y - box.low.y <= wide;
       cells.push_back(next);
     });
     if (!fits) return {};
@@ -97,15 +94,20 @@ std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCel
   return cells;
 }
 
+/// No wall is near: a thin wall that was seen from both sides shows specks of its other face, too.
 bool LegBarriers::stands_free(const FloorGrid& floor, const Vec2& p_map) const {
   const int reach = static_cast<int>(std::ceil(kRing_m / floor.cell_m())) + 1;
   int ring = 0, free = 0;
+  bool at_wall = false;
   for_cells_around(floor.cell_at(p_map), reach, [&](FloorCell cell) {
-    if (std::abs((floor.centre(cell) - p_map).norm() - kRing_m) > floor.cell_m() / 2) return;
+    const double beyond_m = (floor.centre(cell) - p_map).norm() - kRing_m;
+    if (beyond_m > floor.cell_m() / 2 || at_wall) return;
+    at_wall = floor.at(cell) == Floor::kOccupied && small_thing(floor, cell).empty();
+    if (beyond_m < -floor.cell_m() / 2) return;
     ++ring;
     free += floor.at(cell) == Floor::kFree ? 1 : 0;
   });
-  return free >= kRingFreeShare * ring;
+  return !at_wall && free >= kRingFreeShare * ring;
 }
 
 std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const {

@@ -48,6 +48,28 @@ RC_GTEST_PROP(FloorClearance, IsTheDistanceThatTryingAllCellsGives, (std::uint64
   }
 }
 
+TEST(FloorClearance, CountsWhatLiesUnderABarrierAsOccupiedWhateverIsSeenThere) {
+  FloorGrid floor(0.1);
+  FloorClearance clearance(kFar_m);
+  const Barrier barriers[] = {{.segment = {{1.05, -1}, {1.05, 1}}}};
+  clearance.bar(barriers, floor.cell_m());
+  for (int round = 0; round < 3; ++round) {
+    FloorBox changed;
+    for (int y = -20; y < 20; ++y) {
+      for (int x = -20; x < 20; ++x) {
+        floor.see_free({x, y});
+        changed.include({x, y});
+      }
+    }
+    clearance.update(floor, changed);
+    EXPECT_TRUE(clearance.is_barred({10, 0}));
+    EXPECT_EQ(clearance.to_doubtful_m({10, 0}), 0);
+    EXPECT_NEAR(clearance.to_occupied_m({8, 0}), 0.15, 1e-6);
+    EXPECT_NEAR(clearance.to_doubtful_m({13, 5}), 0.25, 1e-6);
+    EXPECT_FALSE(clearance.is_barred({9, 0}));
+  }
+}
+
 TEST(FloorClearance, KnowsNoFreeFloorBeforeItWasSeen) {
   const FloorClearance clearance;
   EXPECT_EQ(clearance.to_doubtful_m({5, 5}), 0);

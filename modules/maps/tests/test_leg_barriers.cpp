@@ -54,6 +54,13 @@ TEST_F(LegBarriersOnAFloor, DoNotTakeTheEndsOfWallsForLegs) {
   EXPECT_FALSE(is_closed({2, 2.6}, {6, 2.6}));
 }
 
+TEST_F(LegBarriersOnAFloor, DoNotTakeSpecksOfAWallsOtherFaceForLegs) {
+  wall(3, 0, 2);
+  wall(3, 3, 6);
+  for (const double y_m : {1.82, 3.12}) stand(3.12, y_m);
+  EXPECT_FALSE(is_closed({2, 2.5}, {6, 2.5}));
+}
+
 TEST_F(LegBarriersOnAFloor, DoNotTakeAWallSeenFromFarForLegs) {
   for (int y = 0; y < 120; ++y) {
     for (int x = 80; x < 160; ++x) floor_.set({x, y}, Floor::kUnknown);

@@ -1,6 +1,7 @@
 #include "aisle/report/exploration_picture.hpp"
 
 #include <array>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -16,7 +17,8 @@ constexpr Color kExploredFloor{1, 1, 1};
 constexpr Color kUnseenFloor{0.90, 0.91, 0.92};
 constexpr Color kExploredThings{0.42, 0.45, 0.50};
 constexpr Color kPushed{0.95, 0.60, 0.10};
-constexpr Color kGivenUp{0.80, 0.10, 0.20};
+constexpr Color kGivenUp{0.55, 0.40, 0.65};
+constexpr Color kUndone{0.80, 0.10, 0.20};
 constexpr Pen kExploredWallPen{kInk, 2};
 constexpr Pen kExploredWayPen{kPath, 2.5};
 constexpr double kGate_px = 6;
@@ -78,16 +80,23 @@ class ExplorationDrawing {
   }
 
   void draw_gates(Canvas& canvas) const {
+    std::map<std::size_t, const PathEvent*> latest;  // of each path
     for (const PathEvent& event : picture_.record.paths) {
-      const Vec2 centre = scale_.to_paper(event.p_map);
-      if (event.kind == PathEvent::Kind::kPushed) canvas.ring(centre, kGate_px, {kPushed, 2});
-      if (event.kind == PathEvent::Kind::kGivenUp) canvas.disc(centre, kGate_px, kGivenUp);
+      latest[event.path] = &event;
+      if (event.kind == PathEvent::Kind::kPushed)
+        canvas.ring(scale_.to_paper(event.p_map), kGate_px, {kPushed, 2});
+    }
+    for (const auto& [path, event] : latest) {
+      const Vec2 centre = scale_.to_paper(event->p_map);
+      if (event->kind == PathEvent::Kind::kGivenUp) canvas.disc(centre, kGate_px, kGivenUp);
+      if (event->kind == PathEvent::Kind::kAbandoned) canvas.disc(centre, kGate_px, kUndone);
     }
   }
 
   void draw_legend(Canvas& canvas) const {
     Legend legend(canvas, scale_);
-    legend.add("given up", 2 * kGate_px, [&](const Vec2& p) { canvas.disc(p, kGate_px, kGivenUp); });
+    legend.add("left undone", 2 * kGate_px, [&](const Vec2& p) { canvas.disc(p, kGate_px, kUndone); });
+    legend.add("corner given up", 2 * kGate_px, [&](const Vec2& p) { canvas.disc(p, kGate_px, kGivenUp); });
     legend.add("path left for later", 2 * kGate_px, [&](const Vec2& p) {
       canvas.ring(p, kGate_px, {kPushed, 2});
     });

@@ -3,7 +3,7 @@
 import { distance, distance_to_piece } from "../plan/geometry";
 import type { Point } from "../plan/geometry";
 import { point_of } from "../plan/building_geometry";
-import type { Building, Pair } from "./building_file";
+import type { Barrier, Building, Pair } from "./building_file";
 import { with_line } from "./floor_cells";
 
 function pair({ x, y }: Point): Pair {
@@ -24,44 +24,38 @@ export function without_place(building: Building, name: string): Building {
   return { ...building, places: (building.places ?? []).filter((place) => place.name !== name) };
 }
 
-/** What lies nearest to a point: a wall or a landmark by its number. */
+/** What lies nearest to a point: a part of the building by its number in its list. */
 export interface Found {
-  kind: "wall" | "landmark";
+  list: "walls" | "landmarks" | "barriers";
   index: number;
   away_m: number;
 }
 
 export function nearest_part(building: Building, at: Point, within_m: number): Found | undefined {
-  const walls = (building.walls ?? []).map(({ start_m, end_m }, index): Found => {
-    return { kind: "wall", index, away_m: distance_to_piece(at, point_of(start_m), point_of(end_m)) };
-  });
+  const lines = (list: "walls" | "barriers") =>
+    (building[list] ?? []).map(({ start_m, end_m }, index): Found => {
+      return { list, index, away_m: distance_to_piece(at, point_of(start_m), point_of(end_m)) };
+    });
   const landmarks = (building.landmarks ?? []).map(({ at_m }, index): Found => {
-    return { kind: "landmark", index, away_m: distance(at, point_of(at_m)) };
+    return { list: "landmarks", index, away_m: distance(at, point_of(at_m)) };
   });
-  const near = [...landmarks, ...walls].filter(({ away_m }) => away_m <= within_m);
+  const near = [...landmarks, ...lines("barriers"), ...lines("walls")].filter(
+    ({ away_m }) => away_m <= within_m,
+  );
   return near.reduce<Found | undefined>(
     (best, part) => (best === undefined || part.away_m < best.away_m ? part : best),
     undefined,
   );
 }
 
-export function without_part(building: Building, { kind, index }: Found): Building {
-  if (kind === "wall") return { ...building, walls: (building.walls ?? []).filter((_, at) => at !== index) };
-  return { ...building, landmarks: (building.landmarks ?? []).filter((_, at) => at !== index) };
+export function without_part(building: Building, { list, index }: Found): Building {
+  return { ...building, [list]: (building[list] ?? []).filter((_, at) => at !== index) };
 }
 
-/** A line over which the vehicle must not drive: its cells of the floor are occupied. @throws Error without a floor */
-export function with_keep_out(building: Building, from: Point, to: Point): Building {
-  if (!building.floor) throw new Error("this building has no floor to keep the vehicle from");
-  return { ...building, floor: with_line(building.floor, from, to, () => "#") };
-}
-
-/** A pane of glass, which no sensor sees: a wall with both its faces, and occupied floor where there is one. */
-export function with_glass(building: Building, from: Point, to: Point): Building {
-  const [start_m, end_m] = [pair(from), pair(to)];
-  const walls = [...(building.walls ?? []), { start_m, end_m }, { start_m: end_m, end_m: start_m }];
-  const made = { ...building, walls };
-  return building.floor ? with_keep_out(made, from, to) : made;
+/** A line that the vehicle never crosses: because somebody wishes it, or because a pane of glass stands there. */
+export function with_barrier(building: Building, kind: Barrier["kind"], from: Point, to: Point): Building {
+  const barrier = { kind, start_m: pair(from), end_m: pair(to) };
+  return { ...building, barriers: [...(building.barriers ?? []), barrier] };
 }
 
 /** Floor that is free after all along a line: what stood there was not there. @throws Error without a floor */

@@ -7,6 +7,13 @@ export interface Wall {
   end_m: Pair;
 }
 
+/** A line that the vehicle never crosses. */
+export interface Barrier {
+  kind: "keep_out" | "glass";
+  start_m: Pair;
+  end_m: Pair;
+}
+
 export interface Landmark {
   at_m: Pair;
 }
@@ -43,5 +50,6 @@ export interface Building {
   routes?: Route[];
   corridors?: { nodes: { kind: string; at_m: Pair }[]; corridors: { way_m: Pair[] }[] };
   places?: Place[];
+  barriers?: Barrier[];
   floor?: Floor;
 }

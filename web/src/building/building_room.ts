@@ -13,7 +13,7 @@ import { BuildingTools, tool_labels } from "./building_tools";
 import type { ToolName } from "./building_tools";
 
 /** What is in a building, in words. */
-function summary({ walls, landmarks, routes, places, floor }: Building): string {
+function summary({ walls, landmarks, routes, places, barriers, floor }: Building): string {
   const count = (parts: unknown[] | undefined, one: string, many: string) =>
     parts?.length ? `${parts.length} ${parts.length === 1 ? one : many}` : "";
   const known = [
@@ -21,6 +21,7 @@ function summary({ walls, landmarks, routes, places, floor }: Building): string 
     count(landmarks, "landmark", "landmarks"),
     count(routes, "route", "routes"),
     count(places, "place", "places"),
+    count(barriers, "drawn line", "drawn lines"),
     floor ? "floor" : "",
   ].filter(Boolean);
   return known.join(", ") || "nothing yet";
@@ -149,9 +150,6 @@ export function building_room(app: App): Room {
     history = building && new UndoList(building);
     canvas.refit();
     show();
-  });
-  app.room.watch((room) => {
-    if (room === "building") void shelf.refresh().catch(() => undefined);
   });
 
   const room = element(

@@ -1,10 +1,8 @@
 import type { App } from "../page/app";
-import { Signal } from "../page/signal";
 import { get_json } from "../page/server_files";
+import { keep_fresh } from "../page/server_list";
+import { Signal } from "../page/signal";
 import type { Building } from "./building_file";
-
-/** A list that cannot be had now is asked for again at the next change. */
-const ignore = (): void => undefined;
 
 /** The buildings that the server keeps, and the one that is chosen. */
 export class BuildingShelf {
@@ -15,12 +13,7 @@ export class BuildingShelf {
   readonly is_shown = new Signal(false);
 
   constructor(private readonly app: App) {
-    let mode: string | undefined;
-    app.state.watch((state) => {
-      if (state && state.mode !== mode) void this.refresh().catch(ignore);
-      mode = state?.mode;
-    });
-    app.connection.services.watch(() => void this.refresh().catch(ignore));
+    keep_fresh(app, "building", () => this.refresh());
   }
 
   async refresh(): Promise<void> {

@@ -2,7 +2,7 @@ import { colour } from "../page/theme";
 import { draw_dots, draw_line } from "../plan/draw";
 import type { Point } from "../plan/geometry";
 import type { Layer, PlanCanvas, PlanTool } from "../plan/plan_canvas";
-import { nearest_part, with_cleared, with_glass, with_keep_out, without_part } from "./building_edits";
+import { nearest_part, with_barrier, with_cleared, without_part } from "./building_edits";
 import type { Building } from "./building_file";
 
 export type ToolName = "look" | "place" | "delete" | "keep_out" | "glass" | "clear";
@@ -10,9 +10,13 @@ export type ToolName = "look" | "place" | "delete" | "keep_out" | "glass" | "cle
 export const tool_labels: { value: ToolName; label: string; hint: string }[] = [
   { value: "look", label: "Look", hint: "Drag to move the plan, turn the wheel or pinch to zoom." },
   { value: "place", label: "Name a place", hint: "Click where it is, then name it." },
-  { value: "delete", label: "Delete", hint: "Click a wall or a landmark that is not there." },
+  { value: "delete", label: "Delete", hint: "Click what is not there: a wall, a landmark or a drawn line." },
   { value: "keep_out", label: "Keep-out line", hint: "Drag a line: the vehicle does not drive over it." },
-  { value: "glass", label: "Glass", hint: "Drag along a pane that sensors do not see." },
+  {
+    value: "glass",
+    label: "Glass",
+    hint: "Drag along a pane that sensors do not see: the vehicle keeps from it.",
+  },
   { value: "clear", label: "Clear the floor", hint: "Drag over blocked floor that is free." },
 ];
 
@@ -25,7 +29,13 @@ interface Editing {
   pick_place(at: Point): void;
 }
 
-const line_edits = { keep_out: with_keep_out, glass: with_glass, clear: with_cleared };
+type LineEdit = (building: Building, from: Point, to: Point) => Building;
+
+const line_edits: Record<"keep_out" | "glass" | "clear", LineEdit> = {
+  keep_out: (building, from, to) => with_barrier(building, "keep_out", from, to),
+  glass: (building, from, to) => with_barrier(building, "glass", from, to),
+  clear: with_cleared,
+};
 
 /** What a press on the plan does with each tool, and the line that is being drawn. */
 export class BuildingTools {

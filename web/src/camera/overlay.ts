@@ -14,7 +14,9 @@ export function kinds_of({ lines }: Overlay): string[] {
 }
 
 function stroke_of(kind: string): string {
-  const named = ["vertical", "foot", "stripe", "region", "base"].find((name) => kind.startsWith(name));
+  const named = ["vertical", "foot", "stripe", "region", "base", "scan"].find((name) =>
+    kind.startsWith(name),
+  );
   return colour(`line-${named ?? "other"}`);
 }
 

@@ -1,4 +1,5 @@
 import { element } from "../page/element";
+import { Sheet } from "../page/sheet";
 import { edge_at, cell_at } from "./maze_picking";
 import type { Edge } from "./maze_picking";
 import {
@@ -37,8 +38,7 @@ export class MazeCanvas {
 
   #cursor: Cell = { x: 0, y: 0 };
   #drawing: boolean | undefined;
-  #size = { width_px: 1, height_px: 1 };
-  #is_due = false;
+  readonly #sheet: Sheet;
 
   constructor(private readonly actions: Actions) {
     this.element = element("canvas", {
@@ -58,29 +58,19 @@ export class MazeCanvas {
     }
     this.element.addEventListener("keydown", (event) => this.#key(event));
     for (const change of ["focus", "blur"]) this.element.addEventListener(change, () => this.redraw());
-    new ResizeObserver(() => this.#resize()).observe(this.element);
-    addEventListener("aisle-theme", () => this.redraw());
+    this.#sheet = new Sheet(this.element, (context) => this.#draw(context));
   }
 
   redraw(): void {
-    if (this.#is_due) return;
-    this.#is_due = true;
-    requestAnimationFrame(() => {
-      this.#is_due = false;
-      this.#draw();
-    });
+    this.#sheet.redraw();
   }
 
   #frame() {
-    return frame_of(this.maze, this.#size.width_px, this.#size.height_px);
+    return frame_of(this.maze, this.#sheet.width_px, this.#sheet.height_px);
   }
 
-  #draw(): void {
-    const context = this.element.getContext("2d");
-    if (!context) return;
+  #draw(context: CanvasRenderingContext2D): void {
     const frame = this.#frame();
-    context.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
-    context.clearRect(0, 0, this.#size.width_px, this.#size.height_px);
     const known = this.run && this.count > 0 ? known_after(this.run, this.count) : undefined;
     if (this.run && known) draw_known(context, frame, this.run, known);
     draw_grid(context, frame, this.maze);
@@ -89,13 +79,6 @@ export class MazeCanvas {
     draw_walls(context, frame, this.maze, known);
     if (known) draw_mouse(context, frame, known.at, this.run?.steps[this.count - 1]?.move ?? "");
     if (document.activeElement === this.element) draw_cursor(context, frame, this.#cursor);
-  }
-
-  #resize(): void {
-    this.#size = { width_px: this.element.clientWidth, height_px: this.element.clientHeight };
-    this.element.width = Math.round(this.#size.width_px * devicePixelRatio);
-    this.element.height = Math.round(this.#size.height_px * devicePixelRatio);
-    this.redraw();
   }
 
   #press(event: PointerEvent): void {

@@ -50,15 +50,20 @@ export function floor_runs({ cell_m, low_cell, rows }: Floor): FloorRun[] {
   return runs;
 }
 
+/** What the known floor reaches to. */
+export function* floor_points(floor: Floor): Iterable<Point> {
+  for (const { low, length_m } of floor_runs(floor)) {
+    yield low;
+    yield { x: low.x + length_m, y: low.y };
+  }
+}
+
 export function* building_points(building: Building): Iterable<Point> {
-  for (const { start_m, end_m } of building.walls ?? []) yield* [point_of(start_m), point_of(end_m)];
+  for (const { start_m, end_m } of [...(building.walls ?? []), ...(building.barriers ?? [])])
+    yield* [point_of(start_m), point_of(end_m)];
   for (const { at_m } of building.landmarks ?? []) yield point_of(at_m);
   for (const { at_m } of building.places ?? []) yield point_of(at_m);
   for (const { at_m } of building.corridors?.nodes ?? []) yield point_of(at_m);
   for (const route of building.routes ?? []) yield* route_points(route);
-  if (building.floor)
-    for (const { low, length_m } of floor_runs(building.floor)) {
-      yield low;
-      yield { x: low.x + length_m, y: low.y };
-    }
+  if (building.floor) yield* floor_points(building.floor);
 }

@@ -1,7 +1,7 @@
 import type { Building, Floor } from "../building/building_file";
 import { colour } from "../page/theme";
 import { floor_runs, point_of, route_points } from "./building_geometry";
-import { draw_dots, draw_line, draw_name, draw_pieces } from "./draw";
+import { barrier_stroke, draw_dots, draw_line, draw_name, draw_pieces } from "./draw";
 import type { Point } from "./geometry";
 import type { Layer } from "./plan_canvas";
 
@@ -17,7 +17,7 @@ function cells_path(floor: Floor, is_free: boolean): Path2D {
 }
 
 /** The floor, traced once in the map's metres: free cells first, so that what is blocked stays in sight. */
-function floor_layer(floor: Floor): Layer {
+export function floor_layer(floor: Floor): Layer {
   const [free, blocked] = [cells_path(floor, true), cells_path(floor, false)];
   return (context, view) => {
     const origin = view.to_screen({ x: 0, y: 0 });
@@ -61,6 +61,9 @@ export function building_layer(building: Building): Layer {
       colour("landmark"),
       2.5,
     );
+    for (const { kind, start_m, end_m } of building.barriers ?? []) {
+      draw_line(context, view, [point_of(start_m), point_of(end_m)], barrier_stroke(kind));
+    }
     for (const { name, at_m } of building.places ?? []) {
       draw_dots(context, view, [point_of(at_m)], colour("accent"), 4);
       draw_name(context, view, point_of(at_m), name);

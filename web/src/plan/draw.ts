@@ -14,6 +14,13 @@ export interface Stroke {
   dash_px?: number[];
 }
 
+/** How a line that is never crossed is drawn; `kind` as in a building file. */
+export function barrier_stroke(kind: string): Stroke {
+  return kind === "glass"
+    ? { colour: colour("glass"), width_px: 4 }
+    : { colour: colour("trouble"), width_px: 3, dash_px: [8, 6] };
+}
+
 function apply(context: Context, stroke: Stroke): void {
   context.strokeStyle = stroke.colour;
   context.lineWidth = stroke.width_px;
@@ -81,6 +88,16 @@ export function draw_name(context: Context, view: PlanView, at: Point, name: str
   context.fillText(name, x + 8, y - 8);
 }
 
+/** The traced outline in the vehicle's colour, and a breath of it within. */
+function draw_tinted(context: Context, { opacity, width_px }: { opacity: number; width_px: number }): void {
+  context.globalAlpha = opacity;
+  context.fillStyle = colour("accent");
+  context.fill();
+  context.globalAlpha = 1;
+  apply(context, { colour: colour("accent"), width_px });
+  context.stroke();
+}
+
 export function draw_ellipse(context: Context, view: PlanView, at: Point, ellipse: Ellipse): void {
   const { x, y } = view.to_screen(at);
   context.beginPath();
@@ -93,12 +110,7 @@ export function draw_ellipse(context: Context, view: PlanView, at: Point, ellips
     0,
     2 * Math.PI,
   );
-  context.globalAlpha = 0.2;
-  context.fillStyle = colour("accent");
-  context.fill();
-  context.globalAlpha = 1;
-  apply(context, { colour: colour("accent"), width_px: 1 });
-  context.stroke();
+  draw_tinted(context, { opacity: 0.2, width_px: 1 });
 }
 
 /** The vehicle from above: its outline and, however small it is, an arrow that can be seen. */
@@ -117,12 +129,7 @@ export function draw_vehicle(
   ].map((corner) => moved_by(pose, corner));
   context.beginPath();
   trace(context, view, corners, true);
-  context.globalAlpha = 0.25;
-  context.fillStyle = colour("accent");
-  context.fill();
-  context.globalAlpha = 1;
-  apply(context, { colour: colour("accent"), width_px: 1.5 });
-  context.stroke();
+  draw_tinted(context, { opacity: 0.25, width_px: 1.5 });
 
   const unit = Math.max(11 / view.scale_px_per_m, Math.min(front_m, width_m) * 0.5);
   const arrow = [

@@ -1,7 +1,17 @@
 /** How the live plan is drawn: each layer by the name under which it is switched on and off. */
 
+import type { Floor } from "../building/building_file";
 import { colour } from "../page/theme";
-import { draw_dots, draw_ellipse, draw_line, draw_name, draw_pieces, draw_vehicle } from "./draw";
+import { floor_layer } from "./building_layer";
+import {
+  barrier_stroke,
+  draw_dots,
+  draw_ellipse,
+  draw_line,
+  draw_name,
+  draw_pieces,
+  draw_vehicle,
+} from "./draw";
 import type { Stroke } from "./draw";
 import type { Point } from "./geometry";
 import type { LivePlan, Mark } from "./live_plan";
@@ -17,6 +27,7 @@ function pairs(points: Point[]): [Point, Point][] {
 
 function stroke_of(room: string): Stroke {
   if (room === "walls") return { colour: colour("wall"), width_px: 2.5 };
+  if (room === "keep_out" || room === "glass") return barrier_stroke(room);
   if (room === "graph") return { colour: colour("graph"), width_px: 1.5, dash_px: [6, 4] };
   return { colour: colour("muted"), width_px: 1.5 };
 }
@@ -37,8 +48,22 @@ function marks_layer(plan: LivePlan, wanted: (room: string) => boolean): Layer {
   };
 }
 
+/** Traced anew only when another floor is known. */
+function known_floor_layer(plan: LivePlan): Layer {
+  let traced: Floor | undefined;
+  let layer: Layer | undefined;
+  return (context, view) => {
+    if (plan.floor !== traced) {
+      traced = plan.floor;
+      layer = traced && floor_layer(traced);
+    }
+    layer?.(context, view);
+  };
+}
+
 export function live_layers(plan: LivePlan): Record<string, Layer> {
   return {
+    floor: known_floor_layer(plan),
     walls: marks_layer(plan, (room) => !["landmarks", "graph", "places"].includes(room)),
     landmarks: marks_layer(plan, (room) => room === "landmarks"),
     graph: marks_layer(plan, (room) => room === "graph" || room === "places"),

@@ -1,4 +1,6 @@
+import type { Floor } from "../building/building_file";
 import type { LiveConnection } from "../connection/live_connection";
+import { json_of } from "../connection/live_state";
 import { marker_type } from "../connection/messages";
 import type {
   LaserScan,
@@ -11,6 +13,7 @@ import type {
   TFMessage,
 } from "../connection/messages";
 import { vehicle_shape } from "../drive/vehicle_text";
+import { floor_points } from "./building_geometry";
 import { distance, ellipse_of, heading_of, moved_by } from "./geometry";
 import type { Ellipse, Point, Pose } from "./geometry";
 
@@ -52,6 +55,7 @@ export class LivePlan {
   path: Point[] = [];
   trail: Point[] = [];
   scan: Point[] = [];
+  floor: Floor | undefined;
   shape = vehicle_shape("");
   /** In `map` where the navigator knows it, else in `odom`. */
   pose: Pose | undefined;
@@ -79,6 +83,7 @@ export class LivePlan {
     });
     listen<MarkerArray>("/map", ({ markers }) => this.#take_map(markers));
     listen<Path>("/plan", ({ poses }) => (this.path = poses.map(({ pose }) => pose_of(pose))));
+    listen<unknown>("/floor", (message) => (this.floor = json_of<Floor>(message)));
     listen<LaserScan>("/scan", (scan) => this.#take_scan(scan));
     listen<TFMessage>("/tf_static", ({ transforms }) => this.#take_mounting(transforms));
     listen<{ data: string }>("/vehicle_description", ({ data }) => (this.shape = vehicle_shape(data)));
@@ -86,6 +91,7 @@ export class LivePlan {
 
   /** Everything that has a place in the plan. */
   *points(): Iterable<Point> {
+    if (this.floor) yield* floor_points(this.floor);
     for (const { points } of this.marks.values()) yield* points;
     yield* this.path;
     yield* this.trail;
@@ -99,6 +105,7 @@ export class LivePlan {
   #begin(): void {
     this.#forget_drive();
     this.marks.clear();
+    this.floor = undefined;
   }
 
   /** A replay may go back in time. */

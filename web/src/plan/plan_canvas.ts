@@ -1,4 +1,5 @@
 import { button, element } from "../page/element";
+import { Sheet } from "../page/sheet";
 import type { Bounds, Point } from "./geometry";
 import { draw_scale } from "./draw";
 import { PlanView } from "./plan_view";
@@ -24,10 +25,10 @@ export class PlanCanvas {
   followed: () => Point | undefined = () => undefined;
 
   readonly #canvas: HTMLCanvasElement;
+  readonly #sheet: Sheet;
   readonly #follow: HTMLButtonElement;
   #follows = false;
   #is_moved = false;
-  #is_due = false;
 
   constructor(label: string) {
     this.#canvas = element("canvas", { tabindex: 0, role: "img", "aria-label": label });
@@ -41,8 +42,7 @@ export class PlanCanvas {
       this.#follow,
     );
     this.element = element("div", { class: "plan" }, this.#canvas, tools);
-    new ResizeObserver(() => this.#resize()).observe(this.#canvas);
-    addEventListener("aisle-theme", () => this.redraw());
+    this.#sheet = new Sheet(this.#canvas, (context) => this.#draw(context));
     this.#canvas.addEventListener("keydown", (event) => this.#key(event));
     watch_pointers(this.#canvas, {
       pan: (right, down) => this.#pan(right, down),
@@ -61,12 +61,7 @@ export class PlanCanvas {
   }
 
   redraw(): void {
-    if (this.#is_due) return;
-    this.#is_due = true;
-    requestAnimationFrame(() => {
-      this.#is_due = false;
-      this.#draw();
-    });
+    this.#sheet.redraw();
   }
 
   /** Shows the whole extent again, as at first. */
@@ -75,13 +70,10 @@ export class PlanCanvas {
     this.redraw();
   }
 
-  #draw(): void {
-    const context = this.#canvas.getContext("2d");
-    if (!context || this.view.width_px < 2) return;
+  #draw(context: CanvasRenderingContext2D): void {
+    this.view.width_px = this.#sheet.width_px;
+    this.view.height_px = this.#sheet.height_px;
     this.#place();
-    const ratio = devicePixelRatio;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, this.view.width_px, this.view.height_px);
     for (const layer of this.layers) {
       context.save();
       layer(context, this.view);
@@ -97,15 +89,6 @@ export class PlanCanvas {
       const extent = this.extent();
       if (extent) this.view.fit(extent);
     }
-  }
-
-  #resize(): void {
-    const { clientWidth, clientHeight } = this.#canvas;
-    this.view.width_px = clientWidth;
-    this.view.height_px = clientHeight;
-    this.#canvas.width = Math.round(clientWidth * devicePixelRatio);
-    this.#canvas.height = Math.round(clientHeight * devicePixelRatio);
-    this.redraw();
   }
 
   #set_following(follows: boolean): void {

@@ -1,4 +1,5 @@
 import type { App } from "../page/app";
+import { keep_fresh } from "../page/server_list";
 import { Signal } from "../page/signal";
 
 export interface SessionEntry {
@@ -11,20 +12,12 @@ export interface SessionEntry {
   route: string;
 }
 
-/** A list that cannot be had now is asked for again at the next change. */
-const ignore = (): void => undefined;
-
 /** The sessions that the server keeps. */
 export class SessionShelf {
   readonly sessions = new Signal<SessionEntry[]>([]);
 
   constructor(private readonly app: App) {
-    let mode: string | undefined;
-    app.state.watch((state) => {
-      if (state && state.mode !== mode) void this.refresh().catch(ignore);
-      mode = state?.mode;
-    });
-    app.connection.services.watch(() => void this.refresh().catch(ignore));
+    keep_fresh(app, "sessions", () => this.refresh());
   }
 
   async refresh(): Promise<void> {

@@ -60,9 +60,6 @@ export function sessions_room(app: App): Room {
     void show_figures(name);
   });
   shelf.sessions.watch(show_table);
-  app.room.watch((room) => {
-    if (room === "sessions") void shelf.refresh().catch(() => undefined);
-  });
 
   const room = element(
     "div",

@@ -11,6 +11,9 @@ import { WebSocketServer } from "ws";
 
 const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css" };
 
+/** What /live/state says of a vehicle that waits. */
+const idle_state = JSON.parse(readFileSync(new URL("../idle_state.json", import.meta.url), "utf8"));
+
 /** A type's schema with all that it is made of, as a session carries it. */
 function schema_of(type) {
   const needed = new Map();
@@ -38,22 +41,7 @@ export class FakeVehicle {
   /** Files by their path, as JSON; and what was posted, which becomes NAME-2. */
   files = {};
   posts = [];
-  state = {
-    mode: "idle",
-    mission: "",
-    world: "l-corridor",
-    vehicle: "ALV",
-    paused: false,
-    emergency: false,
-    driven_by_hand: true,
-    lease_held: false,
-    stamp_s: 0,
-    rate: 1,
-    task: "",
-    done: 0,
-    total: 0,
-    session: "",
-  };
+  state = { ...idle_state };
   #channels = new Map();
   #latest = new Map();
   #http;

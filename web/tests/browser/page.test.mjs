@@ -88,6 +88,22 @@ test("The pad drives under the finger", async () => {
   await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "standing");
 });
 
+test("A gamepad's left stick drives, and when it is let go the vehicle is told to stand", async () => {
+  await page.getByRole("button", { name: "Take the controls" }).click();
+  await page.getByText("you hold the controls").waitFor();
+  await page.evaluate(() => {
+    window.stick = { axes: [-0.5, -1] };
+    navigator.getGamepads = () => [null, window.stick];
+    dispatchEvent(new Event("gamepadconnected"));
+  });
+  await until(
+    () => vehicle.drives.some(({ speed_mps, steering_rad }) => speed_mps > 0 && steering_rad > 0),
+    "a curve to the left",
+  );
+  await page.evaluate(() => (window.stick.axes = [0.1, 0.1]));
+  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "standing");
+});
+
 test("Stop and Escape stop in every room and need no controls", async () => {
   for (const room of ["Drive", "Maze", "Sessions", "Building"]) {
     await page.getByRole("link", { name: room }).click();
@@ -174,7 +190,37 @@ test("A mended building is saved with its place, its keep-out line and without t
   assert.equal(lease, "token");
   assert.equal(body.walls.length, 1);
   assert.equal(body.places[0].name, "desk");
-  assert.equal(body.floor.rows.filter((row) => row.includes("#")).length, 1);
+  const [{ kind, start_m, end_m }] = body.barriers;
+  assert.equal(kind, "keep_out");
+  assert.ok(start_m[0] < end_m[0] && Math.abs(start_m[1] - end_m[1]) < 0.01);
+});
+
+test("The floor that an explorer knows is drawn in the plan", async () => {
+  const plan = page.getByRole("img", { name: /Plan of the building and/ });
+  const colours = () =>
+    plan.evaluate((canvas) => {
+      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      return new Set(new Uint32Array(data.buffer)).size;
+    });
+  const before = await colours();
+  const floor = { cell_m: 0.5, low_cell: [0, 0], rows: ["8#", "1#6.1#", "8#"] };
+  vehicle.publish("/floor", "std_msgs/String", { data: JSON.stringify(floor) });
+  await until(async () => (await colours()) >= before + 2, "free and blocked floor");
+});
+
+test("How well what is seen fits the map is said, and what is seen is drawn over the picture", async () => {
+  const match = { stamp_s: 1, quality: 0.834, text: "41 of 52 lines" };
+  vehicle.publish("/match", "std_msgs/String", { data: JSON.stringify(match) });
+  await page.getByText("83 % · 41 of 52 lines").waitFor();
+  const lines = ["base line", "region", "scan line"].map((kind) => ({ kind, u0: 0, v0: 1, u1: 8, v1: 1 }));
+  const data = JSON.stringify({ stamp_s: 1, lines });
+  const [header, pixels] = [{ stamp: { sec: 1, nanosec: 0 }, frame_id: "top" }, new Uint8Array(12)];
+  const image = { header, height: 3, width: 4, encoding: "mono8", is_bigendian: 0, step: 4, data: pixels };
+  vehicle.publish("/camera/top/image_raw", "sensor_msgs/Image", image);
+  await page.locator(".camera-panel canvas[data-stamp-s]").waitFor();
+  vehicle.publish("/overlay/top", "std_msgs/String", { data });
+  for (const kind of ["base line", "region", "scan line"])
+    await page.locator(".camera-panel").getByLabel(kind).waitFor();
 });
 
 test("A maze that was drawn by keys is what is explored", async () => {

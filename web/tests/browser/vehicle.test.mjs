@@ -1,11 +1,12 @@
 // The page in a real browser, with a simulated vehicle behind it: `aisle live`.
 import assert from "node:assert/strict";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 
 import { desktop, desktop_light, keep_picture, open_browser, open_page, phone, until } from "./browser.mjs";
+import { make_certificate } from "./certificate.mjs";
 import { Watcher, start_live } from "./watcher.mjs";
 
 /** How long the vehicle may take to obey, in its own time. */
@@ -152,4 +153,28 @@ test("What was recorded is listed, replayed and mended", async () => {
   await page.getByRole("button", { name: "Save as a new version" }).click();
   await page.getByText("Saved as building1-2").waitFor();
   await keep_picture(page, "building-dark");
+});
+
+test("Over https the page talks wss, and who has no token is asked for it", async () => {
+  const token = join(directory, "token");
+  writeFileSync(token, "0123456789abcdef\n");
+  const { certificate, key } = make_certificate(directory);
+  const guarded = await start_live(
+    "l-corridor",
+    join(directory, "guarded"),
+    ...["--token-file", token, "--cert", certificate, "--key", key],
+  );
+  const trusting = { ...desktop, ignoreHTTPSErrors: true };
+  const outside = await open_page(browser, guarded.address, trusting);
+  await outside.getByText("Not connected").waitFor();
+  await outside.getByLabel("Token of this vehicle").fill("fedcba9876543210");
+  await outside.getByRole("button", { name: "Enter" }).click();
+  await outside.waitForURL(/fedcba/);
+  await outside.getByLabel("Token of this vehicle").fill("0123456789abcdef");
+  await outside.getByRole("button", { name: "Enter" }).click();
+  await outside.locator(".camera-panel canvas[data-stamp-s]").waitFor();
+  await outside.getByRole("link", { name: "Building" }).click();
+  await outside.getByText("No building yet").waitFor();
+  await outside.context().close();
+  assert.equal(await guarded.stop(), 130);
 });

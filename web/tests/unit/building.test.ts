@@ -3,9 +3,8 @@ import { test } from "node:test";
 
 import {
   nearest_part,
+  with_barrier,
   with_cleared,
-  with_glass,
-  with_keep_out,
   with_place,
   without_part,
   without_place,
@@ -29,36 +28,26 @@ test("A row of the floor comes back as it was", () => {
   for (const row of ["5#", "1#3.1#", "1#1.2-1#", "", "4-1."]) assert.equal(pack_row(unpack_row(row)), row);
 });
 
-test("A keep-out line blocks every cell that it passes, and nothing else", () => {
-  const made = with_keep_out(building, { x: 0.25, y: 0.25 }, { x: 1.75, y: 0.25 });
-  assert.deepEqual(made.floor?.rows, ["5#2.1#", "1#3.1#", "4-1."]);
+test("A line that goes beyond the known floor is cut there", () => {
+  const made = with_cleared(building, { x: -0.25, y: -5 }, { x: -0.25, y: 9 });
+  assert.deepEqual(made.floor?.rows, ["7.1#", "4.1#", "4-1."]);
   assert.deepEqual(building.floor?.rows[0], "1#6.1#");
 });
 
-test("A line that goes beyond the known floor is cut there", () => {
-  const made = with_keep_out(building, { x: 0.25, y: -5 }, { x: 0.25, y: 9 });
-  assert.deepEqual(made.floor?.rows, ["2#5.1#", "2#2.1#", "1-1#2-1."]);
+test("Keep-out lines and glass are lines of their own, to the millimetre", () => {
+  const made = with_barrier(building, "keep_out", { x: 1, y: 1 }, { x: 2.0004, y: 1 });
+  const both = with_barrier(made, "glass", { x: 0, y: 0 }, { x: 0, y: 3 });
+  assert.deepEqual(both.barriers, [
+    { kind: "keep_out", start_m: [1, 1], end_m: [2, 1] },
+    { kind: "glass", start_m: [0, 0], end_m: [0, 3] },
+  ]);
+  assert.deepEqual(both.walls, building.walls);
+  assert.equal(building.barriers, undefined);
 });
 
 test("Clearing frees what is blocked and invents no floor", () => {
   const made = with_cleared(building, { x: -0.25, y: 0.25 }, { x: -0.25, y: 1.25 });
   assert.deepEqual(made.floor?.rows, ["7.1#", "4.1#", "4-1."]);
-});
-
-test("Glass is a wall with two faces", () => {
-  const made = with_glass(
-    { format: "", version: 1, walls: building.walls ?? [] },
-    { x: 1, y: 1 },
-    { x: 2.0004, y: 1 },
-  );
-  assert.deepEqual(made.walls?.slice(2), [
-    { start_m: [1, 1], end_m: [2, 1] },
-    { start_m: [2, 1], end_m: [1, 1] },
-  ]);
-});
-
-test("Without a floor there is nothing to keep out of", () => {
-  assert.throws(() => with_keep_out({ format: "", version: 1 }, { x: 0, y: 0 }, { x: 1, y: 0 }), /no floor/);
 });
 
 test("A place has a name of its own", () => {
@@ -71,7 +60,11 @@ test("A place has a name of its own", () => {
 
 test("What lies nearest is deleted, and only when it is near", () => {
   const landmark = nearest_part(building, { x: 2, y: 0.08 }, 0.3);
-  assert.equal(landmark?.kind, "landmark");
+  assert.equal(landmark?.list, "landmarks");
+  const drawn = with_barrier(building, "glass", { x: 0, y: 2 }, { x: 3, y: 2 });
+  const glass = nearest_part(drawn, { x: 2, y: 2 }, 0.3);
+  assert.ok(glass);
+  assert.deepEqual(without_part(drawn, glass).barriers, []);
   const wall = nearest_part(building, { x: 4.1, y: 2 }, 0.3);
   assert.ok(wall);
   assert.equal(without_part(building, wall).walls?.length, 1);

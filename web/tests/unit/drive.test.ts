@@ -8,6 +8,7 @@ import { command_of, strongest } from "../../src/drive/wish";
 import { standing } from "../../src/page/standing";
 import { figure_lines, short_bytes, short_duration } from "../../src/sessions/session_figures";
 import type { LiveState } from "../../src/connection/live_state";
+import idle_state from "../idle_state.json";
 
 const differential = vehicle_shape(
   "is_differential: true\nlimits:\n  speed_max_mps: 0.3\n  turn_rate_max_deg_s: 45\n",
@@ -60,22 +61,7 @@ test("Grey and coloured pixels become what a canvas takes, row by row", () => {
   assert.deepEqual([...rgba_of(colour as never)], [1, 2, 3, 255, 4, 5, 6, 255]);
 });
 
-const state: LiveState = {
-  mode: "idle",
-  mission: "",
-  world: "hall",
-  vehicle: "alv",
-  paused: false,
-  emergency: false,
-  driven_by_hand: true,
-  lease_held: false,
-  stamp_s: 0,
-  rate: 1,
-  task: "",
-  done: 0,
-  total: 0,
-  session: "",
-};
+const state = idle_state as LiveState;
 const facts = { connection: "connected" as const, silent_s: 0.2, state, drives_here: false };
 
 test("The standing line says when what is seen is not true now", () => {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 
 namespace aisle {
@@ -169,9 +170,11 @@ Image Exposure::develop(const SensorResponse& response, double exposure) const {
         light.at[k] = gain * lens_.blocks[block].transmission.at[k] * light_[block].at[k];
       }
       const Greys greys = response.greys(light, static_cast<std::uint32_t>(block));
-      for (int k = 0; k < kLanes; ++k) {
-        const int u = column * kPacketSide + k % kPacketSide, v = row * kPacketSide + k / kPacketSide;
-        if (u < lens_.width_px && v < lens_.height_px) image.row(v)[u] = greys[static_cast<std::size_t>(k)];
+      const int first_u = column * kPacketSide, first_v = row * kPacketSide;
+      const int wide = std::min(kPacketSide, lens_.width_px - first_u),
+                high = std::min(kPacketSide, lens_.height_px - first_v);
+      for (int v = 0; v < high; ++v) {
+        std::copy_n(greys.data() + std::ptrdiff_t{v} * kPacketSide, wide, image.row(first_v + v) + first_u);
       }
     }
   });

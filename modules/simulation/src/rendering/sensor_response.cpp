@@ -46,17 +46,26 @@ SensorResponse::SensorResponse(double noise_sigma, double gamma, std::uint64_t s
 AISLE_KERNEL
 Greys SensorResponse::greys(const Floats& light, std::uint32_t block) const {
   constexpr float kHalf = 0.5f;  ///< to the nearest grey level
-  Greys greys;
+  std::int32_t steps[kLanes];
+  Floats share, lower, upper;
   for (std::uint32_t k = 0; k < kLanes; ++k) {
     const float sigma = std::sqrt(light_variance_ * light.at[k] + reading_variance_);
     const float noisy = light.at[k] + sigma * normal(drawn(block * kLanes + k, key_));
     const float bounded = noisy > 0 ? (noisy < 1 ? noisy : 1) : 0;
     const float place = std::sqrt(bounded) * kCurveSteps;
-    const auto step = static_cast<std::int32_t>(place);
-    const float *curve = grey_by_root_.data(), share = place - static_cast<float>(step);
-    const float rounded_up = kHalf + curve[step] + (curve[step + 1] - curve[step]) * share;
-    greys[k] = static_cast<std::uint8_t>(static_cast<std::int32_t>(rounded_up));
+    steps[k] = static_cast<std::int32_t>(place);
+    share.at[k] = place - static_cast<float>(steps[k]);
   }
+  for (int k = 0; k < kLanes; ++k) {
+    const float* curve = grey_by_root_.data() + steps[k];
+    lower.at[k] = curve[0];
+    upper.at[k] = curve[1];
+  }
+  for (int k = 0; k < kLanes; ++k) {
+    steps[k] = static_cast<std::int32_t>(kHalf + lower.at[k] + (upper.at[k] - lower.at[k]) * share.at[k]);
+  }
+  Greys greys;  // bytes are stored apart from the rest: for all the compiler knows they could lie anywhere
+  for (std::size_t k = 0; k < kLanes; ++k) greys[k] = static_cast<std::uint8_t>(steps[k]);
   return greys;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,7 @@ struct CalibrateCameraOptions {
   Chessboard board;
   LensCalibrationParams lens;
   std::string camera_name = "camera";
-  std::optional<std::filesystem::path> out;  ///< none: figures only
+  std::filesystem::path out;  ///< empty: figures only
   bool force = false;
 };
 

@@ -15,7 +15,7 @@ struct CalibrateFloorOptions {
   std::vector<BoardOnFloor> boards_at;        ///< one for each picture
   Chessboard board;
   std::optional<std::filesystem::path> marks;  ///< besides or instead
-  std::optional<std::filesystem::path> out;    ///< none: figures only
+  std::filesystem::path out;                   ///< empty: figures only
   bool force = false;
 };
 

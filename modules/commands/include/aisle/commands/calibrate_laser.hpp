@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "aisle/calibration/chessboard.hpp"
@@ -15,7 +14,7 @@ struct CalibrateLaserOptions {
   std::vector<double> walls_at_m;  ///< distance of the wall ahead, one for each picture; none: a chessboard
                                    ///< on the wall tells where it is
   Chessboard board;
-  std::optional<std::filesystem::path> out;  ///< none: figures only
+  std::filesystem::path out;  ///< empty: figures only
   bool force = false;
 };
 

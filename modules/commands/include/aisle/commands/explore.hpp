@@ -16,7 +16,8 @@ namespace aisle {
 enum class ExploringSensor { kScanner, kMarkers };
 
 struct ExploreOptions {
-  std::string world;
+  std::string world;           ///< a world, or a plan that one is made of
+  double plan_pixel_m = 0.05;  ///< side of its pixels where it does not say it
   ExploringSensor sensor = ExploringSensor::kScanner;
   std::string vehicle;              ///< empty: the shipped one with this sensor
   std::string camera = "corridor";  ///< that sees the markers' stripes

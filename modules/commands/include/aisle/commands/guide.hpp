@@ -11,9 +11,10 @@ namespace aisle {
 
 struct GuideOptions {
   std::filesystem::path building;
-  std::string place;  ///< of `go`
-  int rounds = 1;     ///< of `patrol`
-  std::string world;
+  std::string place;           ///< of `go`
+  int rounds = 1;              ///< of `patrol`
+  std::string world;           ///< or a plan that one is made of
+  double plan_pixel_m = 0.05;  ///< side of its pixels where it does not say it
   std::string vehicle = "alv-scanner";
   std::string scenario;  ///< empty: nothing goes wrong
   std::uint64_t seed = 1;

@@ -9,25 +9,27 @@
 
 #include "aisle/commands/drive.hpp"
 #include "aisle/commands/outcome.hpp"
+#include "aisle/live/tls_files.hpp"
 
 namespace aisle {
 
-/// Where and to whom the live server listens.
+/// Where and to whom the live server listens, and what it shows beside a mission.
 struct LiveListening {
   std::string address = "127.0.0.1";
   std::uint16_t port = 8765;  ///< 0: any that is free
   std::filesystem::path token_file;
-  std::filesystem::path web;  ///< the page that was built; empty: the shipped one
-  std::string version;        ///< of the program
-  double rate = 1;            ///< vehicle's seconds in a second; 0: as fast as it goes
+  TlsFiles tls;
+  std::filesystem::path web;        ///< the page that was built; empty: the shipped one
+  std::filesystem::path sessions;   ///< folder; empty: none can be looked at, recorded or replayed
+  std::filesystem::path buildings;  ///< folder; empty: none can be looked at, learned or driven
+  std::string version;              ///< of the program
+  double rate = 1;                  ///< vehicle's seconds in a second; 0: as fast as it goes
 };
 
 struct LiveOptions {
   LiveListening listening;
   std::string world;  ///< file or name of a shipped one
   std::string vehicle = "alv";
-  std::filesystem::path sessions;   ///< folder; empty: nothing can be recorded or replayed
-  std::filesystem::path buildings;  ///< folder; empty: nothing can be learned or driven
   std::uint64_t seed = 1;
 };
 

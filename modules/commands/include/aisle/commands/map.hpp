@@ -22,7 +22,7 @@ struct MapOptions {
   CarmenOptions reading;
   std::optional<double> odometry_delay_s;  ///< none: found from the log
   std::optional<std::filesystem::path> relations;
-  std::optional<std::filesystem::path> out;  ///< none: figures only
+  std::filesystem::path out;  ///< empty: figures only
   bool force = false;
   bool stages = false;  ///< figures of every stage as well
   ParameterSources parameters;

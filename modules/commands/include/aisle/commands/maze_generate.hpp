@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/exploration/maze_generator.hpp"
@@ -12,7 +11,7 @@ namespace aisle {
 struct MazeGenerateOptions {
   MazeRecipe recipe;
   std::uint64_t seed = 1;
-  std::optional<std::filesystem::path> out;  ///< none: the maze is the outcome's text
+  std::filesystem::path out;  ///< empty: the maze is the outcome's text
   bool force = false;
 };
 

@@ -17,6 +17,7 @@ struct TrialOptions {
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 1;
   std::vector<std::string> worlds;  ///< taken in turn; none: a building by chance for each seed
+  double plan_pixel_m = 0.05;       ///< side of the pixels of a plan that a world is made of (explore)
   std::string vehicle;              ///< empty: the method's own: alv, or mini for sections
   std::string scenario;             ///< empty: nothing goes wrong
   ParkingStrategy strategy = ParkingStrategy::kFrame;  ///< park
@@ -25,7 +26,7 @@ struct TrialOptions {
   std::optional<double> speed_mps;
   bool in_reverse = false;
   std::optional<double> lift_m;      ///< somewhere on its way the vehicle is put so much farther on or back
-  std::optional<BuildingKind> kind;  ///< of buildings by chance; none: all in turn (explore)
+  std::optional<BuildingKind> kind;  ///< of buildings by chance; none: all in turn
   double noise_scale = 1;            ///< of the odometry's errors (explore)
   ParameterSources parameters;
 };

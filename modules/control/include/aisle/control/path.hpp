@@ -69,6 +69,11 @@ class Path {
   /// @return index of the piece after it
   std::size_t leg_end(std::size_t piece) const;
 
+  /// Its first `along_m`, at least 1 mm of it. The path must not be empty.
+  Path up_to(double along_m) const;
+  /// With another behind it, which must begin where this one ends.
+  Path followed_by(const Path& next) const;
+
   /// The same way back: pieces in opposite order, the vehicle turned about; what was driven forwards is
   /// driven forwards again.
   Path reversed() const;

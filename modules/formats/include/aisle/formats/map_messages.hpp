@@ -18,9 +18,13 @@ std::string pose_cdr(ros::Stamp_ns stamp, const UncertainPose2& T_map_vehicle);
 const SessionTopic& plan_topic();
 std::string plan_cdr(ros::Stamp_ns stamp, const Path& path);
 
-/// /map, visualization_msgs/MarkerArray, latched: walls, landmarks, the graph of corridors, routes and
-/// places, each in a namespace of its own.
+/// /map, visualization_msgs/MarkerArray, latched: walls, landmarks, the graph of corridors, routes, places,
+/// keep-out lines and glass, each in a namespace of its own.
 const SessionTopic& map_topic();
 std::string map_cdr(ros::Stamp_ns stamp, const Building& building);
+
+/// /floor, std_msgs/String, latched: the part "floor" of a building file.
+const SessionTopic& floor_topic();
+std::string floor_cdr(const FloorGrid& floor);
 
 }  // namespace aisle

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -65,6 +66,10 @@ class CarSearch {
   /// What was found. Empty: the vehicle is there already.
   Path path() const;
   int expansions() const { return expansions_; }
+  /// There is nowhere else to look.
+  bool has_tried_all() const { return queue_.empty(); }
+  /// How far from its start the search has come, as the crow flies.
+  double reached_m() const { return reached_m_; }
 
  private:
   struct Node {
@@ -85,8 +90,8 @@ class CarSearch {
   void begin(const Pose2& T_map_start);
   void expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node);
   void try_arc(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from, const Arc& arc);
-  double least_spare_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_from,
-                       const Arc& arc) const;
+  std::optional<double> least_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
+                                      const Pose2& T_map_from, const Arc& arc) const;
   double cost_of(const Arc& arc, const Arc& before, bool is_first, double spare_m) const;
   std::uint64_t bin_of(const Pose2& T_map) const;
 
@@ -98,6 +103,7 @@ class CarSearch {
   bool from_the_end_ = false;
   State state_ = State::kIdle;
   int expansions_ = 0;
+  double reached_m_ = 0;
   int forbidden_first_ = 0;
   std::function<bool(const Pose2&)> is_free_;
   std::vector<Node> nodes_;

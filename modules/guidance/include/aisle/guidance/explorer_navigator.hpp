@@ -5,16 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "aisle/control/path_progress.hpp"
-#include "aisle/control/speed.hpp"
-#include "aisle/control/steering.hpp"
 #include "aisle/exploration/building_explorer.hpp"
-#include "aisle/guidance/braking_room.hpp"
-#include "aisle/guidance/driving_care.hpp"
 #include "aisle/guidance/floor_learner.hpp"
+#include "aisle/guidance/gate_view.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/patience.hpp"
 #include "aisle/guidance/staged_search.hpp"
+#include "aisle/guidance/way_driver.hpp"
 
 namespace aisle {
 
@@ -47,7 +44,7 @@ class ExplorerNavigator final : public Navigator {
 
   const FloorLearner& learner() const { return learner_; }
   const BuildingExplorer& explorer() const { return explorer_; }
-  const Path& path() const { return path_; }
+  const Path& path() const { return driver_.path(); }
   /// Up to now.
   ExplorationRecord record() const;
 
@@ -57,11 +54,15 @@ class ExplorerNavigator final : public Navigator {
   void begin_search();
   void begin_search_from(const Pose2& T_map_from);
   void begin_search_home(const Pose2& T_map_from);
+  Arc run_in_home(const Pose2& T_map_from) const;
+  bool stands_at_home() const;
   void keep_off_struck();
   void search_on();
   double look_from_m() const;
-  bool sees_rim(const Pose2& T_map_vehicle) const;
+  bool shows_path(const Pose2& T_map_vehicle) const;
   void search_way();
+  void find_no_way();
+  void hitch();
   void leave_path();
   void give_path_up();
   void watch_learning(const ExploringTarget& target);
@@ -73,9 +74,11 @@ class ExplorerNavigator final : public Navigator {
   void drop_way();
   void check_way();
   bool is_lost_for_ways();
+  std::string what_was_explored() const;
   Decision drive(const Observation& observation);
-  std::optional<Command> turn_wheels_first(const PathPoint& point, double steering_rad);
+  void be_blocked(int direction);
   std::string state_word() const;
+  std::string why_it_stands() const;
   Decision end(NavigatorStatus status, std::string state, std::string why);
 
   ExplorerNavigatorParams params_;
@@ -83,23 +86,21 @@ class ExplorerNavigator final : public Navigator {
   FloorLearner learner_;
   BuildingExplorer explorer_;
   StagedSearch search_;
-  FootprintRoom watch_;  ///< for the way while it is driven
-  BrakingRoom braking_;
+  WayDriver driver_;
   Patience patience_;
-  PathFollower follower_;
   std::optional<ExploringTarget> target_;
-  std::optional<ExploringTarget> former_;  ///< the latest, also after its way was dropped
-  Path path_;
-  std::optional<PathProgress> progress_;
+  std::optional<ExploringTarget> former_;     ///< the latest, also after its way was dropped
   Vec2 p_map_blocked_ = Vec2::Constant(1e9);  ///< where the vehicle could not go on ...
   int blocked_direction_ = 0;                 ///< ... forwards (1) or backwards (-1)
   Vec2 p_map_searched_ = Vec2::Zero();        ///< the gate that the latest search was for
-  std::size_t leg_begun_ = 0;                 ///< end of the leg for which the wheels were turned
   bool is_search_due_ = false;
   bool is_stage_ = false;         ///< the way ends before what it leads to
   bool stands_first_ = false;     ///< the search that is due begins where the vehicle comes to stand
   bool is_exactly_home_ = false;  ///< the latest search was for a way that ends exactly at home
+  Arc run_in_;                    ///< with which such a way ends
   bool ends_at_home_ = false;     ///< the way does
+  bool looks_from_afar_ = false;  ///< as it does not get near the gate
+  bool is_wedged_ = false;        ///< no way leads out of where the vehicle stands
   int attempts_ = 0;              ///< ways that were driven for this target and did not settle it
   std::size_t arrived_cycle_ = 0;
   std::size_t cycle_ = 0;

@@ -8,6 +8,8 @@
 
 namespace aisle {
 
+inline constexpr double kRoomNoise_m = 0.004;  ///< of the room that a vehicle seems to have
+
 /// Whether a vehicle's footprint, and a margin around it, lies on floor that is known to be free: the
 /// footprint is covered by a row of discs that stick out a little over its sides.
 class FootprintRoom {

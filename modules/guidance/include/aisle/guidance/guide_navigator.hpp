@@ -7,14 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "aisle/control/path_progress.hpp"
-#include "aisle/control/speed.hpp"
-#include "aisle/control/steering.hpp"
-#include "aisle/guidance/braking_room.hpp"
-#include "aisle/guidance/driving_care.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/slice_sensor.hpp"
 #include "aisle/guidance/staged_search.hpp"
+#include "aisle/guidance/way_driver.hpp"
 #include "aisle/learning/wall_localiser.hpp"
 #include "aisle/maps/building.hpp"
 #include "aisle/maps/floor_view.hpp"
@@ -43,7 +39,7 @@ struct GuideNavigatorParams {
 
 /// Knows where it is by the building's walls, plans on the floor as it was learned and as it is seen now, and
 /// drives to one place after the other. What stands in its way is gone round, if need be through other
-/// corridors; where no way is left it waits, and gives up in the end.
+/// corridors, and so are the building's barriers; where no way is left it waits, and gives up in the end.
 class GuideNavigator final : public Navigator {
  public:
   /// @param building       with walls and floor; must outlive the navigator
@@ -56,11 +52,12 @@ class GuideNavigator final : public Navigator {
   Decision step(const Observation& observation) override;
 
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
+  const WallLocaliser& localiser() const { return localiser_; }
   std::size_t places_reached() const { return next_; }
   /// How often a way was left because something had come into it.
   std::size_t ways_closed() const { return ways_closed_; }
   /// What it drives along; empty while it stands.
-  const Path& path() const { return path_; }
+  const Path& path() const { return driver_.path(); }
   /// The floor as it is known now.
   const FloorGrid& floor() const { return floor_; }
 
@@ -71,7 +68,6 @@ class GuideNavigator final : public Navigator {
   void begin_search();
   void search_way(double stamp_s);
   bool is_at_place(const Pose2& T_map_vehicle) const;
-  double room_at(const Pose2& T_map_vehicle) const;
   void drop_way();
   Decision drive(const Observation& observation);
   std::string why_failed(const Observation& observation);
@@ -80,16 +76,13 @@ class GuideNavigator final : public Navigator {
   VehicleDescription vehicle_;
   std::unique_ptr<SliceSensor> sensor_;
   WallLocaliser localiser_;
+  bool has_barriers_;
   FloorGrid floor_;
   FloorClearance clearance_;
   StagedSearch search_;
-  FootprintRoom watch_;  ///< for the way while it is driven
-  BrakingRoom braking_;
-  PathFollower follower_;
+  WayDriver driver_;
   std::vector<Vec2> p_map_places_;
   std::size_t next_ = 0;  ///< of the places
-  Path path_;
-  std::optional<PathProgress> progress_;
   SliceView view_;
   Pose2 T_scan_vehicle_;  ///< since the latest scan, by odometry
   Pose2 T_map_vehicle_;
@@ -100,6 +93,7 @@ class GuideNavigator final : public Navigator {
   double hopeful_s_ = 0;                      ///< when it last got on
   Vec2 p_map_hopeful_ = Vec2::Constant(1e9);  ///< where that was
   double searched_s_ = 0;
+  int blocked_direction_ = 0;  ///< in which the vehicle could just not go on: forwards 1, backwards -1
   std::size_t ways_closed_ = 0;
 };
 

@@ -54,7 +54,7 @@ struct LandmarkFix {
 /// that fits the map; goes on by odometry where none does, the slower the less sure it is. Lost (too unsure,
 /// or seeing other things than are known here, or than a moment ago) it stops and looks for itself along all
 /// routes, goes slowly ahead to see more where that is safe, and drives on or gives up. It waits for what
-/// stands on its route, and for its camera, and gives up if that lasts.
+/// stands on its route, and for its camera, and gives up if that lasts, or before a barrier of the building.
 class LandmarkNavigator final : public Navigator {
  public:
   /// @param building  with landmarks and their camera, which the vehicle has; must outlive the navigator

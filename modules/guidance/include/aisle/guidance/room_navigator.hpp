@@ -78,6 +78,7 @@ class RoomNavigator final : public Navigator {
   const PathPoint& point() const { return progress_.point(); }
   Pose2 pose() const { return place_.T_map_odom() * T_odom_vehicle_; }
   const std::optional<RouteSight>& sight() const { return sight_; }
+  const RouteView& view() const { return view_; }
   const EdgeMemory& edges() const { return edges_; }
   /// How often it has driven up to its place.
   int parking_tries() const { return frame_ ? frame_->tries() : end_tries_; }

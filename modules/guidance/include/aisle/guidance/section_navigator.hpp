@@ -48,6 +48,8 @@ class SectionNavigator final : public Navigator {
   const Path& path() const { return way_.path; }
   const SectionGuide& guide() const { return way_.guides[progress_.point().piece]; }
   const PathPoint& point() const { return progress_.point(); }
+  /// Where the floor ends in the last picture.
+  const std::vector<FloorEdge>& edges() const { return edges_; }
 
  private:
   void locate(const Observation& observation);
@@ -65,7 +67,8 @@ class SectionNavigator final : public Navigator {
   PathFollower follower_;
   PathProgress progress_;
   ObstacleGuard guard_;
-  std::vector<SensedSegment> edges_;
+  std::vector<FloorEdge> edges_;
+  std::vector<SensedSegment> edges_on_floor_;
   bool is_guided_ = false;  ///< in this cycle
   std::optional<double> begun_s_;
 };

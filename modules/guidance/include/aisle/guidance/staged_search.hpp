@@ -38,6 +38,8 @@ class StagedSearch {
   CarSearch::State state() const { return search_.state(); }
   const FootprintRoom& room() const { return search_.room(); }
   Path path() const { return search_.path(); }
+  double reached_m() const { return search_.reached_m(); }
+  bool has_tried_all() const { return search_.has_tried_all(); }
   /// What was found, or is searched, ends where a stage does.
   bool is_stage() const { return is_stage_; }
 

@@ -39,6 +39,8 @@ class WallLocaliser {
   const UncertainPose2& T_map_vehicle() const { return T_map_vehicle_; }
   /// Less of what was seen in the latest scan fits the walls than a vehicle that knows where it is would see.
   bool is_doubtful() const { return is_doubtful_; }
+  double seen_m() const { return seen_m_; }        ///< length of what the latest scan shows
+  double fitting_m() const { return fitting_m_; }  ///< of that, what lies on known walls
 
  private:
   WallLocaliserParams params_;
@@ -51,6 +53,8 @@ class WallLocaliser {
   std::vector<SensedSegment> seen_;
   std::vector<int> near_;
   bool is_doubtful_ = false;
+  double seen_m_ = 0;
+  double fitting_m_ = 0;
 };
 
 }  // namespace aisle

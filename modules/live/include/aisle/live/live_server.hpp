@@ -13,6 +13,7 @@
 #include "aisle/live/drive_command.hpp"
 #include "aisle/live/live_folders.hpp"
 #include "aisle/live/service_call.hpp"
+#include "aisle/live/tls_files.hpp"
 
 namespace aisle {
 
@@ -20,6 +21,7 @@ struct LiveServerOptions {
   std::string address = "127.0.0.1";
   std::uint16_t port = 8765;  ///< 0: any that is free
   std::string token;          ///< that clients must know; needed where `address` is not this machine's own
+  TlsFiles tls;               ///< given: https and wss alone are spoken
   std::string name = "aisle";
   std::string version;
   LiveFolders folders;
@@ -30,8 +32,8 @@ class LiveServer final : public MessageSink {
  public:
   static constexpr std::size_t kConnectionsMax = 32;
 
-  /// A problem if the address is none or is taken, or if it can be reached from elsewhere and there is no
-  /// token.
+  /// A problem if the address is none or is taken, if it can be reached from elsewhere and there is no token,
+  /// or if certificate and key are not as they must be.
   static Result<std::unique_ptr<LiveServer>> open(LiveServerOptions options,
                                                   std::vector<LiveService> services);
 
@@ -40,6 +42,8 @@ class LiveServer final : public MessageSink {
   std::uint16_t port() const;
   /// "http://127.0.0.1:8765/"
   std::string url() const;
+  /// Others than this machine can be connected, and what they are told is not encrypted.
+  bool can_be_overheard() const;
 
   /// Sends a message to who has subscribed to its topic; from one thread at a time.
   void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) override;

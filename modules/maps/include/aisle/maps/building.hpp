@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "aisle/maps/barrier.hpp"
 #include "aisle/maps/corridor_graph.hpp"
 #include "aisle/maps/floor_grid.hpp"
 #include "aisle/maps/landmark_map.hpp"
@@ -19,6 +20,9 @@ struct MapPlace {
   Pose2 T_map_place;
 };
 
+/// The place at which an exploration began and ended, and from which missions set out.
+inline constexpr const char* kHomePlace = "home";
+
 /// Everything that was learned of one building. Every part may be empty.
 struct Building {
   std::string name;
@@ -29,6 +33,7 @@ struct Building {
   std::vector<Route> routes;
   CorridorGraph corridors;
   std::vector<MapPlace> places;
+  std::vector<Barrier> barriers;
   std::optional<FloorGrid> floor;  ///< as it was seen
 };
 

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "aisle/maps/barrier.hpp"
 #include "aisle/maps/floor_grid.hpp"
 #include "aisle/maps/leg_barriers.hpp"
 
@@ -11,17 +13,23 @@ namespace aisle {
 
 /// How much room there is on a floor, kept up to date while the floor is learned: from the middle of each
 /// cell to the nearest edge of a cell that is not known to be free, and to the nearest that is occupied. With
-/// legs told, what lies between them counts as occupied.
+/// legs told, what lies between them counts as occupied; so does always what lies under a barrier.
 class FloorClearance {
  public:
   /// @param far_m  larger distances are not told apart
   explicit FloorClearance(double far_m = 1) : far_m_(far_m) {}
   explicit FloorClearance(const LegParams& legs, double far_m = 1) : far_m_(far_m), legs_(legs) {}
 
+  /// Before the first update.
+  /// @param cell_m  of the floor that there will be
+  void bar(std::span<const Barrier> barriers, double cell_m);
+
   /// The cells of the box may have changed. O(box widened by the far distance).
   void update(const FloorGrid& floor, const FloorBox& changed);
 
   double far_m() const { return far_m_; }
+  /// A barrier lies over the cell.
+  bool is_barred(FloorCell cell) const;
   /// 0 in a cell that is not free, and outside.
   double to_doubtful_m(FloorCell cell) const {
     return room_.contains(cell) ? to_doubtful_m_[index(cell)] : 0;
@@ -45,10 +53,11 @@ class FloorClearance {
   }
 
  private:
-  bool is_closed(FloorCell cell) const { return legs_ && legs_->is_closed(cell); }
+  bool is_closed(FloorCell cell) const { return (legs_ && legs_->is_closed(cell)) || is_barred(cell); }
 
   double far_m_;
   std::optional<LegBarriers> legs_;
+  std::vector<FloorCell> barred_;  ///< row by row
   FloorBox room_;
   std::vector<float> to_doubtful_m_;
   std::vector<float> to_occupied_m_;

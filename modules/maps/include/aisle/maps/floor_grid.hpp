@@ -18,6 +18,11 @@ struct FloorCell {
   bool operator==(const FloorCell&) const = default;
 };
 
+/// Row by row from below, each from the left.
+inline bool is_before(FloorCell a, FloorCell b) {
+  return a.y != b.y ? a.y < b.y : a.x < b.x;
+}
+
 /// Cells from `low` to before `end`, in both directions.
 struct FloorBox {
   FloorCell low;

@@ -55,6 +55,10 @@ class RouteView {
   /// @return nullopt unless the region meets both lines
   std::optional<Vec2> middle(const RouteSight& sight, double blot_left, double blot_right) const;
 
+  /// Of the two scan lines.
+  int far_row() const { return far_row_; }
+  int near_row() const { return near_row_; }
+
   /// The pixel that sees a floor point; nullopt: none does.
   std::optional<Vec2> pixel_of(const Vec2& p_vehicle) const;
   /// The floor point that a pixel sees, if it is not too far away to be known.

@@ -1,0 +1,39 @@
+#include "detection/line_pursuit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace aisle {
+
+void LinePursuit::add(const Image& picture, const std::vector<VerticalLine>& lines,
+                      nlohmann::ordered_json& figures) {
+  const std::vector<int> numbers = follower_.follow(to_grey(picture), lines);
+  sheet_.add(picture, lines, numbers);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    ++pictures_of_[numbers[i]];
+    figures[i]["number"] = numbers[i];
+  }
+}
+
+int LinePursuit::followed() const {
+  return static_cast<int>(std::count_if(pictures_of_.begin(), pictures_of_.end(),
+                                        [](const auto& entry) { return entry.second > 1; }));
+}
+
+int LinePursuit::longest() const {
+  int longest = 0;
+  for (const auto& [number, pictures] : pictures_of_) longest = std::max(longest, pictures);
+  return longest;
+}
+
+nlohmann::ordered_json LinePursuit::figures() const {
+  return {{"lines", pictures_of_.size()}, {"followed", followed()}, {"longest_pictures", longest()}};
+}
+
+std::string LinePursuit::summary() const {
+  return fmt::format("{} different lines, {} of them followed, the longest through {} pictures\n",
+                     pictures_of_.size(), followed(), longest());
+}
+
+}  // namespace aisle

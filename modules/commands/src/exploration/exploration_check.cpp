@@ -1,0 +1,98 @@
+#include "exploration/exploration_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/simulation/clearance_grid.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/wall_grid.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kOpeningCell_m = 0.05;
+constexpr double kNearStart_m = 0.5;
+constexpr int kLooks = 72;
+constexpr double kOutsideShare = 0.4;  ///< of all looks that end at nothing: the place is outside
+
+/// The shortest way, cell by cell, from a place to the edge of the grid; empty if there is none.
+std::vector<Vec2> way_out(const ClearanceGrid& grid, const Vec2& start, double clearance_m) {
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> came_from(grid.size(), kNone), open;
+  for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+    if ((grid.centre(cell) - start).norm() > kNearStart_m || grid.clearance_m(cell) < clearance_m) continue;
+    came_from[cell] = cell;
+    open.push_back(cell);
+  }
+  const auto columns = static_cast<std::size_t>(grid.columns()), rows = static_cast<std::size_t>(grid.rows());
+  for (std::size_t next = 0; next < open.size(); ++next) {
+    const std::size_t cell = open[next], column = cell % columns, row = cell / columns;
+    if (column == 0 || row == 0 || column + 1 == columns || row + 1 == rows) {
+      std::vector<Vec2> way = {grid.centre(cell)};
+      for (std::size_t at = cell; came_from[at] != at; at = came_from[at])
+        way.push_back(grid.centre(came_from[at]));
+      std::reverse(way.begin(), way.end());
+      return way;
+    }
+    for (const std::size_t beside : {cell + 1, cell - 1, cell + columns, cell - columns}) {
+      if (came_from[beside] != kNone || grid.clearance_m(beside) < clearance_m) continue;
+      came_from[beside] = cell;
+      open.push_back(beside);
+    }
+  }
+  return {};
+}
+
+bool is_outside(const WallGrid& walls, const Vec2& p) {
+  int unbounded = 0;
+  for (int i = 0; i < kLooks; ++i) unbounded += std::isinf(walls.cast(p, unit(2 * kPi * i / kLooks))) ? 1 : 0;
+  return unbounded >= kOutsideShare * kLooks;
+}
+
+}  // namespace
+
+std::optional<Vec2> opening_of(const World& world, const VehicleDescription& vehicle,
+                               const Vec2& p_world_start) {
+  const std::vector<Segment2> obstacles = obstacles_below(world, vehicle.footprint.height_m);
+  if (obstacles.empty()) return p_world_start;
+  const ClearanceGrid grid(obstacles, kOpeningCell_m);
+  if (!grid.contains(p_world_start)) return p_world_start;
+  const std::vector<Vec2> way = way_out(grid, p_world_start, vehicle.footprint.width_m / 2);
+  if (way.empty()) return std::nullopt;
+  const WallGrid walls(obstacles);
+  const auto first =
+      std::find_if(way.begin(), way.end(), [&](const Vec2& p) { return is_outside(walls, p); });
+  return first == way.end() ? way.back() : *first;
+}
+
+Problems check_explorable(const World& world, const std::string& world_file,
+                          const VehicleDescription& vehicle, const Pose2& T_world_start) {
+  const Vec2 p = T_world_start.position();
+  if (!fits(world, vehicle.footprint, T_world_start)) {
+    return {
+        {{world_file, 0, "start"},
+         fmt::format("the vehicle does not fit at {:.2f}, {:.2f}: something stands there", p.x(), p.y())}};
+  }
+  if (const auto opening = opening_of(world, vehicle, p)) {
+    return {{{world_file, 0, "walls"},
+             fmt::format(
+                 "the floor leads out of the building near {:.1f}, {:.1f}; a world to explore is closed, or "
+                 "its openings are narrower than the vehicle",
+                 opening->x(), opening->y())}};
+  }
+  return {};
+}
+
+Problems check_gap(const std::string& key, double gap_m, const VehicleDescription& vehicle) {
+  const double width_m = vehicle.footprint.width_m;
+  if (gap_m >= width_m) return {};
+  return {{{"", 0, key},
+           fmt::format(
+               "{:g} is less than the vehicle is wide, {:g}: it would be sent where it does not get through",
+               gap_m, width_m)}};
+}
+
+}  // namespace aisle

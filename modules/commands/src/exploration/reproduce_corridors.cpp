@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "aisle/commands/output_directory.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/report/map_picture.hpp"
+#include "exploration/explore_in.hpp"
+#include "reproduced.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr const char* kExploredWorld = "crossings";
+constexpr double kPaperCycleLeast_s = 1.5;  // C99 section 5, on a Pentium of 133 MHz
+constexpr double kPaperCycleMost_s = 3.5;
+constexpr double kC99Speed_mps = 0.3;
+constexpr const char* kExploringTracePicture = "fig7_trace.svg";
+constexpr const char* kGlobalModelPicture = "fig10_global_model.svg";
+
+std::vector<OutputFile> files_of_exploration(const JudgedExploration& explored) {
+  ExplorationPicture trace = picture_of(explored);
+  trace.title = "C99 Fig. 7, simulated: trace of the vehicle";
+  const MapPicture model{.walls = explored.building.walls,
+                         .title = fmt::format("C99 Fig. 10, simulated: learned global model, {} walls",
+                                              explored.building.walls.walls.size()),
+                         .has_grid = true};
+  return {{"building", "building.json", building_json(explored.building)},
+          {"trace", kExploringTracePicture, svg(trace)},
+          {"global_model", kGlobalModelPicture, svg(model)}};
+}
+
+}  // namespace
+
+Result<Outcome> reproduce_c99(const ReproduceOptions& options, Console& console) {
+  const auto directory = OutputDirectory::open_if_named(
+      options.out, options.force, {"building.json", kExploringTracePicture, kGlobalModelPicture});
+  if (!directory) return directory.problems();
+  ExploreOptions explore;
+  explore.order = ExploringOrder::kPublished;
+  explore.seed = options.seed;
+  auto setting = read_setting(kExploredWorld, exploring_vehicle(explore), "");
+  if (!setting) return setting.problems();
+  auto explored = explore_and_judge(explore, std::move(*setting), console);
+  if (!explored) return explored.problems();
+
+  Outcome outcome{.verb = "reproduce", .ok = explored->outcome.ok};
+  outcome.figures = explored->outcome.figures;
+  outcome.figures["sensor"] = "scanner";
+  outcome.figures["walls"] = explored->building.walls.walls.size();
+  outcome.figures["paper"] = {{"cycle_s", {kPaperCycleLeast_s, kPaperCycleMost_s}},
+                              {"speed_mps", kC99Speed_mps}};
+  const auto& cycle_ms = outcome.figures["cycle_ms"];
+  outcome.text =
+      explored->outcome.text + fmt::format(
+                                   "a range scanner stood for the laser markers; a cycle took {:.1f} ms "
+                                   "(median), {:.1f} ms (99th percentile); C99: {} to {} s\n",
+                                   cycle_ms["median"].get<double>(), cycle_ms["p99"].get<double>(),
+                                   kPaperCycleLeast_s, kPaperCycleMost_s);
+  if (!*directory) return outcome;
+  auto files = (*directory)->write(files_of_exploration(*explored));
+  if (!files) return files.problems();
+  outcome.files = std::move(*files);
+  return outcome;
+}
+
+}  // namespace aisle

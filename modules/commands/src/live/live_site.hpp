@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "aisle/commands/live.hpp"
+#include "aisle/core/result.hpp"
+#include "aisle/live/live_server.hpp"
+#include "aisle/live/service_call.hpp"
+#include "live/live_desk.hpp"
+
+namespace aisle {
+
+/// The live server, the calls that are for the mission, and the desk that answers all others.
+class LiveSite {
+ public:
+  /// @param console   is warned where others can overhear what is said
+  /// @param announce  is told the server's address once it listens
+  static Result<std::unique_ptr<LiveSite>> open(const LiveListening& listening, const Console& console,
+                                                const std::function<void(const std::string&)>& announce);
+
+  LiveServer& server() { return *server_; }
+  /// Services of control_services, and those by which missions and replays begin.
+  ServiceMailbox& mission_calls() { return mission_calls_; }
+
+ private:
+  LiveSite() = default;
+
+  ServiceMailbox mission_calls_;
+  ServiceMailbox questions_;
+  std::unique_ptr<LiveServer> server_;
+  std::unique_ptr<LiveDesk> desk_;
+};
+
+}  // namespace aisle

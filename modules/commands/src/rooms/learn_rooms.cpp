@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include "aisle/commands/output_directory.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "learned_files.hpp"
+#include "rooms/room_verbs.hpp"
+#include "rounded.hpp"
+#include "session_trip.hpp"
+
+namespace aisle {
+namespace {
+
+Outcome room_lesson_outcome(const RoomLesson& lesson) {
+  const Route& route = lesson.building.routes.front();
+  const RoomRoute& room = *route.room;
+  auto turnings = nlohmann::ordered_json::array();
+  for (const RoomTurning& turning : room.turnings)
+    turnings.push_back({{"number", turning.number},
+                        {"start_m", rounded(turning.start_m, 3)},
+                        {"end_m", rounded(turning.end_m, 3)}});
+  Outcome outcome{.verb = "learn"};
+  const std::string_view parking = parking_word(room.parking);
+  outcome.figures = {{"cycles", lesson.T_route_vehicle.size()},
+                     {"route", route.name},
+                     {"length_m", rounded(route.path.length_m(), 3)},
+                     {"route_grey", rounded(room.brightness.grey, 2)},
+                     {"turnings", turnings},
+                     {"parking", parking}};
+  outcome.text =
+      fmt::format("route {}: {:.1f} m, {} turnings, route of grey level {:.0f}; parks: {}\n", route.name,
+                  route.path.length_m(), room.turnings.size(), room.brightness.grey, parking);
+  if (room.parking != ParkingStrategy::kFrame) return outcome;
+  outcome.figures["frame_size_m"] = {rounded(room.frame_size_m.x(), 3), rounded(room.frame_size_m.y(), 3)};
+  outcome.text +=
+      fmt::format("parking frame of {:.2f} m x {:.2f} m\n", room.frame_size_m.x(), room.frame_size_m.y());
+  return outcome;
+}
+
+}  // namespace
+
+Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLessonParams& params,
+                               Console& console) {
+  std::vector<std::string> names = truth_file_names();
+  names.emplace_back("building.json");
+  const auto directory = OutputDirectory::open_if_named(options.out, options.force, names);
+  if (!directory) return directory.problems();
+  const std::filesystem::path& session = options.sessions.front();
+  auto cycles = SessionCycles::open(session);
+  if (!cycles) return cycles.problems();
+  const auto named = route_of_session(session, cycles->origin());
+  if (!named) return named.problems();
+  const auto trip = read_room_trip(session, *cycles, params, console.progress);
+  if (!trip) return trip.problems();
+  const auto lesson = learn_room(*trip, cycles->vehicle(), *named, params);
+  if (!lesson) return at_file(lesson.problems(), session.string());
+  Outcome outcome = room_lesson_outcome(*lesson);
+  if (!*directory) return outcome;
+  const std::vector<Pose2>& driven = lesson->T_route_vehicle;
+  const auto truth = true_poses(session, driven.size());
+  if (!truth) return truth.problems();
+  std::vector<OutputFile> files;
+  if (!truth->empty()) files = truth_files(MapTruth(driven, *truth));
+  files.push_back({"building", "building.json", building_json(lesson->building)});
+  auto written = (*directory)->write(files);
+  if (!written) return written.problems();
+  outcome.files = std::move(*written);
+  return outcome;
+}
+
+}  // namespace aisle

@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "aisle/commands/parameter_listing.hpp"
+#include "aisle/commands/park.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+#include "changed_parameters.hpp"
+#include "learned_files.hpp"
+#include "methods.hpp"
+#include "rooms/room_mission.hpp"
+#include "rooms/room_verbs.hpp"
+#include "rooms/room_visit.hpp"
+#include "simulated_record.hpp"
+
+namespace aisle {
+namespace {
+
+/// What both verbs are asked for.
+struct RoomDrive {
+  std::filesystem::path building;
+  std::string route;
+  std::string world, vehicle, scenario;
+  std::optional<ParkingStrategy> parking;  ///< that the route must end with
+  std::optional<Pose2> T_world_start;
+  std::optional<double> from_end_m;  ///< without a start, so far before the route's end; else at its start
+  std::uint64_t seed = 1;
+  std::filesystem::path out;
+  bool force = false;
+};
+
+Outcome room_outcome(const std::string& verb, const RoomDrive& drive, const Route& route,
+                     const RoomMissionResult& result) {
+  Outcome outcome{.verb = verb, .ok = result.parked()};
+  outcome.figures = figures_of(result);
+  outcome.figures["simulated"] = true;
+  outcome.figures["seed"] = drive.seed;
+  outcome.figures["route"] = route.name;
+  if (!drive.out.empty()) outcome.files["session"] = drive.out.string();
+  outcome.text = fmt::format(
+      "simulated: {}{}{}; {:.1f} m in {:.1f} s, {} collision{}\n"
+      "stands {:.1f} cm and {:.2f} deg from where it should, {:.2f} m free ahead\n",
+      result.end.state, result.end.why.empty() ? "" : ": ", result.end.why, result.distance_m,
+      result.end.duration_s, result.collisions, result.collisions == 1 ? "" : "s", 100 * result.end_error_m,
+      to_degrees(result.end_error_rad), result.clearance_m);
+  return outcome;
+}
+
+Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, RoomDriverParams params,
+                           Console& console) {
+  const std::string file = drive.building.string();
+  const auto text = read_whole_file(drive.building);
+  if (!text) return text.problems();
+  const auto building = parse_building(*text, file);
+  if (!building) return building.problems();
+  auto setting = read_setting(drive.world, vehicle_or_usual(drive.vehicle, "route"), drive.scenario);
+  if (!setting) return setting.problems();
+  const auto route = find_room_route(*building, drive.route);
+  if (!route) return at_file(route.problems(), file);
+  if (drive.parking && *drive.parking != route->room->parking)
+    return Problem{{"--strategy"}, fmt::format("the route '{}' was taught to end otherwise", route->name)};
+  const auto place = RouteInWorld::read(drive.building, *route, *setting);
+  if (!place) return place.problems();
+  if (drive.T_world_start) {
+    params.from_m = place->along_m(*drive.T_world_start);
+  } else if (drive.from_end_m) {
+    params.from_m = std::max(0.0, route->path.length_m() - *drive.from_end_m);
+  }
+  const Pose2 T_world_start = drive.T_world_start.value_or(place->at(params.from_m));
+  VehicleDescription& vehicle = setting->vehicle.description;
+  const SessionOrigin origin{.navigator = kRoomNavigator,
+                             .parameters = changed_parameters(params),
+                             .seed = drive.seed,
+                             .simulated = true,
+                             .building = *text,
+                             .route = route->name};
+  const auto navigator = make_room_navigator(origin, vehicle);
+  if (!navigator) return at_file(navigator.problems(), file);
+  keep_room_cameras(vehicle, route->room->parking);
+  if (!fits(setting->world, vehicle.footprint, T_world_start))
+    return Problem{{file, 0, "routes"}, "the vehicle does not fit at its start in this world"};
+  auto session = open_session(drive.out, drive.force, vehicle, origin, console.watcher);
+  if (!session) return session.problems();
+  const Pose2 T_world_due = due_end(setting->world, vehicle.footprint, route->room->parking, place->end());
+  const auto result = drive_room_mission(
+      *setting, **navigator, {.seed = drive.seed, .T_world_start = T_world_start, .T_world_due = T_world_due},
+      *session, console.progress);
+  if (!result) return result.problems();
+  if (const Problems problems = close(*session); !problems.empty()) return problems;
+  return room_outcome(verb, drive, *route, *result);
+}
+
+}  // namespace
+
+Result<Outcome> navigate_by_route(const NavigateOptions& options, const RoomDriverParams& params,
+                                  Console& console) {
+  if (options.in_reverse || options.and_back)
+    return Problem{{"--method"}, "ways through rooms are driven in the direction in which they were taught"};
+  return drive_room("navigate",
+                    {.building = options.building,
+                     .route = options.route,
+                     .world = options.world,
+                     .vehicle = options.vehicle,
+                     .scenario = options.scenario,
+                     .parking = {},
+                     .T_world_start = {},
+                     .from_end_m = {},
+                     .seed = options.seed,
+                     .out = options.out,
+                     .force = options.force},
+                    params, console);
+}
+
+Outcome park_parameters() {
+  RoomDriverParams params;
+  return parameter_listing("park", fields_of(params));
+}
+
+Result<Outcome> run_park(const ParkOptions& options, Console& console) {
+  constexpr double kUsualStart_m = 3;
+  RoomDriverParams params;
+  FieldList fields = fields_of(params);
+  if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  return drive_room("park",
+                    {.building = options.building,
+                     .route = options.place,
+                     .world = options.world,
+                     .vehicle = options.vehicle,
+                     .scenario = options.scenario,
+                     .parking = options.strategy,
+                     .T_world_start = options.T_world_start,
+                     .from_end_m = kUsualStart_m,
+                     .seed = options.seed,
+                     .out = options.out,
+                     .force = options.force},
+                    params, console);
+}
+
+}  // namespace aisle

@@ -1,0 +1,105 @@
+#include "rooms/room_mission.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "aisle/guidance/room_cameras.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/simulation/slice.hpp"
+#include "rounded.hpp"
+#include "simulated_record.hpp"
+#include "statistics.hpp"
+#include "timed_navigator.hpp"
+
+namespace aisle {
+namespace {
+
+/// How far the vehicle could go straight on before it touched something; at most `kFar_m`.
+double clearance_ahead_m(const World& world, const Footprint& footprint, const Pose2& T_world_vehicle) {
+  constexpr double kFar_m = 5, kStep_m = 0.01;
+  for (int step = 1; step * kStep_m < kFar_m; ++step) {
+    if (!fits(world, footprint, T_world_vehicle * Pose2{step * kStep_m, 0, 0})) return (step - 1) * kStep_m;
+  }
+  return kFar_m;
+}
+
+/// Keeps the mission's session, and shows what the navigator sees.
+class RoomMissionRecord final : public SimulatedRecord {
+ public:
+  RoomMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
+                    const RoomNavigator& navigator)
+      : SimulatedRecord(session, vehicle), navigator_(navigator) {}
+
+  using SimulatedRecord::keep;
+
+  Problems keep(const Decision& decision) override {
+    show_pose({navigator_.pose()});
+    if (is_watched() && pictured_by() == kFirstCamera && navigator_.sight())
+      show_overlay(overlay_of(navigator_.view(), *navigator_.sight()));
+    return SimulatedRecord::keep(decision);
+  }
+
+ private:
+  const RoomNavigator& navigator_;
+};
+
+}  // namespace
+
+Pose2 due_end(const World& world, const Footprint& footprint, ParkingStrategy parking,
+              const Pose2& T_world_taught_end) {
+  if (parking != ParkingStrategy::kFrame || world.parking_frames.empty()) return T_world_taught_end;
+  const auto off_m = [&](const ParkingFrame& frame) {
+    return (frame.centre - T_world_taught_end.position()).norm();
+  };
+  const auto frame = std::min_element(world.parking_frames.begin(), world.parking_frames.end(),
+                                      [&](const auto& a, const auto& b) { return off_m(a) < off_m(b); });
+  return Pose2{frame->centre.x(), frame->centre.y(), frame->heading_rad} *
+         Pose2{(footprint.rear_m - footprint.front_m) / 2, 0, 0};
+}
+
+Result<RoomMissionResult> drive_room_mission(const SimulationSetting& setting, RoomNavigator& navigator,
+                                             const RoomMissionOptions& options,
+                                             std::optional<SessionRecord>& session, Progress& progress) {
+  SimulatedVehicle vehicle(setting.world, setting.vehicle, setting.scenario,
+                           {.seed = options.seed, .T_world_start = options.T_world_start});
+  RoomMissionResult result;
+  TimedNavigator timed(navigator, result.cycle_s);
+  RoomMissionRecord record(session, vehicle, navigator);
+  auto end = run_mission(vehicle, timed, record, progress);
+  if (!end) return end.problems();
+  // It rolls on until it stands.
+  constexpr int kUntilItStands = 20;
+  for (int i = 0; i < kUntilItStands && vehicle.truth().speed_mps != 0; ++i) vehicle.sense();
+  result.end = std::move(*end);
+  const SimulatedTruth& truth = vehicle.truth();
+  result.collisions = truth.collisions;
+  result.distance_m = truth.way_m;
+  const Pose2 off = between(options.T_world_due, truth.T_world_vehicle);
+  result.end_error_m = off.position().norm();
+  result.end_error_rad = std::abs(off.theta);
+  result.p_due_end = off.position();
+  result.clearance_m =
+      clearance_ahead_m(setting.world, setting.vehicle.description.footprint, truth.T_world_vehicle);
+  result.tries = navigator.parking_tries();
+  return result;
+}
+
+nlohmann::ordered_json figures_of(const RoomMissionResult& result) {
+  return {{"arrived", result.end.arrived},
+          {"parked", result.parked()},
+          {"state", result.end.state},
+          {"why", result.end.why},
+          {"collisions", result.collisions},
+          {"end_error_m", rounded(result.end_error_m, 4)},
+          {"end_ahead_m", rounded(result.p_due_end.x(), 4)},
+          {"end_left_m", rounded(result.p_due_end.y(), 4)},
+          {"end_error_deg", rounded(to_degrees(result.end_error_rad), 3)},
+          {"tries", result.tries},
+          {"clearance_m", rounded(result.clearance_m, 3)},
+          {"distance_m", rounded(result.distance_m, 3)},
+          {"duration_s", rounded(result.end.duration_s, 3)},
+          {"cycle_ms", cycle_figures(result.cycle_s)}};
+}
+
+}  // namespace aisle

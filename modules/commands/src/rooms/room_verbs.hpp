@@ -1,0 +1,50 @@
+#pragma once
+/// The verbs of learning and driving with `--method route` (L96).
+
+#include "aisle/commands/learn.hpp"
+#include "aisle/commands/navigate.hpp"
+#include "aisle/commands/trial.hpp"
+#include "rooms/room_driver.hpp"
+#include "rooms/room_lesson.hpp"
+
+namespace aisle {
+
+Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLessonParams& params, Console& console);
+Result<Outcome> navigate_by_route(const NavigateOptions& options, const RoomDriverParams& params,
+                                  Console& console);
+
+/// By how much a room changes between teaching and driving.
+struct RoomChange {
+  double furniture_m = 0.2;  ///< each piece, along x and along y
+  double light_share = 0.3;
+
+  void describe(FieldList& fields) {
+    fields.real("furniture_m", furniture_m, {0, 2}, "by which each piece is moved, along x and y");
+    fields.real("light_share", light_share, {0, 0.95}, "by which the light is more or less");
+  }
+};
+
+struct RoomTrialParams {
+  RoomLessonParams lesson;
+  RoomNavigatorParams navigator;
+  RoomChange change;
+  RoomChange park_change{.furniture_m = 0, .light_share = 0};
+
+  void describe(FieldList& fields) {
+    fields.group("lesson", lesson);
+    fields.group("navigator", navigator);
+    fields.group("change", change);
+    fields.group("park_change", park_change);
+  }
+};
+
+/// `trial route`: routes of a world with their furniture moved and other light.
+Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParams& params, Console& console);
+/// `trial turnings`: the thirteen turnings, each in a room of its own.
+Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
+                                  Console& console);
+/// `trial park`: the ends of routes, from disturbed starts.
+Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialParams& params,
+                                 Console& console);
+
+}  // namespace aisle

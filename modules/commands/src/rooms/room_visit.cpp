@@ -1,0 +1,39 @@
+#include "rooms/room_visit.hpp"
+
+#include <utility>
+
+#include "learned_files.hpp"
+
+namespace aisle {
+
+Result<RouteInWorld> RouteInWorld::read(const std::filesystem::path& building, const Route& route,
+                                        const SimulationSetting& setting) {
+  auto truth = read_map_truth(building);
+  if (!truth) return truth.problems();
+  if (!truth->empty()) return RouteInWorld(std::move(*truth), route);
+  const auto start = start_in(setting);
+  if (!start) return start.problems();
+  return RouteInWorld(MapTruth({route.path.at(0).T_map_path}, {*start}), route);
+}
+
+RouteInWorld::RouteInWorld(MapTruth truth, Route route)
+    : truth_(std::move(truth)), route_(std::move(route)) {}
+
+Pose2 RouteInWorld::at(double along_m) const {
+  return truth_.in_world(route_.path.at(along_m).T_map_path);
+}
+
+double RouteInWorld::along_m(const Pose2& T_world_vehicle) const {
+  constexpr double kStep_m = 0.05;
+  const int steps = static_cast<int>(route_.path.length_m() / kStep_m);
+  double best_m = 0, least_m = -1;
+  for (int i = 0; i <= steps; ++i) {
+    const double off_m = (at(i * kStep_m).position() - T_world_vehicle.position()).norm();
+    if (least_m >= 0 && off_m > least_m) continue;
+    least_m = off_m;
+    best_m = i * kStep_m;
+  }
+  return best_m;
+}
+
+}  // namespace aisle

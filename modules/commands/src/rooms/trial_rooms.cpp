@@ -1,0 +1,342 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "aisle/core/random.hpp"
+#include "aisle/guidance/hand_driver.hpp"
+#include "aisle/simulation/route_guide.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/simulation/turning_course.hpp"
+#include "methods.hpp"
+#include "rooms/room_mission.hpp"
+#include "rooms/room_verbs.hpp"
+#include "rooms/room_visit.hpp"
+#include "rounded.hpp"
+#include "statistics.hpp"
+
+namespace aisle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Collects a drive, with the truth.
+class RoomLessonRecord final : public MissionRecord {
+ public:
+  RoomLessonRecord(const RoomLessonParams& params, const SimulatedVehicle& vehicle)
+      : collector(params, vehicle.description()), vehicle_(vehicle) {}
+
+  Result<Observation> keep(Observation observation) override {
+    collector.add(observation);
+    T_world_vehicle.push_back(vehicle_.truth().T_world_vehicle);
+    return observation;
+  }
+  Problems keep(const Decision&) override { return {}; }
+
+  RoomTripCollector collector;
+  std::vector<Pose2> T_world_vehicle;
+
+ private:
+  const SimulatedVehicle& vehicle_;
+};
+
+/// A route as it was learned, and where it lies.
+struct TaughtRoute {
+  Route route;
+  RouteInWorld place;
+};
+
+Result<TaughtRoute> teach_route(const SimulationSetting& setting, const TaughtWay& way,
+                                const RoomLessonParams& params, std::uint64_t seed, Progress& progress) {
+  SimulationSetting taught = setting;
+  keep_room_cameras(taught.vehicle.description, ParkingStrategy::kView);
+  RouteGuide person(taught.world, way, taught.vehicle.description, {}, seed);
+  SimulatedVehicle vehicle(taught.world, taught.vehicle, {}, {.seed = seed, .T_world_start = start_of(way)},
+                           &person);
+  HandDriver driver({});
+  RoomLessonRecord record(params, vehicle);
+  const auto end = run_mission(vehicle, driver, record, progress);
+  if (!end) return end.problems();
+  if (!person.has_arrived())
+    return Problem{{setting.world_file.string(), 0, way.name}, "the person did not get through"};
+  auto lesson = learn_room(record.collector.cycles, taught.vehicle.description, way.name, params);
+  if (!lesson) return lesson.problems();
+  Route route = std::move(lesson->building.routes.front());
+  RouteInWorld place(MapTruth(std::move(lesson->T_route_vehicle), std::move(record.T_world_vehicle)), route);
+  return TaughtRoute{std::move(route), std::move(place)};
+}
+
+/// The same room on another day.
+SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& change, Random& random) {
+  for (Furniture& piece : setting.world.furniture) {
+    piece.centre.x() += random.uniform(-change.furniture_m, change.furniture_m);
+    piece.centre.y() += random.uniform(-change.furniture_m, change.furniture_m);
+  }
+  LightChange& change_of_light = setting.scenario.events.emplace_back().fault.emplace<LightChange>();
+  change_of_light.light = 1 + random.uniform(-change.light_share, change.light_share);
+  return setting;
+}
+
+constexpr double kFalseStop_m = 0.5;  // who parks farther away has taken another place for the taught one
+
+struct RoomTrial {
+  std::size_t missions = 0, arrived = 0, stopped = 0, collisions = 0, false_stops = 0;
+  Spread end_m, end_deg, clearance_m;
+  std::vector<double> cycle_s;
+  Json runs = Json::array();
+
+  void add(const RoomMissionResult& result, std::uint64_t seed, const std::string& route) {
+    ++missions;
+    const bool is_there = result.end_error_m < kFalseStop_m;
+    arrived += result.parked() && is_there ? 1U : 0U;
+    false_stops += result.end.arrived && !is_there ? 1U : 0U;
+    stopped += !result.end.arrived && result.collisions == 0 ? 1U : 0U;
+    collisions += result.collisions;
+    if (result.end.arrived) {
+      end_m.add(result.end_error_m);
+      end_deg.add(to_degrees(result.end_error_rad));
+      clearance_m.add(result.clearance_m);
+    }
+    cycle_s.insert(cycle_s.end(), result.cycle_s.begin(), result.cycle_s.end());
+    Json run = {{"seed", seed}, {"route", route}};
+    run.update(figures_of(result));
+    runs.push_back(std::move(run));
+  }
+  double share(std::size_t count) const {
+    return rounded(static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(missions, 1)), 4);
+  }
+};
+
+Result<RoomMissionResult> drive_taught(SimulationSetting setting, const TaughtRoute& taught,
+                                       const RoomNavigatorParams& params, std::uint64_t seed,
+                                       const Pose2& T_world_start, double from_m, Progress& progress) {
+  VehicleDescription& vehicle = setting.vehicle.description;
+  const ParkingStrategy parking = taught.route.room->parking;
+  RoomNavigator navigator(params, vehicle, taught.route, from_m);
+  keep_room_cameras(vehicle, parking);
+  std::optional<SessionRecord> no_session;
+  return drive_room_mission(
+      setting, navigator,
+      {.seed = 1000 * (seed + 1),
+       .T_world_start = T_world_start,
+       .T_world_due = due_end(setting.world, vehicle.footprint, parking, taught.place.end())},
+      no_session, progress);
+}
+
+/// The routes of the trial's worlds, each taught once.
+class TaughtRoutes {
+ public:
+  TaughtRoutes(const TrialOptions& options, const RoomTrialParams& params)
+      : options_(options), params_(params) {}
+
+  Result<SimulationSetting> setting(std::uint64_t seed) const {
+    const std::string world =
+        options_.worlds.empty() ? "laboratory" : options_.worlds[seed % options_.worlds.size()];
+    auto setting = read_setting(world, vehicle_or_usual(options_.vehicle, "route"), options_.scenario);
+    if (!setting) return setting.problems();
+    Problems problems = unfit_for_rooms(setting->vehicle.description, ParkingStrategy::kFrame);
+    if (setting->world.routes.empty())
+      problems.push_back({{setting->world_file.string(), 0, "routes"}, "are missing: nothing can be taught"});
+    if (!problems.empty()) return problems;
+    return setting;
+  }
+
+  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const TaughtWay& way,
+                                    Progress& progress) {
+    const std::string key = setting.world_file.string() + "/" + way.name;
+    auto known = taught_.find(key);
+    if (known == taught_.end()) {
+      auto route = teach_route(setting, way, params_.lesson, options_.first_seed, progress);
+      if (!route) return route.problems();
+      known = taught_.emplace(key, std::move(*route)).first;
+    }
+    return &known->second;
+  }
+
+ private:
+  const TrialOptions& options_;
+  const RoomTrialParams& params_;
+  std::map<std::string, TaughtRoute> taught_;
+};
+
+/// Where the vehicle is set down before the place where it is to park.
+Pose2 disturbed_start(const SimulationSetting& setting, const Pose2& T_world_start, Random& random) {
+  constexpr double kOff_m = 0.5, kOff_rad = 15 * kDegree;
+  constexpr int kDraws = 100;
+  for (int i = 0; i < kDraws; ++i) {
+    const double x = random.uniform(-kOff_m, kOff_m), y = random.uniform(-kOff_m, kOff_m);
+    const Pose2 T_world_vehicle = T_world_start * Pose2{x, y, random.uniform(-kOff_rad, kOff_rad)};
+    Footprint footprint = setting.vehicle.description.footprint;
+    footprint.width_m += 0.1;
+    footprint.front_m += 0.1;
+    if (fits(setting.world, footprint, T_world_vehicle)) return T_world_vehicle;
+  }
+  return T_world_start;
+}
+
+/// Those that end with a way to park, or all.
+std::vector<const TaughtWay*> ways_of(const World& world, std::optional<ParkingStrategy> parking) {
+  std::vector<const TaughtWay*> ways;
+  for (const TaughtWay& way : world.routes)
+    if (!parking || way.parking == *parking) ways.push_back(&way);
+  return ways;
+}
+
+/// How a mission begins.
+struct MissionBegin {
+  SimulationSetting setting;
+  Pose2 T_world_vehicle;
+  double from_m = 0;  ///< along the route, where the vehicle takes itself to be
+};
+
+/// One mission for each seed, over the ways in turn.
+/// @param begin  (setting, taught route, seed) -> MissionBegin
+template <class Begin>
+Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialParams& params,
+                                 std::optional<ParkingStrategy> parking, Console& console,
+                                 const Begin& begin) {
+  RoomTrial trial;
+  TaughtRoutes routes(options, params);
+  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
+  SilentProgress within;
+  for (std::uint64_t i = 0; i < seeds; ++i) {
+    console.progress.report("missions", i, seeds);
+    const std::uint64_t seed = options.first_seed + i;
+    const auto setting = routes.setting(seed);
+    if (!setting) return setting.problems();
+    const auto ways = ways_of(setting->world, parking);
+    if (ways.empty())
+      return Problem{{setting->world_file.string(), 0, "routes"},
+                     fmt::format("none ends with parking: {}", parking_word(*parking))};
+    const TaughtWay& way = *ways[seed % ways.size()];
+    const auto taught = routes.taught(*setting, way, within);
+    if (!taught) return taught.problems();
+    const MissionBegin mission = begin(*setting, **taught, seed);
+    const auto result = drive_taught(mission.setting, **taught, params.navigator, seed,
+                                     mission.T_world_vehicle, mission.from_m, within);
+    if (!result) return result.problems();
+    trial.add(*result, seed, way.name);
+  }
+  return trial;
+}
+
+Json park_figures(const RoomTrial& trial) {
+  return {{"missions", trial.missions},
+          {"success_share", trial.share(trial.arrived)},
+          {"safe_stop_share", trial.share(trial.stopped)},
+          {"collisions", trial.collisions},
+          {"end_error_m", trial.end_m.json(4)},
+          {"end_error_deg", trial.end_deg.json(3)},
+          {"clearance_m", trial.clearance_m.json(3)},
+          {"false_stops", trial.false_stops},
+          {"cycle_ms", cycle_figures(trial.cycle_s)},
+          {"simulated", true},
+          {"runs", trial.runs}};
+}
+
+}  // namespace
+
+Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParams& params, Console& console) {
+  const auto missions = drive_missions(
+      options, params, {}, console,
+      [&](const SimulationSetting& setting, const TaughtRoute& taught, std::uint64_t seed) {
+        Random random(seed);
+        SimulationSetting today = on_another_day(setting, params.change, random);
+        const Pose2 T_world_start = set_down(today, about(taught.place.at(0), 0.02, 1 * kDegree), seed);
+        return MissionBegin{std::move(today), T_world_start};
+      });
+  if (!missions) return missions.problems();
+  const RoomTrial& trial = *missions;
+  Outcome outcome{.verb = "trial", .ok = trial.arrived == trial.missions};
+  outcome.figures = {{"missions", trial.missions},
+                     {"arrived_share", trial.share(trial.arrived)},
+                     {"safe_stop_share", trial.share(trial.stopped)}};
+  outcome.figures.update(park_figures(trial));
+  outcome.figures.erase("success_share");
+  outcome.figures["method"] = "route";
+  outcome.text = fmt::format(
+      "simulated, furniture and light changed: {} missions, {:.1f} % arrived, {:.1f} % stopped safely, {} "
+      "collisions\n",
+      trial.missions, 100 * trial.share(trial.arrived), 100 * trial.share(trial.stopped), trial.collisions);
+  return outcome;
+}
+
+Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialParams& params,
+                                 Console& console) {
+  constexpr double kBeforeEnd_m = 3.2;
+  const auto missions =
+      drive_missions(options, params, options.strategy, console,
+                     [&](const SimulationSetting& setting, const TaughtRoute& taught, std::uint64_t seed) {
+                       const double from_m = std::max(0.0, taught.route.path.length_m() - kBeforeEnd_m);
+                       Random change(seed), start(seed);
+                       SimulationSetting today = on_another_day(setting, params.park_change, change);
+                       const Pose2 T_world_start = disturbed_start(today, taught.place.at(from_m), start);
+                       return MissionBegin{std::move(today), T_world_start, from_m};
+                     });
+  if (!missions) return missions.problems();
+  const RoomTrial& trial = *missions;
+  Outcome outcome{.verb = "trial", .ok = trial.arrived == trial.missions};
+  outcome.figures = park_figures(trial);
+  outcome.figures["strategy"] = parking_word(options.strategy);
+  outcome.text = fmt::format(
+      "simulated, parking ({}) from disturbed starts: {} missions, {:.1f} % parked, {} collisions\n"
+      "ended {:.1f} cm, {:.2f} deg off (mean), {:.1f} cm, {:.2f} deg (worst)\n",
+      parking_word(options.strategy), trial.missions, 100 * trial.share(trial.arrived), trial.collisions,
+      100 * trial.end_m.mean(), trial.end_deg.mean(), 100 * trial.end_m.worst(), trial.end_deg.worst());
+  return outcome;
+}
+
+/// One course for each turning, taught once; the room is another for each seed's teaching and driving light.
+Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
+                                  Console& console) {
+  auto vehicle = read_setting("", vehicle_or_usual(options.vehicle, "route"), options.scenario);
+  if (!vehicle) return vehicle.problems();
+  if (Problems problems = unfit_for_rooms(vehicle->vehicle.description, ParkingStrategy::kView);
+      !problems.empty())
+    return problems;
+  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
+  RoomTrial trial;
+  Json shares = Json::object();
+  SilentProgress within;
+  std::size_t succeeded = 0;
+  for (int number = 1; number <= kTurningNumbers; ++number) {
+    Random course(options.first_seed);
+    SimulationSetting setting = *vehicle;
+    setting.world = turning_course(number, course);
+    const auto taught =
+        teach_route(setting, setting.world.routes.front(), params.lesson, options.first_seed, within);
+    if (!taught) return taught.problems();
+    std::uint64_t good = 0;
+    for (std::uint64_t i = 0; i < seeds; ++i) {
+      console.progress.report("missions", (static_cast<std::uint64_t>(number) - 1) * seeds + i,
+                              kTurningNumbers * seeds);
+      const std::uint64_t seed = options.first_seed + i;
+      Random random(seed);
+      const SimulationSetting today =
+          on_another_day(setting, {.furniture_m = 0, .light_share = params.change.light_share}, random);
+      const auto result =
+          drive_taught(today, *taught, params.navigator, seed,
+                       set_down(today, about(taught->place.at(0), 0.02, 1 * kDegree), seed), 0, within);
+      if (!result) return result.problems();
+      trial.add(*result, seed, fmt::format("turning {}", number));
+      good += result->parked() && result->end_error_m < kFalseStop_m ? 1U : 0U;
+    }
+    succeeded += good;
+    shares[std::to_string(number)] = rounded(static_cast<double>(good) / static_cast<double>(seeds), 4);
+  }
+  Outcome outcome{.verb = "trial", .ok = succeeded == trial.missions};
+  outcome.figures = {{"missions", trial.missions},
+                     {"success_share", shares},
+                     {"success_share_all", trial.share(succeeded)},
+                     {"collisions", trial.collisions},
+                     {"safe_stop_share", trial.share(trial.stopped)},
+                     {"cycle_ms", cycle_figures(trial.cycle_s)},
+                     {"simulated", true},
+                     {"runs", trial.runs}};
+  outcome.text = fmt::format("simulated: thirteen turnings, {} missions, {:.1f} % succeeded, {} collisions\n",
+                             trial.missions, 100 * trial.share(succeeded), trial.collisions);
+  return outcome;
+}
+
+}  // namespace aisle

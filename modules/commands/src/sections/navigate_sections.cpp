@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "aisle/core/clock.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/whole_file.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+#include "changed_parameters.hpp"
+#include "landmarks/landmark_trip.hpp"
+#include "learned_files.hpp"
+#include "methods.hpp"
+#include "rounded.hpp"
+#include "sections/section_mission.hpp"
+#include "sections/section_verbs.hpp"
+#include "simulated_record.hpp"
+
+namespace aisle {
+namespace {
+
+/// How the map lies in the world about a place of it: as learning left it beside the building, else its
+/// origin is the world's start.
+Result<Pose2> map_about(const Pose2& T_map_place, const NavigateOptions& options,
+                        const SimulationSetting& setting) {
+  const auto truth = read_map_truth(options.building);
+  if (!truth) return truth.problems();
+  if (!truth->empty())
+    return truth->in_world(T_map_place, truth->start(options.in_reverse)) * T_map_place.inverse();
+  return start_in(setting);
+}
+
+std::string section_mission_text(const SectionMissionResult& result, bool and_back) {
+  std::string text =
+      fmt::format("simulated: {}{}{}; {:.1f} m in {:.1f} s, {} collision{}\n", result.end.state,
+                  result.end.why.empty() ? "" : ": ", result.end.why, result.distance_m,
+                  result.end.duration_s, result.collisions, result.collisions == 1 ? "" : "s");
+  text += fmt::format("ended {:.1f} cm and {:.2f} deg from where it {}\n", 100 * result.closing_error_m,
+                      to_degrees(result.closing_error_rad), and_back ? "began" : "should");
+  if (result.wall_distance_m.count() > 0) {
+    text += fmt::format("kept its distance from the right base line within {:.1f} cm (rms)\n",
+                        100 * result.wall_distance_m.rms());
+  }
+  return text;
+}
+
+}  // namespace
+
+Result<Outcome> navigate_by_sections(const NavigateOptions& options, const SectionDriverParams& params,
+                                     Console& console) {
+  const std::string file = options.building.string();
+  const auto text = read_whole_file(options.building);
+  if (!text) return text.problems();
+  const auto building = parse_building(*text, file);
+  if (!building) return building.problems();
+  auto setting =
+      read_setting(options.world, vehicle_or_usual(options.vehicle, options.method), options.scenario);
+  if (!setting) return setting.problems();
+  VehicleDescription& vehicle = setting->vehicle.description;
+  SessionOrigin origin{.navigator = kSectionNavigator,
+                       .parameters = changed_parameters(params),
+                       .seed = options.seed,
+                       .simulated = true,
+                       .building = *text,
+                       .route = options.route.empty() && !building->routes.empty()
+                                    ? building->routes.front().name
+                                    : options.route,
+                       .in_reverse = options.in_reverse};
+  const auto navigator = make_section_navigator(origin, vehicle);
+  if (!navigator) return at_file(navigator.problems(), file);
+  vehicle.cameras = {CameraDescription(corridor_camera(vehicle))};
+  const Pose2 T_map_start = (*navigator)->path().at(0).T_map_path;
+  const auto T_world_map = map_about(T_map_start, options, *setting);
+  if (!T_world_map) return T_world_map.problems();
+  if (!fits(setting->world, vehicle.footprint, *T_world_map * T_map_start))
+    return Problem{{file, 0, "routes"}, "the vehicle does not fit at the route's start in this world"};
+  auto session = open_session(options.out, options.force, vehicle, origin, console.watcher);
+  if (!session) return session.problems();
+  const SteadyClock clock;
+  const double begun_s = clock.now_s();
+  const auto result = drive_section_mission(
+      *setting, **navigator, {.seed = options.seed, .T_world_map = *T_world_map}, *session, console.progress);
+  if (!result) return result.problems();
+  if (const Problems problems = close(*session); !problems.empty()) return problems;
+  Outcome outcome{.verb = "navigate", .ok = result->end.arrived && result->collisions == 0};
+  outcome.figures = figures_of(*result);
+  outcome.figures["simulated"] = true;
+  outcome.figures["seed"] = options.seed;
+  outcome.figures["route"] = origin.route;
+  outcome.figures["in_reverse"] = options.in_reverse;
+  outcome.figures["and_back"] = params.and_back;
+  outcome.figures["real_time_factor"] =
+      rounded(result->end.duration_s / std::max(clock.now_s() - begun_s, 1e-6), 1);
+  if (!options.out.empty()) outcome.files["session"] = options.out.string();
+  outcome.text = section_mission_text(*result, params.and_back);
+  return outcome;
+}
+
+}  // namespace aisle

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "aisle/commands/output_directory.hpp"
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/section_text.hpp"
+#include "aisle/report/picture_sheet.hpp"
+#include "aisle/report/section_picture.hpp"
+#include "landmarks/landmark_course.hpp"
+#include "reproduced.hpp"
+#include "rounded.hpp"
+#include "sections/section_course.hpp"
+#include "sections/section_mission.hpp"
+#include "statistics.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kL03Speed_mps = 0.1;  // L03 section 5; it gives no other figure
+constexpr const char* kSectionsFigure = "fig4_sections.svg";
+constexpr const char* kTripFigure = "there_and_back.svg";
+constexpr const char* kPicturesFigure = "fig7_pictures.png";
+
+nlohmann::ordered_json figures_of(const SectionLesson& lesson, const SectionMissionResult& trip,
+                                  double speed_mps) {
+  auto figures = figures_of(trip);
+  figures["simulated"] = true;
+  figures["paper"] = {{"speed_mps", kL03Speed_mps}};
+  figures["speed_mps"] = speed_mps;
+  figures["length_m"] = rounded(lesson.building.routes.front().path.length_m(), 3);
+  for (const Section& section : lesson.building.routes.front().sections)
+    figures["sections"].push_back(section_text(section));
+  return figures;
+}
+
+std::string text_of(const SectionLesson& lesson, const SectionMissionResult& trip, double speed_mps) {
+  const Route& route = lesson.building.routes.front();
+  std::string text = fmt::format("simulated; learned from one drive: {:.1f} m in {} sections\n",
+                                 route.path.length_m(), route.sections.size());
+  for (const Section& section : route.sections) text += "  " + section_text(section) + "\n";
+  text += fmt::format(
+      "there and back   L03                  here\n"
+      "speed            about {:.2f} m/s       {:.2f} m/s\n"
+      "outcome          navigated, in words  {}{}, {:.1f} m in {:.0f} s, {} collisions\n"
+      "home within      no figure            {:.1f} cm, {:.2f} deg\n"
+      "distance kept    no figure            {:.1f} cm (rms, right base line)\n"
+      "a cycle          no figure            {:.1f} ms (median)\n",
+      kL03Speed_mps, speed_mps, trip.end.state, trip.end.arrived ? "" : ", " + trip.end.why, trip.distance_m,
+      trip.end.duration_s, trip.collisions, 100 * trip.closing_error_m, to_degrees(trip.closing_error_rad),
+      100 * trip.wall_distance_m.rms(), 1000 * quantile(trip.cycle_s, 0.5));
+  return text;
+}
+
+std::vector<OutputFile> files_of(const SectionLesson& lesson, const SectionMissionResult& trip) {
+  const Route& route = lesson.building.routes.front();
+  std::vector<OutputFile> files = {
+      {"building", "building.json", building_json(lesson.building)},
+      {"sections", kSectionsFigure,
+       svg(SectionPicture{.route = route,
+                          .driven = lesson.driven.T_route_vehicle,
+                          .title = "L03 Fig. 4, simulated: how each section is driven"})},
+      {"trip", kTripFigure,
+       svg(SectionPicture{.route = route,
+                          .driven = trip.T_map_driven,
+                          .driven_as = "as driven, there and back",
+                          .title = "simulated: there and back along both walls"})}};
+  if (!trip.pictures.empty())
+    files.push_back({"pictures", kPicturesFigure, picture_sheet_png(trip.pictures)});
+  return files;
+}
+
+}  // namespace
+
+Result<Outcome> reproduce_l03(const ReproduceOptions& options, const SectionTrialParams& params,
+                              Console& console) {
+  const auto directory = OutputDirectory::open_if_named(
+      options.out, options.force, {"building.json", kSectionsFigure, kTripFigure, kPicturesFigure});
+  if (!directory) return directory.problems();
+  auto setting = read_setting("mini-corridor", "mini", "");
+  if (!setting) return setting.problems();
+  if (Problems problems = keep_corridor_camera(*setting); !problems.empty()) return problems;
+  SilentProgress within;
+  console.progress.report("trips", 0, 2);
+  const auto course = teach_sections(*setting, params.lesson, options.seed, 1, within);
+  if (!course) return course.problems();
+  const SectionLesson& lesson = course->lesson;
+  const VehicleDescription& vehicle = setting->vehicle.description;
+  const SectionList& sections = lesson.building.routes.front().sections;
+  SectionNavigator navigator(params.navigator, vehicle, vehicle.cameras.front().name, sections,
+                             guided_path(sections, lesson.driven.T_route_start, SectionTrip::kThereAndBack));
+  std::optional<SessionRecord> no_session;
+  console.progress.report("trips", 1, 2);
+  const auto trip = drive_section_mission(
+      *setting, navigator,
+      {.seed = 1000 * (options.seed + 1), .T_world_map = course->T_world_map, .keep_pictures = true},
+      no_session, within);
+  if (!trip) return trip.problems();
+  Outcome outcome{.verb = "reproduce", .ok = trip->end.arrived && trip->collisions == 0};
+  outcome.figures = figures_of(lesson, *trip, params.navigator.speed.speed_mps);
+  outcome.text = text_of(lesson, *trip, params.navigator.speed.speed_mps);
+  if (!*directory) return outcome;
+  auto files = (*directory)->write(files_of(lesson, *trip));
+  if (!files) return files.problems();
+  outcome.files = std::move(*files);
+  return outcome;
+}
+
+}  // namespace aisle

@@ -1,0 +1,63 @@
+#include "sections/section_course.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "aisle/guidance/hand_driver.hpp"
+#include "aisle/guidance/mission.hpp"
+#include "aisle/simulation/scripted_operator.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+
+namespace aisle {
+namespace {
+
+/// Collects what is learned from.
+class SectionLessonRecord final : public MissionRecord {
+ public:
+  SectionLessonRecord(const FloorEdgeParams& params, const SimulatedVehicle& vehicle)
+      : collector(params, vehicle.description()) {}
+
+  Result<Observation> keep(Observation observation) override {
+    collector.add(observation);
+    return observation;
+  }
+  Problems keep(const Decision&) override { return {}; }
+
+  SectionTripCollector collector;
+};
+
+/// A person drives the world's tour.
+Result<DrivenList> teach_once(const SimulationSetting& setting, const Pose2& T_world_start,
+                              const SectionLessonParams& params, std::uint64_t seed, Progress& progress) {
+  const VehicleDescription& vehicle = setting.vehicle.description;
+  ScriptedOperator person(setting.world, vehicle, {}, seed);
+  SimulatedVehicle taught(setting.world, setting.vehicle, {}, {.seed = seed, .T_world_start = T_world_start},
+                          &person);
+  HandDriver driver({});
+  SectionLessonRecord record(params.floor_edges, taught);
+  const auto end = run_mission(taught, driver, record, progress);
+  if (!end) return end.problems();
+  if (!person.has_arrived()) return Problem{{}, "the person did not get through"};
+  return record_drive(record.collector.cycles, vehicle, params.learning);
+}
+
+}  // namespace
+
+Result<SectionCourse> teach_sections(const SimulationSetting& setting, const SectionLessonParams& params,
+                                     std::uint64_t seed, int teachings, Progress& progress) {
+  constexpr std::uint64_t kSeedsApart = 1'000'000;  // of one teaching and the next
+  const auto start = start_in(setting);
+  if (!start) return start.problems();
+  std::vector<DrivenList> drives;
+  for (int i = 0; i < teachings; ++i) {
+    auto drive = teach_once(setting, *start, params, seed + kSeedsApart * static_cast<unsigned>(i), progress);
+    if (!drive) return drive.problems();
+    drives.push_back(std::move(*drive));
+  }
+  auto lesson = learn_sections(drives, "route", params.learning);
+  if (!lesson) return lesson.problems();
+  const Pose2 T_world_map = *start * lesson->driven.T_route_vehicle.front().inverse();
+  return SectionCourse{std::move(*lesson), T_world_map};
+}
+
+}  // namespace aisle

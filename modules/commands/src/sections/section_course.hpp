@@ -1,0 +1,21 @@
+#pragma once
+/// The life of a way of sections in simulation, up to where the vehicle drives it alone.
+
+#include <cstdint>
+
+#include "sections/section_lesson.hpp"
+#include "simulation_setting.hpp"
+
+namespace aisle {
+
+struct SectionCourse {
+  SectionLesson lesson;
+  Pose2 T_world_map;  ///< of the lesson's map
+};
+
+/// A person drives the world's tour once or more often, and it is learned. A problem says why it was not: the
+/// person did not get through, or went nowhere.
+Result<SectionCourse> teach_sections(const SimulationSetting& setting, const SectionLessonParams& params,
+                                     std::uint64_t seed, int teachings, Progress& progress);
+
+}  // namespace aisle

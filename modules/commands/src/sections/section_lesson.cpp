@@ -1,0 +1,59 @@
+#include "sections/section_lesson.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "aisle/formats/section_text.hpp"
+#include "landmarks/landmark_trip.hpp"
+#include "session_trip.hpp"
+
+namespace aisle {
+
+SectionTripCollector::SectionTripCollector(const FloorEdgeParams& params, const VehicleDescription& vehicle)
+    : vehicle_(vehicle),
+      camera_(corridor_camera(vehicle).name),
+      detector_(params, corridor_camera(vehicle).intrinsics, corridor_camera(vehicle).mount) {}
+
+void SectionTripCollector::add(const Observation& observation) {
+  SectionCycle cycle{.stamp_s = observation.stamp_s, .odometry = observation.odometry, .floor_edges = {}};
+  if (const CameraPicture* picture = present_picture(observation, camera_, vehicle_.cycle_s)) {
+    for (const FloorEdge& edge : detector_.detect(*picture->image))
+      cycle.floor_edges.push_back(edge.on_floor);
+  }
+  cycles.push_back(std::move(cycle));
+}
+
+Result<DrivenList> read_section_drive(const std::filesystem::path& session, SessionCycles& cycles,
+                                      const SectionLessonParams& params, Progress& progress) {
+  if (cycles.vehicle().cameras.empty())
+    return Problem{{session.string()}, "is of a vehicle without a camera"};
+  SectionTripCollector collector(params.floor_edges, cycles.vehicle());
+  const auto pictures = take_observations(
+      session, cycles, progress, [&](const Observation& observation) { collector.add(observation); });
+  if (!pictures) return pictures.problems();
+  if (*pictures == 0) return Problem{{session.string()}, "has no pictures"};
+  return record_drive(collector.cycles, cycles.vehicle(), params.learning);
+}
+
+Result<SectionLesson> learn_sections(std::span<const DrivenList> drives, const std::string& route,
+                                     const SectionLearningParams& params) {
+  MergedDrives merged = merge_drives(drives);
+  SectionLesson lesson{.building = {}, .driven = std::move(merged.driven), .taken = std::move(merged.taken)};
+  if (lesson.driven.sections.empty()) return Problem{{}, "the vehicle stood still all the time"};
+  Route learned{.name = route,
+                .sections = decide_sections(lesson.driven.sections, lesson.driven.corridor_width_m, params)};
+  Problems problems;
+  for (const SectionFault& fault : section_faults(learned.sections)) {
+    problems.push_back({{},
+                        fmt::format("section {} ({}): {}", fault.section + 1,
+                                    section_text(learned.sections[fault.section]), fault.what)});
+  }
+  if (!problems.empty()) return problems;
+  learned.path = path_of(learned.sections, lesson.driven.T_route_start);
+  lesson.building.name = route;
+  lesson.building.routes.push_back(std::move(learned));
+  return lesson;
+}
+
+}  // namespace aisle

@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "aisle/formats/section_text.hpp"
+#include "aisle/geometry/polyline.hpp"
+#include "landmarks/landmark_course.hpp"
+#include "learned_files.hpp"
+#include "methods.hpp"
+#include "rounded.hpp"
+#include "sections/section_course.hpp"
+#include "sections/section_mission.hpp"
+#include "sections/section_verbs.hpp"
+#include "statistics.hpp"
+#include "trial_setting.hpp"
+
+namespace aisle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Halls have no base line to follow.
+constexpr BuildingKind kCorridorBuildings[] = {BuildingKind::kOffice, BuildingKind::kRing,
+                                               BuildingKind::kComb};
+constexpr double kBend_rad = 20 * kDegree;  // of a tour that is a turn
+constexpr double kTurnBack_rad = 135 * kDegree;
+constexpr double kLongest_m = 60, kSamePoint_m = 0.1, kEndMin_m = 1.5;
+
+/// Nobody begins or ends a way just beside a corner.
+std::vector<Vec2> without_short_ends(std::vector<Vec2> way) {
+  while (way.size() > 2 && (way[1] - way[0]).norm() < kEndMin_m) way.erase(way.begin());
+  while (way.size() > 2 && (way[way.size() - 1] - way[way.size() - 2]).norm() < kEndMin_m) way.pop_back();
+  return way;
+}
+
+/// The tour's longest stretch on which it does not turn back, cut where it becomes longer than a mission
+/// should be.
+std::vector<Vec2> one_way(const std::vector<Vec2>& tour) {
+  std::vector<Vec2> longest, way;
+  for (const Vec2& p : tour) {
+    if (way.size() >= 2) {
+      const Vec2 before = way.back() - way[way.size() - 2];
+      const bool turns_back =
+          std::abs(wrap_angle(heading_of(p - way.back()) - heading_of(before))) > kTurnBack_rad;
+      const bool is_long = polyline_length_m(way) + (p - way.back()).norm() > kLongest_m;
+      if (turns_back || is_long) way = {way.back()};
+    }
+    if (way.empty() || (p - way.back()).norm() > kSamePoint_m) way.push_back(p);
+    if (polyline_length_m(way) > polyline_length_m(longest)) longest = way;
+  }
+  return without_short_ends(std::move(longest));
+}
+
+/// The sections that a way should be cut into, by how it lies in the building: one letter each.
+std::string due_letters(const std::vector<Vec2>& way, const SectionLearningParams& params) {
+  std::string letters = "a";
+  for (std::size_t i = 1; i + 1 < way.size(); ++i) {
+    const double turn_rad = wrap_angle(heading_of(way[i + 1] - way[i]) - heading_of(way[i] - way[i - 1]));
+    if (std::abs(turn_rad) < kBend_rad) continue;
+    if (turn_rad < 0) {
+      letters.back() = 'h';
+      letters += "ra";
+    } else {
+      letters += std::abs(turn_rad - kPi / 2) < params.corner_rad ? "ca" : "la";
+    }
+  }
+  return letters;
+}
+
+std::string letters_of(const SectionList& sections) {
+  std::string letters;
+  for (const Section& section : sections) letters += section_text(section).front();
+  return letters;
+}
+
+/// How many letters must be changed, added or left out to make one text of the other.
+std::size_t letters_apart(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i] == b[j] ? 0U : 1U);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+Result<SimulationSetting> section_setting(const TrialOptions& options, std::uint64_t seed) {
+  auto setting =
+      setting_of_seed(options, seed, vehicle_or_usual(options.vehicle, options.method), kCorridorBuildings);
+  if (!setting) return setting.problems();
+  setting->world.tour = one_way(setting->world.tour);
+  setting->world.start.reset();
+  if (Problems problems = keep_corridor_camera(*setting); !problems.empty())
+    return at_file(problems, options.vehicle);
+  return setting;
+}
+
+struct SectionTrial {
+  std::size_t missions = 0, arrived = 0, collisions = 0;
+  std::size_t letters = 0, letters_wrong = 0;
+  Spread closing_m, closing_deg, wall_m;
+  std::vector<double> cycle_s;
+  Json runs = Json::array(), not_taught = Json::array();
+
+  double accuracy() const {
+    return letters == 0 ? 0 : 1 - static_cast<double>(letters_wrong) / static_cast<double>(letters);
+  }
+};
+
+/// One seed: taught, learned, driven there and back.
+Problems run_section_seed(const TrialOptions& options, const SectionTrialParams& params, std::uint64_t seed,
+                          SectionTrial& trial, Progress& progress) {
+  const auto setting = section_setting(options, seed);
+  if (!setting) return setting.problems();
+  const VehicleDescription& vehicle = setting->vehicle.description;
+  const auto course = teach_sections(*setting, params.lesson, seed, options.teachings, progress);
+  if (!course) {
+    trial.not_taught.push_back({{"seed", seed}, {"why", to_string(course.problems())}});
+    return {};
+  }
+  const SectionLesson& lesson = course->lesson;
+  const SectionList& sections = lesson.building.routes.front().sections;
+  const std::string due = due_letters(setting->world.tour, params.lesson.learning);
+  const std::string learned = letters_of(sections);
+  trial.letters += std::max(due.size(), learned.size());
+  trial.letters_wrong += letters_apart(due, learned);
+  SectionNavigator navigator(params.navigator, vehicle, vehicle.cameras.front().name, sections,
+                             guided_path(sections, lesson.driven.T_route_start, SectionTrip::kThereAndBack));
+  std::optional<SessionRecord> no_session;
+  const auto result = drive_section_mission(*setting, navigator,
+                                            {.seed = 1000 * (seed + 1), .T_world_map = course->T_world_map},
+                                            no_session, progress);
+  if (!result) return result.problems();
+  ++trial.missions;
+  trial.arrived += result->end.arrived ? 1U : 0U;
+  trial.collisions += result->collisions;
+  if (result->end.arrived) {
+    trial.closing_m.add(result->closing_error_m);
+    trial.closing_deg.add(to_degrees(result->closing_error_rad));
+  }
+  if (result->wall_distance_m.count() > 0) trial.wall_m.add(result->wall_distance_m.rms());
+  trial.cycle_s.insert(trial.cycle_s.end(), result->cycle_s.begin(), result->cycle_s.end());
+  Json run = {{"seed", seed},
+              {"world", setting->world.name.empty() ? setting->world_file.string() : setting->world.name},
+              {"sections", learned},
+              {"sections_due", due}};
+  for (const Section& section : sections) run["list"].push_back(section_text(section));
+  run.update(figures_of(*result));
+  trial.runs.push_back(std::move(run));
+  return {};
+}
+
+Outcome section_outcome(const SectionTrial& trial) {
+  Outcome outcome{.verb = "trial",
+                  .ok = trial.missions > 0 && trial.arrived == trial.missions && trial.collisions == 0};
+  const double share =
+      static_cast<double>(trial.arrived) / static_cast<double>(std::max<std::size_t>(trial.missions, 1));
+  outcome.figures = {{"missions", trial.missions},
+                     {"arrived_share", rounded(share, 4)},
+                     {"collisions", trial.collisions},
+                     {"section_accuracy", rounded(trial.accuracy(), 4)},
+                     {"closing_error_m", trial.closing_m.json(4)},
+                     {"closing_error_deg", trial.closing_deg.json(3)},
+                     {"wall_distance_rmse_m", rounded(trial.wall_m.mean(), 4)},
+                     {"cycle_ms", cycle_figures(trial.cycle_s)},
+                     {"simulated", true},
+                     {"method", "sections"},
+                     {"not_taught", trial.not_taught},
+                     {"runs", trial.runs}};
+  outcome.text = fmt::format(
+      "simulated: {} missions there and back, {:.1f} % arrived, {} collisions\n"
+      "sections right: {:.1f} %; home within {:.1f} cm, {:.2f} deg (mean), {:.1f} cm, {:.2f} deg (worst)\n"
+      "kept its distance from the right base line within {:.1f} cm (rms)\n",
+      trial.missions, 100 * share, trial.collisions, 100 * trial.accuracy(), 100 * trial.closing_m.mean(),
+      trial.closing_deg.mean(), 100 * trial.closing_m.worst(), trial.closing_deg.worst(),
+      100 * trial.wall_m.mean());
+  for (const Json& seed : trial.not_taught)
+    outcome.text +=
+        fmt::format("seed {}: {}\n", seed["seed"].get<std::uint64_t>(), seed["why"].get<std::string>());
+  return outcome;
+}
+
+}  // namespace
+
+Result<Outcome> trial_by_sections(const TrialOptions& options, const SectionTrialParams& params,
+                                  Console& console) {
+  SectionTrial trial;
+  const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
+  SilentProgress within;
+  for (std::uint64_t i = 0; i < seeds; ++i) {
+    console.progress.report("missions", i, seeds);
+    if (Problems problems = run_section_seed(options, params, options.first_seed + i, trial, within);
+        !problems.empty())
+      return problems;
+  }
+  return section_outcome(trial);
+}
+
+}  // namespace aisle

@@ -1,0 +1,87 @@
+#include "viewer_messages.hpp"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "aisle/formats/cdr.hpp"
+#include "rounded.hpp"
+
+namespace aisle {
+namespace {
+
+using ViewerJson = nlohmann::ordered_json;
+
+std::string text_cdr(const ViewerJson& json) {
+  return cdr_bytes(ros::String{json.dump()});
+}
+
+/// The first row above a column's lowest that is not on the route; nullopt: the lowest is not.
+std::optional<int> top_of(const Image& mask, int u) {
+  int v = mask.height_px - 1;
+  while (v >= 0 && mask.row(v)[u] != 0) --v;
+  return v == mask.height_px - 1 ? std::nullopt : std::optional(v);
+}
+
+}  // namespace
+
+Overlay overlay_of(std::span<const LandmarkSighting> sightings) {
+  const Vec2 aside(7, 0), up(0, 7);
+  Overlay overlay;
+  overlay.reserve(2 * sightings.size());
+  for (const LandmarkSighting& sighting : sightings) {
+    overlay.push_back({"foot", sighting.foot_px - aside, sighting.foot_px + aside});
+    overlay.push_back({"foot", sighting.foot_px - up, sighting.foot_px + up});
+  }
+  return overlay;
+}
+
+Overlay overlay_of(std::span<const FloorEdge> edges) {
+  Overlay overlay;
+  overlay.reserve(edges.size());
+  for (const FloorEdge& edge : edges) overlay.push_back({"base line", edge.start_px, edge.end_px});
+  return overlay;
+}
+
+Overlay overlay_of(const RouteView& view, const RouteSight& sight) {
+  constexpr int kEvery_px = 8;
+  const int right = sight.mask.width_px - 1;
+  Overlay overlay;
+  overlay.push_back({"scan line", Vec2(0, view.far_row()), Vec2(right, view.far_row())});
+  overlay.push_back({"scan line", Vec2(0, view.near_row()), Vec2(right, view.near_row())});
+  std::optional<Vec2> last;
+  for (int u = 0; u <= right; u += kEvery_px) {
+    const auto v = top_of(sight.mask, u);
+    const auto here = v ? std::optional<Vec2>(Vec2(u, *v)) : std::nullopt;
+    if (last && here) overlay.push_back({"region", *last, *here});
+    last = here;
+  }
+  return overlay;
+}
+
+SessionTopic overlay_topic(const std::string& camera) {
+  return {"/overlay/" + camera, ros::String::kType};
+}
+
+std::string overlay_cdr(double stamp_s, const Overlay& overlay) {
+  ViewerJson lines = ViewerJson::array();
+  for (const auto& [kind, from_px, to_px] : overlay) {
+    lines.push_back({{"kind", kind},
+                     {"u0", rounded(from_px.x(), 1)},
+                     {"v0", rounded(from_px.y(), 1)},
+                     {"u1", rounded(to_px.x(), 1)},
+                     {"v1", rounded(to_px.y(), 1)}});
+  }
+  return text_cdr({{"stamp_s", stamp_s}, {"lines", std::move(lines)}});
+}
+
+const SessionTopic& match_topic() {
+  static const SessionTopic topic{"/match", ros::String::kType};
+  return topic;
+}
+
+std::string match_cdr(double stamp_s, const ViewMatch& match) {
+  return text_cdr({{"stamp_s", stamp_s}, {"quality", rounded(match.quality, 3)}, {"text", match.text}});
+}
+
+}  // namespace aisle

@@ -1,0 +1,45 @@
+#pragma once
+/// What a navigator sees and how sure it is of it, as JSON for those who look on: docs/live.md. Sessions do
+/// not hold them.
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "aisle/formats/session_message.hpp"
+#include "aisle/vision/floor_edges.hpp"
+#include "aisle/vision/landmark_sightings.hpp"
+#include "aisle/vision/route_view.hpp"
+
+namespace aisle {
+
+/// A line in a picture.
+struct OverlayLine {
+  const char* kind = "";
+  Vec2 from_px = Vec2::Zero();
+  Vec2 to_px = Vec2::Zero();
+};
+using Overlay = std::vector<OverlayLine>;
+
+/// The feet of landmarks, as small crosses.
+Overlay overlay_of(std::span<const LandmarkSighting> sightings);
+/// Where the floor ends: the base lines of walls.
+Overlay overlay_of(std::span<const FloorEdge> edges);
+/// The region's outline as seen from below, and the two scan lines.
+Overlay overlay_of(const RouteView& view, const RouteSight& sight);
+
+SessionTopic overlay_topic(const std::string& camera);
+/// @param stamp_s  of the picture
+std::string overlay_cdr(double stamp_s, const Overlay& overlay);
+
+/// How well what is seen fits what is known.
+struct ViewMatch {
+  double quality = 0;  ///< 0 .. 1
+  std::string text;    ///< "41 of 52 lines"
+};
+
+const SessionTopic& match_topic();
+std::string match_cdr(double stamp_s, const ViewMatch& match);
+
+}  // namespace aisle

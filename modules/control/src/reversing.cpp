@@ -1,0 +1,38 @@
+#include "aisle/control/reversing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kSettle_m = 0.35;   // way over which what is off shrinks to 1/e
+constexpr double kPreview_m = 0.04;  // the wheels need their time
+
+/// Of the path a little ahead, on the same leg.
+double curvature_ahead_per_m(const Path& path, const PathPoint& point) {
+  const std::size_t leg_end = path.leg_end(point.piece);
+  const double leg_end_m = path.start_m(leg_end - 1) + path.pieces()[leg_end - 1].way_m();
+  return path.at(std::min(point.along_m + kPreview_m, leg_end_m - 1e-6)).curvature_per_m;
+}
+
+}  // namespace
+
+/// With e how far base_link is to the left of the path, h its heading off the path's, s the way (against the
+/// heading: e' = -sin h, h' = -(bend - path's bend)): e'' = -2 e' / S - e / S^2 settles without overshoot.
+double reversing_steering_rad(const VehicleDescription& vehicle, const Path& path, const PathPoint& point,
+                              const Pose2& T_map_vehicle, double steering_rad) {
+  const Pose2 off = between(point.T_map_path, T_map_vehicle);
+  const double direction = path.pieces()[point.piece].arc.length_m < 0 ? -1 : 1;
+  const double bend_per_m = curvature_ahead_per_m(path, point) -
+                            direction * 2 * std::sin(off.theta) / kSettle_m - off.y / (kSettle_m * kSettle_m);
+  const double wanted_rad = std::atan(bend_per_m * vehicle.front_steered.wheelbase_m);
+  const double change_rad = vehicle.limits.steering_rate_max_rad_s * vehicle.cycle_s;
+  const double max_rad = vehicle.limits.steering_max_rad;
+  return std::clamp(std::clamp(wanted_rad, steering_rad - change_rad, steering_rad + change_rad), -max_rad,
+                    max_rad);
+}
+
+}  // namespace aisle

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "aisle/exploration/gates.hpp"
+#include "aisle/maps/floor_grid.hpp"
+#include "aisle/vehicle/laser_log.hpp"
+
+namespace aisle {
+
+/// What the sensor could show from some pose.
+struct GateLook {
+  const LaserScanner& fan;
+  std::span<const float> near_m;  ///< nearer than this a beam shows nothing, one a beam
+  double reach_m = 0;             ///< farther away nothing is looked for
+};
+
+/// Whether at least `enough` points of a gate's rim would be seen from there: within reach and within the
+/// fan, with nothing between that stands or is unknown.
+bool sees_rim(const GateLook& look, const FloorGrid& floor, const Pose2& T_map_vehicle, const Gate& gate,
+              std::size_t enough);
+
+}  // namespace aisle

@@ -1,0 +1,91 @@
+#include "aisle/guidance/way_driver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/control/reversing.hpp"
+#include "aisle/guidance/driving_care.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kWatchMargin_m = 0.02;  // around the footprint
+constexpr double kBendAhead_m = 0.05;
+constexpr double kWheelsOff_rad = 25 * kDegree;
+constexpr double kWheelsOffAtFirst_rad = 4 * kDegree;  // at the start of a leg
+constexpr double kWheelsTurned_rad = 1 * kDegree;
+
+double leg_end_m(const Path& path, std::size_t leg_end) {
+  return path.start_m(leg_end - 1) + path.pieces()[leg_end - 1].way_m();
+}
+
+}  // namespace
+
+WayDriver::WayDriver(const VehicleDescription& vehicle, const SteeringParams& steering,
+                     const SpeedParams& speed)
+    : vehicle_(vehicle),
+      speed_(speed),
+      watch_(vehicle.footprint, kWatchMargin_m),
+      braking_(vehicle, kWatchMargin_m),
+      follower_(vehicle, steering) {}
+
+void WayDriver::take(const Path& way) {
+  if (!has_way()) leg_begun_ = 0;
+  const double along_m = has_way() ? progress_->point().along_m : 0;
+  path_ = path_.followed_by(way);
+  progress_.emplace(path_, along_m);
+}
+
+void WayDriver::shorten(double ahead_m) {
+  const PathPoint point = progress_->point();
+  path_ = path_.up_to(std::min(point.along_m + ahead_m, leg_end_m(path_, path_.leg_end(point.piece))));
+  progress_.emplace(path_, std::min(point.along_m, path_.length_m()));
+}
+
+void WayDriver::drop() {
+  progress_.reset();
+  path_ = {};
+}
+
+double WayDriver::free_m(const FloorGrid& floor, const FloorClearance& clearance,
+                         const Pose2& T_map_vehicle) const {
+  if (!has_way()) return 0;
+  const double standing_m = watch_.standing_spare_m(floor, clearance, T_map_vehicle);
+  return watch_.free_way_m(floor, clearance, path_, progress_->point().along_m, standing_m);
+}
+
+WayDriver::Step WayDriver::drive(const FloorGrid& floor, const FloorClearance& clearance,
+                                 const FootprintRoom& room, const Pose2& T_map_vehicle, double steering_rad) {
+  const Command standing{.steering_rad = steering_rad};
+  if (!has_way()) return {State::kNoWay, standing};
+  const PathPoint& point = progress_->advance(T_map_vehicle);
+  if (progress_->has_arrived()) return {State::kArrived, standing};
+  if (const auto wheels_rad = wheels_to_turn_rad(point, steering_rad))
+    return {State::kTurningWheels, {.steering_rad = *wheels_rad}};
+  const double care = driving_care(vehicle_, room, floor, clearance, path_, point.along_m, steering_rad);
+  const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, speed_);
+  Command command = follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_rad);
+  if (!vehicle_.is_differential && command.speed_mps < 0)
+    command.steering_rad = reversing_steering_rad(vehicle_, path_, point, T_map_vehicle, steering_rad);
+  const int direction = command.speed_mps > 0 ? 1 : -1;
+  if (braking_.is_free(floor, clearance, T_map_vehicle, command, steering_rad))
+    return {State::kDriving, command, direction};
+  const bool is_for_wheels = std::abs(command.steering_rad - steering_rad) > kWheelsTurned_rad &&
+                             braking_.is_free(floor, clearance, T_map_vehicle, command, command.steering_rad);
+  if (is_for_wheels) return {State::kTurningWheels, {.steering_rad = command.steering_rad}, direction};
+  return {State::kBlocked, standing, direction};
+}
+
+/// Where the way bends otherwise than the wheels stand, they turn before the vehicle goes on.
+std::optional<double> WayDriver::wheels_to_turn_rad(const PathPoint& point, double steering_rad) {
+  if (vehicle_.is_differential) return std::nullopt;
+  const std::size_t leg_end = path_.leg_end(point.piece);
+  const PathPoint ahead = path_.at(std::min(point.along_m + kBendAhead_m, leg_end_m(path_, leg_end) - 1e-6));
+  const double wanted_rad = std::atan(ahead.curvature_per_m * vehicle_.front_steered.wheelbase_m);
+  const double off_max_rad = leg_end == leg_begun_ ? kWheelsOff_rad : kWheelsOffAtFirst_rad;
+  if (std::abs(wanted_rad - steering_rad) >= off_max_rad) return wanted_rad;
+  leg_begun_ = leg_end;
+  return std::nullopt;
+}
+
+}  // namespace aisle

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/stream_traits.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/ssl/ssl_stream.hpp>
+#include <chrono>
+#include <utility>
+
+namespace aisle::net {
+
+namespace beast = boost::beast;
+
+using PlainStream = beast::tcp_stream;
+using TlsStream = beast::ssl_stream<beast::tcp_stream>;
+
+/// So long what should come at once may take.
+inline constexpr std::chrono::seconds kShortPatience{5};
+
+/// Nothing more is said on the stream.
+/// @param owner  kept until the other side knows
+template <class Owner>
+void end_stream(PlainStream& stream, const Owner&) {
+  beast::error_code ignored;
+  stream.socket().shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
+}
+
+template <class Owner>
+void end_stream(TlsStream& stream, Owner owner) {
+  beast::get_lowest_layer(stream).expires_after(kShortPatience);
+  stream.async_shutdown([kept = std::move(owner)](const beast::error_code&) {});
+}
+
+}  // namespace aisle::net

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <boost/asio/ssl/context.hpp>
+#include <boost/beast/core/detect_ssl.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http.hpp>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "http_connection.hpp"
+#include "streams.hpp"
+
+namespace aisle::net {
+
+/// A connection that has not shown yet that it speaks TLS. Who speaks plain HTTP is told so; all others that
+/// make no sense are dropped.
+class TlsDoor : public std::enable_shared_from_this<TlsDoor> {
+ public:
+  TlsDoor(PlainStream stream, boost::asio::ssl::context& tls, Premises& premises)
+      : stream_(std::move(stream)), tls_(tls), premises_(premises), connection_(premises.connections) {}
+
+  void open() {
+    stream_.expires_after(kShortPatience);
+    beast::async_detect_ssl(stream_, buffer_,
+                            [self = this->shared_from_this()](const beast::error_code& error, bool is_tls) {
+                              if (!error) is_tls ? self->shake_hands() : self->refuse();
+                            });
+  }
+
+ private:
+  void shake_hands() {
+    encrypted_.emplace(std::move(stream_), tls_);
+    encrypted_->async_handshake(
+        boost::asio::ssl::stream_base::server, buffer_.data(),
+        [self = this->shared_from_this()](const beast::error_code& error, std::size_t) {
+          if (!error) self->let_in();
+        });
+  }
+
+  void let_in() {
+    std::make_shared<HttpConnection<TlsStream>>(std::move(*encrypted_), premises_, std::move(connection_))
+        ->read();
+  }
+
+  void refuse() {
+    const HttpReply reply = http_problem(400, "only https and wss are spoken here");
+    refusal_.result(reply.status);
+    refusal_.set(http::field::content_type, reply.media_type);
+    refusal_.body() = reply.body;
+    refusal_.keep_alive(false);
+    refusal_.prepare_payload();
+    http::async_write(stream_, refusal_,
+                      [self = this->shared_from_this()](const beast::error_code& error, std::size_t) {
+                        if (!error) end_stream(self->stream_, self);
+                      });
+  }
+
+  PlainStream stream_;
+  boost::asio::ssl::context& tls_;
+  Premises& premises_;
+  Counted connection_;
+  beast::flat_buffer buffer_;
+  std::optional<TlsStream> encrypted_;
+  http::response<http::string_body> refusal_;
+};
+
+}  // namespace aisle::net
