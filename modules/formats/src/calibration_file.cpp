@@ -14,6 +14,7 @@
 #include "field_reader.hpp"
 #include "file_limits.hpp"
 #include "problem_list.hpp"
+#include "yaml_text.hpp"
 
 namespace aisle {
 namespace {
@@ -90,6 +91,9 @@ void CalibrationReader::read_document(const YAML::Node& document) {
   if (const auto entry = first_of(document, kDistortionNames)) read_distortion(*entry);
   if (const auto entry = first_of(document, {"camera_name"}); entry && entry->node.IsScalar()) {
     calibration_.camera_name = entry->node.Scalar();
+    if (!is_line_of_text(calibration_.camera_name)) {
+      problem(entry->node, entry->key, "is not a line of UTF-8 text");
+    }
   }
   if (const auto entry = first_of(document, kRmsNames)) calibration_.rms_px = number(*entry, {0, 1e6});
   if (const auto entry = first_of(document, {"vehicle_mount"})) read_mount(entry->node);

@@ -12,6 +12,7 @@
 #include "file_limits.hpp"
 #include "parameter_tree.hpp"
 #include "problem_list.hpp"
+#include "yaml_text.hpp"
 
 namespace aisle {
 namespace {
@@ -72,10 +73,10 @@ class VehicleReader {
     require(document, "version", "1");
     const YAML::Node name = document["name"];
     if (!name) return;
-    if (name.IsScalar() && name.Scalar().size() <= kNameMax) {
+    if (name.IsScalar() && name.Scalar().size() <= kNameMax && is_line_of_text(name.Scalar())) {
       vehicle_.description.name = name.Scalar();
     } else {
-      problem(name, "name", fmt::format("is not a text of at most {} characters", kNameMax));
+      problem(name, "name", fmt::format("is not a line of UTF-8 text of at most {} bytes", kNameMax));
     }
   }
 
@@ -124,9 +125,7 @@ class VehicleReader {
 };
 
 std::string text_of(const std::string& name, const FieldList& fields) {
-  YAML::Emitter quoted;
-  quoted << YAML::DoubleQuoted << name;
-  return fmt::format("format: aisle.vehicle\nversion: 1\nname: {}\n{}", quoted.c_str(),
+  return fmt::format("format: aisle.vehicle\nversion: 1\nname: {}\n{}", yaml_quoted(name),
                      parameters_yaml(fields));
 }
 

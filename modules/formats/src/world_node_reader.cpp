@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "field_reader.hpp"
+#include "yaml_text.hpp"
 
 namespace aisle {
 namespace {
@@ -120,6 +121,7 @@ void WorldNodeReader::read_text(const YAML::Node& node, const std::string& key, 
   if (node.Scalar().size() > kTextMax) {
     return problem(node, key, fmt::format("is longer than {} bytes", kTextMax));
   }
+  if (!is_line_of_text(node.Scalar())) return problem(node, key, "is not a line of UTF-8 text");
   if (field.is_needed && node.Scalar().empty()) return problem(node, key, "is empty");
   target = node.Scalar();
 }

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -63,6 +64,14 @@ TEST(VehicleYaml, WhatIsNoVehicleIsRefused) {
   EXPECT_THAT(to_string(parse_vehicle("a: [", "a").problems()), HasSubstr("is not YAML"));
   EXPECT_THAT(to_string(parse_vehicle("version: 2\n", "a").problems()),
               HasSubstr("a:1: format: is missing\na:1: version: is not 1"));
+}
+
+TEST(VehicleYaml, TheNameIsOneLineOfText) {
+  for (const char* name : {"\"two\\nlines\"", "\"\\0\"", "\"bell \\a\"", "\"\x93\x9e\""}) {
+    EXPECT_THAT(problems_of(fmt::format("name: {}\n", name)),
+                HasSubstr("cart.yaml:3: name: is not a line of UTF-8 text of at most 64 bytes"));
+  }
+  EXPECT_EQ(problems_of("name: \"Wägelchen 台車\"\n"), "");
 }
 
 TEST(VehicleYaml, CamerasHaveOneUsableNameEach) {

@@ -210,6 +210,11 @@ TEST(WorldYaml, ReportsEveryProblemWithItsLineAndKey) {
       "w.yaml:19: tour: is not a list");
 }
 
+TEST(WorldYaml, TextsAreOneLine) {
+  EXPECT_THAT(problems_of(std::string(kHead) + "name: \"one\\ntwo\"\nwalls: []\n"),
+              HasSubstr("name: is not a line of UTF-8 text"));
+}
+
 TEST(WorldYaml, NamesTheLineOfWhatCannotBe) {
   EXPECT_EQ(problems_of(std::string(kHead) + "ceiling_m: 2\n"
                                              "walls:\n"
