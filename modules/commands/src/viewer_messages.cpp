@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "aisle/formats/cdr.hpp"
+#include "aisle/geometry/camera_model.hpp"
 #include "rounded.hpp"
 
 namespace aisle {
@@ -16,6 +17,17 @@ std::string text_cdr(const ViewerJson& json) {
   return cdr_bytes(ros::String{json.dump()});
 }
 
+/// Laser light on things, as dashes.
+void append_light(Overlay& overlay, std::span<const Vec2> p_vehicle_lit, const CameraDescription& camera,
+                  double height_m) {
+  const Vec2 aside(3, 0);
+  const CameraModel model(camera.intrinsics);
+  for (const Vec2& p : p_vehicle_lit) {
+    const auto pixel = model.project(camera.mount.to_camera({p.x(), p.y(), height_m}));
+    if (pixel) overlay.push_back({"stripe", *pixel - aside, *pixel + aside});
+  }
+}
+
 /// The first row above a column's lowest that is not on the route; nullopt: the lowest is not.
 std::optional<int> top_of(const Image& mask, int u) {
   int v = mask.height_px - 1;
@@ -25,14 +37,18 @@ std::optional<int> top_of(const Image& mask, int u) {
 
 }  // namespace
 
-Overlay overlay_of(std::span<const LandmarkSighting> sightings) {
+Overlay overlay_of(const LandmarkNavigator& navigator, const VehicleDescription& vehicle,
+                   const std::string& camera) {
   const Vec2 aside(7, 0), up(0, 7);
   Overlay overlay;
-  overlay.reserve(2 * sightings.size());
-  for (const LandmarkSighting& sighting : sightings) {
+  for (const VerticalLine& line : navigator.lines())
+    overlay.push_back({"vertical line", line.top_px, line.bottom_px});
+  for (const LandmarkSighting& sighting : navigator.sightings()) {
     overlay.push_back({"foot", sighting.foot_px - aside, sighting.foot_px + aside});
     overlay.push_back({"foot", sighting.foot_px - up, sighting.foot_px + up});
   }
+  if (const CameraDescription* eye = vehicle.camera(camera); eye != nullptr && vehicle.laser_markers)
+    append_light(overlay, navigator.p_vehicle_lit(), *eye, vehicle.laser_markers->height_m);
   return overlay;
 }
 

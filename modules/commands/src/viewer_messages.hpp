@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "aisle/formats/session_message.hpp"
+#include "aisle/guidance/landmark_navigator.hpp"
 #include "aisle/vision/floor_edges.hpp"
-#include "aisle/vision/landmark_sightings.hpp"
 #include "aisle/vision/route_view.hpp"
 
 namespace aisle {
@@ -22,8 +22,10 @@ struct OverlayLine {
 };
 using Overlay = std::vector<OverlayLine>;
 
-/// The feet of landmarks, as small crosses.
-Overlay overlay_of(std::span<const LandmarkSighting> sightings);
+/// Vertical lines, the feet of landmarks as small crosses, and the light of the laser markers.
+/// @param camera  of the picture
+Overlay overlay_of(const LandmarkNavigator& navigator, const VehicleDescription& vehicle,
+                   const std::string& camera);
 /// Where the floor ends: the base lines of walls.
 Overlay overlay_of(std::span<const FloorEdge> edges);
 /// The region's outline as seen from below, and the two scan lines.

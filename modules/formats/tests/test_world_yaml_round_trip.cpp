@@ -46,7 +46,7 @@ class FieldDrawer {
     for (Vec2& p : *target) p = point(field.range);
   }
   void set(std::string* target, const WorldField&) {
-    *target = "a \"name\": with\nsigns " + std::to_string(random_.bits());
+    *target = "a \"name\": with {signs} # and \\ " + std::to_string(random_.bits());
   }
   void set(const WordTarget& target, const WorldField&) { target.choose(random_.index(target.words.size())); }
 

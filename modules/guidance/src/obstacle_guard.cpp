@@ -119,10 +119,11 @@ Guarded ObstacleGuard::allow(const Command& wished, const WayAhead& way) {
 void ObstacleGuard::remember_what_is_on(const WayAhead& way) {
   if (!std::exchange(sight_.is_new, false)) return;
   const Pose2 T_now_taken = between(now_.T_odom_vehicle, sight_.taken.T_odom_vehicle);
-  std::erase_if(sight_.p_vehicle_lit, [&](const Vec2& p_vehicle) {
+  p_vehicle_lit_on_way_ = sight_.p_vehicle_lit;
+  std::erase_if(p_vehicle_lit_on_way_, [&](const Vec2& p_vehicle) {
     return !way_to(T_now_taken * p_vehicle, way, vehicle_.footprint, params_.margin_m);
   });
-  memory_.see(sight_.p_vehicle_lit, *probe_, sight_.taken.T_odom_vehicle, sight_.taken.stamp_s);
+  memory_.see(p_vehicle_lit_on_way_, *probe_, sight_.taken.T_odom_vehicle, sight_.taken.stamp_s);
 }
 
 void ObstacleGuard::see_floor(std::span<const SensedSegment> edges) {

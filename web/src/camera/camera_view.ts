@@ -2,7 +2,7 @@ import type { LiveConnection } from "../connection/live_connection";
 import { json_of } from "../connection/live_state";
 import type { CompressedImage, Image } from "../connection/messages";
 import { element, say, select, tick } from "../page/element";
-import { draw_overlay, kinds_of } from "./overlay";
+import { colour_of, draw_overlay, kinds_of } from "./overlay";
 import type { Overlay } from "./overlay";
 import { decode_compressed, decode_raw } from "./picture";
 import type { Picture } from "./picture";
@@ -110,7 +110,8 @@ export class CameraView {
       else this.#hidden.add(kind);
       this.#draw();
     });
-    toggle.classList.add(`line-${kind.replace(/\W/g, "-")}`);
+    toggle.classList.add("line-kind");
+    toggle.style.setProperty("--line-kind", `var(--${colour_of(kind)})`);
     this.#toggles.append(toggle);
   }
 

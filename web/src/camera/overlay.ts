@@ -13,11 +13,12 @@ export function kinds_of({ lines }: Overlay): string[] {
   return [...new Set(lines.map(({ kind }) => kind))];
 }
 
-function stroke_of(kind: string): string {
+/** Name of the colour that lines of a kind are drawn in. */
+export function colour_of(kind: string): string {
   const named = ["vertical", "foot", "stripe", "region", "base", "scan"].find((name) =>
     kind.startsWith(name),
   );
-  return colour(`line-${named ?? "other"}`);
+  return `line-${named ?? "other"}`;
 }
 
 export function draw_overlay(
@@ -31,7 +32,7 @@ export function draw_overlay(
   context.lineCap = "round";
   for (const { kind, u0, v0, u1, v1 } of lines) {
     if (hidden.has(kind)) continue;
-    context.strokeStyle = stroke_of(kind);
+    context.strokeStyle = colour(colour_of(kind));
     context.beginPath();
     // Whole numbers are pixel centres; a canvas counts from the corners.
     context.moveTo(u0 + 0.5, v0 + 0.5);

@@ -72,7 +72,7 @@ export function state_panel(app: App): HTMLElement {
     last.dataset["ok"] = String(ok);
     say(
       last,
-      `Last: ${mission} ${ok ? "done" : "not done"}. ${[text, ...problems].filter(Boolean).join(" ")}`,
+      `Last: ${mission} ${ok ? "done" : "not done"}. ${[text, ...problems].filter(Boolean).join("\n")}`,
     );
   });
   app.connection.listen("/decision", (message) => {

@@ -18,7 +18,7 @@ before(async () => {
   browser = await open_browser();
   directory = mkdtempSync(join(tmpdir(), "aisle-live-"));
   server = await start_live("l-corridor", directory);
-  watcher = new Watcher(server.address, ["/cmd_vel", "/odom", "/decision"]);
+  watcher = new Watcher(server.address, ["/cmd_vel", "/odom", "/decision", "/overlay/corridor", "/match"]);
 });
 after(async () => {
   await browser.close();
@@ -130,6 +130,12 @@ test("A route that is taught by keys is learned and driven", { timeout: 120000 }
   await page.getByRole("button", { name: "Drive the route" }).click();
   await page.getByText("l-corridor: navigate").waitFor();
   await page.getByText("Last: navigate done").waitFor({ timeout: 90000 });
+  const drawn = watcher.heard.filter(({ topic }) => topic === "/overlay/corridor");
+  const kinds = new Set(
+    drawn.flatMap(({ message }) => JSON.parse(message.data).lines.map(({ kind }) => kind)),
+  );
+  assert.deepEqual([...kinds].sort(), ["foot", "stripe", "vertical line"]);
+  assert.ok(JSON.parse(watcher.latest("/match").message.data).quality > 0.5);
   await keep_picture(page, "driven-dark");
 });
 
@@ -153,6 +159,24 @@ test("What was recorded is listed, replayed and mended", async () => {
   await page.getByRole("button", { name: "Save as a new version" }).click();
   await page.getByText("Saved as building1-2").waitFor();
   await keep_picture(page, "building-dark");
+});
+
+test("An unknown building is explored before one's eyes, to the end", { timeout: 150000 }, async () => {
+  const fast = await start_live("l-corridor", join(directory, "fast"), "--rate", "0");
+  const everything = new Watcher(fast.address);
+  const other = await open_page(browser, fast.address);
+  await other.getByRole("combobox", { name: "Mission" }).selectOption("explore");
+  await other.getByRole("button", { name: "Explore" }).click();
+  await other.getByText("l-corridor: explore").waitFor();
+  await until(
+    () => everything.latest("/transducer") && everything.latest("/floor"),
+    "what the explorer knows",
+  );
+  await other.getByText("Last: explore done").waitFor({ timeout: 120000 });
+  await keep_picture(other, "explored-dark");
+  await other.context().close();
+  everything.close();
+  assert.equal(await fast.stop(), 130);
 });
 
 test("Over https the page talks wss, and who has no token is asked for it", async () => {

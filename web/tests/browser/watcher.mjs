@@ -14,13 +14,14 @@ export class Watcher {
   state;
   #socket;
 
+  /** @param topics  that are watched; without it all */
   constructor(address, topics) {
     this.#socket = new WebSocket(address.replace("http", "ws"), ["foxglove.sdk.v1"]);
     const client = new protocol.FoxgloveClient({ ws: this.#socket });
     const readers = new Map();
     client.on("advertise", (channels) => {
       for (const { id, topic, schema } of channels) {
-        if (!topics.includes(topic) && topic !== "/live/state") continue;
+        if (topics && !topics.includes(topic) && topic !== "/live/state") continue;
         readers.set(client.subscribe(id), {
           topic,
           reader: new MessageReader(parse(schema, { ros2: true })),

@@ -46,7 +46,7 @@ class LandmarkMissionRecord final : public SimulatedRecord {
     show_pose(fix.T_map_vehicle);
     if (is_watched() && !pictured_by().empty()) {
       show_match(landmark_match(navigator_));
-      show_overlay(overlay_of(navigator_.sightings()));
+      show_overlay(overlay_of(navigator_, vehicle_.description(), pictured_by()));
     }
     if (decision.state == "lost" && state_ != "lost") ++result_.lost_count;
     state_ = decision.state;

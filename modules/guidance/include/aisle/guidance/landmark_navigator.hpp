@@ -67,6 +67,8 @@ class LandmarkNavigator final : public Navigator {
   LandmarkFix fix() const;
   /// What the last picture showed and which landmarks that was.
   const std::vector<LandmarkSighting>& sightings() const { return sightings_; }
+  const std::vector<VerticalLine>& lines() const { return detector_.lines(); }
+  const std::vector<Vec2>& p_vehicle_lit() const { return guard_.p_vehicle_lit(); }
   const LandmarkLocaliser& localiser() const { return localiser_; }
 
  private:

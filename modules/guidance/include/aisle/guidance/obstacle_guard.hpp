@@ -66,6 +66,9 @@ class ObstacleGuard {
   /// @return the camera's picture if it has come in time, is not the one before again, and shows something
   const CameraPicture* look(const Observation& observation);
 
+  /// Where the last picture shows laser light [vehicle frame], on the way or not.
+  const std::vector<Vec2>& p_vehicle_lit() const { return sight_.p_vehicle_lit; }
+
   /// Takes in where the floor ends in the picture that `look` has just returned. A thing that is seen so
   /// counts from the second picture in a row on, and as long as it is in view: `gap_m` must leave it there.
   void see_floor(std::span<const SensedSegment> edges);
@@ -114,6 +117,7 @@ class ObstacleGuard {
   std::size_t moves_ = 0;
   StampedPose now_;
   Sight sight_;
+  std::vector<Vec2> p_vehicle_lit_on_way_;
   std::vector<Vec2> p_vehicle_scanned_;
   FloorSight floor_;
   std::optional<double> lit_s_;  ///< when laser light was seen last
