@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs every fuzz target for SECONDS, starting from the kept corpus, as many at once as there are processors; fails if
-# a reader crashes, hangs, leaks or breaks a promise. The input that did it stays in BUILD_DIR/fuzz-findings/.
+# a reader crashes, hangs, leaks or breaks a promise. The input that did it stays in BUILD_DIR/fuzz-findings/. The inputs
+# are the same every time, so that a change is judged by what it changed; AISLE_FUZZ_SEED=0 tries others each time.
 #
 #   tests/fuzz/run.sh SECONDS [BUILD_DIR]
 set -euo pipefail
@@ -13,7 +14,7 @@ findings=$build/fuzz-findings
 fuzz() {
   local target=$1 corpus=$root/tests/fuzz/corpus/$1 grown=$build/fuzz-corpus/$1 log=$findings/$1.log
   mkdir -p "$grown"
-  if "$build/bin/fuzz_$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=4096 \
+  if "$build/bin/fuzz_$target" -seed="${AISLE_FUZZ_SEED:-1}" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=4096 \
     -artifact_prefix="$findings/$target-" "$grown" "$corpus" >"$log" 2>&1; then
     echo "fuzz_$target: $(grep '^Done' "$log")"
   else

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "aisle/core/angle.hpp"
 #include "aisle/guidance/scene_watch.hpp"
 
 namespace aisle {
@@ -62,6 +63,16 @@ TEST(SceneWatch, DoesNotCompareWithWhatItSawLongAgo) {
   drive(watch, 0, 30);
   for (int i = 0; i < 40; ++i) {
     watch.move({kStep_m, 0, 0});
+    EXPECT_FALSE(watch.look({}));
+  }
+  EXPECT_EQ(drive(watch, 5, 50, 0.4), 0);
+}
+
+TEST(SceneWatch, DoesNotCompareWithWhatItSawBeforeItTurned) {
+  SceneWatch watch;
+  drive(watch, 0, 30);
+  for (int i = 0; i < 6; ++i) {
+    watch.move({kStep_m, 0, 2 * kDegree});
     EXPECT_FALSE(watch.look({}));
   }
   EXPECT_EQ(drive(watch, 5, 50, 0.4), 0);

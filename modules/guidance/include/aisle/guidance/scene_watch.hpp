@@ -22,9 +22,9 @@ class SceneWatch {
   using Scene = std::vector<LandmarkSighting>;
 
   Scene known_;  ///< the last picture that went on from the one before, seen from where the vehicle is now
-  double since_known_m_ = 0;  ///< of way
-  Scene other_;               ///< the last picture if it did not
-  int empty_ = 0;             ///< pictures in a row that showed hardly anything
+  double since_known_m_ = 0;    ///< of way
+  double since_known_rad_ = 0;  ///< of turning
+  Scene other_;                 ///< the last picture if it did not
 };
 
 }  // namespace aisle
