@@ -10,17 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include "aisle/core/random.hpp"
 #include "aisle/formats/session_record.hpp"
 #include "aisle/live/live_server.hpp"
 #include "live_client.hpp"
+#include "watched_vehicle.hpp"
 
 using namespace aisle;
 
 namespace {
 
 constexpr int kClients = 10;
-constexpr int kWidth = 640, kHeight = 480;
 
 class Nobody final : public MessageSink {
  public:
@@ -31,28 +30,6 @@ double thread_cpu_s() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-VehicleDescription vehicle_with_camera() {
-  VehicleDescription vehicle;
-  vehicle.name = "watched";
-  CameraDescription camera;
-  camera.name = "top";
-  camera.width_px = kWidth;
-  camera.height_px = kHeight;
-  vehicle.cameras.push_back(camera);
-  return vehicle;
-}
-
-/// Not too smooth, not too rough for a JPEG of a usual size.
-std::shared_ptr<const Image> picture() {
-  auto image = std::make_shared<Image>(kWidth, kHeight);
-  Random random(1);
-  for (int v = 0; v < kHeight; ++v) {
-    for (int u = 0; u < kWidth; ++u)
-      image->row(v)[u] = static_cast<std::uint8_t>(100 + 60 * ((u / 40 + v / 60) % 2) + random.bits() % 8);
-  }
-  return image;
 }
 
 /// A client that reads all that comes, on a thread of its own.
@@ -68,7 +45,7 @@ std::jthread reading_client(std::uint16_t port) {
 }
 
 SessionRecord record_for(MessageSink& watcher) {
-  auto record = SessionRecord::shown(watcher, vehicle_with_camera(), {});
+  auto record = SessionRecord::shown(watcher, watched_vehicle(), {});
   if (!record) throw std::runtime_error(to_string(record.problems()));
   return std::move(*record);
 }
@@ -82,7 +59,7 @@ class Cycles {
     stamp_s_ += 1.0 / 30;
     const double begun_s = thread_cpu_s();
     Observation observation{.stamp_s = stamp_s_, .odometry = FrontSteeredMotion{}};
-    observation.pictures.push_back({"top", stamp_s_, image_});
+    observation.pictures.push_back({"front", stamp_s_, image_});
     if (!record_.keep(std::move(observation))) throw std::runtime_error("a cycle was not shown");
     (void)record_.keep(Decision{.state = "driving"});
     return thread_cpu_s() - begun_s;
@@ -90,7 +67,7 @@ class Cycles {
 
  private:
   SessionRecord record_;
-  std::shared_ptr<const Image> image_ = picture();
+  std::shared_ptr<const Image> image_ = watched_picture();
   double stamp_s_ = 0;
 };
 

@@ -9,19 +9,17 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <memory>
 #include <string>
 #include <thread>
 
-#include "aisle/core/random.hpp"
 #include "aisle/formats/session_record.hpp"
 #include "aisle/live/live_server.hpp"
+#include "watched_vehicle.hpp"
 
 using namespace aisle;
 
 namespace {
 
-constexpr int kWidth = 640, kHeight = 480;
 constexpr std::chrono::microseconds kPeriod{33333};
 
 double cpu_s(clockid_t clock) {
@@ -40,31 +38,10 @@ double wall_s() {
   return std::chrono::duration<double>(since).count();
 }
 
-VehicleDescription watched_vehicle() {
-  VehicleDescription vehicle;
-  vehicle.name = "watched";
-  CameraDescription camera;
-  camera.name = "front";
-  camera.width_px = kWidth;
-  camera.height_px = kHeight;
-  vehicle.cameras.push_back(camera);
-  return vehicle;
-}
-
-std::shared_ptr<const Image> checked_picture() {
-  auto image = std::make_shared<Image>(kWidth, kHeight);
-  Random random(1);
-  for (int v = 0; v < kHeight; ++v) {
-    for (int u = 0; u < kWidth; ++u)
-      image->row(v)[u] = static_cast<std::uint8_t>(100 + 60 * ((u / 40 + v / 60) % 2) + random.bits() % 8);
-  }
-  return image;
-}
-
 Problems show_pictures(LiveServer& server, double duration_s) {
   auto record = SessionRecord::shown(server, watched_vehicle(), {});
   if (!record) return record.problems();
-  const auto image = checked_picture();
+  const auto image = watched_picture();
   auto next = std::chrono::steady_clock::now();
   const double begun_s = wall_s(), other_begun_s = other_cpu_s();
   while (wall_s() < begun_s + duration_s) {
