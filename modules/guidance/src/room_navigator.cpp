@@ -291,9 +291,12 @@ Decision RoomNavigator::back_off(double now_s) {
 
 /// For another try at the taught place.
 Decision RoomNavigator::leave_place() {
-  const Command command = taught_place_.back_off(pose(), steering_rad_);
+  Command command = taught_place_.back_off(pose(), steering_rad_);
+  FreeSteeringParams steering = params_.steering;
+  steering.comfort_m = params_.end_comfort_m;
   const SteeringChoice way =
-      free_way(vehicle_, params_.steering, edges_seen_and_taught(), command.steering_rad, -1);
+      choose_steering(vehicle_, steering, edges_seen_and_taught(), command.steering_rad, -1);
+  command.steering_rad = way.steering_rad;
   taught_place_.judge_way_back(pose(), way.free_m);
   if (taught_place_.is_backing()) return {.command = command, .state = "backing off"};
   state_ = State::kFollowing;
