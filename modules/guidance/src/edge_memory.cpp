@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace aisle {
-namespace {
-
-constexpr double kSame_m = 0.04;  // nearer edges are one
-constexpr double kBeside_m = 0.25, kNearer = 0.7;
-
-}  // namespace
 
 void EdgeMemory::take(const RouteView& view, const RouteSight& sight, const Pose2& T_odom_vehicle) {
   const Pose2 T_vehicle_odom = T_odom_vehicle.inverse();
@@ -22,6 +16,8 @@ void EdgeMemory::take(const RouteView& view, const RouteSight& sight, const Pose
 
 /// What was seen from far lies beside where it is; what is seen from nearer shows that.
 void EdgeMemory::take(const Edge& seen) {
+  constexpr double kSame_m = 0.04;  // nearer edges are one
+  constexpr double kBeside_m = 0.25, kNearer = 0.7;
   bool is_known = false;
   std::erase_if(edges_, [&](const Edge& edge) {
     const double apart_m = (edge.p_odom - seen.p_odom).norm();
