@@ -67,14 +67,13 @@ void EdgePlace::come_to(const Pose2& T_odom_vehicle, double along_m) {
   taught_.move_to(along_m, params_.window_m, (T_map_odom_ * T_odom_vehicle).position());
 }
 
-void EdgePlace::take(std::span<const Vec2> p_vehicle, const Pose2& T_odom_vehicle, double along_m) {
-  if (p_vehicle.size() < static_cast<std::size_t>(params_.points_min)) return;
+void EdgePlace::take(std::span<const SeenEdge> seen, const Pose2& T_odom_vehicle, double along_m) {
+  if (seen.size() < static_cast<std::size_t>(params_.points_min)) return;
   const Pose2 T_map_expected = T_map_odom_ * T_odom_vehicle;
   come_to(T_odom_vehicle, along_m);
-  const Fit fit = is_sure_
-                      ? refined(p_vehicle, T_map_expected, T_map_expected, params_.drift_m, params_.drift_rad)
-                      : refined(p_vehicle, most_alike(p_vehicle, T_map_expected), T_map_expected,
-                                params_.set_down_m, params_.set_down_rad);
+  const Fit fit = is_sure_ ? refined(seen, T_map_expected, T_map_expected, params_.drift_m, params_.drift_rad)
+                           : refined(seen, most_alike(seen, T_map_expected), T_map_expected,
+                                     params_.set_down_m, params_.set_down_rad);
   if (fit.fitting_share < params_.fitting_min) return;
   const Pose2 T_map_odom = fit.T_map_vehicle * T_odom_vehicle.inverse();
   if (is_sure_) {
@@ -86,12 +85,12 @@ void EdgePlace::take(std::span<const Vec2> p_vehicle, const Pose2& T_odom_vehicl
   is_sure_ = true;
 }
 
-double EdgePlace::variance_m2(const Vec2& p_vehicle) const {
-  return square(params_.deviation_m * std::max(1.0, p_vehicle.squaredNorm() / square(params_.far_m)));
+double EdgePlace::variance_m2(const SeenEdge& seen) const {
+  return square(params_.deviation_m * std::max(1.0, square(seen.seen_from_m / params_.far_m)));
 }
 
 /// By trying the poses around the expected one.
-Pose2 EdgePlace::most_alike(std::span<const Vec2> p_vehicle, const Pose2& T_map_expected) const {
+Pose2 EdgePlace::most_alike(std::span<const SeenEdge> seen, const Pose2& T_map_expected) const {
   constexpr double kStep_m = 0.1, kTurn_rad = 2 * kDegree, kReach = 2;  // deviations
   const int steps = static_cast<int>(kReach * params_.set_down_m / kStep_m);
   const int turns = static_cast<int>(kReach * params_.set_down_rad / kTurn_rad);
@@ -100,19 +99,21 @@ Pose2 EdgePlace::most_alike(std::span<const Vec2> p_vehicle, const Pose2& T_map_
   for (int k = -turns; k <= turns; ++k) {
     const double turned_rad = k * kTurn_rad;
     std::vector<Vec2> p_turned;
-    p_turned.reserve(p_vehicle.size());
-    for (const Vec2& p : p_vehicle) p_turned.push_back(rotate(T_map_expected.theta + turned_rad, p));
+    p_turned.reserve(seen.size());
+    for (const SeenEdge& one : seen)
+      p_turned.push_back(rotate(T_map_expected.theta + turned_rad, one.p_vehicle));
     for (int i = -steps; i <= steps; ++i) {
       for (int j = -steps; j <= steps; ++j) {
         const Vec2 p_map_vehicle = T_map_expected.position() + Vec2(i * kStep_m, j * kStep_m);
         double cost = square(turned_rad / params_.set_down_rad) +
                       (p_map_vehicle - T_map_expected.position()).squaredNorm() / square(params_.set_down_m);
-        for (const Vec2& p : p_turned) {
-          const TaughtEdges::Edge* edge = taught_.nearest(p_map_vehicle + p);
-          const double off2_m2 = edge == nullptr ? square(params_.reach_m)
-                                                 : std::min((p_map_vehicle + p - edge->p_map).squaredNorm(),
-                                                            square(params_.reach_m));
-          cost += off2_m2 / (kAlikePoints * variance_m2(p));
+        for (std::size_t n = 0; n < seen.size() && (least < 0 || cost < least); ++n) {
+          const Vec2 p_map = p_map_vehicle + p_turned[n];
+          const TaughtEdges::Edge* edge = taught_.nearest(p_map);
+          const double off2_m2 = edge == nullptr
+                                     ? square(params_.reach_m)
+                                     : std::min((p_map - edge->p_map).squaredNorm(), square(params_.reach_m));
+          cost += off2_m2 / (kAlikePoints * variance_m2(seen[n]));
         }
         if (least >= 0 && cost >= least) continue;
         least = cost;
@@ -124,7 +125,7 @@ Pose2 EdgePlace::most_alike(std::span<const Vec2> p_vehicle, const Pose2& T_map_
 }
 
 /// Gauss-Newton with a Cauchy weight, on the distances from the lines that edges lie on, or from the edges.
-EdgePlace::Fit EdgePlace::refined(std::span<const Vec2> p_vehicle, const Pose2& T_map_begin,
+EdgePlace::Fit EdgePlace::refined(std::span<const SeenEdge> seen, const Pose2& T_map_begin,
                                   const Pose2& T_map_expected, double sigma_m, double sigma_rad) const {
   constexpr int kIterations = 8;
   constexpr double kFitting = 2;  // deviations
@@ -133,12 +134,13 @@ EdgePlace::Fit EdgePlace::refined(std::span<const Vec2> p_vehicle, const Pose2& 
     PoseEquations equations(fit.T_map_vehicle);
     equations.add_prior(T_map_expected, sigma_m, sigma_rad);
     std::size_t fitting = 0;
-    for (const Vec2& p : p_vehicle) {
+    for (const SeenEdge& one : seen) {
+      const Vec2& p = one.p_vehicle;
       const Vec2 p_map = fit.T_map_vehicle * p;
       const TaughtEdges::Edge* edge = taught_.nearest(p_map);
       if (edge == nullptr) continue;
       const Vec2 off = p_map - edge->p_map;
-      const double expected_m2 = variance_m2(p);
+      const double expected_m2 = variance_m2(one);
       const bool is_on_line = !edge->normal.isZero();
       const double off2_m2 = is_on_line ? square(edge->normal.dot(off)) : off.squaredNorm();
       fitting += off2_m2 < square(kFitting) * expected_m2 ? 1U : 0U;
@@ -151,7 +153,7 @@ EdgePlace::Fit EdgePlace::refined(std::span<const Vec2> p_vehicle, const Pose2& 
       }
     }
     fit.T_map_vehicle = equations.moved();
-    fit.fitting_share = static_cast<double>(fitting) / static_cast<double>(p_vehicle.size());
+    fit.fitting_share = static_cast<double>(fitting) / static_cast<double>(seen.size());
   }
   return fit;
 }

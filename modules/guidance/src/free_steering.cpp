@@ -54,7 +54,7 @@ SteeringChoice free_way(const VehicleDescription& vehicle, const FreeSteeringPar
 }
 
 SteeringChoice choose_steering(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                               std::span<const Vec2> p_vehicle, double wish_rad) {
+                               std::span<const Vec2> p_vehicle, double wish_rad, int direction) {
   const double max_rad = vehicle.limits.steering_max_rad;
   const double wished_rad = std::clamp(wish_rad, -max_rad, max_rad);
   const int steps = static_cast<int>(2 * max_rad / params.step_rad);
@@ -62,7 +62,7 @@ SteeringChoice choose_steering(const VehicleDescription& vehicle, const FreeStee
   double least = 0;
   for (int i = -1; i <= steps; ++i) {
     const double steering_rad = i < 0 ? wished_rad : std::min(-max_rad + i * params.step_rad, max_rad);
-    const SteeringChoice choice = free_way(vehicle, params, p_vehicle, steering_rad, 1);
+    const SteeringChoice choice = free_way(vehicle, params, p_vehicle, steering_rad, direction);
     const double cost =
         square((steering_rad - wished_rad) / params.wish_rad) +
         params.clearance_weight * square(std::clamp(1 - choice.clearance_m / params.comfort_m, 0.0, 1.0)) +

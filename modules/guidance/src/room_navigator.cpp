@@ -36,7 +36,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.group("frame", frame);
   fields.group("stop_views", stop_views);
   fields.group("place", place);
-  fields.group("end_steering", end_steering);
+  fields.group("taught_place", taught_place);
   fields.real("speed_mps", speed_mps, {0.02, 2}, "between turnings");
   fields.real("turning_speed_mps", turning_speed_mps, {0.02, 2}, "in turnings");
   fields.real("parking_speed_mps", parking_speed_mps, {0.02, 2}, "near the end");
@@ -47,10 +47,6 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("place_from_m", place_from_m, {0, 1000}, "before the end the edges tell where it is");
   fields.real("taught_alone_m", taught_alone_m, {0, 20}, "before the end the taught way counts alone");
   fields.real("end_comfort_m", end_comfort_m, {0.01, 2}, "there it tries to keep only so far off");
-  fields.real("end_aside_m", end_aside_m, {0.005, 1}, "farther aside of a taught place it tries again");
-  fields.angle("end_turned_deg", end_turned_rad, {0.1, 45}, "turned more, it tries again");
-  fields.real("end_back_off_m", end_back_off_m, {0.2, 5}, "way back before that");
-  fields.count("end_tries_max", end_tries_max, {1, 100}, "then it stays as it stands");
   fields.angle("avoid_deg", avoid_rad, {0, 60}, "the wheels' turn away from what stands too near");
   fields.flag("avoid_as_published", avoid_as_published, "by the three check regions, before all else");
   fields.real("dead_end_share", dead_end_share, {0, 1}, "of the view is route: less is a dead end");
@@ -81,7 +77,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       stop_views_(params.stop_views, route_.room->views),
       T_odom_vehicle_(route_.path.at(from_m).T_map_path),
       brightness_(route_.room->brightness),
-      end_follower_(vehicle, params.end_steering) {
+      taught_place_(params.taught_place, vehicle, route_.path) {
   if (route_.room->parking == ParkingStrategy::kFrame)
     frame_ = std::make_unique<FrameParking>(params.frame, vehicle, route_.room->frame_size_m);
 }
@@ -107,6 +103,7 @@ Decision RoomNavigator::step(const Observation& observation) {
   }
   if (state_ == State::kParkingInFrame) return park_in_frame(observation.stamp_s);
   if (state_ == State::kBackingOff) return back_off(observation.stamp_s);
+  if (state_ == State::kLeavingPlace) return leave_place();
   return follow(observation.stamp_s);
 }
 
@@ -137,7 +134,7 @@ void RoomNavigator::find_place() {
   constexpr double kAbout_m = 1;
   const bool was_sure = place_.is_sure();
   const double along_m = progress_.point().along_m;
-  place_.take(sight_->p_vehicle_edges, T_odom_vehicle_, along_m);
+  place_.take(edges_.seen_around(T_odom_vehicle_), T_odom_vehicle_, along_m);
   if (was_sure || !place_.is_sure()) return;
   const PathPoint there = route_.path.nearest(pose().position(), along_m - kAbout_m, along_m + kAbout_m);
   progress_ = PathProgress(route_.path, there.along_m);
@@ -185,9 +182,7 @@ bool RoomNavigator::keeps_to_taught_end() const {
 
 double RoomNavigator::wished_steering_rad() const {
   if (keeps_to_taught_end()) {
-    return end_follower_
-        .follow(route_.path, progress_.point(), pose(), params_.parking_speed_mps, steering_rad_)
-        .steering_rad;
+    return taught_place_.steering_rad(progress_.point(), pose(), params_.parking_speed_mps, steering_rad_);
   }
   const double along_m = progress_.point().along_m;
   const RoomTurning* turning = turning_at(route_.room->turnings, along_m);
@@ -240,42 +235,42 @@ Decision RoomNavigator::blocked(double now_s) {
   if (back_offs_ >= params_.back_offs_max)
     return {.status = NavigatorStatus::kFailed, .state = "blocked", .why = "found no way past what is there"};
   ++back_offs_;
-  return start_back_off(params_.back_off_m);
-}
-
-Decision RoomNavigator::start_back_off(double way_m) {
   T_odom_stopped_ = T_odom_vehicle_;
-  back_off_m_ = way_m;
   way_back_ = choose_way_back();
   state_ = State::kBackingOff;
   return {.state = "backing off"};
 }
 
-/// Of the ways back, the one that leads nearest to the taught way. What is behind the vehicle is in no
-/// camera's view, but was in view at teaching.
-SteeringChoice RoomNavigator::choose_way_back() const {
-  constexpr double kAsideWeight_per_m = 1, kTurnedWeight_per_rad = 1, kShortWeight_per_m = 4;
-  const double max_rad = vehicle_.limits.steering_max_rad;
-  const int steps = static_cast<int>(max_rad / params_.steering.step_rad);
+/// What is behind the vehicle is in no camera's view, but was in view at teaching.
+std::vector<Vec2> RoomNavigator::edges_seen_and_taught() const {
   std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
   const Pose2 T_vehicle_map = pose().inverse();
   for (const Vec2& p : place_.taught().around(pose().position(), kRemembered_m))
     around.push_back(T_vehicle_map * p);
+  return around;
+}
+
+/// Of the ways back, the one that leads nearest to the taught way.
+SteeringChoice RoomNavigator::choose_way_back() const {
+  constexpr double kAsideWeight_per_m = 1, kTurnedWeight_per_rad = 1, kShortWeight_per_m = 4;
+  const double max_rad = vehicle_.limits.steering_max_rad;
+  const int steps = static_cast<int>(max_rad / params_.steering.step_rad);
+  const std::vector<Vec2> around = edges_seen_and_taught();
   SteeringChoice best;
   double least = -1;
   for (int i = -steps; i <= steps; ++i) {
     const double steering_rad = i * params_.steering.step_rad;
     const SteeringChoice way = free_way(vehicle_, params_.steering, around, steering_rad, -1);
-    const double back_m = std::min(back_off_m_, way.free_m);
+    const double back_m = std::min(params_.back_off_m, way.free_m);
     const double turn_rad = -back_m * std::tan(steering_rad) / vehicle_.front_steered.wheelbase_m;
     const Pose2 T_map_then = pose() * end_pose({-back_m, turn_rad});
     const double along_m = progress_.point().along_m;
-    const PathPoint there =
-        route_.path.nearest(T_map_then.position(), along_m - 2 * back_off_m_, along_m + back_off_m_);
+    const PathPoint there = route_.path.nearest(T_map_then.position(), along_m - 2 * params_.back_off_m,
+                                                along_m + params_.back_off_m);
     const double cost =
         kAsideWeight_per_m * std::abs(there.aside_m) +
         kTurnedWeight_per_rad * std::abs(wrap_angle(T_map_then.theta - there.T_map_path.theta)) +
-        kShortWeight_per_m * (back_off_m_ - back_m);
+        kShortWeight_per_m * (params_.back_off_m - back_m);
     if (least >= 0 && cost >= least) continue;
     least = cost;
     best = way;
@@ -285,13 +280,27 @@ SteeringChoice RoomNavigator::choose_way_back() const {
 
 Decision RoomNavigator::back_off(double now_s) {
   const double backed_m = (T_odom_vehicle_.position() - T_odom_stopped_.position()).norm();
-  if (backed_m >= std::min(back_off_m_, way_back_.free_m - params_.stop_free_m)) {
+  if (backed_m >= std::min(params_.back_off_m, way_back_.free_m - params_.stop_free_m)) {
     state_ = State::kFollowing;
     stopped_s_ = now_s;
     return {.state = "backing off"};
   }
   return {.command = {.speed_mps = -params_.parking_speed_mps, .steering_rad = way_back_.steering_rad},
           .state = "backing off"};
+}
+
+/// For another try at the taught place.
+Decision RoomNavigator::leave_place() {
+  Command command = taught_place_.back_off(pose(), steering_rad_);
+  FreeSteeringParams steering = params_.steering;
+  steering.comfort_m = params_.end_comfort_m;
+  const SteeringChoice way =
+      choose_steering(vehicle_, steering, edges_seen_and_taught(), command.steering_rad, -1);
+  command.steering_rad = way.steering_rad;
+  taught_place_.judge_way_back(pose(), way.free_m);
+  if (taught_place_.is_backing()) return {.command = command, .state = "backing off"};
+  state_ = State::kFollowing;
+  return {.state = "backing off"};
 }
 
 /// To the nearest edge straight ahead of the bumper.
@@ -302,13 +311,6 @@ double RoomNavigator::gap_ahead_m() const {
       gap_m = std::min(gap_m, p.x() - vehicle_.footprint.front_m);
   }
   return gap_m;
-}
-
-/// At a taught place, by what is known of it.
-bool RoomNavigator::stands_askew() const {
-  const Pose2 off = between(route_.path.pieces().back().end(), pose());
-  return place_.is_sure() &&
-         (std::abs(off.y) > params_.end_aside_m || std::abs(off.theta) > params_.end_turned_rad);
 }
 
 /// L96 section 2.4, and so near that what is seen is the end.
@@ -340,9 +342,10 @@ std::optional<Decision> RoomNavigator::arrived() {
       // Columns of brightness tell less than the edges of the floor, if those stand as they were taught.
       const double shift_m = place_.is_sure() ? 0 : stop_views_.shift_m();
       if (left_to_end_m() + shift_m <= vehicle_.cycle_s * params_.parking_speed_mps) {
-        if (!stands_askew() || end_tries_ >= params_.end_tries_max) return done;
-        ++end_tries_;
-        return start_back_off(params_.end_back_off_m);
+        if (!place_.is_sure()) return done;
+        const Decision decision = taught_place_.settle(pose());
+        if (taught_place_.is_backing()) state_ = State::kLeavingPlace;
+        return decision;
       }
       break;
     }

@@ -52,5 +52,13 @@ TEST(FreeSteering, BackwardsItLooksBehind) {
   EXPECT_DOUBLE_EQ(free_way(cart(), {}, behind, 0, 1).free_m, FreeSteeringParams{}.reach_m);
 }
 
+TEST(FreeSteering, BackwardsItKeepsOffWhatItsFrontWouldSwingTo) {
+  const auto beside = wall({0.3, -0.4}, {0.95, -0.4});
+  EXPECT_LT(free_way(cart(), {}, beside, 0.3, -1).free_m, 0.15) << "the front goes to the right";
+  const SteeringChoice choice = choose_steering(cart(), {.comfort_m = 0.1}, beside, 0.3, -1);
+  EXPECT_LT(choice.steering_rad, 0.1);
+  EXPECT_GT(choice.free_m, 1);
+}
+
 }  // namespace
 }  // namespace aisle

@@ -120,8 +120,11 @@ bool RouteView::is_occupied(const Image& mask, const FloorPatch& patch) const {
 
 RouteSight RouteView::look(const Image& picture) const {
   RouteRegion region = find_route_region(picture, params_.region);
-  RouteSight sight{
-      .mask = std::move(region.mask), .share = region.share, .checks = {}, .p_vehicle_edges = {}};
+  RouteSight sight{.mask = std::move(region.mask),
+                   .share = region.share,
+                   .checks = {},
+                   .p_vehicle_edges = {},
+                   .p_vehicle_cut_off = {}};
   measure_patch(picture, sight);
   take_out_dark(picture, sight);
   sight.checks = {.ahead = is_occupied(sight.mask, ahead_),
@@ -133,7 +136,8 @@ RouteSight RouteView::look(const Image& picture) const {
   return sight;
 }
 
-/// In each of many columns, the lowest pixel that is not route: the foot of what stands there.
+/// In each of many columns, the lowest pixel that is not route: the foot of what stands there, unless the
+/// view does not reach down to it.
 void RouteView::find_edges(RouteSight& sight) const {
   for (int i = 0; i < kEdgeColumns; ++i) {
     const int u = (2 * i + 1) * width_px_ / (2 * kEdgeColumns);
@@ -142,7 +146,7 @@ void RouteView::find_edges(RouteSight& sight) const {
     if (v < 0) continue;
     const auto p_vehicle = floor_.point(Vec2(u, v));
     if (!p_vehicle || p_vehicle->x() - nearest_m_ > params_.edge_range_m) continue;
-    sight.p_vehicle_edges.push_back(*p_vehicle);
+    (v == height_px_ - 1 ? sight.p_vehicle_cut_off : sight.p_vehicle_edges).push_back(*p_vehicle);
   }
 }
 

@@ -63,5 +63,17 @@ TEST(RouteView, EdgesLieWhereTheRouteEnds) {
   EXPECT_FALSE(view.sees_route(sight, {0, 0})) << "below the view";
 }
 
+TEST(RouteView, WhereTheViewEndsIsNoEdge) {
+  const RouteView view = eye();
+  const double lowest_m = view.floor_point({kFloorWidth_px / 2.0, kFloorHeight_px - 1.0})->x();
+  const RouteSight sight = view.look(way(-0.9, 0.3));
+  ASSERT_FALSE(sight.p_vehicle_cut_off.empty()) << "the left side is nearer than the view's lower corner";
+  for (const Vec2& p : sight.p_vehicle_cut_off) {
+    EXPECT_NEAR(p.x(), lowest_m, 0.01);
+    EXPECT_GT(p.y(), 0.25);
+  }
+  for (const Vec2& p : sight.p_vehicle_edges) EXPECT_GT(p.x(), lowest_m + 0.001);
+}
+
 }  // namespace
 }  // namespace aisle

@@ -5,6 +5,7 @@
 
 #include "aisle/core/parameters.hpp"
 #include "aisle/geometry/pose2.hpp"
+#include "aisle/guidance/edge_memory.hpp"
 #include "aisle/guidance/taught_edges.hpp"
 
 namespace aisle {
@@ -25,10 +26,11 @@ struct EdgePlaceParams {
   void describe(FieldList& fields);
 };
 
-/// Tells by the edges of the route, as far as they are where they were taught, where the vehicle is: the
-/// first picture is laid onto them from all poses about the one at which the vehicle was set down, the later
-/// ones from where the odometry expects them. What stands otherwise than at teaching counts the less the
-/// farther off it is.
+/// Tells by the edges of the route, as far as they are where they were taught, where the vehicle is: what was
+/// seen of them on the last metres is laid onto them, at first from all poses about the one at which the
+/// vehicle was set down, then from where the odometry expects them. One picture alone may show a single line,
+/// along which it could be anywhere. What stands otherwise than at teaching counts the less the farther off
+/// it is.
 class EdgePlace {
  public:
   /// @param taught  may be empty: then `map` stays `odom`
@@ -36,9 +38,9 @@ class EdgePlace {
 
   /// Looks up the edges of the way about there, for `taught` and `take`.
   void come_to(const Pose2& T_odom_vehicle, double along_m);
-  /// Takes in the edges that a picture shows.
+  /// Takes in the edges that have been seen around the vehicle.
   /// @param along_m  about where on the route the vehicle is
-  void take(std::span<const Vec2> p_vehicle, const Pose2& T_odom_vehicle, double along_m);
+  void take(std::span<const SeenEdge> seen, const Pose2& T_odom_vehicle, double along_m);
 
   const Pose2& T_map_odom() const { return T_map_odom_; }
   /// The edges have been found to fit.
@@ -51,10 +53,10 @@ class EdgePlace {
     double fitting_share = 0;  ///< of the points that lie on edges
   };
 
-  /// Of an edge that is seen there: one picture row is the more floor, the farther away it is.
-  double variance_m2(const Vec2& p_vehicle) const;
-  Pose2 most_alike(std::span<const Vec2> p_vehicle, const Pose2& T_map_expected) const;
-  Fit refined(std::span<const Vec2> p_vehicle, const Pose2& T_map_begin, const Pose2& T_map_expected,
+  /// One picture row is the more floor, the farther away it is.
+  double variance_m2(const SeenEdge& seen) const;
+  Pose2 most_alike(std::span<const SeenEdge> seen, const Pose2& T_map_expected) const;
+  Fit refined(std::span<const SeenEdge> seen, const Pose2& T_map_begin, const Pose2& T_map_expected,
               double sigma_m, double sigma_rad) const;
 
   EdgePlaceParams params_;

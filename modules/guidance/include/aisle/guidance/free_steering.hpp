@@ -33,7 +33,8 @@ SteeringChoice free_way(const VehicleDescription& vehicle, const FreeSteeringPar
                         std::span<const Vec2> p_vehicle, double steering_rad, int direction);
 
 /// The steering angle next to the wished one that leads far and keeps its distance from what stands around.
+/// @param direction  1: forwards, -1: backwards
 SteeringChoice choose_steering(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                               std::span<const Vec2> p_vehicle, double wish_rad);
+                               std::span<const Vec2> p_vehicle, double wish_rad, int direction = 1);
 
 }  // namespace aisle

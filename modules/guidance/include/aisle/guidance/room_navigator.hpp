@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "aisle/control/path_progress.hpp"
-#include "aisle/control/steering.hpp"
 #include "aisle/guidance/edge_memory.hpp"
 #include "aisle/guidance/edge_place.hpp"
 #include "aisle/guidance/frame_parking.hpp"
 #include "aisle/guidance/free_steering.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/picture_watch.hpp"
+#include "aisle/guidance/place_parking.hpp"
 #include "aisle/guidance/stop_view_matcher.hpp"
 #include "aisle/maps/route.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
@@ -28,7 +28,7 @@ struct RoomNavigatorParams {
   FrameParkingParams frame;
   StopViewParams stop_views;
   EdgePlaceParams place;
-  SteeringParams end_steering{.look_ahead_m = 0.25};
+  PlaceParkingParams taught_place;
   double speed_mps = 0.3;
   double turning_speed_mps = 0.2;
   double parking_speed_mps = 0.12;
@@ -49,10 +49,6 @@ struct RoomNavigatorParams {
   double stop_free_m = 0.15;
   double wait_s = 3;
   double back_off_m = 0.6;
-  double end_aside_m = 0.05;
-  double end_turned_rad = 2.5 * kDegree;
-  double end_back_off_m = 1.5;
-  int end_tries_max = 3;
   int back_offs_max = 4;
   double blind_max_s = 10;
 
@@ -81,10 +77,10 @@ class RoomNavigator final : public Navigator {
   const RouteView& view() const { return view_; }
   const EdgeMemory& edges() const { return edges_; }
   /// How often it has driven up to its place.
-  int parking_tries() const { return frame_ ? frame_->tries() : end_tries_; }
+  int parking_tries() const { return frame_ ? frame_->tries() : taught_place_.tries(); }
 
  private:
-  enum class State { kFollowing, kBackingOff, kParkingInFrame };
+  enum class State { kFollowing, kBackingOff, kParkingInFrame, kLeavingPlace };
 
   void look(const Observation& observation);
   bool is_route_bright_as_learned() const;
@@ -92,19 +88,19 @@ class RoomNavigator final : public Navigator {
   Decision follow(double now_s);
   Decision park_in_frame(double now_s);
   Decision back_off(double now_s);
+  Decision leave_place();
   Decision blocked(double now_s);
   Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
   double wished_steering_rad() const;
   /// Near a taught end, at a place that is known: the taught way counts alone.
   bool keeps_to_taught_end() const;
-  bool stands_askew() const;
   std::optional<double> avoiding_rad() const;
   double steering_to(const Vec2& p_vehicle) const;
   double gap_ahead_m() const;
   bool is_at_dead_end() const;
   SteeringChoice choose_way_back() const;
   std::optional<Decision> arrived();
-  Decision start_back_off(double way_m);
+  std::vector<Vec2> edges_seen_and_taught() const;
   double left_m() const { return route_.path.length_m() - progress_.point().along_m; }
   double left_to_end_m() const;
 
@@ -126,11 +122,9 @@ class RoomNavigator final : public Navigator {
   int dead_end_pictures_ = 0;  ///< in succession that showed one
   std::optional<double> stopped_s_;
   Pose2 T_odom_stopped_;
-  PathFollower end_follower_;
+  PlaceParking taught_place_;
   double steering_rad_ = 0;
   SteeringChoice way_back_;
-  double back_off_m_ = 0;
-  int end_tries_ = 1;
   int back_offs_ = 0;  ///< about one place
   double back_offs_at_m_ = 0;
 };

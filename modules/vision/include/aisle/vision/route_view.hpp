@@ -38,7 +38,8 @@ struct RouteSight {
   double patch_grey = 0;  ///< mean of the patch before the vehicle (L96 section 2.2)
   double patch_deviation = 0;
   RouteChecks checks;
-  std::vector<Vec2> p_vehicle_edges;  ///< where the route ends, seen from the vehicle; near ones
+  std::vector<Vec2> p_vehicle_edges;    ///< where the route ends, seen from the vehicle; near ones
+  std::vector<Vec2> p_vehicle_cut_off;  ///< on the view's lower edge, of what stands nearer than it shows
 };
 
 /// One camera's eye for routes. All points are in base_link.
