@@ -44,7 +44,8 @@ class FloorEdgeDetector::Work {
         mount_(mount),
         view_(camera_, mount, params.columns, params.distance_max_m),
         boundary_(params.contrast_min),
-        tilted_floor_(camera_, tilted(mount, params.noise.tilt_rad), 0) {}
+        tilted_floor_(camera_, tilted(mount, params.noise.tilt_rad), 0),
+        rolled_floor_(camera_, rolled(mount, params.noise.tilt_rad), 0) {}
 
   const std::vector<FloorEdge>& detect(const Image& grey) {
     view_.look_at(grey);
@@ -58,6 +59,11 @@ class FloorEdgeDetector::Work {
  private:
   static CameraMount tilted(CameraMount mount, double tilt_rad) {
     mount.tilt_rad += tilt_rad;
+    return mount;
+  }
+
+  static CameraMount rolled(CameraMount mount, double roll_rad) {
+    mount.roll_rad += roll_rad;
     return mount;
   }
 
@@ -152,22 +158,25 @@ class FloorEdgeDetector::Work {
     return std::accumulate(grey + first, grey + end, 0.0) / (end - first);
   }
 
-  /// Of the fit, of its bias along the whole line, and of the camera's tilt.
+  /// Of the fit, of its bias along the whole line, and of how the camera shakes: it nods, and leans to the
+  /// sides, which turns what lies across its view.
   bool set_deviations(const FloorLine& line, FloorEdge& edge) const {
     SensedSegment& seen = edge.on_floor;
     FloorLine shifted = line, turned = line;
     shifted.row_middle += std::hypot(line.sigma_row, params_.noise.pixel_px);
     turned.slope += line.sigma_slope;
     const auto tilted_start = tilted_floor_.point(edge.start_px),
-               tilted_end = tilted_floor_.point(edge.end_px);
-    if (!tilted_start || !tilted_end) return false;
+               tilted_end = tilted_floor_.point(edge.end_px),
+               rolled_start = rolled_floor_.point(edge.start_px),
+               rolled_end = rolled_floor_.point(edge.end_px);
+    if (!tilted_start || !tilted_end || !rolled_start || !rolled_end) return false;
     const Vec2 across = left_normal(unit(seen.heading_rad));
-    const Segment2 by_tilt{*tilted_start, *tilted_end};
+    const Segment2 by_tilt{*tilted_start, *tilted_end}, by_roll{*rolled_start, *rolled_end};
     const Segment2 by_fit{point_of(turned, line.last_column), point_of(turned, line.first_column)};
     const auto off = [&](const Vec2& p) { return across.dot(p - seen.centroid); };
     const auto turn = [&](const Segment2& s) { return wrap_angle(s.heading() - seen.heading_rad); };
     seen.sigma_offset_m = std::hypot(off(point_of(shifted, line.middle())), off(by_tilt.midpoint()));
-    seen.sigma_heading_rad = std::hypot(turn(by_fit), turn(by_tilt));
+    seen.sigma_heading_rad = std::hypot(turn(by_fit), turn(by_tilt), turn(by_roll));
     return true;
   }
 
@@ -177,7 +186,7 @@ class FloorEdgeDetector::Work {
   LevelView view_;
   FloorBoundary boundary_;
   FloorLineFitter fitter_;
-  BackProjection tilted_floor_;
+  BackProjection tilted_floor_, rolled_floor_;
   std::vector<FloorEdge> edges_;
 };
 
