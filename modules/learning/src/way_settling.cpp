@@ -24,7 +24,8 @@ constexpr double kUneven_m = 0.03;             // of a wall ...
 constexpr double kElsewhere_m = 0.05;          // ... and off by more, an edge has less and less say
 constexpr double kOtherWall_m = 0.5;
 constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
-constexpr double kFixed_m = 1e-4;  // what follows from the rest
+constexpr double kFixed_m = 1e-4;           // what follows from the rest
+constexpr double kStart_rad = 5 * kDegree;  // against the axes
 constexpr double kStill_rad = 0.01 * kDegree;
 
 /// Least squares of many unknowns, few in each equation.
@@ -153,6 +154,7 @@ class WaySettler {
   }
 
   void add_odometry(SparseEquations& equations) const {
+    equations.add({{heading_of_cycle(0), 1}}, headings_rad_.front(), kStart_rad);
     equations.add({{kTurnScale, 1}}, turn_scale_, steady_[1]);
     equations.add({{kTurnPerM, 1}}, turn_per_m_, steady_[2]);
     for (std::size_t i = 1; i < cycles_.size(); ++i) {
@@ -174,8 +176,9 @@ class WaySettler {
         if (edge.length_m < kEdgeMin_m) continue;
         const double off_rad = wrap_quarter_turn(headings_rad_[i] + edge.heading_rad);
         const double sigma_rad = std::hypot(edge.sigma_heading_rad, kSteady_rad);
-        const double doubtful = doubt(off_rad, std::hypot(edge.sigma_heading_rad, kAskew_rad));
-        equations.add({{heading_of_cycle(i), 1}}, off_rad, std::sqrt(kRepeats) * sigma_rad * doubtful);
+        const double usual_rad = std::hypot(edge.sigma_heading_rad, kAskew_rad);
+        equations.add({{heading_of_cycle(i), 1}}, off_rad,
+                      std::sqrt(kRepeats) * sigma_rad * doubt(off_rad, usual_rad));
       }
     }
   }
