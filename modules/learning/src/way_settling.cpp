@@ -15,7 +15,7 @@
 namespace aisle {
 namespace {
 
-constexpr int kRounds = 10;
+constexpr int kSettlings = 10;
 constexpr double kRepeats = 10;                // pictures that show the same error of an edge
 constexpr double kEdgeMin_m = 0.3;             // a shorter one has no direction
 constexpr double kAskew_rad = 1.5 * kDegree;   // off by more, an edge has less and less say
@@ -23,7 +23,7 @@ constexpr double kSteady_rad = 0.7 * kDegree;  // of an edge's direction, whoeve
 constexpr double kUneven_m = 0.03;             // of a wall ...
 constexpr double kElsewhere_m = 0.05;          // ... and off by more, an edge has less and less say
 constexpr double kOtherWall_m = 0.5;
-constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
+constexpr double kWallNear_m = 0.12, kWallFar_m = 3;
 constexpr double kFixed_m = 1e-4;           // what follows from the rest
 constexpr double kStart_rad = 5 * kDegree;  // against the axes
 constexpr double kStill_rad = 0.01 * kDegree;
@@ -140,15 +140,15 @@ class WaySettler {
     for (std::size_t i = stretch.first; i < stretch.end; ++i) {
       const Pose2 T_axis_vehicle = along(stretch, i);
       find_walls_beside(cycles_[i].floor_edges, T_axis_vehicle, beside_);
-      double nearest_right_m = kBesideMax_m, nearest_left_m = kBesideMax_m;
+      double nearest_right_m = kWallFar_m, nearest_left_m = kWallFar_m;
       for (const WallBeside& wall : beside_) {
         const double off_m = wall.aside_m - T_axis_vehicle.y;
-        if (std::abs(off_m) < kBesideMin_m) continue;
+        if (std::abs(off_m) < kWallNear_m) continue;
         double& nearest_m = off_m < 0 ? nearest_right_m : nearest_left_m;
         nearest_m = std::min(nearest_m, std::abs(off_m));
       }
-      if (nearest_right_m < kBesideMax_m) right_m.push_back(T_axis_vehicle.y - nearest_right_m);
-      if (nearest_left_m < kBesideMax_m) left_m.push_back(T_axis_vehicle.y + nearest_left_m);
+      if (nearest_right_m < kWallFar_m) right_m.push_back(T_axis_vehicle.y - nearest_right_m);
+      if (nearest_left_m < kWallFar_m) left_m.push_back(T_axis_vehicle.y + nearest_left_m);
     }
     return {middle_value(right_m), middle_value(left_m)};
   }
@@ -254,7 +254,7 @@ std::vector<Pose2> settled_way(std::span<const SectionCycle> cycles, const Vehic
                                std::vector<double> headings_rad, std::span<const DrivenStretch> stretches) {
   if (cycles.empty()) return {};
   WaySettler settler(cycles, vehicle, std::move(headings_rad), stretches);
-  for (int round = 0; round < kRounds; ++round) settler.settle();
+  for (int round = 0; round < kSettlings; ++round) settler.settle();
   return settler.take_way();
 }
 
