@@ -9,8 +9,15 @@
 namespace aisle {
 namespace {
 
-constexpr double kEndDirection_rad = 0.4 * kDegree;  // to which the end of a base line is seen
-constexpr double kEndSigmaMax_m = 0.08;              // less sure, it is too far away to tell
+constexpr double kEndDirection_rad = 0.4 * kDegree;            // to which the end of a base line is seen
+constexpr double kEndSigmaMax_m = 0.08;                        // less sure, it is too far away to tell
+constexpr double kUsual_rad = 0.7 * kDegree, kUsual_m = 0.05;  // of walls and base lines that are what they
+                                                               // are taken for: doors and recesses are off
+
+/// By how much the deviation of what is seen counts more, as it is farther off than usual.
+double distrust(double off, double usual) {
+  return std::hypot(1, off / usual);
+}
 
 }  // namespace
 
@@ -58,23 +65,33 @@ void SectionLocaliser::correct_heading(std::span<const SensedSegment> edges) {
   const double heading_rad = filter_.pose().theta;
   const auto walls = heading_from_walls(edges, heading_rad, std::sqrt(filter_.covariance()(2, 2)));
   if (!walls) return;
-  filter_.correct(wrap_angle(walls->heading_rad - heading_rad), Vec3::UnitZ(), inflated(walls->sigma_rad));
+  const double off_rad = wrap_angle(walls->heading_rad - heading_rad);
+  const double usual_rad = std::hypot(kUsual_rad, std::sqrt(filter_.covariance()(2, 2)));
+  filter_.correct(off_rad, Vec3::UnitZ(), inflated(walls->sigma_rad * distrust(off_rad, usual_rad)));
 }
 
-/// L03 section 4.1. A camera that nods shows both base lines too near or both too far: together they tell
-/// better than twice as well where the vehicle is between them.
+/// L03 section 4.1. A camera that nods shows both base lines too near or both too far: of what they tell
+/// together nothing is left of that.
 void SectionLocaliser::correct_distance(const Here& here) {
-  const Vec2 left = left_normal(unit(here.piece.T_map_start.theta));
-  const auto correct_by = [&](double aside_m) {
+  double off_m = 0, ahead_m = 0, weights = 0, nod_m = 0;
+  const auto add = [&](double aside_m) {
     const WallBeside* wall = wall_at(aside_m);
     if (wall == nullptr || wall->from_m > here.piece.way_m()) return;
-    const double ahead_m = rotate(here.T_piece_vehicle.theta, wall->p_vehicle).x();
-    const double sigma_m = std::hypot(wall->sigma_m, params_.wall_sigma_m);
-    if (filter_.correct(aside_m - wall->aside_m, {left.x(), left.y(), ahead_m}, inflated(sigma_m)))
-      is_guided_ = true;
+    const double weight = 1 / wall->sigma_m;
+    off_m += weight * (aside_m - wall->aside_m);
+    ahead_m += weight * rotate(here.T_piece_vehicle.theta, wall->p_vehicle).x();
+    weights += weight;
+    nod_m += aside_m < 0 ? -1 : 1;
   };
-  if (here.guide.right_m) correct_by(-*here.guide.right_m);
-  if (here.guide.left_m && params_.left_base_line) correct_by(*here.guide.left_m);
+  if (here.guide.right_m) add(-*here.guide.right_m);
+  if (here.guide.left_m && params_.left_base_line) add(*here.guide.left_m);
+  if (weights == 0) return;
+  off_m /= weights;
+  const double heading_rad = here.piece.T_map_start.theta;
+  const double usual_m = std::hypot(kUsual_m, aside_sigma_m(heading_rad));
+  const double sigma_m = std::hypot(nod_m / weights, params_.wall_sigma_m) * distrust(off_m, usual_m);
+  const Vec2 left = left_normal(unit(heading_rad));
+  is_guided_ = filter_.correct(off_m, {left.x(), left.y(), ahead_m / weights}, inflated(sigma_m));
 }
 
 /// The base line nearest to where one should be; nullptr: none is near.
@@ -103,9 +120,10 @@ void SectionLocaliser::correct_by_wall_ahead(const Here& here, std::span<const S
     nearest = &wall;
   }
   if (nearest == nullptr) return;
+  const double off_m = expected_m - nearest->along_m;
+  const double sigma_m = std::hypot(nearest->sigma_m, params_.wall_sigma_m) * distrust(off_m, kUsual_m);
   const Vec2 along = unit(here.piece.T_map_start.theta);
-  filter_.correct(expected_m - nearest->along_m, {along.x(), along.y(), 0},
-                  inflated(std::hypot(nearest->sigma_m, params_.wall_sigma_m)));
+  filter_.correct(off_m, {along.x(), along.y(), 0}, inflated(sigma_m));
 }
 
 /// L03 section 4.3, where the base line disappears, which tells how far it is to the turn.

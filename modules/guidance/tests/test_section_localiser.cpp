@@ -64,6 +64,20 @@ TEST(SectionLocaliser, TheEndOfTheBaseLineTellsHowFarAlong) {
   EXPECT_NEAR(believed({last}).x(), 3.9, 0.02);
 }
 
+TEST(SectionLocaliser, AWallAheadWithARecessTurnsItLittle) {
+  const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
+  const VehicleDescription vehicle = two_wheels();
+  SectionLocaliser localiser({}, vehicle, way);
+  const auto see = [&](const std::vector<Segment2>& walls) {
+    std::vector<SensedSegment> edges;
+    for (const Segment2& wall : walls) edges.push_back(seen_from({}, wall));
+    localiser.correct(edges, 0);
+  };
+  for (int i = 0; i < 60; ++i) see({kRight, kLeft});
+  for (int i = 0; i < 20; ++i) see({{{2, -1}, {2.2, 1}}});  // 6 degrees
+  EXPECT_LT(std::abs(localiser.pose().theta), 1 * kDegree);
+}
+
 TEST(SectionLocaliser, WhatStandsElsewhereIsNoWallOfTheWay) {
   const Segment2 other{{4.7, -0.5}, {4.7, 0.7}};
   EXPECT_NEAR(believed({other}).x(), 3.9, 0.02);

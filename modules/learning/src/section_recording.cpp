@@ -6,6 +6,7 @@
 #include "aisle/learning/section_learning.hpp"
 #include "aisle/learning/wall_heading.hpp"
 #include "aisle/learning/walls_beside.hpp"
+#include "way_settling.hpp"
 
 namespace aisle {
 
@@ -24,6 +25,7 @@ namespace {
 
 constexpr double kStartSigma_rad = 5 * kDegree;  // against the wall beside which a drive begins
 constexpr double kParallel_rad = 6 * kDegree;    // a stretch that is nearly so was meant to be
+constexpr double kOnAxis_rad = 1e-6;             // of what was laid there
 constexpr double kWayPoints_m = 0.05;
 constexpr double kTurnsOnTheSpot_rad = 8 * kDegree;  // more than a correction of the heading while it stands
 constexpr double kTurnRadiusMax_m = 2.5;             // what bends less is drift of the odometry, or wander
@@ -34,7 +36,6 @@ constexpr double kOnRun_m = 0.3, kOnRun_rad = 20 * kDegree;  // so near a line a
 constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
 constexpr double kAcrossNear_m = 2.5;  // of a wall ahead: there its distance is known well
 constexpr double kWayWidth_m = 0.3;    // a wall ahead stands on the way itself
-constexpr double kBeginning_m = 3;     // of a stretch
 constexpr std::size_t kSeenMin = 5;    // cycles in which a base line must be seen for its distance to count
 
 double median(std::vector<double> values) {
@@ -43,31 +44,20 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Odometry, its heading held by the walls, which are the axes of `route`. A correction of the heading turns
-/// the way that follows, and never moves the vehicle: the way has no jumps.
-/// @param filter  what it knows of the odometry's steady errors is used, and known better afterwards
-std::vector<Pose2> follow(std::span<const SectionCycle> cycles, PoseFilter& filter) {
-  filter.place(about({}, 0, kStartSigma_rad));
-  std::vector<Pose2> T_route_vehicle;
-  T_route_vehicle.reserve(cycles.size());
-  Vec2 p_route_vehicle = Vec2::Zero();
+/// Odometry, held by the walls, which are the axes of `route`: some degrees right.
+std::vector<double> followed_headings(std::span<const SectionCycle> cycles,
+                                      const VehicleDescription& vehicle) {
+  PoseFilter filter(vehicle, about({}, 0, kStartSigma_rad));
+  std::vector<double> headings_rad;
+  headings_rad.reserve(cycles.size());
   for (const SectionCycle& cycle : cycles) {
-    const Vec2 before = filter.pose().position();
     filter.predict(cycle.odometry);
-    p_route_vehicle += filter.pose().position() - before;
     const double theta = filter.pose().theta;
     const auto walls = heading_from_walls(cycle.floor_edges, theta, std::sqrt(filter.covariance()(2, 2)));
     if (walls) filter.correct(wrap_angle(walls->heading_rad - theta), Vec3::UnitZ(), walls->sigma_rad);
-    T_route_vehicle.push_back({p_route_vehicle.x(), p_route_vehicle.y(), filter.pose().theta});
+    headings_rad.push_back(filter.pose().theta);
   }
-  return T_route_vehicle;
-}
-
-/// Followed twice: the first time teaches how unequal the wheels are, which would else bend the first metres.
-std::vector<Pose2> follow_twice(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle) {
-  PoseFilter filter(vehicle, about({}, 0, kStartSigma_rad));
-  follow(cycles, filter);
-  return follow(cycles, filter);
+  return headings_rad;
 }
 
 std::vector<Pose2> way_points(const std::vector<Pose2>& poses) {
@@ -126,6 +116,56 @@ void lay_parallel(Run& run) {
   run.T_route_start = T_route_middle * Pose2{-run.length_m / 2, 0, 0};
 }
 
+bool goes_anywhere(const std::vector<Pose2>& T_route_vehicle) {
+  return std::any_of(T_route_vehicle.begin(), T_route_vehicle.end(), [&](const Pose2& T) {
+    return (T.position() - T_route_vehicle.front().position()).norm() > kStraightMin_m;
+  });
+}
+
+std::vector<Run> runs_of(const std::vector<Pose2>& T_route_vehicle, const SectionLearningParams& params) {
+  std::vector<Run> runs =
+      straight_runs(fit_path(way_points(T_route_vehicle), params.path), params.turn_min_rad);
+  for (Run& run : runs) lay_parallel(run);
+  return runs;
+}
+
+bool is_on(const Run& run, const Pose2& T_run_vehicle) {
+  return T_run_vehicle.x >= 0 && T_run_vehicle.x <= run.length_m && std::abs(T_run_vehicle.y) < kOnRun_m &&
+         std::abs(T_run_vehicle.theta) < kOnRun_rad;
+}
+
+/// Those of the runs that lie along the axes, and the cycles from first to last that are on each.
+std::vector<DrivenStretch> stretches_of(const std::vector<Run>& runs,
+                                        const std::vector<Pose2>& T_route_vehicle) {
+  std::vector<DrivenStretch> stretches;
+  std::size_t i = 0;
+  for (const Run& run : runs) {
+    if (run.length_m < 0 || std::abs(wrap_quarter_turn(run.T_route_start.theta)) > kOnAxis_rad) continue;
+    const auto is_on_run = [&](std::size_t at) {
+      return is_on(run, between(run.T_route_start, T_route_vehicle[at]));
+    };
+    std::size_t first = i;
+    while (first < T_route_vehicle.size() && !is_on_run(first)) ++first;
+    if (first == T_route_vehicle.size()) continue;
+    for (i = first; i < T_route_vehicle.size() && is_on_run(i); ++i) {
+    }
+    stretches.push_back({first, i, run.T_route_start.theta});
+  }
+  return stretches;
+}
+
+/// The way that was driven, settled first by what directions were seen, then by the walls beside its straight
+/// stretches, too.
+std::vector<Pose2> way_of(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
+                          const SectionLearningParams& params) {
+  std::vector<Pose2> T_route_vehicle = settled_way(cycles, vehicle, followed_headings(cycles, vehicle), {});
+  if (!goes_anywhere(T_route_vehicle)) return T_route_vehicle;
+  const auto stretches = stretches_of(runs_of(T_route_vehicle, params), T_route_vehicle);
+  std::vector<double> headings_rad;
+  for (const Pose2& T : T_route_vehicle) headings_rad.push_back(T.theta);
+  return settled_way(cycles, vehicle, std::move(headings_rad), stretches);
+}
+
 double rounded_turn_rad(double turn_rad, double quarter_rad) {
   const double quarters = std::round(turn_rad / (kPi / 2)) * (kPi / 2);
   if (quarters != 0 && std::abs(turn_rad - quarters) < quarter_rad) return quarters;
@@ -175,7 +215,6 @@ SectionList joint(Run& before, Run& after, const SectionLearningParams& params) 
 /// Distances of the base lines beside a stretch, one a cycle that shows them.
 struct DistancesBeside {
   std::vector<double> right_m, left_m, ahead_m;
-  std::size_t first_right = 0, first_left = 0;  ///< so many of them were seen where the stretch begins
 };
 
 /// From a stretch's end to the nearest wall across it; nullopt: none is seen from near.
@@ -198,9 +237,7 @@ DistancesBeside distances_beside(const Run& run, std::span<const SectionCycle> c
   std::vector<WallAcross> across;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
     const Pose2 T_run_vehicle = between(run.T_route_start, T_route_vehicle[i]);
-    const bool is_on_run = T_run_vehicle.x >= 0 && T_run_vehicle.x <= run.length_m &&
-                           std::abs(T_run_vehicle.y) < kOnRun_m && std::abs(T_run_vehicle.theta) < kOnRun_rad;
-    if (!is_on_run) continue;
+    if (!is_on(run, T_run_vehicle)) continue;
     find_walls_across(cycles[i].floor_edges, T_run_vehicle, across);
     if (const auto ahead_m = distance_ahead(run, T_run_vehicle, across))
       distances.ahead_m.push_back(*ahead_m);
@@ -213,9 +250,6 @@ DistancesBeside distances_beside(const Run& run, std::span<const SectionCycle> c
     }
     if (right_m < kBesideMax_m) distances.right_m.push_back(right_m);
     if (left_m < kBesideMax_m) distances.left_m.push_back(left_m);
-    if (T_run_vehicle.x > kBeginning_m) continue;
-    distances.first_right = distances.right_m.size();
-    distances.first_left = distances.left_m.size();
   }
   return distances;
 }
@@ -225,41 +259,18 @@ std::optional<double> usual(const std::vector<double>& distances_m) {
   return median(distances_m);
 }
 
-/// How much farther a wall seems where a stretch begins than along all of it; nullopt: not seen there.
-std::optional<double> farther_at_first(const std::vector<double>& distances_m, std::size_t first) {
-  const auto there = distances_m.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto at_first_m = usual({distances_m.begin(), there});
-  if (!at_first_m) return std::nullopt;
-  return *at_first_m - median(distances_m);
-}
-
-/// By how much a stretch lies too far to the right of where the vehicle set out, by the walls on either side
-/// of it there: a place beside a door shows on one side alone, so of two the smaller counts. A long stretch
-/// is laid through its middle, up to where odometry has wandered off.
-double begins_too_far_right_m(const DistancesBeside& distances) {
-  const auto right_m = farther_at_first(distances.right_m, distances.first_right),
-             left_m = farther_at_first(distances.left_m, distances.first_left);
-  if (!right_m || !left_m) return left_m.value_or(-right_m.value_or(0));
-  return std::abs(*left_m) < std::abs(*right_m) ? *left_m : -*right_m;
-}
-
 }  // namespace
 
 DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
                         const SectionLearningParams& params) {
-  DrivenList driven{.sections = {}, .corridor_width_m = {}, .T_route_vehicle = follow_twice(cycles, vehicle)};
-  const std::vector<Pose2> points = way_points(driven.T_route_vehicle);
-  const auto moves = [&](const Pose2& T) {
-    return (T.position() - points.front().position()).norm() > kStraightMin_m;
-  };
-  if (std::none_of(points.begin(), points.end(), moves)) return driven;
-  std::vector<Run> runs = straight_runs(fit_path(points, params.path), params.turn_min_rad);
-  for (Run& run : runs) lay_parallel(run);
+  DrivenList driven{
+      .sections = {}, .corridor_width_m = {}, .T_route_vehicle = way_of(cycles, vehicle, params)};
+  if (!goes_anywhere(driven.T_route_vehicle)) return driven;
+  std::vector<Run> runs = runs_of(driven.T_route_vehicle, params);
   std::vector<SectionList> joints;
   for (std::size_t i = 1; i < runs.size(); ++i) joints.push_back(joint(runs[i - 1], runs[i], params));
   if (runs.empty()) return driven;
   std::vector<double> widths_m;
-  double aside_m = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (i > 0) driven.sections.insert(driven.sections.end(), joints[i - 1].begin(), joints[i - 1].end());
     Section section = straight(runs[i].length_m);
@@ -269,11 +280,10 @@ DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescr
       section.left_m = usual(distances.left_m);
       section.ahead_m = usual(distances.ahead_m);
       if (section.right_m && section.left_m) widths_m.push_back(*section.right_m + *section.left_m);
-      if (i == 0) aside_m = begins_too_far_right_m(distances);
     }
     driven.sections.push_back(section);
   }
-  driven.T_route_start = runs.front().T_route_start * Pose2{0, aside_m, 0};
+  driven.T_route_start = runs.front().T_route_start;
   if (!widths_m.empty()) driven.corridor_width_m = median(widths_m);
   return driven;
 }

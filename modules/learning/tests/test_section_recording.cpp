@@ -22,6 +22,9 @@ class Drive {
   /// A wall along the drive's first direction, to its left (positive) or right.
   void set_wall(double aside_m) { wall_m_ = aside_m; }
 
+  /// From here on pictures show nothing but an edge that lies askew; 0: no more.
+  void set_askew(double askew_rad) { askew_rad_ = askew_rad; }
+
   void go(double length_m, double turn_rad = 0) {
     const double step_m = vehicle_.differential.step_length_m();
     const double turn_m = turn_rad * vehicle_.differential.wheel_separation_m / 2;
@@ -45,8 +48,9 @@ class Drive {
  private:
   std::vector<SensedSegment> edges() const {
     if (wall_m_ == 0) return {};
+    const Vec2 ahead = 2 * unit(askew_rad_);
     const Vec2 near = T_.inverse() * Vec2(T_.x + 0.5, wall_m_),
-               far = T_.inverse() * Vec2(T_.x + 2.5, wall_m_);
+               far = T_.inverse() * Vec2(T_.x + 0.5 + ahead.x(), wall_m_ + ahead.y());
     SensedSegment edge;
     edge.segment = wall_m_ > 0 ? Segment2{far, near} : Segment2{near, far};
     edge.centroid = (near + far) / 2;
@@ -59,7 +63,7 @@ class Drive {
 
   VehicleDescription vehicle_ = mini_vehicle();
   Pose2 T_;
-  double wall_m_ = 0;
+  double wall_m_ = 0, askew_rad_ = 0;
   double left_m_ = 0, right_m_ = 0;
   int left_ = 0, right_ = 0;
   std::vector<SectionCycle> cycles_;
@@ -111,6 +115,20 @@ TEST(SectionRecording, TheMeanDistanceOfABaseLineIsKept) {
   ASSERT_TRUE(list[0].right_m);
   EXPECT_NEAR(*list[0].right_m, 0.45, 0.02);
   EXPECT_FALSE(list[0].left_m);
+}
+
+TEST(SectionRecording, AnEdgeThatLiesAskewDoesNotLeadTheWayAside) {
+  Drive drive;
+  drive.set_wall(-0.45);
+  drive.go(5);
+  drive.set_askew(10 * kDegree);
+  drive.go(0.3);
+  drive.set_askew(0);
+  drive.go(5);
+  for (const Pose2& T : drive.recorded().T_route_vehicle) {
+    EXPECT_LT(std::abs(T.y), 0.01);
+    EXPECT_LT(std::abs(T.theta), 1 * kDegree);
+  }
 }
 
 TEST(SectionRecording, WhoStandsRecordsNothing) {

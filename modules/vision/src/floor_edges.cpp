@@ -1,6 +1,7 @@
 #include "aisle/vision/floor_edges.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -31,8 +32,11 @@ constexpr double kPaperNear_m = 0.4;    // ... and where the floor goes on beyon
 constexpr double kPaperFar_m = 0.5;
 constexpr double kBoardNear = 0.05;  // of the depth, beyond an edge: there a skirting board is still seen ...
 constexpr double kBoardFar = 0.09;   // ... but no more the joint between two tiles
+constexpr double kAlike = 0.3;       // of how much brighter something is than the floor: a floor's pattern
 constexpr int kFloorRows = 6;        // before an edge, whose brightness is the floor's
 constexpr int kBlurRows = 2;         // of an edge
+constexpr int kBesideColumns = 24;   // beside an edge
+constexpr std::size_t kBesideMin = 8;
 
 }  // namespace
 
@@ -44,7 +48,8 @@ class FloorEdgeDetector::Work {
         mount_(mount),
         view_(camera_, mount, params.columns, params.distance_max_m),
         boundary_(params.contrast_min),
-        tilted_floor_(camera_, tilted(mount, params.noise.tilt_rad), 0) {}
+        tilted_floor_(camera_, tilted(mount, params.noise.tilt_rad), 0),
+        rolled_floor_(camera_, rolled(mount, params.noise.tilt_rad), 0) {}
 
   const std::vector<FloorEdge>& detect(const Image& grey) {
     view_.look_at(grey);
@@ -58,6 +63,11 @@ class FloorEdgeDetector::Work {
  private:
   static CameraMount tilted(CameraMount mount, double tilt_rad) {
     mount.tilt_rad += tilt_rad;
+    return mount;
+  }
+
+  static CameraMount rolled(CameraMount mount, double roll_rad) {
+    mount.roll_rad += roll_rad;
     return mount;
   }
 
@@ -87,7 +97,8 @@ class FloorEdgeDetector::Work {
     const Vec2 from_lens = seen.centroid - mount_.p_vehicle_camera.head<2>();
     if (std::abs(left_normal(unit(seen.heading_rad)).dot(from_lens)) < kBesideLens_m) return;
     if (!lasts(line)) return;
-    if (line.contrast > 0 && seen.length_m < kPaper_m && floor_goes_on_beyond(line)) return;
+    if (seen.length_m < kPaper_m && (line.contrast > 0 ? floor_goes_on_beyond(line) : is_far_side(line)))
+      return;
     const auto start_px = pixel_of(seen.segment.start), end_px = pixel_of(seen.segment.end);
     if (!start_px || !end_px) return;
     edge.start_px = *start_px;
@@ -132,6 +143,46 @@ class FloorEdgeDetector::Work {
     return 2 * alike > count;
   }
 
+  /// Of a bright thing that lies on the floor, its near side no more in view: the floor beside it goes on
+  /// beyond it.
+  bool is_far_side(const FloorLine& line) const {
+    double near = 0, beyond = 0;
+    int count = 0;
+    for_each_column(line, [&](int column, double edge, double floor) {
+      const double depth = view_.depth(edge);
+      const auto there = mean_brightness(column, edge - kBoardFar * depth, edge - kBoardNear * depth);
+      if (!there) return;
+      near += floor;
+      beyond += *there;
+      ++count;
+    });
+    if (count == 0) return false;
+    const auto is_beside = [&](double end_column, int towards) {
+      const auto beside = brightness_beside(line, static_cast<int>(end_column), towards);
+      if (!beside) return false;
+      const double brighter = near / count - *beside;
+      return brighter > 2 * params_.contrast_min && std::abs(beyond / count - *beside) < kAlike * brighter;
+    };
+    return is_beside(line.first_column, -1) || is_beside(line.last_column, 1);
+  }
+
+  /// What is usual beside an end of the line, as far away as that.
+  std::optional<double> brightness_beside(const FloorLine& line, int end_column, int towards) const {
+    const double edge = line.row_at(end_column);
+    std::array<double, kBesideColumns> beside{};
+    std::size_t count = 0;
+    for (int i = 1; i <= kBesideColumns; ++i) {
+      const int column = end_column + towards * i;
+      if (column < 0 || column >= view_.columns()) break;
+      if (const auto there = mean_brightness(column, edge - kFloorRows, edge + kFloorRows))
+        beside[count++] = *there;
+    }
+    if (count < kBesideMin) return std::nullopt;
+    const auto middle = beside.begin() + count / 2;
+    std::nth_element(beside.begin(), middle, beside.begin() + count);
+    return *middle;
+  }
+
   /// @param look  takes a column, the edge's row, and the brightness of the floor before it
   template <class Look>
   void for_each_column(const FloorLine& line, Look look) const {
@@ -152,22 +203,25 @@ class FloorEdgeDetector::Work {
     return std::accumulate(grey + first, grey + end, 0.0) / (end - first);
   }
 
-  /// Of the fit, of its bias along the whole line, and of the camera's tilt.
+  /// Of the fit, of its bias along the whole line, and of how the camera shakes: it nods, and leans to the
+  /// sides, which turns what lies across its view.
   bool set_deviations(const FloorLine& line, FloorEdge& edge) const {
     SensedSegment& seen = edge.on_floor;
     FloorLine shifted = line, turned = line;
     shifted.row_middle += std::hypot(line.sigma_row, params_.noise.pixel_px);
     turned.slope += line.sigma_slope;
     const auto tilted_start = tilted_floor_.point(edge.start_px),
-               tilted_end = tilted_floor_.point(edge.end_px);
-    if (!tilted_start || !tilted_end) return false;
+               tilted_end = tilted_floor_.point(edge.end_px),
+               rolled_start = rolled_floor_.point(edge.start_px),
+               rolled_end = rolled_floor_.point(edge.end_px);
+    if (!tilted_start || !tilted_end || !rolled_start || !rolled_end) return false;
     const Vec2 across = left_normal(unit(seen.heading_rad));
-    const Segment2 by_tilt{*tilted_start, *tilted_end};
+    const Segment2 by_tilt{*tilted_start, *tilted_end}, by_roll{*rolled_start, *rolled_end};
     const Segment2 by_fit{point_of(turned, line.last_column), point_of(turned, line.first_column)};
     const auto off = [&](const Vec2& p) { return across.dot(p - seen.centroid); };
     const auto turn = [&](const Segment2& s) { return wrap_angle(s.heading() - seen.heading_rad); };
     seen.sigma_offset_m = std::hypot(off(point_of(shifted, line.middle())), off(by_tilt.midpoint()));
-    seen.sigma_heading_rad = std::hypot(turn(by_fit), turn(by_tilt));
+    seen.sigma_heading_rad = std::hypot(turn(by_fit), turn(by_tilt), turn(by_roll));
     return true;
   }
 
@@ -177,7 +231,7 @@ class FloorEdgeDetector::Work {
   LevelView view_;
   FloorBoundary boundary_;
   FloorLineFitter fitter_;
-  BackProjection tilted_floor_;
+  BackProjection tilted_floor_, rolled_floor_;
   std::vector<FloorEdge> edges_;
 };
 

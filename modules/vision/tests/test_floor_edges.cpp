@@ -88,6 +88,10 @@ TEST(FloorEdges, PaperOnTheFloorIsNone) {
   EXPECT_THAT(edges_of({.papers = {{{2.5, 0.2}, {2.5, 0.35}}}}), IsEmpty());
 }
 
+TEST(FloorEdges, PaperThatIsDrivenOverIsNoneEither) {
+  EXPECT_THAT(edges_of({.papers = {{{2.0, -0.15}, {2.0, 0.15}}}}), IsEmpty());
+}
+
 TEST(FloorEdges, WithoutAPictureOrWithoutAFloorInViewThereAreNone) {
   FloorEdgeDetector detector({}, drawn_lens(), drawn_mount());
   EXPECT_THAT(detector.detect({}), IsEmpty());

@@ -21,6 +21,12 @@ constexpr double kSameBaseLine_m = 0.25;  // off by more, another thing stands t
 constexpr double kPictureWorthy_m = 0.5;  // shorter sections all look alike
 constexpr double kHome_m = 1e-6;
 
+/// The walls themselves: where there is a door, none stands.
+std::vector<Segment2> base_lines_of(World world) {
+  world.doors.clear();
+  return slice(world, kBaseLine_m);
+}
+
 /// How far a thing stands from a point in a direction; nullopt: nothing stands there.
 std::optional<double> distance_m(const Vec2& from, const Vec2& direction,
                                  const std::vector<Segment2>& walls) {
@@ -45,7 +51,7 @@ class SectionMissionRecord final : public SimulatedRecord {
       : SimulatedRecord(session, vehicle),
         vehicle_(vehicle),
         navigator_(navigator),
-        base_lines_(slice(setting.world, kBaseLine_m)),
+        base_lines_(base_lines_of(setting.world)),
         skirting_m_(setting.world.skirting_height_m > 0 ? kSkirtingDepth_m : 0),
         T_world_map_(options.T_world_map),
         keeps_pictures_(options.keep_pictures),
