@@ -29,6 +29,7 @@ constexpr double kStageLeft_m = 2.5;  // of a stage, when the next one is search
 constexpr double kLearned_m2 = 0.5;   // so much more floor is something learned
 constexpr double kProof_m = 5;        // a search that comes no farther does not prove that there is no way
 constexpr double kWedged_m = 0.5;     // a search that comes no farther says something about where it began
+constexpr double kRetreat_m = 3;      // along its own trail, before it searches anew
 constexpr double kIdleWay_m = 150;    // without learning anything: what waits is left undone
 
 bool is_same(const ExploringTarget& a, const ExploringTarget& b) {
@@ -74,6 +75,7 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   if (stamp_s_ - *begun_s_ > params_.time_max_s)
     return end(NavigatorStatus::kFailed, "late", "its time is over");
   if (learner_.is_laying_anew()) return wait_for_floor();
+  keep_trail(news);
   if (stamp_s_ - *begun_s_ < params_.look_s || !learner_.has_looked()) return {.state = "looking"};
   if (news == FloorLearner::News::kLoop) drop_way();
   if (news != FloorLearner::News::kNothing || !target_) {
@@ -96,6 +98,13 @@ std::string ExplorerNavigator::what_was_explored() const {
   if (undone == 0) return "explored";
   return fmt::format("came home with {} left undone",
                      undone == 1 ? "a path" : fmt::format("{} paths", undone));
+}
+
+void ExplorerNavigator::keep_trail(FloorLearner::News news) {
+  if (!learner_.has_looked()) return;
+  if (news == FloorLearner::News::kLoop) trail_.lay_anew(learner_.T_map_vehicle_of_all());
+  if (is_retreating_) return trail_.go_back(learner_.T_map_vehicle());
+  trail_.go_on(learner_.T_map_vehicle(), learner_.log().scans.size() - 1);
 }
 
 void ExplorerNavigator::mark_coverage() {
@@ -225,7 +234,7 @@ bool ExplorerNavigator::shows_path(const Pose2& T_map_vehicle) const {
 }
 
 void ExplorerNavigator::search_way() {
-  if (!target_) return;
+  if (!target_ || is_retreating_) return;
   search_on();
   if (is_search_due_ && (driver_.has_way() ? !stands_first_ : learner_.is_standing())) begin_search();
   if (search_.state() == CarSearch::State::kIdle && !driver_.has_way() && !is_search_due_) {
@@ -246,12 +255,30 @@ void ExplorerNavigator::find_no_way() {
   search_.stop();
   arrived_cycle_ = cycle_;
   if (!is_wedged_) hitch();
-  if (std::exchange(blocked_direction_, 0) != 0 || is_wedged_) return;
+  if (std::exchange(blocked_direction_, 0) != 0) return;
+  if ((is_shut_in() && retreat()) || is_wedged_) return;
   const bool is_last_try = attempts_ > 0 && looks_from_afar_;
   looks_from_afar_ = true;
   if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
   if (search_.has_tried_all() && search_.reached_m() > kProof_m) return give_path_up();
   leave_path();
+}
+
+/// The search did not come as far as the floor alone would let it: the vehicle, which is long and cannot turn
+/// on the spot, finds no way out of a narrow place.
+bool ExplorerNavigator::is_shut_in() const {
+  if (!search_.has_tried_all() || search_.reached_m() > kProof_m) return false;
+  return target_->kind != ExploringTarget::Kind::kPath || target_->gate.way_m > search_.reached_m();
+}
+
+/// Back as it came, and then it searches again.
+bool ExplorerNavigator::retreat() {
+  if (driver_.has_way()) return false;
+  const Path back = trail_.way_back(learner_.T_map_vehicle(), kRetreat_m);
+  if (back.empty()) return false;
+  driver_.take(back);
+  is_retreating_ = is_search_due_ = true;
+  return true;
 }
 
 /// A way home that fails is no reason not to come home.
@@ -335,6 +362,7 @@ void ExplorerNavigator::take_way() {
 void ExplorerNavigator::arrive() {
   driver_.drop();
   arrived_cycle_ = cycle_;
+  is_retreating_ = false;
   if (!ends_at_home_ || !stands_at_home()) return;
   came_home_ = true;
   explorer_.stop(cycle_);
@@ -350,7 +378,7 @@ void ExplorerNavigator::drop_way() {
   driver_.drop();
   search_.stop();
   target_.reset();
-  is_search_due_ = false;
+  is_search_due_ = is_retreating_ = false;
   is_stage_ = false;
   ends_at_home_ = false;
 }
@@ -402,6 +430,7 @@ void ExplorerNavigator::be_blocked(int direction) {
 
 std::string ExplorerNavigator::state_word() const {
   if (!driver_.has_way()) return "searching";
+  if (is_retreating_) return "retreating";
   if (!target_) return "exploring";
   switch (target_->kind) {
     case ExploringTarget::Kind::kPath:
