@@ -27,9 +27,10 @@ constexpr double kSameSpot_m = 0.2;   // about a place where the vehicle was blo
 constexpr double kStruckNow_m = 1.5;  // so far from the vehicle ways keep off what is struck now
 constexpr double kStageLeft_m = 2.5;  // of a stage, when the next one is searched
 constexpr double kLearned_m2 = 0.5;   // so much more floor is something learned
-constexpr double kProof_m = 5;        // a search that comes no farther does not prove that there is no way
+constexpr double kShown_m2 = 0.1;     // so much more floor after a way: it was worth driving
 constexpr double kWedged_m = 0.5;     // a search that comes no farther says something about where it began
-constexpr double kRetreat_m = 3;      // along its own trail, before it searches anew
+constexpr double kRetreat_m = 3;      // at least, along its own trail, before it searches anew ...
+constexpr double kRoomy_m = 0.15;     // ... where it has so much more room than it needs
 constexpr double kIdleWay_m = 150;    // without learning anything: what waits is left undone
 
 bool is_same(const ExploringTarget& a, const ExploringTarget& b) {
@@ -132,6 +133,7 @@ void ExplorerNavigator::choose() {
 void ExplorerNavigator::begin_search() {
   is_search_due_ = stands_first_ = false;
   p_map_searched_ = target_->gate.p_map;
+  searched_m2_ = learner_.floor().free_m2();
   if (driver_.has_way()) shorten_way(params_.join_m);
   const Path& path = driver_.path();
   const Pose2 T_map_from = path.empty() ? learner_.T_map_vehicle() : path.at(path.length_m()).T_map_path;
@@ -239,14 +241,19 @@ void ExplorerNavigator::search_way() {
   if (is_search_due_ && (driver_.has_way() ? !stands_first_ : learner_.is_standing())) begin_search();
   if (search_.state() == CarSearch::State::kIdle && !driver_.has_way() && !is_search_due_) {
     if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
-    if (!is_wedged_ && ++attempts_ > kAttemptsMax && target_->kind == ExploringTarget::Kind::kPath)
-      return leave_path();
+    const bool is_over = !is_wedged_ && ++attempts_ > kAttemptsMax && !was_worth_it();
+    if (is_over && target_->kind == ExploringTarget::Kind::kPath) return leave_path();
     begin_search();
   }
   if (search_.state() != CarSearch::State::kSearching) return;
   const auto state = search_.advance(learner_.floor(), learner_.clearance(), params_.expansions);
   if (state == CarSearch::State::kFound) take_way();
   if (state == CarSearch::State::kNone) find_no_way();
+}
+
+/// The latest way showed floor.
+bool ExplorerNavigator::was_worth_it() const {
+  return learner_.floor().free_m2() > searched_m2_ + kShown_m2;
 }
 
 /// Either there is none to the target, or none out of where the vehicle stands: then no target is to blame.
@@ -256,25 +263,26 @@ void ExplorerNavigator::find_no_way() {
   arrived_cycle_ = cycle_;
   if (!is_wedged_) hitch();
   if (std::exchange(blocked_direction_, 0) != 0) return;
-  if ((is_shut_in() && retreat()) || is_wedged_) return;
+  const bool shut_in = is_shut_in();
+  if ((shut_in && retreat()) || is_wedged_) return;
   const bool is_last_try = attempts_ > 0 && looks_from_afar_;
   looks_from_afar_ = true;
   if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
-  if (search_.has_tried_all() && search_.reached_m() > kProof_m) return give_path_up();
+  if (search_.has_tried_all() && !shut_in) return give_path_up();
   leave_path();
 }
 
-/// The search did not come as far as the floor alone would let it: the vehicle, which is long and cannot turn
-/// on the spot, finds no way out of a narrow place.
+/// All was tried, and nothing leads back to where the vehicle began: that says nothing about the target.
 bool ExplorerNavigator::is_shut_in() const {
-  if (!search_.has_tried_all() || search_.reached_m() > kProof_m) return false;
-  return target_->kind != ExploringTarget::Kind::kPath || target_->gate.way_m > search_.reached_m();
+  return search_.has_tried_all() && !search_.has_come_to(learner_.T_map_home().position(), kNearHome_m);
 }
 
 /// Back as it came, and then it searches again.
 bool ExplorerNavigator::retreat() {
   if (driver_.has_way()) return false;
-  const Path back = trail_.way_back(learner_.T_map_vehicle(), kRetreat_m);
+  const Path back = trail_.way_back(learner_.T_map_vehicle(), kRetreat_m, [this](const Pose2& T_map) {
+    return search_.room().spare_m(learner_.floor(), learner_.clearance(), T_map) > kRoomy_m;
+  });
   if (back.empty()) return false;
   driver_.take(back);
   is_retreating_ = is_search_due_ = true;
@@ -397,7 +405,7 @@ void ExplorerNavigator::check_way() {
 }
 
 bool ExplorerNavigator::is_lost_for_ways() {
-  if (driver_.has_way()) moved_s_ = stamp_s_;
+  if (driver_.has_way() && !is_wedged_) moved_s_ = stamp_s_;
   return stamp_s_ - moved_s_ > params_.stuck_s;
 }
 

@@ -52,11 +52,12 @@ void Trail::lay_anew(std::span<const Pose2> T_map_vehicle) {
   for (Mark& mark : marks_) mark.T_map_vehicle = T_map_vehicle[mark.slice];
 }
 
-Path Trail::way_back(const Pose2& T_map_vehicle, double way_m) const {
+Path Trail::way_back(const Pose2& T_map_vehicle, double way_m,
+                     const std::function<bool(const Pose2&)>& is_roomy) const {
   std::vector<PathPiece> pieces;
   Pose2 T_map_end = T_map_vehicle;
   double left_m = way_m;
-  for (auto mark = marks_.rbegin(); mark != marks_.rend() && left_m > 0; ++mark) {
+  for (auto mark = marks_.rbegin(); mark != marks_.rend() && (left_m > 0 || !is_roomy(T_map_end)); ++mark) {
     const Arc arc = arc_to(between(T_map_end, mark->T_map_vehicle));
     const bool is_there = arc.length_m == 0 && std::abs(arc.turn_rad) < kMarkEvery_rad;
     if (is_there) continue;

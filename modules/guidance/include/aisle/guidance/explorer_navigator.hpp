@@ -63,6 +63,7 @@ class ExplorerNavigator final : public Navigator {
   double look_from_m() const;
   bool shows_path(const Pose2& T_map_vehicle) const;
   void search_way();
+  bool was_worth_it() const;
   void find_no_way();
   bool is_shut_in() const;
   bool retreat();
@@ -98,6 +99,7 @@ class ExplorerNavigator final : public Navigator {
   Vec2 p_map_blocked_ = Vec2::Constant(1e9);  ///< where the vehicle could not go on ...
   int blocked_direction_ = 0;                 ///< ... forwards (1) or backwards (-1)
   Vec2 p_map_searched_ = Vec2::Zero();        ///< the gate that the latest search was for
+  double searched_m2_ = 0;                    ///< of floor, when that search began
   bool is_search_due_ = false;
   bool is_stage_ = false;         ///< the way ends before what it leads to
   bool stands_first_ = false;     ///< the search that is due begins where the vehicle comes to stand

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,9 +24,12 @@ class Trail {
 
   /// Back along the trail from where the vehicle stands, which is at its end; forwards where it came
   /// backwards.
-  /// @param way_m  at most about so far
+  /// @param way_m  at least so far, and on ...
+  /// @param is_roomy  ... to a place where the vehicle can do something else again; or else to the trail's
+  /// start
   /// @return empty: no trail is left
-  Path way_back(const Pose2& T_map_vehicle, double way_m) const;
+  Path way_back(const Pose2& T_map_vehicle, double way_m,
+                const std::function<bool(const Pose2& T_map_vehicle)>& is_roomy) const;
 
  private:
   struct Mark {
