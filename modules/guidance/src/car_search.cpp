@@ -136,6 +136,12 @@ CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance
   return state_;
 }
 
+bool CarSearch::has_come_to(const Vec2& p_map, double within_m) const {
+  return std::any_of(nodes_.begin(), nodes_.end(), [&](const Node& node) {
+    return node.closed && (node.T_map.position() - p_map).norm() < within_m;
+  });
+}
+
 void CarSearch::expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node) {
   for (const Arc& arc : arcs_) try_arc(floor, clearance, node, arc);
 }

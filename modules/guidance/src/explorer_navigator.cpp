@@ -27,8 +27,10 @@ constexpr double kSameSpot_m = 0.2;   // about a place where the vehicle was blo
 constexpr double kStruckNow_m = 1.5;  // so far from the vehicle ways keep off what is struck now
 constexpr double kStageLeft_m = 2.5;  // of a stage, when the next one is searched
 constexpr double kLearned_m2 = 0.5;   // so much more floor is something learned
-constexpr double kProof_m = 5;        // a search that comes no farther does not prove that there is no way
+constexpr double kShown_m2 = 0.1;     // so much more floor after a way: it was worth driving
 constexpr double kWedged_m = 0.5;     // a search that comes no farther says something about where it began
+constexpr double kRetreat_m = 3;      // at least, along its own trail, before it searches anew ...
+constexpr double kRoomy_m = 0.15;     // ... where it has so much more room than it needs
 constexpr double kIdleWay_m = 150;    // without learning anything: what waits is left undone
 
 bool is_same(const ExploringTarget& a, const ExploringTarget& b) {
@@ -74,6 +76,7 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   if (stamp_s_ - *begun_s_ > params_.time_max_s)
     return end(NavigatorStatus::kFailed, "late", "its time is over");
   if (learner_.is_laying_anew()) return wait_for_floor();
+  keep_trail(news);
   if (stamp_s_ - *begun_s_ < params_.look_s || !learner_.has_looked()) return {.state = "looking"};
   if (news == FloorLearner::News::kLoop) drop_way();
   if (news != FloorLearner::News::kNothing || !target_) {
@@ -96,6 +99,13 @@ std::string ExplorerNavigator::what_was_explored() const {
   if (undone == 0) return "explored";
   return fmt::format("came home with {} left undone",
                      undone == 1 ? "a path" : fmt::format("{} paths", undone));
+}
+
+void ExplorerNavigator::keep_trail(FloorLearner::News news) {
+  if (!learner_.has_looked()) return;
+  if (news == FloorLearner::News::kLoop) trail_.lay_anew(learner_.T_map_vehicle_of_all());
+  if (is_retreating_) return trail_.go_back(learner_.T_map_vehicle());
+  trail_.go_on(learner_.T_map_vehicle(), learner_.log().scans.size() - 1);
 }
 
 void ExplorerNavigator::mark_coverage() {
@@ -123,6 +133,7 @@ void ExplorerNavigator::choose() {
 void ExplorerNavigator::begin_search() {
   is_search_due_ = stands_first_ = false;
   p_map_searched_ = target_->gate.p_map;
+  searched_m2_ = learner_.floor().free_m2();
   if (driver_.has_way()) shorten_way(params_.join_m);
   const Path& path = driver_.path();
   const Pose2 T_map_from = path.empty() ? learner_.T_map_vehicle() : path.at(path.length_m()).T_map_path;
@@ -225,13 +236,13 @@ bool ExplorerNavigator::shows_path(const Pose2& T_map_vehicle) const {
 }
 
 void ExplorerNavigator::search_way() {
-  if (!target_) return;
+  if (!target_ || is_retreating_) return;
   search_on();
   if (is_search_due_ && (driver_.has_way() ? !stands_first_ : learner_.is_standing())) begin_search();
   if (search_.state() == CarSearch::State::kIdle && !driver_.has_way() && !is_search_due_) {
     if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
-    if (!is_wedged_ && ++attempts_ > kAttemptsMax && target_->kind == ExploringTarget::Kind::kPath)
-      return leave_path();
+    const bool is_over = !is_wedged_ && ++attempts_ > kAttemptsMax && !was_worth_it();
+    if (is_over && target_->kind == ExploringTarget::Kind::kPath) return leave_path();
     begin_search();
   }
   if (search_.state() != CarSearch::State::kSearching) return;
@@ -240,18 +251,42 @@ void ExplorerNavigator::search_way() {
   if (state == CarSearch::State::kNone) find_no_way();
 }
 
+/// The latest way showed floor.
+bool ExplorerNavigator::was_worth_it() const {
+  return learner_.floor().free_m2() > searched_m2_ + kShown_m2;
+}
+
 /// Either there is none to the target, or none out of where the vehicle stands: then no target is to blame.
 void ExplorerNavigator::find_no_way() {
   is_wedged_ = search_.reached_m() < kWedged_m;
   search_.stop();
   arrived_cycle_ = cycle_;
   if (!is_wedged_) hitch();
-  if (std::exchange(blocked_direction_, 0) != 0 || is_wedged_) return;
+  if (std::exchange(blocked_direction_, 0) != 0) return;
+  const bool shut_in = is_shut_in();
+  if ((shut_in && retreat()) || is_wedged_) return;
   const bool is_last_try = attempts_ > 0 && looks_from_afar_;
   looks_from_afar_ = true;
   if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
-  if (search_.has_tried_all() && search_.reached_m() > kProof_m) return give_path_up();
+  if (search_.has_tried_all() && !shut_in) return give_path_up();
   leave_path();
+}
+
+/// All was tried, and nothing leads back to where the vehicle began: that says nothing about the target.
+bool ExplorerNavigator::is_shut_in() const {
+  return search_.has_tried_all() && !search_.has_come_to(learner_.T_map_home().position(), kNearHome_m);
+}
+
+/// Back as it came, and then it searches again.
+bool ExplorerNavigator::retreat() {
+  if (driver_.has_way()) return false;
+  const Path back = trail_.way_back(learner_.T_map_vehicle(), kRetreat_m, [this](const Pose2& T_map) {
+    return search_.room().spare_m(learner_.floor(), learner_.clearance(), T_map) > kRoomy_m;
+  });
+  if (back.empty()) return false;
+  driver_.take(back);
+  is_retreating_ = is_search_due_ = true;
+  return true;
 }
 
 /// A way home that fails is no reason not to come home.
@@ -335,6 +370,7 @@ void ExplorerNavigator::take_way() {
 void ExplorerNavigator::arrive() {
   driver_.drop();
   arrived_cycle_ = cycle_;
+  is_retreating_ = false;
   if (!ends_at_home_ || !stands_at_home()) return;
   came_home_ = true;
   explorer_.stop(cycle_);
@@ -350,7 +386,7 @@ void ExplorerNavigator::drop_way() {
   driver_.drop();
   search_.stop();
   target_.reset();
-  is_search_due_ = false;
+  is_search_due_ = is_retreating_ = false;
   is_stage_ = false;
   ends_at_home_ = false;
 }
@@ -369,7 +405,7 @@ void ExplorerNavigator::check_way() {
 }
 
 bool ExplorerNavigator::is_lost_for_ways() {
-  if (driver_.has_way()) moved_s_ = stamp_s_;
+  if (driver_.has_way() && !is_wedged_) moved_s_ = stamp_s_;
   return stamp_s_ - moved_s_ > params_.stuck_s;
 }
 
@@ -402,6 +438,7 @@ void ExplorerNavigator::be_blocked(int direction) {
 
 std::string ExplorerNavigator::state_word() const {
   if (!driver_.has_way()) return "searching";
+  if (is_retreating_) return "retreating";
   if (!target_) return "exploring";
   switch (target_->kind) {
     case ExploringTarget::Kind::kPath:

@@ -106,6 +106,17 @@ TEST(CarSearch, FindsNothingBeyondWhatIsKnown) {
   EXPECT_EQ(run(known, search), CarSearch::State::kNone);
 }
 
+TEST(CarSearch, TellsWhereItCameWhenItFoundNothing) {
+  const KnownFloor two_rooms({{Vec2(0, 0), Vec2(4, 4)}, {Vec2(6, 0), Vec2(10, 4)}});
+  CarSearch search({}, cart());
+  search.look_for(
+      {2, 2, 0}, [](const Pose2&) { return false; }, no_guide);
+  EXPECT_EQ(run(two_rooms, search), CarSearch::State::kNone);
+  EXPECT_TRUE(search.has_tried_all());
+  EXPECT_TRUE(search.has_come_to({1, 3}, 0.3));
+  EXPECT_FALSE(search.has_come_to({8, 2}, 1.5));
+}
+
 TEST(CarSearch, GoesOnInPortionsToTheSameWay) {
   const KnownFloor known({{Vec2(0, 0), Vec2(12, 2.2)}});
   const auto is_turned = [](const Pose2& T) { return std::abs(wrap_angle(T.theta - kPi)) < 0.1; };

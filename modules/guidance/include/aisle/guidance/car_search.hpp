@@ -68,6 +68,8 @@ class CarSearch {
   int expansions() const { return expansions_; }
   /// There is nowhere else to look.
   bool has_tried_all() const { return queue_.empty(); }
+  /// Some pose that was looked at lies so near to a place.
+  bool has_come_to(const Vec2& p_map, double within_m) const;
   /// How far from its start the search has come, as the crow flies.
   double reached_m() const { return reached_m_; }
 

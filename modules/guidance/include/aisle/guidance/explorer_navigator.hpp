@@ -11,6 +11,7 @@
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/patience.hpp"
 #include "aisle/guidance/staged_search.hpp"
+#include "aisle/guidance/trail.hpp"
 #include "aisle/guidance/way_driver.hpp"
 
 namespace aisle {
@@ -49,6 +50,7 @@ class ExplorerNavigator final : public Navigator {
   ExplorationRecord record() const;
 
  private:
+  void keep_trail(FloorLearner::News news);
   void mark_coverage();
   void choose();
   void begin_search();
@@ -61,7 +63,10 @@ class ExplorerNavigator final : public Navigator {
   double look_from_m() const;
   bool shows_path(const Pose2& T_map_vehicle) const;
   void search_way();
+  bool was_worth_it() const;
   void find_no_way();
+  bool is_shut_in() const;
+  bool retreat();
   void hitch();
   void leave_path();
   void give_path_up();
@@ -88,11 +93,13 @@ class ExplorerNavigator final : public Navigator {
   StagedSearch search_;
   WayDriver driver_;
   Patience patience_;
+  Trail trail_;
   std::optional<ExploringTarget> target_;
   std::optional<ExploringTarget> former_;     ///< the latest, also after its way was dropped
   Vec2 p_map_blocked_ = Vec2::Constant(1e9);  ///< where the vehicle could not go on ...
   int blocked_direction_ = 0;                 ///< ... forwards (1) or backwards (-1)
   Vec2 p_map_searched_ = Vec2::Zero();        ///< the gate that the latest search was for
+  double searched_m2_ = 0;                    ///< of floor, when that search began
   bool is_search_due_ = false;
   bool is_stage_ = false;         ///< the way ends before what it leads to
   bool stands_first_ = false;     ///< the search that is due begins where the vehicle comes to stand
@@ -100,6 +107,7 @@ class ExplorerNavigator final : public Navigator {
   Arc run_in_;                    ///< with which such a way ends
   bool ends_at_home_ = false;     ///< the way does
   bool looks_from_afar_ = false;  ///< as it does not get near the gate
+  bool is_retreating_ = false;    ///< its way is the trail back
   bool is_wedged_ = false;        ///< no way leads out of where the vehicle stands
   int attempts_ = 0;              ///< ways that were driven for this target and did not settle it
   std::size_t arrived_cycle_ = 0;

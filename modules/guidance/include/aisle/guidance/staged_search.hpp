@@ -40,6 +40,7 @@ class StagedSearch {
   Path path() const { return search_.path(); }
   double reached_m() const { return search_.reached_m(); }
   bool has_tried_all() const { return search_.has_tried_all(); }
+  bool has_come_to(const Vec2& p_map, double within_m) const { return search_.has_come_to(p_map, within_m); }
   /// What was found, or is searched, ends where a stage does.
   bool is_stage() const { return is_stage_; }
 
