@@ -11,6 +11,7 @@
 #include "landmarks/landmark_course.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
+#include "mission_count.hpp"
 #include "rooms/room_verbs.hpp"
 #include "rounded.hpp"
 #include "sections/section_verbs.hpp"
@@ -201,9 +202,9 @@ Result<Outcome> run_trial(const TrialOptions& options, Console& console) {
   Trial trial;
   trial.after.resize(static_cast<std::size_t>(options.refinements) + 1);
   const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  SilentProgress within;
+  MissionCount within(console.progress, "missions", seeds);
   for (std::uint64_t i = 0; i < seeds; ++i) {
-    console.progress.report("missions", i, seeds);
+    within.begin(i);
     if (Problems problems = run_seed(options, params, options.first_seed + i, trial, within);
         !problems.empty())
       return problems;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "exploration/explore_in.hpp"
+#include "mission_count.hpp"
 #include "rounded.hpp"
 #include "trial_setting.hpp"
 
@@ -85,11 +86,11 @@ Result<Outcome> run_exploration_trial(const TrialOptions& options, Console& cons
   explore.parameters = options.parameters;
   explore.vehicle = options.vehicle;
   const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  SilentProgress within;
+  MissionCount within(console.progress, "missions", seeds);
   Console quiet{within, console.warn};
   Json missions = Json::array();
   for (std::uint64_t i = 0; i < seeds; ++i) {
-    console.progress.report("missions", i, seeds);
+    within.begin(i);
     explore.seed = options.first_seed + i;
     auto setting = exploration_setting(options, explore, explore.seed);
     if (!setting) return setting.problems();

@@ -9,6 +9,7 @@
 #include "aisle/report/landmark_picture.hpp"
 #include "landmarks/landmark_course.hpp"
 #include "landmarks/landmark_truth.hpp"
+#include "mission_count.hpp"
 #include "reproduced.hpp"
 #include "rounded.hpp"
 
@@ -34,8 +35,8 @@ struct Experiment {
 
 Result<Experiment> run_experiment(const SimulationSetting& setting, const LandmarkCourseParams& params,
                                   std::uint64_t seed, Progress& progress) {
-  SilentProgress within;
-  progress.report("trips", 0, kRefinements + 1);
+  MissionCount within(progress, "trips", kRefinements + 1);
+  within.begin(0);
   const auto taught = teach_trip(setting, params, seed, within);
   if (!taught) return taught.problems();
   if (!*taught) return Problem{{setting.world_file.string()}, "the person did not get through"};
@@ -48,7 +49,7 @@ Result<Experiment> run_experiment(const SimulationSetting& setting, const Landma
       .initial = lesson->building, .refined = lesson->building, .landmarks = {}, .trips = {}};
   experiment.landmarks.push_back(compare_with_truth(experiment.initial.landmarks, truth, edges));
   for (std::uint64_t trip = 1; trip <= kRefinements; ++trip) {
-    progress.report("trips", trip, kRefinements + 1);
+    within.begin(trip);
     auto driven =
         drive_alone(setting, params, experiment.refined, truth, {.seed = 1000 * (seed + 1) + trip}, within);
     if (!driven) return driven.problems();

@@ -10,6 +10,7 @@
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "aisle/simulation/turning_course.hpp"
 #include "methods.hpp"
+#include "mission_count.hpp"
 #include "rooms/room_mission.hpp"
 #include "rooms/room_verbs.hpp"
 #include "rooms/room_visit.hpp"
@@ -199,9 +200,9 @@ Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialPar
   RoomTrial trial;
   TaughtRoutes routes(options, params);
   const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  SilentProgress within;
+  MissionCount within(console.progress, "missions", seeds);
   for (std::uint64_t i = 0; i < seeds; ++i) {
-    console.progress.report("missions", i, seeds);
+    within.begin(i);
     const std::uint64_t seed = options.first_seed + i;
     const auto setting = routes.setting(seed);
     if (!setting) return setting.problems();
@@ -298,7 +299,7 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
   const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
   RoomTrial trial;
   Json shares = Json::object();
-  SilentProgress within;
+  MissionCount within(console.progress, "missions", kTurningNumbers * seeds);
   std::size_t succeeded = 0;
   for (int number = 1; number <= kTurningNumbers; ++number) {
     Random course(options.first_seed);
@@ -309,8 +310,7 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
     if (!taught) return taught.problems();
     std::uint64_t good = 0;
     for (std::uint64_t i = 0; i < seeds; ++i) {
-      console.progress.report("missions", (static_cast<std::uint64_t>(number) - 1) * seeds + i,
-                              kTurningNumbers * seeds);
+      within.begin((static_cast<std::uint64_t>(number) - 1) * seeds + i);
       const std::uint64_t seed = options.first_seed + i;
       Random random(seed);
       const SimulationSetting today =

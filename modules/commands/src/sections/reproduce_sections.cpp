@@ -10,6 +10,7 @@
 #include "aisle/report/picture_sheet.hpp"
 #include "aisle/report/section_picture.hpp"
 #include "landmarks/landmark_course.hpp"
+#include "mission_count.hpp"
 #include "reproduced.hpp"
 #include "rounded.hpp"
 #include "sections/section_course.hpp"
@@ -82,8 +83,8 @@ Result<Outcome> reproduce_l03(const ReproduceOptions& options, const SectionTria
   auto setting = read_setting("mini-corridor", "mini", "");
   if (!setting) return setting.problems();
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty()) return problems;
-  SilentProgress within;
-  console.progress.report("trips", 0, 2);
+  MissionCount within(console.progress, "trips", 2);
+  within.begin(0);
   const auto course = teach_sections(*setting, params.lesson, options.seed, 1, within);
   if (!course) return course.problems();
   const SectionLesson& lesson = course->lesson;
@@ -92,7 +93,7 @@ Result<Outcome> reproduce_l03(const ReproduceOptions& options, const SectionTria
   SectionNavigator navigator(params.navigator, vehicle, vehicle.cameras.front().name, sections,
                              guided_path(sections, lesson.driven.T_route_start, SectionTrip::kThereAndBack));
   std::optional<SessionRecord> no_session;
-  console.progress.report("trips", 1, 2);
+  within.begin(1);
   const auto trip = drive_section_mission(
       *setting, navigator,
       {.seed = 1000 * (options.seed + 1), .T_world_map = course->T_world_map, .keep_pictures = true},

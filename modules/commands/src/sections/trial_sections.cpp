@@ -9,6 +9,7 @@
 #include "landmarks/landmark_course.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
+#include "mission_count.hpp"
 #include "rounded.hpp"
 #include "sections/section_course.hpp"
 #include "sections/section_mission.hpp"
@@ -192,9 +193,9 @@ Result<Outcome> trial_by_sections(const TrialOptions& options, const SectionTria
                                   Console& console) {
   SectionTrial trial;
   const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
-  SilentProgress within;
+  MissionCount within(console.progress, "missions", seeds);
   for (std::uint64_t i = 0; i < seeds; ++i) {
-    console.progress.report("missions", i, seeds);
+    within.begin(i);
     if (Problems problems = run_section_seed(options, params, options.first_seed + i, trial, within);
         !problems.empty())
       return problems;
