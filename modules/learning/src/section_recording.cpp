@@ -259,6 +259,13 @@ std::optional<double> usual(const std::vector<double>& distances_m) {
   return median(distances_m);
 }
 
+/// Where the first stretch begins: on its line, unless that lies farther off than a hand wanders. Then the
+/// odometry has bent the way, and it begins where the vehicle stood.
+Pose2 beginning(const Run& first, const Pose2& T_route_vehicle) {
+  const double aside_m = between(first.T_route_start, T_route_vehicle).y;
+  return std::abs(aside_m) < kOnRun_m ? first.T_route_start : first.T_route_start * Pose2{0, aside_m, 0};
+}
+
 }  // namespace
 
 DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
@@ -283,7 +290,7 @@ DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescr
     }
     driven.sections.push_back(section);
   }
-  driven.T_route_start = runs.front().T_route_start;
+  driven.T_route_start = beginning(runs.front(), driven.T_route_vehicle.front());
   if (!widths_m.empty()) driven.corridor_width_m = median(widths_m);
   return driven;
 }

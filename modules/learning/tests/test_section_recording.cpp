@@ -121,7 +121,7 @@ TEST(SectionRecording, AnEdgeThatLiesAskewDoesNotLeadTheWayAside) {
   Drive drive;
   drive.set_wall(-0.45);
   drive.go(5);
-  drive.set_askew(10 * kDegree);
+  drive.set_askew(5 * kDegree);
   drive.go(0.3);
   drive.set_askew(0);
   drive.go(5);
@@ -129,6 +129,15 @@ TEST(SectionRecording, AnEdgeThatLiesAskewDoesNotLeadTheWayAside) {
     EXPECT_LT(std::abs(T.y), 0.01);
     EXPECT_LT(std::abs(T.theta), 1 * kDegree);
   }
+}
+
+TEST(SectionRecording, AWayThatOdometryBentBeginsWhereTheVehicleStood) {
+  Drive drive;
+  drive.go(20, -10 * kDegree);
+  const DrivenList driven = drive.recorded();
+  ASSERT_EQ(driven.sections.size(), 1U);
+  EXPECT_NEAR(driven.T_route_start.theta, 0, 1e-9);
+  EXPECT_NEAR(driven.T_route_start.y, driven.T_route_vehicle.front().y, 0.02);
 }
 
 TEST(SectionRecording, WhoStandsRecordsNothing) {
