@@ -162,6 +162,7 @@ std::vector<Pose2> way_of(std::span<const SectionCycle> cycles, const VehicleDes
   if (!goes_anywhere(T_route_vehicle)) return T_route_vehicle;
   const auto stretches = stretches_of(runs_of(T_route_vehicle, params), T_route_vehicle);
   std::vector<double> headings_rad;
+  headings_rad.reserve(T_route_vehicle.size());
   for (const Pose2& T : T_route_vehicle) headings_rad.push_back(T.theta);
   return settled_way(cycles, vehicle, std::move(headings_rad), stretches);
 }
