@@ -16,6 +16,7 @@
 #include "methods.hpp"
 #include "rooms/room_verbs.hpp"
 #include "rounded.hpp"
+#include "route_name.hpp"
 #include "sections/section_verbs.hpp"
 #include "simulated_record.hpp"
 
@@ -41,11 +42,6 @@ struct Mission {
   std::unique_ptr<LandmarkDriver> driver;
   MapTruth truth;
 };
-
-/// The name of the route that is asked for, or of the building's first.
-std::string route_name(const Building& building, const std::string& asked) {
-  return asked.empty() && !building.routes.empty() ? building.routes.front().name : asked;
-}
 
 /// How the map lies in the world: as learning left it beside the building, else the route begins at the
 /// world's start.

@@ -22,6 +22,10 @@ Problems check_route_name(const Place& where, const std::string& name) {
   return {};
 }
 
+std::string route_name(const Building& building, const std::string& asked) {
+  return asked.empty() && !building.routes.empty() ? building.routes.front().name : asked;
+}
+
 Result<Route> find_route(const Building& building, const std::string& name) {
   std::string names;
   for (const Route& route : building.routes) {

@@ -12,6 +12,9 @@ namespace aisle {
 /// @param where  that gave the name
 Problems check_route_name(const Place& where, const std::string& name);
 
+/// The name of the route that is asked for; empty: of the building's first, if it has one.
+std::string route_name(const Building& building, const std::string& asked);
+
 /// The building's route of that name.
 Result<Route> find_route(const Building& building, const std::string& name);
 

@@ -72,19 +72,8 @@ LandmarkDriver::LandmarkDriver(const LandmarkNavigatorParams& params, const Vehi
     : building_(std::move(building)), path_(std::move(path)), navigator_(params, vehicle, building_, path_) {}
 
 Path way_back(const Path& path, const Footprint& footprint) {
-  double left_m = path.length_m() - (footprint.front_m - footprint.rear_m);
-  const Path back = path.reversed();
-  std::vector<PathPiece> pieces;
-  for (PathPiece piece : back.pieces()) {
-    if (left_m <= 0) break;
-    if (piece.way_m() > left_m) {
-      const double share = left_m / piece.way_m();
-      piece.arc = {piece.arc.length_m * share, piece.arc.turn_rad * share};
-    }
-    left_m -= piece.way_m();
-    pieces.push_back(piece);
-  }
-  return Path(std::move(pieces));
+  const double left_m = path.length_m() - (footprint.front_m - footprint.rear_m);
+  return left_m > 0 ? path.reversed().up_to(left_m) : Path();
 }
 
 }  // namespace aisle

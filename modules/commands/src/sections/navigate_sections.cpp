@@ -11,6 +11,7 @@
 #include "learned_files.hpp"
 #include "methods.hpp"
 #include "rounded.hpp"
+#include "route_name.hpp"
 #include "sections/section_mission.hpp"
 #include "sections/section_verbs.hpp"
 #include "simulated_record.hpp"
@@ -61,9 +62,7 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
                        .seed = options.seed,
                        .simulated = true,
                        .building = *text,
-                       .route = options.route.empty() && !building->routes.empty()
-                                    ? building->routes.front().name
-                                    : options.route,
+                       .route = route_name(*building, options.route),
                        .in_reverse = options.in_reverse};
   const auto navigator = make_section_navigator(origin, vehicle);
   if (!navigator) return at_file(navigator.problems(), file);
