@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/median.hpp"
 
 namespace aisle {
 namespace {
@@ -40,12 +41,6 @@ std::vector<StripePoint> stripe_points(std::span<const StripeView> views, const 
     }
   }
   return points;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Which slopes the points can tell.

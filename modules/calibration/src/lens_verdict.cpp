@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "aisle/calibration/lens_calibration.hpp"
 #include "aisle/core/angle.hpp"
+#include "aisle/core/median.hpp"
 
 namespace aisle {
 namespace {
@@ -27,8 +29,7 @@ void judge_residuals(const LensCalibration& c, CalibrationVerdict& verdict) {
   }
   std::vector<double> rms;
   for (const CalibratedView& view : c.views) rms.push_back(view.rms_px);
-  std::nth_element(rms.begin(), rms.begin() + static_cast<std::ptrdiff_t>(rms.size() / 2), rms.end());
-  const double usual = rms[rms.size() / 2];
+  const double usual = median(std::move(rms));
   for (const CalibratedView& view : c.views) {
     if (view.rms_px > std::max(3 * usual, 0.3 * scale)) {
       verdict.limit(kUsable, fmt::format("{} fits badly ({:.2f} px, others {:.2f} px): leave it out",

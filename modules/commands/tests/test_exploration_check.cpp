@@ -49,12 +49,6 @@ TEST(ExplorationCheck, AStartInAWallIsRefusedWithThePlace) {
               HasSubstr("w.yaml: start: the vehicle does not fit at 5.00, 1.90"));
 }
 
-TEST(ExplorationCheck, AGapParameterSmallerThanTheVehicleIsRefused) {
-  EXPECT_THAT(to_string(check_gap("gates.gap_m", 0.5, {})),
-              HasSubstr("gates.gap_m: 0.5 is less than the vehicle"));
-  EXPECT_TRUE(check_gap("gates.gap_m", 0.7, {}).empty());
-}
-
 TEST(ExplorationCheck, BuildingsByChanceAreExplorable) {
   for (const BuildingKind kind : kBuildingKinds) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {

@@ -98,6 +98,11 @@ std::size_t Path::leg_end(std::size_t piece) const {
   return end;
 }
 
+double Path::leg_end_m(std::size_t piece) const {
+  const std::size_t last = leg_end(piece) - 1;
+  return starts_m_[last] + pieces_[last].way_m();
+}
+
 Path Path::up_to(double along_m) const {
   constexpr double kLeast_m = 1e-3;
   std::vector<PathPiece> pieces;

@@ -13,9 +13,7 @@ constexpr double kPreview_m = 0.04;  // the wheels need their time
 
 /// Of the path a little ahead, on the same leg.
 double curvature_ahead_per_m(const Path& path, const PathPoint& point) {
-  const std::size_t leg_end = path.leg_end(point.piece);
-  const double leg_end_m = path.start_m(leg_end - 1) + path.pieces()[leg_end - 1].way_m();
-  return path.at(std::min(point.along_m + kPreview_m, leg_end_m - 1e-6)).curvature_per_m;
+  return path.at(std::min(point.along_m + kPreview_m, path.leg_end_m(point.piece) - 1e-6)).curvature_per_m;
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ double speed_along(const Path& path, double along_m, double certainty, const Veh
     const double way_m = path.start_m(i) - here.along_m;
     braking_mps = std::min(braking_mps, before_mps(speed_on_mps(path.pieces()[i], vehicle, params), way_m));
   }
-  const double to_stop_m = path.start_m(leg_end - 1) + path.pieces()[leg_end - 1].way_m() - here.along_m;
+  const double to_stop_m = path.leg_end_m(here.piece) - here.along_m;
   braking_mps = std::min(braking_mps, before_mps(0, to_stop_m));
 
   const double sure_mps = params.speed_mps * std::clamp(certainty, 0.0, 1.0);

@@ -41,6 +41,8 @@ TEST(Path, DrivenBackwardsItsWayStillGrows) {
   EXPECT_NEAR(path.nearest({-0.5, 0.1}, 1, 3).along_m, 2.5, 1e-12);
   EXPECT_EQ(path.leg_end(0), 1);
   EXPECT_EQ(path.leg_end(1), 2);
+  EXPECT_DOUBLE_EQ(path.leg_end_m(0), 1);
+  EXPECT_DOUBLE_EQ(path.leg_end_m(1), 3);
 }
 
 TEST(Path, PiecesThatDoNotJoinAreNoPath) {

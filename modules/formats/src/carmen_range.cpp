@@ -1,7 +1,9 @@
 #include "carmen_range.hpp"
 
-#include <algorithm>
 #include <cstddef>
+#include <utility>
+
+#include "aisle/core/median.hpp"
 
 namespace aisle {
 
@@ -34,9 +36,7 @@ double median_reading_m(const LaserLog& log) {
     }
   }
   if (seen_m.empty()) return 0;
-  const auto middle = seen_m.begin() + static_cast<std::ptrdiff_t>(seen_m.size() / 2);
-  std::nth_element(seen_m.begin(), middle, seen_m.end());
-  return *middle;
+  return median(std::move(seen_m));
 }
 
 }  // namespace aisle

@@ -1,7 +1,9 @@
 #include "mended_clock.hpp"
 
-#include <algorithm>
+#include <utility>
 #include <vector>
+
+#include "aisle/core/median.hpp"
 
 namespace aisle {
 namespace {
@@ -16,9 +18,7 @@ double usual_step_s(std::span<const RecordedStamp> stamps) {
     if (step >= 0 && step <= kLongestStep_s) steps.push_back(step);
   }
   if (steps.empty()) return 0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return median(std::move(steps));
 }
 
 /// The stamps of one kind of message, in the order of recording.

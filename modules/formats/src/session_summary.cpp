@@ -6,6 +6,8 @@
 #include "session_files.hpp"
 #include "session_tables.hpp"
 
+#include "aisle/core/median.hpp"
+
 namespace aisle {
 namespace {
 
@@ -15,12 +17,6 @@ constexpr double kGapIntervals = 3;
 
 double seconds(ros::Stamp_ns duration) {
   return static_cast<double>(duration) / 1e9;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 bool is_regular(const std::vector<double>& intervals_s, double usual_s) {

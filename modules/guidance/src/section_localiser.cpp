@@ -1,9 +1,8 @@
 #include "aisle/guidance/section_localiser.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "aisle/core/square.hpp"
+#include "aisle/core/cauchy.hpp"
 #include "aisle/learning/wall_heading.hpp"
 
 namespace aisle {
@@ -13,11 +12,6 @@ constexpr double kEndDirection_rad = 0.4 * kDegree;            // to which the e
 constexpr double kEndSigmaMax_m = 0.08;                        // less sure, it is too far away to tell
 constexpr double kUsual_rad = 0.7 * kDegree, kUsual_m = 0.05;  // of walls and base lines that are what they
                                                                // are taken for: doors and recesses are off
-
-/// By how much the deviation of what is seen counts more, as it is farther off than usual.
-double distrust(double off, double usual) {
-  return std::hypot(1, off / usual);
-}
 
 }  // namespace
 
@@ -67,7 +61,7 @@ void SectionLocaliser::correct_heading(std::span<const SensedSegment> edges) {
   if (!walls) return;
   const double off_rad = wrap_angle(walls->heading_rad - heading_rad);
   const double usual_rad = std::hypot(kUsual_rad, std::sqrt(filter_.covariance()(2, 2)));
-  filter_.correct(off_rad, Vec3::UnitZ(), inflated(walls->sigma_rad * distrust(off_rad, usual_rad)));
+  filter_.correct(off_rad, Vec3::UnitZ(), inflated(walls->sigma_rad * cauchy_distrust(off_rad, usual_rad)));
 }
 
 /// L03 section 4.1. A camera that nods shows both base lines too near or both too far: of what they tell
@@ -89,7 +83,7 @@ void SectionLocaliser::correct_distance(const Here& here) {
   off_m /= weights;
   const double heading_rad = here.piece.T_map_start.theta;
   const double usual_m = std::hypot(kUsual_m, aside_sigma_m(heading_rad));
-  const double sigma_m = std::hypot(nod_m / weights, params_.wall_sigma_m) * distrust(off_m, usual_m);
+  const double sigma_m = std::hypot(nod_m / weights, params_.wall_sigma_m) * cauchy_distrust(off_m, usual_m);
   const Vec2 left = left_normal(unit(heading_rad));
   is_guided_ = filter_.correct(off_m, {left.x(), left.y(), ahead_m / weights}, inflated(sigma_m));
 }
@@ -121,7 +115,8 @@ void SectionLocaliser::correct_by_wall_ahead(const Here& here, std::span<const S
   }
   if (nearest == nullptr) return;
   const double off_m = expected_m - nearest->along_m;
-  const double sigma_m = std::hypot(nearest->sigma_m, params_.wall_sigma_m) * distrust(off_m, kUsual_m);
+  const double sigma_m =
+      std::hypot(nearest->sigma_m, params_.wall_sigma_m) * cauchy_distrust(off_m, kUsual_m);
   const Vec2 along = unit(here.piece.T_map_start.theta);
   filter_.correct(off_m, {along.x(), along.y(), 0}, inflated(sigma_m));
 }

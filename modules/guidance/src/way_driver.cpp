@@ -15,10 +15,6 @@ constexpr double kWheelsOff_rad = 25 * kDegree;
 constexpr double kWheelsOffAtFirst_rad = 4 * kDegree;  // at the start of a leg
 constexpr double kWheelsTurned_rad = 1 * kDegree;
 
-double leg_end_m(const Path& path, std::size_t leg_end) {
-  return path.start_m(leg_end - 1) + path.pieces()[leg_end - 1].way_m();
-}
-
 }  // namespace
 
 WayDriver::WayDriver(const VehicleDescription& vehicle, const SteeringParams& steering,
@@ -38,7 +34,7 @@ void WayDriver::take(const Path& way) {
 
 void WayDriver::shorten(double ahead_m) {
   const PathPoint point = progress_->point();
-  path_ = path_.up_to(std::min(point.along_m + ahead_m, leg_end_m(path_, path_.leg_end(point.piece))));
+  path_ = path_.up_to(std::min(point.along_m + ahead_m, path_.leg_end_m(point.piece)));
   progress_.emplace(path_, std::min(point.along_m, path_.length_m()));
 }
 
@@ -80,7 +76,8 @@ WayDriver::Step WayDriver::drive(const FloorGrid& floor, const FloorClearance& c
 std::optional<double> WayDriver::wheels_to_turn_rad(const PathPoint& point, double steering_rad) {
   if (vehicle_.is_differential) return std::nullopt;
   const std::size_t leg_end = path_.leg_end(point.piece);
-  const PathPoint ahead = path_.at(std::min(point.along_m + kBendAhead_m, leg_end_m(path_, leg_end) - 1e-6));
+  const PathPoint ahead =
+      path_.at(std::min(point.along_m + kBendAhead_m, path_.leg_end_m(point.piece) - 1e-6));
   const double wanted_rad = std::atan(ahead.curvature_per_m * vehicle_.front_steered.wheelbase_m);
   const double off_max_rad = leg_end == leg_begun_ ? kWheelsOff_rad : kWheelsOffAtFirst_rad;
   if (std::abs(wanted_rad - steering_rad) >= off_max_rad) return wanted_rad;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
+#include "aisle/core/median.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 #include "lasting_edges.hpp"
 
@@ -81,12 +83,6 @@ class MarkReader {
   Problems problems_;
 };
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The frame's size as the pictures from a good distance show it.
 std::optional<Vec2> frame_size(std::span<const RoomCycle> cycles, const LearnedRoute& learned,
                                const RoomLearningParams& params) {
@@ -106,7 +102,7 @@ std::optional<Vec2> frame_size(std::span<const RoomCycle> cycles, const LearnedR
     across_m.push_back(fit->size_m.y());
   }
   if (along_m.size() < kPicturesMin) return std::nullopt;
-  return Vec2(median_of(along_m), median_of(across_m));
+  return Vec2(median(std::move(along_m)), median(std::move(across_m)));
 }
 
 std::vector<StopView> views_before_end(std::span<const RoomCycle> cycles, const LearnedRoute& learned,

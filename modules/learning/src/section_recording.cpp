@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/median.hpp"
 #include "aisle/learning/pose_filter.hpp"
 #include "aisle/learning/section_learning.hpp"
 #include "aisle/learning/wall_heading.hpp"
@@ -37,12 +39,6 @@ constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
 constexpr double kAcrossNear_m = 2.5;  // of a wall ahead: there its distance is known well
 constexpr double kWayWidth_m = 0.3;    // a wall ahead stands on the way itself
 constexpr std::size_t kSeenMin = 5;    // cycles in which a base line must be seen for its distance to count
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Odometry, held by the walls, which are the axes of `route`: some degrees right.
 std::vector<double> followed_headings(std::span<const SectionCycle> cycles,
@@ -292,7 +288,7 @@ DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescr
     driven.sections.push_back(section);
   }
   driven.T_route_start = beginning(runs.front(), driven.T_route_vehicle.front());
-  if (!widths_m.empty()) driven.corridor_width_m = median(widths_m);
+  if (!widths_m.empty()) driven.corridor_width_m = median(std::move(widths_m));
   return driven;
 }
 

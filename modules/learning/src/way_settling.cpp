@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/cauchy.hpp"
+#include "aisle/core/median.hpp"
 #include "aisle/core/square.hpp"
 #include "aisle/learning/walls_beside.hpp"
 #include "odometry_arc.hpp"
@@ -54,16 +56,9 @@ class SparseEquations {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
-/// What a residual's deviation counts more for the farther it is from usual (Cauchy).
-double doubt(double residual, double usual) {
-  return std::sqrt(1 + square(residual / usual));
-}
-
-std::optional<double> middle_value(std::vector<double>& values) {
+std::optional<double> middle_value(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return median(std::move(values));
 }
 
 /// @return nullptr if none is near
@@ -150,7 +145,7 @@ class WaySettler {
       if (nearest_right_m < kWallFar_m) right_m.push_back(T_axis_vehicle.y - nearest_right_m);
       if (nearest_left_m < kWallFar_m) left_m.push_back(T_axis_vehicle.y + nearest_left_m);
     }
-    return {middle_value(right_m), middle_value(left_m)};
+    return {middle_value(std::move(right_m)), middle_value(std::move(left_m))};
   }
 
   void add_odometry(SparseEquations& equations) const {
@@ -178,7 +173,7 @@ class WaySettler {
         const double sigma_rad = std::hypot(edge.sigma_heading_rad, kSteady_rad);
         const double usual_rad = std::hypot(edge.sigma_heading_rad, kAskew_rad);
         equations.add({{heading_of_cycle(i), 1}}, off_rad,
-                      std::sqrt(kRepeats) * sigma_rad * doubt(off_rad, usual_rad));
+                      std::sqrt(kRepeats) * sigma_rad * cauchy_distrust(off_rad, usual_rad));
       }
     }
   }
@@ -217,7 +212,7 @@ class WaySettler {
                    {heading_of_cycle(i), rotate(heading_rad, seen->p_vehicle).x()},
                    {wall_of(s, is_left), -1},
                    {nod_of_cycle(i), is_left ? -seen->sigma_m : seen->sigma_m}},
-                  off_m, std::sqrt(kRepeats) * kUneven_m * doubt(off_m, kElsewhere_m));
+                  off_m, std::sqrt(kRepeats) * kUneven_m * cauchy_distrust(off_m, kElsewhere_m));
   }
 
   /// The walls keep their distances from where their stretch begins.

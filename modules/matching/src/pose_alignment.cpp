@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/core/cauchy.hpp"
 #include "aisle/core/square.hpp"
 
 namespace aisle {
@@ -14,10 +15,6 @@ constexpr double kSettledStep = 1e-4;  // [m, rad]: further iterations change no
 constexpr double kHeadingGate_rad = 6 * kDegree;
 constexpr double kFirstHeadingGateMax_rad = 20 * kDegree;
 constexpr double kOverlapMin_m = 0.1;
-
-double cauchy_weight(double residual, double scale) {
-  return 1 / (1 + residual * residual / (scale * scale));
-}
 
 /// The gate of one round: wide first, when the pose is only a guess.
 AssociationGate gate_in_round(int round, double gate_m, const Mat3& prior_information) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "aisle/core/median.hpp"
 #include "step_costs.hpp"
 
 namespace aisle {
@@ -20,12 +22,6 @@ CellBlock patch_in_front(const CellGrid& grid, const RegionParams& params) {
   return {grid.rows - rows, grid.rows, first, grid.columns - first};
 }
 
-int median(std::vector<int>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The route's look (L96 section 2.2), of a patch of the picture itself.
 CellLook look_of(const CellBlock& patch, const CellGrid& grid) {
   std::vector<int> brightness, red_green, yellow_blue;
@@ -37,7 +33,7 @@ CellLook look_of(const CellBlock& patch, const CellGrid& grid) {
       yellow_blue.push_back(look.yellow_blue);
     }
   }
-  return {median(brightness), median(red_green), median(yellow_blue)};
+  return {median(std::move(brightness)), median(std::move(red_green)), median(std::move(yellow_blue))};
 }
 
 Vec2 colour_of(const CellLook& look) {

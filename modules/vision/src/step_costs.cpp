@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "aisle/core/median.hpp"
 
 namespace aisle {
 namespace {
@@ -40,9 +43,7 @@ Cost texture_of(const CellGrid& grid, const CellBlock& block, double colour_weig
     }
   }
   if (distances.empty()) return 0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return static_cast<Cost>(step_per_distance * *middle);
+  return static_cast<Cost>(step_per_distance * median(std::move(distances)));
 }
 
 StepCosts::StepCosts(const CellGrid& grid, double colour_weight, Cost quiet_step)

@@ -86,13 +86,4 @@ Problems check_explorable(const World& world, const std::string& world_file,
   return {};
 }
 
-Problems check_gap(const std::string& key, double gap_m, const VehicleDescription& vehicle) {
-  const double width_m = vehicle.footprint.width_m;
-  if (gap_m >= width_m) return {};
-  return {{{"", 0, key},
-           fmt::format(
-               "{:g} is less than the vehicle is wide, {:g}: it would be sent where it does not get through",
-               gap_m, width_m)}};
-}
-
 }  // namespace aisle

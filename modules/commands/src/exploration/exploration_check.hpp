@@ -16,11 +16,6 @@ namespace aisle {
 Problems check_explorable(const World& world, const std::string& world_file,
                           const VehicleDescription& vehicle, const Pose2& T_world_start);
 
-/// What is wrong with a parameter that says which gaps count as passable; empty: nothing.
-/// @param key    of the parameter
-/// @param gap_m  the least width between two obstacles that the vehicle may be sent through
-Problems check_gap(const std::string& key, double gap_m, const VehicleDescription& vehicle);
-
 /// Where a vehicle that keeps a distance from obstacles comes out of the building; nullopt: nowhere.
 std::optional<Vec2> opening_of(const World& world, const VehicleDescription& vehicle,
                                const Vec2& p_world_start);

@@ -69,6 +69,9 @@ class Path {
   /// @return index of the piece after it
   std::size_t leg_end(std::size_t piece) const;
 
+  /// The way from the path's start to the end of that leg.
+  double leg_end_m(std::size_t piece) const;
+
   /// Its first `along_m`, at least 1 mm of it. The path must not be empty.
   Path up_to(double along_m) const;
   /// With another behind it, which must begin where this one ends.
