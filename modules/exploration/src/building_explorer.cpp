@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "aisle/core/angle.hpp"
 
@@ -19,15 +20,18 @@ Bearing bearing_of(const Vec2& p_map, const Pose2& T_map_vehicle) {
   return angle_rad > 0 ? Bearing::kLeft : Bearing::kRight;
 }
 
-/// How far two gates are apart [cells]; stops looking once they are nearer than `enough`.
-double apart_cells(const Gate& a, const Gate& b, double enough) {
-  double nearest2 = 1e18;
+/// How far two gates are apart [cells]; infinity: farther than what matters.
+double apart_cells(const Gate& a, const Gate& b, double matters) {
+  const FloorBox around = a.box.widened(static_cast<int>(std::ceil(matters)));
+  const bool may_be_near = around.low.x < b.box.end.x && b.box.low.x < around.end.x &&
+                           around.low.y < b.box.end.y && b.box.low.y < around.end.y;
+  double nearest2 = std::numeric_limits<double>::infinity();
+  if (!may_be_near) return nearest2;
   for (const FloorCell p : a.sill) {
     for (const FloorCell q : b.sill) {
       const double dx = p.x - q.x, dy = p.y - q.y;
       nearest2 = std::min(nearest2, dx * dx + dy * dy);
     }
-    if (nearest2 <= enough * enough) break;
   }
   return std::sqrt(nearest2);
 }
@@ -65,9 +69,9 @@ ExploringTarget BuildingExplorer::decide(const FloorGrid& floor, const FloorClea
   from_vehicle_.measure(floor, clearance, p_map_middle, params_.gates.room_m, kLeeway_m);
   gates_ = find_gates(floor, clearance, from_vehicle_, params_.gates);
   match_gates(floor, T_map_vehicle);
+  if (auto target = go_on(T_map_vehicle)) return *target;
   if (order_ == ExploringOrder::kRecommended)
     from_home_.measure(floor, clearance, T_map_home.position(), params_.gates.room_m, kLeeway_m);
-  if (auto target = go_on(T_map_vehicle)) return *target;
   return take_from_stack(T_map_vehicle);
 }
 
@@ -107,7 +111,7 @@ std::optional<std::size_t> BuildingExplorer::continued_by(const FloorGrid& floor
   double nearest_cells = same_cells;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     if (paths_[p].state == PathState::kExplored) continue;
-    const double apart = apart_cells(gate, paths_[p].gate, 0);
+    const double apart = apart_cells(gate, paths_[p].gate, same_cells);
     if (apart > nearest_cells) continue;
     nearest_cells = apart;
     nearest = p;

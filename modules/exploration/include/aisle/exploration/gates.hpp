@@ -22,6 +22,7 @@ struct GateParams {
 struct Gate {
   std::vector<FloorCell> sill;  ///< cells of sure floor that border on the other
   std::vector<Vec2> rim;        ///< on the edge of the free floor there: what must be seen to know more [m]
+  FloorBox box;                 ///< about the sill
   Vec2 p_map = Vec2::Zero();    ///< the middle of the sill: one of its cells
   double behind_m2 = 0;         ///< of floor that may be there, as far as it was counted
   double way_m = 0;             ///< from the vehicle to the nearest cell of the sill
