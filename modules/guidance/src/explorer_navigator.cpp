@@ -18,15 +18,17 @@ constexpr int kAttemptsMax = 3;
 constexpr double kAfar = 2;  // times as far as else, where it does not get near
 constexpr int kHomeAttemptsMax = 4;
 constexpr double kGateMoved_m = 1;
-constexpr double kSameSpot_m = 0.2;   // about a place where the vehicle was blocked
-constexpr double kStruckNow_m = 1.5;  // so far from the vehicle ways keep off what is struck now
-constexpr double kStageLeft_m = 2.5;  // of a stage, when the next one is searched
-constexpr double kLearned_m2 = 0.5;   // so much more floor is something learned
-constexpr double kShown_m2 = 0.1;     // so much more floor after a way: it was worth driving
-constexpr double kWedged_m = 0.5;     // a search that comes no farther says something about where it began
-constexpr double kRetreat_m = 3;      // at least, along its own trail, before it searches anew ...
-constexpr double kRoomy_m = 0.15;     // ... where it has so much more room than it needs
-constexpr double kIdleWay_m = 150;    // without learning anything: what waits is left undone
+constexpr double kAboutStand_m = 1.5;   // poses that show a nook are looked for about the nearest one
+constexpr int kNookExpansions = 30000;  // of the search: more is not worth while
+constexpr double kSameSpot_m = 0.2;     // about a place where the vehicle was blocked
+constexpr double kStruckNow_m = 1.5;    // so far from the vehicle ways keep off what is struck now
+constexpr double kStageLeft_m = 2.5;    // of a stage, when the next one is searched
+constexpr double kLearned_m2 = 0.5;     // so much more floor is something learned
+constexpr double kShown_m2 = 0.1;       // so much more floor after a way: it was worth driving
+constexpr double kWedged_m = 0.5;       // a search that comes no farther says something about where it began
+constexpr double kRetreat_m = 3;        // at least, along its own trail, before it searches anew ...
+constexpr double kRoomy_m = 0.15;       // ... where it has so much more room than it needs
+constexpr double kIdleWay_m = 150;      // without learning anything: what waits is left undone
 
 bool is_same(const ExploringTarget& a, const ExploringTarget& b) {
   if (a.kind != b.kind) return false;
@@ -149,10 +151,13 @@ void ExplorerNavigator::keep_off_struck() {
 
 void ExplorerNavigator::begin_search_from(const Pose2& T_map_from) {
   switch (target_->kind) {
-    case ExploringTarget::Kind::kPath:
-      return search_.look_for(learner_.floor(), learner_.clearance(), T_map_from, target_->gate.p_map,
-                              look_from_m() + vehicle_.footprint.front_m,
+    case ExploringTarget::Kind::kPath: {
+      const Gate& gate = target_->gate;
+      return search_.look_for(learner_.floor(), learner_.clearance(), T_map_from,
+                              gate.is_nook ? learner_.floor().centre(gate.stand) : gate.p_map,
+                              gate.is_nook ? kAboutStand_m : look_from_m() + vehicle_.footprint.front_m,
                               [this](const Pose2& T_map) { return shows_path(T_map); });
+    }
     case ExploringTarget::Kind::kCrossing: {
       const Vec2 p_map_back = target_->T_map_back.position();
       const double near_m = params_.explorer.crossing_near_m / 2;
@@ -190,6 +195,7 @@ void ExplorerNavigator::search_on() {
 
 /// Nearer where the vehicle saw nothing, farther where it does not get so near.
 double ExplorerNavigator::look_from_m() const {
+  if (target_->gate.is_nook) return params_.explorer.nooks.reach_m;
   if (looks_from_afar_) return kAfar * params_.look_from_m;
   return attempts_ < 2 ? params_.look_from_m : params_.look_from_m / 2;
 }
@@ -207,14 +213,16 @@ void ExplorerNavigator::search_way() {
   if (is_search_due_ && (driver_.has_way() ? !stands_first_ : learner_.is_standing())) begin_search();
   if (search_.state() == CarSearch::State::kIdle && !driver_.has_way() && !is_search_due_) {
     if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
-    const bool is_over = !is_wedged_ && ++attempts_ > kAttemptsMax && !was_worth_it();
+    const int attempts_max = target_->gate.is_nook ? 0 : kAttemptsMax;
+    const bool is_over = !is_wedged_ && ++attempts_ > attempts_max && !was_worth_it();
     if (is_over && target_->kind == ExploringTarget::Kind::kPath) return leave_path();
     begin_search();
   }
   if (search_.state() != CarSearch::State::kSearching) return;
   const auto state = search_.advance(learner_.floor(), learner_.clearance(), params_.expansions);
-  if (state == CarSearch::State::kFound) take_way();
-  if (state == CarSearch::State::kNone) find_no_way();
+  const bool is_not_worth_more = target_->gate.is_nook && search_.expansions() > kNookExpansions;
+  if (state == CarSearch::State::kFound) return take_way();
+  if (state == CarSearch::State::kNone || is_not_worth_more) find_no_way();
 }
 
 /// The latest way showed floor.
@@ -231,7 +239,7 @@ void ExplorerNavigator::find_no_way() {
   if (std::exchange(blocked_direction_, 0) != 0) return;
   const bool shut_in = is_shut_in();
   if ((shut_in && retreat()) || is_wedged_) return;
-  const bool is_last_try = attempts_ > 0 && looks_from_afar_;
+  const bool is_last_try = target_->gate.is_nook || (attempts_ > 0 && looks_from_afar_);
   looks_from_afar_ = true;
   if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
   if (search_.has_tried_all() && !shut_in) return give_path_up();
