@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "aisle/core/angle.hpp"
 
@@ -19,15 +21,18 @@ Bearing bearing_of(const Vec2& p_map, const Pose2& T_map_vehicle) {
   return angle_rad > 0 ? Bearing::kLeft : Bearing::kRight;
 }
 
-/// How far two gates are apart [cells]; stops looking once they are nearer than `enough`.
-double apart_cells(const Gate& a, const Gate& b, double enough) {
-  double nearest2 = 1e18;
+/// How far two gates are apart [cells]; infinity: farther than what matters.
+double apart_cells(const Gate& a, const Gate& b, double matters) {
+  const FloorBox around = a.box.widened(static_cast<int>(std::ceil(matters)));
+  const bool may_be_near = around.low.x < b.box.end.x && b.box.low.x < around.end.x &&
+                           around.low.y < b.box.end.y && b.box.low.y < around.end.y;
+  double nearest2 = std::numeric_limits<double>::infinity();
+  if (!may_be_near) return nearest2;
   for (const FloorCell p : a.sill) {
     for (const FloorCell q : b.sill) {
       const double dx = p.x - q.x, dy = p.y - q.y;
       nearest2 = std::min(nearest2, dx * dx + dy * dy);
     }
-    if (nearest2 <= enough * enough) break;
   }
   return std::sqrt(nearest2);
 }
@@ -47,6 +52,7 @@ std::optional<ExploringOrder> exploring_order(std::string_view name) {
 
 void ExplorerParams::describe(FieldList& fields) {
   fields.group("gates", gates);
+  fields.group("nooks", nooks);
   fields.real("home_weight", home_weight, {0, 1}, "how much a path that is far from home is preferred");
   fields.real("leftover_m2", leftover_m2, {0, 10}, "less floor behind a gate is a leftover");
   fields.real("leftover_bonus_m", leftover_bonus_m, {0, 50}, "which is taken before what is so much nearer");
@@ -64,10 +70,15 @@ ExploringTarget BuildingExplorer::decide(const FloorGrid& floor, const FloorClea
   cycle_ = cycle;
   from_vehicle_.measure(floor, clearance, p_map_middle, params_.gates.room_m, kLeeway_m);
   gates_ = find_gates(floor, clearance, from_vehicle_, params_.gates);
+  if (params_.nooks.way_max_m > 0) {
+    std::vector<Gate> nooks =
+        find_nooks(floor, clearance, from_vehicle_, gates_, params_.gates, params_.nooks);
+    std::move(nooks.begin(), nooks.end(), std::back_inserter(gates_));
+  }
   match_gates(floor, T_map_vehicle);
+  if (auto target = go_on(T_map_vehicle)) return *target;
   if (order_ == ExploringOrder::kRecommended)
     from_home_.measure(floor, clearance, T_map_home.position(), params_.gates.room_m, kLeeway_m);
-  if (auto target = go_on(T_map_vehicle)) return *target;
   return take_from_stack(T_map_vehicle);
 }
 
@@ -106,8 +117,8 @@ std::optional<std::size_t> BuildingExplorer::continued_by(const FloorGrid& floor
   std::optional<std::size_t> nearest;
   double nearest_cells = same_cells;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
-    if (paths_[p].state == PathState::kExplored) continue;
-    const double apart = apart_cells(gate, paths_[p].gate, 0);
+    if (paths_[p].state == PathState::kExplored || paths_[p].gate.is_nook != gate.is_nook) continue;
+    const double apart = apart_cells(gate, paths_[p].gate, same_cells);
     if (apart > nearest_cells) continue;
     nearest_cells = apart;
     nearest = p;
@@ -118,7 +129,10 @@ std::optional<std::size_t> BuildingExplorer::continued_by(const FloorGrid& floor
 std::size_t BuildingExplorer::add_path(Gate gate, const Pose2& T_map_vehicle) {
   const std::size_t path = paths_.size();
   const Bearing bearing = bearing_of(gate.p_map, T_map_vehicle);
-  paths_.push_back({.parent = active_.value_or(path), .bearing = bearing, .gate = std::move(gate)});
+  paths_.push_back({.parent = active_.value_or(path),
+                    .bearing = bearing,
+                    .chances = gate.is_nook ? 0 : 1,
+                    .gate = std::move(gate)});
   return path;
 }
 
@@ -156,7 +170,7 @@ std::optional<std::size_t> BuildingExplorer::best_child() const {
   double least_m = 1e18;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     const SeenPath& path = paths_[p];
-    if (path.state != PathState::kWaiting) continue;
+    if (path.state != PathState::kWaiting || is_far_nook(path.gate)) continue;
     const bool from_start = !active_ && path.parent == p;
     if (!from_start && !(active_ && path.parent == *active_)) continue;
     const double way_m =
@@ -208,7 +222,7 @@ ExploringTarget BuildingExplorer::take_from_stack(const Pose2& T_map_vehicle) {
   }
   const auto next = best_waiting();
   if (!next) {
-    if (resume_left()) return take_from_stack(T_map_vehicle);
+    if (resume_left() || leave_far_nooks()) return take_from_stack(T_map_vehicle);
     if (!is_going_home_) feed(corridor_input::kAway);
     is_going_home_ = true;
     return {};
@@ -245,10 +259,11 @@ std::optional<std::size_t> BuildingExplorer::best_waiting() const {
   double least_m = 1e18;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     const SeenPath& path = paths_[p];
-    if (path.state != PathState::kWaiting) continue;
+    if (path.state != PathState::kWaiting || is_far_nook(path.gate)) continue;
     double cost_m = path.gate.way_m;
     if (home_weight > 0) {
       float home_m = FloorDistances::kUnreached;
+      if (path.gate.is_nook) home_m = from_home_.to(path.gate.stand);
       for (const FloorCell cell : path.gate.sill) home_m = std::min(home_m, from_home_.to(cell));
       if (std::isfinite(home_m)) cost_m -= home_weight * home_m;
     }
@@ -298,6 +313,17 @@ bool BuildingExplorer::resume_left() {
     resumed = true;
   }
   return resumed;
+}
+
+/// Nooks that the vehicle did not come by are not worth a way of their own.
+bool BuildingExplorer::leave_far_nooks() {
+  bool left = false;
+  for (std::size_t p = 0; p < paths_.size(); ++p) {
+    if (paths_[p].state != PathState::kWaiting || !is_far_nook(paths_[p].gate)) continue;
+    give_up(p, cycle_);
+    left = true;
+  }
+  return left;
 }
 
 /// What was left, and has no gate any more, was seen from elsewhere.

@@ -85,6 +85,7 @@ class GateFinder {
     Vec2 middle = Vec2::Zero();
     gate.way_m = FloorDistances::kUnreached;
     for (const FloorCell cell : gate.sill) {
+      gate.box.include(cell);
       middle += floor_.centre(cell) / static_cast<double>(gate.sill.size());
       gate.way_m = std::min<double>(gate.way_m, reached_.to(cell));
     }

@@ -1,38 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "aisle/exploration/gates.hpp"
+#include "drawn_floor.hpp"
 
 namespace aisle {
 namespace {
-
-/// A floor drawn by hand: what is not put is unknown.
-class DrawnFloor {
- public:
-  void put(const Vec2& low, const Vec2& high, Floor kind) {
-    for (double y = low.y() + 0.025; y < high.y(); y += 0.05) {
-      for (double x = low.x() + 0.025; x < high.x(); x += 0.05) floor.set(floor.cell_at({x, y}), kind);
-    }
-  }
-
-  /// A corridor along x, walls on both sides and at its left end.
-  void put_corridor(double length_m, double width_m) {
-    put({0, 0}, {length_m, width_m}, Floor::kFree);
-    put({0, -0.05}, {length_m, 0}, Floor::kOccupied);
-    put({0, width_m}, {length_m, width_m + 0.05}, Floor::kOccupied);
-    put({-0.05, 0}, {0, width_m}, Floor::kOccupied);
-  }
-
-  std::vector<Gate> gates() {
-    FloorClearance clearance;
-    clearance.update(floor, floor.known());
-    FloorDistances reached;
-    reached.measure(floor, clearance, {1, 1}, params.room_m, 1);
-    return find_gates(floor, clearance, reached, params);
-  }
-
-  FloorGrid floor;
-  GateParams params;
-};
 
 TEST(Gates, CorridorWhoseEndIsNotSeenYetHasOne) {
   DrawnFloor drawn;

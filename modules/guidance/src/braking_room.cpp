@@ -12,6 +12,19 @@ constexpr double kStopSlack_m = 0.03;
 constexpr double kStruckMatters_m = 1.5;  // from the vehicle's outline
 constexpr double kStruckMargin_m = 0.03;
 
+/// Points as the vehicle would see them later; many, so the turn is worked out once.
+class FromLater {
+ public:
+  explicit FromLater(const Pose2& T_vehicle_later)
+      : p_vehicle_later_(T_vehicle_later.position()), R_later_vehicle_(rotation(-T_vehicle_later.theta)) {}
+
+  Vec2 operator()(const Vec2& p_vehicle) const { return R_later_vehicle_ * (p_vehicle - p_vehicle_later_); }
+
+ private:
+  Vec2 p_vehicle_later_;
+  Mat2 R_later_vehicle_;
+};
+
 }  // namespace
 
 BrakingRoom::BrakingRoom(const VehicleDescription& vehicle, double margin_m)
@@ -30,8 +43,12 @@ void BrakingRoom::see(const LaserScanner& fan, std::span<const float> ranges_m) 
 }
 
 bool BrakingRoom::is_off_struck(const Pose2& T_vehicle_later) const {
-  const double struck_later_m = struck_m(T_vehicle_later);
-  return struck_later_m >= kStruckMargin_m || struck_later_m >= struck_now_m_ - kRoomNoise_m;
+  const double enough_m = std::min(kStruckMargin_m, struck_now_m_ - kRoomNoise_m);
+  if (enough_m <= 0) return true;
+  const FromLater from_later(T_vehicle_later);
+  return std::all_of(p_vehicle_struck_.begin(), p_vehicle_struck_.end(), [&](const Vec2& p_vehicle) {
+    return off_footprint_m(vehicle_.footprint, from_later(p_vehicle)) >= enough_m;
+  });
 }
 
 bool BrakingRoom::is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
@@ -66,10 +83,10 @@ bool BrakingRoom::is_free_at(const FloorGrid& floor, const FloorClearance& clear
 
 /// From the footprint to the nearest thing that was struck; 0 inside.
 double BrakingRoom::struck_m(const Pose2& T_vehicle_later) const {
-  const Pose2 T_later_vehicle = T_vehicle_later.inverse();
+  const FromLater from_later(T_vehicle_later);
   double least_m = kStruckMatters_m;
   for (const Vec2& p_vehicle : p_vehicle_struck_)
-    least_m = std::min(least_m, off_footprint_m(vehicle_.footprint, T_later_vehicle * p_vehicle));
+    least_m = std::min(least_m, off_footprint_m(vehicle_.footprint, from_later(p_vehicle)));
   return std::max(0.0, least_m);
 }
 

@@ -15,23 +15,20 @@ namespace {
 constexpr double kStopSpare_m = 0.15;  // the vehicle stops so far before what came into its way
 constexpr double kCoverageEvery_m = 0.5;
 constexpr int kAttemptsMax = 3;
-constexpr double kNearHome_m = 1.5;
-constexpr double kNearHome_rad = 30 * kDegree;
-constexpr double kAfar = 2;     // times as far as else, where it does not get near
-constexpr double kRunIn_m = 1;  // straight, before home
-constexpr double kAtHome_m = 0.06;
-constexpr double kAtHome_rad = 1 * kDegree;
+constexpr double kAfar = 2;  // times as far as else, where it does not get near
 constexpr int kHomeAttemptsMax = 4;
 constexpr double kGateMoved_m = 1;
-constexpr double kSameSpot_m = 0.2;   // about a place where the vehicle was blocked
-constexpr double kStruckNow_m = 1.5;  // so far from the vehicle ways keep off what is struck now
-constexpr double kStageLeft_m = 2.5;  // of a stage, when the next one is searched
-constexpr double kLearned_m2 = 0.5;   // so much more floor is something learned
-constexpr double kShown_m2 = 0.1;     // so much more floor after a way: it was worth driving
-constexpr double kWedged_m = 0.5;     // a search that comes no farther says something about where it began
-constexpr double kRetreat_m = 3;      // at least, along its own trail, before it searches anew ...
-constexpr double kRoomy_m = 0.15;     // ... where it has so much more room than it needs
-constexpr double kIdleWay_m = 150;    // without learning anything: what waits is left undone
+constexpr double kAboutStand_m = 1.5;   // poses that show a nook are looked for about the nearest one
+constexpr int kNookExpansions = 30000;  // of the search: more is not worth while
+constexpr double kSameSpot_m = 0.2;     // about a place where the vehicle was blocked
+constexpr double kStruckNow_m = 1.5;    // so far from the vehicle ways keep off what is struck now
+constexpr double kStageLeft_m = 2.5;    // of a stage, when the next one is searched
+constexpr double kLearned_m2 = 0.5;     // so much more floor is something learned
+constexpr double kShown_m2 = 0.1;       // so much more floor after a way: it was worth driving
+constexpr double kWedged_m = 0.5;       // a search that comes no farther says something about where it began
+constexpr double kRetreat_m = 3;        // at least, along its own trail, before it searches anew ...
+constexpr double kRoomy_m = 0.15;       // ... where it has so much more room than it needs
+constexpr double kIdleWay_m = 150;      // without learning anything: what waits is left undone
 
 bool is_same(const ExploringTarget& a, const ExploringTarget& b) {
   if (a.kind != b.kind) return false;
@@ -62,6 +59,7 @@ ExplorerNavigator::ExplorerNavigator(const ExplorerNavigatorParams& params, cons
       learner_(params.learner, vehicle, std::move(sensor)),
       explorer_(params.explorer, order),
       search_(params.search, vehicle),
+      home_search_(search_),
       driver_(vehicle, params.steering, params.speed),
       patience_(params.patience) {}
 
@@ -153,10 +151,13 @@ void ExplorerNavigator::keep_off_struck() {
 
 void ExplorerNavigator::begin_search_from(const Pose2& T_map_from) {
   switch (target_->kind) {
-    case ExploringTarget::Kind::kPath:
-      return search_.look_for(learner_.floor(), learner_.clearance(), T_map_from, target_->gate.p_map,
-                              look_from_m() + vehicle_.footprint.front_m,
+    case ExploringTarget::Kind::kPath: {
+      const Gate& gate = target_->gate;
+      return search_.look_for(learner_.floor(), learner_.clearance(), T_map_from,
+                              gate.is_nook ? learner_.floor().centre(gate.stand) : gate.p_map,
+                              gate.is_nook ? kAboutStand_m : look_from_m() + vehicle_.footprint.front_m,
                               [this](const Pose2& T_map) { return shows_path(T_map); });
+    }
     case ExploringTarget::Kind::kCrossing: {
       const Vec2 p_map_back = target_->T_map_back.position();
       const double near_m = params_.explorer.crossing_near_m / 2;
@@ -169,49 +170,19 @@ void ExplorerNavigator::begin_search_from(const Pose2& T_map_from) {
   }
 }
 
-/// Exactly home, straight at the end; where no such way is found, near home first, and on from there.
+/// Exactly home, from where the vehicle comes to stand; where no such way is found, near home first, and on
+/// from there.
 void ExplorerNavigator::begin_search_home(const Pose2& T_map_from) {
-  const Pose2 T_map_home = learner_.T_map_home();
   const bool was_blocked_here = (T_map_from.position() - p_map_blocked_).norm() < kSameSpot_m;
-  is_exactly_home_ = attempts_ % 2 == 0 && (attempts_ > 0 || !was_blocked_here);
-  if (is_exactly_home_) {
-    run_in_ = run_in_home(T_map_from);
-    search_.look_for_way_to(learner_.floor(), learner_.clearance(), T_map_home * end_pose(run_in_).inverse(),
-                            T_map_from);
-    if (search_.is_stage() || !driver_.has_way()) return;
-    search_.stop();
-    is_search_due_ = stands_first_ = true;
-    return;
+  const bool is_exact = attempts_ % 2 == 0 && (attempts_ > 0 || !was_blocked_here);
+  if (!is_exact) {
+    return home_search_.look_for_near(learner_.floor(), learner_.clearance(), learner_.T_map_home(),
+                                      T_map_from);
   }
-  search_.look_for(learner_.floor(), learner_.clearance(), T_map_from, T_map_home.position(), kNearHome_m,
-                   [T_map_home](const Pose2& T_map) {
-                     const Pose2 off = between(T_map_home, T_map);
-                     return off.position().norm() < kNearHome_m && std::abs(off.theta) < kNearHome_rad;
-                   });
-}
-
-/// A straight way that ends at home, on which the vehicle comes to stand as it stood; from the side where it
-/// is, if there is room. None: of no length.
-Arc ExplorerNavigator::run_in_home(const Pose2& T_map_from) const {
-  const Pose2 T_map_home = learner_.T_map_home();
-  const double standing_m =
-      search_.room().standing_spare_m(learner_.floor(), learner_.clearance(), T_map_home);
-  const double first_m = between(T_map_home, T_map_from).x > 0 ? -kRunIn_m : kRunIn_m;
-  for (const double run_in_m : {first_m, -first_m}) {
-    const Arc run_in{run_in_m, 0};
-    const Path path({{T_map_home * end_pose(run_in).inverse(), run_in}});
-    const double free_m =
-        search_.room().free_way_m(learner_.floor(), learner_.clearance(), path, 0, standing_m);
-    if (free_m >= path.length_m()) return run_in;
-  }
-  return {};
-}
-
-/// By its own account, near enough; or as near as it gets.
-bool ExplorerNavigator::stands_at_home() const {
-  const Pose2 off = between(learner_.T_map_home(), learner_.T_map_vehicle());
-  const bool is_near = off.position().norm() < kAtHome_m && std::abs(off.theta) < kAtHome_rad;
-  return is_near || attempts_ >= kHomeAttemptsMax;
+  home_search_.look_for(learner_.floor(), learner_.clearance(), learner_.T_map_home(), T_map_from);
+  if (search_.is_stage() || !driver_.has_way()) return;
+  search_.stop();
+  is_search_due_ = stands_first_ = true;
 }
 
 /// Before a stage ends, the way on from it is searched.
@@ -224,6 +195,7 @@ void ExplorerNavigator::search_on() {
 
 /// Nearer where the vehicle saw nothing, farther where it does not get so near.
 double ExplorerNavigator::look_from_m() const {
+  if (target_->gate.is_nook) return params_.explorer.nooks.reach_m;
   if (looks_from_afar_) return kAfar * params_.look_from_m;
   return attempts_ < 2 ? params_.look_from_m : params_.look_from_m / 2;
 }
@@ -241,14 +213,16 @@ void ExplorerNavigator::search_way() {
   if (is_search_due_ && (driver_.has_way() ? !stands_first_ : learner_.is_standing())) begin_search();
   if (search_.state() == CarSearch::State::kIdle && !driver_.has_way() && !is_search_due_) {
     if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
-    const bool is_over = !is_wedged_ && ++attempts_ > kAttemptsMax && !was_worth_it();
+    const int attempts_max = target_->gate.is_nook ? 0 : kAttemptsMax;
+    const bool is_over = !is_wedged_ && ++attempts_ > attempts_max && !was_worth_it();
     if (is_over && target_->kind == ExploringTarget::Kind::kPath) return leave_path();
     begin_search();
   }
   if (search_.state() != CarSearch::State::kSearching) return;
   const auto state = search_.advance(learner_.floor(), learner_.clearance(), params_.expansions);
-  if (state == CarSearch::State::kFound) take_way();
-  if (state == CarSearch::State::kNone) find_no_way();
+  const bool is_not_worth_more = target_->gate.is_nook && search_.expansions() > kNookExpansions;
+  if (state == CarSearch::State::kFound) return take_way();
+  if (state == CarSearch::State::kNone || is_not_worth_more) find_no_way();
 }
 
 /// The latest way showed floor.
@@ -265,7 +239,7 @@ void ExplorerNavigator::find_no_way() {
   if (std::exchange(blocked_direction_, 0) != 0) return;
   const bool shut_in = is_shut_in();
   if ((shut_in && retreat()) || is_wedged_) return;
-  const bool is_last_try = attempts_ > 0 && looks_from_afar_;
+  const bool is_last_try = target_->gate.is_nook || (attempts_ > 0 && looks_from_afar_);
   looks_from_afar_ = true;
   if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
   if (search_.has_tried_all() && !shut_in) return give_path_up();
@@ -274,7 +248,8 @@ void ExplorerNavigator::find_no_way() {
 
 /// All was tried, and nothing leads back to where the vehicle began: that says nothing about the target.
 bool ExplorerNavigator::is_shut_in() const {
-  return search_.has_tried_all() && !search_.has_come_to(learner_.T_map_home().position(), kNearHome_m);
+  return search_.has_tried_all() &&
+         !search_.has_come_to(learner_.T_map_home().position(), HomeSearch::kNear_m);
 }
 
 /// Back as it came, and then it searches again.
@@ -354,14 +329,10 @@ Decision ExplorerNavigator::wait_for_floor() {
 
 void ExplorerNavigator::take_way() {
   is_wedged_ = false;
-  Path found = search_.path();
+  const bool goes_home = target_->kind == ExploringTarget::Kind::kHome;
+  const Path found = goes_home ? home_search_.path() : search_.path();
   is_stage_ = search_.is_stage();
-  ends_at_home_ = target_->kind == ExploringTarget::Kind::kHome && is_exactly_home_ && !is_stage_;
-  if (ends_at_home_ && run_in_.length_m != 0) {
-    const Pose2 T_map_begin =
-        found.empty() ? learner_.T_map_home() * end_pose(run_in_).inverse() : found.pieces().back().end();
-    found = found.followed_by(Path({{T_map_begin, run_in_}}));
-  }
+  ends_at_home_ = goes_home && home_search_.leads_home();
   search_.stop();
   if (found.empty()) return arrive();
   driver_.take(found);
@@ -371,7 +342,8 @@ void ExplorerNavigator::arrive() {
   driver_.drop();
   arrived_cycle_ = cycle_;
   is_retreating_ = false;
-  if (!ends_at_home_ || !stands_at_home()) return;
+  const bool is_there = stands_at_home(learner_.T_map_home(), learner_.T_map_vehicle());
+  if (!ends_at_home_ || !(is_there || attempts_ >= kHomeAttemptsMax)) return;
   came_home_ = true;
   explorer_.stop(cycle_);
 }

@@ -17,6 +17,13 @@ constexpr double kLever_m = 2;  // at which turns count
 constexpr std::size_t kLaidACycle = 8;  // of the slices that are laid anew
 constexpr double kStanding_m = 0.002;   // of way in a cycle
 
+/// To hold another one, too.
+void widen(FloorBox& box, const FloorBox& other) {
+  if (other.empty()) return;
+  box.include(other.low);
+  box.include({other.end.x - 1, other.end.y - 1});
+}
+
 }  // namespace
 
 void FloorLearnerParams::describe(FieldList& fields) {
@@ -87,10 +94,7 @@ FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGr
                                T_map_vehicle, params_.view);
   const FloorBox stood =
       stand_on_floor(floor, look.slice == 0 ? set_down_room() : vehicle_.footprint, T_map_vehicle);
-  if (!stood.empty()) {
-    changed.include(stood.low);
-    changed.include({stood.end.x - 1, stood.end.y - 1});
-  }
+  widen(changed, stood);
   return changed;
 }
 
@@ -129,11 +133,13 @@ void FloorLearner::begin_anew() {
 /// Lays a few slices more onto the floor as they lie now; true when all are laid.
 bool FloorLearner::lay_on() {
   const std::size_t end = std::min(anew_->next + kLaidACycle, looks_.size());
+  FloorBox changed;
   for (; anew_->next < end; ++anew_->next) {
     Look& look = looks_[anew_->next];
     look.T_map_put = T_map_of_all_[look.slice];
-    anew_->clearance.update(anew_->floor, put(look, look.T_map_put, anew_->floor));
+    widen(changed, put(look, look.T_map_put, anew_->floor));
   }
+  anew_->clearance.update(anew_->floor, changed);
   if (anew_->next < looks_.size()) return false;
   floor_ = std::move(anew_->floor);
   clearance_ = std::move(anew_->clearance);

@@ -8,15 +8,18 @@ namespace {
 constexpr double kFanEdge_rad = 3 * kDegree;  // nothing is expected to be seen so near to the fan's edge
 constexpr double kSpareCells = 1.5;           // before a rim's point, where the unknown begins
 
-/// Nothing stands, and nothing is unknown, between two places.
-bool is_clear(const FloorGrid& floor, const Vec2& from, const Vec2& to, double spare_m) {
+/// Nothing stands, and nothing is unknown, between two places; of a nook's rim, what lies just before it may
+/// be unknown.
+bool is_clear(const FloorGrid& floor, const Vec2& from, const Vec2& to, bool is_nook) {
   const Vec2 way = to - from;
   const double length_m = way.norm();
   const double step_m = floor.cell_m() / 2;
-  const int steps = static_cast<int>(std::ceil((length_m - spare_m) / step_m));
+  const double known_m = length_m - (is_nook ? Gate::kNookDepth_m : kSpareCells * floor.cell_m());
+  const int steps = static_cast<int>(std::ceil((is_nook ? length_m : known_m) / step_m));
   for (int i = 0; i < steps; ++i) {
     const double along_m = i * step_m;
-    if (floor.at(Vec2(from + way * (along_m / length_m))) != Floor::kFree) return false;
+    const Floor kind = floor.at(Vec2(from + way * (along_m / length_m)));
+    if (kind == Floor::kOccupied || (kind == Floor::kUnknown && along_m < known_m)) return false;
   }
   return true;
 }
@@ -36,7 +39,7 @@ bool sees_rim(const GateLook& look, const FloorGrid& floor, const Pose2& T_map_v
       continue;
     const auto beam = static_cast<std::size_t>((angle_rad - fan.first_angle_rad) / fan.angle_step_rad);
     if (beam < look.near_m.size() && towards.norm() < look.near_m[beam]) continue;
-    if (!is_clear(floor, T_map_fan.position(), p_map, kSpareCells * floor.cell_m())) continue;
+    if (!is_clear(floor, T_map_fan.position(), p_map, gate.is_nook)) continue;
     if (++seen >= enough) return true;
   }
   return false;

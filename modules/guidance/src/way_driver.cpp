@@ -78,7 +78,9 @@ std::optional<double> WayDriver::wheels_to_turn_rad(const PathPoint& point, doub
   const std::size_t leg_end = path_.leg_end(point.piece);
   const PathPoint ahead =
       path_.at(std::min(point.along_m + kBendAhead_m, path_.leg_end_m(point.piece) - 1e-6));
-  const double wanted_rad = std::atan(ahead.curvature_per_m * vehicle_.front_steered.wheelbase_m);
+  const double bent_rad = std::atan(ahead.curvature_per_m * vehicle_.front_steered.wheelbase_m);
+  const double wanted_rad =
+      std::clamp(bent_rad, -vehicle_.limits.steering_max_rad, vehicle_.limits.steering_max_rad);
   const double off_max_rad = leg_end == leg_begun_ ? kWheelsOff_rad : kWheelsOffAtFirst_rad;
   if (std::abs(wanted_rad - steering_rad) >= off_max_rad) return wanted_rad;
   leg_begun_ = leg_end;

@@ -43,5 +43,16 @@ TEST_F(GateView, SeesNothingNearerThanItsBeamsShow) {
   EXPECT_TRUE(sees({4.5, 3, 0}, 5, near_m));
 }
 
+TEST_F(GateView, LooksIntoANookAcrossItsEdgeNotAlongIt) {
+  gate_.rim.assign(4, Vec2(5, 4.175));
+  EXPECT_FALSE(sees({3, 3, 0})) << "unknown floor lies before it";
+  gate_.is_nook = true;
+  EXPECT_TRUE(sees({3, 3, 0}));
+  EXPECT_FALSE(sees({1.5, 3.8, 0}));
+  for (double x = 4.525; x < 5.2; x += 0.05)
+    known_.floor.set(known_.floor.cell_at({x, 4.025}), Floor::kOccupied);
+  EXPECT_FALSE(sees({3, 3, 0})) << "a wall stands in the line of sight";
+}
+
 }  // namespace
 }  // namespace aisle

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "known_floor.hpp"
@@ -97,6 +98,14 @@ TEST_F(WayDriving, WheelsTurnBeforeALegThatBends) {
   EXPECT_EQ(step.state, WayDriver::State::kTurningWheels);
   EXPECT_EQ(step.command.speed_mps, 0);
   EXPECT_GT(step.command.steering_rad, 10 * kDegree);
+  EXPECT_EQ(cycle().state, WayDriver::State::kDriving);
+}
+
+TEST_F(WayDriving, ABendSharperThanTheWheelsTurnDoesNotHoldItUp) {
+  const double steering_max_rad = cart().limits.steering_max_rad;
+  const double bend_per_m = 1.3 * std::tan(steering_max_rad) / cart().front_steered.wheelbase_m;
+  driver_.take(way_of({{-0.5, -0.5 * bend_per_m}}, T_map_vehicle_));
+  steering_rad_ = steering_max_rad;
   EXPECT_EQ(cycle().state, WayDriver::State::kDriving);
 }
 

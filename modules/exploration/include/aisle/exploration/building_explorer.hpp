@@ -8,7 +8,7 @@
 
 #include "aisle/exploration/corridor_rules.hpp"
 #include "aisle/exploration/exploration_record.hpp"
-#include "aisle/exploration/gates.hpp"
+#include "aisle/exploration/nooks.hpp"
 
 namespace aisle {
 
@@ -26,6 +26,7 @@ std::optional<ExploringOrder> exploring_order(std::string_view name);
 
 struct ExplorerParams {
   GateParams gates;
+  NookParams nooks;
   double home_weight = 0.8;      ///< how much a path that is far from home is preferred
   double leftover_m2 = 1;        ///< less floor behind a gate is a leftover ...
   double leftover_bonus_m = 4;   ///< ... which is taken before what is so much nearer
@@ -104,6 +105,8 @@ class BuildingExplorer {
   void note(PathEvent::Kind kind, std::size_t path);
   void leave(std::size_t path, PathState state, PathEvent::Kind kind, std::size_t cycle);
   bool resume_left();
+  bool leave_far_nooks();
+  bool is_far_nook(const Gate& gate) const { return gate.is_nook && gate.way_m > params_.nooks.way_max_m; }
   static bool is_open(const SeenPath& path) {
     return path.state == PathState::kWaiting || path.state == PathState::kActive;
   }

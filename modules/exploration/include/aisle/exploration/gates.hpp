@@ -20,11 +20,16 @@ struct GateParams {
 /// Where floor on which the vehicle can go for sure meets floor on which it may be able to: a path that leads
 /// on (C99 section 4.2: "a navigation path is said to be available").
 struct Gate {
+  static constexpr double kNookDepth_m = 0.4;  ///< of the unknown that lies before a nook's rim, at most
+
   std::vector<FloorCell> sill;  ///< cells of sure floor that border on the other
   std::vector<Vec2> rim;        ///< on the edge of the free floor there: what must be seen to know more [m]
+  FloorBox box;                 ///< about the sill
   Vec2 p_map = Vec2::Zero();    ///< the middle of the sill: one of its cells
   double behind_m2 = 0;         ///< of floor that may be there, as far as it was counted
   double way_m = 0;             ///< from the vehicle to the nearest cell of the sill
+  bool is_nook = false;         ///< only to be looked into, see find_nooks() ...
+  FloorCell stand;              ///< ... the nearest place from which that may be; `way_m` leads there
 };
 
 /// All gates that can be reached. `reached`: measured with `params.room_m`.

@@ -8,6 +8,7 @@
 #include "aisle/exploration/building_explorer.hpp"
 #include "aisle/guidance/floor_learner.hpp"
 #include "aisle/guidance/gate_view.hpp"
+#include "aisle/guidance/home_search.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/patience.hpp"
 #include "aisle/guidance/staged_search.hpp"
@@ -56,8 +57,6 @@ class ExplorerNavigator final : public Navigator {
   void begin_search();
   void begin_search_from(const Pose2& T_map_from);
   void begin_search_home(const Pose2& T_map_from);
-  Arc run_in_home(const Pose2& T_map_from) const;
-  bool stands_at_home() const;
   void keep_off_struck();
   void search_on();
   double look_from_m() const;
@@ -91,6 +90,7 @@ class ExplorerNavigator final : public Navigator {
   FloorLearner learner_;
   BuildingExplorer explorer_;
   StagedSearch search_;
+  HomeSearch home_search_;
   WayDriver driver_;
   Patience patience_;
   Trail trail_;
@@ -103,8 +103,6 @@ class ExplorerNavigator final : public Navigator {
   bool is_search_due_ = false;
   bool is_stage_ = false;         ///< the way ends before what it leads to
   bool stands_first_ = false;     ///< the search that is due begins where the vehicle comes to stand
-  bool is_exactly_home_ = false;  ///< the latest search was for a way that ends exactly at home
-  Arc run_in_;                    ///< with which such a way ends
   bool ends_at_home_ = false;     ///< the way does
   bool looks_from_afar_ = false;  ///< as it does not get near the gate
   bool is_retreating_ = false;    ///< its way is the trail back

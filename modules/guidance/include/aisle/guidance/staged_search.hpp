@@ -38,6 +38,7 @@ class StagedSearch {
   CarSearch::State state() const { return search_.state(); }
   const FootprintRoom& room() const { return search_.room(); }
   Path path() const { return search_.path(); }
+  int expansions() const { return search_.expansions(); }
   double reached_m() const { return search_.reached_m(); }
   bool has_tried_all() const { return search_.has_tried_all(); }
   bool has_come_to(const Vec2& p_map, double within_m) const { return search_.has_come_to(p_map, within_m); }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "aisle/exploration/gates.hpp"
+
+namespace aisle {
+
+struct NookParams {
+  double edge_min_m = 0.3;  ///< a shorter edge of what is known is none
+  double reach_m = 4.5;     ///< from so far a nook is looked into, at most
+  double way_max_m = 0;     ///< a nook farther away waits until the vehicle comes by; 0: none matters
+
+  void describe(FieldList& fields);
+};
+
+/// Nooks: floor that no gate leads to, but that can be seen from where the vehicle gets: behind a cupboard,
+/// or in a room whose door is hardly open. Each is told as a gate that is not driven through: its sill is the
+/// edge of the free floor, its rim lies a little behind it in the unknown.
+/// @param reached  measured with `gate_params.room_m`
+/// @param gates  of the same floor
+std::vector<Gate> find_nooks(const FloorGrid& floor, const FloorClearance& clearance,
+                             const FloorDistances& reached, std::span<const Gate> gates,
+                             const GateParams& gate_params, const NookParams& params);
+
+}  // namespace aisle

@@ -1,0 +1,193 @@
+#include "aisle/exploration/nooks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "aisle/core/angle.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr int kDarkCells = 3;            // behind the edge all is unknown
+constexpr double kBeyondGate_m = 0.3;    // so far into the unknown a gate leads for sure
+constexpr std::size_t kLooksMax = 6;     // points of a rim from which lines of sight are tried ...
+constexpr int kSights = 24;              // ... in so many directions
+constexpr std::size_t kNookRimMax = 24;  // points that stand for a rim
+constexpr double kSightMin_m = 0.8;      // the vehicle's middle does not come nearer
+constexpr std::array<FloorCell, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+/// So many of a row of things, evenly spread over it.
+std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
+  const std::size_t every = count / most + 1;
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = (count - 1) % every / 2; i < count; i += every) chosen.push_back(i);
+  return chosen;
+}
+
+class NookFinder {
+ public:
+  NookFinder(const FloorGrid& floor, const FloorClearance& clearance, const FloorDistances& reached,
+             const GateParams& gate_params, const NookParams& params)
+      : floor_(floor),
+        clearance_(clearance),
+        reached_(reached),
+        gate_params_(gate_params),
+        params_(params),
+        marks_(clearance.size(), kNothing) {}
+
+  std::vector<Gate> find(std::span<const Gate> gates) {
+    for (const Gate& gate : gates) mark_led_to(gate);
+    std::vector<FloorCell> edges = mark_edges();
+    const auto cells_min = static_cast<std::size_t>(std::lround(params_.edge_min_m / floor_.cell_m()));
+    std::vector<Gate> nooks;
+    for (const FloorCell cell : edges) {
+      if (marks_[clearance_.index(cell)] != kEdge) continue;
+      Gate nook = gather(cell);
+      if (nook.sill.size() >= cells_min && find_stand(nook)) nooks.push_back(std::move(nook));
+    }
+    return nooks;
+  }
+
+ private:
+  enum Mark : std::uint8_t { kNothing, kLedTo, kEdge, kTaken };
+
+  bool may_be_floor(FloorCell cell) const {
+    return clearance_.to_occupied_m(cell) >= gate_params_.room_m + gate_params_.doubt_m;
+  }
+
+  /// What may be floor behind a gate, along the edge of what is known.
+  void mark_led_to(const Gate& gate) {
+    struct LedTo {
+      FloorCell cell;
+      int beyond;  ///< cells from the last free one
+    };
+    const int beyond_max = static_cast<int>(kBeyondGate_m / floor_.cell_m());
+    std::vector<LedTo> steps;
+    for (const FloorCell cell : gate.sill) steps.push_back({cell, 0});
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      for (const FloorCell way : kBeside) {
+        const FloorCell next{steps[i].cell.x + way.x, steps[i].cell.y + way.y};
+        if (!clearance_.room().contains(next) || marks_[clearance_.index(next)] == kLedTo) continue;
+        const bool is_sure = clearance_.to_doubtful_m(next) >= gate_params_.room_m;
+        if (is_sure || !may_be_floor(next)) continue;
+        const int beyond = floor_.at(next) == Floor::kFree ? 0 : steps[i].beyond + 1;
+        if (beyond > beyond_max) continue;
+        marks_[clearance_.index(next)] = kLedTo;
+        steps.push_back({next, beyond});
+      }
+    }
+  }
+
+  /// Into which of the four directions it is dark behind a free cell.
+  std::optional<FloorCell> dark_beside(FloorCell cell) const {
+    for (const FloorCell way : kBeside) {
+      bool is_dark = true;
+      for (int i = 1; i <= kDarkCells && is_dark; ++i)
+        is_dark = floor_.at(FloorCell{cell.x + i * way.x, cell.y + i * way.y}) == Floor::kUnknown;
+      if (is_dark) return FloorCell{cell.x + kDarkCells * way.x, cell.y + kDarkCells * way.y};
+    }
+    return std::nullopt;
+  }
+
+  bool is_led_to(FloorCell cell) const {
+    const int reach = static_cast<int>(gate_params_.room_m / floor_.cell_m());
+    for (int y = -reach; y <= reach; y += 2) {
+      for (int x = -reach; x <= reach; x += 2) {
+        const FloorCell near{cell.x + x, cell.y + y};
+        if (clearance_.room().contains(near) && marks_[clearance_.index(near)] == kLedTo) return true;
+      }
+    }
+    return false;
+  }
+
+  std::vector<FloorCell> mark_edges() {
+    std::vector<FloorCell> edges;
+    const FloorBox& known = floor_.known();
+    for (int y = known.low.y; y < known.end.y; ++y) {
+      for (int x = known.low.x; x < known.end.x; ++x) {
+        const FloorCell cell{x, y};
+        if (floor_.at(cell) == Floor::kFree && dark_beside(cell) && !is_led_to(cell)) edges.push_back(cell);
+      }
+    }
+    for (const FloorCell cell : edges) marks_[clearance_.index(cell)] = kEdge;
+    return edges;
+  }
+
+  Gate gather(FloorCell first) {
+    Gate nook;
+    nook.is_nook = true;
+    nook.sill.push_back(first);
+    marks_[clearance_.index(first)] = kTaken;
+    Vec2 middle = Vec2::Zero();
+    for (std::size_t i = 0; i < nook.sill.size(); ++i) {
+      const FloorCell cell = nook.sill[i];
+      nook.box.include(cell);
+      middle += floor_.centre(cell);
+      for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
+        for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
+          const std::size_t next = clearance_.index({x, y});
+          if (marks_[next] != kEdge) continue;
+          marks_[next] = kTaken;
+          nook.sill.push_back({x, y});
+        }
+      }
+    }
+    middle /= static_cast<double>(nook.sill.size());
+    const auto nearest = std::min_element(nook.sill.begin(), nook.sill.end(), [&](FloorCell a, FloorCell b) {
+      return (floor_.centre(a) - middle).squaredNorm() < (floor_.centre(b) - middle).squaredNorm();
+    });
+    nook.p_map = floor_.centre(*nearest);
+    nook.behind_m2 = static_cast<double>(kDarkCells) * static_cast<double>(nook.sill.size()) *
+                     floor_.cell_m() * floor_.cell_m();
+    for (const std::size_t i : spread(nook.sill.size(), kNookRimMax))
+      nook.rim.push_back(floor_.centre(*dark_beside(nook.sill[i])));
+    return nook;
+  }
+
+  /// The place nearest to the vehicle that has a line of sight to some of the rim.
+  bool find_stand(Gate& nook) const {
+    nook.way_m = FloorDistances::kUnreached;
+    for (const std::size_t i : spread(nook.rim.size(), kLooksMax)) {
+      for (int k = 0; k < kSights; ++k) look_back(nook.rim[i], unit(2 * kPi * k / kSights), nook);
+    }
+    return nook.way_m < FloorDistances::kUnreached;
+  }
+
+  void look_back(const Vec2& p_map, const Vec2& direction, Gate& nook) const {
+    for (double along_m = 0; along_m < params_.reach_m; along_m += floor_.cell_m()) {
+      const FloorCell cell = floor_.cell_at(Vec2(p_map + along_m * direction));
+      const Floor kind = floor_.at(cell);
+      if (kind == Floor::kOccupied || (kind == Floor::kUnknown && along_m > Gate::kNookDepth_m)) return;
+      if (along_m < kSightMin_m || reached_.to(cell) >= nook.way_m) continue;
+      nook.way_m = reached_.to(cell);
+      nook.stand = cell;
+    }
+  }
+
+  const FloorGrid& floor_;
+  const FloorClearance& clearance_;
+  const FloorDistances& reached_;
+  const GateParams& gate_params_;
+  const NookParams& params_;
+  std::vector<std::uint8_t> marks_;
+};
+
+}  // namespace
+
+void NookParams::describe(FieldList& fields) {
+  fields.real("edge_min_m", edge_min_m, {0.1, 100}, "a nook's edge is at least so long");
+  fields.real("reach_m", reach_m, {1, 20}, "from so far a nook is looked into, at most");
+  fields.real("way_max_m", way_max_m, {0, 1000},
+              "a nook farther away waits until the vehicle comes by; 0: none matters");
+}
+
+std::vector<Gate> find_nooks(const FloorGrid& floor, const FloorClearance& clearance,
+                             const FloorDistances& reached, std::span<const Gate> gates,
+                             const GateParams& gate_params, const NookParams& params) {
+  return NookFinder(floor, clearance, reached, gate_params, params).find(gates);
+}
+
+}  // namespace aisle

@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drawn_floor.hpp"
+
+namespace aisle {
+namespace {
+
+/// A corridor of which all is known.
+DrawnFloor closed_corridor() {
+  DrawnFloor drawn;
+  drawn.put_corridor(5, 2);
+  drawn.put({5, 0}, {5.05, 2}, Floor::kOccupied);
+  return drawn;
+}
+
+TEST(Nooks, WhereAllIsKnownThereIsNone) {
+  EXPECT_TRUE(closed_corridor().nooks().empty());
+}
+
+TEST(Nooks, ARecessTooNarrowForTheVehicleIsOne) {
+  DrawnFloor drawn = closed_corridor();
+  drawn.put({2, 2}, {2.4, 2.05}, Floor::kFree);
+  EXPECT_TRUE(drawn.gates().empty());
+  const auto nooks = drawn.nooks();
+  ASSERT_EQ(nooks.size(), 1);
+  EXPECT_TRUE(nooks[0].is_nook);
+  for (const Vec2& p : nooks[0].rim) EXPECT_NEAR(p.y(), 2.175, 0.01);
+  const Vec2 p_stand = drawn.floor.centre(nooks[0].stand);
+  EXPECT_LT(p_stand.y(), 2);
+  EXPECT_NEAR(nooks[0].way_m, (p_stand - Vec2(1, 1)).norm(), 0.15);
+}
+
+TEST(Nooks, AnEdgeTooShortIsNone) {
+  DrawnFloor drawn = closed_corridor();
+  drawn.put({2, 2}, {2.2, 2.05}, Floor::kFree);
+  EXPECT_TRUE(drawn.nooks().empty());
+}
+
+TEST(Nooks, ARoomBehindADoorTooNarrowForTheVehicleIsLookedInto) {
+  DrawnFloor drawn = closed_corridor();
+  drawn.put({2, 2}, {2.5, 2.05}, Floor::kFree);
+  drawn.put({1.5, 2.05}, {3, 4}, Floor::kFree);
+  EXPECT_TRUE(drawn.gates().empty());
+  EXPECT_FALSE(drawn.nooks().empty());
+}
+
+TEST(Nooks, WhatAGateLeadsToIsNone) {
+  DrawnFloor drawn;
+  drawn.put_corridor(5, 2);
+  ASSERT_EQ(drawn.gates().size(), 1);
+  EXPECT_TRUE(drawn.nooks().empty());
+}
+
+TEST(Nooks, WhatCannotBeSeenFromWhereTheVehicleGetsIsNone) {
+  DrawnFloor drawn = closed_corridor();
+  drawn.put({6, 0}, {8, 2}, Floor::kFree);
+  EXPECT_TRUE(drawn.nooks().empty());
+}
+
+}  // namespace
+}  // namespace aisle
