@@ -9,6 +9,8 @@
 namespace aisle {
 namespace {
 
+constexpr double kCoarse = 1.5;  // cells by which what is struck may lie off
+
 /// The cells that a disc or rectangle about a place may touch.
 FloorBox box_around(const FloorGrid& floor, const Vec2& p_map, double reach_m) {
   FloorBox box;
@@ -100,6 +102,29 @@ class FloorPainter {
   FloorBox changed_;
 };
 
+/// All that lies on a beam before where it begins to look, and a little more: cells are coarse.
+bool is_known_free(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad, double near_m) {
+  const Vec2 along = unit(T_map_laser.theta + angle_rad);
+  const double end_m = near_m + kCoarse * floor.cell_m();
+  for (double range_m = 0; range_m < end_m; range_m += floor.cell_m() / 2) {
+    if (floor.at(Vec2(T_map_laser.position() + range_m * along)) != Floor::kFree) return false;
+  }
+  return true;
+}
+
+/// A beam that strikes nothing tells of free floor only where nothing can stand nearer than it looks.
+std::vector<float> told_ranges_m(const FloorGrid& floor, const LaserScanner& laser,
+                                 std::span<const float> ranges_m, std::span<const float> near_m,
+                                 const Pose2& T_map_laser) {
+  std::vector<float> told_m(ranges_m.begin(), ranges_m.end());
+  for (std::size_t beam = 0; beam < near_m.size(); ++beam) {
+    if (told_m[beam] >= laser.range_max_m &&
+        !is_known_free(floor, T_map_laser, laser.beam_angle(beam), near_m[beam]))
+      told_m[beam] = 0;
+  }
+  return told_m;
+}
+
 }  // namespace
 
 void FloorViewParams::describe(FieldList& fields) {
@@ -108,8 +133,9 @@ void FloorViewParams::describe(FieldList& fields) {
 
 FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
                    std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params) {
-  return FloorPainter(floor, laser, ranges_m, near_m, T_map_vehicle * laser.T_vehicle_laser, params.reach_m)
-      .paint();
+  const Pose2 T_map_laser = T_map_vehicle * laser.T_vehicle_laser;
+  const std::vector<float> told_m = told_ranges_m(floor, laser, ranges_m, near_m, T_map_laser);
+  return FloorPainter(floor, laser, told_m, near_m, T_map_laser, params.reach_m).paint();
 }
 
 FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle) {

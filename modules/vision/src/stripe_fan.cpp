@@ -1,0 +1,244 @@
+#include "aisle/vision/stripe_fan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace aisle {
+namespace {
+
+constexpr double kStep_rad = 0.25 * kDegree;
+constexpr double kPictureEdge_px = 4;   // lenses are poor there
+constexpr double kNearest_m = 0.1;      // from below the lens
+constexpr double kProbe_m = 0.01;       // over which a beam's scale in the picture is measured
+constexpr double kBlur_px = 1.5;        // of the lens, to either side of a stripe
+constexpr std::size_t kAsideFlanks = 2;         // so many flanks before and behind it nothing is as bright
+constexpr double kLinkFloor_px = 2;     // from beam to beam, beyond what the steepness explains
+constexpr std::size_t kGapBeams = 1;    // that a stripe may leave out
+constexpr std::size_t kUsualStep = 7;   // samples from one to the next that tells the usual contrast
+constexpr int kUsualMax = 20;           // more is a thing's edge
+
+}  // namespace
+
+void StripeFanParams::describe(FieldList& fields) {
+  fields.real("light_reach_m", light_reach_m, {1, 20}, "so far any wall shows that the markers are on");
+  fields.real("contrast_min", contrast_min, {1, 200},
+              "by which a stripe outshines what lies before and behind it, in grey levels");
+  fields.real("noise_factor", noise_factor, {1, 50}, "and by how many times the picture's usual contrast");
+  fields.real("beam_m", beam_m, {0.001, 0.1}, "thickness of the light");
+  fields.real("steepness_max", steepness_max, {0.5, 10}, "rows a column of the steepest stripe");
+  fields.real("width_min_m", width_min_m, {0, 0.5}, "of the narrowest thing");
+  fields.count("beams_min", beams_min, {1, 100}, "that strike the narrowest thing");
+  fields.real("mirrored_share", mirrored_share, {0, 1},
+              "of a stripe's contrast: fainter before it is mirrored by the floor");
+  fields.count("lit_beams_min", lit_beams_min, {1, 1000}, "of a stripe that is nothing but laser light");
+}
+
+double StripeFan::angle_step_rad() {
+  return kStep_rad;
+}
+
+StripeFan::StripeFan(const StripeFanParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
+                     int width_px, int height_px, double height_m)
+    : params_(params), width_px_(width_px), height_px_(height_px), focal_px_(intrinsics.fy_px) {
+  lay_beams(CameraModel(intrinsics), mount, height_m);
+  if (samples_.empty()) throw std::invalid_argument("the camera sees no laser light within reach");
+}
+
+/// As wide as the picture's middle row sees to both sides.
+void StripeFan::lay_beams(const CameraModel& camera, const CameraMount& mount, double height_m) {
+  const Vec2 p_vehicle_lens = mount.p_vehicle_camera.head<2>();
+  const BackProjection plane(camera, mount, height_m);
+  const auto aside_rad = [&](double column_px) {
+    const auto p_vehicle = plane.point({column_px, height_px_ / 2.0});
+    return p_vehicle ? std::abs(wrap_angle(heading_of(*p_vehicle - p_vehicle_lens) - mount.pan_rad)) : 0;
+  };
+  const double half_rad =
+      std::min(aside_rad(kPictureEdge_px), aside_rad(width_px_ - 1 - kPictureEdge_px));
+  const int half_beams = static_cast<int>(half_rad / kStep_rad);
+  first_angle_rad_ = -half_beams * kStep_rad;
+  for (int beam = -half_beams; beam <= half_beams; ++beam)
+    lay_curve(mount.pan_rad + beam * kStep_rad, camera, mount, height_m);
+  levels_.resize(samples_.size());
+  link_px_ = static_cast<int>(kLinkFloor_px + params_.steepness_max * focal_px_ * kStep_rad);
+}
+
+bool StripeFan::is_inside(const Vec2& pixel) const {
+  return pixel.x() >= kPictureEdge_px && pixel.y() >= kPictureEdge_px &&
+         pixel.x() < width_px_ - 1 - kPictureEdge_px && pixel.y() < height_px_ - 1 - kPictureEdge_px;
+}
+
+/// Outwards from below the lens, a sample a pixel.
+void StripeFan::lay_curve(double angle_rad, const CameraModel& camera, const CameraMount& mount,
+                          double height_m) {
+  const Vec2 p_vehicle_lens = mount.p_vehicle_camera.head<2>();
+  const auto pixel_at = [&](double range_m) {
+    const Vec2 p_vehicle = p_vehicle_lens + range_m * unit(angle_rad);
+    return camera.project(mount.to_camera({p_vehicle.x(), p_vehicle.y(), height_m}));
+  };
+  Curve curve{samples_.size(), samples_.size()};
+  Beam beam;
+  for (double range_m = kNearest_m; range_m < params_.light_reach_m;) {
+    const auto pixel = pixel_at(range_m), beyond = pixel_at(range_m + kProbe_m);
+    if (!pixel || !beyond || !is_inside(*pixel)) {
+      if (curve.end > curve.first) break;
+      range_m += kProbe_m;
+      continue;
+    }
+    const double px_per_m = (*beyond - *pixel).norm() / kProbe_m;
+    const Vec2 first = pixel->array().floor();
+    samples_.push_back(
+        {.first_byte = static_cast<std::uint32_t>(first.y()) * static_cast<std::uint32_t>(width_px_) +
+                       static_cast<std::uint32_t>(first.x()),
+         .right_256 = static_cast<std::uint16_t>(std::lround(256 * (pixel->x() - first.x()))),
+         .below_256 = static_cast<std::uint16_t>(std::lround(256 * (pixel->y() - first.y()))),
+         .range_m = static_cast<float>(range_m),
+         .flank = flank_at(std::hypot(range_m, mount.p_vehicle_camera.z() - height_m))});
+    curve.end = samples_.size();
+    range_m += 1 / px_per_m;
+  }
+  if (curve.end > curve.first) {
+    const std::size_t nearest = curve.first + samples_[curve.first].flank;
+    const std::size_t farthest = curve.end - 1 - samples_[curve.end - 1].flank;
+    beam.near_m = samples_[std::min(nearest, curve.end - 1)].range_m;
+    beam.far_m = samples_[std::max(farthest, curve.first)].range_m;
+  }
+  curves_.push_back(curve);
+  beams_.push_back(beam);
+}
+
+/// Half the stripe's thickness, where it is steepest, and the blur beside it.
+std::uint8_t StripeFan::flank_at(double away_m) const {
+  const double flank_px = kBlur_px + params_.steepness_max * params_.beam_m * focal_px_ / away_m;
+  return static_cast<std::uint8_t>(std::clamp(std::lround(flank_px), 3L, 40L));
+}
+
+const std::vector<StripeFan::Beam>& StripeFan::find(const Image& picture) {
+  if (picture.channels != 1 || picture.width_px != width_px_ || picture.height_px != height_px_)
+    throw std::invalid_argument("the picture must be grey and of the camera's size");
+  read(picture);
+  find_peaks();
+  link_peaks();
+  choose_nearest();
+  return beams_;
+}
+
+void StripeFan::read(const Image& picture) {
+  const std::uint8_t* bytes = picture.bytes.data();
+  const std::size_t below = picture.row_bytes();
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const Sample& sample = samples_[i];
+    const std::uint8_t* at = bytes + sample.first_byte;
+    const int upper = (256 - sample.right_256) * at[0] + sample.right_256 * at[1];
+    const int lower = (256 - sample.right_256) * at[below] + sample.right_256 * at[below + 1];
+    const int level = (256 - sample.below_256) * upper + sample.below_256 * lower;
+    levels_[i] = static_cast<std::int16_t>((level + (1 << 15)) >> 16);
+  }
+}
+
+/// From the usual contrast along the beams.
+int StripeFan::threshold() const {
+  long total = 0, count = 0;
+  for (const Curve& curve : curves_) {
+    for (std::size_t i = curve.first; i + samples_[i].flank < curve.end; i += kUsualStep) {
+      total += std::min(std::abs(levels_[i] - levels_[i + samples_[i].flank]), kUsualMax);
+      ++count;
+    }
+  }
+  const double usual = static_cast<double>(total) / static_cast<double>(std::max(count, 1L));
+  return static_cast<int>(std::ceil(std::max(params_.contrast_min, params_.noise_factor * usual)));
+}
+
+void StripeFan::find_peaks() {
+  peaks_.clear();
+  const int contrast_min = threshold();
+  for (std::size_t beam = 0; beam < curves_.size(); ++beam) {
+    const Curve& curve = curves_[beam];
+    for (std::size_t i = curve.first + 1; i + 1 < curve.end; ++i) {
+      const std::size_t flank = samples_[i].flank;
+      if (i < curve.first + flank) continue;
+      if (i + flank >= curve.end) break;
+      const std::int16_t* here = &levels_[i];
+      if (here[0] < here[-1] || here[0] <= here[1]) continue;
+      const int aside = std::max(*(here - flank), *(here + flank));
+      if (here[0] - aside < contrast_min) continue;
+      const int contrast = here[0] - brightest_aside(curve, i);
+      if (contrast >= contrast_min) add_peak(beam, i, contrast);
+    }
+  }
+}
+
+/// Before and behind a stripe that is there.
+int StripeFan::brightest_aside(const Curve& curve, std::size_t i) const {
+  const std::size_t flank = samples_[i].flank;
+  const std::size_t first = i - std::min(i - curve.first, kAsideFlanks * flank);
+  const std::size_t end = std::min(i + kAsideFlanks * flank + 1, curve.end);
+  const auto level = [&](std::size_t k) { return levels_.begin() + static_cast<std::ptrdiff_t>(k); };
+  return std::max(*std::max_element(level(first), level(i - flank + 1)),
+                  *std::max_element(level(i + flank), level(end)));
+}
+
+/// At the middle of what is at least half as bright.
+void StripeFan::add_peak(std::size_t beam, std::size_t i, int contrast) {
+  const int half = levels_[i] - contrast / 2;
+  const std::size_t flank = samples_[i].flank;
+  double weights = 0, moment_m = 0;
+  const auto add = [&](std::size_t k) {
+    const double weight = levels_[k] - half + 1;
+    weights += weight;
+    moment_m += weight * samples_[k].range_m;
+  };
+  add(i);
+  for (std::size_t k = 1; k < flank && levels_[i - k] >= half; ++k) add(i - k);
+  for (std::size_t k = 1; k < flank && levels_[i + k] >= half; ++k) add(i + k);
+  peaks_.push_back({.beam = beam,
+                    .row = static_cast<int>(samples_[i].first_byte) / width_px_,
+                    .range_m = moment_m / weights,
+                    .contrast = contrast});
+}
+
+/// Peaks of neighbouring beams at about the same row belong together.
+void StripeFan::link_peaks() {
+  chains_.clear();
+  std::size_t before = 0;  // the first peak that may be linked to
+  for (std::size_t p = 0; p < peaks_.size(); ++p) {
+    Peak& peak = peaks_[p];
+    while (peaks_[before].beam + kGapBeams + 1 < peak.beam) ++before;
+    const Peak* linked = nullptr;
+    for (std::size_t q = before; q < p && peaks_[q].beam < peak.beam; ++q) {
+      const int off = std::abs(peaks_[q].row - peak.row);
+      if (off > link_px_ * static_cast<int>(peak.beam - peaks_[q].beam)) continue;
+      if (linked == nullptr || peaks_[q].beam > linked->beam || off < std::abs(linked->row - peak.row))
+        linked = &peaks_[q];
+    }
+    if (linked == nullptr) chains_.push_back({.range_m = peak.range_m});
+    peak.chain = linked == nullptr ? chains_.size() - 1 : linked->chain;
+    Chain& chain = chains_[peak.chain];
+    ++chain.beams;
+    chain.range_m = std::min(chain.range_m, peak.range_m);
+  }
+  for (Chain& chain : chains_) chain.is_stripe = is_stripe(chain);
+}
+
+bool StripeFan::is_stripe(const Chain& chain) const {
+  return chain.beams >= params_.beams_min && chain.beams * kStep_rad * chain.range_m >= params_.width_min_m;
+}
+
+/// The nearest laser light on a beam. Floor mirrors the stripe: fainter, and before it.
+void StripeFan::choose_nearest() {
+  for (Beam& beam : beams_) beam.range_m = 0;
+  brightest_.assign(beams_.size(), 0);
+  for (std::size_t p = peaks_.size(); p-- > 0;) {
+    const Peak& peak = peaks_[p];
+    if (!chains_[peak.chain].is_stripe) continue;
+    int& brightest = brightest_[peak.beam];
+    if (peak.contrast >= params_.mirrored_share * brightest)
+      beams_[peak.beam].range_m = static_cast<float>(peak.range_m);
+    brightest = std::max(brightest, peak.contrast);
+  }
+  sees_light_ = std::any_of(chains_.begin(), chains_.end(),
+                            [&](const Chain& chain) { return chain.beams >= params_.lit_beams_min; });
+}
+
+}  // namespace aisle
