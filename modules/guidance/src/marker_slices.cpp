@@ -49,7 +49,7 @@ class MarkerSlices final : public SliceSensor {
   /// Where no light is seen the way is free, as far as the beam lies in the picture, and where light could
   /// be seen at all.
   float range_m(const StripeFan::Beam& beam) const {
-    if (!stripe_.sees_light()) return 0;
+    if (!stripe_.sees_light() || beam.may_be_shut) return 0;
     if (beam.range_m > 0) return std::min(beam.range_m, static_cast<float>(kSureReach_m));
     return beam.far_m >= kSureReach_m ? static_cast<float>(kSureReach_m) : 0;
   }

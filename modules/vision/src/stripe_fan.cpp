@@ -1,6 +1,7 @@
 #include "aisle/vision/stripe_fan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
@@ -9,15 +10,19 @@ namespace aisle {
 namespace {
 
 constexpr double kStep_rad = 0.25 * kDegree;
-constexpr double kPictureEdge_px = 4;   // lenses are poor there
-constexpr double kNearest_m = 0.1;      // from below the lens
-constexpr double kProbe_m = 0.01;       // over which a beam's scale in the picture is measured
-constexpr double kBlur_px = 1.5;        // of the lens, to either side of a stripe
-constexpr std::size_t kAsideFlanks = 2;         // so many flanks before and behind it nothing is as bright
-constexpr double kLinkFloor_px = 2;     // from beam to beam, beyond what the steepness explains
-constexpr std::size_t kGapBeams = 1;    // that a stripe may leave out
-constexpr std::size_t kUsualStep = 7;   // samples from one to the next that tells the usual contrast
-constexpr int kUsualMax = 20;           // more is a thing's edge
+constexpr double kPictureEdge_px = 4;    // lenses are poor there
+constexpr double kNearest_m = 0.1;       // from below the lens
+constexpr double kProbe_m = 0.01;        // over which a beam's scale in the picture is measured
+constexpr double kBlur_px = 1.5;         // of the lens, to either side of a stripe
+constexpr std::size_t kAsideFlanks = 2;  // so many flanks before and behind it nothing is as bright
+constexpr double kLinkFloor_px = 2;      // from beam to beam, beyond what the steepness explains
+constexpr std::size_t kGapBeams = 1;     // that a stripe may leave out
+constexpr double kNearEdge_m = 0.15;     // a stripe that ends so near to the picture's lower edge leaves it
+constexpr double kFaint = 3;             // times the least contrast: a stripe that may go on unseen ...
+constexpr int kEndBeams = 6;             // ... when it is so faint on one of so many beams at its end
+constexpr int kWallBeams = 24;           // that tell where a wall goes on
+constexpr double kSameWall = 0.1;        // of the range, from beam to beam
+constexpr std::size_t kUsualStep = 7;    // samples from one to the next that tells the usual contrast
 
 }  // namespace
 
@@ -39,8 +44,8 @@ double StripeFan::angle_step_rad() {
   return kStep_rad;
 }
 
-StripeFan::StripeFan(const StripeFanParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
-                     int width_px, int height_px, double height_m)
+StripeFan::StripeFan(const StripeFanParams& params, const CameraIntrinsics& intrinsics,
+                     const CameraMount& mount, int width_px, int height_px, double height_m)
     : params_(params), width_px_(width_px), height_px_(height_px), focal_px_(intrinsics.fy_px) {
   lay_beams(CameraModel(intrinsics), mount, height_m);
   if (samples_.empty()) throw std::invalid_argument("the camera sees no laser light within reach");
@@ -54,8 +59,7 @@ void StripeFan::lay_beams(const CameraModel& camera, const CameraMount& mount, d
     const auto p_vehicle = plane.point({column_px, height_px_ / 2.0});
     return p_vehicle ? std::abs(wrap_angle(heading_of(*p_vehicle - p_vehicle_lens) - mount.pan_rad)) : 0;
   };
-  const double half_rad =
-      std::min(aside_rad(kPictureEdge_px), aside_rad(width_px_ - 1 - kPictureEdge_px));
+  const double half_rad = std::min(aside_rad(kPictureEdge_px), aside_rad(width_px_ - 1 - kPictureEdge_px));
   const int half_beams = static_cast<int>(half_rad / kStep_rad);
   first_angle_rad_ = -half_beams * kStep_rad;
   for (int beam = -half_beams; beam <= half_beams; ++beam)
@@ -121,6 +125,7 @@ const std::vector<StripeFan::Beam>& StripeFan::find(const Image& picture) {
   find_peaks();
   link_peaks();
   choose_nearest();
+  doubt_beyond_ends();
   return beams_;
 }
 
@@ -137,22 +142,25 @@ void StripeFan::read(const Image& picture) {
   }
 }
 
-/// From the usual contrast along the beams.
+/// From the median contrast along the beams.
 int StripeFan::threshold() const {
-  long total = 0, count = 0;
+  std::array<std::size_t, 256> counts{};
+  std::size_t count = 0;
   for (const Curve& curve : curves_) {
     for (std::size_t i = curve.first; i + samples_[i].flank < curve.end; i += kUsualStep) {
-      total += std::min(std::abs(levels_[i] - levels_[i + samples_[i].flank]), kUsualMax);
+      ++counts[static_cast<std::size_t>(std::abs(levels_[i] - levels_[i + samples_[i].flank]))];
       ++count;
     }
   }
-  const double usual = static_cast<double>(total) / static_cast<double>(std::max(count, 1L));
-  return static_cast<int>(std::ceil(std::max(params_.contrast_min, params_.noise_factor * usual)));
+  std::size_t usual = 0;
+  for (std::size_t below = counts[0]; 2 * below < count; below += counts[usual]) ++usual;
+  return static_cast<int>(
+      std::ceil(std::max(params_.contrast_min, params_.noise_factor * static_cast<double>(usual))));
 }
 
 void StripeFan::find_peaks() {
   peaks_.clear();
-  const int contrast_min = threshold();
+  contrast_min_ = threshold();
   for (std::size_t beam = 0; beam < curves_.size(); ++beam) {
     const Curve& curve = curves_[beam];
     for (std::size_t i = curve.first + 1; i + 1 < curve.end; ++i) {
@@ -162,9 +170,9 @@ void StripeFan::find_peaks() {
       const std::int16_t* here = &levels_[i];
       if (here[0] < here[-1] || here[0] <= here[1]) continue;
       const int aside = std::max(*(here - flank), *(here + flank));
-      if (here[0] - aside < contrast_min) continue;
+      if (here[0] - aside < contrast_min_) continue;
       const int contrast = here[0] - brightest_aside(curve, i);
-      if (contrast >= contrast_min) add_peak(beam, i, contrast);
+      if (contrast >= contrast_min_) add_peak(beam, i, contrast);
     }
   }
 }
@@ -227,18 +235,75 @@ bool StripeFan::is_stripe(const Chain& chain) const {
 
 /// The nearest laser light on a beam. Floor mirrors the stripe: fainter, and before it.
 void StripeFan::choose_nearest() {
-  for (Beam& beam : beams_) beam.range_m = 0;
+  for (Beam& beam : beams_) {
+    beam.range_m = 0;
+    beam.may_be_shut = false;
+  }
   brightest_.assign(beams_.size(), 0);
+  contrast_.assign(beams_.size(), 0);
   for (std::size_t p = peaks_.size(); p-- > 0;) {
     const Peak& peak = peaks_[p];
     if (!chains_[peak.chain].is_stripe) continue;
     int& brightest = brightest_[peak.beam];
-    if (peak.contrast >= params_.mirrored_share * brightest)
+    if (peak.contrast >= params_.mirrored_share * brightest) {
       beams_[peak.beam].range_m = static_cast<float>(peak.range_m);
+      contrast_[peak.beam] = peak.contrast;
+    }
     brightest = std::max(brightest, peak.contrast);
   }
   sees_light_ = std::any_of(chains_.begin(), chains_.end(),
                             [&](const Chain& chain) { return chain.beams >= params_.lit_beams_min; });
+}
+
+/// A wall goes on where its stripe is too faint to be seen, or below the picture.
+void StripeFan::doubt_beyond_ends() {
+  const int beams = static_cast<int>(beams_.size());
+  for (int beam = 0; beam < beams; ++beam) {
+    if (beams_[static_cast<std::size_t>(beam)].range_m == 0) continue;
+    if (beam + 1 < beams && beams_[static_cast<std::size_t>(beam) + 1].range_m == 0) doubt_beyond(beam, 1);
+    if (beam > 0 && beams_[static_cast<std::size_t>(beam) - 1].range_m == 0) doubt_beyond(beam, -1);
+  }
+}
+
+/// The beams that strike nothing as far as they cross the straight line on which the stripe goes on.
+void StripeFan::doubt_beyond(int end, int outwards) {
+  const int beams = beams_of_wall(end, -outwards);
+  if (beams < params_.beams_min || !goes_on_unseen(end, -outwards, beams)) return;
+  const Vec2 p_end = struck(end), along = p_end - struck(end - outwards * (beams - 1));
+  for (int k = end + outwards; k >= 0 && k < static_cast<int>(beams_.size()); k += outwards) {
+    Beam& beam = beams_[static_cast<std::size_t>(k)];
+    const Vec2 towards = unit(first_angle_rad_ + k * kStep_rad);
+    const double crossing_m = cross(p_end, along) / cross(towards, along);
+    if (beam.range_m > 0 || !(crossing_m > 0) || crossing_m > params_.light_reach_m) return;
+    beam.may_be_shut = true;
+  }
+}
+
+/// The stripe is faint at its end, or the picture ends there.
+bool StripeFan::goes_on_unseen(int end, int inwards, int beams) const {
+  const Beam& last = beams_[static_cast<std::size_t>(end)];
+  if (last.range_m < last.near_m + kNearEdge_m) return true;
+  int faintest = contrast_[static_cast<std::size_t>(end)];
+  for (int i = 1; i < std::min(beams, kEndBeams); ++i)
+    faintest = std::min(faintest, contrast_[static_cast<std::size_t>(end + i * inwards)]);
+  return faintest < kFaint * contrast_min_;
+}
+
+/// How many beams from the stripe's end inwards strike the same wall, as far as that matters.
+int StripeFan::beams_of_wall(int end, int inwards) const {
+  int beams = 1;
+  for (; beams < kWallBeams; ++beams) {
+    const int next = end + beams * inwards;
+    if (next < 0 || next >= static_cast<int>(beams_.size())) break;
+    const double range_m = beams_[static_cast<std::size_t>(next)].range_m;
+    const double before_m = beams_[static_cast<std::size_t>(next - inwards)].range_m;
+    if (std::abs(range_m - before_m) > kSameWall * before_m) break;
+  }
+  return beams;
+}
+
+Vec2 StripeFan::struck(int beam) const {
+  return beams_[static_cast<std::size_t>(beam)].range_m * unit(first_angle_rad_ + beam * kStep_rad);
 }
 
 }  // namespace aisle

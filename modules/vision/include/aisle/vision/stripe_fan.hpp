@@ -15,7 +15,7 @@ namespace aisle {
 struct StripeFanParams {
   double light_reach_m = 8;
   double contrast_min = 8;
-  double noise_factor = 5;
+  double noise_factor = 4;
   double beam_m = 0.01;
   double steepness_max = 2.5;
   double width_min_m = 0.025;
@@ -33,9 +33,10 @@ class StripeFan {
  public:
   /// What one beam tells.
   struct Beam {
-    float range_m = 0;  ///< from below the lens to what is lit; 0: nothing is, within reach
-    float near_m = 0;   ///< from here on the beam lies in the picture ...
-    float far_m = 0;    ///< ... up to here
+    float range_m = 0;         ///< from below the lens to what is lit; 0: nothing is, within reach
+    float near_m = 0;          ///< from here on light on the beam is seen ...
+    float far_m = 0;           ///< ... up to here
+    bool may_be_shut = false;  ///< nothing is lit, but a stripe fades out or leaves the picture towards it
   };
 
   /// @param height_m  of the light plane above the floor
@@ -93,6 +94,11 @@ class StripeFan {
   void link_peaks();
   bool is_stripe(const Chain& chain) const;
   void choose_nearest();
+  void doubt_beyond_ends();
+  void doubt_beyond(int end, int outwards);
+  bool goes_on_unseen(int end, int inwards, int beams) const;
+  int beams_of_wall(int end, int inwards) const;
+  Vec2 struck(int beam) const;
 
   StripeFanParams params_;
   int width_px_, height_px_;
@@ -106,6 +112,8 @@ class StripeFan {
   std::vector<Peak> peaks_;
   std::vector<Chain> chains_;
   std::vector<int> brightest_;  ///< one a beam
+  std::vector<int> contrast_;   ///< one a beam, of what it strikes
+  int contrast_min_ = 0;
   bool sees_light_ = false;
 };
 
