@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kSureReach_m = 4;  // so far light is seen on whatever stands in its way
+constexpr StripeFanParams kStripeParams;
 
 const CameraDescription& marker_camera(const VehicleDescription& vehicle, const std::string& name) {
   if (!vehicle.laser_markers) throw std::invalid_argument("the vehicle has no laser markers");
@@ -22,12 +22,12 @@ class MarkerSlices final : public SliceSensor {
   MarkerSlices(const VehicleDescription& vehicle, const CameraDescription& camera)
       : camera_(camera),
         cycle_s_(vehicle.cycle_s),
-        stripe_({}, camera.intrinsics, camera.mount, camera.width_px, camera.height_px,
+        stripe_(kStripeParams, camera.intrinsics, camera.mount, camera.width_px, camera.height_px,
                 vehicle.laser_markers->height_m) {
     const Vec3& p_vehicle_lens = camera.mount.p_vehicle_camera;
     fan_ = {.first_angle_rad = stripe_.first_angle_rad(),
             .angle_step_rad = StripeFan::angle_step_rad(),
-            .range_max_m = kSureReach_m,
+            .range_max_m = kStripeParams.sure_reach_m,
             .T_vehicle_laser = {p_vehicle_lens.x(), p_vehicle_lens.y(), camera.mount.pan_rad}};
     for (const StripeFan::Beam& beam : stripe_.beams()) near_m_.push_back(beam.near_m);
   }
@@ -50,8 +50,8 @@ class MarkerSlices final : public SliceSensor {
   /// be seen at all.
   float range_m(const StripeFan::Beam& beam) const {
     if (!stripe_.sees_light() || beam.may_be_shut) return 0;
-    if (beam.range_m > 0) return std::min(beam.range_m, static_cast<float>(kSureReach_m));
-    return beam.far_m >= kSureReach_m ? static_cast<float>(kSureReach_m) : 0;
+    if (beam.range_m > 0) return std::min(beam.range_m, static_cast<float>(kStripeParams.sure_reach_m));
+    return beam.far_m >= kStripeParams.sure_reach_m ? static_cast<float>(kStripeParams.sure_reach_m) : 0;
   }
 
   CameraDescription camera_;

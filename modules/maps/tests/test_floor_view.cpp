@@ -49,6 +49,18 @@ TEST(FloorView, LeavesWhatIsNearerThanItLooksUnknown) {
   EXPECT_EQ(floor.at(Vec2(1, 0)), Floor::kFree);
 }
 
+TEST(FloorView, ABeamThatStrikesNothingTellsOnlyWhereNothingCanStandBeforeItLooks) {
+  const std::vector<float> near_m(181, 0.8F), nothing(181, 30.0F);
+  FloorGrid floor;
+  see_floor(floor, kScanner, nothing, near_m, {}, {});
+  EXPECT_EQ(floor.at(Vec2(1.5, 0.02)), Floor::kUnknown);
+
+  stand_on_floor(floor, Footprint{.front_m = 1, .rear_m = 0.2, .width_m = 0.6}, {});
+  see_floor(floor, kScanner, nothing, near_m, {}, {});
+  EXPECT_EQ(floor.at(Vec2(1.5, 0.02)), Floor::kFree);
+  EXPECT_EQ(floor.at(Vec2(0.02, 1.5)), Floor::kUnknown);
+}
+
 TEST(FloorView, UnusableReadingsTellNothing) {
   FloorGrid floor;
   std::vector<float> ranges_m = wall_ahead(2);

@@ -27,6 +27,8 @@ constexpr std::size_t kUsualStep = 7;    // samples from one to the next that te
 }  // namespace
 
 void StripeFanParams::describe(FieldList& fields) {
+  fields.real("sure_reach_m", sure_reach_m, {0.5, 20},
+              "so far light is seen on all that does not stand flat to its way");
   fields.real("light_reach_m", light_reach_m, {1, 20}, "so far any wall shows that the markers are on");
   fields.real("contrast_min", contrast_min, {1, 200},
               "by which a stripe outshines what lies before and behind it, in grey levels");
@@ -274,7 +276,7 @@ void StripeFan::doubt_beyond(int end, int outwards) {
     Beam& beam = beams_[static_cast<std::size_t>(k)];
     const Vec2 towards = unit(first_angle_rad_ + k * kStep_rad);
     const double crossing_m = cross(p_end, along) / cross(towards, along);
-    if (beam.range_m > 0 || !(crossing_m > 0) || crossing_m > params_.light_reach_m) return;
+    if (beam.range_m > 0 || !(crossing_m > 0) || crossing_m > params_.sure_reach_m) return;
     beam.may_be_shut = true;
   }
 }

@@ -13,6 +13,7 @@
 namespace aisle {
 
 struct StripeFanParams {
+  double sure_reach_m = 4;
   double light_reach_m = 8;
   double contrast_min = 8;
   double noise_factor = 4;
