@@ -11,9 +11,11 @@ namespace {
 
 constexpr double kStep_rad = 0.25 * kDegree;
 constexpr double kPictureEdge_px = 4;    // lenses are poor there
+constexpr double kWide_m = 2.5;          // so far away the outermost beams are in the picture
 constexpr double kNearest_m = 0.1;       // from below the lens
 constexpr double kProbe_m = 0.01;        // over which a beam's scale in the picture is measured
 constexpr double kBlur_px = 1.5;         // of the lens, to either side of a stripe
+constexpr double kFlank = 1.6;           // half the thickness and room beside it
 constexpr std::size_t kAsideFlanks = 2;  // so many flanks before and behind it nothing is as bright
 constexpr double kLinkFloor_px = 2;      // from beam to beam, beyond what the steepness explains
 constexpr std::size_t kGapBeams = 1;     // that a stripe may leave out
@@ -21,7 +23,9 @@ constexpr double kNearEdge_m = 0.15;     // a stripe that ends so near to the pi
 constexpr double kFaint = 3;             // times the least contrast: a stripe that may go on unseen ...
 constexpr int kEndBeams = 6;             // ... when it is so faint on one of so many beams at its end
 constexpr int kWallBeams = 24;           // that tell where a wall goes on
-constexpr double kSameWall = 0.1;        // of the range, from beam to beam
+constexpr double kWallStep = 0.1;        // of the range, from beam to beam
+constexpr double kSlopeKept = 0.7;       // of a stripe's slope, from beam to beam
+constexpr double kThinnest_px = 2;       // laser light far away
 constexpr std::size_t kUsualStep = 7;    // samples from one to the next that tells the usual contrast
 
 }  // namespace
@@ -48,21 +52,25 @@ double StripeFan::angle_step_rad() {
 
 StripeFan::StripeFan(const StripeFanParams& params, const CameraIntrinsics& intrinsics,
                      const CameraMount& mount, int width_px, int height_px, double height_m)
-    : params_(params), width_px_(width_px), height_px_(height_px), focal_px_(intrinsics.fy_px) {
+    : params_(params),
+      width_px_(width_px),
+      height_px_(height_px),
+      focal_px_(intrinsics.fy_px),
+      above_m_(mount.p_vehicle_camera.z() - height_m) {
   lay_beams(CameraModel(intrinsics), mount, height_m);
   if (samples_.empty()) throw std::invalid_argument("the camera sees no laser light within reach");
 }
 
-/// As wide as the picture's middle row sees to both sides.
+/// As wide as the picture is for what stands a few metres away, even to both sides.
 void StripeFan::lay_beams(const CameraModel& camera, const CameraMount& mount, double height_m) {
-  const Vec2 p_vehicle_lens = mount.p_vehicle_camera.head<2>();
-  const BackProjection plane(camera, mount, height_m);
-  const auto aside_rad = [&](double column_px) {
-    const auto p_vehicle = plane.point({column_px, height_px_ / 2.0});
-    return p_vehicle ? std::abs(wrap_angle(heading_of(*p_vehicle - p_vehicle_lens) - mount.pan_rad)) : 0;
+  const auto is_seen = [&](int beam) {
+    const Vec2 p_vehicle =
+        mount.p_vehicle_camera.head<2>() + kWide_m * unit(mount.pan_rad + beam * kStep_rad);
+    const auto pixel = camera.project(mount.to_camera({p_vehicle.x(), p_vehicle.y(), height_m}));
+    return pixel && is_inside(*pixel);
   };
-  const double half_rad = std::min(aside_rad(kPictureEdge_px), aside_rad(width_px_ - 1 - kPictureEdge_px));
-  const int half_beams = static_cast<int>(half_rad / kStep_rad);
+  int half_beams = 0;
+  while (is_seen(half_beams + 1) && is_seen(-half_beams - 1)) ++half_beams;
   first_angle_rad_ = -half_beams * kStep_rad;
   for (int beam = -half_beams; beam <= half_beams; ++beam)
     lay_curve(mount.pan_rad + beam * kStep_rad, camera, mount, height_m);
@@ -100,7 +108,7 @@ void StripeFan::lay_curve(double angle_rad, const CameraModel& camera, const Cam
          .right_256 = static_cast<std::uint16_t>(std::lround(256 * (pixel->x() - first.x()))),
          .below_256 = static_cast<std::uint16_t>(std::lround(256 * (pixel->y() - first.y()))),
          .range_m = static_cast<float>(range_m),
-         .flank = flank_at(std::hypot(range_m, mount.p_vehicle_camera.z() - height_m))});
+         .flank = flank_at(std::hypot(range_m, above_m_))});
     curve.end = samples_.size();
     range_m += 1 / px_per_m;
   }
@@ -116,7 +124,7 @@ void StripeFan::lay_curve(double angle_rad, const CameraModel& camera, const Cam
 
 /// Half the stripe's thickness, where it is steepest, and the blur beside it.
 std::uint8_t StripeFan::flank_at(double away_m) const {
-  const double flank_px = kBlur_px + params_.steepness_max * params_.beam_m * focal_px_ / away_m;
+  const double flank_px = kBlur_px + kFlank * params_.steepness_max * params_.beam_m * focal_px_ / away_m;
   return static_cast<std::uint8_t>(std::clamp(std::lround(flank_px), 3L, 40L));
 }
 
@@ -193,9 +201,11 @@ int StripeFan::brightest_aside(const Curve& curve, std::size_t i) const {
 void StripeFan::add_peak(std::size_t beam, std::size_t i, int contrast) {
   const int half = levels_[i] - contrast / 2;
   const std::size_t flank = samples_[i].flank;
+  int rows = 0;
   double weights = 0, moment_m = 0;
   const auto add = [&](std::size_t k) {
     const double weight = levels_[k] - half + 1;
+    ++rows;
     weights += weight;
     moment_m += weight * samples_[k].range_m;
   };
@@ -205,34 +215,55 @@ void StripeFan::add_peak(std::size_t beam, std::size_t i, int contrast) {
   peaks_.push_back({.beam = beam,
                     .row = static_cast<int>(samples_[i].first_byte) / width_px_,
                     .range_m = moment_m / weights,
-                    .contrast = contrast});
+                    .contrast = contrast,
+                    .rows = rows});
 }
 
 /// Peaks of neighbouring beams at about the same row belong together.
 void StripeFan::link_peaks() {
   chains_.clear();
-  std::size_t before = 0;  // the first peak that may be linked to
-  for (std::size_t p = 0; p < peaks_.size(); ++p) {
-    Peak& peak = peaks_[p];
-    while (peaks_[before].beam + kGapBeams + 1 < peak.beam) ++before;
-    const Peak* linked = nullptr;
-    for (std::size_t q = before; q < p && peaks_[q].beam < peak.beam; ++q) {
-      const int off = std::abs(peaks_[q].row - peak.row);
-      if (off > link_px_ * static_cast<int>(peak.beam - peaks_[q].beam)) continue;
-      if (linked == nullptr || peaks_[q].beam > linked->beam || off < std::abs(linked->row - peak.row))
-        linked = &peaks_[q];
+  std::size_t first = 0;  // that may be linked to
+  for (Peak& peak : peaks_) {
+    while (peaks_[first].beam + kGapBeams + 1 < peak.beam) ++first;
+    if (const Peak* before = linked_before(peak, first)) {
+      const double slope = (peak.row - before->row) / static_cast<double>(peak.beam - before->beam);
+      peak.slope = before->slope ? kSlopeKept * *before->slope + (1 - kSlopeKept) * slope : slope;
+      peak.chain = before->chain;
+    } else {
+      peak.chain = chains_.size();
+      chains_.push_back({.range_m = peak.range_m});
     }
-    if (linked == nullptr) chains_.push_back({.range_m = peak.range_m});
-    peak.chain = linked == nullptr ? chains_.size() - 1 : linked->chain;
     Chain& chain = chains_[peak.chain];
     ++chain.beams;
     chain.range_m = std::min(chain.range_m, peak.range_m);
+    chain.thickness += thickness(peak);
   }
   for (Chain& chain : chains_) chain.is_stripe = is_stripe(chain);
 }
 
+/// The nearest one on the nearest beam before.
+const StripeFan::Peak* StripeFan::linked_before(const Peak& peak, std::size_t first) const {
+  const Peak* linked = nullptr;
+  for (const Peak* before = &peaks_[first]; before->beam < peak.beam; ++before) {
+    const int off = std::abs(before->row - peak.row);
+    if (off > link_px_ * static_cast<int>(peak.beam - before->beam)) continue;
+    if (linked == nullptr || before->beam > linked->beam || off < std::abs(linked->row - peak.row))
+      linked = before;
+  }
+  return linked;
+}
+
+/// As a share of what laser light may have there at most; across the stripe, not along the beam.
+double StripeFan::thickness(const Peak& peak) const {
+  const double rows_a_column = peak.slope.value_or(0) / (focal_px_ * kStep_rad);
+  const double light_px = kThinnest_px + params_.beam_m * focal_px_ / std::hypot(peak.range_m, above_m_);
+  return peak.rows / std::hypot(1, rows_a_column) / light_px;
+}
+
+/// Paper on the floor is too thick.
 bool StripeFan::is_stripe(const Chain& chain) const {
-  return chain.beams >= params_.beams_min && chain.beams * kStep_rad * chain.range_m >= params_.width_min_m;
+  return chain.beams >= params_.beams_min && chain.beams * kStep_rad * chain.range_m >= params_.width_min_m &&
+         chain.thickness <= chain.beams;
 }
 
 /// The nearest laser light on a beam. Floor mirrors the stripe: fainter, and before it.
@@ -299,7 +330,7 @@ int StripeFan::beams_of_wall(int end, int inwards) const {
     if (next < 0 || next >= static_cast<int>(beams_.size())) break;
     const double range_m = beams_[static_cast<std::size_t>(next)].range_m;
     const double before_m = beams_[static_cast<std::size_t>(next - inwards)].range_m;
-    if (std::abs(range_m - before_m) > kSameWall * before_m) break;
+    if (std::abs(range_m - before_m) > kWallStep * before_m) break;
   }
   return beams;
 }

@@ -50,6 +50,19 @@ void shine_on(Image& picture, const Vec2& from, const Vec2& to, double contrast_
   }
 }
 
+/// A sheet on the floor, square to the vehicle or turned.
+void lay_paper(Image& picture, const Vec2& p_vehicle, double turned_rad) {
+  const BackProjection floor(CameraModel(kLens), kMount, 0);
+  for (int v = 150; v < kHeight_px; ++v) {
+    for (int u = 200; u < 440; ++u) {
+      const auto p = floor.point({u, v});
+      if (!p) continue;
+      const Vec2 p_paper = rotate(-turned_rad, *p - p_vehicle);
+      if (std::abs(p_paper.x()) < 0.105 && std::abs(p_paper.y()) < 0.149) picture.row(v)[u] = 240;
+    }
+  }
+}
+
 const StripeFan::Beam& beam_at(const StripeFan& eye, double angle_deg) {
   const double beam = (angle_deg * kDegree - eye.first_angle_rad()) / StripeFan::angle_step_rad();
   return eye.beams().at(static_cast<std::size_t>(std::lround(beam)));
@@ -100,6 +113,19 @@ TEST(StripeFan, TakesNeitherNoiseNorTheJointsOfTilesForLight) {
   eye.find(picture);
   for (const StripeFan::Beam& beam : eye.beams()) EXPECT_TRUE(beam.range_m == 0 || beam.range_m > 4);
   EXPECT_FALSE(eye.sees_light());
+}
+
+TEST(StripeFan, TakesNoPaperOnTheFloorNearbyForLight) {
+  for (double away_m = 1.3; away_m < 3; away_m += 0.5) {
+    for (const double turned_deg : {0.0, 20.0, 45.0}) {
+      StripeFan eye = fan();
+      Image picture = floor_with_noise();
+      lay_paper(picture, {0.85 + away_m, 0}, turned_deg * kDegree);
+      eye.find(picture);
+      for (const StripeFan::Beam& beam : eye.beams())
+        ASSERT_EQ(beam.range_m, 0) << away_m << " m, " << turned_deg << " degrees";
+    }
+  }
 }
 
 TEST(StripeFan, TakesTheFaintStripeBeforeABrightOneForItsMirrorImage) {

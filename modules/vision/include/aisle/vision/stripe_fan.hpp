@@ -17,7 +17,7 @@ struct StripeFanParams {
   double light_reach_m = 8;
   double contrast_min = 8;
   double noise_factor = 4;
-  double beam_m = 0.01;
+  double beam_m = 0.006;
   double steepness_max = 2.5;
   double width_min_m = 0.025;
   int beams_min = 3;
@@ -45,8 +45,8 @@ class StripeFan {
   StripeFan(const StripeFanParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
             int width_px, int height_px, double height_m);
 
-  /// Heading of the first beam in the vehicle's frame; the others follow counter-clockwise. The fan lies
-  /// even to both sides of where the camera looks.
+  /// Of the first beam, from where the camera looks; the others follow counter-clockwise, as many to the left
+  /// as to the right.
   double first_angle_rad() const { return first_angle_rad_; }
   static double angle_step_rad();
   /// How the beams lie in the picture, and what was found on them last.
@@ -75,11 +75,14 @@ class StripeFan {
     int row = 0;
     double range_m = 0;
     int contrast = 0;
+    int rows = 0;                 ///< along the beam, at least half as bright
+    std::optional<double> slope;  ///< rows a beam, of the stripe up to here
     std::size_t chain = 0;
   };
   struct Chain {
     int beams = 0;
-    double range_m = 0;  ///< the nearest
+    double range_m = 0;    ///< the nearest
+    double thickness = 0;  ///< of all its peaks together, as shares of what laser light has there
     bool is_stripe = false;
   };
 
@@ -93,6 +96,8 @@ class StripeFan {
   int brightest_aside(const Curve& curve, std::size_t i) const;
   void add_peak(std::size_t beam, std::size_t i, int contrast);
   void link_peaks();
+  const Peak* linked_before(const Peak& peak, std::size_t first) const;
+  double thickness(const Peak& peak) const;
   bool is_stripe(const Chain& chain) const;
   void choose_nearest();
   void doubt_beyond_ends();
@@ -104,6 +109,7 @@ class StripeFan {
   StripeFanParams params_;
   int width_px_, height_px_;
   double focal_px_;
+  double above_m_;   ///< the lens, over the light plane
   int link_px_ = 0;  ///< rows from beam to beam of one stripe, at most
   double first_angle_rad_ = 0;
   std::vector<Sample> samples_;
