@@ -102,24 +102,36 @@ class FloorPainter {
   FloorBox changed_;
 };
 
-/// All that lies on a beam before where it begins to look, and a little more: cells are coarse.
-bool is_known_free(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad, double near_m) {
+/// Something stands there; or it may, between two places where a wall was struck.
+bool may_stand_at(const FloorGrid& floor, FloorCell cell) {
+  if (floor.at(cell) != Floor::kUnknown) return floor.at(cell) == Floor::kOccupied;
+  for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
+    for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
+      if (floor.at(FloorCell{x, y}) == Floor::kOccupied) return true;
+    }
+  }
+  return false;
+}
+
+/// By something that was seen to stand before where the beam begins to look, or a little behind: cells are
+/// coarse.
+bool is_shut(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad, double near_m) {
   const Vec2 along = unit(T_map_laser.theta + angle_rad);
   const double end_m = near_m + kCoarse * floor.cell_m();
   for (double range_m = 0; range_m < end_m; range_m += floor.cell_m() / 2) {
-    if (floor.at(Vec2(T_map_laser.position() + range_m * along)) != Floor::kFree) return false;
+    if (may_stand_at(floor, floor.cell_at(T_map_laser.position() + range_m * along))) return true;
   }
-  return true;
+  return false;
 }
 
-/// A beam that strikes nothing tells of free floor only where nothing can stand nearer than it looks.
+/// A beam that strikes nothing tells of free floor only where nothing is known to stand nearer than it looks.
 std::vector<float> told_ranges_m(const FloorGrid& floor, const LaserScanner& laser,
                                  std::span<const float> ranges_m, std::span<const float> near_m,
                                  const Pose2& T_map_laser) {
   std::vector<float> told_m(ranges_m.begin(), ranges_m.end());
   for (std::size_t beam = 0; beam < near_m.size(); ++beam) {
     if (told_m[beam] >= laser.range_max_m &&
-        !is_known_free(floor, T_map_laser, laser.beam_angle(beam), near_m[beam]))
+        is_shut(floor, T_map_laser, laser.beam_angle(beam), near_m[beam]))
       told_m[beam] = 0;
   }
   return told_m;
