@@ -9,7 +9,8 @@
 namespace aisle {
 namespace {
 
-constexpr double kCoarse = 1.5;  // cells by which what is struck may lie off
+constexpr double kCoarse = 1.5;     // cells by which what is struck may lie off
+constexpr double kWallGap_m = 0.3;  // so far from what was struck a wall may go on unseen
 
 /// The cells that a disc or rectangle about a place may touch.
 FloorBox box_around(const FloorGrid& floor, const Vec2& p_map, double reach_m) {
@@ -102,11 +103,12 @@ class FloorPainter {
   FloorBox changed_;
 };
 
-/// Something stands there; or it may, between two places where a wall was struck.
+/// Something stands there; or it may, beside a wall of which a piece was not seen.
 bool may_stand_at(const FloorGrid& floor, FloorCell cell) {
   if (floor.at(cell) != Floor::kUnknown) return floor.at(cell) == Floor::kOccupied;
-  for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
-    for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
+  const int gap = static_cast<int>(kWallGap_m / floor.cell_m());
+  for (int y = cell.y - gap; y <= cell.y + gap; ++y) {
+    for (int x = cell.x - gap; x <= cell.x + gap; ++x) {
       if (floor.at(FloorCell{x, y}) == Floor::kOccupied) return true;
     }
   }
