@@ -30,22 +30,6 @@ constexpr std::size_t kUsualStep = 7;    // samples from one to the next that te
 
 }  // namespace
 
-void StripeFanParams::describe(FieldList& fields) {
-  fields.real("sure_reach_m", sure_reach_m, {0.5, 20},
-              "so far light is seen on all that does not stand flat to its way");
-  fields.real("light_reach_m", light_reach_m, {1, 20}, "so far any wall shows that the markers are on");
-  fields.real("contrast_min", contrast_min, {1, 200},
-              "by which a stripe outshines what lies before and behind it, in grey levels");
-  fields.real("noise_factor", noise_factor, {1, 50}, "and by how many times the picture's usual contrast");
-  fields.real("beam_m", beam_m, {0.001, 0.1}, "thickness of the light");
-  fields.real("steepness_max", steepness_max, {0.5, 10}, "rows a column of the steepest stripe");
-  fields.real("width_min_m", width_min_m, {0, 0.5}, "of the narrowest thing");
-  fields.count("beams_min", beams_min, {1, 100}, "that strike the narrowest thing");
-  fields.real("mirrored_share", mirrored_share, {0, 1},
-              "of a stripe's contrast: fainter before it is mirrored by the floor");
-  fields.count("lit_beams_min", lit_beams_min, {1, 1000}, "of a stripe that is nothing but laser light");
-}
-
 double StripeFan::angle_step_rad() {
   return kStep_rad;
 }

@@ -116,9 +116,9 @@ TEST(StripeFan, TakesNeitherNoiseNorTheJointsOfTilesForLight) {
 }
 
 TEST(StripeFan, TakesNoPaperOnTheFloorNearbyForLight) {
+  StripeFan eye = fan();
   for (double away_m = 1.3; away_m < 3; away_m += 0.5) {
     for (const double turned_deg : {0.0, 20.0, 45.0}) {
-      StripeFan eye = fan();
       Image picture = floor_with_noise();
       lay_paper(picture, {0.85 + away_m, 0}, turned_deg * kDegree);
       eye.find(picture);

@@ -6,25 +6,22 @@
 #include <vector>
 
 #include "aisle/core/image.hpp"
-#include "aisle/core/parameters.hpp"
 #include "aisle/geometry/back_projection.hpp"
 #include "aisle/geometry/camera_model.hpp"
 
 namespace aisle {
 
 struct StripeFanParams {
-  double sure_reach_m = 4;
-  double light_reach_m = 8;
-  double contrast_min = 8;
-  double noise_factor = 4;
-  double beam_m = 0.006;
-  double steepness_max = 2.5;
-  double width_min_m = 0.025;
-  int beams_min = 3;
-  double mirrored_share = 0.5;
-  int lit_beams_min = 20;
-
-  void describe(FieldList& fields);
+  double sure_reach_m = 4;   ///< so far light is seen on all that does not stand flat to its way
+  double light_reach_m = 8;  ///< so far any wall shows that the markers are on
+  double contrast_min = 8;   ///< by which a stripe outshines what lies before and behind it [grey levels] ...
+  double noise_factor = 4;   ///< ... and by how many times the picture's usual contrast
+  double beam_m = 0.006;     ///< thickness of the light
+  double steepness_max = 2.5;   ///< rows a column of the steepest stripe
+  double width_min_m = 0.025;   ///< of the narrowest thing ...
+  int beams_min = 3;            ///< ... and how many beams strike it at least
+  double mirrored_share = 0.5;  ///< of a stripe's contrast: fainter before it is mirrored by the floor
+  int lit_beams_min = 20;       ///< of a stripe that is nothing but laser light
 };
 
 /// Beams from below the lens over the light plane, each a curve in the picture on which every pixel belongs
