@@ -8,6 +8,17 @@ namespace {
 
 class Explore : public Workplace {};
 
+/// A corridor with two dead ends, and the vehicle near one of them.
+constexpr const char* kDeadEnds = R"(format: aisle.world
+version: 1
+name: dead-ends
+walls:
+  - [[0, 0], [6, 0], [6, 2.2], [0, 2.2], [0, 0]]
+lamps:
+  - {centre: [3, 1.1]}
+start: {at: [1.2, 1.1], heading_deg: 0}
+)";
+
 TEST_F(Explore, ATripIsReplayedDecisionByDecisionAndGoneOnWithOnlyByTheSameExplorer) {
   const ProgramRun whole =
       run_aisle({"explore", "l-corridor", "--session", at("trip"), "--set", "time_max_s=60", "--json"});
@@ -39,6 +50,18 @@ TEST_F(Explore, WhatWasLearnedBeforeTheInterruptionIsKnownAfterIt) {
   EXPECT_THAT(read_bytes(at("out") + "/report.html"),
               testing::AllOf(testing::HasSubstr("States and stack"), testing::HasSubstr("100.0 %"),
                              testing::HasSubstr("<dt>home error</dt>")));
+}
+
+TEST_F(Explore, ACameraThatSeesLaserMarkersShowsABuildingAsWell) {
+  const std::string world = file("dead-ends.yaml", kDeadEnds);
+  const ProgramRun run = run_aisle({"explore", world, "--sensor", "markers", "--json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const auto figures = run.json()["figures"];
+  EXPECT_EQ(figures["certificate"], true);
+  EXPECT_GE(figures["covered_share"], 0.98);
+  EXPECT_EQ(figures["collisions"], 0);
+  EXPECT_LE(figures["home_error_m"], 0.1);
+  EXPECT_LE(figures["home_error_deg"], 2);
 }
 
 TEST_F(Explore, APlanIsExploredLikeTheWorldThatIsMadeOfIt) {

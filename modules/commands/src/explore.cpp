@@ -42,8 +42,16 @@ void keep_sensor(const ExploreOptions& options, VehicleDescription& vehicle) {
   });
 }
 
+/// A camera's view is narrow: near a wall it shows a short piece of it and nothing else, and a door's frame
+/// in that turns the piece by degrees.
+void suit_markers(SegmentParams& segments) {
+  segments.length_min_m = 0.5;
+  segments.uneven_m = 0.03;
+}
+
 Result<ExplorationPlan> read_plan(const ExploreOptions& options, SimulationSetting setting) {
   ExplorationPlan plan;
+  if (options.sensor == ExploringSensor::kMarkers) suit_markers(plan.params.learner.mapping.segments);
   FieldList fields = fields_of(plan.params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   plan.setting = std::move(setting);

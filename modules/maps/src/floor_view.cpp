@@ -9,6 +9,9 @@
 namespace aisle {
 namespace {
 
+constexpr double kCoarse = 1.5;     // cells by which what is struck may lie off
+constexpr double kWallGap_m = 0.3;  // so far from what was struck a wall may go on unseen
+
 /// The cells that a disc or rectangle about a place may touch.
 FloorBox box_around(const FloorGrid& floor, const Vec2& p_map, double reach_m) {
   FloorBox box;
@@ -100,6 +103,42 @@ class FloorPainter {
   FloorBox changed_;
 };
 
+/// Something stands there; or it may, beside a wall of which a piece was not seen.
+bool may_stand_at(const FloorGrid& floor, FloorCell cell) {
+  if (floor.at(cell) != Floor::kUnknown) return floor.at(cell) == Floor::kOccupied;
+  const int gap = static_cast<int>(kWallGap_m / floor.cell_m());
+  for (int y = cell.y - gap; y <= cell.y + gap; ++y) {
+    for (int x = cell.x - gap; x <= cell.x + gap; ++x) {
+      if (floor.at(FloorCell{x, y}) == Floor::kOccupied) return true;
+    }
+  }
+  return false;
+}
+
+/// By something that was seen to stand before where the beam begins to look, or a little behind: cells are
+/// coarse.
+bool is_shut(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad, double near_m) {
+  const Vec2 along = unit(T_map_laser.theta + angle_rad);
+  const double end_m = near_m + kCoarse * floor.cell_m();
+  for (double range_m = 0; range_m < end_m; range_m += floor.cell_m() / 2) {
+    if (may_stand_at(floor, floor.cell_at(T_map_laser.position() + range_m * along))) return true;
+  }
+  return false;
+}
+
+/// A beam that strikes nothing tells of free floor only where nothing is known to stand nearer than it looks.
+std::vector<float> told_ranges_m(const FloorGrid& floor, const LaserScanner& laser,
+                                 std::span<const float> ranges_m, std::span<const float> near_m,
+                                 const Pose2& T_map_laser) {
+  std::vector<float> told_m(ranges_m.begin(), ranges_m.end());
+  for (std::size_t beam = 0; beam < near_m.size(); ++beam) {
+    if (told_m[beam] >= laser.range_max_m &&
+        is_shut(floor, T_map_laser, laser.beam_angle(beam), near_m[beam]))
+      told_m[beam] = 0;
+  }
+  return told_m;
+}
+
 }  // namespace
 
 void FloorViewParams::describe(FieldList& fields) {
@@ -108,8 +147,9 @@ void FloorViewParams::describe(FieldList& fields) {
 
 FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
                    std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params) {
-  return FloorPainter(floor, laser, ranges_m, near_m, T_map_vehicle * laser.T_vehicle_laser, params.reach_m)
-      .paint();
+  const Pose2 T_map_laser = T_map_vehicle * laser.T_vehicle_laser;
+  const std::vector<float> told_m = told_ranges_m(floor, laser, ranges_m, near_m, T_map_laser);
+  return FloorPainter(floor, laser, told_m, near_m, T_map_laser, params.reach_m).paint();
 }
 
 FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle) {

@@ -49,6 +49,16 @@ TEST(FloorView, LeavesWhatIsNearerThanItLooksUnknown) {
   EXPECT_EQ(floor.at(Vec2(1, 0)), Floor::kFree);
 }
 
+TEST(FloorView, ABeamThatStrikesNothingTellsNothingBehindWhatStandsNearerThanItLooks) {
+  const std::vector<float> near_m(181, 0.8F), nothing(181, 30.0F);
+  FloorGrid floor;
+  for (const double y_m : {-0.03, 0.02, 0.32}) floor.set(floor.cell_at({0.5, y_m}), Floor::kOccupied);
+  see_floor(floor, kScanner, nothing, near_m, {}, {});
+  EXPECT_EQ(floor.at(Vec2(1.5, 0.02)), Floor::kUnknown);
+  EXPECT_EQ(floor.at(Vec2(1.5, 0.5)), Floor::kUnknown);  // between two places that were struck
+  EXPECT_EQ(floor.at(Vec2(0.5, 1.5)), Floor::kFree);
+}
+
 TEST(FloorView, UnusableReadingsTellNothing) {
   FloorGrid floor;
   std::vector<float> ranges_m = wall_ahead(2);

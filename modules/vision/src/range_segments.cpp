@@ -20,6 +20,8 @@ void SegmentParams::describe(FieldList& fields) {
   fields.real("range_sigma_m", range_sigma_m, {0.001, 0.5}, "noise of one reading");
   fields.real("offset_floor_m", offset_floor_m, {0, 0.5}, "no segment is trusted better across its line");
   fields.angle("heading_floor_deg", heading_floor_rad, {0, 20}, "no segment is trusted better in heading");
+  fields.real("uneven_m", uneven_m, {0, 0.5},
+              "doors stand so far off their wall: over its length no segment is trusted better in heading");
 }
 
 namespace {
@@ -250,8 +252,8 @@ class RangeSegmenter::Work {
     const double sigma_m = std::max(sigma_m_, line.rms_m);
     s.sigma_offset_m =
         std::hypot(sigma_m / std::sqrt(static_cast<double>(run.count())), params_.offset_floor_m);
-    s.sigma_heading_rad =
-        std::hypot(sigma_m / std::sqrt(std::max(1e-6, line.spread_m2)), params_.heading_floor_rad);
+    s.sigma_heading_rad = std::hypot(sigma_m / std::sqrt(std::max(1e-6, line.spread_m2)),
+                                     params_.heading_floor_rad, params_.uneven_m / s.length_m);
     segments.push_back(s);
   }
 

@@ -32,8 +32,8 @@ std::vector<float> scan_of(const std::vector<std::pair<double, double>>& normals
   return ranges_m;
 }
 
-std::vector<SensedSegment> extract(const std::vector<float>& ranges_m) {
-  RangeSegmenter segmenter(kFan, {});
+std::vector<SensedSegment> extract(const std::vector<float>& ranges_m, const SegmentParams& params = {}) {
+  RangeSegmenter segmenter(kFan, params);
   std::vector<SensedSegment> segments;
   segmenter.extract(ranges_m, segments);
   return segments;
@@ -80,6 +80,16 @@ TEST(RangeSegments, ChordsOfABentWallAreMarked) {
   const auto segments = extract(ranges_m);
   ASSERT_THAT(segments, testing::Not(IsEmpty()));
   for (const SensedSegment& s : segments) EXPECT_TRUE(s.curved);
+}
+
+TEST(RangeSegments, TheShorterAPieceOfAnUnevenWallTheLessIsItsHeadingTrusted) {
+  const auto ranges_m = scan_of({{0, 3}, {kPi / 2, 2}, {-kPi / 2, 1}});
+  const auto even = extract(ranges_m), uneven = extract(ranges_m, {.uneven_m = 0.1});
+  ASSERT_EQ(uneven.size(), even.size());
+  for (std::size_t i = 0; i < even.size(); ++i) {
+    EXPECT_NEAR(uneven[i].sigma_heading_rad, std::hypot(even[i].sigma_heading_rad, 0.1 / even[i].length_m),
+                1e-12);
+  }
 }
 
 TEST(RangeSegments, NothingUsableGivesNothing) {

@@ -17,7 +17,8 @@ struct FloorViewParams {
 };
 
 /// Puts what one scan shows onto the floor: free up to what each beam strikes, occupied there.
-/// @param near_m  one a beam: what is nearer was not looked at; empty: everything was
+/// @param near_m  one a beam: what is nearer was not looked at, and a beam that strikes nothing tells of free
+///                floor only where nothing is known to stand nearer; empty: everything was looked at
 /// @return the cells that are something else now lie in this box
 FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
                    std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params);

@@ -20,6 +20,7 @@ struct SegmentParams {
   double range_sigma_m = 0.015;
   double offset_floor_m = 0.010;
   double heading_floor_rad = 0.5 * kDegree;
+  double uneven_m = 0;
 
   void describe(FieldList& fields);
 };

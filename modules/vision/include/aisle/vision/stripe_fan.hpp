@@ -1,0 +1,124 @@
+#pragma once
+/// The stripe of the vehicle's laser markers, read as a range scanner's turn (C99 section 3.1).
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "aisle/core/image.hpp"
+#include "aisle/geometry/back_projection.hpp"
+#include "aisle/geometry/camera_model.hpp"
+
+namespace aisle {
+
+struct StripeFanParams {
+  double sure_reach_m = 4;   ///< so far light is seen on all that does not stand flat to its way
+  double light_reach_m = 8;  ///< so far any wall shows that the markers are on
+  double contrast_min = 8;   ///< by which a stripe outshines what lies before and behind it [grey levels] ...
+  double noise_factor = 4;   ///< ... and by how many times the picture's usual contrast
+  double beam_m = 0.006;     ///< thickness of the light
+  double steepness_max = 2.5;   ///< rows a column of the steepest stripe
+  double width_min_m = 0.025;   ///< of the narrowest thing ...
+  int beams_min = 3;            ///< ... and how many beams strike it at least
+  double mirrored_share = 0.5;  ///< of a stripe's contrast: fainter before it is mirrored by the floor
+  int lit_beams_min = 20;       ///< of a stripe that is nothing but laser light
+};
+
+/// Beams from below the lens over the light plane, each a curve in the picture on which every pixel belongs
+/// to one distance. Where a thing stands in the light plane, the curve crosses a thin line that outshines
+/// what lies before and behind it, and the beams beside it do so at about the same place.
+class StripeFan {
+ public:
+  /// What one beam tells.
+  struct Beam {
+    float range_m = 0;         ///< from below the lens to what is lit; 0: nothing is, within reach
+    float near_m = 0;          ///< from here on light on the beam is seen ...
+    float far_m = 0;           ///< ... up to here
+    bool may_be_shut = false;  ///< nothing is lit, but a stripe fades out or leaves the picture towards it
+  };
+
+  /// @param height_m  of the light plane above the floor
+  /// @throws std::invalid_argument if the camera does not see the light plane from above
+  StripeFan(const StripeFanParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
+            int width_px, int height_px, double height_m);
+
+  /// Of the first beam, from where the camera looks; the others follow counter-clockwise, as many to the left
+  /// as to the right.
+  double first_angle_rad() const { return first_angle_rad_; }
+  static double angle_step_rad();
+  /// How the beams lie in the picture, and what was found on them last.
+  const std::vector<Beam>& beams() const { return beams_; }
+
+  /// Reads one picture.
+  /// @throws std::invalid_argument unless the picture is grey and of the camera's size
+  const std::vector<Beam>& find(const Image& picture);
+
+  /// Whether the last picture shows laser light at all, near or far.
+  bool sees_light() const { return sees_light_; }
+
+ private:
+  /// A place on a beam: four pixels and how they are weighed.
+  struct Sample {
+    std::uint32_t first_byte = 0;
+    std::uint16_t right_256 = 0, below_256 = 0;
+    float range_m = 0;
+    std::uint8_t flank = 0;  ///< samples to beside a stripe that is there
+  };
+  struct Curve {
+    std::size_t first = 0, end = 0;  ///< of `samples_`
+  };
+  struct Peak {
+    std::size_t beam = 0;
+    int row = 0;
+    double range_m = 0;
+    int contrast = 0;
+    int rows = 0;                 ///< along the beam, at least half as bright
+    std::optional<double> slope;  ///< rows a beam, of the stripe up to here
+    std::size_t chain = 0;
+  };
+  struct Chain {
+    int beams = 0;
+    double range_m = 0;    ///< the nearest
+    double thickness = 0;  ///< of all its peaks together, as shares of what laser light has there
+    bool is_stripe = false;
+  };
+
+  void lay_beams(const CameraModel& camera, const CameraMount& mount, double height_m);
+  void lay_curve(double angle_rad, const CameraModel& camera, const CameraMount& mount, double height_m);
+  bool is_inside(const Vec2& pixel) const;
+  void read(const Image& picture);
+  std::uint8_t flank_at(double away_m) const;
+  int threshold() const;
+  void find_peaks();
+  int brightest_aside(const Curve& curve, std::size_t i) const;
+  void add_peak(std::size_t beam, std::size_t i, int contrast);
+  void link_peaks();
+  const Peak* linked_before(const Peak& peak, std::size_t first) const;
+  double thickness(const Peak& peak) const;
+  bool is_stripe(const Chain& chain) const;
+  void choose_nearest();
+  void doubt_beyond_ends();
+  void doubt_beyond(int end, int outwards);
+  bool goes_on_unseen(int end, int inwards, int beams) const;
+  int beams_of_wall(int end, int inwards) const;
+  Vec2 struck(int beam) const;
+
+  StripeFanParams params_;
+  int width_px_, height_px_;
+  double focal_px_;
+  double above_m_;   ///< the lens, over the light plane
+  int link_px_ = 0;  ///< rows from beam to beam of one stripe, at most
+  double first_angle_rad_ = 0;
+  std::vector<Sample> samples_;
+  std::vector<Curve> curves_;
+  std::vector<Beam> beams_;
+  std::vector<std::int16_t> levels_;  ///< one a sample
+  std::vector<Peak> peaks_;
+  std::vector<Chain> chains_;
+  std::vector<int> brightest_;  ///< one a beam
+  std::vector<int> contrast_;   ///< one a beam, of what it strikes
+  int contrast_min_ = 0;
+  bool sees_light_ = false;
+};
+
+}  // namespace aisle
