@@ -28,11 +28,10 @@ constexpr double kJoinColumns = 4;  // between edges that lead to each other
 constexpr double kJoinRows = 8;
 constexpr double kBesideLens_m = 0.25;  // a line that leads so close past the lens is a joint, not a wall
 constexpr double kPaper_m = 0.6;        // longest edge of what may lie on the floor ...
-constexpr double kPaperNear_m = 0.4;    // ... and where the floor goes on beyond it
-constexpr double kPaperFar_m = 0.5;
+constexpr double kBeyondPaper_m[] = {0.3, 0.4, 0.5};  // ... and where the floor goes on beyond it
 constexpr double kBoardNear = 0.05;  // of the depth, beyond an edge: there a skirting board is still seen ...
 constexpr double kBoardFar = 0.09;   // ... but no more the joint between two tiles
-constexpr double kAlike = 0.3;       // of how much brighter something is than the floor: a floor's pattern
+constexpr double kAlike = 0.5;       // of how much brighter something is than the floor: more like the floor
 constexpr int kFloorRows = 6;        // before an edge, whose brightness is the floor's
 constexpr int kBlurRows = 2;         // of an edge
 constexpr int kBesideColumns = 24;   // beside an edge
@@ -132,15 +131,20 @@ class FloorEdgeDetector::Work {
 
   /// Beyond a bright thing the size of a sheet of paper the brightness is the floor's again.
   bool floor_goes_on_beyond(const FloorLine& line) const {
-    int alike = 0, count = 0;
+    const double alike = std::max(2 * params_.contrast_min, kAlike * line.contrast);
+    int back = 0, count = 0;
     for_each_column(line, [&](int column, double edge, double floor) {
-      const auto beyond =
-          mean_brightness(column, view_.row_beyond(edge, kPaperFar_m), view_.row_beyond(edge, kPaperNear_m));
-      if (!beyond) return;
-      ++count;
-      if (std::abs(floor - *beyond) < 2 * params_.contrast_min) ++alike;
+      bool is_seen = false, is_back = false;
+      for (std::size_t i = 1; i < std::size(kBeyondPaper_m); ++i) {
+        const auto beyond = mean_brightness(column, view_.row_beyond(edge, kBeyondPaper_m[i]),
+                                            view_.row_beyond(edge, kBeyondPaper_m[i - 1]));
+        is_seen = is_seen || beyond;
+        is_back = is_back || (beyond && std::abs(floor - *beyond) < alike);
+      }
+      count += is_seen ? 1 : 0;
+      back += is_back ? 1 : 0;
     });
-    return 2 * alike > count;
+    return 2 * back > count;
   }
 
   /// Of a bright thing that lies on the floor, its near side no more in view: the floor beside it goes on

@@ -88,6 +88,11 @@ TEST(FloorEdges, PaperOnTheFloorIsNone) {
   EXPECT_THAT(edges_of({.papers = {{{2.5, 0.2}, {2.5, 0.35}}}}), IsEmpty());
 }
 
+TEST(FloorEdges, PaperIsNoneEvenIfTheFloorBeyondIsNotQuiteAsBefore) {
+  EXPECT_THAT(edges_of({.papers = {{{2.5, 0.2}, {2.5, 0.35}}}, .worn = {{{2.75, 0.1}, {2.85, 0.45}}}}),
+              IsEmpty());
+}
+
 TEST(FloorEdges, PaperThatIsDrivenOverIsNoneEither) {
   EXPECT_THAT(edges_of({.papers = {{{2.0, -0.15}, {2.0, 0.15}}}}), IsEmpty());
 }
