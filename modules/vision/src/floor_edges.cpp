@@ -18,6 +18,8 @@ void FloorEdgeParams::describe(FieldList& fields) {
   fields.real("contrast_min", contrast_min, {0.5, 100}, "grey levels of the faintest edge");
   fields.real("distance_max_m", distance_max_m, {1, 100}, "ahead of the camera");
   fields.real("length_min_m", length_min_m, {0, 10}, "of the shortest edge");
+  fields.count("looks_past", looks_past, {0, 20},
+               "times that it looks beyond what is no edge of the floor, such as joints and texture");
   fields.group("noise", noise);
 }
 
@@ -52,10 +54,12 @@ class FloorEdgeDetector::Work {
 
   const std::vector<FloorEdge>& detect(const Image& grey) {
     view_.look_at(grey);
-    edges_.clear();
-    const auto& lines = fitter_.fit(boundary_.find(view_), view_.rows_per_column());
-    for (const FloorLine& line : lines)
-      if (std::abs(line.contrast) >= kClear * params_.contrast_min || goes_on(line, lines)) add_edge(line);
+    points_ = boundary_.find(view_);
+    take_edges();
+    for (int look = 0; look < params_.looks_past && strike_out_others(); ++look) {
+      points_ = boundary_.find_again(view_);
+      take_edges();
+    }
     return edges_;
   }
 
@@ -68,6 +72,31 @@ class FloorEdgeDetector::Work {
   static CameraMount rolled(CameraMount mount, double roll_rad) {
     mount.roll_rad += roll_rad;
     return mount;
+  }
+
+  void take_edges() {
+    edges_.clear();
+    ends_.clear();
+    const auto& lines = fitter_.fit(points_, view_.rows_per_column());
+    for (const FloorLine& line : lines) {
+      const bool is_some = std::abs(line.contrast) >= kClear * params_.contrast_min || goes_on(line, lines);
+      if (is_some && add_edge(line)) ends_.push_back(line);
+    }
+  }
+
+  /// What is no edge, such as a joint, a sheet of paper or the texture of a carpet, hides none any more.
+  /// @return whether there is anything
+  bool strike_out_others() {
+    bool any = false;
+    for (const BoundaryPoint& point : points_) {
+      const auto is_on = [&](const FloorLine& line) {
+        return point.column >= line.first_column && point.column <= line.last_column;
+      };
+      if (std::any_of(ends_.begin(), ends_.end(), is_on)) continue;
+      boundary_.strike_out(view_, point);
+      any = true;
+    }
+    return any;
   }
 
   /// A pattern of the floor shows faint steps, none of which leads to another or out of sight.
@@ -85,26 +114,27 @@ class FloorEdgeDetector::Work {
     return leads_on(line.first_column) || leads_on(line.last_column);
   }
 
-  void add_edge(const FloorLine& line) {
+  bool add_edge(const FloorLine& line) {
     FloorEdge edge;
     SensedSegment& seen = edge.on_floor;
     seen.segment = {point_of(line, line.last_column), point_of(line, line.first_column)};
     seen.length_m = seen.segment.length();
-    if (!(seen.length_m >= params_.length_min_m)) return;
+    if (!(seen.length_m >= params_.length_min_m)) return false;
     seen.heading_rad = seen.segment.heading();
     seen.centroid = point_of(line, line.middle());
     const Vec2 from_lens = seen.centroid - mount_.p_vehicle_camera.head<2>();
-    if (std::abs(left_normal(unit(seen.heading_rad)).dot(from_lens)) < kBesideLens_m) return;
-    if (!lasts(line)) return;
+    if (std::abs(left_normal(unit(seen.heading_rad)).dot(from_lens)) < kBesideLens_m) return false;
+    if (!lasts(line)) return false;
     if (seen.length_m < kPaper_m && (line.contrast > 0 ? floor_goes_on_beyond(line) : is_far_side(line)))
-      return;
+      return false;
     const auto start_px = pixel_of(seen.segment.start), end_px = pixel_of(seen.segment.end);
-    if (!start_px || !end_px) return;
+    if (!start_px || !end_px) return false;
     edge.start_px = *start_px;
     edge.end_px = *end_px;
     edge.contrast = line.contrast;
-    if (!set_deviations(line, edge)) return;
+    if (!set_deviations(line, edge)) return false;
     edges_.push_back(edge);
+    return true;
   }
 
   Vec2 point_of(const FloorLine& line, double column) const {
@@ -236,6 +266,8 @@ class FloorEdgeDetector::Work {
   FloorBoundary boundary_;
   FloorLineFitter fitter_;
   BackProjection tilted_floor_, rolled_floor_;
+  std::vector<BoundaryPoint> points_;
+  std::vector<FloorLine> ends_;  ///< those of the edges
   std::vector<FloorEdge> edges_;
 };
 
