@@ -341,8 +341,15 @@ double RoomNavigator::left_to_end_m() const {
   return left_m() > kLastLeg_m ? left_m() : straight_m;
 }
 
+bool RoomNavigator::has_confirmed_place() const {
+  return route_.room->parking != ParkingStrategy::kView || place_.is_sure() || stop_views_.has_matched();
+}
+
 std::optional<Decision> RoomNavigator::arrived() {
   const Decision done{.status = NavigatorStatus::kDone, .state = "parked"};
+  const Decision unconfirmed{.status = NavigatorStatus::kDone,
+                             .state = "parked",
+                             .why = "not confirmed: neither edges nor views are as they were taught"};
   switch (route_.room->parking) {
     case ParkingStrategy::kDeadEnd:
       if (dead_end_pictures_ >= params_.dead_end_pictures) return done;
@@ -356,6 +363,7 @@ std::optional<Decision> RoomNavigator::arrived() {
       // Columns of brightness tell less than the edges of the floor, if those stand as they were taught.
       const double shift_m = place_.is_sure() ? 0 : stop_views_.shift_m();
       if (left_to_end_m() + shift_m <= vehicle_.cycle_s * params_.parking_speed_mps) {
+        if (!has_confirmed_place()) return unconfirmed;
         if (!place_.is_sure()) return done;
         const Decision decision = taught_place_.settle(pose());
         if (taught_place_.is_backing()) state_ = State::kLeavingPlace;

@@ -13,6 +13,7 @@ namespace aisle {
 namespace {
 
 using testing::AnyOf;
+using testing::HasSubstr;
 
 constexpr double kCycle_s = 0.1, kFloorGrey = 165, kWallGrey = 60, kWayLength_m = 2.5;
 
@@ -106,6 +107,15 @@ TEST(RoomNavigator, WaitsWhereTheLightChangesAndNothingIsKnownToStand) {
   const Decision decision = room.step(0.5);
   EXPECT_EQ(decision.state, "waiting");
   EXPECT_EQ(decision.command.speed_mps, 0);
+}
+
+TEST(RoomNavigator, SaysThatNothingHasConfirmedItsPlace) {
+  DrivenRoom room(20);
+  Decision decision;
+  for (int i = 0; i < 200 && decision.status == NavigatorStatus::kGoing; ++i) decision = room.step();
+  EXPECT_EQ(decision.status, NavigatorStatus::kDone);
+  EXPECT_THAT(decision.why, HasSubstr("not confirmed"));
+  EXPECT_FALSE(room.navigator().has_confirmed_place());
 }
 
 }  // namespace

@@ -77,6 +77,8 @@ class RoomNavigator final : public Navigator {
   const std::optional<RouteSight>& sight() const { return sight_; }
   const RouteView& view() const { return view_; }
   const EdgeMemory& edges() const { return edges_; }
+  /// Whether what is there has shown that it is its place; of a taught place alone it may stay open.
+  bool has_confirmed_place() const;
   /// How often it has driven up to its place.
   int parking_tries() const { return frame_ ? frame_->tries() : taught_place_.tries(); }
 
