@@ -57,6 +57,8 @@ void RoomNavigatorParams::describe(FieldList& fields) {
               "by which share the route may suddenly look brighter or darker");
   fields.real("brightness_gain", brightness_gain, {0, 1},
               "how fast the learned brightness follows the light");
+  fields.real("hidden_max_m", hidden_max_m, {0, 10},
+              "way that it goes on by memory while what stands before it hides the route");
   fields.real("stop_free_m", stop_free_m, {0.01, 2}, "with less way free it stops");
   fields.real("wait_s", wait_s, {0, 100}, "for what is in the way to go");
   fields.real("back_off_m", back_off_m, {0.05, 5}, "way back before it tries again");
@@ -77,6 +79,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       stop_views_(params.stop_views, route_.room->views),
       T_odom_vehicle_(route_.path.at(from_m).T_map_path),
       brightness_(route_.room->brightness),
+      T_odom_seen_(T_odom_vehicle_),
       taught_place_(params.taught_place, vehicle, route_.path) {
   if (route_.room->parking == ParkingStrategy::kFrame)
     frame_ = std::make_unique<FrameParking>(params.frame, vehicle, route_.room->frame_size_m);
@@ -115,6 +118,7 @@ void RoomNavigator::look(const Observation& observation) {
   is_strange_ = !is_route_bright_as_learned();
   dead_end_pictures_ = is_at_dead_end() ? dead_end_pictures_ + 1 : 0;
   if (is_strange_) return;
+  T_odom_seen_ = T_odom_vehicle_;
   // The learned brightness follows slow change of light (METHODS 9).
   brightness_.grey += params_.brightness_gain * (sight_->patch_grey - brightness_.grey);
   edges_.take(view_, *sight_, T_odom_vehicle_);
@@ -124,6 +128,16 @@ void RoomNavigator::look(const Observation& observation) {
 bool RoomNavigator::is_route_bright_as_learned() const {
   const double change = sight_->patch_grey / std::max(1.0, brightness_.grey) - 1;
   return std::abs(change) <= params_.brightness_tolerance;
+}
+
+/// What stands before the vehicle and is known hides the route, as in a narrow turning: that tells nothing of
+/// the light, and where the way leads is remembered.
+bool RoomNavigator::knows_way_ahead() const {
+  if (!is_strange_) return true;
+  const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
+  const bool is_hidden =
+      std::any_of(around.begin(), around.end(), [&](const Vec2& p) { return view_.is_before_patch_end(p); });
+  return is_hidden && between(T_odom_seen_, T_odom_vehicle_).position().norm() < params_.hidden_max_m;
 }
 
 /// Where the vehicle comes to the end of its way, or was set down before it, is known roughly; what is seen
@@ -169,7 +183,7 @@ Decision RoomNavigator::park_in_frame(double now_s) {
 std::optional<double> RoomNavigator::avoiding_rad() const {
   const RouteChecks& checks = sight_->checks;
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
-  if (!params_.avoid_as_published || is_turning) return std::nullopt;
+  if (!params_.avoid_as_published || is_turning || is_strange_) return std::nullopt;
   if (checks.left && !checks.right) return -params_.avoid_rad;
   if (checks.right && !checks.left) return params_.avoid_rad;
   if (checks.ahead) return checks.left_share > checks.right_share ? params_.avoid_rad : -params_.avoid_rad;
@@ -191,7 +205,7 @@ double RoomNavigator::wished_steering_rad() const {
   const double beyond_m = std::max(0.0, ahead_m - route_.path.length_m());
   const Vec2 p_map_ahead = route_.path.at(ahead_m).T_map_path * Vec2(beyond_m, 0);
   const double taught_rad = steering_to(pose().inverse() * p_map_ahead);
-  const auto middle = view_.middle(*sight_, blot.left, blot.right);
+  const auto middle = is_strange_ ? std::nullopt : view_.middle(*sight_, blot.left, blot.right);
   if (!middle) return taught_rad;
   const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
   const double share = turns ? params_.turning_middle_share : params_.middle_share;
@@ -207,12 +221,12 @@ Decision RoomNavigator::follow(double now_s) {
   FreeSteeringParams steering = params_.steering;
   if (keeps_to_taught_end()) steering.comfort_m = params_.end_comfort_m;
   const SteeringChoice choice = choose_steering(vehicle_, steering, around, wish_rad);
-  if (is_strange_ || choice.free_m < params_.stop_free_m) return blocked(now_s);
+  if (!knows_way_ahead() || choice.free_m < params_.stop_free_m) return blocked(now_s);
   stopped_s_.reset();
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
-  const double speed_mps = is_near_end  ? params_.parking_speed_mps
-                           : is_turning ? params_.turning_speed_mps
-                                        : params_.speed_mps;
+  const double speed_mps = is_near_end || is_strange_ ? params_.parking_speed_mps
+                           : is_turning               ? params_.turning_speed_mps
+                                                      : params_.speed_mps;
   return drive(choice, speed_mps, avoiding ? "avoiding" : is_turning ? "turning" : "following");
 }
 
@@ -327,8 +341,15 @@ double RoomNavigator::left_to_end_m() const {
   return left_m() > kLastLeg_m ? left_m() : straight_m;
 }
 
+bool RoomNavigator::has_confirmed_place() const {
+  return route_.room->parking != ParkingStrategy::kView || place_.is_sure() || stop_views_.has_matched();
+}
+
 std::optional<Decision> RoomNavigator::arrived() {
   const Decision done{.status = NavigatorStatus::kDone, .state = "parked"};
+  const Decision unconfirmed{.status = NavigatorStatus::kDone,
+                             .state = "parked",
+                             .why = "not confirmed: neither edges nor views are as they were taught"};
   switch (route_.room->parking) {
     case ParkingStrategy::kDeadEnd:
       if (dead_end_pictures_ >= params_.dead_end_pictures) return done;
@@ -342,6 +363,7 @@ std::optional<Decision> RoomNavigator::arrived() {
       // Columns of brightness tell less than the edges of the floor, if those stand as they were taught.
       const double shift_m = place_.is_sure() ? 0 : stop_views_.shift_m();
       if (left_to_end_m() + shift_m <= vehicle_.cycle_s * params_.parking_speed_mps) {
+        if (!has_confirmed_place()) return unconfirmed;
         if (!place_.is_sure()) return done;
         const Decision decision = taught_place_.settle(pose());
         if (taught_place_.is_backing()) state_ = State::kLeavingPlace;

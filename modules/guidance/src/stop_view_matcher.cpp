@@ -47,7 +47,7 @@ void StopViewMatcher::take(const Image& picture, double left_m) {
     return;
   const double mean_m =
       std::accumulate(shifts_m_.begin(), shifts_m_.end(), 0.0) / static_cast<double>(shifts_m_.size());
-  shift_m_ = shift_m_ == 0 ? mean_m : shift_m_ + params_.gain * (mean_m - shift_m_);
+  shift_m_ = shift_m_ ? *shift_m_ + params_.gain * (mean_m - *shift_m_) : mean_m;
 }
 
 /// The learned view that is most alike, if it matches and no other place's does nearly as well.

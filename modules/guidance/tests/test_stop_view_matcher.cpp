@@ -37,6 +37,7 @@ TEST(StopViewMatcher, CorrectsTheWayThatIsLeft) {
     matcher.take(view_from(really_left_m), really_left_m - 0.2);
   }
   EXPECT_NEAR(matcher.shift_m(), 0.2, 0.05);
+  EXPECT_TRUE(matcher.has_matched());
 }
 
 TEST(StopViewMatcher, OneMatchAloneDoesNotCount) {
@@ -45,6 +46,7 @@ TEST(StopViewMatcher, OneMatchAloneDoesNotCount) {
   matcher.take(Image(320, 100), 0.17);
   matcher.take(view_from(0.44), 0.14);
   EXPECT_EQ(matcher.shift_m(), 0);
+  EXPECT_FALSE(matcher.has_matched());
 }
 
 TEST(StopViewMatcher, FarFromThePlaceNothingIsLookedFor) {

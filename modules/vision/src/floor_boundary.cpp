@@ -23,23 +23,39 @@ int reach_at(const LevelView& view, int row) {
 }  // namespace
 
 const std::vector<BoundaryPoint>& FloorBoundary::find(const LevelView& view) {
-  points_.clear();
-  if (view.columns() == 0 || view.rows() == 0) return points_;
+  steps_.clear();
+  if (view.columns() == 0 || view.rows() == 0) return find_again(view);
   rows_ = view.rows();
   const auto rows = static_cast<std::size_t>(rows_);
   steps_.assign(static_cast<std::size_t>(view.columns()) * rows, 0);
   froms_.resize(steps_.size());
-  costs_.assign(rows, 0);
-  crossed_.assign(rows, 0);
   sums_.resize(rows + 1);
   for (int column = 0; column < view.columns(); ++column) {
     measure_steps(view, column);
     thin(view, column);
+  }
+  return find_again(view);
+}
+
+const std::vector<BoundaryPoint>& FloorBoundary::find_again(const LevelView& view) {
+  points_.clear();
+  if (steps_.empty()) return points_;
+  costs_.assign(static_cast<std::size_t>(rows_), 0);
+  crossed_.assign(static_cast<std::size_t>(rows_), 0);
+  for (int column = 0; column < view.columns(); ++column) {
     if (column > 0) cross_to_next(column);
     weigh(column);
   }
   trace_back(view);
   return points_;
+}
+
+void FloorBoundary::strike_out(const LevelView& view, const BoundaryPoint& point) {
+  const auto column = static_cast<int>(point.column), row = static_cast<int>(std::lround(point.row));
+  const LevelView::Rows seen = view.seen(column);
+  const int reach = 2 * reach_at(view, row);
+  float* steps = &steps_[index(column, 0)];
+  std::fill(steps + std::max(row - reach, seen.first), steps + std::min(row + reach + 1, seen.end), 0.0F);
 }
 
 void FloorBoundary::sum_brightness(const std::uint8_t* brightness, LevelView::Rows seen) {

@@ -23,6 +23,11 @@ class FloorBoundary {
   /// From left to right; columns that show no end of the floor are left out. Valid until the next call.
   const std::vector<BoundaryPoint>& find(const LevelView& view);
 
+  /// From now on the step that was found there counts as none, as the floor goes on beyond it.
+  void strike_out(const LevelView& view, const BoundaryPoint& point);
+  /// Looks again in the view of the last `find`, past what was struck out since.
+  const std::vector<BoundaryPoint>& find_again(const LevelView& view);
+
  private:
   void measure_steps(const LevelView& view, int column);
   void sum_brightness(const std::uint8_t* brightness, LevelView::Rows seen);

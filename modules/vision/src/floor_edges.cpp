@@ -18,6 +18,8 @@ void FloorEdgeParams::describe(FieldList& fields) {
   fields.real("contrast_min", contrast_min, {0.5, 100}, "grey levels of the faintest edge");
   fields.real("distance_max_m", distance_max_m, {1, 100}, "ahead of the camera");
   fields.real("length_min_m", length_min_m, {0, 10}, "of the shortest edge");
+  fields.count("looks_past", looks_past, {0, 20},
+               "times that it looks beyond what is no edge of the floor, such as joints and texture");
   fields.group("noise", noise);
 }
 
@@ -28,11 +30,10 @@ constexpr double kJoinColumns = 4;  // between edges that lead to each other
 constexpr double kJoinRows = 8;
 constexpr double kBesideLens_m = 0.25;  // a line that leads so close past the lens is a joint, not a wall
 constexpr double kPaper_m = 0.6;        // longest edge of what may lie on the floor ...
-constexpr double kPaperNear_m = 0.4;    // ... and where the floor goes on beyond it
-constexpr double kPaperFar_m = 0.5;
+constexpr double kBeyondPaper_m[] = {0.3, 0.4, 0.5};  // ... and where the floor goes on beyond it
 constexpr double kBoardNear = 0.05;  // of the depth, beyond an edge: there a skirting board is still seen ...
 constexpr double kBoardFar = 0.09;   // ... but no more the joint between two tiles
-constexpr double kAlike = 0.3;       // of how much brighter something is than the floor: a floor's pattern
+constexpr double kAlike = 0.5;       // of how much brighter something is than the floor: more like the floor
 constexpr int kFloorRows = 6;        // before an edge, whose brightness is the floor's
 constexpr int kBlurRows = 2;         // of an edge
 constexpr int kBesideColumns = 24;   // beside an edge
@@ -53,10 +54,12 @@ class FloorEdgeDetector::Work {
 
   const std::vector<FloorEdge>& detect(const Image& grey) {
     view_.look_at(grey);
-    edges_.clear();
-    const auto& lines = fitter_.fit(boundary_.find(view_), view_.rows_per_column());
-    for (const FloorLine& line : lines)
-      if (std::abs(line.contrast) >= kClear * params_.contrast_min || goes_on(line, lines)) add_edge(line);
+    points_ = boundary_.find(view_);
+    take_edges();
+    for (int look = 0; look < params_.looks_past && strike_out_others(); ++look) {
+      points_ = boundary_.find_again(view_);
+      take_edges();
+    }
     return edges_;
   }
 
@@ -69,6 +72,31 @@ class FloorEdgeDetector::Work {
   static CameraMount rolled(CameraMount mount, double roll_rad) {
     mount.roll_rad += roll_rad;
     return mount;
+  }
+
+  void take_edges() {
+    edges_.clear();
+    ends_.clear();
+    const auto& lines = fitter_.fit(points_, view_.rows_per_column());
+    for (const FloorLine& line : lines) {
+      const bool is_some = std::abs(line.contrast) >= kClear * params_.contrast_min || goes_on(line, lines);
+      if (is_some && add_edge(line)) ends_.push_back(line);
+    }
+  }
+
+  /// What is no edge, such as a joint, a sheet of paper or the texture of a carpet, hides none any more.
+  /// @return whether there is anything
+  bool strike_out_others() {
+    bool any = false;
+    for (const BoundaryPoint& point : points_) {
+      const auto is_on = [&](const FloorLine& line) {
+        return point.column >= line.first_column && point.column <= line.last_column;
+      };
+      if (std::any_of(ends_.begin(), ends_.end(), is_on)) continue;
+      boundary_.strike_out(view_, point);
+      any = true;
+    }
+    return any;
   }
 
   /// A pattern of the floor shows faint steps, none of which leads to another or out of sight.
@@ -86,26 +114,27 @@ class FloorEdgeDetector::Work {
     return leads_on(line.first_column) || leads_on(line.last_column);
   }
 
-  void add_edge(const FloorLine& line) {
+  bool add_edge(const FloorLine& line) {
     FloorEdge edge;
     SensedSegment& seen = edge.on_floor;
     seen.segment = {point_of(line, line.last_column), point_of(line, line.first_column)};
     seen.length_m = seen.segment.length();
-    if (!(seen.length_m >= params_.length_min_m)) return;
+    if (!(seen.length_m >= params_.length_min_m)) return false;
     seen.heading_rad = seen.segment.heading();
     seen.centroid = point_of(line, line.middle());
     const Vec2 from_lens = seen.centroid - mount_.p_vehicle_camera.head<2>();
-    if (std::abs(left_normal(unit(seen.heading_rad)).dot(from_lens)) < kBesideLens_m) return;
-    if (!lasts(line)) return;
+    if (std::abs(left_normal(unit(seen.heading_rad)).dot(from_lens)) < kBesideLens_m) return false;
+    if (!lasts(line)) return false;
     if (seen.length_m < kPaper_m && (line.contrast > 0 ? floor_goes_on_beyond(line) : is_far_side(line)))
-      return;
+      return false;
     const auto start_px = pixel_of(seen.segment.start), end_px = pixel_of(seen.segment.end);
-    if (!start_px || !end_px) return;
+    if (!start_px || !end_px) return false;
     edge.start_px = *start_px;
     edge.end_px = *end_px;
     edge.contrast = line.contrast;
-    if (!set_deviations(line, edge)) return;
+    if (!set_deviations(line, edge)) return false;
     edges_.push_back(edge);
+    return true;
   }
 
   Vec2 point_of(const FloorLine& line, double column) const {
@@ -132,15 +161,20 @@ class FloorEdgeDetector::Work {
 
   /// Beyond a bright thing the size of a sheet of paper the brightness is the floor's again.
   bool floor_goes_on_beyond(const FloorLine& line) const {
-    int alike = 0, count = 0;
+    const double alike = std::max(2 * params_.contrast_min, kAlike * line.contrast);
+    int back = 0, count = 0;
     for_each_column(line, [&](int column, double edge, double floor) {
-      const auto beyond =
-          mean_brightness(column, view_.row_beyond(edge, kPaperFar_m), view_.row_beyond(edge, kPaperNear_m));
-      if (!beyond) return;
-      ++count;
-      if (std::abs(floor - *beyond) < 2 * params_.contrast_min) ++alike;
+      bool is_seen = false, is_back = false;
+      for (std::size_t i = 1; i < std::size(kBeyondPaper_m); ++i) {
+        const auto beyond = mean_brightness(column, view_.row_beyond(edge, kBeyondPaper_m[i]),
+                                            view_.row_beyond(edge, kBeyondPaper_m[i - 1]));
+        is_seen = is_seen || beyond;
+        is_back = is_back || (beyond && std::abs(floor - *beyond) < alike);
+      }
+      count += is_seen ? 1 : 0;
+      back += is_back ? 1 : 0;
     });
-    return 2 * alike > count;
+    return 2 * back > count;
   }
 
   /// Of a bright thing that lies on the floor, its near side no more in view: the floor beside it goes on
@@ -232,6 +266,8 @@ class FloorEdgeDetector::Work {
   FloorBoundary boundary_;
   FloorLineFitter fitter_;
   BackProjection tilted_floor_, rolled_floor_;
+  std::vector<BoundaryPoint> points_;
+  std::vector<FloorLine> ends_;  ///< those of the edges
   std::vector<FloorEdge> edges_;
 };
 

@@ -8,6 +8,7 @@ namespace aisle {
 namespace {
 
 constexpr int kEdgeColumns = 80;
+constexpr int kPatchesInHeight = 6;
 constexpr double kDarkShare = 0.65;  // of the patch's grey level: what is darker is no route
 
 /// Share of the columns from `begin` to before `end` that is route.
@@ -20,7 +21,7 @@ double route_share(const Image& mask, int begin, int end) {
 
 /// L96 section 2.2: the square patch before the vehicle.
 void measure_patch(const Image& picture, RouteSight& sight) {
-  const int side = picture.height_px / 6, u0 = (picture.width_px - side) / 2;
+  const int side = picture.height_px / kPatchesInHeight, u0 = (picture.width_px - side) / 2;
   double sum = 0, squares = 0;
   for (int v = picture.height_px - side; v < picture.height_px; ++v) {
     for (int u = u0; u < u0 + side; ++u) {
@@ -73,6 +74,8 @@ RouteView::RouteView(const RouteViewParams& params, const CameraModel& camera, c
   const auto nearest = floor_.point(Vec2((width_px - 1) / 2.0, height_px - 1));
   if (!nearest) throw std::invalid_argument("a camera for routes must look down at the floor");
   nearest_m_ = nearest->x();
+  const int patch_px = height_px / kPatchesInHeight;
+  p_vehicle_patch_ = floor_.point(Vec2((width_px - patch_px) / 2.0, height_px - patch_px)).value_or(*nearest);
   const double camera_m = mount.p_vehicle_camera.x();
   far_row_ = row_at(std::max(nearest_m_, camera_m + params.far_scan_m));
   near_row_ = row_at(std::max(nearest_m_, camera_m + params.near_scan_m));
@@ -153,6 +156,11 @@ void RouteView::find_edges(RouteSight& sight) const {
 bool RouteView::sees_route(const RouteSight& sight, const Vec2& p_vehicle) const {
   const auto pixel = pixel_of(p_vehicle);
   return pixel && sight.mask.row(static_cast<int>(std::lround(pixel->y())))[std::lround(pixel->x())] != 0;
+}
+
+bool RouteView::is_before_patch_end(const Vec2& p_vehicle) const {
+  return p_vehicle.x() > 0 && p_vehicle.x() < p_vehicle_patch_.x() &&
+         std::abs(p_vehicle.y()) < std::abs(p_vehicle_patch_.y());
 }
 
 std::optional<Vec2> RouteView::middle(const RouteSight& sight, double blot_left, double blot_right) const {

@@ -32,6 +32,7 @@ struct DrawnRoom {
   std::vector<DrawnWall> walls;
   std::vector<DrawnPanel> panels;
   std::vector<Segment2> papers;  ///< a sheet 0.2 m wide around each, on the floor
+  std::vector<Segment2> worn;    ///< likewise where the floor is a little brighter
 };
 
 inline CameraIntrinsics drawn_lens() {
@@ -97,6 +98,8 @@ class RoomDrawing {
   double on_floor(const Vec2& p) const {
     for (const Segment2& paper : room_.papers)
       if (paper.distance(p) < 0.1) return 240;
+    for (const Segment2& worn : room_.worn)
+      if (worn.distance(p) < 0.1) return room_.floor_brightness + 25;
     if (room_.tile_m == 0) return room_.floor_brightness;
     const auto joint = [&](double x) { return std::abs(std::remainder(x, room_.tile_m)) < 0.0025; };
     return room_.floor_brightness - (joint(p.x()) || joint(p.y()) ? 40 : 0);

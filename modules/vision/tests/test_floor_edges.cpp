@@ -88,6 +88,31 @@ TEST(FloorEdges, PaperOnTheFloorIsNone) {
   EXPECT_THAT(edges_of({.papers = {{{2.5, 0.2}, {2.5, 0.35}}}}), IsEmpty());
 }
 
+TEST(FloorEdges, PaperIsNoneEvenIfTheFloorBeyondIsNotQuiteAsBefore) {
+  EXPECT_THAT(edges_of({.papers = {{{2.5, 0.2}, {2.5, 0.35}}}, .worn = {{{2.75, 0.1}, {2.85, 0.45}}}}),
+              IsEmpty());
+}
+
+TEST(FloorEdges, AreLookedForBeyondJointsThatLeadBetweenThemAndTheCamera) {
+  CameraMount low = drawn_mount();
+  low.p_vehicle_camera.z() = 0.19;
+  low.tilt_rad = 18 * kDegree;
+  DrawnWall left = wall_ahead(0.7, kPi / 2), right = wall_ahead(0.7, -kPi / 2);
+  for (DrawnWall* wall : {&left, &right}) wall->skirting_brightness = wall->brightness = 100;
+  const Image picture = drawn({.tile_m = 0.35, .walls = {left, right}}, low);
+  FloorEdgeDetector hasty({}, drawn_lens(), low), patient({.looks_past = 2}, drawn_lens(), low);
+  const auto length_m = [](const std::vector<FloorEdge>& edges, const DrawnWall& wall) {
+    double sum_m = 0;
+    for (const FloorEdge& edge : edges)
+      if (wall.foot.distance(edge.on_floor.centroid) < 0.03) sum_m += edge.on_floor.length_m;
+    return sum_m;
+  };
+  for (const DrawnWall& wall : {left, right}) {
+    EXPECT_LT(length_m(hasty.detect(picture), wall), 0.2);
+    EXPECT_GT(length_m(patient.detect(picture), wall), 1);
+  }
+}
+
 TEST(FloorEdges, PaperThatIsDrivenOverIsNoneEither) {
   EXPECT_THAT(edges_of({.papers = {{{2.0, -0.15}, {2.0, 0.15}}}}), IsEmpty());
 }

@@ -63,6 +63,18 @@ TEST(RouteView, EdgesLieWhereTheRouteEnds) {
   EXPECT_FALSE(view.sees_route(sight, {0, 0})) << "below the view";
 }
 
+TEST(RouteView, WhatStandsOnThePatchOrBeforeItDarkensIt) {
+  const RouteView view = eye();
+  const double free_grey = view.look(way(-1, 1)).patch_grey;
+  for (const double ahead_m : {1.2, 1.4, 1.5, 1.7}) {
+    for (const double aside_m : {-0.3, 0.0, 0.3}) {
+      const Vec2 p(ahead_m, aside_m);
+      const Image there = way(-1, 1, {p - Vec2(0.05, 0.05), p + Vec2(0.15, 0.05)});
+      EXPECT_EQ(view.is_before_patch_end(p), view.look(there).patch_grey < free_grey - 1) << p.transpose();
+    }
+  }
+}
+
 TEST(RouteView, WhereTheViewEndsIsNoEdge) {
   const RouteView view = eye();
   const double lowest_m = view.floor_point({kFloorWidth_px / 2.0, kFloorHeight_px - 1.0})->x();

@@ -82,12 +82,14 @@ Result<RoomMissionResult> drive_room_mission(const SimulationSetting& setting, R
   result.clearance_m =
       clearance_ahead_m(setting.world, setting.vehicle.description.footprint, truth.T_world_vehicle);
   result.tries = navigator.parking_tries();
+  result.is_confirmed = result.end.arrived && navigator.has_confirmed_place();
   return result;
 }
 
 nlohmann::ordered_json figures_of(const RoomMissionResult& result) {
   return {{"arrived", result.end.arrived},
           {"parked", result.parked()},
+          {"confirmed", result.is_confirmed},
           {"state", result.end.state},
           {"why", result.end.why},
           {"collisions", result.collisions},

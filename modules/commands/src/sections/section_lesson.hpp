@@ -17,7 +17,7 @@
 namespace aisle {
 
 struct SectionLessonParams {
-  FloorEdgeParams floor_edges;
+  FloorEdgeParams floor_edges{.looks_past = 2};
   SectionLearningParams learning;
 
   void describe(FieldList& fields) {

@@ -46,6 +46,7 @@ struct RoomNavigatorParams {
   double frame_within_m = 3.5;
   double brightness_tolerance = 0.35;
   double brightness_gain = 0.05;
+  double hidden_max_m = 0.8;
   double stop_free_m = 0.15;
   double wait_s = 3;
   double back_off_m = 0.6;
@@ -76,6 +77,8 @@ class RoomNavigator final : public Navigator {
   const std::optional<RouteSight>& sight() const { return sight_; }
   const RouteView& view() const { return view_; }
   const EdgeMemory& edges() const { return edges_; }
+  /// Whether what is there has shown that it is its place; of a taught place alone it may stay open.
+  bool has_confirmed_place() const;
   /// How often it has driven up to its place.
   int parking_tries() const { return frame_ ? frame_->tries() : taught_place_.tries(); }
 
@@ -84,6 +87,7 @@ class RoomNavigator final : public Navigator {
 
   void look(const Observation& observation);
   bool is_route_bright_as_learned() const;
+  bool knows_way_ahead() const;
   void find_place();
   Decision follow(double now_s);
   Decision park_in_frame(double now_s);
@@ -118,6 +122,7 @@ class RoomNavigator final : public Navigator {
   std::optional<RouteSight> sight_;
   RouteBrightness brightness_;
   bool is_strange_ = false;  ///< what is before the vehicle does not look like the route
+  Pose2 T_odom_seen_;        ///< where it last did
   State state_ = State::kFollowing;
   int dead_end_pictures_ = 0;  ///< in succession that showed one
   std::optional<double> stopped_s_;

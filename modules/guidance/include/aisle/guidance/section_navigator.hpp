@@ -18,7 +18,7 @@
 namespace aisle {
 
 struct SectionNavigatorParams {
-  FloorEdgeParams floor_edges;
+  FloorEdgeParams floor_edges{.looks_past = 2};
   SteeringParams steering;
   SpeedParams speed{.speed_mps = 0.1};
   ObstacleGuardParams guard{.margin_m = 0.03, .gap_m = 0.25, .reach_m = 1};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "aisle/core/image.hpp"
@@ -33,7 +34,8 @@ class StopViewMatcher {
   void take(const Image& picture, double left_m);
 
   /// More way to go than the odometry says; 0 while nothing has matched.
-  double shift_m() const { return shift_m_; }
+  double shift_m() const { return shift_m_.value_or(0); }
+  bool has_matched() const { return shift_m_.has_value(); }
 
  private:
   const StopView* match(const BrightnessView& seen) const;
@@ -41,7 +43,7 @@ class StopViewMatcher {
   StopViewParams params_;
   std::vector<StopView> views_;
   std::deque<double> shifts_m_;  ///< of the latest pictures that matched, one after another
-  double shift_m_ = 0;
+  std::optional<double> shift_m_;
 };
 
 }  // namespace aisle

@@ -17,6 +17,7 @@ struct FloorEdgeParams {
   double contrast_min = 5;
   double distance_max_m = 20;
   double length_min_m = 0.15;
+  int looks_past = 0;
   BackProjectionNoise noise{.pixel_px = 0.3};
 
   void describe(FieldList& fields);

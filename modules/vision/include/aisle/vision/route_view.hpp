@@ -66,6 +66,8 @@ class RouteView {
   std::optional<Vec2> floor_point(const Vec2& pixel_px) const { return floor_.point(pixel_px); }
   /// Whether a floor point is in view, and seen to be route.
   bool sees_route(const RouteSight& sight, const Vec2& p_vehicle) const;
+  /// Whether what stands at a floor point is on the patch before the vehicle, or hides it.
+  bool is_before_patch_end(const Vec2& p_vehicle) const;
 
  private:
   using FloorPatch = std::vector<std::size_t>;  ///< pixels, as offsets into a mask
@@ -80,7 +82,8 @@ class RouteView {
   CameraMount mount_;
   BackProjection floor_;
   int width_px_, height_px_;
-  double nearest_m_ = 0;  ///< ahead, the floor at the view's lower edge
+  double nearest_m_ = 0;                 ///< ahead, the floor at the view's lower edge
+  Vec2 p_vehicle_patch_ = Vec2::Zero();  ///< the patch's far left corner
   int far_row_ = 0, near_row_ = 0;
   FloorPatch ahead_, left_, right_;
 };
