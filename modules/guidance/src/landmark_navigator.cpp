@@ -16,8 +16,7 @@ namespace {
 constexpr double kFoundSigma_m = 0.1;  // of a place that was found while lost, before a picture settles it
 constexpr double kFoundSigma_rad = 2 * kDegree;
 constexpr std::size_t kKnownPairs = 4;  // so many sightings of known things ...
-constexpr double kKnownShare =
-    0.7;  // ... that are so much of a picture show that the vehicle is where it thinks
+constexpr double kKnownShare = 0.7;     // ... that are so much of a picture show where the vehicle is
 
 const CameraDescription& camera_of(const VehicleDescription& vehicle, const Building& building) {
   if (building.camera) {
@@ -58,7 +57,7 @@ std::optional<double> along_route(const Path& path, const Pose2& T_map_vehicle, 
   return nearest;
 }
 
-/// Lines come and go from picture to picture. A vehicle that sees what the map has here was not lifted.
+/// Enough that it is where it thinks.
 bool knows_what_it_sees(const LandmarkLocaliser& localiser) {
   return localiser.pairs().size() >= kKnownPairs && localiser.matched_share() >= kKnownShare;
 }
@@ -152,9 +151,8 @@ void LandmarkNavigator::locate(const Observation& observation) {
     sightings_ = detector_.detect(*picture->image);
     if (state_ != State::kLost) match_ = localiser_.correct(building_->landmarks, sightings_);
     weigh_strangeness((localiser_.pose().position() - T_map_before.position()).norm());
-    const bool is_other_scene = scenes_.look(sightings_);
-    const bool is_here = match_ == LandmarkMatch::kMatched && knows_what_it_sees(localiser_);
-    if (is_other_scene && !is_here) was_lifted_ = true;
+    const bool is_known_here = match_ == LandmarkMatch::kMatched && knows_what_it_sees(localiser_);
+    if (scenes_.look(sightings_, is_known_here)) was_lifted_ = true;
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
     matched_stamp_s_ = observation.stamp_s;
