@@ -10,6 +10,7 @@ namespace {
 constexpr double kWrong_m = 0.5;
 constexpr double kWrongMax_s = 3;
 constexpr double kTaughtAhead_m = 1.0;  // of way, from one taught pose along a path to the next one
+constexpr double kNearer_m = 0.01;      // than what was passed last is another taught pose that is taken
 constexpr double kNear_m = 0.5;         // along the path, in which its point nearest to the vehicle is
 
 }  // namespace
@@ -55,7 +56,7 @@ std::vector<std::size_t> MapTruth::along(const Path& path, bool in_reverse) cons
     };
     const double from_m = way_m_[in_order(last)];
     for (std::size_t i = last + 1; i < count && std::abs(way_m_[in_order(i)] - from_m) < kTaughtAhead_m; ++i)
-      if (distance(i) < distance(last)) last = i;
+      if (distance(i) < distance(last) - kNearer_m) last = i;
     taught.push_back(in_order(last));
   }
   return taught;
