@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kFoundSigma_m = 0.1;  // of a place that was found while lost, before a picture settles it
 constexpr double kFoundSigma_rad = 2 * kDegree;
+constexpr std::size_t kKnownPairs = 4;  // so many sightings of known things ...
+constexpr double kKnownShare = 0.7;     // ... that are so much of a picture show where the vehicle is
 
 const CameraDescription& camera_of(const VehicleDescription& vehicle, const Building& building) {
   if (building.camera) {
@@ -53,6 +55,11 @@ std::optional<double> along_route(const Path& path, const Pose2& T_map_vehicle, 
     nearest_m = off.position().norm();
   }
   return nearest;
+}
+
+/// Enough that it is where it thinks.
+bool knows_what_it_sees(const LandmarkLocaliser& localiser) {
+  return localiser.pairs().size() >= kKnownPairs && localiser.matched_share() >= kKnownShare;
 }
 
 double position_sigma_m(const Mat3& covariance) {
@@ -144,7 +151,8 @@ void LandmarkNavigator::locate(const Observation& observation) {
     sightings_ = detector_.detect(*picture->image);
     if (state_ != State::kLost) match_ = localiser_.correct(building_->landmarks, sightings_);
     weigh_strangeness((localiser_.pose().position() - T_map_before.position()).norm());
-    if (scenes_.look(sightings_)) was_lifted_ = true;
+    const bool is_known_here = match_ == LandmarkMatch::kMatched && knows_what_it_sees(localiser_);
+    if (scenes_.look(sightings_, is_known_here)) was_lifted_ = true;
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
     matched_stamp_s_ = observation.stamp_s;

@@ -51,11 +51,11 @@ void SceneWatch::move(const Pose2& T_before_now) {
   since_known_rad_ += T_before_now.theta;
 }
 
-bool SceneWatch::look(std::span<const LandmarkSighting> picture) {
+bool SceneWatch::look(std::span<const LandmarkSighting> picture, bool is_known_here) {
   if (picture.size() < kComparedMin) return false;
   const bool can_tell = known_.size() >= kComparedMin && since_known_m_ < kComparedWay_m &&
                         std::abs(since_known_rad_) < kComparedTurn_rad;
-  const bool goes_on = !can_tell || known_share(picture, known_) > kOtherShareMax;
+  const bool goes_on = is_known_here || !can_tell || known_share(picture, known_) > kOtherShareMax;
   const bool is_elsewhere =
       !goes_on && other_.size() >= kComparedMin && known_share(picture, other_) >= kSameShareMin;
   if (!goes_on && !is_elsewhere) {

@@ -51,6 +51,13 @@ TEST(SceneWatch, DoesNotMindOneBadPicture) {
   EXPECT_EQ(drive(watch, 0.9, 50), 0);
 }
 
+TEST(SceneWatch, TakesWhatIsKnownToBeHereForNoOtherPlace) {
+  SceneWatch watch;
+  drive(watch, 0, 30);
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(watch.look(view(5, 0.4), true));
+  EXPECT_EQ(drive(watch, 5, 50, 0.4), 0);
+}
+
 TEST(SceneWatch, DoesNotTakeDarknessForAnotherPlace) {
   SceneWatch watch;
   drive(watch, 0, 30);

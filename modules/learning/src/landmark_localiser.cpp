@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kSureWeight = 0.5;   // landmarks of this weight are there
 constexpr int kContradictingMin = 2;  // so many of them out of sight contradict the map
+constexpr double kBehindDistance =
+    2;  // added to the squared distance of a landmark that was seen from the other side only
 
 }  // namespace
 
@@ -111,7 +113,7 @@ MwghtWindow LandmarkLocaliser::window() const {
 }
 
 /// Every sighting with the landmark that it lies nearest to, by its own errors and the landmark's; a landmark
-/// is taken once.
+/// is taken once, and rather one that was seen from this side.
 void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
                                 const Pose2& T_map_vehicle) {
   pairs_.clear();
@@ -136,7 +138,8 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
                                   ? Mat2(sighting.covariance + known)
                                   : Mat2(Mat2::Identity() * (sighting.covariance + known).trace() / 2);
       const Vec2 off = sighting.p_vehicle - T_vehicle_map * landmark.p_map;
-      const double distance = off.dot(covariance.inverse() * off);
+      const double behind = is_known_from_behind(landmark, T_map_vehicle.position()) ? kBehindDistance : 0;
+      const double distance = off.dot(covariance.inverse() * off) + behind;
       if (distance >= nearest) continue;
       nearest = distance;
       best = k;

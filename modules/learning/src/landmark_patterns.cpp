@@ -2,7 +2,15 @@
 
 #include <algorithm>
 
+#include "landmark_view.hpp"
+
 namespace aisle {
+namespace {
+
+constexpr double kFromBehind =
+    0.3;  // share of the weight of a landmark that was seen from the other side only
+
+}  // namespace
 
 double confidence_weight(const Vec2& p_vehicle, double confidence_m2) {
   return 1 / (1 + p_vehicle.squaredNorm() / confidence_m2);
@@ -27,7 +35,8 @@ void LandmarkPatterns::gather(const LandmarkMap& map, std::span<const LandmarkSi
   const Pose2 T_vehicle_map = T_map_vehicle.inverse();
   for (const int i : near) {
     const Landmark& landmark = map[static_cast<std::size_t>(i)];
-    learned.push_back({T_vehicle_map * landmark.p_map, landmark.weight});
+    const double side = is_known_from_behind(landmark, T_map_vehicle.position()) ? kFromBehind : 1;
+    learned.push_back({T_vehicle_map * landmark.p_map, side * landmark.weight});
   }
 }
 

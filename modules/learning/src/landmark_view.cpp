@@ -16,6 +16,10 @@ double bearing(const Vec2& p_vehicle) {
 
 }  // namespace
 
+bool is_known_from_behind(const Landmark& landmark, const Vec2& p_map_vehicle) {
+  return (p_map_vehicle - landmark.p_map).dot(landmark.seen_from) < 0;
+}
+
 LandmarkView::LandmarkView(std::span<const LandmarkSighting> sightings) : left_rad_(-kPi), right_rad_(kPi) {
   for (const LandmarkSighting& sighting : sightings) {
     far_m_ = std::max(far_m_, sighting.p_vehicle.norm());

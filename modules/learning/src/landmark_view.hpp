@@ -7,6 +7,10 @@
 
 namespace aisle {
 
+/// Whether a landmark was only ever seen from the other side than a vehicle sees it from. What is flat looks
+/// the same from there; of a door frame or a corner another edge is seen, which may be a landmark of its own.
+bool is_known_from_behind(const Landmark& landmark, const Vec2& p_map_vehicle);
+
 /// The part of the surroundings in which landmarks were seen in a picture: where one was seen, another that
 /// is nearer and between the outermost ones could have been seen, too.
 class LandmarkView {

@@ -92,6 +92,24 @@ TEST(LandmarkLocaliser, DoorsBeyondTheReachOfDoubtAreNoRivals) {
   EXPECT_THAT(localiser.pose(), PoseNear(truth, 0.02, 0.3 * kDegree));
 }
 
+TEST(LandmarkLocaliser, WhatWasSeenFromThisSideCountsMoreThanWhatWasSeenFromTheOtherOne) {
+  Random random(5);
+  const std::vector<CorridorLine> lines = corridor_lines(12, random);
+  LandmarkMap map;
+  for (const CorridorLine& line : lines) {
+    Landmark landmark{.p_map = line.p_map, .seen_from = {-1, 0}, .brighter_right = line.brighter_right};
+    map.add(landmark);
+    landmark.p_map += Vec2(0.25, -0.15);  // the trip had drifted so far when it came back
+    landmark.weight = 2;
+    landmark.seen_from = {1, 0};
+    map.add(landmark);
+  }
+  const Pose2 truth{3.05, 0.03, 0};
+  LandmarkLocaliser localiser({}, corridor_cart(), about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
+  ASSERT_EQ(localiser.correct(map, sightings_from(lines, truth, kNoise)), LandmarkMatch::kMatched);
+  EXPECT_THAT(localiser.pose(), PoseNear(truth, 0.03, 0.5 * kDegree));
+}
+
 TEST(LandmarkLocaliser, TwoLinesCloseTogetherAreToldApartByTheirBrighterSides) {
   Random random(6);
   std::vector<CorridorLine> frames = corridor_lines(12, random);

@@ -10,6 +10,7 @@
 #include "floor_boundary.hpp"
 #include "floor_lines.hpp"
 #include "level_view.hpp"
+#include "skirting_board.hpp"
 
 namespace aisle {
 
@@ -20,6 +21,8 @@ void FloorEdgeParams::describe(FieldList& fields) {
   fields.real("length_min_m", length_min_m, {0, 10}, "of the shortest edge");
   fields.count("looks_past", looks_past, {0, 20},
                "times that it looks beyond what is no edge of the floor, such as joints and texture");
+  fields.real("board_height_m", board_height_m, {0, 0.3},
+              "highest skirting board whose foot is looked for beneath its upper edge; 0: none is");
   fields.group("noise", noise);
 }
 
@@ -49,6 +52,9 @@ class FloorEdgeDetector::Work {
         mount_(mount),
         view_(camera_, mount, params.columns, params.distance_max_m),
         boundary_(params.contrast_min),
+        board_{.camera_height_m = mount.p_vehicle_camera.z(),
+               .contrast_min = params.contrast_min,
+               .height_max_m = params.board_height_m},
         tilted_floor_(camera_, tilted(mount, params.noise.tilt_rad), 0),
         rolled_floor_(camera_, rolled(mount, params.noise.tilt_rad), 0) {}
 
@@ -114,27 +120,37 @@ class FloorEdgeDetector::Work {
     return leads_on(line.first_column) || leads_on(line.last_column);
   }
 
+  /// @return whether the line is an edge of the floor
   bool add_edge(const FloorLine& line) {
+    if (!ends_the_floor(line)) return false;
+    const FloorLine foot = foot_beneath(view_, line, board_).value_or(line);
     FloorEdge edge;
     SensedSegment& seen = edge.on_floor;
-    seen.segment = {point_of(line, line.last_column), point_of(line, line.first_column)};
+    seen.segment = segment_of(foot);
     seen.length_m = seen.segment.length();
-    if (!(seen.length_m >= params_.length_min_m)) return false;
     seen.heading_rad = seen.segment.heading();
-    seen.centroid = point_of(line, line.middle());
+    seen.centroid = point_of(foot, foot.middle());
     const Vec2 from_lens = seen.centroid - mount_.p_vehicle_camera.head<2>();
     if (std::abs(left_normal(unit(seen.heading_rad)).dot(from_lens)) < kBesideLens_m) return false;
-    if (!lasts(line)) return false;
-    if (seen.length_m < kPaper_m && (line.contrast > 0 ? floor_goes_on_beyond(line) : is_far_side(line)))
-      return false;
     const auto start_px = pixel_of(seen.segment.start), end_px = pixel_of(seen.segment.end);
     if (!start_px || !end_px) return false;
     edge.start_px = *start_px;
     edge.end_px = *end_px;
-    edge.contrast = line.contrast;
-    if (!set_deviations(line, edge)) return false;
+    edge.contrast = foot.contrast;
+    if (!set_deviations(foot, edge)) return false;
     edges_.push_back(edge);
     return true;
+  }
+
+  /// It is neither a joint nor a thing that lies on the floor.
+  bool ends_the_floor(const FloorLine& line) const {
+    const double length_m = segment_of(line).length();
+    if (!(length_m >= params_.length_min_m) || !lasts(line)) return false;
+    return length_m >= kPaper_m || !(line.contrast > 0 ? floor_goes_on_beyond(line) : is_far_side(line));
+  }
+
+  Segment2 segment_of(const FloorLine& line) const {
+    return {point_of(line, line.last_column), point_of(line, line.first_column)};
   }
 
   Vec2 point_of(const FloorLine& line, double column) const {
@@ -264,6 +280,7 @@ class FloorEdgeDetector::Work {
   CameraMount mount_;
   LevelView view_;
   FloorBoundary boundary_;
+  SkirtingBoardParams board_;
   FloorLineFitter fitter_;
   BackProjection tilted_floor_, rolled_floor_;
   std::vector<BoundaryPoint> points_;

@@ -56,6 +56,22 @@ TEST(FloorEdges, OfAWallWithoutASkirtingBoardOrWithABrightOneAreFoundToo) {
   }
 }
 
+TEST(FloorEdges, RunAlongTheFootOfASkirtingBoardThoughItsUpperEdgeIsClearer) {
+  DrawnWall wall = wall_ahead(2, 70 * kDegree);
+  wall.skirting_brightness = 60;
+  const DrawnRoom dark_carpet{.floor_brightness = 74, .walls = {wall}};
+  FloorEdgeParams without_boards;
+  without_boards.board_height_m = 0;
+  FloorEdgeDetector deceived(without_boards, drawn_lens(), drawn_mount());
+  const auto upper_edges = deceived.detect(drawn(dark_carpet));
+  ASSERT_THAT(upper_edges, SizeIs(1));
+  EXPECT_GT(miss_px(upper_edges[0], wall), 5);
+  const auto feet = edges_of(dark_carpet);
+  ASSERT_THAT(feet, SizeIs(1));
+  EXPECT_LT(miss_px(feet[0], wall), 1);
+  EXPECT_LT(feet[0].contrast, 0);
+}
+
 TEST(FloorEdges, OfACorridorAreItsTwoSidesAndItsEnd) {
   const DrawnWall left = wall_ahead(1, kPi / 2), right = wall_ahead(1.2, -kPi / 2), end = wall_ahead(4, 0);
   const auto edges = edges_of({.tile_m = 0.3, .walls = {left, right, end}});

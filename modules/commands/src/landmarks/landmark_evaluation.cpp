@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kWrong_m = 0.5;
 constexpr double kWrongMax_s = 3;
-constexpr double kNear_m = 3;    // of way, from one cycle's taught pose to the next one's
-constexpr double kBack_m = 0.5;  // along the path, in which its nearest point is looked for
-constexpr double kAhead_m = 1.0;
+constexpr double kTaughtAhead_m = 1.0;  // of way, from one taught pose along a path to the next one
+constexpr double kNearer_m = 0.01;      // than what was passed last is another taught pose that is taken
+constexpr double kNear_m = 0.5;         // along the path, in which its point nearest to the vehicle is
 
 }  // namespace
 
@@ -43,18 +43,23 @@ std::size_t MapTruth::nearest(const Pose2& T_map_place) const {
   return static_cast<std::size_t>(found - T_map_taught_.begin());
 }
 
-std::size_t MapTruth::nearest(const Pose2& T_map_place, std::size_t near) const {
-  const auto distance = [&](std::size_t i) {
-    return (T_map_taught_[i].position() - T_map_place.position()).squaredNorm();
-  };
-  std::size_t best = near;
-  for (std::size_t i = near; i-- > 0 && way_m_[near] - way_m_[i] < kNear_m;) {
-    if (distance(i) < distance(best)) best = i;
+std::vector<std::size_t> MapTruth::along(const Path& path, bool in_reverse) const {
+  const std::size_t count = T_map_taught_.size();
+  const auto in_order = [&](std::size_t i) { return in_reverse ? count - 1 - i : i; };
+  const auto steps = static_cast<std::size_t>(path.length_m() / kAlongStep_m);
+  std::vector<std::size_t> taught;
+  std::size_t last = 0;
+  for (std::size_t step = 0; step <= steps; ++step) {
+    const Vec2 p_map = path.at(static_cast<double>(step) * kAlongStep_m).T_map_path.position();
+    const auto distance = [&](std::size_t i) {
+      return (T_map_taught_[in_order(i)].position() - p_map).norm();
+    };
+    const double from_m = way_m_[in_order(last)];
+    for (std::size_t i = last + 1; i < count && std::abs(way_m_[in_order(i)] - from_m) < kTaughtAhead_m; ++i)
+      if (distance(i) < distance(last) - kNearer_m) last = i;
+    taught.push_back(in_order(last));
   }
-  for (std::size_t i = near + 1; i < way_m_.size() && way_m_[i] - way_m_[near] < kNear_m; ++i) {
-    if (distance(i) < distance(best)) best = i;
-  }
-  return best;
+  return taught;
 }
 
 void ErrorFigure::add(double error) {
@@ -68,19 +73,20 @@ double ErrorFigure::rms() const {
 }
 
 /// A vehicle that was lost, and perhaps lifted, may have found itself anywhere on its way.
-void MissionJudge::find_again(const LandmarkFix& fix) {
-  taught_ = truth_.nearest(fix.T_map_vehicle.mean);
-  along_path_m_ = path_.nearest(fix.T_map_vehicle.mean.position(), 0, path_.length_m()).along_m;
+void MissionJudge::follow(const LandmarkFix& fix) {
+  const Pose2& T_map_thought = fix.T_map_vehicle.mean;
+  if (is_lost_ && fix.is_sure)
+    progress_ = PathProgress(path_, path_.nearest(T_map_thought.position(), 0, path_.length_m()).along_m);
+  is_lost_ = fix.is_lost;
+  if (fix.is_sure) progress_.advance(T_map_thought);
 }
 
 void MissionJudge::add(double stamp_s, const LandmarkFix& fix, const Pose2& T_world_vehicle) {
-  if (is_lost_ && fix.is_sure) find_again(fix);
-  is_lost_ = fix.is_lost;
-  taught_ = truth_.nearest(fix.T_map_vehicle.mean, taught_);
-  const Pose2 T_map_true = truth_.on_map(T_world_vehicle, taught_);
-  const PathPoint nearest =
-      path_.nearest(T_map_true.position(), along_path_m_ - kBack_m, along_path_m_ + kAhead_m);
-  along_path_m_ = nearest.along_m;
+  follow(fix);
+  const double along_m = progress_.point().along_m;
+  const auto step = static_cast<std::size_t>(along_m / MapTruth::kAlongStep_m);
+  const Pose2 T_map_true = truth_.on_map(T_world_vehicle, taught_[std::min(step, taught_.size() - 1)]);
+  const PathPoint nearest = path_.nearest(T_map_true.position(), along_m - kNear_m, along_m + kNear_m);
   const Pose2 error = between(T_map_true, fix.T_map_vehicle.mean);
   errors_.knew_place_at_end = !fix.is_lost && error.position().norm() <= kWrong_m;
   if (!fix.is_sure || error.position().norm() <= kWrong_m) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "aisle/control/path.hpp"
+#include "aisle/control/path_progress.hpp"
 #include "aisle/geometry/pose2.hpp"
 #include "aisle/guidance/landmark_navigator.hpp"
 
@@ -25,11 +26,13 @@ class MapTruth {
 
   bool empty() const { return T_map_taught_.empty(); }
 
-  /// The taught pose next to a place, among those that were taught within a few metres of way before or after
-  /// another; a way that comes by the same place twice is not mixed up.
-  std::size_t nearest(const Pose2& T_map_place, std::size_t near) const;
-  /// The same among all of them.
+  /// The taught pose next to a place.
   std::size_t nearest(const Pose2& T_map_place) const;
+  /// The taught poses next to a route's path, or to its way back, every kAlongStep_m of it from its start:
+  /// one after the other as they were taught, so that a way that comes by the same place again is not mixed
+  /// up.
+  std::vector<std::size_t> along(const Path& path, bool in_reverse) const;
+  static constexpr double kAlongStep_m = 0.05;
   /// The taught pose from which a route, or its way back, begins.
   std::size_t start(bool in_reverse) const { return in_reverse ? T_map_taught_.size() - 1 : 0; }
 
@@ -76,21 +79,21 @@ struct MissionErrors {
 class MissionJudge {
  public:
   /// Truth and path must outlive the judge.
-  /// @param taught  the taught pose at which the mission begins
-  MissionJudge(const MapTruth& truth, const Path& path, std::size_t taught)
-      : truth_(truth), path_(path), taught_(taught) {}
+  /// @param in_reverse  the path is a route's way back
+  MissionJudge(const MapTruth& truth, const Path& path, bool in_reverse)
+      : truth_(truth), path_(path), taught_(truth.along(path, in_reverse)), progress_(path) {}
 
   /// One cycle, which ends at `stamp_s`.
   void add(double stamp_s, const LandmarkFix& fix, const Pose2& T_world_vehicle);
   const MissionErrors& errors() const { return errors_; }
 
  private:
-  void find_again(const LandmarkFix& fix);
+  void follow(const LandmarkFix& fix);
 
   const MapTruth& truth_;
   const Path& path_;
-  double along_path_m_ = 0;
-  std::size_t taught_;  ///< the pose that was next to the vehicle
+  std::vector<std::size_t> taught_;  ///< along the path
+  PathProgress progress_;            ///< of where the vehicle thinks it is
   bool is_lost_ = false;
   std::optional<double> wrong_since_s_;  ///< and sure
   MissionErrors errors_;

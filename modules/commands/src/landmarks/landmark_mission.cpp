@@ -78,7 +78,7 @@ Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& se
       {.seed = options.seed,
        .T_world_start = set_down(
            setting, about(T_world_start, options.start_sigma_m, options.start_sigma_rad), options.seed)});
-  MissionJudge judge(truth, driver.path(), taught);
+  MissionJudge judge(truth, driver.path(), options.in_reverse);
   LandmarkMissionResult result;
   result.T_map_start = driver.path().at(0).T_map_path;
   TimedNavigator timed(driver, result.cycle_s);

@@ -14,9 +14,10 @@ class SceneWatch {
   /// The vehicle has moved since the last call, by its odometry.
   void move(const Pose2& T_before_now);
 
-  /// Takes in a picture. @return whether it shows, like the one before it, other things than were seen until
-  /// then. False as long as there is too little to compare
-  bool look(std::span<const LandmarkSighting> picture);
+  /// Takes in a picture. Lines come and go: one that shows what is known to be here is no other scene.
+  /// @return whether it shows, like the one before it, other things than were seen until then. False as long
+  /// as there is too little to compare
+  bool look(std::span<const LandmarkSighting> picture, bool is_known_here = false);
 
  private:
   using Scene = std::vector<LandmarkSighting>;

@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "aisle/core/angle.hpp"
+#include "landmarks/landmark_evaluation.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kStep_m = 0.05;
+
+/// Into a dead end, out of it backwards, and round a corner backwards.
+Path in_and_out() {
+  const Pose2 end_of_dead_end{6, 0, 0}, junction{2, 0, 0};
+  return Path({{{}, {6, 0}}, {end_of_dead_end, {-4, 0}}, {junction, {-3, 60 * kDegree}}});
+}
+
+/// Taught along the path; where the way came back the map has drifted by 3 cm with each metre.
+MapTruth drifting_truth(const Path& path) {
+  constexpr double kDrift = 0.03;
+  std::vector<Pose2> T_map_taught, T_world_taught;
+  for (double along_m = 0; along_m < path.length_m(); along_m += kStep_m) {
+    T_map_taught.push_back(path.at(along_m).T_map_path);
+    const double back_m = std::max(0.0, along_m - path.start_m(1));
+    T_world_taught.push_back(Pose2{0, -kDrift * back_m, 0} * T_map_taught.back());
+  }
+  return {T_map_taught, T_world_taught};
+}
+
+MissionErrors driven_as_taught(const Path& path, const MapTruth& truth, bool in_reverse) {
+  MissionJudge judge(truth, path, in_reverse);
+  const std::size_t count = truth.T_map_taught().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t taught = in_reverse ? count - 1 - i : i;
+    const Pose2 turned = in_reverse ? Pose2{0, 0, kPi} : Pose2{};
+    const UncertainPose2 thought{truth.T_map_taught()[taught] * turned, Mat3::Zero()};
+    judge.add(0.1 * static_cast<double>(i), {.T_map_vehicle = thought, .is_sure = true},
+              truth.T_world_taught()[taught] * turned);
+  }
+  return judge.errors();
+}
+
+TEST(MissionJudge, FollowsAWayThatComesBackOnItself) {
+  const Path path = in_and_out();
+  const MissionErrors errors = driven_as_taught(path, drifting_truth(path), false);
+  EXPECT_LT(errors.tracking_m.worst(), 0.01);
+  EXPECT_LT(errors.across_m.worst(), 0.01);
+  EXPECT_LT(errors.along_m.worst(), 0.01);
+}
+
+TEST(MissionJudge, FollowsItsWayBackToo) {
+  const Path path = in_and_out();
+  const MissionErrors errors = driven_as_taught(path.reversed(), drifting_truth(path), true);
+  EXPECT_LT(errors.tracking_m.worst(), 0.01);
+  EXPECT_LT(errors.across_m.worst(), 0.01);
+  EXPECT_LT(errors.along_m.worst(), 0.01);
+}
+
+TEST(MissionJudge, SeesAVehicleThatThinksItIsElsewhere) {
+  const Path path = in_and_out();
+  const MapTruth truth = drifting_truth(path);
+  MissionJudge judge(truth, path, false);
+  for (int i = 0; i < 40; ++i) {
+    const Pose2 T_map_thought = path.at(i * kStep_m).T_map_path;
+    judge.add(0.1 * i, {.T_map_vehicle = {T_map_thought, Mat3::Zero()}, .is_sure = true},
+              Pose2{0.6, 0, 0} * T_map_thought);
+  }
+  EXPECT_TRUE(judge.errors().wrong_confident);
+  EXPECT_NEAR(judge.errors().along_m.rms(), 0.6, 1e-6);
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,181 @@
+#include "skirting_board.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace aisle {
+namespace {
+
+constexpr double kBin = 0.004;                   // of the depth beneath the horizon
+constexpr int kBins = 80;                        // above a line, and as many beneath it
+constexpr int kReachLeast = 4, kReachMost = 12;  // bins: half of what a step must last ...
+constexpr double kReach_rows = 1.5;              // ... and no less than its blur
+constexpr double kBoardLeast_m = 0.03;           // lower boards are none
+constexpr int kSettleBins = 3;                   // in which a step's steepest place is
+constexpr std::size_t kParts = 4;                // of a line
+constexpr double kPartContrast = 0.5;            // share of the least contrast that each part must show
+constexpr double kSeenColumnsMin = 0.5;          // share of the line's columns in which its foot can be seen
+
+/// A bin's middle as a share of the line's depth.
+double depth_share(int bin) {
+  static const auto all = [] {
+    std::array<double, 2 * kBins> shares{};
+    for (int i = 0; i < 2 * kBins; ++i)
+      shares[static_cast<std::size_t>(i)] = std::exp((i - kBins + 0.5) * kBin);
+    return shares;
+  }();
+  return all[static_cast<std::size_t>(bin + kBins)];
+}
+
+/// Mean brightness by height above and beneath a line. Whatever runs along a wall at one height is, in every
+/// column, at the same ratio to the line's depth beneath the horizon.
+class BandProfile {
+ public:
+  /// @param depth  of the line, in its middle
+  explicit BandProfile(double depth)
+      : reach_(
+            std::clamp(static_cast<int>(std::ceil(kReach_rows / (depth * kBin))), kReachLeast, kReachMost)) {}
+
+  int reach() const { return reach_; }
+
+  void add(const LevelView& view, int column, double depth) {
+    const LevelView::Rows seen = view.seen(column);
+    const std::uint8_t* grey = view.column(column);
+    for (int bin = -kBins; bin < kBins; ++bin) {
+      const int row = static_cast<int>(std::floor(depth * depth_share(bin) - view.depth(0)));
+      if (row < seen.first || row >= seen.end) continue;
+      sums_[index(bin)] += grey[row];
+      ++counts_[index(bin)];
+    }
+  }
+
+  void add(const BandProfile& part) {
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      sums_[i] += part.sums_[i];
+      counts_[i] += part.counts_[i];
+    }
+  }
+
+  int count(int bin) const { return counts_[index(bin)]; }
+
+  /// How much brighter it lastingly is above the lower border of a bin than beneath; 0: no lasting step.
+  double step(int bin) const {
+    const auto far = mean(bin - reach_, bin), farther = mean(bin - 2 * reach_, bin - reach_);
+    const auto near = mean(bin, bin + reach_), nearer = mean(bin + reach_, bin + 2 * reach_);
+    if (!far || !farther || !near || !nearer) return 0;
+    const double brighter = std::min(*far, *farther) - std::max(*near, *nearer);
+    const double darker = std::min(*near, *nearer) - std::max(*far, *farther);
+    return brighter > 0 ? brighter : -std::max(0.0, darker);
+  }
+
+  int clearest(int first, int last) const {
+    int best = first;
+    for (int bin = first + 1; bin <= last; ++bin)
+      if (std::abs(step(bin)) > std::abs(step(best))) best = bin;
+    return best;
+  }
+
+  /// The steepest place near a step, in bins.
+  double settled(int bin) const {
+    const double sign = step(bin) < 0 ? -1 : 1;
+    const auto steepness = [&](int at) {
+      return sign * (mean(at - 2, at).value_or(0) - mean(at, at + 2).value_or(0));
+    };
+    int steepest = bin;
+    for (int at = bin - kSettleBins; at <= bin + kSettleBins; ++at)
+      if (steepness(at) > steepness(steepest)) steepest = at;
+    const double above = steepness(steepest - 1), here = steepness(steepest),
+                 beneath = steepness(steepest + 1);
+    const double bend = above - 2 * here + beneath;
+    return steepest + (bend < 0 ? std::clamp(0.5 * (above - beneath) / bend, -0.5, 0.5) : 0);
+  }
+
+ private:
+  static std::size_t index(int bin) { return static_cast<std::size_t>(bin + kBins); }
+
+  std::optional<double> mean(int first, int end) const {
+    if (first < -kBins || end > kBins) return std::nullopt;
+    double sum = 0;
+    int count = 0;
+    for (int bin = first; bin < end; ++bin) {
+      sum += sums_[index(bin)];
+      count += counts_[index(bin)];
+    }
+    if (count == 0) return std::nullopt;
+    return sum / count;
+  }
+
+  int reach_;
+  std::array<double, 2 * kBins> sums_{};
+  std::array<int, 2 * kBins> counts_{};
+};
+
+/// The bin in which a height is seen above a foot; positive: the foot beneath an upper edge of that height.
+int bin_of(double height_m, double camera_height_m) {
+  return static_cast<int>(std::lround(std::log(camera_height_m / (camera_height_m - height_m)) / kBin));
+}
+
+/// All of a line, and its parts from left to right.
+struct LineProfiles {
+  BandProfile whole;
+  std::array<BandProfile, kParts> parts;
+  int columns = 0;
+};
+
+LineProfiles profiles_of(const LevelView& view, const FloorLine& line) {
+  const BandProfile none(view.depth(line.row_middle));
+  LineProfiles profiles{none, {none, none, none, none}, 0};
+  const int first = static_cast<int>(line.first_column), last = static_cast<int>(line.last_column);
+  profiles.columns = last - first + 1;
+  for (int column = first; column <= last; ++column) {
+    const int part = static_cast<int>(kParts) * (column - first) / profiles.columns;
+    profiles.parts[static_cast<std::size_t>(part)].add(view, column, view.depth(line.row_at(column)));
+  }
+  for (const BandProfile& part : profiles.parts) profiles.whole.add(part);
+  return profiles;
+}
+
+/// The bin of the clearest step beneath the line at a board's height, if it is clear, clearer than all above
+/// it, and there in every part of the line.
+std::optional<int> foot_bin(const LineProfiles& profiles, double height_max_m,
+                            const SkirtingBoardParams& params) {
+  const BandProfile& whole = profiles.whole;
+  const int highest = bin_of(kBoardLeast_m, params.camera_height_m);
+  const int lowest = std::min(bin_of(height_max_m, params.camera_height_m), kBins - 2 * whole.reach());
+  const int foot = whole.clearest(highest, lowest);
+  const double contrast = whole.step(foot);
+  const double above = whole.step(whole.clearest(-lowest, -highest));
+  if (std::abs(contrast) < params.contrast_min || std::abs(above) > std::abs(contrast) ||
+      whole.count(foot) < kSeenColumnsMin * profiles.columns)
+    return std::nullopt;
+  const bool is_everywhere =
+      std::all_of(profiles.parts.begin(), profiles.parts.end(), [&](const BandProfile& part) {
+        return part.count(foot) == 0 ||
+               std::copysign(1.0, contrast) * part.step(foot) > kPartContrast * params.contrast_min;
+      });
+  if (!is_everywhere) return std::nullopt;
+  return foot;
+}
+
+}  // namespace
+
+std::optional<FloorLine> foot_beneath(const LevelView& view, const FloorLine& line,
+                                      const SkirtingBoardParams& params) {
+  const double height_max_m = std::min(params.height_max_m, params.camera_height_m / 2);
+  if (height_max_m <= kBoardLeast_m) return std::nullopt;
+  const LineProfiles profiles = profiles_of(view, line);
+  const auto foot = foot_bin(profiles, height_max_m, params);
+  if (!foot) return std::nullopt;
+  const double ratio = std::exp(profiles.whole.settled(*foot) * kBin);
+  FloorLine lower = line;
+  lower.row_middle = ratio * view.depth(line.row_middle) - view.depth(0);
+  lower.slope *= ratio;
+  lower.sigma_row *= ratio;
+  lower.sigma_slope *= ratio;
+  lower.contrast = profiles.whole.step(*foot);
+  return lower;
+}
+
+}  // namespace aisle
