@@ -164,7 +164,7 @@ std::optional<int> foot_bin(const LineProfiles& profiles, double height_max_m,
 std::optional<FloorLine> foot_beneath(const LevelView& view, const FloorLine& line,
                                       const SkirtingBoardParams& params) {
   const double height_max_m = std::min(params.height_max_m, params.camera_height_m / 2);
-  if (height_max_m <= kBoardLeast_m) return std::nullopt;
+  if (height_max_m <= kBoardLeast_m || line.contrast < 0) return std::nullopt;
   const LineProfiles profiles = profiles_of(view, line);
   const auto foot = foot_bin(profiles, height_max_m, params);
   if (!foot) return std::nullopt;

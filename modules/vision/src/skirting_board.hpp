@@ -16,8 +16,8 @@ struct SkirtingBoardParams {
 };
 
 /// The foot of a board whose upper edge a line is: the clearest step at one height beneath all of the line,
-/// there in every part of it. A line that has a clearer one above it is a foot already, and what is beneath
-/// is the board's reflection or a pattern of the floor.
+/// there in every part of it. A line beyond which it is darker, or that has a clearer one above it, is a foot
+/// already, and what is beneath is the board's reflection or a pattern of the floor.
 /// @return nullopt: no foot is seen beneath the line
 std::optional<FloorLine> foot_beneath(const LevelView& view, const FloorLine& line,
                                       const SkirtingBoardParams& params);
