@@ -157,7 +157,8 @@ class NookFinder {
   }
 
   void look_back(const Vec2& p_map, const Vec2& direction, Gate& nook) const {
-    for (double along_m = 0; along_m < params_.reach_m; along_m += floor_.cell_m()) {
+    for (int step = 0; step * floor_.cell_m() < params_.reach_m; ++step) {
+      const double along_m = step * floor_.cell_m();
       const FloorCell cell = floor_.cell_at(Vec2(p_map + along_m * direction));
       const Floor kind = floor_.at(cell);
       if (kind == Floor::kOccupied || (kind == Floor::kUnknown && along_m > Gate::kNookDepth_m)) return;

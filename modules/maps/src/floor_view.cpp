@@ -119,9 +119,10 @@ bool may_stand_at(const FloorGrid& floor, FloorCell cell) {
 /// coarse.
 bool is_shut(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad, double near_m) {
   const Vec2 along = unit(T_map_laser.theta + angle_rad);
-  const double end_m = near_m + kCoarse * floor.cell_m();
-  for (double range_m = 0; range_m < end_m; range_m += floor.cell_m() / 2) {
-    if (may_stand_at(floor, floor.cell_at(T_map_laser.position() + range_m * along))) return true;
+  const double step_m = floor.cell_m() / 2;
+  const int steps = static_cast<int>(std::ceil((near_m + kCoarse * floor.cell_m()) / step_m));
+  for (int step = 0; step < steps; ++step) {
+    if (may_stand_at(floor, floor.cell_at(T_map_laser.position() + step * step_m * along))) return true;
   }
   return false;
 }

@@ -8,8 +8,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kBin = 0.004;                   // of the depth beneath the horizon
-constexpr int kBins = 80;                        // above a line, and as many beneath it
+constexpr double kBin = 0.004;  // of the depth beneath the horizon
+constexpr int kBins = 80;       // above a line, and as many beneath it
+constexpr std::size_t kBinCount = std::size_t{2} * kBins;
 constexpr int kReachLeast = 4, kReachMost = 12;  // bins: half of what a step must last ...
 constexpr double kReach_rows = 1.5;              // ... and no less than its blur
 constexpr double kBoardLeast_m = 0.03;           // lower boards are none
@@ -21,8 +22,8 @@ constexpr double kSeenColumnsMin = 0.5;          // share of the line's columns 
 /// A bin's middle as a share of the line's depth.
 double depth_share(int bin) {
   static const auto all = [] {
-    std::array<double, 2 * kBins> shares{};
-    for (int i = 0; i < 2 * kBins; ++i)
+    std::array<double, kBinCount> shares{};
+    for (int i = 0; i < static_cast<int>(kBinCount); ++i)
       shares[static_cast<std::size_t>(i)] = std::exp((i - kBins + 0.5) * kBin);
     return shares;
   }();
@@ -108,8 +109,8 @@ class BandProfile {
   }
 
   int reach_;
-  std::array<double, 2 * kBins> sums_{};
-  std::array<int, 2 * kBins> counts_{};
+  std::array<double, kBinCount> sums_{};
+  std::array<int, kBinCount> counts_{};
 };
 
 /// The bin in which a height is seen above a foot; positive: the foot beneath an upper edge of that height.
