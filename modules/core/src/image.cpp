@@ -15,4 +15,9 @@ Image to_grey(const Image& image) {
   return grey;
 }
 
+const Image& as_grey(const Image& image, Image& converted) {
+  if (image.channels == 1) return image;
+  return converted = to_grey(image);
+}
+
 }  // namespace aisle

@@ -14,5 +14,13 @@ TEST(Image, GreyWeighsTheColoursAndKeepsGreyAsItIs) {
   EXPECT_EQ(to_grey(to_grey(image)), to_grey(image));
 }
 
+TEST(Image, GreyPicturesAreNotCopied) {
+  Image coloured(1, 1, 3), converted;
+  coloured.bytes = {255, 255, 255};
+  const Image grey = to_grey(coloured);
+  EXPECT_EQ(&as_grey(grey, converted), &grey);
+  EXPECT_EQ(as_grey(coloured, converted), grey);
+}
+
 }  // namespace
 }  // namespace aisle

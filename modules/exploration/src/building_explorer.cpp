@@ -24,10 +24,8 @@ Bearing bearing_of(const Vec2& p_map, const Pose2& T_map_vehicle) {
 /// How far two gates are apart [cells]; infinity: farther than what matters.
 double apart_cells(const Gate& a, const Gate& b, double matters) {
   const FloorBox around = a.box.widened(static_cast<int>(std::ceil(matters)));
-  const bool may_be_near = around.low.x < b.box.end.x && b.box.low.x < around.end.x &&
-                           around.low.y < b.box.end.y && b.box.low.y < around.end.y;
   double nearest2 = std::numeric_limits<double>::infinity();
-  if (!may_be_near) return nearest2;
+  if (around.common_with(b.box).empty()) return nearest2;
   for (const FloorCell p : a.sill) {
     for (const FloorCell q : b.sill) {
       const double dx = p.x - q.x, dy = p.y - q.y;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "gate_sill.hpp"
+
 namespace aisle {
 namespace {
 
@@ -82,17 +84,9 @@ class GateFinder {
         gate.sill.push_back(next);
       });
     }
-    Vec2 middle = Vec2::Zero();
+    measure_sill(floor_, gate);
     gate.way_m = FloorDistances::kUnreached;
-    for (const FloorCell cell : gate.sill) {
-      gate.box.include(cell);
-      middle += floor_.centre(cell) / static_cast<double>(gate.sill.size());
-      gate.way_m = std::min<double>(gate.way_m, reached_.to(cell));
-    }
-    const auto nearest = std::min_element(gate.sill.begin(), gate.sill.end(), [&](FloorCell a, FloorCell b) {
-      return (floor_.centre(a) - middle).squaredNorm() < (floor_.centre(b) - middle).squaredNorm();
-    });
-    gate.p_map = floor_.centre(*nearest);
+    for (const FloorCell cell : gate.sill) gate.way_m = std::min<double>(gate.way_m, reached_.to(cell));
     return gate;
   }
 

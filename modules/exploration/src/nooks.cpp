@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "aisle/core/angle.hpp"
+#include "gate_sill.hpp"
 
 namespace aisle {
 namespace {
@@ -121,11 +122,8 @@ class NookFinder {
     nook.is_nook = true;
     nook.sill.push_back(first);
     marks_[clearance_.index(first)] = kTaken;
-    Vec2 middle = Vec2::Zero();
     for (std::size_t i = 0; i < nook.sill.size(); ++i) {
       const FloorCell cell = nook.sill[i];
-      nook.box.include(cell);
-      middle += floor_.centre(cell);
       for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
         for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
           const std::size_t next = clearance_.index({x, y});
@@ -135,11 +133,7 @@ class NookFinder {
         }
       }
     }
-    middle /= static_cast<double>(nook.sill.size());
-    const auto nearest = std::min_element(nook.sill.begin(), nook.sill.end(), [&](FloorCell a, FloorCell b) {
-      return (floor_.centre(a) - middle).squaredNorm() < (floor_.centre(b) - middle).squaredNorm();
-    });
-    nook.p_map = floor_.centre(*nearest);
+    measure_sill(floor_, nook);
     nook.behind_m2 = static_cast<double>(kDarkCells) * static_cast<double>(nook.sill.size()) *
                      floor_.cell_m() * floor_.cell_m();
     for (const std::size_t i : spread(nook.sill.size(), kNookRimMax))

@@ -17,13 +17,6 @@ constexpr double kLever_m = 2;  // at which turns count
 constexpr std::size_t kLaidACycle = 8;  // of the slices that are laid anew
 constexpr double kStanding_m = 0.002;   // of way in a cycle
 
-/// To hold another one, too.
-void widen(FloorBox& box, const FloorBox& other) {
-  if (other.empty()) return;
-  box.include(other.low);
-  box.include({other.end.x - 1, other.end.y - 1});
-}
-
 }  // namespace
 
 void FloorLearnerParams::describe(FieldList& fields) {
@@ -94,7 +87,7 @@ FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGr
                                T_map_vehicle, params_.view);
   const FloorBox stood =
       stand_on_floor(floor, look.slice == 0 ? set_down_room() : vehicle_.footprint, T_map_vehicle);
-  widen(changed, stood);
+  changed.include_box(stood);
   return changed;
 }
 
@@ -137,7 +130,7 @@ bool FloorLearner::lay_on() {
   for (; anew_->next < end; ++anew_->next) {
     Look& look = looks_[anew_->next];
     look.T_map_put = T_map_of_all_[look.slice];
-    widen(changed, put(look, look.T_map_put, anew_->floor));
+    changed.include_box(put(look, look.T_map_put, anew_->floor));
   }
   anew_->clearance.update(anew_->floor, changed);
   if (anew_->next < looks_.size()) return false;

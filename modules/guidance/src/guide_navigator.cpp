@@ -94,11 +94,7 @@ void GuideNavigator::look_at_floor(double stamp_s) {
   T_map_looked_ = T_map_vehicle_;
   FloorBox changed =
       see_floor(floor_, sensor_->fan(), view_.ranges_m, view_.near_m, T_map_vehicle_, params_.view);
-  const FloorBox stood = stand_on_floor(floor_, vehicle_.footprint, T_map_vehicle_);
-  if (!stood.empty()) {
-    changed.include(stood.low);
-    changed.include({stood.end.x - 1, stood.end.y - 1});
-  }
+  changed.include_box(stand_on_floor(floor_, vehicle_.footprint, T_map_vehicle_));
   clearance_.update(floor_, changed);
 }
 

@@ -37,8 +37,7 @@ class MarkerSlices final : public SliceSensor {
   bool look(const Observation& observation, SliceView& view) override {
     const CameraPicture* picture = present_picture(observation, camera_.name, cycle_s_);
     if (picture == nullptr) return false;
-    const Image& image = *picture->image;
-    stripe_.find(image.channels == 1 ? image : to_grey(image));
+    stripe_.find(as_grey(*picture->image, grey_));
     view.near_m = near_m_;
     view.ranges_m.clear();
     for (const StripeFan::Beam& beam : stripe_.beams()) view.ranges_m.push_back(range_m(beam));
@@ -59,6 +58,7 @@ class MarkerSlices final : public SliceSensor {
   StripeFan stripe_;
   LaserScanner fan_;
   std::vector<float> near_m_;
+  Image grey_;  ///< of coloured pictures
 };
 
 }  // namespace

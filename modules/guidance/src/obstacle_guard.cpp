@@ -69,8 +69,7 @@ ObstacleGuard::StampedPose ObstacleGuard::taken_at(double stamp_s) const {
 
 void ObstacleGuard::probe(const CameraPicture& picture) {
   sight_.taken = taken_at(picture.stamp_s);
-  sight_.p_vehicle_lit =
-      probe_->find(picture.image->channels == 1 ? *picture.image : to_grey(*picture.image));
+  sight_.p_vehicle_lit = probe_->find(as_grey(*picture.image, grey_));
   sight_.is_new = true;
   if (!lit_s_ || probe_->sees_light()) lit_s_ = picture.stamp_s;
 }

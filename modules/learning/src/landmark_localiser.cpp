@@ -10,10 +10,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kSureWeight = 0.5;   // landmarks of this weight are there
-constexpr int kContradictingMin = 2;  // so many of them out of sight contradict the map
-constexpr double kBehindDistance =
-    2;  // added to the squared distance of a landmark that was seen from the other side only
+constexpr double kSureWeight = 0.5;    // landmarks of this weight are there
+constexpr int kContradictingMin = 2;   // so many of them out of sight contradict the map
+constexpr double kBehindDistance = 2;  // to the squared distance, if seen from the other side only
 
 }  // namespace
 

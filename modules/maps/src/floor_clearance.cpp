@@ -8,17 +8,6 @@ namespace {
 
 constexpr int kMargin = 32;  // cells of room beyond what is known
 
-FloorBox common(const FloorBox& a, const FloorBox& b) {
-  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y)},
-          {std::min(a.end.x, b.end.x), std::min(a.end.y, b.end.y)}};
-}
-
-void include(FloorBox& box, const FloorBox& other) {
-  if (other.empty()) return;
-  box.include(other.low);
-  box.include({other.end.x - 1, other.end.y - 1});
-}
-
 /// Exact distances to marked cells in a box, up to a limit: down and up the columns first, then along the
 /// rows over at most as many cells as the limit holds.
 class BoxDistances {
@@ -85,7 +74,7 @@ void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return;
   const int limit = static_cast<int>(std::ceil(far_m_ / floor.cell_m())) + 1;
   FloorBox anew = changed;
-  if (legs_) include(anew, legs_->update(floor, changed));
+  if (legs_) anew.include_box(legs_->update(floor, changed));
   anew = anew.widened(limit);
   const bool is_within = room_.contains(anew.low) && room_.contains({anew.end.x - 1, anew.end.y - 1});
   if (!is_within) {
@@ -95,7 +84,7 @@ void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
     to_doubtful_m_.assign(size, 0);
     to_occupied_m_.assign(size, static_cast<float>(far_m_));
   }
-  anew = common(anew, room_);
+  anew = anew.common_with(room_);
   BoxDistances doubtful(anew.widened(limit), limit), occupied(anew.widened(limit), limit);
   doubtful.mark([&](FloorCell cell) { return floor.at(cell) != Floor::kFree || is_closed(cell); });
   occupied.mark([&](FloorCell cell) { return floor.at(cell) == Floor::kOccupied || is_closed(cell); });

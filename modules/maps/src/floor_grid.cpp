@@ -31,6 +31,17 @@ void FloorBox::include(FloorCell cell) {
               : FloorCell{std::max(end.x, cell.x + 1), std::max(end.y, cell.y + 1)};
 }
 
+void FloorBox::include_box(const FloorBox& other) {
+  if (other.empty()) return;
+  include(other.low);
+  include({other.end.x - 1, other.end.y - 1});
+}
+
+FloorBox FloorBox::common_with(const FloorBox& other) const {
+  return {{std::max(low.x, other.low.x), std::max(low.y, other.low.y)},
+          {std::min(end.x, other.end.x), std::min(end.y, other.end.y)}};
+}
+
 FloorBox FloorBox::widened(int cells) const {
   return {{low.x - cells, low.y - cells}, {end.x + cells, end.y + cells}};
 }

@@ -71,5 +71,18 @@ RC_GTEST_PROP(FloorGrid, HoldsWhatWasPutWhereverItGrew, (std::uint64_t seed)) {
   RC_ASSERT(grid.count(Floor::kFree) == free);
 }
 
+TEST(FloorBox, HoldsWhatItIncludesAndSharesWhatLiesInBoth) {
+  FloorBox box{{0, 0}, {2, 2}};
+  box.include_box({});
+  EXPECT_EQ(box.end, (FloorCell{2, 2}));
+  box.include_box({{5, 1}, {7, 2}});
+  EXPECT_EQ(box.low, (FloorCell{0, 0}));
+  EXPECT_EQ(box.end, (FloorCell{7, 2}));
+  const FloorBox common = box.common_with({{6, -3}, {9, 1}});
+  EXPECT_EQ(common.low, (FloorCell{6, 0}));
+  EXPECT_EQ(common.end, (FloorCell{7, 1}));
+  EXPECT_TRUE(box.common_with({{7, 0}, {8, 2}}).empty());
+}
+
 }  // namespace
 }  // namespace aisle

@@ -60,11 +60,11 @@ class FloorEdgeDetector::Work {
 
   const std::vector<FloorEdge>& detect(const Image& grey) {
     view_.look_at(grey);
-    points_ = boundary_.find(view_);
-    take_edges();
-    for (int look = 0; look < params_.looks_past && strike_out_others(); ++look) {
-      points_ = boundary_.find_again(view_);
-      take_edges();
+    const std::vector<BoundaryPoint>* points = &boundary_.find(view_);
+    take_edges(*points);
+    for (int look = 0; look < params_.looks_past && strike_out_others(*points); ++look) {
+      points = &boundary_.find_again(view_);
+      take_edges(*points);
     }
     return edges_;
   }
@@ -80,10 +80,10 @@ class FloorEdgeDetector::Work {
     return mount;
   }
 
-  void take_edges() {
+  void take_edges(const std::vector<BoundaryPoint>& points) {
     edges_.clear();
     ends_.clear();
-    const auto& lines = fitter_.fit(points_, view_.rows_per_column());
+    const auto& lines = fitter_.fit(points, view_.rows_per_column());
     for (const FloorLine& line : lines) {
       const bool is_some = std::abs(line.contrast) >= kClear * params_.contrast_min || goes_on(line, lines);
       if (is_some && add_edge(line)) ends_.push_back(line);
@@ -92,9 +92,9 @@ class FloorEdgeDetector::Work {
 
   /// What is no edge, such as a joint, a sheet of paper or the texture of a carpet, hides none any more.
   /// @return whether there is anything
-  bool strike_out_others() {
+  bool strike_out_others(const std::vector<BoundaryPoint>& points) {
     bool any = false;
-    for (const BoundaryPoint& point : points_) {
+    for (const BoundaryPoint& point : points) {
       const auto is_on = [&](const FloorLine& line) {
         return point.column >= line.first_column && point.column <= line.last_column;
       };
@@ -283,7 +283,6 @@ class FloorEdgeDetector::Work {
   SkirtingBoardParams board_;
   FloorLineFitter fitter_;
   BackProjection tilted_floor_, rolled_floor_;
-  std::vector<BoundaryPoint> points_;
   std::vector<FloorLine> ends_;  ///< those of the edges
   std::vector<FloorEdge> edges_;
 };

@@ -30,5 +30,7 @@ struct Image {
 
 /// The picture in grey (ITU-R BT.601 weights, rounded); a grey picture as it is.
 Image to_grey(const Image& image);
+/// The same without a copy of what is grey already. @return `image` or `converted`
+const Image& as_grey(const Image& image, Image& converted);
 
 }  // namespace aisle

@@ -112,6 +112,7 @@ class ObstacleGuard {
   ObstacleGuardParams params_;
   std::optional<PictureWatch> watch_;
   std::optional<StripeProbe> probe_;
+  Image grey_;  ///< of coloured pictures
   ObstacleMemory memory_;
   std::array<StampedPose, 16> poses_;
   std::size_t moves_ = 0;

@@ -34,7 +34,11 @@ struct FloorBox {
   }
   /// The smallest box that holds this one and the cell.
   void include(FloorCell cell);
+  /// The smallest box that holds both.
+  void include_box(const FloorBox& other);
   FloorBox widened(int cells) const;
+  /// What lies in both; empty if nothing does.
+  FloorBox common_with(const FloorBox& other) const;
 };
 
 /// What is free, what stands on it, and what nobody has seen. Grows in all directions as it is filled; all
