@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const CameraModel kLens({500, 505, 320, 240, -0.2, 0.05, 0.001, -0.001, 0});
+const CameraModel kTangentialLens({500, 505, 320, 240, -0.2, 0.05, 0.001, -0.001, 0});
 
 CameraMount tilted_mount() {
   return {{0.4, -0.03, 1.1}, 22 * kDegree, 3 * kDegree, -1 * kDegree};
@@ -24,7 +24,7 @@ std::vector<FloorMark> seen_board(const CameraMount& mount, const BoardOnFloor& 
                                   Random& random) {
   std::vector<FloorMark> marks;
   for (const Vec2& p : place.p_vehicle_corners({9, 6, 0.1})) {
-    const auto pixel = kLens.project(mount.to_camera({p.x(), p.y(), 0}));
+    const auto pixel = kTangentialLens.project(mount.to_camera({p.x(), p.y(), 0}));
     if (!pixel) continue;
     marks.push_back({*pixel + Vec2(random.normal(noise_px), random.normal(noise_px)), p});
   }
@@ -50,7 +50,7 @@ RC_GTEST_PROP(MountCalibration, AnglesComeBackFromTheirRotation, ()) {
 TEST(MountCalibration, ExactPixelsGiveTheExactMount) {
   Random random(1);
   const auto marks = seen_board(tilted_mount(), {{2.2, 0.1}, 0.2}, 0, random);
-  const auto found = calibrate_mount(marks, kLens);
+  const auto found = calibrate_mount(marks, kTangentialLens);
   ASSERT_TRUE(found);
   expect_equal(found->mount, tilted_mount(), 1e-7);
   EXPECT_LT(found->rms_px, 1e-6);
@@ -63,7 +63,7 @@ TEST(MountCalibration, ErrorsAreAsLargeAsTheirStatedDeviations) {
   for (int trial = 0; trial < kTrials; ++trial) {
     Random random(static_cast<std::uint64_t>(trial));
     const auto marks = seen_board(tilted_mount(), {{2.2, 0.1}, 0.2}, kNoise_px, random);
-    const auto found = calibrate_mount(marks, kLens, {.pixel_px = kNoise_px});
+    const auto found = calibrate_mount(marks, kTangentialLens, {.pixel_px = kNoise_px});
     ASSERT_TRUE(found);
     const CameraMount& truth = tilted_mount();
     const CameraMount &m = found->mount, &d = found->deviations;
@@ -84,7 +84,7 @@ TEST(MountCalibration, AnOrdinaryViewMeetsTwoMillimetresAndATwentiethOfADegree) 
     const double ahead_m = 0.4 + 1.1 / std::tan(std::max(tilt_deg, 25.0) * kDegree);
     Random random(5);
     const auto marks = seen_board(truth, {{ahead_m, 0.1}, 0.2}, 0.1, random);
-    const auto found = calibrate_mount(marks, kLens, {.pixel_px = 0.1});
+    const auto found = calibrate_mount(marks, kTangentialLens, {.pixel_px = 0.1});
     ASSERT_TRUE(found) << tilt_deg;
     EXPECT_NEAR(found->mount.p_vehicle_camera.z(), 1.1, 0.002) << tilt_deg;
     EXPECT_NEAR(to_degrees(found->mount.tilt_rad), tilt_deg, 0.05) << tilt_deg;
@@ -96,7 +96,7 @@ TEST(MountCalibration, OneWrongMarkIsFoundAndDoesNotMoveTheMount) {
   Random random(3);
   auto marks = seen_board(tilted_mount(), {{2.2, 0.1}, 0.2}, 0.2, random);
   marks[7].pixel_px += Vec2(40, -25);
-  const auto found = calibrate_mount(marks, kLens);
+  const auto found = calibrate_mount(marks, kTangentialLens);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->mount.p_vehicle_camera.z(), 1.1, 0.004);
   for (std::size_t i = 0; i < marks.size(); ++i) EXPECT_EQ(found->fits[i], i != 7) << i;
@@ -108,22 +108,22 @@ TEST(MountCalibration, MarksOnOneLineGiveNoMount) {
   std::vector<FloorMark> marks;
   for (int i = 0; i < 8; ++i) marks.push_back({{300.0 + 5 * i, 400.0 - 30 * i}, {1 + 0.4 * i, 0.5}});
   EXPECT_TRUE(are_on_one_line(marks));
-  EXPECT_FALSE(calibrate_mount(marks, kLens));
+  EXPECT_FALSE(calibrate_mount(marks, kTangentialLens));
 }
 
 TEST(MountCalibration, TooFewMarksAreABrokenContract) {
-  EXPECT_THROW(calibrate_mount(std::vector<FloorMark>(3), kLens), std::invalid_argument);
+  EXPECT_THROW(calibrate_mount(std::vector<FloorMark>(3), kTangentialLens), std::invalid_argument);
 }
 
 TEST(MountCalibration, ASmallBoardFarAwayIsNotCalledGood) {
   Random random(4);
   std::vector<FloorMark> marks;
   for (const Vec2& p : BoardOnFloor{{6, 0}, 0}.p_vehicle_corners({9, 6, 0.02})) {
-    const auto pixel = kLens.project(tilted_mount().to_camera({p.x(), p.y(), 0}));
+    const auto pixel = kTangentialLens.project(tilted_mount().to_camera({p.x(), p.y(), 0}));
     ASSERT_TRUE(pixel);
     marks.push_back({*pixel + Vec2(random.normal(0.3), random.normal(0.3)), p});
   }
-  const auto found = calibrate_mount(marks, kLens);
+  const auto found = calibrate_mount(marks, kTangentialLens);
   if (found) {
     EXPECT_EQ(found->verdict.quality, CalibrationQuality::kPoor);
   }

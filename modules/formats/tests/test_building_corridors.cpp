@@ -3,8 +3,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/random.hpp"
-#include "aisle/formats/building_json.hpp"
-#include "aisle/formats/whole_file.hpp"
+#include "building_texts.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -13,22 +12,8 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string golden() {
-  return *read_whole_file(std::filesystem::path(AISLE_SOURCE_DIR) /
-                          "tests/golden/building_corridors.v1.json");
-}
-
-std::string problems(const std::string& text) {
-  const auto building = parse_building(text, "b.json");
-  return building.ok() ? "" : to_string(building.problems());
-}
-
-/// The golden file with one passage put in the place of another.
-std::string with(const std::string& passage, const std::string& other) {
-  std::string text = golden();
-  const std::size_t at = text.find(passage);
-  EXPECT_NE(at, std::string::npos) << passage;
-  return text.replace(at, passage.size(), other);
+std::string corridors_with(const std::string& passage, const std::string& other) {
+  return golden_building("building_corridors.v1.json", passage, other);
 }
 
 Building any_explored_building(Random& random) {
@@ -54,7 +39,7 @@ Building any_explored_building(Random& random) {
 }
 
 TEST(BuildingCorridors, TheGoldenFileSaysWhatWasExplored) {
-  const auto building = parse_building(golden(), "golden");
+  const auto building = parse_building(golden_building("building_corridors.v1.json"), "golden");
   ASSERT_TRUE(building.ok()) << to_string(building.problems());
   const CorridorGraph& graph = building->corridors;
   ASSERT_EQ(graph.nodes.size(), 4U);
@@ -73,7 +58,7 @@ TEST(BuildingCorridors, TheGoldenFileSaysWhatWasExplored) {
   EXPECT_EQ(building->floor->at(FloorCell{0, 9}), Floor::kUnknown);
   EXPECT_EQ(building->floor->at(FloorCell{2, 11}), Floor::kFree);
   EXPECT_EQ(building->floor->count(Floor::kFree), 5U);
-  EXPECT_EQ(building_json(*building), golden());
+  EXPECT_EQ(building_json(*building), golden_building("building_corridors.v1.json"));
 }
 
 RC_GTEST_PROP(BuildingCorridors, WhatIsReadIsWrittenAgainToTheLastByte, (std::uint64_t seed)) {
@@ -96,45 +81,50 @@ RC_GTEST_PROP(BuildingCorridors, EveryCellOfTheFloorComesBack, (std::uint64_t se
 }
 
 TEST(BuildingCorridors, BadCorridorsNameTheirKeys) {
-  EXPECT_THAT(problems(with("\"kind\": \"end\"", "\"kind\": \"door\"")),
+  EXPECT_THAT(building_problems(corridors_with("\"kind\": \"end\"", "\"kind\": \"door\"")),
               HasSubstr("b.json: corridors.nodes[1].kind: is none of"));
-  EXPECT_THAT(problems(with("\"from\": 1", "\"from\": 4")),
+  EXPECT_THAT(building_problems(corridors_with("\"from\": 1", "\"from\": 4")),
               HasSubstr("corridors.corridors[0].from: is not a whole number from 0 to 3"));
-  EXPECT_THAT(problems(with("[[0.5, 0], [4, 0]]", "[[0.5, 0]]")),
+  EXPECT_THAT(building_problems(corridors_with("[[0.5, 0], [4, 0]]", "[[0.5, 0]]")),
               HasSubstr("corridors.corridors[0].way_m: has less than two points"));
-  EXPECT_THAT(problems(with("[[0.5, 0], [4, 0]]", "[[0.5, 0], [4, 1]]")),
+  EXPECT_THAT(building_problems(corridors_with("[[0.5, 0], [4, 0]]", "[[0.5, 0], [4, 1]]")),
               HasSubstr("corridors.corridors[0].way_m: does not lead from the place of `from`"));
-  EXPECT_THAT(problems(with("\"length_m\": 6.25", "\"length_m\": 7")),
+  EXPECT_THAT(building_problems(corridors_with("\"length_m\": 6.25", "\"length_m\": 7")),
               HasSubstr("corridors.corridors[1].length_m: is not the length of the way, 6.25"));
-  EXPECT_THAT(problems(with("\"width_m\": 1.6", "\"width_m\": -1")),
+  EXPECT_THAT(building_problems(corridors_with("\"width_m\": 1.6", "\"width_m\": -1")),
               HasSubstr("corridors.corridors[1].width_m: is not a number from 0"));
-  EXPECT_THAT(problems(R"({"format": "aisle.building", "version": 1, "corridors": {"nodes": [], "corridors": [
+  EXPECT_THAT(building_problems(
+                  R"({"format": "aisle.building", "version": 1, "corridors": {"nodes": [], "corridors": [
                           {"from": 0, "to": 0, "width_m": 1, "way_m": [[0, 0], [1, 0]]}]}})"),
               HasSubstr("corridors.corridors[0]"));
 }
 
 TEST(BuildingCorridors, BadPlacesNameTheirKeys) {
-  EXPECT_THAT(problems(with("\"name\": \"lift\"", "\"name\": \"home\"")),
+  EXPECT_THAT(building_problems(corridors_with("\"name\": \"lift\"", "\"name\": \"home\"")),
               HasSubstr("places[1]: has the name of another place, 'home'"));
-  EXPECT_THAT(problems(with("\"heading_deg\": 90", "\"heading_deg\": 900")),
+  EXPECT_THAT(building_problems(corridors_with("\"heading_deg\": 90", "\"heading_deg\": 900")),
               HasSubstr("places[1].heading_deg: is not a number from -360 to 360"));
 }
 
 TEST(BuildingCorridors, BadFloorsNameTheirRows) {
-  EXPECT_THAT(problems(with("\"1#3.1#\"", "\"1#3.1\"")), HasSubstr("floor.rows[1]: is not a row of runs"));
-  EXPECT_THAT(problems(with("\"1#3.1#\"", "\"0#\"")), HasSubstr("floor.rows[1]: is not a row of runs"));
-  EXPECT_THAT(problems(with("\"1#3.1#\"", "\"99999999999999999999#\"")), HasSubstr("floor.rows[1]"));
-  EXPECT_THAT(problems(with("\"1#3.1#\"", "\"16386#\"")), HasSubstr("floor.rows[1]"));
-  EXPECT_THAT(problems(with("\"cell_m\": 0.05", "\"cell_m\": 0")),
+  EXPECT_THAT(building_problems(corridors_with("\"1#3.1#\"", "\"1#3.1\"")),
+              HasSubstr("floor.rows[1]: is not a row of runs"));
+  EXPECT_THAT(building_problems(corridors_with("\"1#3.1#\"", "\"0#\"")),
+              HasSubstr("floor.rows[1]: is not a row of runs"));
+  EXPECT_THAT(building_problems(corridors_with("\"1#3.1#\"", "\"99999999999999999999#\"")),
+              HasSubstr("floor.rows[1]"));
+  EXPECT_THAT(building_problems(corridors_with("\"1#3.1#\"", "\"16386#\"")), HasSubstr("floor.rows[1]"));
+  EXPECT_THAT(building_problems(corridors_with("\"cell_m\": 0.05", "\"cell_m\": 0")),
               HasSubstr("floor.cell_m: is not a number from 0.01 to 1"));
-  EXPECT_THAT(problems(with("[-2, 7]", "[-2, 70000]")),
+  EXPECT_THAT(building_problems(corridors_with("[-2, 7]", "[-2, 70000]")),
               HasSubstr("floor.low_cell[1]: is not a whole number"));
 }
 
 TEST(BuildingCorridors, AFloorLargerThanCanBeIsRefusedBeforeItIsFilled) {
   std::string rows = "\"16384.\"";
   for (int i = 0; i < 5000; ++i) rows += ",\"1.\"";
-  EXPECT_THAT(problems(with("\"5#\"", rows)), HasSubstr("floor.rows: are more than 40000000 cells together"));
+  EXPECT_THAT(building_problems(corridors_with("\"5#\"", rows)),
+              HasSubstr("floor.rows: are more than 40000000 cells together"));
 }
 
 }  // namespace

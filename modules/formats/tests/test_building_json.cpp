@@ -2,8 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "aisle/core/random.hpp"
-#include "aisle/formats/building_json.hpp"
-#include "aisle/formats/whole_file.hpp"
+#include "building_texts.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -13,18 +12,13 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-const std::filesystem::path golden =
+const std::filesystem::path kGoldenWalls =
     std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden/building.v1.json";
-const std::filesystem::path golden_routes =
+const std::filesystem::path kGoldenRoutes =
     std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden/building_routes.v1.json";
 
-std::string problems(const std::string& text) {
-  const auto building = parse_building(text, "b.json");
-  return building.ok() ? "" : to_string(building.problems());
-}
-
 /// A building of version 1 with these further members.
-std::string with(const std::string& members) {
+std::string building_with(const std::string& members) {
   return R"({"format": "aisle.building", "version": 1, )" + members + "}";
 }
 
@@ -48,7 +42,7 @@ Building any_building(Random& random, std::size_t walls) {
 }
 
 TEST(BuildingJson, VersionOneStaysReadable) {
-  const auto building = read_building(golden);
+  const auto building = read_building(kGoldenWalls);
   ASSERT_TRUE(building.ok()) << to_string(building.problems());
   EXPECT_EQ(building->name, "Corridor \"B\"");
   EXPECT_TRUE(building->has_dominant_direction);
@@ -65,12 +59,12 @@ TEST(BuildingJson, VersionOneStaysReadable) {
 }
 
 TEST(BuildingJson, WritesTheGoldenFilesAsTheyStand) {
-  EXPECT_EQ(building_json(*read_building(golden)), *read_whole_file(golden));
-  EXPECT_EQ(building_json(*read_building(golden_routes)), *read_whole_file(golden_routes));
+  EXPECT_EQ(building_json(*read_building(kGoldenWalls)), *read_whole_file(kGoldenWalls));
+  EXPECT_EQ(building_json(*read_building(kGoldenRoutes)), *read_whole_file(kGoldenRoutes));
 }
 
 TEST(BuildingJson, WallsAloneHaveNoLandmarks) {
-  const auto building = read_building(golden);
+  const auto building = read_building(kGoldenWalls);
   EXPECT_FALSE(building->camera);
   EXPECT_TRUE(building->landmarks.empty());
   EXPECT_TRUE(building->routes.empty());
@@ -97,13 +91,13 @@ RC_GTEST_PROP(BuildingJson, ReadingItGivesTheSameBuildingToTheMillimetre, (std::
 
 TEST(BuildingJson, BarriersAreReadAndWrittenAndOtherKindsAreRefused) {
   const auto building = parse_building(
-      with(R"("barriers": [{"kind": "glass", "start_m": [1, 2], "end_m": [1, 3.5]}])"), "b.json");
+      building_with(R"("barriers": [{"kind": "glass", "start_m": [1, 2], "end_m": [1, 3.5]}])"), "b.json");
   ASSERT_TRUE(building.ok());
   ASSERT_THAT(building->barriers, SizeIs(1));
   EXPECT_EQ(building->barriers[0].kind, Barrier::Kind::kGlass);
   EXPECT_THAT(building->barriers[0].segment.end, PointNear(Vec2(1, 3.5), 0));
   EXPECT_EQ(building_json(*parse_building(building_json(*building), "written")), building_json(*building));
-  EXPECT_THAT(problems(with(R"("barriers": [{"kind": "fence", "start_m": [1]}])")),
+  EXPECT_THAT(building_problems(building_with(R"("barriers": [{"kind": "fence", "start_m": [1]}])")),
               AllOf(HasSubstr("barriers[0].kind: is neither \"keep_out\" nor \"glass\""),
                     HasSubstr("barriers[0].start_m: is not a list of 2"),
                     HasSubstr("barriers[0].end_m: is missing")));
@@ -121,24 +115,24 @@ TEST(BuildingJson, EveryPartMayBeMissing) {
 }
 
 TEST(BuildingJson, OtherFormatsAndVersionsAreRefused) {
-  EXPECT_THAT(problems("{}"), HasSubstr("b.json: format: is not \"aisle.building\""));
-  EXPECT_THAT(problems(R"({"format": "aisle.world", "version": 1})"), HasSubstr("format: is not"));
-  EXPECT_THAT(problems(R"({"format": "aisle.building"})"), HasSubstr("version: is missing"));
-  EXPECT_THAT(problems(R"({"format": "aisle.building", "version": 2})"),
+  EXPECT_THAT(building_problems("{}"), HasSubstr("b.json: format: is not \"aisle.building\""));
+  EXPECT_THAT(building_problems(R"({"format": "aisle.world", "version": 1})"), HasSubstr("format: is not"));
+  EXPECT_THAT(building_problems(R"({"format": "aisle.building"})"), HasSubstr("version: is missing"));
+  EXPECT_THAT(building_problems(R"({"format": "aisle.building", "version": 2})"),
               HasSubstr("version: 2 is unknown here"));
-  EXPECT_THAT(problems("[]"), HasSubstr("b.json: is no JSON object"));
+  EXPECT_THAT(building_problems("[]"), HasSubstr("b.json: is no JSON object"));
 }
 
 TEST(BuildingJson, MalformedJsonNamesItsLine) {
-  EXPECT_THAT(problems(""), HasSubstr("b.json:1: is not well-formed"));
-  EXPECT_THAT(problems("{\n\"format\": \"aisle.building\",\n oops}"),
+  EXPECT_THAT(building_problems(""), HasSubstr("b.json:1: is not well-formed"));
+  EXPECT_THAT(building_problems("{\n\"format\": \"aisle.building\",\n oops}"),
               HasSubstr("b.json:3: is not well-formed"));
-  EXPECT_THAT(problems(with(R"("name": 1e999)")), HasSubstr("too large"));
+  EXPECT_THAT(building_problems(building_with(R"("name": 1e999)")), HasSubstr("too large"));
 }
 
 TEST(BuildingJson, BadValuesNameTheirKeyPathAllAtOnce) {
   EXPECT_THAT(
-      problems(with(
+      building_problems(building_with(
           R"("name": 7, "walls": [{"start_m": [1], "end_m": [1, 1e9], "sightings": -1, "ends": ["open", "seen"]}],
                                "has_dominant_direction": "yes", "doors": [])")),
       AllOf(HasSubstr("b.json: name: is not a text"), HasSubstr("walls[0].start_m: is not a list of 2"),
@@ -146,8 +140,9 @@ TEST(BuildingJson, BadValuesNameTheirKeyPathAllAtOnce) {
             HasSubstr("walls[0].sightings: is not a whole number"),
             HasSubstr("walls[0].ends[0]: is neither \"seen\" nor \"unknown\""),
             HasSubstr("has_dominant_direction: is neither true nor false"), HasSubstr("doors: unknown key")));
-  EXPECT_THAT(problems(with(R"("walls": [{}])")), HasSubstr("walls[0].start_m: is missing"));
-  EXPECT_THAT(problems(with(R"("walls": {"0": 1})")), HasSubstr("walls: is not a list"));
+  EXPECT_THAT(building_problems(building_with(R"("walls": [{}])")),
+              HasSubstr("walls[0].start_m: is missing"));
+  EXPECT_THAT(building_problems(building_with(R"("walls": {"0": 1})")), HasSubstr("walls: is not a list"));
 }
 
 }  // namespace

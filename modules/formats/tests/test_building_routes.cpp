@@ -1,8 +1,7 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
-#include "aisle/formats/building_json.hpp"
-#include "aisle/formats/whole_file.hpp"
+#include "building_texts.hpp"
 #include "learned_routes.hpp"
 #include "pose_matchers.hpp"
 
@@ -14,18 +13,8 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::SizeIs;
 
-std::string problems(const std::string& text) {
-  const auto building = parse_building(text, "b.json");
-  return building.ok() ? "" : to_string(building.problems());
-}
-
-/// A good file with one passage put in the place of another.
-std::string with(const std::string& passage, const std::string& other) {
-  std::string text =
-      *read_whole_file(std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden/building_routes.v1.json");
-  const std::size_t at = text.find(passage);
-  EXPECT_NE(at, std::string::npos) << passage;
-  return text.replace(at, passage.size(), other);
+std::string routes_with(const std::string& passage, const std::string& other) {
+  return golden_building("building_routes.v1.json", passage, other);
 }
 
 /// A straight-looking route of 1 km whose every piece is rounded the same way.
@@ -40,7 +29,7 @@ Path long_path(const Arc& arc) {
 }
 
 TEST(BuildingRoutes, TheGoldenFileSaysWhatWasLearned) {
-  const auto building = parse_building(with("", ""), "golden");
+  const auto building = parse_building(golden_building("building_routes.v1.json"), "golden");
   ASSERT_TRUE(building.ok()) << to_string(building.problems());
   ASSERT_TRUE(building->camera);
   EXPECT_EQ(building->camera->name, "corridor");
@@ -133,53 +122,59 @@ TEST(BuildingRoutes, ARouteWithoutNameOrLengthIsNotWritten) {
 }
 
 TEST(BuildingRoutes, LandmarksNeedTheirCamera) {
-  EXPECT_THAT(problems(R"({"format": "aisle.building", "version": 1,
+  EXPECT_THAT(building_problems(R"({"format": "aisle.building", "version": 1,
                            "landmarks": [{"at_m": [1, 2], "sigma_m": [0.1, 0.1], "brighter": "left"}]})"),
               HasSubstr("camera: is missing"));
 }
 
 TEST(BuildingRoutes, BadLandmarksNameTheirKeys) {
-  EXPECT_THAT(problems(with("\"correlation\": -0.25", "\"correlation\": 1")),
+  EXPECT_THAT(building_problems(routes_with("\"correlation\": -0.25", "\"correlation\": 1")),
               HasSubstr("b.json: landmarks[0].correlation: is not a number from -0.9999 to 0.9999"));
-  EXPECT_THAT(problems(with("[0.0213, 0.008]", "[0, -1]")),
+  EXPECT_THAT(building_problems(routes_with("[0.0213, 0.008]", "[0, -1]")),
               AllOf(HasSubstr("landmarks[0].sigma_m[0]: is not a number from 1e-06"),
                     HasSubstr("landmarks[0].sigma_m[1]: is not a number")));
-  EXPECT_THAT(problems(with("\"weight\": 0.5", "\"weight\": 0")), HasSubstr("landmarks[1].weight: is not"));
-  EXPECT_THAT(problems(with("\"mass\": 9", "\"mass\": -9")), HasSubstr("landmarks[1].mass: is not"));
-  EXPECT_THAT(problems(with("\"brighter\": \"right\"", "\"brighter\": \"up\"")),
+  EXPECT_THAT(building_problems(routes_with("\"weight\": 0.5", "\"weight\": 0")),
+              HasSubstr("landmarks[1].weight: is not"));
+  EXPECT_THAT(building_problems(routes_with("\"mass\": 9", "\"mass\": -9")),
+              HasSubstr("landmarks[1].mass: is not"));
+  EXPECT_THAT(building_problems(routes_with("\"brighter\": \"right\"", "\"brighter\": \"up\"")),
               HasSubstr("landmarks[0].brighter: is neither \"right\" nor \"left\""));
-  EXPECT_THAT(problems(with("\"passes\": 2", "\"pases\": 2")), HasSubstr("landmarks[0].pases: unknown key"));
-  EXPECT_THAT(problems(with("\"at_m\": [3.125, 1.05], ", "")), HasSubstr("landmarks[0].at_m: is missing"));
+  EXPECT_THAT(building_problems(routes_with("\"passes\": 2", "\"pases\": 2")),
+              HasSubstr("landmarks[0].pases: unknown key"));
+  EXPECT_THAT(building_problems(routes_with("\"at_m\": [3.125, 1.05], ", "")),
+              HasSubstr("landmarks[0].at_m: is missing"));
 }
 
 TEST(BuildingRoutes, ABadCameraNamesItsKeys) {
-  EXPECT_THAT(problems(with("\"fx_px\": 460", "\"fx_px\": 0")),
+  EXPECT_THAT(building_problems(routes_with("\"fx_px\": 460", "\"fx_px\": 0")),
               HasSubstr("camera.fx_px: is not a number from 1 to 100000"));
-  EXPECT_THAT(problems(with("\"width_px\": 640", "\"width_px\": 1e9")),
+  EXPECT_THAT(building_problems(routes_with("\"width_px\": 640", "\"width_px\": 1e9")),
               HasSubstr("camera.width_px: is not a whole number from 16 to 8192"));
-  EXPECT_THAT(problems(with("\"tilt_deg\": 14, ", "")), HasSubstr("camera.tilt_deg: is missing"));
-  EXPECT_THAT(problems(with("\"name\": \"corridor\"", "\"name\": \"\"")),
+  EXPECT_THAT(building_problems(routes_with("\"tilt_deg\": 14, ", "")),
+              HasSubstr("camera.tilt_deg: is missing"));
+  EXPECT_THAT(building_problems(routes_with("\"name\": \"corridor\"", "\"name\": \"\"")),
               HasSubstr("camera.name: is not a text of 1 to 200 bytes"));
 }
 
 TEST(BuildingRoutes, BadRoutesNameTheirKeys) {
-  EXPECT_THAT(problems(with("stairs to desk", "desk to stairs")),
+  EXPECT_THAT(building_problems(routes_with("stairs to desk", "desk to stairs")),
               HasSubstr("routes[1].name: is the name of routes[0] too"));
-  EXPECT_THAT(problems(with("stairs to desk", "")), HasSubstr("routes[1].name: is not a text of 1"));
-  EXPECT_THAT(problems(with("\"length_m\": 5,", "\"length_m\": 0,")),
+  EXPECT_THAT(building_problems(routes_with("stairs to desk", "")),
+              HasSubstr("routes[1].name: is not a text of 1"));
+  EXPECT_THAT(building_problems(routes_with("\"length_m\": 5,", "\"length_m\": 0,")),
               HasSubstr("routes[1].pieces: have no piece of a millimetre's length"));
-  EXPECT_THAT(problems(with("\"length_m\": 5,", "\"length_m\": 1e6,")),
+  EXPECT_THAT(building_problems(routes_with("\"length_m\": 5,", "\"length_m\": 1e6,")),
               HasSubstr("routes[1].pieces[0].length_m: is not a number from -100000 to 100000"));
-  EXPECT_THAT(problems(with("\"length_m\": 4,", "\"length_m\": 99999,")),
+  EXPECT_THAT(building_problems(routes_with("\"length_m\": 4,", "\"length_m\": 99999,")),
               HasSubstr("routes[0].pieces: are longer than 100000 m together"));
-  EXPECT_THAT(problems(with("\"turn_deg\": 12.5", "\"turn_deg\": \"left\"")),
+  EXPECT_THAT(building_problems(routes_with("\"turn_deg\": 12.5", "\"turn_deg\": \"left\"")),
               HasSubstr("routes[1].pieces[0].turn_deg: is not a number"));
-  EXPECT_THAT(problems(with("\"heading_deg\": -180", "\"heading_deg\": 1000")),
+  EXPECT_THAT(building_problems(routes_with("\"heading_deg\": -180", "\"heading_deg\": 1000")),
               HasSubstr("routes[1].start.heading_deg: is not a number from -360 to 360"));
-  EXPECT_THAT(problems(with(R"([
+  EXPECT_THAT(building_problems(routes_with(R"([
 {"at_m": [3.158, 1.218], "brighter": "right"}
 ])",
-                            R"([{"at_m": [1]}, 7])")),
+                                            R"([{"at_m": [1]}, 7])")),
               AllOf(HasSubstr("routes[0].start_view[0].at_m: is not a list of 2"),
                     HasSubstr("routes[0].start_view[0].brighter: is missing"),
                     HasSubstr("routes[0].start_view[1]: is not an object")));
@@ -188,7 +183,7 @@ TEST(BuildingRoutes, BadRoutesNameTheirKeys) {
 TEST(BuildingRoutes, AListThatIsTooLongIsRefusedUnread) {
   std::string pieces = "[7";
   for (int i = 0; i < 100000; ++i) pieces += ",7";
-  EXPECT_THAT(problems(with("[\n{\"length_m\": 5, \"turn_deg\": 12.5}\n]", pieces + "]")),
+  EXPECT_THAT(building_problems(routes_with("[\n{\"length_m\": 5, \"turn_deg\": 12.5}\n]", pieces + "]")),
               AllOf(HasSubstr("routes[1].pieces: has more than 100000 elements"), Not(HasSubstr("object"))));
 }
 

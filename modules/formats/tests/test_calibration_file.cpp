@@ -14,35 +14,35 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const fs::path golden = fs::path(AISLE_SOURCE_DIR) / "tests/golden";
+const fs::path kGolden = fs::path(AISLE_SOURCE_DIR) / "tests/golden";
 
-std::string problems(const std::string& text) {
+std::string calibration_problems(const std::string& text) {
   const auto calibration = parse_calibration(text, "camera.yaml");
   return calibration.ok() ? "none" : to_string(calibration.problems());
 }
 
 /// A readable file, with `line` after its first two lines.
-std::string with(const std::string& line) {
+std::string calibration_with(const std::string& line) {
   return "image_width: 640\nimage_height: 480\n" + line + "\nK: [500, 0, 320, 0, 500, 240, 0, 0, 1]\n";
 }
 
 TEST(CalibrationFile, BothGoldenLayoutsAreReadAndWrittenAsTheyStand) {
-  const auto opencv = read_calibration(golden / "calibration.opencv.yaml");
+  const auto opencv = read_calibration(kGolden / "calibration.opencv.yaml");
   ASSERT_TRUE(opencv.ok()) << to_string(opencv.problems());
-  EXPECT_EQ(opencv_calibration_yaml(*opencv), *read_whole_file(golden / "calibration.opencv.yaml"));
-  const auto ros = read_calibration(golden / "calibration.ros.yaml");
+  EXPECT_EQ(opencv_calibration_yaml(*opencv), *read_whole_file(kGolden / "calibration.opencv.yaml"));
+  const auto ros = read_calibration(kGolden / "calibration.ros.yaml");
   ASSERT_TRUE(ros.ok()) << to_string(ros.problems());
-  EXPECT_EQ(camera_info_yaml(*ros), *read_whole_file(golden / "calibration.ros.yaml"));
+  EXPECT_EQ(camera_info_yaml(*ros), *read_whole_file(kGolden / "calibration.ros.yaml"));
 }
 
 TEST(CalibrationFile, TheExamplesOfItsPageAreTheGoldenFiles) {
   const std::string page = *read_whole_file(fs::path(AISLE_SOURCE_DIR) / "docs/formats/calibration.md");
-  EXPECT_THAT(page, HasSubstr(*read_whole_file(golden / "calibration.opencv.yaml")));
-  EXPECT_THAT(page, HasSubstr(*read_whole_file(golden / "calibration.ros.yaml")));
+  EXPECT_THAT(page, HasSubstr(*read_whole_file(kGolden / "calibration.opencv.yaml")));
+  EXPECT_THAT(page, HasSubstr(*read_whole_file(kGolden / "calibration.ros.yaml")));
 }
 
 TEST(CalibrationFile, EveryValueArrivesInItsField) {
-  const auto c = read_calibration(golden / "calibration.opencv.yaml");
+  const auto c = read_calibration(kGolden / "calibration.opencv.yaml");
   ASSERT_TRUE(c.ok());
   EXPECT_EQ(c->camera_name, "front");
   EXPECT_EQ(c->width_px, 640);
@@ -62,7 +62,7 @@ TEST(CalibrationFile, EveryValueArrivesInItsField) {
 }
 
 TEST(CalibrationFile, OpenCvReadsWhatIsWrittenAndPassesOurKeysOver) {
-  cv::FileStorage file(*read_whole_file(golden / "calibration.opencv.yaml"),
+  cv::FileStorage file(*read_whole_file(kGolden / "calibration.opencv.yaml"),
                        cv::FileStorage::READ | cv::FileStorage::MEMORY);
   cv::Mat matrix, distortion;
   file["camera_matrix"] >> matrix;
@@ -97,28 +97,35 @@ TEST(CalibrationFile, ARealFileOfOpenCvsIsRead) {
 
 TEST(CalibrationFile, OtherLensesAreRefusedWithTheirLine) {
   EXPECT_EQ(
-      problems(with("distortion_model: equidistant")),
+      calibration_problems(calibration_with("distortion_model: equidistant")),
       "camera.yaml:3: distortion_model: 'equidistant' is not the lens model that is known here, plumb_bob");
-  EXPECT_THAT(problems(with("fisheye_model: 1")), HasSubstr("camera.yaml:3: fisheye_model: a fisheye lens"));
-  EXPECT_THAT(problems(with("D: [0, 0, 0, 0, 0, 0.1, 0, 0]")),
+  EXPECT_THAT(calibration_problems(calibration_with("fisheye_model: 1")),
+              HasSubstr("camera.yaml:3: fisheye_model: a fisheye lens"));
+  EXPECT_THAT(calibration_problems(calibration_with("D: [0, 0, 0, 0, 0, 0.1, 0, 0]")),
               HasSubstr("camera.yaml:3: D: has 8 coefficients; only k1, k2, p1, p2, k3"));
-  EXPECT_EQ(problems(with("D: [0.1, 0, 0, 0, 0, 0, 0, 0]")), "none");
-  EXPECT_THAT(problems("K: [500, 1, 320, 0, 500, 240, 0, 0, 1]"), HasSubstr("skew"));
+  EXPECT_EQ(calibration_problems(calibration_with("D: [0.1, 0, 0, 0, 0, 0, 0, 0]")), "none");
+  EXPECT_THAT(calibration_problems("K: [500, 1, 320, 0, 500, 240, 0, 0, 1]"), HasSubstr("skew"));
 }
 
 TEST(CalibrationFile, ProblemsNameLineAndKey) {
-  EXPECT_EQ(problems(""), "camera.yaml:1: is not a calibration: expected keys such as camera_matrix");
-  EXPECT_EQ(problems("image_width: 640\nimage_height: 480"), "camera.yaml:1: camera_matrix: is missing");
-  EXPECT_THAT(problems("K: [1, 2"), HasSubstr("is not YAML"));
-  EXPECT_EQ(problems("\nK: [1, 2, 3]"), "camera.yaml:2: K: has 3 numbers, not the 9 of a camera matrix");
-  EXPECT_EQ(problems("K: [500, 0, 320, 0, -5, 240, 0, 0, 1]"),
+  EXPECT_EQ(calibration_problems(""),
+            "camera.yaml:1: is not a calibration: expected keys such as camera_matrix");
+  EXPECT_EQ(calibration_problems("image_width: 640\nimage_height: 480"),
+            "camera.yaml:1: camera_matrix: is missing");
+  EXPECT_THAT(calibration_problems("K: [1, 2"), HasSubstr("is not YAML"));
+  EXPECT_EQ(calibration_problems("\nK: [1, 2, 3]"),
+            "camera.yaml:2: K: has 3 numbers, not the 9 of a camera matrix");
+  EXPECT_EQ(calibration_problems("K: [500, 0, 320, 0, -5, 240, 0, 0, 1]"),
             "camera.yaml:1: K: the focal lengths are not positive");
-  EXPECT_THAT(problems("K: [500, 0, .nan, 0, 500, 240, 0, 0, 1]"), HasSubstr("K: '.nan' is not a number"));
-  EXPECT_THAT(problems(with("laser_height_m: high")), HasSubstr("camera.yaml:3: laser_height_m: 'high'"));
-  EXPECT_THAT(problems(with("vehicle_mount: {x_m: 0, y_m: 0, z_m: 1, tilt_deg: 99, pan_deg: 0}")),
+  EXPECT_THAT(calibration_problems("K: [500, 0, .nan, 0, 500, 240, 0, 0, 1]"),
+              HasSubstr("K: '.nan' is not a number"));
+  EXPECT_THAT(calibration_problems(calibration_with("laser_height_m: high")),
+              HasSubstr("camera.yaml:3: laser_height_m: 'high'"));
+  EXPECT_THAT(calibration_problems(
+                  calibration_with("vehicle_mount: {x_m: 0, y_m: 0, z_m: 1, tilt_deg: 99, pan_deg: 0}")),
               AllOf(HasSubstr("camera.yaml:3: vehicle_mount.tilt_deg: 99 is outside -90 .. 90"),
                     HasSubstr("vehicle_mount.roll_deg: is missing")));
-  EXPECT_THAT(problems("image_width: 640\nK: [500, 0, 320, 0, 500, 240, 0, 0, 1]"),
+  EXPECT_THAT(calibration_problems("image_width: 640\nK: [500, 0, 320, 0, 500, 240, 0, 0, 1]"),
               HasSubstr("image_height: is missing, though the other side is given"));
 }
 

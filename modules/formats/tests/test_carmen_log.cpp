@@ -35,7 +35,7 @@ CarmenLog parsed(const std::string& text, const CarmenOptions& options = {}) {
   return *carmen;
 }
 
-std::string problems(const std::string& text) {
+std::string carmen_problems(const std::string& text) {
   const auto carmen = parse_carmen_log(text, "trip.clf");
   return carmen.ok() ? "" : to_string(carmen.problems());
 }
@@ -197,28 +197,28 @@ struct BadLog {
 class BadCarmenLog : public testing::TestWithParam<BadLog> {};
 
 TEST_P(BadCarmenLog, IsAProblemWithItsPlace) {
-  EXPECT_THAT(problems(GetParam().text), HasSubstr(GetParam().problem));
+  EXPECT_THAT(carmen_problems(GetParam().text), HasSubstr(GetParam().problem));
 }
 
-const std::string good = flaser(1);
+const std::string good_line = flaser(1);
 
 INSTANTIATE_TEST_SUITE_P(
     CarmenLog, BadCarmenLog,
     testing::Values(
         BadLog{"Empty", "", "trip.clf: is empty"},  //
         BadLog{"NoScans", "# nothing\n" + odom(1, 2), "trip.clf: has no scans"},
-        BadLog{"Binary", good + std::string("\x7f\0\x02", 3), "trip.clf:2: is binary data"},
+        BadLog{"Binary", good_line + std::string("\x7f\0\x02", 3), "trip.clf:2: is binary data"},
         BadLog{"RawScansWithoutOdometry", rawlaser(1), "no ODOM lines"},
-        BadLog{"CutOffInTheReadings", good + "FLASER 3 1 2", "trip.clf:2: the line ends after 4 fields"},
-        BadLog{"CutOffInThePoses", good + "FLASER 3 1 2 3 1 2 0 1",
+        BadLog{"CutOffInTheReadings", good_line + "FLASER 3 1 2", "trip.clf:2: the line ends after 4 fields"},
+        BadLog{"CutOffInThePoses", good_line + "FLASER 3 1 2 3 1 2 0 1",
                "trip.clf:2: the line ends after 9 fields"},
-        BadLog{"CutOffInTheStamps", good + "FLASER 3 1 2 3 1 2 0 1 2 0 7.5 ho",
+        BadLog{"CutOffInTheStamps", good_line + "FLASER 3 1 2 3 1 2 0 1 2 0 7.5 ho",
                "trip.clf:2: the line ends before"},
-        BadLog{"CutOffInTheName", good + "FLAS", "trip.clf:2: the file is cut off here"},
-        BadLog{"OdometryCutOff", good + "ODOM 1 2",
+        BadLog{"CutOffInTheName", good_line + "FLAS", "trip.clf:2: the file is cut off here"},
+        BadLog{"OdometryCutOff", good_line + "ODOM 1 2",
                "trip.clf:2: the line ends after 3 fields, before its robot pose"},
         BadLog{"MoreFieldsThanAnnounced", "FLASER 3 1 2 3 4 5 6 1 2 0 1 2 0 7.5 host 1\n", "more fields"},
-        BadLog{"OtherBeamCount", good + "FLASER 2 1 2 1 2 0 1 2 0 7 host 1\n",
+        BadLog{"OtherBeamCount", good_line + "FLASER 2 1 2 1 2 0 1 2 0 7 host 1\n",
                "has 2 readings, the first scan (line 1) has 3"},
         BadLog{"OtherBeamAngles",
                odom(1, 1) + rawlaser(1) + "RAWLASER1 0 -1.0 2.0 0.5 10.0 0.01 0 3 1 2 3 0 2 host 1\n",
@@ -232,8 +232,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadLog{"NanStamp", "FLASER 3 1 2 3 1 2 0 1 2 0 nan host 1\n", "ipc timestamp: 'nan'"},
         BadLog{"HugeCount", "FLASER 1e9 1 2 3 1 2 0 1 2 0 7 host 1\n", "not a whole number from 2 to 10000"},
         BadLog{"BrokenCount", "FLASER 2.5 1 2 3 1 2 0 1 2 0 7 host 1\n", "not a whole number"},
-        BadLog{"ZeroResolution", good + "PARAM laser_front_laser_resolution 0\n", "not positive"},
-        BadLog{"ParameterWithoutValue", good + "PARAM robot_frontlaser_offset\n", "before its offset"}),
+        BadLog{"ZeroResolution", good_line + "PARAM laser_front_laser_resolution 0\n", "not positive"},
+        BadLog{"ParameterWithoutValue", good_line + "PARAM robot_frontlaser_offset\n", "before its offset"}),
     [](const auto& bad_log) { return bad_log.param.name; });
 
 TEST(CarmenLog, AFileFullOfProblemsShowsTwentyAndCountsTheRest) {

@@ -39,7 +39,7 @@ struct Params {
 };
 
 /// The problems of a file with this text.
-std::string problems(const std::string& text) {
+std::string parameter_problems(const std::string& text) {
   Params params;
   FieldList fields = fields_of(params);
   return to_string(parse_parameters(text, "my.yaml", fields));
@@ -61,19 +61,19 @@ TEST(ParameterFile, NestedMapsAndDottedKeysAreTheSame) {
 }
 
 TEST(ParameterFile, AnEmptyFileChangesNothing) {
-  EXPECT_EQ(problems(""), "");
-  EXPECT_EQ(problems("# only a comment\n"), "");
+  EXPECT_EQ(parameter_problems(""), "");
+  EXPECT_EQ(parameter_problems("# only a comment\n"), "");
 }
 
 TEST(ParameterFile, EveryProblemIsReportedAtOnce) {
-  EXPECT_EQ(problems("reach_m: 9\n"
-                     "matching:\n"
-                     "  window:\n"
-                     "    tries: many\n"
-                     "    trys: 3\n"
-                     "  opening_deg: [1, 2]\n"
-                     "reach_m: 1\n"
-                     "matching.window.careful:\n"),
+  EXPECT_EQ(parameter_problems("reach_m: 9\n"
+                               "matching:\n"
+                               "  window:\n"
+                               "    tries: many\n"
+                               "    trys: 3\n"
+                               "  opening_deg: [1, 2]\n"
+                               "reach_m: 1\n"
+                               "matching.window.careful:\n"),
             "my.yaml:1: reach_m: 9 is outside 0 .. 5\n"
             "my.yaml:4: matching.window.tries: 'many' is not a number\n"
             "my.yaml:5: matching.window.trys: unknown key (nearest known key: matching.window.tries)\n"
@@ -89,11 +89,11 @@ TEST(ParameterFile, MalformedYamlIsOneProblemWithItsLine) {
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_THAT(to_string(found), AllOf(HasSubstr("my.yaml:"), HasSubstr("is not well-formed YAML")));
   EXPECT_GT(found[0].where.line, 1);
-  EXPECT_EQ(problems("just a text"), "my.yaml:1: the file is not a map of keys to values");
+  EXPECT_EQ(parameter_problems("just a text"), "my.yaml:1: the file is not a map of keys to values");
 }
 
 TEST(ParameterFile, AliasesDoNotMakeASmallFileEndless) {
-  EXPECT_THAT(problems("a: &a\n  b: *a\n"), HasSubstr("nested too deeply"));
+  EXPECT_THAT(parameter_problems("a: &a\n  b: *a\n"), HasSubstr("nested too deeply"));
 }
 
 TEST(ParameterFile, AMissingFileIsAProblem) {

@@ -20,7 +20,7 @@ LaserLog jumbled_log() {
   return log;
 }
 
-std::string problems(const std::string& text) {
+std::string relation_problems(const std::string& text) {
   const auto relations = parse_relations(text, "truth", jumbled_log());
   return relations.ok() ? "" : to_string(relations.problems());
 }
@@ -43,18 +43,19 @@ TEST(Relations, ByNumberCountFromZero) {
 }
 
 TEST(Relations, ScansThatTheLogDoesNotHaveAreProblemsOfTheirLines) {
-  EXPECT_EQ(problems("50 51 0 0 0 0 0 0\n50 51.002 0 0 0 0 0 0\n"),
+  EXPECT_EQ(relation_problems("50 51 0 0 0 0 0 0\n50 51.002 0 0 0 0 0 0\n"),
             "truth:2: the log has no scan with the stamp 51.002000");
-  EXPECT_EQ(problems("0 4 1 2 0\n"), "truth:1: the log has no scan 4; its scans are numbered 0 to 3");
-  EXPECT_THAT(problems("-1 0 1 2 0\n"), HasSubstr("no scan -1"));
-  EXPECT_THAT(problems("0.5 1 1 2 0\n"), HasSubstr("no scan 0.5"));
+  EXPECT_EQ(relation_problems("0 4 1 2 0\n"),
+            "truth:1: the log has no scan 4; its scans are numbered 0 to 3");
+  EXPECT_THAT(relation_problems("-1 0 1 2 0\n"), HasSubstr("no scan -1"));
+  EXPECT_THAT(relation_problems("0.5 1 1 2 0\n"), HasSubstr("no scan 0.5"));
 }
 
 TEST(Relations, MalformedLinesAreProblems) {
-  EXPECT_THAT(problems(""), HasSubstr("truth: has no relations"));
-  EXPECT_THAT(problems("0 1 2\n"), HasSubstr("truth:1: has 3 fields"));
-  EXPECT_THAT(problems("0 1 nan 0 0\n"), HasSubstr("'nan' is not a usable number"));
-  EXPECT_THAT(problems("0 1 x 0 0\n"), HasSubstr("'x' is not a number"));
+  EXPECT_THAT(relation_problems(""), HasSubstr("truth: has no relations"));
+  EXPECT_THAT(relation_problems("0 1 2\n"), HasSubstr("truth:1: has 3 fields"));
+  EXPECT_THAT(relation_problems("0 1 nan 0 0\n"), HasSubstr("'nan' is not a usable number"));
+  EXPECT_THAT(relation_problems("0 1 x 0 0\n"), HasSubstr("'x' is not a number"));
 }
 
 }  // namespace

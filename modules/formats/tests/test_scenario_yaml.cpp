@@ -14,15 +14,15 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
 
-constexpr const char* kHead = "format: aisle.scenario\nversion: 1\n";
+constexpr const char* kScenarioHead = "format: aisle.scenario\nversion: 1\n";
 
-std::string problems_of(const std::string& events) {
-  const auto scenario = parse_scenario(kHead + events, "bad.yaml");
+std::string scenario_problems(const std::string& events) {
+  const auto scenario = parse_scenario(kScenarioHead + events, "bad.yaml");
   return scenario.ok() ? "" : to_string(scenario.problems());
 }
 
 TEST(ScenarioYaml, EveryFaultIsReadWithItsTimesAndPlaces) {
-  const auto good = parse_scenario(std::string(kHead) + R"(name: all
+  const auto good = parse_scenario(std::string(kScenarioHead) + R"(name: all
 world: attic
 events:
   - {from_s: 3, for_s: 2, camera: {fault: late, name: front, delay_s: 0.7}}
@@ -59,14 +59,16 @@ events:
 }
 
 TEST(ScenarioYaml, EveryProblemIsNamedWithItsPlace) {
-  EXPECT_THAT(problems_of("events:\n  - {from_s: -1, slip: {}}\n"),
+  EXPECT_THAT(scenario_problems("events:\n  - {from_s: -1, slip: {}}\n"),
               HasSubstr("bad.yaml:4: events[0].from_s:"));
-  EXPECT_THAT(problems_of("events:\n  - {from_s: 1}\n"), HasSubstr("bad.yaml:4: events[0]: needs one fault"));
-  EXPECT_THAT(problems_of("events:\n  - {slip: {}, laser_off: {}}\n"), HasSubstr("needs one fault"));
-  EXPECT_THAT(problems_of("events:\n  - {camera: {fault: broken}}\n"), HasSubstr("events[0].camera.fault"));
-  EXPECT_THAT(problems_of("events:\n  - {person: {path: [[0, 0]]}}\n"), HasSubstr("two points"));
-  EXPECT_THAT(problems_of("events:\n  - {flood: {}}\n"), HasSubstr("flood"));
-  EXPECT_THAT(problems_of("events: 3\n"), HasSubstr("events"));
+  EXPECT_THAT(scenario_problems("events:\n  - {from_s: 1}\n"),
+              HasSubstr("bad.yaml:4: events[0]: needs one fault"));
+  EXPECT_THAT(scenario_problems("events:\n  - {slip: {}, laser_off: {}}\n"), HasSubstr("needs one fault"));
+  EXPECT_THAT(scenario_problems("events:\n  - {camera: {fault: broken}}\n"),
+              HasSubstr("events[0].camera.fault"));
+  EXPECT_THAT(scenario_problems("events:\n  - {person: {path: [[0, 0]]}}\n"), HasSubstr("two points"));
+  EXPECT_THAT(scenario_problems("events:\n  - {flood: {}}\n"), HasSubstr("flood"));
+  EXPECT_THAT(scenario_problems("events: 3\n"), HasSubstr("events"));
   EXPECT_THAT(to_string(parse_scenario("- 1", "a").problems()), HasSubstr("is not a scenario"));
   EXPECT_THAT(to_string(parse_scenario("a: [", "a").problems()), HasSubstr("is not YAML"));
 }

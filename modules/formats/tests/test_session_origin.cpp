@@ -8,18 +8,18 @@ namespace {
 using testing::HasSubstr;
 
 /// An origin with these further members.
-std::string with(const std::string& members) {
+std::string origin_with(const std::string& members) {
   return R"({"format":"aisle.session","version":1,"navigator":"hand","parameters":{},"seed":1,"simulated":true)" +
          members + "}";
 }
 
 TEST(SessionOrigin, SaysNothingOfABuildingWhereThereIsNone) {
-  const auto origin = parse_session_origin(with(""), "session");
+  const auto origin = parse_session_origin(origin_with(""), "session");
   ASSERT_TRUE(origin.ok()) << to_string(origin.problems());
   EXPECT_EQ(origin->building, "");
   EXPECT_EQ(origin->route, "");
   EXPECT_FALSE(origin->in_reverse);
-  EXPECT_EQ(session_origin_json(*origin), with(""));
+  EXPECT_EQ(session_origin_json(*origin), origin_with(""));
 }
 
 TEST(SessionOrigin, GivesBackTheBuildingsTextToTheLastByte) {
@@ -35,7 +35,7 @@ TEST(SessionOrigin, GivesBackTheBuildingsTextToTheLastByte) {
 TEST(SessionOrigin, ValuesOfAnotherKindAreRefused) {
   for (const char* members :
        {R"(,"building":7)", R"(,"building":null)", R"(,"route":[])", R"(,"in_reverse":"yes")"}) {
-    const auto origin = parse_session_origin(with(members), "session");
+    const auto origin = parse_session_origin(origin_with(members), "session");
     ASSERT_FALSE(origin.ok()) << members;
     EXPECT_THAT(to_string(origin.problems()), HasSubstr("does not say what made the session"));
   }

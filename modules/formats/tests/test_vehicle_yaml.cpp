@@ -18,7 +18,7 @@ using testing::SizeIs;
 
 const std::filesystem::path kVehicles = std::filesystem::path(AISLE_SOURCE_DIR) / "vehicles";
 
-std::string problems_of(const std::string& text) {
+std::string vehicle_problems(const std::string& text) {
   const auto vehicle = parse_vehicle("format: aisle.vehicle\nversion: 1\n" + text, "cart.yaml");
   return vehicle.ok() ? "" : to_string(vehicle.problems());
 }
@@ -53,7 +53,7 @@ TEST(VehicleYaml, PartsComeIntoBeingByTheirKeys) {
 }
 
 TEST(VehicleYaml, EveryProblemIsNamedWithItsPlace) {
-  EXPECT_EQ(problems_of("limits:\n  speed_max_mps: fast\n  steering_max_deg: 200\nweels: 4\n"),
+  EXPECT_EQ(vehicle_problems("limits:\n  speed_max_mps: fast\n  steering_max_deg: 200\nweels: 4\n"),
             "cart.yaml:4: limits.speed_max_mps: 'fast' is not a number\n"
             "cart.yaml:5: limits.steering_max_deg: 200 is outside 1 .. 89\n"
             "cart.yaml:6: weels: unknown key (nearest known key: cycle_s)");
@@ -68,18 +68,18 @@ TEST(VehicleYaml, WhatIsNoVehicleIsRefused) {
 
 TEST(VehicleYaml, TheNameIsOneLineOfText) {
   for (const char* name : {"\"two\\nlines\"", "\"\\0\"", "\"bell \\a\"", "\"\x93\x9e\""}) {
-    EXPECT_THAT(problems_of(fmt::format("name: {}\n", name)),
+    EXPECT_THAT(vehicle_problems(fmt::format("name: {}\n", name)),
                 HasSubstr("cart.yaml:3: name: is not a line of UTF-8 text of at most 64 bytes"));
   }
-  EXPECT_EQ(problems_of("name: \"Wägelchen 台車\"\n"), "");
+  EXPECT_EQ(vehicle_problems("name: \"Wägelchen 台車\"\n"), "");
 }
 
 TEST(VehicleYaml, CamerasHaveOneUsableNameEach) {
-  EXPECT_THAT(problems_of("cameras: {a/b: {}}\n"), HasSubstr("cart.yaml:3: cameras.a/b: is no name"));
-  EXPECT_THAT(problems_of("cameras:\n  a: {}\n  a: {z_m: 1}\n"),
+  EXPECT_THAT(vehicle_problems("cameras: {a/b: {}}\n"), HasSubstr("cart.yaml:3: cameras.a/b: is no name"));
+  EXPECT_THAT(vehicle_problems("cameras:\n  a: {}\n  a: {z_m: 1}\n"),
               HasSubstr("5: cameras.a: stands there twice"));
-  EXPECT_THAT(problems_of("cameras: [1]\n"), HasSubstr("cart.yaml:3: cameras: a list is no value"));
-  EXPECT_THAT(problems_of("simulated: {cameras: {a: {exposure: 1}}}\n"),
+  EXPECT_THAT(vehicle_problems("cameras: [1]\n"), HasSubstr("cart.yaml:3: cameras: a list is no value"));
+  EXPECT_THAT(vehicle_problems("simulated: {cameras: {a: {exposure: 1}}}\n"),
               HasSubstr("simulated.cameras.a.exposure: unknown key"));
 }
 

@@ -13,15 +13,15 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr const char* kHead = "format: aisle.world\nversion: 1\n";
+constexpr const char* kWorldHead = "format: aisle.world\nversion: 1\n";
 
-std::string problems_of(const std::string& text) {
+std::string world_problems(const std::string& text) {
   const Result<World> world = parse_world(text, "w.yaml");
   return world ? std::string() : to_string(world.problems());
 }
 
 TEST(WorldYaml, ReadsWallsBoxesAndTour) {
-  const Result<World> world = parse_world(std::string(kHead) +
+  const Result<World> world = parse_world(std::string(kWorldHead) +
                                               "name: closet\n"
                                               "walls:\n"
                                               "  - [[0, 0], [3, 0], [3, 2]]\n"
@@ -42,7 +42,7 @@ TEST(WorldYaml, ReadsWallsBoxesAndTour) {
 
 TEST(WorldYaml, ReadsAllThatAWorldCanHold) {
   const Result<World> world = parse_world(
-      std::string(kHead) +
+      std::string(kWorldHead) +
           "ceiling_m: 3\n"
           "ceiling_brightness: 0.8\n"
           "skirting_height_m: 0.12\n"
@@ -158,7 +158,7 @@ TEST(WorldYaml, ReadsAllThatAWorldCanHold) {
 
 TEST(WorldYaml, ABoxIsSeenByCamerasAndByAScannerAtKneeHeight) {
   const Result<World> world =
-      parse_world(std::string(kHead) + "walls: []\nboxes: [{centre: [0, 0], size: [1, 1]}]\n", "w.yaml");
+      parse_world(std::string(kWorldHead) + "walls: []\nboxes: [{centre: [0, 0], size: [1, 1]}]\n", "w.yaml");
   ASSERT_TRUE(world.ok());
   EXPECT_EQ(world->furniture.at(0).kind, Furniture::Kind::kBox);
   EXPECT_THAT(slice(*world, 0.3), SizeIs(4));
@@ -166,25 +166,25 @@ TEST(WorldYaml, ABoxIsSeenByCamerasAndByAScannerAtKneeHeight) {
 
 TEST(WorldYaml, ReportsEveryProblemWithItsLineAndKey) {
   EXPECT_EQ(
-      problems_of("format: aisle.world\n"
-                  "version: 2\n"
-                  "walls:\n"
-                  "  - [[0, 0], [.nan, 0]]\n"
-                  "  - [[1, 1]]\n"
-                  "  - [[0, 0], [1e9, 0], [x, 1]]\n"
-                  "  - [[2, 2], [2, 2]]\n"
-                  "  - {line: [[2, 2]], brightness: 2}\n"
-                  "boxes:\n"
-                  "  - {centre: [1, 1], size: [0, 1]}\n"
-                  "  - {center: [1, 1], size: [1, 1]}\n"
-                  "doors:\n"
-                  "  - {hinge: [1, 1], closed_heading_deg: 90, width_m: 0}\n"
-                  "  - 5\n"
-                  "floor: {kind: parquet}\n"
-                  "places: [{name: '', at: 3}]\n"
-                  "texture_seed: -1\n"
-                  "door: 3\n"
-                  "tour: 5\n"),
+      world_problems("format: aisle.world\n"
+                     "version: 2\n"
+                     "walls:\n"
+                     "  - [[0, 0], [.nan, 0]]\n"
+                     "  - [[1, 1]]\n"
+                     "  - [[0, 0], [1e9, 0], [x, 1]]\n"
+                     "  - [[2, 2], [2, 2]]\n"
+                     "  - {line: [[2, 2]], brightness: 2}\n"
+                     "boxes:\n"
+                     "  - {centre: [1, 1], size: [0, 1]}\n"
+                     "  - {center: [1, 1], size: [1, 1]}\n"
+                     "doors:\n"
+                     "  - {hinge: [1, 1], closed_heading_deg: 90, width_m: 0}\n"
+                     "  - 5\n"
+                     "floor: {kind: parquet}\n"
+                     "places: [{name: '', at: 3}]\n"
+                     "texture_seed: -1\n"
+                     "door: 3\n"
+                     "tour: 5\n"),
       "w.yaml:2: version: is not 1, the only one so far\n"
       "w.yaml:4: walls[0][1]: '.nan' is not a number\n"
       "w.yaml:5: walls[1]: a wall needs at least two points\n"
@@ -211,31 +211,31 @@ TEST(WorldYaml, ReportsEveryProblemWithItsLineAndKey) {
 }
 
 TEST(WorldYaml, TextsAreOneLine) {
-  EXPECT_THAT(problems_of(std::string(kHead) + "name: \"one\\ntwo\"\nwalls: []\n"),
+  EXPECT_THAT(world_problems(std::string(kWorldHead) + "name: \"one\\ntwo\"\nwalls: []\n"),
               HasSubstr("name: is not a line of UTF-8 text"));
 }
 
 TEST(WorldYaml, NamesTheLineOfWhatCannotBe) {
-  EXPECT_EQ(problems_of(std::string(kHead) + "ceiling_m: 2\n"
-                                             "walls:\n"
-                                             "  - [[0, 0], [9, 0]]\n"
-                                             "boxes:\n"
-                                             "  - {centre: [5, 5], size: [2, 2]}\n"
-                                             "start: {at: [5, 5]}\n"
-                                             "doors:\n"
-                                             "  - {hinge: [1, 0], closed_heading_deg: 0}\n"
-                                             "posters:\n"
-                                             "  - {centre: [5, 0], facing_deg: 90, height_m: 0.5}\n"
-                                             "  - {centre: [5, 0.5], facing_deg: 90, height_m: 0.5}\n"
-                                             "  - {centre: [5, 0], facing_deg: 0, height_m: 0.5}\n"
-                                             "people:\n"
-                                             "  - {path: [[1, 1]]}\n"
-                                             "places:\n"
-                                             "  - {name: desk, at: [8, 4]}\n"
-                                             "  - {name: desk, at: [8, 3]}\n"
-                                             "tour:\n"
-                                             "  - [2, 2]\n"
-                                             "  - [3, 0.05]\n"),
+  EXPECT_EQ(world_problems(std::string(kWorldHead) + "ceiling_m: 2\n"
+                                                     "walls:\n"
+                                                     "  - [[0, 0], [9, 0]]\n"
+                                                     "boxes:\n"
+                                                     "  - {centre: [5, 5], size: [2, 2]}\n"
+                                                     "start: {at: [5, 5]}\n"
+                                                     "doors:\n"
+                                                     "  - {hinge: [1, 0], closed_heading_deg: 0}\n"
+                                                     "posters:\n"
+                                                     "  - {centre: [5, 0], facing_deg: 90, height_m: 0.5}\n"
+                                                     "  - {centre: [5, 0.5], facing_deg: 90, height_m: 0.5}\n"
+                                                     "  - {centre: [5, 0], facing_deg: 0, height_m: 0.5}\n"
+                                                     "people:\n"
+                                                     "  - {path: [[1, 1]]}\n"
+                                                     "places:\n"
+                                                     "  - {name: desk, at: [8, 4]}\n"
+                                                     "  - {name: desk, at: [8, 3]}\n"
+                                                     "tour:\n"
+                                                     "  - [2, 2]\n"
+                                                     "  - [3, 0.05]\n"),
             "w.yaml:19: places[1].name: is the name of places[0] too\n"
             "w.yaml:10: doors[0].height_m: ends at 2.05 m, above the ceiling at 2 m\n"
             "w.yaml:16: people[0].path: needs at least two different points\n"
@@ -246,21 +246,22 @@ TEST(WorldYaml, NamesTheLineOfWhatCannotBe) {
 }
 
 TEST(WorldYaml, RefusesWhatIsNoWorld) {
-  EXPECT_THAT(problems_of(""), HasSubstr("is not a world"));
-  EXPECT_THAT(problems_of("[1, 2"), HasSubstr("w.yaml:1: is not YAML"));
-  EXPECT_THAT(problems_of("name: empty\n"),
+  EXPECT_THAT(world_problems(""), HasSubstr("is not a world"));
+  EXPECT_THAT(world_problems("[1, 2"), HasSubstr("w.yaml:1: is not YAML"));
+  EXPECT_THAT(world_problems("name: empty\n"),
               AllOf(HasSubstr("format: is missing"), HasSubstr("walls: is missing")));
-  EXPECT_THAT(problems_of(std::string(kHead) + "walls: []\nwalls: []\n"), HasSubstr("stands there twice"));
-  EXPECT_THAT(problems_of(std::string(kHead) + "walls: []\ntour: [[1, 1]]\n"),
+  EXPECT_THAT(world_problems(std::string(kWorldHead) + "walls: []\nwalls: []\n"),
+              HasSubstr("stands there twice"));
+  EXPECT_THAT(world_problems(std::string(kWorldHead) + "walls: []\ntour: [[1, 1]]\n"),
               HasSubstr("two different points"));
 }
 
 TEST(WorldYaml, RefusesMoreWallsThanAnyBuildingHas) {
-  std::string text = std::string(kHead) + "walls:\n  - &long [";
+  std::string text = std::string(kWorldHead) + "walls:\n  - &long [";
   for (int i = 0; i < 1000; ++i) text += "[" + std::to_string(i) + ", 0], ";
   text += "]\n";
   for (int i = 0; i < 1000; ++i) text += "  - *long\n";
-  EXPECT_THAT(problems_of(text), HasSubstr("at most 200000 are read"));
+  EXPECT_THAT(world_problems(text), HasSubstr("at most 200000 are read"));
 }
 
 TEST(WallSegments, ReadsOneWallALine) {

@@ -4,16 +4,9 @@
 #include <utility>
 
 #include "aisle/maps/floor_clearance.hpp"
-#include "aisle/vehicle/vehicle_description.hpp"
+#include "cart.hpp"
 
 namespace aisle {
-
-inline VehicleDescription cart() {
-  VehicleDescription vehicle;
-  vehicle.front_steered.wheelbase_m = 0.75;
-  vehicle.footprint = {.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6, .height_m = 1.3};
-  return vehicle;
-}
 
 /// Free rectangles in the unknown.
 struct KnownFloor {

@@ -7,7 +7,6 @@ namespace aisle {
 namespace {
 
 const KnownFloor kHall({{Vec2(0, 0), Vec2(10, 4)}});
-constexpr LaserScanner kFan{-90 * kDegree, 1 * kDegree, 30, {0.9, 0, 0}};
 
 BrakingRoom room_seeing(const std::vector<float>& ranges_m) {
   BrakingRoom room(cart(), 0.02);

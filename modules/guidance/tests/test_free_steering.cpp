@@ -4,17 +4,10 @@
 
 #include <vector>
 
-#include "aisle/geometry/pose2.hpp"
+#include "cart.hpp"
 
 namespace aisle {
 namespace {
-
-VehicleDescription cart() {
-  VehicleDescription vehicle;
-  vehicle.front_steered.wheelbase_m = 0.75;
-  vehicle.footprint = {.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6, .height_m = 1.3};
-  return vehicle;
-}
 
 /// Points along a line.
 std::vector<Vec2> wall(const Vec2& from, const Vec2& to) {

@@ -7,8 +7,6 @@
 namespace aisle {
 namespace {
 
-constexpr LaserScanner kFan{-90 * kDegree, 1 * kDegree, 30, {0.9, 0, 0}};
-
 /// A corridor that is known to the east as far as x = 10, and a wall of unknown floor across half of it.
 class GateView : public testing::Test {
  protected:

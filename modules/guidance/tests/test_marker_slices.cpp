@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-VehicleDescription cart() {
+VehicleDescription lit_cart() {
   VehicleDescription vehicle;
   CameraDescription camera{.name = "corridor"};
   camera.intrinsics = {.fx_px = 460, .fy_px = 460, .cx_px = 319.5, .cy_px = 239.5};
@@ -20,7 +20,7 @@ VehicleDescription cart() {
 
 /// A grey floor, and laser light on what stands across the way from one side to the other.
 Observation sees_light(double ahead_m, double right_m, double left_m) {
-  const CameraDescription camera = cart().cameras.front();
+  const CameraDescription camera = lit_cart().cameras.front();
   const CameraModel model(camera.intrinsics);
   auto picture = std::make_shared<Image>(camera.width_px, camera.height_px);
   std::fill(picture->bytes.begin(), picture->bytes.end(), std::uint8_t{120});
@@ -42,7 +42,7 @@ float range_at(const SliceSensor& sensor, const SliceView& view, double angle_de
 }
 
 TEST(MarkerSlices, AreRangesAboutThePointBelowTheLens) {
-  const auto sensor = marker_slices(cart(), "corridor");
+  const auto sensor = marker_slices(lit_cart(), "corridor");
   SliceView view;
   ASSERT_TRUE(sensor->look(sees_light(2.85, -0.5, 0.5), view));
   EXPECT_NEAR(sensor->fan().T_vehicle_laser.x, 0.85, 1e-9);
@@ -52,25 +52,25 @@ TEST(MarkerSlices, AreRangesAboutThePointBelowTheLens) {
 }
 
 TEST(MarkerSlices, WhereNoLightIsSeenTheWayIsFreeAsFarAsLightWouldBeSeen) {
-  const auto sensor = marker_slices(cart(), "corridor");
+  const auto sensor = marker_slices(lit_cart(), "corridor");
   SliceView view;
   ASSERT_TRUE(sensor->look(sees_light(2.85, -0.5, 0.5), view));
   EXPECT_FLOAT_EQ(range_at(*sensor, view, 25), static_cast<float>(sensor->fan().range_max_m));
 }
 
 TEST(MarkerSlices, TellNothingWithoutAnyLaserLight) {
-  const auto sensor = marker_slices(cart(), "corridor");
+  const auto sensor = marker_slices(lit_cart(), "corridor");
   SliceView view;
   ASSERT_TRUE(sensor->look(sees_light(2.85, 1, 0), view));
   EXPECT_THAT(view.ranges_m, testing::Each(0.0F));
 }
 
 TEST(MarkerSlices, NeedAPresentPictureOfACameraThatTheVehicleHas) {
-  const auto sensor = marker_slices(cart(), "corridor");
+  const auto sensor = marker_slices(lit_cart(), "corridor");
   SliceView view;
   EXPECT_FALSE(sensor->look({.stamp_s = 1}, view));
-  EXPECT_THROW(marker_slices(cart(), "rear"), std::invalid_argument);
-  VehicleDescription dark = cart();
+  EXPECT_THROW(marker_slices(lit_cart(), "rear"), std::invalid_argument);
+  VehicleDescription dark = lit_cart();
   dark.laser_markers.reset();
   EXPECT_THROW(marker_slices(dark, "corridor"), std::invalid_argument);
 }

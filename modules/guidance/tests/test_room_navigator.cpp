@@ -15,7 +15,7 @@ namespace {
 using testing::AnyOf;
 using testing::HasSubstr;
 
-constexpr double kCycle_s = 0.1, kFloorGrey = 165, kWallGrey = 60, kWayLength_m = 2.5;
+constexpr double kRoomCycle_s = 0.1, kFloorGrey = 165, kWallGrey = 60, kWayLength_m = 2.5;
 
 VehicleDescription room_cart() {
   VehicleDescription vehicle;
@@ -56,8 +56,8 @@ class DrivenRoom {
 
   Decision step(double light = 1) {
     Observation observation;
-    observation.stamp_s = ++cycles_ * kCycle_s;
-    const double way_m = kCycle_s * decision_.command.speed_mps;
+    observation.stamp_s = ++cycles_ * kRoomCycle_s;
+    const double way_m = kRoomCycle_s * decision_.command.speed_mps;
     const FrontSteeredMotion motion{way_m, decision_.command.steering_rad};
     T_world_vehicle_ = T_world_vehicle_ * drive(vehicle_.front_steered, motion);
     observation.odometry = motion;

@@ -15,7 +15,7 @@ const SectionList kSections = {
     {.kind = Section::Kind::kFollow, .length_m = 3, .right_m = 0.7, .left_m = 0.5}};
 const Segment2 kRight{{0, -0.5}, {4.3, -0.5}};
 const Segment2 kLeft{{5.5, 0.7}, {0, 0.7}};
-const Segment2 kAcross{{5.5, -0.5}, {5.5, 0.7}};
+const Segment2 kEndWall{{5.5, -0.5}, {5.5, 0.7}};
 
 SensedSegment seen_from(const Pose2& T_map_vehicle, const Segment2& wall) {
   const Segment2 segment = T_map_vehicle.inverse() * wall;
@@ -54,8 +54,8 @@ TEST(SectionLocaliser, BaseLinesBesideTellHowFarAside) {
 }
 
 TEST(SectionLocaliser, TheWallAheadTellsHowFarAlong) {
-  EXPECT_NEAR(believed({kAcross}).x(), 4, 0.02);
-  EXPECT_NEAR(believed({kAcross}, {.length_by_wall_ahead = false}).x(), 3.9, 0.02);
+  EXPECT_NEAR(believed({kEndWall}).x(), 4, 0.02);
+  EXPECT_NEAR(believed({kEndWall}, {.length_by_wall_ahead = false}).x(), 3.9, 0.02);
 }
 
 TEST(SectionLocaliser, TheEndOfTheBaseLineTellsHowFarAlong) {

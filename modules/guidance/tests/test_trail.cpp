@@ -10,7 +10,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kStep_m = 0.03;  // a cycle
+constexpr double kTrailStep_m = 0.03;  // a cycle
 
 bool everywhere(const Pose2&) {
   return true;
@@ -20,7 +20,7 @@ bool everywhere(const Pose2&) {
 class OnATrail : public testing::Test {
  protected:
   void drive(const Arc& arc) {
-    const int steps = static_cast<int>(std::ceil(std::abs(arc.length_m) / kStep_m));
+    const int steps = static_cast<int>(std::ceil(std::abs(arc.length_m) / kTrailStep_m));
     for (int i = 0; i < steps; ++i) {
       T_map_driven_.push_back(T_map_driven_.back() * end_pose({arc.length_m / steps, arc.turn_rad / steps}));
       trail_.go_on(T_map_driven_.back(), T_map_driven_.size() - 1);
@@ -28,7 +28,8 @@ class OnATrail : public testing::Test {
   }
 
   void go_back(const Path& way, double way_m) {
-    for (double along_m = 0; along_m < way_m; along_m += kStep_m) trail_.go_back(way.at(along_m).T_map_path);
+    for (double along_m = 0; along_m < way_m; along_m += kTrailStep_m)
+      trail_.go_back(way.at(along_m).T_map_path);
     trail_.go_back(way.at(way_m).T_map_path);
   }
 

@@ -10,8 +10,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kCycle_s = 0.1;
-constexpr LaserScanner kFan{-90 * kDegree, 1 * kDegree, 30, {0.9, 0, 0}};
+constexpr double kDriveCycle_s = 0.1;
 
 Path way_of(const std::vector<Arc>& arcs, Pose2 T_map_start) {
   std::vector<PathPiece> pieces;
@@ -30,8 +29,8 @@ class WayDriving : public testing::Test {
         driver_.drive(hall_.floor, hall_.clearance, room_, T_map_vehicle_, steering_rad_);
     steering_rad_ = step.command.steering_rad;
     T_map_vehicle_ =
-        T_map_vehicle_ *
-        drive(cart().front_steered, FrontSteeredMotion{kCycle_s * step.command.speed_mps, steering_rad_});
+        T_map_vehicle_ * drive(cart().front_steered,
+                               FrontSteeredMotion{kDriveCycle_s * step.command.speed_mps, steering_rad_});
     return step;
   }
 

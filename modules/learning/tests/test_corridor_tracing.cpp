@@ -10,7 +10,7 @@
 namespace aisle {
 namespace {
 
-using Kind = CorridorNode::Kind;
+using NodeKind = CorridorNode::Kind;
 
 /// Frees the cells of a rectangle; what surrounds it stands there unless it is free already.
 void add_room(FloorGrid& floor, const Vec2& min, const Vec2& max) {
@@ -37,7 +37,7 @@ TEST(CorridorTracing, OneCorridorHasTwoEndsAndItsWidth) {
   add_room(floor, {0, -1}, {20, 1});
   const CorridorGraph graph = traced(floor, {1, 0});
   ASSERT_EQ(graph.corridors.size(), 1U);
-  EXPECT_EQ(graph.count(Kind::kEnd), 2U);
+  EXPECT_EQ(graph.count(NodeKind::kEnd), 2U);
   EXPECT_NEAR(graph.corridors[0].width_m, 2, 0.11);
   EXPECT_NEAR(graph.length_m(), 18, 0.3);
   EXPECT_LT((graph.nodes[0].p_map - Vec2(1, 0)).norm(), 0.2);
@@ -48,7 +48,7 @@ TEST(CorridorTracing, ARoomOnlyIsAPlaceOrOneShortStretch) {
   FloorGrid floor;
   add_room(floor, {0, 0}, {3, 3});
   const CorridorGraph graph = traced(floor, {1, 1});
-  EXPECT_EQ(graph.count(Kind::kCrossing), 0U);
+  EXPECT_EQ(graph.count(NodeKind::kCrossing), 0U);
   EXPECT_LT(graph.length_m(), 0.5);
 }
 
@@ -57,11 +57,11 @@ TEST(CorridorTracing, ACrossHasOneCrossingWithFourCorridors) {
   add_room(floor, {0, -1}, {20, 1});
   add_room(floor, {9, -10}, {10.6, 10});
   const CorridorGraph graph = traced(floor, {1, 0});
-  ASSERT_EQ(graph.count(Kind::kCrossing), 1U);
-  EXPECT_EQ(graph.count(Kind::kEnd), 4U);
+  ASSERT_EQ(graph.count(NodeKind::kCrossing), 1U);
+  EXPECT_EQ(graph.count(NodeKind::kEnd), 4U);
   EXPECT_EQ(graph.corridors.size(), 4U);
   const auto crossing = std::find_if(graph.nodes.begin(), graph.nodes.end(),
-                                     [](const CorridorNode& n) { return n.kind == Kind::kCrossing; });
+                                     [](const CorridorNode& n) { return n.kind == NodeKind::kCrossing; });
   EXPECT_LT((crossing->p_map - Vec2(9.8, 0)).norm(), 0.3);
 }
 
@@ -71,7 +71,7 @@ TEST(CorridorTracing, TwoBranchesAShortWayApartAreTwoCrossings) {
   add_room(floor, {6, 0}, {8, 8});
   add_room(floor, {12, -8}, {14, 0});
   const CorridorGraph graph = traced(floor, {1, 0});
-  EXPECT_EQ(graph.count(Kind::kCrossing), 2U);
+  EXPECT_EQ(graph.count(NodeKind::kCrossing), 2U);
   EXPECT_EQ(graph.corridors.size(), 5U);
 }
 
@@ -83,7 +83,7 @@ TEST(CorridorTracing, ARoundWithoutACrossingHasOneNodeNearTheStart) {
   add_room(floor, {18, 0}, {20, 12});
   const CorridorGraph graph = traced(floor, {10, 1});
   ASSERT_EQ(graph.nodes.size(), 1U);
-  EXPECT_EQ(graph.nodes[0].kind, Kind::kRound);
+  EXPECT_EQ(graph.nodes[0].kind, NodeKind::kRound);
   EXPECT_LT((graph.nodes[0].p_map - Vec2(10, 1)).norm(), 0.2);
   ASSERT_EQ(graph.corridors.size(), 1U);
   EXPECT_NEAR(graph.length_m(), 2 * (18 + 10), 2.5);
@@ -93,10 +93,10 @@ TEST(CorridorTracing, AnAlcoveIsNoCrossingAndARoomBehindADoorIs) {
   FloorGrid floor;
   add_room(floor, {0, -1}, {20, 1});
   add_room(floor, {4, 1}, {5.5, 1.6});
-  EXPECT_EQ(traced(floor, {1, 0}).count(Kind::kCrossing), 0U);
+  EXPECT_EQ(traced(floor, {1, 0}).count(NodeKind::kCrossing), 0U);
   add_room(floor, {10, 1}, {11, 1.2});
   add_room(floor, {9, 1.2}, {13, 5});
-  EXPECT_EQ(traced(floor, {1, 0}).count(Kind::kCrossing), 1U);
+  EXPECT_EQ(traced(floor, {1, 0}).count(NodeKind::kCrossing), 1U);
 }
 
 TEST(CorridorTracing, WhereTheVehicleDoesNotGetThroughThereIsNoCorridor) {
@@ -104,7 +104,7 @@ TEST(CorridorTracing, WhereTheVehicleDoesNotGetThroughThereIsNoCorridor) {
   add_room(floor, {0, -1}, {20, 1});
   add_room(floor, {10, 1}, {10.6, 6});
   const CorridorGraph graph = traced(floor, {1, 0});
-  EXPECT_EQ(graph.count(Kind::kCrossing), 0U);
+  EXPECT_EQ(graph.count(NodeKind::kCrossing), 0U);
   EXPECT_EQ(graph.corridors.size(), 1U);
 }
 
@@ -148,8 +148,8 @@ RC_GTEST_PROP(CorridorTracing, ARoughCombHasACrossingForEveryBranchWhicheverWayI
   Random random(seed);
   const RoughComb comb = any_comb(random);
   const CorridorGraph graph = traced(comb.floor, comb.p_map_start);
-  RC_ASSERT(graph.count(Kind::kCrossing) == comb.branches);
-  RC_ASSERT(graph.count(Kind::kEnd) == comb.branches + 2);
+  RC_ASSERT(graph.count(NodeKind::kCrossing) == comb.branches);
+  RC_ASSERT(graph.count(NodeKind::kEnd) == comb.branches + 2);
 }
 
 }  // namespace

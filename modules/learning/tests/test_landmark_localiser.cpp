@@ -11,7 +11,7 @@ namespace {
 
 constexpr SightNoise kNoise;
 
-UncertainPose2 about(const Pose2& T, double along_m, double across_m, double sigma_rad) {
+UncertainPose2 somewhere_about(const Pose2& T, double along_m, double across_m, double sigma_rad) {
   return {T, Vec3(square(along_m), square(across_m), square(sigma_rad)).asDiagonal()};
 }
 
@@ -32,7 +32,7 @@ TEST(LandmarkLocaliser, CorrectsAStartThatIsOff) {
   for (int trial = 0; trial < kTrials; ++trial) {
     const std::vector<CorridorLine> lines = corridor_lines(12, random);
     const Pose2 truth{3 + random.normal(0.1), random.normal(0.1), random.normal(2 * kDegree)};
-    LandmarkLocaliser localiser({}, corridor_cart(), about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
+    LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
     const std::vector<LandmarkSighting> seen = sightings_from(lines, truth, kNoise, &random);
     ASSERT_EQ(localiser.correct(map_of(lines), seen), LandmarkMatch::kMatched) << trial;
     EXPECT_GT(localiser.matched_share(), 0.8);
@@ -49,7 +49,7 @@ TEST(LandmarkLocaliser, PairsEverySightingWithTheLandmarkThatItShows) {
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   const Pose2 truth{3.1, -0.1, 0.03};
   const std::vector<LandmarkSighting> seen = sightings_from(lines, truth, kNoise);
-  LandmarkLocaliser localiser({}, corridor_cart(), about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
   localiser.correct(map_of(lines), seen);
   ASSERT_EQ(localiser.pairs().size(), seen.size());
   for (const LandmarkPair& pair : localiser.pairs()) {
@@ -61,7 +61,7 @@ TEST(LandmarkLocaliser, LookAlikeDoorsAreCarriedByOdometryAndNeverJumpedTo) {
   const LandmarkMap map = map_of(lookalike_doors(-9, 40));
   const VehicleDescription cart = corridor_cart();
   Pose2 truth{3.45, 0, 0};  // half way between two likenesses of what is thought
-  LandmarkLocaliser localiser({}, cart, about({3, 0, 0}, 0.5, 0.02, 0.5 * kDegree));
+  LandmarkLocaliser localiser({}, cart, somewhere_about({3, 0, 0}, 0.5, 0.02, 0.5 * kDegree));
   Pose2 carried = localiser.pose();
   for (int i = 0; i < 20; ++i) {
     const FrontSteeredMotion step{0.05, 0};
@@ -79,14 +79,14 @@ TEST(LandmarkLocaliser, OneThingThatIsUniqueTellsLookAlikeDoorsApart) {
   std::vector<CorridorLine> lines = lookalike_doors(-9, 40);
   for (const double x : {4.7, 5.05, 5.75, 6.0}) lines.push_back({{x, -1.1}, false});
   const Pose2 truth{3.4, 0, 0};
-  LandmarkLocaliser localiser({}, corridor_cart(), about({3, 0, 0}, 0.4, 0.02, 0.5 * kDegree));
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.4, 0.02, 0.5 * kDegree));
   EXPECT_EQ(localiser.correct(map_of(lines), sightings_from(lines, truth, kNoise)), LandmarkMatch::kMatched);
   EXPECT_THAT(localiser.pose(), PoseNear(truth, 0.02, 0.3 * kDegree));
 }
 
 TEST(LandmarkLocaliser, DoorsBeyondTheReachOfDoubtAreNoRivals) {
   const Pose2 truth{3.1, 0.02, 0};
-  LandmarkLocaliser localiser({}, corridor_cart(), about({3, 0, 0}, 0.1, 0.02, 0.5 * kDegree));
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.1, 0.02, 0.5 * kDegree));
   const std::vector<LandmarkSighting> seen = sightings_from(lookalike_doors(-9, 40), truth, kNoise);
   EXPECT_EQ(localiser.correct(map_of(lookalike_doors(-9, 40)), seen), LandmarkMatch::kMatched);
   EXPECT_THAT(localiser.pose(), PoseNear(truth, 0.02, 0.3 * kDegree));
@@ -105,7 +105,7 @@ TEST(LandmarkLocaliser, WhatWasSeenFromThisSideCountsMoreThanWhatWasSeenFromTheO
     map.add(landmark);
   }
   const Pose2 truth{3.05, 0.03, 0};
-  LandmarkLocaliser localiser({}, corridor_cart(), about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
   ASSERT_EQ(localiser.correct(map, sightings_from(lines, truth, kNoise)), LandmarkMatch::kMatched);
   EXPECT_THAT(localiser.pose(), PoseNear(truth, 0.03, 0.5 * kDegree));
 }
@@ -121,7 +121,7 @@ TEST(LandmarkLocaliser, TwoLinesCloseTogetherAreToldApartByTheirBrighterSides) {
   const std::vector<CorridorLine> seen_edges(frames.begin(),
                                              frames.begin() + static_cast<std::ptrdiff_t>(count));
   const std::vector<LandmarkSighting> seen = sightings_from(seen_edges, truth, kNoise);
-  LandmarkLocaliser localiser({}, corridor_cart(), about({3, 0, 0}, 0.03, 0.03, 0.5 * kDegree));
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.03, 0.03, 0.5 * kDegree));
   ASSERT_EQ(localiser.correct(map, seen), LandmarkMatch::kMatched);
   EXPECT_FALSE(localiser.pairs().empty());
   for (const LandmarkPair& pair : localiser.pairs())
@@ -133,7 +133,7 @@ TEST(LandmarkLocaliser, OtherThingsThanTheMapHasHereAreNotMatched) {
   const std::vector<CorridorLine> here = corridor_lines(12, random);
   std::vector<CorridorLine> elsewhere = here;
   for (CorridorLine& line : elsewhere) line.brighter_right = !line.brighter_right;
-  LandmarkLocaliser localiser({}, corridor_cart(), about({3, 0, 0}, 0.05, 0.05, 1 * kDegree));
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.05, 0.05, 1 * kDegree));
   const LandmarkMatch match = localiser.correct(map_of(here), sightings_from(elsewhere, {3, 0, 0}, kNoise));
   EXPECT_EQ(match, LandmarkMatch::kUnmatched);
   EXPECT_THAT(localiser.pose(), PoseNear(Pose2{3, 0, 0}, 0, 0));
@@ -145,7 +145,7 @@ TEST(LandmarkLocaliser, UnknownThingsWhereKnownOnesCannotBeSeenContradictNothing
   std::vector<CorridorLine> others = lines;
   for (CorridorLine& line : others) line.brighter_right = !line.brighter_right;
   const Pose2 way_back{9, 0, kPi};  // the map knows the sides that are seen on the way there
-  LandmarkLocaliser localiser({}, corridor_cart(), about(way_back, 0.05, 0.05, 1 * kDegree));
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about(way_back, 0.05, 0.05, 1 * kDegree));
   EXPECT_EQ(localiser.correct(map_of(lines), sightings_from(others, way_back, kNoise)),
             LandmarkMatch::kNothing);
   EXPECT_THAT(localiser.pose(), PoseNear(way_back, 0, 0));
@@ -154,7 +154,7 @@ TEST(LandmarkLocaliser, UnknownThingsWhereKnownOnesCannotBeSeenContradictNothing
 TEST(LandmarkLocaliser, NothingSeenAndNothingKnownSayNothing) {
   Random random(9);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
-  LandmarkLocaliser localiser({}, corridor_cart(), about({3, 0, 0}, 0.05, 0.05, 1 * kDegree));
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.05, 0.05, 1 * kDegree));
   EXPECT_EQ(localiser.correct(map_of(lines), {}), LandmarkMatch::kNothing);
   EXPECT_EQ(localiser.correct({}, sightings_from(lines, {3, 0, 0}, kNoise)), LandmarkMatch::kNothing);
   EXPECT_THAT(localiser.pose(), PoseNear(Pose2{3, 0, 0}, 0, 0));
@@ -172,7 +172,7 @@ TEST(LandmarkLocaliser, AHundredThousandLandmarksElsewhereChangeNeitherTheAnswer
     far.p_map = {random.uniform(40, 1000), random.uniform(-500, 500)};
     index.add({far.p_map, far.p_map}, static_cast<int>(large.add(far)));
   }
-  const UncertainPose2 thought = about({3, 0, 0}, 0.1, 0.1, 2 * kDegree);
+  const UncertainPose2 thought = somewhere_about({3, 0, 0}, 0.1, 0.1, 2 * kDegree);
   LandmarkLocaliser in_small({}, corridor_cart(), thought), in_large({}, corridor_cart(), thought);
   ASSERT_EQ(in_small.correct(small, seen), LandmarkMatch::kMatched);
   ASSERT_EQ(in_large.correct(large, seen), LandmarkMatch::kMatched);

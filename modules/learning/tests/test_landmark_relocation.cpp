@@ -10,7 +10,7 @@
 namespace aisle {
 namespace {
 
-constexpr SightNoise kNoise;
+constexpr SightNoise kRelocationNoise;
 
 /// Along the corridor's middle, both ways round.
 std::vector<Pose2> places(double length_m) {
@@ -30,7 +30,7 @@ std::optional<Pose2> look(LandmarkRelocator& relocator, const LandmarkMap& map,
   relocator.start();
   std::optional<Pose2> found;
   for (int i = 0; i < kPictures && !found; ++i)
-    found = relocator.look(map, sightings_from(lines, truth, kNoise, random));
+    found = relocator.look(map, sightings_from(lines, truth, kRelocationNoise, random));
   return found;
 }
 
@@ -67,7 +67,7 @@ TEST(LandmarkRelocation, DoesNotGuessInAPatternThatRepeatsItself) {
 TEST(LandmarkRelocation, DoesNotGuessFromFewSightings) {
   Random random(4);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
-  std::vector<LandmarkSighting> few = sightings_from(lines, {5, 0, 0}, kNoise);
+  std::vector<LandmarkSighting> few = sightings_from(lines, {5, 0, 0}, kRelocationNoise);
   few.resize(3);
   LandmarkRelocator relocator({}, {}, corridor_cart(), places(22));
   for (int i = 0; i < 40; ++i) {
@@ -115,11 +115,11 @@ TEST(LandmarkRelocation, TriesSoManyPlacesAPictureAndNoMore) {
   const std::size_t pictures_to_try_all =
       (tried.size() - 1) / static_cast<std::size_t>(params.places_per_picture) + 1;
   for (std::size_t i = 0; i < pictures_to_try_all; ++i)
-    ASSERT_EQ(relocator.look(map, sightings_from(lines, {9, 0, 0}, kNoise)), std::nullopt) << i;
+    ASSERT_EQ(relocator.look(map, sightings_from(lines, {9, 0, 0}, kRelocationNoise)), std::nullopt) << i;
   EXPECT_EQ(relocator.rounds(), 2) << "pictures until it had seen things often enough";
   std::optional<Pose2> found;
   for (int i = 0; i < 40 && !found; ++i)
-    found = relocator.look(map, sightings_from(lines, {9, 0, 0}, kNoise));
+    found = relocator.look(map, sightings_from(lines, {9, 0, 0}, kRelocationNoise));
   EXPECT_TRUE(found);
 }
 
@@ -136,7 +136,7 @@ TEST(LandmarkRelocation, FindsItselfOnTheWay) {
   for (int i = 0; i < 130 && !found; ++i) {
     truth = truth * Pose2{kStep_m, 0, 0};
     relocator.predict(FrontSteeredMotion{.distance_m = kStep_m});
-    std::vector<LandmarkSighting> few = sightings_from(lines, truth, kNoise, &random);
+    std::vector<LandmarkSighting> few = sightings_from(lines, truth, kRelocationNoise, &random);
     few.resize(std::min<std::size_t>(few.size(), 3));
     found = relocator.look(map, few);
   }

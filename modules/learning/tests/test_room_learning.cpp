@@ -8,7 +8,7 @@ namespace {
 using testing::HasSubstr;
 using testing::SizeIs;
 
-VehicleDescription cart() {
+VehicleDescription room_cart() {
   VehicleDescription vehicle;
   vehicle.front_steered.wheelbase_m = 0.75;
   return vehicle;
@@ -27,7 +27,7 @@ TEST(RoomLearning, MarksBecomeTurningsWithTheirDistances) {
   trip[99].marks = {{Mark::Kind::kTurningBegins, "5"}};
   trip[299].marks = {{Mark::Kind::kTurningEnds, "5"}};
   trip[499].marks = {{Mark::Kind::kStop, "dead-end"}};
-  const auto learned = learn_room_route(trip, cart(), {});
+  const auto learned = learn_room_route(trip, room_cart(), {});
   ASSERT_TRUE(learned.ok()) << to_string(learned.problems());
   const RoomRoute& room = *learned->route.room;
   ASSERT_THAT(room.turnings, SizeIs(1));
@@ -46,7 +46,7 @@ TEST(RoomLearning, MarksThatDoNotGoTogetherAreAllReported) {
   trip[20].marks = {{Mark::Kind::kTurningBegins, "14"}};
   trip[30].marks = {{Mark::Kind::kTurningBegins, "3"}};
   trip[90].marks = {{Mark::Kind::kStop, "garage"}};
-  const auto learned = learn_room_route(trip, cart(), {});
+  const auto learned = learn_room_route(trip, room_cart(), {});
   ASSERT_FALSE(learned.ok());
   const std::string all = to_string(learned.problems());
   EXPECT_THAT(all, HasSubstr("a turning ends that has not begun"));
@@ -58,12 +58,12 @@ TEST(RoomLearning, MarksThatDoNotGoTogetherAreAllReported) {
 TEST(RoomLearning, NeedsAWayPicturesAndAFrame) {
   auto still = drive(5);
   still.front().patch.reset();
-  const auto none = learn_room_route(still, cart(), {});
+  const auto none = learn_room_route(still, room_cart(), {});
   ASSERT_FALSE(none.ok());
   EXPECT_THAT(none.problems(), SizeIs(2));
   auto no_frame = drive(200);
   no_frame.back().marks = {{Mark::Kind::kStop, "frame"}};
-  EXPECT_FALSE(learn_room_route(no_frame, cart(), {}).ok());
+  EXPECT_FALSE(learn_room_route(no_frame, room_cart(), {}).ok());
 }
 
 TEST(RoomLearning, EdgesThatSeveralPicturesShowAreKeptWhereTheyWereSeenLast) {
@@ -73,7 +73,7 @@ TEST(RoomLearning, EdgesThatSeveralPicturesShowAreKeptWhereTheyWereSeenLast) {
     if (i < 50) trip[i].p_vehicle_edges = {Vec2(2.01 - x, 0.51)};
   }
   trip[60].p_vehicle_edges = {Vec2(1, -0.5)};
-  const auto learned = learn_room_route(trip, cart(), {});
+  const auto learned = learn_room_route(trip, room_cart(), {});
   ASSERT_TRUE(learned.ok()) << to_string(learned.problems());
   const std::vector<RouteEdge>& edges = learned->route.room->edges;
   ASSERT_THAT(edges, SizeIs(1));

@@ -1,20 +1,13 @@
 #include <gmock/gmock.h>
 
-#include "aisle/core/angle.hpp"
 #include "aisle/learning/section_learning.hpp"
+#include "driven_sections.hpp"
 
 namespace aisle {
 namespace {
 
 using testing::ElementsAre;
 using Kind = Section::Kind;
-
-Section a(double length_m, std::optional<double> right_m = {}) {
-  return {.kind = Kind::kFollow, .length_m = length_m, .right_m = right_m};
-}
-Section turn(double turn_deg) {
-  return {.kind = Kind::kTurn, .turn_rad = turn_deg * kDegree};
-}
 
 std::vector<Kind> kinds(const SectionList& sections) {
   std::vector<Kind> all;
@@ -27,7 +20,8 @@ std::vector<Kind> decided(const SectionList& driven, std::optional<double> width
 }
 
 TEST(SectionDecision, TwoLeftTurnsThatSumToAQuarterAreACorner) {
-  const SectionList list = decide_sections({a(5), turn(45), a(0.6), turn(45), a(3)}, {}, {});
+  const SectionList list =
+      decide_sections({straight(5), turn(45), straight(0.6), turn(45), straight(3)}, {}, {});
   EXPECT_THAT(kinds(list), ElementsAre(Kind::kFollow, Kind::kCurve, Kind::kFollow));
   // L03 section 3.2 A: P2 is the chord, turned by the first angle
   EXPECT_NEAR(list[1].p_start_end.x(), 0.6 * std::sqrt(0.5), 1e-12);
@@ -36,18 +30,20 @@ TEST(SectionDecision, TwoLeftTurnsThatSumToAQuarterAreACorner) {
 
 TEST(SectionDecision, TurnsThatMissAQuarterByMoreThanTheThresholdAreNoCorner) {
   const double off_deg = to_degrees(SectionLearningParams{}.corner_rad);
-  EXPECT_THAT(decided({a(5), turn(45), a(0.6), turn(44 - off_deg), a(3)}),
+  EXPECT_THAT(decided({straight(5), turn(45), straight(0.6), turn(44 - off_deg), straight(3)}),
               testing::Not(testing::Contains(Kind::kCurve)));
-  EXPECT_THAT(decided({a(5), turn(45), a(0.6), turn(46 - off_deg), a(3)}), testing::Contains(Kind::kCurve));
+  EXPECT_THAT(decided({straight(5), turn(45), straight(0.6), turn(46 - off_deg), straight(3)}),
+              testing::Contains(Kind::kCurve));
 }
 
 TEST(SectionDecision, RightTurnsAreNoCornersButEndHybridSections) {
-  EXPECT_THAT(decided({a(5), turn(-90), a(3)}), ElementsAre(Kind::kHybrid, Kind::kTurn, Kind::kFollow));
+  EXPECT_THAT(decided({straight(5), turn(-90), straight(3)}),
+              ElementsAre(Kind::kHybrid, Kind::kTurn, Kind::kFollow));
 }
 
 TEST(SectionDecision, AWayAcrossTheCorridorIsDeadReckoned) {
   // 0.4 m are kept from the right before and after, the corridor is 1.8 m wide: 1 m across
-  const SectionList driven = {a(5, 0.4), turn(90), a(1.0), turn(90), a(5, 0.4)};
+  const SectionList driven = {straight(5, 0.4), turn(90), straight(1.0), turn(90), straight(5, 0.4)};
   EXPECT_THAT(decided(driven, 1.8),
               ElementsAre(Kind::kFollow, Kind::kTurn, Kind::kDead, Kind::kTurn, Kind::kFollow));
   EXPECT_THAT(decided(driven, 2.3), testing::Not(testing::Contains(Kind::kDead)));
@@ -56,7 +52,7 @@ TEST(SectionDecision, AWayAcrossTheCorridorIsDeadReckoned) {
 
 TEST(SectionDecision, BackwardsAndTurnsStayAsTheyAre) {
   const Section back{.kind = Kind::kBack, .length_m = 0.4};
-  EXPECT_THAT(decided({a(2), back, turn(45), a(2)}),
+  EXPECT_THAT(decided({straight(2), back, turn(45), straight(2)}),
               ElementsAre(Kind::kFollow, Kind::kBack, Kind::kTurn, Kind::kFollow));
   EXPECT_TRUE(decided({}).empty());
 }

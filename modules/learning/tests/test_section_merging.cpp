@@ -1,20 +1,12 @@
 #include <gmock/gmock.h>
 
-#include "aisle/core/angle.hpp"
 #include "aisle/learning/section_learning.hpp"
+#include "driven_sections.hpp"
 
 namespace aisle {
 namespace {
 
 using testing::ElementsAre;
-
-Section straight(double length_m, std::optional<double> right_m = {}) {
-  return {.kind = Section::Kind::kFollow, .length_m = length_m, .right_m = right_m};
-}
-
-Section turn(double turn_deg) {
-  return {.kind = Section::Kind::kTurn, .turn_rad = turn_deg * kDegree};
-}
 
 DrivenList drive(SectionList sections, std::optional<double> corridor_width_m = {}) {
   DrivenList driven;

@@ -42,13 +42,13 @@ std::vector<float> scan_from(const Pose2& T_map_vehicle) {
   return ranges_m;
 }
 
-UncertainPose2 about(const Pose2& T) {
+UncertainPose2 about_there(const Pose2& T) {
   return {T, Vec3(square(0.1), square(0.1), square(0.05)).asDiagonal()};
 }
 
 TEST(WallLocaliser, FindsItsPlaceFromAboutThere) {
   const Pose2 truth{4, 2, 0.3};
-  WallLocaliser localiser({}, kOneReadingADegree, room(), about(truth * Pose2{0.1, -0.08, 0.04}));
+  WallLocaliser localiser({}, kOneReadingADegree, room(), about_there(truth * Pose2{0.1, -0.08, 0.04}));
   for (int i = 0; i < 5; ++i) localiser.take_scan(scan_from(truth), {});
   EXPECT_THAT(localiser.T_map_vehicle().mean, PoseNear(truth, 0.01, 0.005));
   EXPECT_FALSE(localiser.is_doubtful());
@@ -56,7 +56,7 @@ TEST(WallLocaliser, FindsItsPlaceFromAboutThere) {
 
 TEST(WallLocaliser, KeepsItsPlaceThoughTheOdometryIsWrong) {
   Pose2 truth{1.5, 2, 0};
-  WallLocaliser localiser({}, kOneReadingADegree, room(), about(truth));
+  WallLocaliser localiser({}, kOneReadingADegree, room(), about_there(truth));
   for (int i = 0; i < 60; ++i) {
     const Pose2 step{0.05, 0, 0.01};
     truth = truth * step;
@@ -68,7 +68,7 @@ TEST(WallLocaliser, KeepsItsPlaceThoughTheOdometryIsWrong) {
 TEST(WallLocaliser, DoubtsWhenItSeesOtherWallsThanItKnows) {
   WallMap elsewhere = room();
   for (Wall& wall : elsewhere.walls) wall.segment = Pose2{0.9, 1.3, 0.5} * wall.segment;
-  WallLocaliser localiser({}, kOneReadingADegree, elsewhere, about({4, 2, 0}));
+  WallLocaliser localiser({}, kOneReadingADegree, elsewhere, about_there({4, 2, 0}));
   localiser.take_scan(scan_from({4, 2, 0}), {});
   EXPECT_TRUE(localiser.is_doubtful());
 }

@@ -16,13 +16,13 @@ Landmark landmark_at(const Vec2& p_map) {
   return landmark;
 }
 
-Vec2 any_point(Random& random) {
+Vec2 any_place(Random& random) {
   return {random.uniform(-15, 15), random.uniform(-15, 15)};
 }
 
 LandmarkMap any_map(Random& random) {
   LandmarkMap map;
-  for (std::size_t i = random.index(60); i-- > 0;) map.add(landmark_at(any_point(random)));
+  for (std::size_t i = random.index(60); i-- > 0;) map.add(landmark_at(any_place(random)));
   return map;
 }
 
@@ -48,9 +48,9 @@ RC_GTEST_PROP(LandmarkMap, FindsWhatLookingAtEveryLandmarkFinds, (std::uint64_t 
   for (std::size_t i = 0; i < map.size(); ++i) {
     const double chance = random.uniform();
     if (chance < 0.2) map.remove(i);
-    if (chance > 0.8) map.replace(i, landmark_at(any_point(random)));
+    if (chance > 0.8) map.replace(i, landmark_at(any_place(random)));
   }
-  const Vec2 centre = any_point(random);
+  const Vec2 centre = any_place(random);
   const double distance_m = random.uniform(0, 12);
   RC_ASSERT(near(map, centre, distance_m) == near_one_by_one(map, centre, distance_m));
 }
@@ -85,7 +85,7 @@ RC_GTEST_PROP(LandmarkMap, AssigningMakesTheMapThatAddingMakes, (std::uint64_t s
   LandmarkMap assigned = any_map(random);
   assigned.assign(added.all());
   RC_ASSERT(assigned.size() == added.size());
-  const Vec2 centre = any_point(random);
+  const Vec2 centre = any_place(random);
   RC_ASSERT(near(assigned, centre, 8) == near(added, centre, 8));
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "aisle/report/landmark_picture.hpp"
+#include "text_count.hpp"
 
 namespace aisle {
 namespace {
@@ -11,12 +12,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-
-int count(std::string_view text, std::string_view part) {
-  int found = 0;
-  for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
 
 constexpr const char* kCross = "stroke:rgb(80%,10%,20%)";
 constexpr const char* kSpot = "fill:rgb(80%,10%,20%)";

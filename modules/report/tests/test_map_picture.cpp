@@ -8,6 +8,7 @@
 #include "aisle/core/random.hpp"
 #include "aisle/report/map_picture.hpp"
 #include "picture_scale.hpp"
+#include "text_count.hpp"
 
 namespace aisle {
 namespace {
@@ -26,12 +27,6 @@ Wall wall(const Vec2& start, const Vec2& end, bool is_orthogonal = true) {
 WallMap room() {
   return {{wall({0, 0}, {8, 0}), wall({8, 0}, {8, 3}), wall({8, 3}, {7, 4}, false), wall({7, 4}, {0, 4}),
            wall({0, 4}, {0, 0})}};
-}
-
-int count(std::string_view text, std::string_view part) {
-  int found = 0;
-  for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + 1)) ++found;
-  return found;
 }
 
 /// Every element is closed, in order; attributes are quoted.

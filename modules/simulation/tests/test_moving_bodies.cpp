@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "aisle/simulation/moving_bodies.hpp"
+#include "plain_vehicles.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -9,7 +10,6 @@ namespace {
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr Footprint kCart{.front_m = 1, .rear_m = 0.2, .width_m = 0.6, .height_m = 1.2};
 constexpr Pose2 kFarAway{100, 100, 0};
 
 Person passer_by() {

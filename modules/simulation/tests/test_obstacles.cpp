@@ -3,11 +3,10 @@
 
 #include "aisle/core/random.hpp"
 #include "aisle/simulation/obstacles.hpp"
+#include "plain_vehicles.hpp"
 
 namespace aisle {
 namespace {
-
-constexpr Footprint kCart{.front_m = 1, .rear_m = 0.2, .width_m = 0.6, .height_m = 1.2};
 
 World wall_at(double x) {
   World world;

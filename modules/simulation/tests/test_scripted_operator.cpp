@@ -10,14 +10,14 @@ namespace {
 using testing::ElementsAre;
 using testing::Field;
 
-VehicleModel cart() {
+VehicleModel guided_cart() {
   VehicleModel model;
   model.description.front_steered.wheelbase_m = 0.75;
   model.description.footprint = {.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6, .height_m = 1.2};
   return model;
 }
 
-VehicleModel mini() {
+VehicleModel guided_mini() {
   VehicleModel model;
   model.description.is_differential = true;
   model.description.footprint = {.front_m = 0.11, .rear_m = 0.11, .width_m = 0.2, .height_m = 0.25};
@@ -68,7 +68,7 @@ Drive drive(const World& world, const VehicleModel& model, std::uint64_t seed,
 
 class ScriptedOperatorTest : public testing::TestWithParam<bool> {
  protected:
-  const VehicleModel model = GetParam() ? mini() : cart();
+  const VehicleModel model = GetParam() ? guided_mini() : guided_cart();
 };
 
 TEST_P(ScriptedOperatorTest, DrivesRoundACornerToTheEndOfTheRoute) {

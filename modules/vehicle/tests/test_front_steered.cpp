@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-constexpr FrontSteeredNoise kNoNoise{0, 0, 0, 0, 0, 0};
+constexpr FrontSteeredNoise kPerfect{0, 0, 0, 0, 0, 0};
 
 struct Case {
   FrontSteered vehicle;
@@ -48,7 +48,7 @@ TEST(FrontSteered, WithTheWheelsAcrossItTurnsOnTheSpotOfItsRearAxle) {
 }
 
 TEST(FrontSteered, ReversingWithTheWheelsToTheLeftTurnsTheNoseToTheRight) {
-  const Pose2 T_start_end = drive({1}, {-0.5, 20 * kDegree});
+  const Pose2 T_start_end = drive(FrontSteered{1}, {-0.5, 20 * kDegree});
   EXPECT_LT(T_start_end.x, 0);
   EXPECT_LT(T_start_end.theta, 0);
 }
@@ -94,7 +94,7 @@ TEST(FrontSteered, AsPrintedTheRearWouldLeaveItsCircle) {
   const Vec2 printed_vcs = front_vcs + Vec2(std::sin(gamma), -std::cos(gamma));
   EXPECT_NEAR((mended_vcs - centre_vcs).norm(), 1, 1e-12);
   EXPECT_NEAR((printed_vcs - centre_vcs).norm(), std::sqrt(5), 1e-12);
-  EXPECT_THAT(drive({1}, {std::sqrt(2) * gamma, -45 * kDegree}).position(),
+  EXPECT_THAT(drive(FrontSteered{1}, {std::sqrt(2) * gamma, -45 * kDegree}).position(),
               PointNear(from_vcs({1}, mended_vcs), 1e-12));
 }
 
@@ -151,24 +151,24 @@ TEST(FrontSteered, StandingStillAddsNoUncertainty) {
 TEST(FrontSteered, EverySourceOfNoiseByHand) {
   const FrontSteered vehicle{0.5};
   const FrontSteeredMotion ahead{4, 0};
-  FrontSteeredNoise noise = kNoNoise;
+  FrontSteeredNoise noise = kPerfect;
   EXPECT_TRUE(drive(vehicle, ahead, noise).covariance.isZero());
   noise.distance_scale = 0.01;  // 4 cm of 4 m
   EXPECT_NEAR(std::sqrt(drive(vehicle, ahead, noise).covariance(0, 0)), 0.04, 1e-12);
-  noise = kNoNoise;
+  noise = kPerfect;
   noise.distance_slip_m_per_sqrt_m = 0.01;  // twice that after 4 m
   EXPECT_NEAR(std::sqrt(drive(vehicle, ahead, noise).covariance(0, 0)), 0.02, 1e-12);
-  noise = kNoNoise;
+  noise = kPerfect;
   noise.distance_quantum_m = 0.006;  // half of it at most, at either end: variance 36e-6 / 12 twice
   EXPECT_NEAR(drive(vehicle, ahead, noise).covariance(0, 0), 6e-6, 1e-15);
-  noise = kNoNoise;
+  noise = kPerfect;
   noise.heading_slip_rad_per_sqrt_m = 0.01;
   EXPECT_NEAR(std::sqrt(drive(vehicle, ahead, noise).covariance(2, 2)), 0.02, 1e-12);
-  noise = kNoNoise;
+  noise = kPerfect;
   noise.steering_bias_rad = 0.01;  // 4 m / 0.5 m * 0.01; the rear drifts by half the way times the turn
   EXPECT_NEAR(std::sqrt(drive(vehicle, ahead, noise).covariance(2, 2)), 0.08, 1e-12);
   EXPECT_NEAR(std::sqrt(drive(vehicle, ahead, noise).covariance(1, 1)), 0.16, 1e-12);
-  noise = kNoNoise;
+  noise = kPerfect;
   noise.steering_quantum_rad = 0.01 * std::sqrt(12);
   EXPECT_NEAR(std::sqrt(drive(vehicle, ahead, noise).covariance(2, 2)), 0.08, 1e-12);
 }
@@ -176,7 +176,7 @@ TEST(FrontSteered, EverySourceOfNoiseByHand) {
 TEST(FrontSteered, CovarianceMatchesASeededMonteCarlo) {
   const FrontSteered vehicle{0.5};
   const FrontSteeredMotion motion{1, 25 * kDegree};
-  FrontSteeredNoise noise = kNoNoise;
+  FrontSteeredNoise noise = kPerfect;
   noise.distance_scale = 0.02;
   noise.steering_bias_rad = 1 * kDegree;
   const UncertainPose2 predicted = drive(vehicle, motion, noise);

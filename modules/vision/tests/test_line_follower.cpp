@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::Ge;
 
 /// Stripes of these tones, the first from the left edge, each later one from its column on.
-struct Scene {
+struct Stripes {
   std::vector<int> columns_px;
   std::vector<int> tones;
 
@@ -38,11 +38,11 @@ struct Scene {
   }
 };
 
-std::vector<int> follow(LineFollower& follower, const Scene& scene) {
+std::vector<int> follow(LineFollower& follower, const Stripes& scene) {
   return follower.follow(scene.picture(), scene.lines());
 }
 
-const Scene kCorridor = {{80, 120, 170, 230, 300}, {200, 60, 180, 90, 150, 40}};
+const Stripes kCorridor = {{80, 120, 170, 230, 300}, {200, 60, 180, 90, 150, 40}};
 
 TEST(LineFollower, AStandingCameraSeesTheSameLines) {
   LineFollower follower;
@@ -53,7 +53,7 @@ TEST(LineFollower, AStandingCameraSeesTheSameLines) {
 TEST(LineFollower, ALineThatComesOnGetsANewNumberAndOneThatWentLeavesItsOwnUnused) {
   LineFollower follower;
   follow(follower, kCorridor);
-  const Scene changed = {{120, 170, 195, 210, 230, 300}, {60, 180, 90, 250, 90, 150, 40}};
+  const Stripes changed = {{120, 170, 195, 210, 230, 300}, {60, 180, 90, 250, 90, 150, 40}};
   EXPECT_THAT(follow(follower, changed), ElementsAre(1, 2, 5, 6, 3, 4));
 }
 
@@ -64,7 +64,7 @@ TEST(LineFollower, LinesOnSideWallsAreFollowedWhileTheCameraDrivesOn) {
     const double x = (column_px - 200) / 400.0;
     return static_cast<int>(std::lround(200 + 400 * x / (1 - 1.2 * std::abs(x))));
   };
-  Scene ahead = kCorridor;
+  Stripes ahead = kCorridor;
   for (int& column : ahead.columns_px) column = nearer(column);
   EXPECT_THAT(follow(follower, ahead), ElementsAre(0, 1, 2, 3, 4));
 }
@@ -72,7 +72,7 @@ TEST(LineFollower, LinesOnSideWallsAreFollowedWhileTheCameraDrivesOn) {
 TEST(LineFollower, ATurnIsFollowedToo) {
   LineFollower follower;
   follow(follower, kCorridor);
-  Scene turned = kCorridor;
+  Stripes turned = kCorridor;
   for (int& column : turned.columns_px) column += 50;
   EXPECT_THAT(follow(follower, turned), ElementsAre(0, 1, 2, 3, 4));
 }
@@ -80,7 +80,7 @@ TEST(LineFollower, ATurnIsFollowedToo) {
 TEST(LineFollower, NothingIsFollowedIntoAnotherPlace) {
   LineFollower follower;
   follow(follower, kCorridor);
-  const Scene elsewhere = {{90, 150, 260}, {20, 120, 10, 250}};
+  const Stripes elsewhere = {{90, 150, 260}, {20, 120, 10, 250}};
   EXPECT_THAT(follow(follower, elsewhere), Each(Ge(5)));
 }
 

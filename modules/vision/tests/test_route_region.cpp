@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-constexpr int kWidth = 320, kHeight = 240;
+constexpr int kRoomWidth = 320, kRoomHeight = 240;
 
 /// A corridor: the floor is a trapezium up to row 120, everything else wall.
 bool is_floor(int u, int v) {
@@ -20,9 +20,9 @@ struct Paint {
 };
 
 Image corridor(const Paint& floor, const Paint& wall, int channels = 3) {
-  Image image(kWidth, kHeight, channels);
-  for (int v = 0; v < kHeight; ++v) {
-    for (int u = 0; u < kWidth; ++u) {
+  Image image(kRoomWidth, kRoomHeight, channels);
+  for (int v = 0; v < kRoomHeight; ++v) {
+    for (int u = 0; u < kRoomWidth; ++u) {
       const Paint& paint = is_floor(u, v) ? floor : wall;
       std::uint8_t* pixel = image.row(v) + channels * u;
       pixel[0] = paint.red;
@@ -35,8 +35,8 @@ Image corridor(const Paint& floor, const Paint& wall, int channels = 3) {
 /// Intersection over union with the true floor.
 double overlap(const RouteRegion& region) {
   int both = 0, either = 0;
-  for (int v = 0; v < kHeight; ++v) {
-    for (int u = 0; u < kWidth; ++u) {
+  for (int v = 0; v < kRoomHeight; ++v) {
+    for (int u = 0; u < kRoomWidth; ++u) {
       const bool found = region.mask.row(v)[u] != 0;
       both += static_cast<int>(found && is_floor(u, v));
       either += static_cast<int>(found || is_floor(u, v));

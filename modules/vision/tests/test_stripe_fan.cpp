@@ -2,37 +2,23 @@
 
 #include <cmath>
 
-#include "aisle/core/random.hpp"
 #include "aisle/vision/stripe_fan.hpp"
+#include "lit_floor.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr int kWidth_px = 640, kHeight_px = 480;
-constexpr double kLightHeight_m = 0.3;
-constexpr double kFloorLevel = 120;
-
-/// 1 m above the floor, as a cart looks along a corridor.
-const CameraIntrinsics kLens{.fx_px = 460, .fy_px = 460, .cx_px = 319.5, .cy_px = 239.5, .k1 = -0.18};
-const CameraMount kMount{.p_vehicle_camera = {0.85, 0, 1}, .tilt_rad = 14 * kDegree};
+const CameraIntrinsics kFanLens{.fx_px = 460, .fy_px = 460, .cx_px = 319.5, .cy_px = 239.5, .k1 = -0.18};
 const Vec2 kLensFoot{0.85, 0};
 
 StripeFan fan() {
-  return {{}, kLens, kMount, kWidth_px, kHeight_px, kLightHeight_m};
-}
-
-Image floor_with_noise() {
-  Image picture(kWidth_px, kHeight_px);
-  Random random(3);
-  for (auto& level : picture.bytes)
-    level = static_cast<std::uint8_t>(std::lround(kFloorLevel + random.normal(2)));
-  return picture;
+  return {{}, kFanLens, kMount, kWidth_px, kHeight_px, kLightHeight_m};
 }
 
 /// Laser light on a wall from one point to another, seen from above: a line three rows thick.
 /// @param contrast_m2  over the square of the distance it outshines the floor
 void shine_on(Image& picture, const Vec2& from, const Vec2& to, double contrast_m2 = 400) {
-  const CameraModel camera(kLens);
+  const CameraModel camera(kFanLens);
   constexpr int kSteps = 4000;
   for (int i = 0; i <= kSteps; ++i) {
     const Vec2 p = from + (to - from) * i / kSteps;
@@ -46,19 +32,6 @@ void shine_on(Image& picture, const Vec2& from, const Vec2& to, double contrast_
       const double share = std::max(0.0, 1 - std::abs(v - pixel->y()) / 2);
       auto& level = picture.row(v)[u];
       level = std::max(level, static_cast<std::uint8_t>(kFloorLevel + share * light));
-    }
-  }
-}
-
-/// A sheet on the floor, square to the vehicle or turned.
-void lay_paper(Image& picture, const Vec2& p_vehicle, double turned_rad) {
-  const BackProjection floor(CameraModel(kLens), kMount, 0);
-  for (int v = 150; v < kHeight_px; ++v) {
-    for (int u = 200; u < 440; ++u) {
-      const auto p = floor.point({u, v});
-      if (!p) continue;
-      const Vec2 p_paper = rotate(-turned_rad, *p - p_vehicle);
-      if (std::abs(p_paper.x()) < 0.105 && std::abs(p_paper.y()) < 0.149) picture.row(v)[u] = 240;
     }
   }
 }
@@ -101,7 +74,7 @@ TEST(StripeFan, SeesTheLegOfAChair) {
 
 TEST(StripeFan, TakesNeitherNoiseNorTheJointsOfTilesForLight) {
   Image picture = floor_with_noise();
-  const BackProjection floor(CameraModel(kLens), kMount, 0);
+  const BackProjection floor(CameraModel(kFanLens), kMount, 0);
   const auto is_joint = [](double p_m) { return std::abs(std::remainder(p_m, 0.3)) < 0.003; };
   for (int v = 150; v < kHeight_px; ++v) {
     for (int u = 0; u < kWidth_px; ++u) {
@@ -120,7 +93,7 @@ TEST(StripeFan, TakesNoPaperOnTheFloorNearbyForLight) {
   for (double away_m = 1.3; away_m < 3; away_m += 0.5) {
     for (const double turned_deg : {0.0, 20.0, 45.0}) {
       Image picture = floor_with_noise();
-      lay_paper(picture, {0.85 + away_m, 0}, turned_deg * kDegree);
+      lay_paper(picture, kFanLens, {0.85 + away_m, 0}, turned_deg * kDegree);
       eye.find(picture);
       for (const StripeFan::Beam& beam : eye.beams())
         ASSERT_EQ(beam.range_m, 0) << away_m << " m, " << turned_deg << " degrees";
@@ -171,7 +144,7 @@ TEST(StripeFan, LooksOnlyWhereThePictureShowsTheLightPlane) {
   const StripeFan eye = fan();
   EXPECT_DOUBLE_EQ(eye.first_angle_rad(),
                    -static_cast<double>(eye.beams().size() - 1) / 2 * StripeFan::angle_step_rad());
-  const BackProjection plane(CameraModel(kLens), kMount, kLightHeight_m);
+  const BackProjection plane(CameraModel(kFanLens), kMount, kLightHeight_m);
   const double lowest_m = plane.point({319.5, kHeight_px - 1})->x() - kLensFoot.x();
   EXPECT_GT(beam_at(eye, 0).near_m, lowest_m);
   EXPECT_LT(beam_at(eye, 0).near_m, lowest_m + 0.1);
@@ -194,7 +167,7 @@ TEST(StripeFan, RefusesPicturesAndCamerasThatDoNotFit) {
   EXPECT_THROW(eye.find(Image(kWidth_px, kHeight_px, 3)), std::invalid_argument);
   CameraMount up = kMount;
   up.tilt_rad = -60 * kDegree;
-  EXPECT_THROW(StripeFan({}, kLens, up, kWidth_px, kHeight_px, kLightHeight_m), std::invalid_argument);
+  EXPECT_THROW(StripeFan({}, kFanLens, up, kWidth_px, kHeight_px, kLightHeight_m), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,27 +1,15 @@
 #include <gmock/gmock.h>
 
-#include "aisle/core/random.hpp"
 #include "aisle/vision/stripe_probe.hpp"
+#include "lit_floor.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr int kWidth_px = 640, kHeight_px = 480;
-constexpr double kLightHeight_m = 0.3;
-
-/// 1 m above the floor, as a cart looks along a corridor.
-const CameraIntrinsics kLens{.fx_px = 460, .fy_px = 460, .cx_px = 319.5, .cy_px = 239.5};
-const CameraMount kMount{.p_vehicle_camera = {0.85, 0, 1}, .tilt_rad = 14 * kDegree};
-
-Image floor_with_noise() {
-  Image picture(kWidth_px, kHeight_px);
-  Random random(3);
-  for (auto& level : picture.bytes) level = static_cast<std::uint8_t>(std::lround(120 + random.normal(2)));
-  return picture;
-}
+const CameraIntrinsics kProbeLens{.fx_px = 460, .fy_px = 460, .cx_px = 319.5, .cy_px = 239.5};
 
 Vec2 pixel_of(const Vec3& p_vehicle) {
-  return *CameraModel(kLens).project(kMount.to_camera(p_vehicle));
+  return *CameraModel(kProbeLens).project(kMount.to_camera(p_vehicle));
 }
 
 /// Laser light on something that faces the vehicle; three rows thick.
@@ -36,21 +24,8 @@ void shine_on(Image& picture, double ahead_m, double right_m, double left_m) {
   }
 }
 
-/// A sheet on the floor, square to the vehicle or turned by 45 degrees.
-void lay_paper(Image& picture, const Vec2& p_vehicle, double turned_rad) {
-  const BackProjection floor(CameraModel(kLens), kMount, 0);
-  for (int v = 210; v < kHeight_px; ++v) {
-    for (int u = 200; u < 440; ++u) {
-      const auto p = floor.point({u, v});
-      if (!p) continue;
-      const Vec2 p_paper = rotate(-turned_rad, *p - p_vehicle);
-      if (std::abs(p_paper.x()) < 0.105 && std::abs(p_paper.y()) < 0.149) picture.row(v)[u] = 240;
-    }
-  }
-}
-
 StripeProbe probe() {
-  return {{}, kLens, kMount, kWidth_px, kHeight_px, kLightHeight_m};
+  return {{}, kProbeLens, kMount, kWidth_px, kHeight_px, kLightHeight_m};
 }
 
 TEST(StripeProbe, SeesWhereAThingStands) {
@@ -79,7 +54,7 @@ TEST(StripeProbe, TakesNeitherNoiseNorPaperForLight) {
   for (double away_m = 1.3; away_m < 5; away_m += 0.2) {
     for (double turned_deg : {0.0, 20.0, 45.0}) {
       Image picture = floor_with_noise();
-      lay_paper(picture, {0.85 + away_m, 0}, turned_deg * kDegree);
+      lay_paper(picture, kProbeLens, {0.85 + away_m, 0}, turned_deg * kDegree);
       EXPECT_TRUE(eye.find(picture).empty()) << away_m << " m, " << turned_deg << " degrees";
     }
   }
@@ -99,14 +74,14 @@ TEST(StripeProbe, SaysWhereTheWayIsFreeAndWhereItCannotKnow) {
   Image picture = floor_with_noise();
   shine_on(picture, 2.5, -0.3, 0.3);
   eye.find(picture);
-  using Seen = StripeProbe::Seen;
-  EXPECT_EQ(eye.seen_at({2, 0}), Seen::kFree);
-  EXPECT_EQ(eye.seen_at({2.5, 0}), Seen::kNothing);
-  EXPECT_EQ(eye.seen_at({3, 0}), Seen::kNothing);
-  EXPECT_EQ(eye.seen_at({3, 0.8}), Seen::kFree);
-  EXPECT_EQ(eye.seen_at({1.2, 0}), Seen::kNothing);  // below the picture
-  EXPECT_EQ(eye.seen_at({2, 3}), Seen::kNothing);    // out of view
-  EXPECT_EQ(eye.seen_at({6, 0}), Seen::kNothing);    // out of reach
+  using Sight = StripeProbe::Seen;
+  EXPECT_EQ(eye.seen_at({2, 0}), Sight::kFree);
+  EXPECT_EQ(eye.seen_at({2.5, 0}), Sight::kNothing);
+  EXPECT_EQ(eye.seen_at({3, 0}), Sight::kNothing);
+  EXPECT_EQ(eye.seen_at({3, 0.8}), Sight::kFree);
+  EXPECT_EQ(eye.seen_at({1.2, 0}), Sight::kNothing);  // below the picture
+  EXPECT_EQ(eye.seen_at({2, 3}), Sight::kNothing);    // out of view
+  EXPECT_EQ(eye.seen_at({6, 0}), Sight::kNothing);    // out of reach
 }
 
 TEST(StripeProbe, NoticesThatTheMarkersAreOffByTheWallsFarAway) {
@@ -125,7 +100,7 @@ TEST(StripeProbe, RefusesPicturesAndCamerasThatDoNotFit) {
   EXPECT_THROW(eye.find(Image(kWidth_px, kHeight_px, 3)), std::invalid_argument);
   CameraMount up = kMount;
   up.tilt_rad = -60 * kDegree;
-  EXPECT_THROW(StripeProbe({}, kLens, up, kWidth_px, kHeight_px, kLightHeight_m), std::invalid_argument);
+  EXPECT_THROW(StripeProbe({}, kProbeLens, up, kWidth_px, kHeight_px, kLightHeight_m), std::invalid_argument);
 }
 
 }  // namespace

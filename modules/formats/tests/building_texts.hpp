@@ -1,0 +1,28 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/whole_file.hpp"
+
+namespace aisle {
+
+/// What is wrong with a building's text; empty: nothing.
+inline std::string building_problems(const std::string& text) {
+  const auto building = parse_building(text, "b.json");
+  return building.ok() ? "" : to_string(building.problems());
+}
+
+/// A golden building, with one passage put in the place of another.
+inline std::string golden_building(const char* name, const std::string& passage = "",
+                                   const std::string& other = "") {
+  std::string text = *read_whole_file(std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden" / name);
+  const std::size_t at = text.find(passage);
+  EXPECT_NE(at, std::string::npos) << passage;
+  return text.replace(at, passage.size(), other);
+}
+
+}  // namespace aisle
