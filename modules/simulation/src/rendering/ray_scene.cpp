@@ -57,6 +57,14 @@ void start(RTCRay16& ray, int k, float x, float y, float z, float to_x, float to
   ray.flags[k] = 0;
 }
 
+/// What is not asked for may be no number, but the ray tracer reads it.
+void start(RTCRay16& ray, int k, const WayPacket& ways, float far) {
+  constexpr float kNowhere = -1;
+  if (ways.asked.at[k] == 0) return start(ray, k, 0, 0, 0, 1, 0, 0, kNowhere);
+  start(ray, k, ways.from_x.at[k], ways.from_y.at[k], ways.from_z.at[k], ways.x.at[k], ways.y.at[k],
+        ways.z.at[k], far);
+}
+
 RTCIntersectContext context(RTCIntersectContextFlags flags) {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
@@ -116,10 +124,7 @@ void RayScene::find_blocked(const WayPacket& ways, Flags& blocked) const {
   if (!embree_) return;
   constexpr float kBeforeTheEnd = 0.999f;
   alignas(64) RTCRay16 packet;
-  for (int k = 0; k < kLanes; ++k) {
-    start(packet, k, ways.from_x.at[k], ways.from_y.at[k], ways.from_z.at[k], ways.x.at[k], ways.y.at[k],
-          ways.z.at[k], kBeforeTheEnd);
-  }
+  for (int k = 0; k < kLanes; ++k) start(packet, k, ways, kBeforeTheEnd);
   RTCIntersectContext coherent = context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
   rtcOccluded16(ways.asked.at, embree_->scene, &coherent, &packet);
   for (int k = 0; k < kLanes; ++k) {
@@ -132,8 +137,7 @@ void RayScene::free_shares(const WayPacket& ways, Floats& shares) const {
   if (!embree_) return;
   alignas(64) RTCRayHit16 packet;
   for (int k = 0; k < kLanes; ++k) {
-    start(packet.ray, k, ways.from_x.at[k], ways.from_y.at[k], ways.from_z.at[k], ways.x.at[k], ways.y.at[k],
-          ways.z.at[k], 1);
+    start(packet.ray, k, ways, 1);
     packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
   }
