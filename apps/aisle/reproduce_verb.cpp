@@ -12,8 +12,9 @@ void add_reproduce_verb(CLI::App& app, Work& work) {
   auto options = std::make_shared<ReproduceOptions>();
   verb->add_option(
       "EXPERIMENT", options->experiment,
-      "c98: a corridor learned, driven and refined five times; c99: unknown corridors explored by a\n"
-      "range scanner; l03: a corridor learned from one drive by sections, driven there and back");
+      "c98: a corridor learned, driven and refined five times; c99: unknown corridors explored by\n"
+      "laser markers and one camera; l03: a corridor learned from one drive by sections, driven there and "
+      "back");
   verb->add_option("--seed", options->seed, "of everything that is left to chance (default 1)");
   verb->add_option("--out", options->out, "directory for the pictures and the learned building");
   verb->add_flag("--force", options->force, "replace results that are already there");

@@ -206,7 +206,8 @@ Result<JudgedExploration> judge(const ExploreOptions& options, const Exploration
   building.corridors = std::move(explored->corridors);
   building.floor = std::move(explored->floor);
   return JudgedExploration{std::move(outcome), std::move(building), std::move(explored->mission.record),
-                           std::move(explored->map.T_map_vehicle)};
+                           std::move(explored->map.T_map_vehicle), std::move(explored->mission.log),
+                           plan.params.learner.mapping.segments};
 }
 
 /// What was learned, pictures of it, and the report.

@@ -294,8 +294,8 @@ void ExplorerNavigator::watch_learning(const ExploringTarget& target) {
     learned_way_m_ = learner_.way_m();
   }
   if (!learned && goes_on) return;
-  const bool is_home = target.kind == ExploringTarget::Kind::kHome;
-  const double target_m = is_home ? learner_.way_m() / 2 : target.gate.way_m;
+  const bool is_path = target.kind == ExploringTarget::Kind::kPath;
+  const double target_m = is_path ? target.gate.way_m : learner_.way_m() / 2;
   patience_.renew(stamp_s_, learner_.way_m(), target_m);
 }
 
@@ -312,8 +312,8 @@ void ExplorerNavigator::lose_patience() {
     case ExploringTarget::Kind::kPath:
       return leave_path();
     case ExploringTarget::Kind::kCrossing:
-      ended_because_ = "does not get back to a crossing";
-      return;
+      explorer_.abandon_all(cycle_);
+      return drop_way();
     case ExploringTarget::Kind::kHome:
       ended_because_ = "does not get home";
       return;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "aisle/commands/explore.hpp"
+#include "aisle/learning/map_building.hpp"
 #include "aisle/maps/building.hpp"
 #include "aisle/report/exploration_picture.hpp"
 #include "simulation_setting.hpp"
@@ -16,6 +17,8 @@ struct JudgedExploration {
   Building building;  ///< as it was learned, with its floor
   ExplorationRecord record;
   std::vector<Pose2> T_map_vehicle;  ///< the way, in the learned map
+  LaserLog slices;                   ///< what was seen on it, one a pose
+  SegmentParams segments;            ///< how walls were found in them
 };
 
 /// The vehicle that explores: as asked, else the shipped one with the sensor.

@@ -20,7 +20,7 @@ struct ReproduceOptions {
 /// `aisle reproduce c98`: the experiment of C98 section VI in simulation. One corridor is learned, then
 /// driven five times, refined by each trip; what becomes of the landmarks and how well it drives, beside the
 /// paper's figures. Draws C98 Figs. 11 and 12. `c99`: corridors
-/// explored in C99's published order, by a range scanner in the place of the laser markers; draws C99 Figs. 7
+/// explored in C99's published order, by laser markers and one camera; draws C99 Figs. 5, 7
 /// and 10. `l03`: a corridor of L03 learned from one drive and driven there and back; draws L03 Figs. 4
 /// and 7. The outcome is ok if all trips arrived and touched nothing.
 Result<Outcome> run_reproduce(const ReproduceOptions& options, Console& console);
