@@ -41,22 +41,6 @@ std::vector<Pose2> places_to_try(const Building& building, const Path& path, dou
   return places;
 }
 
-/// Where on its way a vehicle stands: at the nearest place where the way points as the vehicle does.
-std::optional<double> along_route(const Path& path, const Pose2& T_map_vehicle, double off_max_m) {
-  constexpr double kStep_m = 0.05, kFacing_rad = 45 * kDegree;
-  std::optional<double> nearest;
-  double nearest_m = off_max_m;
-  const int steps = static_cast<int>(path.length_m() / kStep_m);
-  for (int i = 0; i <= steps; ++i) {
-    const double along_m = i * kStep_m;
-    const Pose2 off = between(path.at(along_m).T_map_path, T_map_vehicle);
-    if (std::abs(off.theta) > kFacing_rad || off.position().norm() > nearest_m) continue;
-    nearest = along_m;
-    nearest_m = off.position().norm();
-  }
-  return nearest;
-}
-
 /// Enough that it is where it thinks.
 bool knows_what_it_sees(const LandmarkLocaliser& localiser) {
   return localiser.pairs().size() >= kKnownPairs && localiser.matched_share() >= kKnownShare;
@@ -196,18 +180,16 @@ Decision LandmarkNavigator::find_itself(const Observation& observation) {
   const auto found = sightings_.empty() ? std::nullopt : relocator_.look(building_->landmarks, sightings_);
   if (!found) return search();
   localiser_.place(about(*found, kFoundSigma_m, kFoundSigma_rad));
-  const auto along_m = along_route(path_, localiser_.pose(), params_.off_route_max_m);
-  if (!along_m) {
+  if (!progress_.find(localiser_.pose(), params_.off_route_max_m)) {
     return {.status = NavigatorStatus::kFailed,
             .state = "lost",
             .why = fmt::format("found itself off its route by more than {:.1f} m, or facing another way",
                                params_.off_route_max_m)};
   }
-  progress_ = PathProgress(path_, *along_m);
   state_ = State::kFollowing;
   matched_stamp_s_ = observation.stamp_s;
   strange_way_m_ = 0;
-  return {.state = "found", .why = fmt::format("{:.1f} m along the route", *along_m)};
+  return {.state = "found", .why = fmt::format("{:.1f} m along the route", progress_.point().along_m)};
 }
 
 /// Stands until one look at all places has said nothing, then goes ahead a little where the way is seen to be
