@@ -179,9 +179,9 @@ Decision LandmarkNavigator::look_around(double stamp_s) {
 /// That everything looks other than a moment ago may have other causes: lines that come and go, wrong feet.
 /// So the vehicle stands and looks whether the map's landmarks are seen from where it believes to be.
 Decision LandmarkNavigator::doubt() {
-  if (was_lifted_) doubt_.start();
-  was_lifted_ = false;
-  const Suspicion suspicion = sightings_.empty()
+  const bool is_woken_now = std::exchange(was_lifted_, false);
+  if (is_woken_now) doubt_.start();
+  const Suspicion suspicion = is_woken_now || sightings_.empty()
                                   ? Suspicion::kOpen
                                   : doubt_.look(building_->landmarks, fix().T_map_vehicle, sightings_);
   if (suspicion == Suspicion::kDispelled) {

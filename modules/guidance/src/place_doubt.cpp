@@ -3,9 +3,10 @@
 namespace aisle {
 namespace {
 
-constexpr int kPictures = 15;    // that are looked at
-constexpr int kFittingMin = 4;   // of them, where the vehicle believes to be ...
-constexpr int kFittingEach = 4;  // ... and for each that contradicts the map
+constexpr int kTellingPictures = 15;  // that fit or contradict are enough
+constexpr int kPicturesMax = 30;
+constexpr int kContradictingMin = 3;  // fewer may be the wrong feet that woke the suspicion
+constexpr int kFittingEach = 4;       // so many that fit outweigh one that contradicts
 
 }  // namespace
 
@@ -15,9 +16,10 @@ Suspicion PlaceDoubt::look(const LandmarkMap& map, const UncertainPose2& T_map_b
   const LandmarkMatch match = localiser_.correct(map, picture);
   if (match == LandmarkMatch::kMatched) ++fitting_;
   if (match == LandmarkMatch::kUnmatched) ++contradicting_;
-  if (++pictures_ < kPictures) return Suspicion::kOpen;
-  const bool fits = fitting_ >= kFittingMin && fitting_ >= kFittingEach * contradicting_;
-  return fits ? Suspicion::kDispelled : Suspicion::kConfirmed;
+  ++pictures_;
+  if (fitting_ + contradicting_ < kTellingPictures && pictures_ < kPicturesMax) return Suspicion::kOpen;
+  const bool is_elsewhere = contradicting_ >= kContradictingMin && kFittingEach * contradicting_ > fitting_;
+  return is_elsewhere ? Suspicion::kConfirmed : Suspicion::kDispelled;
 }
 
 }  // namespace aisle

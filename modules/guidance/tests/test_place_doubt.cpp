@@ -43,8 +43,8 @@ TEST(PlaceDoubt, IsConfirmedElsewhereInTheCorridor) {
   }
 }
 
-TEST(PlaceDoubt, IsConfirmedWhereNothingIsKnown) {
-  EXPECT_EQ(look_from({24, 0, 0}, kNoise, 1), Suspicion::kConfirmed);
+TEST(PlaceDoubt, IsDispelledWherePicturesShowNothingThatContradicts) {
+  EXPECT_EQ(look_from({24, 0, 0}, kNoise, 1), Suspicion::kDispelled) << "past the last line";
 }
 
 TEST(PlaceDoubt, BeginsAnewWithEverySuspicion) {

@@ -9,8 +9,8 @@ namespace aisle {
 /// What has become of the suspicion that the vehicle is not where it believes to be.
 enum class Suspicion {
   kOpen,
-  kDispelled,  ///< what it sees is what should be seen there
-  kConfirmed,  ///< it is not
+  kDispelled,  ///< what it sees does not contradict the map there
+  kConfirmed,  ///< it does
 };
 
 /// For a vehicle that stands and suspects to have been lifted: whether the building's landmarks are seen from
