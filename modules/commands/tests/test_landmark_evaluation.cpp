@@ -57,6 +57,36 @@ TEST(MissionJudge, FollowsItsWayBackToo) {
   EXPECT_LT(errors.along_m.worst(), 0.01);
 }
 
+/// Straights and bends of a race track that is driven twice.
+Path two_rounds() {
+  std::vector<PathPiece> pieces;
+  Pose2 T_map_start;
+  for (int i = 0; i < 4; ++i) {
+    for (const Arc& arc : {Arc{6, 0}, Arc{1.5 * kPi, kPi}}) {
+      pieces.push_back({T_map_start, arc});
+      T_map_start = pieces.back().end();
+    }
+  }
+  return Path(pieces);
+}
+
+// The map of the second round lies elsewhere in the world than that of the first, by a drift of a metre.
+TEST(MissionJudge, TakesAVehicleThatFoundItselfToBeOnTheRoundThatItWasOn) {
+  const Path path = two_rounds();
+  const MapTruth truth = drifting_truth(path);
+  MissionJudge judge(truth, path, false);
+  const std::size_t count = truth.T_map_taught().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_lost = i * 4 / count == 2 && i % 10 < 5;
+    judge.add(
+        0.1 * static_cast<double>(i),
+        {.T_map_vehicle = {truth.T_map_taught()[i], Mat3::Zero()}, .is_sure = !is_lost, .is_lost = is_lost},
+        truth.T_world_taught()[i]);
+  }
+  EXPECT_LT(judge.errors().across_m.worst(), 0.01);
+  EXPECT_LT(judge.errors().along_m.worst(), 0.01);
+}
+
 TEST(MissionJudge, SeesAVehicleThatThinksItIsElsewhere) {
   const Path path = in_and_out();
   const MapTruth truth = drifting_truth(path);

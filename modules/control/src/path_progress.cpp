@@ -1,6 +1,8 @@
 #include "aisle/control/path_progress.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "aisle/core/angle.hpp"
 
@@ -10,6 +12,29 @@ namespace {
 constexpr double kAhead_m = 1, kBack_m = 0.5;
 constexpr double kArrived_m = 0.01;
 constexpr double kTurned_rad = 1 * kDegree;
+constexpr double kFacing_rad = 45 * kDegree;
+
+/// How far along the path the nearest place of each of its passes by a vehicle is.
+std::vector<double> passes_by(const Path& path, const Pose2& T_map_vehicle, double off_max_m) {
+  constexpr double kStep_m = 0.05;
+  std::vector<double> passes_m;
+  double nearest_m = 0;  // of the present pass
+  bool was_by = false;
+  const int steps = static_cast<int>(path.length_m() / kStep_m);
+  for (int i = 0; i <= steps; ++i) {
+    const double along_m = i * kStep_m;
+    const Pose2 off = between(path.at(along_m).T_map_path, T_map_vehicle);
+    const double off_m = off.position().norm();
+    const bool is_by = off_m <= off_max_m && std::abs(off.theta) <= kFacing_rad;
+    if (is_by && !was_by) passes_m.push_back(along_m);
+    if (is_by && (!was_by || off_m < nearest_m)) {
+      passes_m.back() = along_m;
+      nearest_m = off_m;
+    }
+    was_by = is_by;
+  }
+  return passes_m;
+}
 
 }  // namespace
 
@@ -29,6 +54,15 @@ const PathPoint& PathProgress::advance(const Pose2& T_map_vehicle) {
     move_on_leg(T_map_vehicle.position());
   }
   return point_;
+}
+
+bool PathProgress::find(const Pose2& T_map_vehicle, double off_max_m) {
+  const std::vector<double> passes_m = passes_by(*path_, T_map_vehicle, off_max_m);
+  if (passes_m.empty()) return false;
+  const auto way_to = [this](double along_m) { return std::abs(along_m - point_.along_m); };
+  *this = PathProgress(*path_, *std::min_element(passes_m.begin(), passes_m.end(),
+                                                 [&](double a, double b) { return way_to(a) < way_to(b); }));
+  return true;
 }
 
 void PathProgress::move_on_leg(const Vec2& p_map) {

@@ -40,5 +40,29 @@ TEST(PathProgress, StaysOnItsWayRoundWhereThePathCrossesItself) {
   }
 }
 
+/// A race track that is driven twice: the straight from the origin again after one round.
+TEST(PathProgress, IsFoundOnThePassThatItWasOnOrTheNextOne) {
+  const double bend_m = 1.5 * kPi, round_m = 12 + 2 * bend_m;
+  const Path path =
+      path_of({{6, 0}, {bend_m, kPi}, {6, 0}, {bend_m, kPi}, {6, 0}, {bend_m, kPi}, {6, 0}, {bend_m, kPi}});
+  PathProgress progress(path, 1);
+  ASSERT_TRUE(progress.find({4, 0.2, 0.1}, 1));
+  EXPECT_NEAR(progress.point().along_m, 4, 0.05);
+  progress = PathProgress(path, round_m + 1);
+  ASSERT_TRUE(progress.find({4, 0.2, 0.1}, 1));
+  EXPECT_NEAR(progress.point().along_m, round_m + 4, 0.05);
+  progress = PathProgress(path, 5);
+  ASSERT_TRUE(progress.find({4, 2.9, kPi}, 1));
+  EXPECT_NEAR(progress.point().along_m, 6 + bend_m + 2, 0.05);
+}
+
+TEST(PathProgress, IsNotFoundOffThePathOrFacingAnotherWay) {
+  const Path path = path_of({{6, 0}});
+  PathProgress progress(path, 2);
+  EXPECT_FALSE(progress.find({4, 0, kPi}, 1));
+  EXPECT_FALSE(progress.find({4, 1.2, 0}, 1));
+  EXPECT_EQ(progress.point().along_m, 2);
+}
+
 }  // namespace
 }  // namespace aisle

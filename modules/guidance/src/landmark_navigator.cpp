@@ -41,22 +41,6 @@ std::vector<Pose2> places_to_try(const Building& building, const Path& path, dou
   return places;
 }
 
-/// Where on its way a vehicle stands: at the nearest place where the way points as the vehicle does.
-std::optional<double> along_route(const Path& path, const Pose2& T_map_vehicle, double off_max_m) {
-  constexpr double kStep_m = 0.05, kFacing_rad = 45 * kDegree;
-  std::optional<double> nearest;
-  double nearest_m = off_max_m;
-  const int steps = static_cast<int>(path.length_m() / kStep_m);
-  for (int i = 0; i <= steps; ++i) {
-    const double along_m = i * kStep_m;
-    const Pose2 off = between(path.at(along_m).T_map_path, T_map_vehicle);
-    if (std::abs(off.theta) > kFacing_rad || off.position().norm() > nearest_m) continue;
-    nearest = along_m;
-    nearest_m = off.position().norm();
-  }
-  return nearest;
-}
-
 /// Enough that it is where it thinks.
 bool knows_what_it_sees(const LandmarkLocaliser& localiser) {
   return localiser.pairs().size() >= kKnownPairs && localiser.matched_share() >= kKnownShare;
@@ -106,6 +90,7 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
                 camera_of(vehicle, building).mount),
       localiser_(params.localiser, vehicle,
                  about(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
+      doubt_(params.localiser, vehicle),
       relocator_(params.relocation, params.localiser, vehicle,
                  places_to_try(building, path_, params.relocation.apart_m)),
       follower_(vehicle, params.steering),
@@ -121,18 +106,23 @@ Decision LandmarkNavigator::step(const Observation& observation) {
   if (observation.bumper_pressed)
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
   if (state_ == State::kLooking) return look_around(observation.stamp_s);
+  if (state_ == State::kFollowing && was_lifted_) begin(State::kDoubting);
+  if (state_ == State::kDoubting) return doubt();
   if (state_ == State::kFollowing) {
     why_lost_ = why_lost();
-    if (!why_lost_.empty()) {
-      state_ = State::kLost;
-      state_since_s_ = observation.stamp_s;
-      was_lifted_ = false;
-      searched_m_ = 0;
-      relocator_.start();
-    }
+    if (!why_lost_.empty()) begin(State::kLost);
   }
   if (state_ == State::kLost) return find_itself(observation);
   return guarded(follow(observation));
+}
+
+void LandmarkNavigator::begin(State state) {
+  state_ = state;
+  state_since_s_ = stamp_s_;
+  if (state != State::kLost) return;
+  was_lifted_ = false;
+  searched_m_ = 0;
+  relocator_.start();
 }
 
 LandmarkFix LandmarkNavigator::fix() const {
@@ -149,7 +139,8 @@ void LandmarkNavigator::locate(const Observation& observation) {
   const CameraPicture* picture = guard_.look(observation);
   if (picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s)) {
     sightings_ = detector_.detect(*picture->image);
-    if (state_ != State::kLost) match_ = localiser_.correct(building_->landmarks, sightings_);
+    if (state_ == State::kLooking || state_ == State::kFollowing)
+      match_ = localiser_.correct(building_->landmarks, sightings_);
     weigh_strangeness((localiser_.pose().position() - T_map_before.position()).norm());
     const bool is_known_here = match_ == LandmarkMatch::kMatched && knows_what_it_sees(localiser_);
     if (scenes_.look(sightings_, is_known_here)) was_lifted_ = true;
@@ -175,7 +166,6 @@ std::string LandmarkNavigator::why_lost() const {
   if (sigma_m > params_.lost_m)
     return fmt::format("saw nothing that it knows until unsure by {:.2f} m", sigma_m);
   if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "is unsure which way it points";
-  if (was_lifted_) return "sees other things than a moment ago";
   if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s || strange_way_m_ > params_.strange_max_m)
     return "sees other things than it knows";
   return "";
@@ -184,6 +174,31 @@ std::string LandmarkNavigator::why_lost() const {
 Decision LandmarkNavigator::look_around(double stamp_s) {
   if (stamp_s - *state_since_s_ >= params_.look_s) state_ = State::kFollowing;
   return {.state = "looking"};
+}
+
+/// That everything looks other than a moment ago may have other causes: lines that come and go, wrong feet.
+/// So the vehicle stands and looks whether the map's landmarks are seen from where it believes to be.
+Decision LandmarkNavigator::doubt() {
+  const bool is_woken_now = std::exchange(was_lifted_, false);
+  if (is_woken_now) doubt_.start();
+  const Suspicion suspicion = is_woken_now || sightings_.empty()
+                                  ? Suspicion::kOpen
+                                  : doubt_.look(building_->landmarks, fix().T_map_vehicle, sightings_);
+  if (suspicion == Suspicion::kDispelled) {
+    go_on();
+    return {.state = "following"};
+  }
+  why_lost_ = "sees other things than a moment ago";
+  if (suspicion == Suspicion::kConfirmed || stamp_s_ - *state_since_s_ > params_.give_up_s)
+    begin(State::kLost);
+  return {.state = state_ == State::kLost ? "lost" : "doubting", .why = why_lost_};
+}
+
+/// Sure of its place again.
+void LandmarkNavigator::go_on() {
+  begin(State::kFollowing);
+  matched_stamp_s_ = stamp_s_;
+  strange_way_m_ = 0;
 }
 
 /// The vehicle compares what it has seen since it was lost with all places that it knows.
@@ -196,18 +211,14 @@ Decision LandmarkNavigator::find_itself(const Observation& observation) {
   const auto found = sightings_.empty() ? std::nullopt : relocator_.look(building_->landmarks, sightings_);
   if (!found) return search();
   localiser_.place(about(*found, kFoundSigma_m, kFoundSigma_rad));
-  const auto along_m = along_route(path_, localiser_.pose(), params_.off_route_max_m);
-  if (!along_m) {
+  if (!progress_.find(localiser_.pose(), params_.off_route_max_m)) {
     return {.status = NavigatorStatus::kFailed,
             .state = "lost",
             .why = fmt::format("found itself off its route by more than {:.1f} m, or facing another way",
                                params_.off_route_max_m)};
   }
-  progress_ = PathProgress(path_, *along_m);
-  state_ = State::kFollowing;
-  matched_stamp_s_ = observation.stamp_s;
-  strange_way_m_ = 0;
-  return {.state = "found", .why = fmt::format("{:.1f} m along the route", *along_m)};
+  go_on();
+  return {.state = "found", .why = fmt::format("{:.1f} m along the route", progress_.point().along_m)};
 }
 
 /// Stands until one look at all places has said nothing, then goes ahead a little where the way is seen to be

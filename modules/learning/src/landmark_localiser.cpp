@@ -10,9 +10,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kSureWeight = 0.5;    // landmarks of this weight are there
-constexpr int kContradictingMin = 2;   // so many of them out of sight contradict the map
-constexpr double kBehindDistance = 2;  // to the squared distance, if seen from the other side only
+constexpr double kSureWeight = 0.5;              // landmarks of this weight are there
+constexpr int kContradictingMin = 2;             // so many of them out of sight contradict the map
+constexpr double kStanding_m = 0.01;             // pictures from so near each other have the same errors ...
+constexpr double kStanding_rad = 0.2 * kDegree;  // ... unless the vehicle has turned so far
+constexpr double kBehindDistance = 2;            // to the squared distance, if seen from the other side only
 
 }  // namespace
 
@@ -50,6 +52,20 @@ LandmarkLocaliser::LandmarkLocaliser(const LandmarkLocaliserParams& params, cons
                                      const UncertainPose2& T_map_vehicle)
     : params_(params), filter_(vehicle, T_map_vehicle), mwght_(params.mwght) {}
 
+void LandmarkLocaliser::predict(const OdometryReading& reading) {
+  const Pose2 before = filter_.pose();
+  filter_.predict(reading);
+  const Pose2 moved = between(before, filter_.pose());
+  since_here_m_ += moved.position().norm();
+  since_here_rad_ += std::abs(moved.theta);
+  if (since_here_m_ >= kStanding_m || since_here_rad_ >= kStanding_rad) taken_in_here_ = 0;
+}
+
+void LandmarkLocaliser::place(const UncertainPose2& T_map_vehicle) {
+  filter_.place(T_map_vehicle);
+  taken_in_here_ = 0;
+}
+
 LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
                                          std::span<const LandmarkSighting> sightings) {
   pairs_.clear();
@@ -83,8 +99,18 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
   if (pairs_.size() < static_cast<std::size_t>(params_.pairs_min) ||
       matched_share_ < params_.matched_share_min)
     return without_match(map, sightings);
-  filter_.update(points_, T_map_guess);
+  take_in(T_map_guess);
   return LandmarkMatch::kMatched;
+}
+
+/// The variances of the n-th picture from one place count n^2 times: all of them together tell less than two
+/// pictures from two places.
+void LandmarkLocaliser::take_in(const Pose2& T_map_guess) {
+  if (taken_in_here_ == 0) since_here_m_ = since_here_rad_ = 0;
+  ++taken_in_here_;
+  for (SeenPoint& point : points_)
+    point.covariance *= params_.repeat_inflation * square(static_cast<double>(taken_in_here_));
+  filter_.update(points_, T_map_guess);
 }
 
 /// Unknown things alone do not contradict the map: only where several of its landmarks should be seen and are
@@ -152,11 +178,10 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
     const std::size_t landmark = static_cast<std::size_t>(patterns_.near[best]);
     pairs_.push_back({i, landmark});
     const Vec2 by_tilt = params_.covariance ? sighting.by_tilt : Vec2(Vec2::Zero());
-    points_.push_back(
-        {.p_map = map[landmark].p_map,
-         .p_vehicle = sighting.p_vehicle,
-         .covariance = params_.repeat_inflation * (best_covariance - by_tilt * by_tilt.transpose()),
-         .by_tilt = by_tilt});
+    points_.push_back({.p_map = map[landmark].p_map,
+                       .p_vehicle = sighting.p_vehicle,
+                       .covariance = best_covariance - by_tilt * by_tilt.transpose(),
+                       .by_tilt = by_tilt});
   }
   matched_share_ = matched / all;
   agreement_ = agreement / all;

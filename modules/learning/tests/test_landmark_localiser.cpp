@@ -183,5 +183,41 @@ TEST(LandmarkLocaliser, AHundredThousandLandmarksElsewhereChangeNeitherTheAnswer
   EXPECT_THAT(touched, testing::IsEmpty());
 }
 
+double position_sigma_m(const LandmarkLocaliser& localiser) {
+  return std::sqrt(localiser.covariance().topLeftCorner<2, 2>().trace());
+}
+
+TEST(LandmarkLocaliser, DoesNotBecomeSurerAndSurerByOnePictureSeenAgainAndAgain) {
+  Random random(9);
+  const std::vector<CorridorLine> lines = corridor_lines(12, random);
+  const LandmarkMap map = map_of(lines);
+  const std::vector<LandmarkSighting> seen = sightings_from(lines, {3.1, 0.05, 0}, kNoise, &random);
+  LandmarkLocaliser localiser({}, corridor_cart(), about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
+  ASSERT_EQ(localiser.correct(map, seen), LandmarkMatch::kMatched);
+  const double at_first_m = position_sigma_m(localiser);
+  for (int i = 0; i < 100; ++i) {
+    localiser.predict(FrontSteeredMotion{});
+    ASSERT_EQ(localiser.correct(map, seen), LandmarkMatch::kMatched);
+  }
+  EXPECT_GT(position_sigma_m(localiser), 0.7 * at_first_m);
+}
+
+TEST(LandmarkLocaliser, BecomesSurerByThePicturesOnItsWay) {
+  Random random(9);
+  const std::vector<CorridorLine> lines = corridor_lines(12, random);
+  const LandmarkMap map = map_of(lines);
+  Pose2 truth{3.1, 0.05, 0};
+  LandmarkLocaliser localiser({}, corridor_cart(), about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
+  ASSERT_EQ(localiser.correct(map, sightings_from(lines, truth, kNoise)), LandmarkMatch::kMatched);
+  const double at_first_m = position_sigma_m(localiser);
+  constexpr double kStep_m = 0.03;
+  for (int i = 0; i < 20; ++i) {
+    truth = truth * Pose2{kStep_m, 0, 0};
+    localiser.predict(FrontSteeredMotion{.distance_m = kStep_m});
+    ASSERT_EQ(localiser.correct(map, sightings_from(lines, truth, kNoise)), LandmarkMatch::kMatched);
+  }
+  EXPECT_LT(position_sigma_m(localiser), 0.5 * at_first_m);
+}
+
 }  // namespace
 }  // namespace aisle

@@ -11,6 +11,7 @@ constexpr double kWrong_m = 0.5;
 constexpr double kWrongMax_s = 3;
 constexpr double kTaughtAhead_m = 1.0;  // of way, from one taught pose along a path to the next one
 constexpr double kNearer_m = 0.01;      // than what was passed last is another taught pose that is taken
+constexpr double kFoundOff_m = 1;       // from its path at most a vehicle that was lost goes on
 constexpr double kNear_m = 0.5;         // along the path, in which its point nearest to the vehicle is
 
 }  // namespace
@@ -72,11 +73,10 @@ double ErrorFigure::rms() const {
   return count_ == 0 ? 0 : std::sqrt(sum_of_squares_ / static_cast<double>(count_));
 }
 
-/// A vehicle that was lost, and perhaps lifted, may have found itself anywhere on its way.
+/// A vehicle that was lost, and perhaps lifted, may have found itself elsewhere on its way.
 void MissionJudge::follow(const LandmarkFix& fix) {
   const Pose2& T_map_thought = fix.T_map_vehicle.mean;
-  if (is_lost_ && fix.is_sure)
-    progress_ = PathProgress(path_, path_.nearest(T_map_thought.position(), 0, path_.length_m()).along_m);
+  if (is_lost_ && fix.is_sure) progress_.find(T_map_thought, kFoundOff_m);
   is_lost_ = fix.is_lost;
   if (fix.is_sure) progress_.advance(T_map_thought);
 }

@@ -16,6 +16,12 @@ class PathProgress {
   /// Moves on to where the path is nearest to the vehicle, at most 1 m ahead or 0.5 m back.
   const PathPoint& advance(const Pose2& T_map_vehicle);
 
+  /// Goes on from elsewhere, for a vehicle that was lost: from the nearest place of a pass of the path within
+  /// `off_max_m` that points as the vehicle does. Where it passes by more than once, it is the pass to which
+  /// there is the least way from where the vehicle was.
+  /// @return whether there is one; else nothing changes
+  bool find(const Pose2& T_map_vehicle, double off_max_m);
+
   const PathPoint& point() const { return point_; }
   /// The last leg has been driven to its end.
   bool has_arrived() const { return has_arrived_; }

@@ -10,6 +10,7 @@
 #include "aisle/control/steering.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/obstacle_guard.hpp"
+#include "aisle/guidance/place_doubt.hpp"
 #include "aisle/guidance/scene_watch.hpp"
 #include "aisle/learning/landmark_localiser.hpp"
 #include "aisle/learning/landmark_relocation.hpp"
@@ -51,8 +52,9 @@ struct LandmarkFix {
 };
 
 /// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture
-/// that fits the map; goes on by odometry where none does, the slower the less sure it is. Lost (too unsure,
-/// or seeing other things than are known here, or than a moment ago) it stops and looks for itself along all
+/// that fits the map; goes on by odometry where none does, the slower the less sure it is. If it sees other
+/// things than a moment ago it stops and looks whether it is still where it believes to be. Lost (it is not,
+/// or is too unsure, or sees other things than are known here) it stops and looks for itself along all
 /// routes, goes slowly ahead to see more where that is safe, and drives on or gives up. It waits for what
 /// stands on its route, and for its camera, and gives up if that lasts, or before a barrier of the building.
 class LandmarkNavigator final : public Navigator {
@@ -72,12 +74,15 @@ class LandmarkNavigator final : public Navigator {
   const LandmarkLocaliser& localiser() const { return localiser_; }
 
  private:
-  enum class State { kLooking, kFollowing, kLost };
+  enum class State { kLooking, kFollowing, kDoubting, kLost };
 
   void locate(const Observation& observation);
   void weigh_strangeness(double way_m);
   std::string why_lost() const;
+  void begin(State state);
+  void go_on();
   Decision look_around(double stamp_s);
+  Decision doubt();
   Decision find_itself(const Observation& observation);
   Decision search();
   Decision follow(const Observation& observation);
@@ -90,6 +95,7 @@ class LandmarkNavigator final : public Navigator {
   std::string camera_;
   LandmarkDetector detector_;
   LandmarkLocaliser localiser_;
+  PlaceDoubt doubt_;
   LandmarkRelocator relocator_;
   PathFollower follower_;
   PathProgress progress_;
@@ -99,8 +105,8 @@ class LandmarkNavigator final : public Navigator {
   State state_ = State::kLooking;
   std::string why_lost_;
   double strange_way_m_ = 0;
-  bool was_lifted_ = false;
-  double searched_m_ = 0;  ///< since it was lost
+  bool was_lifted_ = false;  ///< perhaps: everything looks other than a moment ago
+  double searched_m_ = 0;    ///< since it was lost
   LandmarkMatch match_ = LandmarkMatch::kNothing;
   std::optional<double> state_since_s_;
   double stamp_s_ = 0;

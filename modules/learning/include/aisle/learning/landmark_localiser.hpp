@@ -52,14 +52,15 @@ class LandmarkLocaliser {
   LandmarkLocaliser(const LandmarkLocaliserParams& params, const VehicleDescription& vehicle,
                     const UncertainPose2& T_map_vehicle);
 
-  void predict(const OdometryReading& reading) { filter_.predict(reading); }
+  void predict(const OdometryReading& reading);
 
   /// Finds the displacement of what is seen against what is known within the window that the pose's
   /// uncertainty leaves open (MWGHT), pairs sightings with landmarks there, and lets the filter take the
-  /// pairs in. Costs the same whatever the size of the map.
+  /// pairs in. Costs the same whatever the size of the map. The second picture from one place has the errors
+  /// of the first: a vehicle that stands does not become surer and surer.
   LandmarkMatch correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
 
-  void place(const UncertainPose2& T_map_vehicle) { filter_.place(T_map_vehicle); }
+  void place(const UncertainPose2& T_map_vehicle);
 
   const Pose2& pose() const { return filter_.pose(); }
   Mat3 covariance() const { return filter_.covariance(); }
@@ -74,6 +75,7 @@ class LandmarkLocaliser {
 
  private:
   LandmarkMatch without_match(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
+  void take_in(const Pose2& T_map_guess);
   MwghtWindow window() const;
   bool is_elsewhere(const Pose2& best, const Pose2& other) const;
   void pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
@@ -86,6 +88,9 @@ class LandmarkLocaliser {
   std::vector<LandmarkPair> pairs_, first_pairs_;
   std::vector<SeenPoint> points_;
   std::vector<char> taken_;
+  int taken_in_here_ = 0;  ///< pictures that corrected the pose since the vehicle came to this place
+  double since_here_m_ = 0,
+         since_here_rad_ = 0;  ///< how far it has gone, and turned, since the first of them
   double matched_share_ = 0;
   double agreement_ = 0;
   double evidence_ = 0;

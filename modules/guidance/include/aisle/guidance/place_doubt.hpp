@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+
+#include "aisle/learning/landmark_localiser.hpp"
+
+namespace aisle {
+
+/// What has become of the suspicion that the vehicle is not where it believes to be.
+enum class Suspicion {
+  kOpen,
+  kDispelled,  ///< what it sees does not contradict the map there
+  kConfirmed,  ///< it does
+};
+
+/// For a vehicle that stands and suspects to have been lifted: whether the building's landmarks are seen from
+/// where it believes to be. A single picture may miss them, or show little but wrong feet; elsewhere, picture
+/// after picture contradicts the map.
+class PlaceDoubt {
+ public:
+  PlaceDoubt(const LandmarkLocaliserParams& matching, const VehicleDescription& vehicle)
+      : localiser_(matching, vehicle, {}) {}
+
+  /// Nothing that was seen so far counts.
+  void start() { pictures_ = fitting_ = contradicting_ = 0; }
+
+  /// Takes in one more picture.
+  /// @param T_map_believed  where the vehicle believes to be now
+  Suspicion look(const LandmarkMap& map, const UncertainPose2& T_map_believed,
+                 std::span<const LandmarkSighting> picture);
+
+ private:
+  LandmarkLocaliser localiser_;
+  int pictures_ = 0, fitting_ = 0, contradicting_ = 0;
+};
+
+}  // namespace aisle

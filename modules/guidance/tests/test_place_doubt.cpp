@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/guidance/place_doubt.hpp"
+#include "corridor_trip.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr SightNoise kNoise;
+
+/// What a vehicle that stands and believes to be at (5, 0) makes of the pictures that it sees from `truth`.
+Suspicion look_from(const Pose2& truth, const SightNoise& noise, std::uint64_t seed) {
+  Random random(seed);
+  const std::vector<CorridorLine> lines = corridor_lines(25, random);
+  const LandmarkMap map = map_of(lines);
+  const UncertainPose2 T_map_believed = about({5, 0, 0}, 0.01, 0.3 * kDegree);
+  PlaceDoubt doubt({}, corridor_cart());
+  doubt.start();
+  Suspicion suspicion = Suspicion::kOpen;
+  for (int i = 0; i < 100 && suspicion == Suspicion::kOpen; ++i)
+    suspicion = doubt.look(map, T_map_believed, sightings_from(lines, truth, noise, &random));
+  return suspicion;
+}
+
+TEST(PlaceDoubt, IsDispelledWhereTheMapsLandmarksAreSeen) {
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5})
+    EXPECT_EQ(look_from({5.02, -0.02, 0.3 * kDegree}, kNoise, seed), Suspicion::kDispelled) << seed;
+}
+
+TEST(PlaceDoubt, IsDispelledThoughPicturesMissMostLinesAndShowWrongOnes) {
+  const SightNoise poor{.unseen = 0.7, .clutter = 1};
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5})
+    EXPECT_EQ(look_from({5.02, -0.02, 0.3 * kDegree}, poor, seed), Suspicion::kDispelled) << seed;
+}
+
+TEST(PlaceDoubt, IsConfirmedElsewhereInTheCorridor) {
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    EXPECT_EQ(look_from({10, 0.1, 0}, kNoise, seed), Suspicion::kConfirmed) << seed;
+    EXPECT_EQ(look_from({5, 0, kPi}, kNoise, seed), Suspicion::kConfirmed) << seed;
+  }
+}
+
+TEST(PlaceDoubt, IsDispelledWherePicturesShowNothingThatContradicts) {
+  EXPECT_EQ(look_from({24, 0, 0}, kNoise, 1), Suspicion::kDispelled) << "past the last line";
+}
+
+TEST(PlaceDoubt, BeginsAnewWithEverySuspicion) {
+  Random random(1);
+  const std::vector<CorridorLine> lines = corridor_lines(25, random);
+  const LandmarkMap map = map_of(lines);
+  const UncertainPose2 T_map_believed = about({5, 0, 0}, 0.01, 0.3 * kDegree);
+  PlaceDoubt doubt({}, corridor_cart());
+  for (const auto& [truth, answer] : {std::pair{Pose2{10, 0.1, 0}, Suspicion::kConfirmed},
+                                      std::pair{Pose2{5, 0, 0}, Suspicion::kDispelled}}) {
+    doubt.start();
+    Suspicion suspicion = Suspicion::kOpen;
+    for (int i = 0; i < 100 && suspicion == Suspicion::kOpen; ++i)
+      suspicion = doubt.look(map, T_map_believed, sightings_from(lines, truth, kNoise, &random));
+    EXPECT_EQ(suspicion, answer);
+  }
+}
+
+}  // namespace
+}  // namespace aisle
