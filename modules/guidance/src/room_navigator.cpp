@@ -9,6 +9,7 @@
 
 #include "aisle/core/square.hpp"
 #include "aisle/guidance/room_cameras.hpp"
+#include "aisle/guidance/route_floor.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {
@@ -27,6 +28,12 @@ RouteView first_view(const RoomNavigatorParams& params, const VehicleDescription
           camera.height_px, vehicle.footprint.width_m};
 }
 
+/// A frame, and what its lines may be taken for.
+Vec2 about_lines(const Vec2& frame_size_m) {
+  constexpr double kAboutLines_m = 0.15;
+  return frame_size_m + 2 * Vec2(kAboutLines_m, kAboutLines_m);
+}
+
 }  // namespace
 
 void RoomNavigatorParams::describe(FieldList& fields) {
@@ -34,6 +41,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.group("steering", steering);
   fields.group("pictures", pictures);
   fields.group("frame", frame);
+  fields.group("frame_backing", frame_backing);
   fields.group("stop_views", stop_views);
   fields.group("place", place);
   fields.group("taught_place", taught_place);
@@ -81,8 +89,11 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       brightness_(route_.room->brightness),
       T_odom_seen_(T_odom_vehicle_),
       taught_place_(params.taught_place, vehicle, route_.path) {
-  if (route_.room->parking == ParkingStrategy::kFrame)
-    frame_ = std::make_unique<FrameParking>(params.frame, vehicle, route_.room->frame_size_m);
+  if (route_.room->parking != ParkingStrategy::kFrame) return;
+  frame_ = std::make_unique<FrameParking>(params.frame, vehicle, route_.room->frame_size_m);
+  if (params.frame_backing.wanted) {
+    frame_backing_ = std::make_unique<FrameBacking>(params.frame_backing, vehicle, route_.room->frame_size_m);
+  }
 }
 
 Decision RoomNavigator::step(const Observation& observation) {
@@ -105,6 +116,7 @@ Decision RoomNavigator::step(const Observation& observation) {
     if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
   }
   if (state_ == State::kParkingInFrame) return park_in_frame(observation.stamp_s);
+  if (state_ == State::kBackingIntoFrame) return back_into_frame(observation.stamp_s);
   if (state_ == State::kBackingOff) return back_off(observation.stamp_s);
   if (state_ == State::kLeavingPlace) return leave_place();
   return follow(observation.stamp_s);
@@ -159,11 +171,56 @@ double RoomNavigator::steering_to(const Vec2& p_vehicle) const {
   return std::atan(vehicle_.front_steered.wheelbase_m * curvature_per_m);
 }
 
-/// The frame's lines look like edges of the route, and are none.
 Decision RoomNavigator::park_in_frame(double now_s) {
-  constexpr double kAboutLines_m = 0.15;
-  edges_.clear(*frame_->frame(), frame_->size_m() + 2 * Vec2(kAboutLines_m, kAboutLines_m));
-  Decision decision = frame_->step();
+  forget_frame_lines();
+  if (frame_backing_ && -frame_->off().x < params_.frame_backing.turn_from_m) {
+    state_ = State::kBackingIntoFrame;
+    learn_floor_to_back();
+    return back_into_frame(now_s);
+  }
+  return unless_obstructed(frame_->step(), now_s);
+}
+
+/// On the way about, the floor that it knows keeps it off what stands there.
+Decision RoomNavigator::back_into_frame(double now_s) {
+  forget_frame_lines();
+  if (frame_backing_->wants_floor()) learn_floor_to_back();
+  frame_backing_->see(edges_.seen_around(T_odom_vehicle_), T_odom_vehicle_);
+  Decision decision = frame_backing_->step(now_s, T_odom_vehicle_, *frame_->frame(), steering_rad_);
+  return frame_backing_->keeps_to_floor() ? decision : unless_obstructed(std::move(decision), now_s);
+}
+
+/// The taught end lies in the frame, whatever the edges say of the way to it.
+Pose2 RoomNavigator::T_map_odom_by_frame() const {
+  constexpr double kAgree_m = 0.2;
+  const Footprint& footprint = vehicle_.footprint;
+  const Pose2 T_map_frame =
+      route_.path.pieces().back().end() * Pose2{(footprint.front_m - footprint.rear_m) / 2, 0, 0};
+  const Pose2 T_map_odom = T_map_frame * frame_->frame()->inverse();
+  const Vec2 p_map_frame = place_.T_map_odom() * frame_->frame()->position();
+  const bool agrees = (p_map_frame - T_map_frame.position()).norm() < kAgree_m;
+  return place_.is_sure() && agrees ? place_.T_map_odom() : T_map_odom;
+}
+
+void RoomNavigator::learn_floor_to_back() {
+  constexpr double kAboutFrame_m = 4;
+  const Pose2 T_map_odom = T_map_odom_by_frame();
+  const Pose2 T_map_frame = T_map_odom * *frame_->frame();
+  std::vector<RouteEdge> edges = route_.room->edges;
+  std::erase_if(edges, [&](const RouteEdge& edge) {
+    const Vec2 p_frame = T_map_frame.inverse() * edge.p_map;
+    return (p_frame.cwiseAbs() - about_lines(frame_->size_m()) / 2).maxCoeff() < 0;
+  });
+  frame_backing_->begin(
+      route_floor(route_.path, edges, vehicle_.footprint, T_map_frame.position(), kAboutFrame_m), T_map_odom);
+}
+
+/// The frame's lines look like edges of the route, and are none.
+void RoomNavigator::forget_frame_lines() {
+  edges_.clear(*frame_->frame(), about_lines(frame_->size_m()));
+}
+
+Decision RoomNavigator::unless_obstructed(Decision decision, double now_s) {
   if (decision.status != NavigatorStatus::kGoing || decision.command.speed_mps == 0) return decision;
   const int direction = decision.command.speed_mps > 0 ? 1 : -1;
   const SteeringChoice way = free_way(vehicle_, params_.steering, edges_.around(T_odom_vehicle_),
@@ -343,6 +400,11 @@ double RoomNavigator::left_to_end_m() const {
 
 bool RoomNavigator::has_confirmed_place() const {
   return route_.room->parking != ParkingStrategy::kView || place_.is_sure() || stop_views_.has_matched();
+}
+
+int RoomNavigator::parking_tries() const {
+  if (frame_backing_) return frame_backing_->tries();
+  return frame_ ? frame_->tries() : taught_place_.tries();
 }
 
 std::optional<Decision> RoomNavigator::arrived() {
