@@ -94,9 +94,8 @@ class RoomNavigator final : public Navigator {
   Decision follow(double now_s);
   Decision park_in_frame(double now_s);
   Decision back_into_frame(double now_s);
-  /// The floor before the frame, by what was taught and what is seen now.
-  void learn_floor_to_back();
   Pose2 T_map_odom_by_frame() const;
+  void learn_floor_before_frame();
   void forget_frame_lines();
   Decision unless_obstructed(Decision decision, double now_s);
   Decision back_off(double now_s);
