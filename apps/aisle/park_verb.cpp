@@ -27,6 +27,7 @@ void add_park_verb(CLI::App& app, Work& work) {
           [options](const std::string& text) { options->T_world_start = parse_place("--start", text); },
           "where the vehicle stands in the world: x,y,degrees (default: on the route, 3 m before its end)")
       ->type_name("X,Y,DEG");
+  verb->add_flag("--reverse", options->in_reverse, "turn about before the painted frame and back into it");
   add_seed(*verb, options->seed, "of all noise; the same seed gives the same session (default 1)");
   verb->add_option("--out", options->out, "directory for the session");
   verb->add_flag("--force", options->force, "replace a session that is there already");

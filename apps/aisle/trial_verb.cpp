@@ -69,7 +69,7 @@ void add_trial_verb(CLI::App& app, Work& work) {
   verb->add_option("--lift", options->lift_m,
                    "landmarks: somewhere on its way the vehicle is lifted and put so far on or back [m]")
       ->check(CLI::Range(0.5, 100.0));
-  verb->add_flag("--reverse", options->in_reverse, "drive the routes' ways back");
+  verb->add_flag("--reverse", options->in_reverse, "drive the routes' ways back; park: back into the frame");
   add_parameter_options(*verb, options->parameters, trial_parameters, work, [=, &work] {
     if (options->method.empty()) throw CLI::RequiredError("METHOD");
     work = [options](Console& console) { return run_trial(*options, console); };

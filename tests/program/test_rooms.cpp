@@ -61,6 +61,14 @@ TEST_F(Rooms, AWayThatWasShownOnceIsDrivenIntoItsFrame) {
   const auto replayed = run_for_figures({"replay", at("parking")});
   EXPECT_EQ(replayed["navigator"], "route");
   EXPECT_EQ(replayed["different"], 0);
+
+  const auto backed = run_for_figures({"park", at("learned/building.json"), "to the bay", "--world", world,
+                                       "--reverse", "--start", "2.4,1.6,-6", "--out", at("backing")});
+  EXPECT_EQ(backed["parked"], true);
+  EXPECT_EQ(backed["collisions"], 0);
+  EXPECT_LT(backed["end_error_m"], 0.03);
+  EXPECT_LT(backed["end_error_deg"], 1.5);
+  EXPECT_EQ(run_for_figures({"replay", at("backing")})["different"], 0);
 }
 
 TEST_F(Rooms, WhatCannotBeDrivenIsRefused) {
@@ -72,6 +80,9 @@ TEST_F(Rooms, WhatCannotBeDrivenIsRefused) {
   const ProgramRun strategy = run_aisle({"park", building, "way", "--world", world, "--strategy", "frame"});
   EXPECT_EQ(strategy.exit_code, 2);
   EXPECT_THAT(strategy.err, HasSubstr("was taught to end otherwise"));
+  const ProgramRun backwards = run_aisle({"park", building, "way", "--world", world, "--reverse"});
+  EXPECT_EQ(backwards.exit_code, 2);
+  EXPECT_THAT(backwards.err, HasSubstr("does not end in a painted frame"));
   const ProgramRun corridor = run_aisle({"park", building, "corridor", "--world", world});
   EXPECT_EQ(corridor.exit_code, 2);
   EXPECT_THAT(corridor.err, HasSubstr("was not taught as a way through a room"));

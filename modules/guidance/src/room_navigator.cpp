@@ -34,6 +34,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.group("steering", steering);
   fields.group("pictures", pictures);
   fields.group("frame", frame);
+  fields.group("frame_backing", frame_backing);
   fields.group("stop_views", stop_views);
   fields.group("place", place);
   fields.group("taught_place", taught_place);
@@ -81,8 +82,11 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       brightness_(route_.room->brightness),
       T_odom_seen_(T_odom_vehicle_),
       taught_place_(params.taught_place, vehicle, route_.path) {
-  if (route_.room->parking == ParkingStrategy::kFrame)
-    frame_ = std::make_unique<FrameParking>(params.frame, vehicle, route_.room->frame_size_m);
+  if (route_.room->parking != ParkingStrategy::kFrame) return;
+  frame_ = std::make_unique<FrameParking>(params.frame, vehicle, route_.room->frame_size_m);
+  if (params.frame_backing.wanted) {
+    frame_backing_ = std::make_unique<FrameBacking>(params.frame_backing, vehicle, route_.room->frame_size_m);
+  }
 }
 
 Decision RoomNavigator::step(const Observation& observation) {
@@ -105,6 +109,7 @@ Decision RoomNavigator::step(const Observation& observation) {
     if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
   }
   if (state_ == State::kParkingInFrame) return park_in_frame(observation.stamp_s);
+  if (state_ == State::kBackingIntoFrame) return back_into_frame(observation.stamp_s);
   if (state_ == State::kBackingOff) return back_off(observation.stamp_s);
   if (state_ == State::kLeavingPlace) return leave_place();
   return follow(observation.stamp_s);
@@ -157,26 +162,6 @@ void RoomNavigator::find_place() {
 double RoomNavigator::steering_to(const Vec2& p_vehicle) const {
   const double curvature_per_m = 2 * p_vehicle.y() / std::max(p_vehicle.squaredNorm(), 0.01);
   return std::atan(vehicle_.front_steered.wheelbase_m * curvature_per_m);
-}
-
-/// The frame's lines look like edges of the route, and are none.
-Decision RoomNavigator::park_in_frame(double now_s) {
-  constexpr double kAboutLines_m = 0.15;
-  edges_.clear(*frame_->frame(), frame_->size_m() + 2 * Vec2(kAboutLines_m, kAboutLines_m));
-  Decision decision = frame_->step();
-  if (decision.status != NavigatorStatus::kGoing || decision.command.speed_mps == 0) return decision;
-  const int direction = decision.command.speed_mps > 0 ? 1 : -1;
-  const SteeringChoice way = free_way(vehicle_, params_.steering, edges_.around(T_odom_vehicle_),
-                                      decision.command.steering_rad, direction);
-  if (way.free_m >= params_.stop_free_m) {
-    stopped_s_.reset();
-    return decision;
-  }
-  if (!stopped_s_) stopped_s_ = now_s;
-  const bool is_lasting = now_s - *stopped_s_ > params_.blind_max_s;
-  return {.status = is_lasting ? NavigatorStatus::kFailed : NavigatorStatus::kGoing,
-          .state = "waiting",
-          .why = "something is in the way to the frame"};
 }
 
 /// L96 section 3.1: 30 degrees away from what the check regions show.
@@ -301,78 +286,6 @@ Decision RoomNavigator::back_off(double now_s) {
   }
   return {.command = {.speed_mps = -params_.parking_speed_mps, .steering_rad = way_back_.steering_rad},
           .state = "backing off"};
-}
-
-/// For another try at the taught place.
-Decision RoomNavigator::leave_place() {
-  Command command = taught_place_.back_off(pose(), steering_rad_);
-  FreeSteeringParams steering = params_.steering;
-  steering.comfort_m = params_.end_comfort_m;
-  const SteeringChoice way =
-      choose_steering(vehicle_, steering, edges_seen_and_taught(), command.steering_rad, -1);
-  command.steering_rad = way.steering_rad;
-  taught_place_.judge_way_back(pose(), way.free_m);
-  if (taught_place_.is_backing()) return {.command = command, .state = "backing off"};
-  state_ = State::kFollowing;
-  return {.state = "backing off"};
-}
-
-/// To the nearest edge straight ahead of the bumper.
-double RoomNavigator::gap_ahead_m() const {
-  double gap_m = kRemembered_m;
-  for (const Vec2& p : edges_.around(T_odom_vehicle_)) {
-    if (std::abs(p.y()) < vehicle_.footprint.width_m / 2 && p.x() > 0)
-      gap_m = std::min(gap_m, p.x() - vehicle_.footprint.front_m);
-  }
-  return gap_m;
-}
-
-/// L96 section 2.4, and so near that what is seen is the end.
-bool RoomNavigator::is_at_dead_end() const {
-  constexpr double kNearEnd_m = 1;
-  return left_m() < kNearEnd_m && sight_->share < params_.dead_end_share &&
-         (is_strange_ || gap_ahead_m() < params_.dead_end_gap_m);
-}
-
-/// Way to the end of the route as the last leg leads on.
-double RoomNavigator::left_to_end_m() const {
-  const double straight_m = between(pose(), route_.path.pieces().back().end()).x;
-  constexpr double kLastLeg_m = 1;
-  return left_m() > kLastLeg_m ? left_m() : straight_m;
-}
-
-bool RoomNavigator::has_confirmed_place() const {
-  return route_.room->parking != ParkingStrategy::kView || place_.is_sure() || stop_views_.has_matched();
-}
-
-std::optional<Decision> RoomNavigator::arrived() {
-  const Decision done{.status = NavigatorStatus::kDone, .state = "parked"};
-  const Decision unconfirmed{.status = NavigatorStatus::kDone,
-                             .state = "parked",
-                             .why = "not confirmed: neither edges nor views are as they were taught"};
-  switch (route_.room->parking) {
-    case ParkingStrategy::kDeadEnd:
-      if (dead_end_pictures_ >= params_.dead_end_pictures) return done;
-      break;
-    case ParkingStrategy::kFrame:
-      if (progress_.has_arrived())
-        return Decision{
-            .status = NavigatorStatus::kFailed, .state = "no frame", .why = "there is no frame to be seen"};
-      break;
-    case ParkingStrategy::kView: {
-      // Columns of brightness tell less than the edges of the floor, if those stand as they were taught.
-      const double shift_m = place_.is_sure() ? 0 : stop_views_.shift_m();
-      if (left_to_end_m() + shift_m <= vehicle_.cycle_s * params_.parking_speed_mps) {
-        if (!has_confirmed_place()) return unconfirmed;
-        if (!place_.is_sure()) return done;
-        const Decision decision = taught_place_.settle(pose());
-        if (taught_place_.is_backing()) state_ = State::kLeavingPlace;
-        return decision;
-      }
-      break;
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace aisle

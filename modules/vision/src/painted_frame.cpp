@@ -207,14 +207,14 @@ std::optional<FrameFit> find_frame(std::span<const Vec2> p_vehicle, const Vec2& 
 std::optional<FrameFit> track_frame(std::span<const Vec2> p_vehicle, const Vec2& size_m,
                                     const Pose2& T_vehicle_expected, const PaintedFrameParams& params) {
   constexpr double kGate_m = 0.15, kGate_rad = 8 * kDegree;
-  constexpr int kSeenBins = 3;
+  constexpr int kSeenBins = 3, kCornerBins = 5;
   FrameFit fit = settled(p_vehicle, size_m, T_vehicle_expected, params, false);
   const Pose2 off = between(T_vehicle_expected, fit.T_vehicle_frame);
   if (off.position().norm() > kGate_m || std::abs(off.theta) > kGate_rad) return std::nullopt;
   const auto bins = covered_bins(p_vehicle, params.near_line_m, fit);
-  const bool fixes_along = std::max(bins[0], bins[1]) >= kSeenBins;
-  const bool fixes_across = std::max(bins[2], bins[3]) >= kSeenBins;
-  return fixes_along && fixes_across ? std::optional(fit) : std::nullopt;
+  const int along = std::max(bins[0], bins[1]), across = std::max(bins[2], bins[3]);
+  const bool shows_corner = along >= kCornerBins && across > 0;
+  return (along >= kSeenBins && across >= kSeenBins) || shows_corner ? std::optional(fit) : std::nullopt;
 }
 
 std::optional<FrameFit> find_frame_and_size(std::span<const Vec2> p_vehicle, double expected_heading_rad,

@@ -52,6 +52,21 @@ TEST(PaintedFrame, TwoSidesOfOneDirectionDoNotTellWhereItIs) {
   EXPECT_FALSE(find_frame(points, kSize_m, 0, {}));
 }
 
+TEST(PaintedFrame, ASideWithACornerTellsWhereItIsAndASideAloneDoesNot) {
+  const Pose2 T_vehicle_frame{1, 0.03, 1 * kDegree};
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 100; ++i)
+    points.push_back(T_vehicle_frame * Vec2(-kSize_m.x() / 2, (i / 100.0 - 0.5) * 0.9 * kSize_m.y()));
+  EXPECT_FALSE(track_frame(points, kSize_m, {1, 0, 0}, {}));
+  for (int i = 0; i <= 10; ++i)
+    points.push_back(T_vehicle_frame * Vec2(-kSize_m.x() / 2 + 0.02 + 0.004 * i, kSize_m.y() / 2));
+  const auto fit = track_frame(points, kSize_m, {1, 0, 0}, {});
+  ASSERT_TRUE(fit);
+  const Pose2 off = between(T_vehicle_frame, fit->T_vehicle_frame);
+  EXPECT_LT(off.position().norm(), 0.01);
+  EXPECT_LT(std::abs(off.theta), 0.5 * kDegree);
+}
+
 TEST(PaintedFrame, APictureShowsItsSizeAndPlace) {
   const Pose2 T_vehicle_frame{2.75, 0.1, 8 * kDegree};
   const Image picture = seen_floor([&](const Vec2& p_vehicle) {

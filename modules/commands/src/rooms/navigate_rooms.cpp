@@ -61,6 +61,8 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   if (!route) return at_file(route.problems(), file);
   if (drive.parking && *drive.parking != route->room->parking)
     return Problem{{"--strategy"}, fmt::format("the route '{}' was taught to end otherwise", route->name)};
+  if (params.navigator.frame_backing.wanted && route->room->parking != ParkingStrategy::kFrame)
+    return Problem{{"--reverse"}, fmt::format("the route '{}' does not end in a painted frame", route->name)};
   const auto place = RouteInWorld::read(drive.building, *route, *setting);
   if (!place) return place.problems();
   if (drive.T_world_start) {
@@ -83,7 +85,8 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at its start in this world"};
   auto session = open_session(drive.out, drive.force, vehicle, origin, console.watcher);
   if (!session) return session.problems();
-  const Pose2 T_world_due = due_end(setting->world, vehicle.footprint, route->room->parking, place->end());
+  const Pose2 T_world_due = due_end(setting->world, vehicle.footprint, route->room->parking, place->end(),
+                                    params.navigator.frame_backing.wanted);
   const auto result = drive_room_mission(
       *setting, **navigator, {.seed = drive.seed, .T_world_start = T_world_start, .T_world_due = T_world_due},
       *session, console.progress);
@@ -123,6 +126,7 @@ Result<Outcome> run_park(const ParkOptions& options, Console& console) {
   RoomDriverParams params;
   FieldList fields = fields_of(params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
+  params.navigator.frame_backing.wanted |= options.in_reverse;
   return drive_room("park",
                     {.building = options.building,
                      .route = options.place,

@@ -47,14 +47,15 @@ class RoomMissionRecord final : public SimulatedRecord {
 }  // namespace
 
 Pose2 due_end(const World& world, const Footprint& footprint, ParkingStrategy parking,
-              const Pose2& T_world_taught_end) {
+              const Pose2& T_world_taught_end, bool in_reverse) {
   if (parking != ParkingStrategy::kFrame || world.parking_frames.empty()) return T_world_taught_end;
   const auto off_m = [&](const ParkingFrame& frame) {
     return (frame.centre - T_world_taught_end.position()).norm();
   };
   const auto frame = std::min_element(world.parking_frames.begin(), world.parking_frames.end(),
                                       [&](const auto& a, const auto& b) { return off_m(a) < off_m(b); });
-  return Pose2{frame->centre.x(), frame->centre.y(), frame->heading_rad} *
+  const double heading_rad = frame->heading_rad + (in_reverse ? kPi : 0);
+  return Pose2{frame->centre.x(), frame->centre.y(), wrap_angle(heading_rad)} *
          Pose2{(footprint.rear_m - footprint.front_m) / 2, 0, 0};
 }
 

@@ -41,8 +41,9 @@ Result<RoomMissionResult> drive_room_mission(const SimulationSetting& setting, R
                                              std::optional<SessionRecord>& session, Progress& progress);
 
 /// Where a route's end is due: in the world's parking frame next to it, or where it was taught.
+/// @param in_reverse  in the frame, turned about
 Pose2 due_end(const World& world, const Footprint& footprint, ParkingStrategy parking,
-              const Pose2& T_world_taught_end);
+              const Pose2& T_world_taught_end, bool in_reverse);
 
 /// The figures of a mission as `navigate` and `park` print them.
 nlohmann::ordered_json figures_of(const RoomMissionResult& result);

@@ -117,12 +117,12 @@ Result<RoomMissionResult> drive_taught(SimulationSetting setting, const TaughtRo
   RoomNavigator navigator(params, vehicle, taught.route, from_m);
   keep_room_cameras(vehicle, parking);
   std::optional<SessionRecord> no_session;
-  return drive_room_mission(
-      setting, navigator,
-      {.seed = 1000 * (seed + 1),
-       .T_world_start = T_world_start,
-       .T_world_due = due_end(setting.world, vehicle.footprint, parking, taught.place.end())},
-      no_session, progress);
+  return drive_room_mission(setting, navigator,
+                            {.seed = 1000 * (seed + 1),
+                             .T_world_start = T_world_start,
+                             .T_world_due = due_end(setting.world, vehicle.footprint, parking,
+                                                    taught.place.end(), params.frame_backing.wanted)},
+                            no_session, progress);
 }
 
 /// The routes of the trial's worlds, each taught once.
@@ -263,9 +263,13 @@ Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParam
   return outcome;
 }
 
-Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialParams& params,
+Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialParams& given,
                                  Console& console) {
   constexpr double kBeforeEnd_m = 3.2;
+  if (options.in_reverse && options.strategy != ParkingStrategy::kFrame)
+    return Problem{{"--reverse"}, "vehicles park backwards in painted frames only"};
+  RoomTrialParams params = given;
+  params.navigator.frame_backing.wanted |= options.in_reverse;
   const auto missions =
       drive_missions(options, params, options.strategy, console,
                      [&](const SimulationSetting& setting, const TaughtRoute& taught, std::uint64_t seed) {

@@ -19,6 +19,7 @@ struct ParkOptions {
   std::string scenario;                     ///< empty: nothing goes wrong
   std::optional<ParkingStrategy> strategy;  ///< a problem unless the route ends so
   std::optional<Pose2> T_world_start;       ///< else on the route, 3 m before its end
+  bool in_reverse = false;                  ///< backs into the frame
   std::uint64_t seed = 1;
   std::filesystem::path out;  ///< of the session; empty: none is kept
   bool force = false;

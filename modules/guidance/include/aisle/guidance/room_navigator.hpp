@@ -9,6 +9,7 @@
 #include "aisle/control/path_progress.hpp"
 #include "aisle/guidance/edge_memory.hpp"
 #include "aisle/guidance/edge_place.hpp"
+#include "aisle/guidance/frame_backing.hpp"
 #include "aisle/guidance/frame_parking.hpp"
 #include "aisle/guidance/free_steering.hpp"
 #include "aisle/guidance/navigator.hpp"
@@ -26,6 +27,7 @@ struct RoomNavigatorParams {
   FreeSteeringParams steering;
   PictureWatchParams pictures;
   FrameParkingParams frame;
+  FrameBackingParams frame_backing;
   StopViewParams stop_views;
   EdgePlaceParams place;
   PlaceParkingParams taught_place;
@@ -80,10 +82,10 @@ class RoomNavigator final : public Navigator {
   /// Whether what is there has shown that it is its place; of a taught place alone it may stay open.
   bool has_confirmed_place() const;
   /// How often it has driven up to its place.
-  int parking_tries() const { return frame_ ? frame_->tries() : taught_place_.tries(); }
+  int parking_tries() const;
 
  private:
-  enum class State { kFollowing, kBackingOff, kParkingInFrame, kLeavingPlace };
+  enum class State { kFollowing, kBackingOff, kParkingInFrame, kBackingIntoFrame, kLeavingPlace };
 
   void look(const Observation& observation);
   bool is_route_bright_as_learned() const;
@@ -91,6 +93,11 @@ class RoomNavigator final : public Navigator {
   void find_place();
   Decision follow(double now_s);
   Decision park_in_frame(double now_s);
+  Decision back_into_frame(double now_s);
+  Pose2 T_map_odom_by_frame() const;
+  void learn_floor_before_frame();
+  void forget_frame_lines();
+  Decision unless_obstructed(Decision decision, double now_s);
   Decision back_off(double now_s);
   Decision leave_place();
   Decision blocked(double now_s);
@@ -117,6 +124,7 @@ class RoomNavigator final : public Navigator {
   EdgePlace place_;
   PathProgress progress_;
   std::unique_ptr<FrameParking> frame_;
+  std::unique_ptr<FrameBacking> frame_backing_;
   StopViewMatcher stop_views_;
   Pose2 T_odom_vehicle_;
   std::optional<RouteSight> sight_;

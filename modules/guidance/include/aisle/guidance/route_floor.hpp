@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+
+#include "aisle/control/path.hpp"
+#include "aisle/maps/floor_grid.hpp"
+#include "aisle/maps/room_route.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+
+namespace aisle {
+
+/// Makes the floor under a footprint free.
+void free_under(const Footprint& footprint, const Pose2& T_floor_vehicle, FloorGrid& floor);
+
+/// The floor that a way was taught on, about a place: free where the vehicle drove, and where it saw an edge
+/// of the route over it; edges are occupied; of all else nothing is known.
+/// @param edges       in the frame of the path, as is the floor
+/// @param p_map_place the floor within `reach_m` of it
+FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const Footprint& footprint,
+                      const Vec2& p_map_place, double reach_m);
+
+}  // namespace aisle

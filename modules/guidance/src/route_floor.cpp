@@ -1,0 +1,91 @@
+#include "aisle/guidance/route_floor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace aisle {
+namespace {
+
+constexpr double kFloorStep = 0.5;           // of a cell, between the points that are put onto it
+constexpr double kSeenBeforeBumper_m = 0.4;  // what is nearer is below the first camera's view
+
+/// The line of sight on which an edge was seen last.
+void free_up_to(const RouteEdge& edge, const Path& path, const Footprint& footprint, FloorGrid& floor) {
+  const Pose2 T_map_vehicle = path.at(edge.along_m).T_map_path;
+  const Vec2 sight = edge.p_map - T_map_vehicle.position();
+  const double ahead_m = sight.dot(unit(T_map_vehicle.theta));
+  const double first_share = (footprint.front_m + kSeenBeforeBumper_m) / std::max(ahead_m, 1e-3);
+  const double step_share = kFloorStep * floor.cell_m() / sight.norm();
+  for (double share = first_share; share < 1; share += step_share)
+    floor.set(floor.cell_at(T_map_vehicle.position() + share * sight), Floor::kFree);
+}
+
+/// What the lower edge of the first camera's view passed over, out to the first edge of the route.
+void free_before(const Footprint& footprint, const Pose2& T_map_vehicle, FloorGrid& floor) {
+  constexpr double kAside_m = 0.7;
+  const double ahead_m = footprint.front_m + kSeenBeforeBumper_m;
+  for (const double side : {-1.0, 1.0}) {
+    for (double y = 0; y < kAside_m; y += kFloorStep * floor.cell_m()) {
+      const FloorCell cell = floor.cell_at(T_map_vehicle * Vec2(ahead_m, side * y));
+      if (floor.at(cell) == Floor::kOccupied) break;
+      floor.set(cell, Floor::kFree);
+    }
+  }
+}
+
+/// Lines of sight leave gaps between them.
+void close_gaps(FloorGrid& floor) {
+  constexpr int kRounds = 3, kFreeNeighboursMin = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<FloorCell> gaps;
+    const FloorBox box = floor.known();
+    for (int y = box.low.y; y < box.end.y; ++y) {
+      for (int x = box.low.x; x < box.end.x; ++x) {
+        if (floor.at(FloorCell{x, y}) != Floor::kUnknown) continue;
+        int free = 0;
+        for (int i = 0; i < 9; ++i)
+          free += floor.at(FloorCell{x + i % 3 - 1, y + i / 3 - 1}) == Floor::kFree ? 1 : 0;
+        if (free >= kFreeNeighboursMin) gaps.push_back({x, y});
+      }
+    }
+    for (const FloorCell& cell : gaps) floor.set(cell, Floor::kFree);
+  }
+}
+
+}  // namespace
+
+void free_under(const Footprint& footprint, const Pose2& T_floor_vehicle, FloorGrid& floor) {
+  const double step_m = kFloorStep * floor.cell_m();
+  for (double x = -footprint.rear_m; x <= footprint.front_m; x += step_m) {
+    for (double y = -footprint.width_m / 2; y <= footprint.width_m / 2; y += step_m)
+      floor.set(floor.cell_at(T_floor_vehicle * Vec2(x, y)), Floor::kFree);
+  }
+}
+
+FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const Footprint& footprint,
+                      const Vec2& p_map_place, double reach_m) {
+  constexpr double kWayStep_m = 0.05;
+  const auto is_near = [&](const Vec2& p_map) { return (p_map - p_map_place).norm() < reach_m; };
+  FloorGrid floor;
+  const auto put_edges = [&] {
+    for (const RouteEdge& edge : edges) {
+      if (is_near(edge.p_map)) floor.set(floor.cell_at(edge.p_map), Floor::kOccupied);
+    }
+  };
+  put_edges();
+  for (double along_m = 0; along_m < path.length_m(); along_m += kWayStep_m) {
+    const Pose2 T_map_vehicle = path.at(along_m).T_map_path;
+    if (!is_near(T_map_vehicle.position())) continue;
+    free_before(footprint, T_map_vehicle, floor);
+    free_under(footprint, T_map_vehicle, floor);
+  }
+  for (const RouteEdge& edge : edges) {
+    if (is_near(edge.p_map)) free_up_to(edge, path, footprint, floor);
+  }
+  close_gaps(floor);
+  put_edges();
+  return floor;
+}
+
+}  // namespace aisle

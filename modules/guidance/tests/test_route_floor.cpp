@@ -1,0 +1,38 @@
+#include "aisle/guidance/route_floor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace aisle {
+namespace {
+
+const Footprint kFootprint{.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6};
+
+/// 5 m straight on, with a wall 1 m to the left, each point of which was seen last from 2 m before it.
+FloorGrid floor_beside_wall(double reach_m) {
+  std::vector<RouteEdge> edges;
+  for (double x = 2; x < 6; x += 0.05) edges.push_back({x - 2, Vec2(x, 1)});
+  return route_floor(Path(std::vector{PathPiece{{}, {5, 0}}}), edges, kFootprint, {4, 0}, reach_m);
+}
+
+TEST(RouteFloor, IsFreeWhereTheVehicleDroveAndUpToTheEdgesThatItSaw) {
+  const FloorGrid floor = floor_beside_wall(4);
+  EXPECT_EQ(floor.at(Vec2(3, 0)), Floor::kFree);
+  EXPECT_EQ(floor.at(Vec2(3, -0.6)), Floor::kFree);
+  EXPECT_EQ(floor.at(Vec2(4, 0.9)), Floor::kFree);
+  EXPECT_EQ(floor.at(Vec2(4, 1)), Floor::kOccupied);
+}
+
+TEST(RouteFloor, TellsNothingOfWhatLiesBehindEdgesOrWasNotSeen) {
+  const FloorGrid floor = floor_beside_wall(4);
+  EXPECT_EQ(floor.at(Vec2(4, 1.3)), Floor::kUnknown);
+  EXPECT_EQ(floor.at(Vec2(4, -1.2)), Floor::kUnknown);
+}
+
+TEST(RouteFloor, EndsFarFromThePlace) {
+  EXPECT_EQ(floor_beside_wall(1).at(Vec2(1, 0)), Floor::kUnknown);
+}
+
+}  // namespace
+}  // namespace aisle
