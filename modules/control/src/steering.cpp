@@ -69,7 +69,7 @@ PathFollower::PathFollower(const VehicleDescription& vehicle, const SteeringPara
 Command PathFollower::follow(const Path& path, const PathPoint& from, const Pose2& T_map_vehicle,
                              double speed_mps, double steering_rad) const {
   const PathPiece& piece = path.pieces()[from.piece];
-  if (piece.is_on_the_spot()) return turn_on_the_spot(piece, T_map_vehicle);
+  if (piece.is_on_the_spot()) return turn_to(piece.end().theta, T_map_vehicle.theta);
   const bool in_reverse = piece.arc.length_m < 0;
   const double along_mps = in_reverse ? -speed_mps : speed_mps;
   const double ahead_m = params_.look_ahead_m + params_.look_ahead_s * speed_mps;
@@ -105,8 +105,8 @@ double PathFollower::best_steering_rad(const FrontSteered& steered, const Path& 
 
 /// A quarter of what is left in each cycle: with a command that acts a cycle late this is the fastest way to
 /// come to rest without overshoot.
-Command PathFollower::turn_on_the_spot(const PathPiece& piece, const Pose2& T_map_vehicle) const {
-  const double left_rad = wrap_angle(piece.end().theta - T_map_vehicle.theta);
+Command PathFollower::turn_to(double due_rad, double heading_rad) const {
+  const double left_rad = wrap_angle(due_rad - heading_rad);
   const double rate_max_rad_s = vehicle_.limits.turn_rate_max_rad_s;
   return {.turn_rate_rad_s = std::clamp(left_rad / (4 * vehicle_.cycle_s), -rate_max_rad_s, rate_max_rad_s)};
 }

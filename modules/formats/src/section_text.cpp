@@ -82,7 +82,8 @@ class SectionParser {
   Result<Section> straight(Kind kind, bool has_walls) const {
     const auto length_m = within(1, 0, kLengthMax_m);
     if (!length_m)
-      return wrong(fmt::format("'{}' needs a length in metres, up to {}", words_[0], kLengthMax_m));
+      return wrong(
+          fmt::format("'{}' needs a length in metres, more than 0 and up to {}", words_[0], kLengthMax_m));
     Section section{.kind = kind, .length_m = *length_m};
     for (std::size_t i = 2; i < words_.size(); i += 2) {
       auto* beside_m = !has_walls             ? nullptr
@@ -90,13 +91,14 @@ class SectionParser {
                        : words_[i] == "left"  ? &section.left_m
                        : words_[i] == "ahead" ? &section.ahead_m
                                               : nullptr;
-      const auto distance_m = within(i + 1, 0, kBesideMax_m);
-      if (beside_m == nullptr || beside_m->has_value() || !distance_m) {
+      if (beside_m == nullptr || beside_m->has_value()) {
         return wrong(
             fmt::format("'{}' is not understood{}", words_[i],
                         has_walls ? "; after the length come 'right', 'left' or 'ahead' and metres" : ""));
       }
-      *beside_m = distance_m;
+      *beside_m = within(i + 1, 0, kBesideMax_m);
+      if (!*beside_m)
+        return wrong(fmt::format("'{}' needs metres, more than 0 and up to {}", words_[i], kBesideMax_m));
     }
     return section;
   }

@@ -69,6 +69,7 @@ TEST(SectionText, SaysWhatALineShouldHaveBeen) {
     EXPECT_FALSE(parse_section(line).ok()) << line;
   }
   EXPECT_THAT(to_string(parse_section("x 3").problems()), HasSubstr("a, h, d, b, c, l, r"));
+  EXPECT_THAT(to_string(parse_section("a 3 right 50").problems()), HasSubstr("up to 20"));
 }
 
 SectionList list(const std::vector<const char*>& lines) {

@@ -66,13 +66,13 @@ GuidedPath guided_path(const SectionList& sections, const Pose2& T_map_start, Se
                         .left_m = section.left_m,
                         .ahead_m = section.ahead_m};
   };
-  GuidedPath way;
+  GuidedPath way{.path = {}, .guides = {}, .comes_home = trip == SectionTrip::kThereAndBack};
   std::vector<PathPiece> pieces;
   if (trip != SectionTrip::kBack) {
     for (std::size_t i = 0; i < piece_sections.size(); ++i)
       append(way, pieces, there.pieces()[i], guide_of(i));
   }
-  if (trip == SectionTrip::kThereAndBack)
+  if (way.comes_home)
     append(way, pieces, {there.pieces().back().end(), {0, kPi}}, {.section = sections.size() - 1});
   if (trip != SectionTrip::kThere) {
     const Path back = there.reversed();

@@ -8,6 +8,7 @@
 #include "aisle/learning/section_learning.hpp"
 #include "aisle/learning/wall_heading.hpp"
 #include "aisle/learning/walls_beside.hpp"
+#include "base_line_steps.hpp"
 #include "way_settling.hpp"
 
 namespace aisle {
@@ -130,6 +131,26 @@ bool is_on(const Run& run, const Pose2& T_run_vehicle) {
          std::abs(T_run_vehicle.theta) < kOnRun_rad;
 }
 
+/// The parts of a stretch, beside each of which the base lines keep their distances.
+std::vector<Run> parts_of(const Run& run, std::span<const SectionCycle> cycles,
+                          const std::vector<Pose2>& T_route_vehicle) {
+  if (run.length_m < 0) return {run};
+  std::vector<StretchView> views;
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    const Pose2 T_run_vehicle = between(run.T_route_start, T_route_vehicle[i]);
+    if (is_on(run, T_run_vehicle)) views.push_back({T_run_vehicle, cycles[i].floor_edges});
+  }
+  std::vector<Run> parts;
+  const auto add = [&](double from_m, double to_m) {
+    parts.push_back({.T_route_start = run.T_route_start * Pose2{from_m, 0, 0}, .length_m = to_m - from_m});
+  };
+  double from_m = 0;
+  for (const double step_m : base_line_steps_m(run.length_m, views))
+    add(std::exchange(from_m, step_m), step_m);
+  add(from_m, run.length_m);
+  return parts;
+}
+
 /// Those of the runs that lie along the axes, and the cycles from first to last that are on each.
 std::vector<DrivenStretch> stretches_of(const std::vector<Run>& runs,
                                         const std::vector<Pose2>& T_route_vehicle) {
@@ -156,7 +177,12 @@ std::vector<Pose2> way_of(std::span<const SectionCycle> cycles, const VehicleDes
                           const SectionLearningParams& params) {
   std::vector<Pose2> T_route_vehicle = settled_way(cycles, vehicle, followed_headings(cycles, vehicle), {});
   if (!goes_anywhere(T_route_vehicle)) return T_route_vehicle;
-  const auto stretches = stretches_of(runs_of(T_route_vehicle, params), T_route_vehicle);
+  std::vector<Run> parts;
+  for (const Run& run : runs_of(T_route_vehicle, params)) {
+    const std::vector<Run> of_run = parts_of(run, cycles, T_route_vehicle);
+    parts.insert(parts.end(), of_run.begin(), of_run.end());
+  }
+  const auto stretches = stretches_of(parts, T_route_vehicle);
   std::vector<double> headings_rad;
   headings_rad.reserve(T_route_vehicle.size());
   for (const Pose2& T : T_route_vehicle) headings_rad.push_back(T.theta);
@@ -256,6 +282,20 @@ std::optional<double> usual(const std::vector<double>& distances_m) {
   return median(distances_m);
 }
 
+/// Straight on along the base lines at the distances at which they were seen.
+void append_follow(SectionList& list, const Run& run, std::span<const SectionCycle> cycles,
+                   const std::vector<Pose2>& T_route_vehicle) {
+  const std::vector<Run> parts = parts_of(run, cycles, T_route_vehicle);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const DistancesBeside distances = distances_beside(parts[i], cycles, T_route_vehicle);
+    Section section = straight(parts[i].length_m);
+    section.right_m = usual(distances.right_m);
+    section.left_m = usual(distances.left_m);
+    if (i + 1 == parts.size()) section.ahead_m = usual(distances.ahead_m);
+    list.push_back(section);
+  }
+}
+
 /// Where the first stretch begins: on its line, unless that lies farther off than a hand wanders. Then the
 /// odometry has bent the way, and it begins where the vehicle stood.
 Pose2 beginning(const Run& first, const Pose2& T_route_vehicle) {
@@ -274,19 +314,17 @@ DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescr
   std::vector<SectionList> joints;
   for (std::size_t i = 1; i < runs.size(); ++i) joints.push_back(joint(runs[i - 1], runs[i], params));
   if (runs.empty()) return driven;
-  std::vector<double> widths_m;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (i > 0) driven.sections.insert(driven.sections.end(), joints[i - 1].begin(), joints[i - 1].end());
-    Section section = straight(runs[i].length_m);
-    if (section.kind == Section::Kind::kFollow) {
-      const DistancesBeside distances = distances_beside(runs[i], cycles, driven.T_route_vehicle);
-      section.right_m = usual(distances.right_m);
-      section.left_m = usual(distances.left_m);
-      section.ahead_m = usual(distances.ahead_m);
-      if (section.right_m && section.left_m) widths_m.push_back(*section.right_m + *section.left_m);
+    if (runs[i].length_m > 0) {
+      append_follow(driven.sections, runs[i], cycles, driven.T_route_vehicle);
+    } else {
+      driven.sections.push_back(straight(runs[i].length_m));
     }
-    driven.sections.push_back(section);
   }
+  std::vector<double> widths_m;
+  for (const Section& section : driven.sections)
+    if (section.right_m && section.left_m) widths_m.push_back(*section.right_m + *section.left_m);
   driven.T_route_start = beginning(runs.front(), driven.T_route_vehicle.front());
   if (!widths_m.empty()) driven.corridor_width_m = median(std::move(widths_m));
   return driven;

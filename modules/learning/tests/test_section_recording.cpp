@@ -157,5 +157,30 @@ TEST(SectionRecording, BackwardsStaysBackwards) {
   EXPECT_NEAR(list[1].length_m, 0.8, 0.05);
 }
 
+TEST(SectionRecording, EndsASectionWhereTheBaseLineStepsAside) {
+  Drive drive;
+  drive.set_wall(-0.5);
+  drive.go(9);
+  drive.set_wall(-0.8);
+  drive.go(7);
+  const SectionList list = drive.recorded().sections;
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_NEAR(list[0].length_m + list[1].length_m, 16, 0.1);
+  EXPECT_NEAR(list[0].length_m, 10, 1);
+  EXPECT_NEAR(list[0].right_m.value(), 0.5, 0.02);
+  EXPECT_NEAR(list[1].right_m.value(), 0.8, 0.02);
+}
+
+TEST(SectionRecording, GoesOnPastARecess) {
+  Drive drive;
+  for (const double aside_m : {-0.5, -0.8, -0.5}) {
+    drive.set_wall(aside_m);
+    drive.go(aside_m < -0.6 ? 1.5 : 7);
+  }
+  const SectionList list = drive.recorded().sections;
+  ASSERT_EQ(list.size(), 1U);
+  EXPECT_NEAR(list[0].right_m.value(), 0.5, 0.02);
+}
+
 }  // namespace
 }  // namespace aisle

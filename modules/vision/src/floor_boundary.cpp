@@ -30,6 +30,7 @@ const std::vector<BoundaryPoint>& FloorBoundary::find(const LevelView& view) {
   steps_.assign(static_cast<std::size_t>(view.columns()) * rows, 0);
   froms_.resize(steps_.size());
   sums_.resize(rows + 1);
+  set_reaches(view);
   for (int column = 0; column < view.columns(); ++column) {
     measure_steps(view, column);
     thin(view, column);
@@ -53,9 +54,20 @@ const std::vector<BoundaryPoint>& FloorBoundary::find_again(const LevelView& vie
 void FloorBoundary::strike_out(const LevelView& view, const BoundaryPoint& point) {
   const auto column = static_cast<int>(point.column), row = static_cast<int>(std::lround(point.row));
   const LevelView::Rows seen = view.seen(column);
-  const int reach = 2 * reach_at(view, row);
+  const int reach = 2 * reaches_[static_cast<std::size_t>(row)];
   float* steps = &steps_[index(column, 0)];
   std::fill(steps + std::max(row - reach, seen.first), steps + std::min(row + reach + 1, seen.end), 0.0F);
+}
+
+void FloorBoundary::set_reaches(const LevelView& view) {
+  reaches_.clear();
+  bands_.clear();
+  for (int row = 0; row < rows_; ++row) {
+    const int reach = reach_at(view, row);
+    reaches_.push_back(reach);
+    if (bands_.empty() || bands_.back().reach != reach) bands_.push_back({.first = row, .reach = reach});
+    bands_.back().end = row + 1;
+  }
 }
 
 void FloorBoundary::sum_brightness(const std::uint8_t* brightness, LevelView::Rows seen) {
@@ -67,16 +79,20 @@ void FloorBoundary::sum_brightness(const std::uint8_t* brightness, LevelView::Ro
   sums_[static_cast<std::size_t>(seen.end)] = sum;
 }
 
-/// The step of a row lies above it.
 void FloorBoundary::measure_steps(const LevelView& view, int column) {
   const LevelView::Rows seen = view.seen(column);
   if (seen.count() == 0) return;
   sum_brightness(view.column(column), seen);
-  float* steps = &steps_[index(column, 0)];
+  for (const Band& band : bands_) measure_band(band, seen, &steps_[index(column, 0)]);
+}
+
+/// The step of a row lies above it.
+void FloorBoundary::measure_band(const Band& band, LevelView::Rows seen, float* steps) const {
   const int* sums = sums_.data();
-  for (int row = seen.first + 2 * kHalfReachMin; row + 2 * kHalfReachMin <= seen.end; ++row) {
-    const int reach = reach_at(view, row);
-    if (row - 2 * reach < seen.first || row + 2 * reach > seen.end) continue;
+  const int reach = band.reach;
+  const int first = std::max(band.first, seen.first + 2 * reach);
+  const int end = std::min(band.end, seen.end - 2 * reach + 1);
+  for (int row = first; row < end; ++row) {
     const int farther = sums[row - reach] - sums[row - 2 * reach], far = sums[row] - sums[row - reach];
     const int near = sums[row + reach] - sums[row], nearer = sums[row + 2 * reach] - sums[row + reach];
     const int brighter = std::min(far, farther) - std::max(near, nearer);
@@ -92,7 +108,7 @@ void FloorBoundary::thin(const LevelView& view, int column) {
   float* steps = &steps_[index(column, 0)];
   int peak = seen.first;
   for (int row = seen.first + 1; row < seen.end; ++row) {
-    if (row - peak > reach_at(view, row)) peak = row;
+    if (row - peak > reaches_[static_cast<std::size_t>(row)]) peak = row;
     if (steps[row] == 0 || row == peak) continue;
     if (std::abs(steps[row]) > std::abs(steps[peak])) {
       steps[peak] = 0;
@@ -106,56 +122,54 @@ void FloorBoundary::thin(const LevelView& view, int column) {
 /// A row gains by its own step, and pays for the steps beneath it.
 void FloorBoundary::weigh(int column) {
   const float* steps = &steps_[index(column, 0)];
+  float* costs = costs_.data();
+  const auto contrast_min = static_cast<float>(contrast_min_);
   float beneath = 0;
+  cheapest_row_ = rows_ - 1;
   for (int row = rows_ - 1; row >= 0; --row) {
-    const float step = std::abs(steps[row]) - static_cast<float>(contrast_min_);
-    const float worth = std::clamp(step, 0.0F, kWorthMax);
-    costs_[static_cast<std::size_t>(row)] += kLeftBeneath * beneath - worth;
+    const float worth = std::clamp(std::abs(steps[row]) - contrast_min, 0.0F, kWorthMax);
+    costs[row] += kLeftBeneath * beneath - worth;
     beneath = std::min(beneath + worth, kBeneathMax);
+    if (costs[row] <= costs[cheapest_row_]) cheapest_row_ = row;
   }
 }
 
 /// The cheapest way to each row of a column from the column before.
 void FloorBoundary::cross_to_next(int column) {
   std::int16_t* from = &froms_[index(column, 0)];
-  const auto rows = static_cast<std::size_t>(rows_);
-  const auto least = std::min_element(costs_.begin(), costs_.end());
-  const float jump = *least + kJump;
-  const auto jump_from = static_cast<std::int16_t>(least - costs_.begin());
+  const float* costs = costs_.data();
+  float* crossed = crossed_.data();
+  const int jump_from = cheapest_row_;
+  const float jump = costs[jump_from] + kJump;
   float best = jump;
-  std::int16_t best_from = jump_from;
-  for (std::size_t row = 0; row < rows; ++row) {
+  int best_from = jump_from;
+  const auto come_to = [&](int row) {
     best += kPerRow;
-    if (costs_[row] <= best) {
-      best = costs_[row];
-      best_from = static_cast<std::int16_t>(row);
-    }
-    crossed_[row] = best;
-    from[row] = best_from;
+    const bool begins_here = costs[row] <= best;
+    best = begins_here ? costs[row] : best;
+    best_from = begins_here ? row : best_from;
+  };
+  for (int row = 0; row < rows_; ++row) {
+    come_to(row);
+    crossed[row] = best;
+    from[row] = static_cast<std::int16_t>(best_from);
   }
   best = jump;
   best_from = jump_from;
-  for (std::size_t row = rows; row-- > 0;) {
-    best += kPerRow;
-    if (costs_[row] <= best) {
-      best = costs_[row];
-      best_from = static_cast<std::int16_t>(row);
-    }
-    if (best < crossed_[row]) {
-      crossed_[row] = best;
-      from[row] = best_from;
-    }
-    if (jump < crossed_[row]) {
-      crossed_[row] = jump;
-      from[row] = jump_from;
-    }
+  for (int row = rows_ - 1; row >= 0; --row) {
+    come_to(row);
+    int row_from = best < crossed[row] ? best_from : from[row];
+    const float by_row = std::min(crossed[row], best);
+    row_from = jump < by_row ? jump_from : row_from;
+    crossed[row] = std::min(by_row, jump);
+    from[row] = static_cast<std::int16_t>(row_from);
   }
   costs_.swap(crossed_);
 }
 
 void FloorBoundary::trace_back(const LevelView& view) {
   path_.resize(static_cast<std::size_t>(view.columns()));
-  auto row = static_cast<int>(std::min_element(costs_.begin(), costs_.end()) - costs_.begin());
+  int row = cheapest_row_;
   for (int column = view.columns() - 1; column >= 0; --column) {
     path_[static_cast<std::size_t>(column)] = row;
     if (column > 0) row = froms_[index(column, row)];

@@ -29,8 +29,16 @@ class FloorBoundary {
   const std::vector<BoundaryPoint>& find_again(const LevelView& view);
 
  private:
+  /// Rows in which a step must last over as many rows.
+  struct Band {
+    int first = 0, end = 0;
+    int reach = 0;  ///< half of them
+  };
+
+  void set_reaches(const LevelView& view);
   void measure_steps(const LevelView& view, int column);
   void sum_brightness(const std::uint8_t* brightness, LevelView::Rows seen);
+  void measure_band(const Band& band, LevelView::Rows seen, float* steps) const;
   void thin(const LevelView& view, int column);
   void weigh(int column);
   void cross_to_next(int column);
@@ -43,6 +51,9 @@ class FloorBoundary {
 
   double contrast_min_;
   int rows_ = 0;
+  std::vector<int> reaches_;         ///< of each row
+  std::vector<Band> bands_;          ///< from above
+  int cheapest_row_ = 0;             ///< of costs_
   std::vector<int> sums_;            ///< of a column's brightness above a row
   std::vector<float> steps_;         ///< of each column and row; > 0: brighter above
   std::vector<float> costs_;         ///< of the best way to each row of a column

@@ -22,40 +22,60 @@ const std::vector<FloorLine>& FloorLineFitter::fit(const std::vector<BoundaryPoi
   rows_per_column_ = rows_per_column;
   taken_.assign(points.size(), 0);
   lines_.clear();
+  begin_runs();
+  const auto is_shorter = [](const Run& a, const Run& b) { return a.count < b.count; };
   while (lines_.size() < kLinesMax) {
-    Run best;
-    for (std::size_t a = 0; a < points.size(); a += 2) {
-      for (const std::size_t apart : {4, 10, 24}) {
-        if (a + apart >= points.size()) break;
-        const Run run = grown(a, a + apart);
-        if (run.count > best.count) best = run;
-      }
-    }
-    if (best.count < kPointsMin) break;
-    take(best);
+    const auto longest = std::max_element(runs_.begin(), runs_.end(), is_shorter);
+    if (longest == runs_.end() || longest->count < kPointsMin) break;
+    const Run run = *longest;
+    take(run);
+    grow_without(run);
   }
   std::sort(lines_.begin(), lines_.end(),
             [](const FloorLine& a, const FloorLine& b) { return a.first_column < b.first_column; });
   return lines_;
 }
 
-bool FloorLineFitter::is_on(const BoundaryPoint& point, const Run& run) const {
-  const double steepness = std::hypot(1.0, run.slope / rows_per_column_);
-  return std::abs(point.row - run.row - run.slope * point.column) < kOffLine_px * steepness;
+bool FloorLineFitter::Run::has(const BoundaryPoint& point) const {
+  return std::abs(point.row - row - slope * point.column) < off_max_rows;
+}
+
+void FloorLineFitter::begin_runs() {
+  const auto& points = *points_;
+  runs_.clear();
+  for (std::size_t a = 0; a < points.size(); a += 2) {
+    for (const std::size_t apart : {4, 10, 24}) {
+      if (a + apart >= points.size()) break;
+      const BoundaryPoint &from = points[a], &to = points[a + apart];
+      Run run{.a = a, .b = a + apart};
+      run.slope = (to.row - from.row) / (to.column - from.column);
+      run.row = from.row - run.slope * from.column;
+      run.off_max_rows = kOffLine_px * std::hypot(1.0, run.slope / rows_per_column_);
+      grow(run);
+      runs_.push_back(run);
+    }
+  }
+}
+
+/// The runs that points were taken from end before them.
+void FloorLineFitter::grow_without(const Run& taken) {
+  for (Run& run : runs_) {
+    const bool is_touched = run.first < taken.end && taken.first < std::max(run.end, run.b + 1);
+    if (run.count > 0 && is_touched) grow(run);
+  }
 }
 
 /// The line through two points as far as further points lie on it.
-FloorLineFitter::Run FloorLineFitter::grown(std::size_t a, std::size_t b) const {
+void FloorLineFitter::grow(Run& run) const {
   const auto& points = *points_;
-  Run run;
-  if (taken_[a] != 0 || taken_[b] != 0) return run;
-  run.slope = (points[b].row - points[a].row) / (points[b].column - points[a].column);
-  run.row = points[a].row - run.slope * points[a].column;
+  const std::size_t a = run.a;
+  run.count = 0;
+  if (taken_[a] != 0 || taken_[run.b] != 0) return;
   run.first = run.end = a;
   double column = points[a].column;
   for (std::size_t i = a; i < points.size() && points[i].column - column <= kGap; ++i) {
     if (taken_[i] != 0) break;
-    if (!is_on(points[i], run)) continue;
+    if (!run.has(points[i])) continue;
     column = points[i].column;
     run.end = i + 1;
     ++run.count;
@@ -63,12 +83,11 @@ FloorLineFitter::Run FloorLineFitter::grown(std::size_t a, std::size_t b) const 
   column = points[a].column;
   for (std::size_t i = a; i-- > 0 && column - points[i].column <= kGap;) {
     if (taken_[i] != 0) break;
-    if (!is_on(points[i], run)) continue;
+    if (!run.has(points[i])) continue;
     column = points[i].column;
     run.first = i;
     ++run.count;
   }
-  return run;
 }
 
 /// Fits the line to all its points.
@@ -77,7 +96,7 @@ void FloorLineFitter::take(const Run& run) {
   for (std::size_t i = run.first; i < run.end; ++i) {
     taken_[i] = 1;
     const BoundaryPoint& point = (*points_)[i];
-    if (!is_on(point, run)) continue;
+    if (!run.has(point)) continue;
     n += 1;
     columns += point.column;
     rows += point.row;
@@ -87,7 +106,7 @@ void FloorLineFitter::take(const Run& run) {
   double spread = 0, product = 0, square = 0;
   for (std::size_t i = run.first; i < run.end; ++i) {
     const BoundaryPoint& point = (*points_)[i];
-    if (!is_on(point, run)) continue;
+    if (!run.has(point)) continue;
     const double column = point.column - mean_column, row = point.row - mean_row;
     spread += column * column;
     product += column * row;

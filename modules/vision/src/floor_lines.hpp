@@ -27,18 +27,24 @@ class FloorLineFitter {
 
  private:
   struct Run {
+    std::size_t a = 0, b = 0;        ///< the points that it was begun with
     std::size_t first = 0, end = 0;  ///< of points
     double row = 0, slope = 0;       ///< row at column 0
+    double off_max_rows = 0;         ///< a point that is farther off is not on it
     std::size_t count = 0;           ///< of the points that lie on it
+
+    bool has(const BoundaryPoint& point) const;
   };
 
-  Run grown(std::size_t a, std::size_t b) const;
-  bool is_on(const BoundaryPoint& point, const Run& run) const;
+  void begin_runs();
+  void grow(Run& run) const;
   void take(const Run& run);
+  void grow_without(const Run& taken);
 
   const std::vector<BoundaryPoint>* points_ = nullptr;
   double rows_per_column_ = 1;
   std::vector<char> taken_;
+  std::vector<Run> runs_;
   std::vector<FloorLine> lines_;
 };
 

@@ -45,7 +45,7 @@ class BandProfile {
     const LevelView::Rows seen = view.seen(column);
     const std::uint8_t* grey = view.column(column);
     for (int bin = -kBins; bin < kBins; ++bin) {
-      const int row = static_cast<int>(std::floor(depth * depth_share(bin) - view.depth(0)));
+      const int row = static_cast<int>(std::floor(depth * depth_share(bin) - view.depth(0) + 0.5));
       if (row < seen.first || row >= seen.end) continue;
       sums_[index(bin)] += grey[row];
       ++counts_[index(bin)];

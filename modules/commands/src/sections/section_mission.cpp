@@ -19,7 +19,6 @@ namespace {
 constexpr double kBaseLine_m = 0.02;      // height at which a wall is its base line
 constexpr double kSameBaseLine_m = 0.25;  // off by more, another thing stands there
 constexpr double kPictureWorthy_m = 0.5;  // shorter sections all look alike
-constexpr double kHome_m = 1e-6;
 
 /// The walls themselves: where there is a door, none stands.
 std::vector<Segment2> base_lines_of(World world) {
@@ -128,9 +127,8 @@ Result<SectionMissionResult> drive_section_mission(const SimulationSetting& sett
   result.end = std::move(*end);
   result.collisions = vehicle.truth().collisions;
   result.distance_m = vehicle.truth().way_m;
-  const bool comes_home = (T_map_end.position() - T_map_start.position()).norm() < kHome_m;
-  const Pose2 T_world_due =
-      comes_home ? T_world_set_down * between(T_map_start, T_map_end) : options.T_world_map * T_map_end;
+  const Pose2 T_world_due = navigator.comes_home() ? T_world_set_down * between(T_map_start, T_map_end)
+                                                   : options.T_world_map * T_map_end;
   const Pose2 off = between(T_world_due, vehicle.truth().T_world_vehicle);
   result.closing_error_m = off.position().norm();
   result.closing_error_rad = std::abs(off.theta);

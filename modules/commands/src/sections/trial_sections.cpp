@@ -70,9 +70,16 @@ std::string due_letters(const std::vector<Vec2>& way, const SectionLearningParam
   return letters;
 }
 
+/// Sections in one line, which end where the base lines step aside, are one way.
 std::string letters_of(const SectionList& sections) {
   std::string letters;
-  for (const Section& section : sections) letters += section_text(section).front();
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const auto is_ahead = [&](std::size_t at) {
+      return at < sections.size() &&
+             (sections[at].kind == Section::Kind::kFollow || sections[at].kind == Section::Kind::kHybrid);
+    };
+    if (!is_ahead(i) || !is_ahead(i + 1)) letters += section_text(sections[i]).front();
+  }
   return letters;
 }
 

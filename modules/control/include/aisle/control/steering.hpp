@@ -49,11 +49,14 @@ class PathFollower {
   Command follow(const Path& path, const PathPoint& from, const Pose2& T_map_vehicle, double speed_mps,
                  double steering_rad) const;
 
+  /// Turns a differential vehicle on the spot.
+  /// @param due_rad  the heading that it is to have
+  Command turn_to(double due_rad, double heading_rad) const;
+
  private:
   double best_steering_rad(const FrontSteered& steered, const Path& path, const PathPoint& from,
                            const Pose2& T_map_vehicle, double look_ahead_m,
                            const Interval& allowed_rad) const;
-  Command turn_on_the_spot(const PathPiece& piece, const Pose2& T_map_vehicle) const;
 
   VehicleDescription vehicle_;
   SteeringParams params_;

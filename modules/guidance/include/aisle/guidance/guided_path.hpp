@@ -24,6 +24,7 @@ struct SectionGuide {
 struct GuidedPath {
   Path path;
   std::vector<SectionGuide> guides;  ///< one a piece
+  bool comes_home = false;           ///< it ends where it begins, turned about
 };
 
 enum class SectionTrip { kThere, kBack, kThereAndBack };

@@ -30,7 +30,8 @@ struct SectionNavigatorParams {
   void describe(FieldList& fields);
 };
 
-/// Keeps to the way as its localiser says where it is, and waits before what stands on the floor ahead. Too
+/// Keeps to the way as its localiser says where it is, and waits before what stands on the floor ahead. At
+/// the end it turns on the spot until it is headed as it should be: home again, as it was set down. Too
 /// unsure how far aside of its way it is, kept waiting for too long, or with the bumper pressed, it gives up,
 /// and says where in the list.
 class SectionNavigator final : public Navigator {
@@ -46,6 +47,7 @@ class SectionNavigator final : public Navigator {
 
   const Pose2& pose() const { return localiser_.pose(); }
   const Path& path() const { return way_.path; }
+  bool comes_home() const { return way_.comes_home; }
   const SectionGuide& guide() const { return way_.guides[progress_.point().piece]; }
   const PathPoint& point() const { return progress_.point(); }
   /// Where the floor ends in the last picture.
@@ -53,6 +55,7 @@ class SectionNavigator final : public Navigator {
 
  private:
   void locate(const Observation& observation);
+  Decision take_last_heading();
   Decision guarded(Decision decision);
   std::string place() const;
   Decision fail(std::string state, const std::string& what) const;
@@ -71,6 +74,7 @@ class SectionNavigator final : public Navigator {
   std::vector<SensedSegment> edges_on_floor_;
   bool is_guided_ = false;  ///< in this cycle
   std::optional<double> begun_s_;
+  std::optional<double> askew_rad_;  ///< how it was set down, against the way
 };
 
 }  // namespace aisle

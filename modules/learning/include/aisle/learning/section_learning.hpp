@@ -45,10 +45,10 @@ struct DrivenList {
 /// L03 section 3.1, from any recorded drive. Where the vehicle is follows from its odometry and from the
 /// walls, which are straight and at right angles, all cycles together; the way is smoothed to lines and arcs,
 /// and lines that run nearly along walls are laid exactly so. A straight line becomes `a` (backwards: `b`)
-/// with the mean distances of the base lines beside it; a turn on the spot or to the right becomes one turn
-/// at the corner of the lines before and after it; a left turn on an arc becomes two turns with the chord
-/// between. Turns are rounded to the quantum, and to a quarter turn where they miss it by less than
-/// `crossing_rad`.
+/// with the usual distances of the base lines beside it, cut in two where one steps aside for good; a turn on
+/// the spot or to the right becomes one turn at the corner of the lines before and after it; a left turn on
+/// an arc becomes two turns with the chord between. Turns are rounded to the quantum, and to a quarter turn
+/// where they miss it by less than `crossing_rad`.
 /// @return without sections if the vehicle did not go anywhere
 DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
                         const SectionLearningParams& params);
