@@ -49,7 +49,7 @@ RC_GTEST_PROP(FloorDistances, AreThoseThatTryingAllWaysGives, (std::uint64_t see
   clearance.update(floor, floor.known());
   const FloorCell start{static_cast<int>(random.index(kSide)), static_cast<int>(random.index(kSide))};
   FloorDistances distances;
-  distances.measure(floor, clearance, {1, 1}, 0, 0);
+  distances.measure(floor, clearance, {1, 1}, kRoom_m, 0);
   distances.measure(floor, clearance, floor.centre(start), kRoom_m, kLeeway_m);
   const auto expected = tenths_by_trying(clearance, start, static_cast<int>(10 * kLeeway_m / floor.cell_m()));
   for (int y = -3; y < kSide + 3; ++y) {
@@ -68,7 +68,7 @@ TEST(FloorDistances, NowhereIsReachedFromOutsideTheFloor) {
   FloorClearance clearance;
   clearance.update(floor, floor.known());
   FloorDistances distances;
-  distances.measure(floor, clearance, {1000, 1000}, 0, 1);
+  distances.measure(floor, clearance, {1000, 1000}, kRoom_m, 1);
   EXPECT_EQ(distances.to({0, 0}), FloorDistances::kUnreached);
 }
 
