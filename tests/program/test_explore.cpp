@@ -66,7 +66,7 @@ TEST_F(Explore, ACameraThatSeesLaserMarkersShowsABuildingAsWell) {
 
 TEST_F(Explore, ATrialExploresByTheSensorThatItIsTold) {
   const std::string world = file("dead-ends.yaml", kDeadEnds);
-  const std::vector<std::string> briefly = {"--sensor", "markers", "--set", "time_max_s=8", "--json"};
+  const std::vector<std::string> briefly = {"--sensor", "markers", "--set", "time_max_s=20", "--json"};
   const auto run_briefly = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), briefly.begin(), briefly.end());
     return run_aisle(arguments).json()["figures"];

@@ -50,10 +50,6 @@ class FloorClearance {
   }
   std::size_t columns() const { return static_cast<std::size_t>(room_.end.x - room_.low.x); }
   std::size_t size() const { return to_doubtful_m_.size(); }
-  FloorCell cell(std::size_t index) const {
-    return {room_.low.x + static_cast<int>(index % columns()),
-            room_.low.y + static_cast<int>(index / columns())};
-  }
 
  private:
   void widen_room(const FloorBox& wider);
