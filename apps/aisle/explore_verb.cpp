@@ -17,10 +17,7 @@ void add_explore_verb(CLI::App& app, Work& work) {
   add_resolution(*verb, options->plan_pixel_m);
   verb->add_option("--vehicle", options->vehicle,
                    "vehicle file (YAML), or the name of a shipped one (default: the one with the sensor)");
-  add_choice<ExploringSensor>(
-      *verb, "--sensor", options->sensor,
-      {{"scanner", ExploringSensor::kScanner}, {"markers", ExploringSensor::kMarkers}},
-      "what shows it its surroundings (default scanner)");
+  add_exploring_sensor(*verb, options->sensor, "what shows it its surroundings (default scanner)");
   verb->add_option("--faults", options->scenario,
                    "scenario file (YAML) of what goes wrong, or the name of a shipped one");
   add_choice<ExploringOrder>(*verb, "--order", options->order,

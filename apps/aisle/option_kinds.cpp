@@ -5,6 +5,7 @@
 
 #include "aisle/core/angle.hpp"
 
+using aisle::ExploringSensor;
 using aisle::kDegree;
 using aisle::Pose2;
 using aisle::wrap_angle;
@@ -18,6 +19,12 @@ void add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& meaning) {
                                fmt::format("'{}' is not a whole number from 0 to {}", text, UINT64_MAX));
   };
   verb.add_option_function<std::string>("--seed", read, meaning)->type_name("NUMBER");
+}
+
+void add_exploring_sensor(CLI::App& verb, ExploringSensor& sensor, const std::string& meaning) {
+  add_choice<ExploringSensor>(
+      verb, "--sensor", sensor,
+      {{"scanner", ExploringSensor::kScanner}, {"markers", ExploringSensor::kMarkers}}, meaning);
 }
 
 void add_resolution(CLI::App& verb, double& pixel_m) {

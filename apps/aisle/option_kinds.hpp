@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "aisle/commands/exploring_sensor.hpp"
 #include "aisle/geometry/pose2.hpp"
 
 template <class Value>
@@ -34,6 +35,9 @@ void add_choice(CLI::App& verb, const std::string& name, Value& chosen, const Ch
 
 /// "x,y,heading_deg": where a vehicle is.
 aisle::Pose2 parse_place(const std::string& option, const std::string& text);
+
+/// --sensor: what shows a vehicle that explores its surroundings.
+void add_exploring_sensor(CLI::App& verb, aisle::ExploringSensor& sensor, const std::string& meaning);
 
 /// --resolution: metres a pixel of a plan.
 void add_resolution(CLI::App& verb, double& pixel_m);

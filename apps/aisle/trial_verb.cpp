@@ -44,9 +44,11 @@ void add_trial_verb(CLI::App& app, Work& work) {
       "world files (YAML), names of shipped ones, or plans as 'convert' reads them, taken in turn (default: "
       "buildings by chance)");
   add_resolution(*verb, options->plan_pixel_m);
+  add_exploring_sensor(*verb, options->sensor,
+                       "explore: what shows the vehicle its surroundings (default scanner)");
   verb->add_option("--vehicle", options->vehicle,
                    "vehicle file (YAML), or the name of a shipped one (default alv; mini for sections, "
-                   "alv-scanner to explore)");
+                   "alv-scanner to explore by the scanner)");
   verb->add_option(
       "--faults", options->scenario,
       "scenario file (YAML) of what goes wrong while driving alone, or the name of a shipped one");

@@ -64,6 +64,20 @@ TEST_F(Explore, ACameraThatSeesLaserMarkersShowsABuildingAsWell) {
   EXPECT_LE(figures["home_error_deg"], 2);
 }
 
+TEST_F(Explore, ATrialExploresByTheSensorThatItIsTold) {
+  const std::string world = file("dead-ends.yaml", kDeadEnds);
+  const std::vector<std::string> briefly = {"--sensor", "markers", "--set", "time_max_s=20", "--json"};
+  const auto run_briefly = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), briefly.begin(), briefly.end());
+    return run_aisle(arguments).json()["figures"];
+  };
+  const auto explored = run_briefly({"explore", world});
+  const auto tried = run_briefly({"trial", "explore", "--world", world})["runs"][0];
+  EXPECT_GT(explored["distance_m"], 1);
+  for (const char* figure : {"distance_m", "covered_share", "free_m2", "wall_rmse_m"})
+    EXPECT_EQ(tried[figure], explored[figure]) << figure;
+}
+
 TEST_F(Explore, APlanIsExploredLikeTheWorldThatIsMadeOfIt) {
   const std::string plan = file("room.pbm", room_pbm(90, 40));
   ASSERT_EQ(run_aisle({"convert", plan, "--resolution", "0.1", "-o", at("room.yaml")}).exit_code, 0);

@@ -22,34 +22,32 @@ constexpr std::size_t kBuckets = 16;
 void FloorDistances::measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m,
                              double room_m, double leeway_m) {
   room_ = clearance.room();
-  distances_m_.assign(clearance.size(), kUnreached);
+  cell_m_ = static_cast<float>(floor.cell_m());
+  tenths_.assign(clearance.size(), kFar);
   const FloorCell start = floor.cell_at(from_m);
-  if (!room_.contains(start)) return;
+  if (!room_.widened(-1).contains(start)) return;
   std::array<std::vector<std::size_t>, kBuckets> queue;
-  std::vector<std::uint32_t> tenths(clearance.size(), UINT32_MAX);
-  const auto reach = [&](FloorCell cell, std::uint32_t distance) {
-    const std::size_t at = clearance.index(cell);
-    if (distance >= tenths[at]) return false;
-    tenths[at] = distance;
-    queue[distance % kBuckets].push_back(at);
-    return true;
-  };
-  reach(start, 0);
+  queue[0].push_back(index(start));
+  tenths_[index(start)] = 0;
+  const auto columns = static_cast<std::ptrdiff_t>(clearance.columns());
   const auto leeway = static_cast<std::uint32_t>(10 * leeway_m / floor.cell_m());
+  std::vector<std::size_t> bucket;
   std::size_t waiting = 1;
   for (std::uint32_t now = 0; waiting > 0; ++now) {
-    std::vector<std::size_t> bucket = std::move(queue[now % kBuckets]);
-    queue[now % kBuckets].clear();
+    bucket.clear();
+    bucket.swap(queue[now % kBuckets]);
     waiting -= bucket.size();
     for (const std::size_t at : bucket) {
-      if (tenths[at] != now) continue;
-      const FloorCell cell = clearance.cell(at);
-      distances_m_[at] = static_cast<float>(now) * 0.1F * static_cast<float>(floor.cell_m());
+      if (tenths_[at] != now) continue;
       for (const Step& step : kSteps) {
-        const FloorCell next{cell.x + step.x, cell.y + step.y};
+        const std::size_t next = at + static_cast<std::size_t>(step.y * columns + step.x);
+        const std::uint32_t then = now + step.tenths;
+        if (tenths_[next] <= then) continue;
         const double room = clearance.to_doubtful_m(next);
         if (room < room_m && (now > leeway || room <= 0)) continue;
-        if (reach(next, now + step.tenths)) ++waiting;
+        tenths_[next] = then;
+        queue[then % kBuckets].push_back(next);
+        ++waiting;
       }
     }
   }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kCountedBehind_m2 = 2;  // more floor behind a gate is not told apart
 constexpr std::size_t kRimMax = 24;      // points that stand for a rim
+constexpr double kBesideCells = 1.5;     // between two that touch distances differ by less
 
 class GateFinder {
  public:
@@ -38,6 +39,10 @@ class GateFinder {
   enum Mark : std::uint8_t { kNothing, kSill, kTaken, kCounted };
 
   bool is_sure(FloorCell cell) const { return clearance_.to_doubtful_m(cell) >= params_.room_m; }
+  /// Of sure floor: a cell beside it may be not sure.
+  bool is_beside_doubt(FloorCell cell) const {
+    return clearance_.to_doubtful_m(cell) < params_.room_m + kBesideCells * floor_.cell_m();
+  }
   bool may_be_floor(FloorCell cell) const {
     return clearance_.to_occupied_m(cell) >= params_.room_m + params_.doubt_m;
   }
@@ -60,7 +65,8 @@ class GateFinder {
     for (int y = known.low.y; y < known.end.y; ++y) {
       for (int x = known.low.x; x < known.end.x; ++x) {
         const FloorCell cell{x, y};
-        if (!is_sure(cell) || !may_be_floor(cell) || reached_.to(cell) == FloorDistances::kUnreached)
+        if (!is_sure(cell) || !is_beside_doubt(cell) || !may_be_floor(cell) ||
+            reached_.to(cell) == FloorDistances::kUnreached)
           continue;
         bool borders = false;
         for_neighbours(cell, 1, [&](FloorCell next) { borders = borders || is_doubtful(next); });

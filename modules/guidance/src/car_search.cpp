@@ -37,10 +37,6 @@ std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_shar
   return arcs;
 }
 
-Arc inverse_of(const Arc& arc) {
-  return {-arc.length_m, -arc.turn_rad};
-}
-
 bool changes_direction(const Arc& a, const Arc& b) {
   return a.length_m * b.length_m <= 0;
 }
@@ -75,9 +71,21 @@ void CarSearchParams::describe(FieldList& fields) {
 }
 
 CarSearch::CarSearch(const CarSearchParams& params, const VehicleDescription& vehicle)
-    : params_(params),
-      room_(vehicle.footprint, params.margin_m),
-      arcs_(arcs_of(vehicle, params.steering_share)) {}
+    : params_(params), room_(vehicle.footprint, params.margin_m) {
+  for (const Arc& arc : arcs_of(vehicle, params.steering_share)) moves_.push_back(move_along(arc));
+}
+
+/// Both ways, seen from where the search comes from: the arc's far end first, where most of them fail.
+CarSearch::Move CarSearch::move_along(const Arc& arc) {
+  Move move{.arc = arc};
+  const int checks = std::max(1, static_cast<int>(std::ceil(std::abs(arc.length_m) / kCheckEvery_m)));
+  for (int i = checks; i > 0; --i) {
+    const double share = static_cast<double>(i) / checks;
+    move.T_from_driven.push_back(end_pose({share * arc.length_m, share * arc.turn_rad}));
+    move.T_to_driven.push_back(end_pose({-share * arc.length_m, -share * arc.turn_rad}));
+  }
+  return move;
+}
 
 void CarSearch::look_for(const Pose2& T_map_vehicle, IsGoal is_goal,
                          std::function<double(const Vec2&)> left_m) {
@@ -113,6 +121,7 @@ void CarSearch::begin(const Pose2& T_map_start) {
 }
 
 CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
+  start_spare_m_ = room_.standing_spare_m(floor, clearance, nodes_.front().T_map);
   for (int i = 0; i < expansions && state_ == State::kSearching; ++i) {
     if (queue_.empty() || expansions_ >= params_.expansions_max) {
       state_ = State::kNone;
@@ -143,18 +152,19 @@ bool CarSearch::has_come_to(const Vec2& p_map, double within_m) const {
 }
 
 void CarSearch::expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node) {
-  for (const Arc& arc : arcs_) try_arc(floor, clearance, node, arc);
+  for (const Move& move : moves_) try_move(floor, clearance, node, move);
 }
 
-void CarSearch::try_arc(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from,
-                        const Arc& arc) {
+void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from,
+                         const Move& move) {
+  const Arc& arc = move.arc;
   if (from == 0 && arc.length_m * forbidden_first_ > 0) return;
-  const Arc moved = from_the_end_ ? inverse_of(arc) : arc;
-  const Pose2 T_map = nodes_[from].T_map * end_pose(moved);
+  const std::vector<Pose2>& T_from_passed = from_the_end_ ? move.T_to_driven : move.T_from_driven;
+  const Pose2 T_map = nodes_[from].T_map * T_from_passed.front();
   const std::uint64_t bin = bin_of(T_map);
   const auto there = bins_.find(bin);
   if (there != bins_.end() && nodes_[there->second].closed) return;
-  const auto spare_m = least_spare_m(floor, clearance, nodes_[from].T_map, moved);
+  const auto spare_m = least_spare_m(floor, clearance, nodes_[from].T_map, T_from_passed);
   if (!spare_m) return;
   const double cost_m = nodes_[from].cost_m + cost_of(arc, nodes_[from].arc, from == 0, *spare_m);
   std::size_t node = nodes_.size();
@@ -170,23 +180,20 @@ void CarSearch::try_arc(const FloorGrid& floor, const FloorClearance& clearance,
   std::push_heap(queue_.begin(), queue_.end());
 }
 
-/// None where the arc cannot be driven; negative on the way out of a place with less room than the margin.
+/// None where the poses cannot be passed; negative on the way out of a place with less room than the margin.
 std::optional<double> CarSearch::least_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
-                                               const Pose2& T_map_from, const Arc& arc) const {
-  const int checks = std::max(1, static_cast<int>(std::ceil(std::abs(arc.length_m) / kCheckEvery_m)));
+                                               const Pose2& T_map_from,
+                                               std::span<const Pose2> T_from_passed) const {
   const bool is_leaving = (T_map_from.position() - nodes_.front().T_map.position()).norm() < kLeave_m;
-  const double root_spare_m = is_leaving ? room_.standing_spare_m(floor, clearance, nodes_.front().T_map) : 0;
   double least_m = clearance.far_m();
-  for (int i = checks; i > 0; --i) {
-    const double share = static_cast<double>(i) / checks;
-    const Pose2 T_map = T_map_from * end_pose({arc.length_m * share, arc.turn_rad * share});
-    if (is_free_ && !is_free_(T_map)) return std::nullopt;
+  for (const Pose2& T_from : T_from_passed) {
+    const Pose2 T_map = T_map_from * T_from;
     const double spare_m = room_.spare_m(floor, clearance, T_map);
     const bool fits =
         spare_m >= 0 ||
         (is_leaving && (spare_m + params_.margin_m >= kLeaveMargin_m ||
-                        room_.fits_barely(floor, clearance, T_map, root_spare_m - kRoomNoise_m)));
-    if (!fits) return std::nullopt;
+                        room_.fits_barely(floor, clearance, T_map, start_spare_m_ - kRoomNoise_m)));
+    if (!fits || (is_free_ && !is_free_(T_map))) return std::nullopt;
     least_m = std::min(least_m, spare_m);
   }
   return least_m;

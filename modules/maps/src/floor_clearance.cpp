@@ -70,6 +70,21 @@ bool FloorClearance::is_barred(FloorCell cell) const {
   return std::binary_search(barred_.begin(), barred_.end(), cell, is_before);
 }
 
+/// Beyond the former room all is unknown as yet.
+void FloorClearance::widen_room(const FloorBox& wider) {
+  const FloorClearance former = *this;
+  room_.include_box(wider);
+  const std::size_t size = columns() * static_cast<std::size_t>(room_.end.y - room_.low.y);
+  to_doubtful_m_.assign(size, 0);
+  to_occupied_m_.assign(size, static_cast<float>(far_m_));
+  for (int y = former.room_.low.y; y < former.room_.end.y; ++y) {
+    for (int x = former.room_.low.x; x < former.room_.end.x; ++x) {
+      to_doubtful_m_[index({x, y})] = former.to_doubtful_m_[former.index({x, y})];
+      to_occupied_m_[index({x, y})] = former.to_occupied_m_[former.index({x, y})];
+    }
+  }
+}
+
 void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return;
   const int limit = static_cast<int>(std::ceil(far_m_ / floor.cell_m())) + 1;
@@ -78,11 +93,9 @@ void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
   anew = anew.widened(limit);
   const bool is_within = room_.contains(anew.low) && room_.contains({anew.end.x - 1, anew.end.y - 1});
   if (!is_within) {
-    room_ = floor.known().widened(2 * kMargin);
-    anew = room_;
-    const std::size_t size = columns() * static_cast<std::size_t>(room_.end.y - room_.low.y);
-    to_doubtful_m_.assign(size, 0);
-    to_occupied_m_.assign(size, static_cast<float>(far_m_));
+    const bool is_first = room_.empty();
+    widen_room(floor.known().widened(2 * kMargin));
+    if (is_first || !barred_.empty()) anew = room_;
   }
   anew = anew.common_with(room_);
   BoxDistances doubtful(anew.widened(limit), limit), occupied(anew.widened(limit), limit);

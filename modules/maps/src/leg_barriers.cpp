@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace aisle {
 namespace {
 
-constexpr double kRing_m = 0.25;        // about a leg: nothing else stands there
-constexpr double kRingFreeShare = 0.7;  // of it; the rest may be what the leg hides
-constexpr double kAcrossMin = 0.8;      // cosine: a wall lies behind two legs, not beside them
+constexpr double kRing_m = 0.25;          // about a leg: nothing else stands there
+constexpr double kRingFreeShare = 0.7;    // of it; the rest may be what the leg hides
+constexpr double kFreeAtWallShare = 0.4;  // of it, where a wall takes up the other side
+constexpr double kBehindBeside_m = 0.09;  // so far to both sides a wall goes on behind a leg before it
+constexpr double kBlurAtWall_m = 0.08;    // of a leg there: the wall itself is told apart from it
+constexpr double kAcrossMin = 0.8;        // cosine: a wall lies behind two legs, not beside them
 constexpr double kLineStepCells = 0.5;
 
 template <class Visit>
@@ -24,6 +28,20 @@ void for_cells_on_line(const FloorGrid& floor, const Vec2& from, const Vec2& to,
   const int steps =
       std::max(1, static_cast<int>(std::ceil((to - from).norm() / (kLineStepCells * floor.cell_m()))));
   for (int i = 0; i <= steps; ++i) visit(floor.cell_at(Vec2(from + (to - from) * i / steps)));
+}
+
+/// All on one side, and wide there: a wall that goes on behind, not one that ends here.
+bool lies_behind(std::span<const Vec2> to_wall) {
+  Vec2 sum = Vec2::Zero();
+  for (const Vec2& away : to_wall) sum += away;
+  const Vec2 behind = sum.normalized(), aside = left_normal(behind);
+  double left_m = 0, right_m = 0;
+  for (const Vec2& away : to_wall) {
+    if (behind.dot(away) <= 0) return false;
+    left_m = std::max(left_m, aside.dot(away));
+    right_m = std::max(right_m, -aside.dot(away));
+  }
+  return std::min(left_m, right_m) >= kBehindBeside_m;
 }
 
 }  // namespace
@@ -67,7 +85,8 @@ void LegBarriers::find_legs(const FloorGrid& floor, const FloorBox& within) {
       if (cells.empty() || !begins_here) continue;
       Vec2 p_map = Vec2::Zero();
       for (const FloorCell cell : cells) p_map += floor.centre(cell) / static_cast<double>(cells.size());
-      if (stands_free(floor, p_map)) legs_.push_back({first, p_map});
+      const auto free = stands_free(floor, p_map);
+      if (free) legs_.push_back({first, p_map, *free});
     }
   }
   std::sort(legs_.begin(), legs_.end(),
@@ -94,20 +113,23 @@ std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCel
   return cells;
 }
 
-/// No wall is near: a thin wall that was seen from both sides shows specks of its other face, too.
-bool LegBarriers::stands_free(const FloorGrid& floor, const Vec2& p_map) const {
+/// Or before a wall; none: it may be anything, such as a piece of a wall of which little was seen.
+std::optional<bool> LegBarriers::stands_free(const FloorGrid& floor, const Vec2& p_map) const {
   const int reach = static_cast<int>(std::ceil(kRing_m / floor.cell_m())) + 1;
   int ring = 0, free = 0;
-  bool at_wall = false;
+  std::vector<Vec2> to_wall;
   for_cells_around(floor.cell_at(p_map), reach, [&](FloorCell cell) {
-    const double beyond_m = (floor.centre(cell) - p_map).norm() - kRing_m;
-    if (beyond_m > floor.cell_m() / 2 || at_wall) return;
-    at_wall = floor.at(cell) == Floor::kOccupied && small_thing(floor, cell).empty();
+    const Vec2 away = floor.centre(cell) - p_map;
+    const double beyond_m = away.norm() - kRing_m;
+    if (beyond_m > floor.cell_m() / 2) return;
+    if (floor.at(cell) == Floor::kOccupied && small_thing(floor, cell).empty()) to_wall.push_back(away);
     if (beyond_m < -floor.cell_m() / 2) return;
     ++ring;
     free += floor.at(cell) == Floor::kFree ? 1 : 0;
   });
-  return !at_wall && free >= kRingFreeShare * ring;
+  if (to_wall.empty()) return free >= kRingFreeShare * ring ? std::optional(true) : std::nullopt;
+  const bool is_before_wall = free >= kFreeAtWallShare * ring && lies_behind(to_wall);
+  return is_before_wall ? std::optional(false) : std::nullopt;
 }
 
 std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const {
@@ -119,7 +141,7 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
     for (std::size_t j = i + 1; j < legs_.size(); ++j) {
       const Vec2 &a = legs_[i].p_map, &b = legs_[j].p_map;
       const double apart_m = (b - a).norm();
-      if (apart_m > params_.apart_max_m || !is_in_sight(floor, a, b)) continue;
+      if (apart_m > params_.apart_max_m || !may_carry_one_plate(floor, legs_[i], legs_[j])) continue;
       close(a, b);
       if (apart_m < params_.plate_min_m) continue;
       const auto behind_a = wall_behind(floor, a, b - a), behind_b = wall_behind(floor, b, b - a);
@@ -133,13 +155,15 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
   return cells;
 }
 
-/// Whether nothing stands between a leg and something else.
-bool LegBarriers::is_in_sight(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& p_map_other) const {
+/// Nothing but themselves, and what blurs one that stands free, is between them.
+bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Leg& a, const Leg& b) const {
+  if (!a.stands_free && !b.stands_free) return false;
+  const auto blur_m = [&](const Leg& leg) { return leg.stands_free ? params_.leg_max_m : kBlurAtWall_m; };
   bool in_sight = true;
-  for_cells_on_line(floor, p_map_leg, p_map_other, [&](FloorCell cell) {
+  for_cells_on_line(floor, a.p_map, b.p_map, [&](FloorCell cell) {
     const Vec2 p_map = floor.centre(cell);
-    const double from_end_m = std::min((p_map - p_map_leg).norm(), (p_map - p_map_other).norm());
-    if (from_end_m > params_.leg_max_m && floor.at(cell) == Floor::kOccupied) in_sight = false;
+    const bool is_between = (p_map - a.p_map).norm() > blur_m(a) && (p_map - b.p_map).norm() > blur_m(b);
+    if (is_between && floor.at(cell) == Floor::kOccupied) in_sight = false;
   });
   return in_sight;
 }

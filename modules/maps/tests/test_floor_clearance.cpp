@@ -32,7 +32,8 @@ RC_GTEST_PROP(FloorClearance, IsTheDistanceThatTryingAllCellsGives, (std::uint64
   FloorClearance clearance(kFar_m);
   for (int round = 0; round < 4; ++round) {
     FloorBox changed;
-    const int left = static_cast<int>(random.index(60)) - 30, low = static_cast<int>(random.index(60)) - 30;
+    const int left = static_cast<int>(random.index(300)) - 150,
+              low = static_cast<int>(random.index(300)) - 150;
     for (int y = low; y < low + 25; ++y) {
       for (int x = left; x < left + 25; ++x) {
         floor.set({x, y}, random.uniform() < 0.03 ? Floor::kOccupied : Floor::kFree);
@@ -41,8 +42,9 @@ RC_GTEST_PROP(FloorClearance, IsTheDistanceThatTryingAllCellsGives, (std::uint64
     }
     clearance.update(floor, changed);
   }
-  for (int i = 0; i < 200; ++i) {
-    const FloorCell cell{static_cast<int>(random.index(80)) - 40, static_cast<int>(random.index(80)) - 40};
+  for (int i = 0; i < 400; ++i) {
+    const FloorCell cell{static_cast<int>(random.index(400)) - 200,
+                         static_cast<int>(random.index(400)) - 200};
     RC_ASSERT(std::abs(clearance.to_doubtful_m(cell) - distance_by_trying_m(floor, cell, true)) < 1e-6);
     RC_ASSERT(std::abs(clearance.to_occupied_m(cell) - distance_by_trying_m(floor, cell, false)) < 1e-6);
   }

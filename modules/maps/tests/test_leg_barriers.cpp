@@ -77,6 +77,31 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayInBetweenAWallAndATableAtIt) {
   EXPECT_TRUE(is_closed({2.4, 1}, {2.4, 5}));
 }
 
+/// As in a corner of a room: the front legs of a table, one of them beside a cupboard.
+TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatStandsBesideACupboard) {
+  wall(2, 0, 6);
+  for (double x_m = 2; x_m < 3.5; x_m += 0.05) {
+    for (double y_m = 3.8; y_m < 4.2; y_m += 0.05) stand(x_m, y_m);
+  }
+  stand(2.87, 2.02);
+  stand(2.87, 3.62);
+  EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
+}
+
+TEST_F(LegBarriersOnAFloor, DoNotTakeASpeckBehindAWallForALegOfATableBeforeIt) {
+  wall(3, 0, 6);
+  stand(3.12, 3.02);
+  stand(2.47, 2.02);
+  EXPECT_FALSE(is_closed({1, 2.6}, {2.95, 2.6}));
+}
+
+TEST_F(LegBarriersOnAFloor, DoNotTakeAWallsLastSpeckForALegOfATableBeyondItsEnd) {
+  wall(2, 0, 2);
+  stand(2, 2.17);
+  stand(3.02, 3.62);
+  EXPECT_FALSE(is_closed({2.6, 1}, {2.6, 5}));
+}
+
 TEST_F(LegBarriersOnAFloor, LeaveAPassageBetweenAWallAndAChair) {
   wall(2, 0, 6);
   for (const double x_m : {2.87, 3.27}) {

@@ -84,6 +84,7 @@ Outcome outcome_of(const TrialOptions& options, const Json& missions) {
 Result<Outcome> run_exploration_trial(const TrialOptions& options, Console& console) {
   ExploreOptions explore;
   explore.parameters = options.parameters;
+  explore.sensor = options.sensor;
   explore.vehicle = options.vehicle;
   const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
   MissionCount within(console.progress, "missions", seeds);

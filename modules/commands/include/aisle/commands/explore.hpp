@@ -5,15 +5,13 @@
 #include <optional>
 #include <string>
 
+#include "aisle/commands/exploring_sensor.hpp"
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
 #include "aisle/exploration/building_explorer.hpp"
 #include "aisle/geometry/pose2.hpp"
 
 namespace aisle {
-
-/// What shows the vehicle its surroundings.
-enum class ExploringSensor { kScanner, kMarkers };
 
 struct ExploreOptions {
   std::string world;           ///< a world, or a plan that one is made of

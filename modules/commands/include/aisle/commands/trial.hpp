@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "aisle/commands/exploring_sensor.hpp"
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
 #include "aisle/maps/room_route.hpp"
@@ -18,8 +19,9 @@ struct TrialOptions {
   std::uint64_t last_seed = 1;
   std::vector<std::string> worlds;  ///< taken in turn; none: a building by chance for each seed
   double plan_pixel_m = 0.05;       ///< side of the pixels of a plan that a world is made of (explore)
-  std::string vehicle;              ///< empty: the method's own: alv, or mini for sections
-  std::string scenario;             ///< empty: nothing goes wrong
+  ExploringSensor sensor = ExploringSensor::kScanner;  ///< explore
+  std::string vehicle;                                 ///< empty: the method's own: alv, or mini for sections
+  std::string scenario;                                ///< empty: nothing goes wrong
   ParkingStrategy strategy = ParkingStrategy::kFrame;  ///< park
   int teachings = 1;                                   ///< of the way before it is driven alone (sections)
   int refinements = 0;  ///< trips after the first, each taken in before the next

@@ -13,17 +13,23 @@ class FloorDistances {
  public:
   static constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
-  /// @param room_m  that the vehicle needs about its middle. Around the place itself, where a vehicle that
+  /// @param room_m  > 0: that the vehicle needs about its middle. Around the place itself, where a vehicle
+  /// that
   ///                is not round may stand with less, it may be missing for `leeway_m`.
   void measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m, double room_m,
                double leeway_m);
 
   /// [m]; kUnreached where no way is known.
-  float to(FloorCell cell) const { return room_.contains(cell) ? distances_m_[index(cell)] : kUnreached; }
+  float to(FloorCell cell) const {
+    const std::uint32_t tenths = room_.contains(cell) ? tenths_[index(cell)] : kFar;
+    return tenths == kFar ? kUnreached : static_cast<float>(tenths) * 0.1F * cell_m_;
+  }
   /// To the nearest cell about a place from which there is a way.
   float near(const FloorGrid& floor, const Vec2& p_map, double within_m) const;
 
  private:
+  static constexpr std::uint32_t kFar = std::numeric_limits<std::uint32_t>::max();
+
   std::size_t index(FloorCell cell) const {
     return static_cast<std::size_t>(cell.y - room_.low.y) *
                static_cast<std::size_t>(room_.end.x - room_.low.x) +
@@ -31,7 +37,8 @@ class FloorDistances {
   }
 
   FloorBox room_;
-  std::vector<float> distances_m_;
+  float cell_m_ = 0;
+  std::vector<std::uint32_t> tenths_;  ///< from the place to each cell of the room
 };
 
 }  // namespace aisle

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -81,6 +82,12 @@ class CarSearch {
     Arc arc;  ///< as the vehicle drives it
     bool closed = false;
   };
+  /// An arc, and the vehicle's poses on it that are looked at.
+  struct Move {
+    Arc arc;
+    std::vector<Pose2> T_from_driven = {};  ///< from where it begins, its end first
+    std::vector<Pose2> T_to_driven = {};    ///< from where it ends, its beginning first
+  };
   struct Waiting {
     double estimate_m;
     std::size_t node;
@@ -89,23 +96,25 @@ class CarSearch {
     }
   };
 
+  static Move move_along(const Arc& arc);
   void begin(const Pose2& T_map_start);
   void expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node);
-  void try_arc(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from, const Arc& arc);
+  void try_move(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from, const Move& move);
   std::optional<double> least_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
-                                      const Pose2& T_map_from, const Arc& arc) const;
+                                      const Pose2& T_map_from, std::span<const Pose2> T_from_passed) const;
   double cost_of(const Arc& arc, const Arc& before, bool is_first, double spare_m) const;
   std::uint64_t bin_of(const Pose2& T_map) const;
 
   CarSearchParams params_;
   FootprintRoom room_;
-  std::vector<Arc> arcs_;
+  std::vector<Move> moves_;
   IsGoal is_goal_;
   std::function<double(const Vec2&)> left_m_;
   bool from_the_end_ = false;
   State state_ = State::kIdle;
   int expansions_ = 0;
   double reached_m_ = 0;
+  double start_spare_m_ = 0;  ///< room where the search began
   int forbidden_first_ = 0;
   std::function<bool(const Pose2&)> is_free_;
   std::vector<Node> nodes_;

@@ -24,7 +24,8 @@ class FloorClearance {
   /// @param cell_m  of the floor that there will be
   void bar(std::span<const Barrier> barriers, double cell_m);
 
-  /// The cells of the box may have changed. O(box widened by the far distance).
+  /// The cells of the box may have changed. O(box widened by the far distance), and where the
+  /// known floor outgrows the room a copy of it.
   void update(const FloorGrid& floor, const FloorBox& changed);
 
   double far_m() const { return far_m_; }
@@ -34,6 +35,8 @@ class FloorClearance {
   double to_doubtful_m(FloorCell cell) const {
     return room_.contains(cell) ? to_doubtful_m_[index(cell)] : 0;
   }
+  /// By its number; 0 beside the room's edge.
+  double to_doubtful_m(std::size_t index) const { return to_doubtful_m_[index]; }
   /// 0 in an occupied cell.
   double to_occupied_m(FloorCell cell) const {
     return room_.contains(cell) ? to_occupied_m_[index(cell)] : static_cast<float>(far_m_);
@@ -47,12 +50,9 @@ class FloorClearance {
   }
   std::size_t columns() const { return static_cast<std::size_t>(room_.end.x - room_.low.x); }
   std::size_t size() const { return to_doubtful_m_.size(); }
-  FloorCell cell(std::size_t index) const {
-    return {room_.low.x + static_cast<int>(index % columns()),
-            room_.low.y + static_cast<int>(index / columns())};
-  }
 
  private:
+  void widen_room(const FloorBox& wider);
   bool is_closed(FloorCell cell) const { return (legs_ && legs_->is_closed(cell)) || is_barred(cell); }
 
   double far_m_;

@@ -21,7 +21,8 @@ struct LegParams {
 
 /// A slice at one height shows the legs of tables and chairs, not their tops. Small things that stand in
 /// groups are taken for legs, and what lies between them for closed; so is the way in between a wall and
-/// two legs before it, where a table stands with its back to the wall.
+/// two legs before it, where a table stands with its back to the wall. What stands at a wall may be a speck
+/// of it: it is a leg only right before the wall, to one that stands free and has it in full view.
 class LegBarriers {
  public:
   explicit LegBarriers(const LegParams& params = {}) : params_(params) {}
@@ -35,15 +36,16 @@ class LegBarriers {
 
  private:
   struct Leg {
-    FloorCell first;  ///< its lowest cell, the leftmost of these
-    Vec2 p_map;       ///< its middle
+    FloorCell first;   ///< its lowest cell, the leftmost of these
+    Vec2 p_map;        ///< its middle
+    bool stands_free;  ///< or else before a wall
   };
 
   std::vector<FloorCell> small_thing(const FloorGrid& floor, FloorCell start) const;
-  bool stands_free(const FloorGrid& floor, const Vec2& p_map) const;
+  std::optional<bool> stands_free(const FloorGrid& floor, const Vec2& p_map) const;
   void find_legs(const FloorGrid& floor, const FloorBox& within);
   std::vector<FloorCell> cells_between(const FloorGrid& floor) const;
-  bool is_in_sight(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& p_map_other) const;
+  bool may_carry_one_plate(const FloorGrid& floor, const Leg& a, const Leg& b) const;
   std::optional<Vec2> wall_behind(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& along) const;
 
   LegParams params_;

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "aisle/core/random.hpp"
+#include "aisle/exploration/floor_distances.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kRoom_m = 0.1;
+constexpr double kLeeway_m = 0.3025;
+constexpr int kSide = 24;
+
+/// By going on from cell to cell until none comes nearer any more; diagonal steps count 1.4 straight ones.
+std::map<std::pair<int, int>, int> tenths_by_trying(const FloorClearance& clearance, FloorCell start,
+                                                    int leeway) {
+  std::map<std::pair<int, int>, int> tenths = {{{start.x, start.y}, 0}};
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& [cell, so_far] : std::map(tenths)) {
+      for (int step = 0; step < 9; ++step) {
+        const int x = step % 3 - 1, y = step / 3 - 1;
+        const std::pair next(cell.first + x, cell.second + y);
+        const double room_m = clearance.to_doubtful_m(FloorCell{next.first, next.second});
+        if (room_m <= 0 || (room_m < kRoom_m && so_far > leeway)) continue;
+        const int then = so_far + (x != 0 && y != 0 ? 14 : 10);
+        const auto known = tenths.find(next);
+        if (known != tenths.end() && known->second <= then) continue;
+        tenths[next] = then;
+        changed = true;
+      }
+    }
+  }
+  return tenths;
+}
+
+RC_GTEST_PROP(FloorDistances, AreThoseThatTryingAllWaysGives, (std::uint64_t seed)) {
+  Random random(seed);
+  FloorGrid floor;
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x)
+      floor.set({x, y}, random.uniform() < 0.06 ? Floor::kOccupied : Floor::kFree);
+  }
+  FloorClearance clearance;
+  clearance.update(floor, floor.known());
+  const FloorCell start{static_cast<int>(random.index(kSide)), static_cast<int>(random.index(kSide))};
+  FloorDistances distances;
+  distances.measure(floor, clearance, {1, 1}, kRoom_m, 0);
+  distances.measure(floor, clearance, floor.centre(start), kRoom_m, kLeeway_m);
+  const auto expected = tenths_by_trying(clearance, start, static_cast<int>(10 * kLeeway_m / floor.cell_m()));
+  for (int y = -3; y < kSide + 3; ++y) {
+    for (int x = -3; x < kSide + 3; ++x) {
+      const auto way = expected.find({x, y});
+      const float way_m = distances.to({x, y});
+      RC_ASSERT(std::isfinite(way_m) == (way != expected.end()));
+      if (way != expected.end()) RC_ASSERT(std::abs(way_m - 0.1 * way->second * floor.cell_m()) < 1e-5);
+    }
+  }
+}
+
+TEST(FloorDistances, NowhereIsReachedFromOutsideTheFloor) {
+  FloorGrid floor;
+  floor.set({0, 0}, Floor::kFree);
+  FloorClearance clearance;
+  clearance.update(floor, floor.known());
+  FloorDistances distances;
+  distances.measure(floor, clearance, {1000, 1000}, kRoom_m, 1);
+  EXPECT_EQ(distances.to({0, 0}), FloorDistances::kUnreached);
+}
+
+}  // namespace
+}  // namespace aisle
