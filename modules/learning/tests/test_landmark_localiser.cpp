@@ -192,8 +192,7 @@ TEST(LandmarkLocaliser, DoesNotBecomeSurerAndSurerByOnePictureSeenAgainAndAgain)
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   const LandmarkMap map = map_of(lines);
   const std::vector<LandmarkSighting> seen = sightings_from(lines, {3.1, 0.05, 0}, kNoise, &random);
-  LandmarkLocaliser localiser({}, corridor_cart(),
-                              somewhere_somewhere_about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
   ASSERT_EQ(localiser.correct(map, seen), LandmarkMatch::kMatched);
   const double at_first_m = position_sigma_m(localiser);
   for (int i = 0; i < 100; ++i) {
@@ -208,8 +207,7 @@ TEST(LandmarkLocaliser, BecomesSurerByThePicturesOnItsWay) {
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   const LandmarkMap map = map_of(lines);
   Pose2 truth{3.1, 0.05, 0};
-  LandmarkLocaliser localiser({}, corridor_cart(),
-                              somewhere_somewhere_about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.15, 0.15, 3 * kDegree));
   ASSERT_EQ(localiser.correct(map, sightings_from(lines, truth, kNoise)), LandmarkMatch::kMatched);
   const double at_first_m = position_sigma_m(localiser);
   constexpr double kStep_m = 0.03;
