@@ -205,8 +205,11 @@ Result<JudgedExploration> judge(const ExploreOptions& options, const Exploration
   building.places.push_back({kHomePlace, explored->map.T_map_vehicle.front()});
   building.corridors = std::move(explored->corridors);
   building.floor = std::move(explored->floor);
-  return JudgedExploration{std::move(outcome), std::move(building), std::move(explored->mission.record),
-                           std::move(explored->map.T_map_vehicle), std::move(explored->mission.log),
+  return JudgedExploration{std::move(outcome),
+                           std::move(building),
+                           std::move(explored->mission.record),
+                           std::move(explored->map.T_map_vehicle),
+                           std::move(explored->mission.log),
                            plan.params.learner.mapping.segments};
 }
 
