@@ -207,11 +207,7 @@ ExploringTarget BuildingExplorer::take_from_stack(const Pose2& T_map_vehicle) {
     if (apart_m > params_.crossing_near_m && run_.top() == kWayBackSymbol)
       return {
           .kind = ExploringTarget::Kind::kCrossing, .path = 0, .gate = {}, .T_map_back = *T_map_going_back_};
-    if (run_.top() == kWayBackSymbol) {
-      feed(corridor_input::kExplored);
-      stack_.pop_back();
-    }
-    T_map_going_back_.reset();
+    pass_crossing_by();
     return take_from_stack(T_map_vehicle);
   }
   if (run_.top() == kWayBackSymbol && order_ == ExploringOrder::kPublished) {
@@ -277,6 +273,14 @@ ExploringTarget BuildingExplorer::take(std::size_t path) {
   active_ = path;
   note(PathEvent::Kind::kTaken, path);
   return {.kind = ExploringTarget::Kind::kPath, .path = path, .gate = paths_[path].gate, .T_map_back = {}};
+}
+
+void BuildingExplorer::pass_crossing_by() {
+  if (!T_map_going_back_) return;
+  T_map_going_back_.reset();
+  if (run_.top() != kWayBackSymbol) return;
+  feed(corridor_input::kExplored);
+  stack_.pop_back();
 }
 
 void BuildingExplorer::give_up(std::size_t path, std::size_t cycle) {

@@ -42,5 +42,42 @@ TEST(BuildingExplorer, GoesHomeRatherThanFarForANook) {
   explorer.stop(2);
 }
 
+/// C99's order: all paths that lead off a crossing were explored, and then it is to go back there.
+class BackToACrossing : public testing::Test {
+ protected:
+  BackToACrossing() {
+    drawn_.put_corridor(20, 2);
+    drawn_.put({5, 2}, {7, 2.05}, Floor::kFree);
+    decide(T_map_crossing_);
+    drawn_.put({4.95, 2.05}, {7.05, 2.1}, Floor::kOccupied);
+    decide({3, 1, kPi});
+    drawn_.put({20, 0}, {20.05, 2}, Floor::kOccupied);
+  }
+
+  ExploringTarget decide(const Pose2& T_map_vehicle) {
+    return explorer_.decide(drawn_.floor, drawn_.clearance_now(), T_map_vehicle, T_map_vehicle.position(),
+                            T_map_crossing_, ++cycle_);
+  }
+
+  DrawnFloor drawn_;
+  BuildingExplorer explorer_{{}, ExploringOrder::kPublished};
+  Pose2 T_map_crossing_{10, 1, kPi};
+  Pose2 T_map_end_{18, 1, 0};
+  std::size_t cycle_ = 0;
+};
+
+TEST_F(BackToACrossing, GoesThereFirst) {
+  const ExploringTarget target = decide(T_map_end_);
+  EXPECT_EQ(target.kind, ExploringTarget::Kind::kCrossing);
+  EXPECT_EQ(target.T_map_back.position(), T_map_crossing_.position());
+  EXPECT_EQ(decide(T_map_crossing_).kind, ExploringTarget::Kind::kHome);
+}
+
+TEST_F(BackToACrossing, GoesOnFromElsewhereIfItDoesNotGetThere) {
+  decide(T_map_end_);
+  explorer_.pass_crossing_by();
+  EXPECT_EQ(decide(T_map_end_).kind, ExploringTarget::Kind::kHome);
+}
+
 }  // namespace
 }  // namespace aisle

@@ -312,7 +312,8 @@ void ExplorerNavigator::lose_patience() {
     case ExploringTarget::Kind::kPath:
       return leave_path();
     case ExploringTarget::Kind::kCrossing:
-      explorer_.abandon_all(cycle_);
+      explorer_.pass_crossing_by();
+      moved_s_ = stamp_s_;
       return drop_way();
     case ExploringTarget::Kind::kHome:
       ended_because_ = "does not get home";

@@ -114,11 +114,12 @@ void FrameBacking::search_way() {
 Decision FrameBacking::search() {
   constexpr int kPortion = 400;
   constexpr double kShorter = 0.6;
-  const Decision searching{.state = "searching", .why = "a way to turn about"};
+  Decision searching{.state = "searching", .why = "a way to turn about"};
   if (search_.state() == CarSearch::State::kIdle) {
     free_under(vehicle_.footprint, T_floor_odom_ * T_odom_vehicle_, floor_);
-    for (double x = 0; x < run_up_m_; x += floor_.cell_m())
-      free_under(vehicle_.footprint, T_floor_odom_ * T_odom_parked() * Pose2{x, 0, 0}, floor_);
+    for (int i = 0; i * floor_.cell_m() < run_up_m_; ++i)
+      free_under(vehicle_.footprint, T_floor_odom_ * T_odom_parked() * Pose2{i * floor_.cell_m(), 0, 0},
+                 floor_);
     clearance_.update(floor_, floor_.known());
     search_way();
     return searching;

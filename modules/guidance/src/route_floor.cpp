@@ -10,6 +10,13 @@ namespace {
 constexpr double kFloorStep = 0.5;           // of a cell, between the points that are put onto it
 constexpr double kSeenBeforeBumper_m = 0.4;  // what is nearer is below the first camera's view
 
+/// Calls `visit` with numbers a step apart, from the first to the last one or just before it.
+template <typename Visit>
+void step_through(double first, double last, double step, const Visit& visit) {
+  const int steps = static_cast<int>(std::floor((last - first) / step));
+  for (int i = 0; i <= steps; ++i) visit(first + i * step);
+}
+
 /// The line of sight on which an edge was seen last.
 void free_up_to(const RouteEdge& edge, const Path& path, const Footprint& footprint, FloorGrid& floor) {
   const Pose2 T_map_vehicle = path.at(edge.along_m).T_map_path;
@@ -17,8 +24,9 @@ void free_up_to(const RouteEdge& edge, const Path& path, const Footprint& footpr
   const double ahead_m = sight.dot(unit(T_map_vehicle.theta));
   const double first_share = (footprint.front_m + kSeenBeforeBumper_m) / std::max(ahead_m, 1e-3);
   const double step_share = kFloorStep * floor.cell_m() / sight.norm();
-  for (double share = first_share; share < 1; share += step_share)
+  step_through(first_share, 1, step_share, [&](double share) {
     floor.set(floor.cell_at(T_map_vehicle.position() + share * sight), Floor::kFree);
+  });
 }
 
 /// What the lower edge of the first camera's view passed over, out to the first edge of the route.
@@ -26,8 +34,9 @@ void free_before(const Footprint& footprint, const Pose2& T_map_vehicle, FloorGr
   constexpr double kAside_m = 0.7;
   const double ahead_m = footprint.front_m + kSeenBeforeBumper_m;
   for (const double side : {-1.0, 1.0}) {
-    for (double y = 0; y < kAside_m; y += kFloorStep * floor.cell_m()) {
-      const FloorCell cell = floor.cell_at(T_map_vehicle * Vec2(ahead_m, side * y));
+    const double step_m = kFloorStep * floor.cell_m();
+    for (int i = 0; i * step_m < kAside_m; ++i) {
+      const FloorCell cell = floor.cell_at(T_map_vehicle * Vec2(ahead_m, side * i * step_m));
       if (floor.at(cell) == Floor::kOccupied) break;
       floor.set(cell, Floor::kFree);
     }
@@ -57,10 +66,10 @@ void close_gaps(FloorGrid& floor) {
 
 void free_under(const Footprint& footprint, const Pose2& T_floor_vehicle, FloorGrid& floor) {
   const double step_m = kFloorStep * floor.cell_m();
-  for (double x = -footprint.rear_m; x <= footprint.front_m; x += step_m) {
-    for (double y = -footprint.width_m / 2; y <= footprint.width_m / 2; y += step_m)
-      floor.set(floor.cell_at(T_floor_vehicle * Vec2(x, y)), Floor::kFree);
-  }
+  step_through(-footprint.rear_m, footprint.front_m, step_m, [&](double x) {
+    step_through(-footprint.width_m / 2, footprint.width_m / 2, step_m,
+                 [&](double y) { floor.set(floor.cell_at(T_floor_vehicle * Vec2(x, y)), Floor::kFree); });
+  });
 }
 
 FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const Footprint& footprint,
@@ -74,12 +83,12 @@ FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const 
     }
   };
   put_edges();
-  for (double along_m = 0; along_m < path.length_m(); along_m += kWayStep_m) {
+  step_through(0, path.length_m(), kWayStep_m, [&](double along_m) {
     const Pose2 T_map_vehicle = path.at(along_m).T_map_path;
-    if (!is_near(T_map_vehicle.position())) continue;
+    if (!is_near(T_map_vehicle.position())) return;
     free_before(footprint, T_map_vehicle, floor);
     free_under(footprint, T_map_vehicle, floor);
-  }
+  });
   for (const RouteEdge& edge : edges) {
     if (is_near(edge.p_map)) free_up_to(edge, path, footprint, floor);
   }
