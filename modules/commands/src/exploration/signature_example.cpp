@@ -20,6 +20,7 @@ void add(const Segment2& wall, SignedPattern& pattern) {
 
 std::vector<Segment2> placed(const std::vector<SensedSegment>& segments, const Pose2& T_map_sensor) {
   std::vector<Segment2> walls;
+  walls.reserve(segments.size());
   for (const SensedSegment& segment : segments) walls.push_back(T_map_sensor * segment.segment);
   return walls;
 }
