@@ -13,8 +13,8 @@ void add_reproduce_verb(CLI::App& app, Work& work) {
   verb->add_option(
       "EXPERIMENT", options->experiment,
       "c98: a corridor learned, driven and refined five times; c99: unknown corridors explored by\n"
-      "laser markers and one camera; l03: a corridor learned from one drive by sections, driven there and "
-      "back");
+      "laser markers and one camera; l03: a corridor learned from one drive by sections, driven there\n"
+      "and back");
   verb->add_option("--seed", options->seed, "of everything that is left to chance (default 1)");
   verb->add_option("--out", options->out, "directory for the pictures and the learned building");
   verb->add_flag("--force", options->force, "replace results that are already there");

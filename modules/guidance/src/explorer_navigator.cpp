@@ -343,10 +343,7 @@ void ExplorerNavigator::arrive() {
   driver_.drop();
   arrived_cycle_ = cycle_;
   is_retreating_ = false;
-  if (target_ && target_->kind == ExploringTarget::Kind::kCrossing) {
-    explorer_.pass_crossing_by();
-    return target_.reset();
-  }
+  if (target_ && target_->kind == ExploringTarget::Kind::kCrossing) return target_.reset();
   const bool is_there = stands_at_home(learner_.T_map_home(), learner_.T_map_vehicle());
   if (!ends_at_home_ || !(is_there || attempts_ >= kHomeAttemptsMax)) return;
   came_home_ = true;

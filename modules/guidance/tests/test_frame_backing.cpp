@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kCycle_s = 0.1;
+constexpr double kBackingCycle_s = 0.1;
 const Vec2 kSize_m(1.7, 1.2);
 const Pose2 kFrame{5, 2, 0};
 /// With the footprint's middle on the frame's, heading out of it.
@@ -22,12 +22,12 @@ struct BackedVehicle {
   }
 
   Decision step(const Pose2& T_odom_frame = kFrame) {
-    stamp_s += kCycle_s;
+    stamp_s += kBackingCycle_s;
     const Decision decision = backing.step(stamp_s, T_odom_vehicle, T_odom_frame, steering_rad);
     steering_rad = decision.command.steering_rad;
-    T_odom_vehicle =
-        T_odom_vehicle *
-        drive(cart().front_steered, FrontSteeredMotion{kCycle_s * decision.command.speed_mps, steering_rad});
+    T_odom_vehicle = T_odom_vehicle *
+                     drive(cart().front_steered,
+                           FrontSteeredMotion{kBackingCycle_s * decision.command.speed_mps, steering_rad});
     return decision;
   }
   Decision run_until(const std::string& state, const Pose2& T_odom_frame = kFrame) {

@@ -5,8 +5,8 @@
 #include <ctime>
 
 #include "aisle/geometry/dominant_direction.hpp"
+#include "aisle/learning/beam_fan.hpp"
 #include "aisle/learning/odometry_delay.hpp"
-#include "beam_fan.hpp"
 #include "scan_mapping.hpp"
 #include "wall_adjustment.hpp"
 

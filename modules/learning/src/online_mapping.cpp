@@ -1,6 +1,6 @@
 #include "aisle/learning/online_mapping.hpp"
 
-#include "beam_fan.hpp"
+#include "aisle/learning/beam_fan.hpp"
 #include "scan_mapping.hpp"
 
 namespace aisle {

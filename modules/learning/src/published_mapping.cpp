@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "aisle/geometry/dominant_direction.hpp"
+#include "aisle/learning/beam_fan.hpp"
 #include "aisle/learning/wall_heading.hpp"
 #include "aisle/matching/wall_estimate.hpp"
 #include "aisle/vehicle/odometry_track.hpp"
-#include "beam_fan.hpp"
 
 namespace aisle {
 namespace {

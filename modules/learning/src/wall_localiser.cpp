@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "aisle/core/square.hpp"
-#include "beam_fan.hpp"
+#include "aisle/learning/beam_fan.hpp"
 
 namespace aisle {
 namespace {

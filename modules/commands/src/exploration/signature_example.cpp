@@ -1,7 +1,6 @@
 #include "exploration/signature_example.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "aisle/learning/beam_fan.hpp"
 
 namespace aisle {
 namespace {
@@ -43,8 +42,7 @@ double displacement_m(const Signature& sensed, Signature learned) {
 
 SignatureExample signature_example(const LaserLog& log, const std::vector<Pose2>& T_map_vehicle,
                                    const WallMap& walls, const SegmentParams& segments) {
-  RangeSegmenter segmenter({log.laser.first_angle_rad, log.laser.angle_step_rad, log.laser.range_max_m},
-                           segments);
+  RangeSegmenter segmenter(beam_fan(log.laser), segments);
   std::vector<Segment2> view;
   Vec2 p_map_seen_from = Vec2::Zero();
   std::vector<SensedSegment> seen;

@@ -57,7 +57,7 @@ class BuildingExplorer {
   ExploringTarget decide(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                          const Vec2& p_map_middle, const Pose2& T_map_home, std::size_t cycle);
 
-  /// The vehicle is back at the crossing, or does not get there: it goes on from where it stands.
+  /// The vehicle does not get back to the crossing: it goes on from where it stands.
   void pass_crossing_by();
   /// The vehicle cannot look behind this path's gate: it counts as seen from outside.
   void give_up(std::size_t path, std::size_t cycle);

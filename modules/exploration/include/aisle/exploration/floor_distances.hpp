@@ -14,8 +14,7 @@ class FloorDistances {
   static constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
   /// @param room_m  > 0: that the vehicle needs about its middle. Around the place itself, where a vehicle
-  /// that
-  ///                is not round may stand with less, it may be missing for `leeway_m`.
+  ///                that is not round may stand with less, it may be missing for `leeway_m`.
   void measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m, double room_m,
                double leeway_m);
 

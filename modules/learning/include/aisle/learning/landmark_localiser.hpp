@@ -88,9 +88,9 @@ class LandmarkLocaliser {
   std::vector<LandmarkPair> pairs_, first_pairs_;
   std::vector<SeenPoint> points_;
   std::vector<char> taken_;
-  int taken_in_here_ = 0;  ///< pictures that corrected the pose since the vehicle came to this place
-  double since_here_m_ = 0,
-         since_here_rad_ = 0;  ///< how far it has gone, and turned, since the first of them
+  int taken_in_here_ = 0;      ///< pictures that corrected the pose since the vehicle came to this place
+  double since_here_m_ = 0;    ///< way since the first of them ...
+  double since_here_rad_ = 0;  ///< ... and how far it has turned
   double matched_share_ = 0;
   double agreement_ = 0;
   double evidence_ = 0;

@@ -24,8 +24,8 @@ class FloorClearance {
   /// @param cell_m  of the floor that there will be
   void bar(std::span<const Barrier> barriers, double cell_m);
 
-  /// The cells of the box may have changed. O(box widened by the far distance), and where the
-  /// known floor outgrows the room a copy of it.
+  /// The cells of the box may have changed. O(box widened by the far distance), and where the known floor
+  /// outgrows the room a copy of it.
   void update(const FloorGrid& floor, const FloorBox& changed);
 
   double far_m() const { return far_m_; }
