@@ -39,8 +39,8 @@ ObstacleGuard::ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGu
   if (camera == nullptr) return;
   watch_.emplace(params.pictures, *camera);
   if (vehicle.laser_markers) {
-    probe_.emplace(params.stripes, camera->intrinsics, camera->mount, camera->width_px, camera->height_px,
-                   vehicle.laser_markers->height_m);
+    stripe_.emplace(params.stripes, camera->intrinsics, camera->mount, camera->width_px, camera->height_px,
+                    vehicle.laser_markers->height_m);
   }
 }
 
@@ -49,7 +49,7 @@ const CameraPicture* ObstacleGuard::look(const Observation& observation) {
   p_vehicle_scanned_.clear();
   if (observation.scan && vehicle_.scanner) take_scan(*observation.scan);
   const CameraPicture* picture = watch_ ? watch_->look(observation) : nullptr;
-  if (picture != nullptr && probe_) probe(*picture);
+  if (picture != nullptr && stripe_) read_stripe(*picture);
   return picture;
 }
 
@@ -67,11 +67,13 @@ ObstacleGuard::StampedPose ObstacleGuard::taken_at(double stamp_s) const {
   return {stamp_s, nearest->T_odom_vehicle};
 }
 
-void ObstacleGuard::probe(const CameraPicture& picture) {
+void ObstacleGuard::read_stripe(const CameraPicture& picture) {
   sight_.taken = taken_at(picture.stamp_s);
-  sight_.p_vehicle_lit = probe_->find(as_grey(*picture.image, grey_));
+  stripe_->find(as_grey(*picture.image, grey_));
+  sight_.p_vehicle_lit.clear();
+  stripe_->append_lit(sight_.p_vehicle_lit);
   sight_.is_new = true;
-  if (!lit_s_ || probe_->sees_light()) lit_s_ = picture.stamp_s;
+  if (!lit_s_ || stripe_->sees_light()) lit_s_ = picture.stamp_s;
 }
 
 void ObstacleGuard::take_scan(const RangeScan& scan) {
@@ -122,7 +124,7 @@ void ObstacleGuard::remember_what_is_on(const WayAhead& way) {
   std::erase_if(p_vehicle_lit_on_way_, [&](const Vec2& p_vehicle) {
     return !way_to(T_now_taken * p_vehicle, way, vehicle_.footprint, params_.margin_m);
   });
-  memory_.see(p_vehicle_lit_on_way_, *probe_, sight_.taken.T_odom_vehicle, sight_.taken.stamp_s);
+  memory_.see(p_vehicle_lit_on_way_, *stripe_, sight_.taken.T_odom_vehicle, sight_.taken.stamp_s);
 }
 
 void ObstacleGuard::see_floor(std::span<const SensedSegment> edges) {
@@ -164,7 +166,7 @@ double ObstacleGuard::free_ahead_m(const WayAhead& way) {
 
 /// The greatest speed from which the vehicle stops in time: v t + v^2 / (2 a) = way.
 double ObstacleGuard::speed_before(double free_m) const {
-  if (!probe_ && !vehicle_.scanner && !floor_.is_used) return vehicle_.limits.speed_max_mps;
+  if (!stripe_ && !vehicle_.scanner && !floor_.is_used) return vehicle_.limits.speed_max_mps;
   const double way_m = free_m - params_.gap_m;
   if (way_m < kNoWay_m) return 0;
   const double a = params_.deceleration_share * vehicle_.limits.deceleration_max_mps2;

@@ -21,12 +21,11 @@ ObstacleMemory::ObstacleMemory(const ObstacleMemoryParams& params) : params_(par
   p_vehicle_.reserve(kPlacesMax);
 }
 
-void ObstacleMemory::see(const std::vector<Vec2>& p_vehicle_lit, const StripeProbe& probe,
+void ObstacleMemory::see(const std::vector<Vec2>& p_vehicle_lit, const StripeFan& stripe,
                          const Pose2& T_odom_vehicle, double stamp_s) {
   const Pose2 T_vehicle_odom = T_odom_vehicle.inverse();
   for (Place& place : places_) {
-    const bool is_free = probe.seen_at(T_vehicle_odom * place.p_odom) == StripeProbe::Seen::kFree;
-    place.free_sightings = is_free ? place.free_sightings + 1 : 0;
+    place.free_sightings = stripe.is_free(T_vehicle_odom * place.p_odom) ? place.free_sightings + 1 : 0;
   }
   for (const Vec2& p_vehicle : p_vehicle_lit) remember(T_odom_vehicle * p_vehicle, stamp_s);
   std::erase_if(places_, [&](const Place& place) {

@@ -27,8 +27,25 @@ constexpr double kWallStep = 0.1;        // of the range, from beam to beam
 constexpr double kSlopeKept = 0.7;       // of a stripe's slope, from beam to beam
 constexpr double kThinnest_px = 2;       // laser light far away
 constexpr std::size_t kUsualStep = 7;    // samples from one to the next that tells the usual contrast
+constexpr double kBefore_m = 0.15;       // so far before what is lit a place is free
 
 }  // namespace
+
+void StripeFanParams::describe(FieldList& fields) {
+  fields.real("sure_reach_m", sure_reach_m, {0.5, 20},
+              "so far light is seen on all that does not stand flat to its way");
+  fields.real("light_reach_m", light_reach_m, {0.5, 20}, "so far any wall shows that the markers are on");
+  fields.real("contrast_min", contrast_min, {1, 200},
+              "by which a stripe outshines what lies before and behind it, in grey levels");
+  fields.real("noise_factor", noise_factor, {1, 50}, "and by how many times the picture's usual contrast");
+  fields.real("beam_m", beam_m, {0.001, 0.05}, "thickness of the light");
+  fields.real("steepness_max", steepness_max, {0.5, 10}, "rows a column of the steepest stripe");
+  fields.real("width_min_m", width_min_m, {0, 1}, "of the narrowest thing");
+  fields.count("beams_min", beams_min, {1, 100}, "that strike it at least");
+  fields.real("mirrored_share", mirrored_share, {0, 1},
+              "of a stripe's contrast: fainter before it is mirrored");
+  fields.count("lit_beams_min", lit_beams_min, {1, 1000}, "of a stripe that is nothing but laser light");
+}
 
 double StripeFan::angle_step_rad() {
   return kStep_rad;
@@ -37,6 +54,7 @@ double StripeFan::angle_step_rad() {
 StripeFan::StripeFan(const StripeFanParams& params, const CameraIntrinsics& intrinsics,
                      const CameraMount& mount, int width_px, int height_px, double height_m)
     : params_(params),
+      T_vehicle_fan_{mount.p_vehicle_camera.x(), mount.p_vehicle_camera.y(), mount.pan_rad},
       width_px_(width_px),
       height_px_(height_px),
       focal_px_(intrinsics.fy_px),
@@ -321,6 +339,24 @@ int StripeFan::beams_of_wall(int end, int inwards) const {
 
 Vec2 StripeFan::struck(int beam) const {
   return beams_[static_cast<std::size_t>(beam)].range_m * unit(first_angle_rad_ + beam * kStep_rad);
+}
+
+void StripeFan::append_lit(std::vector<Vec2>& p_vehicle_lit) const {
+  for (std::size_t beam = 0; beam < beams_.size(); ++beam) {
+    if (beams_[beam].range_m > 0 && beams_[beam].range_m <= params_.sure_reach_m)
+      p_vehicle_lit.push_back(T_vehicle_fan_ * struck(static_cast<int>(beam)));
+  }
+}
+
+bool StripeFan::is_free(const Vec2& p_vehicle) const {
+  const Vec2 p_fan = T_vehicle_fan_.inverse() * p_vehicle;
+  const double away_m = p_fan.norm();
+  const long k = std::lround((std::atan2(p_fan.y(), p_fan.x()) - first_angle_rad_) / kStep_rad);
+  if (!sees_light_ || k < 0 || k >= static_cast<long>(beams_.size())) return false;
+  const Beam& beam = beams_[static_cast<std::size_t>(k)];
+  if (beam.may_be_shut || away_m < beam.near_m || away_m > std::min<double>(beam.far_m, params_.sure_reach_m))
+    return false;
+  return beam.range_m == 0 || away_m + kBefore_m < beam.range_m;
 }
 
 }  // namespace aisle

@@ -110,6 +110,36 @@ TEST(StripeFan, TakesTheFaintStripeBeforeABrightOneForItsMirrorImage) {
   EXPECT_NEAR(beam_at(eye, 0).range_m, 2.5, 0.02);
 }
 
+TEST(StripeFan, GivesThePlacesThatAreLit) {
+  StripeFan eye = fan();
+  Image picture = floor_with_noise();
+  shine_on(picture, {2.5, -0.3}, {2.5, 0.1});
+  eye.find(picture);
+  std::vector<Vec2> p_vehicle_lit;
+  eye.append_lit(p_vehicle_lit);
+  ASSERT_FALSE(p_vehicle_lit.empty());
+  for (const Vec2& p_vehicle : p_vehicle_lit) EXPECT_NEAR(p_vehicle.x(), 2.5, 0.01);
+  EXPECT_NEAR(p_vehicle_lit.front().y(), -0.3, 0.015);
+  EXPECT_NEAR(p_vehicle_lit.back().y(), 0.1, 0.015);
+}
+
+TEST(StripeFan, SaysWhereTheWayIsFreeAndWhereItCannotKnow) {
+  StripeFan eye = fan();
+  Image picture = floor_with_noise();
+  shine_on(picture, {2.5, -0.3}, {2.5, 0.3});
+  eye.find(picture);
+  EXPECT_TRUE(eye.is_free({2, 0}));
+  EXPECT_FALSE(eye.is_free({2.5, 0}));
+  EXPECT_FALSE(eye.is_free({3, 0})) << "hidden";
+  EXPECT_TRUE(eye.is_free({3, 0.8}));
+  EXPECT_FALSE(eye.is_free({1.2, 0})) << "below the picture";
+  EXPECT_FALSE(eye.is_free({2, 3})) << "out of view";
+  EXPECT_FALSE(eye.is_free({-1, 0})) << "behind";
+  EXPECT_FALSE(eye.is_free({6, 0})) << "out of reach";
+  eye.find(floor_with_noise());
+  EXPECT_FALSE(eye.is_free({2, 0})) << "no light";
+}
+
 TEST(StripeFan, AWallThatFadesOutMayGoOn) {
   StripeFan eye = fan();
   Image picture = floor_with_noise();

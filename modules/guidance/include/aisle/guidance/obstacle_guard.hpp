@@ -13,12 +13,12 @@
 #include "aisle/guidance/way_ahead.hpp"
 #include "aisle/vehicle/observation.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
-#include "aisle/vision/stripe_probe.hpp"
+#include "aisle/vision/stripe_fan.hpp"
 
 namespace aisle {
 
 struct ObstacleGuardParams {
-  StripeProbeParams stripes;
+  StripeFanParams stripes;
   ObstacleMemoryParams memory;
   PictureWatchParams pictures;
   double margin_m = 0.02;
@@ -60,7 +60,7 @@ class ObstacleGuard {
                 const CameraDescription* camera);
 
   /// Whether it has the means to: laser markers in view of its camera, or a range scanner.
-  bool sees_obstacles() const { return probe_ || vehicle_.scanner; }
+  bool sees_obstacles() const { return stripe_ || vehicle_.scanner; }
 
   /// Once a cycle, before `allow`.
   /// @return the camera's picture if it has come in time, is not the one before again, and shows something
@@ -99,7 +99,7 @@ class ObstacleGuard {
 
   void move(const Observation& observation);
   StampedPose taken_at(double stamp_s) const;
-  void probe(const CameraPicture& picture);
+  void read_stripe(const CameraPicture& picture);
   void take_scan(const RangeScan& scan);
   void remember_what_is_on(const WayAhead& way);
   void judge_floor(const WayAhead& way);
@@ -111,7 +111,7 @@ class ObstacleGuard {
   VehicleDescription vehicle_;
   ObstacleGuardParams params_;
   std::optional<PictureWatch> watch_;
-  std::optional<StripeProbe> probe_;
+  std::optional<StripeFan> stripe_;
   Image grey_;  ///< of coloured pictures
   ObstacleMemory memory_;
   std::array<StampedPose, 16> poses_;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "aisle/core/parameters.hpp"
-#include "aisle/vision/stripe_probe.hpp"
+#include "aisle/vision/stripe_fan.hpp"
 
 namespace aisle {
 
@@ -24,9 +24,9 @@ class ObstacleMemory {
   explicit ObstacleMemory(const ObstacleMemoryParams& params);
 
   /// Takes in what one picture shows in the way.
-  /// @param probe           that has looked at the picture
+  /// @param stripe          that has read the picture
   /// @param T_odom_vehicle  where the vehicle was when it was taken
-  void see(const std::vector<Vec2>& p_vehicle_lit, const StripeProbe& probe, const Pose2& T_odom_vehicle,
+  void see(const std::vector<Vec2>& p_vehicle_lit, const StripeFan& stripe, const Pose2& T_odom_vehicle,
            double stamp_s);
 
   /// The places that count, in the frame of the vehicle at a pose; valid until the next call.

@@ -1,11 +1,13 @@
 #pragma once
-/// The stripe of the vehicle's laser markers, read as a range scanner's turn (C99 section 3.1).
+/// Where things stand ahead, by the stripe that the vehicle's laser markers draw on them, read as a range
+/// scanner's turn (C99 section 3.1).
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "aisle/core/image.hpp"
+#include "aisle/core/parameters.hpp"
 #include "aisle/geometry/back_projection.hpp"
 #include "aisle/geometry/camera_model.hpp"
 
@@ -22,6 +24,8 @@ struct StripeFanParams {
   int beams_min = 3;            ///< ... and how many beams strike it at least
   double mirrored_share = 0.5;  ///< of a stripe's contrast: fainter before it is mirrored by the floor
   int lit_beams_min = 20;       ///< of a stripe that is nothing but laser light
+
+  void describe(FieldList& fields);
 };
 
 /// Beams from below the lens over the light plane, each a curve in the picture on which every pixel belongs
@@ -55,6 +59,13 @@ class StripeFan {
 
   /// Whether the last picture shows laser light at all, near or far.
   bool sees_light() const { return sees_light_; }
+
+  /// Places within sure reach that the last picture shows lit [m, vehicle frame], from the right to the left.
+  void append_lit(std::vector<Vec2>& p_vehicle_lit) const;
+
+  /// Whether the last picture shows that nothing stands in the light plane at a place: the plane is in view
+  /// there and beyond. What is out of view, out of sure reach or hidden is not known to be free.
+  bool is_free(const Vec2& p_vehicle) const;
 
  private:
   /// A place on a beam: four pixels and how they are weighed.
@@ -104,6 +115,7 @@ class StripeFan {
   Vec2 struck(int beam) const;
 
   StripeFanParams params_;
+  Pose2 T_vehicle_fan_;  ///< below the lens, where the camera looks
   int width_px_, height_px_;
   double focal_px_;
   double above_m_;   ///< the lens, over the light plane
