@@ -53,17 +53,33 @@ bool BrakingRoom::is_off_struck(const Pose2& T_vehicle_later) const {
 
 bool BrakingRoom::is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                           const Command& command, double steering_rad) const {
+  return is_free_until_stopped(command, steering_rad, [&](const Pose2& T_vehicle_later) {
+    return is_free_at(floor, clearance, T_map_vehicle, T_vehicle_later);
+  });
+}
+
+bool BrakingRoom::is_free_on_trail(const FloorGrid& floor, const FloorClearance& clearance,
+                                   const Pose2& T_map_vehicle, const Command& command,
+                                   double steering_rad) const {
+  return is_free_until_stopped(command, steering_rad, [&](const Pose2& T_vehicle_later) {
+    return is_off_struck(T_vehicle_later) &&
+           room_.lies_on_free(floor, clearance, T_map_vehicle * T_vehicle_later);
+  });
+}
+
+template <class IsFreeAt>
+bool BrakingRoom::is_free_until_stopped(const Command& command, double steering_rad,
+                                        IsFreeAt is_free_at) const {
   const double way_m = std::copysign(stopping_way_m(command.speed_mps), command.speed_mps);
   if (vehicle_.is_differential) {
     const double turn_rad = command.turn_rate_rad_s * kReaction_s;
-    return is_free_at(floor, clearance, T_map_vehicle, end_pose({way_m, turn_rad}));
+    return is_free_at(end_pose({way_m, turn_rad}));
   }
   const std::array<double, 2> steerings_rad = {steering_rad, command.steering_rad};
   return std::all_of(steerings_rad.begin(), steerings_rad.end(), [&](double wheels_rad) {
     const Pose2 T_vehicle_half = drive(vehicle_.front_steered, FrontSteeredMotion{way_m / 2, wheels_rad});
     const Pose2 T_vehicle_stopped = drive(vehicle_.front_steered, FrontSteeredMotion{way_m, wheels_rad});
-    return is_free_at(floor, clearance, T_map_vehicle, T_vehicle_half) &&
-           is_free_at(floor, clearance, T_map_vehicle, T_vehicle_stopped);
+    return is_free_at(T_vehicle_half) && is_free_at(T_vehicle_stopped);
   });
 }
 

@@ -6,10 +6,10 @@
 namespace aisle {
 namespace {
 
-constexpr double kSlice_m = 0.2;      // of the footprint's length that one disc covers
-constexpr double kCorner_m = 0.11;    // of its ends that one does
-constexpr double kMuchRoom_m = 0.15;  // more room than this is not measured closely
-constexpr double kWhole = 1e-9;       // so little more is no other piece
+constexpr double kSlice_m = 0.2;     // of the footprint's length that one disc covers
+constexpr double kCorner_m = 0.11;   // of its ends that one does
+constexpr double kMuchRoom_m = 0.2;  // more room than this is not measured closely
+constexpr double kWhole = 1e-9;      // so little more is no other piece
 constexpr double kNoneNear_m = 10;
 constexpr double kWayCheck_m = 0.1;
 constexpr double kTouchedCells = 0.8;  // between the points that are looked at under the footprint
@@ -88,7 +88,12 @@ double FootprintRoom::least_m(const FloorGrid& floor, const Pose2& T_map_vehicle
 
 bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& clearance,
                                 const Pose2& T_map_vehicle, double spare_m) const {
-  if (standing_spare_m(floor, clearance, T_map_vehicle) < std::min(0.0, spare_m)) return false;
+  return standing_spare_m(floor, clearance, T_map_vehicle) >= std::min(0.0, spare_m) &&
+         lies_on_free(floor, clearance, T_map_vehicle);
+}
+
+bool FootprintRoom::lies_on_free(const FloorGrid& floor, const FloorClearance& clearance,
+                                 const Pose2& T_map_vehicle) const {
   const Vec2 ahead = unit(T_map_vehicle.theta), aside = left_normal(ahead);
   const double inset_m = floor.cell_m() / 2;
   const double length_m = footprint_.front_m + footprint_.rear_m - 2 * inset_m,

@@ -32,6 +32,12 @@ void WayDriver::take(const Path& way) {
   progress_.emplace(path_, along_m);
 }
 
+void WayDriver::take_trail(const Path& way) {
+  drop();
+  take(way);
+  is_on_trail_ = true;
+}
+
 void WayDriver::shorten(double ahead_m) {
   const PathPoint point = progress_->point();
   path_ = path_.up_to(std::min(point.along_m + ahead_m, path_.leg_end_m(point.piece)));
@@ -41,11 +47,13 @@ void WayDriver::shorten(double ahead_m) {
 void WayDriver::drop() {
   progress_.reset();
   path_ = {};
+  is_on_trail_ = false;
 }
 
 double WayDriver::free_m(const FloorGrid& floor, const FloorClearance& clearance,
                          const Pose2& T_map_vehicle) const {
   if (!has_way()) return 0;
+  if (is_on_trail_) return left_m();
   const double standing_m = watch_.standing_spare_m(floor, clearance, T_map_vehicle);
   return watch_.free_way_m(floor, clearance, path_, progress_->point().along_m, standing_m);
 }
@@ -64,12 +72,18 @@ WayDriver::Step WayDriver::drive(const FloorGrid& floor, const FloorClearance& c
   if (!vehicle_.is_differential && command.speed_mps < 0)
     command.steering_rad = reversing_steering_rad(vehicle_, path_, point, T_map_vehicle, steering_rad);
   const int direction = command.speed_mps > 0 ? 1 : -1;
-  if (braking_.is_free(floor, clearance, T_map_vehicle, command, steering_rad))
+  if (is_free(floor, clearance, T_map_vehicle, command, steering_rad))
     return {State::kDriving, command, direction};
   const bool is_for_wheels = std::abs(command.steering_rad - steering_rad) > kWheelsTurned_rad &&
-                             braking_.is_free(floor, clearance, T_map_vehicle, command, command.steering_rad);
+                             is_free(floor, clearance, T_map_vehicle, command, command.steering_rad);
   if (is_for_wheels) return {State::kTurningWheels, {.steering_rad = command.steering_rad}, direction};
   return {State::kBlocked, standing, direction};
+}
+
+bool WayDriver::is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                        const Command& command, double steering_rad) const {
+  return is_on_trail_ ? braking_.is_free_on_trail(floor, clearance, T_map_vehicle, command, steering_rad)
+                      : braking_.is_free(floor, clearance, T_map_vehicle, command, steering_rad);
 }
 
 /// Where the way bends otherwise than the wheels stand, they turn before the vehicle goes on.

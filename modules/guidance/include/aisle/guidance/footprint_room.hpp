@@ -31,6 +31,10 @@ class FootprintRoom {
   bool fits_barely(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                    double spare_m) const;
 
+  /// Whether the whole footprint lies on known free floor.
+  bool lies_on_free(const FloorGrid& floor, const FloorClearance& clearance,
+                    const Pose2& T_map_vehicle) const;
+
   /// How far along a path, from a point on it, the vehicle fits, if barely with so much room: up to its end,
   /// or less.
   double free_way_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path, double from_m,
