@@ -64,13 +64,13 @@ WayDriver::Step WayDriver::drive(const FloorGrid& floor, const FloorClearance& c
   if (!has_way()) return {State::kNoWay, standing};
   const PathPoint& point = progress_->advance(T_map_vehicle);
   if (progress_->has_arrived()) return {State::kArrived, standing};
-  if (const auto wheels_rad = wheels_to_turn_rad(point, steering_rad))
-    return {State::kTurningWheels, {.steering_rad = *wheels_rad}};
   const double care = driving_care(vehicle_, room, floor, clearance, path_, point.along_m, steering_rad);
   const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, speed_);
   Command command = follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_rad);
   if (!vehicle_.is_differential && command.speed_mps < 0)
     command.steering_rad = reversing_steering_rad(vehicle_, path_, point, T_map_vehicle, steering_rad);
+  if (const auto wheels_rad = wheels_to_turn_rad(point, command.steering_rad, steering_rad))
+    return {State::kTurningWheels, {.steering_rad = *wheels_rad}};
   const int direction = command.speed_mps > 0 ? 1 : -1;
   if (is_free(floor, clearance, T_map_vehicle, command, steering_rad))
     return {State::kDriving, command, direction};
@@ -86,8 +86,10 @@ bool WayDriver::is_free(const FloorGrid& floor, const FloorClearance& clearance,
                       : braking_.is_free(floor, clearance, T_map_vehicle, command, steering_rad);
 }
 
-/// Where the way bends otherwise than the wheels stand, they turn before the vehicle goes on.
-std::optional<double> WayDriver::wheels_to_turn_rad(const PathPoint& point, double steering_rad) {
+/// Where the way bends otherwise than the wheels stand, they turn before the vehicle goes on; but not where
+/// they stand as they do because the vehicle makes good what it is off the way.
+std::optional<double> WayDriver::wheels_to_turn_rad(const PathPoint& point, double followed_rad,
+                                                    double steering_rad) {
   if (vehicle_.is_differential) return std::nullopt;
   const std::size_t leg_end = path_.leg_end(point.piece);
   const PathPoint ahead =
@@ -95,8 +97,13 @@ std::optional<double> WayDriver::wheels_to_turn_rad(const PathPoint& point, doub
   const double bent_rad = std::atan(ahead.curvature_per_m * vehicle_.front_steered.wheelbase_m);
   const double wanted_rad =
       std::clamp(bent_rad, -vehicle_.limits.steering_max_rad, vehicle_.limits.steering_max_rad);
-  const double off_max_rad = leg_end == leg_begun_ ? kWheelsOff_rad : kWheelsOffAtFirst_rad;
-  if (std::abs(wanted_rad - steering_rad) >= off_max_rad) return wanted_rad;
+  const bool is_under_way = leg_end == leg_begun_;
+  const double off_rad = std::abs(wanted_rad - steering_rad);
+  if (is_under_way) {
+    const bool makes_good = std::abs(followed_rad - steering_rad) < kWheelsOff_rad / 2;
+    return off_rad >= kWheelsOff_rad && !makes_good ? std::optional(wanted_rad) : std::nullopt;
+  }
+  if (off_rad >= kWheelsOffAtFirst_rad) return wanted_rad;
   leg_begun_ = leg_end;
   return std::nullopt;
 }

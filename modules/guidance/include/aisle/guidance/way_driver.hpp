@@ -60,7 +60,7 @@ class WayDriver {
  private:
   bool is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                const Command& command, double steering_rad) const;
-  std::optional<double> wheels_to_turn_rad(const PathPoint& point, double steering_rad);
+  std::optional<double> wheels_to_turn_rad(const PathPoint& point, double followed_rad, double steering_rad);
 
   VehicleDescription vehicle_;
   SpeedParams speed_;
