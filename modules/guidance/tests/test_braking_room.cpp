@@ -52,5 +52,20 @@ TEST(BrakingRoom, TooNearAWallItMayGoAlongButNotNearer) {
   EXPECT_FALSE(may_drive(room, T_map_vehicle, {.speed_mps = 0.4, .steering_rad = -30 * kDegree}));
 }
 
+TEST(BrakingRoom, OnItsTrailItMayComeNearToWhatTheFloorShowsBesideIt) {
+  const BrakingRoom room = room_seeing({});
+  const Pose2 T_map_vehicle{5, 0.335, 0};
+  const Command swings_its_front_aside{.speed_mps = -0.1, .steering_rad = 20 * kDegree};
+  EXPECT_FALSE(may_drive(room, T_map_vehicle, swings_its_front_aside));
+  const auto may_go_back = [&](const FloorGrid& floor) {
+    return room.is_free_on_trail(floor, kHall.clearance, T_map_vehicle, swings_its_front_aside,
+                                 swings_its_front_aside.steering_rad);
+  };
+  EXPECT_TRUE(may_go_back(kHall.floor));
+  FloorGrid stands_behind = kHall.floor;
+  stands_behind.set(stands_behind.cell_at({4.72, 0.335}), Floor::kOccupied);
+  EXPECT_FALSE(may_go_back(stands_behind));
+}
+
 }  // namespace
 }  // namespace aisle
