@@ -119,9 +119,10 @@ void ExplorerNavigator::choose() {
       explorer_.decide(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(),
                        learner_.T_map_vehicle() * Vec2(middle_m, 0), learner_.T_map_home(), cycle_);
   const bool goes_on = target_ && is_same(*target_, target);
+  const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
+  if (gate_moved || !former_ || !is_same(*former_, target)) is_out_of_reach_ = false;
   watch_learning(target);
   target_ = former_ = target;
-  const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
   if (goes_on && (!gate_moved || target.kind != ExploringTarget::Kind::kPath)) return;
   attempts_ = 0;
   failures_ = 0;
@@ -247,10 +248,10 @@ void ExplorerNavigator::find_no_way() {
   const bool shut_in = is_shut_in();
   if (is_wedged_) failures_ = std::max(failures_, 1);
   if ((shut_in && failures_ > 0 && retreat()) || is_wedged_) return;
+  is_out_of_reach_ = is_out_of_reach_ || (search_.has_tried_all() && !shut_in);
   const bool is_last_try = target_->gate.is_nook || looks_from_afar();
   ++failures_;
   if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
-  if (search_.has_tried_all() && !shut_in) return give_path_up();
   leave_path();
 }
 
@@ -278,9 +279,9 @@ void ExplorerNavigator::hitch() {
   if (!goes_home) patience_.hitch(learner_.T_map_vehicle());
 }
 
-/// It cannot look behind the gate: a corner is left out, more is left undone.
+/// It cannot look behind the gate: a corner is left out, and what is out of reach; more is left undone.
 void ExplorerNavigator::leave_path() {
-  if (target_->gate.behind_m2 < params_.explorer.leftover_m2) return give_path_up();
+  if (is_out_of_reach_ || target_->gate.behind_m2 < params_.explorer.leftover_m2) return give_path_up();
   explorer_.abandon(target_->path, cycle_);
   drop_way();
   moved_s_ = stamp_s_;

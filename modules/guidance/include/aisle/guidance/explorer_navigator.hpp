@@ -102,13 +102,14 @@ class ExplorerNavigator final : public Navigator {
   Vec2 p_map_searched_ = Vec2::Zero();        ///< the gate that the latest search was for
   double searched_m2_ = 0;                    ///< of floor, when that search began
   bool is_search_due_ = false;
-  bool is_stage_ = false;       ///< the way ends before what it leads to
-  bool stands_first_ = false;   ///< the search that is due begins where the vehicle comes to stand
-  bool ends_at_home_ = false;   ///< the way does
-  int failures_ = 0;            ///< searches for this target that found no way
-  bool is_retreating_ = false;  ///< its way is the trail back
-  bool is_wedged_ = false;      ///< no way leads out of where the vehicle stands
-  int attempts_ = 0;            ///< ways that were driven for this target and did not settle it
+  bool is_stage_ = false;         ///< the way ends before what it leads to
+  bool stands_first_ = false;     ///< the search that is due begins where the vehicle comes to stand
+  bool ends_at_home_ = false;     ///< the way does
+  bool is_out_of_reach_ = false;  ///< every pose was tried: none shows the target, unless it squeezes
+  int failures_ = 0;              ///< searches for this target that found no way
+  bool is_retreating_ = false;    ///< its way is the trail back
+  bool is_wedged_ = false;        ///< no way leads out of where the vehicle stands
+  int attempts_ = 0;              ///< ways that were driven for this target and did not settle it
   std::size_t arrived_cycle_ = 0;
   std::size_t cycle_ = 0;
   std::optional<double> begun_s_;
