@@ -30,8 +30,10 @@ TEST(BuildingExplorer, LooksIntoANookThatItComesBy) {
   EXPECT_TRUE(target.gate.is_nook);
 }
 
-TEST(BuildingExplorer, PassesNooksUnlessToldToMindThem) {
-  BuildingExplorer explorer({}, ExploringOrder::kRecommended);
+TEST(BuildingExplorer, PassesNooksIfToldTo) {
+  ExplorerParams params;
+  params.nooks.way_max_m = 0;
+  BuildingExplorer explorer(params, ExploringOrder::kRecommended);
   EXPECT_EQ(target_with_recess_at(5, explorer).kind, ExploringTarget::Kind::kHome);
 }
 
@@ -40,6 +42,22 @@ TEST(BuildingExplorer, GoesHomeRatherThanFarForANook) {
   EXPECT_EQ(target_with_recess_at(15, explorer).kind, ExploringTarget::Kind::kHome);
   EXPECT_EQ(explorer.paths_waiting(), 0);
   explorer.stop(2);
+}
+
+TEST(BuildingExplorer, TriesWhatItLeftOnceMoreFromElsewhere) {
+  DrawnFloor drawn;
+  drawn.put_corridor(20, 2);
+  const FloorClearance clearance = drawn.clearance_now();
+  BuildingExplorer explorer({}, ExploringOrder::kRecommended);
+  const auto kind_at = [&](double x_m) {
+    return explorer.decide(drawn.floor, clearance, {x_m, 1, 0}, {x_m, 1}, {1, 1, 0}, 1).kind;
+  };
+  ASSERT_EQ(kind_at(18), ExploringTarget::Kind::kPath);
+  explorer.abandon(0, 2);
+  EXPECT_EQ(kind_at(17.5), ExploringTarget::Kind::kHome);
+  EXPECT_EQ(kind_at(15), ExploringTarget::Kind::kPath);
+  explorer.abandon(0, 3);
+  EXPECT_EQ(kind_at(10), ExploringTarget::Kind::kHome);
 }
 
 /// C99's order: all paths that lead off a crossing were explored, and then it is to go back there.

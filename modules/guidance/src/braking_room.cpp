@@ -10,7 +10,8 @@ namespace {
 constexpr double kReaction_s = 0.25;  // from a command to what comes of it
 constexpr double kStopSlack_m = 0.03;
 constexpr double kStruckMatters_m = 1.5;  // from the vehicle's outline
-constexpr double kStruckMargin_m = 0.03;
+constexpr double kStruckMargin_m = 0.02;
+constexpr double kStruckOnTrail_m = 0.01;
 
 /// Points as the vehicle would see them later; many, so the turn is worked out once.
 class FromLater {
@@ -43,7 +44,11 @@ void BrakingRoom::see(const LaserScanner& fan, std::span<const float> ranges_m) 
 }
 
 bool BrakingRoom::is_off_struck(const Pose2& T_vehicle_later) const {
-  const double enough_m = std::min(kStruckMargin_m, struck_now_m_ - kRoomNoise_m);
+  return is_off_struck(T_vehicle_later, kStruckMargin_m);
+}
+
+bool BrakingRoom::is_off_struck(const Pose2& T_vehicle_later, double margin_m) const {
+  const double enough_m = std::min(margin_m, struck_now_m_ - kRoomNoise_m);
   if (enough_m <= 0) return true;
   const FromLater from_later(T_vehicle_later);
   return std::all_of(p_vehicle_struck_.begin(), p_vehicle_struck_.end(), [&](const Vec2& p_vehicle) {
@@ -53,17 +58,33 @@ bool BrakingRoom::is_off_struck(const Pose2& T_vehicle_later) const {
 
 bool BrakingRoom::is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                           const Command& command, double steering_rad) const {
+  return is_free_until_stopped(command, steering_rad, [&](const Pose2& T_vehicle_later) {
+    return is_free_at(floor, clearance, T_map_vehicle, T_vehicle_later);
+  });
+}
+
+bool BrakingRoom::is_free_on_trail(const FloorGrid& floor, const FloorClearance& clearance,
+                                   const Pose2& T_map_vehicle, const Command& command,
+                                   double steering_rad) const {
+  return is_free_until_stopped(command, steering_rad, [&](const Pose2& T_vehicle_later) {
+    return is_off_struck(T_vehicle_later, kStruckOnTrail_m) &&
+           room_.lies_on_free(floor, clearance, T_map_vehicle * T_vehicle_later);
+  });
+}
+
+template <class IsFreeAt>
+bool BrakingRoom::is_free_until_stopped(const Command& command, double steering_rad,
+                                        IsFreeAt is_free_at) const {
   const double way_m = std::copysign(stopping_way_m(command.speed_mps), command.speed_mps);
   if (vehicle_.is_differential) {
     const double turn_rad = command.turn_rate_rad_s * kReaction_s;
-    return is_free_at(floor, clearance, T_map_vehicle, end_pose({way_m, turn_rad}));
+    return is_free_at(end_pose({way_m, turn_rad}));
   }
   const std::array<double, 2> steerings_rad = {steering_rad, command.steering_rad};
   return std::all_of(steerings_rad.begin(), steerings_rad.end(), [&](double wheels_rad) {
     const Pose2 T_vehicle_half = drive(vehicle_.front_steered, FrontSteeredMotion{way_m / 2, wheels_rad});
     const Pose2 T_vehicle_stopped = drive(vehicle_.front_steered, FrontSteeredMotion{way_m, wheels_rad});
-    return is_free_at(floor, clearance, T_map_vehicle, T_vehicle_half) &&
-           is_free_at(floor, clearance, T_map_vehicle, T_vehicle_stopped);
+    return is_free_at(T_vehicle_half) && is_free_at(T_vehicle_stopped);
   });
 }
 

@@ -16,7 +16,8 @@ constexpr double kNear_rad = 7 * kDegree;
 constexpr double kBendCost = 0.1;  // of the sharpest bend, per metre
 constexpr double kLeave_m = 2;     // so far about its start a vehicle may go where it barely fits ...
 constexpr double kTightCost = 4;   // of way with less room than the margin, on the way out of a narrow place
-constexpr double kLeaveMargin_m = 0.025;  // ... or has so much room around its footprint
+constexpr double kLeastMargin_m = 0.025;  // ... or has so much room around its footprint
+constexpr double kSharpShare = 0.97;      // of the wheels' range, where it squeezes through
 
 /// What a vehicle can do in one step.
 std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_share) {
@@ -71,8 +72,15 @@ void CarSearchParams::describe(FieldList& fields) {
 }
 
 CarSearch::CarSearch(const CarSearchParams& params, const VehicleDescription& vehicle)
-    : params_(params), room_(vehicle.footprint, params.margin_m) {
-  for (const Arc& arc : arcs_of(vehicle, params.steering_share)) moves_.push_back(move_along(arc));
+    : params_(params),
+      room_(vehicle.footprint, params.margin_m),
+      moves_(moves_of(vehicle, params.steering_share)),
+      sharp_moves_(moves_of(vehicle, std::max(params.steering_share, kSharpShare))) {}
+
+std::vector<CarSearch::Move> CarSearch::moves_of(const VehicleDescription& vehicle, double steering_share) {
+  std::vector<Move> moves;
+  for (const Arc& arc : arcs_of(vehicle, steering_share)) moves.push_back(move_along(arc));
+  return moves;
 }
 
 /// Both ways, seen from where the search comes from: the arc's far end first, where most of them fail.
@@ -113,6 +121,7 @@ void CarSearch::begin(const Pose2& T_map_start) {
   expansions_ = 0;
   reached_m_ = 0;
   forbidden_first_ = 0;
+  squeezes_ = false;
   is_free_ = nullptr;
   nodes_.push_back({.T_map = T_map_start, .arc = {}});
   bins_[bin_of(T_map_start)] = 0;
@@ -152,7 +161,7 @@ bool CarSearch::has_come_to(const Vec2& p_map, double within_m) const {
 }
 
 void CarSearch::expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node) {
-  for (const Move& move : moves_) try_move(floor, clearance, node, move);
+  for (const Move& move : squeezes_ ? sharp_moves_ : moves_) try_move(floor, clearance, node, move);
 }
 
 void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from,
@@ -180,19 +189,20 @@ void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance
   std::push_heap(queue_.begin(), queue_.end());
 }
 
-/// None where the poses cannot be passed; negative on the way out of a place with less room than the margin.
+/// None where the poses cannot be passed; negative where there is less room than the margin, and that will
+/// do.
 std::optional<double> CarSearch::least_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
                                                const Pose2& T_map_from,
                                                std::span<const Pose2> T_from_passed) const {
   const bool is_leaving = (T_map_from.position() - nodes_.front().T_map.position()).norm() < kLeave_m;
+  const double least_spare_m = is_leaving || squeezes_ ? kLeastMargin_m - params_.margin_m : 0;
   double least_m = clearance.far_m();
   for (const Pose2& T_from : T_from_passed) {
     const Pose2 T_map = T_map_from * T_from;
     const double spare_m = room_.spare_m(floor, clearance, T_map);
     const bool fits =
-        spare_m >= 0 ||
-        (is_leaving && (spare_m + params_.margin_m >= kLeaveMargin_m ||
-                        room_.fits_barely(floor, clearance, T_map, start_spare_m_ - kRoomNoise_m)));
+        spare_m >= std::min(0.0, least_spare_m) ||
+        (is_leaving && room_.fits_barely(floor, clearance, T_map, start_spare_m_ - kRoomNoise_m));
     if (!fits || (is_free_ && !is_free_(T_map))) return std::nullopt;
     least_m = std::min(least_m, spare_m);
   }

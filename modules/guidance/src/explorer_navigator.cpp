@@ -14,8 +14,9 @@ namespace {
 
 constexpr double kStopSpare_m = 0.15;  // the vehicle stops so far before what came into its way
 constexpr double kCoverageEvery_m = 0.5;
-constexpr int kAttemptsMax = 3;
-constexpr double kAfar = 2;  // times as far as else, where it does not get near
+constexpr int kAttemptsMax = 4;
+constexpr double kAfar = 2;       // times as far as else, where it does not get near ...
+constexpr int kFailuresNear = 2;  // ... in so many searches
 constexpr int kHomeAttemptsMax = 4;
 constexpr double kGateMoved_m = 1;
 constexpr double kAboutStand_m = 1.5;   // poses that show a nook are looked for about the nearest one
@@ -118,12 +119,13 @@ void ExplorerNavigator::choose() {
       explorer_.decide(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(),
                        learner_.T_map_vehicle() * Vec2(middle_m, 0), learner_.T_map_home(), cycle_);
   const bool goes_on = target_ && is_same(*target_, target);
+  const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
+  if (gate_moved || !former_ || !is_same(*former_, target)) is_out_of_reach_ = false;
   watch_learning(target);
   target_ = former_ = target;
-  const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
   if (goes_on && (!gate_moved || target.kind != ExploringTarget::Kind::kPath)) return;
   attempts_ = 0;
-  looks_from_afar_ = false;
+  failures_ = 0;
   is_search_due_ = true;
 }
 
@@ -139,6 +141,7 @@ void ExplorerNavigator::begin_search() {
   const double since_blocked_m = (T_map_from.position() - p_map_blocked_).norm();
   if (since_blocked_m < kSameSpot_m) search_.forbid_first(blocked_direction_);
   keep_off_struck();
+  if (failures_ > 0) search_.squeeze();
 }
 
 /// What the sensor strikes now stands a little off where the floor's cells show it.
@@ -196,8 +199,13 @@ void ExplorerNavigator::search_on() {
 /// Nearer where the vehicle saw nothing, farther where it does not get so near.
 double ExplorerNavigator::look_from_m() const {
   if (target_->gate.is_nook) return params_.explorer.nooks.reach_m;
-  if (looks_from_afar_) return kAfar * params_.look_from_m;
+  if (looks_from_afar()) return kAfar * params_.look_from_m;
   return attempts_ < 2 ? params_.look_from_m : params_.look_from_m / 2;
+}
+
+/// Where it does not get near, not even where it squeezes through.
+bool ExplorerNavigator::looks_from_afar() const {
+  return failures_ >= kFailuresNear;
 }
 
 /// Whether enough of what is to be seen of the path would be seen from there.
@@ -238,11 +246,12 @@ void ExplorerNavigator::find_no_way() {
   if (!is_wedged_) hitch();
   if (std::exchange(blocked_direction_, 0) != 0) return;
   const bool shut_in = is_shut_in();
-  if ((shut_in && retreat()) || is_wedged_) return;
-  const bool is_last_try = target_->gate.is_nook || (attempts_ > 0 && looks_from_afar_);
-  looks_from_afar_ = true;
+  if (is_wedged_) failures_ = std::max(failures_, 1);
+  if ((shut_in && failures_ > 0 && retreat()) || is_wedged_) return;
+  is_out_of_reach_ = is_out_of_reach_ || (search_.has_tried_all() && !shut_in);
+  const bool is_last_try = target_->gate.is_nook || looks_from_afar();
+  ++failures_;
   if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
-  if (search_.has_tried_all() && !shut_in) return give_path_up();
   leave_path();
 }
 
@@ -259,7 +268,7 @@ bool ExplorerNavigator::retreat() {
     return search_.room().spare_m(learner_.floor(), learner_.clearance(), T_map) > kRoomy_m;
   });
   if (back.empty()) return false;
-  driver_.take(back);
+  driver_.take_trail(back);
   is_retreating_ = is_search_due_ = true;
   return true;
 }
@@ -270,9 +279,9 @@ void ExplorerNavigator::hitch() {
   if (!goes_home) patience_.hitch(learner_.T_map_vehicle());
 }
 
-/// It cannot look behind the gate: a corner is left out, more is left undone.
+/// It cannot look behind the gate: a corner is left out, and what is out of reach; more is left undone.
 void ExplorerNavigator::leave_path() {
-  if (target_->gate.behind_m2 < params_.explorer.leftover_m2) return give_path_up();
+  if (is_out_of_reach_ || target_->gate.behind_m2 < params_.explorer.leftover_m2) return give_path_up();
   explorer_.abandon(target_->path, cycle_);
   drop_way();
   moved_s_ = stamp_s_;

@@ -6,7 +6,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kSlice_m = 0.2;  // of the footprint's length that one disc covers
+constexpr double kSlice_m = 0.2;     // of the footprint's length that one disc covers
+constexpr double kCorner_m = 0.11;   // of its ends that one does
+constexpr double kMuchRoom_m = 0.2;  // more room than this is not measured closely
+constexpr double kWhole = 1e-9;      // so little more is no other piece
+constexpr double kNoneNear_m = 10;
 constexpr double kWayCheck_m = 0.1;
 constexpr double kTouchedCells = 0.8;  // between the points that are looked at under the footprint
 
@@ -27,38 +31,69 @@ double between_cells(const FloorGrid& floor, const Vec2& p_map, ValueOf value_of
 
 FootprintRoom::FootprintRoom(const Footprint& footprint, double margin_m)
     : footprint_(footprint), margin_m_(margin_m) {
-  const double length_m = footprint.front_m + footprint.rear_m;
-  const auto slices = std::max(1, static_cast<int>(std::ceil(length_m / kSlice_m)));
-  const double slice_m = length_m / slices;
-  radius_m_ = std::hypot(footprint.width_m / 2, slice_m / 2) + margin_m;
-  for (int i = 0; i < slices; ++i) p_vehicle_discs_.emplace_back(-footprint.rear_m + (i + 0.5) * slice_m, 0);
+  const double half_m = footprint.width_m / 2;
+  const auto piece = [&](double from_m, double to_m) { return Piece{{from_m, -half_m}, {to_m, half_m}}; };
+  const Vec2 slice_m(kSlice_m, footprint.width_m), corner_m(kCorner_m, kCorner_m);
+  cover(piece(-footprint.rear_m, footprint.front_m), slice_m, rough_);
+  const double end_m = std::hypot(half_m, kSlice_m / 2) - kSlice_m / 2;
+  const double behind_m = std::min(-footprint.rear_m + end_m, footprint.front_m),
+               before_m = std::max(footprint.front_m - end_m, behind_m);
+  if (before_m > behind_m) cover(piece(behind_m, before_m), slice_m, close_);
+  cover(piece(-footprint.rear_m, behind_m), corner_m, close_);
+  if (before_m < footprint.front_m) cover(piece(before_m, footprint.front_m), corner_m, close_);
+}
+
+/// By discs about equal pieces of at most some size; none about those that lie under others.
+void FootprintRoom::cover(const Piece& piece, const Vec2& size_max_m, std::vector<Disc>& discs) const {
+  const Vec2 size_m = piece.high - piece.low;
+  const int columns = static_cast<int>(std::ceil(size_m.x() / size_max_m.x() - kWhole));
+  const int rows = static_cast<int>(std::ceil(size_m.y() / size_max_m.y() - kWhole));
+  const Vec2 half(size_m.x() / columns / 2, size_m.y() / rows / 2);
+  for (int column = 0; column < columns; ++column) {
+    for (int row = 0; row < rows; ++row) {
+      const Vec2 middle = piece.low + Vec2((2 * column + 1) * half.x(), (2 * row + 1) * half.y());
+      const bool is_covered = std::any_of(discs.begin(), discs.end(), [&](const Disc& disc) {
+        const Vec2 farthest = (middle - disc.p_vehicle).cwiseAbs() + half;
+        return farthest.norm() + margin_m_ <= disc.radius_m;
+      });
+      if (!is_covered) discs.push_back({middle, half.norm() + margin_m_});
+    }
+  }
 }
 
 double FootprintRoom::spare_m(const FloorGrid& floor, const FloorClearance& clearance,
                               const Pose2& T_map_vehicle) const {
-  return least_m(floor, T_map_vehicle, clearance.far_m(),
-                 [&](FloorCell cell) { return clearance.to_doubtful_m(cell); });
+  return least_m(floor, T_map_vehicle, [&](FloorCell cell) { return clearance.to_doubtful_m(cell); });
 }
 
 double FootprintRoom::standing_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
                                        const Pose2& T_map_vehicle) const {
-  return least_m(floor, T_map_vehicle, clearance.far_m(),
-                 [&](FloorCell cell) { return clearance.to_occupied_m(cell); });
+  return least_m(floor, T_map_vehicle, [&](FloorCell cell) { return clearance.to_occupied_m(cell); });
 }
 
 template <class DistanceAt>
-double FootprintRoom::least_m(const FloorGrid& floor, const Pose2& T_map_vehicle, double far_m,
+double FootprintRoom::least_m(const FloorGrid& floor, const Pose2& T_map_vehicle,
                               DistanceAt distance_at) const {
-  const Vec2 ahead = unit(T_map_vehicle.theta);
-  double least_m = far_m;
-  for (const Vec2& p : p_vehicle_discs_)
-    least_m = std::min(least_m, between_cells(floor, T_map_vehicle.position() + p.x() * ahead, distance_at));
-  return least_m - radius_m_;
+  const Mat2 R_map_vehicle = rotation(T_map_vehicle.theta);
+  const auto least = [&](const std::vector<Disc>& discs, double at_most_m) {
+    for (const Disc& disc : discs) {
+      const Vec2 p_map = T_map_vehicle.position() + R_map_vehicle * disc.p_vehicle;
+      at_most_m = std::min(at_most_m, between_cells(floor, p_map, distance_at) - disc.radius_m);
+    }
+    return at_most_m;
+  };
+  const double rough_m = least(rough_, kNoneNear_m);
+  return rough_m >= kMuchRoom_m ? rough_m : least(close_, kMuchRoom_m);
 }
 
 bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& clearance,
                                 const Pose2& T_map_vehicle, double spare_m) const {
-  if (standing_spare_m(floor, clearance, T_map_vehicle) < std::min(0.0, spare_m)) return false;
+  return standing_spare_m(floor, clearance, T_map_vehicle) >= std::min(0.0, spare_m) &&
+         lies_on_free(floor, clearance, T_map_vehicle);
+}
+
+bool FootprintRoom::lies_on_free(const FloorGrid& floor, const FloorClearance& clearance,
+                                 const Pose2& T_map_vehicle) const {
   const Vec2 ahead = unit(T_map_vehicle.theta), aside = left_normal(ahead);
   const double inset_m = floor.cell_m() / 2;
   const double length_m = footprint_.front_m + footprint_.rear_m - 2 * inset_m,

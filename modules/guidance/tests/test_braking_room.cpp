@@ -52,5 +52,23 @@ TEST(BrakingRoom, TooNearAWallItMayGoAlongButNotNearer) {
   EXPECT_FALSE(may_drive(room, T_map_vehicle, {.speed_mps = 0.4, .steering_rad = -30 * kDegree}));
 }
 
+TEST(BrakingRoom, OnItsTrailItMayComeNearToWhatTheFloorShowsBesideIt) {
+  KnownFloor hall({{Vec2(0, 0), Vec2(10, 4)}});
+  for (int x = 0; x < 200; ++x) hall.floor.set({x, 0}, Floor::kOccupied);
+  hall.clearance.update(hall.floor, hall.floor.known());
+  const BrakingRoom room = room_seeing({});
+  const Pose2 T_map_vehicle{5, 0.385, 0};
+  const Command swings_its_front_aside{.speed_mps = -0.1, .steering_rad = 20 * kDegree};
+  const auto may_go_back = [&] {
+    return room.is_free_on_trail(hall.floor, hall.clearance, T_map_vehicle, swings_its_front_aside,
+                                 swings_its_front_aside.steering_rad);
+  };
+  EXPECT_FALSE(room.is_free(hall.floor, hall.clearance, T_map_vehicle, swings_its_front_aside,
+                            swings_its_front_aside.steering_rad));
+  EXPECT_TRUE(may_go_back());
+  hall.floor.set(hall.floor.cell_at({4.72, 0.385}), Floor::kOccupied);
+  EXPECT_FALSE(may_go_back());
+}
+
 }  // namespace
 }  // namespace aisle

@@ -98,6 +98,20 @@ TEST(CarSearch, EndsExactlyAtAPose) {
   expect_drivable(path, known, cart());
 }
 
+TEST(CarSearch, SqueezesThroughWhereToldTo) {
+  const KnownFloor room_off_corridor(
+      {{Vec2(0, 0), Vec2(8, 1.25)}, {Vec2(4, 1.25), Vec2(4.85, 1.45)}, {Vec2(2.5, 1.45), Vec2(6.5, 4.5)}});
+  CarSearch search({}, cart());
+  const Pose2 T_map_vehicle{1, 0.625, 0};
+  const auto in_the_room = [](const Pose2& T) { return T.y > 2; };
+  search.look_for(T_map_vehicle, in_the_room, no_guide);
+  EXPECT_EQ(run(room_off_corridor, search), CarSearch::State::kNone);
+  search.look_for(T_map_vehicle, in_the_room, no_guide);
+  search.squeeze();
+  ASSERT_EQ(run(room_off_corridor, search), CarSearch::State::kFound);
+  expect_drivable(search.path(), room_off_corridor, cart());
+}
+
 TEST(CarSearch, FindsNothingBeyondWhatIsKnown) {
   const KnownFloor known({{Vec2(0, 0), Vec2(4, 2)}});
   CarSearch search({}, cart());

@@ -84,7 +84,8 @@ class BuildingExplorer {
     PathState state = PathState::kWaiting;
     bool on_stack = false;
     bool has_gate = true;
-    int chances = 1;  ///< to be tried again after it was left
+    int chances = 1;                 ///< to be tried again after it was left ...
+    Vec2 p_map_left = Vec2::Zero();  ///< ... when the vehicle stood here
     Gate gate;
   };
   /// What a symbol of the stack stands for.
@@ -124,6 +125,7 @@ class BuildingExplorer {
   std::optional<std::size_t> active_;
   std::optional<Pose2> T_map_going_back_;
   Pose2 T_map_decided_;  ///< where the yardstick chose last
+  Vec2 p_map_vehicle_ = Vec2::Zero();
   bool is_going_home_ = false;
   std::vector<Gate> gates_;
   std::vector<PathEvent> events_;

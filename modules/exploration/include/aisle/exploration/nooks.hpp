@@ -10,7 +10,7 @@ namespace aisle {
 struct NookParams {
   double edge_min_m = 0.3;  ///< a shorter edge of what is known is none
   double reach_m = 4.5;     ///< from so far a nook is looked into, at most
-  double way_max_m = 0;     ///< a nook farther away waits until the vehicle comes by; 0: none matters
+  double way_max_m = 3;     ///< a nook farther away waits until the vehicle comes by; 0: none matters
 
   void describe(FieldList& fields);
 };

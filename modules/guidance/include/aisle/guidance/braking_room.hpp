@@ -26,7 +26,16 @@ class BrakingRoom {
   bool is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                const Command& command, double steering_rad) const;
 
+  /// The same on the vehicle's own trail: what is under its footprint must be free; what the floor shows
+  /// beside it does not matter, as that may have come out thicker than it is, and what the sensor strikes may
+  /// be nearer, as it was passed before.
+  bool is_free_on_trail(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                        const Command& command, double steering_rad) const;
+
  private:
+  bool is_off_struck(const Pose2& T_vehicle_later, double margin_m) const;
+  template <class IsFreeAt>
+  bool is_free_until_stopped(const Command& command, double steering_rad, IsFreeAt is_free_at) const;
   bool is_free_at(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                   const Pose2& T_vehicle_later) const;
   double stopping_way_m(double speed_mps) const;

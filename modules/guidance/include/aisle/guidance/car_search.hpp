@@ -56,6 +56,10 @@ class CarSearch {
   /// Of the search that was begun: poses that do not pass are never taken, whatever the floor shows.
   void keep_to(std::function<bool(const Pose2& T_map_vehicle)> is_free) { is_free_ = std::move(is_free); }
 
+  /// Of the search that was begun: sharper bends will do, and less room than the margin. For where there is
+  /// no way otherwise, as both make it harder to keep to what was found.
+  void squeeze() { squeezes_ = true; }
+
   /// Looks at so many poses more.
   State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
 
@@ -96,6 +100,7 @@ class CarSearch {
     }
   };
 
+  static std::vector<Move> moves_of(const VehicleDescription& vehicle, double steering_share);
   static Move move_along(const Arc& arc);
   void begin(const Pose2& T_map_start);
   void expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node);
@@ -108,6 +113,7 @@ class CarSearch {
   CarSearchParams params_;
   FootprintRoom room_;
   std::vector<Move> moves_;
+  std::vector<Move> sharp_moves_;  ///< of a search that squeezes
   IsGoal is_goal_;
   std::function<double(const Vec2&)> left_m_;
   bool from_the_end_ = false;
@@ -116,6 +122,7 @@ class CarSearch {
   double reached_m_ = 0;
   double start_spare_m_ = 0;  ///< room where the search began
   int forbidden_first_ = 0;
+  bool squeezes_ = false;
   std::function<bool(const Pose2&)> is_free_;
   std::vector<Node> nodes_;
   std::unordered_map<std::uint64_t, std::size_t> bins_;

@@ -60,6 +60,7 @@ class ExplorerNavigator final : public Navigator {
   void keep_off_struck();
   void search_on();
   double look_from_m() const;
+  bool looks_from_afar() const;
   bool shows_path(const Pose2& T_map_vehicle) const;
   void search_way();
   bool was_worth_it() const;
@@ -104,7 +105,8 @@ class ExplorerNavigator final : public Navigator {
   bool is_stage_ = false;         ///< the way ends before what it leads to
   bool stands_first_ = false;     ///< the search that is due begins where the vehicle comes to stand
   bool ends_at_home_ = false;     ///< the way does
-  bool looks_from_afar_ = false;  ///< as it does not get near the gate
+  bool is_out_of_reach_ = false;  ///< every pose was tried: none shows the target, unless it squeezes
+  int failures_ = 0;              ///< searches for this target that found no way
   bool is_retreating_ = false;    ///< its way is the trail back
   bool is_wedged_ = false;        ///< no way leads out of where the vehicle stands
   int attempts_ = 0;              ///< ways that were driven for this target and did not settle it

@@ -11,7 +11,7 @@ namespace aisle {
 inline constexpr double kRoomNoise_m = 0.004;  ///< of the room that a vehicle seems to have
 
 /// Whether a vehicle's footprint, and a margin around it, lies on floor that is known to be free: the
-/// footprint is covered by a row of discs that stick out a little over its sides.
+/// footprint is covered by discs, which stick out over it by 2 cm at most where there is little room.
 class FootprintRoom {
  public:
   FootprintRoom(const Footprint& footprint, double margin_m);
@@ -31,20 +31,33 @@ class FootprintRoom {
   bool fits_barely(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                    double spare_m) const;
 
+  /// Whether the whole footprint lies on known free floor.
+  bool lies_on_free(const FloorGrid& floor, const FloorClearance& clearance,
+                    const Pose2& T_map_vehicle) const;
+
   /// How far along a path, from a point on it, the vehicle fits, if barely with so much room: up to its end,
   /// or less.
   double free_way_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path, double from_m,
                     double spare_m) const;
 
  private:
+  struct Disc {
+    Vec2 p_vehicle;
+    double radius_m;  ///< with the margin
+  };
+  struct Piece {  ///< of the footprint
+    Vec2 low;
+    Vec2 high;
+  };
+
+  void cover(const Piece& piece, const Vec2& size_max_m, std::vector<Disc>& discs) const;
   template <class DistanceAt>
-  double least_m(const FloorGrid& floor, const Pose2& T_map_vehicle, double far_m,
-                 DistanceAt distance_at) const;
+  double least_m(const FloorGrid& floor, const Pose2& T_map_vehicle, DistanceAt distance_at) const;
 
   Footprint footprint_;
   double margin_m_;
-  double radius_m_;
-  std::vector<Vec2> p_vehicle_discs_;
+  std::vector<Disc> rough_;  ///< few discs, which stick out far over its ends
+  std::vector<Disc> close_;  ///< many, which stick out little
 };
 
 }  // namespace aisle

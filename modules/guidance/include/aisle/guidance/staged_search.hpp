@@ -30,6 +30,7 @@ class StagedSearch {
     search_.keep_to(std::move(is_free));
   }
   void forbid_first(int direction) { search_.forbid_first(direction); }
+  void squeeze() { search_.squeeze(); }
   CarSearch::State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
     return search_.advance(floor, clearance, expansions);
   }

@@ -39,6 +39,8 @@ class WayDriver {
 
   /// @param way  not empty; begins where the way so far ends, or at the vehicle
   void take(const Path& way);
+  /// The vehicle's own trail, back as it came: only what it would stand on, or what is struck now, stops it.
+  void take_trail(const Path& way);
   /// Keeps at most so much of the way ahead, and no more than the present leg.
   void shorten(double ahead_m);
   void drop();
@@ -56,7 +58,9 @@ class WayDriver {
              const Pose2& T_map_vehicle, double steering_rad);
 
  private:
-  std::optional<double> wheels_to_turn_rad(const PathPoint& point, double steering_rad);
+  bool is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+               const Command& command, double steering_rad) const;
+  std::optional<double> wheels_to_turn_rad(const PathPoint& point, double followed_rad, double steering_rad);
 
   VehicleDescription vehicle_;
   SpeedParams speed_;
@@ -64,6 +68,7 @@ class WayDriver {
   BrakingRoom braking_;
   PathFollower follower_;
   Path path_;
+  bool is_on_trail_ = false;
   std::optional<PathProgress> progress_;
   std::size_t leg_begun_ = 0;  ///< end of the leg for which the wheels were turned
 };
