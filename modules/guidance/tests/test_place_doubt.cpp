@@ -49,6 +49,12 @@ TEST(PlaceDoubt, IsConfirmedElsewhereInTheCorridor) {
   }
 }
 
+TEST(PlaceDoubt, IsConfirmedElsewhereThoughSomeOfManyLinesFitSomehow) {
+  const SightNoise grainy{.grain = 30};
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5})
+    EXPECT_EQ(look_from({10, 0.1, 0}, grainy, seed), Suspicion::kConfirmed) << seed;
+}
+
 TEST(PlaceDoubt, IsDispelledWherePicturesShowNothingThatContradicts) {
   EXPECT_EQ(look_from({24, 0, 0}, kNoise, 1), Suspicion::kDispelled) << "past the last line";
 }
