@@ -45,6 +45,7 @@ struct SightNoise {
   double tilt_m = 0.01;    ///< what the picture's tilt error does to a foot at 3 m, along the line of sight
   double unseen = 0.2;     ///< share of the lines that a picture misses
   double clutter = 0;      ///< wrong feet a picture, on average below one
+  int grain = 0;           ///< further wrong feet, in every picture
 };
 
 inline constexpr double kSightMin_m = 1, kSightMax_m = 5;
@@ -82,7 +83,8 @@ inline std::vector<LandmarkSighting> sightings_from(const std::vector<CorridorLi
     }
     sightings.push_back(sighting);
   }
-  if (random != nullptr && random->uniform() < noise.clutter) {
+  const int wrong = random == nullptr ? 0 : noise.grain + (random->uniform() < noise.clutter ? 1 : 0);
+  for (int i = 0; i < wrong; ++i) {
     const Vec2 p_vehicle{random->uniform(kSightMin_m, kSightMax_m), random->uniform(-1, 1)};
     sightings.push_back(sighting_of(p_vehicle, random->uniform() < 0.5, noise));
   }

@@ -1,12 +1,16 @@
 #include "aisle/guidance/place_doubt.hpp"
 
+#include "aisle/learning/landmark_expectation.hpp"
+
 namespace aisle {
 namespace {
 
 constexpr int kTellingPictures = 15;  // that fit or contradict are enough
 constexpr int kPicturesMax = 30;
-constexpr int kContradictingMin = 3;  // fewer may be the wrong feet that woke the suspicion
-constexpr int kFittingEach = 4;       // so many that fit outweigh one that contradicts
+constexpr int kContradictingMin = 3;   // fewer may be the wrong feet that woke the suspicion
+constexpr int kFittingEach = 4;        // so many that fit outweigh one that contradicts
+constexpr int kExpectedMin = 10;       // landmarks, in all pictures together, tell ...
+constexpr double kSeenShareMin = 0.1;  // ... if fewer than this are seen: no more than by chance
 
 }  // namespace
 
@@ -16,10 +20,14 @@ Suspicion PlaceDoubt::look(const LandmarkMap& map, const UncertainPose2& T_map_b
   const LandmarkMatch match = localiser_.correct(map, picture);
   if (match == LandmarkMatch::kMatched) ++fitting_;
   if (match == LandmarkMatch::kUnmatched) ++contradicting_;
+  const LandmarkExpectation here = expected_landmarks(map, T_map_believed, picture, landmark_sigma_m_);
+  expected_ += here.expected;
+  seen_ += here.seen;
   ++pictures_;
   if (fitting_ + contradicting_ < kTellingPictures && pictures_ < kPicturesMax) return Suspicion::kOpen;
-  const bool is_elsewhere = contradicting_ >= kContradictingMin && kFittingEach * contradicting_ > fitting_;
-  return is_elsewhere ? Suspicion::kConfirmed : Suspicion::kDispelled;
+  const bool contradicts = contradicting_ >= kContradictingMin && kFittingEach * contradicting_ > fitting_;
+  const bool is_missed = expected_ >= kExpectedMin && seen_ < kSeenShareMin * expected_;
+  return contradicts || is_missed ? Suspicion::kConfirmed : Suspicion::kDispelled;
 }
 
 }  // namespace aisle

@@ -36,11 +36,23 @@ TEST(PlaceDoubt, IsDispelledThoughPicturesMissMostLinesAndShowWrongOnes) {
     EXPECT_EQ(look_from({5.02, -0.02, 0.3 * kDegree}, poor, seed), Suspicion::kDispelled) << seed;
 }
 
+TEST(PlaceDoubt, IsDispelledWhereWrongLinesAreManyButTheMapsLandmarksAreSeen) {
+  const SightNoise grainy{.grain = 30};
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5})
+    EXPECT_EQ(look_from({5.02, -0.02, 0.3 * kDegree}, grainy, seed), Suspicion::kDispelled) << seed;
+}
+
 TEST(PlaceDoubt, IsConfirmedElsewhereInTheCorridor) {
   for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
     EXPECT_EQ(look_from({10, 0.1, 0}, kNoise, seed), Suspicion::kConfirmed) << seed;
     EXPECT_EQ(look_from({5, 0, kPi}, kNoise, seed), Suspicion::kConfirmed) << seed;
   }
+}
+
+TEST(PlaceDoubt, IsConfirmedElsewhereThoughSomeOfManyLinesFitSomehow) {
+  const SightNoise grainy{.grain = 30};
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5})
+    EXPECT_EQ(look_from({10, 0.1, 0}, grainy, seed), Suspicion::kConfirmed) << seed;
 }
 
 TEST(PlaceDoubt, IsDispelledWherePicturesShowNothingThatContradicts) {

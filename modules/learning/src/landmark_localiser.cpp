@@ -96,11 +96,15 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
       pair_up(map, sightings, T_map_guess);
     }
   }
-  if (pairs_.size() < static_cast<std::size_t>(params_.pairs_min) ||
-      matched_share_ < params_.matched_share_min)
-    return without_match(map, sightings);
+  if (!has_matched()) return without_match(map, sightings);
   take_in(T_map_guess);
   return LandmarkMatch::kMatched;
+}
+
+/// Enough of what is seen is known at the pose at which it was paired.
+bool LandmarkLocaliser::has_matched() const {
+  return pairs_.size() >= static_cast<std::size_t>(params_.pairs_min) &&
+         matched_share_ >= params_.matched_share_min;
 }
 
 /// The variances of the n-th picture from one place count n^2 times: all of them together tell less than two
@@ -113,16 +117,20 @@ void LandmarkLocaliser::take_in(const Pose2& T_map_guess) {
   filter_.update(points_, T_map_guess);
 }
 
-/// Unknown things alone do not contradict the map: only where several of its landmarks should be seen and are
-/// not is the vehicle perhaps elsewhere.
+/// Unknown things alone do not contradict the map: only where, from where the vehicle believes to be, several
+/// of the landmarks that should be seen, and most of them, are not, is it perhaps elsewhere.
 LandmarkMatch LandmarkLocaliser::without_match(const LandmarkMap& map,
                                                std::span<const LandmarkSighting> sightings) {
+  pair_up(map, sightings, filter_.pose());
+  if (has_matched()) return LandmarkMatch::kNothing;
   const LandmarkView view(sightings);
-  const auto expected = std::count_if(patterns_.near.begin(), patterns_.near.end(), [&](int i) {
-    const Landmark& landmark = map[static_cast<std::size_t>(i)];
-    return landmark.weight >= kSureWeight && view.expects(landmark, filter_.pose());
-  });
-  return expected >= kContradictingMin ? LandmarkMatch::kUnmatched : LandmarkMatch::kNothing;
+  int missing = 0, seen = 0;
+  for (std::size_t k = 0; k < patterns_.near.size(); ++k) {
+    const Landmark& landmark = map[static_cast<std::size_t>(patterns_.near[k])];
+    if (landmark.weight >= kSureWeight && view.expects(landmark, filter_.pose()))
+      ++(taken_[k] ? seen : missing);
+  }
+  return missing >= kContradictingMin && missing > seen ? LandmarkMatch::kUnmatched : LandmarkMatch::kNothing;
 }
 
 MwghtWindow LandmarkLocaliser::window() const {

@@ -139,6 +139,18 @@ TEST(LandmarkLocaliser, OtherThingsThanTheMapHasHereAreNotMatched) {
   EXPECT_THAT(localiser.pose(), PoseNear(Pose2{3, 0, 0}, 0, 0));
 }
 
+TEST(LandmarkLocaliser, UnknownThingsBesideTheKnownOnesContradictNothing) {
+  Random random(8);
+  const std::vector<CorridorLine> lines = corridor_lines(12, random);
+  const SightNoise grainy{.grain = 40};
+  for (int i = 0; i < 20; ++i) {
+    LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.02, 0.02, 0.5 * kDegree));
+    EXPECT_NE(localiser.correct(map_of(lines), sightings_from(lines, {3, 0, 0}, grainy, &random)),
+              LandmarkMatch::kUnmatched);
+    EXPECT_LT(localiser.matched_share(), 0.5);
+  }
+}
+
 TEST(LandmarkLocaliser, UnknownThingsWhereKnownOnesCannotBeSeenContradictNothing) {
   Random random(8);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);

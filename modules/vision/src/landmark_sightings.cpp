@@ -131,13 +131,21 @@ bool LandmarkDetector::is_upright(const VerticalLine& line) const {
   return std::abs(plane.z()) < std::sin(params_.leaning_max_rad) + slack_rad;
 }
 
-/// Of the line's azimuth with the edges, the nearest first.
+/// In which a pixel looks, over the floor.
+std::optional<Vec2> LandmarkDetector::azimuth(const Vec2& pixel_px) const {
+  const auto ray = camera_.ray(pixel_px);
+  if (!ray) return std::nullopt;
+  return (R_vehicle_camera_ * ray->direction).head<2>().normalized();
+}
+
+/// Of the line's azimuth with the edges, the nearest first. A distorted picture shows the line bowed: only
+/// its ends are known to lie on it.
 void LandmarkDetector::meet_edges(const VerticalLine& line) {
   meetings_.clear();
-  const auto middle = camera_.ray((line.top_px + line.bottom_px) / 2);
-  if (!middle) return;
+  const auto top = azimuth(line.top_px), bottom = azimuth(line.bottom_px);
+  if (!top || !bottom) return;
   const Vec2 origin = mount_.p_vehicle_camera.head<2>();
-  const Vec2 direction = (R_vehicle_camera_ * middle->direction).head<2>().normalized();
+  const Vec2 direction = (*top + *bottom).normalized();
   const Vec2 across = left_normal(direction);
   for (const FloorEdge& edge : *floor_edges_) {
     const Vec2 start = edge.on_floor.segment.start - origin, end = edge.on_floor.segment.end - origin;

@@ -47,6 +47,28 @@ TEST(LandmarkSightings, APosterHangsOnTheWallThatStandsBeneathIt) {
   EXPECT_THAT(sightings_of(room, standing_only), IsEmpty());
 }
 
+// A distorted picture shows a door at the side bowed by several pixels: one of them is 3 cm on the wall.
+TEST(LandmarkSightings, ADoorAtTheSideStandsWhereItIsThoughTheLensBowsIt) {
+  const double aside_m = 1.05;
+  for (const double to_left : {1.0, -1.0}) {
+    DrawnRoom room{.walls = {wall_ahead(aside_m, to_left * kPi / 2)}};
+    const DrawnWall& wall = room.walls[0];
+    const double from_camera_m = 2.2, width_m = 0.9;
+    const Vec2 along = unit(wall.foot.heading());
+    const Vec2 p_near = drawn_mount().p_vehicle_camera.head<2>() + Vec2(from_camera_m, to_left * aside_m);
+    const Vec2 p_far = p_near + Vec2(width_m, 0);
+    const double near_m = along.dot(p_near - wall.foot.start), far_m = along.dot(p_far - wall.foot.start);
+    room.panels = {{.from_m = std::min(near_m, far_m), .to_m = std::max(near_m, far_m), .top_m = 2.1}};
+    const auto sightings = sightings_of(room);
+    ASSERT_THAT(sightings, SizeIs(2));
+    for (const LandmarkSighting& sighting : sightings) {
+      const double off_m =
+          std::min((sighting.p_vehicle - p_near).norm(), (sighting.p_vehicle - p_far).norm());
+      EXPECT_LT(off_m, 0.01) << sighting.p_vehicle.transpose();
+    }
+  }
+}
+
 TEST(LandmarkSightings, WithoutAnEdgeOfTheFloorAreNone) {
   DrawnRoom room = room_with({.from_m = 18.8, .to_m = 19.7, .bottom_m = 0.6, .top_m = 1.6});
   room.walls[0].skirting_brightness = room.walls[0].brightness = room.floor_brightness;

@@ -15,14 +15,15 @@ enum class Suspicion {
 
 /// For a vehicle that stands and suspects to have been lifted: whether the building's landmarks are seen from
 /// where it believes to be. A single picture may miss them, or show little but wrong feet; elsewhere, picture
-/// after picture contradicts the map.
+/// after picture contradicts the map, or fits it only at some displacement, as many lines do somewhere: of
+/// what should be seen hardly anything is where it should be.
 class PlaceDoubt {
  public:
   PlaceDoubt(const LandmarkLocaliserParams& matching, const VehicleDescription& vehicle)
-      : localiser_(matching, vehicle, {}) {}
+      : landmark_sigma_m_(matching.landmark_sigma_m), localiser_(matching, vehicle, {}) {}
 
   /// Nothing that was seen so far counts.
-  void start() { pictures_ = fitting_ = contradicting_ = 0; }
+  void start() { pictures_ = fitting_ = contradicting_ = expected_ = seen_ = 0; }
 
   /// Takes in one more picture.
   /// @param T_map_believed  where the vehicle believes to be now
@@ -30,8 +31,10 @@ class PlaceDoubt {
                  std::span<const LandmarkSighting> picture);
 
  private:
+  double landmark_sigma_m_;
   LandmarkLocaliser localiser_;
   int pictures_ = 0, fitting_ = 0, contradicting_ = 0;
+  int expected_ = 0, seen_ = 0;  ///< landmarks, in all pictures together
 };
 
 }  // namespace aisle

@@ -74,6 +74,7 @@ class LandmarkLocaliser {
   static constexpr double kPairEvidence = 3;
 
  private:
+  bool has_matched() const;
   LandmarkMatch without_match(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
   void take_in(const Pose2& T_map_guess);
   MwghtWindow window() const;

@@ -68,6 +68,7 @@ class LandmarkDetector {
   void add_corners();
   std::optional<Vec2> corner_of(const Segment2& a, const Segment2& b) const;
   bool is_upright(const VerticalLine& line) const;
+  std::optional<Vec2> azimuth(const Vec2& pixel_px) const;
   void meet_edges(const VerticalLine& line);
   std::optional<LandmarkSighting> sighting_at(const Meeting& foot) const;
   std::optional<Meeting> foot_of(const Image& grey, const VerticalLine& line) const;
