@@ -19,10 +19,10 @@ constexpr int kFeet = kStepsAbove + kStepsBeneath + 1;
 constexpr double kStep_rows = kBin_rows / kStepsPerBin;
 constexpr double kWall =
     0.15;  // of the depth: what is seen of a wall beneath the upper edge of its board ...
-constexpr double kWallLeast_rows = 2.5;                  // ... but no less than this
-constexpr double kEdgeBlur_rows = 0.75;                  // to either side of a sharp edge
-constexpr std::array<double, 2> kShadows_rows = {1, 3};  // in which the shadow before a wall fades
-constexpr double kRidge = 1e-6;                          // keeps apart what cannot be told apart
+constexpr double kWallLeast_rows = 2.5;                    // ... but no less than this
+constexpr double kEdgeBlur_rows = 0.75;                    // to either side of a sharp edge
+constexpr std::array<double, 2> kShadows_rows = {1.5, 4};  // in which the shadow before a wall fades
+constexpr double kRidge = 1e-6;                            // keeps apart what cannot be told apart
 
 using Levels = Eigen::Vector3d;  ///< of the wall, what the floor at its foot has more, and its light more yet
 
