@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kHalfReach = 0.03;  // of the depth: half of what a step must last, a skirting board at least
 constexpr int kHalfReachMin = 2, kHalfReachMax = 12;  // rows
-constexpr float kWorthMax = 20;                       // grey levels; one strong step is not to outvote many
+constexpr int kStepPartsMax = 4;      // of the rows on either side, all of which show the step
+constexpr float kWorthMax = 20;       // grey levels; one strong step is not to outvote many
 constexpr float kLeftBeneath = 0.6F;  // cost of a step that is left beneath, as a share of its worth
 constexpr float kBeneathMax = 14;     // worth of several steps on the floor, which a wall's step is to outdo
 constexpr float kPerRow = 0.15F;      // cost of each row up or down to the next column ...
@@ -86,19 +87,30 @@ void FloorBoundary::measure_steps(const LevelView& view, int column) {
   for (const Band& band : bands_) measure_band(band, seen, &steps_[index(column, 0)]);
 }
 
-/// The step of a row lies above it.
+/// The step of a row lies above it. Where there are rows enough, a stripe as wide as half of what must last
+/// is no step.
 void FloorBoundary::measure_band(const Band& band, LevelView::Rows seen, float* steps) const {
   const int* sums = sums_.data();
   const int reach = band.reach;
   const int first = std::max(band.first, seen.first + 2 * reach);
   const int end = std::min(band.end, seen.end - 2 * reach + 1);
+  const int parts = std::clamp(reach, 2, kStepPartsMax);
+  const auto bound = [&](int part) { return 2 * reach * part / parts; };
+  const auto mean = [&](int from, int to) {
+    return static_cast<float>(sums[to] - sums[from]) / static_cast<float>(to - from);
+  };
   for (int row = first; row < end; ++row) {
-    const int farther = sums[row - reach] - sums[row - 2 * reach], far = sums[row] - sums[row - reach];
-    const int near = sums[row + reach] - sums[row], nearer = sums[row + 2 * reach] - sums[row + reach];
-    const int brighter = std::min(far, farther) - std::max(near, nearer);
-    const int darker = std::min(near, nearer) - std::max(far, farther);
-    const int step = brighter > 0 ? brighter : -std::max(0, darker);
-    steps[row] = static_cast<float>(step) / static_cast<float>(reach);
+    float beyond_least = 255, beyond_most = 0, near_least = 255, near_most = 0;
+    for (int part = 0; part < parts; ++part) {
+      const float beyond = mean(row - bound(part + 1), row - bound(part));
+      const float near = mean(row + bound(part), row + bound(part + 1));
+      beyond_least = std::min(beyond_least, beyond);
+      beyond_most = std::max(beyond_most, beyond);
+      near_least = std::min(near_least, near);
+      near_most = std::max(near_most, near);
+    }
+    const float brighter = beyond_least - near_most, darker = near_least - beyond_most;
+    steps[row] = brighter > 0 ? brighter : -std::max(0.0F, darker);
   }
 }
 

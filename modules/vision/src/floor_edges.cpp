@@ -10,6 +10,7 @@
 #include "floor_boundary.hpp"
 #include "floor_lines.hpp"
 #include "level_view.hpp"
+#include "line_settling.hpp"
 #include "skirting_board.hpp"
 
 namespace aisle {
@@ -61,11 +62,13 @@ class FloorEdgeDetector::Work {
   const std::vector<FloorEdge>& detect(const Image& grey) {
     view_.look_at(grey);
     const std::vector<BoundaryPoint>* points = &boundary_.find(view_);
-    take_edges(*points);
+    find_ends(*points);
     for (int look = 0; look < params_.looks_past && strike_out_others(*points); ++look) {
       points = &boundary_.find_again(view_);
-      take_edges(*points);
+      find_ends(*points);
     }
+    edges_.clear();
+    for (const FloorLine& line : ends_) add_edge(line);
     return edges_;
   }
 
@@ -80,13 +83,12 @@ class FloorEdgeDetector::Work {
     return mount;
   }
 
-  void take_edges(const std::vector<BoundaryPoint>& points) {
-    edges_.clear();
+  void find_ends(const std::vector<BoundaryPoint>& points) {
     ends_.clear();
     const auto& lines = fitter_.fit(points, view_.rows_per_column());
     for (const FloorLine& line : lines) {
       const bool is_some = std::abs(line.contrast) >= kClear * params_.contrast_min || goes_on(line, lines);
-      if (is_some && add_edge(line)) ends_.push_back(line);
+      if (is_some && ends_the_floor(line) && !leads_past_lens(line)) ends_.push_back(line);
     }
   }
 
@@ -120,26 +122,27 @@ class FloorEdgeDetector::Work {
     return leads_on(line.first_column) || leads_on(line.last_column);
   }
 
-  /// @return whether the line is an edge of the floor
-  bool add_edge(const FloorLine& line) {
-    if (!ends_the_floor(line)) return false;
-    const FloorLine foot = foot_beneath(view_, line, board_).value_or(line);
+  /// Unless it cannot be told where on the floor it lies.
+  void add_edge(const FloorLine& line) {
+    const FloorLine foot = settled_line(view_, foot_beneath(view_, line, board_).value_or(line));
     FloorEdge edge;
     SensedSegment& seen = edge.on_floor;
     seen.segment = segment_of(foot);
     seen.length_m = seen.segment.length();
     seen.heading_rad = seen.segment.heading();
     seen.centroid = point_of(foot, foot.middle());
-    const Vec2 from_lens = seen.centroid - mount_.p_vehicle_camera.head<2>();
-    if (std::abs(left_normal(unit(seen.heading_rad)).dot(from_lens)) < kBesideLens_m) return false;
     const auto start_px = pixel_of(seen.segment.start), end_px = pixel_of(seen.segment.end);
-    if (!start_px || !end_px) return false;
+    if (!start_px || !end_px) return;
     edge.start_px = *start_px;
     edge.end_px = *end_px;
     edge.contrast = foot.contrast;
-    if (!set_deviations(foot, edge)) return false;
-    edges_.push_back(edge);
-    return true;
+    if (set_deviations(foot, edge)) edges_.push_back(edge);
+  }
+
+  bool leads_past_lens(const FloorLine& line) const {
+    const Vec2 across = left_normal(unit(segment_of(line).heading()));
+    const Vec2 from_lens = point_of(line, line.middle()) - mount_.p_vehicle_camera.head<2>();
+    return std::abs(across.dot(from_lens)) < kBesideLens_m;
   }
 
   /// It is neither a joint nor a thing that lies on the floor.

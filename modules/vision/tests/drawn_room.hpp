@@ -28,7 +28,9 @@ struct DrawnPanel {
 
 struct DrawnRoom {
   double floor_brightness = 140;
-  double tile_m = 0;  ///< 0: none; joints are 5 mm wide and 40 darker
+  double tile_m = 0;  ///< 0: none
+  double joint_m = 0.005, joint_brightness = 100;
+  double shadow_m = 0;  ///< before walls, in which it fades; 0: none
   std::vector<DrawnWall> walls;
   std::vector<DrawnPanel> panels;
   std::vector<Segment2> papers;  ///< a sheet 0.2 m wide around each, on the floor
@@ -100,9 +102,19 @@ class RoomDrawing {
       if (paper.distance(p) < 0.1) return 240;
     for (const Segment2& worn : room_.worn)
       if (worn.distance(p) < 0.1) return room_.floor_brightness + 25;
-    if (room_.tile_m == 0) return room_.floor_brightness;
-    const auto joint = [&](double x) { return std::abs(std::remainder(x, room_.tile_m)) < 0.0025; };
-    return room_.floor_brightness - (joint(p.x()) || joint(p.y()) ? 40 : 0);
+    const auto joint = [&](double x) {
+      return std::abs(std::remainder(x, room_.tile_m)) < room_.joint_m / 2;
+    };
+    const bool is_joint = room_.tile_m > 0 && (joint(p.x()) || joint(p.y()));
+    return lit(p) * (is_joint ? room_.joint_brightness : room_.floor_brightness);
+  }
+
+  double lit(const Vec2& p) const {
+    double share = 1;
+    if (room_.shadow_m > 0)
+      for (const DrawnWall& wall : room_.walls)
+        share -= 0.25 * std::exp(-wall.foot.distance(p) / room_.shadow_m);
+    return share;
   }
 
   double on_its_wall(std::size_t wall, double along_m, double height_m) const {

@@ -16,6 +16,14 @@ std::vector<FloorEdge> edges_of(const DrawnRoom& room, const CameraMount& mount 
   return detector.detect(drawn(room, mount));
 }
 
+/// As low as on a small vehicle.
+CameraMount low_mount() {
+  CameraMount mount = drawn_mount();
+  mount.p_vehicle_camera.z() = 0.19;
+  mount.tilt_rad = 18 * kDegree;
+  return mount;
+}
+
 /// How far, in the picture, the floor's edge is from the wall's foot at a share of its length.
 double miss_px(const FloorEdge& edge, const DrawnWall& wall, double share) {
   const CameraModel camera(drawn_lens());
@@ -114,13 +122,20 @@ TEST(FloorEdges, PaperIsNoneEvenIfTheFloorBeyondIsNotQuiteAsBefore) {
               IsEmpty());
 }
 
-TEST(FloorEdges, AreLookedForBeyondJointsThatLeadBetweenThemAndTheCamera) {
-  CameraMount low = drawn_mount();
-  low.p_vehicle_camera.z() = 0.19;
-  low.tilt_rad = 18 * kDegree;
+TEST(FloorEdges, AreTheFootOfAWallNotTheShadowBeforeIt) {
+  for (const double brightness : {60.0, 100.0}) {
+    DrawnWall wall = wall_ahead(1.2, -kPi / 2);
+    wall.skirting_brightness = wall.brightness = brightness;
+    const auto edges = edges_of({.shadow_m = 0.06, .walls = {wall}}, low_mount());
+    ASSERT_THAT(edges, SizeIs(1)) << brightness;
+    EXPECT_LT(wall.foot.distance(edges[0].on_floor.centroid), 0.015) << brightness;
+  }
+}
+
+TEST(FloorEdges, AreLookedForBeyondWideJointsThatLeadBetweenThemAndTheCamera) {
+  const CameraMount low = low_mount();
   DrawnWall left = wall_ahead(0.7, kPi / 2), right = wall_ahead(0.7, -kPi / 2);
   for (DrawnWall* wall : {&left, &right}) wall->skirting_brightness = wall->brightness = 100;
-  const Image picture = drawn({.tile_m = 0.35, .walls = {left, right}}, low);
   FloorEdgeDetector hasty({}, drawn_lens(), low), patient({.looks_past = 2}, drawn_lens(), low);
   const auto length_m = [](const std::vector<FloorEdge>& edges, const DrawnWall& wall) {
     double sum_m = 0;
@@ -128,9 +143,12 @@ TEST(FloorEdges, AreLookedForBeyondJointsThatLeadBetweenThemAndTheCamera) {
       if (wall.foot.distance(edge.on_floor.centroid) < 0.03) sum_m += edge.on_floor.length_m;
     return sum_m;
   };
-  for (const DrawnWall& wall : {left, right}) {
-    EXPECT_LT(length_m(hasty.detect(picture), wall), 0.2);
-    EXPECT_GT(length_m(patient.detect(picture), wall), 1);
+  for (const double joint_m : {0.01, 0.015}) {
+    const Image picture = drawn({.tile_m = 0.35, .joint_m = joint_m, .walls = {left, right}}, low);
+    for (const DrawnWall& wall : {left, right}) {
+      EXPECT_LT(length_m(hasty.detect(picture), wall), 0.2) << joint_m;
+      EXPECT_GT(length_m(patient.detect(picture), wall), 1) << joint_m;
+    }
   }
 }
 

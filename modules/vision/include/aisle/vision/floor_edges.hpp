@@ -34,8 +34,9 @@ struct FloorEdge {
 
 /// Finds the lowest lasting step of brightness in every direction, and the straight lines along it. Joints
 /// between tiles are no edges of the floor, as it goes on beyond them alike. Where the upper edge of a
-/// skirting board is clearer than its foot, the foot is taken that runs beneath it. No allocation once warm;
-/// a picture of 640 x 480 takes about a millisecond.
+/// skirting board is clearer than its foot, the foot is taken that runs beneath it; where the floor lies in
+/// the shadow of what stands on it, the foot and not where the shadow begins. No allocation once warm; a
+/// picture of 640 x 480 takes about a millisecond.
 class FloorEdgeDetector {
  public:
   FloorEdgeDetector(const FloorEdgeParams& params, const CameraIntrinsics& intrinsics,

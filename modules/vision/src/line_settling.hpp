@@ -1,0 +1,14 @@
+#pragma once
+
+#include "floor_lines.hpp"
+#include "level_view.hpp"
+
+namespace aisle {
+
+/// Brings a line to the foot of what stands there. Before a wall the floor lies in its shadow, the deeper the
+/// nearer to the foot: column by column the step that lasts seems to be there, nearer than the wall is. Of
+/// all columns together the foot is where a level wall, a step, and light that comes back with the distance
+/// from the foot explain the brightness best.
+FloorLine settled_line(const LevelView& view, const FloorLine& line);
+
+}  // namespace aisle
