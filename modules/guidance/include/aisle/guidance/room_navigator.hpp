@@ -108,6 +108,8 @@ class RoomNavigator final : public Navigator {
   std::optional<double> avoiding_rad() const;
   double steering_to(const Vec2& p_vehicle) const;
   double gap_ahead_m() const;
+  /// Something has been seen to stand where a vehicle at the route's end would.
+  bool is_place_taken() const;
   bool is_at_dead_end() const;
   SteeringChoice choose_way_back() const;
   std::optional<Decision> arrived();
