@@ -72,6 +72,8 @@ void add_trial_verb(CLI::App& app, Work& work) {
                    "landmarks: somewhere on its way the vehicle is lifted and put so far on or back [m]")
       ->check(CLI::Range(0.5, 100.0));
   verb->add_flag("--reverse", options->in_reverse, "drive the routes' ways back; park: back into the frame");
+  verb->add_flag("--close", options->close,
+                 "turnings: two that are too close for the vehicle, which backs between them");
   add_parameter_options(*verb, options->parameters, trial_parameters, work, [=, &work] {
     if (options->method.empty()) throw CLI::RequiredError("METHOD");
     work = [options](Console& console) { return run_trial(*options, console); };

@@ -71,6 +71,16 @@ TEST_F(Rooms, AWayThatWasShownOnceIsDrivenIntoItsFrame) {
   EXPECT_EQ(run_for_figures({"replay", at("backing")})["different"], 0);
 }
 
+TEST_F(Rooms, BetweenCloseTurningsTheVehicleBacksAndDrivesTheSecond) {
+  const auto trial = run_for_figures({"trial", "turnings", "--close", "--seeds", "1"});
+  ASSERT_EQ(trial["runs"].size(), 2U);
+  for (const auto& run : trial["runs"]) {
+    EXPECT_EQ(run["parked"], true) << run;
+    EXPECT_TRUE(run.contains("corner_seen")) << "it has backed: " << run;
+    EXPECT_LT(run["end_error_m"], 0.2) << run;
+  }
+}
+
 TEST_F(Rooms, WhatCannotBeDrivenIsRefused) {
   const std::string world = file("room.yaml", kRoom);
   const std::string building = file("building.json", R"({"format": "aisle.building", "version": 1, "routes": [

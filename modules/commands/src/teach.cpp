@@ -5,6 +5,7 @@
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/formats/vehicle_yaml.hpp"
 #include "aisle/formats/world_yaml.hpp"
+#include "aisle/guidance/room_cameras.hpp"
 #include "aisle/simulation/route_guide.hpp"
 #include "landmarks/landmark_trip.hpp"
 #include "methods.hpp"
@@ -17,9 +18,8 @@ namespace {
 
 /// The first camera alone is learned from; a scripted person drives the world's route of that name.
 Problems take_route(const TeachOptions& options, const VehicleDescription& vehicle, DriveOptions& drive) {
-  if (Problems problems = unfit_for_rooms(vehicle, ParkingStrategy::kView); !problems.empty())
-    return problems;
-  drive.camera = "top";
+  if (Problems problems = unfit_for_rooms(vehicle, {kFirstCamera}); !problems.empty()) return problems;
+  drive.camera = kFirstCamera;
   const std::filesystem::path file = shipped_or_own("worlds", drive.world);
   const auto world = read_world(file);
   if (!world) return world.problems();

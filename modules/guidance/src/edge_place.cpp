@@ -12,28 +12,62 @@ namespace {
 /// Neighbouring points are off together: so many of them count as one.
 constexpr double kAlikePoints = 4;
 
-/// Normal equations of small moves (x, y in `map`, turn) of a pose.
+/// Normal equations of small moves of a pose (x, y in `map`, turn), and of where each side of what was taught
+/// stands now.
 class PoseEquations {
  public:
-  explicit PoseEquations(const Pose2& T_map_vehicle) : T_map_vehicle_(T_map_vehicle) {}
+  PoseEquations(const Pose2& T_map_vehicle, std::size_t sides)
+      : T_map_vehicle_(T_map_vehicle), sides_(sides) {}
 
   void add_prior(const Pose2& T_map_expected, double sigma_m, double sigma_rad) {
     add({1, 0, 0}, T_map_vehicle_.x - T_map_expected.x, 1 / square(sigma_m));
     add({0, 1, 0}, T_map_vehicle_.y - T_map_expected.y, 1 / square(sigma_m));
     add({0, 0, 1}, wrap_angle(T_map_vehicle_.theta - T_map_expected.theta), 1 / square(sigma_rad));
   }
-  /// A point that should have no distance along `n` from where it is seen.
-  void add_point(const Vec2& p_vehicle, const Vec2& n, double off_m, double weight) {
+  /// A point of a side that should have no distance along `n` from where it is seen.
+  void add_point(int side, const Vec2& p_vehicle, const Vec2& n, double off_m, double weight) {
     const Vec2 lever = left_normal(rotate(T_map_vehicle_.theta, p_vehicle));
-    add({n.x(), n.y(), n.dot(lever)}, off_m, weight);
+    const Vec3 by(n.x(), n.y(), n.dot(lever));
+    add(by, off_m, weight);
+    Side& of = sides_[static_cast<std::size_t>(side)];
+    of.with_pose -= weight * by * n.transpose();
+    of.normal += weight * n * n.transpose();
+    of.right += weight * off_m * n;
   }
-  Pose2 moved() const {
-    const Vec3 step = normal_.ldlt().solve(right_);
+  /// The pose that fits best.
+  /// @param deviation_m  of a side 1 m long from where it was taught; longer ones are moved less
+  /// @param p_moved  how far each side stands off there; moves, too
+  Pose2 moved(double deviation_m, const std::vector<double>& lengths_m, std::vector<Vec2>& p_moved) const {
+    Mat3 normal = normal_;
+    Vec3 right = right_;
+    std::vector<Side> sides = sides_;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      Side& side = sides[i];
+      if (side.normal.isZero()) continue;
+      // Cauchy: most things stand where they stood, and some stand far off.
+      const double weight = lengths_m[i] / (square(deviation_m) + p_moved[i].squaredNorm());
+      side.normal += weight * Mat2::Identity();
+      side.right -= weight * p_moved[i];
+      const Mat2 inverse = side.normal.inverse();
+      normal -= side.with_pose * inverse * side.with_pose.transpose();
+      right -= side.with_pose * inverse * side.right;
+    }
+    const Vec3 step = normal.ldlt().solve(right);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      if (sides[i].normal.isZero()) continue;
+      p_moved[i] += sides[i].normal.inverse() * (sides[i].right - sides[i].with_pose.transpose() * step);
+    }
     return {T_map_vehicle_.x + step.x(), T_map_vehicle_.y + step.y(),
             wrap_angle(T_map_vehicle_.theta + step.z())};
   }
 
  private:
+  struct Side {
+    Eigen::Matrix<double, 3, 2> with_pose = Eigen::Matrix<double, 3, 2>::Zero();
+    Mat2 normal = Mat2::Zero();
+    Vec2 right = Vec2::Zero();
+  };
+
   void add(const Vec3& by, double off, double weight) {
     normal_ += weight * by * by.transpose();
     right_ -= weight * off * by;
@@ -42,6 +76,7 @@ class PoseEquations {
   Pose2 T_map_vehicle_;
   Mat3 normal_ = Mat3::Zero();
   Vec3 right_ = Vec3::Zero();
+  std::vector<Side> sides_;
 };
 
 }  // namespace
@@ -51,6 +86,7 @@ void EdgePlaceParams::describe(FieldList& fields) {
   fields.real("reach_m", reach_m, {0.05, 1}, "edges farther off than this do not belong together");
   fields.real("deviation_m", deviation_m, {0.005, 1}, "of an edge from where it was taught");
   fields.real("far_m", far_m, {0.5, 20}, "beyond, it grows with the square of the distance");
+  fields.real("moved_m", moved_m, {0.001, 1}, "by which a thing 1 m long may have been moved since");
   fields.real("set_down_m", set_down_m, {0.01, 2}, "deviation of the place where the vehicle is set down");
   fields.angle("set_down_deg", set_down_rad, {0.5, 60}, "and of its heading there");
   fields.real("drift_m", drift_m, {0.001, 1}, "how far the odometry is trusted against one picture");
@@ -124,14 +160,16 @@ Pose2 EdgePlace::most_alike(std::span<const SeenEdge> seen, const Pose2& T_map_e
   return best;
 }
 
-/// Gauss-Newton with a Cauchy weight, on the distances from the lines that edges lie on, or from the edges.
+/// Gauss-Newton with a Cauchy weight, on the distances from the lines that edges lie on, or from the edges,
+/// where their sides stand now.
 EdgePlace::Fit EdgePlace::refined(std::span<const SeenEdge> seen, const Pose2& T_map_begin,
                                   const Pose2& T_map_expected, double sigma_m, double sigma_rad) const {
   constexpr int kIterations = 8;
   constexpr double kFitting = 2;  // deviations
   Fit fit{.T_map_vehicle = T_map_begin};
+  std::vector<Vec2> p_moved(taught_.side_lengths_m().size(), Vec2::Zero());
   for (int iteration = 0; iteration < kIterations; ++iteration) {
-    PoseEquations equations(fit.T_map_vehicle);
+    PoseEquations equations(fit.T_map_vehicle, p_moved.size());
     equations.add_prior(T_map_expected, sigma_m, sigma_rad);
     std::size_t fitting = 0;
     for (const SeenEdge& one : seen) {
@@ -139,20 +177,22 @@ EdgePlace::Fit EdgePlace::refined(std::span<const SeenEdge> seen, const Pose2& T
       const Vec2 p_map = fit.T_map_vehicle * p;
       const TaughtEdges::Edge* edge = taught_.nearest(p_map);
       if (edge == nullptr) continue;
-      const Vec2 off = p_map - edge->p_map;
+      const Vec2& moved = p_moved[static_cast<std::size_t>(edge->side)];
+      const Vec2 off = p_map - edge->p_map - moved;
       const double expected_m2 = variance_m2(one);
       const bool is_on_line = !edge->normal.isZero();
       const double off2_m2 = is_on_line ? square(edge->normal.dot(off)) : off.squaredNorm();
-      fitting += off2_m2 < square(kFitting) * expected_m2 ? 1U : 0U;
+      const bool is_about_there = moved.norm() < kFitting * params_.moved_m;
+      fitting += is_about_there && off2_m2 < square(kFitting) * expected_m2 ? 1U : 0U;
       const double weight = 1 / (kAlikePoints * (expected_m2 + off2_m2));
       if (is_on_line) {
-        equations.add_point(p, edge->normal, edge->normal.dot(off), weight);
+        equations.add_point(edge->side, p, edge->normal, edge->normal.dot(off), weight);
       } else {
-        equations.add_point(p, {1, 0}, off.x(), weight);
-        equations.add_point(p, {0, 1}, off.y(), weight);
+        equations.add_point(edge->side, p, {1, 0}, off.x(), weight);
+        equations.add_point(edge->side, p, {0, 1}, off.y(), weight);
       }
     }
-    fit.T_map_vehicle = equations.moved();
+    fit.T_map_vehicle = equations.moved(params_.moved_m, taught_.side_lengths_m(), p_moved);
     fit.fitting_share = static_cast<double>(fitting) / static_cast<double>(seen.size());
   }
   return fit;

@@ -27,6 +27,8 @@ void PlaceParkingParams::describe(FieldList& fields) {
   fields.angle("turned_deg", turned_rad, {0.1, 45}, "turned more, it tries again");
   fields.real("aside_max_m", aside_max_m, {0.005, 1}, "farther aside after the last try it has not parked");
   fields.angle("turned_max_deg", turned_max_rad, {0.1, 90}, "likewise turned more");
+  fields.real("taken_max_m", taken_max_m, {0, 1},
+              "so far aside it may stand where something else stands at its place");
   fields.real("back_off_m", back_off_m, {0.2, 5}, "way back before it tries again");
   fields.real("back_off_min_m", back_off_min_m, {0, 5}, "with less way free behind it goes no farther back");
   fields.real("reverse_speed_mps", reverse_speed_mps, {0.02, 1}, "on the way back");
@@ -45,7 +47,7 @@ double PlaceParking::steering_rad(const PathPoint& point, const Pose2& T_map_veh
   return follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_now_rad).steering_rad;
 }
 
-Decision PlaceParking::settle(const Pose2& T_map_vehicle) {
+Decision PlaceParking::settle(const Pose2& T_map_vehicle, bool is_taken) {
   const Pose2 off = between(path_.pieces().back().end(), T_map_vehicle);
   const auto is_within = [&](double aside_m, double turned_rad) {
     return std::abs(off.y) <= aside_m && std::abs(off.theta) <= turned_rad;
@@ -61,6 +63,10 @@ Decision PlaceParking::settle(const Pose2& T_map_vehicle) {
   }
   if (is_within(params_.aside_max_m, params_.turned_max_rad))
     return {.status = NavigatorStatus::kDone, .state = "parked", .why = why};
+  if (is_taken && is_within(params_.taken_max_m, params_.turned_max_rad))
+    return {.status = NavigatorStatus::kDone,
+            .state = "parked",
+            .why = why + ", as near as what stands there now lets it"};
   return {.status = NavigatorStatus::kFailed, .state = "askew", .why = "not parked: it stands " + why};
 }
 

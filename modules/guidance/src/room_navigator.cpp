@@ -27,12 +27,20 @@ RouteView first_view(const RoomNavigatorParams& params, const VehicleDescription
           camera.height_px, vehicle.footprint.width_m};
 }
 
+/// The first piece of the leg that a piece belongs to.
+std::size_t leg_begin(const Path& path, std::size_t piece) {
+  std::size_t first = piece;
+  while (first > 0 && path.leg_end(first - 1) == path.leg_end(piece)) --first;
+  return first;
+}
+
 }  // namespace
 
 void RoomNavigatorParams::describe(FieldList& fields) {
   fields.group("view", view);
   fields.group("steering", steering);
   fields.group("pictures", pictures);
+  fields.group("corner_backing", corner_backing);
   fields.group("frame", frame);
   fields.group("frame_backing", frame_backing);
   fields.group("stop_views", stop_views);
@@ -82,6 +90,8 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       brightness_(route_.room->brightness),
       T_odom_seen_(T_odom_vehicle_),
       taught_place_(params.taught_place, vehicle, route_.path) {
+  if (backs_between_turnings(route_))
+    corner_backing_ = std::make_unique<CornerBacking>(params.corner_backing, params.view, vehicle);
   if (route_.room->parking != ParkingStrategy::kFrame) return;
   frame_ = std::make_unique<FrameParking>(params.frame, vehicle, route_.room->frame_size_m);
   if (params.frame_backing.wanted) {
@@ -112,6 +122,11 @@ Decision RoomNavigator::step(const Observation& observation) {
   if (state_ == State::kBackingIntoFrame) return back_into_frame(observation.stamp_s);
   if (state_ == State::kBackingOff) return back_off(observation.stamp_s);
   if (state_ == State::kLeavingPlace) return leave_place();
+  if (state_ == State::kFollowing && is_on_way_back()) begin_way_back();
+  if (state_ == State::kBackingBetweenTurnings) {
+    corner_backing_->look(observation, T_odom_vehicle_);
+    return back_between_turnings();
+  }
   return follow(observation.stamp_s);
 }
 
@@ -155,7 +170,9 @@ void RoomNavigator::find_place() {
   const double along_m = progress_.point().along_m;
   place_.take(edges_.seen_around(T_odom_vehicle_), T_odom_vehicle_, along_m);
   if (was_sure || !place_.is_sure()) return;
-  const PathPoint there = route_.path.nearest(pose().position(), along_m - kAbout_m, along_m + kAbout_m);
+  const std::size_t piece = progress_.point().piece;
+  const PathPoint there = route_.path.nearest(pose().position(), along_m - kAbout_m, along_m + kAbout_m,
+                                              leg_begin(route_.path, piece), route_.path.leg_end(piece));
   progress_ = PathProgress(route_.path, there.along_m);
 }
 
@@ -187,8 +204,9 @@ double RoomNavigator::wished_steering_rad() const {
   const RoomTurning* turning = turning_at(route_.room->turnings, along_m);
   const BlotOut blot = turning != nullptr ? blot_out(*turning, along_m) : BlotOut{};
   const double ahead_m = along_m + params_.look_ahead_m;
-  const double beyond_m = std::max(0.0, ahead_m - route_.path.length_m());
-  const Vec2 p_map_ahead = route_.path.at(ahead_m).T_map_path * Vec2(beyond_m, 0);
+  const double leg_end_m = route_.path.leg_end_m(progress_.point().piece);
+  const double beyond_m = std::max(0.0, ahead_m - leg_end_m);
+  const Vec2 p_map_ahead = route_.path.at(std::min(ahead_m, leg_end_m)).T_map_path * Vec2(beyond_m, 0);
   const double taught_rad = steering_to(pose().inverse() * p_map_ahead);
   const auto middle = is_strange_ ? std::nullopt : view_.middle(*sight_, blot.left, blot.right);
   if (!middle) return taught_rad;
@@ -206,7 +224,12 @@ Decision RoomNavigator::follow(double now_s) {
   FreeSteeringParams steering = params_.steering;
   if (keeps_to_taught_end()) steering.comfort_m = params_.end_comfort_m;
   const SteeringChoice choice = choose_steering(vehicle_, steering, around, wish_rad);
-  if (!knows_way_ahead() || choice.free_m < params_.stop_free_m) return blocked(now_s);
+  const bool is_blocked = !knows_way_ahead() || choice.free_m < params_.stop_free_m;
+  if (is_blocked && has_way_back_next()) {
+    begin_way_back();
+    return {.state = "backing"};
+  }
+  if (is_blocked) return blocked(now_s);
   stopped_s_.reset();
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
   const double speed_mps = is_near_end || is_strange_ ? params_.parking_speed_mps

@@ -117,6 +117,14 @@ bool RoomNavigator::is_at_dead_end() const {
          (is_strange_ || gap_ahead_m() < params_.dead_end_gap_m);
 }
 
+bool RoomNavigator::is_place_taken() const {
+  const Pose2 T_due_vehicle = between(route_.path.pieces().back().end(), pose());
+  const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
+  return std::any_of(around.begin(), around.end(), [&](const Vec2& p) {
+    return off_footprint_m(vehicle_.footprint, T_due_vehicle * p) < params_.steering.margin_m;
+  });
+}
+
 /// Way to the end of the route as the last leg leads on.
 double RoomNavigator::left_to_end_m() const {
   const double straight_m = between(pose(), route_.path.pieces().back().end()).x;
@@ -153,7 +161,7 @@ std::optional<Decision> RoomNavigator::arrived() {
       if (left_to_end_m() + shift_m <= vehicle_.cycle_s * params_.parking_speed_mps) {
         if (!has_confirmed_place()) return unconfirmed;
         if (!place_.is_sure()) return done;
-        const Decision decision = taught_place_.settle(pose());
+        const Decision decision = taught_place_.settle(pose(), is_place_taken());
         if (taught_place_.is_backing()) state_ = State::kLeavingPlace;
         return decision;
       }

@@ -28,6 +28,22 @@ Vec2 normal_of(const std::vector<Vec2>& points) {
   return is_line ? Vec2(axes.eigenvectors().col(0)) : Vec2::Zero();
 }
 
+constexpr double kEdgeNeighbours_m = 0.2, kEdgeIndexCell_m = 0.5;
+
+CellIndex index_of(const std::vector<TaughtEdges::Edge>& edges) {
+  CellIndex index(kEdgeIndexCell_m);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    index.add({edges[i].p_map, edges[i].p_map}, static_cast<int>(i));
+  return index;
+}
+
+/// Neighbours that lie on one line, or on none.
+bool is_one_side(const TaughtEdges::Edge& a, const TaughtEdges::Edge& b) {
+  constexpr double kAlong = 0.95, kOffSide_m = 0.06;
+  if (a.normal.isZero() || b.normal.isZero()) return a.normal.isZero() && b.normal.isZero();
+  return std::abs(a.normal.dot(b.normal)) > kAlong && std::abs(a.normal.dot(b.p_map - a.p_map)) < kOffSide_m;
+}
+
 int raster_cell(double from_low_m) {
   return static_cast<int>(std::floor(from_low_m / kRasterCell_m));
 }
@@ -35,25 +51,53 @@ int raster_cell(double from_low_m) {
 }  // namespace
 
 TaughtEdges::TaughtEdges(const std::vector<RouteEdge>& edges, double reach_m) : reach_m_(reach_m) {
-  constexpr double kNeighbours_m = 0.2, kIndexCell_m = 0.5;
-  CellIndex index(kIndexCell_m);
   edges_.reserve(edges.size());
-  for (const RouteEdge& edge : edges) {
-    index.add({edge.p_map, edge.p_map}, static_cast<int>(edges_.size()));
-    edges_.push_back({.along_m = edge.along_m, .p_map = edge.p_map});
-  }
+  for (const RouteEdge& edge : edges) edges_.push_back({.along_m = edge.along_m, .p_map = edge.p_map});
   std::stable_sort(edges_.begin(), edges_.end(),
                    [](const Edge& a, const Edge& b) { return a.along_m < b.along_m; });
+  const CellIndex index = index_of(edges_);
   std::vector<int> near;
   std::vector<Vec2> points;
   for (Edge& edge : edges_) {
-    index.query(edge.p_map, edge.p_map, kNeighbours_m, near);
+    index.query(edge.p_map, edge.p_map, kEdgeNeighbours_m, near);
     points.clear();
     for (const int i : near) {
-      const Vec2& p = edges[static_cast<std::size_t>(i)].p_map;
-      if ((p - edge.p_map).norm() < kNeighbours_m) points.push_back(p);
+      const Vec2& p = edges_[static_cast<std::size_t>(i)].p_map;
+      if ((p - edge.p_map).norm() < kEdgeNeighbours_m) points.push_back(p);
     }
     edge.normal = normal_of(points);
+  }
+  number_sides();
+}
+
+/// From neighbour to neighbour.
+void TaughtEdges::number_sides() {
+  constexpr int kNone = -1;
+  constexpr double kApart_m = 0.05;  // of edges on a line, as they are learned
+  const CellIndex index = index_of(edges_);
+  for (Edge& edge : edges_) edge.side = kNone;
+  std::vector<std::size_t> waiting;
+  std::vector<int> near;
+  for (std::size_t first = 0; first < edges_.size(); ++first) {
+    if (edges_[first].side != kNone) continue;
+    const int side = static_cast<int>(side_lengths_m_.size());
+    side_lengths_m_.push_back(kApart_m);
+    edges_[first].side = side;
+    waiting.assign(1, first);
+    while (!waiting.empty()) {
+      const Edge& edge = edges_[waiting.back()];
+      waiting.pop_back();
+      index.query(edge.p_map, edge.p_map, kEdgeNeighbours_m, near);
+      for (const int i : near) {
+        Edge& other = edges_[static_cast<std::size_t>(i)];
+        if (other.side != kNone || (other.p_map - edge.p_map).norm() >= kEdgeNeighbours_m ||
+            !is_one_side(edge, other))
+          continue;
+        other.side = side;
+        side_lengths_m_.back() += kApart_m;
+        waiting.push_back(static_cast<std::size_t>(i));
+      }
+    }
   }
 }
 

@@ -98,6 +98,30 @@ TEST(EdgePlace, AMovedBoxCountsLittle) {
   EXPECT_LT(off_m(place, T_map_vehicle, {1.5, 0, 0}), 0.1);
 }
 
+/// Many points of a thing before the vehicle say no more than few of others behind it.
+TEST(EdgePlace, AMovedBoxThatFillsTheViewCountsNoMoreThanItsLength) {
+  const auto points = furnished_way();
+  auto moved = points;
+  for (Vec2& p : moved)
+    if (p.x() >= 2 && p.x() <= 3 && p.y() > 0) p += Vec2(0.15, -0.15);
+  const Pose2 T_map_vehicle{1.2, 0, 0};
+  const auto off_after = [&](const EdgePlaceParams& params) {
+    EdgePlace place(params, taught(points));
+    for (int i = 0; i < 60; ++i) {
+      std::vector<SeenEdge> edges = seen(moved, T_map_vehicle);
+      const std::size_t all = edges.size();
+      for (std::size_t k = 0; k < all; ++k) {
+        const Vec2 p_map = T_map_vehicle * edges[k].p_vehicle;
+        if (p_map.x() >= 2 && p_map.x() <= 3.2 && p_map.y() > 0) edges.insert(edges.end(), 6, edges[k]);
+      }
+      place.take(edges, T_map_vehicle, T_map_vehicle.x);
+    }
+    return off_m(place, T_map_vehicle, T_map_vehicle);
+  };
+  EXPECT_LT(off_after({}), 0.05);
+  EXPECT_GT(off_after({.moved_m = 0.001}), 0.05) << "as if nothing could have been moved";
+}
+
 TEST(EdgePlace, WhatLooksOtherwiseOrTooLittleSaysNothing) {
   const auto points = furnished_way();
   EdgePlace place({}, taught(points));

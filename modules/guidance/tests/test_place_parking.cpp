@@ -23,7 +23,7 @@ Pose2 moved(const Pose2& T_map_vehicle, double speed_mps, double steering_rad) {
 
 TEST(PlaceParking, WhoStandsWellHasParked) {
   PlaceParking place = parking();
-  EXPECT_EQ(place.settle(kEnd * Pose2{0, 0.04, 2 * kDegree}).status, NavigatorStatus::kDone);
+  EXPECT_EQ(place.settle(kEnd * Pose2{0, 0.04, 2 * kDegree}, false).status, NavigatorStatus::kDone);
   EXPECT_EQ(place.tries(), 1);
 }
 
@@ -31,7 +31,7 @@ TEST(PlaceParking, WhoStandsAskewBacksOffAndStandsBetterThen) {
   PlaceParking place = parking();
   const Path path(std::vector{PathPiece{{}, {4, 0}}});
   Pose2 T_map_vehicle = kEnd * Pose2{0, 0.15, -6 * kDegree};
-  EXPECT_EQ(place.settle(T_map_vehicle).status, NavigatorStatus::kGoing);
+  EXPECT_EQ(place.settle(T_map_vehicle, false).status, NavigatorStatus::kGoing);
   ASSERT_TRUE(place.is_backing());
   double steering_rad = 0;
   for (int i = 0; i < 300 && place.is_backing(); ++i) {
@@ -48,14 +48,14 @@ TEST(PlaceParking, WhoStandsAskewBacksOffAndStandsBetterThen) {
     steering_rad = place.steering_rad(point, T_map_vehicle, 0.12, steering_rad);
     T_map_vehicle = moved(T_map_vehicle, 0.12, steering_rad);
   }
-  EXPECT_EQ(place.settle(T_map_vehicle).status, NavigatorStatus::kDone);
+  EXPECT_EQ(place.settle(T_map_vehicle, false).status, NavigatorStatus::kDone);
   EXPECT_EQ(place.tries(), 2);
   EXPECT_LT(std::abs(T_map_vehicle.y), 0.03);
 }
 
 TEST(PlaceParking, WithSomethingBehindItGoesNoFartherBack) {
   PlaceParking place = parking();
-  place.settle(kEnd * Pose2{0, 0.2, 0});
+  place.settle(kEnd * Pose2{0, 0.2, 0}, false);
   place.judge_way_back(kEnd * Pose2{-0.3, 0.2, 0}, 1);
   EXPECT_TRUE(place.is_backing());
   place.judge_way_back(kEnd * Pose2{-0.4, 0.2, 0}, 0.05);
@@ -63,15 +63,18 @@ TEST(PlaceParking, WithSomethingBehindItGoesNoFartherBack) {
 }
 
 TEST(PlaceParking, AfterTheLastTryItSaysWhetherItHasParked) {
-  const auto last = [](const Pose2& off) {
+  const auto last = [](const Pose2& off, bool is_taken = false) {
     PlaceParking place = parking({.tries_max = 1});
-    return place.settle(kEnd * off);
+    return place.settle(kEnd * off, is_taken);
   };
   EXPECT_EQ(last({0, 0.08, 4 * kDegree}).status, NavigatorStatus::kDone);
   const Decision aside = last({0, 0.2, 0});
   EXPECT_EQ(aside.status, NavigatorStatus::kFailed);
   EXPECT_EQ(aside.why, "not parked: it stands 0.20 m aside, 0.0 degrees turned");
   EXPECT_EQ(last({0, 0, -20 * kDegree}).status, NavigatorStatus::kFailed);
+  EXPECT_EQ(last({0, 0.2, 0}, true).status, NavigatorStatus::kDone);
+  EXPECT_EQ(last({0, 0.4, 0}, true).status, NavigatorStatus::kFailed);
+  EXPECT_EQ(last({0, 0.2, -20 * kDegree}, true).status, NavigatorStatus::kFailed);
 }
 
 }  // namespace

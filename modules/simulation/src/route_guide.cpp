@@ -1,6 +1,9 @@
 #include "aisle/simulation/route_guide.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
 
 namespace aisle {
 namespace {
@@ -37,6 +40,21 @@ double length_of_way_m(const std::vector<Vec2>& way) {
   return sum_m;
 }
 
+/// Along a polyline, the first point after `from_m` where it turns back, or its end.
+double next_turning_back_m(const std::vector<Vec2>& way, double from_m) {
+  constexpr double kTurnsBack_rad = 120 * kDegree;
+  double along_m = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Vec2 step = way[i] - way[i - 1];
+    along_m += step.norm();
+    const bool turns_back =
+        i + 1 == way.size() ||
+        std::abs(wrap_angle(heading_of(way[i + 1] - way[i]) - heading_of(step))) > kTurnsBack_rad;
+    if (turns_back && along_m > from_m) return along_m;
+  }
+  return along_m;
+}
+
 }  // namespace
 
 const TaughtWay* route_of(const World& world, const std::string& name) {
@@ -65,9 +83,12 @@ RouteGuide::RouteGuide(const World& world, const TaughtWay& route, const Vehicle
 }
 
 OperatorInput RouteGuide::look(const OperatorView& view) {
-  constexpr double kAhead_m = 0.6;
+  constexpr double kAhead_m = 0.6, kTurnedBack_m = 0.12;
   OperatorInput input = driver_.look(view);
-  along_m_ = along_way_m(route_.way, view.T_world_vehicle.position(), along_m_, along_m_ + kAhead_m);
+  const double back_m = next_turning_back_m(route_.way, along_m_);
+  const double to_m =
+      along_m_ < back_m - kTurnedBack_m ? std::min(back_m, along_m_ + kAhead_m) : along_m_ + kAhead_m;
+  along_m_ = along_way_m(route_.way, view.T_world_vehicle.position(), along_m_, to_m);
   while (!marks_.empty() && (marks_.front().along_m <= along_m_ || driver_.has_arrived())) {
     input.marks.insert(input.marks.begin(), marks_.front().mark);
     marks_.erase(marks_.begin());

@@ -71,8 +71,12 @@ class Course {
   }
 
   World take(int number, std::vector<Vec2> way, const Vec2& at, double reach_m) {
+    return take(std::move(way),
+                {{.route = "way", .number = number, .at = at, .before_m = reach_m, .after_m = reach_m}});
+  }
+  World take(std::vector<Vec2> way, std::vector<TaughtTurning> turnings) {
     world_.routes = {{.name = "way", .parking = ParkingStrategy::kView, .way = std::move(way)}};
-    world_.turnings = {{.route = "way", .number = number, .at = at, .before_m = reach_m, .after_m = reach_m}};
+    world_.turnings = std::move(turnings);
     return std::move(world_);
   }
 
@@ -113,7 +117,44 @@ World turning_about(int number, double side, Course course) {
                      {side * kLaneApart_m / 2, 0}, kTurning_m);
 }
 
+/// @param side  1: to the right, -1: to the left
+World with_close_turnings(int first, int second, double side, Course course) {
+  constexpr double kFirst_m = 1.2, kSecond_m = 1.4, kApart_m = 1.4;  // widths of the aisles, between middles
+  constexpr double kNearSide_m = 0.8, kFarSide_m = 2.2;  // sides of the aisle across, from its way
+  constexpr double kBeyond_m = 2.3, kBefore_m = 2.3;     // the second turning, where the way turns back
+  constexpr double kTurning_m = 1.3;
+  const double h = kHalf_m;
+  const auto box = [&](const Vec2& a, const Vec2& b) {
+    const Vec2 p(side * a.x(), a.y()), q(side * b.x(), b.y());
+    course.add_box(p.cwiseMin(q), p.cwiseMax(q));
+  };
+  box({-h, -h}, {-kFirst_m / 2, -kNearSide_m});
+  box({kFirst_m / 2, -h}, {kApart_m - kSecond_m / 2, -kNearSide_m});
+  box({kApart_m + kSecond_m / 2, -h}, {h, -kNearSide_m});
+  box({-h, kFarSide_m}, {h, h});
+  const double branch_m = 0.3;
+  return course.take(
+      {{0, -kEntry_m},
+       {0, 0},
+       {side * kBeyond_m, 0},
+       {side * (kApart_m - kBefore_m), 0},
+       {side * kApart_m, 0},
+       {side * kApart_m, -kExit_m}},
+      {{.route = "way", .number = first, .at = {0, 0}, .before_m = kTurning_m, .after_m = kBeyond_m},
+       {.route = "way",
+        .number = second,
+        .at = {side * kApart_m, -branch_m},
+        .before_m = kBefore_m + branch_m,
+        .after_m = kTurning_m}});
+}
+
 }  // namespace
+
+World close_turnings_course(int first, int second, Random& random) {
+  if (first == 6 && second == 5) return with_close_turnings(first, second, 1, Course(random));
+  if (first == 8 && second == 7) return with_close_turnings(first, second, -1, Course(random));
+  throw std::invalid_argument("there is no course of these two turnings");
+}
 
 World turning_course(int number, Random& random) {
   constexpr int kAboutRight = 12, kAboutLeft = 13;

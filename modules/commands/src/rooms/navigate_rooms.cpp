@@ -6,6 +6,7 @@
 #include "aisle/commands/park.hpp"
 #include "aisle/formats/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
+#include "aisle/guidance/room_cameras.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "changed_parameters.hpp"
 #include "learned_files.hpp"
@@ -80,7 +81,7 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
                              .route = route->name};
   const auto navigator = make_room_navigator(origin, vehicle);
   if (!navigator) return at_file(navigator.problems(), file);
-  keep_room_cameras(vehicle, route->room->parking);
+  keep_cameras(vehicle, cameras_for(*route));
   if (!fits(setting->world, vehicle.footprint, T_world_start))
     return Problem{{file, 0, "routes"}, "the vehicle does not fit at its start in this world"};
   auto session = open_session(drive.out, drive.force, vehicle, origin, console.watcher);

@@ -11,15 +11,6 @@
 #include "route_name.hpp"
 
 namespace aisle {
-namespace {
-
-std::vector<std::string> cameras_needed(ParkingStrategy parking) {
-  if (parking == ParkingStrategy::kFrame) return {kFirstCamera, kSecondCamera, kThirdCamera};
-  return {kFirstCamera};
-}
-
-}  // namespace
-
 Result<Route> find_room_route(const Building& building, const std::string& name) {
   const bool is_first = name.empty() && !building.routes.empty();
   auto route = find_route(building, is_first ? building.routes.front().name : name);
@@ -29,19 +20,18 @@ Result<Route> find_room_route(const Building& building, const std::string& name)
   return route;
 }
 
-void keep_room_cameras(VehicleDescription& vehicle, ParkingStrategy parking) {
-  const std::vector<std::string> needed = cameras_needed(parking);
+void keep_cameras(VehicleDescription& vehicle, const std::vector<std::string>& names) {
   std::erase_if(vehicle.cameras, [&](const CameraDescription& camera) {
-    return std::find(needed.begin(), needed.end(), camera.name) == needed.end();
+    return std::find(names.begin(), names.end(), camera.name) == names.end();
   });
 }
 
-Problems unfit_for_rooms(const VehicleDescription& vehicle, ParkingStrategy parking) {
+Problems unfit_for_rooms(const VehicleDescription& vehicle, const std::vector<std::string>& cameras) {
   Problems problems;
   if (vehicle.is_differential)
     problems.push_back(
         {{"", 0, "is_differential"}, "is true: ways through rooms need a front-steered vehicle"});
-  for (const std::string& name : cameras_needed(parking)) {
+  for (const std::string& name : cameras) {
     if (vehicle.camera(name) == nullptr)
       problems.push_back({{"", 0, "cameras"}, fmt::format("lack '{}', which looks at the route", name)});
   }
@@ -59,7 +49,7 @@ Result<std::unique_ptr<RoomNavigator>> make_room_navigator(const SessionOrigin& 
     problems.insert(problems.end(), route.problems().begin(), route.problems().end());
     return problems;
   }
-  for (Problem& problem : unfit_for_rooms(vehicle, route->room->parking))
+  for (Problem& problem : unfit_for_rooms(vehicle, cameras_for(*route)))
     problems.push_back(std::move(problem));
   for (Problem& problem : check_barriers(*building, route->name, route->path, vehicle.footprint))
     problems.push_back(std::move(problem));

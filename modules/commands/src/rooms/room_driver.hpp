@@ -3,6 +3,8 @@
 /// that the session records.
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "aisle/core/result.hpp"
 #include "aisle/formats/session_origin.hpp"
@@ -26,15 +28,15 @@ struct RoomDriverParams {
 /// The building's route of a name, which was taught in a room; an empty name means the first route.
 Result<Route> find_room_route(const Building& building, const std::string& name);
 
-/// The cameras that such a route is driven by; the others stay off.
-void keep_room_cameras(VehicleDescription& vehicle, ParkingStrategy parking);
+/// The other cameras stay off.
+void keep_cameras(VehicleDescription& vehicle, const std::vector<std::string>& names);
 
 /// Problems: parameters and building that cannot be read, an unknown route, one that was not taught in a
 /// room, a vehicle that is not front-steered or lacks a camera.
 Result<std::unique_ptr<RoomNavigator>> make_room_navigator(const SessionOrigin& origin,
                                                            const VehicleDescription& vehicle);
 
-/// What keeps a vehicle from driving through rooms; empty: nothing.
-Problems unfit_for_rooms(const VehicleDescription& vehicle, ParkingStrategy parking);
+/// What keeps a vehicle from driving through rooms by these cameras; empty: nothing.
+Problems unfit_for_rooms(const VehicleDescription& vehicle, const std::vector<std::string>& cameras);
 
 }  // namespace aisle

@@ -38,7 +38,7 @@ void RoomTripCollector::add(const Observation& observation) {
 
 Result<std::vector<RoomCycle>> read_room_trip(const std::filesystem::path& session, SessionCycles& cycles,
                                               const RoomLessonParams& params, Progress& progress) {
-  Problems problems = unfit_for_rooms(cycles.vehicle(), ParkingStrategy::kView);
+  Problems problems = unfit_for_rooms(cycles.vehicle(), {kFirstCamera});
   for (Problem& problem : problems) problem.where.file = session.string();
   if (!problems.empty()) return problems;
   RoomTripCollector collector(params, cycles.vehicle());

@@ -83,26 +83,29 @@ Result<RoomMissionResult> drive_room_mission(const SimulationSetting& setting, R
   result.clearance_m =
       clearance_ahead_m(setting.world, setting.vehicle.description.footprint, truth.T_world_vehicle);
   result.tries = navigator.parking_tries();
+  result.has_seen_corner = navigator.has_seen_corner();
   result.is_confirmed = result.end.arrived && navigator.has_confirmed_place();
   return result;
 }
 
 nlohmann::ordered_json figures_of(const RoomMissionResult& result) {
-  return {{"arrived", result.end.arrived},
-          {"parked", result.parked()},
-          {"confirmed", result.is_confirmed},
-          {"state", result.end.state},
-          {"why", result.end.why},
-          {"collisions", result.collisions},
-          {"end_error_m", rounded(result.end_error_m, 4)},
-          {"end_ahead_m", rounded(result.p_due_end.x(), 4)},
-          {"end_left_m", rounded(result.p_due_end.y(), 4)},
-          {"end_error_deg", rounded(to_degrees(result.end_error_rad), 3)},
-          {"tries", result.tries},
-          {"clearance_m", rounded(result.clearance_m, 3)},
-          {"distance_m", rounded(result.distance_m, 3)},
-          {"duration_s", rounded(result.end.duration_s, 3)},
-          {"cycle_ms", cycle_figures(result.cycle_s)}};
+  nlohmann::ordered_json figures = {{"arrived", result.end.arrived},
+                                    {"parked", result.parked()},
+                                    {"confirmed", result.is_confirmed},
+                                    {"state", result.end.state},
+                                    {"why", result.end.why},
+                                    {"collisions", result.collisions},
+                                    {"end_error_m", rounded(result.end_error_m, 4)},
+                                    {"end_ahead_m", rounded(result.p_due_end.x(), 4)},
+                                    {"end_left_m", rounded(result.p_due_end.y(), 4)},
+                                    {"end_error_deg", rounded(to_degrees(result.end_error_rad), 3)},
+                                    {"tries", result.tries},
+                                    {"clearance_m", rounded(result.clearance_m, 3)},
+                                    {"distance_m", rounded(result.distance_m, 3)},
+                                    {"duration_s", rounded(result.end.duration_s, 3)},
+                                    {"cycle_ms", cycle_figures(result.cycle_s)}};
+  if (result.has_seen_corner) figures["corner_seen"] = *result.has_seen_corner;
+  return figures;
 }
 
 }  // namespace aisle

@@ -24,8 +24,9 @@ struct RoomMissionResult {
   Vec2 p_due_end = Vec2::Zero();  ///< where it stands, seen from where it was to: ahead, left
   double clearance_m = 0;         ///< at the end, straight ahead of the vehicle
   int tries = 1;
-  bool is_confirmed = false;    ///< that it is the place, by what is there
-  std::vector<double> cycle_s;  ///< processor time of each cycle, from image to command
+  bool is_confirmed = false;            ///< that it is the place, by what is there
+  std::optional<bool> has_seen_corner;  ///< of the route, where it backed between turnings
+  std::vector<double> cycle_s;          ///< processor time of each cycle, from image to command
 
   bool parked() const { return end.arrived && collisions == 0; }
 };

@@ -40,7 +40,7 @@ struct RoomTrialParams {
 
 /// `trial route`: routes of a world with their furniture moved and other light.
 Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParams& params, Console& console);
-/// `trial turnings`: the thirteen turnings, each in a room of its own.
+/// `trial turnings`: the thirteen turnings, each in a room of its own, or pairs that are too close.
 Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
                                   Console& console);
 /// `trial park`: the ends of routes, from disturbed starts.

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "aisle/core/random.hpp"
 #include "aisle/guidance/hand_driver.hpp"
+#include "aisle/guidance/room_cameras.hpp"
 #include "aisle/simulation/route_guide.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "aisle/simulation/turning_course.hpp"
@@ -51,7 +55,7 @@ struct TaughtRoute {
 Result<TaughtRoute> teach_route(const SimulationSetting& setting, const TaughtWay& way,
                                 const RoomLessonParams& params, std::uint64_t seed, Progress& progress) {
   SimulationSetting taught = setting;
-  keep_room_cameras(taught.vehicle.description, ParkingStrategy::kView);
+  keep_cameras(taught.vehicle.description, {kFirstCamera});
   RouteGuide person(taught.world, way, taught.vehicle.description, {}, seed);
   SimulatedVehicle vehicle(taught.world, taught.vehicle, {}, {.seed = seed, .T_world_start = start_of(way)},
                            &person);
@@ -115,7 +119,7 @@ Result<RoomMissionResult> drive_taught(SimulationSetting setting, const TaughtRo
   VehicleDescription& vehicle = setting.vehicle.description;
   const ParkingStrategy parking = taught.route.room->parking;
   RoomNavigator navigator(params, vehicle, taught.route, from_m);
-  keep_room_cameras(vehicle, parking);
+  keep_cameras(vehicle, cameras_for(taught.route));
   std::optional<SessionRecord> no_session;
   return drive_room_mission(setting, navigator,
                             {.seed = 1000 * (seed + 1),
@@ -136,7 +140,8 @@ class TaughtRoutes {
         options_.worlds.empty() ? "laboratory" : options_.worlds[seed % options_.worlds.size()];
     auto setting = read_setting(world, vehicle_or_usual(options_.vehicle, "route"), options_.scenario);
     if (!setting) return setting.problems();
-    Problems problems = unfit_for_rooms(setting->vehicle.description, ParkingStrategy::kFrame);
+    Problems problems =
+        unfit_for_rooms(setting->vehicle.description, {kFirstCamera, kSecondCamera, kThirdCamera});
     if (setting->world.routes.empty())
       problems.push_back({{setting->world_file.string(), 0, "routes"}, "are missing: nothing can be taught"});
     if (!problems.empty()) return problems;
@@ -292,29 +297,45 @@ Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialPar
   return outcome;
 }
 
-/// One course for each turning, taught once; the room is another for each seed's teaching and driving light.
+/// The courses of `trial turnings`, by the numbers of their turnings.
+std::vector<std::pair<std::string, World>> turning_courses(const TrialOptions& options) {
+  std::vector<std::pair<std::string, World>> courses;
+  const auto add = [&](const std::string& name, const auto& make) {
+    Random random(options.first_seed);
+    courses.emplace_back(name, make(random));
+  };
+  if (options.close) {
+    add("6 then 5", [](Random& random) { return close_turnings_course(6, 5, random); });
+    add("8 then 7", [](Random& random) { return close_turnings_course(8, 7, random); });
+    return courses;
+  }
+  for (int number = 1; number <= kTurningNumbers; ++number)
+    add(std::to_string(number), [number](Random& random) { return turning_course(number, random); });
+  return courses;
+}
+
+/// Each course is taught once; for each seed the room has another light.
 Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
                                   Console& console) {
   auto vehicle = read_setting("", vehicle_or_usual(options.vehicle, "route"), options.scenario);
   if (!vehicle) return vehicle.problems();
-  if (Problems problems = unfit_for_rooms(vehicle->vehicle.description, ParkingStrategy::kView);
+  if (Problems problems = unfit_for_rooms(vehicle->vehicle.description, {kFirstCamera, kThirdCamera});
       !problems.empty())
     return problems;
   const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
+  const auto courses = turning_courses(options);
   RoomTrial trial;
   Json shares = Json::object();
-  MissionCount within(console.progress, "missions", kTurningNumbers * seeds);
+  MissionCount within(console.progress, "missions", courses.size() * seeds);
   std::size_t succeeded = 0;
-  for (int number = 1; number <= kTurningNumbers; ++number) {
-    Random course(options.first_seed);
+  for (const auto& [name, world] : courses) {
     SimulationSetting setting = *vehicle;
-    setting.world = turning_course(number, course);
-    const auto taught =
-        teach_route(setting, setting.world.routes.front(), params.lesson, options.first_seed, within);
+    setting.world = world;
+    const auto taught = teach_route(setting, world.routes.front(), params.lesson, options.first_seed, within);
     if (!taught) return taught.problems();
     std::uint64_t good = 0;
     for (std::uint64_t i = 0; i < seeds; ++i) {
-      within.begin((static_cast<std::uint64_t>(number) - 1) * seeds + i);
+      within.begin(trial.missions);
       const std::uint64_t seed = options.first_seed + i;
       Random random(seed);
       const SimulationSetting today =
@@ -323,11 +344,11 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
           drive_taught(today, *taught, params.navigator, seed,
                        set_down(today, about(taught->place.at(0), 0.02, 1 * kDegree), seed), 0, within);
       if (!result) return result.problems();
-      trial.add(*result, seed, fmt::format("turning {}", number));
+      trial.add(*result, seed, "turning " + name);
       good += result->parked() && result->end_error_m < kFalseStop_m ? 1U : 0U;
     }
     succeeded += good;
-    shares[std::to_string(number)] = rounded(static_cast<double>(good) / static_cast<double>(seeds), 4);
+    shares[name] = rounded(static_cast<double>(good) / static_cast<double>(seeds), 4);
   }
   Outcome outcome{.verb = "trial", .ok = succeeded == trial.missions};
   outcome.figures = {{"missions", trial.missions},
@@ -338,8 +359,9 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
                      {"cycle_ms", cycle_figures(trial.cycle_s)},
                      {"simulated", true},
                      {"runs", trial.runs}};
-  outcome.text = fmt::format("simulated: thirteen turnings, {} missions, {:.1f} % succeeded, {} collisions\n",
-                             trial.missions, 100 * trial.share(succeeded), trial.collisions);
+  outcome.text = fmt::format("simulated: {}, {} missions, {:.1f} % succeeded, {} collisions\n",
+                             options.close ? "two close turnings" : "thirteen turnings", trial.missions,
+                             100 * trial.share(succeeded), trial.collisions);
   return outcome;
 }
 

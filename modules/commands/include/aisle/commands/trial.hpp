@@ -27,6 +27,7 @@ struct TrialOptions {
   int refinements = 0;  ///< trips after the first, each taken in before the next
   std::optional<double> speed_mps;
   bool in_reverse = false;
+  bool close = false;                ///< turnings: two that are too close for the vehicle
   std::optional<double> lift_m;      ///< somewhere on its way the vehicle is put so much farther on or back
   std::optional<BuildingKind> kind;  ///< of buildings by chance; none: all in turn
   double noise_scale = 1;            ///< of the odometry's errors (explore)

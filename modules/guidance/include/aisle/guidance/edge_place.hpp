@@ -15,6 +15,7 @@ struct EdgePlaceParams {
   double reach_m = 0.3;
   double deviation_m = 0.05;
   double far_m = 2.5;
+  double moved_m = 0.1;
   double set_down_m = 0.35;
   double set_down_rad = 12 * kDegree;
   double drift_m = 0.03;
@@ -29,8 +30,9 @@ struct EdgePlaceParams {
 /// Tells by the edges of the route, as far as they are where they were taught, where the vehicle is: what was
 /// seen of them on the last metres is laid onto them, at first from all poses about the one at which the
 /// vehicle was set down, then from where the odometry expects them. One picture alone may show a single line,
-/// along which it could be anywhere. What stands otherwise than at teaching counts the less the farther off
-/// it is.
+/// along which it could be anywhere. Things may have been moved since: each of their sides may stand off by
+/// itself, at a cost that grows with its length, so that what is seen from near has no more say than what is
+/// seen from far, and what stands otherwise than the rest counts little.
 class EdgePlace {
  public:
   /// @param taught  may be empty: then `map` stays `odom`

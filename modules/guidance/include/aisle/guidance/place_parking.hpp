@@ -15,6 +15,7 @@ struct PlaceParkingParams {
   double turned_rad = 2.5 * kDegree;
   double aside_max_m = 0.1;
   double turned_max_rad = 5 * kDegree;
+  double taken_max_m = 0.3;
   double back_off_m = 1.5;
   double back_off_min_m = 0.1;
   double reverse_speed_mps = 0.12;
@@ -25,7 +26,7 @@ struct PlaceParkingParams {
 
 /// Comes to stand at the end of a path as it was taught, by where the vehicle is known to be: one that came
 /// to stand askew backs off along the path and comes anew. After the last try it says whether it stands well
-/// enough.
+/// enough: beside what has been put there, it may stand farther aside.
 class PlaceParking {
  public:
   /// @param path  not empty
@@ -37,7 +38,8 @@ class PlaceParking {
                       double steering_now_rad) const;
 
   /// At the path's end: done, failed, or begins to back off.
-  Decision settle(const Pose2& T_map_vehicle);
+  /// @param is_taken  something stands now where the vehicle should: then it need not stand there
+  Decision settle(const Pose2& T_map_vehicle, bool is_taken);
   bool is_backing() const { return back_from_.has_value(); }
   /// Backwards along the path.
   Command back_off(const Pose2& T_map_vehicle, double steering_now_rad) const;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "aisle/maps/route.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
 namespace aisle {
@@ -16,6 +19,19 @@ inline constexpr const char* kThirdCamera = "bottom";   ///< the corners of the 
 inline const CameraDescription& room_camera(const VehicleDescription& vehicle, const char* name) {
   if (const CameraDescription* camera = vehicle.camera(name)) return *camera;
   throw std::invalid_argument(std::string("the vehicle lacks the camera ") + name);
+}
+
+/// Whether the way was taught with backing between turnings.
+inline bool backs_between_turnings(const Route& route) {
+  const std::vector<PathPiece>& pieces = route.path.pieces();
+  return std::any_of(pieces.begin(), pieces.end(), [](const PathPiece& p) { return p.arc.length_m < 0; });
+}
+
+/// The cameras by which a route that was taught in a room is driven.
+inline std::vector<std::string> cameras_for(const Route& route) {
+  if (route.room->parking == ParkingStrategy::kFrame) return {kFirstCamera, kSecondCamera, kThirdCamera};
+  if (backs_between_turnings(route)) return {kFirstCamera, kThirdCamera};
+  return {kFirstCamera};
 }
 
 }  // namespace aisle

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "aisle/control/path_progress.hpp"
+#include "aisle/guidance/corner_backing.hpp"
 #include "aisle/guidance/edge_memory.hpp"
 #include "aisle/guidance/edge_place.hpp"
 #include "aisle/guidance/frame_backing.hpp"
@@ -26,6 +27,7 @@ struct RoomNavigatorParams {
   RouteViewParams view;
   FreeSteeringParams steering;
   PictureWatchParams pictures;
+  CornerBackingParams corner_backing;
   FrameParkingParams frame;
   FrameBackingParams frame_backing;
   StopViewParams stop_views;
@@ -60,13 +62,14 @@ struct RoomNavigatorParams {
 
 /// Keeps to the middle of the route as the first camera sees it, where the way that was taught goes; in a
 /// turning, to the middle of what is not blotted out. Turns away from what stands too near, waits before what
-/// blocks the way, backs off towards the taught way and tries again. At the end it parks as the route says.
+/// blocks the way, backs off towards the taught way and tries again. Between two close turnings it backs as
+/// it was taught, until it sees the corner of the route. At the end it parks as the route says.
 /// `middle_share` is how much the route's middle counts against the way taught, carried on by odometry: 1 is
 /// as published.
 class RoomNavigator final : public Navigator {
  public:
-  /// @throws std::invalid_argument if the vehicle lacks the cameras `top` and, to park in a frame, `middle`,
-  ///         or the route was not taught in a room
+  /// @throws std::invalid_argument if the vehicle lacks a camera that the route needs (room_cameras.hpp), or
+  ///         the route was not taught in a room
   /// @param from_m  about where on the route the vehicle stands
   RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle, Route route,
                 double from_m = 0);
@@ -81,11 +84,20 @@ class RoomNavigator final : public Navigator {
   const EdgeMemory& edges() const { return edges_; }
   /// Whether what is there has shown that it is its place; of a taught place alone it may stay open.
   bool has_confirmed_place() const;
+  /// On its last way back between turnings it has seen the corner of the route; nullopt: there was none.
+  std::optional<bool> has_seen_corner() const;
   /// How often it has driven up to its place.
   int parking_tries() const;
 
  private:
-  enum class State { kFollowing, kBackingOff, kParkingInFrame, kBackingIntoFrame, kLeavingPlace };
+  enum class State {
+    kFollowing,
+    kBackingOff,
+    kBackingBetweenTurnings,
+    kParkingInFrame,
+    kBackingIntoFrame,
+    kLeavingPlace
+  };
 
   void look(const Observation& observation);
   bool is_route_bright_as_learned() const;
@@ -101,6 +113,10 @@ class RoomNavigator final : public Navigator {
   Decision back_off(double now_s);
   Decision leave_place();
   Decision blocked(double now_s);
+  bool is_on_way_back() const;
+  bool has_way_back_next() const;
+  void begin_way_back();
+  Decision back_between_turnings();
   Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
   double wished_steering_rad() const;
   /// Near a taught end, at a place that is known: the taught way counts alone.
@@ -108,6 +124,8 @@ class RoomNavigator final : public Navigator {
   std::optional<double> avoiding_rad() const;
   double steering_to(const Vec2& p_vehicle) const;
   double gap_ahead_m() const;
+  /// Something has been seen to stand where a vehicle at the route's end would.
+  bool is_place_taken() const;
   bool is_at_dead_end() const;
   SteeringChoice choose_way_back() const;
   std::optional<Decision> arrived();
@@ -125,6 +143,9 @@ class RoomNavigator final : public Navigator {
   PathProgress progress_;
   std::unique_ptr<FrameParking> frame_;
   std::unique_ptr<FrameBacking> frame_backing_;
+  std::unique_ptr<CornerBacking> corner_backing_;  ///< of a route with ways back between turnings
+  bool backs_to_corner_ = false;                   ///< else as it was taught
+  double back_to_m_ = 0;                           ///< along the route, the end of such a way
   StopViewMatcher stop_views_;
   Pose2 T_odom_vehicle_;
   std::optional<RouteSight> sight_;

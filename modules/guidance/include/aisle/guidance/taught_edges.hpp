@@ -15,6 +15,7 @@ class TaughtEdges {
     double along_m = 0;
     Vec2 p_map = Vec2::Zero();
     Vec2 normal = Vec2::Zero();  ///< across the line that its neighbours lie on; zero: they lie on none
+    int side = 0;                ///< its number: edges on one line, without a gap, are one side of something
   };
 
   /// @param reach_m  edges farther from a place than this are not found there
@@ -27,14 +28,19 @@ class TaughtEdges {
   /// The nearest edge within reach; nullptr: none, or too far from where it was prepared for.
   const Edge* nearest(const Vec2& p_map) const;
 
+  /// About how long each side is, by its number.
+  const std::vector<double>& side_lengths_m() const { return side_lengths_m_; }
+
   /// Those of the stretch that lie within a distance.
   std::vector<Vec2> around(const Vec2& p_map, double within_m) const;
 
  private:
   void stamp(std::size_t edge);
+  void number_sides();
 
   double reach_m_;
   std::vector<Edge> edges_;
+  std::vector<double> side_lengths_m_;
   bool is_prepared_ = false;
   double along_m_ = 0;
   Vec2 p_map_low_ = Vec2::Zero();

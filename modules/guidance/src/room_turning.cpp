@@ -1,0 +1,81 @@
+/// How RoomNavigator backs between two turnings that are too close for the vehicle (L96 section 3.3).
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/control/reversing.hpp"
+#include "aisle/guidance/room_navigator.hpp"
+
+namespace aisle {
+namespace {
+
+/// nullptr: there is none.
+const RoomTurning* turning_beyond(const std::vector<RoomTurning>& turnings, double along_m) {
+  const auto next = std::find_if(turnings.begin(), turnings.end(),
+                                 [&](const RoomTurning& turning) { return turning.end_m > along_m; });
+  return next == turnings.end() ? nullptr : &*next;
+}
+
+bool is_backwards(const PathPiece& piece) {
+  return piece.arc.length_m < 0;
+}
+
+}  // namespace
+
+bool RoomNavigator::is_on_way_back() const {
+  return is_backwards(route_.path.pieces()[progress_.point().piece]);
+}
+
+/// What stands just before the end of the way into a turning need not be passed.
+bool RoomNavigator::has_way_back_next() const {
+  constexpr double kNearEnough_m = 0.5;
+  const std::size_t piece = progress_.point().piece, next = route_.path.leg_end(piece);
+  return next < route_.path.pieces().size() && is_backwards(route_.path.pieces()[next]) &&
+         route_.path.leg_end_m(piece) - progress_.point().along_m < kNearEnough_m;
+}
+
+void RoomNavigator::begin_way_back() {
+  if (!is_on_way_back())
+    progress_ = PathProgress(route_.path, route_.path.leg_end_m(progress_.point().piece));
+  back_to_m_ = route_.path.leg_end_m(progress_.point().piece);
+  const RoomTurning* next = turning_beyond(route_.room->turnings, back_to_m_);
+  backs_to_corner_ = params_.corner_backing.by_corner && next != nullptr;
+  if (backs_to_corner_)
+    corner_backing_->begin(class_of_turning(next->number), back_to_m_ - progress_.point().along_m,
+                           T_odom_vehicle_);
+  state_ = State::kBackingBetweenTurnings;
+}
+
+std::optional<bool> RoomNavigator::has_seen_corner() const {
+  if (!backs_to_corner_) return std::nullopt;
+  return corner_backing_->has_seen_corner();
+}
+
+/// No camera looks back: it stays near the way on which it was backed at teaching, and what is known to stand
+/// behind it ends its way back.
+Decision RoomNavigator::back_between_turnings() {
+  constexpr double kAsideMax_m = 0.6;
+  const PathPoint& point = progress_.point();
+  const bool is_on_taught_way = is_on_way_back();
+  const bool keeps_to_taught = !backs_to_corner_ || std::abs(point.aside_m) > kAsideMax_m;
+  const double wish_rad = keeps_to_taught && is_on_taught_way
+                              ? reversing_steering_rad(vehicle_, route_.path, point, pose(), steering_rad_)
+                              : corner_backing_->wished_steering_rad();
+  FreeSteeringParams steering = params_.steering;
+  steering.comfort_m = params_.end_comfort_m;
+  const SteeringChoice way = choose_steering(vehicle_, steering, edges_seen_and_taught(), wish_rad, -1);
+  const bool is_far_enough = (keeps_to_taught && !is_on_taught_way) ||
+                             (backs_to_corner_ && corner_backing_->is_done(T_odom_vehicle_));
+  if (is_far_enough || way.free_m < params_.stop_free_m) {
+    const bool is_by_corner = backs_to_corner_ && corner_backing_->has_seen_corner();
+    progress_ = PathProgress(route_.path, std::max(point.along_m, back_to_m_));
+    state_ = State::kFollowing;
+    return {.state = "backing",
+            .why = is_by_corner ? "sees the corner of the route" : "as far as it was taught"};
+  }
+  return {.command = {.speed_mps = -params_.corner_backing.speed_mps, .steering_rad = way.steering_rad},
+          .state = "backing",
+          .why = backs_to_corner_ ? "until the corner of the route is seen" : "as it was taught"};
+}
+
+}  // namespace aisle
