@@ -59,10 +59,10 @@ class FootProfile {
 
   /// How badly a foot so many steps beneath the line explains the profile.
   double misfit(int steps) const {
-    static const std::array<FootShares, kShadows_rows.size()> kShares = {foot_shares(kShadows_rows[0]),
-                                                                         foot_shares(kShadows_rows[1])};
+    static const std::array<FootShares, kShadows_rows.size()> shares_by_shadow = {
+        foot_shares(kShadows_rows[0]), foot_shares(kShadows_rows[1])};
     double least = std::numeric_limits<double>::infinity();
-    for (const FootShares& shares : kShares) {
+    for (const FootShares& shares : shares_by_shadow) {
       Eigen::Matrix3d normal = kRidge * Eigen::Matrix3d::Identity();
       Levels right = Levels::Zero();
       for (int bin = 0; bin < kProfileBins; ++bin) {
