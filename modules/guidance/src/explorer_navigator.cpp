@@ -15,11 +15,8 @@ namespace {
 constexpr double kStopSpare_m = 0.15;  // the vehicle stops so far before what came into its way
 constexpr double kCoverageEvery_m = 0.5;
 constexpr int kAttemptsMax = 4;
-constexpr double kAfar = 2;       // times as far as else, where it does not get near ...
-constexpr int kFailuresNear = 2;  // ... in so many searches
 constexpr int kHomeAttemptsMax = 4;
 constexpr double kGateMoved_m = 1;
-constexpr double kAboutStand_m = 1.5;   // poses that show a nook are looked for about the nearest one
 constexpr int kNookExpansions = 30000;  // of the search: more is not worth while
 constexpr double kSameSpot_m = 0.2;     // about a place where the vehicle was blocked
 constexpr double kStruckNow_m = 1.5;    // so far from the vehicle ways keep off what is struck now
@@ -60,7 +57,9 @@ ExplorerNavigator::ExplorerNavigator(const ExplorerNavigatorParams& params, cons
       learner_(params.learner, vehicle, std::move(sensor)),
       explorer_(params.explorer, order),
       search_(params.search, vehicle),
-      home_search_(search_),
+      target_search_(search_, learner_,
+                     {params.look_from_m, params.explorer.nooks.reach_m, params.explorer.crossing_near_m},
+                     vehicle.footprint.front_m),
       driver_(vehicle, params.steering, params.speed),
       patience_(params.patience) {}
 
@@ -123,9 +122,9 @@ void ExplorerNavigator::choose() {
   if (gate_moved || !former_ || !is_same(*former_, target)) is_out_of_reach_ = false;
   watch_learning(target);
   target_ = former_ = target;
+  target_search_.see(target.gate);
   if (goes_on && (!gate_moved || target.kind != ExploringTarget::Kind::kPath)) return;
-  attempts_ = 0;
-  failures_ = 0;
+  tries_ = {};
   is_search_due_ = true;
 }
 
@@ -137,11 +136,15 @@ void ExplorerNavigator::begin_search() {
   if (driver_.has_way()) shorten_way(params_.join_m);
   const Path& path = driver_.path();
   const Pose2 T_map_from = path.empty() ? learner_.T_map_vehicle() : path.at(path.length_m()).T_map_path;
-  begin_search_from(T_map_from);
+  target_search_.look_for(*target_, T_map_from, tries_, may_end_at_home(T_map_from));
+  if (target_search_.leads_home() && driver_.has_way()) {
+    search_.stop();
+    is_search_due_ = stands_first_ = true;
+  }
   const double since_blocked_m = (T_map_from.position() - p_map_blocked_).norm();
   if (since_blocked_m < kSameSpot_m) search_.forbid_first(blocked_direction_);
   keep_off_struck();
-  if (failures_ > 0) search_.squeeze();
+  if (tries_.failures > 0) search_.squeeze();
 }
 
 /// What the sensor strikes now stands a little off where the floor's cells show it.
@@ -152,40 +155,10 @@ void ExplorerNavigator::keep_off_struck() {
   });
 }
 
-void ExplorerNavigator::begin_search_from(const Pose2& T_map_from) {
-  switch (target_->kind) {
-    case ExploringTarget::Kind::kPath: {
-      const Gate& gate = target_->gate;
-      return search_.look_for(learner_.floor(), learner_.clearance(), T_map_from,
-                              gate.is_nook ? learner_.floor().centre(gate.stand) : gate.p_map,
-                              gate.is_nook ? kAboutStand_m : look_from_m() + vehicle_.footprint.front_m,
-                              [this](const Pose2& T_map) { return shows_path(T_map); });
-    }
-    case ExploringTarget::Kind::kCrossing: {
-      const Vec2 p_map_back = target_->T_map_back.position();
-      const double near_m = params_.explorer.crossing_near_m / 2;
-      return search_.look_for(
-          learner_.floor(), learner_.clearance(), T_map_from, p_map_back, 0,
-          [=](const Pose2& T_map) { return (T_map.position() - p_map_back).norm() < near_m; });
-    }
-    case ExploringTarget::Kind::kHome:
-      return begin_search_home(T_map_from);
-  }
-}
-
-/// Exactly home, from where the vehicle comes to stand; where no such way is found, near home first, and on
-/// from there.
-void ExplorerNavigator::begin_search_home(const Pose2& T_map_from) {
+/// Where no way that ends exactly there is found, near home first, and on from there.
+bool ExplorerNavigator::may_end_at_home(const Pose2& T_map_from) const {
   const bool was_blocked_here = (T_map_from.position() - p_map_blocked_).norm() < kSameSpot_m;
-  const bool is_exact = attempts_ % 2 == 0 && (attempts_ > 0 || !was_blocked_here);
-  if (!is_exact) {
-    return home_search_.look_for_near(learner_.floor(), learner_.clearance(), learner_.T_map_home(),
-                                      T_map_from);
-  }
-  home_search_.look_for(learner_.floor(), learner_.clearance(), learner_.T_map_home(), T_map_from);
-  if (search_.is_stage() || !driver_.has_way()) return;
-  search_.stop();
-  is_search_due_ = stands_first_ = true;
+  return tries_.ways % 2 == 0 && (tries_.ways > 0 || !was_blocked_here);
 }
 
 /// Before a stage ends, the way on from it is searched.
@@ -196,25 +169,6 @@ void ExplorerNavigator::search_on() {
   is_search_due_ = true;
 }
 
-/// Nearer where the vehicle saw nothing, farther where it does not get so near.
-double ExplorerNavigator::look_from_m() const {
-  if (target_->gate.is_nook) return params_.explorer.nooks.reach_m;
-  if (looks_from_afar()) return kAfar * params_.look_from_m;
-  return attempts_ < 2 ? params_.look_from_m : params_.look_from_m / 2;
-}
-
-/// Where it does not get near, not even where it squeezes through.
-bool ExplorerNavigator::looks_from_afar() const {
-  return failures_ >= kFailuresNear;
-}
-
-/// Whether enough of what is to be seen of the path would be seen from there.
-bool ExplorerNavigator::shows_path(const Pose2& T_map_vehicle) const {
-  const GateLook look{learner_.sensor().fan(), learner_.view().near_m, look_from_m()};
-  const std::size_t enough = attempts_ == 0 ? (target_->gate.rim.size() + 3) / 4 : 1;
-  return sees_rim(look, learner_.floor(), T_map_vehicle, target_->gate, enough);
-}
-
 void ExplorerNavigator::search_way() {
   if (!target_ || is_retreating_) return;
   search_on();
@@ -222,7 +176,7 @@ void ExplorerNavigator::search_way() {
   if (search_.state() == CarSearch::State::kIdle && !driver_.has_way() && !is_search_due_) {
     if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
     const int attempts_max = target_->gate.is_nook ? 0 : kAttemptsMax;
-    const bool is_over = !is_wedged_ && ++attempts_ > attempts_max && !was_worth_it();
+    const bool is_over = !is_wedged_ && ++tries_.ways > attempts_max && !was_worth_it();
     if (is_over && target_->kind == ExploringTarget::Kind::kPath) return leave_path();
     begin_search();
   }
@@ -246,11 +200,11 @@ void ExplorerNavigator::find_no_way() {
   if (!is_wedged_) hitch();
   if (std::exchange(blocked_direction_, 0) != 0) return;
   const bool shut_in = is_shut_in();
-  if (is_wedged_) failures_ = std::max(failures_, 1);
-  if ((shut_in && failures_ > 0 && retreat()) || is_wedged_) return;
+  if (is_wedged_) tries_.failures = std::max(tries_.failures, 1);
+  if ((shut_in && tries_.failures > 0 && retreat()) || is_wedged_) return;
   is_out_of_reach_ = is_out_of_reach_ || (search_.has_tried_all() && !shut_in);
-  const bool is_last_try = target_->gate.is_nook || looks_from_afar();
-  ++failures_;
+  const bool is_last_try = target_->gate.is_nook || tries_.look_from_afar();
+  ++tries_.failures;
   if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
   leave_path();
 }
@@ -339,10 +293,9 @@ Decision ExplorerNavigator::wait_for_floor() {
 
 void ExplorerNavigator::take_way() {
   is_wedged_ = false;
-  const bool goes_home = target_->kind == ExploringTarget::Kind::kHome;
-  const Path found = goes_home ? home_search_.path() : search_.path();
+  const Path found = target_search_.path();
   is_stage_ = search_.is_stage();
-  ends_at_home_ = goes_home && home_search_.leads_home();
+  ends_at_home_ = target_search_.leads_home();
   search_.stop();
   if (found.empty()) return arrive();
   driver_.take(found);
@@ -354,7 +307,7 @@ void ExplorerNavigator::arrive() {
   is_retreating_ = false;
   if (target_ && target_->kind == ExploringTarget::Kind::kCrossing) return target_.reset();
   const bool is_there = stands_at_home(learner_.T_map_home(), learner_.T_map_vehicle());
-  if (!ends_at_home_ || !(is_there || attempts_ >= kHomeAttemptsMax)) return;
+  if (!ends_at_home_ || !(is_there || tries_.ways >= kHomeAttemptsMax)) return;
   came_home_ = true;
   explorer_.stop(cycle_);
 }

@@ -7,11 +7,9 @@
 
 #include "aisle/exploration/building_explorer.hpp"
 #include "aisle/guidance/floor_learner.hpp"
-#include "aisle/guidance/gate_view.hpp"
-#include "aisle/guidance/home_search.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/patience.hpp"
-#include "aisle/guidance/staged_search.hpp"
+#include "aisle/guidance/target_search.hpp"
 #include "aisle/guidance/trail.hpp"
 #include "aisle/guidance/way_driver.hpp"
 
@@ -55,13 +53,9 @@ class ExplorerNavigator final : public Navigator {
   void mark_coverage();
   void choose();
   void begin_search();
-  void begin_search_from(const Pose2& T_map_from);
-  void begin_search_home(const Pose2& T_map_from);
+  bool may_end_at_home(const Pose2& T_map_from) const;
   void keep_off_struck();
   void search_on();
-  double look_from_m() const;
-  bool looks_from_afar() const;
-  bool shows_path(const Pose2& T_map_vehicle) const;
   void search_way();
   bool was_worth_it() const;
   void find_no_way();
@@ -91,7 +85,7 @@ class ExplorerNavigator final : public Navigator {
   FloorLearner learner_;
   BuildingExplorer explorer_;
   StagedSearch search_;
-  HomeSearch home_search_;
+  TargetSearch target_search_;
   WayDriver driver_;
   Patience patience_;
   Trail trail_;
@@ -106,10 +100,9 @@ class ExplorerNavigator final : public Navigator {
   bool stands_first_ = false;     ///< the search that is due begins where the vehicle comes to stand
   bool ends_at_home_ = false;     ///< the way does
   bool is_out_of_reach_ = false;  ///< every pose was tried: none shows the target, unless it squeezes
-  int failures_ = 0;              ///< searches for this target that found no way
+  TargetTries tries_;             ///< for this target
   bool is_retreating_ = false;    ///< its way is the trail back
   bool is_wedged_ = false;        ///< no way leads out of where the vehicle stands
-  int attempts_ = 0;              ///< ways that were driven for this target and did not settle it
   std::size_t arrived_cycle_ = 0;
   std::size_t cycle_ = 0;
   std::optional<double> begun_s_;
