@@ -1,14 +1,22 @@
 #include "driven_legs.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "aisle/core/angle.hpp"
 
 namespace aisle {
 namespace {
 
-/// More turn than this within one step is a turn on the spot.
+/// More turn than this within one step is a turn on the spot, ...
 constexpr double kOnTheSpot_rad = 20 * kDegree;
+/// ... of what was turned about a point so near.
+constexpr double kSpot_m = 0.1;
+
+double turned_on_the_spot_rad(const Pose2& from, const Pose2& to) {
+  const double turn_rad = wrap_angle(to.theta - from.theta);
+  return (to.position() - from.position()).norm() < kSpot_m * std::abs(turn_rad) ? turn_rad : 0;
+}
 
 double direction_of(const Pose2& from, const Pose2& to) {
   return (to.position() - from.position()).dot(unit(from.theta) + unit(to.theta)) < 0 ? -1 : 1;
@@ -20,15 +28,18 @@ std::vector<DrivenLeg> driven_legs(std::span<const Pose2> driven, double step_m)
   std::vector<DrivenLeg> legs;
   Pose2 kept = driven.front();  // where the last step ended
   Vec2 p_map_farthest = kept.position();
+  Pose2 before = kept;
+  double spot_turn_rad = 0;  // since the last step ended
   for (const Pose2& pose : driven) {
+    spot_turn_rad += turned_on_the_spot_rad(std::exchange(before, pose), pose);
     const auto ahead_m = [&](const Vec2& p_map) {
       return (legs.empty() ? 0 : legs.back().direction) * unit(kept.theta).dot(p_map - kept.position());
     };
     if (ahead_m(pose.position()) > ahead_m(p_map_farthest)) p_map_farthest = pose.position();
     if ((pose.position() - kept.position()).norm() < step_m) continue;
 
+    const bool turned = std::abs(std::exchange(spot_turn_rad, 0)) > kOnTheSpot_rad;
     const double turn_rad = wrap_angle(pose.theta - kept.theta);
-    const bool turned = std::abs(turn_rad) > kOnTheSpot_rad;
     const double direction = direction_of(turned ? Pose2{kept.x, kept.y, pose.theta} : kept, pose);
     if (legs.empty()) {
       legs.push_back({direction, {kept}, 0});

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "aisle/core/angle.hpp"
+
 namespace aisle {
 namespace {
 
@@ -123,11 +125,22 @@ void add_bend_limit(NormalEquations& equations, const LoosePath& loose, std::siz
   equations.add(k, too_short_m, slopes, 1);
 }
 
+/// Two lines with a U-turn between would else join as well far beyond it.
+void add_driven_length(NormalEquations& equations, const LoosePath& loose, std::size_t k) {
+  constexpr double kWeight = 1e-3;
+  const LoosePiece& piece = loose.pieces[k];
+  if (piece.kind == Kind::kTurnOnTheSpot) return;
+  Slopes slopes = Slopes::Zero();
+  slopes[3] = 1;
+  equations.add(k, piece.length_m - piece.driven_m, slopes, kWeight);
+}
+
 NormalEquations equations_of(const LoosePath& loose, double radius_min_m, double joint_weight) {
   NormalEquations equations(loose.pieces.size());
   for (std::size_t k = 0; k < loose.pieces.size(); ++k) {
     add_joint(equations, loose, k, joint_weight);
     add_bend_limit(equations, loose, k, radius_min_m);
+    add_driven_length(equations, loose, k);
   }
   for (const Waypoint& waypoint : loose.waypoints) {
     add_waypoint(equations, loose, waypoint);
@@ -196,6 +209,15 @@ void drop_vanished(LoosePath& loose) {
   }
 }
 
+/// A step that turns a piece so far may lay it the other way round, which the waypoints do not tell apart.
+bool whirls(const Eigen::VectorXd& step) {
+  constexpr double kTurnMost_rad = 30 * kDegree;
+  for (Eigen::Index i = 2; i < step.size(); i += kUnknowns) {
+    if (std::abs(step[i]) > kTurnMost_rad) return true;
+  }
+  return false;
+}
+
 /// Steps that lower the sum of squares, by Levenberg's rule: shorter ones after a step that did not.
 void descend(LoosePath& loose, double radius_min_m, double joint_weight) {
   constexpr int kRounds = 30;
@@ -204,11 +226,12 @@ void descend(LoosePath& loose, double radius_min_m, double joint_weight) {
   NormalEquations here = equations_of(loose, radius_min_m, joint_weight);
   double damping = kDampingStart;
   for (int round = 0; round < kRounds && damping < kDampingMost; ++round) {
+    const Eigen::VectorXd step = here.solve(damping);
     LoosePath tried = loose;
-    apply(tried, here.solve(damping));
+    apply(tried, step);
     reassign(tried);
     NormalEquations there = equations_of(tried, radius_min_m, joint_weight);
-    if (!(there.cost() < here.cost())) {
+    if (whirls(step) || !(there.cost() < here.cost())) {
       damping *= kDamp;
       continue;
     }

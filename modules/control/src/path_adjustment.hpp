@@ -16,6 +16,7 @@ struct LoosePiece {
   Pose2 T_map_start;
   double length_m = 0;  ///< > 0, but 0 of a turn on the spot
   double turn_rad = 0;  ///< left positive; 0 of a line
+  double driven_m = 0;  ///< about so long it was driven
 
   Arc arc() const;
   Pose2 end() const;

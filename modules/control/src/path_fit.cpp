@@ -41,7 +41,8 @@ void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<Stretch>&
                             .direction = leg.direction,
                             .T_map_start = leg.samples[stretch.first],
                             .length_m = length_m,
-                            .turn_rad = stretch.curvature_per_m * length_m});
+                            .turn_rad = stretch.curvature_per_m * length_m,
+                            .driven_m = length_m});
     for (std::size_t i = stretch.first; i < stretch.last; ++i) {
       loose.waypoints.push_back({.p_map = leg.samples[i].position(),
                                  .piece = loose.pieces.size() - 1,
@@ -101,6 +102,7 @@ void split(LoosePath& loose, std::size_t k) {
   first.kind = Kind::kArc;
   first.length_m /= 2;
   first.turn_rad /= 2;
+  first.driven_m /= 2;
   LoosePiece second = first;
   second.T_map_start = first.end();
   loose.pieces[k] = first;
