@@ -117,12 +117,12 @@ void split(LoosePath& loose, std::size_t k) {
 
 /// Adjusts, pulls harder where the way strays most, and cuts where pulling does not help.
 /// @param stray_max_m  at the samples
-Path smoothed(LoosePath loose, double stray_max_m, const PathFitParams& params, double step_m) {
+Path smoothed(LoosePath loose, double stray_max_m, double radius_min_m, double step_m) {
   constexpr int kRounds = 24, kPullsBeforeCut = 3;
   constexpr double kPull = 4;
   constexpr double kGapMax = 0.02;  // of the stray: gaps add up where the pieces are laid end to end
   for (int round = 1; round <= kRounds; ++round) {
-    adjust(loose, params.radius_min_m);
+    adjust(loose, radius_min_m);
     std::size_t worst_piece = 0;
     double worst_m = 0;
     for (Waypoint& waypoint : loose.waypoints) {
@@ -184,14 +184,15 @@ Path fit_path(std::span<const Pose2> driven, const PathFitParams& params) {
   double step_m = params.radius_min_m / kStepsPerRadius;
   double price_m3 = kPrice * params.radius_min_m * params.stray_max_m * params.stray_max_m;
   double stray_max_m = kBetweenSamples * params.stray_max_m;
+  double radius_min_m = params.radius_min_m;
   for (int tries = 0; tries < kTries; ++tries) {
     std::vector<DrivenLeg> legs = driven_legs(driven, step_m);
     unwind(legs);
-    Path path =
-        smoothed(loose_path(legs, params.radius_min_m, price_m3, step_m), stray_max_m, params, step_m);
+    Path path = smoothed(loose_path(legs, radius_min_m, price_m3, step_m), stray_max_m, radius_min_m, step_m);
     if (keeps_near(path, driven, params)) return path;
     stray_max_m *= kStricter;
     price_m3 /= kCheaper;
+    radius_min_m /= 2;
     step_m /= 2;
   }
   return from_dot_to_dot(driven);

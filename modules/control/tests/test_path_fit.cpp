@@ -115,8 +115,8 @@ RC_GTEST_PROP(FitPath, AWayDrivenByHandIsGivenBackInFewPieces, (std::uint64_t se
   RC_ASSERT(fault_of_fit(seed) == "");
 }
 
-TEST(FitPath, UTurnsNeitherWhirlNorOvershootNorFallToPieces) {
-  constexpr std::uint64_t kSeeds[] = {544273016908975561, 7640213, 2697, 12608352162, 1638};
+TEST(FitPath, UTurnsAndNarrowBendsDoNotFallToPieces) {
+  constexpr std::uint64_t kSeeds[] = {544273016908975561, 7640213, 2697, 12608352162, 1638, 2161, 2490, 2504};
   for (const std::uint64_t seed : kSeeds) {
     EXPECT_EQ(fault_of_fit(seed), "") << seed;
   }
