@@ -55,6 +55,43 @@ TEST(PlaceDoubt, IsConfirmedElsewhereThoughSomeOfManyLinesFitSomehow) {
     EXPECT_EQ(look_from({10, 0.1, 0}, grainy, seed), Suspicion::kConfirmed) << seed;
 }
 
+/// What a vehicle that stands and believes to be at the origin, between two rows of landmarks, makes of
+/// pictures that show these feet.
+Suspicion look_at(const std::vector<Vec2>& feet) {
+  std::vector<CorridorLine> rows;
+  for (const double y : {1.0, -1.0}) {
+    for (const double x : {1.5, 2.0, 2.5, 3.0}) rows.push_back({.p_map = {x, y}});
+  }
+  const LandmarkMap map = map_of(rows);
+  std::vector<LandmarkSighting> picture;
+  for (const Vec2& foot : feet) picture.push_back(sighting_of(foot, false, kNoise));
+  PlaceDoubt doubt({}, corridor_cart());
+  doubt.start();
+  Suspicion suspicion = Suspicion::kOpen;
+  for (int i = 0; i < 100 && suspicion == Suspicion::kOpen; ++i)
+    suspicion = doubt.look(map, about({}, 0.01, 0.1 * kDegree), picture);
+  return suspicion;
+}
+
+/// Between the rows and beyond them, off every landmark by half a metre and more.
+const std::vector<Vec2> kElsewhere{{2, 0.4}, {2.5, -0.4}, {3, 0}, {3.6, 1.2}, {3.6, -1.2}};
+
+std::vector<Vec2> together(std::vector<Vec2> feet, const std::vector<Vec2>& more) {
+  feet.insert(feet.end(), more.begin(), more.end());
+  return feet;
+}
+
+TEST(PlaceDoubt, WhatIsSeenBesideTheExpectedLandmarksIsNoDoubt) {
+  const std::vector<Vec2> expected{{1.5, 1}, {2, -1}, {2.5, 1}};
+  EXPECT_EQ(look_at(expected), Suspicion::kDispelled);
+  EXPECT_EQ(look_at(together(expected, kElsewhere)), Suspicion::kDispelled);
+}
+
+TEST(PlaceDoubt, ExpectedLandmarksThatAreMissingAreADoubtThoughSomethingFitsAtADisplacement) {
+  const std::vector<Vec2> a_hand_aside{{1.5, 1.08}, {2, -0.92}, {2.5, 1.08}};
+  EXPECT_EQ(look_at(together(a_hand_aside, kElsewhere)), Suspicion::kConfirmed);
+}
+
 TEST(PlaceDoubt, IsDispelledWherePicturesShowNothingThatContradicts) {
   EXPECT_EQ(look_from({24, 0, 0}, kNoise, 1), Suspicion::kDispelled) << "past the last line";
 }

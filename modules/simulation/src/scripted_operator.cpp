@@ -5,7 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "aisle/vehicle/arc.hpp"
+#include "aisle/core/angle.hpp"
+#include "operator_way.hpp"
 
 namespace aisle {
 namespace {
@@ -19,6 +20,7 @@ constexpr double kCreep_mps = 0.05;
 constexpr double kSlowest_mps = 0.02;
 constexpr double kBraking_mps2 = 0.15;
 constexpr double kKeptFree_m = 0.1;
+constexpr double kBackingSpare_m = 0.01;
 constexpr double kTurnsOnTheSpot_rad = 40 * kDegree;
 constexpr double kTurnGain_1_s = 1.5;
 
@@ -30,56 +32,6 @@ double length_of(const std::vector<Vec2>& points) {
   double sum_m = 0;
   for (std::size_t i = 1; i < points.size(); ++i) sum_m += (points[i] - points[i - 1]).norm();
   return sum_m;
-}
-
-/// The route with its corners rounded as a front-steered vehicle drives them: on arcs that are wider than its
-/// narrowest, as far as the straight stretches beside them allow.
-std::vector<Vec2> rounded(const std::vector<Vec2>& points, double radius_m) {
-  constexpr double kArcStep_rad = 10 * kDegree;
-  std::vector<Vec2> smooth = {points.front()};
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const Vec2 in = points[i] - points[i - 1], out = points[i + 1] - points[i];
-    const double turn_rad = wrap_angle(std::atan2(out.y(), out.x()) - std::atan2(in.y(), in.x()));
-    if (std::abs(turn_rad) < kArcStep_rad / 2) {
-      smooth.push_back(points[i]);
-      continue;
-    }
-    const double tangent_m =
-        std::min({radius_m * std::tan(std::abs(turn_rad) / 2), in.norm() / 2, out.norm() / 2});
-    const Pose2 T_world_begin = [&] {
-      const Vec2 p = points[i] - tangent_m * in.normalized();
-      return Pose2{p.x(), p.y(), std::atan2(in.y(), in.x())};
-    }();
-    const double arc_m = tangent_m / std::tan(std::abs(turn_rad) / 2) * std::abs(turn_rad);
-    const int steps = static_cast<int>(std::ceil(std::abs(turn_rad) / kArcStep_rad));
-    for (int k = 0; k <= steps; ++k) {
-      const double share = static_cast<double>(k) / steps;
-      smooth.push_back((T_world_begin * end_pose({share * arc_m, share * turn_rad})).position());
-    }
-  }
-  smooth.push_back(points.back());
-  smooth.erase(std::unique(smooth.begin(), smooth.end()), smooth.end());
-  return smooth;
-}
-
-/// How wide a person turns: somewhat wider than the vehicle can.
-double turning_radius_m(const VehicleDescription& vehicle) {
-  constexpr double kWider = 1.25;
-  return kWider * vehicle.front_steered.wheelbase_m / std::tan(vehicle.limits.steering_max_rad);
-}
-
-/// The points as the vehicle's way.
-std::vector<Vec2> drivable(const std::vector<Vec2>& points, const VehicleDescription& vehicle) {
-  return vehicle.is_differential ? points : rounded(points, turning_radius_m(vehicle));
-}
-
-/// What a person sees as enough room for the vehicle.
-Footprint with_room_to_spare(Footprint footprint) {
-  constexpr double kSpare_m = 0.01;
-  footprint.front_m += kSpare_m;
-  footprint.rear_m += kSpare_m;
-  footprint.width_m += 2 * kSpare_m;
-  return footprint;
 }
 
 /// The pose at a length along a polyline; before and after it, on its straight continuation.
@@ -118,7 +70,8 @@ void ScriptedOperator::add_legs(const World& world) {
   std::vector<Vec2> route = world.tour;
   route.erase(std::unique(route.begin(), route.end()), route.end());
   if (route.size() < 2) throw std::invalid_argument("a route needs two different points");
-  Obstacles obstacles(world, with_room_to_spare(vehicle_.footprint));
+  Obstacles obstacles(world, with_room_to_spare(vehicle_.footprint, kBackingSpare_m));
+  OperatorWay way(world, vehicle_);
   legs_.push_back({.points = {route[0], route[1]}});
   for (std::size_t i = 2; i < route.size(); ++i) {
     const Vec2 corner = route[i - 1];
@@ -127,7 +80,7 @@ void ScriptedOperator::add_legs(const World& world) {
     if (turn_rad > kTurnsBack_rad) {
       legs_.push_back({.points = {corner}, .in_reverse = !vehicle_.is_differential && !was_in_reverse});
     } else if (was_in_reverse && turn_rad > kBacksRound_rad) {
-      if (const auto place = place_to_back_to(legs_.back(), route[i], obstacles)) {
+      if (const auto place = place_to_back_to(legs_.back(), route[i], way, obstacles)) {
         legs_.back().points.push_back(*place);
         legs_.push_back({.points = {*place}});
       }
@@ -135,7 +88,7 @@ void ScriptedOperator::add_legs(const World& world) {
     legs_.back().points.push_back(route[i]);
   }
   for (Leg& leg : legs_) {
-    leg.points = drivable(leg.points, vehicle_);
+    leg.points = way.drivable(leg.points, leg.in_reverse);
     leg.length_m = length_of(leg.points);
   }
 }
@@ -143,12 +96,12 @@ void ScriptedOperator::add_legs(const World& world) {
 /// Beyond the corner at the leg's end as seen from `next`: who has backed there goes forwards to `next`.
 /// @return nullopt if there is no room
 std::optional<Vec2> ScriptedOperator::place_to_back_to(const Leg& leg, const Vec2& next,
-                                                       Obstacles& obstacles) const {
+                                                       OperatorWay& to_drive, Obstacles& obstacles) const {
   constexpr double kStep_m = 0.1;
   const Vec2 corner = leg.points.back();
   const double beyond_m = 2 * turning_radius_m(vehicle_);
   const Vec2 place = corner - beyond_m * (next - corner).normalized();
-  const std::vector<Vec2> way = drivable({leg.points.end()[-2], corner, place}, vehicle_);
+  const std::vector<Vec2> way = to_drive.drivable({leg.points.end()[-2], corner, place}, true);
   const double way_m = length_of(way);
   for (int step = 0; step * kStep_m < way_m; ++step) {
     Pose2 T_world_vehicle = pose_along(way, step * kStep_m);

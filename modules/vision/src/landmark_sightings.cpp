@@ -22,6 +22,7 @@ constexpr double kCornerGap_m = 0.02;   // between an edge's end and the corner 
 constexpr double kCornerGapPerDistance = 0.04;
 constexpr double kSameCorner_m = 0.15;
 constexpr double kProudSigmas = 2.5;
+constexpr double kFarEdge_m = 7;  // edges of the floor farther away may be of what hangs on a nearer wall
 constexpr double kFadedBeneath = 0.6;  // share of its contrast that a line loses at the floor to end there
 
 CameraMount tilted(CameraMount mount, double by_rad) {
@@ -148,6 +149,7 @@ void LandmarkDetector::meet_edges(const VerticalLine& line) {
   const Vec2 direction = (*top + *bottom).normalized();
   const Vec2 across = left_normal(direction);
   for (const FloorEdge& edge : *floor_edges_) {
+    if (may_hang(edge)) continue;
     const Vec2 start = edge.on_floor.segment.start - origin, end = edge.on_floor.segment.end - origin;
     const double from = across.dot(start), to = across.dot(end);
     const double slack = std::sin(kBeyondEnd_rad);
@@ -162,6 +164,20 @@ void LandmarkDetector::meet_edges(const VerticalLine& line) {
   }
   std::sort(meetings_.begin(), meetings_.end(),
             [](const Meeting& a, const Meeting& b) { return a.distance_m < b.distance_m; });
+}
+
+/// The lower edge of a poster on a wall whose foot is not seen looks like an edge of the floor far away:
+/// lines end at both its ends.
+bool LandmarkDetector::may_hang(const FloorEdge& edge) const {
+  const auto is_end_of_a_line = [&](const Vec2& p_vehicle) {
+    const auto pixel_px = camera_.project(mount_.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
+    return pixel_px && std::any_of(lines_.begin(), lines_.end(), [&](const VerticalLine& line) {
+             return (line.bottom_px - *pixel_px).norm() < 2 * params_.foot_px;
+           });
+  };
+  const Segment2& segment = edge.on_floor.segment;
+  return std::min(segment.start.norm(), segment.end.norm()) > kFarEdge_m && is_end_of_a_line(segment.start) &&
+         is_end_of_a_line(segment.end);
 }
 
 std::optional<LandmarkDetector::Meeting> LandmarkDetector::foot_of(const Image& grey,

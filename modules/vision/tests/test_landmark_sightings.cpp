@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <Eigen/LU>
 #include <cmath>
+#include <utility>
 
 #include "aisle/vision/landmark_sightings.hpp"
 #include "drawn_room.hpp"
@@ -86,6 +88,19 @@ TEST(LandmarkSightings, ACornerOfTheFloorIsOneIfAskedFor) {
       drawn_mount().p_vehicle_camera.head<2>() + 2.5 * unit(0.2) - 0.8 * left_normal(unit(0.2));
   EXPECT_LT((sightings[0].p_vehicle - corner).norm(), 0.02);
   EXPECT_THAT(sightings_of(room), IsEmpty());
+}
+
+TEST(LandmarkSightings, ADoorAcrossAHallTellsItsBearing) {
+  DrawnRoom room{.walls = {wall_ahead(10, 0.1)}, .panels = {{.from_m = 19.2, .to_m = 20.3, .top_m = 2.1}}};
+  const auto sightings = sightings_of(room);
+  ASSERT_THAT(sightings, SizeIs(2));
+  const Vec2 p_camera = drawn_mount().p_vehicle_camera.head<2>();
+  for (const auto& [sighting, side_m] : {std::pair{sightings[0], 20.3}, std::pair{sightings[1], 19.2}}) {
+    const Vec2 sight = (on_wall(room, side_m) - p_camera).normalized();
+    EXPECT_NEAR(left_normal(sight).dot((sighting.p_vehicle - p_camera).normalized()), 0, 0.2 * kDegree);
+    const Vec2 off = sighting.p_vehicle - on_wall(room, side_m);
+    EXPECT_LT(off.dot(sighting.covariance.inverse() * off), 9) << off.transpose();
+  }
 }
 
 TEST(LandmarkSightings, AreUncertainAlongTheLineOfSight) {

@@ -14,6 +14,8 @@
 
 namespace aisle {
 
+class OperatorWay;
+
 /// How a person drives who knows where to go.
 struct ScriptedOperatorParams {
   double speed_mps = 0.3;
@@ -53,7 +55,8 @@ class ScriptedOperator final : public Operator {
   };
 
   void add_legs(const World& world);
-  std::optional<Vec2> place_to_back_to(const Leg& leg, const Vec2& next, Obstacles& obstacles) const;
+  std::optional<Vec2> place_to_back_to(const Leg& leg, const Vec2& next, OperatorWay& way,
+                                       Obstacles& obstacles) const;
   void wander(double time_s);
   OperatorView seen_a_moment_ago(const OperatorView& view);
   void follow(const Vec2& p_world);

@@ -18,7 +18,7 @@ struct LandmarkSightingParams {
   BackProjectionNoise noise;
   double relief_m = 0.02;
   double edge_m = 0.01;
-  double distance_max_m = 7;
+  double distance_max_m = 12;
   double leaning_max_rad = 2 * kDegree;
   double board_height_m = 0.16;
   double foot_px = 4;
@@ -70,6 +70,7 @@ class LandmarkDetector {
   bool is_upright(const VerticalLine& line) const;
   std::optional<Vec2> azimuth(const Vec2& pixel_px) const;
   void meet_edges(const VerticalLine& line);
+  bool may_hang(const FloorEdge& edge) const;
   std::optional<LandmarkSighting> sighting_at(const Meeting& foot) const;
   std::optional<Meeting> foot_of(const Image& grey, const VerticalLine& line) const;
   std::optional<Meeting> standing_foot(const Image& grey, const VerticalLine& line) const;
