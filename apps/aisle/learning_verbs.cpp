@@ -28,6 +28,9 @@ void add_teach_verb(CLI::App& app, Work& work) {
   add_seed(*verb, options->drive.seed, "of all noise; the same seed gives the same session (default 1)");
   verb->add_option("--out", options->drive.out, "directory for the session");
   verb->add_flag("--force", options->drive.force, "replace a session that is there already");
+  add_choice<bool>(*verb, "--views", options->shows_view_pattern, {{"trail", false}, {"pattern", true}},
+                   "of a taught place (route): from the way to it (default), or from the 63 places about it, "
+                   "which a scripted person drives");
   add_hand_options(*verb, *hands);
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->drive.parameters, drive_parameters, work, [=, &app, &work] {

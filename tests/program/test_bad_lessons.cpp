@@ -68,6 +68,14 @@ TEST_F(BadLessons, NamesThatNoRouteCanHaveAreRefusedBeforeTheDrive) {
   }
 }
 
+TEST_F(BadLessons, ThePatternOfViewsIsDrivenAboutTaughtPlacesOnly) {
+  EXPECT_THAT(run_aisle({"teach", "laboratory", "--views", "pattern", "--out", at("out"), "--json"}),
+              IsRefused("--views: the pattern belongs to the method route"));
+  EXPECT_THAT(run_aisle({"teach", "laboratory", "--method", "route", "--route", "dead end", "--operator",
+                         "scripted", "--views", "pattern", "--out", at("out"), "--json"}),
+              IsRefused("--views: the pattern is driven by a scripted person"));
+}
+
 TEST_F(BadLessons, UnknownMethodsAreRefused) {
   const char* what = "'owls' is unknown; there are: landmarks, sections, route";
   EXPECT_THAT(run_aisle({"teach", "l-corridor", "--method", "owls", "--out", at("out"), "--json"}),

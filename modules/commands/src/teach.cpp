@@ -25,14 +25,17 @@ Problems take_route(const TeachOptions& options, const VehicleDescription& vehic
   if (!world) return world.problems();
   const TaughtWay* way = route_of(*world, options.route);
   if (way != nullptr) drive.T_world_start = start_of(*way);
+  if (options.shows_view_pattern && (drive.keys || way == nullptr || way->parking != ParkingStrategy::kView))
+    return {{{"", 0, "--views"}, "the pattern is driven by a scripted person, about a taught place"}};
   if (drive.keys) return {};
   if (way == nullptr)
     return {{{file.string(), 0, "routes"},
              fmt::format("none is '{}', which a scripted person could drive", options.route)}};
-  drive.keys = [world = *world, way = *way, seed = drive.seed](
+  const ShownViews views = options.shows_view_pattern ? ShownViews::kPattern : ShownViews::kTrail;
+  drive.keys = [world = *world, way = *way, seed = drive.seed, views](
                    const VehicleDescription& driven, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
     return std::unique_ptr<Operator>(
-        std::make_unique<RouteGuide>(world, way, driven, ScriptedOperatorParams{}, seed));
+        std::make_unique<RouteGuide>(world, way, driven, ScriptedOperatorParams{}, seed, views));
   };
   return {};
 }
@@ -43,6 +46,8 @@ Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
   if (Problems problems = check_method(options.method); !problems.empty()) return problems;
   if (Problems problems = check_route_name({"", 0, "--route"}, options.route); !problems.empty())
     return problems;
+  if (options.shows_view_pattern && options.method != "route")
+    return Problem{{"", 0, "--views"}, "the pattern belongs to the method route"};
   DriveOptions drive = options.drive;
   drive.vehicle = vehicle_or_usual(drive.vehicle, options.method);
   const auto vehicle = read_vehicle(shipped_or_own("vehicles", drive.vehicle));

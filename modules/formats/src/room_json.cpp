@@ -63,7 +63,7 @@ RoomTurning read_turning(const JsonValue& value) {
 StopView read_view(const JsonValue& value) {
   StopView view;
   if (!value.is_object_of({"left_m", "at"})) return view;
-  if (const auto left = value.require("left_m")) left->read_number(view.left_m, 0, kWayMax_m);
+  if (const auto left = value.require("left_m")) left->read_number(view.left_m, -kWayMax_m, kWayMax_m);
   const auto at = value.require("at");
   if (!at || !at->is_list_of(view.brightness.size())) return view;
   for (std::size_t i = 0; i < view.brightness.size(); ++i)

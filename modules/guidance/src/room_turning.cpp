@@ -1,10 +1,11 @@
 /// How RoomNavigator backs between two turnings that are too close for the vehicle (L96 section 3.3).
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 #include "aisle/control/reversing.hpp"
 #include "aisle/guidance/room_navigator.hpp"
+#include "aisle/guidance/route_floor.hpp"
 
 namespace aisle {
 namespace {
@@ -43,6 +44,7 @@ void RoomNavigator::begin_way_back() {
   if (backs_to_corner_)
     corner_backing_->begin(class_of_turning(next->number), back_to_m_ - progress_.point().along_m,
                            T_odom_vehicle_);
+  learn_floor_behind();
   state_ = State::kBackingBetweenTurnings;
 }
 
@@ -51,24 +53,34 @@ std::optional<bool> RoomNavigator::has_seen_corner() const {
   return corner_backing_->has_seen_corner();
 }
 
-/// No camera looks back: it stays near the way on which it was backed at teaching, and what is known to stand
-/// behind it ends its way back.
-Decision RoomNavigator::back_between_turnings() {
-  constexpr double kAsideMax_m = 0.6;
-  const PathPoint& point = progress_.point();
-  const bool is_on_taught_way = is_on_way_back();
-  const bool keeps_to_taught = !backs_to_corner_ || std::abs(point.aside_m) > kAsideMax_m;
-  const double wish_rad = keeps_to_taught && is_on_taught_way
-                              ? reversing_steering_rad(vehicle_, route_.path, point, pose(), steering_rad_)
-                              : corner_backing_->wished_steering_rad();
+/// As it was taught, and where the vehicle stands.
+void RoomNavigator::learn_floor_behind() {
+  constexpr double kAbout_m = 4;
+  FloorGrid floor =
+      route_floor(route_.path, route_.room->edges, vehicle_.footprint, pose().position(), kAbout_m);
+  free_under(vehicle_.footprint, pose(), floor);
+  p_map_limit_ = limit_of_known(floor);
+}
+
+/// No camera looks back: what is known to stand behind it, and floor of which nothing is known, keep it off.
+SteeringChoice RoomNavigator::choose_steering_behind(double wish_rad) const {
+  std::vector<Vec2> around = edges_seen_and_taught();
+  const Pose2 T_vehicle_map = pose().inverse();
+  for (const Vec2& p : p_map_limit_) around.push_back(T_vehicle_map * p);
   FreeSteeringParams steering = params_.steering;
   steering.comfort_m = params_.end_comfort_m;
-  const SteeringChoice way = choose_steering(vehicle_, steering, edges_seen_and_taught(), wish_rad, -1);
-  const bool is_far_enough = (keeps_to_taught && !is_on_taught_way) ||
-                             (backs_to_corner_ && corner_backing_->is_done(T_odom_vehicle_));
+  return choose_steering(vehicle_, steering, around, wish_rad, -1);
+}
+
+Decision RoomNavigator::back_between_turnings() {
+  const double wish_rad = backs_to_corner_ ? corner_backing_->wished_steering_rad()
+                                           : reversing_steering_rad(vehicle_, route_.path, progress_.point(),
+                                                                    pose(), steering_rad_);
+  const SteeringChoice way = choose_steering_behind(wish_rad);
+  const bool is_far_enough = backs_to_corner_ ? corner_backing_->is_done(T_odom_vehicle_) : !is_on_way_back();
   if (is_far_enough || way.free_m < params_.stop_free_m) {
     const bool is_by_corner = backs_to_corner_ && corner_backing_->has_seen_corner();
-    progress_ = PathProgress(route_.path, std::max(point.along_m, back_to_m_));
+    progress_ = PathProgress(route_.path, std::max(progress_.point().along_m, back_to_m_));
     state_ = State::kFollowing;
     return {.state = "backing",
             .why = is_by_corner ? "sees the corner of the route" : "as far as it was taught"};

@@ -43,23 +43,28 @@ void free_before(const Footprint& footprint, const Pose2& T_map_vehicle, FloorGr
   }
 }
 
+/// Cells of which nothing is known, with at least so many free ones about them.
+std::vector<FloorCell> unknown_beside_free(const FloorGrid& floor, int free_min) {
+  std::vector<FloorCell> cells;
+  const FloorBox box = floor.known().widened(1);
+  for (int y = box.low.y; y < box.end.y; ++y) {
+    for (int x = box.low.x; x < box.end.x; ++x) {
+      if (floor.at(FloorCell{x, y}) != Floor::kUnknown) continue;
+      int free = 0;
+      for (int i = 0; i < 9; ++i)
+        free += floor.at(FloorCell{x + i % 3 - 1, y + i / 3 - 1}) == Floor::kFree ? 1 : 0;
+      if (free >= free_min) cells.push_back({x, y});
+    }
+  }
+  return cells;
+}
+
 /// Lines of sight leave gaps between them.
 void close_gaps(FloorGrid& floor) {
   constexpr int kRounds = 3, kFreeNeighboursMin = 4;
-  for (int round = 0; round < kRounds; ++round) {
-    std::vector<FloorCell> gaps;
-    const FloorBox box = floor.known();
-    for (int y = box.low.y; y < box.end.y; ++y) {
-      for (int x = box.low.x; x < box.end.x; ++x) {
-        if (floor.at(FloorCell{x, y}) != Floor::kUnknown) continue;
-        int free = 0;
-        for (int i = 0; i < 9; ++i)
-          free += floor.at(FloorCell{x + i % 3 - 1, y + i / 3 - 1}) == Floor::kFree ? 1 : 0;
-        if (free >= kFreeNeighboursMin) gaps.push_back({x, y});
-      }
-    }
-    for (const FloorCell& cell : gaps) floor.set(cell, Floor::kFree);
-  }
+  for (int round = 0; round < kRounds; ++round)
+    for (const FloorCell& cell : unknown_beside_free(floor, kFreeNeighboursMin))
+      floor.set(cell, Floor::kFree);
 }
 
 }  // namespace
@@ -95,6 +100,12 @@ FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const 
   close_gaps(floor);
   put_edges();
   return floor;
+}
+
+std::vector<Vec2> limit_of_known(const FloorGrid& floor) {
+  std::vector<Vec2> limit;
+  for (const FloorCell& cell : unknown_beside_free(floor, 1)) limit.push_back(floor.centre(cell));
+  return limit;
 }
 
 }  // namespace aisle

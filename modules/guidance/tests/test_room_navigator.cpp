@@ -2,8 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "aisle/geometry/back_projection.hpp"
@@ -22,11 +24,21 @@ VehicleDescription room_cart() {
   vehicle.footprint = {.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6};
   CameraDescription camera;
   camera.name = kFirstCamera;
-  camera.width_px = 256;
-  camera.height_px = 243;
-  camera.intrinsics = {.fx_px = 215, .fy_px = 215, .cx_px = 127.5, .cy_px = 121};
+  camera.width_px = 128;
+  camera.height_px = 122;
+  camera.intrinsics = {.fx_px = 107.5, .fy_px = 107.5, .cx_px = 63.5, .cy_px = 60.5};
   camera.mount = {.p_vehicle_camera = {0.8, 0, 1.25}, .tilt_rad = 38 * kDegree};
   vehicle.cameras = {camera};
+  return vehicle;
+}
+
+VehicleDescription room_cart_with_third_camera() {
+  VehicleDescription vehicle = room_cart();
+  CameraDescription camera = vehicle.cameras.front();
+  camera.name = kThirdCamera;
+  camera.intrinsics.fx_px = camera.intrinsics.fy_px = 87.5;
+  camera.mount = {.p_vehicle_camera = {0.92, 0, 0.45}, .tilt_rad = 32 * kDegree};
+  vehicle.cameras.push_back(camera);
   return vehicle;
 }
 
@@ -40,16 +52,40 @@ Route straight_route() {
           .room = room};
 }
 
+constexpr double kLegIn_m = 6, kLegBack_m = 2.4;
+
+/// Straight in, straight back and in again, where a turning to the right begins.
+/// @param side_m  so far aside edges were seen on both sides; 0: none
+Route route_with_way_back(double side_m) {
+  Route route = straight_route();
+  const Pose2 T_map_in{kLegIn_m, 0, 0}, T_map_back{kLegIn_m - kLegBack_m, 0, 0};
+  route.path = Path({{{}, {kLegIn_m, 0}}, {T_map_in, {-kLegBack_m, 0}}, {T_map_back, {kWayLength_m, 0}}});
+  constexpr int kRight = 5;
+  const double begin_m = kLegIn_m + kLegBack_m;
+  route.room->turnings = {{.number = kRight, .start_m = begin_m, .end_m = begin_m + 1}};
+  constexpr double kSeenFrom_m = 3;
+  for (double x = kSeenFrom_m; side_m > 0 && x < kLegIn_m + kSeenFrom_m; x += 0.05)
+    for (const double side : {-1.0, 1.0})
+      route.room->edges.push_back({x - kSeenFrom_m, Vec2(x, side * side_m)});
+  return route;
+}
+
 /// A bright floor, and a dark wall across the way.
 class DrivenRoom {
  public:
-  explicit DrivenRoom(double wall_m) : wall_m_(wall_m), navigator_({}, vehicle_, straight_route()) {
-    const CameraDescription& camera = vehicle_.cameras.front();
-    const BackProjection floor(CameraModel(camera.intrinsics), camera.mount, 0);
-    for (int v = 0; v < camera.height_px; ++v) {
-      for (int u = 0; u < camera.width_px; ++u) {
-        const auto p = floor.point(Vec2(u, v));
-        p_vehicle_.push_back(p ? *p : Vec2(1e6, 0));
+  explicit DrivenRoom(double wall_m, Route route = straight_route(), double from_m = 0)
+      : wall_m_(wall_m),
+        vehicle_(backs_between_turnings(route) ? room_cart_with_third_camera() : room_cart()),
+        navigator_({}, vehicle_, std::move(route), from_m),
+        T_world_vehicle_(navigator_.pose()) {
+    for (const CameraDescription& camera : vehicle_.cameras) {
+      const BackProjection floor(CameraModel(camera.intrinsics), camera.mount, 0);
+      auto& p_vehicle = p_vehicle_.emplace_back();
+      for (int v = 0; v < camera.height_px; ++v) {
+        for (int u = 0; u < camera.width_px; ++u) {
+          const auto p = floor.point(Vec2(u, v));
+          p_vehicle.push_back(p ? *p : Vec2(1e6, 0));
+        }
       }
     }
   }
@@ -61,7 +97,8 @@ class DrivenRoom {
     const FrontSteeredMotion motion{way_m, decision_.command.steering_rad};
     T_world_vehicle_ = T_world_vehicle_ * drive(vehicle_.front_steered, motion);
     observation.odometry = motion;
-    observation.pictures = {{kFirstCamera, observation.stamp_s, picture(light)}};
+    for (std::size_t i = 0; i < vehicle_.cameras.size(); ++i)
+      observation.pictures.push_back({vehicle_.cameras[i].name, observation.stamp_s, picture(i, light)});
     return decision_ = navigator_.step(observation);
   }
 
@@ -70,11 +107,11 @@ class DrivenRoom {
 
  private:
   /// No two are quite the same, or the camera would be taken for frozen.
-  std::shared_ptr<const Image> picture(double light) const {
-    const CameraDescription& camera = vehicle_.cameras.front();
+  std::shared_ptr<const Image> picture(std::size_t number, double light) const {
+    const CameraDescription& camera = vehicle_.cameras[number];
     auto image = std::make_shared<Image>(camera.width_px, camera.height_px);
-    for (std::size_t i = 0; i < p_vehicle_.size(); ++i) {
-      const bool is_wall = (T_world_vehicle_ * p_vehicle_[i]).x() > wall_m_;
+    for (std::size_t i = 0; i < p_vehicle_[number].size(); ++i) {
+      const bool is_wall = (T_world_vehicle_ * p_vehicle_[number][i]).x() > wall_m_;
       image->bytes[i] = static_cast<std::uint8_t>(light * (is_wall ? kWallGrey : kFloorGrey));
     }
     image->bytes.front() = static_cast<std::uint8_t>(cycles_ % 2);
@@ -82,9 +119,9 @@ class DrivenRoom {
   }
 
   double wall_m_;
-  VehicleDescription vehicle_ = room_cart();
+  VehicleDescription vehicle_;
   RoomNavigator navigator_;
-  std::vector<Vec2> p_vehicle_;  ///< that each pixel sees
+  std::vector<std::vector<Vec2>> p_vehicle_;  ///< that each pixel of each camera sees
   Pose2 T_world_vehicle_;
   Decision decision_;
   int cycles_ = 0;
@@ -116,6 +153,33 @@ TEST(RoomNavigator, SaysThatNothingHasConfirmedItsPlace) {
   EXPECT_EQ(decision.status, NavigatorStatus::kDone);
   EXPECT_THAT(decision.why, HasSubstr("not confirmed"));
   EXPECT_FALSE(room.navigator().has_confirmed_place());
+}
+
+/// What the footprint's rear corners pass over while the vehicle backs between turnings.
+struct WayBack {
+  double aside_m = 0;
+  double back_m = 0;
+};
+
+WayBack way_back_between_turnings(double side_m) {
+  DrivenRoom room(20, route_with_way_back(side_m), kLegIn_m);
+  WayBack way;
+  for (int i = 0; i < 400; ++i) {
+    if (room.step().state != "backing" && way.back_m > 0) return way;
+    for (const double y : {-0.3, 0.3})
+      way.aside_m = std::max(way.aside_m, std::abs((room.T_world_vehicle() * Vec2(-0.25, y)).y()));
+    way.back_m = kLegIn_m - room.T_world_vehicle().x;
+  }
+  return {};
+}
+
+TEST(RoomNavigator, BacksBetweenTurningsOnKnownFloorOnly) {
+  const WayBack narrow = way_back_between_turnings(0);
+  EXPECT_GT(narrow.back_m, 1);
+  EXPECT_LT(narrow.aside_m, 0.7) << "at teaching, the floor was in view so far aside";
+  const WayBack wide = way_back_between_turnings(1.5);
+  EXPECT_GT(wide.back_m, kLegBack_m);
+  EXPECT_GT(wide.aside_m, 1);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "aisle/guidance/route_floor.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <vector>
 
@@ -32,6 +32,15 @@ TEST(RouteFloor, TellsNothingOfWhatLiesBehindEdgesOrWasNotSeen) {
 
 TEST(RouteFloor, EndsFarFromThePlace) {
   EXPECT_EQ(floor_beside_wall(1).at(Vec2(1, 0)), Floor::kUnknown);
+}
+
+TEST(RouteFloor, EndsAtCellsOfWhichNothingIsKnown) {
+  FloorGrid floor(1);
+  floor.set(FloorCell{0, 0}, Floor::kFree);
+  for (int x = -1; x <= 1; ++x) floor.set(FloorCell{x, 1}, Floor::kOccupied);
+  EXPECT_THAT(limit_of_known(floor),
+              testing::UnorderedElementsAre(Vec2(-0.5, 0.5), Vec2(1.5, 0.5), Vec2(-0.5, -0.5),
+                                            Vec2(0.5, -0.5), Vec2(1.5, -0.5)));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "aisle/core/median.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 #include "lasting_edges.hpp"
+#include "pattern_views.hpp"
 
 namespace aisle {
 
@@ -84,14 +85,14 @@ class MarkReader {
 };
 
 /// The frame's size as the pictures from a good distance show it.
-std::optional<Vec2> frame_size(std::span<const RoomCycle> cycles, const LearnedRoute& learned,
+std::optional<Vec2> frame_size(std::span<const RoomCycle> cycles, std::span<const Pose2> T_route_vehicle,
                                const RoomLearningParams& params) {
   constexpr std::size_t kPicturesMin = 2, kPicturesMax = 9;
-  const Pose2& T_route_end = learned.T_route_vehicle.back();
+  const Pose2& T_route_end = T_route_vehicle.back();
   std::vector<double> along_m, across_m;
   std::size_t looked_at = 0;
   for (std::size_t i = 0; i < cycles.size() && looked_at < kPicturesMax; i += 1) {
-    const Pose2 T_vehicle_end = between(learned.T_route_vehicle[i], T_route_end);
+    const Pose2 T_vehicle_end = between(T_route_vehicle[i], T_route_end);
     const double left_m = T_vehicle_end.position().norm();
     if (left_m < params.frame_from_m || left_m > params.frame_to_m || cycles[i].p_vehicle_painted.empty())
       continue;
@@ -105,15 +106,42 @@ std::optional<Vec2> frame_size(std::span<const RoomCycle> cycles, const LearnedR
   return Vec2(median(std::move(along_m)), median(std::move(across_m)));
 }
 
-std::vector<StopView> views_before_end(std::span<const RoomCycle> cycles, const LearnedRoute& learned,
-                                       double reach_m) {
+std::vector<StopView> views_before_end(std::span<const RoomCycle> cycles,
+                                       std::span<const Pose2> T_route_vehicle, double reach_m) {
   std::vector<StopView> views;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
-    const double left_m =
-        between(learned.T_route_vehicle[i], learned.T_route_vehicle.back()).position().norm();
+    const double left_m = between(T_route_vehicle[i], T_route_vehicle.back()).position().norm();
     if (cycles[i].view && left_m <= reach_m) views.push_back({left_m, *cycles[i].view});
   }
   return views;
+}
+
+bool ends_way(const RoomCycle& cycle) {
+  return std::any_of(cycle.marks.begin(), cycle.marks.end(),
+                     [](const Mark& mark) { return mark.kind == Mark::Kind::kStop; });
+}
+
+/// Up to where the person said that it ends.
+std::size_t cycles_of_way(std::span<const RoomCycle> cycles) {
+  const auto end = std::find_if(cycles.begin(), cycles.end(), ends_way);
+  return static_cast<std::size_t>(end - cycles.begin()) + (end == cycles.end() ? 0 : 1);
+}
+
+std::vector<Pose2> poses_by_odometry(std::span<const RoomCycle> cycles, const VehicleDescription& vehicle) {
+  std::vector<Pose2> T_route_vehicle;
+  Pose2 T_route_now;
+  for (const RoomCycle& cycle : cycles)
+    T_route_vehicle.push_back(T_route_now = T_route_now * odometry_step(vehicle, cycle.odometry));
+  return T_route_vehicle;
+}
+
+/// From the places of its pattern where those were driven, else from the way to it.
+std::vector<StopView> views_of_place(std::span<const RoomCycle> cycles,
+                                     std::span<const Pose2> T_route_vehicle, std::size_t way,
+                                     const RoomLearningParams& params) {
+  auto views = pattern_views(cycles.subspan(way), T_route_vehicle.subspan(way), T_route_vehicle[way - 1]);
+  if (!views.empty()) return views;
+  return views_before_end(cycles.first(way), T_route_vehicle.first(way), params.views_m);
 }
 
 }  // namespace
@@ -121,17 +149,16 @@ std::vector<StopView> views_before_end(std::span<const RoomCycle> cycles, const 
 Result<LearnedRoute> learn_room_route(std::span<const RoomCycle> cycles, const VehicleDescription& vehicle,
                                       const RoomLearningParams& params) {
   constexpr double kWayMin_m = 0.3;
-  LearnedRoute learned;
+  LearnedRoute learned{.route = {}, .T_route_vehicle = poses_by_odometry(cycles, vehicle)};
+  const std::size_t way = cycles_of_way(cycles);
+  const auto on_way = cycles.first(way);
+  const auto T_route_on_way = std::span<const Pose2>(learned.T_route_vehicle).first(way);
   RoomRoute room;
   MarkReader marks(room);
-  Pose2 T_route_vehicle;
   double along_m = 0;
   std::optional<RouteBrightness> patch;
-  for (const RoomCycle& cycle : cycles) {
-    const Pose2 step = odometry_step(vehicle, cycle.odometry);
-    T_route_vehicle = T_route_vehicle * step;
-    along_m += step.position().norm();
-    learned.T_route_vehicle.push_back(T_route_vehicle);
+  for (const RoomCycle& cycle : on_way) {
+    along_m += odometry_step(vehicle, cycle.odometry).position().norm();
     if (!patch) patch = cycle.patch;
     for (const Mark& mark : cycle.marks) marks.read(mark, along_m);
   }
@@ -141,13 +168,14 @@ Result<LearnedRoute> learn_room_route(std::span<const RoomCycle> cycles, const V
   if (!problems.empty()) return problems;
   room.brightness = *patch;
   if (room.parking == ParkingStrategy::kFrame) {
-    const auto size_m = frame_size(cycles, learned, params);
+    const auto size_m = frame_size(on_way, T_route_on_way, params);
     if (!size_m) return Problem{{}, "shows no parking frame before its end"};
     room.frame_size_m = *size_m;
   }
-  if (room.parking == ParkingStrategy::kView) room.views = views_before_end(cycles, learned, params.views_m);
-  room.edges = lasting_edges(cycles, learned.T_route_vehicle, params);
-  learned.route.path = fit_path(learned.T_route_vehicle, params.path);
+  if (room.parking == ParkingStrategy::kView)
+    room.views = views_of_place(cycles, learned.T_route_vehicle, way, params);
+  room.edges = lasting_edges(on_way, T_route_on_way, params);
+  learned.route.path = fit_path(T_route_on_way, params.path);
   learned.route.room = std::move(room);
   return learned;
 }

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include "aisle/maps/view_pattern.hpp"
+#include "pattern_views.hpp"
+
 namespace aisle {
 namespace {
 
@@ -80,6 +83,50 @@ TEST(RoomLearning, EdgesThatSeveralPicturesShowAreKeptWhereTheyWereSeenLast) {
   EXPECT_NEAR(edges[0].along_m, 0.49, 0.001);
   EXPECT_NEAR(edges[0].p_map.x(), 2.02, 0.02);
   EXPECT_NEAR(edges[0].p_map.y(), 0.51, 1e-6);
+}
+
+/// Straight to a taught place, 1 m back and 1.3 m on, with a view of its own in each cycle.
+std::vector<RoomCycle> drive_about_place() {
+  auto trip = drive(430);
+  trip[199].marks = {{Mark::Kind::kStop, "view"}};
+  for (std::size_t i = 0; i < trip.size(); ++i) {
+    if (i >= 200 && i < 300) trip[i].odometry = FrontSteeredMotion{.distance_m = -0.01};
+    trip[i].view = BrightnessView{0.001 * static_cast<double>(i)};
+  }
+  return trip;
+}
+
+TEST(RoomLearning, TheWayEndsAtTheStopMark) {
+  const auto learned = learn_room_route(drive_about_place(), room_cart(), {});
+  ASSERT_TRUE(learned.ok()) << to_string(learned.problems());
+  EXPECT_NEAR(learned->route.path.length_m(), 1.99, 0.02);
+  EXPECT_THAT(learned->T_route_vehicle, SizeIs(430));
+}
+
+TEST(RoomLearning, AFewViewsOfThePatternDoNotReplaceThoseOfTheWay) {
+  const auto learned = learn_room_route(drive_about_place(), room_cart(), {});
+  ASSERT_TRUE(learned.ok());
+  const std::vector<StopView>& views = learned->route.room->views;
+  EXPECT_THAT(views, SizeIs(testing::Ge(100U))) << "of the last metre of the way";
+  EXPECT_NEAR(views.back().left_m, 0, 1e-9);
+}
+
+TEST(PatternViews, AreThoseFromThePlacesOfThePattern) {
+  std::vector<RoomCycle> cycles;
+  std::vector<Pose2> T_route_vehicle;
+  const Pose2 T_route_place{3, 2, 1};
+  for (const ViewLane& lane : view_pattern()) {
+    for (const double along_m : lane.along_m) {
+      for (const double off_m : {-0.04, 0.01}) {
+        cycles.emplace_back().view = BrightnessView{off_m > 0 ? 1.0 : 0.0};
+        T_route_vehicle.push_back(T_route_place * lane.at(along_m + off_m));
+      }
+    }
+  }
+  const auto views = pattern_views(cycles, T_route_vehicle, T_route_place);
+  ASSERT_THAT(views, SizeIs(63));
+  EXPECT_NEAR(views.front().left_m, 0.59, 1e-9) << "the first is wished 0.6 m before the place";
+  for (const StopView& view : views) EXPECT_EQ(view.brightness.front(), 1) << "the nearest picture";
 }
 
 }  // namespace

@@ -2,15 +2,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/maps/view_pattern.hpp"
+#include "aisle/simulation/obstacles.hpp"
 
 namespace aisle {
 namespace {
 
-World with_tour(World world, const TaughtWay& route) {
+World with_tour(World world, const TaughtWay& route, const std::vector<Vec2>& beyond) {
   world.tour = route.way;
+  world.tour.insert(world.tour.end(), beyond.begin(), beyond.end());
   return world;
+}
+
+/// Where the vehicle turns back that drives the lanes about the way's end: before and beyond each.
+std::vector<Vec2> turns_about_place(const World& world, const TaughtWay& route, Footprint footprint) {
+  constexpr double kRunUp_m = 1, kSpare_m = 0.05, kStep_m = 0.1;
+  footprint.front_m += kSpare_m;
+  footprint.rear_m += kSpare_m;
+  footprint.width_m += 2 * kSpare_m;
+  Obstacles obstacles(world, footprint);
+  const Vec2& p = route.way.back();
+  const Pose2 T_world_place{p.x(), p.y(), heading_of(p - *(route.way.end() - 2))};
+  std::vector<Vec2> turns;
+  for (const ViewLane& lane : view_pattern()) {
+    const double begin_m = lane.along_m.front() - kRunUp_m, end_m = lane.along_m.back();
+    bool is_free = true;
+    for (double way_m = begin_m; way_m < end_m; way_m += kStep_m)
+      is_free = is_free && !obstacles.touch(T_world_place * lane.at(way_m));
+    if (!is_free) continue;
+    turns.push_back(T_world_place * lane.at(begin_m).position());
+    turns.push_back(T_world_place * lane.at(end_m).position());
+  }
+  return turns;
 }
 
 /// Way along a polyline to its point nearest to `p`, of those at most so far along.
@@ -69,8 +95,11 @@ Pose2 start_of(const TaughtWay& route) {
 }
 
 RouteGuide::RouteGuide(const World& world, const TaughtWay& route, const VehicleDescription& vehicle,
-                       const ScriptedOperatorParams& params, std::uint64_t seed)
-    : route_(route), driver_(with_tour(world, route), vehicle, params, seed) {
+                       const ScriptedOperatorParams& params, std::uint64_t seed, ShownViews views)
+    : route_(route),
+      about_place_(views == ShownViews::kPattern ? turns_about_place(world, route, vehicle.footprint)
+                                                 : std::vector<Vec2>()),
+      driver_(with_tour(world, route, about_place_), vehicle, params, seed) {
   for (const TaughtTurning& turning : world.turnings) {
     if (turning.route != route.name) continue;
     const double at_m = along_way_m(route.way, turning.at, 0, length_of_way_m(route.way));
@@ -84,18 +113,20 @@ RouteGuide::RouteGuide(const World& world, const TaughtWay& route, const Vehicle
 
 OperatorInput RouteGuide::look(const OperatorView& view) {
   constexpr double kAhead_m = 0.6, kTurnedBack_m = 0.12;
+  const bool is_at_end = driver_.legs_left() == about_place_.size();
   OperatorInput input = driver_.look(view);
   const double back_m = next_turning_back_m(route_.way, along_m_);
   const double to_m =
       along_m_ < back_m - kTurnedBack_m ? std::min(back_m, along_m_ + kAhead_m) : along_m_ + kAhead_m;
   along_m_ = along_way_m(route_.way, view.T_world_vehicle.position(), along_m_, to_m);
-  while (!marks_.empty() && (marks_.front().along_m <= along_m_ || driver_.has_arrived())) {
+  while (!marks_.empty() && (marks_.front().along_m <= along_m_ || is_at_end)) {
     input.marks.insert(input.marks.begin(), marks_.front().mark);
     marks_.erase(marks_.begin());
   }
-  for (Mark& mark : input.marks) {
-    if (mark.kind == Mark::Kind::kStop) mark.label = std::string(parking_word(route_.parking));
-  }
+  std::erase_if(input.marks, [](const Mark& mark) { return mark.kind == Mark::Kind::kStop; });
+  if (is_at_end && !std::exchange(has_shown_way_, true))
+    input.marks.push_back({Mark::Kind::kStop, std::string(parking_word(route_.parking))});
+  input.gives_up = input.gives_up && !has_shown_way_;
   return input;
 }
 

@@ -2,7 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
 #include "aisle/guidance/hand_driver.hpp"
+#include "aisle/maps/view_pattern.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 
 namespace aisle {
@@ -21,22 +26,25 @@ World open_floor() {
 struct GuidedDrive {
   std::vector<Mark> marks;
   std::vector<Vec2> places;
+  std::vector<Pose2> T_world_forwards;  ///< where it drove forwards after its last mark
 };
 
-GuidedDrive driven_with_marks(const World& world) {
+GuidedDrive driven_with_marks(const World& world, ShownViews views = ShownViews::kTrail) {
   const VehicleModel model;
-  RouteGuide person(world, world.routes.front(), model.description, {}, 1);
+  RouteGuide person(world, world.routes.front(), model.description, {}, 1, views);
   SimulatedVehicle vehicle(
       world, model, {}, {.T_world_start = start_of(world.routes.front()), .takes_pictures = false}, &person);
   HandDriver driver({});
   GuidedDrive drive;
-  for (int cycle = 0; cycle < 1000; ++cycle) {
+  for (int cycle = 0; cycle < 10'000; ++cycle) {
     const auto observation = vehicle.sense();
     if (!observation) break;
     for (const Mark& mark : observation->operator_input.marks) {
       drive.marks.push_back(mark);
       drive.places.push_back(vehicle.truth().T_world_vehicle.position());
+      drive.T_world_forwards.clear();
     }
+    if (vehicle.truth().speed_mps > 0) drive.T_world_forwards.push_back(vehicle.truth().T_world_vehicle);
     const Decision decision = driver.step(*observation);
     if (decision.status != NavigatorStatus::kGoing) break;
     vehicle.act(decision.command);
@@ -46,7 +54,7 @@ GuidedDrive driven_with_marks(const World& world) {
 }
 
 TEST(RouteGuide, SaysWhereTurningsBeginAndEndAndHowToPark) {
-  const auto [marks, places] = driven_with_marks(open_floor());
+  const auto [marks, places, T_world_forwards] = driven_with_marks(open_floor());
   EXPECT_THAT(marks,
               testing::ElementsAre(Mark{Mark::Kind::kTurningBegins, "1"}, Mark{Mark::Kind::kTurningEnds, "1"},
                                    Mark{Mark::Kind::kStop, "dead-end"}));
@@ -67,6 +75,43 @@ TEST(RouteGuide, BetweenCloseTurningsItBacksAfterTheEndOfTheFirst) {
   EXPECT_NEAR(driven.places[1].x(), 4, 0.3);
   EXPECT_EQ(driven.marks[2], (Mark{Mark::Kind::kTurningBegins, "7"}));
   EXPECT_NEAR(driven.places[2].x(), 1, 0.3);
+}
+
+/// How far from a pose the nearest of those that were driven is, if it is turned by at most 3 degrees.
+double nearest_m(const std::vector<Pose2>& driven, const Pose2& T_world_wished) {
+  double least_m = 100;
+  for (const Pose2& T_world_vehicle : driven) {
+    const Pose2 off = between(T_world_wished, T_world_vehicle);
+    if (std::abs(off.theta) < 3 * kDegree) least_m = std::min(least_m, off.position().norm());
+  }
+  return least_m;
+}
+
+TEST(RouteGuide, ShowsViewsFromAboutATaughtPlace) {
+  World world;
+  world.routes = {{.name = "way", .parking = ParkingStrategy::kView, .way = {{0, 0}, {4, 0}}}};
+  const GuidedDrive driven = driven_with_marks(world, ShownViews::kPattern);
+  ASSERT_EQ(driven.marks, std::vector(1, Mark{Mark::Kind::kStop, "view"})) << "the way ends before them";
+  const Pose2 T_world_place{driven.places.front().x(), driven.places.front().y(), 0};
+  int passed = 0;
+  for (const ViewLane& lane : view_pattern())
+    for (const double along_m : lane.along_m)
+      passed += nearest_m(driven.T_world_forwards, T_world_place * lane.at(along_m)) < 0.06 ? 1 : 0;
+  EXPECT_GE(passed, 50) << "of 63; hands are not exact";
+}
+
+TEST(RouteGuide, LeavesOutLanesWithoutRoom) {
+  World world;
+  world.routes = {{.name = "way", .parking = ParkingStrategy::kView, .way = {{0, 0}, {4, 0}}}};
+  world.furniture = {{.centre = {3, -0.6}, .size = {4, 0.3}, .height_m = 1}};  // 15 cm beside the vehicle
+  const GuidedDrive driven = driven_with_marks(world, ShownViews::kPattern);
+  double right_m = 0, left_m = 0;
+  for (const Pose2& T_world_vehicle : driven.T_world_forwards) {
+    right_m = std::max(right_m, -T_world_vehicle.y);
+    left_m = std::max(left_m, T_world_vehicle.y);
+  }
+  EXPECT_LT(right_m, 0.15);
+  EXPECT_GT(left_m, 0.15);
 }
 
 TEST(RouteGuide, RoutesAreFoundByName) {

@@ -29,6 +29,7 @@ Outcome room_lesson_outcome(const RoomLesson& lesson) {
   outcome.text =
       fmt::format("route {}: {:.1f} m, {} turnings, route of grey level {:.0f}; parks: {}\n", route.name,
                   route.path.length_m(), room.turnings.size(), room.brightness.grey, parking);
+  if (room.parking == ParkingStrategy::kView) outcome.figures["views"] = room.views.size();
   if (room.parking != ParkingStrategy::kFrame) return outcome;
   outcome.figures["frame_size_m"] = {rounded(room.frame_size_m.x(), 3), rounded(room.frame_size_m.y(), 3)};
   outcome.text +=

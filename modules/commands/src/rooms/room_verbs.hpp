@@ -26,12 +26,14 @@ struct RoomChange {
 
 struct RoomTrialParams {
   RoomLessonParams lesson;
+  bool view_pattern = false;
   RoomNavigatorParams navigator;
   RoomChange change;
   RoomChange park_change{.furniture_m = 0, .light_share = 0};
 
   void describe(FieldList& fields) {
     fields.group("lesson", lesson);
+    fields.flag("view_pattern", view_pattern, "the person shows the 63 views about a taught place");
     fields.group("navigator", navigator);
     fields.group("change", change);
     fields.group("park_change", park_change);

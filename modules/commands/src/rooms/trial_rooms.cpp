@@ -53,19 +53,21 @@ struct TaughtRoute {
 };
 
 Result<TaughtRoute> teach_route(const SimulationSetting& setting, const TaughtWay& way,
-                                const RoomLessonParams& params, std::uint64_t seed, Progress& progress) {
+                                const RoomTrialParams& params, std::uint64_t seed, Progress& progress) {
   SimulationSetting taught = setting;
   keep_cameras(taught.vehicle.description, {kFirstCamera});
-  RouteGuide person(taught.world, way, taught.vehicle.description, {}, seed);
+  const bool shows_pattern = params.view_pattern && way.parking == ParkingStrategy::kView;
+  RouteGuide person(taught.world, way, taught.vehicle.description, {}, seed,
+                    shows_pattern ? ShownViews::kPattern : ShownViews::kTrail);
   SimulatedVehicle vehicle(taught.world, taught.vehicle, {}, {.seed = seed, .T_world_start = start_of(way)},
                            &person);
   HandDriver driver({});
-  RoomLessonRecord record(params, vehicle);
+  RoomLessonRecord record(params.lesson, vehicle);
   const auto end = run_mission(vehicle, driver, record, progress);
   if (!end) return end.problems();
   if (!person.has_arrived())
     return Problem{{setting.world_file.string(), 0, way.name}, "the person did not get through"};
-  auto lesson = learn_room(record.collector.cycles, taught.vehicle.description, way.name, params);
+  auto lesson = learn_room(record.collector.cycles, taught.vehicle.description, way.name, params.lesson);
   if (!lesson) return lesson.problems();
   Route route = std::move(lesson->building.routes.front());
   RouteInWorld place(MapTruth(std::move(lesson->T_route_vehicle), std::move(record.T_world_vehicle)), route);
@@ -153,7 +155,7 @@ class TaughtRoutes {
     const std::string key = setting.world_file.string() + "/" + way.name;
     auto known = taught_.find(key);
     if (known == taught_.end()) {
-      auto route = teach_route(setting, way, params_.lesson, options_.first_seed, progress);
+      auto route = teach_route(setting, way, params_, options_.first_seed, progress);
       if (!route) return route.problems();
       known = taught_.emplace(key, std::move(*route)).first;
     }
@@ -331,7 +333,7 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
   for (const auto& [name, world] : courses) {
     SimulationSetting setting = *vehicle;
     setting.world = world;
-    const auto taught = teach_route(setting, world.routes.front(), params.lesson, options.first_seed, within);
+    const auto taught = teach_route(setting, world.routes.front(), params, options.first_seed, within);
     if (!taught) return taught.problems();
     std::uint64_t good = 0;
     for (std::uint64_t i = 0; i < seeds; ++i) {

@@ -9,7 +9,8 @@ namespace aisle {
 struct TeachOptions {
   DriveOptions drive;  ///< `out` is needed
   std::string method = "landmarks";
-  std::string route = "route";  ///< its name
+  std::string route = "route";      ///< its name
+  bool shows_view_pattern = false;  ///< of a taught place, by a scripted person
 };
 
 /// `aisle teach WORLD`: a person drives a route once, and the session keeps what the method will learn from.

@@ -116,6 +116,8 @@ class RoomNavigator final : public Navigator {
   bool is_on_way_back() const;
   bool has_way_back_next() const;
   void begin_way_back();
+  void learn_floor_behind();
+  SteeringChoice choose_steering_behind(double wish_rad) const;
   Decision back_between_turnings();
   Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
   double wished_steering_rad() const;
@@ -146,6 +148,7 @@ class RoomNavigator final : public Navigator {
   std::unique_ptr<CornerBacking> corner_backing_;  ///< of a route with ways back between turnings
   bool backs_to_corner_ = false;                   ///< else as it was taught
   double back_to_m_ = 0;                           ///< along the route, the end of such a way
+  std::vector<Vec2> p_map_limit_;                  ///< about such a way, of the floor that is known
   StopViewMatcher stop_views_;
   Pose2 T_odom_vehicle_;
   std::optional<RouteSight> sight_;

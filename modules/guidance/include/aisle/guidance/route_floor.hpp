@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "aisle/control/path.hpp"
 #include "aisle/maps/floor_grid.hpp"
@@ -18,5 +19,8 @@ void free_under(const Footprint& footprint, const Pose2& T_floor_vehicle, FloorG
 /// @param p_map_place the floor within `reach_m` of it
 FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const Footprint& footprint,
                       const Vec2& p_map_place, double reach_m);
+
+/// Where what is known of a floor ends: the middles of the cells next to free ones of which nothing is known.
+std::vector<Vec2> limit_of_known(const FloorGrid& floor);
 
 }  // namespace aisle

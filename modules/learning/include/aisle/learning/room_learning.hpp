@@ -43,7 +43,8 @@ struct LearnedRoute {
   std::vector<Pose2> T_route_vehicle;  ///< of each cycle, by odometry
 };
 
-/// The stop mark's label says how to park: frame, dead-end or view.
+/// The stop mark's label says how to park: frame, dead-end or view. What was driven after it shows a taught
+/// place from about it (maps/view_pattern.hpp).
 /// Problems, without a place: no way, no picture, a turning that does not end, no word for parking, no frame
 /// to be seen.
 Result<LearnedRoute> learn_room_route(std::span<const RoomCycle> cycles, const VehicleDescription& vehicle,

@@ -65,9 +65,9 @@ std::optional<ParkingStrategy> parking_of(std::string_view word);
 /// 2), as shares of the part's width: upper max, upper min, lower max, ...
 using BrightnessView = std::array<double, 8>;
 
-/// The view from a place just before the end of a route.
+/// The view from a place about the end of a route.
 struct StopView {
-  double left_m = 0;  ///< way to the end
+  double left_m = 0;  ///< way to the end; negative: beyond it
   BrightnessView brightness{};
 };
 
@@ -82,7 +82,7 @@ struct RoomRoute {
   std::vector<RoomTurning> turnings;  ///< in order; they may overlap
   ParkingStrategy parking = ParkingStrategy::kView;
   Vec2 frame_size_m = Vec2::Zero();  ///< kFrame: of the painted rectangle, outer, along the way and across
-  std::vector<StopView> views;       ///< kView: on the last stretch of the way
+  std::vector<StopView> views;       ///< kView: on the last stretch of the way, or about its end
   std::vector<RouteEdge> edges;      ///< none: the way is driven by odometry and by the route's middle alone
 };
 

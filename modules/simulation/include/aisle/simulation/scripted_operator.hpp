@@ -43,6 +43,8 @@ class ScriptedOperator final : public Operator {
   OperatorInput look(const OperatorView& view) override;
 
   bool has_arrived() const { return leg_ == legs_.size(); }
+  /// Stretches without turning back that are not yet driven to their end.
+  std::size_t legs_left() const { return legs_.size() - leg_; }
   /// Length of the route that lies behind, as a share of all of it.
   double share_done() const;
 
