@@ -39,9 +39,18 @@ SectionLocaliser::SectionLocaliser(const SectionLocaliserParams& params, const V
                                    const GuidedPath& way)
     : params_(params),
       way_(&way),
-      filter_(vehicle, about(way.path.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)) {}
+      filter_(vehicle, about(way.path.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
+      start_heading_rad_(filter_.pose().theta),
+      start_covariance_(heading_variance()) {}
 
 void SectionLocaliser::correct(std::span<const SensedSegment> edges, std::size_t piece) {
+  const double heading_rad = pose().theta, variance = heading_variance();
+  correct_pose(edges, piece);
+  start_heading_rad_ += start_covariance_ / variance * wrap_angle(pose().theta - heading_rad);
+  start_covariance_ *= heading_variance() / variance;
+}
+
+void SectionLocaliser::correct_pose(std::span<const SensedSegment> edges, std::size_t piece) {
   is_guided_ = false;
   if (params_.heading_by_walls) correct_heading(edges);
   if (way_->path.pieces()[piece].is_on_the_spot()) return;
@@ -62,8 +71,7 @@ void SectionLocaliser::correct_heading(std::span<const SensedSegment> edges) {
     if (edge.length_m < kEdgeMin_m) continue;
     const double off_rad = -wrap_quarter_turn(filter_.pose().theta + edge.heading_rad);
     const double sigma_rad = std::hypot(edge.sigma_heading_rad, kSteady_rad);
-    const double usual_rad =
-        std::hypot(edge.sigma_heading_rad, kAskew_rad, std::sqrt(filter_.covariance()(2, 2)));
+    const double usual_rad = std::hypot(edge.sigma_heading_rad, kAskew_rad, std::sqrt(heading_variance()));
     filter_.correct(off_rad, Vec3::UnitZ(), inflated(sigma_rad / cauchy_weight(off_rad, usual_rad)));
   }
 }

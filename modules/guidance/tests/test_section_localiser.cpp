@@ -81,6 +81,18 @@ TEST(SectionLocaliser, AWallAheadWithARecessTurnsItLittle) {
   EXPECT_LT(std::abs(localiser.pose().theta), 3 * kDegree);
 }
 
+TEST(SectionLocaliser, WhatIsSeenLaterTellsHowItWasHeadedAtFirst) {
+  const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
+  SectionLocaliser localiser({}, two_wheels(), way);
+  constexpr double kSetDown_rad = 4 * kDegree;
+  for (int i = 0; i < 10; ++i) localiser.predict(WheelSteps{22, 22});
+  std::vector<SensedSegment> edges;
+  for (const Segment2& wall : {kRight, kLeft}) edges.push_back(seen_from({0.3, 0.02, kSetDown_rad}, wall));
+  EXPECT_EQ(localiser.start_heading_rad(), 0);
+  for (int i = 0; i < 20; ++i) localiser.correct(edges, 0);
+  EXPECT_NEAR(localiser.start_heading_rad() / kDegree, kSetDown_rad / kDegree, 1);
+}
+
 TEST(SectionLocaliser, WhatStandsElsewhereIsNoWallOfTheWay) {
   const Segment2 other{{4.7, -0.5}, {4.7, 0.7}};
   EXPECT_NEAR(believed({other}).x(), 3.9, 0.02);
