@@ -16,7 +16,7 @@ struct SectionLocaliserParams {
   double start_sigma_m = 0.05;
   double start_sigma_rad = 3 * kDegree;
   double wall_sigma_m = 0.03;
-  double wall_gate_m = 0.25;
+  double wall_gate_m = 0.5;
   double length_gate_m = 0.5;
   double length_reach_m = 2.5;
   double repeat_inflation = 3;
