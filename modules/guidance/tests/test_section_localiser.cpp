@@ -53,6 +53,18 @@ TEST(SectionLocaliser, BaseLinesBesideTellHowFarAside) {
   EXPECT_NEAR(believed({kLeft}, {.left_base_line = false}).y(), 0, 1e-6);
 }
 
+TEST(SectionLocaliser, FindsItsBaseLinesAgainFromBesideItsWay) {
+  const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
+  SectionLocaliser localiser({}, two_wheels(), way);
+  constexpr double kAside_m = 0.3;
+  for (int i = 0; i < 60; ++i) {
+    localiser.predict(WheelSteps{22, 22});
+    const Pose2 T_map_vehicle{localiser.pose().x, kAside_m, 0};
+    localiser.correct(std::vector{seen_from(T_map_vehicle, kRight), seen_from(T_map_vehicle, kLeft)}, 0);
+  }
+  EXPECT_NEAR(localiser.pose().y, kAside_m, 0.05);
+}
+
 TEST(SectionLocaliser, TheWallAheadTellsHowFarAlong) {
   EXPECT_NEAR(believed({kEndWall}).x(), 4, 0.02);
   EXPECT_NEAR(believed({kEndWall}, {.length_by_wall_ahead = false}).x(), 3.9, 0.02);
