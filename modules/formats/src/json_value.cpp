@@ -24,9 +24,13 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& name
   }
 }
 
+bool JsonValue::is_text() const {
+  if (!value_.is_string()) wrong("is not a text");
+  return value_.is_string();
+}
+
 void JsonValue::read(std::string& target) const {
-  if (!value_.is_string()) return wrong("is not a text");
-  target = value_.get<std::string>();
+  if (is_text()) target = value_.get<std::string>();
 }
 
 void JsonValue::read(bool& target) const {

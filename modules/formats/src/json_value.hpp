@@ -35,6 +35,7 @@ class JsonValue {
   void read_point(Vec2& target) const;
 
   bool is(std::string_view text) const { return value_ == text; }
+  bool is_text() const;
   bool is_list() const;
   bool is_list_of(std::size_t count) const;
   bool is_list_up_to(std::size_t count_max) const;

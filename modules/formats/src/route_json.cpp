@@ -122,20 +122,26 @@ Path read_path(const Pose2& T_map_start, const JsonValue& value) {
   return path;
 }
 
+/// Appends the section that a text says. @return whether it says one
+bool read_section(const JsonValue& text, SectionList& sections) {
+  std::string line;
+  text.read(line);
+  const auto section = parse_section(line);
+  if (!section) {
+    text.wrong(section.problems().front().what);
+    return false;
+  }
+  sections.push_back(*section);
+  return true;
+}
+
 SectionList read_sections(const JsonValue& value) {
   SectionList sections;
   if (!value.is_list_up_to(kSectionsMax)) return sections;
   bool is_good = true;
   for (std::size_t i = 0; i < value.size(); ++i) {
-    std::string line;
-    value.element(i).read(line);
-    auto section = parse_section(line);
-    is_good = is_good && section.ok();
-    if (section) {
-      sections.push_back(*section);
-    } else {
-      value.element(i).wrong(section.problems().front().what);
-    }
+    const JsonValue element = value.element(i);
+    is_good = element.is_text() && read_section(element, sections) && is_good;
   }
   if (!is_good) return {};
   for (const SectionFault& fault : section_faults(sections)) {

@@ -2,15 +2,17 @@
 
 #include <cmath>
 
+#include "aisle/core/angle.hpp"
 #include "aisle/core/cauchy.hpp"
-#include "aisle/learning/wall_heading.hpp"
 
 namespace aisle {
 namespace {
 
 constexpr double kEndDirection_rad = 0.4 * kDegree;            // to which the end of a base line is seen
 constexpr double kEndSigmaMax_m = 0.08;                        // less sure, it is too far away to tell
-constexpr double kUsual_rad = 0.7 * kDegree, kUsual_m = 0.05;  // of walls and base lines that are what they
+constexpr double kEdgeMin_m = 0.3;                             // a shorter one has no direction
+constexpr double kSteady_rad = 0.7 * kDegree;                  // of an edge's direction, whoever looks
+constexpr double kAskew_rad = 1.5 * kDegree, kUsual_m = 0.05;  // of walls and base lines that are what they
                                                                // are taken for: doors and recesses are off
 
 }  // namespace
@@ -37,9 +39,18 @@ SectionLocaliser::SectionLocaliser(const SectionLocaliserParams& params, const V
                                    const GuidedPath& way)
     : params_(params),
       way_(&way),
-      filter_(vehicle, about(way.path.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)) {}
+      filter_(vehicle, about(way.path.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
+      start_heading_rad_(filter_.pose().theta),
+      start_covariance_(heading_variance()) {}
 
 void SectionLocaliser::correct(std::span<const SensedSegment> edges, std::size_t piece) {
+  const double heading_rad = pose().theta, variance = heading_variance();
+  correct_pose(edges, piece);
+  start_heading_rad_ += start_covariance_ / variance * wrap_angle(pose().theta - heading_rad);
+  start_covariance_ *= heading_variance() / variance;
+}
+
+void SectionLocaliser::correct_pose(std::span<const SensedSegment> edges, std::size_t piece) {
   is_guided_ = false;
   if (params_.heading_by_walls) correct_heading(edges);
   if (way_->path.pieces()[piece].is_on_the_spot()) return;
@@ -54,14 +65,15 @@ SectionLocaliser::Here SectionLocaliser::here(std::size_t piece) const {
   return {present, way_->guides[piece], between(present.T_map_start, filter_.pose())};
 }
 
-/// The map's axes are the walls'.
+/// Every edge lies along an axis.
 void SectionLocaliser::correct_heading(std::span<const SensedSegment> edges) {
-  const double heading_rad = filter_.pose().theta;
-  const auto walls = heading_from_walls(edges, heading_rad, std::sqrt(filter_.covariance()(2, 2)));
-  if (!walls) return;
-  const double off_rad = wrap_angle(walls->heading_rad - heading_rad);
-  const double usual_rad = std::hypot(kUsual_rad, std::sqrt(filter_.covariance()(2, 2)));
-  filter_.correct(off_rad, Vec3::UnitZ(), inflated(walls->sigma_rad * cauchy_distrust(off_rad, usual_rad)));
+  for (const SensedSegment& edge : edges) {
+    if (edge.length_m < kEdgeMin_m) continue;
+    const double off_rad = -wrap_quarter_turn(filter_.pose().theta + edge.heading_rad);
+    const double sigma_rad = std::hypot(edge.sigma_heading_rad, kSteady_rad);
+    const double usual_rad = std::hypot(edge.sigma_heading_rad, kAskew_rad, std::sqrt(heading_variance()));
+    filter_.correct(off_rad, Vec3::UnitZ(), inflated(sigma_rad / cauchy_weight(off_rad, usual_rad)));
+  }
 }
 
 /// L03 section 4.1. A camera that nods shows both base lines too near or both too far: of what they tell

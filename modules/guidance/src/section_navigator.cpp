@@ -48,7 +48,6 @@ Decision SectionNavigator::step(const Observation& observation) {
   locate(observation);
   if (observation.bumper_pressed) return fail("bumped", "the bumper is pressed");
   if (observation.stamp_s - *begun_s_ < params_.look_s) return {.state = "looking"};
-  if (!askew_rad_) askew_rad_ = wrap_angle(pose().theta - way_.path.at(0).T_map_path.theta);
   const PathPoint& point = progress_.advance(pose());
   if (progress_.has_arrived()) return take_last_heading();
   const double aside_sigma_m = localiser_.aside_sigma_m(point.T_map_path.theta);
@@ -78,7 +77,8 @@ void SectionNavigator::locate(const Observation& observation) {
 Decision SectionNavigator::take_last_heading() {
   const double step_rad = vehicle_.differential.step_length_m() / vehicle_.differential.wheel_separation_m;
   const double way_rad = way_.path.pieces().back().end().theta;
-  const double due_rad = wrap_angle(way_rad + (way_.comes_home ? *askew_rad_ : 0));
+  const double askew_rad = localiser_.start_heading_rad() - way_.path.at(0).T_map_path.theta;
+  const double due_rad = wrap_angle(way_rad + (way_.comes_home ? askew_rad : 0));
   if (std::abs(wrap_angle(due_rad - pose().theta)) < step_rad)
     return {.status = NavigatorStatus::kDone, .state = "arrived"};
   return guarded({.command = follower_.turn_to(due_rad, pose().theta), .state = "turning", .why = place()});

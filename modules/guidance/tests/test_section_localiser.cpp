@@ -53,6 +53,18 @@ TEST(SectionLocaliser, BaseLinesBesideTellHowFarAside) {
   EXPECT_NEAR(believed({kLeft}, {.left_base_line = false}).y(), 0, 1e-6);
 }
 
+TEST(SectionLocaliser, FindsItsBaseLinesAgainFromBesideItsWay) {
+  const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
+  SectionLocaliser localiser({}, two_wheels(), way);
+  constexpr double kAside_m = 0.3;
+  for (int i = 0; i < 60; ++i) {
+    localiser.predict(WheelSteps{22, 22});
+    const Pose2 T_map_vehicle{localiser.pose().x, kAside_m, 0};
+    localiser.correct(std::vector{seen_from(T_map_vehicle, kRight), seen_from(T_map_vehicle, kLeft)}, 0);
+  }
+  EXPECT_NEAR(localiser.pose().y, kAside_m, 0.05);
+}
+
 TEST(SectionLocaliser, TheWallAheadTellsHowFarAlong) {
   EXPECT_NEAR(believed({kEndWall}).x(), 4, 0.02);
   EXPECT_NEAR(believed({kEndWall}, {.length_by_wall_ahead = false}).x(), 3.9, 0.02);
@@ -79,6 +91,18 @@ TEST(SectionLocaliser, AWallAheadWithARecessTurnsItLittle) {
     see({{{2, -1}, {2.2, 1}}});  // 6 degrees
   }
   EXPECT_LT(std::abs(localiser.pose().theta), 3 * kDegree);
+}
+
+TEST(SectionLocaliser, WhatIsSeenLaterTellsHowItWasHeadedAtFirst) {
+  const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
+  SectionLocaliser localiser({}, two_wheels(), way);
+  constexpr double kSetDown_rad = 4 * kDegree;
+  for (int i = 0; i < 10; ++i) localiser.predict(WheelSteps{22, 22});
+  std::vector<SensedSegment> edges;
+  for (const Segment2& wall : {kRight, kLeft}) edges.push_back(seen_from({0.3, 0.02, kSetDown_rad}, wall));
+  EXPECT_EQ(localiser.start_heading_rad(), 0);
+  for (int i = 0; i < 20; ++i) localiser.correct(edges, 0);
+  EXPECT_NEAR(localiser.start_heading_rad() / kDegree, kSetDown_rad / kDegree, 1);
 }
 
 TEST(SectionLocaliser, WhatStandsElsewhereIsNoWallOfTheWay) {

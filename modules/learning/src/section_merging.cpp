@@ -76,6 +76,9 @@ MergedDrives merge_drives(std::span<const DrivenList> drives) {
   MergedDrives merged{.driven = alike.front(), .taken = std::move(taken)};
   for (std::size_t i = 0; i < merged.driven.sections.size(); ++i)
     merged.driven.sections[i] = merged_section(alike, i);
+  merged.driven.unseen = std::min_element(alike.begin(), alike.end(), [](const auto& a, const auto& b) {
+                           return a.unseen.length_m < b.unseen.length_m;
+                         })->unseen;
   merged.driven.corridor_width_m =
       middle_told(alike, [](const DrivenList& drive) { return drive.corridor_width_m; });
   return merged;

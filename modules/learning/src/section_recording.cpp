@@ -21,6 +21,8 @@ void SectionLearningParams::describe(FieldList& fields) {
               "t_c: by which a way across may miss the corridor's width");
   fields.real("corner_max_m", corner_max_m, {0.1, 10}, "farther apart two left turns are two corners");
   fields.angle("turn_min_deg", turn_min_rad, {1, 45}, "less is wander");
+  fields.real("unseen_max_m", unseen_max_m, {0.5, 1000},
+              "a drive that saw no base line for farther is not learned from");
   fields.group("path", path);
 }
 
@@ -39,6 +41,7 @@ constexpr double kOnRun_m = 0.3, kOnRun_rad = 20 * kDegree;  // so near a line a
 constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
 constexpr double kAcrossNear_m = 2.5;  // of a wall ahead: there its distance is known well
 constexpr double kWayWidth_m = 0.3;    // a wall ahead stands on the way itself
+constexpr double kSameLine_m = 0.25;   // a base line that is farther from where it usually is is another
 constexpr std::size_t kSeenMin = 5;    // cycles in which a base line must be seen for its distance to count
 
 /// Odometry, held by the walls, which are the axes of `route`: some degrees right.
@@ -237,7 +240,12 @@ SectionList joint(Run& before, Run& after, const SectionLearningParams& params) 
 
 /// Distances of the base lines beside a stretch, one a cycle that shows them.
 struct DistancesBeside {
-  std::vector<double> right_m, left_m, ahead_m;
+  struct Distance {
+    std::size_t cycle = 0;
+    double distance_m = 0;
+  };
+  std::vector<Distance> right, left;
+  std::vector<double> ahead_m;
 };
 
 /// From a stretch's end to the nearest wall across it; nullopt: none is seen from near.
@@ -271,26 +279,50 @@ DistancesBeside distances_beside(const Run& run, std::span<const SectionCycle> c
       double& nearest_m = wall.aside_m < 0 ? right_m : left_m;
       nearest_m = std::min(nearest_m, std::abs(wall.aside_m));
     }
-    if (right_m < kBesideMax_m) distances.right_m.push_back(right_m);
-    if (left_m < kBesideMax_m) distances.left_m.push_back(left_m);
+    if (right_m < kBesideMax_m) distances.right.push_back({i, right_m});
+    if (left_m < kBesideMax_m) distances.left.push_back({i, left_m});
   }
   return distances;
 }
 
-std::optional<double> usual(const std::vector<double>& distances_m) {
+std::optional<double> usual(std::vector<double> distances_m) {
   if (distances_m.size() < kSeenMin) return std::nullopt;
-  return median(distances_m);
+  return median(std::move(distances_m));
+}
+
+/// The usual distance of a base line, and in which cycles it was seen there.
+std::optional<double> usual(const std::vector<DistancesBeside::Distance>& seen, std::vector<bool>& is_seen) {
+  std::vector<double> distances_m;
+  for (const auto& one : seen) distances_m.push_back(one.distance_m);
+  const auto usual_m = usual(std::move(distances_m));
+  if (!usual_m) return std::nullopt;
+  for (const auto& one : seen)
+    if (std::abs(one.distance_m - *usual_m) < kSameLine_m) is_seen[one.cycle] = true;
+  return usual_m;
+}
+
+/// The longest way on which no base line was seen.
+UnseenStretch longest_unseen(const std::vector<bool>& is_seen, const std::vector<Pose2>& T_route_vehicle) {
+  UnseenStretch longest;
+  double along_m = 0, seen_at_m = 0;
+  for (std::size_t i = 0; i < is_seen.size(); ++i) {
+    if (i > 0) along_m += (T_route_vehicle[i].position() - T_route_vehicle[i - 1].position()).norm();
+    if (is_seen[i]) seen_at_m = along_m;
+    if (along_m - seen_at_m > longest.length_m) longest = {seen_at_m, along_m - seen_at_m};
+  }
+  return longest;
 }
 
 /// Straight on along the base lines at the distances at which they were seen.
+/// @param is_seen  set true for the cycles that show one of them
 void append_follow(SectionList& list, const Run& run, std::span<const SectionCycle> cycles,
-                   const std::vector<Pose2>& T_route_vehicle) {
+                   const std::vector<Pose2>& T_route_vehicle, std::vector<bool>& is_seen) {
   const std::vector<Run> parts = parts_of(run, cycles, T_route_vehicle);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const DistancesBeside distances = distances_beside(parts[i], cycles, T_route_vehicle);
     Section section = straight(parts[i].length_m);
-    section.right_m = usual(distances.right_m);
-    section.left_m = usual(distances.left_m);
+    section.right_m = usual(distances.right, is_seen);
+    section.left_m = usual(distances.left, is_seen);
     if (i + 1 == parts.size()) section.ahead_m = usual(distances.ahead_m);
     list.push_back(section);
   }
@@ -314,14 +346,16 @@ DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescr
   std::vector<SectionList> joints;
   for (std::size_t i = 1; i < runs.size(); ++i) joints.push_back(joint(runs[i - 1], runs[i], params));
   if (runs.empty()) return driven;
+  std::vector<bool> is_seen(cycles.size(), false);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (i > 0) driven.sections.insert(driven.sections.end(), joints[i - 1].begin(), joints[i - 1].end());
     if (runs[i].length_m > 0) {
-      append_follow(driven.sections, runs[i], cycles, driven.T_route_vehicle);
+      append_follow(driven.sections, runs[i], cycles, driven.T_route_vehicle, is_seen);
     } else {
       driven.sections.push_back(straight(runs[i].length_m));
     }
   }
+  driven.unseen = longest_unseen(is_seen, driven.T_route_vehicle);
   std::vector<double> widths_m;
   for (const Section& section : driven.sections)
     if (section.right_m && section.left_m) widths_m.push_back(*section.right_m + *section.left_m);

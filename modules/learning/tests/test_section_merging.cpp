@@ -34,6 +34,13 @@ TEST(SectionMerging, OfThreeDrivesTheMiddleOneCounts) {
   EXPECT_DOUBLE_EQ(merged.driven.sections[2].length_m, 3.0);
 }
 
+TEST(SectionMerging, WhatOneDriveSawWasSeen) {
+  DrivenList one = drive({straight(9)}), other = drive({straight(9)});
+  one.unseen = {.from_m = 2, .length_m = 6};
+  other.unseen = {.from_m = 4, .length_m = 1};
+  EXPECT_EQ(merge_drives(std::vector{one, other}).driven.unseen.length_m, 1);
+}
+
 TEST(SectionMerging, OfTwoDrivesTheMeanCountsAndADistanceThatOnlyOneSawIsKept) {
   const MergedDrives merged = merge_drives(std::vector{drive({straight(5)}), drive({straight(5.2, 0.4)})});
   EXPECT_DOUBLE_EQ(merged.driven.sections[0].length_m, 5.1);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <utility>
 
 #include "aisle/core/angle.hpp"
 #include "aisle/learning/section_learning.hpp"
@@ -169,6 +170,17 @@ TEST(SectionRecording, EndsASectionWhereTheBaseLineStepsAside) {
   EXPECT_NEAR(list[0].length_m, 10, 1);
   EXPECT_NEAR(list[0].right_m.value(), 0.5, 0.02);
   EXPECT_NEAR(list[1].right_m.value(), 0.8, 0.02);
+}
+
+TEST(SectionRecording, TellsWhereNoBaseLineWasSeen) {
+  Drive drive;
+  for (const auto& [length_m, aside_m] : {std::pair{4, -0.5}, {6, 0}, {5, -0.5}}) {
+    drive.set_wall(aside_m);
+    drive.go(length_m);
+  }
+  const UnseenStretch unseen = drive.recorded().unseen;
+  EXPECT_NEAR(unseen.from_m, 4, 0.1);
+  EXPECT_NEAR(unseen.length_m, 6, 0.1);
 }
 
 TEST(SectionRecording, GoesOnPastARecess) {

@@ -82,6 +82,12 @@ Result<Outcome> learn_by_sections(const LearnOptions& options, const SectionLess
   if (!lesson) return at_file(lesson.problems(), options.sessions.front().string());
   warn_of_other_ways(options.sessions, lesson->taken, console);
   Outcome outcome = section_lesson_outcome(*lesson);
+  if (const auto why = gets_lost(*lesson, params.learning)) {
+    outcome.ok = false;
+    outcome.figures["why"] = *why;
+    outcome.text = *why + '\n';
+    return outcome;
+  }
   if (options.sessions.size() > 1) outcome.figures["teachings"] = lesson->taken.size();
   if (!*directory) return outcome;
   const std::vector<Pose2>& driven = lesson->driven.T_route_vehicle;

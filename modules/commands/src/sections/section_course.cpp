@@ -56,6 +56,7 @@ Result<SectionCourse> teach_sections(const SimulationSetting& setting, const Sec
   }
   auto lesson = learn_sections(drives, "route", params.learning);
   if (!lesson) return lesson.problems();
+  if (const auto why = gets_lost(*lesson, params.learning)) return Problem{{}, *why};
   const Pose2 T_world_map = *start * lesson->driven.T_route_vehicle.front().inverse();
   return SectionCourse{std::move(*lesson), T_world_map};
 }

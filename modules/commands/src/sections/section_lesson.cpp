@@ -56,4 +56,14 @@ Result<SectionLesson> learn_sections(std::span<const DrivenList> drives, const s
   return lesson;
 }
 
+std::optional<std::string> gets_lost(const SectionLesson& lesson, const SectionLearningParams& params) {
+  const UnseenStretch& unseen = lesson.driven.unseen;
+  if (unseen.length_m <= params.unseen_max_m) return std::nullopt;
+  return fmt::format(
+      "no base line was seen for {:.1f} m, {:.1f} m from the start on: a vehicle would get lost there; what "
+      "helps is to drive nearer to a wall, more light, or walls and skirting boards unlike the floor in "
+      "brightness",
+      unseen.length_m, unseen.from_m);
+}
+
 }  // namespace aisle

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,5 +55,8 @@ struct SectionLesson {
 /// L03 section 3.2, from one or more drives of one way. One that leads nowhere is a problem.
 Result<SectionLesson> learn_sections(std::span<const DrivenList> drives, const std::string& route,
                                      const SectionLearningParams& params);
+
+/// Why a vehicle would get lost on what was learned, and what would help; nullopt: it would not.
+std::optional<std::string> gets_lost(const SectionLesson& lesson, const SectionLearningParams& params);
 
 }  // namespace aisle

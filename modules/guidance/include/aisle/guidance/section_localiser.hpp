@@ -16,7 +16,7 @@ struct SectionLocaliserParams {
   double start_sigma_m = 0.05;
   double start_sigma_rad = 3 * kDegree;
   double wall_sigma_m = 0.03;
-  double wall_gate_m = 0.25;
+  double wall_gate_m = 0.5;
   double length_gate_m = 0.5;
   double length_reach_m = 2.5;
   double repeat_inflation = 3;
@@ -47,6 +47,8 @@ class SectionLocaliser {
   /// Whether a base line beside the way has just been taken in.
   bool is_guided() const { return is_guided_; }
   const Pose2& pose() const { return filter_.pose(); }
+  /// How the vehicle was headed at first, as far as what was seen since then tells, too.
+  double start_heading_rad() const { return start_heading_rad_; }
   /// How sure it is how far aside it is of a way with this heading.
   double aside_sigma_m(double heading_rad) const;
 
@@ -59,12 +61,14 @@ class SectionLocaliser {
   };
 
   Here here(std::size_t piece) const;
+  void correct_pose(std::span<const SensedSegment> edges, std::size_t piece);
   void correct_heading(std::span<const SensedSegment> edges);
   void correct_distance(const Here& here);
   void correct_by_wall_ahead(const Here& here, std::span<const SensedSegment> edges);
   void correct_by_line_end(const Here& here);
   const WallBeside* wall_at(double aside_m) const;
   double inflated(double sigma_m) const;
+  double heading_variance() const { return filter_.covariance()(2, 2); }
 
   SectionLocaliserParams params_;
   const GuidedPath* way_;
@@ -72,6 +76,8 @@ class SectionLocaliser {
   std::vector<WallBeside> beside_;
   std::vector<WallAcross> across_;
   bool is_guided_ = false;
+  double start_heading_rad_;
+  double start_covariance_;  ///< of it with the present heading
 };
 
 }  // namespace aisle

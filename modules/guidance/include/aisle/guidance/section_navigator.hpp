@@ -74,7 +74,6 @@ class SectionNavigator final : public Navigator {
   std::vector<SensedSegment> edges_on_floor_;
   bool is_guided_ = false;  ///< in this cycle
   std::optional<double> begun_s_;
-  std::optional<double> askew_rad_;  ///< how it was set down, against the way
 };
 
 }  // namespace aisle

@@ -29,9 +29,16 @@ struct SectionLearningParams {
   double crossing_m = 0.3;             ///< t_c: by which a way across may miss the corridor's width
   double corner_max_m = 1.5;           ///< farther apart two left turns are two corners
   double turn_min_rad = 20 * kDegree;  ///< less is wander
+  double unseen_max_m = 5;             ///< farther without a base line a vehicle loses its way
   PathFitParams path{.stray_max_m = 0.1, .radius_min_m = 0.2};
 
   void describe(FieldList& fields);
+};
+
+/// A stretch of a drive on which no base line was seen where it usually is.
+struct UnseenStretch {
+  double from_m = 0;  ///< along the way, from its start
+  double length_m = 0;
 };
 
 /// A drive as it was recorded, and what was seen beside it.
@@ -39,6 +46,7 @@ struct DrivenList {
   SectionList sections;                    ///< kFollow, kBack and kTurn alone (L03 Table 2: a b l r)
   Pose2 T_route_start;                     ///< where the list begins
   std::optional<double> corridor_width_m;  ///< median of left and right distances together
+  UnseenStretch unseen;                    ///< the longest
   std::vector<Pose2> T_route_vehicle;      ///< of each cycle; the walls are the axes of `route`
 };
 
@@ -61,7 +69,8 @@ struct MergedDrives {
 
 /// Drives whose lists have the same form went the same way: the same symbols, turns alike to three quanta,
 /// lines as long to half a metre or a tenth. Of the form that most have (of as many: the earliest drive's)
-/// each length, turn and distance is the middle one; where each cycle was is the earliest one's.
+/// each length, turn and distance is the middle one; where each cycle was is the earliest one's, and the
+/// longest stretch without a base line that of the drive that saw the most.
 /// @param drives  at least one
 MergedDrives merge_drives(std::span<const DrivenList> drives);
 
