@@ -4,15 +4,19 @@
 #include <cmath>
 #include <span>
 
+#include "aisle/core/angle.hpp"
+
 namespace aisle {
 namespace {
 
-constexpr double kRing_m = 0.25;          // about a leg: nothing else stands there
-constexpr double kRingFreeShare = 0.7;    // of it; the rest may be what the leg hides
-constexpr double kFreeAtWallShare = 0.4;  // of it, where a wall takes up the other side
-constexpr double kBehindBeside_m = 0.09;  // so far to both sides a wall goes on behind a leg before it
-constexpr double kBlurAtWall_m = 0.08;    // of a leg there: the wall itself is told apart from it
-constexpr double kAcrossMin = 0.8;        // cosine: a wall lies behind two legs, not beside them
+constexpr double kRing_m = 0.25;               // about a leg: nothing else stands there
+constexpr double kWallAround_m = 0.1;          // so far beyond it is looked how a wall there goes on
+constexpr double kRingFreeShare = 0.5;         // of it; the rest may be hidden ...
+constexpr double kHidden_rad = 150 * kDegree;  // ... in one piece: a wall hides half of all
+constexpr double kFreeAtWallShare = 0.4;       // of it, where a wall takes up the other side
+constexpr double kBehindBeside_m = 0.09;       // so far to both sides a wall goes on behind a leg before it
+constexpr double kBlurAtWall_m = 0.08;         // of a leg there: the wall itself is told apart from it
+constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
 constexpr double kLineStepCells = 0.5;
 
 template <class Visit>
@@ -44,6 +48,16 @@ bool lies_behind(std::span<const Vec2> to_wall) {
   return std::min(left_m, right_m) >= kBehindBeside_m;
 }
 
+/// The widest gap between directions all round.
+double widest_gap_rad(std::vector<double>& headings_rad) {
+  if (headings_rad.empty()) return 2 * kPi;
+  std::sort(headings_rad.begin(), headings_rad.end());
+  double widest_rad = headings_rad.front() + 2 * kPi - headings_rad.back();
+  for (std::size_t i = 1; i < headings_rad.size(); ++i)
+    widest_rad = std::max(widest_rad, headings_rad[i] - headings_rad[i - 1]);
+  return widest_rad;
+}
+
 }  // namespace
 
 void LegParams::describe(FieldList& fields) {
@@ -57,7 +71,7 @@ void LegParams::describe(FieldList& fields) {
 
 FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return {};
-  const double matters_m = params_.leg_max_m + kRing_m;
+  const double matters_m = params_.leg_max_m + kRing_m + kWallAround_m;
   find_legs(floor, changed.widened(static_cast<int>(std::ceil(matters_m / floor.cell_m())) + 1));
   std::vector<FloorCell> closed = cells_between(floor);
   std::vector<FloorCell> differ;
@@ -115,20 +129,29 @@ std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCel
 
 /// Or before a wall; none: it may be anything, such as a piece of a wall of which little was seen.
 std::optional<bool> LegBarriers::stands_free(const FloorGrid& floor, const Vec2& p_map) const {
-  const int reach = static_cast<int>(std::ceil(kRing_m / floor.cell_m())) + 1;
-  int ring = 0, free = 0;
+  const int reach = static_cast<int>(std::ceil((kRing_m + kWallAround_m) / floor.cell_m())) + 1;
+  bool at_wall = false;
+  double ring = 0;
+  std::vector<double> free_rad;
   std::vector<Vec2> to_wall;
   for_cells_around(floor.cell_at(p_map), reach, [&](FloorCell cell) {
     const Vec2 away = floor.centre(cell) - p_map;
     const double beyond_m = away.norm() - kRing_m;
-    if (beyond_m > floor.cell_m() / 2) return;
-    if (floor.at(cell) == Floor::kOccupied && small_thing(floor, cell).empty()) to_wall.push_back(away);
-    if (beyond_m < -floor.cell_m() / 2) return;
+    if (beyond_m > kWallAround_m) return;
+    if (floor.at(cell) == Floor::kOccupied && small_thing(floor, cell).empty()) {
+      to_wall.push_back(away);
+      at_wall = at_wall || beyond_m <= floor.cell_m() / 2;
+    }
+    if (std::abs(beyond_m) > floor.cell_m() / 2) return;
     ++ring;
-    free += floor.at(cell) == Floor::kFree ? 1 : 0;
+    if (floor.at(cell) == Floor::kFree) free_rad.push_back(heading_of(away));
   });
-  if (to_wall.empty()) return free >= kRingFreeShare * ring ? std::optional(true) : std::nullopt;
-  const bool is_before_wall = free >= kFreeAtWallShare * ring && lies_behind(to_wall);
+  const double free_share = static_cast<double>(free_rad.size()) / ring;
+  if (!at_wall) {
+    const bool is_free = free_share >= kRingFreeShare && widest_gap_rad(free_rad) <= kHidden_rad;
+    return is_free ? std::optional(true) : std::nullopt;
+  }
+  const bool is_before_wall = free_share >= kFreeAtWallShare && lies_behind(to_wall);
   return is_before_wall ? std::optional(false) : std::nullopt;
 }
 

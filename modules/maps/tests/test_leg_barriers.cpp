@@ -88,6 +88,29 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatStandsBesideACupboard) {
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
+/// As from a door that opens beside it: of what is around its legs, half was not seen.
+TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatHidesItsSurroundings) {
+  stand(2.87, 2.02);
+  stand(2.87, 3.62);
+  const auto hide = [&](const Vec2& low, const Vec2& high) {
+    for (double x_m = low.x(); x_m < high.x(); x_m += 0.05) {
+      for (double y_m = low.y(); y_m < high.y(); y_m += 0.05)
+        floor_.set(floor_.cell_at({x_m, y_m}), Floor::kUnknown);
+    }
+  };
+  hide({2.02, 3.52}, {2.8, 3.7});
+  hide({2.02, 3.77}, {2.95, 5});
+  EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
+}
+
+TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
+  for (double x_m = 1; x_m < 5; x_m += 0.05) stand(x_m, 3.87);
+  stand(2.87, 2.02);
+  stand(2.87, 3.62);
+  stand(2.92, 3.62);
+  EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
+}
+
 TEST_F(LegBarriersOnAFloor, DoNotTakeASpeckBehindAWallForALegOfATableBeforeIt) {
   wall(3, 0, 6);
   stand(3.12, 3.02);
