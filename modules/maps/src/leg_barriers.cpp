@@ -161,6 +161,7 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
     for_cells_on_line(floor, from, to, [&](FloorCell cell) { cells.push_back(cell); });
   };
   for (std::size_t i = 0; i < legs_.size(); ++i) {
+    for (const Vec2& p_map : hidden_partners(floor, legs_[i])) close(legs_[i].p_map, p_map);
     for (std::size_t j = i + 1; j < legs_.size(); ++j) {
       const Vec2 &a = legs_[i].p_map, &b = legs_[j].p_map;
       const double apart_m = (b - a).norm();
@@ -195,6 +196,14 @@ bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Leg& a, cons
 std::optional<Vec2> LegBarriers::wall_behind(const FloorGrid& floor, const Vec2& p_map_leg,
                                              const Vec2& along) const {
   const Vec2 across = left_normal(along.normalized());
+  return nearest_wall(floor, p_map_leg, [&](const Vec2& away) {
+    return std::abs(across.dot(away)) >= kAcrossMin * away.norm();
+  });
+}
+
+template <class Matters>
+std::optional<Vec2> LegBarriers::nearest_wall(const FloorGrid& floor, const Vec2& p_map_leg,
+                                              Matters matters) const {
   std::optional<Vec2> nearest;
   double nearest_m = params_.wall_max_m;
   const int reach = static_cast<int>(std::ceil(params_.wall_max_m / floor.cell_m()));
@@ -202,8 +211,7 @@ std::optional<Vec2> LegBarriers::wall_behind(const FloorGrid& floor, const Vec2&
     if (floor.at(cell) != Floor::kOccupied) return;
     const Vec2 p_map = floor.centre(cell);
     const double away_m = (p_map - p_map_leg).norm();
-    if (away_m <= params_.leg_max_m || away_m >= nearest_m) return;
-    if (std::abs(across.dot(p_map - p_map_leg)) < kAcrossMin * away_m) return;
+    if (away_m <= params_.leg_max_m || away_m >= nearest_m || !matters(p_map - p_map_leg)) return;
     const bool is_leg = std::any_of(legs_.begin(), legs_.end(), [&](const Leg& leg) {
       return (leg.p_map - p_map).norm() <= params_.leg_max_m;
     });
@@ -212,6 +220,43 @@ std::optional<Vec2> LegBarriers::wall_behind(const FloorGrid& floor, const Vec2&
     nearest = p_map;
   });
   return nearest;
+}
+
+/// Of a leg before a wall: where floor that nobody has seen yet may hide the leg with which it carries a
+/// table along that wall. Nothing where such a leg is known.
+std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Leg& leg) const {
+  if (!leg.stands_free) return {};
+  const auto wall = nearest_wall(floor, leg.p_map, [](const Vec2&) { return true; });
+  if (!wall) return {};
+  const Vec2 across = (*wall - leg.p_map).normalized();
+  std::vector<Vec2> hidden;
+  for (const Vec2& along : {left_normal(across), across}) {
+    if (!wall_behind(floor, leg.p_map, along) || has_partner(leg, along)) continue;
+    for (const double side : {1.0, -1.0}) {
+      if (const auto place = first_unknown(floor, leg.p_map, side * along)) hidden.push_back(*place);
+    }
+  }
+  return hidden;
+}
+
+bool LegBarriers::has_partner(const Leg& leg, const Vec2& along) const {
+  return std::any_of(legs_.begin(), legs_.end(), [&](const Leg& other) {
+    const Vec2 away = other.p_map - leg.p_map;
+    return away.norm() > params_.leg_max_m && away.norm() <= params_.apart_max_m &&
+           std::abs(along.dot(away)) >= kAcrossMin * away.norm();
+  });
+}
+
+/// As far as a table is long; nothing where something stands before it.
+std::optional<Vec2> LegBarriers::first_unknown(const FloorGrid& floor, const Vec2& p_map_leg,
+                                               const Vec2& along) const {
+  const double step_m = kLineStepCells * floor.cell_m();
+  for (double away_m = params_.leg_max_m; away_m <= params_.apart_max_m; away_m += step_m) {
+    const Vec2 p_map = p_map_leg + away_m * along;
+    if (floor.at(p_map) == Floor::kUnknown) return p_map;
+    if (floor.at(p_map) == Floor::kOccupied) return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 }  // namespace aisle
