@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kOrderNames = {"published", "recommended", "nearest"};
 constexpr double kLeeway_m = 1.5;     // about itself and about home the vehicle may lack the room of a disc
-constexpr double kElsewhere_m = 2;    // from where a path was left, before it is tried again
+constexpr double kElsewhere_m = 2;    // from where a path was left, before it is tried again ...
+constexpr double kMoreKnown_m2 = 5;   // ... or so much more floor is known than was then
 constexpr double kDecideAgain_m = 1;  // way after which the yardstick chooses anew
 
 Bearing bearing_of(const Vec2& p_map, const Pose2& T_map_vehicle) {
@@ -68,6 +69,7 @@ ExploringTarget BuildingExplorer::decide(const FloorGrid& floor, const FloorClea
                                          const Pose2& T_map_home, std::size_t cycle) {
   cycle_ = cycle;
   p_map_vehicle_ = T_map_vehicle.position();
+  free_m2_ = floor.free_m2();
   from_vehicle_.measure(floor, clearance, p_map_middle, params_.gates.room_m, kLeeway_m);
   gates_ = find_gates(floor, clearance, from_vehicle_, params_.gates);
   if (params_.nooks.way_max_m > 0) {
@@ -305,16 +307,18 @@ void BuildingExplorer::leave(std::size_t path, PathState state, PathEvent::Kind 
   cycle_ = cycle;
   paths_.at(path).state = state;
   paths_[path].p_map_left = p_map_vehicle_;
+  paths_[path].free_m2_left = free_m2_;
   note(kind, path);
 }
 
-/// With nothing else to do, what was left is tried once more, from elsewhere: in a narrow place it may have
-/// been the place that was to blame.
+/// With nothing else to do, what was left is tried once more, from elsewhere or knowing more: in a narrow
+/// place it may have been the place that was to blame, and at first hardly any floor is known.
 bool BuildingExplorer::resume_left() {
   bool resumed = false;
   for (SeenPath& path : paths_) {
     const bool is_elsewhere = (path.p_map_left - p_map_vehicle_).norm() > kElsewhere_m;
-    if (!is_left(path) || !path.has_gate || path.chances == 0 || !is_elsewhere) continue;
+    const bool knows_more = free_m2_ > path.free_m2_left + kMoreKnown_m2;
+    if (!is_left(path) || !path.has_gate || path.chances == 0 || !(is_elsewhere || knows_more)) continue;
     --path.chances;
     path.state = PathState::kWaiting;
     resumed = true;

@@ -60,6 +60,20 @@ TEST(BuildingExplorer, TriesWhatItLeftOnceMoreFromElsewhere) {
   EXPECT_EQ(kind_at(10), ExploringTarget::Kind::kHome);
 }
 
+TEST(BuildingExplorer, TriesWhatItLeftOnceMoreWhenItKnowsMore) {
+  DrawnFloor drawn;
+  drawn.put_corridor(20, 2);
+  BuildingExplorer explorer({}, ExploringOrder::kRecommended);
+  const auto kind_now = [&] {
+    return explorer.decide(drawn.floor, drawn.clearance_now(), {18, 1, 0}, {18, 1}, {1, 1, 0}, 1).kind;
+  };
+  ASSERT_EQ(kind_now(), ExploringTarget::Kind::kPath);
+  explorer.abandon(0, 2);
+  EXPECT_EQ(kind_now(), ExploringTarget::Kind::kHome);
+  drawn.put({20, 5}, {23, 8}, Floor::kFree);
+  EXPECT_EQ(kind_now(), ExploringTarget::Kind::kPath);
+}
+
 /// C99's order: all paths that lead off a crossing were explored, and then it is to go back there.
 class BackToACrossing : public testing::Test {
  protected:

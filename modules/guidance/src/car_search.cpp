@@ -16,8 +16,8 @@ constexpr double kNear_rad = 7 * kDegree;
 constexpr double kBendCost = 0.1;  // of the sharpest bend, per metre
 constexpr double kLeave_m = 2;     // so far about its start a vehicle may go where it barely fits ...
 constexpr double kTightCost = 4;   // of way with less room than the margin, on the way out of a narrow place
-constexpr double kLeastMargin_m = 0.025;  // ... or has so much room around its footprint
-constexpr double kSharpShare = 0.97;      // of the wheels' range, where it squeezes through
+constexpr double kLeastMargin_m = 0.03;  // ... or has so much room around its footprint
+constexpr double kSharpShare = 0.97;     // of the wheels' range, where it squeezes through
 
 /// What a vehicle can do in one step.
 std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_share) {

@@ -22,7 +22,7 @@ constexpr double kSameSpot_m = 0.2;     // about a place where the vehicle was b
 constexpr double kStruckNow_m = 1.5;    // so far from the vehicle ways keep off what is struck now
 constexpr double kStageLeft_m = 2.5;    // of a stage, when the next one is searched
 constexpr double kLearned_m2 = 0.5;     // so much more floor is something learned
-constexpr double kShown_m2 = 0.1;       // so much more floor after a way: it was worth driving
+constexpr double kShown_m2 = 0.03;      // so much more floor after a way: it was worth driving
 constexpr double kWedged_m = 0.5;       // a search that comes no farther says something about where it began
 constexpr double kRetreat_m = 3;        // at least, along its own trail, before it searches anew ...
 constexpr double kRoomy_m = 0.15;       // ... where it has so much more room than it needs
@@ -203,7 +203,7 @@ void ExplorerNavigator::find_no_way() {
   if (is_wedged_) tries_.failures = std::max(tries_.failures, 1);
   if ((shut_in && tries_.failures > 0 && retreat()) || is_wedged_) return;
   is_out_of_reach_ = is_out_of_reach_ || (search_.has_tried_all() && !shut_in);
-  const bool is_last_try = target_->gate.is_nook || tries_.look_from_afar();
+  const bool is_last_try = target_->gate.is_nook ? tries_.failures > 0 : tries_.look_from_afar();
   ++tries_.failures;
   if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
   leave_path();

@@ -6,10 +6,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kSlice_m = 0.2;     // of the footprint's length that one disc covers
-constexpr double kCorner_m = 0.11;   // of its ends that one does
-constexpr double kMuchRoom_m = 0.2;  // more room than this is not measured closely
-constexpr double kWhole = 1e-9;      // so little more is no other piece
+constexpr double kRoughSlice_m = 0.2;  // of the footprint's length that one disc covers ...
+constexpr double kCloseSlice_m = 0.1;  // ... where there is little room
+constexpr double kCorner_m = 0.075;    // of its ends that one does there
+constexpr double kMuchRoom_m = 0.2;    // more room than this is not measured closely
+constexpr double kWhole = 1e-9;        // so little more is no other piece
 constexpr double kNoneNear_m = 10;
 constexpr double kWayCheck_m = 0.1;
 constexpr double kTouchedCells = 0.8;  // between the points that are looked at under the footprint
@@ -33,9 +34,9 @@ FootprintRoom::FootprintRoom(const Footprint& footprint, double margin_m)
     : footprint_(footprint), margin_m_(margin_m) {
   const double half_m = footprint.width_m / 2;
   const auto piece = [&](double from_m, double to_m) { return Piece{{from_m, -half_m}, {to_m, half_m}}; };
-  const Vec2 slice_m(kSlice_m, footprint.width_m), corner_m(kCorner_m, kCorner_m);
-  cover(piece(-footprint.rear_m, footprint.front_m), slice_m, rough_);
-  const double end_m = std::hypot(half_m, kSlice_m / 2) - kSlice_m / 2;
+  const Vec2 slice_m(kCloseSlice_m, footprint.width_m), corner_m(kCorner_m, kCorner_m);
+  cover(piece(-footprint.rear_m, footprint.front_m), {kRoughSlice_m, footprint.width_m}, rough_);
+  const double end_m = std::hypot(half_m, kCloseSlice_m / 2) - kCloseSlice_m / 2;
   const double behind_m = std::min(-footprint.rear_m + end_m, footprint.front_m),
                before_m = std::max(footprint.front_m - end_m, behind_m);
   if (before_m > behind_m) cover(piece(behind_m, before_m), slice_m, close_);

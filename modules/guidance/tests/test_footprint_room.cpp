@@ -22,6 +22,22 @@ TEST(FootprintRoom, ItsEndsMayComeAsNearAsItsSides) {
   EXPECT_FALSE(fits({5, 0.345, 0}));
 }
 
+/// So a search that looks at a few poses of an arc knows of those between them.
+TEST(FootprintRoom, ChangesLittleWhileAPostIsPassed) {
+  KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
+  hall.floor.set({60, 60}, Floor::kOccupied);
+  hall.clearance.update(hall.floor, hall.floor.known());
+  const FootprintRoom room(cart().footprint, kKept_m);
+  double least_m = 1, most_m = 0;
+  for (double along_m = 0; along_m < 0.7; along_m += 0.01) {
+    const double spare_m = room.spare_m(hall.floor, hall.clearance, {3 - along_m, 3.5, 0});
+    least_m = std::min(least_m, spare_m);
+    most_m = std::max(most_m, spare_m);
+  }
+  EXPECT_GT(least_m, 0.08);
+  EXPECT_LT(most_m - least_m, 0.01);
+}
+
 TEST(FootprintRoom, LeavesNothingOfTheFootprintOut) {
   KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
   hall.floor.set({60, 60}, Floor::kOccupied);

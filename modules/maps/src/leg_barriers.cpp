@@ -4,15 +4,19 @@
 #include <cmath>
 #include <span>
 
+#include "aisle/core/angle.hpp"
+
 namespace aisle {
 namespace {
 
-constexpr double kRing_m = 0.25;          // about a leg: nothing else stands there
-constexpr double kRingFreeShare = 0.7;    // of it; the rest may be what the leg hides
-constexpr double kFreeAtWallShare = 0.4;  // of it, where a wall takes up the other side
-constexpr double kBehindBeside_m = 0.09;  // so far to both sides a wall goes on behind a leg before it
-constexpr double kBlurAtWall_m = 0.08;    // of a leg there: the wall itself is told apart from it
-constexpr double kAcrossMin = 0.8;        // cosine: a wall lies behind two legs, not beside them
+constexpr double kRing_m = 0.25;               // about a leg: nothing else stands there
+constexpr double kWallAround_m = 0.1;          // so far beyond it is looked how a wall there goes on
+constexpr double kRingFreeShare = 0.5;         // of it; the rest may be hidden ...
+constexpr double kHidden_rad = 150 * kDegree;  // ... in one piece: a wall hides half of all
+constexpr double kFreeAtWallShare = 0.4;       // of it, where a wall takes up the other side
+constexpr double kBehindBeside_m = 0.09;       // so far to both sides a wall goes on behind a leg before it
+constexpr double kBlurAtWall_m = 0.08;         // of a leg there: the wall itself is told apart from it
+constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
 constexpr double kLineStepCells = 0.5;
 
 template <class Visit>
@@ -44,6 +48,16 @@ bool lies_behind(std::span<const Vec2> to_wall) {
   return std::min(left_m, right_m) >= kBehindBeside_m;
 }
 
+/// The widest gap between directions all round.
+double widest_gap_rad(std::vector<double>& headings_rad) {
+  if (headings_rad.empty()) return 2 * kPi;
+  std::sort(headings_rad.begin(), headings_rad.end());
+  double widest_rad = headings_rad.front() + 2 * kPi - headings_rad.back();
+  for (std::size_t i = 1; i < headings_rad.size(); ++i)
+    widest_rad = std::max(widest_rad, headings_rad[i] - headings_rad[i - 1]);
+  return widest_rad;
+}
+
 }  // namespace
 
 void LegParams::describe(FieldList& fields) {
@@ -57,7 +71,7 @@ void LegParams::describe(FieldList& fields) {
 
 FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return {};
-  const double matters_m = params_.leg_max_m + kRing_m;
+  const double matters_m = params_.leg_max_m + kRing_m + kWallAround_m;
   find_legs(floor, changed.widened(static_cast<int>(std::ceil(matters_m / floor.cell_m())) + 1));
   std::vector<FloorCell> closed = cells_between(floor);
   std::vector<FloorCell> differ;
@@ -115,20 +129,29 @@ std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCel
 
 /// Or before a wall; none: it may be anything, such as a piece of a wall of which little was seen.
 std::optional<bool> LegBarriers::stands_free(const FloorGrid& floor, const Vec2& p_map) const {
-  const int reach = static_cast<int>(std::ceil(kRing_m / floor.cell_m())) + 1;
-  int ring = 0, free = 0;
+  const int reach = static_cast<int>(std::ceil((kRing_m + kWallAround_m) / floor.cell_m())) + 1;
+  bool at_wall = false;
+  double ring = 0;
+  std::vector<double> free_rad;
   std::vector<Vec2> to_wall;
   for_cells_around(floor.cell_at(p_map), reach, [&](FloorCell cell) {
     const Vec2 away = floor.centre(cell) - p_map;
     const double beyond_m = away.norm() - kRing_m;
-    if (beyond_m > floor.cell_m() / 2) return;
-    if (floor.at(cell) == Floor::kOccupied && small_thing(floor, cell).empty()) to_wall.push_back(away);
-    if (beyond_m < -floor.cell_m() / 2) return;
+    if (beyond_m > kWallAround_m) return;
+    if (floor.at(cell) == Floor::kOccupied && small_thing(floor, cell).empty()) {
+      to_wall.push_back(away);
+      at_wall = at_wall || beyond_m <= floor.cell_m() / 2;
+    }
+    if (std::abs(beyond_m) > floor.cell_m() / 2) return;
     ++ring;
-    free += floor.at(cell) == Floor::kFree ? 1 : 0;
+    if (floor.at(cell) == Floor::kFree) free_rad.push_back(heading_of(away));
   });
-  if (to_wall.empty()) return free >= kRingFreeShare * ring ? std::optional(true) : std::nullopt;
-  const bool is_before_wall = free >= kFreeAtWallShare * ring && lies_behind(to_wall);
+  const double free_share = static_cast<double>(free_rad.size()) / ring;
+  if (!at_wall) {
+    const bool is_free = free_share >= kRingFreeShare && widest_gap_rad(free_rad) <= kHidden_rad;
+    return is_free ? std::optional(true) : std::nullopt;
+  }
+  const bool is_before_wall = free_share >= kFreeAtWallShare && lies_behind(to_wall);
   return is_before_wall ? std::optional(false) : std::nullopt;
 }
 
@@ -138,6 +161,7 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
     for_cells_on_line(floor, from, to, [&](FloorCell cell) { cells.push_back(cell); });
   };
   for (std::size_t i = 0; i < legs_.size(); ++i) {
+    for (const Vec2& p_map : hidden_partners(floor, legs_[i])) close(legs_[i].p_map, p_map);
     for (std::size_t j = i + 1; j < legs_.size(); ++j) {
       const Vec2 &a = legs_[i].p_map, &b = legs_[j].p_map;
       const double apart_m = (b - a).norm();
@@ -172,6 +196,14 @@ bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Leg& a, cons
 std::optional<Vec2> LegBarriers::wall_behind(const FloorGrid& floor, const Vec2& p_map_leg,
                                              const Vec2& along) const {
   const Vec2 across = left_normal(along.normalized());
+  return nearest_wall(floor, p_map_leg, [&](const Vec2& away) {
+    return std::abs(across.dot(away)) >= kAcrossMin * away.norm();
+  });
+}
+
+template <class Matters>
+std::optional<Vec2> LegBarriers::nearest_wall(const FloorGrid& floor, const Vec2& p_map_leg,
+                                              Matters matters) const {
   std::optional<Vec2> nearest;
   double nearest_m = params_.wall_max_m;
   const int reach = static_cast<int>(std::ceil(params_.wall_max_m / floor.cell_m()));
@@ -179,8 +211,7 @@ std::optional<Vec2> LegBarriers::wall_behind(const FloorGrid& floor, const Vec2&
     if (floor.at(cell) != Floor::kOccupied) return;
     const Vec2 p_map = floor.centre(cell);
     const double away_m = (p_map - p_map_leg).norm();
-    if (away_m <= params_.leg_max_m || away_m >= nearest_m) return;
-    if (std::abs(across.dot(p_map - p_map_leg)) < kAcrossMin * away_m) return;
+    if (away_m <= params_.leg_max_m || away_m >= nearest_m || !matters(p_map - p_map_leg)) return;
     const bool is_leg = std::any_of(legs_.begin(), legs_.end(), [&](const Leg& leg) {
       return (leg.p_map - p_map).norm() <= params_.leg_max_m;
     });
@@ -189,6 +220,43 @@ std::optional<Vec2> LegBarriers::wall_behind(const FloorGrid& floor, const Vec2&
     nearest = p_map;
   });
   return nearest;
+}
+
+/// Of a leg before a wall: where floor that nobody has seen yet may hide the leg with which it carries a
+/// table along that wall. Nothing where such a leg is known.
+std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Leg& leg) const {
+  if (!leg.stands_free) return {};
+  const auto wall = nearest_wall(floor, leg.p_map, [](const Vec2&) { return true; });
+  if (!wall) return {};
+  const Vec2 across = (*wall - leg.p_map).normalized();
+  std::vector<Vec2> hidden;
+  for (const Vec2& along : {left_normal(across), across}) {
+    if (!wall_behind(floor, leg.p_map, along) || has_partner(leg, along)) continue;
+    for (const double side : {1.0, -1.0}) {
+      if (const auto place = first_unknown(floor, leg.p_map, side * along)) hidden.push_back(*place);
+    }
+  }
+  return hidden;
+}
+
+bool LegBarriers::has_partner(const Leg& leg, const Vec2& along) const {
+  return std::any_of(legs_.begin(), legs_.end(), [&](const Leg& other) {
+    const Vec2 away = other.p_map - leg.p_map;
+    return away.norm() > params_.leg_max_m && away.norm() <= params_.apart_max_m &&
+           std::abs(along.dot(away)) >= kAcrossMin * away.norm();
+  });
+}
+
+/// As far as a table is long; nothing where something stands before it.
+std::optional<Vec2> LegBarriers::first_unknown(const FloorGrid& floor, const Vec2& p_map_leg,
+                                               const Vec2& along) const {
+  const double step_m = kLineStepCells * floor.cell_m();
+  for (double away_m = params_.leg_max_m; away_m <= params_.apart_max_m; away_m += step_m) {
+    const Vec2 p_map = p_map_leg + away_m * along;
+    if (floor.at(p_map) == Floor::kUnknown) return p_map;
+    if (floor.at(p_map) == Floor::kOccupied) return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 }  // namespace aisle

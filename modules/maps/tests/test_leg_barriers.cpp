@@ -20,6 +20,12 @@ class LegBarriersOnAFloor : public testing::Test {
   void wall(double x_m, double from_y_m, double to_y_m) {
     for (double y_m = from_y_m; y_m < to_y_m; y_m += 0.05) stand(x_m, y_m);
   }
+  void hide(const Vec2& low, const Vec2& high) {
+    for (double x_m = low.x(); x_m < high.x(); x_m += 0.05) {
+      for (double y_m = low.y(); y_m < high.y(); y_m += 0.05)
+        floor_.set(floor_.cell_at({x_m, y_m}), Floor::kUnknown);
+    }
+  }
   /// Whether a straight way is closed anywhere.
   bool is_closed(const Vec2& from, const Vec2& to) {
     LegBarriers barriers;
@@ -85,6 +91,35 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatStandsBesideACupboard) {
   }
   stand(2.87, 2.02);
   stand(2.87, 3.62);
+  EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
+}
+
+/// As from a door that opens beside it: of what is around its legs, half was not seen.
+TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatHidesItsSurroundings) {
+  stand(2.87, 2.02);
+  stand(2.87, 3.62);
+  hide({2.02, 3.52}, {2.8, 3.7});
+  hide({2.02, 3.77}, {2.95, 5});
+  EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
+}
+
+TEST_F(LegBarriersOnAFloor, CloseTheWayToWhereATablesOtherLegMayBeHidden) {
+  wall(2, 0, 6);
+  stand(2.87, 2.02);
+  EXPECT_FALSE(is_closed({4, 2.8}, {2.2, 2.8}));
+  hide({2.02, 3.52}, {5, 6});
+  EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
+  EXPECT_FALSE(is_closed({4, 1.5}, {2.2, 1.5}));
+  stand(2.87, 3.02);
+  hide({2.02, 0}, {5, 1});
+  EXPECT_FALSE(is_closed({4, 1.5}, {2.2, 1.5}));
+}
+
+TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
+  for (double x_m = 1; x_m < 5; x_m += 0.05) stand(x_m, 3.87);
+  stand(2.87, 2.02);
+  stand(2.87, 3.62);
+  stand(2.92, 3.62);
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 

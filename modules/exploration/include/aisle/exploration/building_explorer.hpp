@@ -85,7 +85,8 @@ class BuildingExplorer {
     bool on_stack = false;
     bool has_gate = true;
     int chances = 1;                 ///< to be tried again after it was left ...
-    Vec2 p_map_left = Vec2::Zero();  ///< ... when the vehicle stood here
+    Vec2 p_map_left = Vec2::Zero();  ///< ... when the vehicle stood here ...
+    double free_m2_left = 0;         ///< ... and so much free floor was known
     Gate gate;
   };
   /// What a symbol of the stack stands for.
@@ -126,6 +127,7 @@ class BuildingExplorer {
   std::optional<Pose2> T_map_going_back_;
   Pose2 T_map_decided_;  ///< where the yardstick chose last
   Vec2 p_map_vehicle_ = Vec2::Zero();
+  double free_m2_ = 0;
   bool is_going_home_ = false;
   std::vector<Gate> gates_;
   std::vector<PathEvent> events_;

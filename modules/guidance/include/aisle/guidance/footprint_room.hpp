@@ -11,7 +11,8 @@ namespace aisle {
 inline constexpr double kRoomNoise_m = 0.004;  ///< of the room that a vehicle seems to have
 
 /// Whether a vehicle's footprint, and a margin around it, lies on floor that is known to be free: the
-/// footprint is covered by discs, which stick out over it by 2 cm at most where there is little room.
+/// footprint is covered by discs, which stick out over its sides by 5 mm and over its ends by 1.6 cm at most
+/// where there is little room.
 class FootprintRoom {
  public:
   FootprintRoom(const Footprint& footprint, double margin_m);
