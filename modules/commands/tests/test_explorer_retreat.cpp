@@ -15,12 +15,12 @@ namespace {
 constexpr double kTimeMax_s = 600;
 
 /// A corridor along x, 8 m x 1.3 m, and on its left, behind a door that is open into it, a narrow room of
-/// 1.7 m x 2.6 m, which is a dead end: the vehicle gets in, but a search in it finds no way out.
+/// 1.5 m x 2.6 m, which is a dead end: the vehicle gets in, but a search in it finds no way out.
 World corridor_with_narrow_room() {
   World world;
-  const Vec2 corners[] = {{0, 0},      {8, 0},      {8, 1.3},    {4.9, 1.3},  {4.9, 2.4},
-                          {4.94, 2.4}, {4.94, 1.5}, {5.28, 1.5}, {5.28, 4.1}, {3.58, 4.1},
-                          {3.58, 1.5}, {4, 1.5},    {4, 1.3},    {0, 1.3}};
+  const Vec2 corners[] = {{0, 0},      {8, 0},      {8, 1.3},   {4.92, 1.3}, {4.92, 2.4},
+                          {4.96, 2.4}, {4.96, 1.5}, {5.1, 1.5}, {5.1, 4.1},  {3.58, 4.1},
+                          {3.58, 1.5}, {4, 1.5},    {4, 1.3},   {0, 1.3}};
   for (std::size_t i = 0; i < std::size(corners); ++i)
     world.walls.push_back({.foot = {corners[i], corners[(i + 1) % std::size(corners)]}});
   world.start = Pose2{1, 0.65, 0};
