@@ -12,7 +12,8 @@ namespace {
 constexpr std::array kRoom_m = {0.1, 0.05, 0.01};
 constexpr double kWider = 1.25;  // than the narrowest turn
 constexpr double kArcStep_rad = 10 * kDegree;
-constexpr double kEarlierStep_m = 0.05, kEarlierMax_m = 0.4;
+constexpr double kEarlierStep_m = 0.05;
+constexpr int kEarlierSteps = 8;
 constexpr double kBackOnRoute_m = 1.2;  // behind the corner, after turning in early
 
 double turn_at(const Vec2& before, const Vec2& corner, const Vec2& after) {
@@ -80,7 +81,8 @@ std::vector<Pose2> OperatorWay::round(const Vec2& before, const Vec2& corner, co
       std::min({turning_radius_m(vehicle_) * std::tan(std::abs(turn_rad) / 2), in_m / 2, out_m / 2});
   const double back_m = tangent_m + kBackOnRoute_m;
   for (Obstacles& obstacles : obstacles_) {
-    for (double earlier_m = 0; earlier_m < kEarlierMax_m; earlier_m += kEarlierStep_m) {
+    for (int step = 0; step <= kEarlierSteps; ++step) {
+      const double earlier_m = step * kEarlierStep_m;
       if (earlier_m > 0 && (tangent_m + earlier_m > in_m / 2 || back_m > out_m / 2)) break;
       std::vector<Pose2> way = arc_round(before, corner, turn_rad, tangent_m, earlier_m);
       if (!is_free(way, in_reverse, obstacles)) continue;
