@@ -90,13 +90,11 @@ std::optional<Vec2> frame_size(std::span<const RoomCycle> cycles, std::span<cons
   constexpr std::size_t kPicturesMin = 2, kPicturesMax = 9;
   const Pose2& T_route_end = T_route_vehicle.back();
   std::vector<double> along_m, across_m;
-  std::size_t looked_at = 0;
-  for (std::size_t i = 0; i < cycles.size() && looked_at < kPicturesMax; i += 1) {
+  for (std::size_t i = 0; i < cycles.size() && along_m.size() < kPicturesMax; ++i) {
     const Pose2 T_vehicle_end = between(T_route_vehicle[i], T_route_end);
     const double left_m = T_vehicle_end.position().norm();
     if (left_m < params.frame_from_m || left_m > params.frame_to_m || cycles[i].p_vehicle_painted.empty())
       continue;
-    ++looked_at;
     const auto fit = find_frame_and_size(cycles[i].p_vehicle_painted, T_vehicle_end.theta, params.frame);
     if (!fit) continue;
     along_m.push_back(fit->size_m.x());

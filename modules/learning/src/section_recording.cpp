@@ -293,6 +293,7 @@ std::optional<double> usual(std::vector<double> distances_m) {
 /// The usual distance of a base line, and in which cycles it was seen there.
 std::optional<double> usual(const std::vector<DistancesBeside::Distance>& seen, std::vector<bool>& is_seen) {
   std::vector<double> distances_m;
+  distances_m.reserve(seen.size());
   for (const auto& one : seen) distances_m.push_back(one.distance_m);
   const auto usual_m = usual(std::move(distances_m));
   if (!usual_m) return std::nullopt;

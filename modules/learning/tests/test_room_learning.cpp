@@ -69,6 +69,32 @@ TEST(RoomLearning, NeedsAWayPicturesAndAFrame) {
   EXPECT_FALSE(learn_room_route(no_frame, room_cart(), {}).ok());
 }
 
+/// Points on the sides of a frame of 1.64 m x 1.14 m straight ahead; of its first stretch alone, or all.
+std::vector<Vec2> painted_ahead(double middle_m, double shown_m) {
+  std::vector<Vec2> points;
+  for (double x = 0; x < shown_m; x += 0.02) {
+    for (const double y : {0.57, -0.57}) points.emplace_back(middle_m - 0.82 + x, y);
+  }
+  for (double y = -0.57; y < 0.57; y += 0.02) {
+    points.emplace_back(middle_m - 0.82, y);
+    if (shown_m >= 1.64) points.emplace_back(middle_m + 0.82, y);
+  }
+  return points;
+}
+
+TEST(RoomLearning, AFrameThatIsShownInPartAtFirstIsMeasuredWhenItIsShownWhole) {
+  auto trip = drive(400);
+  trip.back().marks = {{Mark::Kind::kStop, "frame"}};
+  for (std::size_t i = 100; i < 250; ++i) {
+    const double middle_m = 4.5 - 0.01 * static_cast<double>(i);
+    trip[i].p_vehicle_painted = painted_ahead(middle_m, i < 200 ? 0.4 : 1.64);
+  }
+  const auto learned = learn_room_route(trip, room_cart(), {});
+  ASSERT_TRUE(learned.ok()) << to_string(learned.problems());
+  EXPECT_NEAR(learned->route.room->frame_size_m.x(), 1.64, 0.03);
+  EXPECT_NEAR(learned->route.room->frame_size_m.y(), 1.14, 0.03);
+}
+
 TEST(RoomLearning, EdgesThatSeveralPicturesShowAreKeptWhereTheyWereSeenLast) {
   auto trip = drive(100);
   for (std::size_t i = 0; i < trip.size(); ++i) {

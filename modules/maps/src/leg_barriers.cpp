@@ -251,8 +251,9 @@ bool LegBarriers::has_partner(const Leg& leg, const Vec2& along) const {
 std::optional<Vec2> LegBarriers::first_unknown(const FloorGrid& floor, const Vec2& p_map_leg,
                                                const Vec2& along) const {
   const double step_m = kLineStepCells * floor.cell_m();
-  for (double away_m = params_.leg_max_m; away_m <= params_.apart_max_m; away_m += step_m) {
-    const Vec2 p_map = p_map_leg + away_m * along;
+  const int steps = static_cast<int>((params_.apart_max_m - params_.leg_max_m) / step_m);
+  for (int i = 0; i <= steps; ++i) {
+    const Vec2 p_map = p_map_leg + (params_.leg_max_m + i * step_m) * along;
     if (floor.at(p_map) == Floor::kUnknown) return p_map;
     if (floor.at(p_map) == Floor::kOccupied) return std::nullopt;
   }

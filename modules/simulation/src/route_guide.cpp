@@ -7,6 +7,7 @@
 #include "aisle/core/angle.hpp"
 #include "aisle/maps/view_pattern.hpp"
 #include "aisle/simulation/obstacles.hpp"
+#include "operator_way.hpp"
 
 namespace aisle {
 namespace {
@@ -18,20 +19,17 @@ World with_tour(World world, const TaughtWay& route, const std::vector<Vec2>& be
 }
 
 /// Where the vehicle turns back that drives the lanes about the way's end: before and beyond each.
-std::vector<Vec2> turns_about_place(const World& world, const TaughtWay& route, Footprint footprint) {
+std::vector<Vec2> turns_about_place(const World& world, const TaughtWay& route, const Footprint& footprint) {
   constexpr double kRunUp_m = 1, kSpare_m = 0.05, kStep_m = 0.1;
-  footprint.front_m += kSpare_m;
-  footprint.rear_m += kSpare_m;
-  footprint.width_m += 2 * kSpare_m;
-  Obstacles obstacles(world, footprint);
+  Obstacles obstacles(world, with_room_to_spare(footprint, kSpare_m));
   const Vec2& p = route.way.back();
   const Pose2 T_world_place{p.x(), p.y(), heading_of(p - *(route.way.end() - 2))};
   std::vector<Vec2> turns;
   for (const ViewLane& lane : view_pattern()) {
     const double begin_m = lane.along_m.front() - kRunUp_m, end_m = lane.along_m.back();
     bool is_free = true;
-    for (double way_m = begin_m; way_m < end_m; way_m += kStep_m)
-      is_free = is_free && !obstacles.touch(T_world_place * lane.at(way_m));
+    for (int step = 0; begin_m + step * kStep_m < end_m; ++step)
+      is_free = is_free && !obstacles.touch(T_world_place * lane.at(begin_m + step * kStep_m));
     if (!is_free) continue;
     turns.push_back(T_world_place * lane.at(begin_m).position());
     turns.push_back(T_world_place * lane.at(end_m).position());

@@ -22,7 +22,7 @@ constexpr double kCornerGap_m = 0.02;   // between an edge's end and the corner 
 constexpr double kCornerGapPerDistance = 0.04;
 constexpr double kSameCorner_m = 0.15;
 constexpr double kProudSigmas = 2.5;
-constexpr double kFarEdge_m = 7;  // edges of the floor farther away may be of what hangs on a nearer wall
+constexpr double kFar_m = 7;           // what stands farther away is vague, or may hang on a nearer wall
 constexpr double kFadedBeneath = 0.6;  // share of its contrast that a line loses at the floor to end there
 
 CameraMount tilted(CameraMount mount, double by_rad) {
@@ -73,7 +73,15 @@ const std::vector<LandmarkSighting>& LandmarkDetector::detect(const Image& grey)
     sightings_.push_back(*sighting);
   }
   if (params_.corners) add_corners();
+  leave_out_far();
   return sightings_;
+}
+
+/// Where nearer feet are seen, far ones do not count.
+void LandmarkDetector::leave_out_far() {
+  const auto is_far = [](const LandmarkSighting& seen) { return seen.p_vehicle.norm() > kFar_m; };
+  if (std::all_of(sightings_.begin(), sightings_.end(), is_far)) return;
+  std::erase_if(sightings_, is_far);
 }
 
 std::optional<LandmarkSighting> LandmarkDetector::sighting_at(const Meeting& foot) const {
@@ -176,7 +184,7 @@ bool LandmarkDetector::may_hang(const FloorEdge& edge) const {
            });
   };
   const Segment2& segment = edge.on_floor.segment;
-  return std::min(segment.start.norm(), segment.end.norm()) > kFarEdge_m && is_end_of_a_line(segment.start) &&
+  return std::min(segment.start.norm(), segment.end.norm()) > kFar_m && is_end_of_a_line(segment.start) &&
          is_end_of_a_line(segment.end);
 }
 

@@ -103,6 +103,15 @@ TEST(LandmarkSightings, ADoorAcrossAHallTellsItsBearing) {
   }
 }
 
+TEST(LandmarkSightings, ADoorAcrossAHallDoesNotCountWhereANearOneIsSeen) {
+  DrawnRoom room{.walls = {wall_ahead(10, 0.1), wall_ahead(1.05, -kPi / 2)},
+                 .panels = {{.from_m = 19.2, .to_m = 20.3, .top_m = 2.1},
+                            {.wall = 1, .from_m = 22.2, .to_m = 23.1, .top_m = 2.1}}};
+  const auto sightings = sightings_of(room);
+  ASSERT_THAT(sightings, SizeIs(2));
+  for (const LandmarkSighting& sighting : sightings) EXPECT_NEAR(sighting.p_vehicle.y(), -1.05, 0.05);
+}
+
 TEST(LandmarkSightings, AreUncertainAlongTheLineOfSight) {
   const DrawnRoom room = room_with({.from_m = 18.8, .to_m = 19.7, .bottom_m = 0, .top_m = 2.1});
   for (const LandmarkSighting& sighting : sightings_of(room)) {

@@ -42,7 +42,7 @@ struct LandmarkSighting {
 /// the skirting board above it, has its foot there. One that ends higher (a poster's edge) hangs on the wall
 /// that stands on that edge: its foot is where its azimuth meets the edge, if there is but one. One that goes
 /// on beneath the edge stands nearer, where no edge was seen, and has none; its reflection in the floor does
-/// not count. No allocation once warm.
+/// not count. Feet beyond 7 m count where no nearer one is seen. No allocation once warm.
 class LandmarkDetector {
  public:
   LandmarkDetector(const LandmarkSightingParams& params, const CameraIntrinsics& intrinsics,
@@ -68,6 +68,7 @@ class LandmarkDetector {
   void add_corners();
   std::optional<Vec2> corner_of(const Segment2& a, const Segment2& b) const;
   bool is_upright(const VerticalLine& line) const;
+  void leave_out_far();
   std::optional<Vec2> azimuth(const Vec2& pixel_px) const;
   void meet_edges(const VerticalLine& line);
   bool may_hang(const FloorEdge& edge) const;
