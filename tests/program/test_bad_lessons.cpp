@@ -68,6 +68,13 @@ TEST_F(BadLessons, NamesThatNoRouteCanHaveAreRefusedBeforeTheDrive) {
   }
 }
 
+TEST_F(BadLessons, ARouteThatAScriptedPersonDoesNotKnowIsRefusedWithThoseThatItKnows) {
+  EXPECT_THAT(
+      run_aisle({"teach", "laboratory", "--method", "route", "--route", "garden", "--operator", "scripted",
+                 "--out", at("out"), "--json"}),
+      IsRefused("'garden', which a scripted person could drive; there are: parking frame, dead end, "));
+}
+
 TEST_F(BadLessons, ThePatternOfViewsIsDrivenAboutTaughtPlacesOnly) {
   EXPECT_THAT(run_aisle({"teach", "laboratory", "--views", "pattern", "--out", at("out"), "--json"}),
               IsRefused("--views: the pattern belongs to the method route"));

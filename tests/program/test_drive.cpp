@@ -70,7 +70,7 @@ TEST_F(DriveByKeys, NamesWhatIsNotThere) {
   EXPECT_THAT(without_pictures({"drive", at("no.yaml")}), IsRefused("no.yaml: no such file"));
   EXPECT_THAT(without_pictures({"drive", "l-corridor", "--vehicle", "cab"}), IsRefused("cab: no such file"));
   EXPECT_THAT(without_pictures({"drive", "l-corridor", "--scenario", "flood"}),
-              IsRefused("flood: no such file"));
+              IsRefused("flood: no such file, nor one of the shipped scenarios: blocked-corridor, "));
   EXPECT_THAT(without_pictures({"drive", "l-corridor", "--keys", at("none.txt")}), IsRefused("none.txt: "));
   EXPECT_THAT(without_pictures({"drive", "l-corridor", "--keys", file("bad.txt", "0-1 up\n2 jump\n")}),
               IsRefused("bad.txt:2: "));

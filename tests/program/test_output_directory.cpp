@@ -43,6 +43,14 @@ TEST_F(OutputDirectory, OtherFilesInItAreNoHindrance) {
   EXPECT_EQ(run_aisle({"map", log(), "--out", at("out")}).exit_code, 0);
 }
 
+TEST_F(OutputDirectory, GoesAgainWhereNoResultsCome) {
+  fs::create_directory(at("mine"));
+  EXPECT_EQ(run_aisle({"learn", at("no-session"), "--out", at("mine/made/out")}).exit_code, 2);
+  EXPECT_THAT(names_in(at("mine")), IsEmpty());
+  EXPECT_EQ(run_aisle({"learn", at("no-session"), "--out", at("mine")}).exit_code, 2);
+  EXPECT_TRUE(fs::exists(at("mine")));
+}
+
 TEST_F(OutputDirectory, AFileInItsPlaceIsRefused) {
   file("taken", "mine");
   EXPECT_THAT(run_aisle({"map", log(), "--out", at("taken"), "--json"}), IsRefused(at("taken")));

@@ -22,6 +22,15 @@ Problems in_the_way(const fs::path& directory, bool force, const std::vector<std
   return problems;
 }
 
+/// This directory and those above it that are not there, innermost first.
+std::vector<fs::path> missing_of(const fs::path& directory) {
+  std::vector<fs::path> missing;
+  std::error_code error;
+  for (fs::path path = directory; !path.empty() && !fs::exists(path, error); path = path.parent_path())
+    missing.push_back(path);
+  return missing;
+}
+
 Problems write_beside(const fs::path& directory, const std::vector<OutputFile>& files) {
   std::error_code error;
   fs::create_directory(directory, error);
@@ -39,13 +48,22 @@ Result<OutputDirectory> OutputDirectory::open(const fs::path& directory, bool fo
                                               const std::vector<std::string>& names) {
   if (directory.empty()) return Problem{{"--out"}, "names no directory"};
   std::error_code error;
+  std::vector<fs::path> missing = missing_of(directory);
   fs::create_directories(directory, error);
+  OutputDirectory opened(directory, std::move(missing));
   if (error) return Problem{{directory.string()}, "cannot be made: " + error.message()};
   if (!fs::is_directory(directory, error)) return Problem{{directory.string()}, "is not a directory"};
   if (::access(directory.c_str(), W_OK | X_OK) != 0)
     return Problem{{directory.string()}, "cannot be written to"};
   if (const Problems problems = in_the_way(directory, force, names); !problems.empty()) return problems;
-  return OutputDirectory(directory);
+  return opened;
+}
+
+OutputDirectory::~OutputDirectory() {
+  std::error_code error;
+  for (const fs::path& made : made_) {
+    if (!fs::remove(made, error)) return;
+  }
 }
 
 Result<std::optional<OutputDirectory>> OutputDirectory::open_if_named(const fs::path& directory, bool force,

@@ -31,7 +31,9 @@ VehicleModel vehicle_with_ordinary_camera() {
 
 Result<VehicleModel> vehicle_of(const RenderViewOptions& options) {
   if (options.vehicle.empty()) return vehicle_with_ordinary_camera();
-  return read_vehicle(shipped_or_own("vehicles", options.vehicle.string()));
+  const auto file = shipped_or_own("vehicles", options.vehicle.string());
+  if (!file) return file.problems();
+  return read_vehicle(*file);
 }
 
 Result<CameraDescription> camera_of(const VehicleDescription& vehicle, const RenderViewOptions& options) {
@@ -81,7 +83,9 @@ Outcome render_view_parameters() {
 }
 
 Result<Outcome> run_render_view(const RenderViewOptions& options, Console&) {
-  const auto world = read_world(shipped_or_own("worlds", options.world.string()));
+  const auto file = shipped_or_own("worlds", options.world.string());
+  if (!file) return file.problems();
+  const auto world = read_world(*file);
   if (!world) return world.problems();
   const auto model = vehicle_of(options);
   if (!model) return model.problems();

@@ -1,6 +1,9 @@
 #include "aisle/commands/shipped_files.hpp"
 
+#include <fmt/format.h>
+
 #include <initializer_list>
+#include <set>
 #include <system_error>
 
 namespace aisle {
@@ -24,15 +27,32 @@ fs::path beside_program(std::initializer_list<fs::path> relative) {
   return {};
 }
 
+fs::path shipped_folder(const std::string& kind) {
+  return beside_program({kind, fs::path("share/aisle") / kind});
+}
+
+/// Of the files in a folder that may be missing, in order.
+std::set<std::string> names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  std::error_code error;
+  for (const auto& file : fs::directory_iterator(folder, error)) {
+    if (file.path().extension() == ".yaml") names.insert(file.path().stem().string());
+  }
+  return names;
+}
+
 }  // namespace
 
-std::filesystem::path shipped_or_own(const std::string& kind, const std::string& name) {
+Result<fs::path> shipped_or_own(const std::string& kind, const std::string& name) {
   std::error_code error;
   const bool is_word = !name.empty() && name.find('/') == std::string::npos;
-  if (!is_word || fs::exists(name, error)) return name;
-  const std::string file = name.ends_with(".yaml") ? name : name + ".yaml";
-  const fs::path shipped = beside_program({fs::path(kind) / file, fs::path("share/aisle") / kind / file});
-  return shipped.empty() ? fs::path(name) : shipped;
+  if (!is_word || fs::exists(name, error)) return fs::path(name);
+  const fs::path shipped = shipped_folder(kind);
+  const fs::path file = shipped / (name.ends_with(".yaml") ? name : name + ".yaml");
+  if (!shipped.empty() && fs::exists(file, error)) return file;
+  return Problem{
+      {name},
+      fmt::format("no such file, nor one of the shipped {}: {}", kind, fmt::join(names_in(shipped), ", "))};
 }
 
 std::filesystem::path shipped_page() {

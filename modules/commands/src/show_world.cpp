@@ -170,7 +170,9 @@ Problems draw(const World& world, const ShowWorldOptions& options, Outcome& outc
 
 Result<Outcome> run_show_world(const ShowWorldOptions& options, Console& console) {
   if (const Problems problems = check_outputs(options); !problems.empty()) return problems;
-  const Result<World> world = read_world(shipped_or_own("worlds", options.world.string()));
+  const auto file = shipped_or_own("worlds", options.world.string());
+  if (!file) return file.problems();
+  const Result<World> world = read_world(*file);
   if (!world) return world.problems();
   Outcome outcome = describe(*world);
   Reach(*world).add_to(outcome, console);

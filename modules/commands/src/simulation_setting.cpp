@@ -50,16 +50,22 @@ Result<SimulationSetting> read_setting(const std::string& world, const std::stri
                                        const std::string& scenario, double plan_pixel_m) {
   SimulationSetting setting;
   if (!world.empty()) {
-    setting.world_file = shipped_or_own("worlds", world);
+    auto file = shipped_or_own("worlds", world);
+    if (!file) return file.problems();
+    setting.world_file = std::move(*file);
     auto read = read_world_or_plan(setting.world_file, plan_pixel_m);
     if (!read) return read.problems();
     setting.world = std::move(*read);
   }
-  auto model = read_vehicle(shipped_or_own("vehicles", vehicle));
+  const auto vehicle_file = shipped_or_own("vehicles", vehicle);
+  if (!vehicle_file) return vehicle_file.problems();
+  auto model = read_vehicle(*vehicle_file);
   if (!model) return model.problems();
   setting.vehicle = std::move(*model);
   if (scenario.empty()) return setting;
-  auto faults = read_scenario(shipped_or_own("scenarios", scenario));
+  const auto scenario_file = shipped_or_own("scenarios", scenario);
+  if (!scenario_file) return scenario_file.problems();
+  auto faults = read_scenario(*scenario_file);
   if (!faults) return faults.problems();
   setting.scenario = std::move(*faults);
   if (Problems problems = check_scenario(scenario, setting); !problems.empty()) return problems;

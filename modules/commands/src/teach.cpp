@@ -16,12 +16,19 @@ namespace aisle {
 
 namespace {
 
+std::string names(const std::vector<TaughtWay>& routes) {
+  std::string list;
+  for (const TaughtWay& route : routes) list += (list.empty() ? "" : ", ") + route.name;
+  return list.empty() ? "none" : list;
+}
+
 /// The first camera alone is learned from; a scripted person drives the world's route of that name.
 Problems take_route(const TeachOptions& options, const VehicleDescription& vehicle, DriveOptions& drive) {
   if (Problems problems = unfit_for_rooms(vehicle, {kFirstCamera}); !problems.empty()) return problems;
   drive.camera = kFirstCamera;
-  const std::filesystem::path file = shipped_or_own("worlds", drive.world);
-  const auto world = read_world(file);
+  const auto file = shipped_or_own("worlds", drive.world);
+  if (!file) return file.problems();
+  const auto world = read_world(*file);
   if (!world) return world.problems();
   const TaughtWay* way = route_of(*world, options.route);
   if (way != nullptr) drive.T_world_start = start_of(*way);
@@ -29,8 +36,9 @@ Problems take_route(const TeachOptions& options, const VehicleDescription& vehic
     return {{{"", 0, "--views"}, "the pattern is driven by a scripted person, about a taught place"}};
   if (drive.keys) return {};
   if (way == nullptr)
-    return {{{file.string(), 0, "routes"},
-             fmt::format("none is '{}', which a scripted person could drive", options.route)}};
+    return {{{file->string(), 0, "routes"},
+             fmt::format("none is '{}', which a scripted person could drive; there are: {}", options.route,
+                         names(world->routes))}};
   const ShownViews views = options.shows_view_pattern ? ShownViews::kPattern : ShownViews::kTrail;
   drive.keys = [world = *world, way = *way, seed = drive.seed, views](
                    const VehicleDescription& driven, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
@@ -50,7 +58,9 @@ Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
     return Problem{{"", 0, "--views"}, "the pattern belongs to the method route"};
   DriveOptions drive = options.drive;
   drive.vehicle = vehicle_or_usual(drive.vehicle, options.method);
-  const auto vehicle = read_vehicle(shipped_or_own("vehicles", drive.vehicle));
+  const auto vehicle_file = shipped_or_own("vehicles", drive.vehicle);
+  if (!vehicle_file) return vehicle_file.problems();
+  const auto vehicle = read_vehicle(*vehicle_file);
   if (!vehicle) return vehicle.problems();
   if (vehicle->description.cameras.empty())
     return Problem{{drive.vehicle, 0, "cameras"}, "there is none: nothing can be learned"};

@@ -21,9 +21,17 @@ struct OutputFile {
 };
 
 /// A verb's `--out DIR`. Checked before the work starts, so that an hour's work is never lost to a bad path;
-/// existing results are replaced only with `--force`.
+/// existing results are replaced only with `--force`. A directory that was made for results which then do not
+/// come goes again.
 class OutputDirectory {
  public:
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory(OutputDirectory&& other) noexcept
+      : made_(std::exchange(other.made_, {})), directory_(std::move(other.directory_)) {}
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(OutputDirectory&&) = delete;
+  ~OutputDirectory();
+
   /// `names` are the files that the verb is going to write. The directory is created.
   static Result<OutputDirectory> open(const std::filesystem::path& directory, bool force,
                                       const std::vector<std::string>& names);
@@ -40,8 +48,10 @@ class OutputDirectory {
   Result<std::map<std::string, std::string>> write(const std::vector<OutputFile>& files) const;
 
  private:
-  explicit OutputDirectory(std::filesystem::path directory) : directory_(std::move(directory)) {}
+  OutputDirectory(std::filesystem::path directory, std::vector<std::filesystem::path> made)
+      : made_(std::move(made)), directory_(std::move(directory)) {}
 
+  std::vector<std::filesystem::path> made_;  ///< innermost first
   std::filesystem::path directory_;
 };
 
