@@ -54,7 +54,8 @@ class BaseLineDetector::Work {
     turn_segments(view);
     turn_verticals(view, verticals);
     const Vec2 side_point_px = view.turned(point_px);
-    auto foot = search_.find(view, side_point_px, side_segments_, side_verticals_, floor_, params_.score_min);
+    const SideScene scene{view, side_point_px, side_verticals_, floor_};
+    auto foot = search_.find(scene, side_segments_, params_.score_min);
     if (!foot) return std::nullopt;
     refinement_.refine(view, far_px(*foot, side_point_px), border_px(*foot), *foot);
     return as_seen(*foot, view, side_point_px);

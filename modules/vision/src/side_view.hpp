@@ -1,7 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
+#include <cmath>
+#include <optional>
 
 #include "aisle/core/image.hpp"
 #include "aisle/geometry/pose2.hpp"
@@ -26,6 +26,16 @@ class SideView {
   bool contains(int u, int v) const { return u >= 0 && v >= 0 && u < width_px() && v < height_px(); }
   int at(int u, int v) const { return grey_->row(v)[mirrored_ ? grey_->width_px - 1 - u : u]; }
 
+  /// Whether the pixel nearest to a point is in the picture.
+  bool contains(const Vec2& point_px) const { return contains(nearest(point_px.x()), nearest(point_px.y())); }
+
+  /// By how much the pixel nearest to one point is brighter than the one nearest to another; none if one of
+  /// them is beside the picture.
+  std::optional<int> step(const Vec2& from_px, const Vec2& to_px) const {
+    if (!contains(from_px) || !contains(to_px)) return std::nullopt;
+    return at(nearest(to_px.x()), nearest(to_px.y())) - at(nearest(from_px.x()), nearest(from_px.y()));
+  }
+
   /// Between the pixels; the point must have a pixel to each side.
   double between(const Vec2& point_px) const {
     const int u = static_cast<int>(point_px.x()), v = static_cast<int>(point_px.y());
@@ -36,6 +46,8 @@ class SideView {
   }
 
  private:
+  static int nearest(double px) { return static_cast<int>(std::lround(px)); }
+
   const Image* grey_;
   bool mirrored_;
 };

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "side_view.hpp"
-#include "wall_foot_search.hpp"
+#include "wall_foot.hpp"
 
 namespace aisle {
 
