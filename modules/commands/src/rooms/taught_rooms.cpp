@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "aisle/guidance/hand_driver.hpp"
+#include "aisle/guidance/mission.hpp"
 #include "aisle/guidance/room_cameras.hpp"
 #include "aisle/simulation/route_guide.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
