@@ -8,6 +8,7 @@
 
 #include "aisle/core/random.hpp"
 #include "aisle/guidance/room_cameras.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
 #include "aisle/simulation/turning_course.hpp"
 #include "methods.hpp"
 #include "mission_count.hpp"
@@ -84,7 +85,8 @@ Result<RoomMissionResult> drive_taught(SimulationSetting setting, const TaughtRo
                             no_session, progress);
 }
 
-Result<SimulationSetting> room_setting(const TrialOptions& options, std::uint64_t seed) {
+Result<SimulationSetting> room_setting(const TrialOptions& options, const RoomLook& look,
+                                       std::uint64_t seed) {
   const std::string world =
       options.worlds.empty() ? "laboratory" : options.worlds[seed % options.worlds.size()];
   auto setting = read_setting(world, vehicle_or_usual(options.vehicle, "route"), options.scenario);
@@ -94,6 +96,7 @@ Result<SimulationSetting> room_setting(const TrialOptions& options, std::uint64_
   if (setting->world.routes.empty())
     problems.push_back({{setting->world_file.string(), 0, "routes"}, "are missing: nothing can be taught"});
   if (!problems.empty()) return problems;
+  look.apply(setting->world);
   return setting;
 }
 
@@ -140,7 +143,7 @@ Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialPar
   for (std::uint64_t i = 0; i < seeds; ++i) {
     within.begin(i);
     const std::uint64_t seed = options.first_seed + i;
-    const auto setting = room_setting(options, seed);
+    const auto setting = room_setting(options, params.look, seed);
     if (!setting) return setting.problems();
     const auto ways = ways_of(setting->world, parking);
     if (ways.empty())
