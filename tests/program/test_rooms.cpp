@@ -71,6 +71,32 @@ TEST_F(Rooms, AWayThatWasShownOnceIsDrivenIntoItsFrame) {
   EXPECT_EQ(run_for_figures({"replay", at("backing")})["different"], 0);
 }
 
+TEST_F(Rooms, AWayThatCannotBeTaughtLeavesTheOthersOfATrial) {
+  const std::string away = "  - {name: to no bay, park: frame, way: [[5.85, 1.5], [3, 1.5]]}\n";
+  const auto trial = run_for_figures({"trial", "park", "--strategy", "frame", "--seeds", "1..3", "--world",
+                                      file("room.yaml", kRoom + away)});
+  EXPECT_EQ(trial["missions"], 1);
+  EXPECT_EQ(trial["success_share"], 1.0);
+  ASSERT_EQ(trial["runs"].size(), 1U);
+  EXPECT_EQ(trial["runs"][0]["route"], "to the bay");
+  ASSERT_EQ(trial["not_taught"].size(), 2U);
+  for (const std::size_t i : {0U, 1U}) {
+    EXPECT_EQ(trial["not_taught"][i]["seed"], 1 + 2 * i);
+    EXPECT_EQ(trial["not_taught"][i]["route"], "to no bay");
+    EXPECT_THAT(trial["not_taught"][i]["why"].get<std::string>(), HasSubstr("shows no parking frame"));
+  }
+}
+
+TEST_F(Rooms, WithoutAnyLessonATrialIsNotWell) {
+  const std::string room = kRoom;
+  const std::string no_frame =
+      room.substr(0, room.find("parking_frames:")) + room.substr(room.find("start:"));
+  const auto trial = run_for_figures(
+      {"trial", "park", "--strategy", "frame", "--seeds", "1", "--world", file("bare.yaml", no_frame)}, 1);
+  EXPECT_EQ(trial["missions"], 0);
+  EXPECT_EQ(trial["not_taught"].size(), 1U);
+}
+
 TEST_F(Rooms, BetweenCloseTurningsTheVehicleBacksAndDrivesTheSecond) {
   const auto trial = run_for_figures({"trial", "turnings", "--close", "--seeds", "1"});
   ASSERT_EQ(trial["runs"].size(), 2U);

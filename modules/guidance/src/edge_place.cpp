@@ -107,18 +107,17 @@ void EdgePlace::take(std::span<const SeenEdge> seen, const Pose2& T_odom_vehicle
   if (seen.size() < static_cast<std::size_t>(params_.points_min)) return;
   const Pose2 T_map_expected = T_map_odom_ * T_odom_vehicle;
   come_to(T_odom_vehicle, along_m);
-  const Fit fit = is_sure_ ? refined(seen, T_map_expected, T_map_expected, params_.drift_m, params_.drift_rad)
-                           : refined(seen, most_alike(seen, T_map_expected), T_map_expected,
-                                     params_.set_down_m, params_.set_down_rad);
+  // What the first pictures show is to be doubted: after many the odometry is trusted against each.
+  const double share = 1.0 / std::max(1, fits_);
+  const double sigma_m = std::max(params_.drift_m, share * params_.set_down_m);
+  const double sigma_rad = std::max(params_.drift_rad, share * params_.set_down_rad);
+  const Pose2 T_map_begin = is_sure() ? T_map_expected : most_alike(seen, T_map_expected);
+  const Fit fit = refined(seen, T_map_begin, T_map_expected, sigma_m, sigma_rad);
   if (fit.fitting_share < params_.fitting_min) return;
-  const Pose2 T_map_odom = fit.T_map_vehicle * T_odom_vehicle.inverse();
-  if (is_sure_) {
-    const Pose2 T_map_vehicle = interpolate(T_map_expected, fit.T_map_vehicle, params_.gain);
-    T_map_odom_ = T_map_vehicle * T_odom_vehicle.inverse();
-  } else {
-    T_map_odom_ = T_map_odom;
-  }
-  is_sure_ = true;
+  const double gain = is_sure() ? params_.gain : 1;
+  const Pose2 T_map_vehicle = interpolate(T_map_expected, fit.T_map_vehicle, gain);
+  T_map_odom_ = T_map_vehicle * T_odom_vehicle.inverse();
+  ++fits_;
 }
 
 double EdgePlace::variance_m2(const SeenEdge& seen) const {

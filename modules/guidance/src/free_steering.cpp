@@ -12,16 +12,53 @@ namespace {
 
 constexpr double kWayStep_m = 0.1;
 
-double nearest_m(const Footprint& footprint, std::span<const Vec2> p_vehicle, const Pose2& T_now_then) {
+/// What stands around the vehicle, the nearest first.
+struct Obstacle {
+  Vec2 p_vehicle;
+  double from_m;  ///< base_link
+};
+
+std::vector<Obstacle> nearest_first(std::span<const Vec2> p_vehicle) {
+  std::vector<Obstacle> obstacles;
+  obstacles.reserve(p_vehicle.size());
+  for (const Vec2& p : p_vehicle) obstacles.push_back({p, p.norm()});
+  std::sort(obstacles.begin(), obstacles.end(),
+            [](const Obstacle& a, const Obstacle& b) { return a.from_m < b.from_m; });
+  return obstacles;
+}
+
+/// From the footprint, where it is after some way, to what stands nearest to it there.
+double nearest_m(const Footprint& footprint, std::span<const Obstacle> obstacles, const Pose2& T_now_then,
+                 double way_m) {
   constexpr double kFar_m = 10;
+  const double radius_m = std::hypot(std::max(footprint.front_m, footprint.rear_m), footprint.width_m / 2);
   const Pose2 T_then_now = T_now_then.inverse();
   const double c = std::cos(T_then_now.theta), s = std::sin(T_then_now.theta);
   double least_m = kFar_m;
-  for (const Vec2& p : p_vehicle) {
+  for (const auto& [p, from_m] : obstacles) {
+    if (from_m - way_m - radius_m >= least_m) break;  // nor does any that stands farther off come nearer
     const Vec2 p_then(c * p.x() - s * p.y() + T_then_now.x, s * p.x() + c * p.y() + T_then_now.y);
     least_m = std::min(least_m, off_footprint_m(footprint, p_then));
   }
   return least_m;
+}
+
+SteeringChoice free_way_among(const VehicleDescription& vehicle, const FreeSteeringParams& params,
+                              std::span<const Obstacle> obstacles, double steering_rad, int direction) {
+  const double turn_per_m = std::tan(steering_rad) / vehicle.front_steered.wheelbase_m;
+  const double now_m = nearest_m(vehicle.footprint, obstacles, {}, 0);
+  SteeringChoice choice{.steering_rad = steering_rad, .free_m = 0, .clearance_m = now_m};
+  const int steps = static_cast<int>(std::lround(params.reach_m / kWayStep_m));
+  for (int step = 1; step <= steps; ++step) {
+    const double way_m = step * kWayStep_m;
+    const Pose2 T_now_then = end_pose({direction * way_m, direction * way_m * turn_per_m});
+    const double off_m = nearest_m(vehicle.footprint, obstacles, T_now_then, way_m);
+    // What is too near already may be left behind.
+    if (off_m < std::min(params.margin_m, now_m - 0.001)) break;
+    choice.free_m = way_m;
+    choice.clearance_m = std::min(choice.clearance_m, off_m);
+  }
+  return choice;
 }
 
 }  // namespace
@@ -38,23 +75,12 @@ void FreeSteeringParams::describe(FieldList& fields) {
 
 SteeringChoice free_way(const VehicleDescription& vehicle, const FreeSteeringParams& params,
                         std::span<const Vec2> p_vehicle, double steering_rad, int direction) {
-  const double turn_per_m = std::tan(steering_rad) / vehicle.front_steered.wheelbase_m;
-  const double now_m = nearest_m(vehicle.footprint, p_vehicle, {});
-  SteeringChoice choice{.steering_rad = steering_rad, .free_m = 0, .clearance_m = now_m};
-  const int steps = static_cast<int>(std::lround(params.reach_m / kWayStep_m));
-  for (int step = 1; step <= steps; ++step) {
-    const double way_m = direction * step * kWayStep_m;
-    const double off_m = nearest_m(vehicle.footprint, p_vehicle, end_pose({way_m, way_m * turn_per_m}));
-    // What is too near already may be left behind.
-    if (off_m < std::min(params.margin_m, now_m - 0.001)) break;
-    choice.free_m = step * kWayStep_m;
-    choice.clearance_m = std::min(choice.clearance_m, off_m);
-  }
-  return choice;
+  return free_way_among(vehicle, params, nearest_first(p_vehicle), steering_rad, direction);
 }
 
 SteeringChoice choose_steering(const VehicleDescription& vehicle, const FreeSteeringParams& params,
                                std::span<const Vec2> p_vehicle, double wish_rad, int direction) {
+  const std::vector<Obstacle> obstacles = nearest_first(p_vehicle);
   const double max_rad = vehicle.limits.steering_max_rad;
   const double wished_rad = std::clamp(wish_rad, -max_rad, max_rad);
   const int steps = static_cast<int>(2 * max_rad / params.step_rad);
@@ -62,7 +88,7 @@ SteeringChoice choose_steering(const VehicleDescription& vehicle, const FreeStee
   double least = 0;
   for (int i = -1; i <= steps; ++i) {
     const double steering_rad = i < 0 ? wished_rad : std::min(-max_rad + i * params.step_rad, max_rad);
-    const SteeringChoice choice = free_way(vehicle, params, p_vehicle, steering_rad, direction);
+    const SteeringChoice choice = free_way_among(vehicle, params, obstacles, steering_rad, direction);
     const double cost =
         square((steering_rad - wished_rad) / params.wish_rad) +
         params.clearance_weight * square(std::clamp(1 - choice.clearance_m / params.comfort_m, 0.0, 1.0)) +

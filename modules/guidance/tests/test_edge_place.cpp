@@ -122,6 +122,17 @@ TEST(EdgePlace, AMovedBoxThatFillsTheViewCountsNoMoreThanItsLength) {
   EXPECT_GT(off_after({.moved_m = 0.001}), 0.05) << "as if nothing could have been moved";
 }
 
+/// The first picture misleads, as where it shows little.
+TEST(EdgePlace, WhatTheFirstPictureShowedWronglyIsSoonMadeUpFor) {
+  const auto points = furnished_way();
+  const Pose2 T_map_vehicle{1.5, 0, 0}, T_map_wrong{1.55, 0.12, 2 * kDegree};
+  EdgePlace place({}, taught(points));
+  place.take(seen(points, T_map_wrong), T_map_vehicle, T_map_vehicle.x);
+  ASSERT_GT(off_m(place, T_map_vehicle, T_map_vehicle), 0.08);
+  for (int i = 0; i < 6; ++i) place.take(seen(points, T_map_vehicle), T_map_vehicle, T_map_vehicle.x);
+  EXPECT_LT(off_m(place, T_map_vehicle, T_map_vehicle), 0.03);
+}
+
 TEST(EdgePlace, WhatLooksOtherwiseOrTooLittleSaysNothing) {
   const auto points = furnished_way();
   EdgePlace place({}, taught(points));

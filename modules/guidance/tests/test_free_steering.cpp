@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <rapidcheck/gtest.h>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "cart.hpp"
@@ -51,6 +54,25 @@ TEST(FreeSteering, BackwardsItKeepsOffWhatItsFrontWouldSwingTo) {
   const SteeringChoice choice = choose_steering(cart(), {.comfort_m = 0.1}, beside, 0.3, -1);
   EXPECT_LT(choice.steering_rad, 0.1);
   EXPECT_GT(choice.free_m, 1);
+}
+
+RC_GTEST_PROP(FreeSteering, NoPointIsOverlooked, ()) {
+  const auto within = [](int most_cm) { return *rc::gen::inRange(-most_cm, most_cm + 1) / 100.0; };
+  std::vector<Vec2> points(static_cast<std::size_t>(*rc::gen::inRange(1, 40)));
+  for (Vec2& p : points) p = {within(400), within(400)};
+  const double steering_rad = within(70);
+  const int direction = *rc::gen::element(-1, 1);
+  const SteeringChoice choice =
+      free_way(cart(), {.reach_m = 1.5, .margin_m = 0}, points, steering_rad, direction);
+  double nearest_m = 10;
+  for (int step = 0; step * 0.1 < choice.free_m + 0.05; ++step) {
+    const double way_m = direction * step * 0.1;
+    const double turn_rad = way_m * std::tan(steering_rad) / cart().front_steered.wheelbase_m;
+    const Pose2 T_then_now = end_pose({way_m, turn_rad}).inverse();
+    for (const Vec2& p : points)
+      nearest_m = std::min(nearest_m, off_footprint_m(cart().footprint, T_then_now * p));
+  }
+  RC_ASSERT(std::abs(choice.clearance_m - nearest_m) < 1e-9);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "aisle/commands/trial.hpp"
 #include "rooms/room_driver.hpp"
 #include "rooms/room_lesson.hpp"
+#include "rooms/room_look.hpp"
 
 namespace aisle {
 
@@ -28,6 +29,7 @@ struct RoomTrialParams {
   RoomLessonParams lesson;
   bool view_pattern = false;
   RoomNavigatorParams navigator;
+  RoomLook look;
   RoomChange change;
   RoomChange park_change{.furniture_m = 0, .light_share = 0};
 
@@ -35,6 +37,7 @@ struct RoomTrialParams {
     fields.group("lesson", lesson);
     fields.flag("view_pattern", view_pattern, "the person shows the 63 views about a taught place");
     fields.group("navigator", navigator);
+    fields.group("look", look);
     fields.group("change", change);
     fields.group("park_change", park_change);
   }

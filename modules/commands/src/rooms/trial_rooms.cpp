@@ -2,22 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "aisle/core/random.hpp"
-#include "aisle/guidance/hand_driver.hpp"
 #include "aisle/guidance/room_cameras.hpp"
-#include "aisle/simulation/route_guide.hpp"
 #include "aisle/simulation/simulated_vehicle.hpp"
 #include "aisle/simulation/turning_course.hpp"
 #include "methods.hpp"
 #include "mission_count.hpp"
 #include "rooms/room_mission.hpp"
 #include "rooms/room_verbs.hpp"
-#include "rooms/room_visit.hpp"
+#include "rooms/taught_rooms.hpp"
 #include "rounded.hpp"
 #include "statistics.hpp"
 
@@ -25,54 +22,6 @@ namespace aisle {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Collects a drive, with the truth.
-class RoomLessonRecord final : public MissionRecord {
- public:
-  RoomLessonRecord(const RoomLessonParams& params, const SimulatedVehicle& vehicle)
-      : collector(params, vehicle.description()), vehicle_(vehicle) {}
-
-  Result<Observation> keep(Observation observation) override {
-    collector.add(observation);
-    T_world_vehicle.push_back(vehicle_.truth().T_world_vehicle);
-    return observation;
-  }
-  Problems keep(const Decision&) override { return {}; }
-
-  RoomTripCollector collector;
-  std::vector<Pose2> T_world_vehicle;
-
- private:
-  const SimulatedVehicle& vehicle_;
-};
-
-/// A route as it was learned, and where it lies.
-struct TaughtRoute {
-  Route route;
-  RouteInWorld place;
-};
-
-Result<TaughtRoute> teach_route(const SimulationSetting& setting, const TaughtWay& way,
-                                const RoomTrialParams& params, std::uint64_t seed, Progress& progress) {
-  SimulationSetting taught = setting;
-  keep_cameras(taught.vehicle.description, {kFirstCamera});
-  const bool shows_pattern = params.view_pattern && way.parking == ParkingStrategy::kView;
-  RouteGuide person(taught.world, way, taught.vehicle.description, {}, seed,
-                    shows_pattern ? ShownViews::kPattern : ShownViews::kTrail);
-  SimulatedVehicle vehicle(taught.world, taught.vehicle, {}, {.seed = seed, .T_world_start = start_of(way)},
-                           &person);
-  HandDriver driver({});
-  RoomLessonRecord record(params.lesson, vehicle);
-  const auto end = run_mission(vehicle, driver, record, progress);
-  if (!end) return end.problems();
-  if (!person.has_arrived())
-    return Problem{{setting.world_file.string(), 0, way.name}, "the person did not get through"};
-  auto lesson = learn_room(record.collector.cycles, taught.vehicle.description, way.name, params.lesson);
-  if (!lesson) return lesson.problems();
-  Route route = std::move(lesson->building.routes.front());
-  RouteInWorld place(MapTruth(std::move(lesson->T_route_vehicle), std::move(record.T_world_vehicle)), route);
-  return TaughtRoute{std::move(route), std::move(place)};
-}
 
 /// The same room on another day.
 SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& change, Random& random) {
@@ -87,12 +36,17 @@ SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& ch
 
 constexpr double kFalseStop_m = 0.5;  // who parks farther away has taken another place for the taught one
 
+/// Shares are of the missions that were driven: without a lesson there is none.
 struct RoomTrial {
   std::size_t missions = 0, arrived = 0, stopped = 0, collisions = 0, false_stops = 0;
   Spread end_m, end_deg, clearance_m;
   std::vector<double> cycle_s;
-  Json runs = Json::array();
+  Json runs = Json::array(), not_taught = Json::array();
 
+  bool all_well() const { return missions > 0 && arrived == missions; }
+  void add_not_taught(const Problems& problems, std::uint64_t seed, const std::string& route) {
+    not_taught.push_back({{"seed", seed}, {"route", route}, {"why", to_string(problems)}});
+  }
   void add(const RoomMissionResult& result, std::uint64_t seed, const std::string& route) {
     ++missions;
     const bool is_there = result.end_error_m < kFalseStop_m;
@@ -131,42 +85,20 @@ Result<RoomMissionResult> drive_taught(SimulationSetting setting, const TaughtRo
                             no_session, progress);
 }
 
-/// The routes of the trial's worlds, each taught once.
-class TaughtRoutes {
- public:
-  TaughtRoutes(const TrialOptions& options, const RoomTrialParams& params)
-      : options_(options), params_(params) {}
-
-  Result<SimulationSetting> setting(std::uint64_t seed) const {
-    const std::string world =
-        options_.worlds.empty() ? "laboratory" : options_.worlds[seed % options_.worlds.size()];
-    auto setting = read_setting(world, vehicle_or_usual(options_.vehicle, "route"), options_.scenario);
-    if (!setting) return setting.problems();
-    Problems problems =
-        unfit_for_rooms(setting->vehicle.description, {kFirstCamera, kSecondCamera, kThirdCamera});
-    if (setting->world.routes.empty())
-      problems.push_back({{setting->world_file.string(), 0, "routes"}, "are missing: nothing can be taught"});
-    if (!problems.empty()) return problems;
-    return setting;
-  }
-
-  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const TaughtWay& way,
-                                    Progress& progress) {
-    const std::string key = setting.world_file.string() + "/" + way.name;
-    auto known = taught_.find(key);
-    if (known == taught_.end()) {
-      auto route = teach_route(setting, way, params_, options_.first_seed, progress);
-      if (!route) return route.problems();
-      known = taught_.emplace(key, std::move(*route)).first;
-    }
-    return &known->second;
-  }
-
- private:
-  const TrialOptions& options_;
-  const RoomTrialParams& params_;
-  std::map<std::string, TaughtRoute> taught_;
-};
+Result<SimulationSetting> room_setting(const TrialOptions& options, const RoomLook& look,
+                                       std::uint64_t seed) {
+  const std::string world =
+      options.worlds.empty() ? "laboratory" : options.worlds[seed % options.worlds.size()];
+  auto setting = read_setting(world, vehicle_or_usual(options.vehicle, "route"), options.scenario);
+  if (!setting) return setting.problems();
+  Problems problems =
+      unfit_for_rooms(setting->vehicle.description, {kFirstCamera, kSecondCamera, kThirdCamera});
+  if (setting->world.routes.empty())
+    problems.push_back({{setting->world_file.string(), 0, "routes"}, "are missing: nothing can be taught"});
+  if (!problems.empty()) return problems;
+  look.apply(setting->world);
+  return setting;
+}
 
 /// Where the vehicle is set down before the place where it is to park.
 Pose2 disturbed_start(const SimulationSetting& setting, const Pose2& T_world_start, Random& random) {
@@ -205,21 +137,24 @@ Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialPar
                                  std::optional<ParkingStrategy> parking, Console& console,
                                  const Begin& begin) {
   RoomTrial trial;
-  TaughtRoutes routes(options, params);
+  TaughtRoutes routes(params, options.first_seed);
   const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
   MissionCount within(console.progress, "missions", seeds);
   for (std::uint64_t i = 0; i < seeds; ++i) {
     within.begin(i);
     const std::uint64_t seed = options.first_seed + i;
-    const auto setting = routes.setting(seed);
+    const auto setting = room_setting(options, params.look, seed);
     if (!setting) return setting.problems();
     const auto ways = ways_of(setting->world, parking);
     if (ways.empty())
       return Problem{{setting->world_file.string(), 0, "routes"},
                      fmt::format("none ends with parking: {}", parking_word(*parking))};
     const TaughtWay& way = *ways[seed % ways.size()];
-    const auto taught = routes.taught(*setting, way, within);
-    if (!taught) return taught.problems();
+    const auto taught = routes.taught(*setting, way, seed, within);
+    if (!taught) {
+      trial.add_not_taught(taught.problems(), seed, way.name);
+      continue;
+    }
     const MissionBegin mission = begin(*setting, **taught, seed);
     const auto result = drive_taught(mission.setting, **taught, params.navigator, seed,
                                      mission.T_world_vehicle, mission.from_m, within);
@@ -240,7 +175,17 @@ Json park_figures(const RoomTrial& trial) {
           {"false_stops", trial.false_stops},
           {"cycle_ms", cycle_figures(trial.cycle_s)},
           {"simulated", true},
+          {"not_taught", trial.not_taught},
           {"runs", trial.runs}};
+}
+
+/// A line for each lesson that was refused.
+std::string not_taught_text(const RoomTrial& trial) {
+  std::string text;
+  for (const Json& lesson : trial.not_taught)
+    text += fmt::format("not taught: seed {}, {}: {}\n", lesson["seed"].get<std::uint64_t>(),
+                        lesson["route"].get<std::string>(), lesson["why"].get<std::string>());
+  return text;
 }
 
 }  // namespace
@@ -256,7 +201,7 @@ Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParam
       });
   if (!missions) return missions.problems();
   const RoomTrial& trial = *missions;
-  Outcome outcome{.verb = "trial", .ok = trial.arrived == trial.missions};
+  Outcome outcome{.verb = "trial", .ok = trial.all_well()};
   outcome.figures = {{"missions", trial.missions},
                      {"arrived_share", trial.share(trial.arrived)},
                      {"safe_stop_share", trial.share(trial.stopped)}};
@@ -264,9 +209,10 @@ Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParam
   outcome.figures.erase("success_share");
   outcome.figures["method"] = "route";
   outcome.text = fmt::format(
-      "simulated, furniture and light changed: {} missions, {:.1f} % arrived, {:.1f} % stopped safely, {} "
-      "collisions\n",
+      "simulated, furniture and light changed: {} missions driven, {:.1f} % of them arrived,\n"
+      "{:.1f} % stopped safely, {} collisions\n",
       trial.missions, 100 * trial.share(trial.arrived), 100 * trial.share(trial.stopped), trial.collisions);
+  outcome.text += not_taught_text(trial);
   return outcome;
 }
 
@@ -288,14 +234,16 @@ Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialPar
                      });
   if (!missions) return missions.problems();
   const RoomTrial& trial = *missions;
-  Outcome outcome{.verb = "trial", .ok = trial.arrived == trial.missions};
+  Outcome outcome{.verb = "trial", .ok = trial.all_well()};
   outcome.figures = park_figures(trial);
   outcome.figures["strategy"] = parking_word(options.strategy);
   outcome.text = fmt::format(
-      "simulated, parking ({}) from disturbed starts: {} missions, {:.1f} % parked, {} collisions\n"
+      "simulated, parking ({}) from disturbed starts: {} missions driven, {:.1f} % of them parked,\n"
+      "{} collisions\n"
       "ended {:.1f} cm, {:.2f} deg off (mean), {:.1f} cm, {:.2f} deg (worst)\n",
       parking_word(options.strategy), trial.missions, 100 * trial.share(trial.arrived), trial.collisions,
       100 * trial.end_m.mean(), trial.end_deg.mean(), 100 * trial.end_m.worst(), trial.end_deg.worst());
+  outcome.text += not_taught_text(trial);
   return outcome;
 }
 
@@ -316,7 +264,7 @@ std::vector<std::pair<std::string, World>> turning_courses(const TrialOptions& o
   return courses;
 }
 
-/// Each course is taught once; for each seed the room has another light.
+/// For each seed the room has another light.
 Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
                                   Console& console) {
   auto vehicle = read_setting("", vehicle_or_usual(options.vehicle, "route"), options.scenario);
@@ -329,41 +277,46 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
   RoomTrial trial;
   Json shares = Json::object();
   MissionCount within(console.progress, "missions", courses.size() * seeds);
-  std::size_t succeeded = 0;
+  TaughtRoutes lessons(params, options.first_seed);
   for (const auto& [name, world] : courses) {
     SimulationSetting setting = *vehicle;
     setting.world = world;
-    const auto taught = teach_route(setting, world.routes.front(), params, options.first_seed, within);
-    if (!taught) return taught.problems();
-    std::uint64_t good = 0;
+    setting.world.name = "turning " + name;
+    const std::size_t missions_before = trial.missions, arrived_before = trial.arrived;
     for (std::uint64_t i = 0; i < seeds; ++i) {
-      within.begin(trial.missions);
+      within.begin(trial.missions + trial.not_taught.size());
       const std::uint64_t seed = options.first_seed + i;
+      const auto taught = lessons.taught(setting, world.routes.front(), seed, within);
+      if (!taught) {
+        trial.add_not_taught(taught.problems(), seed, setting.world.name);
+        continue;
+      }
       Random random(seed);
       const SimulationSetting today =
           on_another_day(setting, {.furniture_m = 0, .light_share = params.change.light_share}, random);
       const auto result =
-          drive_taught(today, *taught, params.navigator, seed,
-                       set_down(today, about(taught->place.at(0), 0.02, 1 * kDegree), seed), 0, within);
+          drive_taught(today, **taught, params.navigator, seed,
+                       set_down(today, about((*taught)->place.at(0), 0.02, 1 * kDegree), seed), 0, within);
       if (!result) return result.problems();
-      trial.add(*result, seed, "turning " + name);
-      good += result->parked() && result->end_error_m < kFalseStop_m ? 1U : 0U;
+      trial.add(*result, seed, setting.world.name);
     }
-    succeeded += good;
-    shares[name] = rounded(static_cast<double>(good) / static_cast<double>(seeds), 4);
+    const std::size_t driven = trial.missions - missions_before, good = trial.arrived - arrived_before;
+    if (driven > 0) shares[name] = rounded(static_cast<double>(good) / static_cast<double>(driven), 4);
   }
-  Outcome outcome{.verb = "trial", .ok = succeeded == trial.missions};
+  Outcome outcome{.verb = "trial", .ok = trial.all_well()};
   outcome.figures = {{"missions", trial.missions},
                      {"success_share", shares},
-                     {"success_share_all", trial.share(succeeded)},
+                     {"success_share_all", trial.share(trial.arrived)},
                      {"collisions", trial.collisions},
                      {"safe_stop_share", trial.share(trial.stopped)},
                      {"cycle_ms", cycle_figures(trial.cycle_s)},
                      {"simulated", true},
+                     {"not_taught", trial.not_taught},
                      {"runs", trial.runs}};
-  outcome.text = fmt::format("simulated: {}, {} missions, {:.1f} % succeeded, {} collisions\n",
+  outcome.text = fmt::format("simulated: {}, {} missions driven, {:.1f} % of them succeeded, {} collisions\n",
                              options.close ? "two close turnings" : "thirteen turnings", trial.missions,
-                             100 * trial.share(succeeded), trial.collisions);
+                             100 * trial.share(trial.arrived), trial.collisions);
+  outcome.text += not_taught_text(trial);
   return outcome;
 }
 

@@ -32,7 +32,8 @@ struct EdgePlaceParams {
 /// vehicle was set down, then from where the odometry expects them. One picture alone may show a single line,
 /// along which it could be anywhere. Things may have been moved since: each of their sides may stand off by
 /// itself, at a cost that grows with its length, so that what is seen from near has no more say than what is
-/// seen from far, and what stands otherwise than the rest counts little.
+/// seen from far, and what stands otherwise than the rest counts little. The expected pose is trusted the
+/// more, the more pictures it rests on: what the first ones showed wrongly is soon made up for.
 class EdgePlace {
  public:
   /// @param taught  may be empty: then `map` stays `odom`
@@ -46,7 +47,7 @@ class EdgePlace {
 
   const Pose2& T_map_odom() const { return T_map_odom_; }
   /// The edges have been found to fit.
-  bool is_sure() const { return is_sure_; }
+  bool is_sure() const { return fits_ > 0; }
   const TaughtEdges& taught() const { return taught_; }
 
  private:
@@ -64,7 +65,7 @@ class EdgePlace {
   EdgePlaceParams params_;
   TaughtEdges taught_;
   Pose2 T_map_odom_;
-  bool is_sure_ = false;
+  int fits_ = 0;  ///< pictures that its pose rests on
 };
 
 }  // namespace aisle

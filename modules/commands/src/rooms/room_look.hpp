@@ -1,0 +1,33 @@
+#pragma once
+
+#include "aisle/core/parameters.hpp"
+#include "aisle/simulation/world.hpp"
+
+namespace aisle {
+
+/// How a trial's rooms look otherwise than their worlds say, at teaching as at driving.
+struct RoomLook {
+  double ambient_share = 1;
+  double floor_contrast = 0;
+  double like_floor_share = 0;
+
+  void describe(FieldList& fields) {
+    fields.real("ambient_share", ambient_share, {0, 1},
+                "of the light from everywhere: less makes shadows dark");
+    fields.real("floor_contrast", floor_contrast, {0, 1},
+                "of the pattern on a carpet; 0: the world's own floor");
+    fields.real("like_floor_share", like_floor_share, {0, 1}, "furniture is so far as bright as the floor");
+  }
+
+  void apply(World& world) const {
+    world.ambient_light *= ambient_share;
+    if (floor_contrast > 0) {
+      world.floor.kind = FloorCovering::Kind::kCarpet;
+      world.floor.contrast = floor_contrast;
+    }
+    for (Furniture& piece : world.furniture)
+      piece.brightness += like_floor_share * (world.floor.brightness - piece.brightness);
+  }
+};
+
+}  // namespace aisle

@@ -1,0 +1,74 @@
+#include "rooms/taught_rooms.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "aisle/guidance/hand_driver.hpp"
+#include "aisle/guidance/mission.hpp"
+#include "aisle/guidance/room_cameras.hpp"
+#include "aisle/simulation/route_guide.hpp"
+#include "aisle/simulation/simulated_vehicle.hpp"
+
+namespace aisle {
+namespace {
+
+/// Collects a drive, with the truth.
+class RoomLessonRecord final : public MissionRecord {
+ public:
+  RoomLessonRecord(const RoomLessonParams& params, const SimulatedVehicle& vehicle)
+      : collector(params, vehicle.description()), vehicle_(vehicle) {}
+
+  Result<Observation> keep(Observation observation) override {
+    collector.add(observation);
+    T_world_vehicle.push_back(vehicle_.truth().T_world_vehicle);
+    return observation;
+  }
+  Problems keep(const Decision&) override { return {}; }
+
+  RoomTripCollector collector;
+  std::vector<Pose2> T_world_vehicle;
+
+ private:
+  const SimulatedVehicle& vehicle_;
+};
+
+Result<TaughtRoute> teach_route(const SimulationSetting& setting, const TaughtWay& way,
+                                const RoomTrialParams& params, std::uint64_t seed, Progress& progress) {
+  SimulationSetting taught = setting;
+  keep_cameras(taught.vehicle.description, {kFirstCamera});
+  const bool shows_pattern = params.view_pattern && way.parking == ParkingStrategy::kView;
+  RouteGuide person(taught.world, way, taught.vehicle.description, {}, seed,
+                    shows_pattern ? ShownViews::kPattern : ShownViews::kTrail);
+  SimulatedVehicle vehicle(taught.world, taught.vehicle, {}, {.seed = seed, .T_world_start = start_of(way)},
+                           &person);
+  HandDriver driver({});
+  RoomLessonRecord record(params.lesson, vehicle);
+  const auto end = run_mission(vehicle, driver, record, progress);
+  if (!end) return end.problems();
+  if (!person.has_arrived())
+    return Problem{{setting.world_file.string(), 0, way.name}, "the person did not get through"};
+  auto lesson = learn_room(record.collector.cycles, taught.vehicle.description, way.name, params.lesson);
+  if (!lesson) return lesson.problems();
+  Route route = std::move(lesson->building.routes.front());
+  RouteInWorld place(MapTruth(std::move(lesson->T_route_vehicle), std::move(record.T_world_vehicle)), route);
+  return TaughtRoute{std::move(route), std::move(place)};
+}
+
+}  // namespace
+
+Result<const TaughtRoute*> TaughtRoutes::taught(const SimulationSetting& setting, const TaughtWay& way,
+                                                std::uint64_t seed, Progress& progress) {
+  const std::string key = setting.world_file.string() + "/" + setting.world.name + "/" + way.name;
+  auto known = taught_.find(key);
+  if (known == taught_.end()) {
+    auto route = teach_route(setting, way, params_, refused_.contains(key) ? seed : first_seed_, progress);
+    if (!route) {
+      refused_.insert(key);
+      return route.problems();
+    }
+    known = taught_.emplace(key, std::move(*route)).first;
+  }
+  return &known->second;
+}
+
+}  // namespace aisle

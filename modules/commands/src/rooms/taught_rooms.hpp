@@ -1,0 +1,43 @@
+#pragma once
+/// Ways through rooms as trials teach them: a scripted person shows each once.
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+
+#include "aisle/core/progress.hpp"
+#include "aisle/core/result.hpp"
+#include "rooms/room_verbs.hpp"
+#include "rooms/room_visit.hpp"
+#include "simulation_setting.hpp"
+
+namespace aisle {
+
+/// A route as it was learned, and where it lies.
+struct TaughtRoute {
+  Route route;
+  RouteInWorld place;
+};
+
+class TaughtRoutes {
+ public:
+  /// @param first_seed  gives each way's first lesson
+  TaughtRoutes(const RoomTrialParams& params, std::uint64_t first_seed)
+      : params_(params), first_seed_(first_seed) {}
+
+  /// As it was learned; taught now if it was not yet. Where the first lesson was refused, the next is given
+  /// by the seed that asks.
+  /// @param setting  of the world as it is at teaching; worlds are told apart by their file and name
+  /// Problems: why the lesson was refused.
+  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const TaughtWay& way,
+                                    std::uint64_t seed, Progress& progress);
+
+ private:
+  RoomTrialParams params_;
+  std::uint64_t first_seed_;
+  std::map<std::string, TaughtRoute> taught_;
+  std::set<std::string> refused_;
+};
+
+}  // namespace aisle
