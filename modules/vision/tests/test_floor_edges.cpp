@@ -94,6 +94,18 @@ TEST(FloorEdges, OfACorridorAreItsTwoSidesAndItsEnd) {
   EXPECT_LT(miss_px(edges[2], right), 1);
 }
 
+TEST(FloorEdges, EndWhereAWallStepsBackByLittle) {
+  for (const double recess_m : {0.1, 0.15}) {
+    const DrawnWall wall{.foot = {{3, -3}, {3, 0}}, .brightness = 100, .skirting_brightness = 100};
+    const DrawnWall door{
+        .foot = {{3 + recess_m, 0}, {3 + recess_m, 3}}, .brightness = 60, .skirting_brightness = 60};
+    const auto edges = edges_of({.walls = {wall, door}}, low_mount());
+    ASSERT_THAT(edges, SizeIs(2)) << recess_m;
+    for (const FloorEdge& edge : edges)
+      EXPECT_LT(std::abs(wrap_angle(edge.on_floor.heading_rad - kPi / 2)), 1 * kDegree) << recess_m;
+  }
+}
+
 TEST(FloorEdges, FollowTheMountOfTheCamera) {
   CameraMount mount = drawn_mount();
   mount.pan_rad = -30 * kDegree;
