@@ -116,19 +116,16 @@ FloorLineFitter::Run FloorLineFitter::longest_straight_part(Run run) {
 /// The first point of the second of two lines that explain some points on a run much better than one.
 std::optional<std::size_t> FloorLineFitter::bend_between(std::size_t first, std::size_t end) const {
   if (end - first < 2 * kPointsMin) return std::nullopt;
-  const auto misfit = [&](std::size_t from, std::size_t to) {
-    return static_cast<double>(to - from) * square(range_fitter_.fit(from, to - 1).rms_m);
-  };
   double least = std::numeric_limits<double>::infinity();
   std::size_t bend = first;
   for (std::size_t i = first + kPointsMin; i + kPointsMin <= end; ++i) {
-    const double of_two = misfit(first, i) + misfit(i, end);
+    const double of_two = range_fitter_.misfit(first, i - 1) + range_fitter_.misfit(i, end - 1);
     if (of_two >= least) continue;
     least = of_two;
     bend = i;
   }
   const double variance = std::max(square(kSigmaMin_px), least / static_cast<double>(end - first - 4));
-  if (misfit(first, end) - least < kBendMin * variance) return std::nullopt;
+  if (range_fitter_.misfit(first, end - 1) - least < kBendMin * variance) return std::nullopt;
   return bend;
 }
 
