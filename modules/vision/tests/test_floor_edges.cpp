@@ -9,6 +9,7 @@ namespace aisle {
 namespace {
 
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 std::vector<FloorEdge> edges_of(const DrawnRoom& room, const CameraMount& mount = drawn_mount()) {
@@ -83,6 +84,15 @@ TEST(FloorEdges, RunAlongTheFootOfASkirtingBoardThoughItsUpperEdgeIsClearer) {
   EXPECT_LT(miss_px(feet[0], wall), 1);
   EXPECT_LT(miss_px(feet[0], wall, 0.5), 0.25);
   EXPECT_LT(feet[0].contrast, 0);
+}
+
+TEST(FloorEdges, RunAlongTheFootOfABoardThatIsHalfAsHighAsTheCamera) {
+  DrawnWall wall = wall_ahead(1, -kPi / 2);
+  wall.skirting_brightness = 60;
+  const auto edges = edges_of({.floor_brightness = 74, .walls = {wall}}, low_mount());
+  ASSERT_THAT(edges, Not(IsEmpty()));
+  for (const FloorEdge& edge : edges)
+    EXPECT_LT(wall.foot.distance(edge.on_floor.centroid), 0.03) << edge.on_floor.length_m;
 }
 
 TEST(FloorEdges, OfACorridorAreItsTwoSidesAndItsEnd) {
