@@ -4,16 +4,14 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/cauchy.hpp"
+#include "aisle/learning/wall_heading.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr double kEndDirection_rad = 0.4 * kDegree;            // to which the end of a base line is seen
-constexpr double kEndSigmaMax_m = 0.08;                        // less sure, it is too far away to tell
-constexpr double kEdgeMin_m = 0.3;                             // a shorter one has no direction
-constexpr double kSteady_rad = 0.7 * kDegree;                  // of an edge's direction, whoever looks
-constexpr double kAskew_rad = 1.5 * kDegree, kUsual_m = 0.05;  // of walls and base lines that are what they
-                                                               // are taken for: doors and recesses are off
+constexpr double kEndDirection_rad = 0.4 * kDegree;  // to which the end of a base line is seen
+constexpr double kEndSigmaMax_m = 0.08;              // less sure, it is too far away to tell
+constexpr double kUsual_m = 0.05;  // of base lines that are what they are taken for: doors are off
 
 }  // namespace
 
@@ -68,11 +66,11 @@ SectionLocaliser::Here SectionLocaliser::here(std::size_t piece) const {
 /// Every edge lies along an axis.
 void SectionLocaliser::correct_heading(std::span<const SensedSegment> edges) {
   for (const SensedSegment& edge : edges) {
-    if (edge.length_m < kEdgeMin_m) continue;
-    const double off_rad = -wrap_quarter_turn(filter_.pose().theta + edge.heading_rad);
-    const double sigma_rad = std::hypot(edge.sigma_heading_rad, kSteady_rad);
-    const double usual_rad = std::hypot(edge.sigma_heading_rad, kAskew_rad, std::sqrt(heading_variance()));
-    filter_.correct(off_rad, Vec3::UnitZ(), inflated(sigma_rad / cauchy_weight(off_rad, usual_rad)));
+    const auto misfit = misfit_to_axis(edge, filter_.pose().theta);
+    if (!misfit) continue;
+    const double usual_rad = std::hypot(misfit->usual_rad, std::sqrt(heading_variance()));
+    const double weight = cauchy_weight(misfit->off_rad, usual_rad);
+    filter_.correct(-misfit->off_rad, Vec3::UnitZ(), inflated(misfit->sigma_rad / weight));
   }
 }
 

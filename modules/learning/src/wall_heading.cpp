@@ -20,10 +20,13 @@ constexpr double kNoiseFloor_rad = 0.3 * kDegree;
 constexpr double kSecondDirection_m = 0.6;  // walls in both directions are a surer witness than one alone
 constexpr double kBothSigma_rad = 0.7 * kDegree;
 constexpr double kOneSigma_rad = 1.5 * kDegree;
+constexpr double kEdgeMin_m = 0.3;             // a shorter one has no direction
+constexpr double kSteady_rad = 0.7 * kDegree;  // of an edge's direction, whoever looks
+constexpr double kAskew_rad = 1.5 * kDegree;
 
-/// How far the heading must turn for the segment to lie on an axis.
-double correction(const SensedSegment& s, double heading_rad) {
-  return -wrap_quarter_turn(heading_rad + s.heading_rad);
+/// By how much a segment would lie turned against the nearest axis if the sensor had this heading.
+double off_axis_rad(const SensedSegment& segment, double heading_rad) {
+  return wrap_quarter_turn(heading_rad + segment.heading_rad);
 }
 
 /// The heading near the prediction that most wall length speaks for.
@@ -33,12 +36,12 @@ std::optional<double> strongest_mode(std::span<const SensedSegment> segments, do
   double best_score = 0;
   for (const SensedSegment& seed : segments) {
     if (seed.curved || seed.length_m < kSeedLength_m) continue;
-    const double turn = correction(seed, predicted_rad);
+    const double turn = -off_axis_rad(seed, predicted_rad);
     if (std::abs(turn) > window_rad) continue;
     double score = 0;
     for (const SensedSegment& s : segments) {
       if (s.curved) continue;
-      const double off = correction(s, predicted_rad + turn);
+      const double off = off_axis_rad(s, predicted_rad + turn);
       score += s.length_m * std::exp(-0.5 * square(off / (kModeWidth_rad + s.sigma_heading_rad)));
     }
     score *= std::exp(-0.5 * square(turn / window_rad));
@@ -51,6 +54,13 @@ std::optional<double> strongest_mode(std::span<const SensedSegment> segments, do
 }
 
 }  // namespace
+
+std::optional<AxisMisfit> misfit_to_axis(const SensedSegment& edge, double heading_rad) {
+  if (edge.length_m < kEdgeMin_m) return std::nullopt;
+  return AxisMisfit{.off_rad = off_axis_rad(edge, heading_rad),
+                    .sigma_rad = std::hypot(edge.sigma_heading_rad, kSteady_rad),
+                    .usual_rad = std::hypot(edge.sigma_heading_rad, kAskew_rad)};
+}
 
 std::optional<HeadingMeasurement> heading_from_walls(std::span<const SensedSegment> segments,
                                                      double predicted_rad, double predicted_sigma_rad) {
@@ -66,7 +76,7 @@ std::optional<HeadingMeasurement> heading_from_walls(std::span<const SensedSegme
     double weighted_turn = 0;
     weight_sum = agreeing_m = 0;
     for (const SensedSegment& s : segments) {
-      const double turn = correction(s, heading);
+      const double turn = -off_axis_rad(s, heading);
       if (s.curved || std::abs(turn) > kReach_rad) continue;
       const double weight =
           1 / (square(s.sigma_heading_rad) + square(kNoiseFloor_rad)) / (1 + square(turn / kModeWidth_rad));
@@ -81,7 +91,7 @@ std::optional<HeadingMeasurement> heading_from_walls(std::span<const SensedSegme
 
   double along_m[2] = {0, 0};
   for (const SensedSegment& s : segments) {
-    const double turn = correction(s, heading);
+    const double turn = -off_axis_rad(s, heading);
     if (s.curved || std::abs(turn) > kAgree_rad) continue;
     const auto quarter_turns = std::lround((heading + s.heading_rad + turn) / (kPi / 2));
     along_m[quarter_turns & 1] += s.length_m;

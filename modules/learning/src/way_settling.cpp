@@ -11,6 +11,7 @@
 #include "aisle/core/cauchy.hpp"
 #include "aisle/core/median.hpp"
 #include "aisle/core/square.hpp"
+#include "aisle/learning/wall_heading.hpp"
 #include "aisle/learning/walls_beside.hpp"
 #include "odometry_arc.hpp"
 
@@ -18,12 +19,9 @@ namespace aisle {
 namespace {
 
 constexpr int kSettlings = 10;
-constexpr double kRepeats = 10;                // pictures that show the same error of an edge
-constexpr double kEdgeMin_m = 0.3;             // a shorter one has no direction
-constexpr double kAskew_rad = 1.5 * kDegree;   // off by more, an edge has less and less say
-constexpr double kSteady_rad = 0.7 * kDegree;  // of an edge's direction, whoever looks
-constexpr double kUneven_m = 0.03;             // of a wall ...
-constexpr double kElsewhere_m = 0.05;          // ... and off by more, an edge has less and less say
+constexpr double kRepeats = 10;        // pictures that show the same error of an edge
+constexpr double kUneven_m = 0.03;     // of a wall ...
+constexpr double kElsewhere_m = 0.05;  // ... and off by more, an edge has less and less say
 constexpr double kOtherWall_m = 0.5;
 constexpr double kWallNear_m = 0.12, kWallFar_m = 3;
 constexpr double kFixed_m = 1e-4;           // what follows from the rest
@@ -168,12 +166,11 @@ class WaySettler {
   void add_directions(SparseEquations& equations) const {
     for (std::size_t i = 0; i < cycles_.size(); ++i) {
       for (const SensedSegment& edge : cycles_[i].floor_edges) {
-        if (edge.length_m < kEdgeMin_m) continue;
-        const double off_rad = wrap_quarter_turn(headings_rad_[i] + edge.heading_rad);
-        const double sigma_rad = std::hypot(edge.sigma_heading_rad, kSteady_rad);
-        const double usual_rad = std::hypot(edge.sigma_heading_rad, kAskew_rad);
-        equations.add({{heading_of_cycle(i), 1}}, off_rad,
-                      std::sqrt(kRepeats) * sigma_rad * cauchy_distrust(off_rad, usual_rad));
+        const auto misfit = misfit_to_axis(edge, headings_rad_[i]);
+        if (!misfit) continue;
+        const double distrust = cauchy_distrust(misfit->off_rad, misfit->usual_rad);
+        equations.add({{heading_of_cycle(i), 1}}, misfit->off_rad,
+                      std::sqrt(kRepeats) * misfit->sigma_rad * distrust);
       }
     }
   }

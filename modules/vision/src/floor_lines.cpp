@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
+
+#include "aisle/core/square.hpp"
 
 namespace aisle {
 
@@ -13,6 +16,7 @@ constexpr double kGap = 4;         // columns without a point that a line may ha
 constexpr std::size_t kPointsMin = 5;
 constexpr std::size_t kLinesMax = 12;
 constexpr double kSigmaMin_px = 0.25;  // of a point's row
+constexpr double kBendMin = 30;        // variances, by which two lines must fit better than one
 
 }  // namespace
 
@@ -27,7 +31,7 @@ const std::vector<FloorLine>& FloorLineFitter::fit(const std::vector<BoundaryPoi
   while (lines_.size() < kLinesMax) {
     const auto longest = std::max_element(runs_.begin(), runs_.end(), is_shorter);
     if (longest == runs_.end() || longest->count < kPointsMin) break;
-    const Run run = *longest;
+    const Run run = longest_straight_part(*longest);
     take(run);
     grow_without(run);
   }
@@ -88,6 +92,41 @@ void FloorLineFitter::grow(Run& run) const {
     run.first = i;
     ++run.count;
   }
+}
+
+/// Cuts a run as long as it has a bend, and keeps the longer part.
+FloorLineFitter::Run FloorLineFitter::longest_straight_part(Run run) {
+  on_run_.clear();
+  bend_points_.clear();
+  for (std::size_t i = run.first; i < run.end; ++i) {
+    const BoundaryPoint& point = (*points_)[i];
+    if (!run.has(point)) continue;
+    on_run_.push_back(i);
+    bend_points_.push_back({point.column * rows_per_column_, point.row});
+  }
+  range_fitter_.assign(bend_points_);
+  std::size_t first = 0, end = on_run_.size();
+  while (const auto bend = bend_between(first, end)) (*bend - first > end - *bend ? end : first) = *bend;
+  run.first = on_run_[first];
+  run.end = on_run_[end - 1] + 1;
+  run.count = end - first;
+  return run;
+}
+
+/// The first point of the second of two lines that explain some points on a run much better than one.
+std::optional<std::size_t> FloorLineFitter::bend_between(std::size_t first, std::size_t end) const {
+  if (end - first < 2 * kPointsMin) return std::nullopt;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t bend = first;
+  for (std::size_t i = first + kPointsMin; i + kPointsMin <= end; ++i) {
+    const double of_two = range_fitter_.misfit(first, i - 1) + range_fitter_.misfit(i, end - 1);
+    if (of_two >= least) continue;
+    least = of_two;
+    bend = i;
+  }
+  const double variance = std::max(square(kSigmaMin_px), least / static_cast<double>(end - first - 4));
+  if (range_fitter_.misfit(first, end - 1) - least < kBendMin * variance) return std::nullopt;
+  return bend;
 }
 
 /// Fits the line to all its points.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "floor_boundary.hpp"
+#include "line_fit.hpp"
 
 namespace aisle {
 
@@ -18,7 +20,8 @@ struct FloorLine {
   double row_at(double column) const { return row_middle + slope * (column - middle()); }
 };
 
-/// Fits straight lines to the points of a boundary, the longest first; what lies off them is left out.
+/// Fits straight lines to the points of a boundary, the longest first; what lies off them is left out. A line
+/// ends where the boundary bends or steps aside, as before a door's recess, by however little if it is clear.
 class FloorLineFitter {
  public:
   /// From left to right; valid until the next call.
@@ -38,6 +41,8 @@ class FloorLineFitter {
 
   void begin_runs();
   void grow(Run& run) const;
+  Run longest_straight_part(Run run);
+  std::optional<std::size_t> bend_between(std::size_t first, std::size_t end) const;
   void take(const Run& run);
   void grow_without(const Run& taken);
 
@@ -45,6 +50,9 @@ class FloorLineFitter {
   double rows_per_column_ = 1;
   std::vector<char> taken_;
   std::vector<Run> runs_;
+  std::vector<std::size_t> on_run_;  ///< its points
+  std::vector<Vec2> bend_points_;    ///< the same, in rows either way
+  RangeLineFitter range_fitter_;
   std::vector<FloorLine> lines_;
 };
 

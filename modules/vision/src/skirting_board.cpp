@@ -8,44 +8,67 @@
 namespace aisle {
 namespace {
 
-constexpr double kBin = 0.004;  // of the depth beneath the horizon
-constexpr int kBins = 80;       // above a line, and as many beneath it
-constexpr std::size_t kBinCount = std::size_t{2} * kBins;
+constexpr double kBinLeast = 0.004;              // of the depth beneath the horizon
+constexpr int kHighestBin = 136;                 // at most, beneath the upper edge of the highest board
 constexpr int kReachLeast = 4, kReachMost = 12;  // bins: half of what a step must last ...
 constexpr double kReach_rows = 1.5;              // ... and no less than its blur
-constexpr double kBoardLeast_m = 0.03;           // lower boards are none
-constexpr int kSettleBins = 3;                   // in which a step's steepest place is
-constexpr std::size_t kParts = 4;                // of a line
-constexpr double kPartContrast = 0.5;            // share of the least contrast that each part must show
-constexpr double kSeenColumnsMin = 0.5;          // share of the line's columns in which its foot can be seen
+constexpr int kBinsMost = kHighestBin + 2 * kReachMost;  // above a line, and as many beneath it
+constexpr double kHighest = 0.8;                         // of the camera's height
+constexpr double kBoardLeast_m = 0.03;                   // lower boards are none
+constexpr int kSettleBins = 3;                           // in which a step's steepest place is
+constexpr std::size_t kParts = 4;                        // of a line
+constexpr double kPartContrast = 0.5;    // share of the least contrast that each part must show
+constexpr double kSeenColumnsMin = 0.5;  // share of the line's columns in which its foot can be seen
 
-/// A bin's middle as a share of the line's depth.
-double depth_share(int bin) {
-  static const auto all = [] {
-    std::array<double, kBinCount> shares{};
-    for (int i = 0; i < static_cast<int>(kBinCount); ++i)
-      shares[static_cast<std::size_t>(i)] = std::exp((i - kBins + 0.5) * kBin);
-    return shares;
-  }();
-  return all[static_cast<std::size_t>(bin + kBins)];
-}
+/// Bins of depth, each as much deeper than the one before as a share of its depth: whatever runs along a wall
+/// at one height is in one bin in every column.
+class DepthBins {
+ public:
+  explicit DepthBins(const SkirtingBoardParams& params)
+      : camera_height_m_(params.camera_height_m),
+        height_max_m_(std::min(params.height_max_m, kHighest * params.camera_height_m)),
+        size_(std::max(kBinLeast, log_depth(height_max_m_) / kHighestBin)),
+        count_(std::min(bin_of(height_max_m_) + 2 * kReachMost, kBinsMost)) {
+    for (int bin = -count_; bin < count_; ++bin)
+      shares_[static_cast<std::size_t>(bin + count_)] = std::exp((bin + 0.5) * size_);
+  }
 
-/// Mean brightness by height above and beneath a line. Whatever runs along a wall at one height is, in every
-/// column, at the same ratio to the line's depth beneath the horizon.
+  double height_max_m() const { return height_max_m_; }
+  double size() const { return size_; }
+  /// Above a line, and as many beneath it.
+  int count() const { return count_; }
+  /// A bin's middle as a share of the line's depth.
+  double share(int bin) const { return shares_[static_cast<std::size_t>(bin + count_)]; }
+  /// The bin in which a height is seen above a foot; positive: the foot beneath an upper edge of that height.
+  int bin_of(double height_m) const { return static_cast<int>(std::lround(log_depth(height_m) / size_)); }
+
+ private:
+  double log_depth(double height_m) const {
+    return std::log(camera_height_m_ / (camera_height_m_ - height_m));
+  }
+
+  double camera_height_m_, height_max_m_;
+  double size_;
+  int count_;
+  std::array<double, std::size_t{2} * kBinsMost> shares_{};
+};
+
+/// Mean brightness by height above and beneath a line.
 class BandProfile {
  public:
   /// @param depth  of the line, in its middle
-  explicit BandProfile(double depth)
-      : reach_(
-            std::clamp(static_cast<int>(std::ceil(kReach_rows / (depth * kBin))), kReachLeast, kReachMost)) {}
+  BandProfile(const DepthBins& bins, double depth)
+      : bins_(&bins),
+        reach_(std::clamp(static_cast<int>(std::ceil(kReach_rows / (depth * bins.size()))), kReachLeast,
+                          kReachMost)) {}
 
   int reach() const { return reach_; }
 
   void add(const LevelView& view, int column, double depth) {
     const LevelView::Rows seen = view.seen(column);
     const std::uint8_t* grey = view.column(column);
-    for (int bin = -kBins; bin < kBins; ++bin) {
-      const int row = static_cast<int>(std::floor(depth * depth_share(bin) - view.depth(0) + 0.5));
+    for (int bin = -bins_->count(); bin < bins_->count(); ++bin) {
+      const int row = static_cast<int>(std::floor(depth * bins_->share(bin) - view.depth(0) + 0.5));
       if (row < seen.first || row >= seen.end) continue;
       sums_[index(bin)] += grey[row];
       ++counts_[index(bin)];
@@ -94,10 +117,10 @@ class BandProfile {
   }
 
  private:
-  static std::size_t index(int bin) { return static_cast<std::size_t>(bin + kBins); }
+  std::size_t index(int bin) const { return static_cast<std::size_t>(bin + bins_->count()); }
 
   std::optional<double> mean(int first, int end) const {
-    if (first < -kBins || end > kBins) return std::nullopt;
+    if (first < -bins_->count() || end > bins_->count()) return std::nullopt;
     double sum = 0;
     int count = 0;
     for (int bin = first; bin < end; ++bin) {
@@ -108,15 +131,11 @@ class BandProfile {
     return sum / count;
   }
 
+  const DepthBins* bins_;
   int reach_;
-  std::array<double, kBinCount> sums_{};
-  std::array<int, kBinCount> counts_{};
+  std::array<double, std::size_t{2} * kBinsMost> sums_{};
+  std::array<int, std::size_t{2} * kBinsMost> counts_{};
 };
-
-/// The bin in which a height is seen above a foot; positive: the foot beneath an upper edge of that height.
-int bin_of(double height_m, double camera_height_m) {
-  return static_cast<int>(std::lround(std::log(camera_height_m / (camera_height_m - height_m)) / kBin));
-}
 
 /// All of a line, and its parts from left to right.
 struct LineProfiles {
@@ -125,8 +144,8 @@ struct LineProfiles {
   int columns = 0;
 };
 
-LineProfiles profiles_of(const LevelView& view, const FloorLine& line) {
-  const BandProfile none(view.depth(line.row_middle));
+LineProfiles profiles_of(const LevelView& view, const FloorLine& line, const DepthBins& bins) {
+  const BandProfile none(bins, view.depth(line.row_middle));
   LineProfiles profiles{none, {none, none, none, none}, 0};
   const int first = static_cast<int>(line.first_column), last = static_cast<int>(line.last_column);
   profiles.columns = last - first + 1;
@@ -140,21 +159,19 @@ LineProfiles profiles_of(const LevelView& view, const FloorLine& line) {
 
 /// The bin of the clearest step beneath the line at a board's height, if it is clear, clearer than all above
 /// it, and there in every part of the line.
-std::optional<int> foot_bin(const LineProfiles& profiles, double height_max_m,
-                            const SkirtingBoardParams& params) {
+std::optional<int> foot_bin(const LineProfiles& profiles, const DepthBins& bins, double contrast_min) {
   const BandProfile& whole = profiles.whole;
-  const int highest = bin_of(kBoardLeast_m, params.camera_height_m);
-  const int lowest = std::min(bin_of(height_max_m, params.camera_height_m), kBins - 2 * whole.reach());
+  const int highest = bins.bin_of(kBoardLeast_m), lowest = bins.bin_of(bins.height_max_m());
   const int foot = whole.clearest(highest, lowest);
   const double contrast = whole.step(foot);
   const double above = whole.step(whole.clearest(-lowest, -highest));
-  if (std::abs(contrast) < params.contrast_min || std::abs(above) > std::abs(contrast) ||
+  if (std::abs(contrast) < contrast_min || std::abs(above) > std::abs(contrast) ||
       whole.count(foot) < kSeenColumnsMin * profiles.columns)
     return std::nullopt;
   const bool is_everywhere =
       std::all_of(profiles.parts.begin(), profiles.parts.end(), [&](const BandProfile& part) {
         return part.count(foot) == 0 ||
-               std::copysign(1.0, contrast) * part.step(foot) > kPartContrast * params.contrast_min;
+               std::copysign(1.0, contrast) * part.step(foot) > kPartContrast * contrast_min;
       });
   if (!is_everywhere) return std::nullopt;
   return foot;
@@ -164,12 +181,12 @@ std::optional<int> foot_bin(const LineProfiles& profiles, double height_max_m,
 
 std::optional<FloorLine> foot_beneath(const LevelView& view, const FloorLine& line,
                                       const SkirtingBoardParams& params) {
-  const double height_max_m = std::min(params.height_max_m, params.camera_height_m / 2);
-  if (height_max_m <= kBoardLeast_m || line.contrast < 0) return std::nullopt;
-  const LineProfiles profiles = profiles_of(view, line);
-  const auto foot = foot_bin(profiles, height_max_m, params);
+  const DepthBins bins(params);
+  if (bins.height_max_m() <= kBoardLeast_m || line.contrast < 0) return std::nullopt;
+  const LineProfiles profiles = profiles_of(view, line, bins);
+  const auto foot = foot_bin(profiles, bins, params.contrast_min);
   if (!foot) return std::nullopt;
-  const double ratio = std::exp(profiles.whole.settled(*foot) * kBin);
+  const double ratio = std::exp(profiles.whole.settled(*foot) * bins.size());
   FloorLine lower = line;
   lower.row_middle = ratio * view.depth(line.row_middle) - view.depth(0);
   lower.slope *= ratio;

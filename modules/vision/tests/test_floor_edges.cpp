@@ -9,6 +9,7 @@ namespace aisle {
 namespace {
 
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 std::vector<FloorEdge> edges_of(const DrawnRoom& room, const CameraMount& mount = drawn_mount()) {
@@ -85,6 +86,15 @@ TEST(FloorEdges, RunAlongTheFootOfASkirtingBoardThoughItsUpperEdgeIsClearer) {
   EXPECT_LT(feet[0].contrast, 0);
 }
 
+TEST(FloorEdges, RunAlongTheFootOfABoardThatIsHalfAsHighAsTheCamera) {
+  DrawnWall wall = wall_ahead(1, -kPi / 2);
+  wall.skirting_brightness = 60;
+  const auto edges = edges_of({.floor_brightness = 74, .walls = {wall}}, low_mount());
+  ASSERT_THAT(edges, Not(IsEmpty()));
+  for (const FloorEdge& edge : edges)
+    EXPECT_LT(wall.foot.distance(edge.on_floor.centroid), 0.03) << edge.on_floor.length_m;
+}
+
 TEST(FloorEdges, OfACorridorAreItsTwoSidesAndItsEnd) {
   const DrawnWall left = wall_ahead(1, kPi / 2), right = wall_ahead(1.2, -kPi / 2), end = wall_ahead(4, 0);
   const auto edges = edges_of({.tile_m = 0.3, .walls = {left, right, end}});
@@ -92,6 +102,18 @@ TEST(FloorEdges, OfACorridorAreItsTwoSidesAndItsEnd) {
   EXPECT_LT(miss_px(edges[0], left), 1);
   EXPECT_LT(miss_px(edges[1], end), 1);
   EXPECT_LT(miss_px(edges[2], right), 1);
+}
+
+TEST(FloorEdges, EndWhereAWallStepsBackByLittle) {
+  for (const double recess_m : {0.1, 0.15}) {
+    const DrawnWall wall{.foot = {{3, -3}, {3, 0}}, .brightness = 100, .skirting_brightness = 100};
+    const DrawnWall door{
+        .foot = {{3 + recess_m, 0}, {3 + recess_m, 3}}, .brightness = 60, .skirting_brightness = 60};
+    const auto edges = edges_of({.walls = {wall, door}}, low_mount());
+    ASSERT_THAT(edges, SizeIs(2)) << recess_m;
+    for (const FloorEdge& edge : edges)
+      EXPECT_LT(std::abs(wrap_angle(edge.on_floor.heading_rad - kPi / 2)), 1 * kDegree) << recess_m;
+  }
 }
 
 TEST(FloorEdges, FollowTheMountOfTheCamera) {

@@ -7,6 +7,16 @@
 
 namespace aisle {
 
+/// What an edge of the floor, which should lie along an axis, tells of the heading.
+struct AxisMisfit {
+  double off_rad = 0;    ///< by which it would lie turned against the nearest axis, counter-clockwise
+  double sigma_rad = 0;  ///< of a straight wall's, whoever looks
+  double usual_rad = 0;  ///< off by more, it is less and less likely to be one: doors, recesses
+};
+
+/// @return nullopt for an edge too short to have a direction
+std::optional<AxisMisfit> misfit_to_axis(const SensedSegment& edge, double heading_rad);
+
 struct HeadingMeasurement {
   double heading_rad = 0;  ///< of the sensor in a map whose axes the walls run along
   double sigma_rad = 0;
