@@ -26,6 +26,7 @@ struct LoosePiece {
 struct Waypoint {
   Vec2 p_map;
   std::size_t piece = 0;
+  double stray_share = 1;  ///< of what the path may stray, here
   double weight = 1;
   bool begins_leg = false;
   bool ends_leg = false;

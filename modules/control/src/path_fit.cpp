@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "aisle/core/angle.hpp"
 #include "driven_legs.hpp"
@@ -21,6 +22,10 @@ constexpr int kTries = 3;
 constexpr double kCheaper = 4;
 constexpr double kBetweenSamples = 0.95;  // of the stray: between them it may be a little more
 constexpr double kStricter = 0.9;
+constexpr double kBend_rad = 30 * kDegree;  // over so much way a hand's wander turns less
+constexpr double kBendOver_m = 1.2;
+constexpr double kBesideBend_m = 0.5;
+constexpr double kStrayShareOnBends = 0.4;
 
 double way_m(const DrivenLeg& leg, const Stretch& stretch) {
   double way_m = 0;
@@ -30,11 +35,36 @@ double way_m(const DrivenLeg& leg, const Stretch& stretch) {
   return way_m;
 }
 
+/// Who turns between walls means the way that he takes: on a bend and beside it what was driven is hardly
+/// wander.
+/// @return for each sample of the leg how much of the stray is allowed
+std::vector<double> stray_shares(const DrivenLeg& leg, double step_m) {
+  const std::size_t count = leg.samples.size();
+  const auto half = static_cast<std::size_t>(std::max(1L, std::lround(kBendOver_m / 2 / step_m)));
+  const auto beside = static_cast<std::size_t>(std::lround(kBesideBend_m / step_m));
+  const auto back_from = [](std::size_t i, std::size_t steps) { return i - std::min(i, steps); };
+  const auto on_from = [&](std::size_t i, std::size_t steps) { return std::min(i + steps, count - 1); };
+  std::vector<double> shares(count, 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turn_rad = leg.samples[on_from(i, half)].theta - leg.samples[back_from(i, half)].theta;
+    if (std::abs(turn_rad) < kBend_rad) continue;
+    for (std::size_t k = back_from(i, beside); k <= on_from(i, beside); ++k) shares[k] = kStrayShareOnBends;
+  }
+  return shares;
+}
+
+/// So that strays count by what is allowed.
+double first_weight(const Waypoint& waypoint, double step_m) {
+  return step_m / (waypoint.stray_share * waypoint.stray_share);
+}
+
 void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<Stretch>& stretches, double step_m) {
   if (leg.turn_before_rad != 0) {
     loose.pieces.push_back(
         {.kind = Kind::kTurnOnTheSpot, .T_map_start = loose.T_map_end, .turn_rad = leg.turn_before_rad});
   }
+  const std::vector<double> shares = stray_shares(leg, step_m);
+  const std::size_t first_waypoint = loose.waypoints.size();
   for (const Stretch& stretch : stretches) {
     const double length_m = way_m(leg, stretch);
     loose.pieces.push_back({.kind = stretch.curvature_per_m == 0 ? Kind::kLine : Kind::kArc,
@@ -46,14 +76,16 @@ void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<Stretch>&
     for (std::size_t i = stretch.first; i < stretch.last; ++i) {
       loose.waypoints.push_back({.p_map = leg.samples[i].position(),
                                  .piece = loose.pieces.size() - 1,
-                                 .weight = step_m,
+                                 .stray_share = shares[i],
                                  .begins_leg = i == 0});
     }
   }
   loose.waypoints.push_back({.p_map = leg.samples.back().position(),
                              .piece = loose.pieces.size() - 1,
-                             .weight = step_m,
+                             .stray_share = shares.back(),
                              .ends_leg = true});
+  for (std::size_t k = first_waypoint; k < loose.waypoints.size(); ++k)
+    loose.waypoints[k].weight = first_weight(loose.waypoints[k], step_m);
   loose.T_map_end = leg.samples.back();
 }
 
@@ -78,12 +110,14 @@ LoosePath loose_path(const std::vector<DrivenLeg>& legs, double radius_min_m, do
   return loose;
 }
 
-/// A leg's end strays from the piece's end, too: an end that shoots over is no end.
+/// By what is allowed. A leg's end strays from the piece's end, too: an end that shoots over is no end.
 double stray_m(const LoosePath& loose, const Waypoint& waypoint) {
   const LoosePiece& piece = loose.pieces[waypoint.piece];
   const PathPiece shape{piece.T_map_start, piece.arc()};
-  if (waypoint.ends_leg) return (shape.end().position() - waypoint.p_map).norm();
-  return (shape.at(shape.nearest(waypoint.p_map, 0, shape.way_m())).position() - waypoint.p_map).norm();
+  const Vec2 p_map_path =
+      (waypoint.ends_leg ? shape.end() : shape.at(shape.nearest(waypoint.p_map, 0, shape.way_m())))
+          .position();
+  return (p_map_path - waypoint.p_map).norm() / waypoint.stray_share;
 }
 
 /// How far the pieces are from joining.
@@ -135,7 +169,7 @@ Path smoothed(LoosePath loose, double stray_max_m, double radius_min_m, double s
     if (is_near && widest_gap_m(loose) < kGapMax * stray_max_m) break;
     if (is_near || round % kPullsBeforeCut != 0) continue;
     split(loose, worst_piece);
-    for (Waypoint& waypoint : loose.waypoints) waypoint.weight = step_m;
+    for (Waypoint& waypoint : loose.waypoints) waypoint.weight = first_weight(waypoint, step_m);
   }
   return joined(loose);
 }

@@ -75,6 +75,27 @@ TEST(FitPath, ABendThatWasDrivenExactlyIsGivenBack) {
   }
 }
 
+TEST(FitPath, KeepsCloserToABendThanToTheStraightStretchesBesideIt) {
+  constexpr double kBegin_m = 8, kBend_m = 1.1 * kPi / 2;
+  double bend_m = 0, straight_m = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Random random(seed);
+    const Path way = path_of({{kBegin_m, 0}, {kBend_m, kPi / 2}, {8, 0}});
+    const std::vector<Pose2> driven = driven_by_hand(way, 0.04, random);
+    const Path path = fit_path(driven, {});
+    double along_m = 0;
+    for (const Pose2& pose : driven) {
+      const PathPoint at = path.nearest(pose.position(), along_m - 0.36, along_m + 0.72);
+      along_m = std::max(along_m, at.along_m);
+      const bool is_on_bend = along_m > kBegin_m && along_m < kBegin_m + kBend_m;
+      double& stray_m = is_on_bend ? bend_m : straight_m;
+      stray_m = std::max(stray_m, (at.T_map_path.position() - pose.position()).norm());
+    }
+  }
+  EXPECT_LT(bend_m, 0.055);
+  EXPECT_GT(straight_m, 0.07);
+}
+
 TEST(FitPath, KeepsTurnsOnTheSpotAndTurningPoints) {
   Random random(1);
   std::vector<Pose2> driven = driven_by_hand(path_of({{3, 0}}), 0, random);

@@ -133,7 +133,9 @@ LandmarkFix LandmarkNavigator::fix() const {
 void LandmarkNavigator::locate(const Observation& observation) {
   const Pose2 T_map_before = localiser_.pose();
   localiser_.predict(observation.odometry);
-  scenes_.move(between(T_map_before, localiser_.pose()));
+  const Pose2 T_before_now = between(T_map_before, localiser_.pose());
+  scenes_.move(T_before_now);
+  stripes_.move(T_before_now);
   sightings_.clear();
   match_ = LandmarkMatch::kNothing;
   const CameraPicture* picture = guard_.look(observation);
@@ -143,6 +145,7 @@ void LandmarkNavigator::locate(const Observation& observation) {
       match_ = localiser_.correct(building_->landmarks, sightings_);
     weigh_strangeness((localiser_.pose().position() - T_map_before.position()).norm());
     const bool is_known_here = match_ == LandmarkMatch::kMatched && knows_what_it_sees(localiser_);
+    if (stripes_.look(guard_.p_vehicle_lit(), is_known_here)) was_lifted_ = has_jumped_ = true;
     if (scenes_.look(sightings_, is_known_here)) was_lifted_ = true;
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
@@ -180,7 +183,7 @@ Decision LandmarkNavigator::look_around(double stamp_s) {
 /// So the vehicle stands and looks whether the map's landmarks are seen from where it believes to be.
 Decision LandmarkNavigator::doubt() {
   const bool is_woken_now = std::exchange(was_lifted_, false);
-  if (is_woken_now) doubt_.start();
+  if (is_woken_now) doubt_.start(has_jumped_);
   const Suspicion suspicion = is_woken_now || sightings_.empty()
                                   ? Suspicion::kOpen
                                   : doubt_.look(building_->landmarks, fix().T_map_vehicle, sightings_);
@@ -197,6 +200,7 @@ Decision LandmarkNavigator::doubt() {
 /// Sure of its place again.
 void LandmarkNavigator::go_on() {
   begin(State::kFollowing);
+  has_jumped_ = false;
   matched_stamp_s_ = stamp_s_;
   strange_way_m_ = 0;
 }

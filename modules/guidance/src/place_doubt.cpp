@@ -8,6 +8,7 @@ namespace {
 constexpr int kTellingPictures = 15;  // that fit or contradict are enough
 constexpr int kPicturesMax = 30;
 constexpr int kContradictingMin = 3;   // fewer may be the wrong feet that woke the suspicion
+constexpr int kFittingMin = 3;         // show that it is still here though walls stand elsewhere
 constexpr int kFittingEach = 4;        // so many that fit outweigh one that contradicts
 constexpr int kExpectedMin = 10;       // landmarks, in all pictures together, tell ...
 constexpr double kSeenShareMin = 0.1;  // ... if fewer than this are seen: no more than by chance
@@ -27,7 +28,8 @@ Suspicion PlaceDoubt::look(const LandmarkMap& map, const UncertainPose2& T_map_b
   if (fitting_ + contradicting_ < kTellingPictures && pictures_ < kPicturesMax) return Suspicion::kOpen;
   const bool contradicts = contradicting_ >= kContradictingMin && kFittingEach * contradicting_ > fitting_;
   const bool is_missed = expected_ >= kExpectedMin && seen_ < kSeenShareMin * expected_;
-  return contradicts || is_missed ? Suspicion::kConfirmed : Suspicion::kDispelled;
+  const bool is_unknown = has_jumped_ && fitting_ < kFittingMin;
+  return contradicts || is_missed || is_unknown ? Suspicion::kConfirmed : Suspicion::kDispelled;
 }
 
 }  // namespace aisle

@@ -96,6 +96,22 @@ TEST(PlaceDoubt, IsDispelledWherePicturesShowNothingThatContradicts) {
   EXPECT_EQ(look_from({24, 0, 0}, kNoise, 1), Suspicion::kDispelled) << "past the last line";
 }
 
+TEST(PlaceDoubt, WhereWallsHaveJumpedPicturesMustFit) {
+  Random random(1);
+  const std::vector<CorridorLine> lines = corridor_lines(25, random);
+  const LandmarkMap map = map_of(lines);
+  for (const auto& [truth, answer] : {std::pair{Pose2{5, 0, 0}, Suspicion::kDispelled},
+                                      std::pair{Pose2{24, 0, 0}, Suspicion::kConfirmed}}) {
+    PlaceDoubt doubt({}, corridor_cart());
+    doubt.start(true);
+    Suspicion suspicion = Suspicion::kOpen;
+    for (int i = 0; i < 100 && suspicion == Suspicion::kOpen; ++i)
+      suspicion = doubt.look(map, about({5, 0, 0}, 0.01, 0.3 * kDegree),
+                             sightings_from(lines, truth, kNoise, &random));
+    EXPECT_EQ(suspicion, answer);
+  }
+}
+
 TEST(PlaceDoubt, BeginsAnewWithEverySuspicion) {
   Random random(1);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);

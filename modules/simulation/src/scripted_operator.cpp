@@ -20,6 +20,11 @@ constexpr double kCreep_mps = 0.05;
 constexpr double kSlowest_mps = 0.02;
 constexpr double kBraking_mps2 = 0.15;
 constexpr double kKeptFree_m = 0.1;
+constexpr double kAtWall_m = 0.15;
+constexpr double kStuck_s = 1.5;    ///< without getting on
+constexpr double kBackOff_m = 0.8;  ///< of the way
+constexpr double kBackedOff_m = 0.1;
+constexpr double kSlowlyAgain = 0.5;  ///< of the usual speed
 constexpr double kBackingSpare_m = 0.01;
 constexpr double kTurnsOnTheSpot_rad = 40 * kDegree;
 constexpr double kTurnGain_1_s = 1.5;
@@ -62,7 +67,11 @@ void ScriptedOperatorParams::describe(FieldList& fields) {
 
 ScriptedOperator::ScriptedOperator(const World& world, const VehicleDescription& vehicle,
                                    const ScriptedOperatorParams& params, std::uint64_t seed)
-    : vehicle_(vehicle), params_(params), random_(seed), places_(world.places) {
+    : vehicle_(vehicle),
+      params_(params),
+      random_(seed),
+      places_(world.places),
+      walls_(world, with_room_to_spare(vehicle.footprint, kAtWall_m)) {
   add_legs(world);
 }
 
@@ -179,13 +188,42 @@ double ScriptedOperator::wished_speed_mps(const OperatorView& view) const {
   const double left_m = std::max(0.0, leg.length_m - along_m_);
   double speed_mps = params_.speed_mps * (1 + params_.speed_wander * std::clamp(pull_speed_, -2.0, 2.0));
   speed_mps = std::min(speed_mps, kCreep_mps + std::sqrt(2 * kBraking_mps2 * left_m));
-  const bool looks_that_way = leg.in_reverse ? view.speed_mps < 0 : view.speed_mps >= 0;
+  return cautious_speed_mps(view, comes_again() ? kSlowlyAgain * speed_mps : speed_mps, leg.in_reverse);
+}
+
+/// Such that it stops before what it sees that way; negative in reverse.
+double ScriptedOperator::cautious_speed_mps(const OperatorView& view, double speed_mps,
+                                            bool in_reverse) const {
+  const bool looks_that_way = in_reverse ? view.speed_mps < 0 : view.speed_mps >= 0;
   if (looks_that_way) {
     const double free_m = std::max(0.0, view.free_ahead_m - kKeptFree_m);
     speed_mps = std::min(speed_mps, std::sqrt(2 * kBraking_mps2 * free_m));
     if (speed_mps < kSlowest_mps) return 0;
   }
-  return leg.in_reverse ? -std::min(speed_mps, vehicle_.limits.reverse_speed_max_mps) : speed_mps;
+  return in_reverse ? -std::min(speed_mps, vehicle_.limits.reverse_speed_max_mps) : speed_mps;
+}
+
+/// It has backed off from where it had been already.
+bool ScriptedOperator::comes_again() const {
+  return leg_ == leg_before_ && along_m_ < along_before_m_;
+}
+
+bool ScriptedOperator::is_stuck_at_wall(const OperatorView& view) {
+  return !vehicle_.is_differential && view.stamp_s - got_on_s_ > kStuck_s &&
+         walls_.touch(view.T_world_vehicle);
+}
+
+/// Along the way that it came, until it is there or the way back is blocked, too.
+Command ScriptedOperator::back_off(const OperatorView& view) {
+  const Leg& leg = legs_[leg_];
+  const Vec2 p_vehicle_back =
+      view.T_world_vehicle.inverse() * pose_along(leg.points, *backs_to_m_).position();
+  const double left_m = leg.in_reverse ? p_vehicle_back.x() : -p_vehicle_back.x();
+  const double speed_mps = cautious_speed_mps(view, kSlowlyAgain * params_.speed_mps, !leg.in_reverse);
+  if (left_m > kBackedOff_m && speed_mps != 0) return towards(p_vehicle_back, speed_mps);
+  along_m_ = *backs_to_m_;
+  backs_to_m_.reset();
+  return {};
 }
 
 std::vector<Mark> ScriptedOperator::passed_places(const Pose2& T_world_vehicle) {
@@ -219,14 +257,21 @@ OperatorInput ScriptedOperator::look(const OperatorView& view) {
     input.gives_up = !has_arrived();
     return input;
   }
+  if (backs_to_m_) {
+    input.wish = back_off(view);
+    return input;
+  }
   follow(seen.T_world_vehicle.position());
   Command wish = towards(seen.T_world_vehicle.inverse() * target(), wished_speed_mps(view));
   // Where the way on is blocked just before a leg's end, that is near enough.
   const double left_m = legs_[leg_].length_m - along_m_;
-  if (left_m < (wish.speed_mps == 0 && wish.turn_rate_rad_s == 0 ? kLegEndBlocked_m : kLegEnd_m)) {
+  const bool stands = wish.speed_mps == 0 && wish.turn_rate_rad_s == 0;
+  if (left_m < (stands ? kLegEndBlocked_m : kLegEnd_m)) {
     ++leg_;
     along_m_ = 0;
     wish = {.steering_rad = wish.steering_rad};
+  } else if (stands && is_stuck_at_wall(view)) {
+    backs_to_m_ = std::max(0.0, along_m_ - kBackOff_m);
   }
   input.wish = wish;
   return input;

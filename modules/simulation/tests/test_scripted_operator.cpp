@@ -130,6 +130,20 @@ TEST_P(ScriptedOperatorTest, TurnsIntoANarrowCorridorSoThatTheOuterFrontCornerGe
   }
 }
 
+TEST_P(ScriptedOperatorTest, BacksOffFromAWallThatItCameTooNearToAndComesAgain) {
+  // So narrow that three in ten come too near to the wall in the bend.
+  World world{.name = "tight tee"};
+  const std::vector<Vec2> line = {{-4, -0.62}, {4, -0.62},   {4, 0.62},  {0.6, 0.62}, {0.6, 9},
+                                  {-0.6, 9},   {-0.6, 0.62}, {-4, 0.62}, {-4, -0.62}};
+  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.foot = {line[i - 1], line[i]}});
+  world.tour = {{-3, 0}, {0, 0}, {0, 7}};
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Drive trip = drive(world, model, seed);
+    EXPECT_TRUE(trip.arrived) << seed;
+    EXPECT_EQ(trip.end.collisions, 0U) << seed;
+  }
+}
+
 TEST_P(ScriptedOperatorTest, GivesUpBeforeABoxThatStays) {
   const Scenario blocked{.events = {{.fault = BlockingBox{.T_world_box = {6, 0, 0}, .size = {0.5, 2.3}}}}};
   const Drive trip = drive(corner(), model, 5, blocked);

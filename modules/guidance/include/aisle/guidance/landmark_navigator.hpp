@@ -12,6 +12,7 @@
 #include "aisle/guidance/obstacle_guard.hpp"
 #include "aisle/guidance/place_doubt.hpp"
 #include "aisle/guidance/scene_watch.hpp"
+#include "aisle/guidance/stripe_watch.hpp"
 #include "aisle/learning/landmark_localiser.hpp"
 #include "aisle/learning/landmark_relocation.hpp"
 #include "aisle/maps/building.hpp"
@@ -101,11 +102,13 @@ class LandmarkNavigator final : public Navigator {
   PathProgress progress_;
   ObstacleGuard guard_;
   SceneWatch scenes_;
+  StripeWatch stripes_;
   std::vector<LandmarkSighting> sightings_;
   State state_ = State::kLooking;
   std::string why_lost_;
   double strange_way_m_ = 0;
   bool was_lifted_ = false;  ///< perhaps: everything looks other than a moment ago
+  bool has_jumped_ = false;  ///< likewise: walls stand elsewhere
   double searched_m_ = 0;    ///< since it was lost
   LandmarkMatch match_ = LandmarkMatch::kNothing;
   std::optional<double> state_since_s_;

@@ -23,7 +23,11 @@ class PlaceDoubt {
       : landmark_sigma_m_(matching.landmark_sigma_m), localiser_(matching, vehicle, {}) {}
 
   /// Nothing that was seen so far counts.
-  void start() { pictures_ = fitting_ = contradicting_ = expected_ = seen_ = 0; }
+  /// @param has_jumped  walls stand elsewhere than a moment ago: pictures must fit, or it is elsewhere
+  void start(bool has_jumped = false) {
+    pictures_ = fitting_ = contradicting_ = expected_ = seen_ = 0;
+    has_jumped_ = has_jumped;
+  }
 
   /// Takes in one more picture.
   /// @param T_map_believed  where the vehicle believes to be now
@@ -33,6 +37,7 @@ class PlaceDoubt {
  private:
   double landmark_sigma_m_;
   LandmarkLocaliser localiser_;
+  bool has_jumped_ = false;
   int pictures_ = 0, fitting_ = 0, contradicting_ = 0;
   int expected_ = 0, seen_ = 0;  ///< landmarks, in all pictures together
 };

@@ -30,10 +30,10 @@ struct ScriptedOperatorParams {
   void describe(FieldList& fields);
 };
 
-/// Follows a world's tour by sight, not quite straight and not quite evenly; says the names of the places
-/// that it passes; waits before what is in the way, and gives up when it stays there. Where the tour turns
-/// back, a differential vehicle turns round; a front-steered one goes on in reverse, until it can back round
-/// a corner such that it stands the right way to go on forwards.
+/// Follows a world's tour by sight, not quite straight and not quite evenly; names the places that it passes;
+/// waits before what is in the way, and gives up when it stays there; backs off where a bend led it too near
+/// to a wall. Where the tour turns back, a differential vehicle turns round; a front-steered one goes on in
+/// reverse, until it can back round a corner such that it stands the right way to go on forwards.
 class ScriptedOperator final : public Operator {
  public:
   /// @param world  its tour has at least two different points
@@ -65,6 +65,10 @@ class ScriptedOperator final : public Operator {
   Vec2 target() const;
   Command towards(const Vec2& p_vehicle_target, double speed_mps) const;
   double wished_speed_mps(const OperatorView& view) const;
+  double cautious_speed_mps(const OperatorView& view, double speed_mps, bool in_reverse) const;
+  bool comes_again() const;
+  bool is_stuck_at_wall(const OperatorView& view);
+  Command back_off(const OperatorView& view);
   std::vector<Mark> passed_places(const Pose2& T_world_vehicle);
   bool is_out_of_patience(double now_s);
 
@@ -73,9 +77,11 @@ class ScriptedOperator final : public Operator {
   Random random_;
   std::vector<Leg> legs_;
   std::vector<NamedPlace> places_;  ///< not passed yet
+  Obstacles walls_;                 ///< for the vehicle with some room around it
   std::deque<OperatorView> views_;
   std::size_t leg_ = 0;
   double along_m_ = 0;                                  ///< of the present leg
+  std::optional<double> backs_to_m_;                    ///< along it, while backing off from a wall
   double pull_aside_ = 0, aside_ = 0, pull_speed_ = 0;  ///< wander, in standard deviations
   std::size_t leg_before_ = 0;                          ///< where it last got on
   double along_before_m_ = 0;
