@@ -13,7 +13,7 @@ namespace aisle {
 
 struct FloorLearnerParams {
   /// Of a room that was looked into from its door, walls are seen on a short way.
-  MapParams mapping{.drawn_length_m = 0.3, .drawn_sightings = 2};
+  MapParams mapping{.tracker{.motion = kReadEveryCycle}, .drawn_length_m = 0.3, .drawn_sightings = 2};
   FloorViewParams view;
   LegParams legs;
   double cell_m = 0.05;
