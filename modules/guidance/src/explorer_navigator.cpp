@@ -26,7 +26,9 @@ constexpr double kShown_m2 = 0.03;      // so much more floor after a way: it wa
 constexpr double kWedged_m = 0.5;       // a search that comes no farther says something about where it began
 constexpr double kRetreat_m = 3;        // at least, along its own trail, before it searches anew ...
 constexpr double kRoomy_m = 0.15;       // ... where it has so much more room than it needs
-constexpr double kIdleWay_m = 150;      // without learning anything: what waits is left undone
+constexpr int kTouchesMax = 5;          // of the bumper: then something is wrong
+constexpr double kTouchedKnown_m = -0.03;  // beyond the margin: what stands so near is what was touched
+constexpr double kIdleWay_m = 150;         // without learning anything: what waits is left undone
 
 bool is_same(const ExploringTarget& a, const ExploringTarget& b) {
   if (a.kind != b.kind) return false;
@@ -67,10 +69,10 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   ++cycle_;
   stamp_s_ = observation.stamp_s;
   if (!begun_s_) begun_s_ = moved_s_ = stamp_s_;
-  if (observation.bumper_pressed) return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
   const FloorLearner::News news = learner_.take(observation);
   driver_.see(learner_.sensor().fan(), learner_.view().ranges_m);
   mark_coverage();
+  if (touches_anew(observation)) return back_off(observation);
   if (stamp_s_ - *begun_s_ > params_.time_max_s)
     return end(NavigatorStatus::kFailed, "late", "its time is over");
   if (learner_.is_laying_anew()) return wait_for_floor();
@@ -94,9 +96,27 @@ Decision ExplorerNavigator::step(const Observation& observation) {
 
 std::string ExplorerNavigator::what_was_explored() const {
   const std::size_t undone = explorer_.paths_abandoned();
-  if (undone == 0) return "explored";
-  return fmt::format("came home with {} left undone",
-                     undone == 1 ? "a path" : fmt::format("{} paths", undone));
+  const std::string explored = undone == 0
+                                   ? "explored"
+                                   : fmt::format("came home with {} left undone",
+                                                 undone == 1 ? "a path" : fmt::format("{} paths", undone));
+  return touches_ == 0 ? explored : explored + ", but touched something";
+}
+
+bool ExplorerNavigator::touches_anew(const Observation& observation) {
+  const bool was_touching = std::exchange(is_touching_, observation.bumper_pressed);
+  return is_touching_ && !was_touching;
+}
+
+/// What it touched is noted, unless the floor shows it; then another way is searched, away from it.
+Decision ExplorerNavigator::back_off(const Observation& observation) {
+  if (++touches_ > kTouchesMax || !learner_.has_looked())
+    return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
+  const double room_m =
+      search_.room().standing_spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+  if (room_m > kTouchedKnown_m && driven_direction_ != 0) learner_.touch(driven_direction_);
+  be_blocked(driven_direction_);
+  return {.command = {.steering_rad = steering_rad_of(observation.odometry)}, .state = "touched"};
 }
 
 void ExplorerNavigator::keep_trail(FloorLearner::News news) {
@@ -359,7 +379,9 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
       be_blocked(step.direction);
       return {.command = step.command, .state = "blocked"};
     case WayDriver::State::kTurningWheels:
+      break;
     case WayDriver::State::kDriving:
+      driven_direction_ = step.direction;
       break;
   }
   return {.command = step.command, .state = state};

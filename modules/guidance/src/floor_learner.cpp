@@ -63,9 +63,15 @@ FloorLearner::News FloorLearner::take(const Observation& observation) {
   looks_.push_back({log_.scans.size() - 1, view_.near_m, T_map_vehicle_});
   T_map_looked_ = T_map_vehicle_;
   cycles_since_look_ = 0;
-  const FloorBox changed = put(looks_.back(), T_map_vehicle_, floor_);
+  FloorBox changed = put(looks_.back(), T_map_vehicle_, floor_);
+  for (const Touch& touch : touches_) changed.include_box(put(touch, touch.T_map_put, floor_));
   clearance_.update(floor_, changed);
   return changed.empty() ? News::kNothing : News::kFloor;
+}
+
+void FloorLearner::touch(int direction) {
+  touches_.push_back({log_.scans.size() - 1, T_slice_vehicle_, direction, T_map_vehicle_});
+  clearance_.update(floor_, put(touches_.back(), T_map_vehicle_, floor_));
 }
 
 void FloorLearner::keep_slice(double stamp_s) {
@@ -91,6 +97,11 @@ FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGr
   return changed;
 }
 
+/// What no slice shows.
+FloorBox FloorLearner::put(const Touch& touch, const Pose2& T_map_vehicle, FloorGrid& floor) const {
+  return strike_floor(floor, vehicle_.footprint, T_map_vehicle, touch.direction);
+}
+
 /// Who sets a vehicle down leaves it a little room beside and behind it, and the strip free that it cannot
 /// see ahead of itself.
 Footprint FloorLearner::set_down_room() const {
@@ -106,6 +117,7 @@ Footprint FloorLearner::set_down_room() const {
 FloorGrid FloorLearner::floor_from(std::span<const Pose2> T_map_vehicle) const {
   FloorGrid floor(params_.cell_m);
   for (const Look& look : looks_) put(look, T_map_vehicle[look.slice], floor);
+  for (const Touch& touch : touches_) put(touch, T_map_vehicle[touch.slice] * touch.T_slice_vehicle, floor);
   return floor;
 }
 
@@ -131,6 +143,12 @@ bool FloorLearner::lay_on() {
     Look& look = looks_[anew_->next];
     look.T_map_put = T_map_of_all_[look.slice];
     changed.include_box(put(look, look.T_map_put, anew_->floor));
+  }
+  if (anew_->next == looks_.size()) {
+    for (Touch& touch : touches_) {
+      touch.T_map_put = T_map_of_all_[touch.slice] * touch.T_slice_vehicle;
+      changed.include_box(put(touch, touch.T_map_put, anew_->floor));
+    }
   }
   anew_->clearance.update(anew_->floor, changed);
   if (anew_->next < looks_.size()) return false;

@@ -10,6 +10,7 @@ namespace aisle {
 namespace {
 
 constexpr double kWatchMargin_m = 0.02;  // around the footprint
+constexpr double kCreeping_mps = 0.04;   // where it could not stop in time at the speed of its way
 constexpr double kBendAhead_m = 0.05;
 constexpr double kWheelsOff_rad = 25 * kDegree;
 constexpr double kWheelsOffAtFirst_rad = 4 * kDegree;  // at the start of a leg
@@ -74,6 +75,10 @@ WayDriver::Step WayDriver::drive(const FloorGrid& floor, const FloorClearance& c
   const int direction = command.speed_mps > 0 ? 1 : -1;
   if (is_free(floor, clearance, T_map_vehicle, command, steering_rad))
     return {State::kDriving, command, direction};
+  Command creeping = command;
+  creeping.speed_mps = std::clamp(command.speed_mps, -kCreeping_mps, kCreeping_mps);
+  if (is_free(floor, clearance, T_map_vehicle, creeping, steering_rad))
+    return {State::kDriving, creeping, direction};
   const bool is_for_wheels = std::abs(command.steering_rad - steering_rad) > kWheelsTurned_rad &&
                              is_free(floor, clearance, T_map_vehicle, command, command.steering_rad);
   if (is_for_wheels) return {State::kTurningWheels, {.steering_rad = command.steering_rad}, direction};

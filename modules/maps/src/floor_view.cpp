@@ -9,8 +9,10 @@
 namespace aisle {
 namespace {
 
-constexpr double kCoarse = 1.5;     // cells by which what is struck may lie off
-constexpr double kWallGap_m = 0.3;  // so far from what was struck a wall may go on unseen
+constexpr double kStruckFrom = 0.25;  // cells beyond the footprint: what was touched ...
+constexpr double kStruckTo = 1.5;     // ... and so deep
+constexpr double kCoarse = 1.5;       // cells by which what is struck may lie off
+constexpr double kWallGap_m = 0.3;    // so far from what was struck a wall may go on unseen
 
 /// The cells that a disc or rectangle about a place may touch.
 FloorBox box_around(const FloorGrid& floor, const Vec2& p_map, double reach_m) {
@@ -168,6 +170,27 @@ FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose
       const bool stands_on =
           outside_m <= 0 || (outside_m <= touched_m && floor.at(FloorCell{x, y}) == Floor::kUnknown);
       if (stands_on && floor.see_free({x, y})) changed.include({x, y});
+    }
+  }
+  return changed;
+}
+
+FloorBox strike_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle,
+                      int direction) {
+  const double half_m = footprint.width_m / 2;
+  const double end_m = direction < 0 ? footprint.rear_m : footprint.front_m;
+  const double from_m = kStruckFrom * floor.cell_m(), to_m = kStruckTo * floor.cell_m();
+  const FloorBox around =
+      box_around(floor, T_map_vehicle.position(), std::hypot(end_m + to_m, half_m) + floor.cell_m());
+  const Pose2 T_vehicle_map = T_map_vehicle.inverse();
+  FloorBox changed;
+  for (int y = around.low.y; y < around.end.y; ++y) {
+    for (int x = around.low.x; x < around.end.x; ++x) {
+      const Vec2 p_vehicle = T_vehicle_map * floor.centre({x, y});
+      const double beyond_m = (direction < 0 ? -1 : 1) * p_vehicle.x() - end_m;
+      if (beyond_m < from_m || beyond_m > to_m || std::abs(p_vehicle.y()) > half_m) continue;
+      if (floor.at(FloorCell{x, y}) != Floor::kOccupied) changed.include({x, y});
+      floor.set({x, y}, Floor::kOccupied);
     }
   }
   return changed;

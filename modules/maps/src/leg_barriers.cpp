@@ -155,6 +155,12 @@ std::optional<bool> LegBarriers::stands_free(const FloorGrid& floor, const Vec2&
   return is_before_wall ? std::optional(false) : std::nullopt;
 }
 
+/// What stands there belongs to one.
+bool LegBarriers::is_leg(const Vec2& p_map) const {
+  return std::any_of(legs_.begin(), legs_.end(),
+                     [&](const Leg& leg) { return (leg.p_map - p_map).norm() <= params_.leg_max_m; });
+}
+
 std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const {
   std::vector<FloorCell> cells;
   const auto close = [&](const Vec2& from, const Vec2& to) {
@@ -179,7 +185,7 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
   return cells;
 }
 
-/// Nothing but themselves, and what blurs one that stands free, is between them.
+/// Nothing but legs, and what blurs one that stands free, is between them: a chair may stand before a table.
 bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Leg& a, const Leg& b) const {
   if (!a.stands_free && !b.stands_free) return false;
   const auto blur_m = [&](const Leg& leg) { return leg.stands_free ? params_.leg_max_m : kBlurAtWall_m; };
@@ -187,7 +193,7 @@ bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Leg& a, cons
   for_cells_on_line(floor, a.p_map, b.p_map, [&](FloorCell cell) {
     const Vec2 p_map = floor.centre(cell);
     const bool is_between = (p_map - a.p_map).norm() > blur_m(a) && (p_map - b.p_map).norm() > blur_m(b);
-    if (is_between && floor.at(cell) == Floor::kOccupied) in_sight = false;
+    if (is_between && floor.at(cell) == Floor::kOccupied && !is_leg(p_map)) in_sight = false;
   });
   return in_sight;
 }
@@ -212,10 +218,7 @@ std::optional<Vec2> LegBarriers::nearest_wall(const FloorGrid& floor, const Vec2
     const Vec2 p_map = floor.centre(cell);
     const double away_m = (p_map - p_map_leg).norm();
     if (away_m <= params_.leg_max_m || away_m >= nearest_m || !matters(p_map - p_map_leg)) return;
-    const bool is_leg = std::any_of(legs_.begin(), legs_.end(), [&](const Leg& leg) {
-      return (leg.p_map - p_map).norm() <= params_.leg_max_m;
-    });
-    if (is_leg) return;
+    if (is_leg(p_map)) return;
     nearest_m = away_m;
     nearest = p_map;
   });

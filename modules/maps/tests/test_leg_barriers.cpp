@@ -84,6 +84,13 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayInBetweenAWallAndATableAtIt) {
 }
 
 /// As in a corner of a room: the front legs of a table, one of them beside a cupboard.
+TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableAtAWallThatAChairStandsBefore) {
+  wall(3.9, 0, 6);
+  for (const double y_m : {2.02, 2.57, 3.02, 3.57}) stand(3.02, y_m);
+  for (const double y_m : {2.57, 3.02}) stand(2.57, y_m);
+  EXPECT_TRUE(is_closed({3.5, 1}, {3.5, 5}));
+}
+
 TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatStandsBesideACupboard) {
   wall(2, 0, 6);
   for (double x_m = 2; x_m < 3.5; x_m += 0.05) {

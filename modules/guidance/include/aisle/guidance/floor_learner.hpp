@@ -13,7 +13,7 @@ namespace aisle {
 
 struct FloorLearnerParams {
   /// Of a room that was looked into from its door, walls are seen on a short way.
-  MapParams mapping{.drawn_length_m = 0.3, .drawn_sightings = 2};
+  MapParams mapping{.tracker{.motion = kReadEveryCycle}, .drawn_length_m = 0.3, .drawn_sightings = 2};
   FloorViewParams view;
   LegParams legs;
   double cell_m = 0.05;
@@ -33,6 +33,10 @@ class FloorLearner {
                std::unique_ptr<SliceSensor> sensor);
 
   News take(const Observation& observation);
+
+  /// The vehicle touches something that no slice shows, before its front (1) or behind its rear (-1): from
+  /// now on something stands there on the floor. After the first slice.
+  void touch(int direction);
 
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
   const Pose2& T_map_home() const { return T_map_home_; }  ///< where it began, as known now
@@ -60,6 +64,13 @@ class FloorLearner {
     std::vector<float> near_m;
     Pose2 T_map_put;  ///< of the vehicle, where the floor shows it
   };
+  /// Where the vehicle stood when it touched something.
+  struct Touch {
+    std::size_t slice = 0;  ///< the latest one then ...
+    Pose2 T_slice_vehicle;  ///< ... and where the vehicle had come since
+    int direction = 0;
+    Pose2 T_map_put;  ///< of the vehicle, where the floor shows it
+  };
   /// The floor after a place was recognised, while it is made.
   struct LaidAnew {
     LaidAnew(double cell_m, double far_m, const LegParams& legs) : floor(cell_m), clearance(legs, far_m) {}
@@ -70,6 +81,7 @@ class FloorLearner {
 
   bool is_time_to_look() const;
   FloorBox put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const;
+  FloorBox put(const Touch& touch, const Pose2& T_map_vehicle, FloorGrid& floor) const;
   void keep_slice(double stamp_s);
   Footprint set_down_room() const;
   bool places_moved();
@@ -86,6 +98,7 @@ class FloorLearner {
   std::vector<Pose2> T_map_of_all_;  ///< when a place was recognised last
   SliceView view_;
   std::vector<Look> looks_;
+  std::vector<Touch> touches_;
   LaserLog log_;
   int cycles_since_look_ = 0;
   Pose2 T_odom_vehicle_;

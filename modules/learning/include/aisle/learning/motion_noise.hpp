@@ -21,4 +21,13 @@ struct MotionNoise {
   Mat3 covariance(const Pose2& step) const;
 };
 
+/// Wheels that are read in every cycle, each reading with its own scan: an ordinary indoor vehicle's, even
+/// three times as bad.
+inline constexpr MotionNoise kReadEveryCycle{.distance_m_per_sqrt_m = 0.03,
+                                             .rotation_rad_per_sqrt_m = 0.02,
+                                             .rotation_rad_per_sqrt_rad = 0.01,
+                                             .rotation_share = 0.05,
+                                             .moving_floor_m = 0.0005,
+                                             .moving_floor_rad = 0.0005};
+
 }  // namespace aisle

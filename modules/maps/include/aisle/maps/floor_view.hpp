@@ -26,4 +26,8 @@ FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const 
 /// Floor on which the vehicle stands is free.
 FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle);
 
+/// What the vehicle has touched stands right before its front (1), or behind its rear (-1): occupied there.
+FloorBox strike_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle,
+                      int direction);
+
 }  // namespace aisle

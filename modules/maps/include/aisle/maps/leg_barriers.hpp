@@ -45,6 +45,7 @@ class LegBarriers {
   std::vector<FloorCell> small_thing(const FloorGrid& floor, FloorCell start) const;
   std::optional<bool> stands_free(const FloorGrid& floor, const Vec2& p_map) const;
   void find_legs(const FloorGrid& floor, const FloorBox& within);
+  bool is_leg(const Vec2& p_map) const;
   std::vector<FloorCell> cells_between(const FloorGrid& floor) const;
   bool may_carry_one_plate(const FloorGrid& floor, const Leg& a, const Leg& b) const;
   std::optional<Vec2> wall_behind(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& along) const;
