@@ -66,7 +66,7 @@ bool ScanMapping::close_submap() {
   const std::vector<Keyframe>& keyframes = tracker_.keyframes();
   const bool is_last = !submap_is_complete();
   const std::size_t last = is_last ? keyframes.size() - 1 : keyframes.size() - 2;
-  WallUpdateParams update;
+  WallUpdateParams update{.gate_m = params_.tracker.same_wall_m};
   if (!orthogonal_) update.axis_tolerance_rad = -1;
   const bool closed =
       loops_.add(build_submap(next_keyframe_, last, keyframes, segments_, update), keyframes, orthogonal_);

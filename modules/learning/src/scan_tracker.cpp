@@ -28,6 +28,7 @@ constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
 void TrackerParams::describe(FieldList& fields) {
   fields.group("motion", motion);
   fields.real("gate_m", gate_m, {0.02, 2}, "a segment farther from a wall is not matched with it");
+  fields.real("same_wall_m", same_wall_m, {0.01, 1}, "a segment farther across than this is another wall");
   fields.real("window_m", window_m, {2, 500}, "walls not seen for so long a way are left to loop closing");
   fields.real("unconfirmed_m", unconfirmed_m, {0, 500}, "a wall seen only once is forgotten after this way");
   fields.real("keyframe_m", keyframe_m, {0.02, 5}, "a scan is learned after so long a way");
@@ -38,7 +39,8 @@ void TrackerParams::describe(FieldList& fields) {
               "how far from the predicted pose it is looked for");
 }
 
-ScanTracker::ScanTracker(const TrackerParams& params) : params_(params), aligner_(AlignmentParams{}) {}
+ScanTracker::ScanTracker(const TrackerParams& params)
+    : params_(params), update_{.gate_m = params.same_wall_m}, aligner_(AlignmentParams{}) {}
 
 Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal) {
   if (orthogonal_ && !orthogonal) trust_oblique_walls();

@@ -13,9 +13,10 @@ namespace aisle {
 
 struct TrackerParams {
   MotionNoise motion;
-  double gate_m = 0.25;      ///< a segment farther from a wall is not matched with it
-  double window_m = 20;      ///< walls not seen for so long a way are left to loop closing
-  double unconfirmed_m = 3;  ///< a wall seen once only is forgotten after this way
+  double gate_m = 0.25;       ///< a segment farther from a wall is not matched with it
+  double same_wall_m = 0.12;  ///< a segment farther across than this is another wall
+  double window_m = 20;       ///< walls not seen for so long a way are left to loop closing
+  double unconfirmed_m = 3;   ///< a wall seen once only is forgotten after this way
   double keyframe_m = 0.25;
   double keyframe_rad = 8 * kDegree;
   double lost_share = 0.55;  ///< less of the seen length fits than this: look for the pose anew

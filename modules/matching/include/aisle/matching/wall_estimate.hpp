@@ -55,7 +55,7 @@ struct PlacedSegment {
 
 struct WallUpdateParams {
   double axis_tolerance_rad = 4 * kDegree;  ///< nearer to an axis: orthogonal
-  double gate_m = 0.06;                     ///< a segment farther across than this is another wall
+  double gate_m = 0.12;                     ///< a segment farther across than this is another wall
   double gap_m = 0.15;                      ///< a segment farther along than this is another wall
   double weight_cap = 40;  ///< a wall's weight ends at this many good sightings: old errors fade
 };
