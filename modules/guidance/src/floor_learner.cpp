@@ -146,7 +146,8 @@ bool FloorLearner::lay_on() {
   }
   if (anew_->next == looks_.size()) {
     for (Touch& touch : touches_) {
-      touch.T_map_put = T_map_of_all_[touch.slice] * touch.T_slice_vehicle;
+      if (touch.slice < T_map_of_all_.size())  // else it was put down where places lie since
+        touch.T_map_put = T_map_of_all_[touch.slice] * touch.T_slice_vehicle;
       changed.include_box(put(touch, touch.T_map_put, anew_->floor));
     }
   }
