@@ -1,8 +1,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "aisle/guidance/scene_jump.hpp"
 #include "aisle/vision/landmark_sightings.hpp"
 
 namespace aisle {
@@ -20,12 +20,7 @@ class SceneWatch {
   bool look(std::span<const LandmarkSighting> picture, bool is_known_here = false);
 
  private:
-  using Scene = std::vector<LandmarkSighting>;
-
-  Scene known_;  ///< the last picture that went on from the one before, seen from where the vehicle is now
-  double since_known_m_ = 0;    ///< of way
-  double since_known_rad_ = 0;  ///< of turning
-  Scene other_;                 ///< the last picture if it did not
+  SceneJump<LandmarkSighting> jump_;
 };
 
 }  // namespace aisle

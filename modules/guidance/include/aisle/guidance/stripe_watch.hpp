@@ -1,9 +1,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
-#include "aisle/geometry/pose2.hpp"
+#include "aisle/guidance/scene_jump.hpp"
 
 namespace aisle {
 
@@ -21,10 +20,7 @@ class StripeWatch {
   bool look(std::span<const Vec2> p_vehicle_lit, bool is_known_here = false);
 
  private:
-  std::vector<Vec2> known_;     ///< of the last picture that went on from the one before
-  double since_known_m_ = 0;    ///< of way
-  double since_known_rad_ = 0;  ///< of turning
-  std::vector<Vec2> other_;     ///< of the last picture if it did not
+  SceneJump<Vec2> jump_;
 };
 
 }  // namespace aisle

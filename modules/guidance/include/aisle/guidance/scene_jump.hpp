@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/geometry/pose2.hpp"
+
+namespace aisle {
+
+/// Tells pictures that go on from one another from a jump: a picture that shows hardly anything of the scene
+/// until then, and one after it that shows the same again. One alone may be a whim of the light.
+/// @tparam Thing  what a picture shows, as it is seen from the vehicle
+template <class Thing>
+class SceneJump {
+ public:
+  struct Limits {
+    std::size_t compared_min = 0;  ///< things, in either picture
+    double other_share_max = 0;    ///< of a picture's things, known from the scene before: another scene
+    double same_share_min = 0;     ///< likewise: the same scene
+  };
+
+  /// The vehicle has moved since the last call, by its odometry.
+  /// @param carry  carry(things, T_now_before): as they are seen now
+  template <class Carry>
+  void move(const Pose2& T_before_now, Carry carry) {
+    carry(known_, T_before_now.inverse());
+    carry(other_, T_before_now.inverse());
+    since_known_m_ += T_before_now.position().norm();
+    since_known_rad_ += T_before_now.theta;
+  }
+
+  /// Takes in a picture.
+  /// @param is_known_here  it shows what is known to be here, and so no other scene
+  /// @param known_share  known_share(picture, other): how much of a picture another one shows too
+  /// @return whether it is the second of another scene. False as long as there is too little to compare
+  template <class KnownShare>
+  bool look(std::span<const Thing> picture, bool is_known_here, const Limits& limits,
+            KnownShare known_share) {
+    if (picture.size() < limits.compared_min) return false;
+    const bool can_tell = known_.size() >= limits.compared_min && since_known_m_ < kComparedWay_m &&
+                          std::abs(since_known_rad_) < kComparedTurn_rad;
+    const bool goes_on = is_known_here || !can_tell || known_share(picture, known_) > limits.other_share_max;
+    const bool is_elsewhere = !goes_on && other_.size() >= limits.compared_min &&
+                              known_share(picture, other_) >= limits.same_share_min;
+    if (!goes_on && !is_elsewhere) {
+      other_.assign(picture.begin(), picture.end());
+      return false;
+    }
+    known_.assign(picture.begin(), picture.end());
+    since_known_m_ = since_known_rad_ = 0;
+    other_.clear();
+    return is_elsewhere;
+  }
+
+ private:
+  static constexpr double kComparedWay_m =
+      0.5;  ///< farther on, other things come into view by themselves ...
+  static constexpr double kComparedTurn_rad = 10 * kDegree;  ///< ... and farther round
+
+  std::vector<Thing> known_;    ///< of the last picture that went on from the one before, as seen now
+  double since_known_m_ = 0;    ///< of way
+  double since_known_rad_ = 0;  ///< of turning
+  std::vector<Thing> other_;    ///< of the last picture if it did not
+};
+
+}  // namespace aisle
