@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/square.hpp"
 #include "driven_legs.hpp"
 #include "leg_cutting.hpp"
 #include "path_adjustment.hpp"
@@ -54,8 +55,8 @@ std::vector<double> stray_shares(const DrivenLeg& leg, double step_m) {
 }
 
 /// So that strays count by what is allowed.
-double first_weight(const Waypoint& waypoint, double step_m) {
-  return step_m / (waypoint.stray_share * waypoint.stray_share);
+double first_weight(double stray_share, double step_m) {
+  return step_m / square(stray_share);
 }
 
 void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<Stretch>& stretches, double step_m) {
@@ -64,7 +65,6 @@ void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<Stretch>&
         {.kind = Kind::kTurnOnTheSpot, .T_map_start = loose.T_map_end, .turn_rad = leg.turn_before_rad});
   }
   const std::vector<double> shares = stray_shares(leg, step_m);
-  const std::size_t first_waypoint = loose.waypoints.size();
   for (const Stretch& stretch : stretches) {
     const double length_m = way_m(leg, stretch);
     loose.pieces.push_back({.kind = stretch.curvature_per_m == 0 ? Kind::kLine : Kind::kArc,
@@ -77,15 +77,15 @@ void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<Stretch>&
       loose.waypoints.push_back({.p_map = leg.samples[i].position(),
                                  .piece = loose.pieces.size() - 1,
                                  .stray_share = shares[i],
+                                 .weight = first_weight(shares[i], step_m),
                                  .begins_leg = i == 0});
     }
   }
   loose.waypoints.push_back({.p_map = leg.samples.back().position(),
                              .piece = loose.pieces.size() - 1,
                              .stray_share = shares.back(),
+                             .weight = first_weight(shares.back(), step_m),
                              .ends_leg = true});
-  for (std::size_t k = first_waypoint; k < loose.waypoints.size(); ++k)
-    loose.waypoints[k].weight = first_weight(loose.waypoints[k], step_m);
   loose.T_map_end = leg.samples.back();
 }
 
@@ -169,7 +169,7 @@ Path smoothed(LoosePath loose, double stray_max_m, double radius_min_m, double s
     if (is_near && widest_gap_m(loose) < kGapMax * stray_max_m) break;
     if (is_near || round % kPullsBeforeCut != 0) continue;
     split(loose, worst_piece);
-    for (Waypoint& waypoint : loose.waypoints) waypoint.weight = first_weight(waypoint, step_m);
+    for (Waypoint& waypoint : loose.waypoints) waypoint.weight = first_weight(waypoint.stray_share, step_m);
   }
   return joined(loose);
 }
