@@ -45,8 +45,10 @@ TEST_F(OutputDirectory, OtherFilesInItAreNoHindrance) {
 
 TEST_F(OutputDirectory, GoesAgainWhereNoResultsCome) {
   fs::create_directory(at("mine"));
-  EXPECT_EQ(run_aisle({"learn", at("no-session"), "--out", at("mine/made/out")}).exit_code, 2);
-  EXPECT_THAT(names_in(at("mine")), IsEmpty());
+  for (const std::string out : {"mine/made/out", "mine/made/out/"}) {
+    EXPECT_EQ(run_aisle({"learn", at("no-session"), "--out", at(out)}).exit_code, 2);
+    EXPECT_THAT(names_in(at("mine")), IsEmpty()) << out;
+  }
   EXPECT_EQ(run_aisle({"learn", at("no-session"), "--out", at("mine")}).exit_code, 2);
   EXPECT_TRUE(fs::exists(at("mine")));
 }

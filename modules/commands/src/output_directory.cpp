@@ -62,7 +62,8 @@ Result<OutputDirectory> OutputDirectory::open(const fs::path& directory, bool fo
 OutputDirectory::~OutputDirectory() {
   std::error_code error;
   for (const fs::path& made : made_) {
-    if (!fs::remove(made, error)) return;
+    fs::remove(made, error);
+    if (error) return;
   }
 }
 

@@ -25,11 +25,7 @@ struct OutputFile {
 /// come goes again.
 class OutputDirectory {
  public:
-  OutputDirectory(const OutputDirectory&) = delete;
-  OutputDirectory(OutputDirectory&& other) noexcept
-      : made_(std::exchange(other.made_, {})), directory_(std::move(other.directory_)) {}
-  OutputDirectory& operator=(const OutputDirectory&) = delete;
-  OutputDirectory& operator=(OutputDirectory&&) = delete;
+  OutputDirectory(OutputDirectory&&) noexcept = default;
   ~OutputDirectory();
 
   /// `names` are the files that the verb is going to write. The directory is created.
