@@ -35,6 +35,23 @@ World corner() {
   return world;
 }
 
+/// A corridor along x, and one 1.2 m wide that leads off it to the left.
+World narrow_tee(double from_x, double to_x, double half_width) {
+  World world{.name = "narrow tee"};
+  const std::vector<Vec2> line = {{from_x, -half_width},
+                                  {to_x, -half_width},
+                                  {to_x, half_width},
+                                  {0.6, half_width},
+                                  {0.6, 9},
+                                  {-0.6, 9},
+                                  {-0.6, half_width},
+                                  {from_x, half_width},
+                                  {from_x, -half_width}};
+  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.foot = {line[i - 1], line[i]}});
+  world.tour = {{-3, 0}, {0, 0}, {0, 7}};
+  return world;
+}
+
 struct Drive {
   SimulatedTruth end;
   std::vector<Mark> marks;
@@ -68,6 +85,14 @@ Drive drive(const World& world, const VehicleModel& model, std::uint64_t seed,
 
 class ScriptedOperatorTest : public testing::TestWithParam<bool> {
  protected:
+  void expect_to_get_through(const World& world) const {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const Drive trip = drive(world, model, seed);
+      EXPECT_TRUE(trip.arrived) << seed;
+      EXPECT_EQ(trip.end.collisions, 0U) << seed;
+    }
+  }
+
   const VehicleModel model = GetParam() ? guided_mini() : guided_cart();
 };
 
@@ -118,30 +143,12 @@ TEST_P(ScriptedOperatorTest, WhereTheWayBackTurnsOffItBacksRoundTheCornerAndGoes
 }
 
 TEST_P(ScriptedOperatorTest, TurnsIntoANarrowCorridorSoThatTheOuterFrontCornerGetsThrough) {
-  World world{.name = "narrow tee"};
-  const std::vector<Vec2> line = {{-4, -1},  {6, -1},   {6, 1},  {0.6, 1}, {0.6, 9},
-                                  {-0.6, 9}, {-0.6, 1}, {-4, 1}, {-4, -1}};
-  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.foot = {line[i - 1], line[i]}});
-  world.tour = {{-3, 0}, {0, 0}, {0, 7}};
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const Drive trip = drive(world, model, seed);
-    EXPECT_TRUE(trip.arrived) << seed;
-    EXPECT_EQ(trip.end.collisions, 0U) << seed;
-  }
+  expect_to_get_through(narrow_tee(-4, 6, 1));
 }
 
 TEST_P(ScriptedOperatorTest, BacksOffFromAWallThatItCameTooNearToAndComesAgain) {
   // So narrow that three in ten come too near to the wall in the bend.
-  World world{.name = "tight tee"};
-  const std::vector<Vec2> line = {{-4, -0.62}, {4, -0.62},   {4, 0.62},  {0.6, 0.62}, {0.6, 9},
-                                  {-0.6, 9},   {-0.6, 0.62}, {-4, 0.62}, {-4, -0.62}};
-  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.foot = {line[i - 1], line[i]}});
-  world.tour = {{-3, 0}, {0, 0}, {0, 7}};
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const Drive trip = drive(world, model, seed);
-    EXPECT_TRUE(trip.arrived) << seed;
-    EXPECT_EQ(trip.end.collisions, 0U) << seed;
-  }
+  expect_to_get_through(narrow_tee(-4, 4, 0.62));
 }
 
 TEST_P(ScriptedOperatorTest, GivesUpBeforeABoxThatStays) {
