@@ -31,9 +31,7 @@ VehicleModel vehicle_with_ordinary_camera() {
 
 Result<VehicleModel> vehicle_of(const RenderViewOptions& options) {
   if (options.vehicle.empty()) return vehicle_with_ordinary_camera();
-  const auto file = shipped_or_own("vehicles", options.vehicle.string());
-  if (!file) return file.problems();
-  return read_vehicle(*file);
+  return read_shipped_or_own("vehicles", options.vehicle.string(), read_vehicle);
 }
 
 Result<CameraDescription> camera_of(const VehicleDescription& vehicle, const RenderViewOptions& options) {
@@ -83,9 +81,7 @@ Outcome render_view_parameters() {
 }
 
 Result<Outcome> run_render_view(const RenderViewOptions& options, Console&) {
-  const auto file = shipped_or_own("worlds", options.world.string());
-  if (!file) return file.problems();
-  const auto world = read_world(*file);
+  const auto world = read_shipped_or_own("worlds", options.world.string(), read_world);
   if (!world) return world.problems();
   const auto model = vehicle_of(options);
   if (!model) return model.problems();

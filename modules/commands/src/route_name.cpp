@@ -27,13 +27,11 @@ std::string route_name(const Building& building, const std::string& asked) {
 }
 
 Result<Route> find_route(const Building& building, const std::string& name) {
-  std::string names;
   for (const Route& route : building.routes) {
     if (route.name == name) return route;
-    names += (names.empty() ? "" : ", ") + route.name;
   }
   return Problem{{"", 0, "route"},
-                 fmt::format("'{}' is unknown; the building has: {}", name, names.empty() ? "none" : names)};
+                 fmt::format("'{}' is unknown; the building has: {}", name, names_of(building.routes))};
 }
 
 Problems check_barriers(const Building& building, const std::string& route, const Path& way,

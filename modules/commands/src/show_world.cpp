@@ -170,9 +170,7 @@ Problems draw(const World& world, const ShowWorldOptions& options, Outcome& outc
 
 Result<Outcome> run_show_world(const ShowWorldOptions& options, Console& console) {
   if (const Problems problems = check_outputs(options); !problems.empty()) return problems;
-  const auto file = shipped_or_own("worlds", options.world.string());
-  if (!file) return file.problems();
-  const Result<World> world = read_world(*file);
+  const Result<World> world = read_shipped_or_own("worlds", options.world.string(), read_world);
   if (!world) return world.problems();
   Outcome outcome = describe(*world);
   Reach(*world).add_to(outcome, console);

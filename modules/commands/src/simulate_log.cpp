@@ -50,9 +50,7 @@ Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& con
   FieldList fields = fields_of(params);
   if (const Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   if (const Problems problems = inexpressible(params.scanner); !problems.empty()) return problems;
-  const auto file = shipped_or_own("worlds", options.world.string());
-  if (!file) return file.problems();
-  const auto world = read_world(*file);
+  const auto world = read_shipped_or_own("worlds", options.world.string(), read_world);
   if (!world) return world.problems();
   if (world->tour.size() < 2)
     return Problem{{options.world.string(), 0, "tour"}, "needs at least two way points"};

@@ -57,15 +57,11 @@ Result<SimulationSetting> read_setting(const std::string& world, const std::stri
     if (!read) return read.problems();
     setting.world = std::move(*read);
   }
-  const auto vehicle_file = shipped_or_own("vehicles", vehicle);
-  if (!vehicle_file) return vehicle_file.problems();
-  auto model = read_vehicle(*vehicle_file);
+  auto model = read_shipped_or_own("vehicles", vehicle, read_vehicle);
   if (!model) return model.problems();
   setting.vehicle = std::move(*model);
   if (scenario.empty()) return setting;
-  const auto scenario_file = shipped_or_own("scenarios", scenario);
-  if (!scenario_file) return scenario_file.problems();
-  auto faults = read_scenario(*scenario_file);
+  auto faults = read_shipped_or_own("scenarios", scenario, read_scenario);
   if (!faults) return faults.problems();
   setting.scenario = std::move(*faults);
   if (Problems problems = check_scenario(scenario, setting); !problems.empty()) return problems;

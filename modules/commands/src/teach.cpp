@@ -16,12 +16,6 @@ namespace aisle {
 
 namespace {
 
-std::string names(const std::vector<TaughtWay>& routes) {
-  std::string list;
-  for (const TaughtWay& route : routes) list += (list.empty() ? "" : ", ") + route.name;
-  return list.empty() ? "none" : list;
-}
-
 /// The first camera alone is learned from; a scripted person drives the world's route of that name.
 Problems take_route(const TeachOptions& options, const VehicleDescription& vehicle, DriveOptions& drive) {
   if (Problems problems = unfit_for_rooms(vehicle, {kFirstCamera}); !problems.empty()) return problems;
@@ -38,7 +32,7 @@ Problems take_route(const TeachOptions& options, const VehicleDescription& vehic
   if (way == nullptr)
     return {{{file->string(), 0, "routes"},
              fmt::format("none is '{}', which a scripted person could drive; there are: {}", options.route,
-                         names(world->routes))}};
+                         names_of(world->routes))}};
   const ShownViews views = options.shows_view_pattern ? ShownViews::kPattern : ShownViews::kTrail;
   drive.keys = [world = *world, way = *way, seed = drive.seed, views](
                    const VehicleDescription& driven, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
@@ -58,9 +52,7 @@ Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
     return Problem{{"", 0, "--views"}, "the pattern belongs to the method route"};
   DriveOptions drive = options.drive;
   drive.vehicle = vehicle_or_usual(drive.vehicle, options.method);
-  const auto vehicle_file = shipped_or_own("vehicles", drive.vehicle);
-  if (!vehicle_file) return vehicle_file.problems();
-  const auto vehicle = read_vehicle(*vehicle_file);
+  const auto vehicle = read_shipped_or_own("vehicles", drive.vehicle, read_vehicle);
   if (!vehicle) return vehicle.problems();
   if (vehicle->description.cameras.empty())
     return Problem{{drive.vehicle, 0, "cameras"}, "there is none: nothing can be learned"};

@@ -12,6 +12,7 @@
 #include "learned_files.hpp"
 #include "methods.hpp"
 #include "mission_count.hpp"
+#include "not_taught.hpp"
 #include "rooms/room_verbs.hpp"
 #include "rounded.hpp"
 #include "sections/section_verbs.hpp"
@@ -105,7 +106,7 @@ Json mission_json(std::uint64_t seed, const SimulationSetting& setting, int refi
 struct Trial {
   std::vector<Statistics> after;  ///< so many refinements
   Json missions = Json::array();
-  Json not_taught = Json::array();
+  NotTaught not_taught;
 };
 
 /// One seed: taught, learned, driven and refined as often as is asked.
@@ -116,12 +117,12 @@ Problems run_seed(const TrialOptions& options, const LandmarkCourseParams& param
   const auto trip = teach_trip(*setting, params, seed, progress);
   if (!trip) return trip.problems();
   if (!*trip) {
-    trial.not_taught.push_back({{"seed", seed}, {"why", "the person did not get through"}});
+    trial.not_taught.add(seed, "the person did not get through");
     return {};
   }
   const auto lesson = learn_lesson(**trip, "route", params.lesson);
   if (!lesson) {
-    trial.not_taught.push_back({{"seed", seed}, {"why", to_string(lesson.problems())}});
+    trial.not_taught.add(seed, to_string(lesson.problems()));
     return {};
   }
   const MapTruth truth(lesson->T_map_taught, (*trip)->T_world_vehicle);
@@ -154,7 +155,7 @@ Outcome outcome_of(const TrialOptions& options, const Trial& trial) {
     for (const Statistics& statistics : trial.after)
       outcome.figures["after_refinements"].push_back(statistics.json());
   }
-  outcome.figures["not_taught"] = trial.not_taught;
+  outcome.figures["not_taught"] = trial.not_taught.json();
   outcome.figures["runs"] = trial.missions;
   outcome.text =
       "simulated\n after  missions  arrived  collisions  across  along    heading  tracking  worst\n";
@@ -170,9 +171,7 @@ Outcome outcome_of(const TrialOptions& options, const Trial& trial) {
         100 * figures["tracking"]["max_m"]["worst"].get<double>());
     outcome.ok = outcome.ok && trial.after[i].all_well();
   }
-  for (const Json& seed : trial.not_taught)
-    outcome.text +=
-        fmt::format("seed {}: {}\n", seed["seed"].get<std::uint64_t>(), seed["why"].get<std::string>());
+  outcome.text += trial.not_taught.text();
   return outcome;
 }
 

@@ -12,6 +12,7 @@
 #include "aisle/simulation/turning_course.hpp"
 #include "methods.hpp"
 #include "mission_count.hpp"
+#include "not_taught.hpp"
 #include "rooms/room_mission.hpp"
 #include "rooms/room_verbs.hpp"
 #include "rooms/taught_rooms.hpp"
@@ -41,12 +42,10 @@ struct RoomTrial {
   std::size_t missions = 0, arrived = 0, stopped = 0, collisions = 0, false_stops = 0;
   Spread end_m, end_deg, clearance_m;
   std::vector<double> cycle_s;
-  Json runs = Json::array(), not_taught = Json::array();
+  Json runs = Json::array();
+  NotTaught not_taught;
 
   bool all_well() const { return missions > 0 && arrived == missions; }
-  void add_not_taught(const Problems& problems, std::uint64_t seed, const std::string& route) {
-    not_taught.push_back({{"seed", seed}, {"route", route}, {"why", to_string(problems)}});
-  }
   void add(const RoomMissionResult& result, std::uint64_t seed, const std::string& route) {
     ++missions;
     const bool is_there = result.end_error_m < kFalseStop_m;
@@ -152,7 +151,7 @@ Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialPar
     const TaughtWay& way = *ways[seed % ways.size()];
     const auto taught = routes.taught(*setting, way, seed, within);
     if (!taught) {
-      trial.add_not_taught(taught.problems(), seed, way.name);
+      trial.not_taught.add(seed, to_string(taught.problems()), way.name);
       continue;
     }
     const MissionBegin mission = begin(*setting, **taught, seed);
@@ -175,17 +174,8 @@ Json park_figures(const RoomTrial& trial) {
           {"false_stops", trial.false_stops},
           {"cycle_ms", cycle_figures(trial.cycle_s)},
           {"simulated", true},
-          {"not_taught", trial.not_taught},
+          {"not_taught", trial.not_taught.json()},
           {"runs", trial.runs}};
-}
-
-/// A line for each lesson that was refused.
-std::string not_taught_text(const RoomTrial& trial) {
-  std::string text;
-  for (const Json& lesson : trial.not_taught)
-    text += fmt::format("not taught: seed {}, {}: {}\n", lesson["seed"].get<std::uint64_t>(),
-                        lesson["route"].get<std::string>(), lesson["why"].get<std::string>());
-  return text;
 }
 
 }  // namespace
@@ -212,7 +202,7 @@ Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParam
       "simulated, furniture and light changed: {} missions driven, {:.1f} % of them arrived,\n"
       "{:.1f} % stopped safely, {} collisions\n",
       trial.missions, 100 * trial.share(trial.arrived), 100 * trial.share(trial.stopped), trial.collisions);
-  outcome.text += not_taught_text(trial);
+  outcome.text += trial.not_taught.text();
   return outcome;
 }
 
@@ -243,7 +233,7 @@ Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialPar
       "ended {:.1f} cm, {:.2f} deg off (mean), {:.1f} cm, {:.2f} deg (worst)\n",
       parking_word(options.strategy), trial.missions, 100 * trial.share(trial.arrived), trial.collisions,
       100 * trial.end_m.mean(), trial.end_deg.mean(), 100 * trial.end_m.worst(), trial.end_deg.worst());
-  outcome.text += not_taught_text(trial);
+  outcome.text += trial.not_taught.text();
   return outcome;
 }
 
@@ -288,7 +278,7 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
       const std::uint64_t seed = options.first_seed + i;
       const auto taught = lessons.taught(setting, world.routes.front(), seed, within);
       if (!taught) {
-        trial.add_not_taught(taught.problems(), seed, setting.world.name);
+        trial.not_taught.add(seed, to_string(taught.problems()), setting.world.name);
         continue;
       }
       Random random(seed);
@@ -311,12 +301,12 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
                      {"safe_stop_share", trial.share(trial.stopped)},
                      {"cycle_ms", cycle_figures(trial.cycle_s)},
                      {"simulated", true},
-                     {"not_taught", trial.not_taught},
+                     {"not_taught", trial.not_taught.json()},
                      {"runs", trial.runs}};
   outcome.text = fmt::format("simulated: {}, {} missions driven, {:.1f} % of them succeeded, {} collisions\n",
                              options.close ? "two close turnings" : "thirteen turnings", trial.missions,
                              100 * trial.share(trial.arrived), trial.collisions);
-  outcome.text += not_taught_text(trial);
+  outcome.text += trial.not_taught.text();
   return outcome;
 }
 

@@ -10,6 +10,7 @@
 #include "learned_files.hpp"
 #include "methods.hpp"
 #include "mission_count.hpp"
+#include "not_taught.hpp"
 #include "rounded.hpp"
 #include "sections/section_course.hpp"
 #include "sections/section_mission.hpp"
@@ -114,7 +115,8 @@ struct SectionTrial {
   std::size_t letters = 0, letters_wrong = 0;
   Spread closing_m, closing_deg, wall_m;
   std::vector<double> cycle_s;
-  Json runs = Json::array(), not_taught = Json::array();
+  Json runs = Json::array();
+  NotTaught not_taught;
 
   double accuracy() const {
     return letters == 0 ? 0 : 1 - static_cast<double>(letters_wrong) / static_cast<double>(letters);
@@ -129,7 +131,7 @@ Problems run_section_seed(const TrialOptions& options, const SectionTrialParams&
   const VehicleDescription& vehicle = setting->vehicle.description;
   const auto course = teach_sections(*setting, params.lesson, seed, options.teachings, progress);
   if (!course) {
-    trial.not_taught.push_back({{"seed", seed}, {"why", to_string(course.problems())}});
+    trial.not_taught.add(seed, to_string(course.problems()));
     return {};
   }
   const SectionLesson& lesson = course->lesson;
@@ -179,7 +181,7 @@ Outcome section_outcome(const SectionTrial& trial) {
                      {"cycle_ms", cycle_figures(trial.cycle_s)},
                      {"simulated", true},
                      {"method", "sections"},
-                     {"not_taught", trial.not_taught},
+                     {"not_taught", trial.not_taught.json()},
                      {"runs", trial.runs}};
   outcome.text = fmt::format(
       "simulated: {} missions there and back, {:.1f} % arrived, {} collisions\n"
@@ -188,9 +190,7 @@ Outcome section_outcome(const SectionTrial& trial) {
       trial.missions, 100 * share, trial.collisions, 100 * trial.accuracy(), 100 * trial.closing_m.mean(),
       trial.closing_deg.mean(), 100 * trial.closing_m.worst(), trial.closing_deg.worst(),
       100 * trial.wall_m.mean());
-  for (const Json& seed : trial.not_taught)
-    outcome.text +=
-        fmt::format("seed {}: {}\n", seed["seed"].get<std::uint64_t>(), seed["why"].get<std::string>());
+  outcome.text += trial.not_taught.text();
   return outcome;
 }
 
