@@ -12,6 +12,8 @@ struct Labelled {
   const char* picture;
   bool right;
   Vec2 far_px, near_px;
+
+  friend void PrintTo(const Labelled& labelled, std::ostream* out) { *out << labelled.picture; }
 };
 
 double distance_px(const BaseLine& line, const Vec2& p) {

@@ -60,6 +60,8 @@ struct PlanFolder {
   std::string name;
   std::string path;
   double cell_m;
+
+  friend void PrintTo(const PlanFolder& folder, std::ostream* out) { *out << folder.path; }
 };
 
 class RealPlans : public testing::TestWithParam<PlanFolder> {};

@@ -33,6 +33,8 @@ struct Case {
   const char* name;
   CameraIntrinsics lens;
   CameraMount mount;
+
+  friend void PrintTo(const Case& shown, std::ostream* out) { *out << shown.name; }
 };
 
 const Case kCases[] = {

@@ -8,7 +8,6 @@ namespace aisle {
 namespace {
 
 constexpr std::size_t kBarriersMax = 1000;
-constexpr int kBarrierDecimals_m = 3;
 
 const char* kind_text(Barrier::Kind kind) {
   return kind == Barrier::Kind::kGlass ? "glass" : "keep_out";
@@ -40,8 +39,8 @@ std::string barriers_json(const std::vector<Barrier>& barriers) {
   texts.reserve(barriers.size());
   for (const Barrier& barrier : barriers)
     texts.push_back(fmt::format(R"({{"kind": "{}", "start_m": {}, "end_m": {}}})", kind_text(barrier.kind),
-                                point_json(barrier.segment.start, kBarrierDecimals_m),
-                                point_json(barrier.segment.end, kBarrierDecimals_m)));
+                                point_json(barrier.segment.start, kMillimetreDecimals),
+                                point_json(barrier.segment.end, kMillimetreDecimals)));
   return list_json(texts);
 }
 

@@ -11,7 +11,6 @@
 namespace aisle {
 namespace {
 
-constexpr int kCorridorDecimals_m = 3;
 constexpr std::size_t kNodesMax = 100'000;
 constexpr std::size_t kCorridorsMax = 100'000;
 constexpr std::size_t kWayPointsMax = 100'000;
@@ -26,7 +25,7 @@ constexpr CorridorNode::Kind kNodeKinds[] = {CorridorNode::Kind::kCrossing, Corr
 
 std::string node_json(const CorridorNode& node) {
   return fmt::format(R"({{"kind": "{}", "at_m": {}}})", name_of(node.kind),
-                     point_json(node.p_map, kCorridorDecimals_m));
+                     point_json(node.p_map, kMillimetreDecimals));
 }
 
 /// Its length is that of the way as it is written.
@@ -35,7 +34,7 @@ std::string corridor_json(const Corridor& corridor) {
   std::vector<std::string> points;
   Corridor written = corridor;
   for (Vec2& p : written.way) {
-    points.push_back(point_json(p, kCorridorDecimals_m));
+    points.push_back(point_json(p, kMillimetreDecimals));
     p = (p * kPerMetre).array().round() / kPerMetre;
   }
   return fmt::format(R"({{"from": {}, "to": {}, "length_m": {}, "width_m": {}, "way_m": [{}]}})",
@@ -135,7 +134,7 @@ std::string places_json(const std::vector<MapPlace>& places) {
   texts.reserve(places.size());
   for (const MapPlace& place : places) {
     texts.push_back(fmt::format(R"({{"name": {}, "at_m": {}, "heading_deg": {}}})", quoted_json(place.name),
-                                point_json(place.T_map_place.position(), kCorridorDecimals_m),
+                                point_json(place.T_map_place.position(), kMillimetreDecimals),
                                 decimals(to_degrees(place.T_map_place.theta), 3)));
   }
   return list_json(texts);

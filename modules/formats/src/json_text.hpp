@@ -9,6 +9,8 @@
 
 namespace aisle {
 
+constexpr int kMillimetreDecimals = 3;  // of metres: places in a building are not known better
+
 /// Rounded to so many decimals, without trailing zeros and without "-0".
 std::string decimals(double value, int count);
 

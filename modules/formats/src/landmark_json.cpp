@@ -12,7 +12,6 @@
 namespace aisle {
 namespace {
 
-constexpr int kMillimetres = 3;
 constexpr Range kSigma_m = {1e-6, 1e3};
 constexpr Range kWeight = {1e-9, 1e9};
 constexpr double kCorrelationMax = 0.9999;  // as far from 1 as its digits tell
@@ -47,7 +46,7 @@ std::string landmark_json(const Landmark& landmark) {
   return fmt::format(
       R"({{"at_m": {}, "sigma_m": [{:.4g}, {:.4g}], "correlation": {}, "mass": {:.6g}, "weight": {:.6g}, )"
       R"("sightings": {}, "passes": {}, {}"brighter": "{}"}})",
-      point_json(landmark.p_map, kMillimetres), spread.sigma_m.x(), spread.sigma_m.y(),
+      point_json(landmark.p_map, kMillimetreDecimals), spread.sigma_m.x(), spread.sigma_m.y(),
       decimals(spread.correlation, 4), landmark.mass, landmark.weight, landmark.sightings, landmark.passes,
       seen_from_json(landmark.seen_from), brighter_text(landmark.brighter_right));
 }

@@ -10,25 +10,27 @@
 namespace aisle {
 namespace {
 
-constexpr int kRoomMillimetres = 3, kGreyDecimals = 2, kViewDecimals = 4;
+constexpr int kGreyDecimals = 2, kViewDecimals = 4;
 constexpr std::size_t kTurningsMax = 1000, kViewsMax = 10'000, kEdgesMax = 100'000;
 constexpr double kWayMax_m = 100'000, kFrameMax_m = 20, kFrameMin_m = 0.2, kGreyMax = 255;
 
 std::string turning_json(const RoomTurning& turning) {
   return fmt::format(R"({{"number": {}, "start_m": {}, "end_m": {}}})", turning.number,
-                     decimals(turning.start_m, kRoomMillimetres), decimals(turning.end_m, kRoomMillimetres));
+                     decimals(turning.start_m, kMillimetreDecimals),
+                     decimals(turning.end_m, kMillimetreDecimals));
 }
 
 std::string view_json(const StopView& view) {
   std::string shares;
   for (const double share : view.brightness)
     shares += (shares.empty() ? "[" : ", ") + decimals(share, kViewDecimals);
-  return fmt::format(R"({{"left_m": {}, "at": {}]}})", decimals(view.left_m, kRoomMillimetres), shares);
+  return fmt::format(R"({{"left_m": {}, "at": {}]}})", decimals(view.left_m, kMillimetreDecimals), shares);
 }
 
 std::string edge_json(const RouteEdge& edge) {
-  return fmt::format("[{}, {}, {}]", decimals(edge.along_m, kRoomMillimetres),
-                     decimals(edge.p_map.x(), kRoomMillimetres), decimals(edge.p_map.y(), kRoomMillimetres));
+  return fmt::format("[{}, {}, {}]", decimals(edge.along_m, kMillimetreDecimals),
+                     decimals(edge.p_map.x(), kMillimetreDecimals),
+                     decimals(edge.p_map.y(), kMillimetreDecimals));
 }
 
 template <class Item, class Text>
@@ -97,7 +99,7 @@ std::string room_json(const RoomRoute& room) {
                   decimals(room.brightness.grey, kGreyDecimals),
                   decimals(room.brightness.deviation, kGreyDecimals), parking_word(room.parking));
   if (room.parking == ParkingStrategy::kFrame)
-    text += R"(, "frame_size_m": )" + point_json(room.frame_size_m, kRoomMillimetres);
+    text += R"(, "frame_size_m": )" + point_json(room.frame_size_m, kMillimetreDecimals);
   if (!room.turnings.empty()) text += R"(, "turnings": )" + list_of(room.turnings, turning_json);
   if (!room.views.empty()) text += R"(, "views": )" + list_of(room.views, view_json);
   if (!room.edges.empty()) text += R"(, "edges": )" + list_of(room.edges, edge_json);

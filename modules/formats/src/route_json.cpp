@@ -15,7 +15,6 @@
 namespace aisle {
 namespace {
 
-constexpr int kMillimetres = 3;
 // Roundings add up along a route: ten thousand pieces of 0.1 m must still end within a millimetre.
 constexpr int kPathDecimals_m = 7;
 constexpr int kPathDecimals_deg = 8;
@@ -67,7 +66,7 @@ std::string start_view_json(const std::vector<StartSighting>& view) {
   sightings.reserve(view.size());
   for (const StartSighting& sighting : view) {
     sightings.push_back(fmt::format(R"({{"at_m": {}, "brighter": "{}"}})",
-                                    point_json(sighting.p_vehicle, kMillimetres),
+                                    point_json(sighting.p_vehicle, kMillimetreDecimals),
                                     brighter_text(sighting.brighter_right)));
   }
   return list_json(sightings);

@@ -14,7 +14,6 @@ namespace {
 
 using Kind = Section::Kind;
 
-constexpr int kSectionDecimals = 3;
 constexpr double kLengthMax_m = 10'000, kCornerMax_m = 10, kCornerMin_m = 0.05, kBesideMax_m = 20;
 constexpr int kQuantaMax = 144;  // of a whole turn
 
@@ -131,13 +130,13 @@ std::string section_text(const Section& section) {
   if (section.kind == Kind::kTurn)
     return text + fmt::format(" {}", std::lround(std::abs(section.turn_rad) / kTurnQuantum_rad));
   if (section.kind == Kind::kCurve) {
-    return text + " " + decimals(section.p_start_end.x(), kSectionDecimals) + " " +
-           decimals(section.p_start_end.y(), kSectionDecimals);
+    return text + " " + decimals(section.p_start_end.x(), kMillimetreDecimals) + " " +
+           decimals(section.p_start_end.y(), kMillimetreDecimals);
   }
-  text += " " + decimals(section.length_m, kSectionDecimals);
-  if (section.right_m) text += " right " + decimals(*section.right_m, kSectionDecimals);
-  if (section.left_m) text += " left " + decimals(*section.left_m, kSectionDecimals);
-  if (section.ahead_m) text += " ahead " + decimals(*section.ahead_m, kSectionDecimals);
+  text += " " + decimals(section.length_m, kMillimetreDecimals);
+  if (section.right_m) text += " right " + decimals(*section.right_m, kMillimetreDecimals);
+  if (section.left_m) text += " left " + decimals(*section.left_m, kMillimetreDecimals);
+  if (section.ahead_m) text += " ahead " + decimals(*section.ahead_m, kMillimetreDecimals);
   return text;
 }
 

@@ -7,7 +7,6 @@
 namespace aisle {
 namespace {
 
-constexpr int kMillimetres = 3;
 constexpr double kSigmaMax_m = 1e3;
 
 const char* end_text(WallEnd end) {
@@ -17,7 +16,7 @@ const char* end_text(WallEnd end) {
 std::string wall_json(const Wall& wall) {
   return fmt::format(
       R"({{"start_m": {}, "end_m": {}, "orthogonal": {}, "ends": ["{}", "{}"], "sightings": {}, "sigma_m": {:.4f}}})",
-      point_json(wall.segment.start, kMillimetres), point_json(wall.segment.end, kMillimetres),
+      point_json(wall.segment.start, kMillimetreDecimals), point_json(wall.segment.end, kMillimetreDecimals),
       wall.is_orthogonal, end_text(wall.start), end_text(wall.end), wall.sightings, wall.sigma_m);
 }
 

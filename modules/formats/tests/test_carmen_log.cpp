@@ -192,6 +192,8 @@ TEST(CarmenLog, LineEndsOfOtherSystemsAndNoneAtAllAreFine) {
 
 struct BadLog {
   std::string name, text, problem;
+
+  friend void PrintTo(const BadLog& log, std::ostream* out) { *out << log.problem; }
 };
 
 class BadCarmenLog : public testing::TestWithParam<BadLog> {};

@@ -7,8 +7,8 @@
 namespace aisle {
 namespace {
 
-constexpr double kSameSpot_m = 0.3;
-constexpr double kSameSpot_rad = 20 * kDegree;
+constexpr double kHitchSpot_m = 0.3;
+constexpr double kHitchSpot_rad = 20 * kDegree;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void Patience::renew(double stamp_s, double way_m, double target_m) {
 
 void Patience::hitch(const Pose2& T_map_vehicle) {
   const Pose2 moved = between(T_map_hitch_, T_map_vehicle);
-  const bool same_spot = moved.position().norm() < kSameSpot_m && std::abs(moved.theta) < kSameSpot_rad;
+  const bool same_spot = moved.position().norm() < kHitchSpot_m && std::abs(moved.theta) < kHitchSpot_rad;
   hitches_ = same_spot ? hitches_ + 1 : 1;
   if (!same_spot) T_map_hitch_ = T_map_vehicle;
 }

@@ -18,7 +18,7 @@ constexpr double kForgotten_per_m =
 constexpr double kHuber = 1.5;  // residuals beyond so many standard deviations count less
 constexpr double kBelieved = 3;
 constexpr int kRounds = 5;
-constexpr double kSettled = 1e-7;
+constexpr double kPoseSettled = 1e-7;
 
 }  // namespace
 
@@ -110,7 +110,7 @@ void PoseFilter::update(std::span<const SeenPoint> points, const Pose2& guess) {
     }
     const Vec7 step = information.llt().solve(slope);
     change += step;
-    if (step.cwiseAbs().maxCoeff() < kSettled) break;
+    if (step.cwiseAbs().maxCoeff() < kPoseSettled) break;
   }
   const Mat7 posterior = information.llt().solve(Mat7::Identity());
   covariance_ = posterior.topLeftCorner<6, 6>();

@@ -20,7 +20,7 @@ constexpr double kAssociateOverlap_m = 0.1;
 constexpr int kSightingsMin = 3;
 constexpr double kFirstGate_m = 0.15;
 constexpr int kIterations = 3;
-constexpr double kSettled = 1e-3;  // [m, rad]
+constexpr double kWallsSettled = 1e-3;  // [m, rad]
 constexpr double kWallSigma_m = 0.01;
 constexpr double kWallSigma_rad = 0.5 * kDegree;
 constexpr double kAdjustmentCauchy_m = 0.04;
@@ -73,7 +73,7 @@ void WallAdjustment::run(int rounds) {
   for (int round = 0; round < rounds; ++round) {
     associate_all(kFirstGate_m * (round == 0 ? 1.0 : round == 1 ? 0.75 : 0.5));
     for (int iteration = 0; iteration < kIterations; ++iteration) {
-      if (solve(iteration == 0) < kSettled) break;
+      if (solve(iteration == 0) < kWallsSettled) break;
     }
   }
 }

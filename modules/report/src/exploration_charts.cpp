@@ -24,7 +24,7 @@ constexpr std::array<Color, 6> kStateColors = {{{0.30, 0.62, 0.87},
                                                 {0.60, 0.55, 0.80},
                                                 {0.60, 0.60, 0.60}}};
 constexpr Font kAxisFont{15, kQuietInk};
-constexpr Font kTitleFont{17, kInk, true};
+constexpr Font kChartTitleFont{17, kInk, true};
 
 /// Values over the way, laid out between the margins.
 struct Axes {
@@ -57,7 +57,7 @@ void draw_axes(Canvas& canvas, const Axes& axes, const std::string& title, const
     canvas.text(foot + Vec2(-shift_px, 24), label, kAxisFont);
   }
   canvas.line(axes.at(0, 0), axes.at(axes.way_m, 0), {kQuietInk, 1.5});
-  canvas.text({kLeft_px, axes.top_px - 16}, title + (unit.empty() ? "" : " [" + unit + "]"), kTitleFont);
+  canvas.text({kLeft_px, axes.top_px - 16}, title + (unit.empty() ? "" : " [" + unit + "]"), kChartTitleFont);
 }
 
 void draw_area(Canvas& canvas, const Axes& axes, const std::vector<Vec2>& curve) {

@@ -13,7 +13,7 @@ namespace aisle {
 namespace {
 
 constexpr int kSheetWidth_px = 1800;
-constexpr int kGap_px = 6;
+constexpr int kPictureGap_px = 6;
 constexpr std::size_t kTrailPictures = 4;  ///< how far back a trail goes
 constexpr Color kAlone{0.75, 0.78, 0.82, 0.8};
 constexpr Color kBehindNumber{0, 0, 0, 0.65};
@@ -67,7 +67,7 @@ FollowedLinesSheet::Sheet::Sheet(const FollowedLinesSheet& content)
     for (const int number : cell.numbers) ++pictures_of_[number];
   }
   stroke_px_ = std::max(1.0, step_px_.x() / 250);
-  step_px_ += Vec2::Constant(kGap_px);
+  step_px_ += Vec2::Constant(kPictureGap_px);
 }
 
 Vec2 FollowedLinesSheet::Sheet::corner_of(std::size_t i) const {
@@ -78,7 +78,7 @@ Vec2 FollowedLinesSheet::Sheet::corner_of(std::size_t i) const {
 std::string FollowedLinesSheet::Sheet::png() const {
   const std::size_t rows = (cells_.size() + columns_ - 1) / columns_;
   const auto length_px = [](std::size_t cells, double step_px) {
-    return static_cast<int>(static_cast<double>(cells) * step_px) - kGap_px;
+    return static_cast<int>(static_cast<double>(cells) * step_px) - kPictureGap_px;
   };
   return png_file(length_px(columns_, step_px_.x()), length_px(rows, step_px_.y()), [&](Canvas& canvas) {
     canvas.fill(kPaper);
@@ -139,7 +139,7 @@ void FollowedLinesSheet::Sheet::draw_numbers(Canvas& canvas, std::size_t i) cons
 
 FollowedLinesSheet::FollowedLinesSheet(std::size_t pictures)
     : columns_(columns_for(pictures)),
-      width_max_px_(std::max(1, kSheetWidth_px / static_cast<int>(columns_) - kGap_px)) {}
+      width_max_px_(std::max(1, kSheetWidth_px / static_cast<int>(columns_) - kPictureGap_px)) {}
 
 void FollowedLinesSheet::add(const Image& picture, const std::vector<VerticalLine>& lines,
                              const std::vector<int>& numbers) {

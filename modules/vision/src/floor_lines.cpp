@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kOffLine_px = 1;  // rows; a point off a line by more is not on it
 constexpr double kGap = 4;         // columns without a point that a line may have
-constexpr std::size_t kPointsMin = 5;
+constexpr std::size_t kLinePointsMin = 5;
 constexpr std::size_t kLinesMax = 12;
 constexpr double kSigmaMin_px = 0.25;  // of a point's row
 constexpr double kBendMin = 30;        // variances, by which two lines must fit better than one
@@ -30,7 +30,7 @@ const std::vector<FloorLine>& FloorLineFitter::fit(const std::vector<BoundaryPoi
   const auto is_shorter = [](const Run& a, const Run& b) { return a.count < b.count; };
   while (lines_.size() < kLinesMax) {
     const auto longest = std::max_element(runs_.begin(), runs_.end(), is_shorter);
-    if (longest == runs_.end() || longest->count < kPointsMin) break;
+    if (longest == runs_.end() || longest->count < kLinePointsMin) break;
     const Run run = longest_straight_part(*longest);
     take(run);
     grow_without(run);
@@ -115,10 +115,10 @@ FloorLineFitter::Run FloorLineFitter::longest_straight_part(Run run) {
 
 /// The first point of the second of two lines that explain some points on a run much better than one.
 std::optional<std::size_t> FloorLineFitter::bend_between(std::size_t first, std::size_t end) const {
-  if (end - first < 2 * kPointsMin) return std::nullopt;
+  if (end - first < 2 * kLinePointsMin) return std::nullopt;
   double least = std::numeric_limits<double>::infinity();
   std::size_t bend = first;
-  for (std::size_t i = first + kPointsMin; i + kPointsMin <= end; ++i) {
+  for (std::size_t i = first + kLinePointsMin; i + kLinePointsMin <= end; ++i) {
     const double of_two = range_fitter_.misfit(first, i - 1) + range_fitter_.misfit(i, end - 1);
     if (of_two >= least) continue;
     least = of_two;

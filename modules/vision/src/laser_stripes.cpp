@@ -33,7 +33,7 @@ namespace {
 constexpr int kWidthMin_px = 7;         // of the widest stripe, in small pictures
 constexpr double kStripeFillMin = 0.7;  // share of a stripe's columns where it is seen
 
-int median(const Image& image) {
+int median_brightness(const Image& image) {
   std::array<std::size_t, 256> counts{};
   for (const std::uint8_t value : image.bytes) ++counts[value];
   std::size_t seen = 0;
@@ -78,7 +78,8 @@ std::vector<LaserStripe> find_laser_stripes(const Image& picture, const StripePa
   const int width_max_px =
       std::max(kWidthMin_px, static_cast<int>(std::lround(params.width_max_share * picture.height_px)));
   const Image contrast = stripe_contrast(picture, width_max_px + 1, params.white_share);
-  const double contrast_min = std::max(params.contrast_min, params.noise_factor * median(contrast));
+  const double contrast_min =
+      std::max(params.contrast_min, params.noise_factor * median_brightness(contrast));
 
   const auto peaks = find_stripe_peaks(
       contrast, {static_cast<int>(std::ceil(contrast_min)), width_max_px, params.gradient_min});

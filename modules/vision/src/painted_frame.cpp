@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kBin_m = 0.03;
 constexpr int kSideBins = 12;
-constexpr std::size_t kPointsMin = 48;  // about one in each of four sides' bins
+constexpr std::size_t kFramePointsMin = 48;  // about one in each of four sides' bins
 
 /// The sides: ahead, back, left, right. Their outward normals in `frame`.
 constexpr std::array<std::array<double, 2>, 4> kNormals = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
@@ -198,7 +198,7 @@ std::vector<Vec2> FrameFit::corners() const {
 std::optional<FrameFit> find_frame(std::span<const Vec2> p_vehicle, const Vec2& size_m,
                                    double expected_heading_rad, const PaintedFrameParams& params) {
   constexpr int kSidesMin = 3;
-  if (p_vehicle.size() < kPointsMin) return std::nullopt;
+  if (p_vehicle.size() < kFramePointsMin) return std::nullopt;
   const HeadingVotes votes(p_vehicle, expected_heading_rad, params);
   const FrameFit fit = settled(p_vehicle, size_m, votes.most_voted(size_m), params, false);
   return fit.sides >= kSidesMin ? std::optional(fit) : std::nullopt;
@@ -220,7 +220,7 @@ std::optional<FrameFit> track_frame(std::span<const Vec2> p_vehicle, const Vec2&
 std::optional<FrameFit> find_frame_and_size(std::span<const Vec2> p_vehicle, double expected_heading_rad,
                                             const PaintedFrameParams& params) {
   constexpr double kLeast_m = 0.8, kMost_m = 3, kStep_m = 0.2;
-  if (p_vehicle.size() < kPointsMin) return std::nullopt;
+  if (p_vehicle.size() < kFramePointsMin) return std::nullopt;
   const HeadingVotes votes(p_vehicle, expected_heading_rad, params);
   std::optional<FrameFit> best;
   const int sizes = static_cast<int>(std::lround((kMost_m - kLeast_m) / kStep_m));
