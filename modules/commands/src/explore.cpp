@@ -19,6 +19,8 @@
 #include "exploration/exploration_trial.hpp"
 #include "exploration/explore_in.hpp"
 #include "exploration/explorer_driver.hpp"
+#include "exploration/exploring_start.hpp"
+#include "plan_reading.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
 #include "statistics.hpp"
@@ -64,7 +66,9 @@ Result<ExplorationPlan> read_plan(const ExploreOptions& options, SimulationSetti
   } else {
     const auto start = start_in(plan.setting);
     if (!start) return start.problems();
-    plan.T_world_start = *start;
+    plan.T_world_start = is_plan(plan.setting.world_file)
+                             ? start_with_a_way(plan.setting.world, vehicle.footprint, *start)
+                             : *start;
   }
   if (Problems problems =
           check_explorable(plan.setting.world, plan.setting.world_file.string(), vehicle, plan.T_world_start);
