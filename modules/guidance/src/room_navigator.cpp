@@ -14,8 +14,6 @@
 namespace aisle {
 namespace {
 
-constexpr double kRemembered_m = 4;
-
 Route room_route(Route route) {
   if (!route.room || route.path.empty()) throw std::invalid_argument("the route was not taught in a room");
   return route;
@@ -82,7 +80,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       route_(room_route(std::move(route))),
       view_(first_view(params, vehicle)),
       watch_(params.pictures, room_camera(vehicle, kFirstCamera)),
-      edges_(kRemembered_m),
+      edges_(kReach_m),
       place_(params.place, route_.room->edges),
       progress_(route_.path, from_m),
       stop_views_(params.stop_views, route_.room->views),
@@ -102,6 +100,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
 Decision RoomNavigator::step(const Observation& observation) {
   T_odom_vehicle_ = T_odom_vehicle_ * odometry_step(vehicle_, observation.odometry);
   steering_rad_ = steering_rad_of(observation.odometry);
+  remember_driven();
   if (state_ != State::kBackingOff) progress_.advance(pose());
   look(observation);
   if (observation.bumper_pressed)
@@ -257,58 +256,8 @@ Decision RoomNavigator::blocked(double now_s) {
   if (back_offs_ >= params_.back_offs_max)
     return {.status = NavigatorStatus::kFailed, .state = "blocked", .why = "found no way past what is there"};
   ++back_offs_;
-  T_odom_stopped_ = T_odom_vehicle_;
-  way_back_ = choose_way_back();
-  state_ = State::kBackingOff;
+  begin_to_back_off();
   return {.state = "backing off"};
-}
-
-/// What is behind the vehicle is in no camera's view, but was in view at teaching.
-std::vector<Vec2> RoomNavigator::edges_seen_and_taught() const {
-  std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
-  const Pose2 T_vehicle_map = pose().inverse();
-  for (const Vec2& p : place_.taught().around(pose().position(), kRemembered_m))
-    around.push_back(T_vehicle_map * p);
-  return around;
-}
-
-/// Of the ways back, the one that leads nearest to the taught way.
-SteeringChoice RoomNavigator::choose_way_back() const {
-  constexpr double kAsideWeight_per_m = 1, kTurnedWeight_per_rad = 1, kShortWeight_per_m = 4;
-  const double max_rad = vehicle_.limits.steering_max_rad;
-  const int steps = static_cast<int>(max_rad / params_.steering.step_rad);
-  const std::vector<Vec2> around = edges_seen_and_taught();
-  SteeringChoice best;
-  double least = -1;
-  for (int i = -steps; i <= steps; ++i) {
-    const double steering_rad = i * params_.steering.step_rad;
-    const SteeringChoice way = free_way(vehicle_, params_.steering, around, steering_rad, -1);
-    const double back_m = std::min(params_.back_off_m, way.free_m);
-    const double turn_rad = -back_m * std::tan(steering_rad) / vehicle_.front_steered.wheelbase_m;
-    const Pose2 T_map_then = pose() * end_pose({-back_m, turn_rad});
-    const double along_m = progress_.point().along_m;
-    const PathPoint there = route_.path.nearest(T_map_then.position(), along_m - 2 * params_.back_off_m,
-                                                along_m + params_.back_off_m);
-    const double cost =
-        kAsideWeight_per_m * std::abs(there.aside_m) +
-        kTurnedWeight_per_rad * std::abs(wrap_angle(T_map_then.theta - there.T_map_path.theta)) +
-        kShortWeight_per_m * (params_.back_off_m - back_m);
-    if (least >= 0 && cost >= least) continue;
-    least = cost;
-    best = way;
-  }
-  return best;
-}
-
-Decision RoomNavigator::back_off(double now_s) {
-  const double backed_m = (T_odom_vehicle_.position() - T_odom_stopped_.position()).norm();
-  if (backed_m >= std::min(params_.back_off_m, way_back_.free_m - params_.stop_free_m)) {
-    state_ = State::kFollowing;
-    stopped_s_ = now_s;
-    return {.state = "backing off"};
-  }
-  return {.command = {.speed_mps = -params_.parking_speed_mps, .steering_rad = way_back_.steering_rad},
-          .state = "backing off"};
 }
 
 }  // namespace aisle

@@ -89,10 +89,7 @@ Decision RoomNavigator::unless_obstructed(Decision decision, double now_s) {
 /// For another try at the taught place.
 Decision RoomNavigator::leave_place() {
   Command command = taught_place_.back_off(pose(), steering_rad_);
-  FreeSteeringParams steering = params_.steering;
-  steering.comfort_m = params_.end_comfort_m;
-  const SteeringChoice way =
-      choose_steering(vehicle_, steering, edges_seen_and_taught(), command.steering_rad, -1);
+  const SteeringChoice way = choose_steering_behind(command.steering_rad);
   command.steering_rad = way.steering_rad;
   taught_place_.judge_way_back(pose(), way.free_m);
   if (taught_place_.is_backing()) return {.command = command, .state = "backing off"};
@@ -162,7 +159,10 @@ std::optional<Decision> RoomNavigator::arrived() {
         if (!has_confirmed_place()) return unconfirmed;
         if (!place_.is_sure()) return done;
         const Decision decision = taught_place_.settle(pose(), is_place_taken());
-        if (taught_place_.is_backing()) state_ = State::kLeavingPlace;
+        if (taught_place_.is_backing()) {
+          learn_floor_behind();
+          state_ = State::kLeavingPlace;
+        }
         return decision;
       }
       break;

@@ -99,6 +99,8 @@ class RoomNavigator final : public Navigator {
     kLeavingPlace
   };
 
+  static constexpr double kReach_m = 4;  ///< of what it remembers
+
   void look(const Observation& observation);
   bool is_route_bright_as_learned() const;
   bool knows_way_ahead() const;
@@ -116,9 +118,11 @@ class RoomNavigator final : public Navigator {
   bool is_on_way_back() const;
   bool has_way_back_next() const;
   void begin_way_back();
-  void learn_floor_behind();
-  SteeringChoice choose_steering_behind(double wish_rad) const;
   Decision back_between_turnings();
+  void remember_driven();
+  void learn_floor_behind();
+  std::vector<Vec2> standing_behind() const;
+  SteeringChoice choose_steering_behind(double wish_rad) const;
   Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
   double wished_steering_rad() const;
   /// Near a taught end, at a place that is known: the taught way counts alone.
@@ -129,9 +133,9 @@ class RoomNavigator final : public Navigator {
   /// Something has been seen to stand where a vehicle at the route's end would.
   bool is_place_taken() const;
   bool is_at_dead_end() const;
+  void begin_to_back_off();
   SteeringChoice choose_way_back() const;
   std::optional<Decision> arrived();
-  std::vector<Vec2> edges_seen_and_taught() const;
   double left_m() const { return route_.path.length_m() - progress_.point().along_m; }
   double left_to_end_m() const;
 
@@ -148,7 +152,6 @@ class RoomNavigator final : public Navigator {
   std::unique_ptr<CornerBacking> corner_backing_;  ///< of a route with ways back between turnings
   bool backs_to_corner_ = false;                   ///< else as it was taught
   double back_to_m_ = 0;                           ///< along the route, the end of such a way
-  std::vector<Vec2> p_map_limit_;                  ///< about such a way, of the floor that is known
   StopViewMatcher stop_views_;
   Pose2 T_odom_vehicle_;
   std::optional<RouteSight> sight_;
@@ -161,6 +164,8 @@ class RoomNavigator final : public Navigator {
   Pose2 T_odom_stopped_;
   PlaceParking taught_place_;
   double steering_rad_ = 0;
+  std::vector<Pose2> T_odom_driven_;  ///< today, about where it is
+  std::vector<Vec2> p_map_limit_;     ///< of the floor that is known, where it backs
   SteeringChoice way_back_;
   int back_offs_ = 0;  ///< about one place
   double back_offs_at_m_ = 0;
