@@ -59,6 +59,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("dead_end_share", dead_end_share, {0, 1}, "of the view is route: less is a dead end");
   fields.real("dead_end_gap_m", dead_end_gap_m, {0, 3}, "from there it goes on until so near");
   fields.count("dead_end_pictures", dead_end_pictures, {1, 100}, "in succession must show it");
+  fields.real("dead_end_beyond_m", dead_end_beyond_m, {0, 3}, "so far beyond the taught one it gives up");
   fields.real("frame_within_m", frame_within_m, {0.5, 20}, "before the route's end it looks for the frame");
   fields.real("brightness_tolerance", brightness_tolerance, {0.01, 1},
               "by which share the route may suddenly look brighter or darker");

@@ -114,6 +114,13 @@ bool RoomNavigator::is_at_dead_end() const {
          (is_strange_ || gap_ahead_m() < params_.dead_end_gap_m);
 }
 
+/// Where the view has opened again, what ended the route is taken for route.
+bool RoomNavigator::is_beyond_dead_end() const {
+  constexpr double kOpenBeyond_m = 0.1;
+  const bool is_open = sight_->share >= params_.dead_end_share;
+  return -left_to_end_m() > (is_open ? kOpenBeyond_m : params_.dead_end_beyond_m);
+}
+
 bool RoomNavigator::is_place_taken() const {
   const Pose2 T_due_vehicle = between(route_.path.pieces().back().end(), pose());
   const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
@@ -146,6 +153,10 @@ std::optional<Decision> RoomNavigator::arrived() {
   switch (route_.room->parking) {
     case ParkingStrategy::kDeadEnd:
       if (dead_end_pictures_ >= params_.dead_end_pictures) return done;
+      if (is_beyond_dead_end())
+        return Decision{.status = NavigatorStatus::kFailed,
+                        .state = "no dead end",
+                        .why = "what ends the route is not to be seen"};
       break;
     case ParkingStrategy::kFrame:
       if (progress_.has_arrived())

@@ -171,6 +171,16 @@ TEST(RoomNavigator, DoesNotBackOverFloorThatItDoesNotKnow) {
   EXPECT_EQ(decision.state, "blocked");
 }
 
+TEST(RoomNavigator, DoesNotLookForADeadEndFarBeyondTheTaughtOne) {
+  Route route = straight_route();
+  route.room->parking = ParkingStrategy::kDeadEnd;
+  DrivenRoom room(20, std::move(route));
+  Decision decision;
+  for (int i = 0; i < 400 && decision.status == NavigatorStatus::kGoing; ++i) decision = room.step();
+  EXPECT_EQ(decision.state, "no dead end");
+  EXPECT_LT(room.T_world_vehicle().x, kWayLength_m + 0.3);
+}
+
 /// What the footprint's rear corners pass over while the vehicle backs between turnings.
 struct WayBack {
   double aside_m = 0;

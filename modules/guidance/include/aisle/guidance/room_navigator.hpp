@@ -47,6 +47,7 @@ struct RoomNavigatorParams {
   double dead_end_share = 1.0 / 3;
   double dead_end_gap_m = 0.4;
   int dead_end_pictures = 3;
+  double dead_end_beyond_m = 0.3;
   double frame_within_m = 3.5;
   double brightness_tolerance = 0.35;
   double brightness_gain = 0.05;
@@ -133,6 +134,7 @@ class RoomNavigator final : public Navigator {
   /// Something has been seen to stand where a vehicle at the route's end would.
   bool is_place_taken() const;
   bool is_at_dead_end() const;
+  bool is_beyond_dead_end() const;
   void begin_to_back_off();
   SteeringChoice choose_way_back() const;
   std::optional<Decision> arrived();
