@@ -141,7 +141,7 @@ void RoomNavigator::look(const Observation& observation) {
   T_odom_seen_ = T_odom_vehicle_;
   // The learned brightness follows slow change of light (METHODS 9).
   brightness_.grey += params_.brightness_gain * (sight_->patch_grey - brightness_.grey);
-  edges_.take(view_, *sight_, T_odom_vehicle_);
+  edges_.take(view_, *sight_, T_odom_vehicle_, observation.stamp_s);
   find_place();
 }
 
