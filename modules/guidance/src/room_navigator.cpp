@@ -61,6 +61,8 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.count("dead_end_pictures", dead_end_pictures, {1, 100}, "in succession must show it");
   fields.real("dead_end_beyond_m", dead_end_beyond_m, {0, 3}, "so far beyond the taught one it gives up");
   fields.real("frame_within_m", frame_within_m, {0.5, 20}, "before the route's end it looks for the frame");
+  fields.real("frame_astray_m", frame_astray_m, {0.05, 20},
+              "a frame so far from the taught one is none, where the edges tell where it is");
   fields.real("brightness_tolerance", brightness_tolerance, {0.01, 1},
               "by which share the route may suddenly look brighter or darker");
   fields.real("brightness_gain", brightness_gain, {0, 1},
@@ -113,11 +115,7 @@ Decision RoomNavigator::step(const Observation& observation) {
             .state = "blind",
             .why = trouble.value_or("no picture yet")};
   }
-  if (frame_ && left_m() < params_.frame_within_m) {
-    const double heading_rad = route_.path.pieces().back().end().theta - place_.T_map_odom().theta;
-    frame_->look(observation, T_odom_vehicle_, heading_rad);
-    if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
-  }
+  if (frame_ && left_m() < params_.frame_within_m) look_for_frame(observation);
   if (state_ == State::kParkingInFrame) return park_in_frame(observation.stamp_s);
   if (state_ == State::kBackingIntoFrame) return back_into_frame(observation.stamp_s);
   if (state_ == State::kBackingOff) return back_off(observation.stamp_s);

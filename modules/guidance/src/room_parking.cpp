@@ -20,6 +20,12 @@ Vec2 about_lines(const Vec2& frame_size_m) {
 
 }  // namespace
 
+void RoomNavigator::look_for_frame(const Observation& observation) {
+  const double astray_m = place_.is_sure() ? params_.frame_astray_m : std::numeric_limits<double>::infinity();
+  frame_->look(observation, T_odom_vehicle_, place_.T_map_odom().inverse() * T_map_taught_frame(), astray_m);
+  if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
+}
+
 Decision RoomNavigator::park_in_frame(double now_s) {
   forget_frame_lines();
   if (frame_backing_ && -frame_->off().x < params_.frame_backing.turn_from_m) {
@@ -39,12 +45,15 @@ Decision RoomNavigator::back_into_frame(double now_s) {
   return frame_backing_->keeps_to_floor() ? decision : unless_obstructed(std::move(decision), now_s);
 }
 
+Pose2 RoomNavigator::T_map_taught_frame() const {
+  const Footprint& footprint = vehicle_.footprint;
+  return route_.path.pieces().back().end() * Pose2{(footprint.front_m - footprint.rear_m) / 2, 0, 0};
+}
+
 /// The taught end lies in the frame, whatever the edges say of the way to it.
 Pose2 RoomNavigator::T_map_odom_by_frame() const {
   constexpr double kAgree_m = 0.2;
-  const Footprint& footprint = vehicle_.footprint;
-  const Pose2 T_map_frame =
-      route_.path.pieces().back().end() * Pose2{(footprint.front_m - footprint.rear_m) / 2, 0, 0};
+  const Pose2 T_map_frame = T_map_taught_frame();
   const Pose2 T_map_odom = T_map_frame * frame_->frame()->inverse();
   const Vec2 p_map_frame = place_.T_map_odom() * frame_->frame()->position();
   const bool agrees = (p_map_frame - T_map_frame.position()).norm() < kAgree_m;
