@@ -9,6 +9,7 @@
 
 #include "aisle/core/square.hpp"
 #include "aisle/guidance/room_cameras.hpp"
+#include "aisle/guidance/route_floor.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {
@@ -73,6 +74,8 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("wait_s", wait_s, {0, 100}, "for what is in the way to go");
   fields.real("back_off_m", back_off_m, {0.05, 5}, "way back before it tries again");
   fields.count("back_offs_max", back_offs_max, {0, 100}, "at one place, then it gives up");
+  fields.real("pattern_share_max", pattern_share_max, {0, 1},
+              "of the taught way: with more edges on it the floor is said to have a pattern");
   fields.real("blind_max_s", blind_max_s, {0.5, 1000}, "without a good picture it gives up");
 }
 
@@ -90,7 +93,8 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       T_odom_vehicle_(route_.path.at(from_m).T_map_path),
       brightness_(route_.room->brightness),
       T_odom_seen_(T_odom_vehicle_),
-      taught_place_(params.taught_place, vehicle, route_.path) {
+      taught_place_(params.taught_place, vehicle, route_.path),
+      pattern_share_(share_with_edges_on_way(route_.path, route_.room->edges, vehicle.footprint)) {
   if (backs_between_turnings(route_))
     corner_backing_ = std::make_unique<CornerBacking>(params.corner_backing, params.view, vehicle);
   if (route_.room->parking != ParkingStrategy::kFrame) return;
@@ -245,6 +249,15 @@ Decision RoomNavigator::drive(const SteeringChoice& choice, double speed_mps,
           .why = fmt::format("{:.1f} m to go, {:.2f} m free", std::max(0.0, left_m()), choice.free_m)};
 }
 
+std::string RoomNavigator::why_blocked() const {
+  return pattern_share_ > params_.pattern_share_max
+             ? fmt::format(
+                   "cannot tell the floor's pattern from what stands on it, as on {:.0f} % of the "
+                   "taught way",
+                   100 * pattern_share_)
+             : "found no way past what is there";
+}
+
 /// Whoever stands in the way may go; what stays is passed on another way.
 Decision RoomNavigator::blocked(double now_s) {
   if (!stopped_s_) stopped_s_ = now_s;
@@ -253,7 +266,7 @@ Decision RoomNavigator::blocked(double now_s) {
   if (along_m > back_offs_at_m_ + 2 * params_.back_off_m) back_offs_ = 0;
   back_offs_at_m_ = along_m;
   if (back_offs_ >= params_.back_offs_max)
-    return {.status = NavigatorStatus::kFailed, .state = "blocked", .why = "found no way past what is there"};
+    return {.status = NavigatorStatus::kFailed, .state = "blocked", .why = why_blocked()};
   ++back_offs_;
   begin_to_back_off();
   return {.state = "backing off"};

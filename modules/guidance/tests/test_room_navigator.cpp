@@ -169,6 +169,17 @@ TEST(RoomNavigator, DoesNotBackOverFloorThatItDoesNotKnow) {
   }
   EXPECT_TRUE(has_backed_off);
   EXPECT_EQ(decision.state, "blocked");
+  EXPECT_EQ(decision.why, "found no way past what is there");
+}
+
+TEST(RoomNavigator, SaysThatItCannotTellAPatternOnTheFloorFromWhatStandsThere) {
+  Route route = straight_route();
+  for (double x = 0.5; x < kWayLength_m; x += 0.4) route.room->edges.push_back({0, Vec2(x, 0.1)});
+  DrivenRoom room(1.6, std::move(route), 0, 0.6);
+  Decision decision;
+  for (int i = 0; i < 1000 && decision.status == NavigatorStatus::kGoing; ++i) decision = room.step();
+  EXPECT_EQ(decision.state, "blocked");
+  EXPECT_THAT(decision.why, HasSubstr("pattern"));
 }
 
 TEST(RoomNavigator, DoesNotLookForADeadEndFarBeyondTheTaughtOne) {

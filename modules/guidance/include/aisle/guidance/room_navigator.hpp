@@ -57,6 +57,7 @@ struct RoomNavigatorParams {
   double wait_s = 3;
   double back_off_m = 0.6;
   int back_offs_max = 4;
+  double pattern_share_max = 0.25;
   double blind_max_s = 10;
 
   void describe(FieldList& fields);
@@ -119,6 +120,7 @@ class RoomNavigator final : public Navigator {
   Decision back_off(double now_s);
   Decision leave_place();
   Decision blocked(double now_s);
+  std::string why_blocked() const;
   bool is_on_way_back() const;
   bool has_way_back_next() const;
   void begin_way_back();
@@ -168,6 +170,7 @@ class RoomNavigator final : public Navigator {
   std::optional<double> stopped_s_;
   Pose2 T_odom_stopped_;
   PlaceParking taught_place_;
+  double pattern_share_;  ///< of the taught way, where the floor's pattern looked like obstacles
   double steering_rad_ = 0;
   std::vector<Pose2> T_odom_driven_;  ///< today, about where it is
   std::vector<Vec2> p_map_limit_;     ///< of the floor that is known, where it backs
