@@ -96,11 +96,16 @@ Pose2 FrameBacking::off() const {
   return between(T_odom_parked(), T_odom_vehicle_);
 }
 
-/// How far beyond its place it can back without leaving the frame.
+/// How far beyond its place it backs to look: so that its rear stands on the frame's far line, for the near
+/// side to be well in view; before that line where the floor beyond it is not known to be free.
 double FrameBacking::deeper_m() const {
-  constexpr double kOffLine_m = 0.02;
+  constexpr double kOntoLine_m = 0.03, kOffLine_m = 0.02;
   const double length_m = vehicle_.footprint.front_m + vehicle_.footprint.rear_m;
-  return std::max(0.0, (size_m_.x() - length_m) / 2 - kOffLine_m);
+  const double to_line_m = std::max(0.0, (size_m_.x() - length_m) / 2);
+  const Pose2 T_floor_onto_line = T_floor_odom_ * T_odom_parked() * Pose2{-(to_line_m + kOntoLine_m), 0, 0};
+  return search_.room().fits_barely(floor_, clearance_, T_floor_onto_line, 0)
+             ? to_line_m + kOntoLine_m
+             : std::max(0.0, to_line_m - kOffLine_m);
 }
 
 void FrameBacking::search_way() {

@@ -32,7 +32,7 @@ FrameParking::FrameParking(const FrameParkingParams& params, const VehicleDescri
     : params_(params), vehicle_(vehicle), size_m_(size_m), follower_(vehicle, params.steering) {}
 
 void FrameParking::look(const Observation& observation, const Pose2& T_odom_vehicle,
-                        double expected_heading_rad) {
+                        const Pose2& T_odom_expected, double astray_m) {
   unseen_m_ += (T_odom_vehicle.position() - T_odom_vehicle_.position()).norm();
   T_odom_vehicle_ = T_odom_vehicle;
   steering_rad_ = steering_rad_of(observation.odometry);
@@ -45,16 +45,17 @@ void FrameParking::look(const Observation& observation, const Pose2& T_odom_vehi
         painted_line_points(*picture->image, CameraModel(camera->intrinsics), camera->mount, params_.frame);
     const auto fit =
         T_odom_frame_ ? track_frame(points, size_m_, between(T_odom_vehicle, *T_odom_frame_), params_.frame)
-                      : find_frame(points, size_m_, wrap_angle(expected_heading_rad - T_odom_vehicle.theta),
+                      : find_frame(points, size_m_, wrap_angle(T_odom_expected.theta - T_odom_vehicle.theta),
                                    params_.frame);
     if (!fit) continue;
-    take(*fit, T_odom_vehicle);
+    const Pose2 T_odom_seen = T_odom_vehicle * fit->T_vehicle_frame;
+    if (between(T_odom_expected, T_odom_seen).position().norm() > astray_m) continue;
+    take(T_odom_seen);
     return;
   }
 }
 
-void FrameParking::take(const FrameFit& fit, const Pose2& T_odom_vehicle) {
-  const Pose2 T_odom_seen = T_odom_vehicle * fit.T_vehicle_frame;
+void FrameParking::take(const Pose2& T_odom_seen) {
   T_odom_frame_ = T_odom_frame_ ? interpolate(*T_odom_frame_, T_odom_seen, params_.gain) : T_odom_seen;
   unseen_m_ = 0;
 }

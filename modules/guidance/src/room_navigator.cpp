@@ -9,12 +9,11 @@
 
 #include "aisle/core/square.hpp"
 #include "aisle/guidance/room_cameras.hpp"
+#include "aisle/guidance/route_floor.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {
 namespace {
-
-constexpr double kRemembered_m = 4;
 
 Route room_route(Route route) {
   if (!route.room || route.path.empty()) throw std::invalid_argument("the route was not taught in a room");
@@ -61,7 +60,10 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("dead_end_share", dead_end_share, {0, 1}, "of the view is route: less is a dead end");
   fields.real("dead_end_gap_m", dead_end_gap_m, {0, 3}, "from there it goes on until so near");
   fields.count("dead_end_pictures", dead_end_pictures, {1, 100}, "in succession must show it");
+  fields.real("dead_end_beyond_m", dead_end_beyond_m, {0, 3}, "so far beyond the taught one it gives up");
   fields.real("frame_within_m", frame_within_m, {0.5, 20}, "before the route's end it looks for the frame");
+  fields.real("frame_astray_m", frame_astray_m, {0.05, 20},
+              "a frame so far from the taught one is none, where the edges tell where it is");
   fields.real("brightness_tolerance", brightness_tolerance, {0.01, 1},
               "by which share the route may suddenly look brighter or darker");
   fields.real("brightness_gain", brightness_gain, {0, 1},
@@ -72,6 +74,8 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("wait_s", wait_s, {0, 100}, "for what is in the way to go");
   fields.real("back_off_m", back_off_m, {0.05, 5}, "way back before it tries again");
   fields.count("back_offs_max", back_offs_max, {0, 100}, "at one place, then it gives up");
+  fields.real("pattern_share_max", pattern_share_max, {0, 1},
+              "of the taught way: with more edges on it the floor is said to have a pattern");
   fields.real("blind_max_s", blind_max_s, {0.5, 1000}, "without a good picture it gives up");
 }
 
@@ -82,14 +86,15 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       route_(room_route(std::move(route))),
       view_(first_view(params, vehicle)),
       watch_(params.pictures, room_camera(vehicle, kFirstCamera)),
-      edges_(kRemembered_m),
+      edges_(kReach_m),
       place_(params.place, route_.room->edges),
       progress_(route_.path, from_m),
       stop_views_(params.stop_views, route_.room->views),
       T_odom_vehicle_(route_.path.at(from_m).T_map_path),
       brightness_(route_.room->brightness),
       T_odom_seen_(T_odom_vehicle_),
-      taught_place_(params.taught_place, vehicle, route_.path) {
+      taught_place_(params.taught_place, vehicle, route_.path),
+      pattern_share_(share_with_edges_on_way(route_.path, route_.room->edges, vehicle.footprint)) {
   if (backs_between_turnings(route_))
     corner_backing_ = std::make_unique<CornerBacking>(params.corner_backing, params.view, vehicle);
   if (route_.room->parking != ParkingStrategy::kFrame) return;
@@ -102,6 +107,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
 Decision RoomNavigator::step(const Observation& observation) {
   T_odom_vehicle_ = T_odom_vehicle_ * odometry_step(vehicle_, observation.odometry);
   steering_rad_ = steering_rad_of(observation.odometry);
+  remember_driven();
   if (state_ != State::kBackingOff) progress_.advance(pose());
   look(observation);
   if (observation.bumper_pressed)
@@ -113,11 +119,7 @@ Decision RoomNavigator::step(const Observation& observation) {
             .state = "blind",
             .why = trouble.value_or("no picture yet")};
   }
-  if (frame_ && left_m() < params_.frame_within_m) {
-    const double heading_rad = route_.path.pieces().back().end().theta - place_.T_map_odom().theta;
-    frame_->look(observation, T_odom_vehicle_, heading_rad);
-    if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
-  }
+  if (frame_ && left_m() < params_.frame_within_m) look_for_frame(observation);
   if (state_ == State::kParkingInFrame) return park_in_frame(observation.stamp_s);
   if (state_ == State::kBackingIntoFrame) return back_into_frame(observation.stamp_s);
   if (state_ == State::kBackingOff) return back_off(observation.stamp_s);
@@ -141,7 +143,7 @@ void RoomNavigator::look(const Observation& observation) {
   T_odom_seen_ = T_odom_vehicle_;
   // The learned brightness follows slow change of light (METHODS 9).
   brightness_.grey += params_.brightness_gain * (sight_->patch_grey - brightness_.grey);
-  edges_.take(view_, *sight_, T_odom_vehicle_);
+  edges_.take(view_, *sight_, T_odom_vehicle_, observation.stamp_s);
   find_place();
 }
 
@@ -247,6 +249,15 @@ Decision RoomNavigator::drive(const SteeringChoice& choice, double speed_mps,
           .why = fmt::format("{:.1f} m to go, {:.2f} m free", std::max(0.0, left_m()), choice.free_m)};
 }
 
+std::string RoomNavigator::why_blocked() const {
+  return pattern_share_ > params_.pattern_share_max
+             ? fmt::format(
+                   "cannot tell the floor's pattern from what stands on it, as on {:.0f} % of the "
+                   "taught way",
+                   100 * pattern_share_)
+             : "found no way past what is there";
+}
+
 /// Whoever stands in the way may go; what stays is passed on another way.
 Decision RoomNavigator::blocked(double now_s) {
   if (!stopped_s_) stopped_s_ = now_s;
@@ -255,60 +266,10 @@ Decision RoomNavigator::blocked(double now_s) {
   if (along_m > back_offs_at_m_ + 2 * params_.back_off_m) back_offs_ = 0;
   back_offs_at_m_ = along_m;
   if (back_offs_ >= params_.back_offs_max)
-    return {.status = NavigatorStatus::kFailed, .state = "blocked", .why = "found no way past what is there"};
+    return {.status = NavigatorStatus::kFailed, .state = "blocked", .why = why_blocked()};
   ++back_offs_;
-  T_odom_stopped_ = T_odom_vehicle_;
-  way_back_ = choose_way_back();
-  state_ = State::kBackingOff;
+  begin_to_back_off();
   return {.state = "backing off"};
-}
-
-/// What is behind the vehicle is in no camera's view, but was in view at teaching.
-std::vector<Vec2> RoomNavigator::edges_seen_and_taught() const {
-  std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
-  const Pose2 T_vehicle_map = pose().inverse();
-  for (const Vec2& p : place_.taught().around(pose().position(), kRemembered_m))
-    around.push_back(T_vehicle_map * p);
-  return around;
-}
-
-/// Of the ways back, the one that leads nearest to the taught way.
-SteeringChoice RoomNavigator::choose_way_back() const {
-  constexpr double kAsideWeight_per_m = 1, kTurnedWeight_per_rad = 1, kShortWeight_per_m = 4;
-  const double max_rad = vehicle_.limits.steering_max_rad;
-  const int steps = static_cast<int>(max_rad / params_.steering.step_rad);
-  const std::vector<Vec2> around = edges_seen_and_taught();
-  SteeringChoice best;
-  double least = -1;
-  for (int i = -steps; i <= steps; ++i) {
-    const double steering_rad = i * params_.steering.step_rad;
-    const SteeringChoice way = free_way(vehicle_, params_.steering, around, steering_rad, -1);
-    const double back_m = std::min(params_.back_off_m, way.free_m);
-    const double turn_rad = -back_m * std::tan(steering_rad) / vehicle_.front_steered.wheelbase_m;
-    const Pose2 T_map_then = pose() * end_pose({-back_m, turn_rad});
-    const double along_m = progress_.point().along_m;
-    const PathPoint there = route_.path.nearest(T_map_then.position(), along_m - 2 * params_.back_off_m,
-                                                along_m + params_.back_off_m);
-    const double cost =
-        kAsideWeight_per_m * std::abs(there.aside_m) +
-        kTurnedWeight_per_rad * std::abs(wrap_angle(T_map_then.theta - there.T_map_path.theta)) +
-        kShortWeight_per_m * (params_.back_off_m - back_m);
-    if (least >= 0 && cost >= least) continue;
-    least = cost;
-    best = way;
-  }
-  return best;
-}
-
-Decision RoomNavigator::back_off(double now_s) {
-  const double backed_m = (T_odom_vehicle_.position() - T_odom_stopped_.position()).norm();
-  if (backed_m >= std::min(params_.back_off_m, way_back_.free_m - params_.stop_free_m)) {
-    state_ = State::kFollowing;
-    stopped_s_ = now_s;
-    return {.state = "backing off"};
-  }
-  return {.command = {.speed_mps = -params_.parking_speed_mps, .steering_rad = way_back_.steering_rad},
-          .state = "backing off"};
 }
 
 }  // namespace aisle

@@ -20,6 +20,12 @@ Vec2 about_lines(const Vec2& frame_size_m) {
 
 }  // namespace
 
+void RoomNavigator::look_for_frame(const Observation& observation) {
+  const double astray_m = place_.is_sure() ? params_.frame_astray_m : std::numeric_limits<double>::infinity();
+  frame_->look(observation, T_odom_vehicle_, place_.T_map_odom().inverse() * T_map_taught_frame(), astray_m);
+  if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
+}
+
 Decision RoomNavigator::park_in_frame(double now_s) {
   forget_frame_lines();
   if (frame_backing_ && -frame_->off().x < params_.frame_backing.turn_from_m) {
@@ -39,12 +45,15 @@ Decision RoomNavigator::back_into_frame(double now_s) {
   return frame_backing_->keeps_to_floor() ? decision : unless_obstructed(std::move(decision), now_s);
 }
 
+Pose2 RoomNavigator::T_map_taught_frame() const {
+  const Footprint& footprint = vehicle_.footprint;
+  return route_.path.pieces().back().end() * Pose2{(footprint.front_m - footprint.rear_m) / 2, 0, 0};
+}
+
 /// The taught end lies in the frame, whatever the edges say of the way to it.
 Pose2 RoomNavigator::T_map_odom_by_frame() const {
   constexpr double kAgree_m = 0.2;
-  const Footprint& footprint = vehicle_.footprint;
-  const Pose2 T_map_frame =
-      route_.path.pieces().back().end() * Pose2{(footprint.front_m - footprint.rear_m) / 2, 0, 0};
+  const Pose2 T_map_frame = T_map_taught_frame();
   const Pose2 T_map_odom = T_map_frame * frame_->frame()->inverse();
   const Vec2 p_map_frame = place_.T_map_odom() * frame_->frame()->position();
   const bool agrees = (p_map_frame - T_map_frame.position()).norm() < kAgree_m;
@@ -89,10 +98,7 @@ Decision RoomNavigator::unless_obstructed(Decision decision, double now_s) {
 /// For another try at the taught place.
 Decision RoomNavigator::leave_place() {
   Command command = taught_place_.back_off(pose(), steering_rad_);
-  FreeSteeringParams steering = params_.steering;
-  steering.comfort_m = params_.end_comfort_m;
-  const SteeringChoice way =
-      choose_steering(vehicle_, steering, edges_seen_and_taught(), command.steering_rad, -1);
+  const SteeringChoice way = choose_steering_behind(command.steering_rad);
   command.steering_rad = way.steering_rad;
   taught_place_.judge_way_back(pose(), way.free_m);
   if (taught_place_.is_backing()) return {.command = command, .state = "backing off"};
@@ -115,6 +121,13 @@ bool RoomNavigator::is_at_dead_end() const {
   constexpr double kNearEnd_m = 1;
   return left_m() < kNearEnd_m && sight_->share < params_.dead_end_share &&
          (is_strange_ || gap_ahead_m() < params_.dead_end_gap_m);
+}
+
+/// Where the view has opened again, what ended the route is taken for route.
+bool RoomNavigator::is_beyond_dead_end() const {
+  constexpr double kOpenBeyond_m = 0.1;
+  const bool is_open = sight_->share >= params_.dead_end_share;
+  return -left_to_end_m() > (is_open ? kOpenBeyond_m : params_.dead_end_beyond_m);
 }
 
 bool RoomNavigator::is_place_taken() const {
@@ -149,6 +162,10 @@ std::optional<Decision> RoomNavigator::arrived() {
   switch (route_.room->parking) {
     case ParkingStrategy::kDeadEnd:
       if (dead_end_pictures_ >= params_.dead_end_pictures) return done;
+      if (is_beyond_dead_end())
+        return Decision{.status = NavigatorStatus::kFailed,
+                        .state = "no dead end",
+                        .why = "what ends the route is not to be seen"};
       break;
     case ParkingStrategy::kFrame:
       if (progress_.has_arrived())
@@ -162,7 +179,10 @@ std::optional<Decision> RoomNavigator::arrived() {
         if (!has_confirmed_place()) return unconfirmed;
         if (!place_.is_sure()) return done;
         const Decision decision = taught_place_.settle(pose(), is_place_taken());
-        if (taught_place_.is_backing()) state_ = State::kLeavingPlace;
+        if (taught_place_.is_backing()) {
+          learn_floor_behind();
+          state_ = State::kLeavingPlace;
+        }
         return decision;
       }
       break;

@@ -5,7 +5,6 @@
 
 #include "aisle/control/reversing.hpp"
 #include "aisle/guidance/room_navigator.hpp"
-#include "aisle/guidance/route_floor.hpp"
 
 namespace aisle {
 namespace {
@@ -51,25 +50,6 @@ void RoomNavigator::begin_way_back() {
 std::optional<bool> RoomNavigator::has_seen_corner() const {
   if (!backs_to_corner_) return std::nullopt;
   return corner_backing_->has_seen_corner();
-}
-
-/// As it was taught, and where the vehicle stands.
-void RoomNavigator::learn_floor_behind() {
-  constexpr double kAbout_m = 4;
-  FloorGrid floor =
-      route_floor(route_.path, route_.room->edges, vehicle_.footprint, pose().position(), kAbout_m);
-  free_under(vehicle_.footprint, pose(), floor);
-  p_map_limit_ = limit_of_known(floor);
-}
-
-/// No camera looks back: what is known to stand behind it, and floor of which nothing is known, keep it off.
-SteeringChoice RoomNavigator::choose_steering_behind(double wish_rad) const {
-  std::vector<Vec2> around = edges_seen_and_taught();
-  const Pose2 T_vehicle_map = pose().inverse();
-  for (const Vec2& p : p_map_limit_) around.push_back(T_vehicle_map * p);
-  FreeSteeringParams steering = params_.steering;
-  steering.comfort_m = params_.end_comfort_m;
-  return choose_steering(vehicle_, steering, around, wish_rad, -1);
 }
 
 Decision RoomNavigator::back_between_turnings() {

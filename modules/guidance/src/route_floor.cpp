@@ -102,6 +102,21 @@ FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const 
   return floor;
 }
 
+double share_with_edges_on_way(const Path& path, std::span<const RouteEdge> edges,
+                               const Footprint& footprint) {
+  constexpr double kStretch_m = 0.5;
+  constexpr double kInset_m = 0.05;  // what stands just beside the way may be seen so far on it
+  std::vector<char> has_edge(static_cast<std::size_t>(path.length_m() / kStretch_m) + 1, 0);
+  for (const RouteEdge& edge : edges) {
+    const PathPoint there = path.nearest(edge.p_map, edge.along_m, path.length_m());
+    const double off_m = (edge.p_map - there.T_map_path.position()).norm();
+    if (off_m < footprint.width_m / 2 - kInset_m)
+      has_edge[static_cast<std::size_t>(there.along_m / kStretch_m)] = 1;
+  }
+  return static_cast<double>(std::count(has_edge.begin(), has_edge.end(), 1)) /
+         static_cast<double>(has_edge.size());
+}
+
 std::vector<Vec2> limit_of_known(const FloorGrid& floor) {
   std::vector<Vec2> limit;
   for (const FloorCell& cell : unknown_beside_free(floor, 1)) limit.push_back(floor.centre(cell));

@@ -67,6 +67,19 @@ TEST(FrameBacking, DrivesOutAndInAgainWhereItStandsAskew) {
   EXPECT_EQ(vehicle.backing.tries(), 2);
 }
 
+/// Where the middle of the rear comes to while the vehicle looks back at the frame.
+double rear_while_looking_m(const KnownFloor& known) {
+  BackedVehicle vehicle(known);
+  EXPECT_EQ(vehicle.run_until("looking").state, "looking");
+  return (vehicle.T_odom_vehicle * Vec2(-cart().footprint.rear_m, 0)).x();
+}
+
+TEST(FrameBacking, StandsOnTheFarLineToLookWhereTheFloorBeyondItIsFree) {
+  const double line_m = kFrame.x + kSize_m.x() / 2;
+  EXPECT_NEAR(rear_while_looking_m(KnownFloor{{Vec2(0, 0), Vec2(7, 4)}}), line_m + 0.03, 0.01);
+  EXPECT_NEAR(rear_while_looking_m(KnownFloor{{Vec2(0, 0), Vec2(line_m, 4)}}), line_m - 0.02, 0.01);
+}
+
 TEST(FrameBacking, WhereItCannotTurnItSaysSo) {
   BackedVehicle vehicle(KnownFloor{{Vec2(0, 1.5), Vec2(7, 2.5)}});
   const Decision decision = vehicle.run_until("parked");

@@ -70,11 +70,12 @@ Route route_with_way_back(double side_m) {
   return route;
 }
 
-/// A bright floor, and a dark wall across the way.
+/// A bright floor, and a dark wall across the way; others beside it.
 class DrivenRoom {
  public:
-  explicit DrivenRoom(double wall_m, Route route = straight_route(), double from_m = 0)
+  explicit DrivenRoom(double wall_m, Route route = straight_route(), double from_m = 0, double side_m = 50)
       : wall_m_(wall_m),
+        side_m_(side_m),
         vehicle_(backs_between_turnings(route) ? room_cart_with_third_camera() : room_cart()),
         navigator_({}, vehicle_, std::move(route), from_m),
         T_world_vehicle_(navigator_.pose()) {
@@ -111,14 +112,15 @@ class DrivenRoom {
     const CameraDescription& camera = vehicle_.cameras[number];
     auto image = std::make_shared<Image>(camera.width_px, camera.height_px);
     for (std::size_t i = 0; i < p_vehicle_[number].size(); ++i) {
-      const bool is_wall = (T_world_vehicle_ * p_vehicle_[number][i]).x() > wall_m_;
+      const Vec2 p_world = T_world_vehicle_ * p_vehicle_[number][i];
+      const bool is_wall = p_world.x() > wall_m_ || std::abs(p_world.y()) > side_m_;
       image->bytes[i] = static_cast<std::uint8_t>(light * (is_wall ? kWallGrey : kFloorGrey));
     }
     image->bytes.front() = static_cast<std::uint8_t>(cycles_ % 2);
     return image;
   }
 
-  double wall_m_;
+  double wall_m_, side_m_;
   VehicleDescription vehicle_;
   RoomNavigator navigator_;
   std::vector<std::vector<Vec2>> p_vehicle_;  ///< that each pixel of each camera sees
@@ -153,6 +155,41 @@ TEST(RoomNavigator, SaysThatNothingHasConfirmedItsPlace) {
   EXPECT_EQ(decision.status, NavigatorStatus::kDone);
   EXPECT_THAT(decision.why, HasSubstr("not confirmed"));
   EXPECT_FALSE(room.navigator().has_confirmed_place());
+}
+
+TEST(RoomNavigator, DoesNotBackOverFloorThatItDoesNotKnow) {
+  constexpr double kWall_m = 1.6, kSide_m = 0.6;
+  DrivenRoom room(kWall_m, straight_route(), 0, kSide_m);
+  Decision decision;
+  bool has_backed_off = false;
+  for (int i = 0; i < 1000 && decision.status == NavigatorStatus::kGoing; ++i) {
+    decision = room.step();
+    has_backed_off = has_backed_off || decision.state == "backing off";
+    EXPECT_GT(room.T_world_vehicle().x, -0.02) << "it was set down there";
+  }
+  EXPECT_TRUE(has_backed_off);
+  EXPECT_EQ(decision.state, "blocked");
+  EXPECT_EQ(decision.why, "found no way past what is there");
+}
+
+TEST(RoomNavigator, SaysThatItCannotTellAPatternOnTheFloorFromWhatStandsThere) {
+  Route route = straight_route();
+  for (double x = 0.5; x < kWayLength_m; x += 0.4) route.room->edges.push_back({0, Vec2(x, 0.1)});
+  DrivenRoom room(1.6, std::move(route), 0, 0.6);
+  Decision decision;
+  for (int i = 0; i < 1000 && decision.status == NavigatorStatus::kGoing; ++i) decision = room.step();
+  EXPECT_EQ(decision.state, "blocked");
+  EXPECT_THAT(decision.why, HasSubstr("pattern"));
+}
+
+TEST(RoomNavigator, DoesNotLookForADeadEndFarBeyondTheTaughtOne) {
+  Route route = straight_route();
+  route.room->parking = ParkingStrategy::kDeadEnd;
+  DrivenRoom room(20, std::move(route));
+  Decision decision;
+  for (int i = 0; i < 400 && decision.status == NavigatorStatus::kGoing; ++i) decision = room.step();
+  EXPECT_EQ(decision.state, "no dead end");
+  EXPECT_LT(room.T_world_vehicle().x, kWayLength_m + 0.3);
 }
 
 /// What the footprint's rear corners pass over while the vehicle backs between turnings.

@@ -41,8 +41,10 @@ class FrameParking {
   FrameParking(const FrameParkingParams& params, const VehicleDescription& vehicle, const Vec2& size_m);
 
   /// Looks for the frame in every picture of the cycle.
-  /// @param expected_heading_rad  of the way into the frame, in `odom`
-  void look(const Observation& observation, const Pose2& T_odom_vehicle, double expected_heading_rad);
+  /// @param T_odom_expected  where the frame should be, x along the way in
+  /// @param astray_m         what is seen farther from there is something else
+  void look(const Observation& observation, const Pose2& T_odom_vehicle, const Pose2& T_odom_expected,
+            double astray_m);
   bool sees_frame() const { return T_odom_frame_.has_value(); }
 
   Decision step();
@@ -55,7 +57,7 @@ class FrameParking {
 
  private:
   Pose2 T_odom_parked() const;
-  void take(const FrameFit& fit, const Pose2& T_odom_vehicle);
+  void take(const Pose2& T_odom_seen);
   Decision approach();
   Decision back_off();
   Decision settle();

@@ -47,7 +47,9 @@ struct RoomNavigatorParams {
   double dead_end_share = 1.0 / 3;
   double dead_end_gap_m = 0.4;
   int dead_end_pictures = 3;
+  double dead_end_beyond_m = 0.3;
   double frame_within_m = 3.5;
+  double frame_astray_m = 0.5;
   double brightness_tolerance = 0.35;
   double brightness_gain = 0.05;
   double hidden_max_m = 0.8;
@@ -55,6 +57,7 @@ struct RoomNavigatorParams {
   double wait_s = 3;
   double back_off_m = 0.6;
   int back_offs_max = 4;
+  double pattern_share_max = 0.25;
   double blind_max_s = 10;
 
   void describe(FieldList& fields);
@@ -99,6 +102,8 @@ class RoomNavigator final : public Navigator {
     kLeavingPlace
   };
 
+  static constexpr double kReach_m = 4;  ///< of what it remembers
+
   void look(const Observation& observation);
   bool is_route_bright_as_learned() const;
   bool knows_way_ahead() const;
@@ -106,6 +111,8 @@ class RoomNavigator final : public Navigator {
   Decision follow(double now_s);
   Decision park_in_frame(double now_s);
   Decision back_into_frame(double now_s);
+  void look_for_frame(const Observation& observation);
+  Pose2 T_map_taught_frame() const;
   Pose2 T_map_odom_by_frame() const;
   void learn_floor_before_frame();
   void forget_frame_lines();
@@ -113,12 +120,15 @@ class RoomNavigator final : public Navigator {
   Decision back_off(double now_s);
   Decision leave_place();
   Decision blocked(double now_s);
+  std::string why_blocked() const;
   bool is_on_way_back() const;
   bool has_way_back_next() const;
   void begin_way_back();
-  void learn_floor_behind();
-  SteeringChoice choose_steering_behind(double wish_rad) const;
   Decision back_between_turnings();
+  void remember_driven();
+  void learn_floor_behind();
+  std::vector<Vec2> standing_behind() const;
+  SteeringChoice choose_steering_behind(double wish_rad) const;
   Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
   double wished_steering_rad() const;
   /// Near a taught end, at a place that is known: the taught way counts alone.
@@ -129,9 +139,10 @@ class RoomNavigator final : public Navigator {
   /// Something has been seen to stand where a vehicle at the route's end would.
   bool is_place_taken() const;
   bool is_at_dead_end() const;
+  bool is_beyond_dead_end() const;
+  void begin_to_back_off();
   SteeringChoice choose_way_back() const;
   std::optional<Decision> arrived();
-  std::vector<Vec2> edges_seen_and_taught() const;
   double left_m() const { return route_.path.length_m() - progress_.point().along_m; }
   double left_to_end_m() const;
 
@@ -148,7 +159,6 @@ class RoomNavigator final : public Navigator {
   std::unique_ptr<CornerBacking> corner_backing_;  ///< of a route with ways back between turnings
   bool backs_to_corner_ = false;                   ///< else as it was taught
   double back_to_m_ = 0;                           ///< along the route, the end of such a way
-  std::vector<Vec2> p_map_limit_;                  ///< about such a way, of the floor that is known
   StopViewMatcher stop_views_;
   Pose2 T_odom_vehicle_;
   std::optional<RouteSight> sight_;
@@ -160,7 +170,10 @@ class RoomNavigator final : public Navigator {
   std::optional<double> stopped_s_;
   Pose2 T_odom_stopped_;
   PlaceParking taught_place_;
+  double pattern_share_;  ///< of the taught way, where the floor's pattern looked like obstacles
   double steering_rad_ = 0;
+  std::vector<Pose2> T_odom_driven_;  ///< today, about where it is
+  std::vector<Vec2> p_map_limit_;     ///< of the floor that is known, where it backs
   SteeringChoice way_back_;
   int back_offs_ = 0;  ///< about one place
   double back_offs_at_m_ = 0;

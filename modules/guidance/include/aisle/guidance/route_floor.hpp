@@ -20,6 +20,11 @@ void free_under(const Footprint& footprint, const Pose2& T_floor_vehicle, FloorG
 FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const Footprint& footprint,
                       const Vec2& p_map_place, double reach_m);
 
+/// How much of a taught way has edges of the route where the vehicle then drove, as a share of its length:
+/// there a pattern on the floor was taken for something that stands.
+double share_with_edges_on_way(const Path& path, std::span<const RouteEdge> edges,
+                               const Footprint& footprint);
+
 /// Where what is known of a floor ends: the middles of the cells next to free ones of which nothing is known.
 std::vector<Vec2> limit_of_known(const FloorGrid& floor);
 
