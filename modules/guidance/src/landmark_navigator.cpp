@@ -15,8 +15,9 @@ namespace {
 
 constexpr double kFoundSigma_m = 0.1;  // of a place that was found while lost, before a picture settles it
 constexpr double kFoundSigma_rad = 2 * kDegree;
-constexpr std::size_t kKnownPairs = 4;  // so many sightings of known things ...
-constexpr double kKnownShare = 0.7;     // ... that are so much of a picture show where the vehicle is
+constexpr std::size_t kKnownPairs = 4;   // so many sightings of known things ...
+constexpr double kKnownShare = 0.7;      // ... that are so much of a picture show where the vehicle is
+constexpr double kStrangeBlocked_m = 1;  // of way, before something that stands where the taught way was free
 
 const CameraDescription& camera_of(const VehicleDescription& vehicle, const Building& building) {
   if (building.camera) {
@@ -261,6 +262,14 @@ Decision LandmarkNavigator::guarded(Decision decision) {
   if (!params_.guarded) return decision;
   const WayAhead way = way_ahead(path_, progress_.point(), localiser_.pose(), params_.guard.reach_m);
   Guarded allowed = guard_.allow(decision.command, way);
+  const bool sees_strange_things =
+      sightings_.size() >= static_cast<std::size_t>(params_.strange_sightings_min) &&
+      match_ != LandmarkMatch::kMatched;
+  if (allowed.state != GuardState::kFree && sees_strange_things && strange_way_m_ > kStrangeBlocked_m) {
+    why_lost_ = "sees other things than it knows, and something is in the way";
+    begin(State::kLost);
+    return {.state = "lost", .why = why_lost_};
+  }
   decision.command = allowed.command;
   if (allowed.state != GuardState::kFree) decision.state = "waiting";
   if (allowed.state == GuardState::kBlocked) {

@@ -21,9 +21,10 @@ Suspicion PlaceDoubt::look(const LandmarkMap& map, const UncertainPose2& T_map_b
   const LandmarkMatch match = localiser_.correct(map, picture);
   if (match == LandmarkMatch::kMatched) ++fitting_;
   if (match == LandmarkMatch::kUnmatched) ++contradicting_;
-  const LandmarkExpectation here = expected_landmarks(map, T_map_believed, picture, landmark_sigma_m_);
-  expected_ += here.expected;
-  seen_ += here.seen;
+  for (const ExpectedLandmark& here : expected_landmarks(map, T_map_believed, picture, landmark_sigma_m_)) {
+    ++expected_;
+    if (here.is_seen) ++seen_;
+  }
   ++pictures_;
   if (fitting_ + contradicting_ < kTellingPictures && pictures_ < kPicturesMax) return Suspicion::kOpen;
   const bool contradicts = contradicting_ >= kContradictingMin && kFittingEach * contradicting_ > fitting_;

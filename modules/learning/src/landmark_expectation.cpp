@@ -15,14 +15,15 @@ constexpr double kSeenSigmas = 2;
 
 }  // namespace
 
-LandmarkExpectation expected_landmarks(const LandmarkMap& map, const UncertainPose2& T_map_believed,
-                                       std::span<const LandmarkSighting> picture, double landmark_sigma_m) {
+std::vector<ExpectedLandmark> expected_landmarks(const LandmarkMap& map, const UncertainPose2& T_map_believed,
+                                                 std::span<const LandmarkSighting> picture,
+                                                 double landmark_sigma_m) {
   const Pose2& T_map_vehicle = T_map_believed.mean;
   const Pose2 T_vehicle_map = T_map_vehicle.inverse();
   const Mat2 R_vehicle_map = rotation(T_vehicle_map.theta);
   const Mat2 position = T_map_believed.covariance.topLeftCorner<2, 2>();
   const LandmarkView view(picture);
-  LandmarkExpectation expectation;
+  std::vector<ExpectedLandmark> expected;
   std::vector<int> near;
   map.within(T_map_vehicle.position(), view.far_m(), near);
   for (const int i : near) {
@@ -38,10 +39,9 @@ LandmarkExpectation expected_landmarks(const LandmarkMap& map, const UncertainPo
       return seen.brighter_right == landmark.brighter_right &&
              off.dot((seen.covariance + known).inverse() * off) < square(kSeenSigmas);
     };
-    ++expectation.expected;
-    if (std::any_of(picture.begin(), picture.end(), shows_it)) ++expectation.seen;
+    expected.push_back({i, std::any_of(picture.begin(), picture.end(), shows_it)});
   }
-  return expectation;
+  return expected;
 }
 
 }  // namespace aisle

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
+
+#include "aisle/learning/landmark_expectation.hpp"
 
 namespace aisle {
 namespace {
@@ -12,6 +15,9 @@ constexpr std::size_t kJudgedPerPicture = 4;
 constexpr std::size_t kBestMax = 4;    // that are compared picture after picture
 constexpr double kRoughSigma_m = 0.1;  // of a displacement, before its pairs settle it
 constexpr double kRoughSigma_rad = 2 * kDegree;
+constexpr double kSettledSigma_m = 0.05;  // ... and after
+constexpr double kSettledSigma_rad = 1 * kDegree;
+constexpr int kMissedLooks = 4;  // in which a landmark should be seen, and is not: it is not there
 constexpr double kSamePlace_m = 0.3;
 constexpr double kSamePlace_rad = 5 * kDegree;
 
@@ -29,6 +35,8 @@ void LandmarkRelocationParams::describe(FieldList& fields) {
   fields.count("places_per_picture", places_per_picture, {1, 10000}, "so many places are tried in a cycle");
   fields.real("distinct_evidence", distinct_evidence, {0, 1000},
               "a place must be more likely than any other by this (logarithm of the ratio)");
+  fields.real("missed_evidence", missed_evidence, {0, 10},
+              "by which a landmark that should have been seen, and was not, makes a place less likely");
   fields.real("matched_share_min", matched_share_min, {0, 1}, "so much of what is seen must be known there");
   fields.count("pairs_min", pairs_min, {1, 100}, "so many sightings must be known there");
   fields.count("agreeing_pictures", agreeing_pictures, {1, 100}, "so many in a row must say the same");
@@ -120,8 +128,33 @@ void LandmarkRelocator::judge(Candidate& candidate, const LandmarkMap& map,
       localiser_.correct(map, seen) != LandmarkMatch::kMatched)
     return;
   candidate.T_map_vehicle = localiser_.pose();
-  candidate.evidence = localiser_.evidence();
+  const double missed = params_.missed_evidence * missed_landmarks(map, candidate);
+  candidate.evidence = std::max(0.0, localiser_.evidence() - missed);
   candidate.matched_share = localiser_.matched_share();
+}
+
+/// Sure landmarks that should have been seen again and again on the way to a place, and never were.
+int LandmarkRelocator::missed_landmarks(const LandmarkMap& map, const Candidate& candidate) const {
+  struct Tally {
+    int looks = 0;
+    bool is_seen = false;
+  };
+  std::map<int, Tally> expected;
+  const Pose2 T_map_begin = candidate.T_map_vehicle * surroundings_.T_begin_vehicle().inverse();
+  for (const LandmarkSurroundings::Look& look : surroundings_.looks()) {
+    const UncertainPose2 there =
+        about(T_map_begin * look.T_begin_vehicle, kSettledSigma_m, kSettledSigma_rad);
+    for (const ExpectedLandmark& landmark :
+         expected_landmarks(map, there, look.picture, matching_.landmark_sigma_m)) {
+      Tally& tally = expected[landmark.landmark];
+      ++tally.looks;
+      tally.is_seen = tally.is_seen || landmark.is_seen;
+    }
+  }
+  for (const LandmarkPair& pair : localiser_.pairs()) expected.erase(static_cast<int>(pair.landmark));
+  return static_cast<int>(std::count_if(expected.begin(), expected.end(), [](const auto& landmark) {
+    return !landmark.second.is_seen && landmark.second.looks >= kMissedLooks;
+  }));
 }
 
 /// The most likely first, each place once.

@@ -4,6 +4,8 @@ namespace aisle {
 namespace {
 
 constexpr double kBeginSigma = 1e-4;  // where it begins is exact [m, rad]
+constexpr double kLookApart_m = 0.1;
+constexpr std::size_t kLooksMax = 64;
 
 }  // namespace
 
@@ -15,12 +17,21 @@ LandmarkSurroundings::LandmarkSurroundings(const LandmarkLearningParams& params,
 
 void LandmarkSurroundings::start() {
   learner_ = LandmarkLearner(params_);
+  looks_.clear();
   localiser_.place(about({}, kBeginSigma, kBeginSigma));
 }
 
 void LandmarkSurroundings::add(std::span<const LandmarkSighting> picture) {
   if (localiser_.correct(learner_.map(), picture) != LandmarkMatch::kAmbiguous)
     learner_.merge(picture, localiser_.pose());
+  keep_look(picture);
+}
+
+void LandmarkSurroundings::keep_look(std::span<const LandmarkSighting> picture) {
+  const Vec2 p_begin = T_begin_vehicle().position();
+  if (!looks_.empty() && (looks_.back().T_begin_vehicle.position() - p_begin).norm() < kLookApart_m) return;
+  looks_.push_back({T_begin_vehicle(), {picture.begin(), picture.end()}});
+  if (looks_.size() > kLooksMax) looks_.pop_front();
 }
 
 const std::vector<LandmarkSighting>& LandmarkSurroundings::seen() {

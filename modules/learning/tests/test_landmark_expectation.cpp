@@ -11,12 +11,22 @@ namespace {
 
 constexpr double kPlaceSigma_m = 0.02;
 
+struct LandmarkExpectation {
+  int expected = 0, seen = 0;
+};
+
 /// What a vehicle that believes to be at (5, 0) makes of the picture that it sees from `truth`.
 LandmarkExpectation expectation_from(const Pose2& truth, const SightNoise& noise, double believed_sigma_m) {
   Random random(2);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
-  return expected_landmarks(map_of(lines), about({5, 0, 0}, believed_sigma_m, 0.1 * kDegree),
-                            sightings_from(lines, truth, noise, &random), kPlaceSigma_m);
+  LandmarkExpectation expectation;
+  for (const ExpectedLandmark& landmark :
+       expected_landmarks(map_of(lines), about({5, 0, 0}, believed_sigma_m, 0.1 * kDegree),
+                          sightings_from(lines, truth, noise, &random), kPlaceSigma_m)) {
+    ++expectation.expected;
+    if (landmark.is_seen) ++expectation.seen;
+  }
+  return expectation;
 }
 
 TEST(LandmarkExpectation, WhereTheVehicleIsNearlyAllIsSeen) {

@@ -144,5 +144,40 @@ TEST(LandmarkRelocation, FindsItselfOnTheWay) {
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
 
+/// What it makes of pictures on a way of some metres.
+std::optional<Pose2> look_on_the_way(LandmarkRelocator& relocator, const LandmarkMap& map,
+                                     const std::vector<CorridorLine>& lines, Pose2& truth) {
+  constexpr double kStep_m = 0.03;
+  Random random(9);
+  relocator.start();
+  std::optional<Pose2> found;
+  for (int i = 0; i < 100 && !found; ++i) {
+    truth = truth * Pose2{kStep_m, 0, 0};
+    relocator.predict(FrontSteeredMotion{.distance_m = kStep_m});
+    found = relocator.look(map, sightings_from(lines, truth, kRelocationNoise, &random));
+  }
+  return found;
+}
+
+// All that is seen is known at another place, too; but there more should be seen.
+TEST(LandmarkRelocation, WhatIsMissedTellsPlacesApart) {
+  constexpr double kApart_m = 16;
+  Random random(10);
+  const std::vector<CorridorLine> here = corridor_lines(9, random);
+  std::vector<CorridorLine> lines = here;
+  for (const CorridorLine& line : here)
+    lines.push_back({line.p_map + Vec2(kApart_m, 0), line.brighter_right});
+  for (int i = 0; i < 6; ++i) lines.push_back({{kApart_m + 2 + i, i % 2 == 0 ? 0.8 : -0.8}, i % 3 == 0});
+  const LandmarkMap map = map_of(lines);
+  Pose2 truth{0.2, 0.1, 0.02};
+  LandmarkRelocator blind({.missed_evidence = 0}, {}, corridor_cart(), places(26));
+  EXPECT_EQ(look_on_the_way(blind, map, lines, truth), std::nullopt);
+  truth = {0.2, 0.1, 0.02};
+  LandmarkRelocator relocator({}, {}, corridor_cart(), places(26));
+  const auto found = look_on_the_way(relocator, map, lines, truth);
+  ASSERT_TRUE(found);
+  EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
+}
+
 }  // namespace
 }  // namespace aisle

@@ -29,6 +29,25 @@ constexpr double kThinnest_px = 2;       // laser light far away
 constexpr std::size_t kUsualStep = 7;    // samples from one to the next that tells the usual contrast
 constexpr double kBefore_m = 0.15;       // so far before what is lit a place is free
 
+/// Differences of grey levels and their usual size.
+class ContrastCounts {
+ public:
+  void add(int difference) {
+    ++counts_[static_cast<std::size_t>(std::abs(difference))];
+    ++count_;
+  }
+
+  int median() const {
+    std::size_t usual = 0;
+    for (std::size_t below = counts_[0]; 2 * below < count_; below += counts_[usual]) ++usual;
+    return static_cast<int>(usual);
+  }
+
+ private:
+  std::array<std::size_t, 256> counts_{};
+  std::size_t count_ = 0;
+};
+
 }  // namespace
 
 void StripeFanParams::describe(FieldList& fields) {
@@ -156,18 +175,13 @@ void StripeFan::read(const Image& picture) {
 
 /// From the median contrast along the beams.
 int StripeFan::threshold() const {
-  std::array<std::size_t, 256> counts{};
-  std::size_t count = 0;
+  ContrastCounts contrasts;
   for (const Curve& curve : curves_) {
-    for (std::size_t i = curve.first; i + samples_[i].flank < curve.end; i += kUsualStep) {
-      ++counts[static_cast<std::size_t>(std::abs(levels_[i] - levels_[i + samples_[i].flank]))];
-      ++count;
-    }
+    for (std::size_t i = curve.first; i + samples_[i].flank < curve.end; i += kUsualStep)
+      contrasts.add(levels_[i] - levels_[i + samples_[i].flank]);
   }
-  std::size_t usual = 0;
-  for (std::size_t below = counts[0]; 2 * below < count; below += counts[usual]) ++usual;
   return static_cast<int>(
-      std::ceil(std::max(params_.contrast_min, params_.noise_factor * static_cast<double>(usual))));
+      std::ceil(std::max(params_.contrast_min, params_.noise_factor * contrasts.median())));
 }
 
 void StripeFan::find_peaks() {
@@ -215,6 +229,7 @@ void StripeFan::add_peak(std::size_t beam, std::size_t i, int contrast) {
   for (std::size_t k = 1; k < flank && levels_[i - k] >= half; ++k) add(i - k);
   for (std::size_t k = 1; k < flank && levels_[i + k] >= half; ++k) add(i + k);
   peaks_.push_back({.beam = beam,
+                    .sample = i,
                     .row = static_cast<int>(samples_[i].first_byte) / width_px_,
                     .range_m = moment_m / weights,
                     .contrast = contrast,
@@ -225,7 +240,8 @@ void StripeFan::add_peak(std::size_t beam, std::size_t i, int contrast) {
 void StripeFan::link_peaks() {
   chains_.clear();
   std::size_t first = 0;  // that may be linked to
-  for (Peak& peak : peaks_) {
+  for (std::size_t p = 0; p < peaks_.size(); ++p) {
+    Peak& peak = peaks_[p];
     while (peaks_[first].beam + kGapBeams + 1 < peak.beam) ++first;
     if (const Peak* before = linked_before(peak, first)) {
       const double slope = (peak.row - before->row) / static_cast<double>(peak.beam - before->beam);
@@ -233,14 +249,17 @@ void StripeFan::link_peaks() {
       peak.chain = before->chain;
     } else {
       peak.chain = chains_.size();
-      chains_.push_back({.range_m = peak.range_m});
+      chains_.push_back({.first_peak = p, .range_m = peak.range_m});
     }
     Chain& chain = chains_[peak.chain];
-    ++chain.beams;
+    if (chain.peaks == 0 || peaks_[chain.last_peak].beam != peak.beam) ++chain.beams;
+    chain.last_peak = p;
+    ++chain.peaks;
+    chain.contrast += peak.contrast;
     chain.range_m = std::min(chain.range_m, peak.range_m);
     chain.thickness += thickness(peak);
   }
-  for (Chain& chain : chains_) chain.is_stripe = is_stripe(chain);
+  for (std::size_t chain = 0; chain < chains_.size(); ++chain) chains_[chain].is_stripe = is_stripe(chain);
 }
 
 /// The nearest one on the nearest beam before.
@@ -263,9 +282,28 @@ double StripeFan::thickness(const Peak& peak) const {
 }
 
 /// Paper on the floor is too thick.
-bool StripeFan::is_stripe(const Chain& chain) const {
+bool StripeFan::is_stripe(std::size_t c) const {
+  const Chain& chain = chains_[c];
   return chain.beams >= params_.beams_min && chain.beams * kStep_rad * chain.range_m >= params_.width_min_m &&
-         chain.thickness <= chain.beams;
+         chain.thickness <= chain.peaks && outshines_grain(c);
+}
+
+/// What a stripe is drawn on lies before it, too, or behind. In the grain of a floor there are lines as well,
+/// but grain is on either side of them.
+bool StripeFan::outshines_grain(std::size_t c) const {
+  const Chain& chain = chains_[c];
+  ContrastCounts before, behind;
+  for (std::size_t p = chain.first_peak; p <= chain.last_peak; ++p) {
+    if (peaks_[p].chain != c) continue;
+    const std::size_t i = peaks_[p].sample, flank = samples_[i].flank;
+    const Curve& curve = curves_[peaks_[p].beam];
+    for (std::size_t k = flank; k < kAsideFlanks * flank; ++k) {
+      if (i >= curve.first + k + flank) before.add(levels_[i - k] - levels_[i - k - flank]);
+      if (i + k + flank < curve.end) behind.add(levels_[i + k] - levels_[i + k + flank]);
+    }
+  }
+  const int usual = std::min(before.median(), behind.median());
+  return chain.contrast >= params_.noise_factor * usual * chain.peaks;
 }
 
 /// The nearest laser light on a beam. Floor mirrors the stripe: fainter, and before it.

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "aisle/vision/stripe_fan.hpp"
 #include "lit_floor.hpp"
@@ -99,6 +101,46 @@ TEST(StripeFan, TakesNoPaperOnTheFloorNearbyForLight) {
         ASSERT_EQ(beam.range_m, 0) << away_m << " m, " << turned_deg << " degrees";
     }
   }
+}
+
+/// Between smooth walls; the farther away its tufts, the less they differ.
+Image carpet(std::uint64_t seed) {
+  constexpr double kTuft_m = 0.01, kDiffer_m = 10, kHalfWidth_m = 0.6;
+  constexpr unsigned kTufts = 512;
+  Random random(seed);
+  std::vector<double> tufts(kTufts * kTufts);
+  for (double& tuft : tufts) tuft = random.normal(1);
+  Image picture = floor_with_noise();
+  const BackProjection floor(CameraModel(kFanLens), kMount, 0);
+  for (int v = 150; v < kHeight_px; ++v) {
+    for (int u = 0; u < kWidth_px; ++u) {
+      const auto p = floor.point({u, v});
+      if (!p || std::abs(p->y()) > kHalfWidth_m) continue;
+      const auto cell = [](double p_m) { return static_cast<unsigned>(std::lround(p_m / kTuft_m)) % kTufts; };
+      const double tuft = tufts[cell(p->x()) * kTufts + cell(p->y())];
+      picture.row(v)[u] = static_cast<std::uint8_t>(
+          std::lround(picture.row(v)[u] + kDiffer_m * tuft / std::max(0.8, p->norm() - kLensFoot.x())));
+    }
+  }
+  return picture;
+}
+
+TEST(StripeFan, TakesNoGrainOfACarpetForLight) {
+  StripeFan eye = fan();
+  int lit = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    eye.find(carpet(seed));
+    for (const StripeFan::Beam& beam : eye.beams()) lit += beam.range_m > 0 ? 1 : 0;
+  }
+  EXPECT_EQ(lit, 0);
+}
+
+TEST(StripeFan, SeesTheLegOfAChairOnACarpet) {
+  StripeFan eye = fan();
+  Image picture = carpet(1);
+  shine_on(picture, {2.2, -0.02}, {2.2, 0.02}, 100);
+  eye.find(picture);
+  EXPECT_NEAR(beam_at(eye, 0).range_m, 2.2 - kLensFoot.x(), 0.01);
 }
 
 TEST(StripeFan, TakesTheFaintStripeBeforeABrightOneForItsMirrorImage) {

@@ -16,6 +16,7 @@ struct LandmarkRelocationParams {
   double window_rad = 15 * kDegree;
   int places_per_picture = 16;
   double distinct_evidence = 8;
+  double missed_evidence = 2.5;
   double matched_share_min = 0.7;
   int pairs_min = 5;
   int agreeing_pictures = 4;
@@ -26,7 +27,8 @@ struct LandmarkRelocationParams {
 /// Where on its ways the vehicle may be: for one that has lost itself. It compares what it has seen since
 /// then, from where it stands or slowly drives, with all places that it knows: some with each picture, so
 /// that a picture costs the same however large the building. Then the promising ones are looked at more
-/// closely, pair by pair, and the best must stay the best for several pictures.
+/// closely, pair by pair and by what should have been seen on the way there, and the best must stay the best
+/// for several pictures.
 class LandmarkRelocator {
  public:
   /// @param T_map_tried  where vehicles drive: poses not much farther apart than `apart_m`, either way round
@@ -52,7 +54,7 @@ class LandmarkRelocator {
   struct Candidate {
     Pose2 T_map_vehicle;
     double value = 0;     ///< of its peak
-    double evidence = 0;  ///< of the pairs there
+    double evidence = 0;  ///< of the pairs there, less what is missed
     double matched_share = 0;
   };
 
@@ -61,6 +63,7 @@ class LandmarkRelocator {
   void try_place(const LandmarkMap& map, const Pose2& T_map_tried, std::span<const LandmarkSighting> seen);
   bool judge_candidates(const LandmarkMap& map, std::span<const LandmarkSighting> seen);
   void judge(Candidate& candidate, const LandmarkMap& map, std::span<const LandmarkSighting> seen);
+  int missed_landmarks(const LandmarkMap& map, const Candidate& candidate) const;
   void keep_promising();
   void keep_best();
   bool best_is_distinct() const;

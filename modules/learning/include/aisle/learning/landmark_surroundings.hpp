@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <span>
 #include <vector>
 
@@ -20,13 +21,22 @@ class LandmarkSurroundings {
 
   /// Where the vehicle is, from where it began.
   const Pose2& T_begin_vehicle() const { return localiser_.pose(); }
+  /// Pictures as they were taken in, of the last metres of way.
+  struct Look {
+    Pose2 T_begin_vehicle;
+    std::vector<LandmarkSighting> picture;
+  };
+  const std::deque<Look>& looks() const { return looks_; }
   /// All that was seen often enough, from where the vehicle is now. Valid until the next call.
   const std::vector<LandmarkSighting>& seen();
 
  private:
+  void keep_look(std::span<const LandmarkSighting> picture);
+
   LandmarkLearningParams params_;
   LandmarkLearner learner_;
   LandmarkLocaliser localiser_;
+  std::deque<Look> looks_;
   std::vector<LandmarkSighting> seen_;
 };
 

@@ -80,6 +80,7 @@ class StripeFan {
   };
   struct Peak {
     std::size_t beam = 0;
+    std::size_t sample = 0;
     int row = 0;
     double range_m = 0;
     int contrast = 0;
@@ -88,7 +89,10 @@ class StripeFan {
     std::size_t chain = 0;
   };
   struct Chain {
+    std::size_t first_peak = 0, last_peak = 0;  ///< others may lie between
     int beams = 0;
+    int peaks = 0;         ///< a beam may cross it twice
+    int contrast = 0;      ///< of all its peaks together
     double range_m = 0;    ///< the nearest
     double thickness = 0;  ///< of all its peaks together, as shares of what laser light has there
     bool is_stripe = false;
@@ -106,7 +110,8 @@ class StripeFan {
   void link_peaks();
   const Peak* linked_before(const Peak& peak, std::size_t first) const;
   double thickness(const Peak& peak) const;
-  bool is_stripe(const Chain& chain) const;
+  bool is_stripe(std::size_t c) const;
+  bool outshines_grain(std::size_t c) const;
   void choose_nearest();
   void doubt_beyond_ends();
   void doubt_beyond(int end, int outwards);
