@@ -154,6 +154,19 @@ TEST(FloorEdges, AreTheFootOfAWallNotTheShadowBeforeIt) {
   }
 }
 
+TEST(FloorEdges, OfAWallBesideDoNotLeanOutThoughTheShadowBeforeItIsWiderInThePictureWhereItIsNear) {
+  DrawnWall wall = wall_ahead(0.7, -kPi / 2);
+  wall.skirting_brightness = wall.brightness = 118;
+  for (const double shadow_m : {0.1, 0.2}) {
+    const auto edges = edges_of({.shadow_m = shadow_m, .walls = {wall}}, low_mount());
+    ASSERT_THAT(edges, Not(IsEmpty())) << shadow_m;
+    for (const FloorEdge& edge : edges) {
+      EXPECT_LT(wall.foot.distance(edge.on_floor.centroid), 0.004) << shadow_m;
+      EXPECT_NEAR(edge.on_floor.heading_rad, 0, 0.1 * kDegree) << shadow_m;
+    }
+  }
+}
+
 TEST(FloorEdges, AreLookedForBeyondWideJointsThatLeadBetweenThemAndTheCamera) {
   const CameraMount low = low_mount();
   DrawnWall left = wall_ahead(0.7, kPi / 2), right = wall_ahead(0.7, -kPi / 2);
