@@ -10,6 +10,7 @@ namespace {
 constexpr int kPassed = -1;
 constexpr int kStruck = 4;
 constexpr int kSurelyFree = -10;
+constexpr int kSeemsFree = 1 - kStruck;
 constexpr int kSurelyOccupied = 16;
 constexpr int kSpare = 128;  // cells of room that are added at once, beyond the one that was asked for
 
@@ -60,6 +61,12 @@ bool FloorGrid::see_free(FloorCell cell) {
 
 bool FloorGrid::see_occupied(FloorCell cell) {
   return weigh(cell, kStruck);
+}
+
+bool FloorGrid::seem_free(FloorCell cell) {
+  const bool tells_nothing =
+      room_.contains(cell) && (evidence_[index(cell)] > 0 || evidence_[index(cell)] <= kSeemsFree);
+  return !tells_nothing && weigh(cell, kPassed);
 }
 
 void FloorGrid::set(FloorCell cell, Floor floor) {

@@ -13,6 +13,7 @@ constexpr double kStruckFrom = 0.25;  // cells beyond the footprint: what was to
 constexpr double kStruckTo = 1.5;     // ... and so deep
 constexpr double kCoarse = 1.5;       // cells by which what is struck may lie off
 constexpr double kWallGap_m = 0.3;    // so far from what was struck a wall may go on unseen
+constexpr double kThin_m = 0.04;      // as the leg of a table: beams farther apart may miss it
 
 /// The cells that a disc or rectangle about a place may touch.
 FloorBox box_around(const FloorGrid& floor, const Vec2& p_map, double reach_m) {
@@ -85,7 +86,8 @@ class FloorPainter {
     const double far_m = std::min(ranges_m_[first], ranges_m_[first + 1]) - floor_.cell_m();
     const double near_m = near_m_.empty() ? 0 : std::max(near_m_[first], near_m_[first + 1]);
     if (distance_m >= far_m || distance_m < near_m) return;
-    if (floor_.see_free(cell)) changed_.include(cell);
+    const bool may_miss = distance_m * laser_.angle_step_rad > kThin_m;
+    if (may_miss ? floor_.seem_free(cell) : floor_.see_free(cell)) changed_.include(cell);
   }
 
   std::size_t place(FloorCell cell) const {

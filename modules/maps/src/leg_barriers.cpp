@@ -34,6 +34,14 @@ void for_cells_on_line(const FloorGrid& floor, const Vec2& from, const Vec2& to,
   for (int i = 0; i <= steps; ++i) visit(floor.cell_at(Vec2(from + (to - from) * i / steps)));
 }
 
+/// Anything, as far to each side as told at most.
+bool stands_about(const FloorGrid& floor, const Vec2& p_map, double within_m) {
+  bool stands = false;
+  for_cells_around(floor.cell_at(p_map), static_cast<int>(within_m / floor.cell_m()),
+                   [&](FloorCell cell) { stands = stands || floor.at(cell) == Floor::kOccupied; });
+  return stands;
+}
+
 /// All on one side, and wide there: a wall that goes on behind, not one that ends here.
 bool lies_behind(std::span<const Vec2> to_wall) {
   Vec2 sum = Vec2::Zero();
@@ -225,8 +233,9 @@ std::optional<Vec2> LegBarriers::nearest_wall(const FloorGrid& floor, const Vec2
   return nearest;
 }
 
-/// Of a leg before a wall: where floor that nobody has seen yet may hide the leg with which it carries a
-/// table along that wall. Nothing where such a leg is known.
+/// Of a leg before a wall: where the leg may be with which it carries a table along that wall, hidden by
+/// floor that nobody has seen yet, or too near to another wall to be told from it. Where such a leg is
+/// known on either side, no floor hides one.
 std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Leg& leg) const {
   if (!leg.stands_free) return {};
   const auto wall = nearest_wall(floor, leg.p_map, [](const Vec2&) { return true; });
@@ -234,9 +243,11 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Leg
   const Vec2 across = (*wall - leg.p_map).normalized();
   std::vector<Vec2> hidden;
   for (const Vec2& along : {left_normal(across), across}) {
-    if (!wall_behind(floor, leg.p_map, along) || has_partner(leg, along)) continue;
+    if (!wall_behind(floor, leg.p_map, along)) continue;
+    const bool is_paired = has_partner(leg, along);
     for (const double side : {1.0, -1.0}) {
-      if (const auto place = first_unknown(floor, leg.p_map, side * along)) hidden.push_back(*place);
+      const auto place = partner_place(floor, leg.p_map, side * along);
+      if (place && (!is_paired || floor.at(*place) == Floor::kOccupied)) hidden.push_back(*place);
     }
   }
   return hidden;
@@ -246,19 +257,24 @@ bool LegBarriers::has_partner(const Leg& leg, const Vec2& along) const {
   return std::any_of(legs_.begin(), legs_.end(), [&](const Leg& other) {
     const Vec2 away = other.p_map - leg.p_map;
     return away.norm() > params_.leg_max_m && away.norm() <= params_.apart_max_m &&
-           std::abs(along.dot(away)) >= kAcrossMin * away.norm();
+           std::abs(left_normal(along).dot(away)) <= params_.leg_max_m;
   });
 }
 
-/// As far as a table is long; nothing where something stands before it.
-std::optional<Vec2> LegBarriers::first_unknown(const FloorGrid& floor, const Vec2& p_map_leg,
+/// The first floor that was not seen, as far away as a table is long, or small thing with the same wall
+/// behind it; nothing where something else stands before it.
+std::optional<Vec2> LegBarriers::partner_place(const FloorGrid& floor, const Vec2& p_map_leg,
                                                const Vec2& along) const {
   const double step_m = kLineStepCells * floor.cell_m();
   const int steps = static_cast<int>((params_.apart_max_m - params_.leg_max_m) / step_m);
   for (int i = 0; i <= steps; ++i) {
     const Vec2 p_map = p_map_leg + (params_.leg_max_m + i * step_m) * along;
+    if (floor.at(p_map) == Floor::kFree) continue;
     if (floor.at(p_map) == Floor::kUnknown) return p_map;
-    if (floor.at(p_map) == Floor::kOccupied) return std::nullopt;
+    const auto behind_leg = wall_behind(floor, p_map_leg, along);
+    const bool may_be_leg = !small_thing(floor, floor.cell_at(p_map)).empty() && behind_leg &&
+                            stands_about(floor, Vec2(*behind_leg + p_map - p_map_leg), params_.leg_max_m / 2);
+    return may_be_leg ? std::optional(p_map) : std::nullopt;
   }
   return std::nullopt;
 }

@@ -41,6 +41,26 @@ TEST(FloorView, TurnsWithTheVehicle) {
   EXPECT_EQ(floor.at(Vec2(10.3, 6)), Floor::kFree);
 }
 
+/// As a table's leg, which most views from far away miss.
+TEST(FloorView, BeamsTooFarApartToMeetAThinThingDoNotTellAgainstIt) {
+  for (const double distance_m : {1.02, 4.02}) {
+    FloorGrid before, after;
+    std::vector<float> ranges_m = wall_ahead(5.52);
+    const auto pass_often = [&](FloorGrid& floor) {
+      for (int i = 0; i < 20; ++i) see_floor(floor, kScanner, wall_ahead(5.52), {}, {}, {});
+    };
+    ranges_m[90] = static_cast<float>(distance_m);
+    see_floor(before, kScanner, ranges_m, {}, {}, {});
+    pass_often(before);
+    pass_often(after);
+    see_floor(after, kScanner, ranges_m, {}, {}, {});
+    const Floor there = distance_m > 2 ? Floor::kOccupied : Floor::kFree;
+    EXPECT_EQ(before.at(Vec2(distance_m, 0)), there);
+    EXPECT_EQ(after.at(Vec2(distance_m, 0)), there);
+    EXPECT_EQ(before.at(Vec2(distance_m, 0.3)), Floor::kFree);
+  }
+}
+
 TEST(FloorView, LeavesWhatIsNearerThanItLooksUnknown) {
   FloorGrid floor;
   const std::vector<float> near_m(181, 0.8F);

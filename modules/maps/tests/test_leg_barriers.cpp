@@ -122,6 +122,26 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToWhereATablesOtherLegMayBeHidden) {
   EXPECT_FALSE(is_closed({4, 1.5}, {2.2, 1.5}));
 }
 
+/// It is a speck like those of the wall beside it, of which little was seen.
+TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegAtAnotherWall) {
+  wall(2, 0, 4);
+  for (const double x_m : {2.12, 2.27, 2.52, 2.87, 3.07}) stand(x_m, 3.82);
+  hide({2.02, 3.87}, {5, 6});
+  stand(2.87, 2.02);
+  EXPECT_FALSE(is_closed({4, 1.5}, {2.2, 1.5}));
+  stand(2.87, 3.67);
+  EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
+}
+
+/// What stands small at the wall behind is no other front leg.
+TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckStandsAtTheWallBehind) {
+  wall(2, 0, 6);
+  stand(2.87, 2.02);
+  stand(2.12, 3.22);
+  hide({2.8, 3.52}, {5, 6});
+  EXPECT_TRUE(is_closed({4, 3.4}, {2.5, 3.4}));
+}
+
 TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
   for (double x_m = 1; x_m < 5; x_m += 0.05) stand(x_m, 3.87);
   stand(2.87, 2.02);

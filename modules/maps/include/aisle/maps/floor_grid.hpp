@@ -65,6 +65,10 @@ class FloorGrid {
   /// @return whether the cell is something else now
   bool see_free(FloorCell cell);
   bool see_occupied(FloorCell cell);
+  /// Nothing was struck there, though something thin may have been missed: what was struck before still
+  /// stands, and one view that strikes something there tells better.
+  /// @return whether the cell is something else now
+  bool seem_free(FloorCell cell);
   /// Puts the cell as firmly as it can be.
   void set(FloorCell cell, Floor floor);
 

@@ -22,8 +22,8 @@ struct LegParams {
 /// A slice at one height shows the legs of tables and chairs, not their tops. Small things that stand in
 /// groups are taken for legs, and what lies between them for closed; so is the way in between a wall and
 /// two legs before it, where a table stands with its back to the wall, and from one such leg to where floor
-/// that was not seen may hide the other. What stands at a wall may be a speck of it: it is a leg only right
-/// before the wall, to one that stands free and has it in full view.
+/// that was not seen, or another wall, may hide the other. What stands at a wall may be a speck of it: it is
+/// a leg only right before the wall, to one that stands free and has it in full view.
 class LegBarriers {
  public:
   explicit LegBarriers(const LegParams& params = {}) : params_(params) {}
@@ -53,7 +53,7 @@ class LegBarriers {
   std::optional<Vec2> nearest_wall(const FloorGrid& floor, const Vec2& p_map_leg, Matters matters) const;
   std::vector<Vec2> hidden_partners(const FloorGrid& floor, const Leg& leg) const;
   bool has_partner(const Leg& leg, const Vec2& along) const;
-  std::optional<Vec2> first_unknown(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& along) const;
+  std::optional<Vec2> partner_place(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& along) const;
 
   LegParams params_;
   std::vector<Leg> legs_;
