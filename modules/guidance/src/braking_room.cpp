@@ -4,13 +4,14 @@
 #include <array>
 #include <cmath>
 
-#include "room_margins.hpp"
-
 namespace aisle {
 namespace {
 
-constexpr double kReaction_s = 0.25;      // from a command to what comes of it
+constexpr double kReaction_s = 0.25;  // from a command to what comes of it
+constexpr double kStopSlack_m = 0.03;
 constexpr double kStruckMatters_m = 1.5;  // from the vehicle's outline
+constexpr double kStruckMargin_m = 0.02;
+constexpr double kStruckOnTrail_m = 0.01;
 
 /// Points as the vehicle would see them later; many, so the turn is worked out once.
 class FromLater {
@@ -43,7 +44,7 @@ void BrakingRoom::see(const LaserScanner& fan, std::span<const float> ranges_m) 
 }
 
 bool BrakingRoom::is_off_struck(const Pose2& T_vehicle_later) const {
-  return is_off_struck(T_vehicle_later, kSqueezeMargin_m);
+  return is_off_struck(T_vehicle_later, kStruckMargin_m);
 }
 
 bool BrakingRoom::is_off_struck(const Pose2& T_vehicle_later, double margin_m) const {
@@ -57,12 +58,7 @@ bool BrakingRoom::is_off_struck(const Pose2& T_vehicle_later, double margin_m) c
 
 bool BrakingRoom::is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                           const Command& command, double steering_rad) const {
-  const auto has_room = [&](const Pose2& T_vehicle_later) {
-    return struck_m(T_vehicle_later) >= kWatchMargin_m &&
-           room_.fits(floor, clearance, T_map_vehicle * T_vehicle_later);
-  };
-  if (is_free_until_stopped(command, steering_rad, 0, has_room)) return true;
-  return is_free_until_stopped(command, steering_rad, kStopSlack_m, [&](const Pose2& T_vehicle_later) {
+  return is_free_until_stopped(command, steering_rad, [&](const Pose2& T_vehicle_later) {
     return is_free_at(floor, clearance, T_map_vehicle, T_vehicle_later);
   });
 }
@@ -70,16 +66,16 @@ bool BrakingRoom::is_free(const FloorGrid& floor, const FloorClearance& clearanc
 bool BrakingRoom::is_free_on_trail(const FloorGrid& floor, const FloorClearance& clearance,
                                    const Pose2& T_map_vehicle, const Command& command,
                                    double steering_rad) const {
-  return is_free_until_stopped(command, steering_rad, kStopSlack_m, [&](const Pose2& T_vehicle_later) {
-    return is_off_struck(T_vehicle_later, kTrailMargin_m) &&
+  return is_free_until_stopped(command, steering_rad, [&](const Pose2& T_vehicle_later) {
+    return is_off_struck(T_vehicle_later, kStruckOnTrail_m) &&
            room_.lies_on_free(floor, clearance, T_map_vehicle * T_vehicle_later);
   });
 }
 
 template <class IsFreeAt>
-bool BrakingRoom::is_free_until_stopped(const Command& command, double steering_rad, double slack_m,
+bool BrakingRoom::is_free_until_stopped(const Command& command, double steering_rad,
                                         IsFreeAt is_free_at) const {
-  const double way_m = std::copysign(stopping_way_m(command.speed_mps) + slack_m, command.speed_mps);
+  const double way_m = std::copysign(stopping_way_m(command.speed_mps), command.speed_mps);
   if (vehicle_.is_differential) {
     const double turn_rad = command.turn_rate_rad_s * kReaction_s;
     return is_free_at(end_pose({way_m, turn_rad}));
@@ -94,12 +90,12 @@ bool BrakingRoom::is_free_until_stopped(const Command& command, double steering_
 
 double BrakingRoom::stopping_way_m(double speed_mps) const {
   const double speed = std::abs(speed_mps);
-  return speed * kReaction_s + speed * speed / (2 * vehicle_.limits.deceleration_max_mps2);
+  return speed * kReaction_s + speed * speed / (2 * vehicle_.limits.deceleration_max_mps2) + kStopSlack_m;
 }
 
 bool BrakingRoom::is_free_at(const FloorGrid& floor, const FloorClearance& clearance,
                              const Pose2& T_map_vehicle, const Pose2& T_vehicle_later) const {
-  if (!is_off_struck(T_vehicle_later, kWatchMargin_m)) return false;
+  if (!is_off_struck(T_vehicle_later)) return false;
   const Pose2 T_map_later = T_map_vehicle * T_vehicle_later;
   if (room_.spare_m(floor, clearance, T_map_later) >= 0) return true;
   const double standing_m = room_.standing_spare_m(floor, clearance, T_map_vehicle);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "room_margins.hpp"
-
 namespace aisle {
 namespace {
 
@@ -16,9 +14,10 @@ constexpr double kCheckEvery_m = 0.13;
 constexpr double kNear_m = 0.12;  // of the vehicle to a way that was searched from its end
 constexpr double kNear_rad = 7 * kDegree;
 constexpr double kBendCost = 0.1;  // of the sharpest bend, per metre
-constexpr double kLeave_m = 2;     // so far about its start a vehicle may squeeze, or go where it barely fits
+constexpr double kLeave_m = 2;     // so far about its start a vehicle may go where it barely fits ...
 constexpr double kTightCost = 4;   // of way with less room than the margin, on the way out of a narrow place
-constexpr double kSharpShare = 0.97;  // of the wheels' range, where it squeezes through
+constexpr double kLeastMargin_m = 0.03;  // ... or has so much room around its footprint
+constexpr double kSharpShare = 0.97;     // of the wheels' range, where it squeezes through
 
 /// What a vehicle can do in one step.
 std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_share) {
@@ -196,7 +195,7 @@ std::optional<double> CarSearch::least_spare_m(const FloorGrid& floor, const Flo
                                                const Pose2& T_map_from,
                                                std::span<const Pose2> T_from_passed) const {
   const bool is_leaving = (T_map_from.position() - nodes_.front().T_map.position()).norm() < kLeave_m;
-  const double least_spare_m = is_leaving || squeezes_ ? kSqueezeMargin_m - params_.margin_m : 0;
+  const double least_spare_m = is_leaving || squeezes_ ? kLeastMargin_m - params_.margin_m : 0;
   double least_m = clearance.far_m();
   for (const Pose2& T_from : T_from_passed) {
     const Pose2 T_map = T_map_from * T_from;

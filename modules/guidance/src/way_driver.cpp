@@ -5,12 +5,12 @@
 
 #include "aisle/control/reversing.hpp"
 #include "aisle/guidance/driving_care.hpp"
-#include "room_margins.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr double kCreeping_mps = 0.04;  // where it could not stop in time at the speed of its way
+constexpr double kWatchMargin_m = 0.02;  // around the footprint
+constexpr double kCreeping_mps = 0.04;   // where it could not stop in time at the speed of its way
 constexpr double kBendAhead_m = 0.05;
 constexpr double kWheelsOff_rad = 25 * kDegree;
 constexpr double kWheelsOffAtFirst_rad = 4 * kDegree;  // at the start of a leg

@@ -52,21 +52,6 @@ TEST(BrakingRoom, TooNearAWallItMayGoAlongButNotNearer) {
   EXPECT_FALSE(may_drive(room, T_map_vehicle, {.speed_mps = 0.4, .steering_rad = -30 * kDegree}));
 }
 
-TEST(BrakingRoom, LetsTheVehicleCreepAsNearToAWallAsWaysThatSqueezeEnd) {
-  KnownFloor hall({{Vec2(0, 0), Vec2(10, 4)}});
-  for (int y = 0; y < 80; ++y) hall.floor.set({200, y}, Floor::kOccupied);
-  hall.clearance.update(hall.floor, hall.floor.known());
-  const BrakingRoom room = room_seeing({});
-  const FootprintRoom squeezed(cart().footprint, 0.035);
-  const auto may_creep_at = [&](double front_m) {
-    const Pose2 T_map_vehicle{front_m - cart().footprint.front_m, 2, 0};
-    return room.is_free(hall.floor, hall.clearance, T_map_vehicle, {.speed_mps = 0.04}, 0);
-  };
-  EXPECT_TRUE(squeezed.fits(hall.floor, hall.clearance, {9.945 - cart().footprint.front_m, 2, 0}));
-  EXPECT_TRUE(may_creep_at(9.945));
-  EXPECT_FALSE(may_creep_at(9.97));
-}
-
 TEST(BrakingRoom, OnItsTrailItMayComeNearToWhatTheFloorShowsBesideIt) {
   KnownFloor hall({{Vec2(0, 0), Vec2(10, 4)}});
   for (int x = 0; x < 200; ++x) hall.floor.set({x, 0}, Floor::kOccupied);

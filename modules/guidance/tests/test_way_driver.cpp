@@ -82,7 +82,7 @@ TEST_F(WayDriving, IsBlockedBeforeFloorThatIsUnknown) {
 
 TEST_F(WayDriving, IsBlockedByWhatIsSeenNow) {
   std::vector<float> ranges_m(181, 20);
-  ranges_m[90] = 0.07F;  // 2 cm before its front
+  ranges_m[90] = 0.1F;
   driver_.take(way_of({{4, 0}}, T_map_vehicle_));
   driver_.see(kFan, ranges_m);
   const WayDriver::Step step = cycle();

@@ -19,8 +19,7 @@ class BrakingRoom {
   /// What the sensor shows now.
   void see(const LaserScanner& fan, std::span<const float> ranges_m);
 
-  /// Whether a way may lead there: off what the sensor strikes now, by more than is watched, or at least not
-  /// nearer to it.
+  /// Whether the vehicle would stand off what the sensor strikes now, or at least not nearer to it.
   bool is_off_struck(const Pose2& T_vehicle_later) const;
 
   /// @param steering_rad  as the wheels stand now
@@ -36,8 +35,7 @@ class BrakingRoom {
  private:
   bool is_off_struck(const Pose2& T_vehicle_later, double margin_m) const;
   template <class IsFreeAt>
-  bool is_free_until_stopped(const Command& command, double steering_rad, double slack_m,
-                             IsFreeAt is_free_at) const;
+  bool is_free_until_stopped(const Command& command, double steering_rad, IsFreeAt is_free_at) const;
   bool is_free_at(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                   const Pose2& T_vehicle_later) const;
   double stopping_way_m(double speed_mps) const;
