@@ -25,6 +25,7 @@ void FrameParkingParams::describe(FieldList& fields) {
   fields.real("back_off_m", back_off_m, {0.2, 10}, "way back before it tries again");
   fields.count("tries_max", tries_max, {1, 100}, "then it stays as it stands");
   fields.real("unseen_max_m", unseen_max_m, {0.1, 10}, "way without seeing the frame");
+  fields.real("tracked_m", tracked_m, {0.05, 5}, "what lies farther from where it was first seen is none");
 }
 
 FrameParking::FrameParking(const FrameParkingParams& params, const VehicleDescription& vehicle,
@@ -49,13 +50,16 @@ void FrameParking::look(const Observation& observation, const Pose2& T_odom_vehi
                                    params_.frame);
     if (!fit) continue;
     const Pose2 T_odom_seen = T_odom_vehicle * fit->T_vehicle_frame;
-    if (between(T_odom_expected, T_odom_seen).position().norm() > astray_m) continue;
+    const auto off_m = [&](const Pose2& T_odom) { return between(T_odom, T_odom_seen).position().norm(); };
+    if (T_odom_frame_ ? off_m(T_odom_found_) > params_.tracked_m : off_m(T_odom_expected) > astray_m)
+      continue;
     take(T_odom_seen);
     return;
   }
 }
 
 void FrameParking::take(const Pose2& T_odom_seen) {
+  if (!T_odom_frame_) T_odom_found_ = T_odom_seen;
   T_odom_frame_ = T_odom_frame_ ? interpolate(*T_odom_frame_, T_odom_seen, params_.gain) : T_odom_seen;
   unseen_m_ = 0;
 }

@@ -63,7 +63,7 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("dead_end_beyond_m", dead_end_beyond_m, {0, 3}, "so far beyond the taught one it gives up");
   fields.real("frame_within_m", frame_within_m, {0.5, 20}, "before the route's end it looks for the frame");
   fields.real("frame_astray_m", frame_astray_m, {0.05, 20},
-              "a frame so far from the taught one is none, where the edges tell where it is");
+              "what is first seen farther from the taught frame is none, where the edges tell where it is");
   fields.real("brightness_tolerance", brightness_tolerance, {0.01, 1},
               "by which share the route may suddenly look brighter or darker");
   fields.real("brightness_gain", brightness_gain, {0, 1},

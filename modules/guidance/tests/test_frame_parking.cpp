@@ -59,5 +59,16 @@ TEST(FrameParking, TakesAFrameForTheTaughtOneAboutWhereThatIsOnly) {
   EXPECT_FALSE(sees_frame_expected_at({2.9, 0, 0}));
 }
 
+TEST(FrameParking, DoesNotFollowWhatLooksLikeItAwayFromWhereItWasFirstSeen) {
+  const VehicleDescription vehicle = frame_cart();
+  const double tracked_m = FrameParkingParams{}.tracked_m;
+  const Observation sight = sight_of_frame(vehicle.cameras.front());
+  FrameParking parking({}, vehicle, kFrame_m);
+  // It goes on with the vehicle, 5 cm a picture, as a pattern or a lamp's light would.
+  for (int i = 0; i < 40; ++i) parking.look(sight, {0.05 * i, 0, 0}, kFrameAhead, 1);
+  ASSERT_TRUE(parking.sees_frame());
+  EXPECT_LT(between(kFrameAhead, *parking.frame()).position().norm(), tracked_m + 0.05);
+}
+
 }  // namespace
 }  // namespace aisle

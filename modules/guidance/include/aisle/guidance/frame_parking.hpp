@@ -27,6 +27,7 @@ struct FrameParkingParams {
   double back_off_m = 1.8;
   int tries_max = 3;
   double unseen_max_m = 1;
+  double tracked_m = 0.5;
 
   void describe(FieldList& fields);
 };
@@ -42,7 +43,7 @@ class FrameParking {
 
   /// Looks for the frame in every picture of the cycle.
   /// @param T_odom_expected  where the frame should be, x along the way in
-  /// @param astray_m         what is seen farther from there is something else
+  /// @param astray_m         what is first seen farther from there is something else
   void look(const Observation& observation, const Pose2& T_odom_vehicle, const Pose2& T_odom_expected,
             double astray_m);
   bool sees_frame() const { return T_odom_frame_.has_value(); }
@@ -68,6 +69,7 @@ class FrameParking {
   PathFollower follower_;
   Pose2 T_odom_vehicle_;
   std::optional<Pose2> T_odom_frame_;
+  Pose2 T_odom_found_;  ///< the frame as it was first seen
   double steering_rad_ = 0;
   double unseen_m_ = 0;  ///< way since the frame was seen
   bool is_backing_ = false;

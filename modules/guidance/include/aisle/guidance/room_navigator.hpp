@@ -49,7 +49,7 @@ struct RoomNavigatorParams {
   int dead_end_pictures = 3;
   double dead_end_beyond_m = 0.3;
   double frame_within_m = 3.5;
-  double frame_astray_m = 0.5;
+  double frame_astray_m = 1;
   double brightness_tolerance = 0.35;
   double brightness_gain = 0.05;
   double hidden_max_m = 0.8;
