@@ -5,17 +5,16 @@
 #include <iterator>
 
 namespace aisle {
-
 namespace {
 
-constexpr double kBeside_m = 0.25;  // so far off, what was seen from far may be
+constexpr double kSeenAside_m = 0.25;  // so far off, what was seen from far may be
 
 }  // namespace
 
 /// Also where the view did not reach before: feet are larger than a point.
 bool EdgeMemory::is_beside_any(const std::vector<Edge>& edges, const Vec2& p_odom) {
   return std::any_of(edges.begin(), edges.end(),
-                     [&](const Edge& edge) { return (edge.p_odom - p_odom).norm() < kBeside_m; });
+                     [&](const Edge& edge) { return (edge.p_odom - p_odom).norm() < kSeenAside_m; });
 }
 
 void EdgeMemory::take(const RouteView& view, const RouteSight& sight, const Pose2& T_odom_vehicle,
@@ -74,7 +73,8 @@ bool EdgeMemory::was_free(const RouteView& view, const Vec2& p_odom, double stam
 bool EdgeMemory::has_stood_at(const Vec2& p_odom, double stamp_s) const {
   constexpr double kStood_s = 1;
   return std::any_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
-    return !edge.has_come && stamp_s - edge.first_s > kStood_s && (edge.p_odom - p_odom).norm() < kBeside_m;
+    return !edge.has_come && stamp_s - edge.first_s > kStood_s &&
+           (edge.p_odom - p_odom).norm() < kSeenAside_m;
   });
 }
 
@@ -93,7 +93,7 @@ void EdgeMemory::take(const Edge& seen) {
   constexpr double kNearer = 0.7;
   const auto apart_m = [&](const Edge& edge) { return (edge.p_odom - seen.p_odom).norm(); };
   std::erase_if(edges_, [&](const Edge& edge) {
-    return seen.is_foot && apart_m(edge) < kBeside_m && seen.seen_from_m < kNearer * edge.seen_from_m;
+    return seen.is_foot && apart_m(edge) < kSeenAside_m && seen.seen_from_m < kNearer * edge.seen_from_m;
   });
   bool is_known = false;
   for (Edge& edge : edges_) {

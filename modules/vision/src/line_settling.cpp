@@ -23,7 +23,7 @@ constexpr double kEdgeBlur_rows = 1;                     // to either side of a 
 constexpr std::array<double, 2> kShadows_rows = {2, 8};  // in which the shadow before a wall fades
 constexpr double kWallUneven = 1;  // usual change of a wall's brightness, in noise of a sample a row
 constexpr double kRidge = 1e-6;    // keeps apart what cannot be told apart
-constexpr int kParts = 4;          // of a line, whose profiles are taken each by itself
+constexpr int kLineParts = 4;      // of a line, whose profiles are taken each by itself
 constexpr int kPartColumns = 6;    // at least
 constexpr double kTurn_rows = 0.2,
                  kTurnByDepth = 0.06;  // by which the line's ends are usually off each other
@@ -114,7 +114,7 @@ class PartMisfits {
   PartMisfits(const LevelView& view, const FloorLine& line) {
     const int first = static_cast<int>(line.first_column),
               columns = static_cast<int>(line.last_column) - first + 1;
-    count_ = std::clamp(columns / kPartColumns, 1, kParts);
+    count_ = std::clamp(columns / kPartColumns, 1, kLineParts);
     for (int part = 0; part < count_; ++part) {
       Misfits& misfits = parts_[static_cast<std::size_t>(part)];
       misfits =
@@ -163,7 +163,7 @@ class PartMisfits {
   }
 
   int count_ = 0;
-  std::array<Misfits, kParts> parts_{};
+  std::array<Misfits, kLineParts> parts_{};
   double least_ = 0;
   double turn_usual_ = 0;
 };
