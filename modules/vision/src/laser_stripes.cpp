@@ -1,9 +1,9 @@
 #include "aisle/vision/laser_stripes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "level_counts.hpp"
 #include "stripe_contrast.hpp"
 #include "stripe_corners.hpp"
 #include "stripe_links.hpp"
@@ -34,12 +34,9 @@ constexpr int kWidthMin_px = 7;         // of the widest stripe, in small pictur
 constexpr double kStripeFillMin = 0.7;  // share of a stripe's columns where it is seen
 
 int median_brightness(const Image& image) {
-  std::array<std::size_t, 256> counts{};
-  for (const std::uint8_t value : image.bytes) ++counts[value];
-  std::size_t seen = 0;
-  int value = 0;
-  while ((seen += counts[static_cast<std::size_t>(value)]) * 2 < image.bytes.size()) ++value;
-  return value;
+  LevelCounts counts;
+  for (const std::uint8_t value : image.bytes) counts.add(value);
+  return counts.median();
 }
 
 double mean_contrast(const PeakChain& chain) {

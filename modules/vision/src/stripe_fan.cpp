@@ -1,10 +1,11 @@
 #include "aisle/vision/stripe_fan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+
+#include "level_counts.hpp"
 
 namespace aisle {
 namespace {
@@ -29,24 +30,9 @@ constexpr double kThinnest_px = 2;       // laser light far away
 constexpr std::size_t kUsualStep = 7;    // samples from one to the next that tells the usual contrast
 constexpr double kBefore_m = 0.15;       // so far before what is lit a place is free
 
-/// Differences of grey levels and their usual size.
-class ContrastCounts {
- public:
-  void add(int difference) {
-    ++counts_[static_cast<std::size_t>(std::abs(difference))];
-    ++count_;
-  }
-
-  int median() const {
-    std::size_t usual = 0;
-    for (std::size_t below = counts_[0]; 2 * below < count_; below += counts_[usual]) ++usual;
-    return static_cast<int>(usual);
-  }
-
- private:
-  std::array<std::size_t, 256> counts_{};
-  std::size_t count_ = 0;
-};
+std::uint8_t level_difference(int a, int b) {
+  return static_cast<std::uint8_t>(std::abs(a - b));
+}
 
 }  // namespace
 
@@ -175,10 +161,10 @@ void StripeFan::read(const Image& picture) {
 
 /// From the median contrast along the beams.
 int StripeFan::threshold() const {
-  ContrastCounts contrasts;
+  LevelCounts contrasts;
   for (const Curve& curve : curves_) {
     for (std::size_t i = curve.first; i + samples_[i].flank < curve.end; i += kUsualStep)
-      contrasts.add(levels_[i] - levels_[i + samples_[i].flank]);
+      contrasts.add(level_difference(levels_[i], levels_[i + samples_[i].flank]));
   }
   return static_cast<int>(
       std::ceil(std::max(params_.contrast_min, params_.noise_factor * contrasts.median())));
@@ -292,14 +278,14 @@ bool StripeFan::is_stripe(std::size_t c) const {
 /// but grain is on either side of them.
 bool StripeFan::outshines_grain(std::size_t c) const {
   const Chain& chain = chains_[c];
-  ContrastCounts before, behind;
+  LevelCounts before, behind;
   for (std::size_t p = chain.first_peak; p <= chain.last_peak; ++p) {
     if (peaks_[p].chain != c) continue;
     const std::size_t i = peaks_[p].sample, flank = samples_[i].flank;
     const Curve& curve = curves_[peaks_[p].beam];
     for (std::size_t k = flank; k < kAsideFlanks * flank; ++k) {
-      if (i >= curve.first + k + flank) before.add(levels_[i - k] - levels_[i - k - flank]);
-      if (i + k + flank < curve.end) behind.add(levels_[i + k] - levels_[i + k + flank]);
+      if (i >= curve.first + k + flank) before.add(level_difference(levels_[i - k], levels_[i - k - flank]));
+      if (i + k + flank < curve.end) behind.add(level_difference(levels_[i + k], levels_[i + k + flank]));
     }
   }
   const int usual = std::min(before.median(), behind.median());
