@@ -22,6 +22,7 @@ constexpr int kSettlings = 10;
 constexpr double kRepeats = 10;        // pictures that show the same error of an edge
 constexpr double kUneven_m = 0.03;     // of a wall ...
 constexpr double kElsewhere_m = 0.05;  // ... and off by more, an edge has less and less say
+constexpr double kNarrowing = 0.7;     // of what is off, from one settling to the next
 constexpr double kOtherWall_m = 0.5;
 constexpr double kWallNear_m = 0.12, kWallFar_m = 3;
 constexpr double kFixed_m = 1e-4;           // what follows from the rest
@@ -87,7 +88,9 @@ class WaySettler {
   }
 
   /// One round of Gauss-Newton over all cycles.
-  void settle() {
+  /// @param elsewhere_m  an edge that is farther from its wall has less and less say
+  void settle(double elsewhere_m) {
+    elsewhere_m_ = elsewhere_m;
     SparseEquations equations(2 + 3 * count() + 2 * static_cast<int>(stretches_.size()));
     add_odometry(equations);
     add_directions(equations);
@@ -209,7 +212,7 @@ class WaySettler {
                    {heading_of_cycle(i), rotate(heading_rad, seen->p_vehicle).x()},
                    {wall_of(s, is_left), -1},
                    {nod_of_cycle(i), is_left ? -seen->sigma_m : seen->sigma_m}},
-                  off_m, std::sqrt(kRepeats) * kUneven_m * cauchy_distrust(off_m, kElsewhere_m));
+                  off_m, std::sqrt(kRepeats) * kUneven_m * cauchy_distrust(off_m, elsewhere_m_));
   }
 
   /// The walls keep their distances from where their stretch begins.
@@ -238,6 +241,7 @@ class WaySettler {
   std::vector<WallBeside> beside_;
   std::vector<Pose2> T_route_vehicle_;
   double turn_scale_ = 0, turn_per_m_ = 0;
+  double elsewhere_m_ = kElsewhere_m;
 };
 
 }  // namespace
@@ -246,7 +250,8 @@ std::vector<Pose2> settled_way(std::span<const SectionCycle> cycles, const Vehic
                                std::vector<double> headings_rad, std::span<const DrivenStretch> stretches) {
   if (cycles.empty()) return {};
   WaySettler settler(cycles, vehicle, std::move(headings_rad), stretches);
-  for (int round = 0; round < kSettlings; ++round) settler.settle();
+  for (int round = 0; round < kSettlings; ++round)
+    settler.settle(std::max(kElsewhere_m, kOtherWall_m * std::pow(kNarrowing, round)));
   return settler.take_way();
 }
 
