@@ -25,10 +25,8 @@ constexpr double kUneven_m = 0.03;     // of a wall ...
 constexpr double kElsewhere_m = 0.05;  // ... and off by more, an edge has less and less say
 constexpr double kOtherWall_m = 0.5;
 constexpr double kWallNear_m = 0.12, kWallFar_m = 3;
-constexpr double kAcrossNear_m = 2.5;       // of a wall ahead: there its distance is known well
-constexpr double kWayWidth_m = 0.3;         // it stands on the way itself
 constexpr double kSameWall_m = 0.25;        // one ahead and one beside that are farther apart are two ...
-constexpr double kDoubtful_m = 0.1;         // ... and from here on less and less likely one
+constexpr double kDoubtedCorner_m = 0.1;    // ... and from here on less and less likely one
 constexpr double kCornerMin = 0.9;          // sine of a turn to a stretch across
 constexpr double kFixed_m = 1e-4;           // what follows from the rest
 constexpr double kStart_rad = 5 * kDegree;  // against the axes
@@ -300,7 +298,7 @@ class WaySettler {
                    {wall_of(s + 1, outer), turn},
                    {x_of_cycle(next), -along.x()},
                    {y_of_cycle(next), -along.y()}},
-                  off_m, kUneven_m * cauchy_distrust(off_m, kDoubtful_m));
+                  off_m, kUneven_m * cauchy_distrust(off_m, kDoubtedCorner_m));
   }
 
   /// The walls keep their distances from where their stretch begins.
