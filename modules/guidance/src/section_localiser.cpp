@@ -91,11 +91,10 @@ void SectionLocaliser::correct_distance(const Here& here) {
   if (here.guide.left_m && params_.left_base_line) add(*here.guide.left_m);
   if (weights == 0) return;
   off_m /= weights;
-  const double heading_rad = here.piece.T_map_start.theta;
-  const double usual_m = std::hypot(kUsual_m, aside_sigma_m(heading_rad));
-  const double sigma_m = std::hypot(nod_m / weights, params_.wall_sigma_m) * cauchy_distrust(off_m, usual_m);
-  const Vec2 left = left_normal(unit(heading_rad));
-  is_guided_ = filter_.correct(off_m, {left.x(), left.y(), ahead_m / weights}, inflated(sigma_m));
+  const Vec2 left = left_normal(unit(here.piece.T_map_start.theta));
+  const Vec3 by_pose{left.x(), left.y(), ahead_m / weights};
+  const double sigma_m = std::hypot(nod_m / weights, params_.wall_sigma_m) * distrust(off_m, by_pose);
+  is_guided_ = filter_.correct(off_m, by_pose, inflated(sigma_m));
 }
 
 /// The base line nearest to where one should be; nullptr: none is near.
@@ -125,10 +124,10 @@ void SectionLocaliser::correct_by_wall_ahead(const Here& here, std::span<const S
   }
   if (nearest == nullptr) return;
   const double off_m = expected_m - nearest->along_m;
-  const double sigma_m =
-      std::hypot(nearest->sigma_m, params_.wall_sigma_m) * cauchy_distrust(off_m, kUsual_m);
   const Vec2 along = unit(here.piece.T_map_start.theta);
-  filter_.correct(off_m, {along.x(), along.y(), 0}, inflated(sigma_m));
+  const Vec3 by_pose{along.x(), along.y(), 0};
+  const double sigma_m = std::hypot(nearest->sigma_m, params_.wall_sigma_m) * distrust(off_m, by_pose);
+  filter_.correct(off_m, by_pose, inflated(sigma_m));
 }
 
 /// L03 section 4.3, where the base line disappears, which tells how far it is to the turn.
@@ -155,7 +154,16 @@ void SectionLocaliser::correct_by_line_end(const Here& here) {
 
 double SectionLocaliser::aside_sigma_m(double heading_rad) const {
   const Vec2 left = left_normal(unit(heading_rad));
-  return std::sqrt(left.dot(filter_.covariance().topLeftCorner<2, 2>() * left));
+  return sigma_of({left.x(), left.y(), 0});
+}
+
+double SectionLocaliser::sigma_of(const Vec3& by_pose) const {
+  return std::sqrt(by_pose.dot(filter_.covariance().topLeftCorner<3, 3>() * by_pose));
+}
+
+/// What is off by no more than the pose may be is no other thing.
+double SectionLocaliser::distrust(double off_m, const Vec3& by_pose) const {
+  return cauchy_distrust(off_m, std::hypot(kUsual_m, sigma_of(by_pose)));
 }
 
 double SectionLocaliser::inflated(double sigma) const {

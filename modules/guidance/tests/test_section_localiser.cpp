@@ -70,6 +70,18 @@ TEST(SectionLocaliser, TheWallAheadTellsHowFarAlong) {
   EXPECT_NEAR(believed({kEndWall}, {.length_by_wall_ahead = false}).x(), 3.9, 0.02);
 }
 
+TEST(SectionLocaliser, AfterALongWayAWallThatIsFarFromWhereItWasDueIsStillTheOneMeant) {
+  const SectionList sections = {
+      {.kind = Section::Kind::kFollow, .length_m = 40, .right_m = 0.5, .left_m = 0.7, .ahead_m = 0.5}};
+  const GuidedPath way = guided_path(sections, {}, SectionTrip::kThere);
+  const VehicleDescription vehicle = two_wheels();
+  SectionLocaliser localiser({}, vehicle, way);
+  while (localiser.pose().x < 38.75) localiser.predict(WheelSteps{20, 20});
+  const Segment2 wall{{40.5, -0.5}, {40.5, 0.7}};
+  for (int i = 0; i < 3; ++i) localiser.correct(std::vector{seen_from({39, 0, 0}, wall)}, 0);
+  EXPECT_NEAR(localiser.pose().x, 39, 0.05);
+}
+
 TEST(SectionLocaliser, TheEndOfTheBaseLineTellsHowFarAlong) {
   const Segment2 last{{4, -0.5}, kRight.end};
   EXPECT_NEAR(believed({last}, {.length_by_line_end = true}).x(), 4, 0.03);

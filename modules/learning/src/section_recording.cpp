@@ -39,10 +39,8 @@ constexpr double kRoundMin_rad = 2.3;  // a greater turn to either side goes rou
 constexpr double kMeetingMin = 0.2;    // sine of the angle at which lines still meet somewhere
 constexpr double kOnRun_m = 0.3, kOnRun_rad = 20 * kDegree;  // so near a line a vehicle drives along it
 constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
-constexpr double kAcrossNear_m = 2.5;  // of a wall ahead: there its distance is known well
-constexpr double kWayWidth_m = 0.3;    // a wall ahead stands on the way itself
-constexpr double kSameLine_m = 0.25;   // a base line that is farther from where it usually is is another
-constexpr std::size_t kSeenMin = 5;    // cycles in which a base line must be seen for its distance to count
+constexpr double kSameLine_m = 0.25;  // a base line that is farther from where it usually is is another
+constexpr std::size_t kSeenMin = 5;   // cycles in which a base line must be seen for its distance to count
 
 /// Odometry, held by the walls, which are the axes of `route`: some degrees right.
 std::vector<double> followed_headings(std::span<const SectionCycle> cycles,

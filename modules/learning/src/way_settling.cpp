@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
@@ -24,6 +25,9 @@ constexpr double kUneven_m = 0.03;     // of a wall ...
 constexpr double kElsewhere_m = 0.05;  // ... and off by more, an edge has less and less say
 constexpr double kOtherWall_m = 0.5;
 constexpr double kWallNear_m = 0.12, kWallFar_m = 3;
+constexpr double kSameWall_m = 0.25;        // one ahead and one beside that are farther apart are two ...
+constexpr double kDoubtedCorner_m = 0.1;    // ... and from here on less and less likely one
+constexpr double kCornerMin = 0.9;          // sine of a turn to a stretch across
 constexpr double kFixed_m = 1e-4;           // what follows from the rest
 constexpr double kStart_rad = 5 * kDegree;  // against the axes
 constexpr double kStill_rad = 0.01 * kDegree;
@@ -59,12 +63,20 @@ std::optional<double> middle_value(std::vector<double> values) {
   return median(std::move(values));
 }
 
-/// @return nullptr if none is near
-const WallBeside* nearest_to(double aside_m, const std::vector<WallBeside>& walls) {
-  const WallBeside* nearest = nullptr;
-  double least_m = kOtherWall_m;
-  for (const WallBeside& wall : walls) {
-    const double off_m = std::abs(wall.aside_m - aside_m);
+double place_m(const WallBeside& wall) {
+  return wall.aside_m;
+}
+double place_m(const WallAcross& wall) {
+  return wall.along_m;
+}
+
+/// @return nullptr if none is so near
+template <class Wall>
+const Wall* nearest_to(double due_m, const std::vector<Wall>& walls, double within_m) {
+  const Wall* nearest = nullptr;
+  double least_m = within_m;
+  for (const Wall& wall : walls) {
+    const double off_m = std::abs(place_m(wall) - due_m);
     if (off_m >= least_m) continue;
     least_m = off_m;
     nearest = &wall;
@@ -88,31 +100,39 @@ class WaySettler {
 
   /// One round of Gauss-Newton over all cycles.
   void settle() {
-    SparseEquations equations(2 + 3 * count() + 2 * static_cast<int>(stretches_.size()));
+    SparseEquations equations(2 + 4 * count() + kSides * static_cast<int>(stretches_.size()));
     add_odometry(equations);
+    add_steps(equations);
     add_directions(equations);
     for (std::size_t s = 0; s < stretches_.size(); ++s) add_walls(equations, s);
-    for (std::size_t i = 0; i < cycles_.size(); ++i) {
-      equations.add({{aside_of_cycle(i), 1}}, 0, kOtherWall_m);
-      equations.add({{nod_of_cycle(i), 1}}, 0, 1);
-    }
+    for (std::size_t s = 0; s + 1 < stretches_.size(); ++s) add_corner(equations, s);
+    for (std::size_t i = 0; i < cycles_.size(); ++i) equations.add({{nod_of_cycle(i), 1}}, 0, 1);
     take(equations.solve());
   }
 
   std::vector<Pose2> take_way() { return std::move(T_route_vehicle_); }
 
  private:
-  struct Walls {
-    std::optional<double> right_m, left_m;  ///< aside of the stretch, to the left, by the axes
-  };
+  /// Of a stretch, to its right, to its left and across its end, by the axes: the first two in the direction
+  /// to its left, the third in its own.
+  enum Side { kRight, kLeft, kAhead, kSides };
+  using Walls = std::array<std::optional<double>, kSides>;
 
   int count() const { return static_cast<int>(cycles_.size()); }
   static constexpr int kTurnScale = 0, kTurnPerM = 1;
   int heading_of_cycle(std::size_t i) const { return 2 + static_cast<int>(i); }
-  int aside_of_cycle(std::size_t i) const { return 2 + count() + static_cast<int>(i); }
-  int nod_of_cycle(std::size_t i) const { return 2 + 2 * count() + static_cast<int>(i); }
-  int wall_of(std::size_t stretch, bool is_left) const {
-    return 2 + 3 * count() + 2 * static_cast<int>(stretch) + (is_left ? 1 : 0);
+  int nod_of_cycle(std::size_t i) const { return 2 + count() + static_cast<int>(i); }
+  int x_of_cycle(std::size_t i) const { return 2 + 2 * count() + static_cast<int>(i); }
+  int y_of_cycle(std::size_t i) const { return 2 + 3 * count() + static_cast<int>(i); }
+  /// Against where the stretch begins.
+  int wall_of(std::size_t stretch, Side side) const {
+    return 2 + 4 * count() + kSides * static_cast<int>(stretch) + side;
+  }
+
+  /// In which direction a wall's place counts.
+  Vec2 normal_of(std::size_t stretch, Side side) const {
+    const Vec2 along = unit(stretches_[stretch].heading_rad);
+    return side == kAhead ? along : left_normal(along);
   }
 
   void lay_way() {
@@ -129,7 +149,7 @@ class WaySettler {
 
   /// Where the nearest walls are most of the time.
   Walls usual_walls(const DrivenStretch& stretch) {
-    std::vector<double> right_m, left_m;
+    std::array<std::vector<double>, kSides> places_m;
     for (std::size_t i = stretch.first; i < stretch.end; ++i) {
       const Pose2 T_axis_vehicle = along(stretch, i);
       find_walls_beside(cycles_[i].floor_edges, T_axis_vehicle, beside_);
@@ -140,10 +160,25 @@ class WaySettler {
         double& nearest_m = off_m < 0 ? nearest_right_m : nearest_left_m;
         nearest_m = std::min(nearest_m, std::abs(off_m));
       }
-      if (nearest_right_m < kWallFar_m) right_m.push_back(T_axis_vehicle.y - nearest_right_m);
-      if (nearest_left_m < kWallFar_m) left_m.push_back(T_axis_vehicle.y + nearest_left_m);
+      if (nearest_right_m < kWallFar_m) places_m[kRight].push_back(T_axis_vehicle.y - nearest_right_m);
+      if (nearest_left_m < kWallFar_m) places_m[kLeft].push_back(T_axis_vehicle.y + nearest_left_m);
+      find_walls_ahead(i, T_axis_vehicle);
+      if (const WallAcross* wall = nearest_to(T_axis_vehicle.x, across_, kAcrossNear_m))
+        places_m[kAhead].push_back(wall->along_m);
     }
-    return {middle_value(std::move(right_m)), middle_value(std::move(left_m))};
+    Walls walls;
+    for (std::size_t side = 0; side < kSides; ++side) walls[side] = middle_value(std::move(places_m[side]));
+    return walls;
+  }
+
+  /// Those of the walls across that stand on the way before the vehicle, and near.
+  void find_walls_ahead(std::size_t i, const Pose2& T_axis_vehicle) {
+    find_walls_across(cycles_[i].floor_edges, T_axis_vehicle, across_);
+    std::erase_if(across_, [&](const WallAcross& wall) {
+      const double ahead_m = wall.along_m - T_axis_vehicle.x;
+      return ahead_m < kWallNear_m || ahead_m > kAcrossNear_m ||
+             wall.from_m - T_axis_vehicle.y > kWayWidth_m || wall.to_m - T_axis_vehicle.y < -kWayWidth_m;
+    });
   }
 
   void add_odometry(SparseEquations& equations) const {
@@ -175,41 +210,95 @@ class WaySettler {
     }
   }
 
-  /// The walls beside a stretch stand where they stand.
-  void add_walls(SparseEquations& equations, std::size_t s) {
-    const DrivenStretch& stretch = stretches_[s];
-    for (const bool is_left : {false, true}) equations.add({{wall_of(s, is_left), 1}}, 0, kOtherWall_m);
-    equations.add({{aside_of_cycle(stretch.first), 1}}, 0, kFixed_m);
-    for (std::size_t i = stretch.first; i < stretch.end; ++i) {
-      if (i > stretch.first) add_step_aside(equations, i);
-      const Pose2 T_axis_vehicle = along(stretch, i);
-      find_walls_beside(cycles_[i].floor_edges, T_axis_vehicle, beside_);
-      if (walls_m_[s].right_m) add_wall(equations, s, i, T_axis_vehicle.theta, false);
-      if (walls_m_[s].left_m) add_wall(equations, s, i, T_axis_vehicle.theta, true);
+  /// Where the vehicle is follows from where it went.
+  void add_steps(SparseEquations& equations) const {
+    equations.add({{x_of_cycle(0), 1}}, 0, kFixed_m);
+    equations.add({{y_of_cycle(0), 1}}, 0, kFixed_m);
+    for (std::size_t i = 1; i < cycles_.size(); ++i) {
+      const Vec2 by_heading =
+          left_normal(T_route_vehicle_[i].position() - T_route_vehicle_[i - 1].position()) / 2;
+      const auto add = [&](int now, int before, double by) {
+        equations.add({{now, 1}, {before, -1}, {heading_of_cycle(i), -by}, {heading_of_cycle(i - 1), -by}}, 0,
+                      kFixed_m);
+      };
+      add(x_of_cycle(i), x_of_cycle(i - 1), by_heading.x());
+      add(y_of_cycle(i), y_of_cycle(i - 1), by_heading.y());
     }
   }
 
-  /// Where the vehicle is follows from where it went.
-  void add_step_aside(SparseEquations& equations, std::size_t i) const {
-    const double by_heading = -read_[i].arc.length_m / 2;
-    equations.add({{aside_of_cycle(i), 1},
-                   {aside_of_cycle(i - 1), -1},
-                   {heading_of_cycle(i), by_heading},
-                   {heading_of_cycle(i - 1), by_heading}},
-                  0, kFixed_m);
+  /// The walls of a stretch stand where they stand.
+  void add_walls(SparseEquations& equations, std::size_t s) {
+    const DrivenStretch& stretch = stretches_[s];
+    for (const Side side : {kRight, kLeft, kAhead}) equations.add({{wall_of(s, side), 1}}, 0, kOtherWall_m);
+    for (std::size_t i = stretch.first; i < stretch.end; ++i) {
+      const Pose2 T_axis_vehicle = along(stretch, i);
+      find_walls_beside(cycles_[i].floor_edges, T_axis_vehicle, beside_);
+      add_wall_beside(equations, s, i, kRight);
+      add_wall_beside(equations, s, i, kLeft);
+      find_walls_ahead(i, T_axis_vehicle);
+      add_wall_ahead(equations, s, i);
+    }
   }
 
-  /// A camera that nods shows the walls on either side both too near or too far.
-  void add_wall(SparseEquations& equations, std::size_t s, std::size_t i, double heading_rad, bool is_left) {
-    const double wall_m = is_left ? *walls_m_[s].left_m : *walls_m_[s].right_m;
-    const WallBeside* seen = nearest_to(wall_m, beside_);
+  void add_wall_beside(SparseEquations& equations, std::size_t s, std::size_t i, Side side) {
+    const auto& wall_m = walls_m_[s][side];
+    if (!wall_m) return;
+    const WallBeside* seen = nearest_to(*wall_m, beside_, kOtherWall_m);
     if (seen == nullptr) return;
-    const double off_m = seen->aside_m - wall_m;
-    equations.add({{aside_of_cycle(i), 1},
-                   {heading_of_cycle(i), rotate(heading_rad, seen->p_vehicle).x()},
-                   {wall_of(s, is_left), -1},
-                   {nod_of_cycle(i), is_left ? -seen->sigma_m : seen->sigma_m}},
-                  off_m, std::sqrt(kRepeats) * kUneven_m * cauchy_distrust(off_m, kElsewhere_m));
+    const double heading_rad = T_route_vehicle_[i].theta - stretches_[s].heading_rad;
+    add_wall(equations, s, i, side,
+             {.off_m = seen->aside_m - *wall_m,
+              .by_heading = rotate(heading_rad, seen->p_vehicle).x(),
+              .by_nod = side == kLeft ? seen->sigma_m : -seen->sigma_m});
+  }
+
+  /// Its own direction says how far it is, whatever the vehicle's heading.
+  void add_wall_ahead(SparseEquations& equations, std::size_t s, std::size_t i) {
+    const auto& wall_m = walls_m_[s][kAhead];
+    if (!wall_m) return;
+    const WallAcross* seen = nearest_to(*wall_m, across_, kOtherWall_m);
+    if (seen == nullptr) return;
+    add_wall(equations, s, i, kAhead, {.off_m = seen->along_m - *wall_m, .by_nod = seen->sigma_m});
+  }
+
+  struct SeenWall {
+    double off_m = 0;  ///< from where it should be
+    double by_heading = 0, by_nod = 0;
+  };
+
+  /// A camera that nods shows the walls all around too near or too far.
+  void add_wall(SparseEquations& equations, std::size_t s, std::size_t i, Side side,
+                const SeenWall& seen) const {
+    const Vec2 normal = normal_of(s, side);
+    const std::size_t first = stretches_[s].first;
+    equations.add({{x_of_cycle(i), normal.x()},
+                   {y_of_cycle(i), normal.y()},
+                   {x_of_cycle(first), -normal.x()},
+                   {y_of_cycle(first), -normal.y()},
+                   {heading_of_cycle(i), seen.by_heading},
+                   {wall_of(s, side), -1},
+                   {nod_of_cycle(i), -seen.by_nod}},
+                  seen.off_m, std::sqrt(kRepeats) * kUneven_m * cauchy_distrust(seen.off_m, kElsewhere_m));
+  }
+
+  /// The wall across the end of a stretch is the one beside the next, on the outer side of the corner.
+  void add_corner(SparseEquations& equations, std::size_t s) const {
+    const double turn = std::sin(stretches_[s + 1].heading_rad - stretches_[s].heading_rad);
+    const Side outer = turn > 0 ? kRight : kLeft;
+    const auto& ahead_m = walls_m_[s][kAhead];
+    const auto& beside_m = walls_m_[s + 1][outer];
+    if (std::abs(turn) < kCornerMin || !ahead_m || !beside_m) return;
+    const double off_m = *ahead_m + turn * *beside_m;
+    if (std::abs(off_m) > kSameWall_m) return;
+    const Vec2 along = normal_of(s, kAhead);
+    const std::size_t first = stretches_[s].first, next = stretches_[s + 1].first;
+    equations.add({{wall_of(s, kAhead), 1},
+                   {x_of_cycle(first), along.x()},
+                   {y_of_cycle(first), along.y()},
+                   {wall_of(s + 1, outer), turn},
+                   {x_of_cycle(next), -along.x()},
+                   {y_of_cycle(next), -along.y()}},
+                  off_m, kUneven_m * cauchy_distrust(off_m, kDoubtedCorner_m));
   }
 
   /// The walls keep their distances from where their stretch begins.
@@ -223,9 +312,9 @@ class WaySettler {
     for (std::size_t s = 0; s < stretches_.size(); ++s) {
       const std::size_t first = stretches_[s].first;
       const Vec2 moved = T_route_vehicle_[first].position() - T_route_before[first].position();
-      const double aside_m = rotate(-stretches_[s].heading_rad, moved).y();
-      if (walls_m_[s].right_m) *walls_m_[s].right_m += aside_m + change[wall_of(s, false)];
-      if (walls_m_[s].left_m) *walls_m_[s].left_m += aside_m + change[wall_of(s, true)];
+      for (const Side side : {kRight, kLeft, kAhead})
+        if (auto& wall_m = walls_m_[s][side])
+          *wall_m += normal_of(s, side).dot(moved) + change[wall_of(s, side)];
     }
   }
 
@@ -236,6 +325,7 @@ class WaySettler {
   std::vector<UncertainArc> read_;
   std::vector<Walls> walls_m_;
   std::vector<WallBeside> beside_;
+  std::vector<WallAcross> across_;
   std::vector<Pose2> T_route_vehicle_;
   double turn_scale_ = 0, turn_per_m_ = 0;
 };

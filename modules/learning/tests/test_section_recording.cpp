@@ -23,6 +23,13 @@ class Drive {
   /// A wall along the drive's first direction, to its left (positive) or right.
   void set_wall(double aside_m) { wall_m_ = aside_m; }
 
+  /// A wall across the drive's first direction, which is on the right once the vehicle has turned left; 0:
+  /// none is seen.
+  void set_wall_across(double along_m) { across_m_ = along_m; }
+
+  /// Turns, and the wheels do not count it.
+  void slip(double turn_rad) { T_ = T_ * Pose2{0, 0, turn_rad}; }
+
   /// From here on pictures show nothing but an edge that lies askew; 0: no more.
   void set_askew(double askew_rad) { askew_rad_ = askew_rad; }
 
@@ -48,23 +55,33 @@ class Drive {
 
  private:
   std::vector<SensedSegment> edges() const {
-    if (wall_m_ == 0) return {};
-    const Vec2 ahead = 2 * unit(askew_rad_);
-    const Vec2 near = T_.inverse() * Vec2(T_.x + 0.5, wall_m_),
-               far = T_.inverse() * Vec2(T_.x + 0.5 + ahead.x(), wall_m_ + ahead.y());
+    constexpr double kSeenFrom_m = 2.4;
+    std::vector<SensedSegment> seen;
+    if (wall_m_ != 0) {
+      const Vec2 near{T_.x + 0.5, wall_m_}, far = near + 2 * unit(askew_rad_);
+      seen.push_back(wall_m_ > 0 ? edge(far, near) : edge(near, far));
+    }
+    if (across_m_ != 0 && across_m_ - T_.x < kSeenFrom_m) {
+      const double from_m = T_.y + (T_.theta > kPi / 4 ? 0.5 : -1);
+      seen.push_back(edge({across_m_, from_m}, {across_m_, from_m + 2}));
+    }
+    return seen;
+  }
+
+  SensedSegment edge(const Vec2& p_world_start, const Vec2& p_world_end) const {
     SensedSegment edge;
-    edge.segment = wall_m_ > 0 ? Segment2{far, near} : Segment2{near, far};
-    edge.centroid = (near + far) / 2;
+    edge.segment = {T_.inverse() * p_world_start, T_.inverse() * p_world_end};
+    edge.centroid = (edge.segment.start + edge.segment.end) / 2;
     edge.heading_rad = heading_of(edge.segment.end - edge.segment.start);
     edge.length_m = 2;
     edge.sigma_offset_m = 0.02;
     edge.sigma_heading_rad = 1 * kDegree;
-    return {edge};
+    return edge;
   }
 
   VehicleDescription vehicle_ = mini_vehicle();
   Pose2 T_;
-  double wall_m_ = 0, askew_rad_ = 0;
+  double wall_m_ = 0, across_m_ = 0, askew_rad_ = 0;
   double left_m_ = 0, right_m_ = 0;
   int left_ = 0, right_ = 0;
   std::vector<SectionCycle> cycles_;
@@ -130,6 +147,22 @@ TEST(SectionRecording, AnEdgeThatLiesAskewDoesNotLeadTheWayAside) {
     EXPECT_LT(std::abs(T.y), 0.01);
     EXPECT_LT(std::abs(T.theta), 1 * kDegree);
   }
+}
+
+TEST(SectionRecording, TheWallAcrossOneStretchIsTheOneBesideTheNext) {
+  constexpr double kSlip_rad = 4 * kDegree, kUnseen_m = 2.5;
+  Drive drive;
+  drive.set_wall_across(4);
+  drive.go(3);
+  drive.set_wall_across(0);
+  drive.slip(-kSlip_rad);
+  drive.go(0, kPi / 2);
+  drive.go(kUnseen_m);
+  drive.slip(kSlip_rad);
+  drive.set_wall_across(4);
+  drive.go(4);
+  const double x_m = 3 + kUnseen_m * std::sin(kSlip_rad);
+  EXPECT_NEAR(drive.recorded().T_route_vehicle.back().x, x_m, 0.08);
 }
 
 TEST(SectionRecording, AWayThatOdometryBentBeginsWhereTheVehicleStood) {

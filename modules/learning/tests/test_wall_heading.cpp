@@ -75,5 +75,14 @@ TEST(WallHeading, WallsInBothDirectionsAreASurerWitness) {
   EXPECT_LT(both->sigma_rad, one->sigma_rad);
 }
 
+TEST(WallHeading, AShortEdgeWhoseDirectionIsHardlySeenTellsNothing) {
+  SensedSegment edge = piece(2 * kDegree, 0.6);
+  EXPECT_NEAR(misfit_to_axis(edge, 0).value().off_rad, 2 * kDegree, 1e-9);
+  edge.sigma_heading_rad = 5 * kDegree;
+  EXPECT_FALSE(misfit_to_axis(edge, 0));
+  edge.length_m = 2;
+  EXPECT_TRUE(misfit_to_axis(edge, 0));
+}
+
 }  // namespace
 }  // namespace aisle

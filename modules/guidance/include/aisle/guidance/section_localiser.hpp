@@ -67,6 +67,9 @@ class SectionLocaliser {
   void correct_by_wall_ahead(const Here& here, std::span<const SensedSegment> edges);
   void correct_by_line_end(const Here& here);
   const WallBeside* wall_at(double aside_m) const;
+  /// Of what changes with the pose as told.
+  double sigma_of(const Vec3& by_pose) const;
+  double distrust(double off_m, const Vec3& by_pose) const;
   double inflated(double sigma_m) const;
   double heading_variance() const { return filter_.covariance()(2, 2); }
 

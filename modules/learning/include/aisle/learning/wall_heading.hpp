@@ -14,7 +14,7 @@ struct AxisMisfit {
   double usual_rad = 0;  ///< off by more, it is less and less likely to be one: doors, recesses
 };
 
-/// @return nullopt for an edge too short to have a direction
+/// @return nullopt for an edge too short to have a direction, or a short one whose direction is hardly seen
 std::optional<AxisMisfit> misfit_to_axis(const SensedSegment& edge, double heading_rad);
 
 struct HeadingMeasurement {
