@@ -51,13 +51,10 @@ SpeedParams search_speed(double speed_mps) {
   return {.speed_mps = speed_mps};
 }
 
-/// Nooks and leftovers show it hardly anything new.
 std::unique_ptr<ExplorerNavigator> explorer_of_floor(double speed_mps, const VehicleDescription& vehicle,
                                                      const std::string& camera) {
   ExplorerNavigatorParams params;
   params.speed = search_speed(speed_mps);
-  params.explorer.nooks.way_max_m = 0;
-  params.explorer.leftover_bonus_m = 0;
   return std::make_unique<ExplorerNavigator>(
       params, vehicle, ExploringOrder::kRecommended,
       vehicle.scanner ? scanner_slices(vehicle) : marker_slices(vehicle, camera));
