@@ -47,14 +47,10 @@ bool knows_what_it_sees(const LandmarkLocaliser& localiser) {
   return localiser.pairs().size() >= kKnownPairs && localiser.matched_share() >= kKnownShare;
 }
 
-SpeedParams search_speed(double speed_mps) {
-  return {.speed_mps = speed_mps};
-}
-
 std::unique_ptr<ExplorerNavigator> explorer_of_floor(double speed_mps, const VehicleDescription& vehicle,
                                                      const std::string& camera) {
   ExplorerNavigatorParams params;
-  params.speed = search_speed(speed_mps);
+  params.speed.speed_mps = speed_mps;
   return std::make_unique<ExplorerNavigator>(
       params, vehicle, ExploringOrder::kRecommended,
       vehicle.scanner ? scanner_slices(vehicle) : marker_slices(vehicle, camera));
@@ -238,8 +234,7 @@ Decision LandmarkNavigator::find_itself(const Observation& observation) {
   relocator_.predict(observation.odometry);
   if (observation.stamp_s - searched_s_ > params_.give_up_s)
     return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
-  const auto T_map_found =
-      sightings_.empty() ? std::nullopt : relocator_.look(building_->landmarks, sightings_);
+  const auto T_map_found = has_looked_ ? relocator_.look(building_->landmarks, sightings_) : std::nullopt;
   return T_map_found ? found(*T_map_found, observation) : search(observation);
 }
 
@@ -254,9 +249,9 @@ Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation&
                           params_.off_route_max_m);
   if (!explorer_) return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
   const FloorLearner& learner = explorer_->learner();
-  way_to_route_ =
-      std::make_unique<WayToRoute>(vehicle_, params_.steering, search_speed(params_.search_speed_mps),
-                                   learner.floor(), learner.clearance());
+  way_to_route_ = std::make_unique<WayToRoute>(vehicle_, params_.steering,
+                                               SpeedParams{.speed_mps = params_.search_speed_mps},
+                                               learner.floor(), learner.clearance());
   way_to_route_->begin(path_, T_map_vehicle * learner.T_map_vehicle().inverse(), T_map_vehicle);
   begin(State::kReturning);
   return {.command = {.steering_rad = steering_rad_of(observation.odometry)},
