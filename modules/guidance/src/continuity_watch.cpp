@@ -22,7 +22,7 @@ double bearing_aside(const LandmarkSighting& sighting) {
   return std::abs(std::atan2(sighting.p_vehicle.y(), sighting.p_vehicle.x()));
 }
 
-bool is_near(const LandmarkSighting& sighting) {
+bool stands_near(const LandmarkSighting& sighting) {
   return sighting.p_vehicle.norm() < kStays_m;
 }
 
@@ -53,14 +53,14 @@ bool ContinuityWatch::can_tell() const {
 bool ContinuityWatch::lacks_what_must_stay(std::span<const LandmarkSighting> picture) {
   near_.clear();
   std::copy_if(scene_.begin(), scene_.end(), std::back_inserter(near_), [&](const LandmarkSighting& line) {
-    return is_near(line) && bearing_aside(line) < kInsideShare * span_rad_;
+    return stands_near(line) && bearing_aside(line) < kInsideShare * span_rad_;
   });
   return near_.size() >= kLinesMin && shown_share(near_, picture) <= kShownShareMax;
 }
 
 bool ContinuityWatch::shows_what_was_not_there(std::span<const LandmarkSighting> picture) {
   near_.clear();
-  std::copy_if(picture.begin(), picture.end(), std::back_inserter(near_), is_near);
+  std::copy_if(picture.begin(), picture.end(), std::back_inserter(near_), stands_near);
   if (near_.size() < kLinesMin || shown_share(near_, scene_) > kShownShareMax) return false;
   return breaks_ == 0 || shown_share(near_, latest_) >= kSteadyShareMin;
 }

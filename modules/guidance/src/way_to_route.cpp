@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kApart_m = 0.1;               // places along the route
+constexpr double kRoutePlacesApart_m = 0.1;    // places along the route
 constexpr double kReached_m = 12;              // and so far from the vehicle
 constexpr double kOnRoute_m = 0.2;             // so near ...
 constexpr double kOnRoute_rad = 12 * kDegree;  // ... and so little turned against it, steering does the rest
@@ -24,7 +24,7 @@ WayToRoute::WayToRoute(const VehicleDescription& vehicle, const SteeringParams& 
 void WayToRoute::begin(const Path& route, const Pose2& T_map_floor, const Pose2& T_map_vehicle) {
   T_floor_map_ = T_map_floor.inverse();
   T_floor_route_.clear();
-  for (double along_m = 0; along_m < route.length_m(); along_m += kApart_m) {
+  for (double along_m = 0; along_m < route.length_m(); along_m += kRoutePlacesApart_m) {
     const Pose2 T_map_route = route.at(along_m).T_map_path;
     if ((T_map_route.position() - T_map_vehicle.position()).norm() < kReached_m)
       T_floor_route_.push_back(T_floor_map_ * T_map_route);
