@@ -18,7 +18,7 @@ class WayToRouteTest : public testing::Test {
  protected:
   Pose2 in_map(const Pose2& T_floor) const { return T_map_floor_ * T_floor; }
 
-  Path route() const { return Path({{in_map({0, 1.2, 0}), {10, 0}}}); }
+  Path route() const { return Path({{in_map({0, 1.2, 0}), {7, 0}}}); }
 
   /// A cart that does at once as it is told, for three minutes at most.
   WayToRoute::State bring(const KnownFloor& known, const Pose2& T_floor_vehicle) {
@@ -46,18 +46,18 @@ class WayToRouteTest : public testing::Test {
   }
 
   const Pose2 T_map_floor_{3, -2, 70 * kDegree};
-  const KnownFloor corridor_{{Vec2(0, 0), Vec2(10, 2.4)}};
+  const KnownFloor corridor_{{Vec2(0, 0), Vec2(7, 2.4)}};
   Pose2 T_map_vehicle_;
 };
 
 TEST_F(WayToRouteTest, TurnsAVehicleAboutThatFacesTheOtherWay) {
-  EXPECT_EQ(bring(corridor_, {5, 1.2, kPi}), WayToRoute::State::kThere);
+  EXPECT_EQ(bring(corridor_, {3.5, 1.2, kPi}), WayToRoute::State::kThere);
   expect_on_route();
 }
 
 TEST_F(WayToRouteTest, BringsAVehicleBackFromASideCorridor) {
-  const KnownFloor crossing{{Vec2(0, 0), Vec2(10, 2.4)}, {Vec2(4, -4), Vec2(6, 0)}};
-  EXPECT_EQ(bring(crossing, {5, -2, 90 * kDegree}), WayToRoute::State::kThere);
+  const KnownFloor crossing{{Vec2(0, 0), Vec2(7, 2.4)}, {Vec2(2.5, -4), Vec2(4.5, 0)}};
+  EXPECT_EQ(bring(crossing, {3.5, -2, 90 * kDegree}), WayToRoute::State::kThere);
   expect_on_route();
 }
 
