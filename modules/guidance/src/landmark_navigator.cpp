@@ -162,15 +162,22 @@ void LandmarkNavigator::locate(const Observation& observation) {
     if (state_ == State::kLooking || state_ == State::kFollowing || state_ == State::kReturning)
       match_ = localiser_.correct(building_->landmarks, sightings_);
     weigh_strangeness((localiser_.pose().position() - T_map_before.position()).norm());
-    const bool is_known_here = match_ == LandmarkMatch::kMatched && knows_what_it_sees(localiser_);
-    if (stripes_.look(guard_.p_vehicle_lit(), is_known_here)) was_lifted_ = has_jumped_ = true;
-    if (scenes_.look(sightings_, is_known_here)) was_lifted_ = true;
-    if (continuity_.look(sightings_, is_known_here) && state_ == State::kFollowing)
-      was_lifted_ = has_jumped_ = true;
+    watch_for_lift();
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
     matched_stamp_s_ = observation.stamp_s;
   stamp_s_ = observation.stamp_s;
+}
+
+/// Of lines that come and go, a picture that fits a little tells neither way.
+void LandmarkNavigator::watch_for_lift() {
+  const bool fits = match_ == LandmarkMatch::kMatched;
+  const bool is_known_here = fits && knows_what_it_sees(localiser_);
+  if (stripes_.look(guard_.p_vehicle_lit(), is_known_here)) was_lifted_ = has_jumped_ = true;
+  if (scenes_.look(sightings_, is_known_here)) was_lifted_ = true;
+  if (fits && !is_known_here) return;
+  if (continuity_.look(sightings_, is_known_here) && state_ == State::kFollowing)
+    was_lifted_ = has_jumped_ = true;
 }
 
 /// Unknown things contradict nothing where the map has a gap, and standing the vehicle sees the same ones

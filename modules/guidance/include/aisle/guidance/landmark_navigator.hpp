@@ -83,6 +83,7 @@ class LandmarkNavigator final : public Navigator {
   enum class State { kLooking, kFollowing, kDoubting, kLost, kReturning };
 
   void locate(const Observation& observation);
+  void watch_for_lift();
   void weigh_strangeness(double way_m);
   std::string why_lost() const;
   void begin(State state);
