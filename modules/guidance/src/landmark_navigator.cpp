@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "aisle/guidance/barrier_watch.hpp"
+#include "aisle/learning/landmark_expectation.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {
@@ -175,6 +176,10 @@ void LandmarkNavigator::watch_for_lift() {
   const bool is_known_here = fits && knows_what_it_sees(localiser_);
   if (stripes_.look(guard_.p_vehicle_lit(), is_known_here)) was_lifted_ = has_jumped_ = true;
   if (scenes_.look(sightings_, is_known_here)) was_lifted_ = true;
+  if (state_ == State::kFollowing &&
+      expectations_.look(expected_landmarks(building_->landmarks, fix().T_map_vehicle, sightings_,
+                                            params_.localiser.landmark_sigma_m)))
+    was_lifted_ = true;
   if (fits && !is_known_here) return;
   if (continuity_.look(sightings_, is_known_here) && state_ == State::kFollowing)
     was_lifted_ = has_jumped_ = true;
@@ -228,6 +233,7 @@ Decision LandmarkNavigator::doubt() {
 void LandmarkNavigator::go_on() {
   begin(State::kFollowing);
   has_jumped_ = false;
+  expectations_.start();
   matched_stamp_s_ = stamp_s_;
   strange_way_m_ = 0;
 }

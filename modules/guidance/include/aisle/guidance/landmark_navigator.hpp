@@ -10,6 +10,7 @@
 #include "aisle/control/speed.hpp"
 #include "aisle/control/steering.hpp"
 #include "aisle/guidance/continuity_watch.hpp"
+#include "aisle/guidance/expectation_watch.hpp"
 #include "aisle/guidance/explorer_navigator.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/obstacle_guard.hpp"
@@ -113,6 +114,7 @@ class LandmarkNavigator final : public Navigator {
   SceneWatch scenes_;
   StripeWatch stripes_;
   ContinuityWatch continuity_;
+  ExpectationWatch expectations_;
   std::vector<LandmarkSighting> sightings_;
   State state_ = State::kLooking;
   std::string why_lost_;
