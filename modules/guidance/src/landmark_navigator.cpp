@@ -160,7 +160,7 @@ void LandmarkNavigator::locate(const Observation& observation) {
   has_looked_ = picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s);
   if (has_looked_) {
     sightings_ = detector_.detect(*picture->image);
-    if (state_ == State::kLooking || state_ == State::kFollowing || state_ == State::kReturning)
+    if (state_ == State::kLooking || state_ == State::kFollowing)
       match_ = localiser_.correct(building_->landmarks, sightings_);
     weigh_strangeness((localiser_.pose().position() - T_map_before.position()).norm());
     watch_for_lift();
@@ -272,7 +272,8 @@ Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation&
           .why = why_lost_};
 }
 
-/// Over the floor that it has explored while it was lost.
+/// Over the floor that it has explored while it was lost, by odometry alone: what corrected its place on the
+/// map would shift it against that floor.
 Decision LandmarkNavigator::come_back(const Observation& observation) {
   if (was_lifted_) {
     begin(State::kLost);
