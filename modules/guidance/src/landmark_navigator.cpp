@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "aisle/guidance/barrier_watch.hpp"
+#include "aisle/learning/landmark_expectation.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {
@@ -47,6 +48,15 @@ bool knows_what_it_sees(const LandmarkLocaliser& localiser) {
   return localiser.pairs().size() >= kKnownPairs && localiser.matched_share() >= kKnownShare;
 }
 
+std::unique_ptr<ExplorerNavigator> explorer_of_floor(double speed_mps, const VehicleDescription& vehicle,
+                                                     const std::string& camera) {
+  ExplorerNavigatorParams params;
+  params.speed.speed_mps = speed_mps;
+  return std::make_unique<ExplorerNavigator>(
+      params, vehicle, ExploringOrder::kRecommended,
+      vehicle.scanner ? scanner_slices(vehicle) : marker_slices(vehicle, camera));
+}
+
 double position_sigma_m(const Mat3& covariance) {
   return std::sqrt(covariance.topLeftCorner<2, 2>().trace());
 }
@@ -74,9 +84,10 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
                "a picture with so many sightings of which none is known is strange");
   fields.real("strange_max_m", strange_max_m, {0.1, 1000},
               "after so much way of strange pictures it is lost; known ones make up for strange ones");
-  fields.real("search_speed_mps", search_speed_mps, {0, 1}, "lost, it goes so fast to see more");
+  fields.real("search_speed_mps", search_speed_mps, {0, 1},
+              "lost, it drives so fast to see more; 0: it stands");
   fields.real("search_max_m", search_max_m, {0, 50}, "and so far");
-  fields.real("give_up_s", give_up_s, {1, 600}, "lost for so long it gives up");
+  fields.real("give_up_s", give_up_s, {1, 600}, "lost, and standing, for so long it gives up");
   fields.real("off_route_max_m", off_route_max_m, {0.1, 10}, "farther from its route it does not go on");
 }
 
@@ -114,6 +125,7 @@ Decision LandmarkNavigator::step(const Observation& observation) {
     if (!why_lost_.empty()) begin(State::kLost);
   }
   if (state_ == State::kLost) return find_itself(observation);
+  if (state_ == State::kReturning) return come_back(observation);
   return guarded(follow(observation));
 }
 
@@ -123,11 +135,15 @@ void LandmarkNavigator::begin(State state) {
   if (state != State::kLost) return;
   was_lifted_ = false;
   searched_m_ = 0;
+  searched_s_ = stamp_s_;
+  explorer_.reset();
   relocator_.start();
 }
 
 LandmarkFix LandmarkNavigator::fix() const {
-  return {{localiser_.pose(), localiser_.covariance()}, state_ == State::kFollowing, state_ == State::kLost};
+  return {{localiser_.pose(), localiser_.covariance()},
+          state_ == State::kFollowing,
+          state_ == State::kLost || state_ == State::kReturning};
 }
 
 /// Odometry, then the picture: pose and sightings of this cycle.
@@ -137,21 +153,36 @@ void LandmarkNavigator::locate(const Observation& observation) {
   const Pose2 T_before_now = between(T_map_before, localiser_.pose());
   scenes_.move(T_before_now);
   stripes_.move(T_before_now);
+  continuity_.move(T_before_now);
   sightings_.clear();
   match_ = LandmarkMatch::kNothing;
   const CameraPicture* picture = guard_.look(observation);
-  if (picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s)) {
+  has_looked_ = picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s);
+  if (has_looked_) {
     sightings_ = detector_.detect(*picture->image);
     if (state_ == State::kLooking || state_ == State::kFollowing)
       match_ = localiser_.correct(building_->landmarks, sightings_);
     weigh_strangeness((localiser_.pose().position() - T_map_before.position()).norm());
-    const bool is_known_here = match_ == LandmarkMatch::kMatched && knows_what_it_sees(localiser_);
-    if (stripes_.look(guard_.p_vehicle_lit(), is_known_here)) was_lifted_ = has_jumped_ = true;
-    if (scenes_.look(sightings_, is_known_here)) was_lifted_ = true;
+    watch_for_lift();
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
     matched_stamp_s_ = observation.stamp_s;
   stamp_s_ = observation.stamp_s;
+}
+
+/// Of lines that come and go, a picture that fits a little tells neither way.
+void LandmarkNavigator::watch_for_lift() {
+  const bool fits = match_ == LandmarkMatch::kMatched;
+  const bool is_known_here = fits && knows_what_it_sees(localiser_);
+  if (stripes_.look(guard_.p_vehicle_lit(), is_known_here)) was_lifted_ = has_jumped_ = true;
+  if (scenes_.look(sightings_, is_known_here)) was_lifted_ = true;
+  if (state_ == State::kFollowing &&
+      expectations_.look(expected_landmarks(building_->landmarks, fix().T_map_vehicle, sightings_,
+                                            params_.localiser.landmark_sigma_m)))
+    was_lifted_ = true;
+  if (fits && !is_known_here) return;
+  if (continuity_.look(sightings_, is_known_here) && state_ == State::kFollowing)
+    was_lifted_ = has_jumped_ = true;
 }
 
 /// Unknown things contradict nothing where the map has a gap, and standing the vehicle sees the same ones
@@ -185,7 +216,7 @@ Decision LandmarkNavigator::look_around(double stamp_s) {
 Decision LandmarkNavigator::doubt() {
   const bool is_woken_now = std::exchange(was_lifted_, false);
   if (is_woken_now) doubt_.start(has_jumped_);
-  const Suspicion suspicion = is_woken_now || sightings_.empty()
+  const Suspicion suspicion = is_woken_now || !has_looked_
                                   ? Suspicion::kOpen
                                   : doubt_.look(building_->landmarks, fix().T_map_vehicle, sightings_);
   if (suspicion == Suspicion::kDispelled) {
@@ -202,40 +233,87 @@ Decision LandmarkNavigator::doubt() {
 void LandmarkNavigator::go_on() {
   begin(State::kFollowing);
   has_jumped_ = false;
+  expectations_.start();
   matched_stamp_s_ = stamp_s_;
   strange_way_m_ = 0;
 }
 
 /// The vehicle compares what it has seen since it was lost with all places that it knows.
 Decision LandmarkNavigator::find_itself(const Observation& observation) {
-  if (was_lifted_) relocator_.start();
-  was_lifted_ = false;
-  relocator_.predict(observation.odometry);
-  if (observation.stamp_s - *state_since_s_ > params_.give_up_s)
-    return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
-  const auto found = sightings_.empty() ? std::nullopt : relocator_.look(building_->landmarks, sightings_);
-  if (!found) return search();
-  localiser_.place(about(*found, kFoundSigma_m, kFoundSigma_rad));
-  if (!progress_.find(localiser_.pose(), params_.off_route_max_m)) {
-    return {.status = NavigatorStatus::kFailed,
-            .state = "lost",
-            .why = fmt::format("found itself off its route by more than {:.1f} m, or facing another way",
-                               params_.off_route_max_m)};
+  if (std::exchange(was_lifted_, false)) {
+    relocator_.start();
+    explorer_.reset();
   }
-  go_on();
-  return {.state = "found", .why = fmt::format("{:.1f} m along the route", progress_.point().along_m)};
+  relocator_.predict(observation.odometry);
+  if (observation.stamp_s - searched_s_ > params_.give_up_s)
+    return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
+  const auto T_map_found = has_looked_ ? relocator_.look(building_->landmarks, sightings_) : std::nullopt;
+  return T_map_found ? found(*T_map_found, observation) : search(observation);
 }
 
-/// Stands until one look at all places has said nothing, then goes ahead a little where the way is seen to be
-/// free.
-Decision LandmarkNavigator::search() {
+/// It drives on if the route leads on from there, the way it points; else it comes back onto its route.
+Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation& observation) {
+  localiser_.place(about(T_map_vehicle, kFoundSigma_m, kFoundSigma_rad));
+  if (progress_.find(T_map_vehicle, params_.off_route_max_m)) {
+    go_on();
+    return {.state = "found", .why = fmt::format("{:.1f} m along the route", progress_.point().along_m)};
+  }
+  why_lost_ = fmt::format("found itself off its route by more than {:.1f} m, or facing another way",
+                          params_.off_route_max_m);
+  if (!explorer_) return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
+  const FloorLearner& learner = explorer_->learner();
+  way_to_route_ = std::make_unique<WayToRoute>(vehicle_, params_.steering,
+                                               SpeedParams{.speed_mps = params_.search_speed_mps},
+                                               learner.floor(), learner.clearance());
+  way_to_route_->begin(path_, T_map_vehicle * learner.T_map_vehicle().inverse(), T_map_vehicle);
+  begin(State::kReturning);
+  return {.command = {.steering_rad = steering_rad_of(observation.odometry)},
+          .state = "returning",
+          .why = why_lost_};
+}
+
+/// Over the floor that it has explored while it was lost, by odometry alone: what corrected its place on the
+/// map would shift it against that floor.
+Decision LandmarkNavigator::come_back(const Observation& observation) {
+  if (was_lifted_) {
+    begin(State::kLost);
+    return {.state = "lost", .why = "sees other things than a moment ago"};
+  }
+  Decision decision{.state = "returning", .why = why_lost_};
+  const WayToRoute::State state =
+      way_to_route_->step(localiser_.pose(), steering_rad_of(observation.odometry), decision.command);
+  if (state == WayToRoute::State::kThere && progress_.find(localiser_.pose(), params_.off_route_max_m)) {
+    go_on();
+  } else if (state == WayToRoute::State::kThere || state == WayToRoute::State::kNoWay) {
+    return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
+  }
+  decision.command = guard_.allow(decision.command, {}).command;
+  return decision;
+}
+
+/// Something shows it the floor around, and none of the building's floor is to be kept off: it does not know
+/// where that would be.
+bool LandmarkNavigator::may_search() const {
+  return params_.guarded && params_.search_speed_mps > 0 && guard_.sees_obstacles() &&
+         building_->barriers.empty() && searched_m_ < params_.search_max_m;
+}
+
+/// Stands until one look at all places has said nothing, then explores the floor around, as in a building
+/// that it does not know.
+Decision LandmarkNavigator::search(const Observation& observation) {
   Decision decision{.state = "lost", .why = why_lost_};
-  const bool sees_the_way = params_.guarded && guard_.sees_obstacles();
-  const bool has_looked = stamp_s_ - *state_since_s_ > params_.look_s && relocator_.rounds() > 0;
-  if (!sees_the_way || !has_looked || searched_m_ > params_.search_max_m) return decision;
-  const Command ahead{.speed_mps = params_.search_speed_mps};
-  decision.command = guard_.allow(ahead, straight_ahead(params_.guard.reach_m)).command;
-  searched_m_ += decision.command.speed_mps * vehicle_.cycle_s;
+  const bool has_looked_around = stamp_s_ - *state_since_s_ > params_.look_s && relocator_.rounds() > 0;
+  if (!has_looked_around || !may_search()) return decision;
+  if (!explorer_) explorer_ = explorer_of_floor(params_.search_speed_mps, vehicle_, camera_);
+  const Decision next = explorer_->step(observation);
+  if (next.status != NavigatorStatus::kGoing) {
+    searched_m_ = params_.search_max_m;
+    return decision;
+  }
+  decision.command = guard_.allow(next.command, {}).command;
+  const double way_m = std::abs(decision.command.speed_mps) * vehicle_.cycle_s;
+  searched_m_ += way_m;
+  if (way_m > 0) searched_s_ = stamp_s_;
   return decision;
 }
 

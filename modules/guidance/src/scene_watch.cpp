@@ -1,50 +1,21 @@
 #include "aisle/guidance/scene_watch.hpp"
 
-#include <Eigen/LU>
-#include <algorithm>
-
-#include "aisle/core/square.hpp"
+#include "same_lines.hpp"
 
 namespace aisle {
 namespace {
 
 constexpr SceneJump<LandmarkSighting>::Limits kScenes{
     .compared_min = 5, .other_share_max = 0.2, .same_share_min = 0.5};
-constexpr double kGateSigmas = 3.5;
-constexpr double kMovedSigma_m = 0.03;  // of what odometry says of the move between two pictures
-
-bool is_of_one_thing(const LandmarkSighting& a, const LandmarkSighting& b) {
-  if (a.brighter_right != b.brighter_right) return false;
-  const Mat2 covariance = a.covariance + b.covariance + square(kMovedSigma_m) * Mat2::Identity();
-  const Vec2 off = a.p_vehicle - b.p_vehicle;
-  return off.dot(covariance.inverse() * off) < square(kGateSigmas);
-}
-
-/// How much of a picture another one shows too.
-double known_share(std::span<const LandmarkSighting> picture, std::span<const LandmarkSighting> other) {
-  const auto known = std::count_if(picture.begin(), picture.end(), [&](const LandmarkSighting& seen) {
-    return std::any_of(other.begin(), other.end(),
-                       [&](const LandmarkSighting& before) { return is_of_one_thing(seen, before); });
-  });
-  return static_cast<double>(known) / static_cast<double>(picture.size());
-}
-
-void carry(std::vector<LandmarkSighting>& scene, const Pose2& T_now_before) {
-  const Mat2 R_now_before = rotation(T_now_before.theta);
-  for (LandmarkSighting& sighting : scene) {
-    sighting.p_vehicle = T_now_before * sighting.p_vehicle;
-    sighting.covariance = R_now_before * sighting.covariance * R_now_before.transpose();
-  }
-}
 
 }  // namespace
 
 void SceneWatch::move(const Pose2& T_before_now) {
-  jump_.move(T_before_now, carry);
+  jump_.move(T_before_now, carry_sightings);
 }
 
 bool SceneWatch::look(std::span<const LandmarkSighting> picture, bool is_known_here) {
-  return jump_.look(picture, is_known_here, kScenes, known_share);
+  return jump_.look(picture, is_known_here, kScenes, shown_share);
 }
 
 }  // namespace aisle

@@ -22,13 +22,6 @@ WayAhead way_ahead(const Path& path, const PathPoint& here, const Pose2& T_map_v
   return way;
 }
 
-WayAhead straight_ahead(double reach_m) {
-  WayAhead way;
-  for (int i = 0; i <= static_cast<int>(reach_m / kStep_m); ++i)
-    way.push_back({i * kStep_m, Pose2{-i * kStep_m, 0, 0}});
-  return way;
-}
-
 std::optional<double> way_to(const Vec2& p_vehicle, const WayAhead& way, const Footprint& footprint,
                              double margin_m) {
   if (p_vehicle.x() <= footprint.front_m) return std::nullopt;

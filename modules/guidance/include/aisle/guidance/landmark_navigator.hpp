@@ -1,6 +1,7 @@
 #pragma once
 /// Drives a taught route by its landmarks: C98 Algorithm 3.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,11 +9,15 @@
 #include "aisle/control/path_progress.hpp"
 #include "aisle/control/speed.hpp"
 #include "aisle/control/steering.hpp"
+#include "aisle/guidance/continuity_watch.hpp"
+#include "aisle/guidance/expectation_watch.hpp"
+#include "aisle/guidance/explorer_navigator.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/obstacle_guard.hpp"
 #include "aisle/guidance/place_doubt.hpp"
 #include "aisle/guidance/scene_watch.hpp"
 #include "aisle/guidance/stripe_watch.hpp"
+#include "aisle/guidance/way_to_route.hpp"
 #include "aisle/learning/landmark_localiser.hpp"
 #include "aisle/learning/landmark_relocation.hpp"
 #include "aisle/maps/building.hpp"
@@ -37,9 +42,9 @@ struct LandmarkNavigatorParams {
   double unmatched_max_s = 1.5;
   int strange_sightings_min = 3;
   double strange_max_m = 3;
-  double search_speed_mps = 0.15;
-  double search_max_m = 4;
-  double give_up_s = 60;
+  double search_speed_mps = 0.2;
+  double search_max_m = 12;
+  double give_up_s = 30;
   double off_route_max_m = 1;
 
   void describe(FieldList& fields);
@@ -49,15 +54,16 @@ struct LandmarkNavigatorParams {
 struct LandmarkFix {
   UncertainPose2 T_map_vehicle;
   bool is_sure = false;  ///< not lost, and not looking for itself
-  bool is_lost = false;
+  bool is_lost = false;  ///< or on its way back onto its route
 };
 
 /// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture
 /// that fits the map; goes on by odometry where none does, the slower the less sure it is. If it sees other
 /// things than a moment ago it stops and looks whether it is still where it believes to be. Lost (it is not,
 /// or is too unsure, or sees other things than are known here) it stops and looks for itself along all
-/// routes, goes slowly ahead to see more where that is safe, and drives on or gives up. It waits for what
-/// stands on its route, and for its camera, and gives up if that lasts, or before a barrier of the building.
+/// routes, explores a few metres of floor to see more where that is safe, comes back onto its route and
+/// drives on, or gives up. It waits for what stands on its route, and for its camera, and gives up if that
+/// lasts, or before a barrier of the building.
 class LandmarkNavigator final : public Navigator {
  public:
   /// @param building  with landmarks and their camera, which the vehicle has; must outlive the navigator
@@ -75,9 +81,10 @@ class LandmarkNavigator final : public Navigator {
   const LandmarkLocaliser& localiser() const { return localiser_; }
 
  private:
-  enum class State { kLooking, kFollowing, kDoubting, kLost };
+  enum class State { kLooking, kFollowing, kDoubting, kLost, kReturning };
 
   void locate(const Observation& observation);
+  void watch_for_lift();
   void weigh_strangeness(double way_m);
   std::string why_lost() const;
   void begin(State state);
@@ -85,7 +92,10 @@ class LandmarkNavigator final : public Navigator {
   Decision look_around(double stamp_s);
   Decision doubt();
   Decision find_itself(const Observation& observation);
-  Decision search();
+  bool may_search() const;
+  Decision search(const Observation& observation);
+  Decision found(const Pose2& T_map_vehicle, const Observation& observation);
+  Decision come_back(const Observation& observation);
   Decision follow(const Observation& observation);
   Decision guarded(Decision decision);
 
@@ -103,13 +113,19 @@ class LandmarkNavigator final : public Navigator {
   ObstacleGuard guard_;
   SceneWatch scenes_;
   StripeWatch stripes_;
+  ContinuityWatch continuity_;
+  ExpectationWatch expectations_;
   std::vector<LandmarkSighting> sightings_;
   State state_ = State::kLooking;
   std::string why_lost_;
   double strange_way_m_ = 0;
   bool was_lifted_ = false;  ///< perhaps: everything looks other than a moment ago
-  bool has_jumped_ = false;  ///< likewise: walls stand elsewhere
-  double searched_m_ = 0;    ///< since it was lost
+  bool has_jumped_ = false;  ///< likewise: walls stand elsewhere, or all lines are gone or new
+  bool has_looked_ = false;  ///< this cycle has a picture
+  std::unique_ptr<ExplorerNavigator> explorer_;  ///< of the floor around, while it is lost
+  std::unique_ptr<WayToRoute> way_to_route_;     ///< that it takes once it has found itself beside it
+  double searched_m_ = 0;                        ///< driven since it was lost
+  double searched_s_ = 0;                        ///< when it was lost, or drove since then
   LandmarkMatch match_ = LandmarkMatch::kNothing;
   std::optional<double> state_since_s_;
   double stamp_s_ = 0;

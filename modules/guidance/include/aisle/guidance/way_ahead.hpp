@@ -22,9 +22,6 @@ using WayAhead = std::vector<WayPoint>;
 /// @param here  how far the vehicle has come on the path
 WayAhead way_ahead(const Path& path, const PathPoint& here, const Pose2& T_map_vehicle, double reach_m);
 
-/// The way straight ahead.
-WayAhead straight_ahead(double reach_m);
-
 /// How far the vehicle can go before something that stands at a point is within its footprint, or nearer to
 /// its sides than a margin.
 /// @return nullopt if it never is, or stands beside the vehicle or behind it already
