@@ -10,7 +10,7 @@ namespace {
 constexpr double kVehicleWidth_m = 0.6;
 
 RouteView eye() {
-  return {{}, floor_lens(), floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m};
+  return {{}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m};
 }
 
 /// A bright way between dark sides, and a dark thing on it.
@@ -24,7 +24,7 @@ Image way(double right_m, double left_m, const Segment2& thing = {{20, 20}, {20,
 }
 
 TEST(RouteView, TheMiddleLiesBetweenTheSides) {
-  const RouteView view = eye();
+  RouteView view = eye();
   const auto middle = view.middle(view.look(way(-0.9, 0.5)), 0, 0);
   ASSERT_TRUE(middle);
   EXPECT_NEAR(middle->y(), -0.2, 0.06);
@@ -32,14 +32,14 @@ TEST(RouteView, TheMiddleLiesBetweenTheSides) {
 }
 
 TEST(RouteView, BlottingOutASideMovesTheMiddleToTheOther) {
-  const RouteView view = eye();
+  RouteView view = eye();
   const RouteSight sight = view.look(way(-0.8, 0.8));
   EXPECT_GT(view.middle(sight, 0, 0.5)->y(), 0.2);
   EXPECT_LT(view.middle(sight, 0.5, 0)->y(), -0.2);
 }
 
 TEST(RouteView, TheCheckRegionsTellWhereSomethingStands) {
-  const RouteView view = eye();
+  RouteView view = eye();
   const RouteChecks free = view.look(way(-1, 1)).checks;
   EXPECT_FALSE(free.ahead || free.left || free.right);
   const RouteChecks ahead = view.look(way(-1, 1, {{1.5, -0.25}, {2.2, 0.3}})).checks;
@@ -51,7 +51,7 @@ TEST(RouteView, TheCheckRegionsTellWhereSomethingStands) {
 }
 
 TEST(RouteView, EdgesLieWhereTheRouteEnds) {
-  const RouteView view = eye();
+  RouteView view = eye();
   const RouteSight sight = view.look(way(-0.6, 0.6));
   ASSERT_THAT(sight.p_vehicle_edges, testing::SizeIs(testing::Gt(20U)));
   for (const Vec2& p : sight.p_vehicle_edges) {
@@ -64,7 +64,7 @@ TEST(RouteView, EdgesLieWhereTheRouteEnds) {
 }
 
 TEST(RouteView, WhatStandsOnThePatchOrBeforeItDarkensIt) {
-  const RouteView view = eye();
+  RouteView view = eye();
   const double free_grey = view.look(way(-1, 1)).patch_grey;
   for (const double ahead_m : {1.2, 1.4, 1.5, 1.7}) {
     for (const double aside_m : {-0.3, 0.0, 0.3}) {
@@ -76,7 +76,7 @@ TEST(RouteView, WhatStandsOnThePatchOrBeforeItDarkensIt) {
 }
 
 TEST(RouteView, WhereTheViewEndsIsNoEdge) {
-  const RouteView view = eye();
+  RouteView view = eye();
   const double lowest_m = view.floor_point({kFloorWidth_px / 2.0, kFloorHeight_px - 1.0})->x();
   const RouteSight sight = view.look(way(-0.9, 0.3));
   ASSERT_FALSE(sight.p_vehicle_cut_off.empty()) << "the left side is nearer than the view's lower corner";
