@@ -20,10 +20,11 @@ Vec2 about_lines(const Vec2& frame_size_m) {
 
 }  // namespace
 
-/// About the taught frame, where one that is seen may be.
+/// About the taught frame, where one that is seen may be. On the way about before it the edges behind the
+/// vehicle tell less than the frame that it saw.
 double RoomNavigator::frame_bound_m() const {
   constexpr double kDeviations = 3;
-  if (!place_.is_sure()) return std::numeric_limits<double>::infinity();
+  if (!place_.is_sure() || state_ == State::kBackingIntoFrame) return std::numeric_limits<double>::infinity();
   return std::max(params_.frame_nearby_m, std::min(kDeviations * place_.sigma_m(), params_.frame_astray_m));
 }
 
