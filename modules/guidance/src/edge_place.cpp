@@ -1,7 +1,6 @@
 #include "aisle/guidance/edge_place.hpp"
 
 #include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +12,6 @@ namespace {
 /// Neighbouring points are off together: so many of them count as one.
 constexpr double kAlikePoints = 4;
 
-constexpr double kUntold_m = 100, kUntold_rad = 10;  // deviations of what no edge tells
-
 /// Normal equations of small moves of a pose (x, y in `map`, turn), and of where each side of what was taught
 /// stands now.
 class PoseEquations {
@@ -22,17 +19,16 @@ class PoseEquations {
   PoseEquations(const Pose2& T_map_vehicle, std::size_t sides)
       : T_map_vehicle_(T_map_vehicle), sides_(sides) {}
 
-  void expect(const Pose2& T_map_expected, double sigma_m, double sigma_rad) {
-    expected_off_ = Vec3(T_map_vehicle_.x - T_map_expected.x, T_map_vehicle_.y - T_map_expected.y,
-                         wrap_angle(T_map_vehicle_.theta - T_map_expected.theta));
-    expected_weight_ = Vec3(1 / square(sigma_m), 1 / square(sigma_m), 1 / square(sigma_rad));
+  void add_prior(const Pose2& T_map_expected, double sigma_m, double sigma_rad) {
+    add({1, 0, 0}, T_map_vehicle_.x - T_map_expected.x, 1 / square(sigma_m));
+    add({0, 1, 0}, T_map_vehicle_.y - T_map_expected.y, 1 / square(sigma_m));
+    add({0, 0, 1}, wrap_angle(T_map_vehicle_.theta - T_map_expected.theta), 1 / square(sigma_rad));
   }
   /// A point of a side that should have no distance along `n` from where it is seen.
   void add_point(int side, const Vec2& p_vehicle, const Vec2& n, double off_m, double weight) {
     const Vec2 lever = left_normal(rotate(T_map_vehicle_.theta, p_vehicle));
     const Vec3 by(n.x(), n.y(), n.dot(lever));
-    normal_ += weight * by * by.transpose();
-    right_ -= weight * off_m * by;
+    add(by, off_m, weight);
     Side& of = sides_[static_cast<std::size_t>(side)];
     of.with_pose -= weight * by * n.transpose();
     of.normal += weight * n * n.transpose();
@@ -41,9 +37,7 @@ class PoseEquations {
   /// The pose that fits best.
   /// @param deviation_m  of a side 1 m long from where it was taught; longer ones are moved less
   /// @param p_moved  how far each side stands off there; moves, too
-  /// @param told  becomes what the edges tell of the pose without what was expected: its inverse covariance
-  Pose2 moved(double deviation_m, const std::vector<double>& lengths_m, std::vector<Vec2>& p_moved,
-              Mat3& told) const {
+  Pose2 moved(double deviation_m, const std::vector<double>& lengths_m, std::vector<Vec2>& p_moved) const {
     Mat3 normal = normal_;
     Vec3 right = right_;
     std::vector<Side> sides = sides_;
@@ -58,9 +52,6 @@ class PoseEquations {
       normal -= side.with_pose * inverse * side.with_pose.transpose();
       right -= side.with_pose * inverse * side.right;
     }
-    told = normal;
-    normal += expected_weight_.asDiagonal();
-    right -= expected_weight_.cwiseProduct(expected_off_);
     const Vec3 step = normal.ldlt().solve(right);
     for (std::size_t i = 0; i < sides.size(); ++i) {
       if (sides[i].normal.isZero()) continue;
@@ -77,20 +68,16 @@ class PoseEquations {
     Vec2 right = Vec2::Zero();
   };
 
+  void add(const Vec3& by, double off, double weight) {
+    normal_ += weight * by * by.transpose();
+    right_ -= weight * off * by;
+  }
+
   Pose2 T_map_vehicle_;
   Mat3 normal_ = Mat3::Zero();
   Vec3 right_ = Vec3::Zero();
-  Vec3 expected_off_ = Vec3::Zero(), expected_weight_ = Vec3::Zero();
   std::vector<Side> sides_;
 };
-
-/// Of the position along the direction of which least is known.
-double largest_sigma_m(Mat3 told) {
-  told.diagonal() += Vec3(1 / square(kUntold_m), 1 / square(kUntold_m), 1 / square(kUntold_rad));
-  const Mat3 covariance = told.inverse();
-  const Mat2 of_position = covariance.topLeftCorner<2, 2>();
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<Mat2>(of_position).eigenvalues()(1));
-}
 
 }  // namespace
 
@@ -130,7 +117,6 @@ void EdgePlace::take(std::span<const SeenEdge> seen, const Pose2& T_odom_vehicle
   const double gain = is_sure() ? params_.gain : 1;
   const Pose2 T_map_vehicle = interpolate(T_map_expected, fit.T_map_vehicle, gain);
   T_map_odom_ = T_map_vehicle * T_odom_vehicle.inverse();
-  sigma_m_ = largest_sigma_m(fit.told);
   ++fits_;
 }
 
@@ -183,7 +169,7 @@ EdgePlace::Fit EdgePlace::refined(std::span<const SeenEdge> seen, const Pose2& T
   std::vector<Vec2> p_moved(taught_.side_lengths_m().size(), Vec2::Zero());
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     PoseEquations equations(fit.T_map_vehicle, p_moved.size());
-    equations.expect(T_map_expected, sigma_m, sigma_rad);
+    equations.add_prior(T_map_expected, sigma_m, sigma_rad);
     std::size_t fitting = 0;
     for (const SeenEdge& one : seen) {
       const Vec2& p = one.p_vehicle;
@@ -205,7 +191,7 @@ EdgePlace::Fit EdgePlace::refined(std::span<const SeenEdge> seen, const Pose2& T
         equations.add_point(edge->side, p, {0, 1}, off.y(), weight);
       }
     }
-    fit.T_map_vehicle = equations.moved(params_.moved_m, taught_.side_lengths_m(), p_moved, fit.told);
+    fit.T_map_vehicle = equations.moved(params_.moved_m, taught_.side_lengths_m(), p_moved);
     fit.fitting_share = static_cast<double>(fitting) / static_cast<double>(seen.size());
   }
   return fit;

@@ -51,8 +51,8 @@ void FrameParking::look(const Observation& observation, const Pose2& T_odom_vehi
     if (!fit) continue;
     const Pose2 T_odom_seen = T_odom_vehicle * fit->T_vehicle_frame;
     const auto off_m = [&](const Pose2& T_odom) { return between(T_odom, T_odom_seen).position().norm(); };
-    const bool has_left = T_odom_frame_ && off_m(T_odom_found_) > params_.tracked_m;
-    if (has_left || off_m(T_odom_expected) > astray_m) continue;
+    if (T_odom_frame_ ? off_m(T_odom_found_) > params_.tracked_m : off_m(T_odom_expected) > astray_m)
+      continue;
     take(T_odom_seen);
     return;
   }

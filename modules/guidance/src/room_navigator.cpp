@@ -67,10 +67,8 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.count("dead_end_pictures", dead_end_pictures, {1, 100}, "in succession must show it");
   fields.real("dead_end_beyond_m", dead_end_beyond_m, {0, 3}, "so far beyond the taught one it gives up");
   fields.real("frame_within_m", frame_within_m, {0.5, 20}, "before the route's end it looks for the frame");
-  fields.real("frame_nearby_m", frame_nearby_m, {0.05, 20},
-              "what is seen farther from the taught frame is none, where the edges tell its place well");
   fields.real("frame_astray_m", frame_astray_m, {0.05, 20},
-              "nor farther than this, where they tell it badly");
+              "what is first seen farther from the taught frame is none, where the edges tell where it is");
   fields.real("brightness_tolerance", brightness_tolerance, {0.01, 1},
               "by which share the route may suddenly look brighter or darker");
   fields.real("brightness_gain", brightness_gain, {0, 1},

@@ -20,17 +20,9 @@ Vec2 about_lines(const Vec2& frame_size_m) {
 
 }  // namespace
 
-/// About the taught frame, where one that is seen may be. On the way about before it the edges behind the
-/// vehicle tell less than the frame that it saw.
-double RoomNavigator::frame_bound_m() const {
-  constexpr double kDeviations = 3;
-  if (!place_.is_sure() || state_ == State::kBackingIntoFrame) return std::numeric_limits<double>::infinity();
-  return std::max(params_.frame_nearby_m, std::min(kDeviations * place_.sigma_m(), params_.frame_astray_m));
-}
-
 void RoomNavigator::look_for_frame(const Observation& observation) {
-  frame_->look(observation, T_odom_vehicle_, place_.T_map_odom().inverse() * T_map_taught_frame(),
-               frame_bound_m());
+  const double astray_m = place_.is_sure() ? params_.frame_astray_m : std::numeric_limits<double>::infinity();
+  frame_->look(observation, T_odom_vehicle_, place_.T_map_odom().inverse() * T_map_taught_frame(), astray_m);
   if (state_ == State::kFollowing && frame_->sees_frame()) state_ = State::kParkingInFrame;
 }
 

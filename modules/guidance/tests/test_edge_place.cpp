@@ -133,24 +133,6 @@ TEST(EdgePlace, WhatTheFirstPictureShowedWronglyIsSoonMadeUpFor) {
   EXPECT_LT(off_m(place, T_map_vehicle, T_map_vehicle), 0.03);
 }
 
-/// Two long lines tell nothing of where between their ends one is; a wall across the way does.
-TEST(EdgePlace, KnowsHowWellTheEdgesTellThePlace) {
-  std::vector<Vec2> lines;
-  for (int i = 0; i < 240; ++i)
-    for (const double side_m : {-1.0, 1.0}) lines.emplace_back(-3 + i * 0.05, side_m);
-  std::vector<Vec2> closed = lines;
-  for (int i = 0; i <= 40; ++i) closed.emplace_back(4, -1 + i * 0.05);
-  const auto sigma_m = [](const std::vector<Vec2>& points) {
-    EdgePlace place({}, taught(points));
-    EXPECT_GT(place.sigma_m(), 1e6) << "nothing was seen yet";
-    place.take(seen(points, {}), {}, 0);
-    EXPECT_TRUE(place.is_sure());
-    return place.sigma_m();
-  };
-  EXPECT_GT(sigma_m(lines), 1);
-  EXPECT_LT(sigma_m(closed), 0.1);
-}
-
 TEST(EdgePlace, WhatLooksOtherwiseOrTooLittleSaysNothing) {
   const auto points = furnished_way();
   EdgePlace place({}, taught(points));

@@ -70,15 +70,5 @@ TEST(FrameParking, DoesNotFollowWhatLooksLikeItAwayFromWhereItWasFirstSeen) {
   EXPECT_LT(between(kFrameAhead, *parking.frame()).position().norm(), tracked_m + 0.05);
 }
 
-TEST(FrameParking, DoesNotFollowWhatLooksLikeItAwayFromTheTaughtOne) {
-  constexpr double kAstray_m = 0.2;
-  const VehicleDescription vehicle = frame_cart();
-  const Observation sight = sight_of_frame(vehicle.cameras.front());
-  FrameParking parking({}, vehicle, kFrame_m);
-  for (int i = 0; i < 40; ++i) parking.look(sight, {0.05 * i, 0, 0}, kFrameAhead, kAstray_m);
-  ASSERT_TRUE(parking.sees_frame());
-  EXPECT_LT(between(kFrameAhead, *parking.frame()).position().norm(), kAstray_m + 0.05);
-}
-
 }  // namespace
 }  // namespace aisle

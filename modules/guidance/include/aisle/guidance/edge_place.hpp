@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -49,16 +48,12 @@ class EdgePlace {
   const Pose2& T_map_odom() const { return T_map_odom_; }
   /// The edges have been found to fit.
   bool is_sure() const { return fits_ > 0; }
-  /// Deviation of its position along the direction in which the edges around it tell it least, as things may
-  /// have been moved; large along a way between two lines, and while nothing has been found to fit.
-  double sigma_m() const { return sigma_m_; }
   const TaughtEdges& taught() const { return taught_; }
 
  private:
   struct Fit {
     Pose2 T_map_vehicle;
     double fitting_share = 0;  ///< of the points that lie on edges
-    Mat3 told = Mat3::Zero();  ///< of the pose (x, y in `map`, turn) by the edges alone: inverse covariance
   };
 
   /// One picture row is the more floor, the farther away it is.
@@ -71,7 +66,6 @@ class EdgePlace {
   TaughtEdges taught_;
   Pose2 T_map_odom_;
   int fits_ = 0;  ///< pictures that its pose rests on
-  double sigma_m_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace aisle

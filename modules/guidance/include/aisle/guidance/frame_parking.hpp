@@ -43,7 +43,7 @@ class FrameParking {
 
   /// Looks for the frame in every picture of the cycle.
   /// @param T_odom_expected  where the frame should be, x along the way in
-  /// @param astray_m         what is seen farther from there is something else
+  /// @param astray_m         what is first seen farther from there is something else
   void look(const Observation& observation, const Pose2& T_odom_vehicle, const Pose2& T_odom_expected,
             double astray_m);
   bool sees_frame() const { return T_odom_frame_.has_value(); }

@@ -49,7 +49,6 @@ struct RoomNavigatorParams {
   int dead_end_pictures = 3;
   double dead_end_beyond_m = 0.3;
   double frame_within_m = 3.5;
-  double frame_nearby_m = 0.5;
   double frame_astray_m = 1;
   double brightness_tolerance = 0.35;
   double brightness_gain = 0.05;
@@ -113,7 +112,6 @@ class RoomNavigator final : public Navigator {
   Decision park_in_frame(double now_s);
   Decision back_into_frame(double now_s);
   void look_for_frame(const Observation& observation);
-  double frame_bound_m() const;
   Pose2 T_map_taught_frame() const;
   Pose2 T_map_odom_by_frame() const;
   void learn_floor_before_frame();
