@@ -22,7 +22,7 @@ CornerBacking::CornerBacking(const CornerBackingParams& params, const RouteViewP
     : params_(params),
       vehicle_(vehicle),
       camera_(room_camera(vehicle, kThirdCamera)),
-      view_(view, CameraModel(camera_.intrinsics), camera_.mount, camera_.width_px, camera_.height_px,
+      view_(view, camera_.intrinsics, camera_.mount, camera_.width_px, camera_.height_px,
             vehicle.footprint.width_m) {}
 
 void CornerBacking::begin(TurningClass next, double taught_m, const Pose2& T_odom_vehicle) {

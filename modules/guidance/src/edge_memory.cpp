@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace aisle {
 namespace {
@@ -20,21 +19,20 @@ bool EdgeMemory::is_beside_any(const std::vector<Edge>& edges, const Vec2& p_odo
 void EdgeMemory::take(const RouteView& view, const RouteSight& sight, const Pose2& T_odom_vehicle,
                       double stamp_s) {
   forget_gone(view, sight, T_odom_vehicle);
-  std::vector<Edge> seen;
+  seen_.clear();
+  come_.clear();
   const auto see = [&](const std::vector<Vec2>& p_vehicle_edges, bool is_foot) {
     for (const Vec2& p_vehicle : p_vehicle_edges) {
       const Vec2 p_odom = T_odom_vehicle * p_vehicle;
       const bool has_come = was_free(view, p_odom, stamp_s) && !has_stood_at(p_odom, stamp_s);
-      seen.push_back({p_odom, p_vehicle.norm(), is_foot, stamp_s, stamp_s, has_come});
+      seen_.push_back({p_odom, p_vehicle.norm(), is_foot, stamp_s, stamp_s, has_come});
+      if (has_come) come_.push_back(seen_.back());
     }
   };
   see(sight.p_vehicle_edges, true);
   see(sight.p_vehicle_cut_off, false);
-  std::vector<Edge> come;
-  std::copy_if(seen.begin(), seen.end(), std::back_inserter(come),
-               [](const Edge& edge) { return edge.has_come; });
-  for (Edge& edge : seen) {
-    edge.has_come = !has_stood_at(edge.p_odom, stamp_s) && is_beside_any(come, edge.p_odom);
+  for (Edge& edge : seen_) {
+    edge.has_come = !has_stood_at(edge.p_odom, stamp_s) && is_beside_any(come_, edge.p_odom);
     take(edge);
   }
   forget_moved_on(stamp_s);

@@ -22,8 +22,13 @@ Route room_route(Route route) {
 
 RouteView first_view(const RoomNavigatorParams& params, const VehicleDescription& vehicle) {
   const CameraDescription& camera = room_camera(vehicle, kFirstCamera);
-  return {params.view,      CameraModel(camera.intrinsics), camera.mount, camera.width_px,
-          camera.height_px, vehicle.footprint.width_m};
+  return {params.view,
+          camera.intrinsics,
+          camera.mount,
+          camera.width_px,
+          camera.height_px,
+          vehicle.footprint.width_m,
+          stripe_height_m(vehicle)};
 }
 
 /// The first piece of the leg that a piece belongs to.

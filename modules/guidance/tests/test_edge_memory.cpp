@@ -10,7 +10,7 @@ namespace {
 
 /// Looks down ahead; nothing that is asked about lies in its view's route.
 RouteView eye() {
-  const CameraModel camera({.fx_px = 215, .fy_px = 215, .cx_px = 127.5, .cy_px = 121});
+  const CameraIntrinsics camera{.fx_px = 215, .fy_px = 215, .cx_px = 127.5, .cy_px = 121};
   return {{}, camera, {.p_vehicle_camera = {0.8, 0, 1.25}, .tilt_rad = 38 * kDegree}, 256, 243, 0.6};
 }
 

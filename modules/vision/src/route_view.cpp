@@ -38,21 +38,18 @@ void measure_patch(const Image& picture, RouteSight& sight) {
 /// L96 section 2.2: what stands alone amid the route is known by its grey level.
 void take_out_dark(const Image& picture, RouteSight& sight) {
   const double least = kDarkShare * sight.patch_grey;
-  long count = 0;
   for (int v = 0; v < picture.height_px; ++v) {
     std::uint8_t* route = sight.mask.row(v);
-    for (int u = 0; u < picture.width_px; ++u) {
+    for (int u = 0; u < picture.width_px; ++u)
       if (picture.row(v)[static_cast<std::ptrdiff_t>(u) * picture.channels] < least) route[u] = 0;
-      count += route[u] != 0 ? 1 : 0;
-    }
   }
-  sight.share = static_cast<double>(count) / static_cast<double>(sight.mask.bytes.size());
 }
 
 }  // namespace
 
 void RouteViewParams::describe(FieldList& fields) {
   fields.group("region", region);
+  fields.group("stripe", stripe);
   fields.real("far_scan_m", far_scan_m, {0.3, 20}, "floor distance of the upper scan line from the camera");
   fields.real("near_scan_m", near_scan_m, {0.3, 20}, "of the lower one");
   fields.real("check_ahead_m", check_ahead_m, {0.05, 5},
@@ -63,12 +60,13 @@ void RouteViewParams::describe(FieldList& fields) {
   fields.real("edge_range_m", edge_range_m, {0.5, 20}, "farther edges of the route are not remembered");
 }
 
-RouteView::RouteView(const RouteViewParams& params, const CameraModel& camera, const CameraMount& mount,
-                     int width_px, int height_px, double width_m)
+RouteView::RouteView(const RouteViewParams& params, const CameraIntrinsics& intrinsics,
+                     const CameraMount& mount, int width_px, int height_px, double width_m,
+                     std::optional<double> stripe_height_m)
     : params_(params),
-      camera_(camera),
+      camera_(intrinsics),
       mount_(mount),
-      floor_(camera, mount, 0),
+      floor_(camera_, mount, 0),
       width_px_(width_px),
       height_px_(height_px) {
   const auto nearest = floor_.point(Vec2((width_px - 1) / 2.0, height_px - 1));
@@ -83,6 +81,9 @@ RouteView::RouteView(const RouteViewParams& params, const CameraModel& camera, c
   ahead_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m, {-side_m, side_m});
   left_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m / 2, {side_m, beside_m});
   right_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m / 2, {-beside_m, -side_m});
+  if (!stripe_height_m) return;
+  stripe_height_m_ = *stripe_height_m;
+  stripe_.emplace(params.stripe, intrinsics, mount, width_px, height_px, stripe_height_m_);
 }
 
 std::optional<Vec2> RouteView::pixel_of(const Vec2& p_vehicle) const {
@@ -121,15 +122,14 @@ bool RouteView::is_occupied(const Image& mask, const FloorPatch& patch) const {
   return static_cast<double>(route) < params_.check_share * static_cast<double>(patch.size());
 }
 
-RouteSight RouteView::look(const Image& picture) const {
+RouteSight RouteView::look(const Image& picture) {
   RouteRegion region = find_route_region(picture, params_.region);
-  RouteSight sight{.mask = std::move(region.mask),
-                   .share = region.share,
-                   .checks = {},
-                   .p_vehicle_edges = {},
-                   .p_vehicle_cut_off = {}};
+  RouteSight sight{
+      .mask = std::move(region.mask), .checks = {}, .p_vehicle_edges = {}, .p_vehicle_cut_off = {}};
   measure_patch(picture, sight);
   take_out_dark(picture, sight);
+  if (stripe_) take_out_lit(picture, sight.mask);
+  sight.share = route_share(sight.mask, 0, width_px_);
   sight.checks = {.ahead = is_occupied(sight.mask, ahead_),
                   .left = is_occupied(sight.mask, left_),
                   .right = is_occupied(sight.mask, right_),
@@ -137,6 +137,35 @@ RouteSight RouteView::look(const Image& picture) const {
                   .right_share = route_share(sight.mask, width_px_ / 2, width_px_)};
   find_edges(sight);
   return sight;
+}
+
+/// Things whose foot is below the stripe hide the floor behind them.
+void RouteView::take_out_lit(const Image& picture, Image& mask) {
+  constexpr double kOneThing_m = 0.15;  // between neighbouring places of one
+  stripe_->find(as_grey(picture, grey_));
+  p_vehicle_lit_.clear();
+  stripe_->append_lit(p_vehicle_lit_);
+  for (std::size_t i = 0; i + 1 < p_vehicle_lit_.size(); ++i) {
+    const Vec2 &right = p_vehicle_lit_[i], &left = p_vehicle_lit_[i + 1];
+    if ((left - right).norm() > kOneThing_m) continue;
+    for (const double height_m : {0.0, stripe_height_m_})
+      take_out_above({right.x(), right.y(), height_m}, {left.x(), left.y(), height_m}, mask);
+  }
+}
+
+/// All that is seen on and above a level line.
+void RouteView::take_out_above(const Vec3& p_vehicle_right, const Vec3& p_vehicle_left, Image& mask) const {
+  const auto right = camera_.project(mount_.to_camera(p_vehicle_right)),
+             left = camera_.project(mount_.to_camera(p_vehicle_left));
+  if (!right || !left || right->x() <= left->x()) return;
+  const int first = std::max(0, static_cast<int>(std::floor(left->x())));
+  const int last = std::min(width_px_ - 1, static_cast<int>(std::ceil(right->x())));
+  for (int u = first; u <= last; ++u) {
+    const double share = std::clamp((u - left->x()) / (right->x() - left->x()), 0.0, 1.0);
+    const double row = left->y() + share * (right->y() - left->y());
+    const int lowest = std::min(height_px_ - 1, static_cast<int>(std::lround(row)));
+    for (int v = 0; v <= lowest; ++v) mask.row(v)[u] = 0;
+  }
 }
 
 /// In each of many columns, the lowest pixel that is not route: the foot of what stands there, unless the

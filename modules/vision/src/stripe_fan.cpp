@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kStep_rad = 0.25 * kDegree;
 constexpr double kPictureEdge_px = 4;    // lenses are poor there
-constexpr double kWide_m = 2.5;          // so far away the outermost beams are in the picture
 constexpr double kNearest_m = 0.1;       // from below the lens
 constexpr double kProbe_m = 0.01;        // over which a beam's scale in the picture is measured
 constexpr double kBlur_px = 1.5;         // of the lens, to either side of a stripe
@@ -37,6 +36,7 @@ std::uint8_t level_difference(int a, int b) {
 }  // namespace
 
 void StripeFanParams::describe(FieldList& fields) {
+  fields.real("wide_m", wide_m, {0.2, 20}, "at this range the outermost beams are still in the picture");
   fields.real("sure_reach_m", sure_reach_m, {0.5, 20},
               "so far light is seen on all that does not stand flat to its way");
   fields.real("light_reach_m", light_reach_m, {0.5, 20}, "so far any wall shows that the markers are on");
@@ -72,7 +72,7 @@ StripeFan::StripeFan(const StripeFanParams& params, const CameraIntrinsics& intr
 void StripeFan::lay_beams(const CameraModel& camera, const CameraMount& mount, double height_m) {
   const auto is_seen = [&](int beam) {
     const Vec2 p_vehicle =
-        mount.p_vehicle_camera.head<2>() + kWide_m * unit(mount.pan_rad + beam * kStep_rad);
+        mount.p_vehicle_camera.head<2>() + params_.wide_m * unit(mount.pan_rad + beam * kStep_rad);
     const auto pixel = camera.project(mount.to_camera({p_vehicle.x(), p_vehicle.y(), height_m}));
     return pixel && is_inside(*pixel);
   };

@@ -11,8 +11,9 @@ namespace aisle {
 
 inline constexpr int kFloorWidth_px = 256, kFloorHeight_px = 243;
 
+inline constexpr CameraIntrinsics kFloorLens{.fx_px = 215, .fy_px = 215, .cx_px = 127.5, .cy_px = 121};
 inline CameraModel floor_lens() {
-  return CameraModel({.fx_px = 215, .fy_px = 215, .cx_px = 127.5, .cy_px = 121});
+  return CameraModel(kFloorLens);
 }
 inline CameraMount floor_mount() {
   return {.p_vehicle_camera = {0.8, 0, 1.25}, .tilt_rad = 38 * kDegree};

@@ -13,8 +13,8 @@ RoomTripCollector::RoomTripCollector(const RoomLessonParams& params, const Vehic
     : params_(params),
       vehicle_(vehicle),
       camera_(room_camera(vehicle, kFirstCamera)),
-      view_(params.view, CameraModel(camera_.intrinsics), camera_.mount, camera_.width_px, camera_.height_px,
-            vehicle.footprint.width_m) {}
+      view_(params.view, camera_.intrinsics, camera_.mount, camera_.width_px, camera_.height_px,
+            vehicle.footprint.width_m, stripe_height_m(vehicle)) {}
 
 void RoomTripCollector::add(const Observation& observation) {
   RoomCycle cycle{.stamp_s = observation.stamp_s,

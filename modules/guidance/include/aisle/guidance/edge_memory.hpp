@@ -58,7 +58,8 @@ class EdgeMemory {
   double reach_m_;
   std::vector<Edge> edges_;
   std::vector<Look> looks_;
-  std::vector<Edge> gone_;  ///< had come, and the route was seen there again
+  std::vector<Edge> gone_;         ///< had come, and the route was seen there again
+  std::vector<Edge> seen_, come_;  ///< by the latest picture; kept for their memory
 };
 
 }  // namespace aisle

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -19,6 +20,14 @@ inline constexpr const char* kThirdCamera = "bottom";   ///< the corners of the 
 inline const CameraDescription& room_camera(const VehicleDescription& vehicle, const char* name) {
   if (const CameraDescription* camera = vehicle.camera(name)) return *camera;
   throw std::invalid_argument(std::string("the vehicle lacks the camera ") + name);
+}
+
+/// Of the light plane that the first camera looks down on; nullopt: there is none.
+inline std::optional<double> stripe_height_m(const VehicleDescription& vehicle) {
+  if (!vehicle.laser_markers) return std::nullopt;
+  const double height_m = vehicle.laser_markers->height_m;
+  const bool is_above = room_camera(vehicle, kFirstCamera).mount.p_vehicle_camera.z() > height_m;
+  return is_above ? std::optional(height_m) : std::nullopt;
 }
 
 /// Whether the way was taught with backing between turnings.

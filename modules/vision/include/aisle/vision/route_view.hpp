@@ -7,11 +7,13 @@
 #include "aisle/geometry/back_projection.hpp"
 #include "aisle/geometry/segment2.hpp"
 #include "aisle/vision/route_region.hpp"
+#include "aisle/vision/stripe_fan.hpp"
 
 namespace aisle {
 
 struct RouteViewParams {
   RegionParams region;
+  StripeFanParams stripe{.wide_m = 0.6};
   double far_scan_m = 2.2;
   double near_scan_m = 1.3;
   double check_ahead_m = 0.5;
@@ -42,14 +44,17 @@ struct RouteSight {
   std::vector<Vec2> p_vehicle_cut_off;  ///< on the view's lower edge, of what stands nearer than it shows
 };
 
-/// One camera's eye for routes. All points are in base_link.
+/// One camera's eye for routes. All points are in base_link. Where it sees the stripe of the vehicle's laser
+/// markers, something stands, however much it looks like the route: beyond the paper.
 class RouteView {
  public:
   /// @param width_m  of the vehicle
-  RouteView(const RouteViewParams& params, const CameraModel& camera, const CameraMount& mount, int width_px,
-            int height_px, double width_m);
+  /// @param stripe_height_m  of the laser markers' light plane above the floor; nullopt: brightness alone
+  /// tells
+  RouteView(const RouteViewParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
+            int width_px, int height_px, double width_m, std::optional<double> stripe_height_m = {});
 
-  RouteSight look(const Image& picture) const;
+  RouteSight look(const Image& picture);
 
   /// B' of L96 Algorithm 4: the middle of the two scan lines' middles, on the floor. What lies beside the
   /// view's edges by these shares of its width is blotted out.
@@ -75,6 +80,8 @@ class RouteView {
   FloorPatch patch_of(double ahead_from_m, double ahead_to_m, const Interval& aside_m) const;
   bool is_occupied(const Image& mask, const FloorPatch& patch) const;
   void find_edges(RouteSight& sight) const;
+  void take_out_lit(const Image& picture, Image& mask);
+  void take_out_above(const Vec3& p_vehicle_right, const Vec3& p_vehicle_left, Image& mask) const;
   int row_at(double ahead_m) const;
 
   RouteViewParams params_;
@@ -86,6 +93,10 @@ class RouteView {
   Vec2 p_vehicle_patch_ = Vec2::Zero();  ///< the patch's far left corner
   int far_row_ = 0, near_row_ = 0;
   FloorPatch ahead_, left_, right_;
+  std::optional<StripeFan> stripe_;
+  double stripe_height_m_ = 0;
+  std::vector<Vec2> p_vehicle_lit_;
+  Image grey_;
 };
 
 }  // namespace aisle

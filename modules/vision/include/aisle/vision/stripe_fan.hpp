@@ -14,6 +14,7 @@
 namespace aisle {
 
 struct StripeFanParams {
+  double wide_m = 2.5;       ///< at this range the outermost beams are still in the picture
   double sure_reach_m = 4;   ///< so far light is seen on all that does not stand flat to its way
   double light_reach_m = 8;  ///< so far any wall shows that the markers are on
   double contrast_min = 8;   ///< by which a stripe outshines what lies before and behind it [grey levels] ...
