@@ -287,7 +287,11 @@ Decision LandmarkNavigator::come_back(const Observation& observation) {
   } else if (state == WayToRoute::State::kThere || state == WayToRoute::State::kNoWay) {
     return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
   }
-  decision.command = guard_.allow(decision.command, {}).command;
+  const WayAhead way = way_to_route_->ahead(localiser_.pose(), params_.guard.reach_m);
+  const Guarded allowed = guard_.allow(decision.command, way);
+  if (allowed.state == GuardState::kBlocked)
+    return {.status = NavigatorStatus::kFailed, .state = "lost", .why = allowed.why};
+  decision.command = allowed.command;
   return decision;
 }
 

@@ -47,6 +47,12 @@ WayToRoute::State WayToRoute::step(const Pose2& T_map_vehicle, double steering_r
   return state_;
 }
 
+WayAhead WayToRoute::ahead(const Pose2& T_map_vehicle, double reach_m) const {
+  if (!driver_.has_way()) return {};
+  const Path& path = driver_.path();
+  return way_ahead(path, path.at(path.length_m() - driver_.left_m()), T_floor_map_ * T_map_vehicle, reach_m);
+}
+
 WayToRoute::State WayToRoute::search() {
   switch (search_.advance(floor_, clearance_, kExpansions)) {
     case CarSearch::State::kFound: {

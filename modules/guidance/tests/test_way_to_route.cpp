@@ -61,6 +61,25 @@ TEST_F(WayToRouteTest, BringsAVehicleBackFromASideCorridor) {
   expect_on_route();
 }
 
+TEST_F(WayToRouteTest, TellsWhereItLeadsWhileItDrives) {
+  const KnownFloor crossing{{Vec2(0, 0), Vec2(7, 2.4)}, {Vec2(2.5, -4), Vec2(4.5, 0)}};
+  WayToRoute way(cart(), {}, {.speed_mps = 0.2}, crossing.floor, crossing.clearance);
+  const Pose2 T_map_vehicle = in_map({3.5, -2, 90 * kDegree});
+  way.begin(route(), T_map_floor_, T_map_vehicle);
+  EXPECT_TRUE(way.ahead(T_map_vehicle, 2).empty());
+  WayToRoute::State state = WayToRoute::State::kSearching;
+  Command command;
+  while (state == WayToRoute::State::kSearching) state = way.step(T_map_vehicle, 0, command);
+  ASSERT_EQ(state, WayToRoute::State::kDriving);
+  const WayAhead ahead = way.ahead(T_map_vehicle, 2);
+  ASSERT_FALSE(ahead.empty());
+  EXPECT_LT(ahead.front().T_there_vehicle.position().norm(), 1e-6);
+  const Footprint footprint = cart().footprint;
+  const Vec2 before_it{footprint.front_m + 0.3, 0}, behind_it{-footprint.rear_m - 0.3, 0};
+  EXPECT_TRUE(way_to(before_it, ahead, footprint, 0.02));
+  EXPECT_FALSE(way_to(behind_it, ahead, footprint, 0.02));
+}
+
 TEST_F(WayToRouteTest, AVehicleOnItsRouteIsThereAtOnce) {
   EXPECT_EQ(bring(corridor_, {5, 1.25, 2 * kDegree}), WayToRoute::State::kThere);
   EXPECT_LT((T_map_vehicle_.position() - in_map({5, 1.25, 0}).position()).norm(), 1e-9);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "aisle/guidance/car_search.hpp"
+#include "aisle/guidance/way_ahead.hpp"
 #include "aisle/guidance/way_driver.hpp"
 #include "aisle/maps/floor_clearance.hpp"
 
@@ -32,6 +33,9 @@ class WayToRoute {
   /// @param command  standing, unless it drives
   /// @param steering_rad  as the wheels stand now
   State step(const Pose2& T_map_vehicle, double steering_rad, Command& command);
+
+  /// Where it leads next, for whoever watches what comes into the way; empty unless it drives.
+  WayAhead ahead(const Pose2& T_map_vehicle, double reach_m) const;
 
  private:
   bool is_on_route(const Pose2& T_floor_vehicle) const;
