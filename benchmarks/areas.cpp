@@ -11,8 +11,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "aisle/core/random.hpp"
-#include "aisle/vision/laser_stripes.hpp"
-#include "aisle/vision/route_region.hpp"
+#include "aisle/vision/route/route_region.hpp"
+#include "aisle/vision/stripes/laser_stripes.hpp"
 
 namespace aisle {
 namespace {

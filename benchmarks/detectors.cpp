@@ -12,8 +12,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "aisle/core/random.hpp"
-#include "aisle/formats/picture_file.hpp"
-#include "aisle/vision/base_lines.hpp"
+#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/vision/floor/base_lines.hpp"
 #include "drawn_corridor.hpp"
 
 namespace aisle {

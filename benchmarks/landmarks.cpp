@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "aisle/learning/landmark_relocation.hpp"
+#include "aisle/learning/landmarks/landmark_relocation.hpp"
 #include "corridor_trip.hpp"
 
 namespace aisle {

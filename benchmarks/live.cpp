@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "aisle/formats/session_record.hpp"
+#include "aisle/formats/sessions/session_record.hpp"
 #include "aisle/live/live_server.hpp"
 #include "live_client.hpp"
 #include "watched_vehicle.hpp"

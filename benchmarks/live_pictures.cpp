@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-#include "aisle/formats/session_record.hpp"
+#include "aisle/formats/sessions/session_record.hpp"
 #include "aisle/live/live_server.hpp"
 #include "watched_vehicle.hpp"
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "aisle/core/random.hpp"
-#include "aisle/formats/picture_file.hpp"
-#include "aisle/formats/session_record.hpp"
+#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/formats/sessions/session_record.hpp"
 
 namespace aisle {
 namespace {

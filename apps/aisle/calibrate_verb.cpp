@@ -5,9 +5,9 @@
 #include <cmath>
 #include <memory>
 
-#include "aisle/commands/calibrate_camera.hpp"
-#include "aisle/commands/calibrate_floor.hpp"
-#include "aisle/commands/calibrate_laser.hpp"
+#include "aisle/commands/calibration/calibrate_camera.hpp"
+#include "aisle/commands/calibration/calibrate_floor.hpp"
+#include "aisle/commands/calibration/calibrate_laser.hpp"
 #include "aisle/core/angle.hpp"
 #include "verb.hpp"
 

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "aisle/commands/maze_explore.hpp"
-#include "aisle/commands/maze_generate.hpp"
-#include "aisle/commands/maze_mms.hpp"
-#include "aisle/commands/maze_table.hpp"
+#include "aisle/commands/mazes/maze_explore.hpp"
+#include "aisle/commands/mazes/maze_generate.hpp"
+#include "aisle/commands/mazes/maze_mms.hpp"
+#include "aisle/commands/mazes/maze_table.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
 

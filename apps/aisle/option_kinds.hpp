@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "aisle/commands/exploring_sensor.hpp"
+#include "aisle/commands/exploration/exploring_sensor.hpp"
 #include "aisle/geometry/pose2.hpp"
 
 template <class Value>

@@ -1,8 +1,8 @@
 #include <memory>
 
-#include "aisle/commands/session_cut.hpp"
-#include "aisle/commands/session_info.hpp"
-#include "aisle/commands/session_replay.hpp"
+#include "aisle/commands/sessions/session_cut.hpp"
+#include "aisle/commands/sessions/session_info.hpp"
+#include "aisle/commands/sessions/session_replay.hpp"
 #include "live_options.hpp"
 #include "verb.hpp"
 

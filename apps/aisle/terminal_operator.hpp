@@ -4,7 +4,7 @@
 
 #include "aisle/core/clock.hpp"
 #include "aisle/guidance/key_controls.hpp"
-#include "aisle/simulation/operator.hpp"
+#include "aisle/simulation/operators/operator.hpp"
 
 /// The terminal on stdin gives every key at once and shows none, as long as this lives; whatever ends the
 /// program, signals too, the terminal is as it was before.

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "aisle/formats/picture_file.hpp"
-#include "aisle/vision/base_lines.hpp"
+#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/vision/floor/base_lines.hpp"
 #include "real_data.hpp"
 
 namespace aisle {

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <regex>
 
-#include "aisle/formats/picture_file.hpp"
-#include "aisle/vision/laser_stripes.hpp"
-#include "aisle/vision/route_region.hpp"
+#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/vision/route/route_region.hpp"
+#include "aisle/vision/stripes/laser_stripes.hpp"
 #include "real_data.hpp"
 
 namespace aisle {

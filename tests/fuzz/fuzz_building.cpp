@@ -1,4 +1,4 @@
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

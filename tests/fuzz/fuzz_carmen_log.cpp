@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "aisle/formats/carmen_log.hpp"
+#include "aisle/formats/logs/carmen_log.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

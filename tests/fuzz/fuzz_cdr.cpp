@@ -1,4 +1,4 @@
-#include "aisle/formats/cdr.hpp"
+#include "aisle/formats/sessions/cdr.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

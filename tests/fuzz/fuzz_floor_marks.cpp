@@ -1,4 +1,4 @@
-#include "aisle/formats/floor_marks.hpp"
+#include "aisle/formats/buildings/floor_marks.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

@@ -1,4 +1,4 @@
-#include "aisle/formats/map_server.hpp"
+#include "aisle/formats/pictures/map_server.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

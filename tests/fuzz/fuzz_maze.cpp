@@ -1,4 +1,4 @@
-#include "aisle/formats/maze_file.hpp"
+#include "aisle/formats/mazes/maze_file.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

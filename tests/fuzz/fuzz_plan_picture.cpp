@@ -1,5 +1,5 @@
-#include "aisle/formats/plan_picture.hpp"
-#include "aisle/simulation/plan_tracing.hpp"
+#include "aisle/formats/pictures/plan_picture.hpp"
+#include "aisle/simulation/plans/plan_tracing.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

@@ -1,4 +1,4 @@
-#include "aisle/formats/relations.hpp"
+#include "aisle/formats/logs/relations.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

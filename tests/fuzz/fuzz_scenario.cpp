@@ -1,6 +1,6 @@
 #include <string>
 
-#include "aisle/formats/scenario_yaml.hpp"
+#include "aisle/formats/worlds/scenario_yaml.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

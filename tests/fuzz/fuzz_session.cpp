@@ -4,8 +4,8 @@
 #include <fstream>
 #include <string>
 
-#include "aisle/formats/session_cycles.hpp"
-#include "aisle/formats/session_summary.hpp"
+#include "aisle/formats/sessions/session_cycles.hpp"
+#include "aisle/formats/sessions/session_summary.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

@@ -1,4 +1,4 @@
-#include "aisle/formats/trajectory.hpp"
+#include "aisle/formats/logs/trajectory.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

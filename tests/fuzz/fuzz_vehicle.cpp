@@ -1,6 +1,6 @@
 #include <string>
 
-#include "aisle/formats/vehicle_yaml.hpp"
+#include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

@@ -1,4 +1,4 @@
-#include "aisle/formats/world_yaml.hpp"
+#include "aisle/formats/worlds/world_yaml.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

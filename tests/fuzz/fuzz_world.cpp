@@ -1,6 +1,6 @@
 #include <string>
 
-#include "aisle/formats/world_yaml.hpp"
+#include "aisle/formats/worlds/world_yaml.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

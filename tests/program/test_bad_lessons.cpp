@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "aisle/formats/session_writer.hpp"
+#include "aisle/formats/sessions/session_writer.hpp"
 #include "workplace.hpp"
 
 namespace aisle {

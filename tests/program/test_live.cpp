@@ -5,8 +5,8 @@
 #include <optional>
 #include <thread>
 
-#include "aisle/formats/cdr.hpp"
-#include "aisle/formats/session_reader.hpp"
+#include "aisle/formats/sessions/cdr.hpp"
+#include "aisle/formats/sessions/session_reader.hpp"
 #include "live_client.hpp"
 #include "workplace.hpp"
 

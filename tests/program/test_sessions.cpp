@@ -3,11 +3,11 @@
 #include <cmath>
 #include <string_view>
 
-#include "aisle/formats/cdr.hpp"
-#include "aisle/formats/decision_text.hpp"
-#include "aisle/formats/ros_messages.hpp"
-#include "aisle/formats/session_reader.hpp"
-#include "aisle/formats/session_writer.hpp"
+#include "aisle/formats/sessions/cdr.hpp"
+#include "aisle/formats/sessions/decision_text.hpp"
+#include "aisle/formats/sessions/ros_messages.hpp"
+#include "aisle/formats/sessions/session_reader.hpp"
+#include "aisle/formats/sessions/session_writer.hpp"
 #include "short_drive.hpp"
 
 namespace aisle {

@@ -5,12 +5,12 @@
 #include <string>
 
 #include "aisle/core/random.hpp"
-#include "aisle/formats/world_yaml.hpp"
-#include "aisle/learning/map_building.hpp"
-#include "aisle/learning/published_mapping.hpp"
-#include "aisle/learning/relation_error.hpp"
-#include "aisle/simulation/tour_recorder.hpp"
-#include "aisle/simulation/true_relations.hpp"
+#include "aisle/formats/worlds/world_yaml.hpp"
+#include "aisle/learning/walls/map_building.hpp"
+#include "aisle/learning/walls/published_mapping.hpp"
+#include "aisle/learning/walls/relation_error.hpp"
+#include "aisle/simulation/operators/tour_recorder.hpp"
+#include "aisle/simulation/operators/true_relations.hpp"
 
 namespace aisle {
 

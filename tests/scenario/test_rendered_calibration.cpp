@@ -10,8 +10,8 @@
 #include "aisle/calibration/lens_calibration.hpp"
 #include "aisle/calibration/mount_calibration.hpp"
 #include "aisle/core/random.hpp"
-#include "aisle/simulation/camera_sensor.hpp"
-#include "aisle/vision/laser_stripes.hpp"
+#include "aisle/simulation/vehicle/camera_sensor.hpp"
+#include "aisle/vision/stripes/laser_stripes.hpp"
 
 namespace aisle {
 namespace {

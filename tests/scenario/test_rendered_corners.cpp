@@ -4,10 +4,10 @@
 
 #include <optional>
 
-#include "aisle/simulation/camera_sensor.hpp"
-#include "aisle/simulation/turning_course.hpp"
-#include "aisle/vision/route_corner.hpp"
-#include "aisle/vision/route_view.hpp"
+#include "aisle/simulation/buildings/turning_course.hpp"
+#include "aisle/simulation/vehicle/camera_sensor.hpp"
+#include "aisle/vision/route/route_corner.hpp"
+#include "aisle/vision/route/route_view.hpp"
 
 namespace aisle {
 namespace {

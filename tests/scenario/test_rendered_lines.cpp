@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "aisle/simulation/camera_sensor.hpp"
-#include "aisle/vision/base_lines.hpp"
+#include "aisle/simulation/vehicle/camera_sensor.hpp"
+#include "aisle/vision/floor/base_lines.hpp"
 
 namespace aisle {
 namespace {

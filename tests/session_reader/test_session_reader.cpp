@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "aisle/formats/cdr.hpp"
-#include "aisle/formats/session_reader.hpp"
+#include "aisle/formats/sessions/cdr.hpp"
+#include "aisle/formats/sessions/session_reader.hpp"
 #include "session_samples.hpp"
 
 namespace aisle {

@@ -7,7 +7,7 @@
 
 #include "aisle/core/random.hpp"
 #include "aisle/core/square.hpp"
-#include "aisle/learning/landmark_learning.hpp"
+#include "aisle/learning/landmarks/landmark_learning.hpp"
 
 namespace aisle {
 

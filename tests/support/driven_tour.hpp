@@ -4,9 +4,9 @@
 #include <limits>
 #include <span>
 
-#include "aisle/simulation/clearance_grid.hpp"
+#include "aisle/simulation/operators/tour_driver.hpp"
 #include "aisle/simulation/slice.hpp"
-#include "aisle/simulation/tour_driver.hpp"
+#include "aisle/simulation/ways/clearance_grid.hpp"
 
 namespace aisle {
 

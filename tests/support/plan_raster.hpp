@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "aisle/simulation/floor_plan.hpp"
+#include "aisle/simulation/plans/floor_plan.hpp"
 #include "aisle/simulation/world.hpp"
 
 namespace aisle {

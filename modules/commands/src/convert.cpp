@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "aisle/formats/whole_file.hpp"
-#include "aisle/formats/world_yaml.hpp"
+#include "aisle/formats/worlds/world_yaml.hpp"
 #include "aisle/geometry/polyline.hpp"
-#include "aisle/simulation/dressing.hpp"
+#include "aisle/simulation/buildings/dressing.hpp"
 #include "plan_reading.hpp"
 
 namespace aisle {

@@ -7,7 +7,7 @@
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/calibration_file.hpp"
-#include "aisle/formats/picture_file.hpp"
+#include "aisle/formats/pictures/picture_file.hpp"
 #include "detection/line_pursuit.hpp"
 #include "detection/picture_detector.hpp"
 #include "rounded.hpp"

@@ -4,14 +4,14 @@
 
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "landmarks/landmark_lesson.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
 #include "rooms/room_verbs.hpp"
 #include "rounded.hpp"
 #include "sections/section_verbs.hpp"
-#include "session_trip.hpp"
+#include "sessions/session_trip.hpp"
 
 namespace aisle {
 namespace {

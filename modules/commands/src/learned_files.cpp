@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "aisle/formats/building_json.hpp"
-#include "aisle/formats/trajectory.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/formats/logs/trajectory.hpp"
 #include "aisle/report/landmark_picture.hpp"
 
 namespace aisle {

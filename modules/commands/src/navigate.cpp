@@ -8,9 +8,9 @@
 
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/core/clock.hpp"
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "landmarks/landmark_mission.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"

@@ -8,12 +8,12 @@
 #include <sstream>
 #include <utility>
 
-#include "aisle/formats/map_server.hpp"
-#include "aisle/formats/maze_file.hpp"
-#include "aisle/formats/plan_picture.hpp"
+#include "aisle/formats/mazes/maze_file.hpp"
+#include "aisle/formats/pictures/map_server.hpp"
+#include "aisle/formats/pictures/plan_picture.hpp"
 #include "aisle/formats/whole_file.hpp"
-#include "aisle/formats/world_yaml.hpp"
-#include "aisle/simulation/free_sides.hpp"
+#include "aisle/formats/worlds/world_yaml.hpp"
+#include "aisle/simulation/plans/free_sides.hpp"
 
 namespace aisle {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/vehicle/same_camera.hpp"
 #include "landmarks/landmark_driver.hpp"
 #include "landmarks/landmark_lesson.hpp"

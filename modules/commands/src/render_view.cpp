@@ -7,10 +7,10 @@
 
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/shipped_files.hpp"
-#include "aisle/formats/picture_file.hpp"
-#include "aisle/formats/vehicle_yaml.hpp"
+#include "aisle/formats/pictures/picture_file.hpp"
 #include "aisle/formats/whole_file.hpp"
-#include "aisle/formats/world_yaml.hpp"
+#include "aisle/formats/worlds/vehicle_yaml.hpp"
+#include "aisle/formats/worlds/world_yaml.hpp"
 
 namespace aisle {
 namespace {

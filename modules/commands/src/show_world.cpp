@@ -8,11 +8,11 @@
 
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/formats/whole_file.hpp"
-#include "aisle/formats/world_yaml.hpp"
+#include "aisle/formats/worlds/world_yaml.hpp"
 #include "aisle/geometry/polyline.hpp"
 #include "aisle/report/world_picture.hpp"
-#include "aisle/simulation/free_floor.hpp"
 #include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/ways/free_floor.hpp"
 
 namespace aisle {
 namespace {

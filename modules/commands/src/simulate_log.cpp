@@ -7,11 +7,11 @@
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/shipped_files.hpp"
-#include "aisle/formats/carmen_log.hpp"
-#include "aisle/formats/trajectory.hpp"
-#include "aisle/formats/world_yaml.hpp"
-#include "aisle/simulation/tour_recorder.hpp"
-#include "aisle/simulation/true_relations.hpp"
+#include "aisle/formats/logs/carmen_log.hpp"
+#include "aisle/formats/logs/trajectory.hpp"
+#include "aisle/formats/worlds/world_yaml.hpp"
+#include "aisle/simulation/operators/tour_recorder.hpp"
+#include "aisle/simulation/operators/true_relations.hpp"
 
 namespace aisle {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "aisle/formats/map_messages.hpp"
+#include "aisle/formats/sessions/map_messages.hpp"
 
 namespace aisle {
 

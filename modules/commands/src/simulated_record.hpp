@@ -5,10 +5,10 @@
 #include <string>
 
 #include "aisle/control/path.hpp"
-#include "aisle/formats/session_record.hpp"
+#include "aisle/formats/sessions/session_record.hpp"
 #include "aisle/guidance/mission.hpp"
 #include "aisle/maps/floor_grid.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "viewer_messages.hpp"
 
 namespace aisle {

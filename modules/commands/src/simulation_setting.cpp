@@ -6,10 +6,10 @@
 
 #include "aisle/commands/shipped_files.hpp"
 #include "aisle/core/random.hpp"
-#include "aisle/formats/scenario_yaml.hpp"
-#include "aisle/formats/vehicle_yaml.hpp"
-#include "aisle/formats/world_yaml.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/formats/worlds/scenario_yaml.hpp"
+#include "aisle/formats/worlds/vehicle_yaml.hpp"
+#include "aisle/formats/worlds/world_yaml.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "plan_reading.hpp"
 
 namespace aisle {

@@ -6,7 +6,7 @@
 
 #include "aisle/core/result.hpp"
 #include "aisle/simulation/scenario.hpp"
-#include "aisle/simulation/vehicle_model.hpp"
+#include "aisle/simulation/vehicle/vehicle_model.hpp"
 #include "aisle/simulation/world.hpp"
 
 namespace aisle {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "aisle/commands/shipped_files.hpp"
-#include "aisle/formats/vehicle_yaml.hpp"
-#include "aisle/formats/world_yaml.hpp"
-#include "aisle/guidance/room_cameras.hpp"
-#include "aisle/simulation/route_guide.hpp"
+#include "aisle/formats/worlds/vehicle_yaml.hpp"
+#include "aisle/formats/worlds/world_yaml.hpp"
+#include "aisle/guidance/rooms/room_cameras.hpp"
+#include "aisle/simulation/operators/route_guide.hpp"
 #include "landmarks/landmark_trip.hpp"
 #include "methods.hpp"
 #include "rooms/room_driver.hpp"

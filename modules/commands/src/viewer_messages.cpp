@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "aisle/formats/cdr.hpp"
+#include "aisle/formats/sessions/cdr.hpp"
 #include "aisle/geometry/camera_model.hpp"
 #include "rounded.hpp"
 

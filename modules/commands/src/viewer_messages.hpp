@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "aisle/formats/session_message.hpp"
-#include "aisle/guidance/landmark_navigator.hpp"
-#include "aisle/vision/floor_edges.hpp"
-#include "aisle/vision/route_view.hpp"
+#include "aisle/formats/sessions/session_message.hpp"
+#include "aisle/guidance/landmarks/landmark_navigator.hpp"
+#include "aisle/vision/floor/floor_edges.hpp"
+#include "aisle/vision/route/route_view.hpp"
 
 namespace aisle {
 

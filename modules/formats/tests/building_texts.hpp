@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
 
 namespace aisle {

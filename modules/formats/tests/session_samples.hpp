@@ -7,7 +7,7 @@
 #include <string>
 
 #include "aisle/core/random.hpp"
-#include "aisle/formats/session_record.hpp"
+#include "aisle/formats/sessions/session_record.hpp"
 #include "aisle/formats/whole_file.hpp"
 
 namespace aisle {

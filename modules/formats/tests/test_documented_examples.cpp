@@ -2,19 +2,19 @@
 
 #include <filesystem>
 
-#include "aisle/formats/building_json.hpp"
-#include "aisle/formats/carmen_log.hpp"
-#include "aisle/formats/decision_text.hpp"
-#include "aisle/formats/floor_marks.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/formats/buildings/floor_marks.hpp"
 #include "aisle/formats/key_script_text.hpp"
-#include "aisle/formats/map_server.hpp"
-#include "aisle/formats/plan_picture.hpp"
-#include "aisle/formats/relations.hpp"
-#include "aisle/formats/scenario_yaml.hpp"
-#include "aisle/formats/session_origin.hpp"
-#include "aisle/formats/trajectory.hpp"
-#include "aisle/formats/vehicle_yaml.hpp"
+#include "aisle/formats/logs/carmen_log.hpp"
+#include "aisle/formats/logs/relations.hpp"
+#include "aisle/formats/logs/trajectory.hpp"
+#include "aisle/formats/pictures/map_server.hpp"
+#include "aisle/formats/pictures/plan_picture.hpp"
+#include "aisle/formats/sessions/decision_text.hpp"
+#include "aisle/formats/sessions/session_origin.hpp"
 #include "aisle/formats/whole_file.hpp"
+#include "aisle/formats/worlds/scenario_yaml.hpp"
+#include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {

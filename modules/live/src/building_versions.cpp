@@ -4,7 +4,7 @@
 #include <cctype>
 #include <system_error>
 
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "web_address.hpp"
 

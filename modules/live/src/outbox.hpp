@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "aisle/formats/session_message.hpp"
+#include "aisle/formats/sessions/session_message.hpp"
 
 namespace aisle {
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "aisle/formats/message_schema.hpp"
+#include "aisle/formats/sessions/message_schema.hpp"
 #include "little_endian.hpp"
 
 namespace aisle {

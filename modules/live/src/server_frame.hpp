@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "aisle/formats/session_message.hpp"
+#include "aisle/formats/sessions/session_message.hpp"
 
 namespace aisle {
 

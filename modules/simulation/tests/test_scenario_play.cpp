@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "aisle/simulation/camera_feed.hpp"
 #include "aisle/simulation/scenario_play.hpp"
+#include "aisle/simulation/vehicle/camera_feed.hpp"
 
 namespace aisle {
 namespace {

@@ -1,5 +1,5 @@
-#include <aisle/formats/carmen_log.hpp>
-#include <aisle/learning/map_building.hpp>
+#include <aisle/formats/logs/carmen_log.hpp>
+#include <aisle/learning/walls/map_building.hpp>
 #include <iostream>
 
 int main(int, char** argv) {

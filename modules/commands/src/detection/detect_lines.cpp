@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "aisle/report/detection_overlay.hpp"
-#include "aisle/vision/base_lines.hpp"
-#include "aisle/vision/vertical_lines.hpp"
+#include "aisle/vision/floor/base_lines.hpp"
+#include "aisle/vision/lines/vertical_lines.hpp"
 #include "detection/picture_detector.hpp"
 
 namespace aisle {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "aisle/formats/picture_file.hpp"
+#include "aisle/formats/pictures/picture_file.hpp"
 #include "aisle/report/detection_overlay.hpp"
-#include "aisle/vision/route_region.hpp"
+#include "aisle/vision/route/route_region.hpp"
 #include "detection/picture_detector.hpp"
 
 namespace aisle {

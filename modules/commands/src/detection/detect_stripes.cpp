@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "aisle/report/detection_overlay.hpp"
-#include "aisle/vision/laser_stripes.hpp"
+#include "aisle/vision/stripes/laser_stripes.hpp"
 #include "detection/picture_detector.hpp"
 
 namespace aisle {

@@ -7,7 +7,7 @@
 
 #include "aisle/core/image.hpp"
 #include "aisle/report/followed_lines_sheet.hpp"
-#include "aisle/vision/line_follower.hpp"
+#include "aisle/vision/lines/line_follower.hpp"
 
 namespace aisle {
 

@@ -11,7 +11,7 @@
 #include "aisle/core/parameters.hpp"
 #include "aisle/geometry/camera_model.hpp"
 #include "aisle/geometry/pose2.hpp"
-#include "aisle/vision/vertical_lines.hpp"
+#include "aisle/vision/lines/vertical_lines.hpp"
 
 namespace aisle {
 

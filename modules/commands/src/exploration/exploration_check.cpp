@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "aisle/simulation/clearance_grid.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
 #include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "aisle/simulation/wall_grid.hpp"
+#include "aisle/simulation/ways/clearance_grid.hpp"
 
 namespace aisle {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "aisle/learning/corridor_tracing.hpp"
+#include "aisle/learning/corridors/corridor_tracing.hpp"
 #include "aisle/simulation/slice.hpp"
 #include "exploration/footprint_reach.hpp"
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "aisle/exploration/corridor_rules.hpp"
-#include "aisle/formats/cdr.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/formats/sessions/cdr.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "simulated_record.hpp"
 #include "timed_navigator.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_record.hpp"
-#include "aisle/guidance/explorer_navigator.hpp"
+#include "aisle/formats/sessions/session_record.hpp"
+#include "aisle/guidance/exploration/explorer_navigator.hpp"
 #include "aisle/guidance/mission.hpp"
 #include "exploration/exploration_trip.hpp"
 #include "simulation_setting.hpp"

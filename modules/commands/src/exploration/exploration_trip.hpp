@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "aisle/formats/session_cycles.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/formats/sessions/session_cycles.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 
 namespace aisle {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "aisle/commands/explore.hpp"
-#include "aisle/learning/map_building.hpp"
+#include "aisle/learning/walls/map_building.hpp"
 #include "aisle/maps/building.hpp"
 #include "aisle/report/exploration_picture.hpp"
 #include "simulation_setting.hpp"

@@ -6,8 +6,8 @@
 
 #include "aisle/commands/explore.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_origin.hpp"
-#include "aisle/guidance/explorer_navigator.hpp"
+#include "aisle/formats/sessions/session_origin.hpp"
+#include "aisle/guidance/exploration/explorer_navigator.hpp"
 
 namespace aisle {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <unordered_set>
 
-#include "aisle/guidance/footprint_room.hpp"
+#include "aisle/guidance/ways/footprint_room.hpp"
 #include "aisle/vehicle/arc.hpp"
 
 namespace aisle {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "changed_parameters.hpp"
 
 namespace aisle {

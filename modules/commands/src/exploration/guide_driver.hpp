@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_origin.hpp"
-#include "aisle/guidance/guide_navigator.hpp"
+#include "aisle/formats/sessions/session_origin.hpp"
+#include "aisle/guidance/exploration/guide_navigator.hpp"
 #include "aisle/maps/corridor_way.hpp"
 
 namespace aisle {

@@ -7,7 +7,7 @@
 
 #include "aisle/geometry/segment2.hpp"
 #include "aisle/maps/cell_index.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "simulated_record.hpp"
 #include "timed_navigator.hpp"
 

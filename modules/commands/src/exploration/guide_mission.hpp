@@ -6,7 +6,7 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_record.hpp"
+#include "aisle/formats/sessions/session_record.hpp"
 #include "aisle/guidance/mission.hpp"
 #include "exploration/guide_driver.hpp"
 #include "simulation_setting.hpp"

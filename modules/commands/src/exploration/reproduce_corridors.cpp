@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "aisle/commands/output_directory.hpp"
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/report/map_picture.hpp"
 #include "exploration/explore_in.hpp"
 #include "exploration/signature_example.hpp"

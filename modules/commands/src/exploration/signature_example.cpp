@@ -1,6 +1,6 @@
 #include "exploration/signature_example.hpp"
 
-#include "aisle/learning/beam_fan.hpp"
+#include "aisle/learning/walls/beam_fan.hpp"
 
 namespace aisle {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "aisle/learning/map_building.hpp"
+#include "aisle/learning/walls/map_building.hpp"
 #include "aisle/report/signature_picture.hpp"
 #include "aisle/vehicle/laser_log.hpp"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/guidance/hand_driver.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 
 namespace aisle {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/simulation/scripted_operator.hpp"
+#include "aisle/simulation/operators/scripted_operator.hpp"
 #include "landmarks/landmark_lesson.hpp"
 #include "landmarks/landmark_mission.hpp"
 #include "landmarks/landmark_trip.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/vehicle/same_camera.hpp"
 #include "changed_parameters.hpp"
 #include "route_name.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_origin.hpp"
-#include "aisle/guidance/landmark_navigator.hpp"
+#include "aisle/formats/sessions/session_origin.hpp"
+#include "aisle/guidance/landmarks/landmark_navigator.hpp"
 
 namespace aisle {
 

@@ -11,7 +11,7 @@
 #include "aisle/control/path.hpp"
 #include "aisle/control/path_progress.hpp"
 #include "aisle/geometry/pose2.hpp"
-#include "aisle/guidance/landmark_navigator.hpp"
+#include "aisle/guidance/landmarks/landmark_navigator.hpp"
 
 namespace aisle {
 

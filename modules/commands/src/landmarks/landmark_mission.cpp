@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "aisle/report/landmark_picture.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
 #include "statistics.hpp"

@@ -7,10 +7,10 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_record.hpp"
-#include "aisle/guidance/landmark_navigator.hpp"
+#include "aisle/formats/sessions/session_record.hpp"
+#include "aisle/guidance/landmarks/landmark_navigator.hpp"
 #include "aisle/guidance/mission.hpp"
-#include "aisle/learning/landmark_learning.hpp"
+#include "aisle/learning/landmarks/landmark_learning.hpp"
 #include "landmarks/landmark_driver.hpp"
 #include "landmarks/landmark_evaluation.hpp"
 #include "simulation_setting.hpp"

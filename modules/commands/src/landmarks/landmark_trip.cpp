@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "session_trip.hpp"
+#include "sessions/session_trip.hpp"
 
 namespace aisle {
 

@@ -5,8 +5,8 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_cycles.hpp"
-#include "aisle/learning/landmark_learning.hpp"
+#include "aisle/formats/sessions/session_cycles.hpp"
+#include "aisle/learning/landmarks/landmark_learning.hpp"
 #include "aisle/vehicle/camera_description.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aisle/commands/output_directory.hpp"
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/report/landmark_picture.hpp"
 #include "landmarks/landmark_course.hpp"
 #include "landmarks/landmark_truth.hpp"

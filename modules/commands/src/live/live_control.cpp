@@ -5,10 +5,10 @@
 #include <map>
 #include <utility>
 
-#include "aisle/formats/building_json.hpp"
-#include "aisle/formats/cdr.hpp"
-#include "aisle/formats/map_messages.hpp"
-#include "aisle/formats/session_origin.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/formats/sessions/cdr.hpp"
+#include "aisle/formats/sessions/map_messages.hpp"
+#include "aisle/formats/sessions/session_origin.hpp"
 
 namespace aisle {
 namespace {

@@ -7,9 +7,9 @@
 #include <system_error>
 #include <utility>
 
-#include "aisle/commands/session_info.hpp"
-#include "aisle/formats/session_cycles.hpp"
-#include "aisle/formats/session_summary.hpp"
+#include "aisle/commands/sessions/session_info.hpp"
+#include "aisle/formats/sessions/session_cycles.hpp"
+#include "aisle/formats/sessions/session_summary.hpp"
 #include "live/live_arguments.hpp"
 #include "live/live_maze.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "aisle/exploration/exploration_run.hpp"
 #include "aisle/exploration/grid_explorer.hpp"
-#include "aisle/formats/maze_file.hpp"
+#include "aisle/formats/mazes/maze_file.hpp"
 
 namespace aisle {
 namespace {

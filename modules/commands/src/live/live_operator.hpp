@@ -1,6 +1,6 @@
 #pragma once
 
-#include "aisle/simulation/operator.hpp"
+#include "aisle/simulation/operators/operator.hpp"
 #include "live/live_control.hpp"
 
 namespace aisle {

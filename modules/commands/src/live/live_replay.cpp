@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "aisle/formats/session_summary.hpp"
+#include "aisle/formats/sessions/session_summary.hpp"
 #include "live/live_arguments.hpp"
 
 namespace aisle {

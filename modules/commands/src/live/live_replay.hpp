@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "aisle/formats/session_reader.hpp"
+#include "aisle/formats/sessions/session_reader.hpp"
 #include "live/live_control.hpp"
 
 namespace aisle {

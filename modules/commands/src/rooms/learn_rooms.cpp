@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include "aisle/commands/output_directory.hpp"
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "learned_files.hpp"
 #include "rooms/room_verbs.hpp"
 #include "rounded.hpp"
-#include "session_trip.hpp"
+#include "sessions/session_trip.hpp"
 
 namespace aisle {
 namespace {

@@ -4,10 +4,10 @@
 
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/park.hpp"
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
-#include "aisle/guidance/room_cameras.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/guidance/rooms/room_cameras.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "changed_parameters.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "aisle/formats/building_json.hpp"
-#include "aisle/guidance/room_cameras.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/guidance/rooms/room_cameras.hpp"
 #include "changed_parameters.hpp"
 #include "route_name.hpp"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_origin.hpp"
-#include "aisle/guidance/room_navigator.hpp"
+#include "aisle/formats/sessions/session_origin.hpp"
+#include "aisle/guidance/rooms/room_navigator.hpp"
 #include "aisle/maps/building.hpp"
 
 namespace aisle {

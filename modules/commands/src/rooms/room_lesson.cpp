@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "aisle/guidance/room_cameras.hpp"
-#include "aisle/vision/brightness_view.hpp"
+#include "aisle/guidance/rooms/room_cameras.hpp"
+#include "aisle/vision/route/brightness_view.hpp"
 #include "rooms/room_driver.hpp"
-#include "session_trip.hpp"
+#include "sessions/session_trip.hpp"
 
 namespace aisle {
 

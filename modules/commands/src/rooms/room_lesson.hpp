@@ -7,10 +7,10 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_cycles.hpp"
-#include "aisle/learning/room_learning.hpp"
+#include "aisle/formats/sessions/session_cycles.hpp"
+#include "aisle/learning/rooms/room_learning.hpp"
 #include "aisle/maps/building.hpp"
-#include "aisle/vision/route_view.hpp"
+#include "aisle/vision/route/route_view.hpp"
 
 namespace aisle {
 

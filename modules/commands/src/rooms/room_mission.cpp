@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "aisle/guidance/room_cameras.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/guidance/rooms/room_cameras.hpp"
 #include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
 #include "statistics.hpp"

@@ -7,9 +7,9 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_record.hpp"
+#include "aisle/formats/sessions/session_record.hpp"
 #include "aisle/guidance/mission.hpp"
-#include "aisle/guidance/room_navigator.hpp"
+#include "aisle/guidance/rooms/room_navigator.hpp"
 #include "simulation_setting.hpp"
 
 namespace aisle {

@@ -5,9 +5,9 @@
 
 #include "aisle/guidance/hand_driver.hpp"
 #include "aisle/guidance/mission.hpp"
-#include "aisle/guidance/room_cameras.hpp"
-#include "aisle/simulation/route_guide.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/guidance/rooms/room_cameras.hpp"
+#include "aisle/simulation/operators/route_guide.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 
 namespace aisle {
 namespace {

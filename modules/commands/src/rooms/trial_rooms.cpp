@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "aisle/core/random.hpp"
-#include "aisle/guidance/room_cameras.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
-#include "aisle/simulation/turning_course.hpp"
+#include "aisle/guidance/rooms/room_cameras.hpp"
+#include "aisle/simulation/buildings/turning_course.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "methods.hpp"
 #include "mission_count.hpp"
 #include "not_taught.hpp"

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "aisle/commands/output_directory.hpp"
-#include "aisle/formats/building_json.hpp"
-#include "aisle/formats/section_text.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/formats/buildings/section_text.hpp"
 #include "aisle/report/section_picture.hpp"
 #include "learned_files.hpp"
 #include "rounded.hpp"
 #include "sections/section_verbs.hpp"
-#include "session_trip.hpp"
+#include "sessions/session_trip.hpp"
 
 namespace aisle {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "aisle/core/clock.hpp"
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "changed_parameters.hpp"
 #include "landmarks/landmark_trip.hpp"
 #include "learned_files.hpp"

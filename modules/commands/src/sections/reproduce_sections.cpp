@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "aisle/commands/output_directory.hpp"
-#include "aisle/formats/building_json.hpp"
-#include "aisle/formats/section_text.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/formats/buildings/section_text.hpp"
 #include "aisle/report/picture_sheet.hpp"
 #include "aisle/report/section_picture.hpp"
 #include "landmarks/landmark_course.hpp"

@@ -5,8 +5,8 @@
 
 #include "aisle/guidance/hand_driver.hpp"
 #include "aisle/guidance/mission.hpp"
-#include "aisle/simulation/scripted_operator.hpp"
-#include "aisle/simulation/simulated_vehicle.hpp"
+#include "aisle/simulation/operators/scripted_operator.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 
 namespace aisle {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "aisle/formats/building_json.hpp"
+#include "aisle/formats/buildings/building_json.hpp"
 #include "changed_parameters.hpp"
 #include "landmarks/landmark_trip.hpp"
 #include "route_name.hpp"

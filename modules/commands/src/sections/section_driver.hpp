@@ -6,8 +6,8 @@
 #include <string>
 
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_origin.hpp"
-#include "aisle/guidance/section_navigator.hpp"
+#include "aisle/formats/sessions/session_origin.hpp"
+#include "aisle/guidance/sections/section_navigator.hpp"
 
 namespace aisle {
 

@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "aisle/formats/section_text.hpp"
+#include "aisle/formats/buildings/section_text.hpp"
 #include "landmarks/landmark_trip.hpp"
-#include "session_trip.hpp"
+#include "sessions/session_trip.hpp"
 
 namespace aisle {
 

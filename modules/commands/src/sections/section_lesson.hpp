@@ -10,10 +10,10 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_cycles.hpp"
-#include "aisle/learning/section_learning.hpp"
+#include "aisle/formats/sessions/session_cycles.hpp"
+#include "aisle/learning/sections/section_learning.hpp"
 #include "aisle/maps/building.hpp"
-#include "aisle/vision/floor_edges.hpp"
+#include "aisle/vision/floor/floor_edges.hpp"
 
 namespace aisle {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <utility>
 
-#include "aisle/simulation/simulated_vehicle.hpp"
 #include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
 #include "statistics.hpp"

@@ -7,9 +7,9 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_record.hpp"
+#include "aisle/formats/sessions/session_record.hpp"
 #include "aisle/guidance/mission.hpp"
-#include "aisle/guidance/section_navigator.hpp"
+#include "aisle/guidance/sections/section_navigator.hpp"
 #include "aisle/report/picture_sheet.hpp"
 #include "landmarks/landmark_evaluation.hpp"
 #include "simulation_setting.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "aisle/formats/section_text.hpp"
+#include "aisle/formats/buildings/section_text.hpp"
 #include "aisle/geometry/polyline.hpp"
 #include "landmarks/landmark_course.hpp"
 #include "learned_files.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "aisle/simulation/camera_sensor.hpp"
+#include "aisle/simulation/vehicle/camera_sensor.hpp"
 #include "rendering/light_baking.hpp"
 #include "rendering/scene_plan.hpp"
 #include "rendering/seen_panel.hpp"

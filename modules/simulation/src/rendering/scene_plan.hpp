@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "aisle/simulation/camera_sensor.hpp"
+#include "aisle/simulation/vehicle/camera_sensor.hpp"
 #include "prism.hpp"
 #include "rendering/materials.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "aisle/simulation/camera_sensor.hpp"
+#include "aisle/simulation/vehicle/camera_sensor.hpp"
 #include "rendering/surface.hpp"
 
 namespace aisle {

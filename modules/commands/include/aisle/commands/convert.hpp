@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "aisle/commands/outcome.hpp"
-#include "aisle/simulation/maze_building.hpp"
-#include "aisle/simulation/plan_tracing.hpp"
-#include "aisle/simulation/random_building.hpp"
-#include "aisle/simulation/round_trip.hpp"
+#include "aisle/simulation/buildings/maze_building.hpp"
+#include "aisle/simulation/buildings/random_building.hpp"
+#include "aisle/simulation/plans/plan_tracing.hpp"
+#include "aisle/simulation/ways/round_trip.hpp"
 
 namespace aisle {
 

@@ -11,8 +11,8 @@
 #include "aisle/commands/parameter_sources.hpp"
 #include "aisle/guidance/hand_driver.hpp"
 #include "aisle/guidance/key_controls.hpp"
-#include "aisle/simulation/operator.hpp"
-#include "aisle/simulation/scripted_operator.hpp"
+#include "aisle/simulation/operators/operator.hpp"
+#include "aisle/simulation/operators/scripted_operator.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 
 namespace aisle {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "aisle/commands/exploring_sensor.hpp"
+#include "aisle/commands/exploration/exploring_sensor.hpp"
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
 #include "aisle/exploration/building_explorer.hpp"

@@ -7,7 +7,7 @@
 
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
-#include "aisle/formats/carmen_log.hpp"
+#include "aisle/formats/logs/carmen_log.hpp"
 
 namespace aisle {
 

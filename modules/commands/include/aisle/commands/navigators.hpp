@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aisle/core/result.hpp"
-#include "aisle/formats/session_origin.hpp"
+#include "aisle/formats/sessions/session_origin.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "aisle/core/progress.hpp"
 #include "aisle/core/result.hpp"
-#include "aisle/formats/message_sink.hpp"
+#include "aisle/formats/sessions/message_sink.hpp"
 
 namespace aisle {
 

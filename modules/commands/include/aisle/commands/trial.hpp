@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "aisle/commands/exploring_sensor.hpp"
+#include "aisle/commands/exploration/exploring_sensor.hpp"
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
 #include "aisle/maps/room_route.hpp"
-#include "aisle/simulation/random_building.hpp"
+#include "aisle/simulation/buildings/random_building.hpp"
 
 namespace aisle {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "aisle/core/result.hpp"
-#include "aisle/simulation/key_script.hpp"
+#include "aisle/simulation/operators/key_script.hpp"
 
 namespace aisle {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "aisle/core/result.hpp"
-#include "aisle/formats/message_sink.hpp"
+#include "aisle/formats/sessions/message_sink.hpp"
 #include "aisle/live/drive_command.hpp"
 #include "aisle/live/live_folders.hpp"
 #include "aisle/live/service_call.hpp"

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "aisle/core/image.hpp"
-#include "aisle/vision/base_lines.hpp"
-#include "aisle/vision/laser_stripes.hpp"
-#include "aisle/vision/route_region.hpp"
-#include "aisle/vision/vertical_lines.hpp"
+#include "aisle/vision/floor/base_lines.hpp"
+#include "aisle/vision/lines/vertical_lines.hpp"
+#include "aisle/vision/route/route_region.hpp"
+#include "aisle/vision/stripes/laser_stripes.hpp"
 
 namespace aisle {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aisle/core/image.hpp"
-#include "aisle/vision/vertical_lines.hpp"
+#include "aisle/vision/lines/vertical_lines.hpp"
 
 namespace aisle {
 

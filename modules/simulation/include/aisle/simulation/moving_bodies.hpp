@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "aisle/geometry/segment2.hpp"
-#include "aisle/simulation/camera_sensor.hpp"
 #include "aisle/simulation/scenario_play.hpp"
+#include "aisle/simulation/vehicle/camera_sensor.hpp"
 #include "aisle/simulation/world.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 

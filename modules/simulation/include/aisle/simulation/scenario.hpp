@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "aisle/geometry/pose2.hpp"
-#include "aisle/simulation/camera_sensor.hpp"
+#include "aisle/simulation/vehicle/camera_sensor.hpp"
 #include "aisle/simulation/world.hpp"
 
 namespace aisle {

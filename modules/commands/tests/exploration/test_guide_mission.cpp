@@ -1,0 +1,168 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/formats/worlds/vehicle_yaml.hpp"
+#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
+#include "exploration/exploration_evaluation.hpp"
+#include "exploration/guide_mission.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::HasSubstr;
+
+/// An L of corridors 2 m wide: along x from (0, 0) to (14, 2), then up to (14, 12).
+World l_building() {
+  World world;
+  const Vec2 corners[] = {{0, 0}, {14, 0}, {14, 12}, {12, 12}, {12, 2}, {0, 2}};
+  for (std::size_t i = 0; i < std::size(corners); ++i)
+    world.walls.push_back({.foot = {corners[i], corners[(i + 1) % std::size(corners)]}});
+  world.start = Pose2{1.5, 1, 0};
+  return world;
+}
+
+bool is_floor_of_l(const Vec2& p) {
+  return p.y() < 2 || p.x() > 12;
+}
+
+/// Corridors 2 m wide round a block, in a square of 10 m.
+World ring_building() {
+  World world;
+  const Vec2 outer[] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, block[] = {{2, 2}, {2, 8}, {8, 8}, {8, 2}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    world.walls.push_back({.foot = {outer[i], outer[(i + 1) % 4]}});
+    world.walls.push_back({.foot = {block[i], block[(i + 1) % 4]}});
+  }
+  world.start = Pose2{1, 1.5, kPi / 2};
+  return world;
+}
+
+bool is_floor_of_ring(const Vec2& p) {
+  const auto is_in_block = [](double x) { return x > 2 && x < 8; };
+  return p.x() < 10 && p.y() < 10 && !(is_in_block(p.x()) && is_in_block(p.y()));
+}
+
+VehicleModel cart_with_scanner() {
+  auto model = read_vehicle(std::filesystem::path(AISLE_SOURCE_DIR) / "vehicles/alv-scanner.yaml");
+  EXPECT_TRUE(model.ok());
+  model->description.cameras.clear();
+  return *model;
+}
+
+/// What a vehicle that learned everything rightly would leave.
+Building learned(const World& world, bool (*is_floor)(const Vec2&) = is_floor_of_l) {
+  Building building{.name = "corridors"};
+  for (const Segment2& s : slice(world, 0.3))
+    building.walls.walls.push_back({.segment = s, .is_orthogonal = true, .sightings = 9, .sigma_m = 0.01});
+  building.corridors = true_corridors(world, cart_with_scanner().description, world.start->position());
+  building.places = {{"home", *world.start}, {"lift", {13, 8, 0}}};
+  building.floor.emplace();
+  for (double x = 0.025; x < 14; x += 0.05) {
+    for (double y = 0.025; y < 12; y += 0.05) {
+      if (is_floor({x, y})) building.floor->set(building.floor->cell_at({x, y}), Floor::kFree);
+    }
+  }
+  return building;
+}
+
+struct Driven {
+  GuideMissionResult result;
+  double shortest_m = 0;
+  double coverage = 0;
+};
+
+Driven drive(const std::string& errand, const World& world = l_building(),
+             const Building& building = learned(l_building())) {
+  const SimulationSetting setting{
+      .world_file = {}, .world = world, .vehicle = cart_with_scanner(), .scenario = {}};
+  auto driver = GuideDriver::make(GuideDriver::origin({}, building_json(building), errand),
+                                  setting.vehicle.description);
+  EXPECT_TRUE(driver.ok()) << to_string(driver.problems());
+  std::optional<SessionRecord> no_session;
+  SilentProgress progress;
+  auto result = drive_guide_mission(setting, **driver, *world.start, 1, no_session, progress);
+  EXPECT_TRUE(result.ok());
+  const double coverage = graph_coverage((*driver)->building().corridors, result->T_map_vehicle,
+                                         setting.vehicle.description.footprint);
+  return {std::move(*result), (*driver)->errand().shortest_m, coverage};
+}
+
+std::string refused(const std::string& place) {
+  const auto errand = errand_to(learned(l_building()), place);
+  return errand.ok() ? "" : to_string(errand.problems());
+}
+
+TEST(GuideMission, GoesToAPlaceByItsNameOnAboutTheShortestWay) {
+  const Driven driven = drive("go lift");
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_EQ(driven.result.collisions, 0U);
+  EXPECT_LT((driven.result.T_world_vehicle.back().position() - Vec2(13, 8)).norm(), 1.5);
+  EXPECT_LT(driven.result.distance_m, driven.shortest_m + 1);
+}
+
+TEST(GuideMission, PatrolsAllCorridorsAndComesHome) {
+  const Driven driven = drive("patrol 1");
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_EQ(driven.result.collisions, 0U);
+  EXPECT_GT(driven.coverage, 0.99);
+  EXPECT_LT((driven.result.T_world_vehicle.back().position() - Vec2(1.5, 1)).norm(), 1.5);
+}
+
+TEST(GuideMission, GivesUpBeforeAWayThatIsClosedNowAndTouchesNothing) {
+  World closed = l_building();
+  closed.walls.push_back({.foot = {{12, 5}, {14, 5}}});
+  const Driven driven = drive("go lift", closed);
+  EXPECT_FALSE(driven.result.end.arrived);
+  EXPECT_THAT(driven.result.end.why, HasSubstr("there is no way to 13.0, 8.0"));
+  EXPECT_EQ(driven.result.collisions, 0U);
+}
+
+bool ever_met(const Barrier& barrier, const Driven& driven) {
+  const Footprint footprint = cart_with_scanner().description.footprint;
+  const auto& T_world_vehicle = driven.result.T_world_vehicle;
+  return std::any_of(T_world_vehicle.begin(), T_world_vehicle.end(), [&](const Pose2& T) {
+    return barrier_met({&barrier, 1}, footprint, T) != nullptr;
+  });
+}
+
+TEST(GuideMission, GivesUpBeforeAKeepOutLineThatOnlyTheMapShows) {
+  Building building = learned(l_building());
+  building.barriers = {{.segment = {{12, 5}, {14, 5}}}};
+  const Driven driven = drive("go lift", l_building(), building);
+  EXPECT_FALSE(driven.result.end.arrived);
+  EXPECT_THAT(driven.result.end.why, HasSubstr("no way to 13.0, 8.0 that crosses neither keep-out lines"));
+  EXPECT_FALSE(ever_met(building.barriers[0], driven));
+}
+
+TEST(GuideMission, GoesTheOtherWayRoundRatherThanThroughGlass) {
+  Building building = learned(ring_building(), is_floor_of_ring);
+  building.barriers = {{.kind = Barrier::Kind::kGlass, .segment = {{4, 0}, {4, 2}}}};
+  const Driven driven = drive("go 6,1", ring_building(), building);
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_EQ(driven.result.collisions, 0U);
+  EXPECT_GT(driven.result.distance_m, 20) << "round the block";
+  EXPECT_FALSE(ever_met(building.barriers[0], driven));
+}
+
+TEST(GuideErrand, PlacesAreNamesNodesAndPoints) {
+  const Building building = learned(l_building());
+  EXPECT_EQ(errand_to(building, "lift")->p_map_places.front(), Vec2(13, 8));
+  EXPECT_EQ(errand_to(building, "end 2")->p_map_places.front(), building.corridors.nodes[1].p_map);
+  EXPECT_EQ(errand_to(building, "5,1.25")->p_map_places.front(), Vec2(5, 1.25));
+  EXPECT_THAT(refused("cellar"), HasSubstr("'cellar' is unknown; there are home, lift, end 1, end 2"));
+  EXPECT_THAT(refused("5,9"), HasSubstr("nothing is known at 5,9"));
+  EXPECT_THAT(refused("5,nan"), HasSubstr("'5,nan' is unknown"));
+}
+
+TEST(GuideErrand, EveryRoundOfAPatrolIsAsLongAsTheFirst) {
+  const Building building = learned(l_building());
+  const Errand one = *patrol_errand(building, 1), three = *patrol_errand(building, 3);
+  EXPECT_EQ(three.p_map_places.size() - 1, 3 * (one.p_map_places.size() - 1));
+  EXPECT_FALSE(patrol_errand(building, 0).ok());
+}
+
+}  // namespace
+}  // namespace aisle

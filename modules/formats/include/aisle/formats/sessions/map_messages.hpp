@@ -1,0 +1,30 @@
+#pragma once
+/// What a navigator knows, as messages for viewers, in the frame "map". Sessions do not hold them.
+
+#include <string>
+
+#include "aisle/control/path.hpp"
+#include "aisle/formats/sessions/session_message.hpp"
+#include "aisle/geometry/pose2.hpp"
+#include "aisle/maps/building.hpp"
+
+namespace aisle {
+
+/// /pose, geometry_msgs/PoseWithCovarianceStamped
+const SessionTopic& pose_topic();
+std::string pose_cdr(ros::Stamp_ns stamp, const UncertainPose2& T_map_vehicle);
+
+/// /plan, nav_msgs/Path: a pose every 0.1 m of way.
+const SessionTopic& plan_topic();
+std::string plan_cdr(ros::Stamp_ns stamp, const Path& path);
+
+/// /map, visualization_msgs/MarkerArray, latched: walls, landmarks, the graph of corridors, routes, places,
+/// keep-out lines and glass, each in a namespace of its own.
+const SessionTopic& map_topic();
+std::string map_cdr(ros::Stamp_ns stamp, const Building& building);
+
+/// /floor, std_msgs/String, latched: the part "floor" of a building file.
+const SessionTopic& floor_topic();
+std::string floor_cdr(const FloorGrid& floor);
+
+}  // namespace aisle

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "aisle/formats/sessions/ros_messages.hpp"
+
+namespace aisle::ros {
+
+/// Nanoseconds since the clock's beginning: how a session stamps its messages.
+using Stamp_ns = std::int64_t;
+
+/// To the nearest nanosecond.
+/// @param stamp_s  0 to 2^31
+/// @throws std::invalid_argument outside
+Stamp_ns stamp_ns(double stamp_s);
+
+/// The nearest double. stamp_s(stamp_ns(t)) is t to the nanosecond, and taking it there and back again
+/// changes nothing any more.
+double stamp_s(Stamp_ns stamp);
+
+Time time_of(Stamp_ns stamp);
+Stamp_ns stamp_ns(const Time& time);
+
+}  // namespace aisle::ros

@@ -1,0 +1,124 @@
+#include "buildings/floor_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "buildings/json_text.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kCellMin_m = 0.01;
+constexpr double kCellMax_m = 1;
+constexpr int kRowCellsMax = 2 * FloorGrid::kReach + 1;
+constexpr std::size_t kRowsMax = kRowCellsMax;
+constexpr std::size_t kFloorCellsMax = 40'000'000;
+
+constexpr char kSigns[] = {'-', '.', '#'};  // by Floor
+
+std::string row_text(const FloorGrid& floor, int y) {
+  std::string text;
+  const FloorBox& box = floor.known();
+  for (int x = box.low.x; x < box.end.x;) {
+    const Floor kind = floor.at(FloorCell{x, y});
+    int run = 1;
+    while (x + run < box.end.x && floor.at(FloorCell{x + run, y}) == kind) ++run;
+    x += run;
+    if (x < box.end.x || kind != Floor::kUnknown)
+      text += std::to_string(run) + kSigns[static_cast<std::size_t>(kind)];
+  }
+  return text;
+}
+
+struct Run {
+  int cells = 0;
+  Floor kind = Floor::kUnknown;
+};
+
+/// nullopt: not a row of runs, or longer than a floor can be.
+std::optional<std::vector<Run>> runs_of(std::string_view text) {
+  std::vector<Run> runs;
+  for (int cells = 0; !text.empty();) {
+    Run run;
+    const auto [sign, error] = std::from_chars(text.data(), text.data() + text.size(), run.cells);
+    if (error != std::errc() || run.cells < 1 || run.cells > kRowCellsMax - cells ||
+        sign == text.data() + text.size())
+      return std::nullopt;
+    const auto kind = std::find(std::begin(kSigns), std::end(kSigns), *sign);
+    if (kind == std::end(kSigns)) return std::nullopt;
+    run.kind = static_cast<Floor>(kind - std::begin(kSigns));
+    text.remove_prefix(static_cast<std::size_t>(sign - text.data()) + 1);
+    cells += run.cells;
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+int cells_in(const std::vector<Run>& runs) {
+  return std::accumulate(runs.begin(), runs.end(), 0,
+                         [](int sum, const Run& run) { return sum + run.cells; });
+}
+
+void put_row(const std::vector<Run>& runs, FloorCell cell, FloorGrid& floor) {
+  for (const Run& run : runs) {
+    const FloorCell end{cell.x + run.cells, cell.y};
+    for (; cell.x < end.x; ++cell.x) {
+      if (run.kind != Floor::kUnknown) floor.set(cell, run.kind);
+    }
+  }
+}
+
+/// Every row that can be read.
+std::vector<std::vector<Run>> read_rows(const JsonValue& value) {
+  std::vector<std::vector<Run>> rows;
+  if (!value.is_list_up_to(kRowsMax)) return rows;
+  int width_cells = 0;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    std::string text;
+    value.element(i).read(text);
+    auto runs = runs_of(text);
+    if (!runs) value.element(i).wrong("is not a row of runs like 12-40.3#");
+    rows.push_back(runs.value_or(std::vector<Run>()));
+    width_cells = std::max(width_cells, cells_in(rows.back()));
+  }
+  if (rows.size() * static_cast<std::size_t>(width_cells) <= kFloorCellsMax) return rows;
+  value.wrong(fmt::format("are more than {} cells together", kFloorCellsMax));
+  return {};
+}
+
+}  // namespace
+
+std::string floor_json(const FloorGrid& floor) {
+  std::vector<std::string> rows;
+  const FloorBox& box = floor.known();
+  for (int y = box.low.y; y < box.end.y; ++y) rows.push_back("\"" + row_text(floor, y) + "\"");
+  return fmt::format(R"({{"cell_m": {}, "low_cell": [{}, {}], "rows": {}}})", decimals(floor.cell_m(), 4),
+                     box.low.x, box.low.y, list_json(rows));
+}
+
+FloorGrid read_floor(const JsonValue& value) {
+  double cell_m = 0.05;
+  FloorCell low;
+  if (!value.is_object_of({"cell_m", "low_cell", "rows"})) return FloorGrid();
+  if (const auto cell = value.require("cell_m")) cell->read_number(cell_m, kCellMin_m, kCellMax_m);
+  if (const auto corner = value.require("low_cell"); corner && corner->is_list_of(2)) {
+    corner->element(0).read_count(low.x, -FloorGrid::kReach, FloorGrid::kReach);
+    corner->element(1).read_count(low.y, -FloorGrid::kReach, FloorGrid::kReach);
+  }
+  FloorGrid floor(cell_m);
+  if (const auto rows = value.require("rows")) {
+    for (const std::vector<Run>& row : read_rows(*rows)) {
+      put_row(row, low, floor);
+      ++low.y;
+    }
+  }
+  return floor;
+}
+
+}  // namespace aisle

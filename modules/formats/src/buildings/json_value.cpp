@@ -1,0 +1,125 @@
+#include "buildings/json_value.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace aisle {
+namespace {
+
+constexpr double kCoordinateLimit_m = 1e6;
+constexpr std::size_t kNameBytesMax = 200;
+
+}  // namespace
+
+Result<nlohmann::json> parse_json(std::string_view text, const std::string& name) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto malformed = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    return Problem{{name, 1 + std::count(text.begin(), malformed, '\n'), ""}, "is not well-formed JSON here"};
+  } catch (const nlohmann::json::exception&) {
+    return Problem{{name}, "has a number that is too large"};
+  }
+}
+
+bool JsonValue::is_text() const {
+  if (!value_.is_string()) wrong("is not a text");
+  return value_.is_string();
+}
+
+void JsonValue::read(std::string& target) const {
+  if (is_text()) target = value_.get<std::string>();
+}
+
+void JsonValue::read(bool& target) const {
+  if (!value_.is_boolean()) return wrong("is neither true nor false");
+  target = value_.get<bool>();
+}
+
+void JsonValue::read_name(std::string& target) const {
+  std::string name;
+  if (value_.is_string()) name = value_.get<std::string>();
+  if (name.empty() || name.size() > kNameBytesMax)
+    return wrong(fmt::format("is not a text of 1 to {} bytes", kNameBytesMax));
+  target = std::move(name);
+}
+
+void JsonValue::read_count(int& target) const {
+  if (!value_.is_number_integer() || value_ < 0 || value_ > std::numeric_limits<int>::max()) {
+    return wrong("is not a whole number from 0 on");
+  }
+  target = value_.get<int>();
+}
+
+void JsonValue::read_count(int& target, int min, int max) const {
+  if (!value_.is_number_integer() || value_ < min || value_ > max) {
+    return wrong(fmt::format("is not a whole number from {} to {}", min, max));
+  }
+  target = value_.get<int>();
+}
+
+void JsonValue::read_number(double& target, double min, double max) const {
+  const bool fits = value_.is_number() && value_.get<double>() >= min && value_.get<double>() <= max;
+  if (!fits) return wrong(fmt::format("is not a number from {:g} to {:g}", min, max));
+  target = value_.get<double>();
+}
+
+void JsonValue::read_point(Vec2& target) const {
+  if (!is_list_of(2)) return;
+  element(0).read_number(target.x(), -kCoordinateLimit_m, kCoordinateLimit_m);
+  element(1).read_number(target.y(), -kCoordinateLimit_m, kCoordinateLimit_m);
+}
+
+bool JsonValue::is_list() const {
+  if (!value_.is_array()) wrong("is not a list");
+  return value_.is_array();
+}
+
+bool JsonValue::is_list_of(std::size_t count) const {
+  const bool fits = value_.is_array() && value_.size() == count;
+  if (!fits) wrong(fmt::format("is not a list of {}", count));
+  return fits;
+}
+
+bool JsonValue::is_list_up_to(std::size_t count_max) const {
+  if (!is_list()) return false;
+  if (value_.size() > count_max) wrong(fmt::format("has more than {} elements", count_max));
+  return value_.size() <= count_max;
+}
+
+JsonValue JsonValue::element(std::size_t index) const {
+  return {value_[index], fmt::format("{}[{}]", path_, index), problems_};
+}
+
+bool JsonValue::is_object_of(const std::vector<std::string_view>& known) const {
+  if (!value_.is_object()) {
+    wrong("is not an object");
+    return false;
+  }
+  for (const auto& member : value_.items()) {
+    if (std::find(known.begin(), known.end(), member.key()) == known.end()) {
+      problems_.add(0, path_to(member.key()), "unknown key");
+    }
+  }
+  return true;
+}
+
+std::optional<JsonValue> JsonValue::find(const char* key) const {
+  const auto member = value_.find(key);
+  if (member == value_.end()) return std::nullopt;
+  return JsonValue(*member, path_to(key), problems_);
+}
+
+std::optional<JsonValue> JsonValue::require(const char* key) const {
+  auto member = find(key);
+  if (!member) problems_.add(0, path_to(key), "is missing");
+  return member;
+}
+
+std::string JsonValue::path_to(std::string_view key) const {
+  return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
+}  // namespace aisle

@@ -1,0 +1,17 @@
+#pragma once
+/// The part "routes" of a building.
+
+#include <string>
+#include <vector>
+
+#include "aisle/maps/route.hpp"
+#include "buildings/json_value.hpp"
+
+namespace aisle {
+
+std::string routes_json(const std::vector<Route>& routes);
+
+/// Names that are empty or stand there twice and routes that lead nowhere are problems.
+std::vector<Route> read_routes(const JsonValue& value);
+
+}  // namespace aisle

@@ -1,0 +1,52 @@
+#pragma once
+/// Single messages (lines) of a CARMEN log. The readers take what follows the message's name; what is wrong
+/// with the line stays in `fields`. Lengths are converted to metres.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "field_reader.hpp"
+#include "logs/carmen_fan.hpp"
+
+namespace aisle {
+
+struct StampFields {
+  double stamp_s = 0;           ///< ipc_timestamp
+  std::size_t after_stamp = 0;  ///< how many of host and logger_timestamp follow
+};
+
+struct ScanMessage {
+  std::vector<float> ranges_m;        ///< as recorded; infinite ones are 0
+  std::optional<BeamFan> fan;         ///< unless the message leaves it open (FLASER)
+  double maximum_range_m = 0;         ///< 0: not told
+  std::optional<Pose2> T_odom_laser;  ///< unless the message has no poses (RAWLASER1)
+  std::optional<Pose2> T_odom_vehicle;
+  StampFields stamp;
+};
+
+struct OdometryMessage {
+  Pose2 T_odom_vehicle;
+  StampFields stamp;
+};
+
+/// What PARAM lines tell about the front scanner.
+struct CarmenParams {
+  std::optional<double> offset_m, side_offset_m, angular_offset_rad;
+  std::optional<double> maximum_range_m;
+  std::optional<double> resolution_deg;
+
+  /// T_vehicle_laser, if there is anything about it.
+  std::optional<Pose2> mounting() const;
+};
+
+ScanMessage read_flaser(FieldReader& fields, double metres_per_unit);
+ScanMessage read_rawlaser(FieldReader& fields, double metres_per_unit);
+ScanMessage read_robotlaser(FieldReader& fields, double metres_per_unit);
+OdometryMessage read_odometry(FieldReader& fields, double metres_per_unit);
+void read_param(FieldReader& fields, double metres_per_unit, CarmenParams& params);
+
+/// Whether this is a message of CARMEN or its relatives that says nothing about the front scanner.
+bool is_other_carmen_message(std::string_view name);
+
+}  // namespace aisle

@@ -1,0 +1,167 @@
+#include "aisle/formats/sessions/map_messages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "aisle/formats/sessions/cdr.hpp"
+#include "aisle/formats/sessions/ros_time.hpp"
+#include "buildings/floor_json.hpp"
+#include "sessions/frame_messages.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kPlanEvery_m = 0.1;
+constexpr double kTextHeight_m = 0.4;
+
+constexpr ros::ColorRGBA kWallColour{0.2F, 0.2F, 0.25F, 1};
+constexpr ros::ColorRGBA kLandmarkColour{0.8F, 0.3F, 0.1F, 1};
+constexpr ros::ColorRGBA kGraphColour{0.1F, 0.5F, 0.8F, 1};
+constexpr ros::ColorRGBA kRouteColour{0.2F, 0.6F, 0.2F, 1};
+constexpr ros::ColorRGBA kKeepOutColour{0.8F, 0.2F, 0.2F, 1};
+constexpr ros::ColorRGBA kGlassColour{0.2F, 0.7F, 0.85F, 1};
+
+ros::Vector3 point(const Vec2& p) {
+  return {.x = p.x(), .y = p.y()};
+}
+
+ros::Pose pose_on_floor(const Pose2& T) {
+  return {{.x = T.x, .y = T.y}, {.z = std::sin(T.theta / 2), .w = std::cos(T.theta / 2)}};
+}
+
+ros::Header map_header(ros::Stamp_ns stamp) {
+  return {ros::time_of(stamp), kMapFrame};
+}
+
+ros::Marker marker(ros::Stamp_ns stamp, const char* name, ros::Marker::Kind kind, double width_m,
+                   const ros::ColorRGBA& colour) {
+  ros::Marker marker;
+  marker.header = map_header(stamp);
+  marker.ns = name;
+  marker.type = kind;
+  marker.scale = {width_m, width_m, width_m};
+  marker.color = colour;
+  return marker;
+}
+
+std::vector<double> plan_marks_m(const Path& path) {
+  const auto count = static_cast<std::size_t>(path.length_m() / kPlanEvery_m);
+  std::vector<double> marks;
+  marks.reserve(count + 2);
+  for (std::size_t i = 0; i <= count; ++i) marks.push_back(static_cast<double>(i) * kPlanEvery_m);
+  marks.push_back(path.length_m());
+  return marks;
+}
+
+ros::Marker barriers_of(const Building& building, Barrier::Kind kind, ros::Marker lines) {
+  for (const Barrier& barrier : building.barriers) {
+    if (barrier.kind != kind) continue;
+    lines.points.push_back(point(barrier.segment.start));
+    lines.points.push_back(point(barrier.segment.end));
+  }
+  return lines;
+}
+
+ros::Marker walls_of(const Building& building, ros::Stamp_ns stamp) {
+  ros::Marker walls = marker(stamp, "walls", ros::Marker::kLineList, 0.04, kWallColour);
+  walls.points.reserve(2 * building.walls.walls.size());
+  for (const Wall& wall : building.walls.walls) {
+    walls.points.push_back(point(wall.segment.start));
+    walls.points.push_back(point(wall.segment.end));
+  }
+  return walls;
+}
+
+ros::Marker landmarks_of(const Building& building, ros::Stamp_ns stamp) {
+  ros::Marker landmarks = marker(stamp, "landmarks", ros::Marker::kSphereList, 0.1, kLandmarkColour);
+  landmarks.points.reserve(building.landmarks.size());
+  for (const Landmark& landmark : building.landmarks.all()) landmarks.points.push_back(point(landmark.p_map));
+  return landmarks;
+}
+
+/// Lines from point to point, each its own marker.
+void add_line(ros::MarkerArray& array, ros::Marker line, const std::vector<Vec2>& way) {
+  line.id = static_cast<std::int32_t>(array.markers.size());
+  line.points.reserve(way.size());
+  for (const Vec2& p : way) line.points.push_back(point(p));
+  array.markers.push_back(std::move(line));
+}
+
+std::vector<Vec2> way_of(const Path& path) {
+  std::vector<Vec2> way;
+  for (const double mark_m : plan_marks_m(path)) way.push_back(path.at(mark_m).T_map_path.position());
+  return way;
+}
+
+void add_places(ros::MarkerArray& array, const Building& building, ros::Stamp_ns stamp) {
+  for (const MapPlace& place : building.places) {
+    ros::Marker text = marker(stamp, "places", ros::Marker::kText, kTextHeight_m, kGraphColour);
+    text.id = static_cast<std::int32_t>(array.markers.size());
+    text.pose = pose_on_floor(place.T_map_place);
+    text.text = place.name;
+    array.markers.push_back(std::move(text));
+  }
+}
+
+}  // namespace
+
+const SessionTopic& pose_topic() {
+  static const SessionTopic topic{"/pose", ros::PoseWithCovarianceStamped::kType};
+  return topic;
+}
+
+std::string pose_cdr(ros::Stamp_ns stamp, const UncertainPose2& T_map_vehicle) {
+  ros::PoseWithCovarianceStamped message{map_header(stamp), {pose_on_floor(T_map_vehicle.mean), {}}};
+  constexpr std::array<std::size_t, 3> kRow{0, 1, 5};  // x, y and the rotation about z of six
+  for (std::size_t i = 0; i < kRow.size(); ++i) {
+    for (std::size_t j = 0; j < kRow.size(); ++j)
+      message.pose.covariance[6 * kRow[i] + kRow[j]] =
+          T_map_vehicle.covariance(static_cast<int>(i), static_cast<int>(j));
+  }
+  return cdr_bytes(message);
+}
+
+const SessionTopic& plan_topic() {
+  static const SessionTopic topic{"/plan", ros::Path::kType};
+  return topic;
+}
+
+std::string plan_cdr(ros::Stamp_ns stamp, const Path& path) {
+  ros::Path message{map_header(stamp), {}};
+  if (path.empty()) return cdr_bytes(message);
+  for (const double mark_m : plan_marks_m(path))
+    message.poses.push_back({map_header(stamp), pose_on_floor(path.at(mark_m).T_map_path)});
+  return cdr_bytes(message);
+}
+
+const SessionTopic& map_topic() {
+  static const SessionTopic topic{"/map", ros::MarkerArray::kType, true};
+  return topic;
+}
+
+std::string map_cdr(ros::Stamp_ns stamp, const Building& building) {
+  ros::MarkerArray array{{walls_of(building, stamp), landmarks_of(building, stamp)}};
+  for (const Corridor& corridor : building.corridors.corridors)
+    add_line(array, marker(stamp, "graph", ros::Marker::kLineStrip, 0.05, kGraphColour), corridor.way);
+  for (const Route& route : building.routes)
+    add_line(array, marker(stamp, "routes", ros::Marker::kLineStrip, 0.05, kRouteColour), way_of(route.path));
+  add_places(array, building, stamp);
+  array.markers.push_back(
+      barriers_of(building, Barrier::Kind::kKeepOut,
+                  marker(stamp, "keep_out", ros::Marker::kLineList, 0.06, kKeepOutColour)));
+  array.markers.push_back(barriers_of(building, Barrier::Kind::kGlass,
+                                      marker(stamp, "glass", ros::Marker::kLineList, 0.06, kGlassColour)));
+  return cdr_bytes(array);
+}
+
+const SessionTopic& floor_topic() {
+  static const SessionTopic topic{"/floor", ros::String::kType, true};
+  return topic;
+}
+
+std::string floor_cdr(const FloorGrid& floor) {
+  return cdr_bytes(ros::String{floor_json(floor)});
+}
+
+}  // namespace aisle

@@ -1,0 +1,120 @@
+#include "sessions/session_metadata.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+namespace aisle {
+namespace {
+
+constexpr int kMetadataVersion = 5;
+
+/// Text in double quotes; JSON's escapes are among YAML's.
+std::string json_quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+std::string topic_yaml(const SessionMetadata::TopicCount& count) {
+  return fmt::format(
+      "    - topic_metadata:\n"
+      "        name: {}\n"
+      "        type: {}\n"
+      "        serialization_format: cdr\n"
+      "        offered_qos_profiles: {}\n"
+      "      message_count: {}\n",
+      count.topic.name, count.topic.type, json_quoted(quality_of_service(count.topic.latched)),
+      count.messages);
+}
+
+std::optional<std::string> scalar(const YAML::Node& map, const char* key) {
+  const YAML::Node value = map[key];
+  if (!value || !value.IsScalar()) return std::nullopt;
+  return value.Scalar();
+}
+
+Result<std::string> database_name(const YAML::Node& bag, const std::string& name) {
+  const auto wrong = [&](const char* key, std::string what) {
+    return Problem{{name, 0, key}, std::move(what)};
+  };
+  if (const std::string storage = scalar(bag, "storage_identifier").value_or(""); storage != "sqlite3") {
+    return wrong("storage_identifier",
+                 fmt::format("'{}' is not read, only sqlite3; `ros2 bag convert` makes one", storage));
+  }
+  if (const std::string format = scalar(bag, "compression_format").value_or(""); !format.empty()) {
+    return wrong("compression_format",
+                 fmt::format("'{}' is not read, only bags that are not compressed as a whole; "
+                             "`ros2 bag convert` makes one",
+                             format));
+  }
+  const YAML::Node files = bag["relative_file_paths"];
+  if (!files || !files.IsSequence() || files.size() == 0 || !files[0].IsScalar())
+    return wrong("relative_file_paths", "names no database");
+  if (files.size() > 1) {
+    return wrong(
+        "relative_file_paths",
+        fmt::format("names {} files; a bag of one is read, and `ros2 bag convert` makes one", files.size()));
+  }
+  const std::string file = files[0].Scalar();
+  if (file.empty() || file == "." || file == ".." || file.find('/') != std::string::npos)
+    return wrong("relative_file_paths", fmt::format("'{}' is no file beside metadata.yaml", file));
+  return file;
+}
+
+}  // namespace
+
+std::string quality_of_service(bool latched) {
+  const char* forever = "    sec: 9223372036\n    nsec: 854775807\n";
+  return fmt::format(
+      "- history: {}\n  depth: {}\n  reliability: 1\n  durability: {}\n"
+      "  deadline:\n{}  lifespan:\n{}  liveliness: 1\n  liveliness_lease_duration:\n{}"
+      "  avoid_ros_namespace_conventions: false",
+      latched ? 1 : 3, latched ? 1 : 0, latched ? 1 : 2, forever, forever, forever);
+}
+
+bool is_latched(const std::string& quality) {
+  return quality.find("durability: 1\n") != std::string::npos ||
+         quality.find("durability: transient_local") != std::string::npos;
+}
+
+std::string metadata_yaml(const SessionMetadata& metadata) {
+  const std::string duration = fmt::format("nanoseconds: {}", metadata.last - metadata.first);
+  const std::string start = fmt::format("nanoseconds_since_epoch: {}", metadata.first);
+  std::string topics;
+  for (const auto& topic : metadata.topics) topics += topic_yaml(topic);
+  return fmt::format(
+      "rosbag2_bagfile_information:\n"
+      "  version: {}\n"
+      "  storage_identifier: sqlite3\n"
+      "  duration:\n    {}\n"
+      "  starting_time:\n    {}\n"
+      "  message_count: {}\n"
+      "  topics_with_message_count:{}\n{}"
+      "  compression_format: \"\"\n"
+      "  compression_mode: \"\"\n"
+      "  relative_file_paths:\n    - {}\n"
+      "  files:\n"
+      "    - path: {}\n"
+      "      starting_time:\n        {}\n"
+      "      duration:\n        {}\n"
+      "      message_count: {}\n",
+      kMetadataVersion, duration, start, metadata.messages, topics.empty() ? " []" : "", topics,
+      json_quoted(metadata.database_name), json_quoted(metadata.database_name), start, duration,
+      metadata.messages);
+}
+
+Result<std::string> parse_database_name(const std::string& text, const std::string& name) {
+  try {
+    const YAML::Node root = YAML::Load(text);
+    const YAML::Node bag = root.IsMap() ? root["rosbag2_bagfile_information"] : YAML::Node();
+    if (!bag || !bag.IsMap())
+      return Problem{{name, 0, "rosbag2_bagfile_information"}, "is missing: this is no bag's metadata"};
+    return database_name(bag, name);
+  } catch (const YAML::Exception& error) {
+    return Problem{{name, error.mark.line + 1}, "is not YAML: " + error.msg};
+  }
+}
+
+}  // namespace aisle

@@ -1,0 +1,38 @@
+#pragma once
+/// metadata.yaml of a rosbag2 bag.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "aisle/core/result.hpp"
+#include "aisle/formats/sessions/session_message.hpp"
+
+namespace aisle {
+
+struct SessionMetadata {
+  struct TopicCount {
+    SessionTopic topic;
+    std::int64_t messages = 0;
+  };
+
+  std::string database_name;  ///< "drive_0.db3"
+  ros::Stamp_ns first = 0;
+  ros::Stamp_ns last = 0;
+  std::int64_t messages = 0;
+  std::vector<TopicCount> topics;
+};
+
+/// Version 5 of the format, as ROS 2 Humble writes it and every later one reads it.
+std::string metadata_yaml(const SessionMetadata& metadata);
+
+/// The quality of service of a topic as metadata.yaml and the database have it.
+std::string quality_of_service(bool latched);
+
+/// Whether such a text describes a latched topic.
+bool is_latched(const std::string& quality);
+
+/// The name of the bag's one database file. Bags that are stored otherwise are told what would be read.
+Result<std::string> parse_database_name(const std::string& text, const std::string& name);
+
+}  // namespace aisle

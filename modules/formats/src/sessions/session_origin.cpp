@@ -1,0 +1,48 @@
+#include "aisle/formats/sessions/session_origin.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace aisle {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kSessionFormat = "aisle.session";
+constexpr int kSessionVersion = 1;
+
+}  // namespace
+
+std::string session_origin_json(const SessionOrigin& origin) {
+  Json json = {{"format", kSessionFormat},      {"version", kSessionVersion},
+               {"navigator", origin.navigator}, {"parameters", origin.parameters},
+               {"seed", origin.seed},           {"simulated", origin.simulated}};
+  if (!origin.building.empty()) json["building"] = origin.building;
+  if (!origin.route.empty()) json["route"] = origin.route;
+  if (origin.in_reverse) json["in_reverse"] = true;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<SessionOrigin> parse_session_origin(std::string_view text, const std::string& name) {
+  const Json json = Json::parse(text, nullptr, false);
+  try {
+    if (json.at("format") != kSessionFormat) return Problem{{name, 0, "format"}, "is no aisle session"};
+    if (const Json& version = json.at("version"); version != kSessionVersion) {
+      return Problem{
+          {name, 0, "version"},
+          fmt::format("{} is unknown here; this program reads {}", version.dump(), kSessionVersion)};
+    }
+    return SessionOrigin{.navigator = json.at("navigator").get<std::string>(),
+                         .parameters = json.at("parameters").get<std::map<std::string, std::string>>(),
+                         .seed = json.at("seed").get<std::uint64_t>(),
+                         .simulated = json.at("simulated").get<bool>(),
+                         .building = json.value("building", ""),
+                         .route = json.value("route", ""),
+                         .in_reverse = json.value("in_reverse", false)};
+  } catch (const Json::exception&) {
+    return Problem{{name}, "does not say what made the session"};
+  }
+}
+
+}  // namespace aisle

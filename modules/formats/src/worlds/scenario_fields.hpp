@@ -1,0 +1,43 @@
+#pragma once
+/// Every key that an event of a scenario file may use, fault by fault.
+
+#include <string_view>
+
+#include "aisle/simulation/scenario.hpp"
+#include "worlds/world_fields.hpp"
+
+namespace aisle {
+
+/// When and where an event is on. `near` is set only if the key stands in the file.
+struct EventTimes {
+  double from_s = 0;
+  double for_s = 0;  ///< 0: for ever
+  Vec2 near = Vec2::Zero();
+  double radius_m = 1;
+};
+
+WorldFields fields_of(EventTimes& times);
+
+WorldFields fields_of(CameraFault& fault);
+WorldFields fields_of(SlipBurst& fault);
+WorldFields fields_of(SteeringBias& fault);
+WorldFields fields_of(BlockingBox& fault);
+WorldFields fields_of(CrossingPerson& fault);
+WorldFields fields_of(Lifted& fault);
+WorldFields fields_of(LaserOff& fault);
+WorldFields fields_of(LightChange& fault);
+
+/// Every kind of fault by the key that brings it: visit(key, fault).
+template <class Visit>
+void for_each_fault(const Visit& visit) {
+  visit("camera", CameraFault{});
+  visit("slip", SlipBurst{});
+  visit("steering", SteeringBias{});
+  visit("box", BlockingBox{});
+  visit("person", CrossingPerson{});
+  visit("lift", Lifted{});
+  visit("laser_off", LaserOff{});
+  visit("light", LightChange{});
+}
+
+}  // namespace aisle

@@ -1,0 +1,143 @@
+#include "aisle/formats/worlds/world_yaml.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "aisle/formats/whole_file.hpp"
+#include "file_limits.hpp"
+#include "worlds/world_checks.hpp"
+#include "worlds/world_node_reader.hpp"
+
+namespace aisle {
+namespace {
+
+/// Reads one document.
+class WorldReader {
+ public:
+  explicit WorldReader(const std::string& file) : file_(file), nodes_(file) {}
+
+  Result<World> read(const std::string& text);
+
+ private:
+  void read_document(const YAML::Node& document);
+  std::vector<WorldNodeReader::Section> sections();
+  void expect(const YAML::Node& node, const std::string& key, std::string_view value);
+  void read_walls(const YAML::Node& node);
+  void read_wall(const YAML::Node& node, const std::string& key);
+  void add_faces(const YAML::Node& node, const std::string& key, const WallLine& wall);
+  template <class Thing>
+  void read_list(const YAML::Node& node, const std::string& key, std::vector<Thing>& things,
+                 std::size_t most);
+
+  std::string file_;
+  World world_;
+  WorldNodeReader nodes_;
+};
+
+Result<World> WorldReader::read(const std::string& text) {
+  try {
+    read_document(YAML::Load(text));
+  } catch (const YAML::Exception& error) {
+    return Problem{{file_, error.mark.line + 1}, "is not YAML: " + error.msg};
+  }
+  if (nodes_.problem_count() == 0) {
+    for (const Problem& problem : contradictions(world_)) nodes_.problem(problem.where.key, problem.what);
+  }
+  if (nodes_.problem_count() > 0) return nodes_.take_problems();
+  return std::move(world_);
+}
+
+void WorldReader::read_document(const YAML::Node& document) {
+  if (!document.IsMap()) {
+    return nodes_.problem(document, "", "is not a world: expected keys, the first 'format: aisle.world'");
+  }
+  nodes_.read_map(document, "", fields_of(world_), sections());
+  for (WallFace& wall : world_.walls) {
+    if (wall.height_m == WallLine{}.height_m) wall.height_m = world_.ceiling_m;
+  }
+}
+
+std::vector<WorldNodeReader::Section> WorldReader::sections() {
+  std::vector<WorldNodeReader::Section> sections = {
+      {"format", [this](const YAML::Node& node) { expect(node, "format", "aisle.world"); }, true},
+      {"version", [this](const YAML::Node& node) { expect(node, "version", "1"); }, true},
+      {"walls", [this](const YAML::Node& node) { read_walls(node); }, true},
+      // the older name of furniture
+      {"boxes", [this](const YAML::Node& node) { read_list(node, "boxes", world_.furniture, kThingsMax); }},
+      {"floor", [this](const YAML::Node& node) { nodes_.read_map(node, "floor", fields_of(world_.floor)); }},
+      {"start", [this](const YAML::Node& node) {
+         nodes_.read_map(node, "start", fields_of(world_.start.emplace()));
+       }}};
+  for_each_list(world_, [&](const char* key, auto& things, std::size_t most) {
+    sections.push_back(
+        {key, [this, key, &things, most](const YAML::Node& node) { read_list(node, key, things, most); }});
+  });
+  return sections;
+}
+
+void WorldReader::expect(const YAML::Node& node, const std::string& key, std::string_view value) {
+  if (!node.IsScalar() || node.Scalar() != value) {
+    nodes_.problem(node, key, fmt::format("is not {}, the only one so far", value));
+  }
+}
+
+void WorldReader::read_walls(const YAML::Node& node) {
+  if (!nodes_.is_list(node, "walls")) return;
+  for (std::size_t i = 0; i < node.size() && !nodes_.is_hopeless(); ++i) {
+    read_wall(node[i], fmt::format("walls[{}]", i));
+  }
+}
+
+/// A wall as all others are is its line alone.
+void WorldReader::read_wall(const YAML::Node& node, const std::string& key) {
+  const std::size_t problems_before = nodes_.problem_count();
+  WallLine wall;
+  if (node.IsSequence()) {
+    nodes_.read_points(node, key, fields_of(wall).front().range, wall.line);
+  } else {
+    nodes_.read_map(node, key, fields_of(wall));
+  }
+  if (wall.line.size() < 2 && nodes_.problem_count() == problems_before) {
+    nodes_.problem(node, key, "a wall needs at least two points");
+  }
+  if (nodes_.is_room_left(node, key, world_.walls.size() + wall.line.size(), kWorldWallsMax)) {
+    add_faces(node, key, wall);
+  }
+}
+
+void WorldReader::add_faces(const YAML::Node& node, const std::string& key, const WallLine& wall) {
+  for (std::size_t i = 1; i < wall.line.size(); ++i) {
+    const Vec2 &start = wall.line[i - 1], &end = wall.line[i];
+    if (start == end) {
+      nodes_.problem(
+          node, key,
+          fmt::format("the point [{:g}, {:g}] stands there twice in succession", end.x(), end.y()));
+    }
+    world_.walls.push_back({{start, end}, wall.height_m, wall.brightness});
+  }
+}
+
+template <class Thing>
+void WorldReader::read_list(const YAML::Node& node, const std::string& key, std::vector<Thing>& things,
+                            std::size_t most) {
+  if (!nodes_.is_list(node, key) || !nodes_.is_room_left(node, key, things.size() + node.size(), most))
+    return;
+  for (std::size_t i = 0; i < node.size() && !nodes_.is_hopeless(); ++i) {
+    nodes_.read_map(node[i], fmt::format("{}[{}]", key, i), fields_of(things.emplace_back()));
+  }
+}
+
+}  // namespace
+
+Result<World> read_world(const std::filesystem::path& path) {
+  const Result<std::string> text = read_whole_file(path, kWorldBytesMax);
+  if (!text) return text.problems();
+  return parse_world(*text, path.string());
+}
+
+Result<World> parse_world(const std::string& text, const std::string& name) {
+  return WorldReader(name).read(text);
+}
+
+}  // namespace aisle

@@ -1,0 +1,255 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/formats/logs/carmen_log.hpp"
+#include "pose_matchers.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// Three readings straight right, ahead and left; standing at (1, 2).
+std::string flaser(double stamp_s, const std::string& ranges = "1.5 2 3") {
+  return "FLASER 3 " + ranges + " 1 2 0.5 1 2 0.5 " + std::to_string(stamp_s) + " host 0.1\n";
+}
+
+std::string rawlaser(double stamp_s) {
+  return "RAWLASER1 0 -1.0 2.0 1.0 10.0 0.01 0 3 1 2 3 0 " + std::to_string(stamp_s) + " host 0.1\n";
+}
+
+std::string odom(double x_m, double stamp_s) {
+  return "ODOM " + std::to_string(x_m) + " 0 0 0.3 0 0 " + std::to_string(stamp_s) + " host 0.1\n";
+}
+
+CarmenLog parsed(const std::string& text, const CarmenOptions& options = {}) {
+  auto carmen = parse_carmen_log(text, "trip.clf", options);
+  if (!carmen.ok()) throw std::runtime_error(to_string(carmen.problems()));
+  return *carmen;
+}
+
+std::string carmen_problems(const std::string& text) {
+  const auto carmen = parse_carmen_log(text, "trip.clf");
+  return carmen.ok() ? "" : to_string(carmen.problems());
+}
+
+TEST(CarmenLog, AFlaserLineIsAScanWithItsOwnOdometry) {
+  const LaserLog log = parsed("# a comment\n\n" + flaser(10.25) + flaser(10.5, "1 1 1")).log;
+  ASSERT_THAT(log.scans, SizeIs(2));
+  EXPECT_THAT(log.scans[0].ranges_m, ElementsAre(1.5F, 2, 3));
+  EXPECT_EQ(log.scans[0].stamp_s, 10.25);
+  EXPECT_EQ(log.scans[1].time_s, 10.5);
+  EXPECT_EQ(log.scans[1].odometry_known, 2U);
+  ASSERT_THAT(log.odometry, SizeIs(2));
+  EXPECT_EQ(log.odometry[1].time_s, 10.5);
+  EXPECT_THAT(log.odometry[1].T_odom_vehicle, PoseNear(Pose2{1, 2, 0.5}, 0, 0));
+}
+
+TEST(CarmenLog, FlaserBeamsRunFromTheRightToTheLeft) {
+  for (const std::size_t beams : {180, 181, 360, 361, 3, 90}) {
+    const LaserScanner laser = flaser_scanner(beams);
+    EXPECT_NEAR(laser.beam_angle(0), -kPi / 2, 1e-12) << beams;
+    EXPECT_NEAR(laser.beam_angle(beams - 1), kPi / 2, 1.01 * kDegree) << beams;
+  }
+  EXPECT_NEAR(flaser_scanner(180).beam_angle(90), 0, 1e-12);
+  EXPECT_NEAR(flaser_scanner(541).beam_angle(0), -135 * kDegree, 1e-12);
+}
+
+TEST(CarmenLog, TheResolutionParameterSpeaksWhereTheCountDoesNot) {
+  const LaserLog log = parsed(flaser(1) + "PARAM laser_front_laser_resolution 10 nohost 0\n").log;
+  EXPECT_NEAR(log.laser.angle_step_rad, 10 * kDegree, 1e-12);
+  EXPECT_NEAR(log.laser.beam_angle(1), 0, 1e-12);
+}
+
+TEST(CarmenLog, WithRawScansTheOdometryIsThatOfTheOdomLines) {
+  const LaserLog log = parsed(odom(0, 1) + rawlaser(1.05) + odom(0.5, 2) + odom(1, 3) + rawlaser(3.05)).log;
+  EXPECT_NEAR(log.laser.first_angle_rad, -1, 1e-12);
+  EXPECT_NEAR(log.laser.angle_step_rad, 1, 1e-12);
+  ASSERT_THAT(log.scans, SizeIs(2));
+  EXPECT_EQ(log.scans[0].odometry_known, 1U);
+  EXPECT_EQ(log.scans[1].odometry_known, 3U);
+  ASSERT_THAT(log.odometry, SizeIs(3));
+  EXPECT_EQ(log.odometry[1].T_odom_vehicle.x, 0.5);
+  EXPECT_EQ(log.odometry[1].time_s, 2);
+}
+
+TEST(CarmenLog, ARobotLaserLineHasItsOwnPosesAndMounting) {
+  const LaserLog log =
+      parsed(
+          "ROBOTLASER1 0 -1.0 2.0 1.0 10.0 0.01 0 3 1 2 3 2 7 8 1.5 2 0 1 2 0 0.1 0 0.2 0.3 1e6 5 host 5\n")
+          .log;
+  EXPECT_THAT(log.odometry.at(0).T_odom_vehicle, PoseNear(Pose2{1, 2, 0}, 0, 0));
+  EXPECT_THAT(log.laser.T_vehicle_laser, PoseNear(Pose2{0.5, 0, 0}, 1e-12, 1e-12));
+  EXPECT_LT(log.laser.range_max_m, 10);
+  EXPECT_GT(log.laser.range_max_m, 9);
+}
+
+TEST(CarmenLog, OnlyTheFirstKindOfScanCounts) {
+  EXPECT_THAT(parsed(flaser(1) + rawlaser(1) + flaser(2)).log.scans, SizeIs(2));
+  EXPECT_THAT(parsed(odom(0, 1) + rawlaser(1) + flaser(1) + rawlaser(2) + flaser(2)).log.odometry, SizeIs(1));
+  EXPECT_THAT(parsed(odom(0, 1) + flaser(1) + odom(0, 1.5)).log.odometry, SizeIs(1));
+}
+
+TEST(CarmenLog, TheMountingIsTheUsersElseTheParametersElseThatOfThePoses) {
+  const std::string scan = "FLASER 3 1 2 3 1.1 0 0 1 0 0 1 host 1\n";
+  const std::string params =
+      "PARAM robot_frontlaser_offset 0.2 host 1\nPARAM robot_frontlaser_side_offset 0.3 host 1\n";
+  EXPECT_THAT(parsed(scan).log.laser.T_vehicle_laser, PoseNear(Pose2{0.1, 0, 0}, 1e-12, 0));
+  EXPECT_THAT(parsed(scan + params).log.laser.T_vehicle_laser, PoseNear(Pose2{0.2, 0.3, 0}, 1e-12, 0));
+  CarmenOptions options;
+  options.T_vehicle_laser = Pose2{0.5, 0, 1};
+  EXPECT_THAT(parsed(scan + params, options).log.laser.T_vehicle_laser, PoseNear(Pose2{0.5, 0, 1}, 0, 0));
+}
+
+TEST(CarmenLog, CorrectedLaserPosesTellNothingAboutTheMounting) {
+  const std::string text = "FLASER 3 1 2 3 1.1 0 0 1 0 0 1 host 1\nFLASER 3 1 2 3 2.3 0 0 2 0 0 2 host 1\n";
+  EXPECT_THAT(parsed(text).log.laser.T_vehicle_laser, PoseNear(Pose2{}, 0, 0));
+}
+
+TEST(CarmenLog, InCentimetresEveryLengthIsAHundredthOfAMetre) {
+  CarmenOptions options;
+  options.unit = LengthUnit::kCentimetre;
+  const LaserLog log =
+      parsed("PARAM robot_frontlaser_offset 25\nFLASER 3 150 200 300 100 200 0.5 100 200 0.5 1 host 1\n",
+             options)
+          .log;
+  EXPECT_THAT(log.scans[0].ranges_m, ElementsAre(1.5F, 2, 3));
+  EXPECT_THAT(log.odometry[0].T_odom_vehicle, PoseNear(Pose2{1, 2, 0.5}, 1e-12, 0));
+  EXPECT_NEAR(log.laser.T_vehicle_laser.x, 0.25, 1e-12);
+}
+
+TEST(CarmenLog, WrongUnitsAreWarnedOf) {
+  CarmenOptions centimetres;
+  centimetres.unit = LengthUnit::kCentimetre;
+  EXPECT_THAT(parsed(flaser(1, "150 200 300")).warnings, ElementsAre(HasSubstr("--units cm")));
+  EXPECT_THAT(parsed("PARAM robot_front_laser_max 50\n" + flaser(1, "150 200 300")).warnings,
+              ElementsAre(HasSubstr("--units cm")));
+  EXPECT_THAT(parsed(flaser(1), centimetres).warnings, ElementsAre(HasSubstr("--units cm")));
+  EXPECT_THAT(parsed(flaser(1, "150 200 300"), centimetres).warnings, IsEmpty());
+}
+
+TEST(CarmenLog, ARepeatedLargestReadingMeansNothingSeen) {
+  const double range_max_m = parsed(flaser(1, "2 50 50") + flaser(2, "50 3 4")).log.laser.range_max_m;
+  EXPECT_LT(range_max_m, 50);
+  EXPECT_GT(range_max_m, 45);
+  EXPECT_GT(parsed(flaser(1, "2 5 6")).log.laser.range_max_m, 6);
+  EXPECT_NEAR(parsed(flaser(1, "2 5 6") + "PARAM robot_front_laser_max 8\n").log.laser.range_max_m, 8, 0.5);
+}
+
+TEST(CarmenLog, InfiniteReadingsAreNothingSeen) {
+  EXPECT_THAT(parsed(flaser(1, "inf 2 3")).log.scans[0].ranges_m, ElementsAre(0.0F, 2, 3));
+}
+
+TEST(CarmenLog, StampsThatGoBackAreMendedAndTheScansStayInFileOrder) {
+  std::string text;
+  for (const double stamp_s : {100.0, 100.5, 101.0, 3.0, 3.5, 9000.0, 9000.5}) text += flaser(stamp_s);
+  const CarmenLog carmen = parsed(text);
+  std::vector<double> stamps, times;
+  for (const LaserScan& scan : carmen.log.scans) {
+    stamps.push_back(scan.stamp_s);
+    times.push_back(scan.time_s);
+  }
+  EXPECT_THAT(stamps, ElementsAre(100, 100.5, 101, 3, 3.5, 9000, 9000.5));
+  EXPECT_THAT(times, ElementsAre(100, 100.5, 101, 101.5, 102, 102.5, 103));
+  EXPECT_THAT(carmen.warnings,
+              ElementsAre("trip.clf:4: stamps go back, leap or stand still at 2 places, first here; "
+                          "scans are taken in file order"));
+}
+
+TEST(CarmenLog, AClockThatNeverGoesIsWarnedOfWithTheStepThatIsTaken) {
+  EXPECT_THAT(parsed(flaser(7) + flaser(7) + flaser(7) + flaser(7)).warnings,
+              ElementsAre("trip.clf:3: stamps go back, leap or stand still at 2 places, first here; "
+                          "scans are taken in file order, 0.1 s from one line to the next"));
+}
+
+TEST(CarmenLog, OdometryThatLeapsIsWarnedOfOnceWithItsPlace) {
+  const auto at = [](double x_m, double stamp_s) { return odom(x_m, stamp_s) + rawlaser(stamp_s); };
+  EXPECT_THAT(
+      parsed(at(0, 1) + at(19, 2) + at(40, 3) + at(41, 4) + at(0, 5)).warnings,
+      ElementsAre("trip.clf:5: the odometry leaps by 21 m from the pose before; 2 such leaps in the log"));
+  EXPECT_THAT(parsed(at(0, 1) + at(19, 2) + at(38, 3)).warnings, IsEmpty());
+}
+
+TEST(CarmenLog, OtherMessagesAreSkippedAndUnknownOnesCounted) {
+  EXPECT_THAT(parsed("SYNC tag 1 host 1\nNMEA-GGA 1\nRLASER 1 5\n" + flaser(1)).warnings, IsEmpty());
+  EXPECT_THAT(parsed("HELLO\n" + flaser(1) + "WORLD 3\n").warnings,
+              ElementsAre("trip.clf:1: 'HELLO' is no message of CARMEN; 2 such lines were skipped"));
+}
+
+TEST(CarmenLog, LineEndsOfOtherSystemsAndNoneAtAllAreFine) {
+  std::string text = flaser(1) + flaser(2);
+  text.pop_back();
+  EXPECT_THAT(parsed(text).log.scans, SizeIs(2));
+  EXPECT_THAT(parsed("FLASER 3 1 2 3 1 2 0 1 2 0\t1 host 1\r\n").log.scans, SizeIs(1));
+}
+
+struct BadLog {
+  std::string name, text, problem;
+
+  friend void PrintTo(const BadLog& log, std::ostream* out) { *out << log.problem; }
+};
+
+class BadCarmenLog : public testing::TestWithParam<BadLog> {};
+
+TEST_P(BadCarmenLog, IsAProblemWithItsPlace) {
+  EXPECT_THAT(carmen_problems(GetParam().text), HasSubstr(GetParam().problem));
+}
+
+const std::string good_line = flaser(1);
+
+INSTANTIATE_TEST_SUITE_P(
+    CarmenLog, BadCarmenLog,
+    testing::Values(
+        BadLog{"Empty", "", "trip.clf: is empty"},  //
+        BadLog{"NoScans", "# nothing\n" + odom(1, 2), "trip.clf: has no scans"},
+        BadLog{"Binary", good_line + std::string("\x7f\0\x02", 3), "trip.clf:2: is binary data"},
+        BadLog{"RawScansWithoutOdometry", rawlaser(1), "no ODOM lines"},
+        BadLog{"CutOffInTheReadings", good_line + "FLASER 3 1 2", "trip.clf:2: the line ends after 4 fields"},
+        BadLog{"CutOffInThePoses", good_line + "FLASER 3 1 2 3 1 2 0 1",
+               "trip.clf:2: the line ends after 9 fields"},
+        BadLog{"CutOffInTheStamps", good_line + "FLASER 3 1 2 3 1 2 0 1 2 0 7.5 ho",
+               "trip.clf:2: the line ends before"},
+        BadLog{"CutOffInTheName", good_line + "FLAS", "trip.clf:2: the file is cut off here"},
+        BadLog{"OdometryCutOff", good_line + "ODOM 1 2",
+               "trip.clf:2: the line ends after 3 fields, before its robot pose"},
+        BadLog{"MoreFieldsThanAnnounced", "FLASER 3 1 2 3 4 5 6 1 2 0 1 2 0 7.5 host 1\n", "more fields"},
+        BadLog{"OtherBeamCount", good_line + "FLASER 2 1 2 1 2 0 1 2 0 7 host 1\n",
+               "has 2 readings, the first scan (line 1) has 3"},
+        BadLog{"OtherBeamAngles",
+               odom(1, 1) + rawlaser(1) + "RAWLASER1 0 -1.0 2.0 0.5 10.0 0.01 0 3 1 2 3 0 2 host 1\n",
+               "other beam angles"},
+        BadLog{"NegativeReading", flaser(1, "1 -2 3"), "field 4, reading: '-2' is negative"},
+        BadLog{"NanReading", flaser(1, "1 nan 3"), "'nan' is not a usable number"},
+        BadLog{"WordForAReading", flaser(1, "1 x 3"), "'x' is not a number"},
+        BadLog{"AbsurdReading", flaser(1, "1 1e30 3"), "'1e30' is absurdly large"},
+        BadLog{"InfinitePose", "FLASER 3 1 2 3 inf 2 0 1 2 0 7 host 1\n",
+               "laser pose: 'inf' is absurdly large"},
+        BadLog{"NanStamp", "FLASER 3 1 2 3 1 2 0 1 2 0 nan host 1\n", "ipc timestamp: 'nan'"},
+        BadLog{"HugeCount", "FLASER 1e9 1 2 3 1 2 0 1 2 0 7 host 1\n", "not a whole number from 2 to 10000"},
+        BadLog{"BrokenCount", "FLASER 2.5 1 2 3 1 2 0 1 2 0 7 host 1\n", "not a whole number"},
+        BadLog{"ZeroResolution", good_line + "PARAM laser_front_laser_resolution 0\n", "not positive"},
+        BadLog{"ParameterWithoutValue", good_line + "PARAM robot_frontlaser_offset\n", "before its offset"}),
+    [](const auto& bad_log) { return bad_log.param.name; });
+
+TEST(CarmenLog, AFileFullOfProblemsShowsTwentyAndCountsTheRest) {
+  std::string text;
+  for (int i = 0; i < 25; ++i) text += "FLASER\n";
+  const auto carmen = parse_carmen_log(text, "trip.clf");
+  ASSERT_THAT(carmen.problems(), SizeIs(21));
+  EXPECT_EQ(to_string(carmen.problems().back()), "trip.clf: ... and 5 more");
+}
+
+TEST(CarmenLog, AMissingFileIsAProblem) {
+  EXPECT_THAT(to_string(read_carmen_log("/nowhere/trip.clf").problems()),
+              HasSubstr("/nowhere/trip.clf: no such file"));
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,123 @@
+#pragma once
+/// Explores a building that nobody has shown to the vehicle, and comes home: C99 Algorithm 1.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "aisle/exploration/building_explorer.hpp"
+#include "aisle/guidance/exploration/floor_learner.hpp"
+#include "aisle/guidance/exploration/patience.hpp"
+#include "aisle/guidance/exploration/target_search.hpp"
+#include "aisle/guidance/exploration/trail.hpp"
+#include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/ways/way_driver.hpp"
+
+namespace aisle {
+
+struct ExplorerNavigatorParams {
+  FloorLearnerParams learner;
+  ExplorerParams explorer;
+  CarSearchParams search;
+  SteeringParams steering;
+  SpeedParams speed{.speed_mps = 0.4};
+  double look_s = 1;         ///< standing, before it starts
+  double look_from_m = 2.5;  ///< so near it drives to what it wants to see
+  double join_m = 0.6;       ///< so far ahead a new way joins the old one
+  PatienceParams patience;
+  double time_max_s = 14400;  ///< then it gives up, wherever it is
+  int expansions = 1500;      ///< of the search, a cycle
+  double stuck_s = 120;       ///< without any way for so long it gives up
+
+  void describe(FieldList& fields);
+};
+
+/// Looks, learns the floor and its own place on it, sees where paths lead on, chooses one by C99's
+/// transducer, searches a way along known free floor to where it can be seen into, and drives it; home when
+/// nothing waits any more.
+class ExplorerNavigator final : public Navigator {
+ public:
+  ExplorerNavigator(const ExplorerNavigatorParams& params, const VehicleDescription& vehicle,
+                    ExploringOrder order, std::unique_ptr<SliceSensor> sensor);
+
+  Decision step(const Observation& observation) override;
+
+  const FloorLearner& learner() const { return learner_; }
+  const BuildingExplorer& explorer() const { return explorer_; }
+  const Path& path() const { return driver_.path(); }
+  /// Up to now.
+  ExplorationRecord record() const;
+
+ private:
+  bool touches_anew(const Observation& observation);
+  Decision back_off(const Observation& observation);
+  void keep_trail(FloorLearner::News news);
+  void mark_coverage();
+  void choose();
+  void begin_search();
+  bool may_end_at_home(const Pose2& T_map_from) const;
+  void keep_off_struck();
+  void search_on();
+  void search_way();
+  bool was_worth_it() const;
+  void find_no_way();
+  bool is_shut_in() const;
+  bool retreat();
+  void hitch();
+  void leave_path();
+  void give_path_up();
+  void watch_learning(const ExploringTarget& target);
+  void lose_patience();
+  Decision wait_for_floor();
+  void take_way();
+  void arrive();
+  void shorten_way(double ahead_m);
+  void drop_way();
+  void check_way();
+  bool is_lost_for_ways();
+  std::string what_was_explored() const;
+  Decision drive(const Observation& observation);
+  void be_blocked(int direction);
+  std::string state_word() const;
+  std::string why_it_stands() const;
+  Decision end(NavigatorStatus status, std::string state, std::string why);
+
+  ExplorerNavigatorParams params_;
+  VehicleDescription vehicle_;
+  FloorLearner learner_;
+  BuildingExplorer explorer_;
+  StagedSearch search_;
+  TargetSearch target_search_;
+  WayDriver driver_;
+  Patience patience_;
+  Trail trail_;
+  std::optional<ExploringTarget> target_;
+  std::optional<ExploringTarget> former_;     ///< the latest, also after its way was dropped
+  Vec2 p_map_blocked_ = Vec2::Constant(1e9);  ///< where the vehicle could not go on ...
+  int driven_direction_ = 0;  ///< forwards (1) or backwards (-1), in the latest cycle that drove
+  bool is_touching_ = false;
+  int touches_ = 0;
+  int blocked_direction_ = 0;           ///< ... forwards (1) or backwards (-1)
+  Vec2 p_map_searched_ = Vec2::Zero();  ///< the gate that the latest search was for
+  double searched_m2_ = 0;              ///< of floor, when that search began
+  bool is_search_due_ = false;
+  bool is_stage_ = false;         ///< the way ends before what it leads to
+  bool stands_first_ = false;     ///< the search that is due begins where the vehicle comes to stand
+  bool ends_at_home_ = false;     ///< the way does
+  bool is_out_of_reach_ = false;  ///< every pose was tried: none shows the target, unless it squeezes
+  TargetTries tries_;             ///< for this target
+  bool is_retreating_ = false;    ///< its way is the trail back
+  bool is_wedged_ = false;        ///< no way leads out of where the vehicle stands
+  std::size_t arrived_cycle_ = 0;
+  std::size_t cycle_ = 0;
+  std::optional<double> begun_s_;
+  double stamp_s_ = 0;
+  double moved_s_ = 0;
+  double learned_m2_ = 0;     ///< of floor, when patience was renewed for it
+  double learned_way_m_ = 0;  ///< driven until then
+  std::vector<CoverageMark> coverage_;
+  std::string ended_because_;
+  bool came_home_ = false;
+};
+
+}  // namespace aisle

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "aisle/guidance/exploration/slice_sensor.hpp"
+#include "aisle/learning/walls/online_mapping.hpp"
+#include "aisle/maps/floor_clearance.hpp"
+#include "aisle/maps/floor_view.hpp"
+
+namespace aisle {
+
+struct FloorLearnerParams {
+  /// Doors' leaves stand 11 cm behind their walls. Of a room that was looked into from its door, walls are
+  /// seen on a short way.
+  MapParams mapping{
+      .tracker{.motion = kReadEveryCycle, .same_wall_m = 0.06}, .drawn_length_m = 0.3, .drawn_sightings = 2};
+  FloorViewParams view;
+  LegParams legs;
+  double cell_m = 0.05;
+  double look_every_m = 0.15;           ///< of way, or ...
+  double look_every_rad = 4 * kDegree;  ///< ... of turning, or ...
+  int look_every_cycles = 10;           ///< ... of time the floor is looked at
+
+  void describe(FieldList& fields);
+};
+
+/// Learns where the vehicle is and what floor there is, both at once, while it drives.
+class FloorLearner {
+ public:
+  enum class News { kNothing, kFloor, kLoop };  ///< kLoop: the whole floor was laid anew
+
+  FloorLearner(const FloorLearnerParams& params, const VehicleDescription& vehicle,
+               std::unique_ptr<SliceSensor> sensor);
+
+  News take(const Observation& observation);
+
+  /// The vehicle touches something that no slice shows, before its front (1) or behind its rear (-1): from
+  /// now on something stands there on the floor. After the first slice.
+  void touch(int direction);
+
+  const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
+  const Pose2& T_map_home() const { return T_map_home_; }  ///< where it began, as known now
+  bool has_looked() const { return !looks_.empty(); }
+  const FloorGrid& floor() const { return floor_; }
+  const FloorClearance& clearance() const { return clearance_; }
+  const SliceSensor& sensor() const { return *sensor_; }
+  /// A place was recognised, and the floor does not lie yet where it belongs: no time to drive.
+  bool is_laying_anew() const { return anew_.has_value(); }
+  /// What the sensor showed last.
+  const SliceView& view() const { return view_; }
+  double way_m() const { return way_m_; }
+  bool is_standing() const { return is_standing_; }
+  /// All slices and the odometry between them, as a log of the trip.
+  const LaserLog& log() const { return log_; }
+  /// One a slice, as known now.
+  std::vector<Pose2> T_map_vehicle_of_all() const { return mapping_.T_map_vehicle_of_all(); }
+  /// The floor as all that was looked at shows it from these poses, one a slice.
+  FloorGrid floor_from(std::span<const Pose2> T_map_vehicle) const;
+
+ private:
+  /// A slice that was put onto the floor.
+  struct Look {
+    std::size_t slice = 0;  ///< of the log
+    std::vector<float> near_m;
+    Pose2 T_map_put;  ///< of the vehicle, where the floor shows it
+  };
+  /// Where the vehicle stood when it touched something.
+  struct Touch {
+    std::size_t slice = 0;  ///< the latest one then ...
+    Pose2 T_slice_vehicle;  ///< ... and where the vehicle had come since
+    int direction = 0;
+    Pose2 T_map_put;  ///< of the vehicle, where the floor shows it
+  };
+  /// The floor after a place was recognised, while it is made.
+  struct LaidAnew {
+    LaidAnew(double cell_m, double far_m, const LegParams& legs) : floor(cell_m), clearance(legs, far_m) {}
+    FloorGrid floor;
+    FloorClearance clearance;
+    std::size_t next = 0;  ///< of the looks
+  };
+
+  bool is_time_to_look() const;
+  FloorBox put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const;
+  FloorBox put(const Touch& touch, const Pose2& T_map_vehicle, FloorGrid& floor) const;
+  void keep_slice(double stamp_s);
+  Footprint set_down_room() const;
+  bool places_moved();
+  void begin_anew();
+  bool lay_on();
+
+  FloorLearnerParams params_;
+  VehicleDescription vehicle_;
+  std::unique_ptr<SliceSensor> sensor_;
+  OnlineMapping mapping_;
+  FloorGrid floor_;
+  FloorClearance clearance_;
+  std::optional<LaidAnew> anew_;
+  std::vector<Pose2> T_map_of_all_;  ///< when a place was recognised last
+  SliceView view_;
+  std::vector<Look> looks_;
+  std::vector<Touch> touches_;
+  LaserLog log_;
+  int cycles_since_look_ = 0;
+  Pose2 T_odom_vehicle_;
+  Pose2 T_slice_vehicle_;  ///< since the latest slice, by odometry
+  Pose2 T_map_vehicle_;
+  Pose2 T_map_home_;
+  Pose2 T_map_looked_;
+  double way_m_ = 0;
+  bool is_standing_ = true;
+};
+
+}  // namespace aisle

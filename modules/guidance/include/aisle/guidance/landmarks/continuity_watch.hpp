@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "aisle/geometry/pose2.hpp"
+#include "aisle/vision/lines/landmark_sightings.hpp"
+
+namespace aisle {
+
+/// Notices that the vehicle was lifted where one of the two places shows hardly a line, so that no two scenes
+/// can be compared: lines that must stay in view are gone from one picture to the next, and stay away; or
+/// lines are there that would have been in view before.
+class ContinuityWatch {
+ public:
+  /// The vehicle has moved since the last call, by its odometry.
+  void move(const Pose2& T_before_now);
+
+  /// Takes in a picture, one that shows nothing, too.
+  /// @param is_known_here  it shows what is known to be here
+  /// @return whether it is the last of several in a row that do not go on from what was seen until then
+  bool look(std::span<const LandmarkSighting> picture, bool is_known_here = false);
+
+ private:
+  bool can_tell() const;
+  bool lacks_what_must_stay(std::span<const LandmarkSighting> picture);
+  bool shows_what_was_not_there(std::span<const LandmarkSighting> picture);
+  void take(std::span<const LandmarkSighting> picture);
+
+  std::vector<LandmarkSighting> scene_;  ///< of the last picture that went on, as seen now
+  double span_rad_ = 0;                  ///< greatest bearing in it, to either side, when it was taken
+  double since_m_ = 0;                   ///< way since it was taken ...
+  double since_rad_ = 0;                 ///< ... and turning
+  bool has_scene_ = false;
+  std::vector<LandmarkSighting> latest_;  ///< the picture before this one
+  std::vector<LandmarkSighting> near_;    ///< of one scene, for a comparison
+  int breaks_ = 0;                        ///< pictures in a row that do not go on
+};
+
+}  // namespace aisle

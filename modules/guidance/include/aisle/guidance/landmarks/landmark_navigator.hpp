@@ -1,0 +1,135 @@
+#pragma once
+/// Drives a taught route by its landmarks: C98 Algorithm 3.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/control/path_progress.hpp"
+#include "aisle/control/speed.hpp"
+#include "aisle/control/steering.hpp"
+#include "aisle/guidance/exploration/explorer_navigator.hpp"
+#include "aisle/guidance/landmarks/continuity_watch.hpp"
+#include "aisle/guidance/landmarks/expectation_watch.hpp"
+#include "aisle/guidance/landmarks/place_doubt.hpp"
+#include "aisle/guidance/landmarks/scene_watch.hpp"
+#include "aisle/guidance/landmarks/stripe_watch.hpp"
+#include "aisle/guidance/landmarks/way_to_route.hpp"
+#include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/obstacles/obstacle_guard.hpp"
+#include "aisle/learning/landmarks/landmark_localiser.hpp"
+#include "aisle/learning/landmarks/landmark_relocation.hpp"
+#include "aisle/maps/building.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+
+namespace aisle {
+
+struct LandmarkNavigatorParams {
+  LandmarkSightingParams sightings;
+  LandmarkLocaliserParams localiser;
+  LandmarkRelocationParams relocation;
+  SteeringParams steering;
+  SpeedParams speed;
+  ObstacleGuardParams guard;
+  bool guarded = true;
+  double start_sigma_m = 0.15;
+  double start_sigma_rad = 3 * kDegree;
+  double look_s = 1;
+  double unsure_m = 0.08;
+  double lost_m = 0.35;
+  double lost_rad = 6 * kDegree;
+  double unmatched_max_s = 1.5;
+  int strange_sightings_min = 3;
+  double strange_max_m = 3;
+  double search_speed_mps = 0.2;
+  double search_max_m = 12;
+  double give_up_s = 30;
+  double off_route_max_m = 1;
+
+  void describe(FieldList& fields);
+};
+
+/// Where the vehicle thinks that it is, for those who look on.
+struct LandmarkFix {
+  UncertainPose2 T_map_vehicle;
+  bool is_sure = false;  ///< not lost, and not looking for itself
+  bool is_lost = false;  ///< or on its way back onto its route
+};
+
+/// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture
+/// that fits the map; goes on by odometry where none does, the slower the less sure it is. If it sees other
+/// things than a moment ago it stops and looks whether it is still where it believes to be. Lost (it is not,
+/// or is too unsure, or sees other things than are known here) it stops and looks for itself along all
+/// routes, explores a few metres of floor to see more where that is safe, comes back onto its route and
+/// drives on, or gives up. It waits for what stands on its route, and for its camera, and gives up if that
+/// lasts, or before a barrier of the building.
+class LandmarkNavigator final : public Navigator {
+ public:
+  /// @param building  with landmarks and their camera, which the vehicle has; must outlive the navigator
+  /// @param route     of the building, or its way back (Path::reversed)
+  LandmarkNavigator(const LandmarkNavigatorParams& params, const VehicleDescription& vehicle,
+                    const Building& building, const Path& route);
+
+  Decision step(const Observation& observation) override;
+
+  LandmarkFix fix() const;
+  /// What the last picture showed and which landmarks that was.
+  const std::vector<LandmarkSighting>& sightings() const { return sightings_; }
+  const std::vector<VerticalLine>& lines() const { return detector_.lines(); }
+  const std::vector<Vec2>& p_vehicle_lit() const { return guard_.p_vehicle_lit(); }
+  const LandmarkLocaliser& localiser() const { return localiser_; }
+
+ private:
+  enum class State { kLooking, kFollowing, kDoubting, kLost, kReturning };
+
+  void locate(const Observation& observation);
+  void watch_for_lift();
+  void weigh_strangeness(double way_m);
+  std::string why_lost() const;
+  void begin(State state);
+  void go_on();
+  Decision look_around(double stamp_s);
+  Decision doubt();
+  Decision find_itself(const Observation& observation);
+  bool may_search() const;
+  Decision search(const Observation& observation);
+  Decision found(const Pose2& T_map_vehicle, const Observation& observation);
+  Decision come_back(const Observation& observation);
+  Decision follow(const Observation& observation);
+  Decision guarded(Decision decision);
+
+  LandmarkNavigatorParams params_;
+  VehicleDescription vehicle_;
+  const Building* building_;
+  Path path_;
+  std::string camera_;
+  LandmarkDetector detector_;
+  LandmarkLocaliser localiser_;
+  PlaceDoubt doubt_;
+  LandmarkRelocator relocator_;
+  PathFollower follower_;
+  PathProgress progress_;
+  ObstacleGuard guard_;
+  SceneWatch scenes_;
+  StripeWatch stripes_;
+  ContinuityWatch continuity_;
+  ExpectationWatch expectations_;
+  std::vector<LandmarkSighting> sightings_;
+  State state_ = State::kLooking;
+  std::string why_lost_;
+  double strange_way_m_ = 0;
+  bool was_lifted_ = false;  ///< perhaps: everything looks other than a moment ago
+  bool has_jumped_ = false;  ///< likewise: walls stand elsewhere, or all lines are gone or new
+  bool has_looked_ = false;  ///< this cycle has a picture
+  std::unique_ptr<ExplorerNavigator> explorer_;  ///< of the floor around, while it is lost
+  std::unique_ptr<WayToRoute> way_to_route_;     ///< that it takes once it has found itself beside it
+  double searched_m_ = 0;                        ///< driven since it was lost
+  double searched_s_ = 0;                        ///< when it was lost, or drove since then
+  LandmarkMatch match_ = LandmarkMatch::kNothing;
+  std::optional<double> state_since_s_;
+  double stamp_s_ = 0;
+  double matched_stamp_s_ = 0;  ///< of the latest picture that fitted, or that showed nothing
+};
+
+}  // namespace aisle

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+
+#include "aisle/guidance/navigator.hpp"
+#include "aisle/maps/room_route.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+#include "aisle/vision/route/route_corner.hpp"
+#include "aisle/vision/route/route_view.hpp"
+
+namespace aisle {
+
+struct CornerBackingParams {
+  bool by_corner = true;
+  RouteCornerParams corner;
+  double steering_rad = 10 * kDegree;
+  double speed_mps = 0.15;
+  double least_share = 0.5;
+  double most_share = 1.3;
+  double agree_m = 0.15;
+  int pictures = 3;
+
+  void describe(FieldList& fields);
+};
+
+/// Backs between two turnings that are too close for the vehicle, with its wheels turned to the right before
+/// a left turning and to the left before any other, until the third camera shows the corner of the route
+/// round which the second turning leads (L96 section 3.3). Beyond the paper, several pictures in succession
+/// must show the corner at one place, not before the vehicle has backed a good part of the way that was
+/// backed at teaching; and it goes back hardly farther than that.
+class CornerBacking {
+ public:
+  /// @throws std::invalid_argument if the vehicle lacks the camera `bottom`
+  CornerBacking(const CornerBackingParams& params, const RouteViewParams& view,
+                const VehicleDescription& vehicle);
+
+  /// The vehicle stands where it begins to back.
+  /// @param next  the second turning's
+  /// @param taught_m  way that was backed there at teaching
+  void begin(TurningClass next, double taught_m, const Pose2& T_odom_vehicle);
+  void look(const Observation& observation, const Pose2& T_odom_vehicle);
+
+  /// How the wheels should stand on the way back.
+  double wished_steering_rad() const;
+  /// It has come far enough back.
+  bool is_done(const Pose2& T_odom_vehicle) const;
+  bool has_seen_corner() const { return pictures_ >= params_.pictures; }
+  const std::optional<Vec2>& p_odom_corner() const { return p_odom_corner_; }
+
+ private:
+  double backed_m(const Pose2& T_odom_vehicle) const;
+
+  CornerBackingParams params_;
+  VehicleDescription vehicle_;
+  CameraDescription camera_;
+  RouteView view_;
+  RouteSide side_ = RouteSide::kLeft;
+  double taught_m_ = 0;
+  Pose2 T_odom_begin_;
+  std::optional<Vec2> p_odom_corner_;  ///< where the latest picture showed it
+  int pictures_ = 0;                   ///< in succession that showed it there
+};
+
+}  // namespace aisle

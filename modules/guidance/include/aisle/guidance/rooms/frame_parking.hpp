@@ -1,0 +1,79 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "aisle/control/steering.hpp"
+#include "aisle/guidance/navigator.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+#include "aisle/vision/route/painted_frame.hpp"
+
+namespace aisle {
+
+struct FrameParkingParams {
+  PaintedFrameParams frame;
+  SteeringParams steering{.look_ahead_m = 0.25};
+  double speed_mps = 0.15;
+  double speed_min_mps = 0.03;
+  double deceleration_mps2 = 0.05;
+  double reverse_speed_mps = 0.15;
+  double gain = 0.3;
+  double aside_max_m = 0.012;
+  double turned_max_rad = 1 * kDegree;
+  double judged_m = 0.35;
+  double hopeless_m = 0.06;
+  double back_off_m = 1.8;
+  int tries_max = 3;
+  double unseen_max_m = 1;
+  double tracked_m = 0.5;
+
+  void describe(FieldList& fields);
+};
+
+/// Drives a front-steered vehicle into a painted square frame (L96 section 3.4): along the line through the
+/// middles of its near and far side, which the second camera shows from far and the first from near. Beyond
+/// the paper, the frame's pose is carried on by odometry and corrected by each picture; a vehicle that would
+/// come to stand askew backs off and tries again.
+class FrameParking {
+ public:
+  /// @param size_m  between the middles of the frame's lines, along the way in and across
+  FrameParking(const FrameParkingParams& params, const VehicleDescription& vehicle, const Vec2& size_m);
+
+  /// Looks for the frame in every picture of the cycle.
+  /// @param T_odom_expected  where the frame should be, x along the way in
+  /// @param astray_m         what is first seen farther from there is something else
+  void look(const Observation& observation, const Pose2& T_odom_vehicle, const Pose2& T_odom_expected,
+            double astray_m);
+  bool sees_frame() const { return T_odom_frame_.has_value(); }
+
+  Decision step();
+
+  const std::optional<Pose2>& frame() const { return T_odom_frame_; }
+  const Vec2& size_m() const { return size_m_; }
+  int tries() const { return tries_; }
+  /// Where the vehicle stands, seen from where it should, by what was seen of the frame.
+  Pose2 off() const;
+
+ private:
+  Pose2 T_odom_parked() const;
+  void take(const Pose2& T_odom_seen);
+  Decision approach();
+  Decision back_off();
+  Decision settle();
+
+  FrameParkingParams params_;
+  VehicleDescription vehicle_;
+  Vec2 size_m_;
+  PathFollower follower_;
+  Pose2 T_odom_vehicle_;
+  std::optional<Pose2> T_odom_frame_;
+  Pose2 T_odom_found_;  ///< the frame as it was first seen
+  double steering_rad_ = 0;
+  double unseen_m_ = 0;  ///< way since the frame was seen
+  bool is_backing_ = false;
+  int tries_ = 1;
+};
+
+}  // namespace aisle

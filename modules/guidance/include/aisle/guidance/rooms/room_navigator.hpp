@@ -1,0 +1,182 @@
+#pragma once
+/// Drives a taught way through a room: L96 Algorithm 5.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/control/path_progress.hpp"
+#include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/picture_watch.hpp"
+#include "aisle/guidance/rooms/corner_backing.hpp"
+#include "aisle/guidance/rooms/edge_memory.hpp"
+#include "aisle/guidance/rooms/edge_place.hpp"
+#include "aisle/guidance/rooms/frame_backing.hpp"
+#include "aisle/guidance/rooms/frame_parking.hpp"
+#include "aisle/guidance/rooms/free_steering.hpp"
+#include "aisle/guidance/rooms/place_parking.hpp"
+#include "aisle/guidance/rooms/stop_view_matcher.hpp"
+#include "aisle/maps/route.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+#include "aisle/vision/route/route_view.hpp"
+
+namespace aisle {
+
+struct RoomNavigatorParams {
+  RouteViewParams view;
+  FreeSteeringParams steering;
+  PictureWatchParams pictures;
+  CornerBackingParams corner_backing;
+  FrameParkingParams frame;
+  FrameBackingParams frame_backing;
+  StopViewParams stop_views;
+  EdgePlaceParams place;
+  PlaceParkingParams taught_place;
+  double speed_mps = 0.3;
+  double turning_speed_mps = 0.2;
+  double parking_speed_mps = 0.12;
+  double look_ahead_m = 0.8;
+  double middle_share = 0.4;
+  double turning_middle_share = 0.15;
+  double place_from_m = 4;
+  double taught_alone_m = 2;
+  double end_comfort_m = 0.1;
+  double avoid_rad = 30 * kDegree;
+  bool avoid_as_published = true;
+  double dead_end_share = 1.0 / 3;
+  double dead_end_gap_m = 0.4;
+  int dead_end_pictures = 3;
+  double dead_end_beyond_m = 0.3;
+  double frame_within_m = 3.5;
+  double frame_astray_m = 1;
+  double brightness_tolerance = 0.35;
+  double brightness_gain = 0.05;
+  double hidden_max_m = 0.8;
+  double stop_free_m = 0.15;
+  double wait_s = 3;
+  double back_off_m = 0.6;
+  int back_offs_max = 4;
+  double pattern_share_max = 0.25;
+  double blind_max_s = 10;
+
+  void describe(FieldList& fields);
+};
+
+/// Keeps to the middle of the route as the first camera sees it, where the way that was taught goes; in a
+/// turning, to the middle of what is not blotted out. Turns away from what stands too near, waits before what
+/// blocks the way, backs off towards the taught way and tries again. Between two close turnings it backs as
+/// it was taught, until it sees the corner of the route. At the end it parks as the route says.
+/// `middle_share` is how much the route's middle counts against the way taught, carried on by odometry: 1 is
+/// as published.
+class RoomNavigator final : public Navigator {
+ public:
+  /// @throws std::invalid_argument if the vehicle lacks a camera that the route needs (room_cameras.hpp), or
+  ///         the route was not taught in a room
+  /// @param from_m  about where on the route the vehicle stands
+  RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle, Route route,
+                double from_m = 0);
+
+  Decision step(const Observation& observation) override;
+
+  /// Along the route as it was taught, in whose frame the pose is.
+  const PathPoint& point() const { return progress_.point(); }
+  Pose2 pose() const { return place_.T_map_odom() * T_odom_vehicle_; }
+  const std::optional<RouteSight>& sight() const { return sight_; }
+  const RouteView& view() const { return view_; }
+  const EdgeMemory& edges() const { return edges_; }
+  /// Whether what is there has shown that it is its place; of a taught place alone it may stay open.
+  bool has_confirmed_place() const;
+  /// On its last way back between turnings it has seen the corner of the route; nullopt: there was none.
+  std::optional<bool> has_seen_corner() const;
+  /// How often it has driven up to its place.
+  int parking_tries() const;
+
+ private:
+  enum class State {
+    kFollowing,
+    kBackingOff,
+    kBackingBetweenTurnings,
+    kParkingInFrame,
+    kBackingIntoFrame,
+    kLeavingPlace
+  };
+
+  static constexpr double kReach_m = 4;  ///< of what it remembers
+
+  void look(const Observation& observation);
+  bool is_route_bright_as_learned() const;
+  bool knows_way_ahead() const;
+  void find_place();
+  Decision follow(double now_s);
+  Decision park_in_frame(double now_s);
+  Decision back_into_frame(double now_s);
+  void look_for_frame(const Observation& observation);
+  Pose2 T_map_taught_frame() const;
+  Pose2 T_map_odom_by_frame() const;
+  void learn_floor_before_frame();
+  void forget_frame_lines();
+  Decision unless_obstructed(Decision decision, double now_s);
+  Decision back_off(double now_s);
+  Decision leave_place();
+  Decision blocked(double now_s);
+  std::string why_blocked() const;
+  bool is_on_way_back() const;
+  bool has_way_back_next() const;
+  void begin_way_back();
+  Decision back_between_turnings();
+  void remember_driven();
+  void learn_floor_behind();
+  std::vector<Vec2> standing_behind() const;
+  SteeringChoice choose_steering_behind(double wish_rad) const;
+  Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
+  double wished_steering_rad() const;
+  /// Near a taught end, at a place that is known: the taught way counts alone.
+  bool keeps_to_taught_end() const;
+  std::optional<double> avoiding_rad() const;
+  double steering_to(const Vec2& p_vehicle) const;
+  double gap_ahead_m() const;
+  /// Something has been seen to stand where a vehicle at the route's end would.
+  bool is_place_taken() const;
+  bool is_at_dead_end() const;
+  bool is_beyond_dead_end() const;
+  void begin_to_back_off();
+  SteeringChoice choose_way_back() const;
+  std::optional<Decision> arrived();
+  double left_m() const { return route_.path.length_m() - progress_.point().along_m; }
+  double left_to_end_m() const;
+
+  RoomNavigatorParams params_;
+  VehicleDescription vehicle_;
+  Route route_;
+  RouteView view_;
+  PictureWatch watch_;
+  EdgeMemory edges_;
+  EdgePlace place_;
+  PathProgress progress_;
+  std::unique_ptr<FrameParking> frame_;
+  std::unique_ptr<FrameBacking> frame_backing_;
+  std::unique_ptr<CornerBacking> corner_backing_;  ///< of a route with ways back between turnings
+  bool backs_to_corner_ = false;                   ///< else as it was taught
+  double back_to_m_ = 0;                           ///< along the route, the end of such a way
+  StopViewMatcher stop_views_;
+  Pose2 T_odom_vehicle_;
+  std::optional<RouteSight> sight_;
+  RouteBrightness brightness_;
+  bool is_strange_ = false;  ///< what is before the vehicle does not look like the route
+  Pose2 T_odom_seen_;        ///< where it last did
+  State state_ = State::kFollowing;
+  int dead_end_pictures_ = 0;  ///< in succession that showed one
+  std::optional<double> stopped_s_;
+  Pose2 T_odom_stopped_;
+  PlaceParking taught_place_;
+  double pattern_share_;  ///< of the taught way, where the floor's pattern looked like obstacles
+  double steering_rad_ = 0;
+  std::vector<Pose2> T_odom_driven_;  ///< today, about where it is
+  std::vector<Vec2> p_map_limit_;     ///< of the floor that is known, where it backs
+  SteeringChoice way_back_;
+  int back_offs_ = 0;  ///< about one place
+  double back_offs_at_m_ = 0;
+};
+
+}  // namespace aisle

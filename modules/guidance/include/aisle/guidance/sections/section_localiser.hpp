@@ -1,0 +1,86 @@
+#pragma once
+/// Where a vehicle is that drives a list of sections: L03 section 4.1, as corrections of a pose.
+
+#include <span>
+#include <vector>
+
+#include "aisle/control/path.hpp"
+#include "aisle/guidance/sections/guided_path.hpp"
+#include "aisle/learning/pose_filter.hpp"
+#include "aisle/learning/sections/walls_beside.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+
+namespace aisle {
+
+struct SectionLocaliserParams {
+  double start_sigma_m = 0.05;
+  double start_sigma_rad = 3 * kDegree;
+  double wall_sigma_m = 0.03;
+  double wall_gate_m = 0.5;
+  double length_gate_m = 0.5;
+  double length_reach_m = 2.5;
+  double repeat_inflation = 3;
+  bool heading_by_walls = true;
+  bool left_base_line = true;
+  bool length_by_wall_ahead = true;
+  bool length_by_line_end = false;
+
+  void describe(FieldList& fields);
+};
+
+/// Odometry, corrected by the floor's edges: the distances of the base lines beside a section say how far
+/// aside the vehicle is; the wall across its end (and, if wanted, where the base line inside of the next turn
+/// ends) how far along; walls at right angles, everywhere, its heading.
+class SectionLocaliser {
+ public:
+  /// @param way  must outlive it; not empty
+  SectionLocaliser(const SectionLocaliserParams& params, const VehicleDescription& vehicle,
+                   const GuidedPath& way);
+
+  void predict(const OdometryReading& reading) { filter_.predict(reading); }
+
+  /// Takes in what one picture shows.
+  /// @param edges  in base_link
+  /// @param piece  of the way, on which the vehicle is
+  void correct(std::span<const SensedSegment> edges, std::size_t piece);
+
+  /// Whether a base line beside the way has just been taken in.
+  bool is_guided() const { return is_guided_; }
+  const Pose2& pose() const { return filter_.pose(); }
+  /// How the vehicle was headed at first, as far as what was seen since then tells, too.
+  double start_heading_rad() const { return start_heading_rad_; }
+  /// How sure it is how far aside it is of a way with this heading.
+  double aside_sigma_m(double heading_rad) const;
+
+ private:
+  /// The piece that the vehicle is on.
+  struct Here {
+    const PathPiece& piece;
+    const SectionGuide& guide;
+    Pose2 T_piece_vehicle;
+  };
+
+  Here here(std::size_t piece) const;
+  void correct_pose(std::span<const SensedSegment> edges, std::size_t piece);
+  void correct_heading(std::span<const SensedSegment> edges);
+  void correct_distance(const Here& here);
+  void correct_by_wall_ahead(const Here& here, std::span<const SensedSegment> edges);
+  void correct_by_line_end(const Here& here);
+  const WallBeside* wall_at(double aside_m) const;
+  /// Of what changes with the pose as told.
+  double sigma_of(const Vec3& by_pose) const;
+  double distrust(double off_m, const Vec3& by_pose) const;
+  double inflated(double sigma_m) const;
+  double heading_variance() const { return filter_.covariance()(2, 2); }
+
+  SectionLocaliserParams params_;
+  const GuidedPath* way_;
+  PoseFilter filter_;
+  std::vector<WallBeside> beside_;
+  std::vector<WallAcross> across_;
+  bool is_guided_ = false;
+  double start_heading_rad_;
+  double start_covariance_;  ///< of it with the present heading
+};
+
+}  // namespace aisle

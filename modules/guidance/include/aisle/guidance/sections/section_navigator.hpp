@@ -1,0 +1,79 @@
+#pragma once
+/// Drives a list of sections, each in its own way: L03 section 4.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "aisle/control/path_progress.hpp"
+#include "aisle/control/speed.hpp"
+#include "aisle/control/steering.hpp"
+#include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/obstacles/obstacle_guard.hpp"
+#include "aisle/guidance/sections/guided_path.hpp"
+#include "aisle/guidance/sections/section_localiser.hpp"
+#include "aisle/vehicle/vehicle_description.hpp"
+#include "aisle/vision/floor/floor_edges.hpp"
+
+namespace aisle {
+
+struct SectionNavigatorParams {
+  FloorEdgeParams floor_edges{.looks_past = 2};
+  SteeringParams steering;
+  SpeedParams speed{.speed_mps = 0.1};
+  ObstacleGuardParams guard{.margin_m = 0.03, .gap_m = 0.25, .reach_m = 1};
+  bool guarded = true;
+  double look_s = 0.5;
+  SectionLocaliserParams localiser;
+  double lost_m = 0.3;
+
+  void describe(FieldList& fields);
+};
+
+/// Keeps to the way as its localiser says where it is, and waits before what stands on the floor ahead. At
+/// the end it turns on the spot until it is headed as it should be: home again, as it was set down. Too
+/// unsure how far aside of its way it is, kept waiting for too long, or with the bumper pressed, it gives up,
+/// and says where in the list.
+class SectionNavigator final : public Navigator {
+ public:
+  /// @param camera  the vehicle's, that looks along the corridor
+  /// @throws std::invalid_argument if the vehicle has none of that name, or the path is empty
+  SectionNavigator(const SectionNavigatorParams& params, const VehicleDescription& vehicle,
+                   const std::string& camera, SectionList sections, GuidedPath way);
+  SectionNavigator(const SectionNavigator&) = delete;
+  SectionNavigator& operator=(const SectionNavigator&) = delete;
+
+  Decision step(const Observation& observation) override;
+
+  const Pose2& pose() const { return localiser_.pose(); }
+  const Path& path() const { return way_.path; }
+  bool comes_home() const { return way_.comes_home; }
+  const SectionGuide& guide() const { return way_.guides[progress_.point().piece]; }
+  const PathPoint& point() const { return progress_.point(); }
+  /// Where the floor ends in the last picture.
+  const std::vector<FloorEdge>& edges() const { return edges_; }
+
+ private:
+  void locate(const Observation& observation);
+  Decision take_last_heading();
+  Decision guarded(Decision decision);
+  std::string place() const;
+  Decision fail(std::string state, const std::string& what) const;
+
+  SectionNavigatorParams params_;
+  VehicleDescription vehicle_;
+  std::string camera_;
+  SectionList sections_;
+  GuidedPath way_;
+  FloorEdgeDetector detector_;
+  SectionLocaliser localiser_;
+  PathFollower follower_;
+  PathProgress progress_;
+  ObstacleGuard guard_;
+  std::vector<FloorEdge> edges_;
+  std::vector<SensedSegment> edges_on_floor_;
+  bool is_guided_ = false;  ///< in this cycle
+  std::optional<double> begun_s_;
+};
+
+}  // namespace aisle

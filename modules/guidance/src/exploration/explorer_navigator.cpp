@@ -1,0 +1,436 @@
+#include "aisle/guidance/exploration/explorer_navigator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "aisle/control/reversing.hpp"
+#include "aisle/vehicle/odometry_step.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kStopSpare_m = 0.15;  // the vehicle stops so far before what came into its way
+constexpr double kCoverageEvery_m = 0.5;
+constexpr int kAttemptsMax = 4;
+constexpr int kHomeAttemptsMax = 4;
+constexpr double kGateMoved_m = 1;
+constexpr int kNookExpansions = 30000;  // of the search: more is not worth while
+constexpr double kSameSpot_m = 0.2;     // about a place where the vehicle was blocked
+constexpr double kStruckNow_m = 1.5;    // so far from the vehicle ways keep off what is struck now
+constexpr double kStageLeft_m = 2.5;    // of a stage, when the next one is searched
+constexpr double kLearned_m2 = 0.5;     // so much more floor is something learned
+constexpr double kShown_m2 = 0.03;      // so much more floor after a way: it was worth driving
+constexpr double kWedged_m = 0.5;       // a search that comes no farther says something about where it began
+constexpr double kRetreat_m = 3;        // at least, along its own trail, before it searches anew ...
+constexpr double kRoomy_m = 0.15;       // ... where it has so much more room than it needs
+constexpr int kTouchesMax = 5;          // of the bumper: then something is wrong
+constexpr double kTouchedKnown_m = -0.03;  // beyond the margin: what stands so near is what was touched
+constexpr double kIdleWay_m = 150;         // without learning anything: what waits is left undone
+
+bool is_same(const ExploringTarget& a, const ExploringTarget& b) {
+  if (a.kind != b.kind) return false;
+  return a.kind == ExploringTarget::Kind::kHome || a.path == b.path;
+}
+
+}  // namespace
+
+void ExplorerNavigatorParams::describe(FieldList& fields) {
+  fields.group("learner", learner);
+  fields.group("explorer", explorer);
+  fields.group("search", search);
+  fields.group("steering", steering);
+  fields.group("speed", speed);
+  fields.real("look_s", look_s, {0, 60}, "time to look around before it starts");
+  fields.real("look_from_m", look_from_m, {0.3, 10}, "so near it drives to what it wants to see");
+  fields.real("join_m", join_m, {0.1, 5}, "so far ahead a new way joins the old one");
+  fields.group("patience", patience);
+  fields.real("time_max_s", time_max_s, {10, 100000}, "then it gives up, wherever it is");
+  fields.count("expansions", expansions, {10, 100000}, "poses that the search looks at in a cycle");
+  fields.real("stuck_s", stuck_s, {1, 3600}, "standing for so long without a way it gives up");
+}
+
+ExplorerNavigator::ExplorerNavigator(const ExplorerNavigatorParams& params, const VehicleDescription& vehicle,
+                                     ExploringOrder order, std::unique_ptr<SliceSensor> sensor)
+    : params_(params),
+      vehicle_(vehicle),
+      learner_(params.learner, vehicle, std::move(sensor)),
+      explorer_(params.explorer, order),
+      search_(params.search, vehicle),
+      target_search_(search_, learner_,
+                     {params.look_from_m, params.explorer.nooks.reach_m, params.explorer.crossing_near_m},
+                     vehicle.footprint.front_m),
+      driver_(vehicle, params.steering, params.speed),
+      patience_(params.patience) {}
+
+Decision ExplorerNavigator::step(const Observation& observation) {
+  ++cycle_;
+  stamp_s_ = observation.stamp_s;
+  if (!begun_s_) begun_s_ = moved_s_ = stamp_s_;
+  const FloorLearner::News news = learner_.take(observation);
+  driver_.see(learner_.sensor().fan(), learner_.view().ranges_m);
+  mark_coverage();
+  if (touches_anew(observation)) return back_off(observation);
+  if (stamp_s_ - *begun_s_ > params_.time_max_s)
+    return end(NavigatorStatus::kFailed, "late", "its time is over");
+  if (learner_.is_laying_anew()) return wait_for_floor();
+  keep_trail(news);
+  if (stamp_s_ - *begun_s_ < params_.look_s || !learner_.has_looked()) return {.state = "looking"};
+  if (news == FloorLearner::News::kLoop) drop_way();
+  if (news != FloorLearner::News::kNothing || !target_) {
+    check_way();
+    choose();
+  }
+  search_way();
+  lose_patience();
+  if (!ended_because_.empty()) return end(NavigatorStatus::kFailed, "stuck", ended_because_);
+  if (is_lost_for_ways()) {
+    return end(NavigatorStatus::kFailed, "stuck",
+               is_wedged_ ? "finds no way out of where it stands" : "finds no way that it can drive");
+  }
+  if (came_home_) return end(NavigatorStatus::kDone, "home", what_was_explored());
+  return drive(observation);
+}
+
+std::string ExplorerNavigator::what_was_explored() const {
+  const std::size_t undone = explorer_.paths_abandoned();
+  const std::string explored = undone == 0
+                                   ? "explored"
+                                   : fmt::format("came home with {} left undone",
+                                                 undone == 1 ? "a path" : fmt::format("{} paths", undone));
+  return touches_ == 0 ? explored : explored + ", but touched something";
+}
+
+bool ExplorerNavigator::touches_anew(const Observation& observation) {
+  const bool was_touching = std::exchange(is_touching_, observation.bumper_pressed);
+  return is_touching_ && !was_touching;
+}
+
+/// What it touched is noted, unless the floor shows it; then another way is searched, away from it.
+Decision ExplorerNavigator::back_off(const Observation& observation) {
+  if (++touches_ > kTouchesMax || !learner_.has_looked())
+    return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
+  const double room_m =
+      search_.room().standing_spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+  if (room_m > kTouchedKnown_m && driven_direction_ != 0) learner_.touch(driven_direction_);
+  be_blocked(driven_direction_);
+  return {.command = {.steering_rad = steering_rad_of(observation.odometry)}, .state = "touched"};
+}
+
+void ExplorerNavigator::keep_trail(FloorLearner::News news) {
+  if (!learner_.has_looked()) return;
+  if (news == FloorLearner::News::kLoop) trail_.lay_anew(learner_.T_map_vehicle_of_all());
+  if (is_retreating_) return trail_.go_back(learner_.T_map_vehicle());
+  trail_.go_on(learner_.T_map_vehicle(), learner_.log().scans.size() - 1);
+}
+
+void ExplorerNavigator::mark_coverage() {
+  if (!coverage_.empty() && learner_.way_m() - coverage_.back().way_m < kCoverageEvery_m) return;
+  coverage_.push_back({learner_.way_m(), learner_.floor().free_m2()});
+}
+
+/// C99's steps 9 and 10: what is around is encoded, the transducer says where to go.
+void ExplorerNavigator::choose() {
+  const double middle_m = (vehicle_.footprint.front_m - vehicle_.footprint.rear_m) / 2;
+  const ExploringTarget target =
+      explorer_.decide(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(),
+                       learner_.T_map_vehicle() * Vec2(middle_m, 0), learner_.T_map_home(), cycle_);
+  const bool goes_on = target_ && is_same(*target_, target);
+  const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
+  if (gate_moved || !former_ || !is_same(*former_, target)) is_out_of_reach_ = false;
+  watch_learning(target);
+  target_ = former_ = target;
+  target_search_.see(target.gate);
+  if (goes_on && (!gate_moved || target.kind != ExploringTarget::Kind::kPath)) return;
+  tries_ = {};
+  is_search_due_ = true;
+}
+
+/// From where the present way is left: ahead, so that the vehicle need not stop.
+void ExplorerNavigator::begin_search() {
+  is_search_due_ = stands_first_ = false;
+  p_map_searched_ = target_->gate.p_map;
+  searched_m2_ = learner_.floor().free_m2();
+  if (driver_.has_way()) shorten_way(params_.join_m);
+  const Path& path = driver_.path();
+  const Pose2 T_map_from = path.empty() ? learner_.T_map_vehicle() : path.at(path.length_m()).T_map_path;
+  target_search_.look_for(*target_, T_map_from, tries_, may_end_at_home(T_map_from));
+  if (target_search_.leads_home() && driver_.has_way()) {
+    search_.stop();
+    is_search_due_ = stands_first_ = true;
+  }
+  const double since_blocked_m = (T_map_from.position() - p_map_blocked_).norm();
+  if (since_blocked_m < kSameSpot_m) search_.forbid_first(blocked_direction_);
+  keep_off_struck();
+  if (tries_.failures > 0) search_.squeeze();
+}
+
+/// What the sensor strikes now stands a little off where the floor's cells show it.
+void ExplorerNavigator::keep_off_struck() {
+  search_.keep_to([this](const Pose2& T_map_later) {
+    const Pose2 T_vehicle_later = between(learner_.T_map_vehicle(), T_map_later);
+    return T_vehicle_later.position().norm() > kStruckNow_m || driver_.is_off_struck(T_vehicle_later);
+  });
+}
+
+/// Where no way that ends exactly there is found, near home first, and on from there.
+bool ExplorerNavigator::may_end_at_home(const Pose2& T_map_from) const {
+  const bool was_blocked_here = (T_map_from.position() - p_map_blocked_).norm() < kSameSpot_m;
+  return tries_.ways % 2 == 0 && (tries_.ways > 0 || !was_blocked_here);
+}
+
+/// Before a stage ends, the way on from it is searched.
+void ExplorerNavigator::search_on() {
+  const bool ends_soon = is_stage_ && driver_.has_way() && driver_.left_m() < kStageLeft_m;
+  if (!ends_soon || search_.state() != CarSearch::State::kIdle) return;
+  is_stage_ = false;
+  is_search_due_ = true;
+}
+
+void ExplorerNavigator::search_way() {
+  if (!target_ || is_retreating_) return;
+  search_on();
+  if (is_search_due_ && (driver_.has_way() ? !stands_first_ : learner_.is_standing())) begin_search();
+  if (search_.state() == CarSearch::State::kIdle && !driver_.has_way() && !is_search_due_) {
+    if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
+    const int attempts_max = target_->gate.is_nook ? 0 : kAttemptsMax;
+    const bool is_over = !is_wedged_ && ++tries_.ways > attempts_max && !was_worth_it();
+    if (is_over && target_->kind == ExploringTarget::Kind::kPath) return leave_path();
+    begin_search();
+  }
+  if (search_.state() != CarSearch::State::kSearching) return;
+  const auto state = search_.advance(learner_.floor(), learner_.clearance(), params_.expansions);
+  const bool is_not_worth_more = target_->gate.is_nook && search_.expansions() > kNookExpansions;
+  if (state == CarSearch::State::kFound) return take_way();
+  if (state == CarSearch::State::kNone || is_not_worth_more) find_no_way();
+}
+
+/// The latest way showed floor.
+bool ExplorerNavigator::was_worth_it() const {
+  return learner_.floor().free_m2() > searched_m2_ + kShown_m2;
+}
+
+/// Either there is none to the target, or none out of where the vehicle stands: then no target is to blame.
+void ExplorerNavigator::find_no_way() {
+  is_wedged_ = search_.reached_m() < kWedged_m;
+  search_.stop();
+  arrived_cycle_ = cycle_;
+  if (!is_wedged_) hitch();
+  if (std::exchange(blocked_direction_, 0) != 0) return;
+  const bool shut_in = is_shut_in();
+  if (is_wedged_) tries_.failures = std::max(tries_.failures, 1);
+  if ((shut_in && tries_.failures > 0 && retreat()) || is_wedged_) return;
+  is_out_of_reach_ = is_out_of_reach_ || (search_.has_tried_all() && !shut_in);
+  const bool is_last_try = target_->gate.is_nook ? tries_.failures > 0 : tries_.look_from_afar();
+  ++tries_.failures;
+  if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
+  leave_path();
+}
+
+/// All was tried, and nothing leads back to where the vehicle began: that says nothing about the target.
+bool ExplorerNavigator::is_shut_in() const {
+  return search_.has_tried_all() &&
+         !search_.has_come_to(learner_.T_map_home().position(), HomeSearch::kNear_m);
+}
+
+/// Back as it came, and then it searches again.
+bool ExplorerNavigator::retreat() {
+  if (driver_.has_way()) return false;
+  const Path back = trail_.way_back(learner_.T_map_vehicle(), kRetreat_m, [this](const Pose2& T_map) {
+    return search_.room().spare_m(learner_.floor(), learner_.clearance(), T_map) > kRoomy_m;
+  });
+  if (back.empty()) return false;
+  driver_.take_trail(back);
+  is_retreating_ = is_search_due_ = true;
+  return true;
+}
+
+/// A way home that fails is no reason not to come home.
+void ExplorerNavigator::hitch() {
+  const bool goes_home = former_ && former_->kind == ExploringTarget::Kind::kHome;
+  if (!goes_home) patience_.hitch(learner_.T_map_vehicle());
+}
+
+/// It cannot look behind the gate: a corner is left out, and what is out of reach; more is left undone.
+void ExplorerNavigator::leave_path() {
+  if (is_out_of_reach_ || target_->gate.behind_m2 < params_.explorer.leftover_m2) return give_path_up();
+  explorer_.abandon(target_->path, cycle_);
+  drop_way();
+  moved_s_ = stamp_s_;
+}
+
+/// No pose that the vehicle can get to shows more of it, or hardly anything is left to be seen.
+void ExplorerNavigator::give_path_up() {
+  explorer_.give_up(target_->path, cycle_);
+  drop_way();
+  moved_s_ = stamp_s_;
+}
+
+/// New floor, or another target: that is worth its time.
+void ExplorerNavigator::watch_learning(const ExploringTarget& target) {
+  const bool goes_on = former_ && is_same(*former_, target);
+  const bool learned = learner_.floor().free_m2() > learned_m2_ + kLearned_m2;
+  if (learned) {
+    learned_m2_ = learner_.floor().free_m2();
+    learned_way_m_ = learner_.way_m();
+  }
+  if (!learned && goes_on) return;
+  const bool is_path = target.kind == ExploringTarget::Kind::kPath;
+  const double target_m = is_path ? target.gate.way_m : learner_.way_m() / 2;
+  patience_.renew(stamp_s_, learner_.way_m(), target_m);
+}
+
+/// What leads nowhere is left undone, and in the end everything.
+void ExplorerNavigator::lose_patience() {
+  if (!target_ || is_wedged_) return;
+  const bool is_idle = learner_.way_m() - learned_way_m_ > kIdleWay_m;
+  if (is_idle && target_->kind != ExploringTarget::Kind::kHome) {
+    explorer_.abandon_all(cycle_);
+    return drop_way();
+  }
+  if (!patience_.is_over(stamp_s_, learner_.way_m())) return;
+  switch (target_->kind) {
+    case ExploringTarget::Kind::kPath:
+      return leave_path();
+    case ExploringTarget::Kind::kCrossing:
+      explorer_.pass_crossing_by();
+      moved_s_ = stamp_s_;
+      return drop_way();
+    case ExploringTarget::Kind::kHome:
+      ended_because_ = "does not get home";
+      return;
+  }
+}
+
+/// A place was recognised: the floor is laid anew while the vehicle stands.
+Decision ExplorerNavigator::wait_for_floor() {
+  drop_way();
+  moved_s_ = stamp_s_;
+  return {.state = "recognising"};
+}
+
+void ExplorerNavigator::take_way() {
+  is_wedged_ = false;
+  const Path found = target_search_.path();
+  is_stage_ = search_.is_stage();
+  ends_at_home_ = target_search_.leads_home();
+  search_.stop();
+  if (found.empty()) return arrive();
+  driver_.take(found);
+}
+
+void ExplorerNavigator::arrive() {
+  driver_.drop();
+  arrived_cycle_ = cycle_;
+  is_retreating_ = false;
+  if (target_ && target_->kind == ExploringTarget::Kind::kCrossing) return target_.reset();
+  const bool is_there = stands_at_home(learner_.T_map_home(), learner_.T_map_vehicle());
+  if (!ends_at_home_ || !(is_there || tries_.ways >= kHomeAttemptsMax)) return;
+  came_home_ = true;
+  explorer_.stop(cycle_);
+}
+
+/// Keeps only the next stretch of the way.
+void ExplorerNavigator::shorten_way(double ahead_m) {
+  driver_.shorten(ahead_m);
+  ends_at_home_ = false;
+}
+
+void ExplorerNavigator::drop_way() {
+  driver_.drop();
+  search_.stop();
+  target_.reset();
+  is_search_due_ = is_retreating_ = false;
+  is_stage_ = false;
+  ends_at_home_ = false;
+}
+
+/// What was learned since may lie in the way.
+void ExplorerNavigator::check_way() {
+  if (!driver_.has_way()) return;
+  const double free_m = driver_.free_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+  if (free_m >= driver_.left_m() - 1e-6) return;
+  if (free_m < kStopSpare_m) {
+    hitch();
+    return drop_way();
+  }
+  shorten_way(free_m - kStopSpare_m);
+  target_.reset();
+}
+
+bool ExplorerNavigator::is_lost_for_ways() {
+  if (driver_.has_way() && !is_wedged_) moved_s_ = stamp_s_;
+  return stamp_s_ - moved_s_ > params_.stuck_s;
+}
+
+Decision ExplorerNavigator::drive(const Observation& observation) {
+  const std::string state = state_word();
+  const WayDriver::Step step = driver_.drive(learner_.floor(), learner_.clearance(), search_.room(),
+                                             learner_.T_map_vehicle(), steering_rad_of(observation.odometry));
+  switch (step.state) {
+    case WayDriver::State::kNoWay:
+      return {.command = step.command, .state = state, .why = why_it_stands()};
+    case WayDriver::State::kArrived:
+      if (search_.state() != CarSearch::State::kSearching) arrive();
+      break;
+    case WayDriver::State::kBlocked:
+      be_blocked(step.direction);
+      return {.command = step.command, .state = "blocked"};
+    case WayDriver::State::kTurningWheels:
+      break;
+    case WayDriver::State::kDriving:
+      driven_direction_ = step.direction;
+      break;
+  }
+  return {.command = step.command, .state = state};
+}
+
+void ExplorerNavigator::be_blocked(int direction) {
+  hitch();
+  p_map_blocked_ = learner_.T_map_vehicle().position();
+  blocked_direction_ = direction;
+  drop_way();
+}
+
+std::string ExplorerNavigator::state_word() const {
+  if (!driver_.has_way()) return "searching";
+  if (is_retreating_) return "retreating";
+  if (!target_) return "exploring";
+  switch (target_->kind) {
+    case ExploringTarget::Kind::kPath:
+      return "exploring";
+    case ExploringTarget::Kind::kCrossing:
+      return "retreating";
+    case ExploringTarget::Kind::kHome:
+      return "homing";
+  }
+  return "";
+}
+
+std::string ExplorerNavigator::why_it_stands() const {
+  if (is_wedged_) return "no way leads out of where it stands";
+  return search_.state() == CarSearch::State::kSearching ? "no way found yet" : "";
+}
+
+Decision ExplorerNavigator::end(NavigatorStatus status, std::string state, std::string why) {
+  ended_because_ = why;
+  return {.status = status, .state = std::move(state), .why = std::move(why)};
+}
+
+ExplorationRecord ExplorerNavigator::record() const {
+  ExplorationRecord record;
+  record.paths = explorer_.events();
+  record.steps = explorer_.steps();
+  record.coverage = coverage_;
+  record.T_map_vehicle = learner_.T_map_vehicle_of_all();
+  record.paths_waiting = explorer_.paths_waiting();
+  record.paths_abandoned = explorer_.paths_abandoned();
+  record.way_m = learner_.way_m();
+  record.came_home = came_home_;
+  record.ended_because = ended_because_;
+  return record;
+}
+
+}  // namespace aisle

@@ -1,0 +1,162 @@
+#include "aisle/guidance/exploration/floor_learner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "aisle/vehicle/odometry_step.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kSetDownAhead_m = 0.15;
+constexpr double kSetDownBeside_m = 0.1;
+constexpr double kOutOfPlace_m =
+    0.025;                      // the floor is laid anew when a slice lies so far from where it was put
+constexpr double kLever_m = 2;  // at which turns count
+constexpr std::size_t kLaidACycle = 8;  // of the slices that are laid anew
+constexpr double kStanding_m = 0.002;   // of way in a cycle
+
+}  // namespace
+
+void FloorLearnerParams::describe(FieldList& fields) {
+  fields.group("mapping", mapping);
+  fields.group("view", view);
+  fields.group("legs", legs);
+  fields.real("cell_m", cell_m, {0.02, 0.2}, "cells of the floor");
+  fields.real("look_every_m", look_every_m, {0.02, 2}, "way after which the floor is looked at again");
+  fields.angle("look_every_deg", look_every_rad, {0.5, 90}, "turning after which it is");
+  fields.count("look_every_cycles", look_every_cycles, {1, 1000}, "cycles after which it is");
+}
+
+FloorLearner::FloorLearner(const FloorLearnerParams& params, const VehicleDescription& vehicle,
+                           std::unique_ptr<SliceSensor> sensor)
+    : params_(params),
+      vehicle_(vehicle),
+      sensor_(std::move(sensor)),
+      mapping_(params.mapping, sensor_->fan()),
+      floor_(params.cell_m),
+      clearance_(params.legs) {
+  log_.laser = sensor_->fan();
+}
+
+FloorLearner::News FloorLearner::take(const Observation& observation) {
+  const Pose2 motion = odometry_step(vehicle_, observation.odometry);
+  T_odom_vehicle_ = T_odom_vehicle_ * motion;
+  T_slice_vehicle_ = T_slice_vehicle_ * motion;
+  way_m_ += motion.position().norm();
+  is_standing_ = motion.position().norm() < kStanding_m;
+  ++cycles_since_look_;
+  log_.odometry.push_back({observation.stamp_s, T_odom_vehicle_});
+  const bool sees = sensor_->look(observation, view_);
+  bool recognised = false;
+  if (sees) {
+    recognised = mapping_.take_scan(view_.ranges_m, T_slice_vehicle_);
+    T_slice_vehicle_ = {};
+    keep_slice(observation.stamp_s);
+    if (log_.scans.size() == 1) T_map_home_ = mapping_.T_map_vehicle();
+  }
+  T_map_vehicle_ = mapping_.T_map_vehicle() * T_slice_vehicle_;
+  if (recognised && places_moved()) begin_anew();
+  if (anew_) return lay_on() ? News::kLoop : News::kNothing;
+  if (!sees || !is_time_to_look()) return News::kNothing;
+  looks_.push_back({log_.scans.size() - 1, view_.near_m, T_map_vehicle_});
+  T_map_looked_ = T_map_vehicle_;
+  cycles_since_look_ = 0;
+  FloorBox changed = put(looks_.back(), T_map_vehicle_, floor_);
+  for (const Touch& touch : touches_) changed.include_box(put(touch, touch.T_map_put, floor_));
+  clearance_.update(floor_, changed);
+  return changed.empty() ? News::kNothing : News::kFloor;
+}
+
+void FloorLearner::touch(int direction) {
+  touches_.push_back({log_.scans.size() - 1, T_slice_vehicle_, direction, T_map_vehicle_});
+  clearance_.update(floor_, put(touches_.back(), T_map_vehicle_, floor_));
+}
+
+void FloorLearner::keep_slice(double stamp_s) {
+  LaserScan scan;
+  scan.stamp_s = scan.time_s = stamp_s;
+  scan.ranges_m = view_.ranges_m;
+  scan.odometry_known = log_.odometry.size();
+  log_.scans.push_back(std::move(scan));
+}
+
+bool FloorLearner::is_time_to_look() const {
+  const Pose2 since = between(T_map_looked_, T_map_vehicle_);
+  return looks_.empty() || since.position().norm() >= params_.look_every_m ||
+         std::abs(since.theta) >= params_.look_every_rad || cycles_since_look_ >= params_.look_every_cycles;
+}
+
+FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const {
+  FloorBox changed = see_floor(floor, sensor_->fan(), log_.scans[look.slice].ranges_m, look.near_m,
+                               T_map_vehicle, params_.view);
+  const FloorBox stood =
+      stand_on_floor(floor, look.slice == 0 ? set_down_room() : vehicle_.footprint, T_map_vehicle);
+  changed.include_box(stood);
+  return changed;
+}
+
+/// What no slice shows.
+FloorBox FloorLearner::put(const Touch& touch, const Pose2& T_map_vehicle, FloorGrid& floor) const {
+  return strike_floor(floor, vehicle_.footprint, T_map_vehicle, touch.direction);
+}
+
+/// Who sets a vehicle down leaves it a little room beside and behind it, and the strip free that it cannot
+/// see ahead of itself.
+Footprint FloorLearner::set_down_room() const {
+  Footprint room = vehicle_.footprint;
+  room.rear_m += kSetDownBeside_m;
+  room.width_m += 2 * kSetDownBeside_m;
+  const std::vector<float>& near_m = looks_.front().near_m;
+  if (!near_m.empty())
+    room.front_m = sensor_->fan().T_vehicle_laser.x + near_m[near_m.size() / 2] + kSetDownAhead_m;
+  return room;
+}
+
+FloorGrid FloorLearner::floor_from(std::span<const Pose2> T_map_vehicle) const {
+  FloorGrid floor(params_.cell_m);
+  for (const Look& look : looks_) put(look, T_map_vehicle[look.slice], floor);
+  for (const Touch& touch : touches_) put(touch, T_map_vehicle[touch.slice] * touch.T_slice_vehicle, floor);
+  return floor;
+}
+
+/// A place was recognised: whether any slice lies elsewhere now, by more than the floor is accurate.
+bool FloorLearner::places_moved() {
+  T_map_of_all_ = mapping_.T_map_vehicle_of_all();
+  T_map_home_ = T_map_of_all_.front();
+  return std::any_of(looks_.begin(), looks_.end(), [&](const Look& look) {
+    const Pose2 off = between(look.T_map_put, T_map_of_all_[look.slice]);
+    return off.position().norm() + kLever_m * std::abs(off.theta) > kOutOfPlace_m;
+  });
+}
+
+void FloorLearner::begin_anew() {
+  anew_.emplace(params_.cell_m, clearance_.far_m(), params_.legs);
+}
+
+/// Lays a few slices more onto the floor as they lie now; true when all are laid.
+bool FloorLearner::lay_on() {
+  const std::size_t end = std::min(anew_->next + kLaidACycle, looks_.size());
+  FloorBox changed;
+  for (; anew_->next < end; ++anew_->next) {
+    Look& look = looks_[anew_->next];
+    look.T_map_put = T_map_of_all_[look.slice];
+    changed.include_box(put(look, look.T_map_put, anew_->floor));
+  }
+  if (anew_->next == looks_.size()) {
+    for (Touch& touch : touches_) {
+      if (touch.slice < T_map_of_all_.size())  // else it was put down where places lie since
+        touch.T_map_put = T_map_of_all_[touch.slice] * touch.T_slice_vehicle;
+      changed.include_box(put(touch, touch.T_map_put, anew_->floor));
+    }
+  }
+  anew_->clearance.update(anew_->floor, changed);
+  if (anew_->next < looks_.size()) return false;
+  floor_ = std::move(anew_->floor);
+  clearance_ = std::move(anew_->clearance);
+  anew_.reset();
+  return true;
+}
+
+}  // namespace aisle

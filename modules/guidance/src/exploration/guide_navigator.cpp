@@ -1,0 +1,171 @@
+#include "aisle/guidance/exploration/guide_navigator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "aisle/geometry/segment2.hpp"
+#include "aisle/vehicle/odometry_step.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kWatchAhead_m = 1.5;
+constexpr double kGetsOn_m = 0.3;     // within the time after which it gives up
+constexpr double kSearchAgain_s = 2;  // after there was no way
+
+UncertainPose2 about_start(const Pose2& T_map_start, const GuideNavigatorParams& params) {
+  const Vec3 sigma(params.start_sigma_m, params.start_sigma_m, params.start_sigma_rad);
+  return {T_map_start, sigma.cwiseAbs2().asDiagonal()};
+}
+
+const FloorGrid& floor_of(const Building& building) {
+  if (!building.floor) throw std::invalid_argument("a building to be guided in needs its floor");
+  return *building.floor;
+}
+
+}  // namespace
+
+void GuideNavigatorParams::describe(FieldList& fields) {
+  fields.group("localiser", localiser);
+  fields.group("view", view);
+  fields.group("legs", legs);
+  fields.group("search", search);
+  fields.group("steering", steering);
+  fields.group("speed", speed);
+  fields.real("start_sigma_m", start_sigma_m, {0.001, 2}, "how far off its start the vehicle may stand");
+  fields.angle("start_sigma_deg", start_sigma_rad, {0.05, 30}, "how far it may be turned there");
+  fields.real("look_s", look_s, {0, 60}, "time to look around before it starts");
+  fields.real("look_every_m", look_every_m, {0.02, 2}, "way after which the floor is looked at again");
+  fields.real("look_every_s", look_every_s, {0.05, 10}, "time after which it is");
+  fields.real("arrive_m", arrive_m, {0.05, 3}, "so near the vehicle has reached a place");
+  fields.real("lost_s", lost_s, {0.5, 60}, "seeing other walls than are known for so long it is lost");
+  fields.real("give_up_s", give_up_s, {1, 3600}, "without any way for so long it gives up");
+  fields.count("expansions", expansions, {10, 100000}, "poses that the search looks at in a cycle");
+}
+
+GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
+                               const Building& building, const Pose2& T_map_start,
+                               std::vector<Vec2> p_map_places, std::unique_ptr<SliceSensor> sensor)
+    : params_(params),
+      vehicle_(vehicle),
+      sensor_(std::move(sensor)),
+      localiser_(params.localiser, sensor_->fan(), building.walls, about_start(T_map_start, params)),
+      has_barriers_(!building.barriers.empty()),
+      floor_(floor_of(building)),
+      clearance_(params.legs),
+      search_(params.search, vehicle),
+      driver_(vehicle, params.steering, params.speed),
+      p_map_places_(std::move(p_map_places)),
+      T_map_vehicle_(T_map_start) {
+  clearance_.bar(building.barriers, floor_.cell_m());
+  clearance_.update(floor_, floor_.known());
+}
+
+Decision GuideNavigator::step(const Observation& observation) {
+  const double stamp_s = observation.stamp_s;
+  if (!begun_s_) begun_s_ = sure_s_ = hopeful_s_ = stamp_s;
+  locate(observation);
+  if (const std::string why = why_failed(observation); !why.empty())
+    return {.status = NavigatorStatus::kFailed, .state = "given up", .why = why};
+  if (stamp_s - *begun_s_ < params_.look_s) return {.state = "looking"};
+  check_way();
+  if (next_ < p_map_places_.size()) search_way(stamp_s);
+  if (next_ == p_map_places_.size()) return {.status = NavigatorStatus::kDone, .state = "arrived"};
+  return drive(observation);
+}
+
+void GuideNavigator::locate(const Observation& observation) {
+  T_scan_vehicle_ = T_scan_vehicle_ * odometry_step(vehicle_, observation.odometry);
+  const bool sees = sensor_->look(observation, view_);
+  if (sees) localiser_.take_scan(view_.ranges_m, std::exchange(T_scan_vehicle_, {}));
+  T_map_vehicle_ = localiser_.T_map_vehicle().mean * T_scan_vehicle_;
+  if (!localiser_.is_doubtful()) sure_s_ = observation.stamp_s;
+  if (sees && !localiser_.is_doubtful()) look_at_floor(observation.stamp_s);
+}
+
+void GuideNavigator::look_at_floor(double stamp_s) {
+  const bool moved = between(T_map_looked_, T_map_vehicle_).position().norm() >= params_.look_every_m;
+  if (!moved && stamp_s - looked_s_ < params_.look_every_s) return;
+  looked_s_ = stamp_s;
+  T_map_looked_ = T_map_vehicle_;
+  FloorBox changed =
+      see_floor(floor_, sensor_->fan(), view_.ranges_m, view_.near_m, T_map_vehicle_, params_.view);
+  changed.include_box(stand_on_floor(floor_, vehicle_.footprint, T_map_vehicle_));
+  clearance_.update(floor_, changed);
+}
+
+std::string GuideNavigator::why_failed(const Observation& observation) {
+  if (observation.bumper_pressed) return "the bumper is pressed";
+  if (observation.stamp_s - sure_s_ > params_.lost_s) return "lost: what it sees fits no walls that it knows";
+  if (observation.stamp_s - hopeful_s_ <= params_.give_up_s) return "";
+  const Vec2& p = p_map_places_[next_];
+  return fmt::format("there is no way to {:.1f}, {:.1f}{}", p.x(), p.y(),
+                     has_barriers_ ? " that crosses neither keep-out lines nor glass" : "");
+}
+
+/// Something may have come into the way.
+void GuideNavigator::check_way() {
+  const double watched_m = std::min(kWatchAhead_m, driver_.left_m());
+  if (driver_.free_m(floor_, clearance_, T_map_vehicle_) >= watched_m - 1e-6) return;
+  ++ways_closed_;
+  drop_way();
+}
+
+void GuideNavigator::drop_way() {
+  driver_.drop();
+  search_.stop();
+}
+
+bool GuideNavigator::is_at_place(const Pose2& T_map_vehicle) const {
+  const Footprint& footprint = vehicle_.footprint;
+  const Segment2 axis{T_map_vehicle * Vec2(-footprint.rear_m, 0), T_map_vehicle * Vec2(footprint.front_m, 0)};
+  return axis.distance(p_map_places_[next_]) <= params_.arrive_m;
+}
+
+void GuideNavigator::begin_search() {
+  const Vec2& p_map_place = p_map_places_[next_];
+  search_.look_for(floor_, clearance_, T_map_vehicle_, p_map_place, vehicle_.footprint.front_m,
+                   [this](const Pose2& T_map) { return is_at_place(T_map); });
+  if (blocked_direction_ != 0) search_.forbid_first(std::exchange(blocked_direction_, 0));
+}
+
+void GuideNavigator::search_way(double stamp_s) {
+  if ((T_map_vehicle_.position() - p_map_hopeful_).norm() > kGetsOn_m) {
+    hopeful_s_ = stamp_s;
+    p_map_hopeful_ = T_map_vehicle_.position();
+  }
+  if (driver_.has_way()) return;
+  if (search_.state() == CarSearch::State::kIdle) begin_search();
+  if (search_.state() == CarSearch::State::kNone) {
+    if (stamp_s - searched_s_ < kSearchAgain_s) return;
+    begin_search();
+  }
+  const CarSearch::State state = search_.advance(floor_, clearance_, params_.expansions);
+  if (state == CarSearch::State::kNone) searched_s_ = stamp_s;
+  if (state != CarSearch::State::kFound) return;
+  const Path way = search_.path();
+  search_.stop();
+  if (way.empty()) {
+    ++next_;
+    hopeful_s_ = stamp_s;
+  } else {
+    driver_.take(way);
+  }
+}
+
+Decision GuideNavigator::drive(const Observation& observation) {
+  driver_.see(sensor_->fan(), view_.ranges_m);
+  const WayDriver::Step step = driver_.drive(floor_, clearance_, search_.room(), T_map_vehicle_,
+                                             steering_rad_of(observation.odometry));
+  const bool drives =
+      step.state == WayDriver::State::kDriving || step.state == WayDriver::State::kTurningWheels;
+  if (step.state == WayDriver::State::kBlocked) blocked_direction_ = step.direction;
+  if (!drives && driver_.has_way()) drop_way();
+  return {.command = step.command, .state = drives ? "driving" : "searching"};
+}
+
+}  // namespace aisle

@@ -1,0 +1,61 @@
+#include "aisle/guidance/exploration/home_search.hpp"
+
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kRunIn_m = 1;  // straight, before home
+constexpr double kAtHome_m = 0.06;
+constexpr double kAtHome_rad = 1 * kDegree;
+
+bool is_within(const Pose2& off, double within_m, double within_rad) {
+  return off.position().norm() < within_m && std::abs(off.theta) < within_rad;
+}
+
+}  // namespace
+
+void HomeSearch::look_for(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_home,
+                          const Pose2& T_map_from) {
+  is_exact_ = true;
+  T_map_home_ = T_map_home;
+  run_in_ = run_in(floor, clearance, T_map_from);
+  search_.look_for_way_to(floor, clearance, T_map_run_in(), T_map_from);
+}
+
+void HomeSearch::look_for_near(const FloorGrid& floor, const FloorClearance& clearance,
+                               const Pose2& T_map_home, const Pose2& T_map_from) {
+  is_exact_ = false;
+  search_.look_for(
+      floor, clearance, T_map_from, T_map_home.position(), kNear_m,
+      [T_map_home](const Pose2& T_map) { return is_within(between(T_map_home, T_map), kNear_m, kNear_rad); });
+}
+
+Path HomeSearch::path() const {
+  Path found = search_.path();
+  if (!leads_home() || run_in_.length_m == 0) return found;
+  const Pose2 T_map_begin = found.empty() ? T_map_run_in() : found.pieces().back().end();
+  return found.followed_by(Path({{T_map_begin, run_in_}}));
+}
+
+/// From the side where the vehicle is, if there is room; or else from the other. None: of no length.
+Arc HomeSearch::run_in(const FloorGrid& floor, const FloorClearance& clearance,
+                       const Pose2& T_map_from) const {
+  const FootprintRoom& room = search_.room();
+  const double standing_m = room.standing_spare_m(floor, clearance, T_map_home_);
+  const double first_m = between(T_map_home_, T_map_from).x > 0 ? -kRunIn_m : kRunIn_m;
+  for (const double run_in_m : {first_m, -first_m}) {
+    const Arc run_in{run_in_m, 0};
+    const Path path({{T_map_home_ * end_pose(run_in).inverse(), run_in}});
+    if (room.free_way_m(floor, clearance, path, 0, standing_m) >= path.length_m()) return run_in;
+  }
+  return {};
+}
+
+bool stands_at_home(const Pose2& T_map_home, const Pose2& T_map_vehicle) {
+  return is_within(between(T_map_home, T_map_vehicle), kAtHome_m, kAtHome_rad);
+}
+
+}  // namespace aisle

@@ -1,0 +1,63 @@
+#include "aisle/guidance/exploration/target_search.hpp"
+
+#include "aisle/guidance/exploration/gate_view.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kAfar = 2;            // times as far as else, where it does not get near
+constexpr double kAboutStand_m = 1.5;  // poses that show a nook are looked for about the nearest one
+
+}  // namespace
+
+TargetSearch::TargetSearch(StagedSearch& search, const FloorLearner& learner,
+                           const TargetDistances& distances, double front_m)
+    : search_(search), learner_(learner), distances_(distances), front_m_(front_m), home_search_(search) {}
+
+void TargetSearch::look_for(const ExploringTarget& target, const Pose2& T_map_from, const TargetTries& tries,
+                            bool exactly_home) {
+  goes_home_ = target.kind == ExploringTarget::Kind::kHome;
+  switch (target.kind) {
+    case ExploringTarget::Kind::kPath:
+      see(target.gate);
+      return look_into_gate(T_map_from, tries);
+    case ExploringTarget::Kind::kCrossing:
+      return look_for_crossing(target.T_map_back.position(), T_map_from);
+    case ExploringTarget::Kind::kHome:
+      return look_for_home(T_map_from, exactly_home);
+  }
+}
+
+/// From where enough of what is to be seen of the path would be seen.
+void TargetSearch::look_into_gate(const Pose2& T_map_from, const TargetTries& tries) {
+  const double reach_m = look_from_m(tries);
+  const bool is_first_way = tries.ways == 0;
+  const auto shows_path = [this, reach_m, is_first_way](const Pose2& T_map) {
+    const GateLook look{learner_.sensor().fan(), learner_.view().near_m, reach_m};
+    const std::size_t enough = is_first_way ? (gate_.rim.size() + 3) / 4 : 1;
+    return sees_rim(look, learner_.floor(), T_map, gate_, enough);
+  };
+  search_.look_for(learner_.floor(), learner_.clearance(), T_map_from,
+                   gate_.is_nook ? learner_.floor().centre(gate_.stand) : gate_.p_map,
+                   gate_.is_nook ? kAboutStand_m : reach_m + front_m_, shows_path);
+}
+
+void TargetSearch::look_for_crossing(const Vec2& p_map_crossing, const Pose2& T_map_from) {
+  const double near_m = distances_.crossing_near_m / 2;
+  search_.look_for(learner_.floor(), learner_.clearance(), T_map_from, p_map_crossing, 0,
+                   [=](const Pose2& T_map) { return (T_map.position() - p_map_crossing).norm() < near_m; });
+}
+
+void TargetSearch::look_for_home(const Pose2& T_map_from, bool exactly) {
+  const auto look_for = exactly ? &HomeSearch::look_for : &HomeSearch::look_for_near;
+  (home_search_.*look_for)(learner_.floor(), learner_.clearance(), learner_.T_map_home(), T_map_from);
+}
+
+/// Nearer where the vehicle saw nothing, farther where it does not get so near.
+double TargetSearch::look_from_m(const TargetTries& tries) const {
+  if (gate_.is_nook) return distances_.nook_reach_m;
+  if (tries.look_from_afar()) return kAfar * distances_.look_from_m;
+  return tries.ways < 2 ? distances_.look_from_m : distances_.look_from_m / 2;
+}
+
+}  // namespace aisle

@@ -1,0 +1,71 @@
+#include "aisle/guidance/exploration/trail.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "aisle/core/angle.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kMarkEvery_m = 0.2;
+constexpr double kMarkEvery_rad = 10 * kDegree;
+constexpr double kMoved_m = 0.005;  // in a cycle: less says nothing about the direction
+constexpr double kThere_m = 0.05;   // so near to a mark nothing is left to be driven to it
+constexpr double kPullIn_m = 0.4;   // of way on which what the way is off the trail is made good
+constexpr double kAlmostStraight_rad = 1e-6;
+
+/// From one pose to about another, as the wheels roll: to its heading, and a little nearer to the trail.
+Arc arc_to(const Pose2& T_from_to) {
+  const double chord_m = T_from_to.position().norm();
+  if (chord_m < kThere_m) return {0, T_from_to.theta};
+  const double half_rad = T_from_to.theta / 2;
+  const double bent = std::abs(half_rad) < kAlmostStraight_rad ? 1 : half_rad / std::sin(half_rad);
+  const double length_m = std::copysign(chord_m * bent, T_from_to.x);
+  const double off_m = T_from_to.y - end_pose({length_m, T_from_to.theta}).y;
+  return {length_m, T_from_to.theta + length_m * off_m / (kPullIn_m * kPullIn_m)};
+}
+
+}  // namespace
+
+void Trail::go_on(const Pose2& T_map_vehicle, std::size_t slice) {
+  const double moved_m = between(latest_.T_map_vehicle, T_map_vehicle).x;
+  const int direction = std::abs(moved_m) < kMoved_m ? direction_ : moved_m > 0 ? 1 : -1;
+  const bool turns_about = !marks_.empty() && direction != direction_;
+  if (turns_about) marks_.push_back(latest_);
+  direction_ = direction;
+  latest_ = {T_map_vehicle, slice};
+  const Pose2 since = marks_.empty() ? Pose2{} : between(marks_.back().T_map_vehicle, T_map_vehicle);
+  if (marks_.empty() || since.position().norm() >= kMarkEvery_m || std::abs(since.theta) >= kMarkEvery_rad)
+    marks_.push_back(latest_);
+}
+
+void Trail::go_back(const Pose2& T_map_vehicle) {
+  latest_.T_map_vehicle = T_map_vehicle;
+  const auto off_m = [&](const Mark& mark) {
+    return (mark.T_map_vehicle.position() - T_map_vehicle.position()).norm();
+  };
+  while (marks_.size() > 1 && off_m(marks_[marks_.size() - 2]) <= off_m(marks_.back())) marks_.pop_back();
+}
+
+void Trail::lay_anew(std::span<const Pose2> T_map_vehicle) {
+  for (Mark& mark : marks_) mark.T_map_vehicle = T_map_vehicle[mark.slice];
+}
+
+Path Trail::way_back(const Pose2& T_map_vehicle, double way_m,
+                     const std::function<bool(const Pose2&)>& is_roomy) const {
+  std::vector<PathPiece> pieces;
+  Pose2 T_map_end = T_map_vehicle;
+  double left_m = way_m;
+  for (auto mark = marks_.rbegin(); mark != marks_.rend() && (left_m > 0 || !is_roomy(T_map_end)); ++mark) {
+    const Arc arc = arc_to(between(T_map_end, mark->T_map_vehicle));
+    const bool is_there = arc.length_m == 0 && std::abs(arc.turn_rad) < kMarkEvery_rad;
+    if (is_there) continue;
+    pieces.push_back({T_map_end, arc});
+    T_map_end = pieces.back().end();
+    left_m -= std::abs(arc.length_m);
+  }
+  return Path(std::move(pieces));
+}
+
+}  // namespace aisle

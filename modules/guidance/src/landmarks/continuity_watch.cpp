@@ -1,0 +1,77 @@
+#include "aisle/guidance/landmarks/continuity_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+#include "landmarks/same_lines.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr std::size_t kLinesMin = 5;  // fewer may come and go by themselves
+constexpr double kShownShareMax = 0.2;
+constexpr double kSteadyShareMin = 0.5;  // of new lines, shown by the next picture, too
+constexpr int kBreaks = 5;               // pictures in a row
+constexpr double kStays_m = 5;           // so near lines do not come and go by their distance alone
+constexpr double kInsideShare = 0.9;     // of the seen bearings: what is farther aside may leave the view
+constexpr double kComparedWay_m = 0.5;   // farther on, other things come into view by themselves ...
+constexpr double kComparedTurn_rad = 10 * kDegree;  // ... and farther round
+
+double bearing_aside(const LandmarkSighting& sighting) {
+  return std::abs(std::atan2(sighting.p_vehicle.y(), sighting.p_vehicle.x()));
+}
+
+bool stands_near(const LandmarkSighting& sighting) {
+  return sighting.p_vehicle.norm() < kStays_m;
+}
+
+}  // namespace
+
+void ContinuityWatch::move(const Pose2& T_before_now) {
+  const Pose2 T_now_before = T_before_now.inverse();
+  carry_sightings(scene_, T_now_before);
+  carry_sightings(latest_, T_now_before);
+  since_m_ += T_before_now.position().norm();
+  since_rad_ += T_before_now.theta;
+}
+
+bool ContinuityWatch::look(std::span<const LandmarkSighting> picture, bool is_known_here) {
+  const bool goes_on =
+      is_known_here || !can_tell() || (!lacks_what_must_stay(picture) && !shows_what_was_not_there(picture));
+  breaks_ = goes_on ? 0 : breaks_ + 1;
+  latest_.assign(picture.begin(), picture.end());
+  const bool is_broken = breaks_ >= kBreaks;
+  if (goes_on || is_broken) take(picture);
+  return is_broken;
+}
+
+bool ContinuityWatch::can_tell() const {
+  return has_scene_ && since_m_ < kComparedWay_m && std::abs(since_rad_) < kComparedTurn_rad;
+}
+
+bool ContinuityWatch::lacks_what_must_stay(std::span<const LandmarkSighting> picture) {
+  near_.clear();
+  std::copy_if(scene_.begin(), scene_.end(), std::back_inserter(near_), [&](const LandmarkSighting& line) {
+    return stands_near(line) && bearing_aside(line) < kInsideShare * span_rad_;
+  });
+  return near_.size() >= kLinesMin && shown_share(near_, picture) <= kShownShareMax;
+}
+
+bool ContinuityWatch::shows_what_was_not_there(std::span<const LandmarkSighting> picture) {
+  near_.clear();
+  std::copy_if(picture.begin(), picture.end(), std::back_inserter(near_), stands_near);
+  if (near_.size() < kLinesMin || shown_share(near_, scene_) > kShownShareMax) return false;
+  return breaks_ == 0 || shown_share(near_, latest_) >= kSteadyShareMin;
+}
+
+void ContinuityWatch::take(std::span<const LandmarkSighting> picture) {
+  scene_.assign(picture.begin(), picture.end());
+  span_rad_ = 0;
+  for (const LandmarkSighting& line : picture) span_rad_ = std::max(span_rad_, bearing_aside(line));
+  since_m_ = since_rad_ = 0;
+  has_scene_ = true;
+  breaks_ = 0;
+}
+
+}  // namespace aisle

@@ -1,0 +1,365 @@
+#include "aisle/guidance/landmarks/landmark_navigator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "aisle/guidance/obstacles/barrier_watch.hpp"
+#include "aisle/learning/landmarks/landmark_expectation.hpp"
+#include "aisle/vehicle/odometry_step.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kFoundSigma_m = 0.1;  // of a place that was found while lost, before a picture settles it
+constexpr double kFoundSigma_rad = 2 * kDegree;
+constexpr std::size_t kKnownPairs = 4;   // so many sightings of known things ...
+constexpr double kKnownShare = 0.7;      // ... that are so much of a picture show where the vehicle is
+constexpr double kStrangeBlocked_m = 1;  // of way, before something that stands where the taught way was free
+
+const CameraDescription& camera_of(const VehicleDescription& vehicle, const Building& building) {
+  if (building.camera) {
+    if (const CameraDescription* camera = vehicle.camera(building.camera->name)) return *camera;
+  }
+  throw std::invalid_argument("the vehicle lacks the camera that the landmarks were seen with");
+}
+
+/// Poses along all routes of a building, there and back.
+std::vector<Pose2> places_to_try(const Building& building, const Path& path, double apart_m) {
+  std::vector<Pose2> places;
+  const auto add = [&](const Path& way) {
+    const auto steps = static_cast<int>(std::ceil(way.length_m() / apart_m));
+    for (int i = 0; i <= steps; ++i) {
+      const Pose2 there = way.at(way.length_m() * i / std::max(steps, 1)).T_map_path;
+      places.push_back(there);
+      places.push_back(there * Pose2{0, 0, kPi});
+    }
+  };
+  for (const Route& route : building.routes) add(route.path);
+  if (building.routes.empty()) add(path);
+  return places;
+}
+
+/// Enough that it is where it thinks.
+bool knows_what_it_sees(const LandmarkLocaliser& localiser) {
+  return localiser.pairs().size() >= kKnownPairs && localiser.matched_share() >= kKnownShare;
+}
+
+std::unique_ptr<ExplorerNavigator> explorer_of_floor(double speed_mps, const VehicleDescription& vehicle,
+                                                     const std::string& camera) {
+  ExplorerNavigatorParams params;
+  params.speed.speed_mps = speed_mps;
+  return std::make_unique<ExplorerNavigator>(
+      params, vehicle, ExploringOrder::kRecommended,
+      vehicle.scanner ? scanner_slices(vehicle) : marker_slices(vehicle, camera));
+}
+
+double position_sigma_m(const Mat3& covariance) {
+  return std::sqrt(covariance.topLeftCorner<2, 2>().trace());
+}
+
+}  // namespace
+
+void LandmarkNavigatorParams::describe(FieldList& fields) {
+  fields.group("sightings", sightings);
+  fields.group("localiser", localiser);
+  fields.group("relocation", relocation);
+  fields.group("steering", steering);
+  fields.group("speed", speed);
+  fields.group("guard", guard);
+  fields.flag("guarded", guarded, "stop for what stands in the way, and while the camera shows nothing new");
+  fields.real("start_sigma_m", start_sigma_m, {0.001, 2},
+              "how far from the route's start the vehicle may stand");
+  fields.angle("start_sigma_deg", start_sigma_rad, {0.1, 45}, "how far it may be turned there");
+  fields.real("look_s", look_s, {0, 60}, "time to look where it stands before it starts");
+  fields.real("unsure_m", unsure_m, {0.001, 5}, "less sure of its place than this it goes slower");
+  fields.real("lost_m", lost_m, {0.01, 10}, "less sure of its place than this it is lost");
+  fields.angle("lost_deg", lost_rad, {0.1, 90}, "less sure of its heading than this it is lost");
+  fields.real("unmatched_max_s", unmatched_max_s, {0.1, 60},
+              "seeing other things than are known for so long it is lost");
+  fields.count("strange_sightings_min", strange_sightings_min, {1, 100},
+               "a picture with so many sightings of which none is known is strange");
+  fields.real("strange_max_m", strange_max_m, {0.1, 1000},
+              "after so much way of strange pictures it is lost; known ones make up for strange ones");
+  fields.real("search_speed_mps", search_speed_mps, {0, 1},
+              "lost, it drives so fast to see more; 0: it stands");
+  fields.real("search_max_m", search_max_m, {0, 50}, "and so far");
+  fields.real("give_up_s", give_up_s, {1, 600}, "lost, and standing, for so long it gives up");
+  fields.real("off_route_max_m", off_route_max_m, {0.1, 10}, "farther from its route it does not go on");
+}
+
+LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, const VehicleDescription& vehicle,
+                                     const Building& building, const Path& route)
+    : params_(params),
+      vehicle_(vehicle),
+      building_(&building),
+      path_(route),
+      camera_(camera_of(vehicle, building).name),
+      detector_(params.sightings, camera_of(vehicle, building).intrinsics,
+                camera_of(vehicle, building).mount),
+      localiser_(params.localiser, vehicle,
+                 about(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
+      doubt_(params.localiser, vehicle),
+      relocator_(params.relocation, params.localiser, vehicle,
+                 places_to_try(building, path_, params.relocation.apart_m)),
+      follower_(vehicle, params.steering),
+      progress_(path_),
+      guard_(vehicle, params.guard, &camera_of(vehicle, building)) {}
+
+Decision LandmarkNavigator::step(const Observation& observation) {
+  locate(observation);
+  if (!state_since_s_) {
+    state_since_s_ = observation.stamp_s;
+    matched_stamp_s_ = observation.stamp_s;
+  }
+  if (observation.bumper_pressed)
+    return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
+  if (state_ == State::kLooking) return look_around(observation.stamp_s);
+  if (state_ == State::kFollowing && was_lifted_) begin(State::kDoubting);
+  if (state_ == State::kDoubting) return doubt();
+  if (state_ == State::kFollowing) {
+    why_lost_ = why_lost();
+    if (!why_lost_.empty()) begin(State::kLost);
+  }
+  if (state_ == State::kLost) return find_itself(observation);
+  if (state_ == State::kReturning) return come_back(observation);
+  return guarded(follow(observation));
+}
+
+void LandmarkNavigator::begin(State state) {
+  state_ = state;
+  state_since_s_ = stamp_s_;
+  if (state != State::kLost) return;
+  was_lifted_ = false;
+  searched_m_ = 0;
+  searched_s_ = stamp_s_;
+  explorer_.reset();
+  relocator_.start();
+}
+
+LandmarkFix LandmarkNavigator::fix() const {
+  return {{localiser_.pose(), localiser_.covariance()},
+          state_ == State::kFollowing,
+          state_ == State::kLost || state_ == State::kReturning};
+}
+
+/// Odometry, then the picture: pose and sightings of this cycle.
+void LandmarkNavigator::locate(const Observation& observation) {
+  const Pose2 T_map_before = localiser_.pose();
+  localiser_.predict(observation.odometry);
+  const Pose2 T_before_now = between(T_map_before, localiser_.pose());
+  scenes_.move(T_before_now);
+  stripes_.move(T_before_now);
+  continuity_.move(T_before_now);
+  sightings_.clear();
+  match_ = LandmarkMatch::kNothing;
+  const CameraPicture* picture = guard_.look(observation);
+  has_looked_ = picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s);
+  if (has_looked_) {
+    sightings_ = detector_.detect(*picture->image);
+    if (state_ == State::kLooking || state_ == State::kFollowing)
+      match_ = localiser_.correct(building_->landmarks, sightings_);
+    weigh_strangeness((localiser_.pose().position() - T_map_before.position()).norm());
+    watch_for_lift();
+  }
+  if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
+    matched_stamp_s_ = observation.stamp_s;
+  stamp_s_ = observation.stamp_s;
+}
+
+/// Of lines that come and go, a picture that fits a little tells neither way.
+void LandmarkNavigator::watch_for_lift() {
+  const bool fits = match_ == LandmarkMatch::kMatched;
+  const bool is_known_here = fits && knows_what_it_sees(localiser_);
+  if (stripes_.look(guard_.p_vehicle_lit(), is_known_here)) was_lifted_ = has_jumped_ = true;
+  if (scenes_.look(sightings_, is_known_here)) was_lifted_ = true;
+  if (state_ == State::kFollowing &&
+      expectations_.look(expected_landmarks(building_->landmarks, fix().T_map_vehicle, sightings_,
+                                            params_.localiser.landmark_sigma_m)))
+    was_lifted_ = true;
+  if (fits && !is_known_here) return;
+  if (continuity_.look(sightings_, is_known_here) && state_ == State::kFollowing)
+    was_lifted_ = has_jumped_ = true;
+}
+
+/// Unknown things contradict nothing where the map has a gap, and standing the vehicle sees the same ones
+/// again and again. A long way of them does, and a chance match among them does not make them good.
+void LandmarkNavigator::weigh_strangeness(double way_m) {
+  if (match_ == LandmarkMatch::kMatched) {
+    strange_way_m_ /= 2;
+  } else if (sightings_.size() >= static_cast<std::size_t>(params_.strange_sightings_min)) {
+    strange_way_m_ += way_m;
+  }
+}
+
+/// Why the vehicle does not know where it is; empty: it does.
+std::string LandmarkNavigator::why_lost() const {
+  const double sigma_m = position_sigma_m(localiser_.covariance());
+  if (sigma_m > params_.lost_m)
+    return fmt::format("saw nothing that it knows until unsure by {:.2f} m", sigma_m);
+  if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "is unsure which way it points";
+  if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s || strange_way_m_ > params_.strange_max_m)
+    return "sees other things than it knows";
+  return "";
+}
+
+Decision LandmarkNavigator::look_around(double stamp_s) {
+  if (stamp_s - *state_since_s_ >= params_.look_s) state_ = State::kFollowing;
+  return {.state = "looking"};
+}
+
+/// That everything looks other than a moment ago may have other causes: lines that come and go, wrong feet.
+/// So the vehicle stands and looks whether the map's landmarks are seen from where it believes to be.
+Decision LandmarkNavigator::doubt() {
+  const bool is_woken_now = std::exchange(was_lifted_, false);
+  if (is_woken_now) doubt_.start(has_jumped_);
+  const Suspicion suspicion = is_woken_now || !has_looked_
+                                  ? Suspicion::kOpen
+                                  : doubt_.look(building_->landmarks, fix().T_map_vehicle, sightings_);
+  if (suspicion == Suspicion::kDispelled) {
+    go_on();
+    return {.state = "following"};
+  }
+  why_lost_ = "sees other things than a moment ago";
+  if (suspicion == Suspicion::kConfirmed || stamp_s_ - *state_since_s_ > params_.give_up_s)
+    begin(State::kLost);
+  return {.state = state_ == State::kLost ? "lost" : "doubting", .why = why_lost_};
+}
+
+/// Sure of its place again.
+void LandmarkNavigator::go_on() {
+  begin(State::kFollowing);
+  has_jumped_ = false;
+  expectations_.start();
+  matched_stamp_s_ = stamp_s_;
+  strange_way_m_ = 0;
+}
+
+/// The vehicle compares what it has seen since it was lost with all places that it knows.
+Decision LandmarkNavigator::find_itself(const Observation& observation) {
+  if (std::exchange(was_lifted_, false)) {
+    relocator_.start();
+    explorer_.reset();
+  }
+  relocator_.predict(observation.odometry);
+  if (observation.stamp_s - searched_s_ > params_.give_up_s)
+    return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
+  const auto T_map_found = has_looked_ ? relocator_.look(building_->landmarks, sightings_) : std::nullopt;
+  return T_map_found ? found(*T_map_found, observation) : search(observation);
+}
+
+/// It drives on if the route leads on from there, the way it points; else it comes back onto its route.
+Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation& observation) {
+  localiser_.place(about(T_map_vehicle, kFoundSigma_m, kFoundSigma_rad));
+  if (progress_.find(T_map_vehicle, params_.off_route_max_m)) {
+    go_on();
+    return {.state = "found", .why = fmt::format("{:.1f} m along the route", progress_.point().along_m)};
+  }
+  why_lost_ = fmt::format("found itself off its route by more than {:.1f} m, or facing another way",
+                          params_.off_route_max_m);
+  if (!explorer_) return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
+  const FloorLearner& learner = explorer_->learner();
+  way_to_route_ = std::make_unique<WayToRoute>(vehicle_, params_.steering,
+                                               SpeedParams{.speed_mps = params_.search_speed_mps},
+                                               learner.floor(), learner.clearance());
+  way_to_route_->begin(path_, T_map_vehicle * learner.T_map_vehicle().inverse(), T_map_vehicle);
+  begin(State::kReturning);
+  return {.command = {.steering_rad = steering_rad_of(observation.odometry)},
+          .state = "returning",
+          .why = why_lost_};
+}
+
+/// Over the floor that it has explored while it was lost, by odometry alone: what corrected its place on the
+/// map would shift it against that floor.
+Decision LandmarkNavigator::come_back(const Observation& observation) {
+  if (was_lifted_) {
+    begin(State::kLost);
+    return {.state = "lost", .why = "sees other things than a moment ago"};
+  }
+  Decision decision{.state = "returning", .why = why_lost_};
+  const WayToRoute::State state =
+      way_to_route_->step(localiser_.pose(), steering_rad_of(observation.odometry), decision.command);
+  if (state == WayToRoute::State::kThere && progress_.find(localiser_.pose(), params_.off_route_max_m)) {
+    go_on();
+  } else if (state == WayToRoute::State::kThere || state == WayToRoute::State::kNoWay) {
+    return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
+  }
+  const WayAhead way = way_to_route_->ahead(localiser_.pose(), params_.guard.reach_m);
+  const Guarded allowed = guard_.allow(decision.command, way);
+  if (allowed.state == GuardState::kBlocked)
+    return {.status = NavigatorStatus::kFailed, .state = "lost", .why = allowed.why};
+  decision.command = allowed.command;
+  return decision;
+}
+
+/// Something shows it the floor around, and none of the building's floor is to be kept off: it does not know
+/// where that would be.
+bool LandmarkNavigator::may_search() const {
+  return params_.guarded && params_.search_speed_mps > 0 && guard_.sees_obstacles() &&
+         building_->barriers.empty() && searched_m_ < params_.search_max_m;
+}
+
+/// Stands until one look at all places has said nothing, then explores the floor around, as in a building
+/// that it does not know.
+Decision LandmarkNavigator::search(const Observation& observation) {
+  Decision decision{.state = "lost", .why = why_lost_};
+  const bool has_looked_around = stamp_s_ - *state_since_s_ > params_.look_s && relocator_.rounds() > 0;
+  if (!has_looked_around || !may_search()) return decision;
+  if (!explorer_) explorer_ = explorer_of_floor(params_.search_speed_mps, vehicle_, camera_);
+  const Decision next = explorer_->step(observation);
+  if (next.status != NavigatorStatus::kGoing) {
+    searched_m_ = params_.search_max_m;
+    return decision;
+  }
+  decision.command = guard_.allow(next.command, {}).command;
+  const double way_m = std::abs(decision.command.speed_mps) * vehicle_.cycle_s;
+  searched_m_ += way_m;
+  if (way_m > 0) searched_s_ = stamp_s_;
+  return decision;
+}
+
+Decision LandmarkNavigator::follow(const Observation& observation) {
+  const PathPoint& point = progress_.advance(localiser_.pose());
+  if (progress_.has_arrived()) return {.status = NavigatorStatus::kDone, .state = "arrived"};
+  const double sigma_m = position_sigma_m(localiser_.covariance());
+  const double certainty =
+      std::clamp((params_.lost_m - sigma_m) / (params_.lost_m - params_.unsure_m), 0.0, 1.0);
+  const double speed_mps = speed_along(path_, point.along_m, certainty, vehicle_, params_.speed);
+  return {.command = follower_.follow(path_, point, localiser_.pose(), speed_mps,
+                                      steering_rad_of(observation.odometry)),
+          .state = match_ == LandmarkMatch::kMatched ? "following" : "bridging"};
+}
+
+/// The same as far as nothing stands in the way.
+Decision LandmarkNavigator::guarded(Decision decision) {
+  if (decision.status != NavigatorStatus::kGoing) return decision;
+  if (const Barrier* barrier =
+          barrier_ahead(building_->barriers, vehicle_, localiser_.pose(), decision.command))
+    return {.status = NavigatorStatus::kFailed,
+            .state = "blocked",
+            .why = fmt::format("{} ahead", words_for(barrier->kind))};
+  if (!params_.guarded) return decision;
+  const WayAhead way = way_ahead(path_, progress_.point(), localiser_.pose(), params_.guard.reach_m);
+  Guarded allowed = guard_.allow(decision.command, way);
+  const bool sees_strange_things =
+      sightings_.size() >= static_cast<std::size_t>(params_.strange_sightings_min) &&
+      match_ != LandmarkMatch::kMatched;
+  if (allowed.state != GuardState::kFree && sees_strange_things && strange_way_m_ > kStrangeBlocked_m) {
+    why_lost_ = "sees other things than it knows, and something is in the way";
+    begin(State::kLost);
+    return {.state = "lost", .why = why_lost_};
+  }
+  decision.command = allowed.command;
+  if (allowed.state != GuardState::kFree) decision.state = "waiting";
+  if (allowed.state == GuardState::kBlocked) {
+    decision.status = NavigatorStatus::kFailed;
+    decision.state = "blocked";
+  }
+  if (!allowed.why.empty()) decision.why = std::move(allowed.why);
+  return decision;
+}
+
+}  // namespace aisle

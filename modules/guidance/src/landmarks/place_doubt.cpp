@@ -1,0 +1,36 @@
+#include "aisle/guidance/landmarks/place_doubt.hpp"
+
+#include "aisle/learning/landmarks/landmark_expectation.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr int kTellingPictures = 15;  // that fit or contradict are enough
+constexpr int kPicturesMax = 30;
+constexpr int kContradictingMin = 3;   // fewer may be the wrong feet that woke the suspicion
+constexpr int kFittingMin = 3;         // show that it is still here though walls stand elsewhere
+constexpr int kFittingEach = 4;        // so many that fit outweigh one that contradicts
+constexpr int kExpectedMin = 10;       // landmarks, in all pictures together, tell ...
+constexpr double kSeenShareMin = 0.1;  // ... if fewer than this are seen: no more than by chance
+
+}  // namespace
+
+Suspicion PlaceDoubt::look(const LandmarkMap& map, const UncertainPose2& T_map_believed,
+                           std::span<const LandmarkSighting> picture) {
+  localiser_.place(T_map_believed);
+  const LandmarkMatch match = localiser_.correct(map, picture);
+  if (match == LandmarkMatch::kMatched) ++fitting_;
+  if (match == LandmarkMatch::kUnmatched) ++contradicting_;
+  for (const ExpectedLandmark& here : expected_landmarks(map, T_map_believed, picture, landmark_sigma_m_)) {
+    ++expected_;
+    if (here.is_seen) ++seen_;
+  }
+  ++pictures_;
+  if (fitting_ + contradicting_ < kTellingPictures && pictures_ < kPicturesMax) return Suspicion::kOpen;
+  const bool contradicts = contradicting_ >= kContradictingMin && kFittingEach * contradicting_ > fitting_;
+  const bool is_missed = expected_ >= kExpectedMin && seen_ < kSeenShareMin * expected_;
+  const bool is_unknown = has_jumped_ && fitting_ < kFittingMin;
+  return contradicts || is_missed || is_unknown ? Suspicion::kConfirmed : Suspicion::kDispelled;
+}
+
+}  // namespace aisle

@@ -1,0 +1,138 @@
+#include "aisle/guidance/rooms/edge_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aisle {
+namespace {
+
+constexpr double kSeenAside_m = 0.25;  // so far off, what was seen from far may be
+
+}  // namespace
+
+/// Also where the view did not reach before: feet are larger than a point.
+bool EdgeMemory::is_beside_any(const std::vector<Edge>& edges, const Vec2& p_odom) {
+  return std::any_of(edges.begin(), edges.end(),
+                     [&](const Edge& edge) { return (edge.p_odom - p_odom).norm() < kSeenAside_m; });
+}
+
+void EdgeMemory::take(const RouteView& view, const RouteSight& sight, const Pose2& T_odom_vehicle,
+                      double stamp_s) {
+  forget_gone(view, sight, T_odom_vehicle);
+  seen_.clear();
+  come_.clear();
+  const auto see = [&](const std::vector<Vec2>& p_vehicle_edges, bool is_foot) {
+    for (const Vec2& p_vehicle : p_vehicle_edges) {
+      const Vec2 p_odom = T_odom_vehicle * p_vehicle;
+      const bool has_come = was_free(view, p_odom, stamp_s) && !has_stood_at(p_odom, stamp_s);
+      seen_.push_back({p_odom, p_vehicle.norm(), is_foot, stamp_s, stamp_s, has_come});
+      if (has_come) come_.push_back(seen_.back());
+    }
+  };
+  see(sight.p_vehicle_edges, true);
+  see(sight.p_vehicle_cut_off, false);
+  for (Edge& edge : seen_) {
+    edge.has_come = !has_stood_at(edge.p_odom, stamp_s) && is_beside_any(come_, edge.p_odom);
+    take(edge);
+  }
+  forget_moved_on(stamp_s);
+  keep_look(sight, T_odom_vehicle, stamp_s);
+}
+
+void EdgeMemory::forget_gone(const RouteView& view, const RouteSight& sight, const Pose2& T_odom_vehicle) {
+  const Pose2 T_vehicle_odom = T_odom_vehicle.inverse();
+  std::erase_if(edges_, [&](const Edge& edge) {
+    const Vec2 p_vehicle = T_vehicle_odom * edge.p_odom;
+    const bool is_gone = view.sees_route(sight, p_vehicle);
+    if (is_gone && edge.has_come) gone_.push_back(edge);
+    return is_gone || p_vehicle.norm() > reach_m_;
+  });
+}
+
+/// Out of view nothing shows that somebody has gone; he goes on as he was seen to.
+void EdgeMemory::forget_moved_on(double stamp_s) {
+  constexpr double kSurelyGone_s = 8;
+  std::erase_if(edges_, [&](const Edge& edge) {
+    return edge.has_come && stamp_s - edge.last_s > kSurelyGone_s && has_moved_on(edge);
+  });
+  constexpr double kKept_s = 2 * kSurelyGone_s;
+  std::erase_if(gone_, [&](const Edge& edge) { return stamp_s - edge.last_s > kKept_s; });
+}
+
+bool EdgeMemory::was_free(const RouteView& view, const Vec2& p_odom, double stamp_s) const {
+  constexpr double kBefore_s = 0.5;
+  return std::any_of(looks_.begin(), looks_.end(), [&](const Look& look) {
+    return stamp_s - look.stamp_s > kBefore_s &&
+           view.sees_route(look.sight, look.T_odom_vehicle.inverse() * p_odom);
+  });
+}
+
+/// Something that may only be seen better now.
+bool EdgeMemory::has_stood_at(const Vec2& p_odom, double stamp_s) const {
+  constexpr double kStood_s = 1;
+  return std::any_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+    return !edge.has_come && stamp_s - edge.first_s > kStood_s &&
+           (edge.p_odom - p_odom).norm() < kSeenAside_m;
+  });
+}
+
+/// Something else came beside it just before or after, and is not there any more.
+bool EdgeMemory::has_moved_on(const Edge& edge) const {
+  constexpr double kStep_m = 0.15, kStride_m = 1, kStride_s = 1;
+  return std::any_of(gone_.begin(), gone_.end(), [&](const Edge& gone) {
+    const double apart_m = (gone.p_odom - edge.p_odom).norm();
+    return apart_m > kStep_m && apart_m < kStride_m && std::abs(gone.first_s - edge.first_s) < kStride_s;
+  });
+}
+
+/// What was seen from far lies beside where it is; what is seen from nearer shows that.
+void EdgeMemory::take(const Edge& seen) {
+  constexpr double kSame_m = 0.04;  // nearer edges are one
+  constexpr double kNearer = 0.7;
+  const auto apart_m = [&](const Edge& edge) { return (edge.p_odom - seen.p_odom).norm(); };
+  std::erase_if(edges_, [&](const Edge& edge) {
+    return seen.is_foot && apart_m(edge) < kSeenAside_m && seen.seen_from_m < kNearer * edge.seen_from_m;
+  });
+  bool is_known = false;
+  for (Edge& edge : edges_) {
+    if (apart_m(edge) >= kSame_m || edge.is_foot != seen.is_foot) continue;
+    edge.last_s = seen.last_s;
+    edge.has_come = edge.has_come && seen.has_come;
+    is_known = true;
+  }
+  if (!is_known) edges_.push_back(seen);
+}
+
+void EdgeMemory::keep_look(const RouteSight& sight, const Pose2& T_odom_vehicle, double stamp_s) {
+  constexpr double kApart_s = 0.5, kKept_s = 5;
+  if (!looks_.empty() && stamp_s - looks_.back().stamp_s < kApart_s) return;
+  std::erase_if(looks_, [&](const Look& look) { return stamp_s - look.stamp_s > kKept_s; });
+  looks_.push_back({stamp_s, T_odom_vehicle, sight});
+}
+
+void EdgeMemory::clear(const Pose2& T_odom_middle, const Vec2& size) {
+  const Pose2 T_middle_odom = T_odom_middle.inverse();
+  std::erase_if(edges_, [&](const Edge& edge) {
+    const Vec2 p_middle = T_middle_odom * edge.p_odom;
+    return (p_middle.cwiseAbs() - size / 2).maxCoeff() < 0;
+  });
+}
+
+std::vector<Vec2> EdgeMemory::around(const Pose2& T_odom_vehicle) const {
+  const Pose2 T_vehicle_odom = T_odom_vehicle.inverse();
+  std::vector<Vec2> p_vehicle;
+  p_vehicle.reserve(edges_.size());
+  for (const Edge& edge : edges_) p_vehicle.push_back(T_vehicle_odom * edge.p_odom);
+  return p_vehicle;
+}
+
+std::vector<SeenEdge> EdgeMemory::seen_around(const Pose2& T_odom_vehicle) const {
+  const Pose2 T_vehicle_odom = T_odom_vehicle.inverse();
+  std::vector<SeenEdge> seen;
+  seen.reserve(edges_.size());
+  for (const Edge& edge : edges_)
+    if (edge.is_foot) seen.push_back({T_vehicle_odom * edge.p_odom, edge.seen_from_m});
+  return seen;
+}
+
+}  // namespace aisle

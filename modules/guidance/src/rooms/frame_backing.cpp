@@ -1,0 +1,230 @@
+#include "aisle/guidance/rooms/frame_backing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "aisle/control/reversing.hpp"
+#include "aisle/guidance/rooms/route_floor.hpp"
+
+namespace aisle {
+
+void FrameBackingParams::describe(FieldList& fields) {
+  fields.flag("wanted", wanted, "it parks in the frame backwards");
+  fields.group("search", search);
+  fields.group("steering", steering);
+  fields.group("speed", speed);
+  fields.real("turn_from_m", turn_from_m, {0, 10}, "before where it would stand forwards it turns about");
+  fields.real("run_up_m", run_up_m, {0.1, 5}, "way that it backs straight into the frame");
+  fields.real("run_up_min_m", run_up_min_m, {0.05, 5},
+              "with less, where there is no room to turn, it gives up");
+  fields.real("look_s", look_s, {0.1, 60}, "for which it looks at the frame's near side");
+  fields.real("wait_s", wait_s, {0, 100}, "for what is in the way, before it looks for another way");
+  fields.count("plans_max", plans_max, {1, 100}, "ways about that it looks for, then it gives up");
+  fields.real("aside_max_m", aside_max_m, {0.001, 1}, "farther aside it drives out and tries again");
+  fields.angle("turned_max_deg", turned_max_rad, {0.1, 45}, "turned more, it tries again");
+  fields.count("tries_max", tries_max, {1, 100}, "then it stays as it stands");
+}
+
+FrameBacking::FrameBacking(const FrameBackingParams& params, const VehicleDescription& vehicle,
+                           const Vec2& size_m)
+    : params_(params),
+      vehicle_(vehicle),
+      size_m_(size_m),
+      search_(params.search, vehicle),
+      driver_(vehicle, params.steering, params.speed),
+      follower_(vehicle, params.steering),
+      run_up_m_(params.run_up_m) {}
+
+void FrameBacking::begin(FloorGrid floor, const Pose2& T_floor_odom) {
+  floor_ = std::move(floor);
+  clearance_ = FloorClearance();
+  T_floor_odom_ = T_floor_odom;
+  ++plans_;
+  state_ = State::kSearching;
+  driver_.drop();
+  search_.stop();
+}
+
+void FrameBacking::see(std::span<const SeenEdge> edges, const Pose2& T_odom_vehicle) {
+  constexpr double kNear_m = 2.5;  // what was seen from farther may be elsewhere
+  FloorBox changed;
+  for (const auto& [p_vehicle, seen_from_m] : edges) {
+    const FloorCell cell = floor_.cell_at(T_floor_odom_ * T_odom_vehicle * p_vehicle);
+    if (seen_from_m > kNear_m || off_footprint_m(vehicle_.footprint, p_vehicle) < 0 ||
+        floor_.at(cell) == Floor::kOccupied)
+      continue;
+    floor_.set(cell, Floor::kOccupied);
+    changed.include(cell);
+  }
+  clearance_.update(floor_, changed);
+}
+
+Decision FrameBacking::step(double stamp_s, const Pose2& T_odom_vehicle, const Pose2& T_odom_frame,
+                            double steering_rad) {
+  T_odom_vehicle_ = T_odom_vehicle;
+  T_odom_frame_ = T_odom_frame;
+  steering_rad_ = steering_rad;
+  switch (state_) {
+    case State::kNotBegun:
+    case State::kSearching:
+      return search();
+    case State::kTurning:
+      return turn(stamp_s);
+    case State::kBlocked:
+      return blocked();
+    case State::kBackingIn:
+      return back_in(stamp_s);
+    case State::kLooking:
+      return look_back(stamp_s);
+    case State::kComingForward:
+      return come_forward();
+    case State::kLeaving:
+      return leave();
+  }
+  return {};
+}
+
+Pose2 FrameBacking::T_odom_parked() const {
+  const Footprint& footprint = vehicle_.footprint;
+  return T_odom_frame_ * Pose2{(footprint.front_m - footprint.rear_m) / 2, 0, kPi};
+}
+
+Pose2 FrameBacking::off() const {
+  return between(T_odom_parked(), T_odom_vehicle_);
+}
+
+/// How far beyond its place it backs to look: so that its rear stands on the frame's far line, for the near
+/// side to be well in view; before that line where the floor beyond it is not known to be free.
+double FrameBacking::deeper_m() const {
+  constexpr double kOntoLine_m = 0.03, kOffLine_m = 0.02;
+  const double length_m = vehicle_.footprint.front_m + vehicle_.footprint.rear_m;
+  const double to_line_m = std::max(0.0, (size_m_.x() - length_m) / 2);
+  const Pose2 T_floor_onto_line = T_floor_odom_ * T_odom_parked() * Pose2{-(to_line_m + kOntoLine_m), 0, 0};
+  return search_.room().fits_barely(floor_, clearance_, T_floor_onto_line, 0)
+             ? to_line_m + kOntoLine_m
+             : std::max(0.0, to_line_m - kOffLine_m);
+}
+
+void FrameBacking::search_way() {
+  const Pose2 T_floor_vehicle = T_floor_odom_ * T_odom_vehicle_;
+  const Pose2 T_floor_begin = T_floor_odom_ * T_odom_parked() * Pose2{run_up_m_, 0, 0};
+  search_.look_for_way_to(T_floor_begin, T_floor_vehicle,
+                          [p = T_floor_vehicle.position()](const Vec2& q) { return (q - p).norm(); });
+}
+
+/// While the vehicle stands, a portion in each cycle.
+Decision FrameBacking::search() {
+  constexpr int kPortion = 400;
+  constexpr double kShorter = 0.6;
+  Decision searching{.state = "searching", .why = "a way to turn about"};
+  if (search_.state() == CarSearch::State::kIdle) {
+    free_under(vehicle_.footprint, T_floor_odom_ * T_odom_vehicle_, floor_);
+    for (int i = 0; i * floor_.cell_m() < run_up_m_; ++i)
+      free_under(vehicle_.footprint, T_floor_odom_ * T_odom_parked() * Pose2{i * floor_.cell_m(), 0, 0},
+                 floor_);
+    clearance_.update(floor_, floor_.known());
+    search_way();
+    return searching;
+  }
+  switch (search_.advance(floor_, clearance_, kPortion)) {
+    case CarSearch::State::kFound:
+      if (const Path way = search_.path(); !way.empty()) driver_.take(way);
+      state_ = State::kTurning;
+      return searching;
+    case CarSearch::State::kNone:
+      run_up_m_ *= kShorter;
+      if (run_up_m_ < params_.run_up_min_m)
+        return {.status = NavigatorStatus::kFailed,
+                .state = "no room",
+                .why = "found no way to turn about before the frame"};
+      search_way();
+      return searching;
+    case CarSearch::State::kIdle:
+    case CarSearch::State::kSearching:
+      break;
+  }
+  return searching;
+}
+
+Decision FrameBacking::turn(double stamp_s) {
+  const WayDriver::Step step =
+      driver_.drive(floor_, clearance_, search_.room(), T_floor_odom_ * T_odom_vehicle_, steering_rad_);
+  if (step.state == WayDriver::State::kArrived || step.state == WayDriver::State::kNoWay) {
+    state_ = State::kBackingIn;
+    return back_in(stamp_s);
+  }
+  if (step.state != WayDriver::State::kBlocked) {
+    is_held_up_ = false;
+    return {.command = step.command,
+            .state = "turning about",
+            .why = fmt::format("{:.1f} m to go", driver_.left_m())};
+  }
+  if (!std::exchange(is_held_up_, true)) since_s_ = stamp_s;
+  if (stamp_s - since_s_ > params_.wait_s) state_ = State::kBlocked;
+  return {.command = step.command, .state = "waiting", .why = "something is in the way to turn about"};
+}
+
+Decision FrameBacking::blocked() {
+  if (plans_ < params_.plans_max) return {.state = "waiting"};
+  return {
+      .status = NavigatorStatus::kFailed, .state = "blocked", .why = "could not turn about before the frame"};
+}
+
+/// Along the line through the middles of the frame's near and far side.
+/// @param ahead_of_parked_m  where it is to stop, out of the frame; negative: deeper
+Decision FrameBacking::drive_to(double ahead_of_parked_m, const char* state) const {
+  constexpr double kBeyond_m = 1;
+  const Pose2 off = FrameBacking::off();
+  const double left_m = ahead_of_parked_m - off.x;
+  const double direction = left_m < 0 ? -1 : 1;
+  const double speed_mps = std::clamp(std::sqrt(2 * params_.speed.deceleration_mps2 * std::abs(left_m)),
+                                      params_.speed.speed_min_mps, params_.speed.speed_mps);
+  const double way_m = std::abs(left_m) + 2 * kBeyond_m;
+  const Path path({{T_odom_parked() * Pose2{off.x - direction * kBeyond_m, 0, 0}, {direction * way_m, 0}}});
+  const PathPoint point = path.nearest(T_odom_vehicle_.position(), 0, way_m);
+  Command command = follower_.follow(path, point, T_odom_vehicle_, speed_mps, steering_rad_);
+  if (direction < 0)
+    command.steering_rad = reversing_steering_rad(vehicle_, path, point, T_odom_vehicle_, steering_rad_);
+  return {.command = command,
+          .state = state,
+          .why = fmt::format("{:.2f} m to go, {:.3f} m aside", std::abs(left_m), off.y)};
+}
+
+Decision FrameBacking::back_in(double stamp_s) {
+  if (off().x > vehicle_.cycle_s * params_.speed.speed_min_mps - deeper_m())
+    return drive_to(-deeper_m(), "parking");
+  state_ = State::kLooking;
+  since_s_ = stamp_s;
+  return look_back(stamp_s);
+}
+
+Decision FrameBacking::look_back(double stamp_s) {
+  const Pose2 off = FrameBacking::off();
+  const std::string why = fmt::format("{:.3f} m aside, {:.2f} degrees turned", off.y, to_degrees(off.theta));
+  if (stamp_s - since_s_ < params_.look_s) return {.state = "looking", .why = why};
+  const bool is_good =
+      std::abs(off.y) <= params_.aside_max_m && std::abs(off.theta) <= params_.turned_max_rad;
+  const bool stays = is_good || tries_ >= params_.tries_max;
+  if (!stays) ++tries_;
+  state_ = stays ? State::kComingForward : State::kLeaving;
+  return {.state = stays ? "parking" : "driving out", .why = why};
+}
+
+Decision FrameBacking::come_forward() {
+  if (off().x < -vehicle_.cycle_s * params_.speed.speed_min_mps) return drive_to(0, "parking");
+  const Pose2 off = FrameBacking::off();
+  return {.status = NavigatorStatus::kDone,
+          .state = "parked",
+          .why = fmt::format("{:.3f} m aside, {:.2f} degrees turned", off.y, to_degrees(off.theta))};
+}
+
+Decision FrameBacking::leave() {
+  if (off().x < run_up_m_) return drive_to(run_up_m_, "driving out");
+  state_ = State::kBackingIn;
+  return {.state = "parking"};
+}
+
+}  // namespace aisle

@@ -1,0 +1,85 @@
+#include "aisle/guidance/rooms/place_parking.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "aisle/control/reversing.hpp"
+
+namespace aisle {
+namespace {
+
+/// From its end to its start, driven backwards.
+Path driven_backwards(const Path& path) {
+  std::vector<PathPiece> pieces;
+  for (auto piece = path.pieces().rbegin(); piece != path.pieces().rend(); ++piece)
+    pieces.push_back({piece->end(), {-piece->arc.length_m, -piece->arc.turn_rad}});
+  return Path(std::move(pieces));
+}
+
+}  // namespace
+
+void PlaceParkingParams::describe(FieldList& fields) {
+  fields.group("steering", steering);
+  fields.real("aside_m", aside_m, {0.005, 1}, "farther aside of the taught place it tries again");
+  fields.angle("turned_deg", turned_rad, {0.1, 45}, "turned more, it tries again");
+  fields.real("aside_max_m", aside_max_m, {0.005, 1}, "farther aside after the last try it has not parked");
+  fields.angle("turned_max_deg", turned_max_rad, {0.1, 90}, "likewise turned more");
+  fields.real("taken_max_m", taken_max_m, {0, 1},
+              "so far aside it may stand where something else stands at its place");
+  fields.real("back_off_m", back_off_m, {0.2, 5}, "way back before it tries again");
+  fields.real("back_off_min_m", back_off_min_m, {0, 5}, "with less way free behind it goes no farther back");
+  fields.real("reverse_speed_mps", reverse_speed_mps, {0.02, 1}, "on the way back");
+  fields.count("tries_max", tries_max, {1, 100}, "then it stays as it stands");
+}
+
+PlaceParking::PlaceParking(const PlaceParkingParams& params, const VehicleDescription& vehicle, Path path)
+    : params_(params),
+      vehicle_(vehicle),
+      path_(std::move(path)),
+      path_back_(driven_backwards(path_)),
+      follower_(vehicle, params.steering) {}
+
+double PlaceParking::steering_rad(const PathPoint& point, const Pose2& T_map_vehicle, double speed_mps,
+                                  double steering_now_rad) const {
+  return follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_now_rad).steering_rad;
+}
+
+Decision PlaceParking::settle(const Pose2& T_map_vehicle, bool is_taken) {
+  const Pose2 off = between(path_.pieces().back().end(), T_map_vehicle);
+  const auto is_within = [&](double aside_m, double turned_rad) {
+    return std::abs(off.y) <= aside_m && std::abs(off.theta) <= turned_rad;
+  };
+  const std::string why =
+      fmt::format("{:.2f} m aside, {:.1f} degrees turned", std::abs(off.y), std::abs(to_degrees(off.theta)));
+  if (is_within(params_.aside_m, params_.turned_rad))
+    return {.status = NavigatorStatus::kDone, .state = "parked", .why = why};
+  if (tries_ < params_.tries_max) {
+    ++tries_;
+    back_from_ = T_map_vehicle;
+    return {.state = "backing off", .why = why};
+  }
+  if (is_within(params_.aside_max_m, params_.turned_max_rad))
+    return {.status = NavigatorStatus::kDone, .state = "parked", .why = why};
+  if (is_taken && is_within(params_.taken_max_m, params_.turned_max_rad))
+    return {.status = NavigatorStatus::kDone,
+            .state = "parked",
+            .why = why + ", as near as what stands there now lets it"};
+  return {.status = NavigatorStatus::kFailed, .state = "askew", .why = "not parked: it stands " + why};
+}
+
+Command PlaceParking::back_off(const Pose2& T_map_vehicle, double steering_now_rad) const {
+  const PathPoint point = path_back_.nearest(T_map_vehicle.position(), 0, 2 * params_.back_off_m);
+  return {
+      .speed_mps = -params_.reverse_speed_mps,
+      .steering_rad = reversing_steering_rad(vehicle_, path_back_, point, T_map_vehicle, steering_now_rad)};
+}
+
+void PlaceParking::judge_way_back(const Pose2& T_map_vehicle, double free_m) {
+  const double backed_m = (T_map_vehicle.position() - back_from_->position()).norm();
+  if (backed_m >= params_.back_off_m || free_m <= params_.back_off_min_m) back_from_.reset();
+}
+
+}  // namespace aisle

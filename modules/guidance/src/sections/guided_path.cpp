@@ -1,0 +1,93 @@
+#include "aisle/guidance/sections/guided_path.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace aisle {
+namespace {
+
+constexpr double kCornerMin = 0.9;     // sine of the angle at which base lines meet in a corner
+constexpr double kBeyondMin_m = 0.12;  // a wall across the way cannot be nearer to where the vehicle turns
+
+void append(GuidedPath& way, std::vector<PathPiece>& pieces, const PathPiece& piece,
+            const SectionGuide& guide) {
+  pieces.push_back(piece);
+  way.guides.push_back(guide);
+}
+
+/// How far beyond a piece's end it meets a line beside another piece; negative: before its end.
+double meeting_m(const PathPiece& piece, const PathPiece& other, double aside_m) {
+  const Pose2 T_end_other = between(piece.end(), other.T_map_start);
+  const Vec2 along = unit(T_end_other.theta);
+  const Vec2 p_end_line = T_end_other.position() + aside_m * left_normal(along);
+  return cross(p_end_line, along) / along.y();
+}
+
+/// What the base lines of the next section are to one that leads to it.
+void add_corner(SectionGuide& guide, const PathPiece& piece, const SectionGuide& next,
+                const PathPiece& next_piece) {
+  const double turn = std::sin(next_piece.T_map_start.theta - piece.T_map_start.theta);
+  if (std::abs(turn) < kCornerMin) return;
+  guide.turns_right = turn < 0;
+  const auto outer_m = guide.turns_right ? next.left_m : next.right_m,
+             inner_m = guide.turns_right ? next.right_m : next.left_m;
+  const double outwards = guide.turns_right ? 1 : -1;
+  if (outer_m && !guide.ahead_m) {
+    const double ahead_m = meeting_m(piece, next_piece, outwards * *outer_m);
+    if (ahead_m > kBeyondMin_m) guide.ahead_m = ahead_m;
+  }
+  if (inner_m) guide.line_ends_m = -meeting_m(piece, next_piece, -outwards * *inner_m);
+}
+
+/// @param is_straight  whether a piece is a straight section
+template <class IsStraight>
+void add_corners(GuidedPath& way, IsStraight is_straight) {
+  const auto& pieces = way.path.pieces();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (!is_straight(i)) continue;
+    std::size_t next = i + 1;
+    while (next < pieces.size() && !is_straight(next)) ++next;
+    if (next < pieces.size() && way.guides[next].follows)
+      add_corner(way.guides[i], pieces[i], way.guides[next], pieces[next]);
+  }
+}
+
+}  // namespace
+
+GuidedPath guided_path(const SectionList& sections, const Pose2& T_map_start, SectionTrip trip) {
+  std::vector<std::size_t> piece_sections;
+  const Path there = path_of(sections, T_map_start, &piece_sections);
+  const auto guide_of = [&](std::size_t piece) {
+    const Section& section = sections[piece_sections[piece]];
+    const bool follows = section.kind == Section::Kind::kFollow || section.kind == Section::Kind::kHybrid;
+    return SectionGuide{.section = piece_sections[piece],
+                        .follows = follows,
+                        .right_m = section.right_m,
+                        .left_m = section.left_m,
+                        .ahead_m = section.ahead_m};
+  };
+  GuidedPath way{.path = {}, .guides = {}, .comes_home = trip == SectionTrip::kThereAndBack};
+  std::vector<PathPiece> pieces;
+  if (trip != SectionTrip::kBack) {
+    for (std::size_t i = 0; i < piece_sections.size(); ++i)
+      append(way, pieces, there.pieces()[i], guide_of(i));
+  }
+  if (way.comes_home)
+    append(way, pieces, {there.pieces().back().end(), {0, kPi}}, {.section = sections.size() - 1});
+  if (trip != SectionTrip::kThere) {
+    const Path back = there.reversed();
+    for (std::size_t i = 0; i < back.pieces().size(); ++i) {
+      SectionGuide guide = guide_of(back.pieces().size() - 1 - i);
+      std::swap(guide.right_m, guide.left_m);
+      guide.ahead_m.reset();
+      append(way, pieces, back.pieces()[i], guide);
+    }
+  }
+  way.path = Path(std::move(pieces));
+  add_corners(way, [&](std::size_t i) {
+    return sections[way.guides[i].section].is_straight() && !way.path.pieces()[i].is_on_the_spot();
+  });
+  return way;
+}
+
+}  // namespace aisle

@@ -1,0 +1,131 @@
+#include "aisle/guidance/ways/footprint_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aisle {
+namespace {
+
+constexpr double kRoughSlice_m = 0.2;  // of the footprint's length that one disc covers ...
+constexpr double kCloseSlice_m = 0.1;  // ... where there is little room
+constexpr double kCorner_m = 0.075;    // of its ends that one does there
+constexpr double kMuchRoom_m = 0.2;    // more room than this is not measured closely
+constexpr double kWhole = 1e-9;        // so little more is no other piece
+constexpr double kNoneNear_m = 10;
+constexpr double kWayCheck_m = 0.1;
+constexpr double kTouchedCells = 0.8;  // between the points that are looked at under the footprint
+
+/// What cells have at their middles, at any point between four of them.
+template <class ValueOf>
+double between_cells(const FloorGrid& floor, const Vec2& p_map, ValueOf value_of) {
+  const double x = p_map.x() / floor.cell_m() - 0.5, y = p_map.y() / floor.cell_m() - 0.5;
+  const double column = std::floor(x), row = std::floor(y);
+  const double right = x - column, up = y - row;
+  const FloorCell low{static_cast<int>(column), static_cast<int>(row)};
+  const auto in_row = [&](int cell_y) -> double {
+    return (1 - right) * value_of(FloorCell{low.x, cell_y}) + right * value_of(FloorCell{low.x + 1, cell_y});
+  };
+  return (1 - up) * in_row(low.y) + up * in_row(low.y + 1);
+}
+
+}  // namespace
+
+FootprintRoom::FootprintRoom(const Footprint& footprint, double margin_m)
+    : footprint_(footprint), margin_m_(margin_m) {
+  const double half_m = footprint.width_m / 2;
+  const auto piece = [&](double from_m, double to_m) { return Piece{{from_m, -half_m}, {to_m, half_m}}; };
+  const Vec2 slice_m(kCloseSlice_m, footprint.width_m), corner_m(kCorner_m, kCorner_m);
+  cover(piece(-footprint.rear_m, footprint.front_m), {kRoughSlice_m, footprint.width_m}, rough_);
+  const double end_m = std::hypot(half_m, kCloseSlice_m / 2) - kCloseSlice_m / 2;
+  const double behind_m = std::min(-footprint.rear_m + end_m, footprint.front_m),
+               before_m = std::max(footprint.front_m - end_m, behind_m);
+  if (before_m > behind_m) cover(piece(behind_m, before_m), slice_m, close_);
+  cover(piece(-footprint.rear_m, behind_m), corner_m, close_);
+  if (before_m < footprint.front_m) cover(piece(before_m, footprint.front_m), corner_m, close_);
+}
+
+/// By discs about equal pieces of at most some size; none about those that lie under others.
+void FootprintRoom::cover(const Piece& piece, const Vec2& size_max_m, std::vector<Disc>& discs) const {
+  const Vec2 size_m = piece.high - piece.low;
+  const int columns = static_cast<int>(std::ceil(size_m.x() / size_max_m.x() - kWhole));
+  const int rows = static_cast<int>(std::ceil(size_m.y() / size_max_m.y() - kWhole));
+  const Vec2 half(size_m.x() / columns / 2, size_m.y() / rows / 2);
+  for (int column = 0; column < columns; ++column) {
+    for (int row = 0; row < rows; ++row) {
+      const Vec2 middle = piece.low + Vec2((2 * column + 1) * half.x(), (2 * row + 1) * half.y());
+      const bool is_covered = std::any_of(discs.begin(), discs.end(), [&](const Disc& disc) {
+        const Vec2 farthest = (middle - disc.p_vehicle).cwiseAbs() + half;
+        return farthest.norm() + margin_m_ <= disc.radius_m;
+      });
+      if (!is_covered) discs.push_back({middle, half.norm() + margin_m_});
+    }
+  }
+}
+
+double FootprintRoom::spare_m(const FloorGrid& floor, const FloorClearance& clearance,
+                              const Pose2& T_map_vehicle) const {
+  return least_m(floor, T_map_vehicle, [&](FloorCell cell) { return clearance.to_doubtful_m(cell); });
+}
+
+double FootprintRoom::standing_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
+                                       const Pose2& T_map_vehicle) const {
+  return least_m(floor, T_map_vehicle, [&](FloorCell cell) { return clearance.to_occupied_m(cell); });
+}
+
+template <class DistanceAt>
+double FootprintRoom::least_m(const FloorGrid& floor, const Pose2& T_map_vehicle,
+                              DistanceAt distance_at) const {
+  const Mat2 R_map_vehicle = rotation(T_map_vehicle.theta);
+  const auto least = [&](const std::vector<Disc>& discs, double at_most_m) {
+    for (const Disc& disc : discs) {
+      const Vec2 p_map = T_map_vehicle.position() + R_map_vehicle * disc.p_vehicle;
+      at_most_m = std::min(at_most_m, between_cells(floor, p_map, distance_at) - disc.radius_m);
+    }
+    return at_most_m;
+  };
+  const double rough_m = least(rough_, kNoneNear_m);
+  return rough_m >= kMuchRoom_m ? rough_m : least(close_, kMuchRoom_m);
+}
+
+bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& clearance,
+                                const Pose2& T_map_vehicle, double spare_m) const {
+  return standing_spare_m(floor, clearance, T_map_vehicle) >= std::min(0.0, spare_m) &&
+         lies_on_free(floor, clearance, T_map_vehicle);
+}
+
+bool FootprintRoom::lies_on_free(const FloorGrid& floor, const FloorClearance& clearance,
+                                 const Pose2& T_map_vehicle) const {
+  const Vec2 ahead = unit(T_map_vehicle.theta), aside = left_normal(ahead);
+  const double inset_m = floor.cell_m() / 2;
+  const double length_m = footprint_.front_m + footprint_.rear_m - 2 * inset_m,
+               width_m = footprint_.width_m - 2 * inset_m;
+  const auto steps_over = [&](double way_m) {
+    return static_cast<int>(std::ceil(way_m / (kTouchedCells * floor.cell_m())));
+  };
+  const int columns = steps_over(length_m), rows = steps_over(width_m);
+  for (int column = 0; column <= columns; ++column) {
+    for (int row = 0; row <= rows; ++row) {
+      const double x = length_m * column / columns + inset_m - footprint_.rear_m,
+                   y = width_m * (static_cast<double>(row) / rows - 0.5);
+      const FloorCell cell = floor.cell_at(T_map_vehicle.position() + x * ahead + y * aside);
+      if (floor.at(cell) != Floor::kFree || clearance.is_barred(cell)) return false;
+    }
+  }
+  return true;
+}
+
+double FootprintRoom::free_way_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path,
+                                 double from_m, double spare_m) const {
+  const auto is_free = [&](double along_m) {
+    const Pose2 T_map = path.at(along_m).T_map_path;
+    return fits(floor, clearance, T_map) || fits_barely(floor, clearance, T_map, spare_m);
+  };
+  const double left_m = path.length_m() - from_m;
+  const int checks = static_cast<int>(std::ceil(left_m / kWayCheck_m));
+  for (int i = 0; i < checks; ++i) {
+    if (!is_free(from_m + i * kWayCheck_m)) return i * kWayCheck_m;
+  }
+  return is_free(path.length_m()) ? left_m : left_m - kWayCheck_m;
+}
+
+}  // namespace aisle

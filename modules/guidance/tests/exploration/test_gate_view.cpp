@@ -1,0 +1,56 @@
+#include "aisle/guidance/exploration/gate_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include "known_floor.hpp"
+
+namespace aisle {
+namespace {
+
+/// A corridor that is known to the east as far as x = 10, and a wall of unknown floor across half of it.
+class GateView : public testing::Test {
+ protected:
+  GateView() : known_({{Vec2(0, 0), Vec2(6, 4)}, {Vec2(6, 2), Vec2(10, 4)}}) {
+    for (int i = 0; i < 8; ++i) gate_.rim.emplace_back(9.9, 2.2 + 0.2 * i);
+  }
+
+  bool sees(const Pose2& T_map_vehicle, double reach_m = 5, std::span<const float> near_m = {}) const {
+    return sees_rim({kFan, near_m, reach_m}, known_.floor, T_map_vehicle, gate_, 4);
+  }
+
+  KnownFloor known_;
+  Gate gate_;
+};
+
+TEST_F(GateView, SeesWhatLiesBeforeItWithinReach) {
+  EXPECT_TRUE(sees({5, 3, 0}));
+  EXPECT_FALSE(sees({5, 3, 0}, 3));
+}
+
+TEST_F(GateView, SeesNothingBehindIt) {
+  EXPECT_FALSE(sees({6.5, 3, kPi}));
+}
+
+TEST_F(GateView, DoesNotSeeThroughWhatIsUnknown) {
+  EXPECT_FALSE(sees({5, 0.5, 0}));
+}
+
+TEST_F(GateView, SeesNothingNearerThanItsBeamsShow) {
+  const std::vector<float> near_m(181, 4.5F);
+  EXPECT_FALSE(sees({5, 3, 0}, 5, near_m));
+  EXPECT_TRUE(sees({4.5, 3, 0}, 5, near_m));
+}
+
+TEST_F(GateView, LooksIntoANookAcrossItsEdgeNotAlongIt) {
+  gate_.rim.assign(4, Vec2(5, 4.175));
+  EXPECT_FALSE(sees({3, 3, 0})) << "unknown floor lies before it";
+  gate_.is_nook = true;
+  EXPECT_TRUE(sees({3, 3, 0}));
+  EXPECT_FALSE(sees({1.5, 3.8, 0}));
+  for (double x = 4.525; x < 5.2; x += 0.05)
+    known_.floor.set(known_.floor.cell_at({x, 4.025}), Floor::kOccupied);
+  EXPECT_FALSE(sees({3, 3, 0})) << "a wall stands in the line of sight";
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+
+#include "aisle/guidance/exploration/patience.hpp"
+
+namespace aisle {
+namespace {
+
+Patience renewed() {
+  Patience patience({.time_s = 60, .time_s_per_m = 5, .way_m = 10, .way_factor = 2, .hitches = 2});
+  patience.renew(100, 50, 4);
+  return patience;
+}
+
+TEST(Patience, LastsLongerForWhatIsFarther) {
+  EXPECT_FALSE(renewed().is_over(179, 50));
+  EXPECT_TRUE(renewed().is_over(181, 50));
+  EXPECT_FALSE(renewed().is_over(101, 67));
+  EXPECT_TRUE(renewed().is_over(101, 69));
+}
+
+TEST(Patience, EndsWhenWaysFailOnOneSpot) {
+  Patience patience = renewed();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(patience.is_over(101, 51));
+    patience.hitch({3, 4, 0.1 * i});
+  }
+  EXPECT_TRUE(patience.is_over(101, 51));
+  patience.renew(102, 51, 4);
+  EXPECT_FALSE(patience.is_over(102, 51));
+}
+
+TEST(Patience, ForgivesWhatFailsElsewhere) {
+  Patience patience = renewed();
+  for (int i = 0; i < 10; ++i) patience.hitch({1.0 * i, 0, 0});
+  EXPECT_FALSE(patience.is_over(101, 51));
+}
+
+}  // namespace
+}  // namespace aisle

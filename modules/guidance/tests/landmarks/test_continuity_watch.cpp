@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "aisle/guidance/landmarks/continuity_watch.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kDriven_m = 0.03;
+const std::vector<LandmarkSighting> kBare;
+
+/// Edges of the doors on both sides of a corridor that begins bare, from 6 m on and up to 9 m.
+std::vector<LandmarkSighting> doors_from(double along_m) {
+  std::vector<LandmarkSighting> seen;
+  for (int i = 0; i < 8; ++i) {
+    const Vec2 p(6 + 0.4 * i - along_m, i % 2 == 0 ? 1 : -1);
+    if (p.x() > 1.5 && p.x() < 6)
+      seen.push_back({.p_vehicle = p, .covariance = Mat2::Identity() * 1e-4, .brighter_right = i % 3 == 0});
+  }
+  return seen;
+}
+
+bool drive_on(ContinuityWatch& watch, const std::vector<LandmarkSighting>& picture,
+              bool is_known_here = false) {
+  watch.move({kDriven_m, 0, 0});
+  return watch.look(picture, is_known_here);
+}
+
+/// @return in how many pictures it was noticed
+int drive_past(ContinuityWatch& watch, double from_m, int pictures) {
+  int noticed = 0;
+  for (int i = 0; i < pictures; ++i) noticed += drive_on(watch, doors_from(from_m + kDriven_m * i)) ? 1 : 0;
+  return noticed;
+}
+
+TEST(ContinuityWatch, DrivingUpToDoorsAndPastThemGoesOn) {
+  ContinuityWatch watch;
+  EXPECT_EQ(drive_past(watch, 0, 400), 0);
+}
+
+TEST(ContinuityWatch, NoticesOnceThatDoorsNearbyAreGone) {
+  ContinuityWatch watch;
+  drive_past(watch, 3.5, 20);
+  int noticed = 0;
+  for (int i = 0; i < 50; ++i) noticed += drive_on(watch, kBare) ? 1 : 0;
+  EXPECT_EQ(noticed, 1);
+}
+
+TEST(ContinuityWatch, NoticesOnceThatDoorsAreThereWhichWouldHaveBeenInViewBefore) {
+  ContinuityWatch watch;
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(drive_on(watch, kBare));
+  EXPECT_EQ(drive_past(watch, 3.5, 50), 1);
+}
+
+TEST(ContinuityWatch, AFewBadPicturesAreNoOtherPlace) {
+  ContinuityWatch watch;
+  drive_past(watch, 3.5, 20);
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(drive_on(watch, kBare));
+  EXPECT_EQ(drive_past(watch, 3.5 + 23 * kDriven_m, 50), 0);
+}
+
+TEST(ContinuityWatch, LinesThatAreNotThereAgainAreNoPlace) {
+  ContinuityWatch watch;
+  for (int i = 0; i < 20; ++i) drive_on(watch, kBare);
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(drive_on(watch, doors_from(i % 2 == 0 ? 3.5 : 3.7)));
+}
+
+TEST(ContinuityWatch, WhatIsKnownToBeHereIsNoOtherPlace) {
+  ContinuityWatch watch;
+  for (int i = 0; i < 20; ++i) drive_on(watch, kBare);
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(drive_on(watch, doors_from(3.5 + kDriven_m * i), true));
+}
+
+TEST(ContinuityWatch, AFewLinesMayComeAndGo) {
+  ContinuityWatch watch;
+  const std::vector<LandmarkSighting> doors = doors_from(4);
+  const std::vector<LandmarkSighting> some(doors.begin(), doors.begin() + 4);
+  for (int i = 0; i < 50; ++i) EXPECT_FALSE(drive_on(watch, i / 10 % 2 == 0 ? kBare : some));
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,48 @@
+#include "aisle/guidance/landmarks/expectation_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace aisle {
+namespace {
+
+std::vector<ExpectedLandmark> expected_of(int all, int seen) {
+  std::vector<ExpectedLandmark> expected;
+  for (int i = 0; i < all; ++i) expected.push_back({.landmark = i, .is_seen = i < seen});
+  return expected;
+}
+
+/// @return at which of these pictures it notices; 0: at none
+int noticed_at(ExpectationWatch& watch, int pictures, int all, int seen) {
+  for (int i = 1; i <= pictures; ++i) {
+    if (watch.look(expected_of(all, seen))) return i;
+  }
+  return 0;
+}
+
+TEST(ExpectationWatch, MostOfWhatShouldBeSeenMayBeMissing) {
+  ExpectationWatch watch;
+  EXPECT_EQ(noticed_at(watch, 100, 10, 2), 0);
+}
+
+TEST(ExpectationWatch, NoticesWithinTenPicturesThatNothingIsSeenAnyMore) {
+  ExpectationWatch watch;
+  noticed_at(watch, 100, 12, 9);
+  EXPECT_EQ(noticed_at(watch, 100, 12, 0), 9);
+}
+
+TEST(ExpectationWatch, FewExpectedLandmarksTellNothing) {
+  ExpectationWatch watch;
+  EXPECT_EQ(noticed_at(watch, 100, 5, 0), 0);
+}
+
+TEST(ExpectationWatch, StartsAnew) {
+  ExpectationWatch watch;
+  EXPECT_EQ(noticed_at(watch, 100, 12, 0), 5);
+  watch.start();
+  EXPECT_EQ(noticed_at(watch, 4, 12, 0), 0);
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,59 @@
+#include "aisle/guidance/rooms/stop_view_matcher.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/vision/route/brightness_view.hpp"
+
+namespace aisle {
+namespace {
+
+/// What is seen with so much way left: a bright and a dark strip that wander apart as the place comes near.
+Image view_from(double left_m) {
+  Image image(320, 100);
+  std::fill(image.bytes.begin(), image.bytes.end(), std::uint8_t{100});
+  const int apart = static_cast<int>(std::lround(120 / (1 + left_m)));
+  for (int v = 0; v < image.height_px; ++v) {
+    for (int i = -5; i <= 5; ++i) {
+      image.row(v)[160 - apart + i] = 220;
+      image.row(v)[160 + apart + i] = 10;
+    }
+  }
+  return image;
+}
+
+std::vector<StopView> taught() {
+  std::vector<StopView> views;
+  for (int i = 0; i <= 20; ++i) views.push_back({0.05 * i, brightness_view(view_from(0.05 * i))});
+  return views;
+}
+
+TEST(StopViewMatcher, CorrectsTheWayThatIsLeft) {
+  StopViewMatcher matcher({}, taught());
+  for (int i = 0; i < 8; ++i) {
+    const double really_left_m = 0.5 - 0.03 * i;
+    matcher.take(view_from(really_left_m), really_left_m - 0.2);
+  }
+  EXPECT_NEAR(matcher.shift_m(), 0.2, 0.05);
+  EXPECT_TRUE(matcher.has_matched());
+}
+
+TEST(StopViewMatcher, OneMatchAloneDoesNotCount) {
+  StopViewMatcher matcher({}, taught());
+  matcher.take(view_from(0.5), 0.2);
+  matcher.take(Image(320, 100), 0.17);
+  matcher.take(view_from(0.44), 0.14);
+  EXPECT_EQ(matcher.shift_m(), 0);
+  EXPECT_FALSE(matcher.has_matched());
+}
+
+TEST(StopViewMatcher, FarFromThePlaceNothingIsLookedFor) {
+  StopViewMatcher matcher({}, taught());
+  for (int i = 0; i < 8; ++i) matcher.take(view_from(0.5), 6);
+  EXPECT_EQ(matcher.shift_m(), 0);
+}
+
+}  // namespace
+}  // namespace aisle

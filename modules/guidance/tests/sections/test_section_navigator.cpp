@@ -1,0 +1,129 @@
+#include "aisle/guidance/sections/section_navigator.hpp"
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+#include "drawn_corridor.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kAskew_rad = 2.5 * kDegree;
+const Vec3 kLeastCorner{-2, -0.6, 0}, kGreatestCorner{4, 0.6, 2.5};  // of a corridor along x
+
+/// @return brightness of the side that a ray from within the corridor meets
+double brightness_seen(const Vec3& eye, const Vec3& ray) {
+  constexpr std::array kEndsSidesFloor = {170.0, 200.0, 120.0};
+  double nearest = 1e9, seen = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double side = ray[axis] < 0 ? kLeastCorner[axis] : kGreatestCorner[axis];
+    const double share = ray[axis] == 0 ? nearest : (side - eye[axis]) / ray[axis];
+    if (share >= nearest) continue;
+    nearest = share;
+    seen = kEndsSidesFloor[static_cast<std::size_t>(axis)];
+  }
+  return seen;
+}
+
+VehicleDescription two_wheels_and_a_camera() {
+  VehicleDescription vehicle;
+  vehicle.is_differential = true;
+  vehicle.footprint = {.front_m = 0.11, .rear_m = 0.11, .width_m = 0.21, .height_m = 0.25};
+  vehicle.limits.turn_rate_max_rad_s = 45 * kDegree;
+  vehicle.cameras.push_back({.width_px = 160,
+                             .height_px = 120,
+                             .intrinsics = {.fx_px = 135, .fy_px = 135, .cx_px = 79.5, .cy_px = 59.5},
+                             .mount = {.p_vehicle_camera = {0.09, 0, 0.19}, .tilt_rad = 18 * kDegree}});
+  return vehicle;
+}
+
+/// A vehicle in the corridor that does what it is told, and sees and counts without an error.
+class CorridorDrive {
+ public:
+  explicit CorridorDrive(const VehicleDescription& vehicle) : vehicle_(vehicle) {}
+
+  /// @return whether the navigator was done before long
+  bool drive(SectionNavigator& navigator) {
+    WheelSteps steps;
+    for (cycle_ = 1; cycle_ < 600; ++cycle_) {
+      const Decision decision = navigator.step(observation(steps));
+      if (decision.status != NavigatorStatus::kGoing) return decision.status == NavigatorStatus::kDone;
+      steps = steps_of(decision.command);
+      T_world_vehicle_ = T_world_vehicle_ * aisle::drive(vehicle_.differential, steps);
+    }
+    return false;
+  }
+
+  double heading_rad() const { return T_world_vehicle_.theta; }
+
+ private:
+  Observation observation(const WheelSteps& steps) const {
+    const double stamp_s = cycle_ * vehicle_.cycle_s;
+    return {.stamp_s = stamp_s,
+            .pictures = {{vehicle_.cameras.front().name, stamp_s, std::make_shared<Image>(picture())}},
+            .odometry = steps};
+  }
+
+  /// Its brightness flickers, or it would be taken for frozen.
+  Image picture() const {
+    const CameraDescription& camera = vehicle_.cameras.front();
+    const CameraIntrinsics& lens = camera.intrinsics;
+    const Vec2 p_camera = T_world_vehicle_ * Vec2(camera.mount.p_vehicle_camera.head<2>());
+    const Vec3 eye{p_camera.x(), p_camera.y(), camera.mount.p_vehicle_camera.z()};
+    const Mat3 R_world_camera =
+        Eigen::AngleAxisd(T_world_vehicle_.theta, Vec3::UnitZ()) * camera.mount.R_vehicle_camera();
+    return drawn(camera.width_px, camera.height_px, 1, [&](const Vec2& p_px) {
+      const Vec3 ray{(p_px.x() - lens.cx_px) / lens.fx_px, (p_px.y() - lens.cy_px) / lens.fy_px, 1};
+      return brightness_seen(eye, R_world_camera * ray) + cycle_ % 2;
+    });
+  }
+
+  /// What is left of a step is driven in the next cycle.
+  WheelSteps steps_of(const Command& command) {
+    const double turn_mps = command.turn_rate_rad_s * vehicle_.differential.wheel_separation_m / 2;
+    const double per_mps = vehicle_.cycle_s / vehicle_.differential.step_length_m();
+    left_steps_ += (command.speed_mps - turn_mps) * per_mps;
+    right_steps_ += (command.speed_mps + turn_mps) * per_mps;
+    const WheelSteps steps{static_cast<int>(std::lround(left_steps_)),
+                           static_cast<int>(std::lround(right_steps_))};
+    left_steps_ -= steps.left;
+    right_steps_ -= steps.right;
+    return steps;
+  }
+
+  VehicleDescription vehicle_;
+  Pose2 T_world_vehicle_{0, 0, kAskew_rad};
+  double left_steps_ = 0, right_steps_ = 0;
+  int cycle_ = 0;
+};
+
+/// How a vehicle is headed at the end that was set down askew at the beginning.
+std::optional<double> last_heading_rad(SectionTrip trip) {
+  const SectionList sections = {
+      {.kind = Section::Kind::kFollow, .length_m = 1, .right_m = 0.6, .left_m = 0.6}};
+  const VehicleDescription vehicle = two_wheels_and_a_camera();
+  SectionNavigator navigator({.speed = {.speed_mps = 0.3}}, vehicle, "front", sections,
+                             guided_path(sections, {}, trip));
+  CorridorDrive drive(vehicle);
+  if (!drive.drive(navigator)) return std::nullopt;
+  return drive.heading_rad();
+}
+
+TEST(SectionNavigator, ComesHomeHeadedAsItWasSetDown) {
+  const auto heading_rad = last_heading_rad(SectionTrip::kThereAndBack);
+  ASSERT_TRUE(heading_rad);
+  EXPECT_NEAR(wrap_angle(*heading_rad - kPi - kAskew_rad) / kDegree, 0, 1);
+}
+
+TEST(SectionNavigator, EndsHeadedAsTheWayEnds) {
+  const auto heading_rad = last_heading_rad(SectionTrip::kThere);
+  ASSERT_TRUE(heading_rad);
+  EXPECT_NEAR(*heading_rad / kDegree, 0, 1);
+}
+
+}  // namespace
+}  // namespace aisle

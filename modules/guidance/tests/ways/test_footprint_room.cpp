@@ -1,0 +1,60 @@
+#include "aisle/guidance/ways/footprint_room.hpp"
+
+#include <gtest/gtest.h>
+
+#include "aisle/core/random.hpp"
+#include "known_floor.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kKept_m = 0.05;
+
+TEST(FootprintRoom, ItsEndsMayComeAsNearAsItsSides) {
+  const KnownFloor hall({{Vec2(0, 0), Vec2(10, 4)}});
+  const FootprintRoom room(cart().footprint, kKept_m);
+  const auto fits = [&](const Pose2& T) { return room.fits(hall.floor, hall.clearance, T); };
+  EXPECT_TRUE(fits({8.97, 2, 0}));
+  EXPECT_FALSE(fits({9.01, 2, 0}));
+  EXPECT_TRUE(fits({0.33, 2, 0}));
+  EXPECT_FALSE(fits({0.29, 2, 0}));
+  EXPECT_TRUE(fits({5, 0.375, 0}));
+  EXPECT_FALSE(fits({5, 0.345, 0}));
+}
+
+/// So a search that looks at a few poses of an arc knows of those between them.
+TEST(FootprintRoom, ChangesLittleWhileAPostIsPassed) {
+  KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
+  hall.floor.set({60, 60}, Floor::kOccupied);
+  hall.clearance.update(hall.floor, hall.floor.known());
+  const FootprintRoom room(cart().footprint, kKept_m);
+  double least_m = 1, most_m = 0;
+  for (double along_m = 0; along_m < 0.7; along_m += 0.01) {
+    const double spare_m = room.spare_m(hall.floor, hall.clearance, {3 - along_m, 3.5, 0});
+    least_m = std::min(least_m, spare_m);
+    most_m = std::max(most_m, spare_m);
+  }
+  EXPECT_GT(least_m, 0.08);
+  EXPECT_LT(most_m - least_m, 0.01);
+}
+
+TEST(FootprintRoom, LeavesNothingOfTheFootprintOut) {
+  KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
+  hall.floor.set({60, 60}, Floor::kOccupied);
+  hall.clearance.update(hall.floor, hall.floor.known());
+  const Footprint footprint = cart().footprint;
+  const FootprintRoom room(footprint, 0);
+  Random random(1);
+  int fitting = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Pose2 T_map_vehicle{random.uniform(1.5, 4.5), random.uniform(1.5, 4.5), random.uniform(-kPi, kPi)};
+    if (!room.fits(hall.floor, hall.clearance, T_map_vehicle)) continue;
+    ++fitting;
+    const Vec2 p_vehicle = T_map_vehicle.inverse() * hall.floor.centre({60, 60});
+    EXPECT_GT(off_footprint_m(footprint, p_vehicle), 0);
+  }
+  EXPECT_GT(fitting, 2000);
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "aisle/maps/landmark_map.hpp"
+#include "aisle/vision/lines/landmark_sightings.hpp"
+
+namespace aisle {
+
+/// A sure landmark that should be seen in a picture from where the vehicle believes to be.
+struct ExpectedLandmark {
+  int landmark = 0;
+  bool is_seen = false;
+};
+
+/// A landmark is seen where a line of its brighter side stands within two standard deviations of it: those of
+/// the sighting, the landmark and the pose together. What else the picture shows does not count.
+/// @param landmark_sigma_m  least error of a landmark's place
+std::vector<ExpectedLandmark> expected_landmarks(const LandmarkMap& map, const UncertainPose2& T_map_believed,
+                                                 std::span<const LandmarkSighting> picture,
+                                                 double landmark_sigma_m);
+
+}  // namespace aisle

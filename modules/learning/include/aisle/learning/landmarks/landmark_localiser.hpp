@@ -1,0 +1,100 @@
+#pragma once
+/// Where the vehicle is among known landmarks: C98 Algorithm 2 steps 9-13 and Algorithm 3 steps 6-9, one
+/// picture after the other.
+
+#include <span>
+#include <vector>
+
+#include "aisle/core/parameters.hpp"
+#include "aisle/learning/landmarks/landmark_patterns.hpp"
+#include "aisle/learning/pose_filter.hpp"
+
+namespace aisle {
+
+struct LandmarkLocaliserParams {
+  MwghtParams mwght;
+  double confidence_m2 = 4;  ///< Cd of C98 eq. (16)
+  double window_sigmas = 3;
+  double window_min_m = 0.08;
+  double window_min_rad = 1 * kDegree;
+  double window_max_m = 1.5;
+  double window_max_rad = 12 * kDegree;
+  double ambiguous_share = 0.8;
+  double gate_sigmas = 3.5;
+  double landmark_sigma_m = 0.02;
+  double repeat_inflation = 3;
+  double matched_share_min = 0.34;
+  int pairs_min = 2;
+  bool polarity = true;
+  bool covariance = true;
+
+  void describe(FieldList& fields);
+};
+
+/// What one picture said about the pose.
+enum class LandmarkMatch {
+  kMatched,    ///< the pose was corrected
+  kAmbiguous,  ///< two displacements with other pairs fit about as well; the pose goes on by odometry
+  kUnmatched,  ///< other landmarks were seen than those that should be; likewise
+  kNothing,    ///< nothing was seen, or nothing that is known; likewise
+};
+
+/// A sighting and the landmark that it was taken for.
+struct LandmarkPair {
+  std::size_t sighting = 0;
+  std::size_t landmark = 0;
+
+  friend bool operator==(const LandmarkPair&, const LandmarkPair&) = default;
+};
+
+class LandmarkLocaliser {
+ public:
+  LandmarkLocaliser(const LandmarkLocaliserParams& params, const VehicleDescription& vehicle,
+                    const UncertainPose2& T_map_vehicle);
+
+  void predict(const OdometryReading& reading);
+
+  /// Finds the displacement of what is seen against what is known within the window that the pose's
+  /// uncertainty leaves open (MWGHT), pairs sightings with landmarks there, and lets the filter take the
+  /// pairs in. Costs the same whatever the size of the map. The second picture from one place has the errors
+  /// of the first: a vehicle that stands does not become surer and surer.
+  LandmarkMatch correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
+
+  void place(const UncertainPose2& T_map_vehicle);
+
+  const Pose2& pose() const { return filter_.pose(); }
+  Mat3 covariance() const { return filter_.covariance(); }
+  const std::vector<LandmarkPair>& pairs() const { return pairs_; }  ///< of the last picture
+  double matched_share() const { return matched_share_; }            ///< of the last picture's weights
+  /// The same with each pair counted by how nearly the two lie upon each other, 0 .. matched_share.
+  double agreement() const { return agreement_; }
+  /// How much more likely the last picture is here than among unknown things (logarithm of the ratio): each
+  /// pair adds kPairEvidence less half its squared distance in standard deviations, and never less than 0.
+  double evidence() const { return evidence_; }
+  static constexpr double kPairEvidence = 3;
+
+ private:
+  bool has_matched() const;
+  LandmarkMatch without_match(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
+  void take_in(const Pose2& T_map_guess);
+  MwghtWindow window() const;
+  bool is_elsewhere(const Pose2& best, const Pose2& other) const;
+  void pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+               const Pose2& T_map_vehicle);
+
+  LandmarkLocaliserParams params_;
+  PoseFilter filter_;
+  Mwght mwght_;
+  LandmarkPatterns patterns_;  ///< of the last picture, in base_link as predicted
+  std::vector<LandmarkPair> pairs_, first_pairs_;
+  std::vector<SeenPoint> points_;
+  std::vector<char> taken_;
+  int taken_in_here_ = 0;      ///< pictures that corrected the pose since the vehicle came to this place
+  double since_here_m_ = 0;    ///< way since the first of them ...
+  double since_here_rad_ = 0;  ///< ... and how far it has turned
+  double matched_share_ = 0;
+  double agreement_ = 0;
+  double evidence_ = 0;
+};
+
+}  // namespace aisle

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "aisle/core/parameters.hpp"
+#include "aisle/learning/walls/motion_noise.hpp"
+#include "aisle/matching/pose_alignment.hpp"
+#include "aisle/matching/wall_estimate.hpp"
+
+namespace aisle {
+
+struct TrackerParams {
+  MotionNoise motion;
+  double gate_m = 0.25;       ///< a segment farther from a wall is not matched with it
+  double same_wall_m = 0.12;  ///< a segment farther across than this is another wall
+  double window_m = 20;       ///< walls not seen for so long a way are left to loop closing
+  double unconfirmed_m = 3;   ///< a wall seen once only is forgotten after this way
+  double keyframe_m = 0.25;
+  double keyframe_rad = 8 * kDegree;
+  double lost_share = 0.55;  ///< less of the seen length fits than this: look for the pose anew
+  double relocation_reach_m = 1.2;
+
+  void describe(FieldList& fields);
+};
+
+/// A scan that was put into the local map.
+struct Keyframe {
+  std::size_t scan = 0;
+  Pose2 T_track_sensor;
+  double path_m = 0;
+  Mat3 wall_information = Mat3::Zero();  ///< how well the walls fixed its pose
+  bool relocated = false;                ///< the motion into it is a guess: it was lost before
+};
+
+/// Follows the sensor from scan to scan against the walls of the last stretch of way: odometry predicts, the
+/// walls' orthogonality corrects the heading, then the scan is laid onto the walls. The frame `track` never
+/// jumps except where the tracker had been lost; it drifts as slowly as the walls allow. A step costs
+/// O(segments * walls in the window).
+class ScanTracker {
+ public:
+  explicit ScanTracker(const TrackerParams& params);
+
+  /// One scan: its segments (sensor frame) and the sensor's motion since the last scan by odometry. Returns
+  /// the pose in `track`. With `orthogonal` false the building has no dominant direction: no wall is an axis.
+  Pose2 step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal);
+
+  const std::vector<Keyframe>& keyframes() const { return keyframes_; }
+  double path_m() const { return path_m_; }
+  std::size_t wall_count() const { return walls_.size(); }
+  /// In how many scans the walls' orthogonality gave the heading.
+  std::size_t headings_used() const { return headings_used_; }
+
+ private:
+  void trust_oblique_walls();
+  void predict(const Pose2& T_last_now);
+  void correct_heading(std::span<const SensedSegment> segments);
+  Alignment lay_onto_walls(std::span<const SensedSegment> segments);
+  Alignment lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m);
+  bool relocate(std::span<const SensedSegment> segments);
+  bool keyframe_is_due() const;
+  void learn(std::span<const SensedSegment> segments, const Mat3& wall_information);
+
+  TrackerParams params_;
+  WallUpdateParams update_;
+  PoseAligner aligner_;
+  UncertainPose2 T_track_sensor_;
+  Pose2 T_track_last_;             ///< pose at the scan before
+  Pose2 motion_;                   ///< since then, by odometry
+  bool counts_backwards_ = false;  ///< the odometry counts the way with the wrong sign
+  std::vector<WallEstimate> walls_;
+  std::vector<int> window_;
+  std::vector<Keyframe> keyframes_;
+  std::size_t scan_ = 0;
+  double path_m_ = 0;
+  std::size_t headings_used_ = 0;
+  bool relocated_ = false;
+  bool orthogonal_ = true;
+};
+
+}  // namespace aisle

@@ -1,0 +1,187 @@
+#include <algorithm>
+
+#include "aisle/learning/landmarks/landmark_learning.hpp"
+#include "landmarks/landmark_adjustment.hpp"
+#include "landmarks/landmark_loops.hpp"
+#include "landmarks/trip_landmarks.hpp"
+
+namespace aisle {
+
+namespace {
+
+constexpr double kOriginSigma = 1e-4;  // the first pose is the map's origin: exact [m, rad]
+constexpr double kRemembered_m =
+    10;  // of way: what was last seen before is another pass, if it is seen again
+
+constexpr int kFinalAdjustments = 2;
+constexpr double kNearSigma_m = 0.02;  // poses of the trip while sightings are paired with its landmarks
+constexpr double kNearSigma_rad = 0.005;
+
+/// The trip picture by picture: match, correct, merge. After a long way round the pose has drifted against
+/// what was seen at its beginning; so only what was seen on the last metres is matched and merged with.
+class FirstTrip {
+ public:
+  FirstTrip(const VehicleDescription& vehicle, const LandmarkLearningParams& params)
+      : learner_(params), localiser_(params.localiser, vehicle, about({}, kOriginSigma, kOriginSigma)) {}
+
+  void add(const LandmarkCycle& cycle) {
+    if (!T_map_vehicle_.empty()) {
+      const Vec2 before = localiser_.pose().position();
+      localiser_.predict(cycle.odometry);
+      way_m_ += (localiser_.pose().position() - before).norm();
+    }
+    set_old_ones_aside();
+    if (localiser_.correct(learner_.map(), cycle.sightings) != LandmarkMatch::kAmbiguous) {
+      for (const std::size_t index : learner_.merge(cycle.sightings, localiser_.pose())) note_seen(index);
+    }
+    T_map_vehicle_.push_back(localiser_.pose());
+  }
+
+  const std::vector<Pose2>& T_map_vehicle() const { return T_map_vehicle_; }
+
+  std::vector<TripLandmark> landmarks(int sightings_min) {
+    std::vector<TripLandmark> often;
+    for (const Glimpse& glimpse : recent_) keep(glimpse);
+    recent_.clear();
+    std::copy_if(kept_.begin(), kept_.end(), std::back_inserter(often),
+                 [&](const TripLandmark& kept) { return kept.landmark.sightings >= sightings_min; });
+    return often;
+  }
+
+ private:
+  /// A landmark that was seen on the last metres.
+  struct Glimpse {
+    std::size_t index = 0;  ///< in the learner's map
+    std::size_t first_cycle = 0, last_cycle = 0;
+    double last_m = 0;
+  };
+
+  void note_seen(std::size_t index) {
+    const std::size_t cycle = T_map_vehicle_.size();
+    const auto known = std::find_if(recent_.begin(), recent_.end(),
+                                    [&](const Glimpse& glimpse) { return glimpse.index == index; });
+    if (known == recent_.end()) {
+      recent_.push_back({index, cycle, cycle, way_m_});
+    } else {
+      known->last_cycle = cycle;
+      known->last_m = way_m_;
+    }
+  }
+
+  void set_old_ones_aside() {
+    std::erase_if(recent_, [&](const Glimpse& glimpse) {
+      const bool is_old = way_m_ - glimpse.last_m > kRemembered_m;
+      if (is_old) {
+        keep(glimpse);
+        learner_.set_aside(glimpse.index);
+      }
+      return is_old;
+    });
+  }
+
+  /// Unless it has become part of another.
+  void keep(const Glimpse& glimpse) {
+    const Landmark& landmark = learner_.map()[glimpse.index];
+    if (landmark.weight > 0) kept_.push_back({landmark, glimpse.first_cycle, glimpse.last_cycle});
+  }
+
+  LandmarkLearner learner_;
+  LandmarkLocaliser localiser_;
+  std::vector<Pose2> T_map_vehicle_;
+  std::vector<Glimpse> recent_;
+  std::vector<TripLandmark> kept_;
+  double way_m_ = 0;
+};
+
+/// Which sighting of a trip shows which of its landmarks.
+std::vector<LandmarkObservation> observations(std::span<const LandmarkCycle> cycles,
+                                              const VehicleDescription& vehicle,
+                                              const LandmarkLocaliserParams& params,
+                                              std::span<const Pose2> T_map_vehicle,
+                                              std::span<const TripLandmark> landmarks) {
+  LandmarkLocaliser localiser(params, vehicle, {});
+  PresentLandmarks present(landmarks);
+  std::vector<LandmarkObservation> all;
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    localiser.place(about(T_map_vehicle[i], kNearSigma_m, kNearSigma_rad));
+    if (localiser.correct(present.at(i), cycles[i].sightings) != LandmarkMatch::kMatched) continue;
+    for (const LandmarkPair& pair : localiser.pairs())
+      all.push_back({i, pair.sighting, present.original(pair.landmark)});
+  }
+  return all;
+}
+
+/// Landmarks that lie upon each other become one, which was there all the time between.
+std::vector<TripLandmark> without_doubles(std::span<const TripLandmark> landmarks, double merge_m) {
+  std::vector<TripLandmark> single;
+  LandmarkMap map;
+  std::vector<int> near;
+  for (const TripLandmark& next : landmarks) {
+    map.within(next.landmark.p_map, merge_m, near);
+    const auto same = std::find_if(near.begin(), near.end(), [&](int i) {
+      return map[static_cast<std::size_t>(i)].brighter_right == next.landmark.brighter_right;
+    });
+    if (same == near.end()) {
+      map.add(next.landmark);
+      single.push_back(next);
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(*same);
+    TripLandmark& one = single[index];
+    one = {united(one.landmark, next.landmark), std::min(one.first_cycle, next.first_cycle),
+           std::max(one.last_cycle, next.last_cycle)};
+    map.replace(index, one.landmark);
+  }
+  return single;
+}
+
+/// Moves a trip and its landmarks together, closes its loops, and moves them together again.
+class TripAdjuster {
+ public:
+  TripAdjuster(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
+               const LandmarkLearningParams& params)
+      : cycles_(cycles), vehicle_(vehicle), params_(params) {}
+
+  void run(std::vector<Pose2>& T_map_vehicle, std::vector<TripLandmark>& landmarks) const {
+    adjust(T_map_vehicle, landmarks, {});
+    const auto loops = find_landmark_loops(landmarks, T_map_vehicle, params_.localiser);
+    if (!loops.empty()) adjust(T_map_vehicle, landmarks, loops);
+    landmarks = without_doubles(landmarks, params_.merge_m);
+    for (int round = 0; round < kFinalAdjustments; ++round) adjust(T_map_vehicle, landmarks, {});
+  }
+
+ private:
+  void adjust(std::vector<Pose2>& T_map_vehicle, std::vector<TripLandmark>& landmarks,
+              std::span<const LandmarkLoop> loops) const {
+    std::vector<Landmark> moved;
+    moved.reserve(landmarks.size());
+    for (const TripLandmark& landmark : landmarks) moved.push_back(landmark.landmark);
+    adjust_landmarks(cycles_, observations(cycles_, vehicle_, params_.localiser, T_map_vehicle, landmarks),
+                     loops, vehicle_, T_map_vehicle, moved);
+    for (std::size_t i = 0; i < moved.size(); ++i) landmarks[i].landmark = moved[i];
+  }
+
+  std::span<const LandmarkCycle> cycles_;
+  const VehicleDescription& vehicle_;
+  const LandmarkLearningParams& params_;
+};
+
+}  // namespace
+
+LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
+                            const LandmarkLearningParams& params) {
+  if (cycles.empty()) return {};
+  FirstTrip first(vehicle, params);
+  for (const LandmarkCycle& cycle : cycles) first.add(cycle);
+  LearnedTrip trip{.map = {}, .T_map_vehicle = first.T_map_vehicle()};
+  std::vector<TripLandmark> found = first.landmarks(params.sightings_min);
+  if (params.adjust) TripAdjuster(cycles, vehicle, params).run(trip.T_map_vehicle, found);
+  std::vector<Landmark> landmarks;
+  landmarks.reserve(found.size());
+  for (const TripLandmark& landmark : found) landmarks.push_back(landmark.landmark);
+  settle_weights(landmarks, trip.T_map_vehicle.front().position(), params.weight_min);
+  trip.map.assign(std::move(landmarks));
+  return trip;
+}
+
+}  // namespace aisle

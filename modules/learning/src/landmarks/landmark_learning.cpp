@@ -1,0 +1,146 @@
+#include "aisle/learning/landmarks/landmark_learning.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "landmarks/landmark_view.hpp"
+
+namespace aisle {
+
+namespace {
+
+constexpr int kExpectedMin = 15;        // pictures that show whether a landmark is still there
+constexpr double kSeenShareMin = 0.05;  // seen in fewer of them it is gone
+constexpr double kGoneShare = 0.3;      // of a vanished landmark's mass that remains after a trip
+
+/// The landmark as one sighting shows it.
+Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, double confidence_m2) {
+  const Mat2 R_map_vehicle = rotation(T_map_vehicle.theta);
+  return {.p_map = T_map_vehicle * sighting.p_vehicle,
+          .covariance = R_map_vehicle * sighting.covariance * R_map_vehicle.transpose(),
+          .mass = confidence_weight(sighting.p_vehicle, confidence_m2),
+          .weight = confidence_weight(sighting.p_vehicle, confidence_m2),
+          .sightings = 1,
+          .passes = 1,
+          .seen_from = (T_map_vehicle.position() - T_map_vehicle * sighting.p_vehicle).normalized(),
+          .brighter_right = sighting.brighter_right};
+}
+
+/// How often a landmark should have been seen on a trip, and how often it was.
+struct Visibility {
+  int expected = 0;
+  int seen = 0;
+
+  bool is_gone() const { return expected >= kExpectedMin && seen < kSeenShareMin * expected; }
+};
+
+void count_visibility(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+                      const LandmarkLocaliser& localiser, std::vector<Visibility>& visibility) {
+  const LandmarkView view(sightings);
+  std::vector<int> near;
+  map.within(localiser.pose().position(), view.far_m(), near);
+  for (const int i : near) {
+    const auto index = static_cast<std::size_t>(i);
+    if (view.expects(map[index], localiser.pose())) ++visibility[index].expected;
+  }
+  for (const LandmarkPair& pair : localiser.pairs()) ++visibility[pair.landmark].seen;
+}
+
+}  // namespace
+
+void LandmarkLearningParams::describe(FieldList& fields) {
+  fields.group("localiser", localiser);
+  fields.real("merge_m", merge_m, {0.01, 1}, "landmarks closer than this are one");
+  fields.real("weight_min", weight_min, {0, 1}, "Ts: landmarks less sure than this share of the mean go");
+  fields.count("sightings_min", sightings_min, {1, 100},
+               "landmarks seen in fewer pictures of the first trip go");
+  fields.flag("forget", forget, "landmarks that are no longer seen lose their weight");
+  fields.flag("adjust", adjust, "move all poses and landmarks together until they agree best");
+}
+
+Landmark united(const Landmark& a, const Landmark& b) {
+  Landmark both = a;
+  both.mass = a.mass + b.mass;
+  both.weight = a.weight + b.weight;
+  both.p_map = (a.mass * a.p_map + b.mass * b.p_map) / both.mass;
+  both.seen_from = (a.sightings * a.seen_from + b.sightings * b.seen_from).normalized();
+  both.covariance = a.covariance.trace() < b.covariance.trace() ? a.covariance : b.covariance;
+  both.sightings = a.sightings + b.sightings;
+  return both;
+}
+
+std::vector<std::size_t> LandmarkLearner::merge(std::span<const LandmarkSighting> sightings,
+                                                const Pose2& T_map_vehicle) {
+  std::vector<std::size_t> into;
+  std::vector<int> near;
+  for (const LandmarkSighting& sighting : sightings) {
+    Landmark landmark = as_seen(sighting, T_map_vehicle, params_.localiser.confidence_m2);
+    map_.within(landmark.p_map, params_.merge_m, near);
+    std::erase_if(near, [&](int i) {
+      return params_.localiser.polarity &&
+             map_[static_cast<std::size_t>(i)].brighter_right != landmark.brighter_right;
+    });
+    for (const int i : near) landmark = united(map_[static_cast<std::size_t>(i)], landmark);
+    if (near.empty()) {
+      into.push_back(map_.add(landmark));
+      continue;
+    }
+    const auto kept = static_cast<std::size_t>(near.front());
+    map_.replace(kept, landmark);
+    for (std::size_t k = 1; k < near.size(); ++k) map_.remove(static_cast<std::size_t>(near[k]));
+    into.push_back(kept);
+  }
+  return into;
+}
+
+void settle_weights(std::vector<Landmark>& landmarks, const Vec2& p_map_start, double weight_min) {
+  if (landmarks.empty()) return;
+  double sum = 0;
+  for (const Landmark& landmark : landmarks) sum += landmark.mass;
+  const double mean = sum / static_cast<double>(landmarks.size());
+  for (Landmark& landmark : landmarks) landmark.weight = landmark.mass / mean;  // eq. (18)
+  std::erase_if(landmarks, [&](const Landmark& landmark) { return landmark.weight < weight_min; });
+  const auto by_weight = [](const Landmark& a, const Landmark& b) { return a.weight < b.weight; };
+  const auto by_distance = [&](const Landmark& a, const Landmark& b) {
+    return (a.p_map - p_map_start).squaredNorm() < (b.p_map - p_map_start).squaredNorm();
+  };
+  const double greatest = std::max_element(landmarks.begin(), landmarks.end(), by_weight)->weight;
+  std::min_element(landmarks.begin(), landmarks.end(), by_distance)->weight = greatest;
+}
+
+RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const LandmarkCycle> cycles,
+                                  const VehicleDescription& vehicle, const UncertainPose2& T_map_start,
+                                  const LandmarkLearningParams& params) {
+  RefinedLandmarks refined;
+  LandmarkLocaliser localiser(params.localiser, vehicle, T_map_start);
+  LandmarkLearner learner(params, map);
+  std::vector<Visibility> visibility(map.size());
+  std::size_t seen_pictures = 0, matched_pictures = 0;
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    if (i > 0) localiser.predict(cycles[i].odometry);
+    const LandmarkMatch match = localiser.correct(map, cycles[i].sightings);
+    refined.T_map_vehicle.push_back(localiser.pose());
+    if (match != LandmarkMatch::kNothing) ++seen_pictures;
+    if (match != LandmarkMatch::kMatched) continue;
+    ++matched_pictures;
+    count_visibility(map, cycles[i].sightings, localiser, visibility);
+    learner.merge(cycles[i].sightings, localiser.pose());
+  }
+  std::vector<Landmark> landmarks;
+  for (std::size_t i = 0; i < learner.map().size(); ++i) {
+    Landmark landmark = learner.map()[i];
+    if (landmark.weight == 0) continue;
+    if (i < visibility.size()) {
+      if (params.forget && visibility[i].is_gone()) landmark.mass *= kGoneShare;
+      if (visibility[i].seen > 0) ++landmark.passes;
+    }
+    landmarks.push_back(landmark);
+  }
+  settle_weights(landmarks, T_map_start.mean.position(), params.weight_min);
+  refined.map.assign(landmarks);
+  refined.matched_share =
+      static_cast<double>(matched_pictures) / static_cast<double>(std::max<std::size_t>(seen_pictures, 1));
+  return refined;
+}
+
+}  // namespace aisle

@@ -1,0 +1,198 @@
+#include "aisle/learning/landmarks/landmark_localiser.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/square.hpp"
+#include "landmarks/landmark_view.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kSureWeight = 0.5;              // landmarks of this weight are there
+constexpr int kContradictingMin = 2;             // so many of them out of sight contradict the map
+constexpr double kStanding_m = 0.01;             // pictures from so near each other have the same errors ...
+constexpr double kStanding_rad = 0.2 * kDegree;  // ... unless the vehicle has turned so far
+constexpr double kBehindDistance = 2;            // to the squared distance, if seen from the other side only
+
+}  // namespace
+
+void LandmarkLocaliserParams::describe(FieldList& fields) {
+  fields.group("mwght", mwght);
+  fields.real("confidence_m2", confidence_m2, {0.01, 1000},
+              "Cd: landmarks farther away than its root count less");
+  fields.real("window_sigmas", window_sigmas, {1, 10}, "displacements within so many deviations are tried");
+  fields.real("window_min_m", window_min_m, {0, 5}, "displacements up to this are always tried");
+  fields.angle("window_min_deg", window_min_rad, {0, 45}, "turns up to this are always tried");
+  fields.real("window_max_m", window_max_m, {0.1, 10}, "greater displacements are never tried");
+  fields.angle("window_max_deg", window_max_rad, {0, 90}, "greater turns are never tried");
+  fields.real("ambiguous_share", ambiguous_share, {0.1, 1},
+              "a second displacement whose pairs agree this well makes a match ambiguous");
+  fields.real("gate_sigmas", gate_sigmas, {1, 10}, "a sighting farther from a landmark is not of it");
+  fields.real("landmark_sigma_m", landmark_sigma_m, {0, 1}, "least error of a landmark's place");
+  fields.real("repeat_inflation", repeat_inflation, {1, 100},
+              "pictures in a row are not independent: their variances count so many times");
+  fields.real("matched_share_min", matched_share_min, {0, 1},
+              "with less of the sightings matched there is no match");
+  fields.count("pairs_min", pairs_min, {1, 20}, "fewer sightings than this make no match");
+  fields.flag("polarity", polarity,
+              "a line that is brighter on its right is never taken for one that is brighter left");
+  fields.flag("covariance", covariance, "errors along and across the line of sight are kept apart");
+}
+
+/// A runner-up on the flank of the best peak is refined to the same place: it is no hypothesis of its own.
+bool LandmarkLocaliser::is_elsewhere(const Pose2& best, const Pose2& other) const {
+  const Pose2 off = between(best, other);
+  return off.position().norm() > params_.mwght.apart_m / 2 ||
+         std::abs(off.theta) > params_.mwght.apart_rad / 2;
+}
+
+LandmarkLocaliser::LandmarkLocaliser(const LandmarkLocaliserParams& params, const VehicleDescription& vehicle,
+                                     const UncertainPose2& T_map_vehicle)
+    : params_(params), filter_(vehicle, T_map_vehicle), mwght_(params.mwght) {}
+
+void LandmarkLocaliser::predict(const OdometryReading& reading) {
+  const Pose2 before = filter_.pose();
+  filter_.predict(reading);
+  const Pose2 moved = between(before, filter_.pose());
+  since_here_m_ += moved.position().norm();
+  since_here_rad_ += std::abs(moved.theta);
+  if (since_here_m_ >= kStanding_m || since_here_rad_ >= kStanding_rad) taken_in_here_ = 0;
+}
+
+void LandmarkLocaliser::place(const UncertainPose2& T_map_vehicle) {
+  filter_.place(T_map_vehicle);
+  taken_in_here_ = 0;
+}
+
+LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
+                                         std::span<const LandmarkSighting> sightings) {
+  pairs_.clear();
+  matched_share_ = 0;
+  agreement_ = 0;
+  evidence_ = 0;
+  patterns_.gather(map, sightings, filter_.pose(), params_.confidence_m2, window(), params_.mwght.reach_m);
+  if (patterns_.learned.empty()) return LandmarkMatch::kNothing;
+  const auto match = mwght_.match(patterns_.learned, patterns_.seen, window());
+  if (!match) return without_match(map, sightings);
+  Pose2 T_map_guess = filter_.pose() * match->best.displacement;
+  pair_up(map, sightings, T_map_guess);
+  if (match->runner_up && is_elsewhere(match->best.displacement, match->runner_up->displacement)) {
+    const Pose2 T_map_other = filter_.pose() * match->runner_up->displacement;
+    first_pairs_ = pairs_;
+    const double first = agreement_;
+    pair_up(map, sightings, T_map_other);
+    // The same pairs at two displacements leave some direction open: that is for the filter to know.
+    const bool is_other_place = pairs_ != first_pairs_;
+    if (is_other_place &&
+        std::min(first, agreement_) > params_.ambiguous_share * std::max(first, agreement_)) {
+      pairs_.clear();
+      return LandmarkMatch::kAmbiguous;
+    }
+    if (agreement_ > first) {
+      T_map_guess = T_map_other;
+    } else {
+      pair_up(map, sightings, T_map_guess);
+    }
+  }
+  if (!has_matched()) return without_match(map, sightings);
+  take_in(T_map_guess);
+  return LandmarkMatch::kMatched;
+}
+
+/// Enough of what is seen is known at the pose at which it was paired.
+bool LandmarkLocaliser::has_matched() const {
+  return pairs_.size() >= static_cast<std::size_t>(params_.pairs_min) &&
+         matched_share_ >= params_.matched_share_min;
+}
+
+/// The variances of the n-th picture from one place count n^2 times: all of them together tell less than two
+/// pictures from two places.
+void LandmarkLocaliser::take_in(const Pose2& T_map_guess) {
+  if (taken_in_here_ == 0) since_here_m_ = since_here_rad_ = 0;
+  ++taken_in_here_;
+  for (SeenPoint& point : points_)
+    point.covariance *= params_.repeat_inflation * square(static_cast<double>(taken_in_here_));
+  filter_.update(points_, T_map_guess);
+}
+
+/// Unknown things alone do not contradict the map: only where, from where the vehicle believes to be, several
+/// of the landmarks that should be seen, and most of them, are not, is it perhaps elsewhere.
+LandmarkMatch LandmarkLocaliser::without_match(const LandmarkMap& map,
+                                               std::span<const LandmarkSighting> sightings) {
+  pair_up(map, sightings, filter_.pose());
+  if (has_matched()) return LandmarkMatch::kNothing;
+  const LandmarkView view(sightings);
+  int missing = 0, seen = 0;
+  for (std::size_t k = 0; k < patterns_.near.size(); ++k) {
+    const Landmark& landmark = map[static_cast<std::size_t>(patterns_.near[k])];
+    if (landmark.weight >= kSureWeight && view.expects(landmark, filter_.pose()))
+      ++(taken_[k] ? seen : missing);
+  }
+  return missing >= kContradictingMin && missing > seen ? LandmarkMatch::kUnmatched : LandmarkMatch::kNothing;
+}
+
+MwghtWindow LandmarkLocaliser::window() const {
+  const Mat3 covariance = filter_.covariance();
+  const Vec2 ahead = unit(filter_.pose().theta), left = left_normal(ahead);
+  const auto half = [&](double variance, double least, double most) {
+    return std::clamp(params_.window_sigmas * std::sqrt(variance), least, most);
+  };
+  const Mat2 position = covariance.topLeftCorner<2, 2>();
+  return {.x_half_m = half(ahead.dot(position * ahead), params_.window_min_m, params_.window_max_m),
+          .y_half_m = half(left.dot(position * left), params_.window_min_m, params_.window_max_m),
+          .turn_half_rad = half(covariance(2, 2), params_.window_min_rad, params_.window_max_rad)};
+}
+
+/// Every sighting with the landmark that it lies nearest to, by its own errors and the landmark's; a landmark
+/// is taken once, and rather one that was seen from this side.
+void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+                                const Pose2& T_map_vehicle) {
+  pairs_.clear();
+  points_.clear();
+  taken_.assign(patterns_.near.size(), 0);
+  const Pose2 T_vehicle_map = T_map_vehicle.inverse();
+  const Mat2 R_map_vehicle = rotation(T_map_vehicle.theta);
+  double matched = 0, all = 0, agreement = 0;
+  evidence_ = 0;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    const LandmarkSighting& sighting = sightings[i];
+    all += patterns_.seen[i].weight;
+    double nearest = square(params_.gate_sigmas);
+    std::size_t best = patterns_.near.size();
+    Mat2 best_covariance = Mat2::Identity();
+    for (std::size_t k = 0; k < patterns_.near.size(); ++k) {
+      const Landmark& landmark = map[static_cast<std::size_t>(patterns_.near[k])];
+      if (taken_[k] || (params_.polarity && landmark.brighter_right != sighting.brighter_right)) continue;
+      const Mat2 known = R_map_vehicle.transpose() * landmark.covariance * R_map_vehicle +
+                         square(params_.landmark_sigma_m) * Mat2::Identity();
+      const Mat2 covariance = params_.covariance
+                                  ? Mat2(sighting.covariance + known)
+                                  : Mat2(Mat2::Identity() * (sighting.covariance + known).trace() / 2);
+      const Vec2 off = sighting.p_vehicle - T_vehicle_map * landmark.p_map;
+      const double behind = is_known_from_behind(landmark, T_map_vehicle.position()) ? kBehindDistance : 0;
+      const double distance = off.dot(covariance.inverse() * off) + behind;
+      if (distance >= nearest) continue;
+      nearest = distance;
+      best = k;
+      best_covariance = covariance;
+    }
+    if (best == patterns_.near.size()) continue;
+    taken_[best] = 1;
+    matched += patterns_.seen[i].weight;
+    agreement += patterns_.seen[i].weight * std::exp(-nearest / 2);
+    evidence_ += std::max(0.0, kPairEvidence - nearest / 2);
+    const std::size_t landmark = static_cast<std::size_t>(patterns_.near[best]);
+    pairs_.push_back({i, landmark});
+    const Vec2 by_tilt = params_.covariance ? sighting.by_tilt : Vec2(Vec2::Zero());
+    points_.push_back({.p_map = map[landmark].p_map,
+                       .p_vehicle = sighting.p_vehicle,
+                       .covariance = best_covariance - by_tilt * by_tilt.transpose(),
+                       .by_tilt = by_tilt});
+  }
+  matched_share_ = matched / all;
+  agreement_ = agreement / all;
+}
+
+}  // namespace aisle

@@ -1,0 +1,199 @@
+#include "aisle/learning/landmarks/landmark_relocation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "aisle/learning/landmarks/landmark_expectation.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr std::size_t kPromisingMax = 64;  // places whose pairs are looked at
+constexpr std::size_t kJudgedPerPicture = 4;
+constexpr std::size_t kBestMax = 4;    // that are compared picture after picture
+constexpr double kRoughSigma_m = 0.1;  // of a displacement, before its pairs settle it
+constexpr double kRoughSigma_rad = 2 * kDegree;
+constexpr double kSettledSigma_m = 0.05;  // ... and after
+constexpr double kSettledSigma_rad = 1 * kDegree;
+constexpr int kMissedLooks = 4;  // in which a landmark should be seen, and is not: it is not there
+constexpr double kSamePlace_m = 0.3;
+constexpr double kSamePlace_rad = 5 * kDegree;
+
+bool is_same_place(const Pose2& a, const Pose2& b) {
+  const Pose2 off = between(a, b);
+  return off.position().norm() < kSamePlace_m && std::abs(off.theta) < kSamePlace_rad;
+}
+
+}  // namespace
+
+void LandmarkRelocationParams::describe(FieldList& fields) {
+  fields.real("apart_m", apart_m, {0.1, 5}, "between places that are tried");
+  fields.real("window_m", window_m, {0.1, 3}, "displacements up to this are tried around each");
+  fields.angle("window_deg", window_rad, {1, 90}, "turns up to this are tried around each");
+  fields.count("places_per_picture", places_per_picture, {1, 10000}, "so many places are tried in a cycle");
+  fields.real("distinct_evidence", distinct_evidence, {0, 1000},
+              "a place must be more likely than any other by this (logarithm of the ratio)");
+  fields.real("missed_evidence", missed_evidence, {0, 10},
+              "by which a landmark that should have been seen, and was not, makes a place less likely");
+  fields.real("matched_share_min", matched_share_min, {0, 1}, "so much of what is seen must be known there");
+  fields.count("pairs_min", pairs_min, {1, 100}, "so many sightings must be known there");
+  fields.count("agreeing_pictures", agreeing_pictures, {1, 100}, "so many in a row must say the same");
+}
+
+LandmarkRelocator::LandmarkRelocator(const LandmarkRelocationParams& params,
+                                     const LandmarkLocaliserParams& matching,
+                                     const VehicleDescription& vehicle, std::vector<Pose2> T_map_tried)
+    : params_(params),
+      T_map_tried_(std::move(T_map_tried)),
+      surroundings_({.localiser = matching}, vehicle),
+      localiser_(matching, vehicle, {}),
+      matching_(matching),
+      mwght_(matching.mwght) {}
+
+void LandmarkRelocator::start() {
+  surroundings_.start();
+  rounds_ = 0;
+  begin_round();
+}
+
+void LandmarkRelocator::begin_round() {
+  tried_ = 0;
+  judged_ = 0;
+  agreed_ = 0;
+  candidates_.clear();
+}
+
+void LandmarkRelocator::predict(const OdometryReading& reading) {
+  const Pose2 before = surroundings_.T_begin_vehicle();
+  surroundings_.predict(reading);
+  const Pose2 moved = between(before, surroundings_.T_begin_vehicle());
+  for (Candidate& candidate : candidates_) candidate.T_map_vehicle = candidate.T_map_vehicle * moved;
+}
+
+std::optional<Pose2> LandmarkRelocator::look(const LandmarkMap& map,
+                                             std::span<const LandmarkSighting> picture) {
+  surroundings_.add(picture);
+  const std::vector<LandmarkSighting>& seen = surroundings_.seen();
+  if (seen.size() < static_cast<std::size_t>(params_.pairs_min)) {
+    ++rounds_;
+    return std::nullopt;
+  }
+  if (!try_places(map, seen) || !judge_candidates(map, seen)) return std::nullopt;
+  if (!best_is_distinct()) {
+    ++rounds_;
+    begin_round();
+    return std::nullopt;
+  }
+  if (++agreed_ >= params_.agreeing_pictures) return candidates_.front().T_map_vehicle;
+  for (Candidate& candidate : candidates_) judge(candidate, map, seen);
+  keep_best();
+  return std::nullopt;
+}
+
+/// @return whether all were tried with the pictures before this one
+bool LandmarkRelocator::try_places(const LandmarkMap& map, std::span<const LandmarkSighting> seen) {
+  if (tried_ == T_map_tried_.size()) return true;
+  const std::size_t end =
+      std::min(tried_ + static_cast<std::size_t>(params_.places_per_picture), T_map_tried_.size());
+  while (tried_ < end) try_place(map, T_map_tried_[tried_++], seen);
+  if (tried_ == T_map_tried_.size()) keep_promising();
+  return false;
+}
+
+void LandmarkRelocator::keep_promising() {
+  std::sort(candidates_.begin(), candidates_.end(),
+            [](const Candidate& a, const Candidate& b) { return a.value > b.value; });
+  if (candidates_.size() > kPromisingMax) candidates_.resize(kPromisingMax);
+}
+
+/// @return whether all were judged with the pictures before this one
+bool LandmarkRelocator::judge_candidates(const LandmarkMap& map, std::span<const LandmarkSighting> seen) {
+  if (judged_ == candidates_.size()) return true;
+  const std::size_t end = std::min(judged_ + kJudgedPerPicture, candidates_.size());
+  while (judged_ < end) judge(candidates_[judged_++], map, seen);
+  if (judged_ == candidates_.size()) keep_best();
+  return false;
+}
+
+/// Votes of the Hough transform are broad: wrong places come near the right one. Pairs of sightings and
+/// landmarks, with their errors and brighter sides, tell them apart.
+void LandmarkRelocator::judge(Candidate& candidate, const LandmarkMap& map,
+                              std::span<const LandmarkSighting> seen) {
+  localiser_.place(about(candidate.T_map_vehicle, kRoughSigma_m, kRoughSigma_rad));
+  candidate.evidence = 0;
+  // once to come near, once to see how well it fits there
+  if (localiser_.correct(map, seen) != LandmarkMatch::kMatched ||
+      localiser_.correct(map, seen) != LandmarkMatch::kMatched)
+    return;
+  candidate.T_map_vehicle = localiser_.pose();
+  const double missed = params_.missed_evidence * missed_landmarks(map, candidate);
+  candidate.evidence = std::max(0.0, localiser_.evidence() - missed);
+  candidate.matched_share = localiser_.matched_share();
+}
+
+/// Sure landmarks that should have been seen again and again on the way to a place, and never were.
+int LandmarkRelocator::missed_landmarks(const LandmarkMap& map, const Candidate& candidate) const {
+  struct Tally {
+    int looks = 0;
+    bool is_seen = false;
+  };
+  std::map<int, Tally> expected;
+  const Pose2 T_map_begin = candidate.T_map_vehicle * surroundings_.T_begin_vehicle().inverse();
+  for (const LandmarkSurroundings::Look& look : surroundings_.looks()) {
+    const UncertainPose2 there =
+        about(T_map_begin * look.T_begin_vehicle, kSettledSigma_m, kSettledSigma_rad);
+    for (const ExpectedLandmark& landmark :
+         expected_landmarks(map, there, look.picture, matching_.landmark_sigma_m)) {
+      Tally& tally = expected[landmark.landmark];
+      ++tally.looks;
+      tally.is_seen = tally.is_seen || landmark.is_seen;
+    }
+  }
+  for (const LandmarkPair& pair : localiser_.pairs()) expected.erase(static_cast<int>(pair.landmark));
+  return static_cast<int>(std::count_if(expected.begin(), expected.end(), [](const auto& landmark) {
+    return !landmark.second.is_seen && landmark.second.looks >= kMissedLooks;
+  }));
+}
+
+/// The most likely first, each place once.
+void LandmarkRelocator::keep_best() {
+  std::sort(candidates_.begin(), candidates_.end(),
+            [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < candidates_.size() && kept < kBestMax; ++i) {
+    const Candidate candidate = candidates_[i];
+    const bool is_known =
+        std::any_of(candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(kept),
+                    [&](const Candidate& better) {
+                      return is_same_place(better.T_map_vehicle, candidate.T_map_vehicle);
+                    });
+    if (!is_known) candidates_[kept++] = candidate;
+  }
+  candidates_.resize(kept);
+  judged_ = kept;
+}
+
+bool LandmarkRelocator::best_is_distinct() const {
+  if (candidates_.empty()) return false;
+  const Candidate& best = candidates_.front();
+  const double rival = candidates_.size() > 1 ? candidates_[1].evidence : 0;
+  return best.matched_share >= params_.matched_share_min &&
+         best.evidence - rival >= params_.distinct_evidence;
+}
+
+void LandmarkRelocator::try_place(const LandmarkMap& map, const Pose2& T_map_tried,
+                                  std::span<const LandmarkSighting> seen) {
+  const MwghtWindow window{
+      .x_half_m = params_.window_m, .y_half_m = params_.window_m, .turn_half_rad = params_.window_rad};
+  patterns_.gather(map, seen, T_map_tried, matching_.confidence_m2, window, matching_.mwght.reach_m);
+  if (patterns_.near.size() < static_cast<std::size_t>(params_.pairs_min)) return;
+  const auto match = mwght_.match(patterns_.learned, patterns_.seen, window);
+  if (!match) return;
+  candidates_.push_back({T_map_tried * match->best.displacement, match->best.value});
+  if (match->runner_up)
+    candidates_.push_back({T_map_tried * match->runner_up->displacement, match->runner_up->value});
+}
+
+}  // namespace aisle

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+
+#include "aisle/maps/landmark_map.hpp"
+#include "aisle/vision/lines/landmark_sightings.hpp"
+
+namespace aisle {
+
+/// Whether a landmark was only ever seen from the other side than a vehicle sees it from. What is flat looks
+/// the same from there; of a door frame or a corner another edge is seen, which may be a landmark of its own.
+bool is_known_from_behind(const Landmark& landmark, const Vec2& p_map_vehicle);
+
+/// The part of the surroundings in which landmarks were seen in a picture: where one was seen, another that
+/// is nearer and between the outermost ones could have been seen, too.
+class LandmarkView {
+ public:
+  explicit LandmarkView(std::span<const LandmarkSighting> sightings);
+
+  double far_m() const { return far_m_; }
+
+  /// Whether a landmark should be seen: it is in the view, and was seen from about this side before.
+  bool expects(const Landmark& landmark, const Pose2& T_map_vehicle) const;
+
+ private:
+  double far_m_ = 0;
+  double left_rad_, right_rad_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,201 @@
+#include "aisle/learning/walls/map_building.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "aisle/geometry/dominant_direction.hpp"
+#include "aisle/learning/walls/beam_fan.hpp"
+#include "aisle/learning/walls/odometry_delay.hpp"
+#include "walls/scan_mapping.hpp"
+#include "walls/wall_adjustment.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kFrameShare = 0.6;  // a scan that shows its frame so clearly witnesses the odometry delay
+constexpr double kFinalGate_m = 0.15;
+constexpr int kFinalIterations = 4;
+constexpr double kFinalSigma_m = 0.02;  // how far one scan may leave its place between the keyframes
+constexpr double kFinalSigma_rad = 1 * kDegree;
+constexpr double kFinalMargin_m = 0.3;
+
+double cpu_s() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+class MapBuilder {
+ public:
+  MapBuilder(const LaserLog& log, const MapParams& params, std::optional<double> odometry_delay_s)
+      : log_(log),
+        params_(params),
+        given_delay_s_(odometry_delay_s),
+        odometry_(log.odometry),
+        delay_(odometry_, log.scan_period_s()),
+        segmenter_(beam_fan(log.laser), params.segments),
+        mapping_(params) {}
+
+  void take_scan(std::size_t scan) {
+    segmenter_.extract(log_.scans[scan].ranges_m, seen_);
+    mapping_.step(seen_, motion_to(scan));
+    online_.push_back(mapping_.T_map_sensor());
+  }
+
+  void finish_loops() { mapping_.finish_loops(); }
+  std::vector<Pose2> after_loops() const { return mapping_.T_map_sensor_of_all(); }
+
+  /// Adjusts keyframes and walls together; returns every scan's pose carried along.
+  std::vector<Pose2> adjust(const std::vector<Pose2>& T_map_sensor) {
+    std::vector<std::size_t> scans;
+    std::vector<Pose2> keyframes;
+    for (const Keyframe& keyframe : mapping_.tracker().keyframes()) {
+      scans.push_back(keyframe.scan);
+      keyframes.push_back(T_map_sensor[keyframe.scan]);
+    }
+    WallAdjustment adjustment(mapping_.tracker().keyframes(), mapping_.segments(), keyframes,
+                              params_.tracker.motion, mapping_.is_orthogonal());
+    adjustment.run(params_.adjustment_rounds);
+    walls_ = adjustment.walls();
+    sightings_ = adjustment.sightings();
+    return carried_along(mapping_.tracked(), scans, adjustment.T_map_sensor());
+  }
+
+  /// Lays one scan onto the final walls.
+  Pose2 settle(std::size_t scan, const Pose2& T_map_sensor) {
+    const std::span<const SensedSegment> seen = mapping_.segments().of_scan(scan);
+    if (seen.empty()) return T_map_sensor;
+    Vec2 low = T_map_sensor.position(), high = low;
+    for (const SensedSegment& s : seen) {
+      for (const Vec2& end : {T_map_sensor * s.segment.start, T_map_sensor * s.segment.end}) {
+        low = low.cwiseMin(end);
+        high = high.cwiseMax(end);
+      }
+    }
+    index_.query(low, high, kFinalMargin_m, near_);
+    const Vec3 sigma(kFinalSigma_m, kFinalSigma_m, kFinalSigma_rad);
+    const PosePrior prior{T_map_sensor, sigma.cwiseAbs2().cwiseInverse().asDiagonal()};
+    return final_aligner_.align(seen, walls_, near_, prior, kFinalGate_m, kFinalIterations).T_map_sensor;
+  }
+
+  void index_walls() {
+    for (std::size_t w = 0; w < walls_.size(); ++w) index_.add(walls_[w].segment(), static_cast<int>(w));
+  }
+
+  std::vector<Pose2> of_vehicle(std::vector<Pose2> T_map_sensor) const {
+    const Pose2 T_sensor_vehicle = log_.laser.T_vehicle_laser.inverse();
+    for (Pose2& pose : T_map_sensor) pose = pose * T_sensor_vehicle;
+    return T_map_sensor;
+  }
+
+  MapResult result() const {
+    MapResult result;
+    result.T_map_vehicle_online = of_vehicle(online_);
+    result.path_m = mapping_.tracker().path_m();
+    result.odometry_delay_s = delay_s();
+    for (const LoopClosure& closure : mapping_.loops().closures()) {
+      const auto scan = [&](std::size_t submap) {
+        return mapping_.tracker().keyframes()[mapping_.loops().submaps()[submap].anchor_keyframe].scan;
+      };
+      result.loop_closures.emplace_back(scan(closure.older), scan(closure.newer));
+    }
+    result.has_dominant_direction = mapping_.is_orthogonal() && mapping_.shows_axes();
+    return result;
+  }
+
+  WallMap draw(const std::vector<Pose2>& T_map_sensor) const {
+    std::vector<PlacedScan> scans;
+    for (const Keyframe& keyframe : mapping_.tracker().keyframes()) {
+      scans.push_back({T_map_sensor[keyframe.scan], keyframe.path_m, &log_.scans[keyframe.scan]});
+    }
+    return draw_walls(walls_, sightings_, scans, log_.laser, params_.drawn_length_m, params_.drawn_sightings);
+  }
+
+  const std::vector<Pose2>& tracked() const { return mapping_.tracked(); }
+
+  /// Walls learned so far: the tracker's, until they are adjusted.
+  std::size_t wall_count() const { return walls_.empty() ? mapping_.tracker().wall_count() : walls_.size(); }
+
+ private:
+  double delay_s() const { return given_delay_s_.value_or(delay_.delay_s()); }
+
+  /// The sensor's motion from the scan before to this one, by odometry at the times that the delay says.
+  Pose2 motion_to(std::size_t scan) {
+    const LaserScan& now = log_.scans[scan];
+    const auto frame = dominant_direction(seen_);
+    const bool clear = frame && frame->share > kFrameShare;
+    delay_.add(now.time_s, now.odometry_known, clear ? std::optional(frame->heading_rad) : std::nullopt);
+    if (scan == 0) return {};
+    const auto sensor_at = [&](double time_s) {
+      return odometry_.at(time_s - delay_s(), now.odometry_known) * log_.laser.T_vehicle_laser;
+    };
+    return between(sensor_at(log_.scans[scan - 1].time_s), sensor_at(now.time_s));
+  }
+
+  const LaserLog& log_;
+  const MapParams& params_;
+  std::optional<double> given_delay_s_;
+  OdometryTrack odometry_;
+  OdometryDelayEstimator delay_;
+  RangeSegmenter segmenter_;
+  ScanMapping mapping_;
+  std::vector<SensedSegment> seen_;
+  std::vector<Pose2> online_;
+  std::vector<WallEstimate> walls_;
+  std::vector<WallSighting> sightings_;
+  CellIndex index_;
+  std::vector<int> near_;
+  PoseAligner final_aligner_{AlignmentParams{.sightings_for_full_weight = 1}};
+};
+
+}  // namespace
+
+void MapParams::describe(FieldList& fields) {
+  fields.group("segments", segments);
+  fields.group("tracker", tracker);
+  fields.group("loops", loops);
+  fields.real(
+      "dominant_share_min", dominant_share_min, {0, 1},
+      "share of the scans whose walls must give a heading, or the building has no dominant direction");
+  fields.count("adjustment_rounds", adjustment_rounds, {0, 20},
+               "rounds of adjusting keyframes and walls together");
+  fields.real("drawn_length_m", drawn_length_m, {0, 10}, "shorter walls are not written");
+  fields.count("drawn_sightings", drawn_sightings, {1, 1000},
+               "walls seen on fewer legs of half a metre of way are not written");
+}
+
+MapResult build_map(const LaserLog& log, const MapParams& params, std::optional<double> odometry_delay_s,
+                    bool keep_stages, Progress& progress) {
+  const double start_s = cpu_s();
+  std::vector<MapStage> stages;
+  MapBuilder builder(log, params, odometry_delay_s);
+  const auto keep = [&](const char* name, const std::vector<Pose2>& T_map_sensor) {
+    if (!keep_stages) return;
+    stages.push_back({name, builder.of_vehicle(T_map_sensor), builder.wall_count(), cpu_s() - start_s});
+  };
+
+  const std::size_t scans = log.scans.size();
+  for (std::size_t scan = 0; scan < scans; ++scan) {
+    builder.take_scan(scan);
+    progress.report("tracking", scan + 1, scans);
+  }
+  keep("tracked", builder.tracked());
+  builder.finish_loops();
+  std::vector<Pose2> T_map_sensor = builder.after_loops();
+  keep("loops closed", T_map_sensor);
+  T_map_sensor = builder.adjust(T_map_sensor);
+  keep("walls adjusted", T_map_sensor);
+  builder.index_walls();
+  for (std::size_t scan = 0; scan < scans; ++scan) {
+    T_map_sensor[scan] = builder.settle(scan, T_map_sensor[scan]);
+    progress.report("settling", scan + 1, scans);
+  }
+  keep("every scan settled", T_map_sensor);
+
+  MapResult result = builder.result();
+  result.walls = builder.draw(T_map_sensor);
+  result.T_map_vehicle = builder.of_vehicle(std::move(T_map_sensor));
+  result.stages = std::move(stages);
+  return result;
+}
+
+}  // namespace aisle

@@ -1,0 +1,152 @@
+#include "aisle/learning/walls/scan_tracker.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+
+#include "aisle/core/square.hpp"
+#include "aisle/geometry/dominant_direction.hpp"
+#include "aisle/learning/walls/wall_heading.hpp"
+#include "walls/relocation.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kAxesShare = 0.5;    // of the first scan's walls on one frame that gives the axes
+constexpr double kStartSigma = 1e-3;  // [m, rad]: the first pose is the frame
+constexpr int kAlignmentIterations = 6;
+constexpr double kDoubtful = 0.7;     // less of the seen length fits: the odometry may be wrong
+constexpr double kDoubtful_m = 0.03;  // after a motion of at least this
+constexpr double kClearlyBetter = 0.15;
+constexpr double kSlightlyBetter = 0.02;
+constexpr double kRelocationSeen_m = 2;  // with less wall in sight a guess is worse than none
+constexpr double kRelocatedPoseSigma_m = 0.05;
+constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
+
+}  // namespace
+
+void TrackerParams::describe(FieldList& fields) {
+  fields.group("motion", motion);
+  fields.real("gate_m", gate_m, {0.02, 2}, "a segment farther from a wall is not matched with it");
+  fields.real("same_wall_m", same_wall_m, {0.01, 1}, "a segment farther across than this is another wall");
+  fields.real("window_m", window_m, {2, 500}, "walls not seen for so long a way are left to loop closing");
+  fields.real("unconfirmed_m", unconfirmed_m, {0, 500}, "a wall seen only once is forgotten after this way");
+  fields.real("keyframe_m", keyframe_m, {0.02, 5}, "a scan is learned after so long a way");
+  fields.angle("keyframe_deg", keyframe_rad, {1, 90}, "or after so much turning");
+  fields.real("lost_share", lost_share, {0, 1},
+              "with less of the seen length fitting the walls the pose is looked for anew");
+  fields.real("relocation_reach_m", relocation_reach_m, {0.1, 10},
+              "how far from the predicted pose it is looked for");
+}
+
+ScanTracker::ScanTracker(const TrackerParams& params)
+    : params_(params), update_{.gate_m = params.same_wall_m}, aligner_(AlignmentParams{}) {}
+
+Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal) {
+  if (orthogonal_ && !orthogonal) trust_oblique_walls();
+  Mat3 wall_information = Mat3::Zero();
+  if (scan_ == 0) {
+    const auto frame = dominant_direction(segments);
+    T_track_sensor_ = {{0, 0, frame ? -frame->heading_rad : 0}, square(kStartSigma) * Mat3::Identity()};
+    if (frame && frame->share > kAxesShare) ++headings_used_;
+  } else {
+    predict(T_last_now);
+    if (orthogonal) correct_heading(segments);
+    const Alignment alignment = lay_onto_walls(segments);
+    wall_information = alignment.wall_information;
+    if (alignment.seen_m > kRelocationSeen_m && alignment.fitting_share() < params_.lost_share) {
+      relocated_ |= relocate(segments);
+    }
+  }
+  if (keyframe_is_due()) learn(segments, wall_information);
+  ++scan_;
+  return T_track_sensor_.mean;
+}
+
+/// Without axes there is nothing better than walls as they are.
+void ScanTracker::trust_oblique_walls() {
+  orthogonal_ = false;
+  update_.axis_tolerance_rad = -1;
+  aligner_ = PoseAligner(AlignmentParams::without_axes());
+}
+
+void ScanTracker::predict(const Pose2& T_last_now) {
+  path_m_ += std::hypot(T_last_now.x, T_last_now.y);
+  T_track_last_ = T_track_sensor_.mean;
+  motion_ = T_last_now;
+  T_track_sensor_ = T_track_sensor_ * UncertainPose2{motion_, params_.motion.covariance(motion_)};
+}
+
+void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
+  Pose2& pose = T_track_sensor_.mean;
+  Mat3& covariance = T_track_sensor_.covariance;
+  const auto measured = heading_from_walls(segments, pose.theta, std::sqrt(covariance(2, 2)));
+  if (!measured) return;
+  const Vec3 gain = covariance.col(2) / (covariance(2, 2) + square(measured->sigma_rad));
+  const Vec3 correction = gain * wrap_angle(measured->heading_rad - pose.theta);
+  pose = {pose.x + correction(0), pose.y + correction(1), wrap_angle(pose.theta + correction(2))};
+  covariance -= gain * covariance.row(2).eval();
+  covariance = (0.5 * (covariance + covariance.transpose())).eval();
+  ++headings_used_;
+}
+
+/// Lays the scan onto the walls from where odometry puts it. Wheels may count backwards driving forwards, or
+/// turn while the vehicle stands: where the scan does not fit, those are tried as well. Counting backwards is
+/// believed as long as every scan speaks for it.
+Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
+  const Vec2 counted_m = motion_.position();
+  Alignment best = lay_from(segments, counted_m);
+  if (counted_m.norm() < kDoubtful_m) {
+    counts_backwards_ = false;
+  } else if (counts_backwards_ || best.fitting_share() < kDoubtful) {
+    const double needed = best.fitting_share() + (counts_backwards_ ? kSlightlyBetter : kClearlyBetter);
+    const Alignment mirrored = lay_from(segments, -counted_m);
+    const Alignment standing = lay_from(segments, Vec2::Zero());
+    counts_backwards_ = mirrored.fitting_share() > needed;
+    if (counts_backwards_) best = mirrored;
+    if (standing.fitting_share() > best.fitting_share() + kClearlyBetter) best = standing;
+  }
+  const Mat3 prior_information = T_track_sensor_.covariance.inverse();
+  T_track_sensor_ = {best.T_map_sensor, (prior_information + best.wall_information).inverse()};
+  return best;
+}
+
+Alignment ScanTracker::lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m) {
+  const Vec2 counted = T_track_last_ * motion_.position(), assumed = T_track_last_ * motion_m;
+  const Pose2& predicted = T_track_sensor_.mean;
+  const PosePrior prior{
+      {predicted.x + assumed.x() - counted.x(), predicted.y + assumed.y() - counted.y(), predicted.theta},
+      T_track_sensor_.covariance.inverse()};
+  return aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
+}
+
+bool ScanTracker::relocate(std::span<const SensedSegment> segments) {
+  const auto found = find_pose_near(T_track_sensor_.mean, segments, walls_, window_, path_m_,
+                                    params_.relocation_reach_m, aligner_);
+  if (!found) return false;
+  const Vec3 sigma(kRelocatedPoseSigma_m, kRelocatedPoseSigma_m, kRelocatedPoseSigma_rad);
+  T_track_sensor_ = {*found, sigma.cwiseAbs2().asDiagonal()};
+  return true;
+}
+
+bool ScanTracker::keyframe_is_due() const {
+  if (keyframes_.empty()) return true;
+  const Keyframe& last = keyframes_.back();
+  return path_m_ - last.path_m > params_.keyframe_m ||
+         std::abs(wrap_angle(T_track_sensor_.mean.theta - last.T_track_sensor.theta)) > params_.keyframe_rad;
+}
+
+void ScanTracker::learn(std::span<const SensedSegment> segments, const Mat3& wall_information) {
+  keyframes_.push_back({scan_, T_track_sensor_.mean, path_m_, wall_information, relocated_});
+  relocated_ = false;
+  for (const SensedSegment& s : segments) {
+    absorb(PlacedSegment(s, T_track_sensor_.mean), path_m_, update_, walls_, window_);
+  }
+  std::erase_if(window_, [&](int index) {
+    const WallEstimate& wall = walls_[static_cast<std::size_t>(index)];
+    const double unseen_m = path_m_ - wall.last_seen_m;
+    return unseen_m > params_.window_m || (wall.sightings == 1 && unseen_m > params_.unconfirmed_m);
+  });
+}
+
+}  // namespace aisle

@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/learning/landmarks/landmark_expectation.hpp"
+#include "corridor_trip.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kPlaceSigma_m = 0.02;
+
+struct LandmarkExpectation {
+  int expected = 0, seen = 0;
+};
+
+/// What a vehicle that believes to be at (5, 0) makes of the picture that it sees from `truth`.
+LandmarkExpectation expectation_from(const Pose2& truth, const SightNoise& noise, double believed_sigma_m) {
+  Random random(2);
+  const std::vector<CorridorLine> lines = corridor_lines(25, random);
+  LandmarkExpectation expectation;
+  for (const ExpectedLandmark& landmark :
+       expected_landmarks(map_of(lines), about({5, 0, 0}, believed_sigma_m, 0.1 * kDegree),
+                          sightings_from(lines, truth, noise, &random), kPlaceSigma_m)) {
+    ++expectation.expected;
+    if (landmark.is_seen) ++expectation.seen;
+  }
+  return expectation;
+}
+
+TEST(LandmarkExpectation, WhereTheVehicleIsNearlyAllIsSeen) {
+  const LandmarkExpectation here = expectation_from({5, 0, 0}, {.unseen = 0}, 0.01);
+  EXPECT_GE(here.expected, 5);
+  EXPECT_GE(here.seen, here.expected * 3 / 4);
+}
+
+TEST(LandmarkExpectation, WhatElseIsSeenDoesNotCount) {
+  const LandmarkExpectation plain = expectation_from({5, 0, 0}, {.unseen = 0}, 0.01);
+  const LandmarkExpectation grainy = expectation_from({5, 0, 0}, {.unseen = 0, .grain = 30}, 0.01);
+  EXPECT_GE(grainy.seen, plain.seen);
+  EXPECT_LE(grainy.expected, plain.expected + 3) << "of a view that reaches somewhat farther";
+}
+
+TEST(LandmarkExpectation, ElsewhereHardlyAnythingIsSeen) {
+  const LandmarkExpectation elsewhere = expectation_from({10.2, 0.1, 0}, {.unseen = 0}, 0.01);
+  EXPECT_GE(elsewhere.expected, 5);
+  EXPECT_LE(elsewhere.seen, 1);
+}
+
+TEST(LandmarkExpectation, AnUnsurePoseExcusesWhatIsOff) {
+  const Pose2 aside{5, 0.2, 0};
+  EXPECT_LE(expectation_from(aside, {.unseen = 0}, 0.01).seen, 1);
+  const LandmarkExpectation unsure = expectation_from(aside, {.unseen = 0}, 0.2);
+  EXPECT_GE(unsure.seen, unsure.expected * 3 / 4);
+}
+
+}  // namespace
+}  // namespace aisle

@@ -1,0 +1,183 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "aisle/learning/landmarks/landmark_relocation.hpp"
+#include "corridor_trip.hpp"
+#include "pose_matchers.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr SightNoise kRelocationNoise;
+
+/// Along the corridor's middle, both ways round.
+std::vector<Pose2> places(double length_m) {
+  std::vector<Pose2> tried;
+  for (double x = 0; x <= length_m; x += 0.8) {
+    tried.push_back({x, 0, 0});
+    tried.push_back({x, 0, kPi});
+  }
+  return tried;
+}
+
+/// What it makes of picture after picture from one place, within a few seconds.
+std::optional<Pose2> look(LandmarkRelocator& relocator, const LandmarkMap& map,
+                          const std::vector<CorridorLine>& lines, const Pose2& truth,
+                          Random* random = nullptr) {
+  constexpr int kPictures = 40;
+  relocator.start();
+  std::optional<Pose2> found;
+  for (int i = 0; i < kPictures && !found; ++i)
+    found = relocator.look(map, sightings_from(lines, truth, kRelocationNoise, random));
+  return found;
+}
+
+TEST(LandmarkRelocation, FindsItselfInAPatternThatIsUniqueWhereverItStands) {
+  Random random(2);
+  const std::vector<CorridorLine> lines = corridor_lines(25, random);
+  const LandmarkMap map = map_of(lines);
+  LandmarkRelocator relocator({}, {}, corridor_cart(), places(22));
+  int found = 0;
+  constexpr int kTrials = 20;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Pose2 truth{random.uniform(1, 18), random.uniform(-0.3, 0.3), random.uniform(-8, 8) * kDegree};
+    const auto answer = look(relocator, map, lines, truth, &random);
+    if (!answer) continue;
+    ++found;
+    EXPECT_THAT(*answer, PoseNear(truth, 0.15, 2 * kDegree)) << trial;
+  }
+  EXPECT_GE(found, kTrials * 3 / 4);
+}
+
+TEST(LandmarkRelocation, DoesNotGuessInAPatternThatRepeatsItself) {
+  Random random(3);
+  const std::vector<CorridorLine> period = corridor_lines(6, random);
+  std::vector<CorridorLine> lines;
+  for (int copy = 0; copy < 5; ++copy) {
+    for (const CorridorLine& line : period)
+      lines.push_back({line.p_map + Vec2(6.5 * copy, 0), line.brighter_right});
+  }
+  LandmarkRelocator relocator({}, {}, corridor_cart(), places(30));
+  for (const double x : {8.0, 12.0, 15.5})
+    EXPECT_EQ(look(relocator, map_of(lines), lines, {x, 0, 0}), std::nullopt) << x;
+}
+
+TEST(LandmarkRelocation, DoesNotGuessFromFewSightings) {
+  Random random(4);
+  const std::vector<CorridorLine> lines = corridor_lines(25, random);
+  std::vector<LandmarkSighting> few = sightings_from(lines, {5, 0, 0}, kRelocationNoise);
+  few.resize(3);
+  LandmarkRelocator relocator({}, {}, corridor_cart(), places(22));
+  for (int i = 0; i < 40; ++i) {
+    EXPECT_EQ(relocator.look(map_of(lines), few), std::nullopt);
+    EXPECT_EQ(relocator.look(map_of(lines), {}), std::nullopt);
+  }
+}
+
+TEST(LandmarkRelocation, DoesNotFindItselfInAnotherBuilding) {
+  Random random(6);
+  for (int trial = 0; trial < 10; ++trial) {
+    const std::vector<CorridorLine> here = corridor_lines(25, random), elsewhere = corridor_lines(25, random);
+    LandmarkRelocator relocator({}, {}, corridor_cart(), places(22));
+    EXPECT_EQ(look(relocator, map_of(elsewhere), here, {9, 0, 0}), std::nullopt);
+  }
+}
+
+TEST(LandmarkRelocation, FindsNothingInAnEmptyMap) {
+  Random random(5);
+  LandmarkRelocator relocator({}, {}, corridor_cart(), places(22));
+  EXPECT_EQ(look(relocator, {}, corridor_lines(25, random), {5, 0, 0}), std::nullopt);
+}
+
+TEST(LandmarkRelocation, ForgetsWhatItSawElsewhere) {
+  Random random(7);
+  const std::vector<CorridorLine> lines = corridor_lines(25, random);
+  const LandmarkMap map = map_of(lines);
+  LandmarkRelocator relocator({}, {}, corridor_cart(), places(22));
+  for (const double x : {4.0, 12.0}) {
+    const auto answer = look(relocator, map, lines, {x, 0, 0});
+    ASSERT_TRUE(answer) << x;
+    EXPECT_THAT(*answer, PoseNear(Pose2{x, 0, 0}, 0.15, 2 * kDegree));
+  }
+}
+
+// Two thousand places away from all landmarks cost next to nothing, but pictures pass until they were tried.
+TEST(LandmarkRelocation, TriesSoManyPlacesAPictureAndNoMore) {
+  Random random(8);
+  const std::vector<CorridorLine> lines = corridor_lines(25, random);
+  const LandmarkMap map = map_of(lines);
+  std::vector<Pose2> tried = places(22);
+  for (int i = 0; i < 2000; ++i) tried.push_back({100.0 + i, 0, 0});
+  const LandmarkRelocationParams params;
+  LandmarkRelocator relocator(params, {}, corridor_cart(), tried);
+  const std::size_t pictures_to_try_all =
+      (tried.size() - 1) / static_cast<std::size_t>(params.places_per_picture) + 1;
+  for (std::size_t i = 0; i < pictures_to_try_all; ++i)
+    ASSERT_EQ(relocator.look(map, sightings_from(lines, {9, 0, 0}, kRelocationNoise)), std::nullopt) << i;
+  EXPECT_EQ(relocator.rounds(), 2) << "pictures until it had seen things often enough";
+  std::optional<Pose2> found;
+  for (int i = 0; i < 40 && !found; ++i)
+    found = relocator.look(map, sightings_from(lines, {9, 0, 0}, kRelocationNoise));
+  EXPECT_TRUE(found);
+}
+
+// Where one picture shows too little, a few metres of way show enough.
+TEST(LandmarkRelocation, FindsItselfOnTheWay) {
+  Random random(9);
+  const std::vector<CorridorLine> lines = corridor_lines(25, random);
+  const LandmarkMap map = map_of(lines);
+  LandmarkRelocator relocator({}, {}, corridor_cart(), places(22));
+  relocator.start();
+  constexpr double kStep_m = 0.03;
+  Pose2 truth{6, 0.1, 0.03};
+  std::optional<Pose2> found;
+  for (int i = 0; i < 130 && !found; ++i) {
+    truth = truth * Pose2{kStep_m, 0, 0};
+    relocator.predict(FrontSteeredMotion{.distance_m = kStep_m});
+    std::vector<LandmarkSighting> few = sightings_from(lines, truth, kRelocationNoise, &random);
+    few.resize(std::min<std::size_t>(few.size(), 3));
+    found = relocator.look(map, few);
+  }
+  ASSERT_TRUE(found);
+  EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
+}
+
+/// What it makes of pictures on a way of some metres.
+std::optional<Pose2> look_on_the_way(LandmarkRelocator& relocator, const LandmarkMap& map,
+                                     const std::vector<CorridorLine>& lines, Pose2& truth) {
+  constexpr double kStep_m = 0.03;
+  Random random(9);
+  relocator.start();
+  std::optional<Pose2> found;
+  for (int i = 0; i < 100 && !found; ++i) {
+    truth = truth * Pose2{kStep_m, 0, 0};
+    relocator.predict(FrontSteeredMotion{.distance_m = kStep_m});
+    found = relocator.look(map, sightings_from(lines, truth, kRelocationNoise, &random));
+  }
+  return found;
+}
+
+// All that is seen is known at another place, too; but there more should be seen.
+TEST(LandmarkRelocation, WhatIsMissedTellsPlacesApart) {
+  constexpr double kApart_m = 16;
+  Random random(10);
+  const std::vector<CorridorLine> here = corridor_lines(9, random);
+  std::vector<CorridorLine> lines = here;
+  for (const CorridorLine& line : here)
+    lines.push_back({line.p_map + Vec2(kApart_m, 0), line.brighter_right});
+  for (int i = 0; i < 6; ++i) lines.push_back({{kApart_m + 2 + i, i % 2 == 0 ? 0.8 : -0.8}, i % 3 == 0});
+  const LandmarkMap map = map_of(lines);
+  Pose2 truth{0.2, 0.1, 0.02};
+  LandmarkRelocator blind({.missed_evidence = 0}, {}, corridor_cart(), places(26));
+  EXPECT_EQ(look_on_the_way(blind, map, lines, truth), std::nullopt);
+  truth = {0.2, 0.1, 0.02};
+  LandmarkRelocator relocator({}, {}, corridor_cart(), places(26));
+  const auto found = look_on_the_way(relocator, map, lines, truth);
+  ASSERT_TRUE(found);
+  EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
+}
+
+}  // namespace
+}  // namespace aisle

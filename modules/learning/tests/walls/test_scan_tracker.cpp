@@ -1,0 +1,87 @@
+#include <gmock/gmock.h>
+
+#include "aisle/learning/walls/scan_tracker.hpp"
+#include "pose_matchers.hpp"
+
+namespace aisle {
+namespace {
+
+/// What is seen of a room of 8 x 5 m with a cupboard, all of it at once.
+std::vector<SensedSegment> view_from(const Pose2& T_room_sensor) {
+  const std::vector<Segment2> walls = {{{-4, -2}, {4, -2}}, {{4, -2}, {4, 3}},   {{4, 3}, {-4, 3}},
+                                       {{-4, 3}, {-4, -2}}, {{1, 2}, {2, 2}},    {{2, 2}, {2, 3}},
+                                       {{1, 3}, {1, 2}},    {{-2, -2}, {-2, -1}}};
+  std::vector<SensedSegment> view;
+  for (const Segment2& wall : walls) {
+    SensedSegment s;
+    s.segment = T_room_sensor.inverse() * wall;
+    s.centroid = s.segment.midpoint();
+    s.heading_rad = s.segment.heading();
+    s.length_m = s.segment.length();
+    s.sigma_offset_m = 0.01;
+    s.sigma_heading_rad = 0.01;
+    view.push_back(s);
+  }
+  return view;
+}
+
+/// Follows a drive whose odometry is the true motion changed by `odometry`; returns the last pose in the
+/// room.
+template <class Odometry>
+Pose2 follow(const std::vector<Pose2>& drive, Odometry odometry, bool orthogonal = true) {
+  ScanTracker tracker(TrackerParams{});
+  Pose2 T_track_first, T_track_last;
+  for (std::size_t i = 0; i < drive.size(); ++i) {
+    const Pose2 moved = i > 0 ? odometry(between(drive[i - 1], drive[i])) : Pose2{};
+    T_track_last = tracker.step(view_from(drive[i]), moved, orthogonal);
+    if (i == 0) T_track_first = T_track_last;
+  }
+  return drive.front() * between(T_track_first, T_track_last);
+}
+
+std::vector<Pose2> curve() {
+  std::vector<Pose2> drive;
+  for (int i = 0; i <= 30; ++i) drive.push_back({-1.5 + 0.08 * i, -0.5, 0.1 + 0.01 * i});
+  return drive;
+}
+
+TEST(ScanTracker, FollowsADriveThroughARoomDespitePoorOdometry) {
+  const Pose2 last = follow(curve(), [](Pose2 motion) {
+    return Pose2{1.2 * motion.x, motion.y + 0.01, motion.theta + 0.01};
+  });
+  EXPECT_THAT(last, PoseNear(curve().back(), 0.02, 0.01));
+}
+
+TEST(ScanTracker, FollowsWhereWheelsCountBackwards) {
+  const Pose2 last = follow(curve(), [](Pose2 motion) { return Pose2{-motion.x, -motion.y, motion.theta}; });
+  EXPECT_THAT(last, PoseNear(curve().back(), 0.02, 0.01));
+}
+
+TEST(ScanTracker, StandsWhereOnlyTheWheelsTurn) {
+  const std::vector<Pose2> standing(30, Pose2{0.5, 0.3, 0.2});
+  const Pose2 last = follow(standing, [](Pose2) { return Pose2{0.12, 0, 0}; });  // 3.5 m in all
+  EXPECT_THAT(last, PoseNear(standing.back(), 0.06, 0.01));
+}
+
+TEST(ScanTracker, NeedsNoAxes) {
+  const Pose2 last = follow(
+      curve(),
+      [](Pose2 motion) {
+        return Pose2{1.1 * motion.x, motion.y, motion.theta};
+      },
+      false);
+  EXPECT_THAT(last, PoseNear(curve().back(), 0.02, 0.01));
+}
+
+TEST(ScanTracker, WithNothingInSightItKeepsToTheOdometry) {
+  ScanTracker tracker(TrackerParams{});
+  tracker.step({}, {}, true);
+  Pose2 last;
+  for (int i = 0; i < 10; ++i) last = tracker.step({}, {0.1, 0, 0.05}, true);
+  Pose2 expected;
+  for (int i = 0; i < 10; ++i) expected = expected * Pose2{0.1, 0, 0.05};
+  EXPECT_THAT(last, PoseNear(expected, 1e-9, 1e-9));
+}
+
+}  // namespace
+}  // namespace aisle

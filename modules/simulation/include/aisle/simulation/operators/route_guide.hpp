@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "aisle/simulation/operators/scripted_operator.hpp"
+
+namespace aisle {
+
+/// The route of a world by its name; nullptr: there is none.
+const TaughtWay* route_of(const World& world, const std::string& name);
+
+/// Where a vehicle stands that is to be shown a route: at its start, facing along it.
+Pose2 start_of(const TaughtWay& route);
+
+/// What a person shows of a taught place, beside the way to it.
+enum class ShownViews {
+  kTrail,   ///< nothing more
+  kPattern  ///< views from about it, as L96 Algorithm 3 asks for
+};
+
+/// Drives a vehicle along a route of its world, and says where its turnings begin and end and how to park at
+/// the end (L96 Algorithm 1). To show views of a taught place, it then goes to and fro about it, forwards on
+/// the lanes of the pattern (maps/view_pattern.hpp) and backwards from lane to lane; lanes without room are
+/// left out.
+class RouteGuide final : public Operator {
+ public:
+  /// @param route  of the world
+  RouteGuide(const World& world, const TaughtWay& route, const VehicleDescription& vehicle,
+             const ScriptedOperatorParams& params, std::uint64_t seed, ShownViews views = ShownViews::kTrail);
+
+  OperatorInput look(const OperatorView& view) override;
+  bool has_arrived() const { return has_shown_way_; }
+
+ private:
+  struct TurningMark {
+    double along_m = 0;
+    Mark mark;
+  };
+
+  TaughtWay route_;
+  std::vector<Vec2> about_place_;  ///< where it turns back, after the way
+  ScriptedOperator driver_;
+  bool has_shown_way_ = false;
+  std::vector<TurningMark> marks_;  ///< not yet made, in order
+  double along_m_ = 0;
+};
+
+}  // namespace aisle

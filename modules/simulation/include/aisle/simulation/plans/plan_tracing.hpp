@@ -1,0 +1,31 @@
+#pragma once
+/// Clean walls from a plan of cells: a straight wall becomes one straight piece, though its border in the
+/// plan is a flight of steps.
+
+#include <vector>
+
+#include "aisle/core/progress.hpp"
+#include "aisle/geometry/segment2.hpp"
+#include "aisle/simulation/plans/floor_plan.hpp"
+
+namespace aisle {
+
+struct PlanTracingParams {
+  double tolerance_cells =
+      1;  ///< of a straight wall against the middles of the cells' sides that it stands for
+};
+
+/// Makes free what is solid and fits into a square of this side, and solid the free areas that no larger
+/// square fits into. Removes the outside of the building: free areas that reach the plan's border become
+/// solid if they take more than half of that border, or if an enclosed free area is larger than they are
+/// together.
+void clean_plan(FloorPlan& plan, double speck_m);
+
+/// The borders between free and solid cells as closed polygons, free on the left, in the frame `world`. Every
+/// polygon has as few corners as the tolerance allows; pieces that may be parallel to the axes of the plan,
+/// or to the direction that most of its walls have, are exactly so. Solid cells that touch at a corner hang
+/// together.
+/// @return pieces of each polygon in order, each starting where the one before ends
+std::vector<Segment2> trace_plan(const FloorPlan& plan, const PlanTracingParams& params, Progress& progress);
+
+}  // namespace aisle

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "aisle/core/random.hpp"
+#include "aisle/simulation/moving_bodies.hpp"
+#include "aisle/simulation/obstacles.hpp"
+#include "aisle/simulation/operators/operator.hpp"
+#include "aisle/simulation/scenario_play.hpp"
+#include "aisle/simulation/vehicle/range_scanner.hpp"
+#include "aisle/simulation/vehicle/vehicle_dynamics.hpp"
+#include "aisle/simulation/vehicle/vehicle_model.hpp"
+#include "aisle/simulation/vehicle/wheel_odometry.hpp"
+#include "aisle/simulation/world.hpp"
+#include "aisle/vehicle/vehicle.hpp"
+
+namespace aisle {
+
+/// Where a world says that a vehicle is set down: its start, else its tour's start, facing along it.
+std::optional<Pose2> start_pose(const World& world);
+
+class VehicleEyes;
+
+struct SimulationOptions {
+  std::uint64_t seed = 1;  ///< of all noise
+  Pose2 T_world_start;
+  bool takes_pictures = true;
+};
+
+/// What really happened so far: for evaluation and for looking on, never for the vehicle.
+struct SimulatedTruth {
+  double stamp_s = 0;
+  Pose2 T_world_vehicle;
+  double speed_mps = 0;  ///< of base_link, forwards
+  double turn_rate_rad_s = 0;
+  double way_m = 0;            ///< that base_link has gone, forwards and backwards
+  std::size_t collisions = 0;  ///< how often it has driven against something
+};
+
+/// Whether a vehicle standing there touches nothing of the world.
+bool fits(const World& world, const Footprint& footprint, const Pose2& T_world_vehicle);
+
+/// A vehicle in a world. Time goes on only in sense(), a cycle a call, in fixed small steps; each sensor
+/// draws its noise from a stream of its own, so that a fault in one leaves the others as they are.
+class SimulatedVehicle final : public Vehicle {
+ public:
+  /// @param driver  whoever drives by hand; null: nobody. Must outlive the vehicle
+  SimulatedVehicle(const World& world, const VehicleModel& model, const Scenario& scenario,
+                   const SimulationOptions& options, Operator* driver = nullptr);
+  ~SimulatedVehicle() override;
+
+  const VehicleDescription& description() const override { return model_.description; }
+  std::optional<Observation> sense() override;
+  void act(const Command& command) override;
+
+  const SimulatedTruth& truth() const { return truth_; }
+  /// What moves besides the vehicle.
+  std::span<const MovingBody> bodies() const { return bodies_.all(); }
+
+ private:
+  void step(double time_s);
+  void drive(double time_s);
+  void move(const Travel& travel, const Arc& way, double time_s);
+  void feel_bumper(double free_share);
+  void lift_if_told();
+  Command commanded() const;
+  std::optional<RangeScan> scan();
+  OperatorView view();
+
+  VehicleModel model_;
+  ScenarioPlay play_;
+  Operator* driver_;
+  VehicleDynamics dynamics_;
+  Random seeds_;  ///< of the streams below
+  WheelOdometry odometry_;
+  Random slip_random_;
+  std::optional<RangeScanner> scanner_;
+  Random scanner_random_;
+  std::unique_ptr<VehicleEyes> eyes_;
+  Obstacles obstacles_;
+  MovingBodies bodies_;
+  SimulatedTruth truth_;
+  Command command_;
+  double command_stamp_s_ = 0;
+  std::optional<Pose2> T_world_contact_;  ///< where the bumper was pressed, until the vehicle leaves it
+  std::set<std::size_t> lifts_done_;
+  long steps_ = 0;
+};
+
+}  // namespace aisle

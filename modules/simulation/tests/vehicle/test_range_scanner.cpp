@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/simulation/vehicle/range_scanner.hpp"
+
+namespace aisle {
+namespace {
+
+using testing::Each;
+using testing::FloatNear;
+
+/// 4 m x 4 m round the origin.
+World square_room() {
+  World world{.name = "square room"};
+  for (const Segment2& foot : {Segment2{{2, -2}, {2, 2}}, Segment2{{2, 2}, {-2, 2}},
+                               Segment2{{-2, 2}, {-2, -2}}, Segment2{{-2, -2}, {2, -2}}}) {
+    world.walls.push_back({.foot = foot});
+  }
+  return world;
+}
+
+RangeScannerParams without_faults() {
+  RangeScannerParams params;
+  params.sensor.noise_sigma_m = 0;
+  params.sensor.dropped_share = 0;
+  return params;
+}
+
+TEST(RangeScanner, MeasuresASquareRoomFromItsCentre) {
+  const RangeScanner scanner(square_room(), without_faults());
+  Random random(1);
+  const std::vector<float> ranges_m = scanner.scan({0, 0, 0}, random);
+  ASSERT_EQ(ranges_m.size(), 180u);
+  EXPECT_FLOAT_EQ(ranges_m[0], 2);        // right
+  EXPECT_FLOAT_EQ(ranges_m[45], 2.83F);   // the corner, rounded to 1 cm
+  EXPECT_FLOAT_EQ(ranges_m[90], 2);       // ahead
+  EXPECT_FLOAT_EQ(ranges_m[120], 2.31F);  // 30 degrees to the left: 2 m / cos 30
+}
+
+TEST(RangeScanner, LooksFromWhereItIsMounted) {
+  RangeScannerParams params = without_faults();
+  params.laser.T_vehicle_laser.x = 0.5;
+  params.laser.T_vehicle_laser.theta = 90 * kDegree;
+  const RangeScanner scanner(square_room(), params);
+  Random random(1);
+  const std::vector<float> ranges_m = scanner.scan({0, -1, 90 * kDegree}, random);
+  EXPECT_FLOAT_EQ(ranges_m[90], 2);   // the vehicle's left
+  EXPECT_FLOAT_EQ(ranges_m[0], 2.5);  // the vehicle's front, from 0.5 m further north
+}
+
+TEST(RangeScanner, AnAngleOffsetTurnsTheBeamsButNotTheLog) {
+  RangeScannerParams params = without_faults();
+  params.sensor.angle_offset_rad = 1 * kDegree;
+  Random random(1);
+  const RangeScanner straight(square_room(), without_faults()), turned(square_room(), params);
+  const std::vector<float> expected = straight.scan({0, 0, 0}, random),
+                           ranges_m = turned.scan({0, 0, 0}, random);
+  EXPECT_TRUE(std::equal(ranges_m.begin(), ranges_m.end() - 1, expected.begin() + 1));
+  EXPECT_EQ(turned.description().first_angle_rad, straight.description().first_angle_rad);
+}
+
+TEST(RangeScanner, BeyondItsReachAndOnDroppedReadingsItSeesNothing) {
+  RangeScannerParams params = without_faults();
+  params.laser.range_max_m = 1.5;
+  Random random(1);
+  EXPECT_THAT(RangeScanner(square_room(), params).scan({0, 0, 0}, random), Each(1.5F));
+  params.laser.range_max_m = 30;
+  params.sensor.dropped_share = 1;
+  EXPECT_THAT(RangeScanner(square_room(), params).scan({0, 0, 0}, random), Each(30.F));
+}
+
+TEST(RangeScanner, NoiseHasTheGivenSpread) {
+  RangeScannerParams params = without_faults();
+  params.sensor.beams = 4000;
+  params.laser.angle_step_rad = 1e-9;
+  params.laser.first_angle_rad = 0;
+  params.sensor.noise_sigma_m = 0.05;
+  Random random(1);
+  const std::vector<float> ranges_m = RangeScanner(square_room(), params).scan({0, 0, 0}, random);
+  double sum = 0, squares = 0;
+  for (const float range_m : ranges_m) {
+    sum += range_m - 2;
+    squares += (range_m - 2) * (range_m - 2);
+  }
+  EXPECT_NEAR(sum / 4000, 0, 0.004);
+  EXPECT_NEAR(std::sqrt(squares / 4000), 0.05, 0.003);
+}
+
+}  // namespace
+}  // namespace aisle

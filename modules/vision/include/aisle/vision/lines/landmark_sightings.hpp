@@ -1,0 +1,96 @@
+#pragma once
+/// C98's local features: where the vertical lines of a picture stand on the floor, as the vehicle sees it.
+
+#include <optional>
+#include <vector>
+
+#include "aisle/core/image.hpp"
+#include "aisle/core/parameters.hpp"
+#include "aisle/geometry/back_projection.hpp"
+#include "aisle/vision/floor/floor_edges.hpp"
+#include "aisle/vision/lines/vertical_lines.hpp"
+
+namespace aisle {
+
+struct LandmarkSightingParams {
+  VerticalLineParams verticals;
+  FloorEdgeParams floor_edges;
+  BackProjectionNoise noise;
+  double relief_m = 0.02;
+  double edge_m = 0.01;
+  double distance_max_m = 12;
+  double leaning_max_rad = 2 * kDegree;
+  double board_height_m = 0.16;
+  double foot_px = 4;
+  bool hanging = true;   ///< lines that end above the floor count too, see LandmarkDetector
+  bool corners = false;  ///< where two edges of the floor meet counts too, even if no line is seen there
+
+  void describe(FieldList& fields);
+};
+
+/// A vertical line that stands on the floor.
+struct LandmarkSighting {
+  Vec2 p_vehicle = Vec2::Zero();   ///< its foot, in base_link
+  Mat2 covariance = Mat2::Zero();  ///< of the foot; long along the line of sight
+  Vec2 by_tilt = Vec2::Zero();     ///< the part of that which all sightings of one picture share: how far the
+                                   ///< foot goes when the tilt is off by a standard deviation [m]
+  Vec2 foot_px = Vec2::Zero();     ///< in the picture
+  bool brighter_right = false;     ///< the right side of the line is the brighter one; a corner: false
+};
+
+/// Picture -> vertical lines -> edges of the floor -> feet. A line that ends on an edge of the floor, or on
+/// the skirting board above it, has its foot there. One that ends higher (a poster's edge) hangs on the wall
+/// that stands on that edge: its foot is where its azimuth meets the edge, if there is but one. One that goes
+/// on beneath the edge stands nearer, where no edge was seen, and has none; its reflection in the floor does
+/// not count. Feet beyond 7 m count where no nearer one is seen. No allocation once warm.
+class LandmarkDetector {
+ public:
+  LandmarkDetector(const LandmarkSightingParams& params, const CameraIntrinsics& intrinsics,
+                   const CameraMount& mount);
+
+  /// From left to right; valid until the next call.
+  /// @throws std::invalid_argument unless the picture has one channel
+  const std::vector<LandmarkSighting>& detect(const Image& grey);
+
+  /// What the last picture showed, for drawings; their feet as the sightings have them.
+  const std::vector<VerticalLine>& lines() const { return lines_; }
+  const std::vector<FloorEdge>& floor_edges() const { return *floor_edges_; }
+
+ private:
+  /// Where a line's azimuth meets an edge.
+  struct Meeting {
+    Vec2 p_vehicle = Vec2::Zero();
+    double distance_m = 0;  ///< from the point beneath the lens
+    Vec2 pixel_px = Vec2::Zero();
+    double sigma_m = 0;  ///< of the distance, for the edge is where the wall is, and the line may stand proud
+  };
+
+  void add_corners();
+  std::optional<Vec2> corner_of(const Segment2& a, const Segment2& b) const;
+  bool is_upright(const VerticalLine& line) const;
+  void leave_out_far();
+  std::optional<Vec2> azimuth(const Vec2& pixel_px) const;
+  void meet_edges(const VerticalLine& line);
+  bool may_hang(const FloorEdge& edge) const;
+  std::optional<LandmarkSighting> sighting_at(const Meeting& foot) const;
+  std::optional<Meeting> foot_of(const Image& grey, const VerticalLine& line) const;
+  std::optional<Meeting> standing_foot(const Image& grey, const VerticalLine& line) const;
+  bool stands_proud(const VerticalLine& line, const Meeting& meeting) const;
+  std::optional<Meeting> hanging_foot(const VerticalLine& line) const;
+  double height_m(const Vec2& pixel_px, double distance_m) const;
+
+  LandmarkSightingParams params_;
+  CameraModel camera_;
+  CameraMount mount_;
+  Mat3 R_vehicle_camera_;
+  BackProjection floor_;
+  BackProjection floor_tilted_;  ///< the same with the tilt off by a standard deviation
+  VerticalLineDetector verticals_;
+  FloorEdgeDetector floor_edge_detector_;
+  std::vector<VerticalLine> lines_;
+  const std::vector<FloorEdge>* floor_edges_ = nullptr;
+  std::vector<Meeting> meetings_;  ///< of one line, the nearest first
+  std::vector<LandmarkSighting> sightings_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,102 @@
+#pragma once
+/// What a camera that looks down ahead tells of the route: L96 section 3.1.
+
+#include <optional>
+#include <vector>
+
+#include "aisle/geometry/back_projection.hpp"
+#include "aisle/geometry/segment2.hpp"
+#include "aisle/vision/route/route_region.hpp"
+#include "aisle/vision/stripes/stripe_fan.hpp"
+
+namespace aisle {
+
+struct RouteViewParams {
+  RegionParams region;
+  StripeFanParams stripe{.wide_m = 0.6};
+  double far_scan_m = 2.2;
+  double near_scan_m = 1.3;
+  double check_ahead_m = 0.5;
+  double check_beside_m = 0.12;
+  double check_share = 0.85;
+  double edge_range_m = 4;
+
+  void describe(FieldList& fields);
+};
+
+/// Where something stands that will be too near (L96 Fig. 7), and where there is more room.
+struct RouteChecks {
+  bool ahead = false;     ///< A
+  bool left = false;      ///< B
+  bool right = false;     ///< C
+  double left_share = 0;  ///< route area in the left half of the view, of that half
+  double right_share = 0;
+};
+
+/// One look at the route.
+struct RouteSight {
+  Image mask;             ///< 255 on the route, as large as the picture
+  double share = 0;       ///< route area, of the picture
+  double patch_grey = 0;  ///< mean of the patch before the vehicle (L96 section 2.2)
+  double patch_deviation = 0;
+  RouteChecks checks;
+  std::vector<Vec2> p_vehicle_edges;    ///< where the route ends, seen from the vehicle; near ones
+  std::vector<Vec2> p_vehicle_cut_off;  ///< on the view's lower edge, of what stands nearer than it shows
+};
+
+/// One camera's eye for routes. All points are in base_link. Where it sees the stripe of the vehicle's laser
+/// markers, something stands, however much it looks like the route: beyond the paper.
+class RouteView {
+ public:
+  /// @param width_m  of the vehicle
+  /// @param stripe_height_m  of the laser markers' light plane above the floor; nullopt: brightness alone
+  /// tells
+  RouteView(const RouteViewParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
+            int width_px, int height_px, double width_m, std::optional<double> stripe_height_m = {});
+
+  RouteSight look(const Image& picture);
+
+  /// B' of L96 Algorithm 4: the middle of the two scan lines' middles, on the floor. What lies beside the
+  /// view's edges by these shares of its width is blotted out.
+  /// @return nullopt unless the region meets both lines
+  std::optional<Vec2> middle(const RouteSight& sight, double blot_left, double blot_right) const;
+
+  /// Of the two scan lines.
+  int far_row() const { return far_row_; }
+  int near_row() const { return near_row_; }
+
+  /// The pixel that sees a floor point; nullopt: none does.
+  std::optional<Vec2> pixel_of(const Vec2& p_vehicle) const;
+  /// The floor point that a pixel sees, if it is not too far away to be known.
+  std::optional<Vec2> floor_point(const Vec2& pixel_px) const { return floor_.point(pixel_px); }
+  /// Whether a floor point is in view, and seen to be route.
+  bool sees_route(const RouteSight& sight, const Vec2& p_vehicle) const;
+  /// Whether what stands at a floor point is on the patch before the vehicle, or hides it.
+  bool is_before_patch_end(const Vec2& p_vehicle) const;
+
+ private:
+  using FloorPatch = std::vector<std::size_t>;  ///< pixels, as offsets into a mask
+
+  FloorPatch patch_of(double ahead_from_m, double ahead_to_m, const Interval& aside_m) const;
+  bool is_occupied(const Image& mask, const FloorPatch& patch) const;
+  void find_edges(RouteSight& sight) const;
+  void take_out_lit(const Image& picture, Image& mask);
+  void take_out_above(const Vec3& p_vehicle_right, const Vec3& p_vehicle_left, Image& mask) const;
+  int row_at(double ahead_m) const;
+
+  RouteViewParams params_;
+  CameraModel camera_;
+  CameraMount mount_;
+  BackProjection floor_;
+  int width_px_, height_px_;
+  double nearest_m_ = 0;                 ///< ahead, the floor at the view's lower edge
+  Vec2 p_vehicle_patch_ = Vec2::Zero();  ///< the patch's far left corner
+  int far_row_ = 0, near_row_ = 0;
+  FloorPatch ahead_, left_, right_;
+  std::optional<StripeFan> stripe_;
+  double stripe_height_m_ = 0;
+  std::vector<Vec2> p_vehicle_lit_;
+  Image grey_;
+};
+
+}  // namespace aisle

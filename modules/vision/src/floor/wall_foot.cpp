@@ -1,0 +1,28 @@
+#include "floor/wall_foot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+
+namespace aisle {
+
+double WallFoot::slope_deg() const {
+  return std::atan2(direction.y(), direction.x()) / kDegree;
+}
+
+/// What the edges alone say.
+double WallFoot::support() const {
+  return covered * (0.5 + 0.5 * share) * std::min(1.0, contrast / 14 + 0.25);
+}
+
+/// Vertical lines end at a wall's foot and do not cross it; floor follows beneath it, and none is above.
+double WallFoot::score() const {
+  const double feet_alone = 0.02 * std::min(feet, 4.0) * std::min(1.0, contrast / 14 + 0.25);
+  const double standing =
+      (1 + 0.45 * std::min(feet, 2.5)) * (feet + share + 0.5) / (feet + share + crossings + 0.5);
+  const double floored = (0.4 + 0.6 * on_floor) * (1 + at_edge);
+  return (support() + feet_alone) * standing * (1 - 0.7 * followed) * floored;
+}
+
+}  // namespace aisle

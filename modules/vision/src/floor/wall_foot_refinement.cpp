@@ -1,0 +1,187 @@
+#include "floor/wall_foot_refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aisle {
+
+namespace {
+
+constexpr double kShiftMax = 9.0 / 640;  // greatest shift, as a share of the width
+constexpr double kTurn = 0.8;            // greatest difference of the shifts at both ends, of the reach
+constexpr double kShortest = 0.06;       // a shorter line is left as it is: share of the width
+constexpr std::size_t kSamplesMax = 120;
+constexpr double kSampleStep_px = 2;
+constexpr std::size_t kMargin = 3;      // pixels on either side that a step is the difference of
+constexpr float kStepMin = 4;           // grey levels
+constexpr float kStepCounted = 25;      // one strong step is not to outvote many
+constexpr float kPlateau = 1.25F;       // a step that is this close to its greater neighbour counts half
+constexpr double kFarShiftCost = 0.25;  // share of the votes that the greatest shift loses
+constexpr double kMeanVoteMin = 2;      // grey levels
+constexpr double kLikeVotes = 0.9;
+constexpr double kOtherVotes = 0.4;
+constexpr std::size_t kSettle = 2;  // pixels to either side in which a line's own step lies
+constexpr int kSettleRounds = 3;
+constexpr double kClearSign = 0.5;
+constexpr float kOutside = -1;
+constexpr double kLowerPerVotes = 60;  // steps that all the votes are worth
+
+bool has_neighbours(const SideView& view, const Vec2& at) {
+  return at.x() >= 0 && at.y() >= 0 && at.x() < view.width_px() - 1 && at.y() < view.height_px() - 1;
+}
+
+}  // namespace
+
+void WallFootRefinement::refine(const SideView& view, double from_px, double to_px, WallFoot& foot) {
+  if (to_px - from_px < kShortest * view.width_px()) return;
+  sample_steps(view, from_px, to_px, foot);
+  vote(foot);
+  const Shift* shift = lowest_of_like_votes();
+  if (shift == nullptr) return;
+  const Vec2 beneath = left_normal(foot.direction);
+  const auto [from_shift_px, to_shift_px] = settled(*shift);
+  const Vec2 from = foot.point_px + from_px * foot.direction + from_shift_px * beneath;
+  const Vec2 to = foot.point_px + to_px * foot.direction + to_shift_px * beneath;
+  foot.point_px = from - from_px * (to - from).normalized();
+  foot.direction = (to - from).normalized();
+}
+
+void WallFootRefinement::sample_steps(const SideView& view, double from_px, double to_px,
+                                      const WallFoot& foot) {
+  reach_ = static_cast<std::size_t>(std::lround(kShiftMax * view.width_px()));
+  across_ = 2 * reach_ + 1;
+  along_ = std::min(kSamplesMax, static_cast<std::size_t>((to_px - from_px) / kSampleStep_px));
+  for (auto& steps : steps_) steps.assign(along_ * across_, 0);
+  profile_.resize(across_ + 2 * kMargin);
+  const Vec2 beneath = left_normal(foot.direction);
+  const double outermost = static_cast<double>(reach_ + kMargin);
+  for (std::size_t i = 0; i < along_; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(along_);
+    Vec2 at = foot.point_px + (from_px + share * (to_px - from_px)) * foot.direction - outermost * beneath;
+    float last = kOutside;
+    for (float& value : profile_) {
+      if (has_neighbours(view, at)) last = static_cast<float>(view.between(at));
+      value = last;
+      at += beneath;
+    }
+    for (std::size_t k = 0; k < across_; ++k) {
+      const float* p = profile_.data() + k + kMargin;
+      if (p[-3] == kOutside) continue;
+      const float step = (p[1] + p[2] + p[3] - p[-1] - p[-2] - p[-3]) / 3;
+      if (std::abs(step) < kStepMin) continue;
+      steps_[step < 0 ? 1 : 0][i * across_ + k] = std::abs(step);
+    }
+  }
+  unthinned_ = steps_;
+  for (auto& steps : steps_) {
+    thin(steps);
+    for (float& step : steps) step = std::min(step, kStepCounted);
+  }
+}
+
+/// Leaves the greatest of neighbouring steps.
+void WallFootRefinement::thin(std::vector<float>& steps) const {
+  for (std::size_t row = 0; row < steps.size(); row += across_) {
+    float before = 0;
+    for (std::size_t k = 0; k < across_; ++k) {
+      const float here = steps[row + k];
+      const float greater = std::max(before, k + 1 < across_ ? steps[row + k + 1] : 0);
+      if (here < greater) steps[row + k] = greater < kPlateau * here ? 0.5F * here : 0;
+      before = here;
+    }
+  }
+}
+
+/// The other edge of a board may be found beneath the line, not above it.
+void WallFootRefinement::vote(const WallFoot& foot) {
+  const bool clear = std::abs(foot.sign) > kClearSign * foot.contrast;
+  shifts_.clear();
+  const auto turn = static_cast<std::size_t>(kTurn * static_cast<double>(reach_));
+  const auto off = [this](std::size_t k) {
+    return std::abs(static_cast<double>(k) - static_cast<double>(reach_));
+  };
+  for (std::size_t side = 0; side < 2; ++side) {
+    const bool other_edge = clear && (foot.sign < 0) != (side == 1);
+    for (std::size_t a = 0; a < across_; ++a) {
+      for (std::size_t b = a > turn ? a - turn : 0; b < std::min(across_, a + turn + 1); ++b) {
+        if (other_edge && a + b <= 2 * reach_) continue;
+        const float per_sample = (static_cast<float>(b) - static_cast<float>(a)) / static_cast<float>(along_);
+        float k = static_cast<float>(a) + 0.5F * per_sample + 0.5F;
+        float sum = 0;
+        for (const float* row = steps_[side].data(); row != steps_[side].data() + along_ * across_;
+             row += across_) {
+          sum += row[static_cast<int>(k)];
+          k += per_sample;
+        }
+        const double shift = (off(a) + off(b)) / (2.0 * static_cast<double>(reach_));
+        shifts_.push_back({a, b, side, sum * (1 - kFarShiftCost * shift), other_edge});
+      }
+    }
+  }
+}
+
+const WallFootRefinement::Shift* WallFootRefinement::lowest_of_like_votes() const {
+  const auto most = std::max_element(shifts_.begin(), shifts_.end(),
+                                     [](const Shift& a, const Shift& b) { return a.votes < b.votes; });
+  if (most == shifts_.end() || most->votes < kMeanVoteMin * static_cast<double>(along_)) return nullptr;
+  const Shift* other = nullptr;
+  for (const Shift& shift : shifts_)
+    if (shift.other_edge && (other == nullptr || shift.votes > other->votes)) other = &shift;
+  if (other != nullptr && other->votes > kOtherVotes * most->votes) return other;
+  const Shift* lowest = nullptr;
+  double best = 0;
+  for (const Shift& shift : shifts_) {
+    if (shift.votes < kLikeVotes * most->votes) continue;
+    const double low =
+        static_cast<double>(shift.at_from + shift.at_to) + kLowerPerVotes * shift.votes / most->votes;
+    if (low > best) {
+      best = low;
+      lowest = &shift;
+    }
+  }
+  return lowest;
+}
+
+/// A shift is a whole number of pixels, and the lowest of several: the line moves to the middle of its step.
+WallFootRefinement::Shifts_px WallFootRefinement::settled(const Shift& shift) const {
+  const auto reach_px = static_cast<double>(reach_);
+  Shifts_px shifts_px(static_cast<double>(shift.at_from) - reach_px,
+                      static_cast<double>(shift.at_to) - reach_px);
+  for (int round = 0; round < kSettleRounds; ++round) shifts_px = between_steps(shifts_px, shift.side);
+  return shifts_px;
+}
+
+/// The line through the middles of the steps next to a shifted one, as its shifts.
+WallFootRefinement::Shifts_px WallFootRefinement::between_steps(const Shifts_px& shifts_px,
+                                                                std::size_t side) const {
+  const auto& steps = unthinned_[side];
+  const double first = shifts_px.first + static_cast<double>(reach_);
+  const double turn = shifts_px.second - shifts_px.first;
+  double weights = 0, shares = 0, offs = 0, shares_squared = 0, products = 0;
+  for (std::size_t i = 0; i < along_; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(along_);
+    const auto middle = static_cast<std::size_t>(std::max(0L, std::lround(first + turn * share)));
+    if (middle < kSettle || middle + kSettle >= across_) continue;
+    double weight = 0, moment = 0;
+    for (std::size_t k = middle - kSettle; k <= middle + kSettle; ++k) {
+      weight += steps[i * across_ + k];
+      moment += steps[i * across_ + k] * static_cast<double>(k);
+    }
+    if (weight == 0) continue;
+    const double off = moment / weight - first - turn * share;
+    weight = std::min<double>(weight, kStepCounted);
+    weights += weight;
+    shares += weight * share;
+    offs += weight * off;
+    shares_squared += weight * share * share;
+    products += weight * share * off;
+  }
+  const double spread = weights * shares_squared - shares * shares;
+  const double middle_px = first - static_cast<double>(reach_);
+  if (!(spread > 1e-3 * weights * weights)) return {middle_px, middle_px + turn};
+  const double growth = (weights * products - shares * offs) / spread;
+  const double at_from = (offs - growth * shares) / weights;
+  return {middle_px + at_from, middle_px + turn + at_from + growth};
+}
+
+}  // namespace aisle

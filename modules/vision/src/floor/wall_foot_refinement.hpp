@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "floor/side_view.hpp"
+#include "floor/wall_foot.hpp"
+
+namespace aisle {
+
+/// Shifts and turns a wall's foot within a few pixels to where the picture steps most along all of its
+/// length: each pair of offsets at its two ends is tried. Of two that are nearly equal, such as the edges of
+/// a skirting board, the lower one is taken.
+class WallFootRefinement {
+ public:
+  /// @param from_px, to_px  the part of the line that is in the picture, along its direction
+  void refine(const SideView& view, double from_px, double to_px, WallFoot& foot);
+
+ private:
+  struct Shift {
+    std::size_t at_from = 0, at_to = 0;  ///< steps across, of which the middle one is no shift
+    std::size_t side = 0;                ///< 0: the floor is brighter than what stands on it
+    double votes = 0;
+    bool other_edge = false;  ///< of the board, beneath the line that was found
+  };
+
+  void sample_steps(const SideView& view, double from_px, double to_px, const WallFoot& foot);
+  void thin(std::vector<float>& steps) const;
+  void vote(const WallFoot& foot);
+  const Shift* lowest_of_like_votes() const;
+  using Shifts_px = std::pair<double, double>;  ///< at both ends
+  Shifts_px settled(const Shift& shift) const;
+  Shifts_px between_steps(const Shifts_px& shifts_px, std::size_t side) const;
+
+  std::size_t reach_ = 0, across_ = 0, along_ = 0;
+  std::vector<float> profile_;
+  std::array<std::vector<float>, 2> steps_;  ///< of each sign; one row of `across_` a sample
+  std::array<std::vector<float>, 2> unthinned_;
+  std::vector<Shift> shifts_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,191 @@
+#include "aisle/vision/lines/line_follower.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace aisle {
+namespace {
+
+using Look = LineFollower::Look;
+
+/// Mean grey level along a line, 1 .. 2 % of the width beside it.
+double tone_beside(const Image& grey, const VerticalLine& line, int side) {
+  constexpr int kSamples = 24, kAcross = 4;
+  const Vec2 along = line.bottom_px - line.top_px;
+  double sum = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    const Vec2 p = line.top_px + (i + 0.5) / kSamples * along;
+    for (int j = 0; j < kAcross; ++j) {
+      const double u = p.x() + side * grey.width_px * (0.01 + 0.01 * j / kAcross);
+      const int column = std::clamp(static_cast<int>(std::lround(u)), 0, grey.width_px - 1);
+      const int row = std::clamp(static_cast<int>(std::lround(p.y())), 0, grey.height_px - 1);
+      sum += grey.row(row)[column];
+    }
+  }
+  return sum / (kSamples * kAcross);
+}
+
+Look look_of(const Image& grey, const VerticalLine& line) {
+  const Vec2 along = line.bottom_px - line.top_px;
+  const double slope = along.y() > 0 ? along.x() / along.y() : 0;
+  const double column_px = line.top_px.x() + slope * (grey.height_px / 2.0 - line.top_px.y());
+  return {column_px / grey.width_px - 0.5, slope, tone_beside(grey, line, -1), tone_beside(grey, line, 1)};
+}
+
+/// How the camera moved between two pictures.
+struct Motion {
+  double end_before = 0;  ///< column of the corridor's end
+  double end_now = 0;
+  double approach = 0;
+
+  /// @return beyond the picture for what was passed by
+  double expected(double column) const {
+    const double x = column - end_before;
+    const double nearer = 1 - approach * std::abs(x);
+    return nearer > 0.1 ? end_now + x / nearer : 10;
+  }
+};
+
+/// The lines of two pictures, paired in order.
+struct Pairing {
+  double worth = 0;  // sum of their likenesses, less the price of the motion
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+};
+
+/// Which lines of one picture are which of the next.
+class Comparison {
+ public:
+  Comparison(const std::vector<Look>& before, const std::vector<Look>& now, const LineFollowerParams& params);
+
+  Pairing best_pairing(const std::vector<Motion>& motions);
+
+ private:
+  double& best(std::size_t i, std::size_t j) { return best_[i * (now_.size() + 1) + j]; }
+  double compare(const Motion& motion);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs(const Motion& motion);
+
+  const std::vector<Look>& before_;
+  const std::vector<Look>& now_;
+  const LineFollowerParams& params_;
+  std::vector<double> like_;  // line i before and j now, wherever they are
+  std::vector<double> best_;  // the first i and the first j lines together
+};
+
+double squared_share(double difference, double gate) {
+  return difference * difference / (gate * gate);
+}
+
+/// 1: just alike; negative: another line.
+double likeness(const Look& before, const Look& now, const LineFollowerParams& params) {
+  if (before.brighter_right() != now.brighter_right()) return -1;
+  return 1 - squared_share(now.slope - before.slope, params.slope_gate) -
+         squared_share(now.tone_left - before.tone_left, params.tone_gate) -
+         squared_share(now.tone_right - before.tone_right, params.tone_gate);
+}
+
+Comparison::Comparison(const std::vector<Look>& before, const std::vector<Look>& now,
+                       const LineFollowerParams& params)
+    : before_(before), now_(now), params_(params), best_((before.size() + 1) * (now.size() + 1)) {
+  like_.reserve(before.size() * now.size());
+  for (const Look& a : before) {
+    for (const Look& b : now) like_.push_back(likeness(a, b, params));
+  }
+}
+
+/// The greatest sum of likenesses of pairs that do not cross.
+double Comparison::compare(const Motion& motion) {
+  for (std::size_t i = 1; i <= before_.size(); ++i) {
+    const double expected = motion.expected(before_[i - 1].column);
+    for (std::size_t j = 1; j <= now_.size(); ++j) {
+      const double aside = squared_share(now_[j - 1].column - expected, params_.gate);
+      const double paired = best(i - 1, j - 1) + like_[(i - 1) * now_.size() + j - 1] - aside;
+      best(i, j) = std::max({best(i - 1, j), best(i, j - 1), paired});
+    }
+  }
+  return best(before_.size(), now_.size());
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> Comparison::pairs(const Motion& motion) {
+  compare(motion);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = before_.size(), j = now_.size(); i > 0 && j > 0;) {
+    if (best(i, j) == best(i - 1, j)) {
+      --i;
+    } else if (best(i, j) == best(i, j - 1)) {
+      --j;
+    } else {
+      pairs.emplace_back(--i, --j);
+    }
+  }
+  return pairs;
+}
+
+/// All that are looked at, the finer the slower the approach.
+std::vector<Motion> possible_motions(const LineFollowerParams& params) {
+  constexpr double kTurnStep = 0.025, kApproachSteps = 24;
+  const int turns = static_cast<int>(params.turn_max / kTurnStep);
+  std::vector<Motion> motions;
+  for (int before = -turns; before <= turns; ++before) {
+    for (int now = -turns; now <= turns; ++now) {
+      for (int step = 0; step <= kApproachSteps; ++step) {
+        const double share = step / kApproachSteps;
+        motions.push_back({before * kTurnStep, now * kTurnStep, params.approach_max * share * share});
+      }
+    }
+  }
+  return motions;
+}
+
+/// What a motion must explain more than standing still.
+double price_of(const Motion& motion, const LineFollowerParams& params) {
+  constexpr double kPrice = 0.3;
+  const double approach_share = motion.approach / std::max(params.approach_max, 1e-9);
+  const double turn_share = std::abs(motion.end_now - motion.end_before) / std::max(params.turn_max, 1e-9);
+  return kPrice * (std::sqrt(approach_share) + turn_share);
+}
+
+Pairing Comparison::best_pairing(const std::vector<Motion>& motions) {
+  Motion chosen;
+  double worth = compare(chosen);
+  for (const Motion& motion : motions) {
+    const double its_worth = compare(motion) - price_of(motion, params_);
+    if (its_worth <= worth) continue;
+    worth = its_worth;
+    chosen = motion;
+  }
+  return {worth, pairs(chosen)};
+}
+
+}  // namespace
+
+void LineFollowerParams::describe(FieldList& fields) {
+  fields.real("gate", gate, {0.001, 1},
+              "how far from where it is expected a line may be, share of the width");
+  fields.real("turn_max", turn_max, {0, 0.5}, "how far the corridor's end may be from the picture's middle");
+  fields.real("approach_max", approach_max, {0, 100},
+              "forward motion between two pictures: x goes to x / (1 - it x)");
+  fields.real("slope_gate", slope_gate, {0.001, 10}, "change of a line's slope");
+  fields.real("tone_gate", tone_gate, {0.1, 255}, "change of the grey level beside a line");
+  fields.real("likeness_min", likeness_min, {0, 1000},
+              "of all lines together, at best 1 each, less for great motion; below: none");
+}
+
+std::vector<int> LineFollower::follow(const Image& grey, const std::vector<VerticalLine>& lines) {
+  std::vector<Look> looks;
+  looks.reserve(lines.size());
+  for (const VerticalLine& line : lines) looks.push_back(look_of(grey, line));
+  std::vector<int> numbers(lines.size(), -1);
+  const Pairing pairing = Comparison(looks_, looks, params_).best_pairing(possible_motions(params_));
+  if (pairing.worth >= params_.likeness_min) {
+    for (const auto& [before, now] : pairing.pairs) numbers[now] = numbers_[before];
+  }
+  for (int& number : numbers) {
+    if (number < 0) number = next_number_++;
+  }
+  looks_ = std::move(looks);
+  numbers_ = numbers;
+  return numbers;
+}
+
+}  // namespace aisle

@@ -1,0 +1,76 @@
+#include "aisle/vision/route/route_region.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "route/cell_grid.hpp"
+#include "route/region_growth.hpp"
+
+namespace aisle {
+
+void RegionParams::describe(FieldList& fields) {
+  fields.count("columns", columns, {16, 1024}, "cells that the picture is looked at in, from left to right");
+  fields.real("quiet_step", quiet_step, {0, 50}, "between neighbouring cells: no edge but noise and drift");
+  fields.real("texture_factor", texture_factor, {0, 10},
+              "nor is this many times the step usual on the floor in front");
+  fields.real("texture_max", texture_max, {0, 100}, "but larger steps than this are always edges");
+  fields.real("colour_weight", colour_weight, {0, 20}, "of a step of colour against one of brightness");
+  fields.real("strange_colour", strange_colour, {5, 500},
+              "off the colour of the floor in front: an obstacle");
+  fields.real("horizon_share", horizon_share, {0, 0.9},
+              "where the horizon is expected, of the height from the top");
+  fields.real("near_reach", near_reach, {0.01, 1},
+              "of the way from the lowest middle to the horizon: surely floor");
+  fields.real("floor_cost", floor_cost, {0, 2000}, "of taking a place at the horizon for floor, unconnected");
+  fields.real("far_share", far_share, {0, 1}, "of the height, from the top: not floor unless it looks alike");
+  fields.real("side_share", side_share, {0, 1}, "by how much lower that reaches at the sides");
+  fields.real("rest_cost", rest_cost, {0, 2000}, "of taking a place a picture's height lower for no floor");
+  fields.real("alike_cost", alike_cost, {0, 500},
+              "of the way from the lowest middle: less is floor, wherever");
+}
+
+namespace {
+
+void paint(const CellGrid& grid, const std::vector<char>& is_region, Image& mask) {
+  for (int v = 0; v < mask.height_px; ++v) {
+    const char* cells = &is_region[grid.index(v / grid.cell_px, 0)];
+    for (int u = 0; u < mask.width_px; ++u) mask.row(v)[u] = cells[u / grid.cell_px] != 0 ? 255 : 0;
+  }
+}
+
+/// The middle of the widest unbroken part of the region in one row.
+std::optional<Vec2> middle_of_row(const Image& mask, int row) {
+  std::optional<Vec2> middle;
+  int widest = 0;
+  for (int u = 0; u < mask.width_px; ++u) {
+    int end = u;
+    while (end < mask.width_px && mask.row(row)[end] != 0) ++end;
+    if (end - u > widest) {
+      widest = end - u;
+      middle = Vec2((u + end - 1) / 2.0, row);
+    }
+    u = end;
+  }
+  return middle;
+}
+
+}  // namespace
+
+RouteRegion find_route_region(const Image& picture, const RegionParams& params) {
+  if (picture.bytes.empty()) return {};
+  const CellGrid grid = cells_of(picture, params.columns);
+  RouteRegion region;
+  region.mask = Image(picture.width_px, picture.height_px);
+  paint(grid, region_cells(grid, params), region.mask);
+  const auto count = std::count(region.mask.bytes.begin(), region.mask.bytes.end(), std::uint8_t{255});
+  region.share = static_cast<double>(count) / static_cast<double>(region.mask.bytes.size());
+  return region;
+}
+
+std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row) {
+  const auto far = middle_of_row(mask, far_row), near = middle_of_row(mask, near_row);
+  if (!far || !near) return std::nullopt;
+  return RouteMiddle{*far, *near, (*far + *near) / 2};
+}
+
+}  // namespace aisle

@@ -1,0 +1,207 @@
+#include "aisle/vision/route/route_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace aisle {
+namespace {
+
+constexpr int kEdgeColumns = 80;
+constexpr int kPatchesInHeight = 6;
+constexpr double kDarkShare = 0.65;  // of the patch's grey level: what is darker is no route
+
+/// Share of the columns from `begin` to before `end` that is route.
+double route_share(const Image& mask, int begin, int end) {
+  long count = 0;
+  for (int v = 0; v < mask.height_px; ++v)
+    count += std::count(mask.row(v) + begin, mask.row(v) + end, std::uint8_t{255});
+  return static_cast<double>(count) / (static_cast<double>(end - begin) * mask.height_px);
+}
+
+/// L96 section 2.2: the square patch before the vehicle.
+void measure_patch(const Image& picture, RouteSight& sight) {
+  const int side = picture.height_px / kPatchesInHeight, u0 = (picture.width_px - side) / 2;
+  double sum = 0, squares = 0;
+  for (int v = picture.height_px - side; v < picture.height_px; ++v) {
+    for (int u = u0; u < u0 + side; ++u) {
+      const double grey = picture.row(v)[static_cast<std::ptrdiff_t>(u) * picture.channels];
+      sum += grey;
+      squares += grey * grey;
+    }
+  }
+  const double count = static_cast<double>(side) * side;
+  sight.patch_grey = sum / count;
+  sight.patch_deviation = std::sqrt(std::max(0.0, squares / count - sight.patch_grey * sight.patch_grey));
+}
+
+/// L96 section 2.2: what stands alone amid the route is known by its grey level.
+void take_out_dark(const Image& picture, RouteSight& sight) {
+  const double least = kDarkShare * sight.patch_grey;
+  for (int v = 0; v < picture.height_px; ++v) {
+    std::uint8_t* route = sight.mask.row(v);
+    for (int u = 0; u < picture.width_px; ++u)
+      if (picture.row(v)[static_cast<std::ptrdiff_t>(u) * picture.channels] < least) route[u] = 0;
+  }
+}
+
+}  // namespace
+
+void RouteViewParams::describe(FieldList& fields) {
+  fields.group("region", region);
+  fields.group("stripe", stripe);
+  fields.real("far_scan_m", far_scan_m, {0.3, 20}, "floor distance of the upper scan line from the camera");
+  fields.real("near_scan_m", near_scan_m, {0.3, 20}, "of the lower one");
+  fields.real("check_ahead_m", check_ahead_m, {0.05, 5},
+              "how far beyond the view's lower edge region A reaches");
+  fields.real("check_beside_m", check_beside_m, {0.02, 2},
+              "how wide regions B and C are, beside the vehicle");
+  fields.real("check_share", check_share, {0, 1}, "of a check region is route, or it is occupied");
+  fields.real("edge_range_m", edge_range_m, {0.5, 20}, "farther edges of the route are not remembered");
+}
+
+RouteView::RouteView(const RouteViewParams& params, const CameraIntrinsics& intrinsics,
+                     const CameraMount& mount, int width_px, int height_px, double width_m,
+                     std::optional<double> stripe_height_m)
+    : params_(params),
+      camera_(intrinsics),
+      mount_(mount),
+      floor_(camera_, mount, 0),
+      width_px_(width_px),
+      height_px_(height_px) {
+  const auto nearest = floor_.point(Vec2((width_px - 1) / 2.0, height_px - 1));
+  if (!nearest) throw std::invalid_argument("a camera for routes must look down at the floor");
+  nearest_m_ = nearest->x();
+  const int patch_px = height_px / kPatchesInHeight;
+  p_vehicle_patch_ = floor_.point(Vec2((width_px - patch_px) / 2.0, height_px - patch_px)).value_or(*nearest);
+  const double camera_m = mount.p_vehicle_camera.x();
+  far_row_ = row_at(std::max(nearest_m_, camera_m + params.far_scan_m));
+  near_row_ = row_at(std::max(nearest_m_, camera_m + params.near_scan_m));
+  const double side_m = width_m / 2, beside_m = side_m + params.check_beside_m;
+  ahead_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m, {-side_m, side_m});
+  left_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m / 2, {side_m, beside_m});
+  right_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m / 2, {-beside_m, -side_m});
+  if (!stripe_height_m) return;
+  stripe_height_m_ = *stripe_height_m;
+  stripe_.emplace(params.stripe, intrinsics, mount, width_px, height_px, stripe_height_m_);
+}
+
+std::optional<Vec2> RouteView::pixel_of(const Vec2& p_vehicle) const {
+  auto pixel = camera_.project(mount_.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
+  if (!pixel || pixel->x() < 0 || pixel->y() < 0 || pixel->x() > width_px_ - 1 || pixel->y() > height_px_ - 1)
+    return std::nullopt;
+  return pixel;
+}
+
+int RouteView::row_at(double ahead_m) const {
+  const auto pixel = pixel_of({ahead_m, mount_.p_vehicle_camera.y()});
+  return pixel ? static_cast<int>(std::lround(pixel->y())) : height_px_ - 1;
+}
+
+RouteView::FloorPatch RouteView::patch_of(double ahead_from_m, double ahead_to_m,
+                                          const Interval& aside_m) const {
+  constexpr double kGrid_m = 0.02;
+  FloorPatch patch;
+  const int rows = static_cast<int>((ahead_to_m - ahead_from_m) / kGrid_m);
+  const int columns = static_cast<int>(aside_m.length() / kGrid_m);
+  for (int i = 0; i <= rows; ++i) {
+    for (int k = 0; k <= columns; ++k) {
+      const auto pixel = pixel_of({ahead_from_m + i * kGrid_m, aside_m.min + k * kGrid_m});
+      if (!pixel) continue;
+      patch.push_back(static_cast<std::size_t>(std::lround(pixel->y())) *
+                          static_cast<std::size_t>(width_px_) +
+                      static_cast<std::size_t>(std::lround(pixel->x())));
+    }
+  }
+  return patch;
+}
+
+bool RouteView::is_occupied(const Image& mask, const FloorPatch& patch) const {
+  const auto route =
+      std::count_if(patch.begin(), patch.end(), [&](std::size_t i) { return mask.bytes[i] != 0; });
+  return static_cast<double>(route) < params_.check_share * static_cast<double>(patch.size());
+}
+
+RouteSight RouteView::look(const Image& picture) {
+  RouteRegion region = find_route_region(picture, params_.region);
+  RouteSight sight{
+      .mask = std::move(region.mask), .checks = {}, .p_vehicle_edges = {}, .p_vehicle_cut_off = {}};
+  measure_patch(picture, sight);
+  take_out_dark(picture, sight);
+  if (stripe_) take_out_lit(picture, sight.mask);
+  sight.share = route_share(sight.mask, 0, width_px_);
+  sight.checks = {.ahead = is_occupied(sight.mask, ahead_),
+                  .left = is_occupied(sight.mask, left_),
+                  .right = is_occupied(sight.mask, right_),
+                  .left_share = route_share(sight.mask, 0, width_px_ / 2),
+                  .right_share = route_share(sight.mask, width_px_ / 2, width_px_)};
+  find_edges(sight);
+  return sight;
+}
+
+/// Things whose foot is below the stripe hide the floor behind them.
+void RouteView::take_out_lit(const Image& picture, Image& mask) {
+  constexpr double kOneThing_m = 0.15;  // between neighbouring places of one
+  stripe_->find(as_grey(picture, grey_));
+  p_vehicle_lit_.clear();
+  stripe_->append_lit(p_vehicle_lit_);
+  for (std::size_t i = 0; i + 1 < p_vehicle_lit_.size(); ++i) {
+    const Vec2 &right = p_vehicle_lit_[i], &left = p_vehicle_lit_[i + 1];
+    if ((left - right).norm() > kOneThing_m) continue;
+    for (const double height_m : {0.0, stripe_height_m_})
+      take_out_above({right.x(), right.y(), height_m}, {left.x(), left.y(), height_m}, mask);
+  }
+}
+
+/// All that is seen on and above a level line.
+void RouteView::take_out_above(const Vec3& p_vehicle_right, const Vec3& p_vehicle_left, Image& mask) const {
+  const auto right = camera_.project(mount_.to_camera(p_vehicle_right)),
+             left = camera_.project(mount_.to_camera(p_vehicle_left));
+  if (!right || !left || right->x() <= left->x()) return;
+  const int first = std::max(0, static_cast<int>(std::floor(left->x())));
+  const int last = std::min(width_px_ - 1, static_cast<int>(std::ceil(right->x())));
+  for (int u = first; u <= last; ++u) {
+    const double share = std::clamp((u - left->x()) / (right->x() - left->x()), 0.0, 1.0);
+    const double row = left->y() + share * (right->y() - left->y());
+    const int lowest = std::min(height_px_ - 1, static_cast<int>(std::lround(row)));
+    for (int v = 0; v <= lowest; ++v) mask.row(v)[u] = 0;
+  }
+}
+
+/// In each of many columns, the lowest pixel that is not route: the foot of what stands there, unless the
+/// view does not reach down to it.
+void RouteView::find_edges(RouteSight& sight) const {
+  for (int i = 0; i < kEdgeColumns; ++i) {
+    const int u = (2 * i + 1) * width_px_ / (2 * kEdgeColumns);
+    int v = height_px_ - 1;
+    while (v >= 0 && sight.mask.row(v)[u] != 0) --v;
+    if (v < 0) continue;
+    const auto p_vehicle = floor_.point(Vec2(u, v));
+    if (!p_vehicle || p_vehicle->x() - nearest_m_ > params_.edge_range_m) continue;
+    (v == height_px_ - 1 ? sight.p_vehicle_cut_off : sight.p_vehicle_edges).push_back(*p_vehicle);
+  }
+}
+
+bool RouteView::sees_route(const RouteSight& sight, const Vec2& p_vehicle) const {
+  const auto pixel = pixel_of(p_vehicle);
+  return pixel && sight.mask.row(static_cast<int>(std::lround(pixel->y())))[std::lround(pixel->x())] != 0;
+}
+
+bool RouteView::is_before_patch_end(const Vec2& p_vehicle) const {
+  return p_vehicle.x() > 0 && p_vehicle.x() < p_vehicle_patch_.x() &&
+         std::abs(p_vehicle.y()) < std::abs(p_vehicle_patch_.y());
+}
+
+std::optional<Vec2> RouteView::middle(const RouteSight& sight, double blot_left, double blot_right) const {
+  const int left = static_cast<int>(blot_left * width_px_);
+  const int right = width_px_ - static_cast<int>(blot_right * width_px_);
+  constexpr int kFarLine = 0, kNearLine = 1;
+  Image lines(right - left, 2);
+  std::copy(sight.mask.row(far_row_) + left, sight.mask.row(far_row_) + right, lines.row(kFarLine));
+  std::copy(sight.mask.row(near_row_) + left, sight.mask.row(near_row_) + right, lines.row(kNearLine));
+  const auto middle = find_route_middle(lines, kFarLine, kNearLine);
+  if (!middle) return std::nullopt;
+  return floor_.point(Vec2(left + middle->mean_px.x(), (far_row_ + near_row_) / 2.0));
+}
+
+}  // namespace aisle

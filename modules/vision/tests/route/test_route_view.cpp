@@ -1,0 +1,133 @@
+#include "aisle/vision/route/route_view.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "seen_floor.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kVehicleWidth_m = 0.6;
+constexpr double kMarkerHeight_m = 0.3;
+
+RouteView eye() {
+  return {{}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m};
+}
+
+/// A bright way between dark sides, and a dark thing on it.
+Image way(double right_m, double left_m, const Segment2& thing = {{20, 20}, {20, 20}}) {
+  return seen_floor([&](const Vec2& p) {
+    const bool is_route = p.y() > right_m && p.y() < left_m && p.x() < 6;
+    const bool is_thing =
+        p.x() > thing.start.x() && p.x() < thing.end.x() && p.y() > thing.start.y() && p.y() < thing.end.y();
+    return is_route && !is_thing ? 165.0 : 60.0;
+  });
+}
+
+TEST(RouteView, TheMiddleLiesBetweenTheSides) {
+  RouteView view = eye();
+  const auto middle = view.middle(view.look(way(-0.9, 0.5)), 0, 0);
+  ASSERT_TRUE(middle);
+  EXPECT_NEAR(middle->y(), -0.2, 0.06);
+  EXPECT_GT(middle->x(), 1.5);
+}
+
+TEST(RouteView, BlottingOutASideMovesTheMiddleToTheOther) {
+  RouteView view = eye();
+  const RouteSight sight = view.look(way(-0.8, 0.8));
+  EXPECT_GT(view.middle(sight, 0, 0.5)->y(), 0.2);
+  EXPECT_LT(view.middle(sight, 0.5, 0)->y(), -0.2);
+}
+
+TEST(RouteView, TheCheckRegionsTellWhereSomethingStands) {
+  RouteView view = eye();
+  const RouteChecks free = view.look(way(-1, 1)).checks;
+  EXPECT_FALSE(free.ahead || free.left || free.right);
+  const RouteChecks ahead = view.look(way(-1, 1, {{1.5, -0.25}, {2.2, 0.3}})).checks;
+  EXPECT_TRUE(ahead.ahead);
+  const RouteChecks left = view.look(way(-1, 0.3)).checks;
+  EXPECT_TRUE(left.left);
+  EXPECT_FALSE(left.right);
+  EXPECT_GT(left.right_share, left.left_share);
+}
+
+TEST(RouteView, EdgesLieWhereTheRouteEnds) {
+  RouteView view = eye();
+  const RouteSight sight = view.look(way(-0.6, 0.6));
+  ASSERT_THAT(sight.p_vehicle_edges, testing::SizeIs(testing::Gt(20U)));
+  for (const Vec2& p : sight.p_vehicle_edges) {
+    if (p.x() >= 3) continue;
+    EXPECT_NEAR(std::abs(p.y()), 0.6, 0.1) << p.transpose();
+  }
+  EXPECT_TRUE(view.sees_route(sight, {2, 0}));
+  EXPECT_FALSE(view.sees_route(sight, {2, 0.8}));
+  EXPECT_FALSE(view.sees_route(sight, {0, 0})) << "below the view";
+}
+
+TEST(RouteView, WhatStandsOnThePatchOrBeforeItDarkensIt) {
+  RouteView view = eye();
+  const double free_grey = view.look(way(-1, 1)).patch_grey;
+  for (const double ahead_m : {1.2, 1.4, 1.5, 1.7}) {
+    for (const double aside_m : {-0.3, 0.0, 0.3}) {
+      const Vec2 p(ahead_m, aside_m);
+      const Image there = way(-1, 1, {p - Vec2(0.05, 0.05), p + Vec2(0.15, 0.05)});
+      EXPECT_EQ(view.is_before_patch_end(p), view.look(there).patch_grey < free_grey - 1) << p.transpose();
+    }
+  }
+}
+
+TEST(RouteView, WhereTheViewEndsIsNoEdge) {
+  RouteView view = eye();
+  const double lowest_m = view.floor_point({kFloorWidth_px / 2.0, kFloorHeight_px - 1.0})->x();
+  const RouteSight sight = view.look(way(-0.9, 0.3));
+  ASSERT_FALSE(sight.p_vehicle_cut_off.empty()) << "the left side is nearer than the view's lower corner";
+  for (const Vec2& p : sight.p_vehicle_cut_off) {
+    EXPECT_NEAR(p.x(), lowest_m, 0.01);
+    EXPECT_GT(p.y(), 0.25);
+  }
+  for (const Vec2& p : sight.p_vehicle_edges) EXPECT_GT(p.x(), lowest_m + 0.001);
+}
+
+/// Laser light on the front of a thing that stands across the way.
+Image lit_front(double ahead_m, double right_m, double left_m, const Image& before) {
+  constexpr double kSteps = 2000;
+  constexpr int kHalfRows = 1;
+  Image picture = before;
+  int last_u = -1;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double aside_m = left_m + i / kSteps * (right_m - left_m);
+    const auto pixel = floor_lens().project(floor_mount().to_camera({ahead_m, aside_m, kMarkerHeight_m}));
+    const int u = static_cast<int>(std::lround(pixel->x()));
+    if (std::exchange(last_u, u) == u) continue;
+    const int row = static_cast<int>(std::lround(pixel->y()));
+    for (int v = row - kHalfRows; v <= row + kHalfRows; ++v) picture.row(v)[u] = v == row ? 250 : 200;
+  }
+  return picture;
+}
+
+TEST(RouteView, WhereTheMarkersLightAThingIsNoRouteHoweverMuchItLooksLikeIt) {
+  constexpr double kAhead_m = 2.2, kHalfWidth_m = 0.4;
+  const Image floor = way(-20, 20);
+  const Image lit = lit_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m, floor);
+  RouteView view({}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m,
+                 kMarkerHeight_m);
+  EXPECT_TRUE(view.sees_route(view.look(floor), {kAhead_m + 0.1, 0})) << "nothing is lit";
+  const RouteSight sight = view.look(lit);
+  for (const double aside_m : {-0.3, 0.0, 0.3}) {
+    EXPECT_TRUE(view.sees_route(sight, {kAhead_m - 0.1, aside_m})) << aside_m;
+    EXPECT_FALSE(view.sees_route(sight, {kAhead_m + 0.1, aside_m})) << aside_m;
+  }
+  EXPECT_TRUE(view.sees_route(sight, {kAhead_m + 0.1, kHalfWidth_m + 0.2})) << "beside it";
+  const auto is_foot = [&](const Vec2& p) {
+    return std::abs(p.y()) < kHalfWidth_m - 0.1 && std::abs(p.x() - kAhead_m) < 0.04;
+  };
+  EXPECT_GE(std::count_if(sight.p_vehicle_edges.begin(), sight.p_vehicle_edges.end(), is_foot), 10);
+  RouteView by_brightness = eye();
+  EXPECT_TRUE(by_brightness.sees_route(by_brightness.look(lit), {kAhead_m + 0.1, 0}));
+}
+
+}  // namespace
+}  // namespace aisle
