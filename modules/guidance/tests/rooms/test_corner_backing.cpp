@@ -51,12 +51,12 @@ struct DrivenBack {
 };
 
 DrivenBack back_until_done(TurningClass next) {
-  constexpr double kStep_m = 0.02, kBegin_m = 1.5;
+  constexpr double kBackingStep_m = 0.02, kBegin_m = 1.5;
   const VehicleDescription vehicle = cart_with_third_camera();
   CornerBacking backing({}, {}, vehicle);
   backing.begin(next, kTaught_m, {kBegin_m, 0, 0});
   for (int i = 0; i < 1000; ++i) {
-    const Pose2 T_odom_vehicle{kBegin_m - i * kStep_m, 0, 0};
+    const Pose2 T_odom_vehicle{kBegin_m - i * kBackingStep_m, 0, 0};
     backing.look(seen_from(vehicle, T_odom_vehicle, (i + 1) * kCornerCycle_s), T_odom_vehicle);
     if (backing.is_done(T_odom_vehicle)) return {T_odom_vehicle.x, backing.has_seen_corner()};
   }
