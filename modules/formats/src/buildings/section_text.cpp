@@ -14,7 +14,7 @@ namespace {
 
 using Kind = Section::Kind;
 
-constexpr double kLengthMax_m = 10'000, kCornerMax_m = 10, kCornerMin_m = 0.05, kBesideMax_m = 20;
+constexpr double kSectionLengthMax_m = 10'000, kCornerMax_m = 10, kCornerMin_m = 0.05, kBesideMax_m = 20;
 constexpr int kQuantaMax = 144;  // of a whole turn
 
 char symbol_of(const Section& section) {
@@ -79,10 +79,10 @@ class SectionParser {
   }
 
   Result<Section> straight(Kind kind, bool has_walls) const {
-    const auto length_m = within(1, 0, kLengthMax_m);
+    const auto length_m = within(1, 0, kSectionLengthMax_m);
     if (!length_m)
       return wrong(
-          fmt::format("'{}' needs a length in metres, more than 0 and up to {}", words_[0], kLengthMax_m));
+          fmt::format("'{}' needs a length in metres, more than 0 and up to {}", words_[0], kSectionLengthMax_m));
     Section section{.kind = kind, .length_m = *length_m};
     for (std::size_t i = 2; i < words_.size(); i += 2) {
       auto* beside_m = !has_walls             ? nullptr
