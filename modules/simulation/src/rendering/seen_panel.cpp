@@ -10,7 +10,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kNear_m = 1e-4;  ///< what is nearer to the lens is not seen
+constexpr double kNearestSeen_m = 1e-4;  ///< what is nearer to the lens is not seen
 
 /// Nearness times this is as near: what lies in one plane differs by rounding.
 constexpr float kSamePlace = 1 - 1e-5f;
@@ -21,9 +21,9 @@ class Outline {
   explicit Outline(const Corners& corners) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vec3 &from = corners[i], &to = corners[(i + 1) % corners.size()];
-      if (from.z() >= kNear_m) add(from);
-      if ((from.z() >= kNear_m) != (to.z() >= kNear_m)) {
-        add(from + (kNear_m - from.z()) / (to.z() - from.z()) * (to - from));
+      if (from.z() >= kNearestSeen_m) add(from);
+      if ((from.z() >= kNearestSeen_m) != (to.z() >= kNearestSeen_m)) {
+        add(from + (kNearestSeen_m - from.z()) / (to.z() - from.z()) * (to - from));
       }
     }
   }
