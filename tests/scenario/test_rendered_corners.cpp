@@ -27,8 +27,7 @@ std::optional<Vec2> corner_seen(int first, int second, const Pose2& T_world_vehi
   Random random(3);
   const RenderedWorld world(close_turnings_course(first, second, random));
   const CameraDescription camera = third_camera();
-  const RouteView view({}, CameraModel(camera.intrinsics), camera.mount, camera.width_px, camera.height_px,
-                       kVehicleWidth_m);
+  RouteView view({}, camera.intrinsics, camera.mount, camera.width_px, camera.height_px, kVehicleWidth_m);
   CameraMoment moment;
   moment.T_world_vehicle = T_world_vehicle;
   const RouteSight sight = view.look(CameraSensor(camera, {}, 1).take(world, moment));
