@@ -81,9 +81,8 @@ RouteView::RouteView(const RouteViewParams& params, const CameraIntrinsics& intr
   ahead_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m, {-side_m, side_m});
   left_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m / 2, {side_m, beside_m});
   right_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m / 2, {-beside_m, -side_m});
-  if (!stripe_height_m) return;
-  stripe_height_m_ = *stripe_height_m;
-  stripe_.emplace(params.stripe, intrinsics, mount, width_px, height_px, stripe_height_m_);
+  if (stripe_height_m)
+    stripe_.emplace(params.stripe, intrinsics, mount, width_px, height_px, *stripe_height_m);
 }
 
 std::optional<Vec2> RouteView::pixel_of(const Vec2& p_vehicle) const {
@@ -147,16 +146,16 @@ void RouteView::take_out_lit(const Image& picture, Image& mask) {
   stripe_->append_lit(p_vehicle_lit_);
   for (std::size_t i = 0; i + 1 < p_vehicle_lit_.size(); ++i) {
     const Vec2 &right = p_vehicle_lit_[i], &left = p_vehicle_lit_[i + 1];
-    if ((left - right).norm() > kOneThing_m) continue;
-    for (const double height_m : {0.0, stripe_height_m_})
-      take_out_above({right.x(), right.y(), height_m}, {left.x(), left.y(), height_m}, mask);
+    if ((left - right).norm() <= kOneThing_m) take_out_above(right, left, mask);
   }
 }
 
-/// All that is seen on and above a level line.
-void RouteView::take_out_above(const Vec3& p_vehicle_right, const Vec3& p_vehicle_left, Image& mask) const {
-  const auto right = camera_.project(mount_.to_camera(p_vehicle_right)),
-             left = camera_.project(mount_.to_camera(p_vehicle_left));
+/// All that is seen on and above a line on the floor.
+void RouteView::take_out_above(const Vec2& p_vehicle_right, const Vec2& p_vehicle_left, Image& mask) const {
+  const auto on_picture = [this](const Vec2& p) {
+    return camera_.project(mount_.to_camera({p.x(), p.y(), 0}));
+  };
+  const auto right = on_picture(p_vehicle_right), left = on_picture(p_vehicle_left);
   if (!right || !left || right->x() <= left->x()) return;
   const int first = std::max(0, static_cast<int>(std::floor(left->x())));
   const int last = std::min(width_px_ - 1, static_cast<int>(std::ceil(right->x())));

@@ -81,7 +81,7 @@ class RouteView {
   bool is_occupied(const Image& mask, const FloorPatch& patch) const;
   void find_edges(RouteSight& sight) const;
   void take_out_lit(const Image& picture, Image& mask);
-  void take_out_above(const Vec3& p_vehicle_right, const Vec3& p_vehicle_left, Image& mask) const;
+  void take_out_above(const Vec2& p_vehicle_right, const Vec2& p_vehicle_left, Image& mask) const;
   int row_at(double ahead_m) const;
 
   RouteViewParams params_;
@@ -94,7 +94,6 @@ class RouteView {
   int far_row_ = 0, near_row_ = 0;
   FloorPatch ahead_, left_, right_;
   std::optional<StripeFan> stripe_;
-  double stripe_height_m_ = 0;
   std::vector<Vec2> p_vehicle_lit_;
   Image grey_;
 };
