@@ -11,6 +11,21 @@ constexpr int kEdgeColumns = 80;
 constexpr int kPatchesInHeight = 6;
 constexpr double kDarkShare = 0.65;  // of the patch's grey level: what is darker is no route
 
+constexpr int kFootBand_px = 5;        // rows of a band, and from a foot to the next one's middle
+constexpr double kFootStepMin = 0.05;  // of the floor's grey level, between what its bands and a thing's show
+constexpr double kThingLength_m = 0.5;  // of longer ones each piece shows its foot
+constexpr double kThingGap_m = 0.15;    // between neighbouring places of one
+
+/// How many of the first places, from right to left, are of one thing.
+std::size_t points_of_one_thing(std::span<const Vec2> p_vehicle_lit) {
+  std::size_t count = 1;
+  while (count < p_vehicle_lit.size() &&
+         (p_vehicle_lit[count] - p_vehicle_lit[count - 1]).norm() <= kThingGap_m &&
+         (p_vehicle_lit[count] - p_vehicle_lit[0]).norm() <= kThingLength_m)
+    ++count;
+  return count;
+}
+
 /// Share of the columns from `begin` to before `end` that is route.
 double route_share(const Image& mask, int begin, int end) {
   long count = 0;
@@ -138,16 +153,41 @@ RouteSight RouteView::look(const Image& picture) {
   return sight;
 }
 
-/// Things whose foot is below the stripe hide the floor behind them.
+/// Things whose foot is below the stripe hide the floor behind them. What has no foot there is no such thing:
+/// a line painted on the floor farther away looks like the stripe.
 void RouteView::take_out_lit(const Image& picture, Image& mask) {
-  constexpr double kOneThing_m = 0.15;  // between neighbouring places of one
-  stripe_->find(as_grey(picture, grey_));
+  const Image& grey = as_grey(picture, grey_);
+  stripe_->find(grey);
   p_vehicle_lit_.clear();
   stripe_->append_lit(p_vehicle_lit_);
-  for (std::size_t i = 0; i + 1 < p_vehicle_lit_.size(); ++i) {
-    const Vec2 &right = p_vehicle_lit_[i], &left = p_vehicle_lit_[i + 1];
-    if ((left - right).norm() <= kOneThing_m) take_out_above(right, left, mask);
+  for (std::span<const Vec2> rest(p_vehicle_lit_); !rest.empty();) {
+    const std::span<const Vec2> thing = rest.first(points_of_one_thing(rest));
+    rest = rest.subspan(std::max<std::size_t>(1, thing.size() - 1));
+    if (!has_foot(grey, thing)) continue;
+    for (std::size_t i = 0; i + 1 < thing.size(); ++i) take_out_above(thing[i], thing[i + 1], mask);
   }
+}
+
+/// Whether the floor's brightness does not go on where a thing would stand that is lit at these places.
+bool RouteView::has_foot(const Image& grey, std::span<const Vec2> p_vehicle_thing) const {
+  double above = 0, below = 0, farther_below = 0;
+  for (const Vec2& p_vehicle : p_vehicle_thing) {
+    const auto foot = pixel_of(p_vehicle);
+    if (!foot) continue;
+    const auto u = std::lround(foot->x()), v = std::lround(foot->y());
+    const auto band = [&](long middle) {
+      double sum = 0;
+      for (long row = middle - kFootBand_px / 2; row <= middle + kFootBand_px / 2; ++row)
+        sum += grey.row(static_cast<int>(row))[u];
+      return sum;
+    };
+    if (v < 2 * kFootBand_px || v + 4 * kFootBand_px > height_px_) continue;
+    above += band(v - kFootBand_px);
+    below += band(v + kFootBand_px);
+    farther_below += band(v + 3 * kFootBand_px);
+  }
+  const double floor_above = 2 * below - farther_below;
+  return std::abs(above - floor_above) > kFootStepMin * below;
 }
 
 /// All that is seen on and above a line on the floor.

@@ -91,6 +91,12 @@ TEST(RouteView, WhereTheViewEndsIsNoEdge) {
   for (const Vec2& p : sight.p_vehicle_edges) EXPECT_GT(p.x(), lowest_m + 0.001);
 }
 
+/// A thing that stands across the way, nearly as bright as the floor.
+Image faint_front(double ahead_m, double right_m, double left_m) {
+  return seen_floor(
+      [&](const Vec2& p) { return p.x() > ahead_m && p.y() > right_m && p.y() < left_m ? 150.0 : 165.0; });
+}
+
 /// Laser light on the front of a thing that stands across the way.
 Image lit_front(double ahead_m, double right_m, double left_m, const Image& before) {
   constexpr double kSteps = 2000;
@@ -110,11 +116,11 @@ Image lit_front(double ahead_m, double right_m, double left_m, const Image& befo
 
 TEST(RouteView, WhereTheMarkersLightAThingIsNoRouteHoweverMuchItLooksLikeIt) {
   constexpr double kAhead_m = 2.2, kHalfWidth_m = 0.4;
-  const Image floor = way(-20, 20);
-  const Image lit = lit_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m, floor);
+  const Image unlit = faint_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m);
+  const Image lit = lit_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m, unlit);
   RouteView view({}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m,
                  kMarkerHeight_m);
-  EXPECT_TRUE(view.sees_route(view.look(floor), {kAhead_m + 0.1, 0})) << "nothing is lit";
+  EXPECT_TRUE(view.sees_route(view.look(unlit), {kAhead_m + 0.1, 0})) << "nothing is lit";
   const RouteSight sight = view.look(lit);
   for (const double aside_m : {-0.3, 0.0, 0.3}) {
     EXPECT_TRUE(view.sees_route(sight, {kAhead_m - 0.1, aside_m})) << aside_m;
@@ -127,6 +133,14 @@ TEST(RouteView, WhereTheMarkersLightAThingIsNoRouteHoweverMuchItLooksLikeIt) {
   EXPECT_GE(std::count_if(sight.p_vehicle_edges.begin(), sight.p_vehicle_edges.end(), is_foot), 10);
   RouteView by_brightness = eye();
   EXPECT_TRUE(by_brightness.sees_route(by_brightness.look(lit), {kAhead_m + 0.1, 0}));
+}
+
+TEST(RouteView, ALineOnTheFloorThatLooksLikeTheMarkersLightIsNoThing) {
+  constexpr double kAhead_m = 2.2, kHalfWidth_m = 0.4;
+  const Image line = lit_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m, way(-20, 20));
+  RouteView view({}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m,
+                 kMarkerHeight_m);
+  EXPECT_TRUE(view.sees_route(view.look(line), {kAhead_m + 0.1, 0}));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 /// What a camera that looks down ahead tells of the route: L96 section 3.1.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "aisle/geometry/back_projection.hpp"
@@ -81,6 +82,7 @@ class RouteView {
   bool is_occupied(const Image& mask, const FloorPatch& patch) const;
   void find_edges(RouteSight& sight) const;
   void take_out_lit(const Image& picture, Image& mask);
+  bool has_foot(const Image& grey, std::span<const Vec2> p_vehicle_thing) const;
   void take_out_above(const Vec2& p_vehicle_right, const Vec2& p_vehicle_left, Image& mask) const;
   int row_at(double ahead_m) const;
 
