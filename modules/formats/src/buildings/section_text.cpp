@@ -81,8 +81,8 @@ class SectionParser {
   Result<Section> straight(Kind kind, bool has_walls) const {
     const auto length_m = within(1, 0, kSectionLengthMax_m);
     if (!length_m)
-      return wrong(
-          fmt::format("'{}' needs a length in metres, more than 0 and up to {}", words_[0], kSectionLengthMax_m));
+      return wrong(fmt::format("'{}' needs a length in metres, more than 0 and up to {}", words_[0],
+                               kSectionLengthMax_m));
     Section section{.kind = kind, .length_m = *length_m};
     for (std::size_t i = 2; i < words_.size(); i += 2) {
       auto* beside_m = !has_walls             ? nullptr
