@@ -24,8 +24,9 @@ WayToRoute::WayToRoute(const VehicleDescription& vehicle, const SteeringParams& 
 void WayToRoute::begin(const Path& route, const Pose2& T_map_floor, const Pose2& T_map_vehicle) {
   T_floor_map_ = T_map_floor.inverse();
   T_floor_route_.clear();
-  for (double along_m = 0; along_m < route.length_m(); along_m += kRoutePlacesApart_m) {
-    const Pose2 T_map_route = route.at(along_m).T_map_path;
+  const auto places = static_cast<int>(std::ceil(route.length_m() / kRoutePlacesApart_m));
+  for (int i = 0; i < places; ++i) {
+    const Pose2 T_map_route = route.at(i * kRoutePlacesApart_m).T_map_path;
     if ((T_map_route.position() - T_map_vehicle.position()).norm() < kReached_m)
       T_floor_route_.push_back(T_floor_map_ * T_map_route);
   }

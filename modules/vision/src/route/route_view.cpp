@@ -11,10 +11,10 @@ constexpr int kEdgeColumns = 80;
 constexpr int kPatchesInHeight = 6;
 constexpr double kDarkShare = 0.65;  // of the patch's grey level: what is darker is no route
 
-constexpr int kFootBand_px = 5;        // rows of a band, and from a foot to the next one's middle
-constexpr double kFootStepMin = 0.05;  // of the floor's grey level, between what its bands and a thing's show
-constexpr double kThingLength_m = 0.5;  // of longer ones each piece shows its foot
-constexpr double kThingGap_m = 0.15;    // between neighbouring places of one
+constexpr int kFootNearest_px = 3, kFootFarthest_px = 7;  // from a foot, the rows that are compared
+constexpr double kFootStepMin = 0.05;                     // of the floor's grey level, between them
+constexpr double kThingLength_m = 0.5;                    // of longer ones each piece shows its foot
+constexpr double kThingGap_m = 0.15;                      // between neighbouring places of one
 
 /// How many of the first places, from right to left, are of one thing.
 std::size_t points_of_one_thing(std::span<const Vec2> p_vehicle_lit) {
@@ -168,26 +168,20 @@ void RouteView::take_out_lit(const Image& picture, Image& mask) {
   }
 }
 
-/// Whether the floor's brightness does not go on where a thing would stand that is lit at these places.
+/// Whether it is brighter or darker right above the places where a thing is lit than right below them.
 bool RouteView::has_foot(const Image& grey, std::span<const Vec2> p_vehicle_thing) const {
-  double above = 0, below = 0, farther_below = 0;
+  double above = 0, below = 0;
   for (const Vec2& p_vehicle : p_vehicle_thing) {
     const auto foot = pixel_of(p_vehicle);
     if (!foot) continue;
-    const auto u = std::lround(foot->x()), v = std::lround(foot->y());
-    const auto band = [&](long middle) {
-      double sum = 0;
-      for (long row = middle - kFootBand_px / 2; row <= middle + kFootBand_px / 2; ++row)
-        sum += grey.row(static_cast<int>(row))[u];
-      return sum;
-    };
-    if (v < 2 * kFootBand_px || v + 4 * kFootBand_px > height_px_) continue;
-    above += band(v - kFootBand_px);
-    below += band(v + kFootBand_px);
-    farther_below += band(v + 3 * kFootBand_px);
+    const auto u = static_cast<int>(std::lround(foot->x())), v = static_cast<int>(std::lround(foot->y()));
+    if (v < kFootFarthest_px || v + kFootFarthest_px >= height_px_) continue;
+    for (int i = kFootNearest_px; i <= kFootFarthest_px; ++i) {
+      above += grey.row(v - i)[u];
+      below += grey.row(v + i)[u];
+    }
   }
-  const double floor_above = 2 * below - farther_below;
-  return std::abs(above - floor_above) > kFootStepMin * below;
+  return std::abs(above - below) > kFootStepMin * below;
 }
 
 /// All that is seen on and above a line on the floor.
