@@ -95,8 +95,13 @@ void BM_LaserStripes(benchmark::State& state) {
 
 void BM_RouteRegion(benchmark::State& state) {
   Image picture = corridor();
-  compare(
-      state, [&] { return find_route_region(picture); }, [&] { return floor_by_watershed(to_mat(picture)); });
+  RouteRegionFinder finder;
+  Image mask;
+  const auto find = [&] {
+    finder.find(picture, mask);
+    return mask.bytes.data();
+  };
+  compare(state, find, [&] { return floor_by_watershed(to_mat(picture)); });
 }
 
 void BM_LaserStripesInGrey(benchmark::State& state) {

@@ -25,10 +25,10 @@ void RoomTripCollector::add(const Observation& observation) {
                   .view = {},
                   .p_vehicle_edges = {}};
   if (const CameraPicture* picture = present_picture(observation, camera_.name, vehicle_.cycle_s)) {
-    RouteSight sight = view_.look(*picture->image);
+    const RouteSight& sight = view_.look(*picture->image);
     if (!std::exchange(has_patch_, true))
       cycle.patch = RouteBrightness{sight.patch_grey, sight.patch_deviation};
-    cycle.p_vehicle_edges = std::move(sight.p_vehicle_edges);
+    cycle.p_vehicle_edges = sight.p_vehicle_edges;
     cycle.view = brightness_view(*picture->image);
     cycle.p_vehicle_painted = painted_line_points(*picture->image, CameraModel(camera_.intrinsics),
                                                   camera_.mount, params_.learning.frame);

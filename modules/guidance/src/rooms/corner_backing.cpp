@@ -36,7 +36,7 @@ void CornerBacking::begin(TurningClass next, double taught_m, const Pose2& T_odo
 void CornerBacking::look(const Observation& observation, const Pose2& T_odom_vehicle) {
   const CameraPicture* picture = present_picture(observation, camera_.name, vehicle_.cycle_s);
   if (picture == nullptr || backed_m(T_odom_vehicle) < params_.least_share * taught_m_) return;
-  const RouteSight sight = view_.look(*picture->image);
+  const RouteSight& sight = view_.look(*picture->image);
   const auto p_vehicle_corner = find_route_corner(
       sight.p_vehicle_edges, camera_.mount.p_vehicle_camera.head<2>(), side_, params_.corner);
   if (!p_vehicle_corner) {

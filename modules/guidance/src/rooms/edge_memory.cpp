@@ -7,6 +7,7 @@ namespace aisle {
 namespace {
 
 constexpr double kSeenAside_m = 0.25;  // so far off, what was seen from far may be
+constexpr double kLookKept_s = 5;
 
 }  // namespace
 
@@ -62,7 +63,8 @@ void EdgeMemory::forget_moved_on(double stamp_s) {
 bool EdgeMemory::was_free(const RouteView& view, const Vec2& p_odom, double stamp_s) const {
   constexpr double kBefore_s = 0.5;
   return std::any_of(looks_.begin(), looks_.end(), [&](const Look& look) {
-    return stamp_s - look.stamp_s > kBefore_s &&
+    const double ago_s = stamp_s - look.stamp_s;
+    return ago_s > kBefore_s && ago_s <= kLookKept_s &&
            view.sees_route(look.sight, look.T_odom_vehicle.inverse() * p_odom);
   });
 }
@@ -103,11 +105,18 @@ void EdgeMemory::take(const Edge& seen) {
   if (!is_known) edges_.push_back(seen);
 }
 
+/// The oldest one's memory is used again.
 void EdgeMemory::keep_look(const RouteSight& sight, const Pose2& T_odom_vehicle, double stamp_s) {
-  constexpr double kApart_s = 0.5, kKept_s = 5;
+  constexpr double kApart_s = 0.5;
   if (!looks_.empty() && stamp_s - looks_.back().stamp_s < kApart_s) return;
-  std::erase_if(looks_, [&](const Look& look) { return stamp_s - look.stamp_s > kKept_s; });
-  looks_.push_back({stamp_s, T_odom_vehicle, sight});
+  if (looks_.empty() || stamp_s - looks_.front().stamp_s <= kLookKept_s)
+    looks_.emplace_back();
+  else
+    std::rotate(looks_.begin(), looks_.begin() + 1, looks_.end());
+  Look& look = looks_.back();
+  look.stamp_s = stamp_s;
+  look.T_odom_vehicle = T_odom_vehicle;
+  look.sight = sight;
 }
 
 void EdgeMemory::clear(const Pose2& T_odom_middle, const Vec2& size) {

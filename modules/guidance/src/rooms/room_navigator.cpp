@@ -117,7 +117,7 @@ Decision RoomNavigator::step(const Observation& observation) {
   look(observation);
   if (observation.bumper_pressed)
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
-  if (const auto trouble = watch_.trouble(observation.stamp_s); trouble || !sight_) {
+  if (const auto trouble = watch_.trouble(observation.stamp_s); trouble || !sight()) {
     if (!stopped_s_) stopped_s_ = observation.stamp_s;
     const bool is_lasting = observation.stamp_s - *stopped_s_ > params_.blind_max_s;
     return {.status = is_lasting ? NavigatorStatus::kFailed : NavigatorStatus::kGoing,
@@ -140,20 +140,20 @@ Decision RoomNavigator::step(const Observation& observation) {
 void RoomNavigator::look(const Observation& observation) {
   const CameraPicture* picture = watch_.look(observation);
   if (picture == nullptr) return;
-  sight_ = view_.look(*picture->image);
+  const RouteSight& sight = view_.look(*picture->image);
   stop_views_.take(*picture->image, left_to_end_m());
   is_strange_ = !is_route_bright_as_learned();
   dead_end_pictures_ = is_at_dead_end() ? dead_end_pictures_ + 1 : 0;
   if (is_strange_) return;
   T_odom_seen_ = T_odom_vehicle_;
   // The learned brightness follows slow change of light (METHODS 9).
-  brightness_.grey += params_.brightness_gain * (sight_->patch_grey - brightness_.grey);
-  edges_.take(view_, *sight_, T_odom_vehicle_, observation.stamp_s);
+  brightness_.grey += params_.brightness_gain * (sight.patch_grey - brightness_.grey);
+  edges_.take(view_, sight, T_odom_vehicle_, observation.stamp_s);
   find_place();
 }
 
 bool RoomNavigator::is_route_bright_as_learned() const {
-  const double change = sight_->patch_grey / std::max(1.0, brightness_.grey) - 1;
+  const double change = sight()->patch_grey / std::max(1.0, brightness_.grey) - 1;
   return std::abs(change) <= params_.brightness_tolerance;
 }
 
@@ -190,7 +190,7 @@ double RoomNavigator::steering_to(const Vec2& p_vehicle) const {
 
 /// L96 section 3.1: 30 degrees away from what the check regions show.
 std::optional<double> RoomNavigator::avoiding_rad() const {
-  const RouteChecks& checks = sight_->checks;
+  const RouteChecks& checks = sight()->checks;
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
   if (!params_.avoid_as_published || is_turning || is_strange_) return std::nullopt;
   if (checks.left && !checks.right) return -params_.avoid_rad;
@@ -215,7 +215,7 @@ double RoomNavigator::wished_steering_rad() const {
   const double beyond_m = std::max(0.0, ahead_m - leg_end_m);
   const Vec2 p_map_ahead = route_.path.at(std::min(ahead_m, leg_end_m)).T_map_path * Vec2(beyond_m, 0);
   const double taught_rad = steering_to(pose().inverse() * p_map_ahead);
-  const auto middle = is_strange_ ? std::nullopt : view_.middle(*sight_, blot.left, blot.right);
+  const auto middle = is_strange_ ? std::nullopt : view_.middle(*sight(), blot.left, blot.right);
   if (!middle) return taught_rad;
   const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
   const double share = turns ? params_.turning_middle_share : params_.middle_share;

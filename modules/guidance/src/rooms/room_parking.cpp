@@ -119,14 +119,14 @@ double RoomNavigator::gap_ahead_m() const {
 /// L96 section 2.4, and so near that what is seen is the end.
 bool RoomNavigator::is_at_dead_end() const {
   constexpr double kNearEnd_m = 1;
-  return left_m() < kNearEnd_m && sight_->share < params_.dead_end_share &&
+  return left_m() < kNearEnd_m && sight()->share < params_.dead_end_share &&
          (is_strange_ || gap_ahead_m() < params_.dead_end_gap_m);
 }
 
 /// Where the view has opened again, what ended the route is taken for route.
 bool RoomNavigator::is_beyond_dead_end() const {
   constexpr double kOpenBeyond_m = 0.1;
-  const bool is_open = sight_->share >= params_.dead_end_share;
+  const bool is_open = sight()->share >= params_.dead_end_share;
   return -left_to_end_m() > (is_open ? kOpenBeyond_m : params_.dead_end_beyond_m);
 }
 

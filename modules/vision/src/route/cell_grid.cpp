@@ -6,11 +6,8 @@
 namespace aisle {
 namespace {
 
-/// Sums of each channel over the cells of one row, of the tones of its pixels' rows.
-using Sums = std::vector<int>;
-
 template <int kChannels>
-void add_row(const std::uint8_t* pixels, const CellGrid& grid, int width_px, Sums& sums) {
+void add_row(const std::uint8_t* pixels, const CellGrid& grid, int width_px, std::vector<int>& sums) {
   int* sum = sums.data();
   for (int column = 0; column < grid.columns; ++column, sum += kChannels) {
     const int count = std::min(grid.cell_px, width_px - column * grid.cell_px);
@@ -35,28 +32,27 @@ CellLook look_of(const int* sums, int channels, int count) {
 
 }  // namespace
 
-CellGrid cells_of(const Image& picture, int columns) {
-  CellGrid grid;
-  grid.cell_px = std::max(1, (picture.width_px + columns / 2) / columns);
-  grid.columns = (picture.width_px + grid.cell_px - 1) / grid.cell_px;
-  grid.rows = (picture.height_px + grid.cell_px - 1) / grid.cell_px;
-  grid.looks.reserve(grid.index(grid.rows, 0));
-  for (int row = 0; row < grid.rows; ++row) {
-    Sums sums(static_cast<std::size_t>(grid.columns * picture.channels), 0);
-    const int top = row * grid.cell_px, bottom = std::min(top + grid.cell_px, picture.height_px);
+void CellGrid::take(const Image& picture, int about_columns) {
+  cell_px = std::max(1, (picture.width_px + about_columns / 2) / about_columns);
+  columns = (picture.width_px + cell_px - 1) / cell_px;
+  rows = (picture.height_px + cell_px - 1) / cell_px;
+  looks.clear();
+  looks.reserve(index(rows, 0));
+  for (int row = 0; row < rows; ++row) {
+    sums_.assign(static_cast<std::size_t>(columns * picture.channels), 0);
+    const int top = row * cell_px, bottom = std::min(top + cell_px, picture.height_px);
     for (int v = top; v < bottom; ++v) {
       if (picture.channels == 1)
-        add_row<1>(picture.row(v), grid, picture.width_px, sums);
+        add_row<1>(picture.row(v), *this, picture.width_px, sums_);
       else
-        add_row<3>(picture.row(v), grid, picture.width_px, sums);
+        add_row<3>(picture.row(v), *this, picture.width_px, sums_);
     }
-    for (int column = 0; column < grid.columns; ++column) {
-      const int width = std::min(grid.cell_px, picture.width_px - column * grid.cell_px);
-      grid.looks.push_back(look_of(&sums[static_cast<std::size_t>(column * picture.channels)],
-                                   picture.channels, width * (bottom - top)));
+    for (int column = 0; column < columns; ++column) {
+      const int width = std::min(cell_px, picture.width_px - column * cell_px);
+      looks.push_back(look_of(&sums_[static_cast<std::size_t>(column * picture.channels)], picture.channels,
+                              width * (bottom - top)));
     }
   }
-  return grid;
 }
 
 }  // namespace aisle

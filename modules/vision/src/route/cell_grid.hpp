@@ -17,17 +17,24 @@ struct CellLook {
 
 constexpr int kLookUnit = 16;  ///< of a CellLook, in a grey level
 
-/// A picture cut into square cells. Cells of the last row and column may be cut off.
+/// A picture cut into square cells. Cells of the last row and column may be cut off. Keeps its memory from
+/// picture to picture.
 struct CellGrid {
   int cell_px = 1;
   int columns = 0;
   int rows = 0;
-  std::vector<CellLook> looks;  ///< row by row
+  std::vector<CellLook> looks;  ///< row by row: the mean look of each cell
+
+  /// @param about_columns  cells in a row
+  void take(const Image& picture, int about_columns);
 
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
            static_cast<std::size_t>(column);
   }
+
+ private:
+  std::vector<int> sums_;  // of each channel over the cells of one row
 };
 
 /// Some neighbouring cells.
@@ -39,8 +46,5 @@ struct CellBlock {
     return row >= first_row && row < end_row && column >= first_column && column < end_column;
   }
 };
-
-/// The mean look of each cell; about `columns` cells in a row.
-CellGrid cells_of(const Image& picture, int columns);
 
 }  // namespace aisle

@@ -4,10 +4,43 @@
 
 #include "aisle/vision/route/route_region.hpp"
 #include "route/cell_grid.hpp"
+#include "route/step_costs.hpp"
 
 namespace aisle {
 
-/// For each cell whether it is of the route region, see find_route_region(): one connected region.
-std::vector<char> region_cells(const CellGrid& grid, const RegionParams& params);
+/// The cells of the route region, see RouteRegionFinder. Keeps its memory from picture to picture.
+class RegionGrowth {
+ public:
+  explicit RegionGrowth(const RegionParams& params) : params_(params) {}
+
+  void grow(const Image& picture);
+
+  /// Of the latest picture.
+  const CellGrid& grid() const { return grid_; }
+  /// For each of its cells whether it is of the region.
+  const std::vector<char>& region() const { return is_region_; }
+
+ private:
+  void expect();
+  void find_patch();
+  CellLook patch_look();
+  Cost quiet_step();
+  double aside(int column) const;
+  double expected_floor(int row, int column) const;
+  double expected_rest(int row, int column) const;
+  void find_strange();
+  void connect();
+  void reach(std::size_t cell);
+
+  RegionParams params_;
+  CellGrid grid_;
+  CellBlock patch_;
+  StepCosts steps_;
+  std::vector<Cost> expected_floor_, expected_rest_;  ///< before any step, for all pictures of one size
+  std::vector<Cost> floor_, rest_;                    ///< what it costs to take a cell for either
+  std::vector<char> is_strange_, is_floor_, is_region_;
+  std::vector<std::size_t> open_;
+  std::vector<int> looks_;
+};
 
 }  // namespace aisle

@@ -1,9 +1,7 @@
 #include "aisle/vision/route/route_region.hpp"
 
 #include <algorithm>
-#include <vector>
 
-#include "route/cell_grid.hpp"
 #include "route/region_growth.hpp"
 
 namespace aisle {
@@ -31,20 +29,21 @@ void RegionParams::describe(FieldList& fields) {
 
 namespace {
 
-void paint(const CellGrid& grid, const std::vector<char>& is_region, Image& mask) {
+void paint(const RegionGrowth& growth, Image& mask) {
+  const CellGrid& grid = growth.grid();
   for (int v = 0; v < mask.height_px; ++v) {
-    const char* cells = &is_region[grid.index(v / grid.cell_px, 0)];
+    const char* cells = &growth.region()[grid.index(v / grid.cell_px, 0)];
     for (int u = 0; u < mask.width_px; ++u) mask.row(v)[u] = cells[u / grid.cell_px] != 0 ? 255 : 0;
   }
 }
 
 /// The middle of the widest unbroken part of the region in one row.
-std::optional<Vec2> middle_of_row(const Image& mask, int row) {
+std::optional<Vec2> middle_of_row(const Image& mask, int row, int begin_column, int end_column) {
   std::optional<Vec2> middle;
   int widest = 0;
-  for (int u = 0; u < mask.width_px; ++u) {
+  for (int u = begin_column; u < end_column; ++u) {
     int end = u;
-    while (end < mask.width_px && mask.row(row)[end] != 0) ++end;
+    while (end < end_column && mask.row(row)[end] != 0) ++end;
     if (end - u > widest) {
       widest = end - u;
       middle = Vec2((u + end - 1) / 2.0, row);
@@ -56,19 +55,39 @@ std::optional<Vec2> middle_of_row(const Image& mask, int row) {
 
 }  // namespace
 
+RouteRegionFinder::RouteRegionFinder(const RegionParams& params)
+    : growth_(std::make_unique<RegionGrowth>(params)) {}
+RouteRegionFinder::~RouteRegionFinder() = default;
+RouteRegionFinder::RouteRegionFinder(RouteRegionFinder&&) noexcept = default;
+RouteRegionFinder& RouteRegionFinder::operator=(RouteRegionFinder&&) noexcept = default;
+
+void RouteRegionFinder::find(const Image& picture, Image& mask) {
+  mask.width_px = picture.width_px;
+  mask.height_px = picture.height_px;
+  mask.channels = 1;
+  mask.bytes.resize(mask.row_bytes() * mask.rows());
+  if (mask.bytes.empty()) return;
+  growth_->grow(picture);
+  paint(*growth_, mask);
+}
+
 RouteRegion find_route_region(const Image& picture, const RegionParams& params) {
-  if (picture.bytes.empty()) return {};
-  const CellGrid grid = cells_of(picture, params.columns);
   RouteRegion region;
-  region.mask = Image(picture.width_px, picture.height_px);
-  paint(grid, region_cells(grid, params), region.mask);
+  RouteRegionFinder(params).find(picture, region.mask);
+  if (region.mask.bytes.empty()) return region;
   const auto count = std::count(region.mask.bytes.begin(), region.mask.bytes.end(), std::uint8_t{255});
   region.share = static_cast<double>(count) / static_cast<double>(region.mask.bytes.size());
   return region;
 }
 
 std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row) {
-  const auto far = middle_of_row(mask, far_row), near = middle_of_row(mask, near_row);
+  return find_route_middle(mask, far_row, near_row, 0, mask.width_px);
+}
+
+std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row, int begin_column,
+                                             int end_column) {
+  const auto far = middle_of_row(mask, far_row, begin_column, end_column);
+  const auto near = middle_of_row(mask, near_row, begin_column, end_column);
   if (!far || !near) return std::nullopt;
   return RouteMiddle{*far, *near, (*far + *near) / 2};
 }

@@ -79,6 +79,7 @@ RouteView::RouteView(const RouteViewParams& params, const CameraIntrinsics& intr
                      const CameraMount& mount, int width_px, int height_px, double width_m,
                      std::optional<double> stripe_height_m)
     : params_(params),
+      regions_(params.region),
       camera_(intrinsics),
       mount_(mount),
       floor_(camera_, mount, 0),
@@ -136,10 +137,10 @@ bool RouteView::is_occupied(const Image& mask, const FloorPatch& patch) const {
   return static_cast<double>(route) < params_.check_share * static_cast<double>(patch.size());
 }
 
-RouteSight RouteView::look(const Image& picture) {
-  RouteRegion region = find_route_region(picture, params_.region);
-  RouteSight sight{
-      .mask = std::move(region.mask), .checks = {}, .p_vehicle_edges = {}, .p_vehicle_cut_off = {}};
+const RouteSight& RouteView::look(const Image& picture) {
+  if (!sight_) sight_.emplace();
+  RouteSight& sight = *sight_;
+  regions_.find(picture, sight.mask);
   measure_patch(picture, sight);
   take_out_dark(picture, sight);
   if (stripe_) take_out_lit(picture, sight.mask);
@@ -204,6 +205,8 @@ void RouteView::take_out_above(const Vec2& p_vehicle_right, const Vec2& p_vehicl
 /// In each of many columns, the lowest pixel that is not route: the foot of what stands there, unless the
 /// view does not reach down to it.
 void RouteView::find_edges(RouteSight& sight) const {
+  sight.p_vehicle_edges.clear();
+  sight.p_vehicle_cut_off.clear();
   for (int i = 0; i < kEdgeColumns; ++i) {
     const int u = (2 * i + 1) * width_px_ / (2 * kEdgeColumns);
     int v = height_px_ - 1;
@@ -228,13 +231,9 @@ bool RouteView::is_before_patch_end(const Vec2& p_vehicle) const {
 std::optional<Vec2> RouteView::middle(const RouteSight& sight, double blot_left, double blot_right) const {
   const int left = static_cast<int>(blot_left * width_px_);
   const int right = width_px_ - static_cast<int>(blot_right * width_px_);
-  constexpr int kFarLine = 0, kNearLine = 1;
-  Image lines(right - left, 2);
-  std::copy(sight.mask.row(far_row_) + left, sight.mask.row(far_row_) + right, lines.row(kFarLine));
-  std::copy(sight.mask.row(near_row_) + left, sight.mask.row(near_row_) + right, lines.row(kNearLine));
-  const auto middle = find_route_middle(lines, kFarLine, kNearLine);
+  const auto middle = find_route_middle(sight.mask, far_row_, near_row_, left, right);
   if (!middle) return std::nullopt;
-  return floor_.point(Vec2(left + middle->mean_px.x(), (far_row_ + near_row_) / 2.0));
+  return floor_.point(Vec2(middle->mean_px.x(), (far_row_ + near_row_) / 2.0));
 }
 
 }  // namespace aisle

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <span>
 
 #include "aisle/core/median.hpp"
 
@@ -30,24 +30,27 @@ CellLook mean(const CellLook& a, const CellLook& b) {
 
 }  // namespace
 
-Cost texture_of(const CellGrid& grid, const CellBlock& block, double colour_weight) {
+Cost StepCosts::texture_of(const CellGrid& grid, const CellBlock& block, double colour_weight) {
   // Among equal independent looks, steps are this much larger than distances from the mean of two others.
   const double step_per_distance = std::sqrt(2 / 1.5);
-  std::vector<Cost> distances;
+  distances_.clear();
   for (int row = block.first_row; row < block.end_row; ++row) {
     for (int column = std::max(1, block.first_column); column < std::min(block.end_column, grid.columns - 1);
          ++column) {
       const std::size_t i = grid.index(row, column);
-      distances.push_back(
+      distances_.push_back(
           difference(grid.looks[i], mean(grid.looks[i - 1], grid.looks[i + 1]), colour_weight));
     }
   }
-  if (distances.empty()) return 0;
-  return static_cast<Cost>(step_per_distance * median(std::move(distances)));
+  if (distances_.empty()) return 0;
+  return static_cast<Cost>(step_per_distance * median_reordering(std::span(distances_)));
 }
 
-StepCosts::StepCosts(const CellGrid& grid, double colour_weight, Cost quiet_step)
-    : columns_(grid.columns), rows_(grid.rows), right_(grid.looks.size(), kNoWay), down_(right_) {
+void StepCosts::take(const CellGrid& grid, double colour_weight, Cost quiet_step) {
+  columns_ = grid.columns;
+  rows_ = grid.rows;
+  right_.assign(grid.looks.size(), kNoWay);
+  down_.assign(grid.looks.size(), kNoWay);
   const auto step = [&](const CellLook& a, const CellLook& b) {
     return 1 + std::max(0, difference(a, b, colour_weight) - quiet_step);
   };

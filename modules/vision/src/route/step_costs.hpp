@@ -11,15 +11,15 @@ using Cost = int;  ///< in look units
 
 constexpr Cost kNoWay = std::numeric_limits<Cost>::max() / 4;  ///< two of them can be added
 
-/// The usual step between neighbouring cells of a block on a rough surface; a steady change of looks, as
-/// from light, is no texture.
-Cost texture_of(const CellGrid& grid, const CellBlock& block, double colour_weight);
-
 /// What it costs to go from a cell to its neighbours: how different they look, as far as that exceeds a
-/// quiet step. Lesser steps cost next to nothing.
+/// quiet step. Lesser steps cost next to nothing. Keeps its memory from picture to picture.
 class StepCosts {
  public:
-  StepCosts(const CellGrid& grid, double colour_weight, Cost quiet_step);
+  /// The usual step between neighbouring cells of a block on a rough surface; a steady change of looks, as
+  /// from light, is no texture.
+  Cost texture_of(const CellGrid& grid, const CellBlock& block, double colour_weight);
+
+  void take(const CellGrid& grid, double colour_weight, Cost quiet_step);
 
   /// Lowers each cell's cost to what the cheapest way from any other cell costs, that cell's own included.
   void spread(std::vector<Cost>& costs) const;
@@ -27,10 +27,11 @@ class StepCosts {
  private:
   bool spread_row(int row, int from_row, std::vector<Cost>& costs) const;
 
-  int columns_;
-  int rows_;
+  int columns_ = 0;
+  int rows_ = 0;
   std::vector<Cost> right_;  ///< to the right neighbour
   std::vector<Cost> down_;   ///< to the one below
+  std::vector<Cost> distances_;
 };
 
 }  // namespace aisle

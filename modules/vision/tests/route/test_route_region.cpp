@@ -64,6 +64,16 @@ TEST(RouteRegion, EmptyAndTinyPicturesAreNoTrouble) {
   }
 }
 
+TEST(RouteRegion, DoesNotDependOnThePicturesBefore) {
+  RouteRegionFinder finder;
+  Image mask;
+  for (const Image& picture : {corridor({150}, {90}, 1), corridor({140, 120, 90}, {90, 110, 150}),
+                               Image(33, 20, 3), corridor({90}, {150}, 1)}) {
+    finder.find(picture, mask);
+    EXPECT_EQ(mask, find_route_region(picture).mask);
+  }
+}
+
 TEST(RouteMiddle, IsHalfwayBetweenTheMiddlesOfTwoScanLines) {
   Image mask(10, 10);
   for (int u = 2; u <= 4; ++u) mask.row(3)[u] = 255;
@@ -75,6 +85,7 @@ TEST(RouteMiddle, IsHalfwayBetweenTheMiddlesOfTwoScanLines) {
   EXPECT_EQ(middle->near_px, Vec2(6.5, 9));
   EXPECT_EQ(middle->mean_px, Vec2(4.75, 6));
   EXPECT_FALSE(find_route_middle(mask, 5, 9).has_value());
+  EXPECT_EQ(find_route_middle(mask, 3, 9, 4, 10)->far_px, Vec2(4, 3)) << "columns before 4 are blotted out";
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ class RoomNavigator final : public Navigator {
   /// Along the route as it was taught, in whose frame the pose is.
   const PathPoint& point() const { return progress_.point(); }
   Pose2 pose() const { return place_.T_map_odom() * T_odom_vehicle_; }
-  const std::optional<RouteSight>& sight() const { return sight_; }
+  const std::optional<RouteSight>& sight() const { return view_.sight(); }
   const RouteView& view() const { return view_; }
   const EdgeMemory& edges() const { return edges_; }
   /// Whether what is there has shown that it is its place; of a taught place alone it may stay open.
@@ -161,7 +161,6 @@ class RoomNavigator final : public Navigator {
   double back_to_m_ = 0;                           ///< along the route, the end of such a way
   StopViewMatcher stop_views_;
   Pose2 T_odom_vehicle_;
-  std::optional<RouteSight> sight_;
   RouteBrightness brightness_;
   bool is_strange_ = false;  ///< what is before the vehicle does not look like the route
   Pose2 T_odom_seen_;        ///< where it last did

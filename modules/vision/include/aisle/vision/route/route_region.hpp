@@ -1,6 +1,7 @@
 #pragma once
 /// The part of a picture that the vehicle can drive on: the floor as far as it looks like the floor in front.
 
+#include <memory>
 #include <optional>
 
 #include "aisle/core/image.hpp"
@@ -34,14 +35,29 @@ struct RouteRegion {
   double share = 0;  ///< of the picture's pixels
 };
 
-/// Grows the route region from below (L96 sections 2.2 and 3.1). The picture's lowest middle is taken for
-/// floor. Beyond the paper, brightness may drift slowly over the floor, and the region stops at edges: each
-/// place belongs to the floor, growing from below, or to the rest, growing from above, whichever reaches it
-/// over the lesser steps of brightness and colour. Both may also start elsewhere, at a cost that grows with
-/// the distance from where they are expected, so that reflections and tiles do not stop them. Colour
-/// pictures are used in colour: what has quite another colour than the floor in front is not floor. Neither
-/// intrinsics nor the horizon need be known; the camera stands upright and looks about level or down.
-/// @return one connected region; an empty mask where there is no picture
+/// Grows the route region of pictures from below (L96 sections 2.2 and 3.1). The picture's lowest middle is
+/// taken for floor. Beyond the paper, brightness may drift slowly over the floor, and the region stops at
+/// edges: each place belongs to the floor, growing from below, or to the rest, growing from above, whichever
+/// reaches it over the lesser steps of brightness and colour. Both may also start elsewhere, at a cost that
+/// grows with the distance from where they are expected, so that reflections and tiles do not stop them.
+/// Colour pictures are used in colour: what has quite another colour than the floor in front is not floor.
+/// Neither intrinsics nor the horizon need be known; the camera stands upright and looks about level or down.
+/// Memory is kept from picture to picture.
+class RouteRegionFinder {
+ public:
+  explicit RouteRegionFinder(const RegionParams& params = {});
+  ~RouteRegionFinder();
+  RouteRegionFinder(RouteRegionFinder&&) noexcept;
+  RouteRegionFinder& operator=(RouteRegionFinder&&) noexcept;
+
+  /// @param mask  becomes as large as the picture: 255 on one connected region, else 0
+  void find(const Image& picture, Image& mask);
+
+ private:
+  std::unique_ptr<class RegionGrowth> growth_;
+};
+
+/// Of a single picture.
 RouteRegion find_route_region(const Image& picture, const RegionParams& params = {});
 
 /// The middle of the route as L96 Algorithm 4 finds it.
@@ -54,5 +70,8 @@ struct RouteMiddle {
 /// @param far_row, near_row  the scan lines; rows of the mask
 /// @return nullopt unless both lines meet the region
 std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row);
+/// The same between two columns; the rest is blotted out.
+std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row, int begin_column,
+                                             int end_column);
 
 }  // namespace aisle

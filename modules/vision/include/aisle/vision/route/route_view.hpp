@@ -55,7 +55,10 @@ class RouteView {
   RouteView(const RouteViewParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
             int width_px, int height_px, double width_m, std::optional<double> stripe_height_m = {});
 
-  RouteSight look(const Image& picture);
+  /// @return the sight of this picture, until the next
+  const RouteSight& look(const Image& picture);
+  /// The latest; nullopt: there was no picture.
+  const std::optional<RouteSight>& sight() const { return sight_; }
 
   /// B' of L96 Algorithm 4: the middle of the two scan lines' middles, on the floor. What lies beside the
   /// view's edges by these shares of its width is blotted out.
@@ -87,6 +90,8 @@ class RouteView {
   int row_at(double ahead_m) const;
 
   RouteViewParams params_;
+  RouteRegionFinder regions_;
+  std::optional<RouteSight> sight_;
   CameraModel camera_;
   CameraMount mount_;
   BackProjection floor_;
