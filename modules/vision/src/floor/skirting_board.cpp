@@ -15,7 +15,9 @@ constexpr double kReach_rows = 1.5;              // ... and no less than its blu
 constexpr int kBinsMost = kHighestBin + 2 * kReachMost;  // above a line, and as many beneath it
 constexpr double kHighest = 0.8;                         // of the camera's height
 constexpr double kBoardLeast_m = 0.03;                   // lower boards are none
-constexpr std::size_t kParts = 4;                        // of a line
+constexpr int kSettleBins = 3;  // in which a step's steepest place is; of one far beneath the upper edge ...
+constexpr int kSettlePart = 6;  // ... in such a part of the way to it, for its blur may be clear only lower
+constexpr std::size_t kParts = 4;        // of a line
 constexpr double kPartContrast = 0.5;    // share of the least contrast that each part must show
 constexpr double kSeenColumnsMin = 0.5;  // share of the line's columns in which its foot can be seen
 
@@ -122,7 +124,8 @@ class BandProfile {
       return sign * (mean(at - 2, at).value_or(0) - mean(at, at + 2).value_or(0));
     };
     int steepest = bin;
-    for (int at = bin - reach_; at <= bin + reach_; ++at)
+    const int around = std::max(kSettleBins, std::min(reach_, bin / kSettlePart));
+    for (int at = bin - around; at <= bin + around; ++at)
       if (steepness(at) > steepness(steepest)) steepest = at;
     const double above = steepness(steepest - 1), here = steepness(steepest),
                  beneath = steepness(steepest + 1);
