@@ -15,7 +15,9 @@ namespace aisle {
 struct DrawnWall {
   Segment2 foot;  ///< in base_link
   double brightness = 170;
-  double skirting_brightness = 60;  ///< up to 0.1 m
+  double skirting_brightness = 60;
+  double skirting_height_m = 0.1;
+  double laser_height_m = 0;  ///< of a bright line, 1 cm thick; 0: none
 };
 
 /// Something upright and flat on a wall: from and to along it [m], between two heights.
@@ -123,7 +125,9 @@ class RoomDrawing {
           height_m >= panel.bottom_m && height_m <= panel.top_m)
         return panel.brightness;
     }
-    return height_m < 0.1 ? room_.walls[wall].skirting_brightness : room_.walls[wall].brightness;
+    const DrawnWall& seen = room_.walls[wall];
+    if (std::abs(height_m - seen.laser_height_m) < 0.005 && seen.laser_height_m > 0) return 250;
+    return height_m < seen.skirting_height_m ? seen.skirting_brightness : seen.brightness;
   }
 
   DrawnRoom room_;

@@ -43,6 +43,14 @@ std::vector<Pose2> places_to_try(const Building& building, const Path& path, dou
   return places;
 }
 
+/// What was seen when the building was taught. A building without routes was taught along the way there.
+TaughtView view_of(const Building& building, const CameraDescription& camera, const Path& path) {
+  TaughtView view(camera);
+  for (const Route& route : building.routes) view.add(route.path);
+  if (building.routes.empty()) view.add(path);
+  return view;
+}
+
 /// Enough that it is where it thinks.
 bool knows_what_it_sees(const LandmarkLocaliser& localiser) {
   return localiser.pairs().size() >= kKnownPairs && localiser.matched_share() >= kKnownShare;
@@ -81,7 +89,7 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
   fields.real("unmatched_max_s", unmatched_max_s, {0.1, 60},
               "seeing other things than are known for so long it is lost");
   fields.count("strange_sightings_min", strange_sightings_min, {1, 100},
-               "a picture with so many sightings of which none is known is strange");
+               "a picture that does not fit, with so many sightings where the taught trip saw, is strange");
   fields.real("strange_max_m", strange_max_m, {0.1, 1000},
               "after so much way of strange pictures it is lost; known ones make up for strange ones");
   fields.real("search_speed_mps", search_speed_mps, {0, 1},
@@ -107,7 +115,8 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
                  places_to_try(building, path_, params.relocation.apart_m)),
       follower_(vehicle, params.steering),
       progress_(path_),
-      guard_(vehicle, params.guard, &camera_of(vehicle, building)) {}
+      guard_(vehicle, params.guard, &camera_of(vehicle, building)),
+      strangeness_(view_of(building, camera_of(vehicle, building), path_), params.strange_sightings_min) {}
 
 Decision LandmarkNavigator::step(const Observation& observation) {
   locate(observation);
@@ -162,7 +171,8 @@ void LandmarkNavigator::locate(const Observation& observation) {
     sightings_ = detector_.detect(*picture->image);
     if (state_ == State::kLooking || state_ == State::kFollowing)
       match_ = localiser_.correct(building_->landmarks, sightings_);
-    weigh_strangeness((localiser_.pose().position() - T_map_before.position()).norm());
+    strangeness_.look(sightings_, match_ == LandmarkMatch::kMatched, localiser_.pose(),
+                      (localiser_.pose().position() - T_map_before.position()).norm());
     watch_for_lift();
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
@@ -185,23 +195,13 @@ void LandmarkNavigator::watch_for_lift() {
     was_lifted_ = has_jumped_ = true;
 }
 
-/// Unknown things contradict nothing where the map has a gap, and standing the vehicle sees the same ones
-/// again and again. A long way of them does, and a chance match among them does not make them good.
-void LandmarkNavigator::weigh_strangeness(double way_m) {
-  if (match_ == LandmarkMatch::kMatched) {
-    strange_way_m_ /= 2;
-  } else if (sightings_.size() >= static_cast<std::size_t>(params_.strange_sightings_min)) {
-    strange_way_m_ += way_m;
-  }
-}
-
 /// Why the vehicle does not know where it is; empty: it does.
 std::string LandmarkNavigator::why_lost() const {
   const double sigma_m = position_sigma_m(localiser_.covariance());
   if (sigma_m > params_.lost_m)
     return fmt::format("saw nothing that it knows until unsure by {:.2f} m", sigma_m);
   if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "is unsure which way it points";
-  if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s || strange_way_m_ > params_.strange_max_m)
+  if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s || strangeness_.way_m() > params_.strange_max_m)
     return "sees other things than it knows";
   return "";
 }
@@ -235,7 +235,7 @@ void LandmarkNavigator::go_on() {
   has_jumped_ = false;
   expectations_.start();
   matched_stamp_s_ = stamp_s_;
-  strange_way_m_ = 0;
+  strangeness_.start();
 }
 
 /// The vehicle compares what it has seen since it was lost with all places that it knows.
@@ -344,10 +344,8 @@ Decision LandmarkNavigator::guarded(Decision decision) {
   if (!params_.guarded) return decision;
   const WayAhead way = way_ahead(path_, progress_.point(), localiser_.pose(), params_.guard.reach_m);
   Guarded allowed = guard_.allow(decision.command, way);
-  const bool sees_strange_things =
-      sightings_.size() >= static_cast<std::size_t>(params_.strange_sightings_min) &&
-      match_ != LandmarkMatch::kMatched;
-  if (allowed.state != GuardState::kFree && sees_strange_things && strange_way_m_ > kStrangeBlocked_m) {
+  if (allowed.state != GuardState::kFree && strangeness_.is_strange() &&
+      strangeness_.way_m() > kStrangeBlocked_m) {
     why_lost_ = "sees other things than it knows, and something is in the way";
     begin(State::kLost);
     return {.state = "lost", .why = why_lost_};

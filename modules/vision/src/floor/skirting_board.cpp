@@ -15,8 +15,9 @@ constexpr double kReach_rows = 1.5;              // ... and no less than its blu
 constexpr int kBinsMost = kHighestBin + 2 * kReachMost;  // above a line, and as many beneath it
 constexpr double kHighest = 0.8;                         // of the camera's height
 constexpr double kBoardLeast_m = 0.03;                   // lower boards are none
-constexpr int kSettleBins = 3;                           // in which a step's steepest place is
-constexpr std::size_t kParts = 4;                        // of a line
+constexpr int kSettleBins = 3;  // in which a step's steepest place is; of one far beneath the upper edge ...
+constexpr int kSettlePart = 6;  // ... in such a part of the way to it, for its blur may be clear only lower
+constexpr std::size_t kParts = 4;        // of a line
 constexpr double kPartContrast = 0.5;    // share of the least contrast that each part must show
 constexpr double kSeenColumnsMin = 0.5;  // share of the line's columns in which its foot can be seen
 
@@ -84,6 +85,21 @@ class BandProfile {
 
   int count(int bin) const { return counts_[index(bin)]; }
 
+  /// The same without what is bright, but thinner than the sides of a lasting step, such as the light of
+  /// laser markers on a wall: a morphological opening.
+  BandProfile without_thin_lights() const {
+    const auto end = std::size_t{2} * static_cast<std::size_t>(bins_->count());
+    const auto width = std::size_t{2} * static_cast<std::size_t>(reach_);
+    std::array<double, std::size_t{2} * kBinsMost> opened{};
+    for (std::size_t first = 0; first + width <= end; ++first) {
+      const double darkest = darkest_of(first, first + width);
+      for (std::size_t i = first; i < first + width; ++i) opened[i] = std::max(opened[i], darkest);
+    }
+    BandProfile without(*this);
+    for (std::size_t i = 0; i < end; ++i) without.sums_[i] = counts_[i] * opened[i];
+    return without;
+  }
+
   /// How much brighter it lastingly is above the lower border of a bin than beneath; 0: no lasting step.
   double step(int bin) const {
     const auto far = mean(bin - reach_, bin), farther = mean(bin - 2 * reach_, bin - reach_);
@@ -101,14 +117,15 @@ class BandProfile {
     return best;
   }
 
-  /// The steepest place near a step, in bins.
+  /// The steepest place of a step, in bins.
   double settled(int bin) const {
     const double sign = step(bin) < 0 ? -1 : 1;
     const auto steepness = [&](int at) {
       return sign * (mean(at - 2, at).value_or(0) - mean(at, at + 2).value_or(0));
     };
     int steepest = bin;
-    for (int at = bin - kSettleBins; at <= bin + kSettleBins; ++at)
+    const int around = std::max(kSettleBins, std::min(reach_, bin / kSettlePart));
+    for (int at = bin - around; at <= bin + around; ++at)
       if (steepness(at) > steepness(steepest)) steepest = at;
     const double above = steepness(steepest - 1), here = steepness(steepest),
                  beneath = steepness(steepest + 1);
@@ -118,6 +135,15 @@ class BandProfile {
 
  private:
   std::size_t index(int bin) const { return static_cast<std::size_t>(bin + bins_->count()); }
+
+  /// Of the bins that are seen; 0 if none is.
+  double darkest_of(std::size_t first, std::size_t end) const {
+    std::optional<double> darkest;
+    for (std::size_t i = first; i < end; ++i) {
+      if (counts_[i] > 0) darkest = std::min(darkest.value_or(255), sums_[i] / counts_[i]);
+    }
+    return darkest.value_or(0);
+  }
 
   std::optional<double> mean(int first, int end) const {
     if (first < -bins_->count() || end > bins_->count()) return std::nullopt;
@@ -162,9 +188,10 @@ LineProfiles profiles_of(const LevelView& view, const FloorLine& line, const Dep
 std::optional<int> foot_bin(const LineProfiles& profiles, const DepthBins& bins, double contrast_min) {
   const BandProfile& whole = profiles.whole;
   const int highest = bins.bin_of(kBoardLeast_m), lowest = bins.bin_of(bins.height_max_m());
-  const int foot = whole.clearest(highest, lowest);
+  const int foot = whole.clearest(highest, lowest + whole.reach());  // a blurred step is clear a little lower
   const double contrast = whole.step(foot);
-  const double above = whole.step(whole.clearest(-lowest, -highest));
+  const BandProfile lasting = whole.without_thin_lights();
+  const double above = lasting.step(lasting.clearest(-lowest, -highest));
   if (std::abs(contrast) < contrast_min || std::abs(above) > std::abs(contrast) ||
       whole.count(foot) < kSeenColumnsMin * profiles.columns)
     return std::nullopt;

@@ -86,6 +86,19 @@ TEST(FloorEdges, RunAlongTheFootOfASkirtingBoardThoughItsUpperEdgeIsClearer) {
   EXPECT_LT(feet[0].contrast, 0);
 }
 
+TEST(FloorEdges, RunAlongTheFootOfAHighBoardThoughLaserLightIsDrawnAboveIt) {
+  for (const double heading_deg : {-80, -45, 0, 45, 80}) {
+    DrawnWall wall = wall_ahead(2, heading_deg * kDegree);
+    wall.skirting_brightness = 60;
+    wall.skirting_height_m = 0.15;
+    wall.laser_height_m = 0.3;
+    const auto feet = edges_of({.floor_brightness = 74, .walls = {wall}});
+    ASSERT_THAT(feet, Not(IsEmpty())) << heading_deg;
+    for (const FloorEdge& foot : feet)
+      EXPECT_LT(wall.foot.distance(foot.on_floor.centroid), 0.05) << heading_deg;
+  }
+}
+
 TEST(FloorEdges, RunAlongTheFootOfABoardThatIsHalfAsHighAsTheCamera) {
   DrawnWall wall = wall_ahead(1, -kPi / 2);
   wall.skirting_brightness = 60;

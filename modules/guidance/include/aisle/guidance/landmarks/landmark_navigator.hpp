@@ -14,6 +14,7 @@
 #include "aisle/guidance/landmarks/expectation_watch.hpp"
 #include "aisle/guidance/landmarks/place_doubt.hpp"
 #include "aisle/guidance/landmarks/scene_watch.hpp"
+#include "aisle/guidance/landmarks/strange_watch.hpp"
 #include "aisle/guidance/landmarks/stripe_watch.hpp"
 #include "aisle/guidance/landmarks/way_to_route.hpp"
 #include "aisle/guidance/navigator.hpp"
@@ -85,7 +86,6 @@ class LandmarkNavigator final : public Navigator {
 
   void locate(const Observation& observation);
   void watch_for_lift();
-  void weigh_strangeness(double way_m);
   std::string why_lost() const;
   void begin(State state);
   void go_on();
@@ -111,6 +111,7 @@ class LandmarkNavigator final : public Navigator {
   PathFollower follower_;
   PathProgress progress_;
   ObstacleGuard guard_;
+  StrangeWatch strangeness_;
   SceneWatch scenes_;
   StripeWatch stripes_;
   ContinuityWatch continuity_;
@@ -118,7 +119,6 @@ class LandmarkNavigator final : public Navigator {
   std::vector<LandmarkSighting> sightings_;
   State state_ = State::kLooking;
   std::string why_lost_;
-  double strange_way_m_ = 0;
   bool was_lifted_ = false;  ///< perhaps: everything looks other than a moment ago
   bool has_jumped_ = false;  ///< likewise: walls stand elsewhere, or all lines are gone or new
   bool has_looked_ = false;  ///< this cycle has a picture

@@ -1,0 +1,40 @@
+#include "aisle/guidance/landmarks/taught_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aisle {
+namespace {
+
+constexpr double kFarthest_m = 7;              // feet farther away are vague
+constexpr double kTaughtPlacesApart_m = 0.25;  // along a route
+
+}  // namespace
+
+TaughtView::TaughtView(const CameraDescription& camera) : camera_(camera), model_(camera.intrinsics) {}
+
+void TaughtView::add(const Path& route) {
+  const auto steps = static_cast<int>(std::ceil(route.length_m() / kTaughtPlacesApart_m));
+  for (int i = 0; i <= steps; ++i) {
+    const Pose2 place = route.at(route.length_m() * i / std::max(steps, 1)).T_map_path;
+    index_.add({place.position(), place.position()}, static_cast<int>(T_map_taught_.size()));
+    T_map_taught_.push_back(place);
+  }
+}
+
+bool TaughtView::shows(const Vec2& p_map) {
+  index_.query(p_map, p_map, kFarthest_m, near_);
+  return std::any_of(near_.begin(), near_.end(), [&](int place) {
+    return shows_from(T_map_taught_[static_cast<std::size_t>(place)], p_map);
+  });
+}
+
+bool TaughtView::shows_from(const Pose2& T_map_vehicle, const Vec2& p_map) const {
+  const Vec2 p_vehicle = T_map_vehicle.inverse() * p_map;
+  if (p_vehicle.norm() > kFarthest_m) return false;
+  const auto pixel_px = model_.project(camera_.mount.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
+  return pixel_px && pixel_px->x() >= 0 && pixel_px->x() <= camera_.width_px - 1 && pixel_px->y() >= 0 &&
+         pixel_px->y() <= camera_.height_px - 1;
+}
+
+}  // namespace aisle
