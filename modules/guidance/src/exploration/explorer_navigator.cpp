@@ -78,6 +78,7 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   if (learner_.is_laying_anew()) return wait_for_floor();
   keep_trail(news);
   if (stamp_s_ - *begun_s_ < params_.look_s || !learner_.has_looked()) return {.state = "looking"};
+  if (came_home_) return end(NavigatorStatus::kDone, "home", what_was_explored());
   if (news == FloorLearner::News::kLoop) drop_way();
   if (news != FloorLearner::News::kNothing || !target_) {
     check_way();
@@ -90,7 +91,6 @@ Decision ExplorerNavigator::step(const Observation& observation) {
     return end(NavigatorStatus::kFailed, "stuck",
                is_wedged_ ? "finds no way out of where it stands" : "finds no way that it can drive");
   }
-  if (came_home_) return end(NavigatorStatus::kDone, "home", what_was_explored());
   return drive(observation);
 }
 
