@@ -15,6 +15,8 @@ constexpr int kFootNearest_px = 3, kFootFarthest_px = 7;  // from a foot, the ro
 constexpr double kFootStepMin = 0.05;                     // of the floor's grey level, between them
 constexpr double kThingLength_m = 0.5;                    // of longer ones each piece shows its foot
 constexpr double kThingGap_m = 0.15;                      // between neighbouring places of one
+constexpr double kLeavesView_m = 0.15;  // so near to the lower edge the light on it leaves the picture ...
+constexpr std::size_t kEndPoints = 5;   // ... by the direction that so many places tell
 
 /// How many of the first places, from right to left, are of one thing.
 std::size_t points_of_one_thing(std::span<const Vec2> p_vehicle_lit) {
@@ -97,8 +99,9 @@ RouteView::RouteView(const RouteViewParams& params, const CameraIntrinsics& intr
   ahead_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m, {-side_m, side_m});
   left_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m / 2, {side_m, beside_m});
   right_ = patch_of(nearest_m_, nearest_m_ + params.check_ahead_m / 2, {-beside_m, -side_m});
-  if (stripe_height_m)
-    stripe_.emplace(params.stripe, intrinsics, mount, width_px, height_px, *stripe_height_m);
+  if (!stripe_height_m) return;
+  stripe_height_m_ = *stripe_height_m;
+  stripe_.emplace(params.stripe, intrinsics, mount, width_px, height_px, stripe_height_m_);
 }
 
 std::optional<Vec2> RouteView::pixel_of(const Vec2& p_vehicle) const {
@@ -157,20 +160,43 @@ const RouteSight& RouteView::look(const Image& picture) {
 /// Things whose foot is below the stripe hide the floor behind them. What has no foot there is no such thing:
 /// a line painted on the floor farther away looks like the stripe.
 void RouteView::take_out_lit(const Image& picture, Image& mask) {
-  const Image& grey = as_grey(picture, grey_);
-  stripe_->find(grey);
-  p_vehicle_lit_.clear();
-  stripe_->append_lit(p_vehicle_lit_);
-  for (std::span<const Vec2> rest(p_vehicle_lit_); !rest.empty();) {
-    const std::span<const Vec2> thing = rest.first(points_of_one_thing(rest));
-    rest = rest.subspan(std::max<std::size_t>(1, thing.size() - 1));
-    if (!has_foot(grey, thing)) continue;
-    for (std::size_t i = 0; i + 1 < thing.size(); ++i) take_out_above(thing[i], thing[i + 1], mask);
+  find_lit_pieces(as_grey(picture, grey_));
+  for (const LitPiece& piece : lit_pieces_) {
+    const std::span<const Vec2> p_vehicle = piece.p_vehicle;
+    if (!piece.has_foot.value_or(false)) continue;
+    for (std::size_t i = 0; i + 1 < p_vehicle.size(); ++i)
+      take_out_above(p_vehicle[i], p_vehicle[i + 1], mask);
+    const std::size_t end = p_vehicle.size() - 1, inwards = std::min(kEndPoints, end);
+    if (leaves_view(p_vehicle[inwards], p_vehicle.front()))
+      take_out_columns(foot_column(p_vehicle.front()), width_px_, mask);
+    if (leaves_view(p_vehicle[end - inwards], p_vehicle.back()))
+      take_out_columns(0, foot_column(p_vehicle.back()), mask);
   }
 }
 
-/// Whether it is brighter or darker right above the places where a thing is lit than right below them.
-bool RouteView::has_foot(const Image& grey, std::span<const Vec2> p_vehicle_thing) const {
+/// What reaches out of view at its foot is of one thing with the piece beside it.
+void RouteView::find_lit_pieces(const Image& grey) {
+  stripe_->find(grey);
+  p_vehicle_lit_.clear();
+  stripe_->append_lit(p_vehicle_lit_);
+  lit_pieces_.clear();
+  for (std::span<const Vec2> rest(p_vehicle_lit_); !rest.empty();) {
+    const std::span<const Vec2> piece = rest.first(points_of_one_thing(rest));
+    const bool goes_on = !lit_pieces_.empty() && &lit_pieces_.back().p_vehicle.back() == piece.data();
+    lit_pieces_.push_back({piece, goes_on, has_foot(grey, piece)});
+    rest = rest.subspan(std::max<std::size_t>(1, piece.size() - 1));
+  }
+  for (std::size_t i = 1; i < lit_pieces_.size(); ++i)
+    if (lit_pieces_[i].goes_on && !lit_pieces_[i].has_foot)
+      lit_pieces_[i].has_foot = lit_pieces_[i - 1].has_foot;
+  for (std::size_t i = lit_pieces_.size(); i-- > 1;)
+    if (lit_pieces_[i].goes_on && !lit_pieces_[i - 1].has_foot)
+      lit_pieces_[i - 1].has_foot = lit_pieces_[i].has_foot;
+}
+
+/// Whether it is brighter or darker right above the places where a thing is lit than right below them;
+/// nullopt: they are out of view.
+std::optional<bool> RouteView::has_foot(const Image& grey, std::span<const Vec2> p_vehicle_thing) const {
   double above = 0, below = 0;
   for (const Vec2& p_vehicle : p_vehicle_thing) {
     const auto foot = pixel_of(p_vehicle);
@@ -182,7 +208,27 @@ bool RouteView::has_foot(const Image& grey, std::span<const Vec2> p_vehicle_thin
       below += grey.row(v + i)[u];
     }
   }
+  if (below == 0) return std::nullopt;
   return std::abs(above - below) > kFootStepMin * below;
+}
+
+/// Whether the light on a thing goes on below the picture's lower edge: what is beside is of the thing, or
+/// behind it.
+bool RouteView::leaves_view(const Vec2& p_vehicle_inwards, const Vec2& p_vehicle_end) const {
+  const Vec2 way = p_vehicle_end - p_vehicle_inwards;
+  if (way.isZero()) return false;
+  const Vec2 p_beyond = p_vehicle_end + kLeavesView_m * way.normalized();
+  const auto pixel = camera_.project(mount_.to_camera({p_beyond.x(), p_beyond.y(), stripe_height_m_}));
+  return pixel && pixel->y() > height_px_ - 1;
+}
+
+int RouteView::foot_column(const Vec2& p_vehicle) const {
+  const auto foot = camera_.project(mount_.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
+  return foot ? std::clamp(static_cast<int>(std::lround(foot->x())), 0, width_px_) : width_px_ / 2;
+}
+
+void RouteView::take_out_columns(int begin, int end, Image& mask) const {
+  for (int v = 0; v < height_px_; ++v) std::fill(mask.row(v) + begin, mask.row(v) + end, std::uint8_t{0});
 }
 
 /// All that is seen on and above a line on the floor.

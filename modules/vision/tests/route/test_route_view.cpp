@@ -97,21 +97,25 @@ Image faint_front(double ahead_m, double right_m, double left_m) {
       [&](const Vec2& p) { return p.x() > ahead_m && p.y() > right_m && p.y() < left_m ? 150.0 : 165.0; });
 }
 
-/// Laser light on the front of a thing that stands across the way.
-Image lit_front(double ahead_m, double right_m, double left_m, const Image& before) {
-  constexpr double kSteps = 2000;
+/// Laser light on a side of a thing whose foot is a line on the floor.
+Image lit_side(const Vec2& p_vehicle_begin, const Vec2& p_vehicle_end, const Image& before) {
+  constexpr int kSteps = 2000;
   constexpr int kHalfRows = 1;
   Image picture = before;
   int last_u = -1;
   for (int i = 0; i <= kSteps; ++i) {
-    const double aside_m = left_m + i / kSteps * (right_m - left_m);
-    const auto pixel = floor_lens().project(floor_mount().to_camera({ahead_m, aside_m, kMarkerHeight_m}));
-    const int u = static_cast<int>(std::lround(pixel->x()));
-    if (std::exchange(last_u, u) == u) continue;
-    const int row = static_cast<int>(std::lround(pixel->y()));
+    const Vec2 p = p_vehicle_begin + i / static_cast<double>(kSteps) * (p_vehicle_end - p_vehicle_begin);
+    const auto pixel = floor_lens().project(floor_mount().to_camera({p.x(), p.y(), kMarkerHeight_m}));
+    const int u = static_cast<int>(std::lround(pixel->x())), row = static_cast<int>(std::lround(pixel->y()));
+    if (std::exchange(last_u, u) == u || row < kHalfRows || row + kHalfRows >= kFloorHeight_px) continue;
     for (int v = row - kHalfRows; v <= row + kHalfRows; ++v) picture.row(v)[u] = v == row ? 250 : 200;
   }
   return picture;
+}
+
+/// The same of one that stands across the way.
+Image lit_front(double ahead_m, double right_m, double left_m, const Image& before) {
+  return lit_side({ahead_m, left_m}, {ahead_m, right_m}, before);
 }
 
 TEST(RouteView, WhereTheMarkersLightAThingIsNoRouteHoweverMuchItLooksLikeIt) {
@@ -133,6 +137,20 @@ TEST(RouteView, WhereTheMarkersLightAThingIsNoRouteHoweverMuchItLooksLikeIt) {
   EXPECT_GE(std::count_if(sight.p_vehicle_edges.begin(), sight.p_vehicle_edges.end(), is_foot), 10);
   RouteView by_brightness = eye();
   EXPECT_TRUE(by_brightness.sees_route(by_brightness.look(lit), {kAhead_m + 0.1, 0}));
+}
+
+TEST(RouteView, ALitThingIsNoRouteWhereItsFootAndItsLightLeaveTheView) {
+  constexpr double kAside_m = -0.25;
+  const Image faint = seen_floor([&](const Vec2& p) { return p.y() < kAside_m ? 150.0 : 165.0; });
+  const Image lit = lit_side({2, kAside_m}, {0.9, kAside_m}, faint);
+  RouteView view({}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m,
+                 kMarkerHeight_m);
+  RouteView by_brightness = eye();
+  for (const double aside_m : {-0.5, -0.6, -0.7}) {
+    EXPECT_TRUE(by_brightness.sees_route(by_brightness.look(lit), {1.5, aside_m})) << aside_m;
+    EXPECT_FALSE(view.sees_route(view.look(lit), {1.5, aside_m})) << aside_m;
+  }
+  EXPECT_TRUE(view.sees_route(view.look(lit), {1.5, -0.1}));
 }
 
 TEST(RouteView, ALineOnTheFloorThatLooksLikeTheMarkersLightIsNoThing) {

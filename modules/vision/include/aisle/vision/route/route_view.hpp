@@ -80,12 +80,22 @@ class RouteView {
 
  private:
   using FloorPatch = std::vector<std::size_t>;  ///< pixels, as offsets into a mask
+  /// Of what the markers' stripe lights.
+  struct LitPiece {
+    std::span<const Vec2> p_vehicle;  ///< from right to left
+    bool goes_on = false;             ///< from the piece before: both have one point
+    std::optional<bool> has_foot;     ///< nullopt: it is out of view
+  };
 
   FloorPatch patch_of(double ahead_from_m, double ahead_to_m, const Interval& aside_m) const;
   bool is_occupied(const Image& mask, const FloorPatch& patch) const;
   void find_edges(RouteSight& sight) const;
   void take_out_lit(const Image& picture, Image& mask);
-  bool has_foot(const Image& grey, std::span<const Vec2> p_vehicle_thing) const;
+  void find_lit_pieces(const Image& grey);
+  std::optional<bool> has_foot(const Image& grey, std::span<const Vec2> p_vehicle_thing) const;
+  bool leaves_view(const Vec2& p_vehicle_inwards, const Vec2& p_vehicle_end) const;
+  int foot_column(const Vec2& p_vehicle) const;
+  void take_out_columns(int begin, int end, Image& mask) const;
   void take_out_above(const Vec2& p_vehicle_right, const Vec2& p_vehicle_left, Image& mask) const;
   int row_at(double ahead_m) const;
 
@@ -101,7 +111,9 @@ class RouteView {
   int far_row_ = 0, near_row_ = 0;
   FloorPatch ahead_, left_, right_;
   std::optional<StripeFan> stripe_;
+  double stripe_height_m_ = 0;
   std::vector<Vec2> p_vehicle_lit_;
+  std::vector<LitPiece> lit_pieces_;
   Image grey_;
 };
 
