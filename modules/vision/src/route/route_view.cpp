@@ -161,15 +161,17 @@ const RouteSight& RouteView::look(const Image& picture) {
 /// a line painted on the floor farther away looks like the stripe.
 void RouteView::take_out_lit(const Image& picture, Image& mask) {
   find_lit_pieces(as_grey(picture, grey_));
-  for (const LitPiece& piece : lit_pieces_) {
-    const std::span<const Vec2> p_vehicle = piece.p_vehicle;
+  for (std::size_t i = 0; i < lit_pieces_.size(); ++i) {
+    const LitPiece& piece = lit_pieces_[i];
     if (!piece.has_foot.value_or(false)) continue;
-    for (std::size_t i = 0; i + 1 < p_vehicle.size(); ++i)
-      take_out_above(p_vehicle[i], p_vehicle[i + 1], mask);
+    const std::span<const Vec2> p_vehicle = piece.p_vehicle;
+    for (std::size_t k = 0; k + 1 < p_vehicle.size(); ++k)
+      take_out_above(p_vehicle[k], p_vehicle[k + 1], mask);
+    const bool goes_on_left = i + 1 < lit_pieces_.size() && lit_pieces_[i + 1].goes_on;
     const std::size_t end = p_vehicle.size() - 1, inwards = std::min(kEndPoints, end);
-    if (leaves_view(p_vehicle[inwards], p_vehicle.front()))
+    if (!piece.goes_on && leaves_view(p_vehicle[inwards], p_vehicle.front()))
       take_out_columns(foot_column(p_vehicle.front()), width_px_, mask);
-    if (leaves_view(p_vehicle[end - inwards], p_vehicle.back()))
+    if (!goes_on_left && leaves_view(p_vehicle[end - inwards], p_vehicle.back()))
       take_out_columns(0, foot_column(p_vehicle.back()), mask);
   }
 }
@@ -183,7 +185,7 @@ void RouteView::find_lit_pieces(const Image& grey) {
   for (std::span<const Vec2> rest(p_vehicle_lit_); !rest.empty();) {
     const std::span<const Vec2> piece = rest.first(points_of_one_thing(rest));
     const bool goes_on = !lit_pieces_.empty() && &lit_pieces_.back().p_vehicle.back() == piece.data();
-    lit_pieces_.push_back({piece, goes_on, has_foot(grey, piece)});
+    if (piece.size() > 1) lit_pieces_.push_back({piece, goes_on, has_foot(grey, piece)});
     rest = rest.subspan(std::max<std::size_t>(1, piece.size() - 1));
   }
   for (std::size_t i = 1; i < lit_pieces_.size(); ++i)

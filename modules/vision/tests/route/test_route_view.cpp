@@ -153,6 +153,28 @@ TEST(RouteView, ALitThingIsNoRouteWhereItsFootAndItsLightLeaveTheView) {
   EXPECT_TRUE(view.sees_route(view.look(lit), {1.5, -0.1}));
 }
 
+TEST(RouteView, BesideACornerThatIsLitJustAboveTheViewsLowerEdgeTheFloorIsRoute) {
+  double corner_m = 3;
+  const auto lit_row = [](double ahead_m) {
+    return floor_lens().project(floor_mount().to_camera({ahead_m, 0, kMarkerHeight_m}))->y();
+  };
+  while (lit_row(corner_m) < kFloorHeight_px - 10) corner_m -= 0.01;
+  const Image faint =
+      seen_floor([&](const Vec2& p) { return p.x() - corner_m > std::abs(p.y()) ? 150.0 : 165.0; });
+  const Vec2 corner(corner_m, 0), to_left(1, 1), to_right(1, -1);
+  for (const double length : {0.7, 0.75, 0.8, 0.85, 0.9}) {
+    const Image right_lit = lit_side(corner, corner + length * to_right, faint);
+    const Image lit = lit_side(corner, corner + length * to_left, right_lit);
+    RouteView view({}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m,
+                   kMarkerHeight_m);
+    const RouteSight sight = view.look(lit);
+    for (const double side : {-1, 1}) {
+      EXPECT_FALSE(view.sees_route(sight, {corner_m + 0.6, side * 0.4})) << length << ' ' << side;
+      EXPECT_TRUE(view.sees_route(sight, {corner_m + 0.4, side * 0.6})) << length << ' ' << side;
+    }
+  }
+}
+
 TEST(RouteView, ALineOnTheFloorThatLooksLikeTheMarkersLightIsNoThing) {
   constexpr double kAhead_m = 2.2, kHalfWidth_m = 0.4;
   const Image line = lit_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m, way(-20, 20));
