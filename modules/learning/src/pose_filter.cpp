@@ -79,44 +79,50 @@ bool PoseFilter::correct(double off, const Vec3& by_pose, double sigma) {
 
 void PoseFilter::update(std::span<const SeenPoint> points, const Pose2& guess) {
   if (points.empty()) return;
-  // The unknowns: change of (x, y, theta, odometry errors) against the prediction, and the picture's tilt
-  // error in standard deviations.
-  using Vec7 = Eigen::Matrix<double, 7, 1>;
-  using Mat7 = Eigen::Matrix<double, 7, 7>;
+  const Fit found = fit(points, guess);
+  const Mat7 posterior = found.information.llt().solve(Mat7::Identity());
+  covariance_ = posterior.topLeftCorner<6, 6>();
+  T_map_vehicle_ = {T_map_vehicle_.x + found.change[0], T_map_vehicle_.y + found.change[1],
+                    wrap_angle(T_map_vehicle_.theta + found.change[2])};
+  odometry_errors_ += found.change.segment<3>(3);
+}
+
+double PoseFilter::squared_distance(std::span<const SeenPoint> points, const Pose2& guess) const {
+  return fit(points, guess).squared_distance;
+}
+
+PoseFilter::Fit PoseFilter::fit(std::span<const SeenPoint> points, const Pose2& guess) const {
   Mat7 prior = Mat7::Identity();
   prior.topLeftCorner<6, 6>() = covariance_.llt().solve(Mat6::Identity());
-  Vec7 change = Vec7::Zero();
-  change.head<3>() << guess.x - T_map_vehicle_.x, guess.y - T_map_vehicle_.y,
+  Fit fit;
+  fit.change.head<3>() << guess.x - T_map_vehicle_.x, guess.y - T_map_vehicle_.y,
       wrap_angle(guess.theta - T_map_vehicle_.theta);
-  Mat7 information;
   for (int round = 0; round < kRounds; ++round) {
-    information = prior;
-    Vec7 slope = -prior * change;
-    const double theta = T_map_vehicle_.theta + change[2];
+    fit.information = prior;
+    fit.squared_distance = fit.change.dot(prior * fit.change);
+    Vec7 slope = -prior * fit.change;
+    const double theta = T_map_vehicle_.theta + fit.change[2];
     const double c = std::cos(theta), s = std::sin(theta);
     for (const SeenPoint& point : points) {
-      const Vec2 from = point.p_map - T_map_vehicle_.position() - change.head<2>();
+      const Vec2 from = point.p_map - T_map_vehicle_.position() - fit.change.head<2>();
       const Vec2 expected{c * from.x() + s * from.y(), -s * from.x() + c * from.y()};
-      const Vec2 residual = point.p_vehicle - point.by_tilt * change[6] - expected;
+      const Vec2 residual = point.p_vehicle - point.by_tilt * fit.change[6] - expected;
       Eigen::Matrix<double, 2, 7> by_change = Eigen::Matrix<double, 2, 7>::Zero();
       by_change.block<2, 2>(0, 0) << -c, -s, s, -c;
       by_change.col(2) << expected.y(), -expected.x();
       by_change.col(6) = point.by_tilt;
       const Mat2 weight = point.covariance.inverse();
-      const double distance = std::sqrt(residual.dot(weight * residual));
-      const double share = distance > kHuber ? kHuber / distance : 1;
-      information += share * by_change.transpose() * weight * by_change;
+      const double squared_distance = residual.dot(weight * residual);
+      fit.squared_distance += squared_distance;
+      const double share = squared_distance > square(kHuber) ? kHuber / std::sqrt(squared_distance) : 1;
+      fit.information += share * by_change.transpose() * weight * by_change;
       slope += share * by_change.transpose() * weight * residual;
     }
-    const Vec7 step = information.llt().solve(slope);
-    change += step;
+    const Vec7 step = fit.information.llt().solve(slope);
+    fit.change += step;
     if (step.cwiseAbs().maxCoeff() < kPoseSettled) break;
   }
-  const Mat7 posterior = information.llt().solve(Mat7::Identity());
-  covariance_ = posterior.topLeftCorner<6, 6>();
-  T_map_vehicle_ = {T_map_vehicle_.x + change[0], T_map_vehicle_.y + change[1],
-                    wrap_angle(T_map_vehicle_.theta + change[2])};
-  odometry_errors_ += change.segment<3>(3);
+  return fit;
 }
 
 }  // namespace aisle

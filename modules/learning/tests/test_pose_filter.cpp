@@ -98,6 +98,27 @@ TEST(PoseFilter, APointThatIsWrongMovesThePoseLittle) {
   EXPECT_THAT(filter.pose(), PoseNear(truth, 0.01, 0.3 * kDegree));
 }
 
+TEST(PoseFilter, PointsThatAreWhatTheyAreTakenForAreAsFarOffAsChiSquaredSays) {
+  constexpr int kTrials = 400;
+  Random random(7);
+  double sum = 0;
+  std::size_t degrees = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const Pose2 truth{3 + random.normal(0.1), random.normal(0.1), random.normal(1 * kDegree)};
+    const PoseFilter filter(cart(), about({3, 0, 0}, 0.1, 1 * kDegree));
+    const std::vector<SeenPoint> points = look(truth, 0.03, &random);
+    sum += filter.squared_distance(points, filter.pose());
+    degrees += 2 * points.size();
+  }
+  EXPECT_NEAR(sum / static_cast<double>(degrees), 1, 0.05);
+}
+
+TEST(PoseFilter, PointsThatShowAnotherPoseAreFarOff) {
+  const PoseFilter filter(cart(), about({3, 0, 0}, 0.01, 0.1 * kDegree));
+  const std::vector<SeenPoint> points = look({3.2, -0.1, 0.05}, 0.02);
+  EXPECT_GT(filter.squared_distance(points, filter.pose()), 20 * static_cast<double>(points.size()));
+}
+
 TEST(PoseFilter, ErrorsAreAsLargeAsTheCovarianceSaysBlindAndSeeing) {
   constexpr int kTrips = 300, kSteps = 40;
   constexpr double kStep_m = 0.1;

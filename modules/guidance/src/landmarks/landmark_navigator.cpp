@@ -127,7 +127,10 @@ Decision LandmarkNavigator::step(const Observation& observation) {
   if (observation.bumper_pressed)
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
   if (state_ == State::kLooking) return look_around(observation.stamp_s);
-  if (state_ == State::kFollowing && was_lifted_) begin(State::kDoubting);
+  if (was_lifted_ && (state_ == State::kFollowing || state_ == State::kReturning)) {
+    interrupted_ = state_;
+    begin(State::kDoubting);
+  }
   if (state_ == State::kDoubting) return doubt();
   if (state_ == State::kFollowing) {
     why_lost_ = why_lost();
@@ -220,8 +223,8 @@ Decision LandmarkNavigator::doubt() {
                                   ? Suspicion::kOpen
                                   : doubt_.look(building_->landmarks, fix().T_map_vehicle, sightings_);
   if (suspicion == Suspicion::kDispelled) {
-    go_on();
-    return {.state = "following"};
+    go_on(interrupted_);
+    return {.state = interrupted_ == State::kFollowing ? "following" : "returning"};
   }
   why_lost_ = "sees other things than a moment ago";
   if (suspicion == Suspicion::kConfirmed || stamp_s_ - *state_since_s_ > params_.give_up_s)
@@ -230,8 +233,8 @@ Decision LandmarkNavigator::doubt() {
 }
 
 /// Sure of its place again.
-void LandmarkNavigator::go_on() {
-  begin(State::kFollowing);
+void LandmarkNavigator::go_on(State state) {
+  begin(state);
   has_jumped_ = false;
   expectations_.start();
   matched_stamp_s_ = stamp_s_;
@@ -255,7 +258,7 @@ Decision LandmarkNavigator::find_itself(const Observation& observation) {
 Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation& observation) {
   localiser_.place(about(T_map_vehicle, kFoundSigma_m, kFoundSigma_rad));
   if (progress_.find(T_map_vehicle, params_.off_route_max_m)) {
-    go_on();
+    go_on(State::kFollowing);
     return {.state = "found", .why = fmt::format("{:.1f} m along the route", progress_.point().along_m)};
   }
   why_lost_ = fmt::format("found itself off its route by more than {:.1f} m, or facing another way",
@@ -275,15 +278,11 @@ Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation&
 /// Over the floor that it has explored while it was lost, by odometry alone: what corrected its place on the
 /// map would shift it against that floor.
 Decision LandmarkNavigator::come_back(const Observation& observation) {
-  if (was_lifted_) {
-    begin(State::kLost);
-    return {.state = "lost", .why = "sees other things than a moment ago"};
-  }
   Decision decision{.state = "returning", .why = why_lost_};
   const WayToRoute::State state =
       way_to_route_->step(localiser_.pose(), steering_rad_of(observation.odometry), decision.command);
   if (state == WayToRoute::State::kThere && progress_.find(localiser_.pose(), params_.off_route_max_m)) {
-    go_on();
+    go_on(State::kFollowing);
   } else if (state == WayToRoute::State::kThere || state == WayToRoute::State::kNoWay) {
     return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
   }

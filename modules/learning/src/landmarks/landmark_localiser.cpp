@@ -14,7 +14,8 @@ constexpr double kSureWeight = 0.5;              // landmarks of this weight are
 constexpr int kContradictingMin = 2;             // so many of them out of sight contradict the map
 constexpr double kStanding_m = 0.01;             // pictures from so near each other have the same errors ...
 constexpr double kStanding_rad = 0.2 * kDegree;  // ... unless the vehicle has turned so far
-constexpr double kBehindDistance = 2;            // to the squared distance, if seen from the other side only
+constexpr double kByChanceMax = 3 * LandmarkLocaliser::kPairEvidence;  // three pairs, however near
+constexpr double kBehindDistance = 2;  // to the squared distance, if seen from the other side only
 
 }  // namespace
 
@@ -30,6 +31,8 @@ void LandmarkLocaliserParams::describe(FieldList& fields) {
   fields.real("ambiguous_share", ambiguous_share, {0.1, 1},
               "a second displacement whose pairs agree this well makes a match ambiguous");
   fields.real("gate_sigmas", gate_sigmas, {1, 10}, "a sighting farther from a landmark is not of it");
+  fields.real("together_sigmas", together_sigmas, {1, 10},
+              "a few pairs that are farther off what the odometry foretold, root mean square, are by chance");
   fields.real("landmark_sigma_m", landmark_sigma_m, {0, 1}, "least error of a landmark's place");
   fields.real("repeat_inflation", repeat_inflation, {1, 100},
               "pictures in a row are not independent: their variances count so many times");
@@ -97,6 +100,11 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
     }
   }
   if (!has_matched()) return without_match(map, sightings);
+  if (!is_believable(T_map_guess)) {
+    T_map_guess = filter_.pose();
+    pair_up(map, sightings, T_map_guess);
+    if (!has_matched() || !is_believable(T_map_guess)) return without_match(map, sightings);
+  }
   take_in(T_map_guess);
   return LandmarkMatch::kMatched;
 }
@@ -105,6 +113,14 @@ LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
 bool LandmarkLocaliser::has_matched() const {
   return pairs_.size() >= static_cast<std::size_t>(params_.pairs_min) &&
          matched_share_ >= params_.matched_share_min;
+}
+
+/// A few sightings are easily paired with other landmarks somewhere in the window. So all pairs and the
+/// prediction must fit together, unless so much is seen that the prediction rather is wrong.
+bool LandmarkLocaliser::is_believable(const Pose2& T_map_guess) const {
+  return evidence_ > kByChanceMax ||
+         filter_.squared_distance(points_, T_map_guess) <=
+             square(params_.together_sigmas) * static_cast<double>(points_.size());
 }
 
 /// The variances of the n-th picture from one place count n^2 times: all of them together tell less than two

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "aisle/maps/cell_index.hpp"
@@ -137,6 +139,24 @@ TEST(LandmarkLocaliser, OtherThingsThanTheMapHasHereAreNotMatched) {
   const LandmarkMatch match = localiser.correct(map_of(here), sightings_from(elsewhere, {3, 0, 0}, kNoise));
   EXPECT_EQ(match, LandmarkMatch::kUnmatched);
   EXPECT_THAT(localiser.pose(), PoseNear(Pose2{3, 0, 0}, 0, 0));
+}
+
+TEST(LandmarkLocaliser, ThreePairsFarFromWhatWasForetoldAreByChanceAndManyAreNot) {
+  Random random(9);
+  const std::vector<CorridorLine> lines = corridor_lines(12, random);
+  const LandmarkMap map = map_of(lines);
+  const Pose2 foretold{3, 0, 0}, elsewhere{3.06, 0.06, 0.9 * kDegree};
+  std::vector<LandmarkSighting> seen = sightings_from(lines, elsewhere, kNoise);
+  std::sort(seen.begin(), seen.end(), [](const LandmarkSighting& a, const LandmarkSighting& b) {
+    return a.p_vehicle.norm() < b.p_vehicle.norm();
+  });
+  ASSERT_GT(seen.size(), 5U);
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about(foretold, 0.005, 0.005, 0.1 * kDegree));
+  EXPECT_NE(localiser.correct(map, std::span(seen).first(3)), LandmarkMatch::kMatched);
+  EXPECT_THAT(localiser.pose(), PoseNear(foretold, 0, 0));
+  EXPECT_EQ(localiser.correct(map, seen), LandmarkMatch::kMatched);
+  EXPECT_GT((localiser.pose().position() - foretold.position()).norm(), 0.001)
+      << "so the foretelling was wrong";
 }
 
 TEST(LandmarkLocaliser, UnknownThingsBesideTheKnownOnesContradictNothing) {

@@ -31,6 +31,12 @@ class PoseFilter {
   /// stand out having less weight (Huber). `guess` is where the search begins.
   void update(std::span<const SeenPoint> points, const Pose2& guess);
 
+  /// How badly the points fit what was predicted, both at the pose that `update` would take: the sum of the
+  /// squares of all deviations, each in its standard deviations. If the points are what they are taken for,
+  /// it is chi-squared distributed, with two degrees of freedom a point (Neira and Tardos 2001: joint
+  /// compatibility).
+  double squared_distance(std::span<const SeenPoint> points, const Pose2& guess) const;
+
   /// Takes in one number that is known to depend on the pose.
   /// @param off      how far the number that was measured is above the one expected by the pose
   /// @param by_pose  what a change of (x, y, theta) does to the one expected
@@ -46,6 +52,17 @@ class PoseFilter {
  private:
   using Vec6 = Eigen::Matrix<double, 6, 1>;
   using Mat6 = Eigen::Matrix<double, 6, 6>;
+  using Vec7 = Eigen::Matrix<double, 7, 1>;
+  using Mat7 = Eigen::Matrix<double, 7, 7>;
+  /// The most probable change of (x, y, theta, odometry errors) against the prediction, and the picture's
+  /// tilt error in standard deviations.
+  struct Fit {
+    Vec7 change = Vec7::Zero();
+    Mat7 information = Mat7::Identity();
+    double squared_distance = 0;
+  };
+
+  Fit fit(std::span<const SeenPoint> points, const Pose2& guess) const;
 
   VehicleDescription vehicle_;
   Vec3 steady_variances_ = Vec3::Zero();  ///< of the odometry errors, before anything was seen

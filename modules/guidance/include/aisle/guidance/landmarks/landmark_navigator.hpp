@@ -88,7 +88,7 @@ class LandmarkNavigator final : public Navigator {
   void watch_for_lift();
   std::string why_lost() const;
   void begin(State state);
-  void go_on();
+  void go_on(State state);
   Decision look_around(double stamp_s);
   Decision doubt();
   Decision find_itself(const Observation& observation);
@@ -118,6 +118,7 @@ class LandmarkNavigator final : public Navigator {
   ExpectationWatch expectations_;
   std::vector<LandmarkSighting> sightings_;
   State state_ = State::kLooking;
+  State interrupted_ = State::kFollowing;  ///< by the last doubt
   std::string why_lost_;
   bool was_lifted_ = false;  ///< perhaps: everything looks other than a moment ago
   bool has_jumped_ = false;  ///< likewise: walls stand elsewhere, or all lines are gone or new

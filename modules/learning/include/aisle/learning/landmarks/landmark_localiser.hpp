@@ -21,6 +21,7 @@ struct LandmarkLocaliserParams {
   double window_max_rad = 12 * kDegree;
   double ambiguous_share = 0.8;
   double gate_sigmas = 3.5;
+  double together_sigmas = 2.5;
   double landmark_sigma_m = 0.02;
   double repeat_inflation = 3;
   double matched_share_min = 0.34;
@@ -75,6 +76,7 @@ class LandmarkLocaliser {
 
  private:
   bool has_matched() const;
+  bool is_believable(const Pose2& T_map_guess) const;
   LandmarkMatch without_match(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
   void take_in(const Pose2& T_map_guess);
   MwghtWindow window() const;
