@@ -50,10 +50,11 @@ bool ContinuityWatch::can_tell() const {
   return has_scene_ && since_m_ < kComparedWay_m && std::abs(since_rad_) < kComparedTurn_rad;
 }
 
+/// One by one, distant lines come and go by themselves; all of them at once do not.
 bool ContinuityWatch::lacks_what_must_stay(std::span<const LandmarkSighting> picture) {
   near_.clear();
   std::copy_if(scene_.begin(), scene_.end(), std::back_inserter(near_), [&](const LandmarkSighting& line) {
-    return stands_near(line) && bearing_aside(line) < kInsideShare * span_rad_;
+    return (picture.empty() || stands_near(line)) && bearing_aside(line) < kInsideShare * span_rad_;
   });
   return near_.size() >= kLinesMin && shown_share(near_, picture) <= kShownShareMax;
 }

@@ -47,6 +47,24 @@ TEST(ContinuityWatch, NoticesOnceThatDoorsNearbyAreGone) {
   EXPECT_EQ(noticed, 1);
 }
 
+TEST(ContinuityWatch, DistantLinesMayGoOneByOneButNotAllAtOnce) {
+  const auto drive = [](std::size_t left) {
+    ContinuityWatch watch;
+    std::vector<LandmarkSighting> distant;
+    for (int i = 0; i < 9; ++i)
+      distant.push_back({.p_vehicle = {5.5 + 0.3 * i, i % 2 == 0 ? 1 : -1},
+                         .covariance = Mat2::Identity() * 1e-4,
+                         .brighter_right = i % 3 == 0});
+    drive_on(watch, distant);
+    distant.resize(left);
+    int noticed = 0;
+    for (int i = 0; i < 10; ++i) noticed += drive_on(watch, distant) ? 1 : 0;
+    return noticed;
+  };
+  EXPECT_EQ(drive(2), 0);
+  EXPECT_EQ(drive(0), 1);
+}
+
 TEST(ContinuityWatch, NoticesOnceThatDoorsAreThereWhichWouldHaveBeenInViewBefore) {
   ContinuityWatch watch;
   for (int i = 0; i < 20; ++i) EXPECT_FALSE(drive_on(watch, kBare));
