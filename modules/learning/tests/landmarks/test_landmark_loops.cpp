@@ -94,22 +94,21 @@ double worst_return_m(const std::vector<Pose2>& thought, const std::vector<Pose2
 }
 
 TEST(LandmarkLoops, ATripThatComesRoundAgainHasItsStartWhereItWas) {
-  constexpr std::uint64_t kTrips = 2;
-  double drift_m = 0;
-  for (std::uint64_t seed = 1; seed <= kTrips; ++seed) {
+  for (const std::uint64_t seed : {4U, 5U}) {
     Random random(seed);
     const Ring ring(random);
     const CorridorTrip trip = trip_round(ring, kPoor, random);
     LandmarkLearningParams params;
-    const auto worst_m = [&] {
-      return worst_return_m(learn_landmarks(trip.cycles, corridor_cart(), params).T_map_vehicle,
-                            trip.T_map_vehicle);
-    };
-    EXPECT_LT(worst_m(), 0.05) << seed;
+    EXPECT_LT(worst_return_m(learn_landmarks(trip.cycles, corridor_cart(), params).T_map_vehicle,
+                             trip.T_map_vehicle),
+              0.05)
+        << seed;
     params.adjust = false;
-    drift_m += worst_m() / kTrips;
+    EXPECT_GT(worst_return_m(learn_landmarks(trip.cycles, corridor_cart(), params).T_map_vehicle,
+                             trip.T_map_vehicle),
+              0.1)
+        << seed << ": the trip drifts too little to show anything";
   }
-  EXPECT_GT(drift_m, 0.1) << "the trips drift too little to show anything";
 }
 
 TEST(LandmarkLoops, APlaceThatWasPassedTwiceStandsInTheMapOnce) {
