@@ -52,18 +52,19 @@ bool ContinuityWatch::can_tell() const {
 
 /// One by one, distant lines come and go by themselves; all of them at once do not.
 bool ContinuityWatch::lacks_what_must_stay(std::span<const LandmarkSighting> picture) {
-  near_.clear();
-  std::copy_if(scene_.begin(), scene_.end(), std::back_inserter(near_), [&](const LandmarkSighting& line) {
-    return (picture.empty() || stands_near(line)) && bearing_aside(line) < kInsideShare * span_rad_;
-  });
-  return near_.size() >= kLinesMin && shown_share(near_, picture) <= kShownShareMax;
+  compared_.clear();
+  std::copy_if(
+      scene_.begin(), scene_.end(), std::back_inserter(compared_), [&](const LandmarkSighting& line) {
+        return (picture.empty() || stands_near(line)) && bearing_aside(line) < kInsideShare * span_rad_;
+      });
+  return compared_.size() >= kLinesMin && shown_share(compared_, picture) <= kShownShareMax;
 }
 
 bool ContinuityWatch::shows_what_was_not_there(std::span<const LandmarkSighting> picture) {
-  near_.clear();
-  std::copy_if(picture.begin(), picture.end(), std::back_inserter(near_), stands_near);
-  if (near_.size() < kLinesMin || shown_share(near_, scene_) > kShownShareMax) return false;
-  return breaks_ == 0 || shown_share(near_, latest_) >= kSteadyShareMin;
+  compared_.clear();
+  std::copy_if(picture.begin(), picture.end(), std::back_inserter(compared_), stands_near);
+  if (compared_.size() < kLinesMin || shown_share(compared_, scene_) > kShownShareMax) return false;
+  return breaks_ == 0 || shown_share(compared_, latest_) >= kSteadyShareMin;
 }
 
 void ContinuityWatch::take(std::span<const LandmarkSighting> picture) {

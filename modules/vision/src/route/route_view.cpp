@@ -104,8 +104,12 @@ RouteView::RouteView(const RouteViewParams& params, const CameraIntrinsics& intr
   stripe_.emplace(params.stripe, intrinsics, mount, width_px, height_px, stripe_height_m_);
 }
 
+std::optional<Vec2> RouteView::projected(const Vec2& p_vehicle, double height_m) const {
+  return camera_.project(mount_.to_camera({p_vehicle.x(), p_vehicle.y(), height_m}));
+}
+
 std::optional<Vec2> RouteView::pixel_of(const Vec2& p_vehicle) const {
-  auto pixel = camera_.project(mount_.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
+  auto pixel = projected(p_vehicle, 0);
   if (!pixel || pixel->x() < 0 || pixel->y() < 0 || pixel->x() > width_px_ - 1 || pixel->y() > height_px_ - 1)
     return std::nullopt;
   return pixel;
@@ -188,12 +192,13 @@ void RouteView::find_lit_pieces(const Image& grey) {
     if (piece.size() > 1) lit_pieces_.push_back({piece, goes_on, has_foot(grey, piece)});
     rest = rest.subspan(std::max<std::size_t>(1, piece.size() - 1));
   }
+  const auto learn_from = [](LitPiece& piece, const LitPiece& beside) {
+    if (!piece.has_foot) piece.has_foot = beside.has_foot;
+  };
   for (std::size_t i = 1; i < lit_pieces_.size(); ++i)
-    if (lit_pieces_[i].goes_on && !lit_pieces_[i].has_foot)
-      lit_pieces_[i].has_foot = lit_pieces_[i - 1].has_foot;
+    if (lit_pieces_[i].goes_on) learn_from(lit_pieces_[i], lit_pieces_[i - 1]);
   for (std::size_t i = lit_pieces_.size(); i-- > 1;)
-    if (lit_pieces_[i].goes_on && !lit_pieces_[i - 1].has_foot)
-      lit_pieces_[i - 1].has_foot = lit_pieces_[i].has_foot;
+    if (lit_pieces_[i].goes_on) learn_from(lit_pieces_[i - 1], lit_pieces_[i]);
 }
 
 /// Whether it is brighter or darker right above the places where a thing is lit than right below them;
@@ -219,13 +224,13 @@ std::optional<bool> RouteView::has_foot(const Image& grey, std::span<const Vec2>
 bool RouteView::leaves_view(const Vec2& p_vehicle_inwards, const Vec2& p_vehicle_end) const {
   const Vec2 way = p_vehicle_end - p_vehicle_inwards;
   if (way.isZero()) return false;
-  const Vec2 p_beyond = p_vehicle_end + kLeavesView_m * way.normalized();
-  const auto pixel = camera_.project(mount_.to_camera({p_beyond.x(), p_beyond.y(), stripe_height_m_}));
+  const auto pixel = projected(p_vehicle_end + kLeavesView_m * way.normalized(), stripe_height_m_);
   return pixel && pixel->y() > height_px_ - 1;
 }
 
+/// In which column the foot of a lit place is, be it below the view.
 int RouteView::foot_column(const Vec2& p_vehicle) const {
-  const auto foot = camera_.project(mount_.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
+  const auto foot = projected(p_vehicle, 0);
   return foot ? std::clamp(static_cast<int>(std::lround(foot->x())), 0, width_px_) : width_px_ / 2;
 }
 
@@ -235,10 +240,7 @@ void RouteView::take_out_columns(int begin, int end, Image& mask) const {
 
 /// All that is seen on and above a line on the floor.
 void RouteView::take_out_above(const Vec2& p_vehicle_right, const Vec2& p_vehicle_left, Image& mask) const {
-  const auto on_picture = [this](const Vec2& p) {
-    return camera_.project(mount_.to_camera({p.x(), p.y(), 0}));
-  };
-  const auto right = on_picture(p_vehicle_right), left = on_picture(p_vehicle_left);
+  const auto right = projected(p_vehicle_right, 0), left = projected(p_vehicle_left, 0);
   if (!right || !left || right->x() <= left->x()) return;
   const int first = std::max(0, static_cast<int>(std::floor(left->x())));
   const int last = std::min(width_px_ - 1, static_cast<int>(std::ceil(right->x())));

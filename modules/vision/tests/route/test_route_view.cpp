@@ -17,6 +17,10 @@ RouteView eye() {
   return {{}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m};
 }
 
+RouteView eye_by_markers() {
+  return {{}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m, kMarkerHeight_m};
+}
+
 /// A bright way between dark sides, and a dark thing on it.
 Image way(double right_m, double left_m, const Segment2& thing = {{20, 20}, {20, 20}}) {
   return seen_floor([&](const Vec2& p) {
@@ -122,8 +126,7 @@ TEST(RouteView, WhereTheMarkersLightAThingIsNoRouteHoweverMuchItLooksLikeIt) {
   constexpr double kAhead_m = 2.2, kHalfWidth_m = 0.4;
   const Image unlit = faint_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m);
   const Image lit = lit_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m, unlit);
-  RouteView view({}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m,
-                 kMarkerHeight_m);
+  RouteView view = eye_by_markers();
   EXPECT_TRUE(view.sees_route(view.look(unlit), {kAhead_m + 0.1, 0})) << "nothing is lit";
   const RouteSight sight = view.look(lit);
   for (const double aside_m : {-0.3, 0.0, 0.3}) {
@@ -143,8 +146,7 @@ TEST(RouteView, ALitThingIsNoRouteWhereItsFootAndItsLightLeaveTheView) {
   constexpr double kAside_m = -0.25;
   const Image faint = seen_floor([&](const Vec2& p) { return p.y() < kAside_m ? 150.0 : 165.0; });
   const Image lit = lit_side({2, kAside_m}, {0.9, kAside_m}, faint);
-  RouteView view({}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m,
-                 kMarkerHeight_m);
+  RouteView view = eye_by_markers();
   RouteView by_brightness = eye();
   for (const double aside_m : {-0.5, -0.6, -0.7}) {
     EXPECT_TRUE(by_brightness.sees_route(by_brightness.look(lit), {1.5, aside_m})) << aside_m;
@@ -165,8 +167,7 @@ TEST(RouteView, BesideACornerThatIsLitJustAboveTheViewsLowerEdgeTheFloorIsRoute)
   for (const double length : {0.7, 0.75, 0.8, 0.85, 0.9}) {
     const Image right_lit = lit_side(corner, corner + length * to_right, faint);
     const Image lit = lit_side(corner, corner + length * to_left, right_lit);
-    RouteView view({}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m,
-                   kMarkerHeight_m);
+    RouteView view = eye_by_markers();
     const RouteSight sight = view.look(lit);
     for (const double side : {-1, 1}) {
       EXPECT_FALSE(view.sees_route(sight, {corner_m + 0.6, side * 0.4})) << length << ' ' << side;
@@ -178,8 +179,7 @@ TEST(RouteView, BesideACornerThatIsLitJustAboveTheViewsLowerEdgeTheFloorIsRoute)
 TEST(RouteView, ALineOnTheFloorThatLooksLikeTheMarkersLightIsNoThing) {
   constexpr double kAhead_m = 2.2, kHalfWidth_m = 0.4;
   const Image line = lit_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m, way(-20, 20));
-  RouteView view({}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m,
-                 kMarkerHeight_m);
+  RouteView view = eye_by_markers();
   EXPECT_TRUE(view.sees_route(view.look(line), {kAhead_m + 0.1, 0}));
 }
 

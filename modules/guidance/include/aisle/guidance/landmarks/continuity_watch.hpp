@@ -9,8 +9,8 @@
 namespace aisle {
 
 /// Notices that the vehicle was lifted where one of the two places shows hardly a line, so that no two scenes
-/// can be compared: lines that must stay in view are gone from one picture to the next, and stay away; or
-/// lines are there that would have been in view before.
+/// can be compared: lines that must stay in view are gone from one picture to the next, and stay away (near
+/// ones, or all at once); or lines are there that would have been in view before.
 class ContinuityWatch {
  public:
   /// The vehicle has moved since the last call, by its odometry.
@@ -32,9 +32,9 @@ class ContinuityWatch {
   double since_m_ = 0;                   ///< way since it was taken ...
   double since_rad_ = 0;                 ///< ... and turning
   bool has_scene_ = false;
-  std::vector<LandmarkSighting> latest_;  ///< the picture before this one
-  std::vector<LandmarkSighting> near_;    ///< of one scene, for a comparison
-  int breaks_ = 0;                        ///< pictures in a row that do not go on
+  std::vector<LandmarkSighting> latest_;    ///< the picture before this one
+  std::vector<LandmarkSighting> compared_;  ///< of one scene, for a comparison
+  int breaks_ = 0;                          ///< pictures in a row that do not go on
 };
 
 }  // namespace aisle

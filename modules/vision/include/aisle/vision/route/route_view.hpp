@@ -87,6 +87,7 @@ class RouteView {
     std::optional<bool> has_foot;     ///< nullopt: it is out of view
   };
 
+  std::optional<Vec2> projected(const Vec2& p_vehicle, double height_m) const;
   FloorPatch patch_of(double ahead_from_m, double ahead_to_m, const Interval& aside_m) const;
   bool is_occupied(const Image& mask, const FloorPatch& patch) const;
   void find_edges(RouteSight& sight) const;
