@@ -37,8 +37,12 @@ Result<SimulationSetting> exploration_setting(const TrialOptions& options, const
 }
 
 bool is_complete(const Json& figures) {
-  return figures["certificate"].get<bool>() && figures["collisions"] == 0 &&
+  return figures["came_home"].get<bool>() && figures["collisions"] == 0 &&
          figures["covered_share"].get<double>() >= kCompleteShare;
+}
+
+bool has_certificate(const Json& figures) {
+  return figures["certificate"].get<bool>();
 }
 
 /// Mean and worst of a figure; the worst share is the least one.
@@ -54,21 +58,23 @@ Json spread_of(const Json& missions, const char* figure, bool least_is_worst) {
 
 Outcome outcome_of(const TrialOptions& options, const Json& missions) {
   const auto complete = std::count_if(missions.begin(), missions.end(), is_complete);
+  const auto certified = std::count_if(missions.begin(), missions.end(), has_certificate);
   std::size_t collisions = 0;
   for (const Json& mission : missions) collisions += mission["collisions"].get<std::size_t>();
-  const double share = static_cast<double>(complete) / static_cast<double>(missions.size());
+  const auto count = static_cast<double>(missions.size());
   Outcome outcome{.verb = "trial", .ok = complete == static_cast<std::ptrdiff_t>(missions.size())};
   outcome.figures = {{"simulated", true},
                      {"method", options.method},
                      {"noise_scale", options.noise_scale},
                      {"missions", missions.size()},
-                     {"complete_share", rounded(share, 4)},
+                     {"complete_share", rounded(static_cast<double>(complete) / count, 4)},
+                     {"certificate_share", rounded(static_cast<double>(certified) / count, 4)},
                      {"collisions", collisions}};
   for (const char* figure : kShareFigures) outcome.figures[figure] = spread_of(missions, figure, true);
   for (const char* figure : kErrorFigures) outcome.figures[figure] = spread_of(missions, figure, false);
   outcome.figures["runs"] = missions;
-  outcome.text = fmt::format("simulated: {} of {} missions complete, {} collisions\n", complete,
-                             missions.size(), collisions);
+  outcome.text = fmt::format("simulated: {} of {} missions complete, {} with a certificate, {} collisions\n",
+                             complete, missions.size(), certified, collisions);
   for (const Json& mission : missions) {
     outcome.text +=
         fmt::format("{:<16} {:<10} covered {:.3f}, home to {:.3f} m, {:.1f} m driven: {}\n",
