@@ -105,11 +105,12 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatStandsBesideACupboard) {
 TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWithALegAtACupboardsCorner) {
   wall(2, 0, 6);
   stand(2.17, 1.77);
-  for (double x_m = 2; x_m < 2.75; x_m += 0.05) {
-    for (double y_m = 3.7; y_m < 4.2; y_m += 0.05) stand(x_m, y_m);
+  for (double x_m = 3.02; x_m < 3.6; x_m += 0.05) {
+    for (const double y_m : {3.67, 3.72}) stand(x_m, y_m);
   }
+  hide({3.02, 3.77}, {3.6, 6});
   stand(2.87, 2.02);
-  stand(2.87, 3.57);
+  for (const double y_m : {3.52, 3.57, 3.62}) stand(2.87, y_m);
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
