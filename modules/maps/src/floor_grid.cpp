@@ -69,6 +69,14 @@ bool FloorGrid::seem_free(FloorCell cell) {
   return !tells_nothing && weigh(cell, kPassed);
 }
 
+bool FloorGrid::stand_on(FloorCell cell) {
+  if (at(cell) == Floor::kOccupied) return see_free(cell);
+  if (was_stood_on(cell) || !is_within_reach(cell)) return false;
+  make_room(cell);
+  put(cell, kStoodOn);
+  return true;
+}
+
 void FloorGrid::set(FloorCell cell, Floor floor) {
   const int evidence = floor == Floor::kFree ? kSurelyFree : floor == Floor::kOccupied ? kSurelyOccupied : 0;
   if (floor == Floor::kUnknown && !room_.contains(cell)) return;
@@ -80,7 +88,9 @@ void FloorGrid::set(FloorCell cell, Floor floor) {
 bool FloorGrid::weigh(FloorCell cell, int weight) {
   if (!is_within_reach(cell)) return false;
   make_room(cell);
-  int evidence = std::clamp(evidence_[index(cell)] + weight, kSurelyFree, kSurelyOccupied);
+  if (weight < 0 && was_stood_on(cell)) return false;
+  int evidence =
+      std::clamp(std::max<int>(evidence_[index(cell)], kSurelyFree) + weight, kSurelyFree, kSurelyOccupied);
   if (evidence == 0) evidence = weight < 0 ? -1 : 1;  // 0 is for what was never seen
   return put(cell, static_cast<Evidence>(evidence));
 }

@@ -9,11 +9,12 @@
 namespace aisle {
 namespace {
 
-constexpr double kStruckFrom = 0.25;  // cells beyond the footprint: what was touched ...
-constexpr double kStruckTo = 1.5;     // ... and so deep
-constexpr double kCoarse = 1.5;       // cells by which what is struck may lie off
-constexpr double kWallGap_m = 0.3;    // so far from what was struck a wall may go on unseen
-constexpr double kThin_m = 0.04;      // as the leg of a table: beams farther apart may miss it
+constexpr double kStruckFrom = 0.25;      // cells beyond the footprint: what was touched ...
+constexpr double kStruckTo = 1.5;         // ... and so deep
+constexpr double kSurelyInside_m = 0.05;  // of the footprint: the pose may be off
+constexpr double kCoarse = 1.5;           // cells by which what is struck may lie off
+constexpr double kWallGap_m = 0.3;        // so far from what was struck a wall may go on unseen
+constexpr double kThin_m = 0.04;          // as the leg of a table: beams farther apart may miss it
 
 /// The cells that a disc or rectangle about a place may touch.
 FloorBox box_around(const FloorGrid& floor, const Vec2& p_map, double reach_m) {
@@ -169,9 +170,10 @@ FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose
       const Vec2 p_vehicle = T_vehicle_map * floor.centre({x, y});
       const double outside_m = std::max({p_vehicle.x() - footprint.front_m, -footprint.rear_m - p_vehicle.x(),
                                          std::abs(p_vehicle.y()) - half_m});
-      const bool stands_on =
+      const bool covers =
           outside_m <= 0 || (outside_m <= touched_m && floor.at(FloorCell{x, y}) == Floor::kUnknown);
-      if (stands_on && floor.see_free({x, y})) changed.include({x, y});
+      const bool surely = outside_m <= -kSurelyInside_m;
+      if (surely ? floor.stand_on({x, y}) : covers && floor.see_free({x, y})) changed.include({x, y});
     }
   }
   return changed;

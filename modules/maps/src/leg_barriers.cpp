@@ -12,10 +12,10 @@ namespace {
 constexpr double kRing_m = 0.25;               // about a leg: nothing else stands there
 constexpr double kWallAround_m = 0.1;          // so far beyond it is looked how a wall there goes on
 constexpr double kRingFreeShare = 0.5;         // of it; the rest may be hidden ...
-constexpr double kHidden_rad = 150 * kDegree;  // ... in one piece: a wall hides half of all
+constexpr double kHidden_rad = 165 * kDegree;  // ... in one piece: a wall hides half of all
 constexpr double kFreeAtWallShare = 0.4;       // of it, where a wall takes up the other side
 constexpr double kBehindBeside_m = 0.09;       // so far to both sides a wall goes on behind a leg before it
-constexpr double kBlurAtWall_m = 0.08;         // of a leg there: the wall itself is told apart from it
+constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itself is told apart from it
 constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
 constexpr double kLineStepCells = 0.5;
 
@@ -80,7 +80,7 @@ void LegParams::describe(FieldList& fields) {
 FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return {};
   const double matters_m = params_.leg_max_m + kRing_m + kWallAround_m;
-  find_legs(floor, changed.widened(static_cast<int>(std::ceil(matters_m / floor.cell_m())) + 1));
+  find_things(floor, changed.widened(static_cast<int>(std::ceil(matters_m / floor.cell_m())) + 1));
   std::vector<FloorCell> closed = cells_between(floor);
   std::vector<FloorCell> differ;
   std::set_symmetric_difference(closed.begin(), closed.end(), closed_.begin(), closed_.end(),
@@ -95,8 +95,13 @@ bool LegBarriers::is_closed(FloorCell cell) const {
   return std::binary_search(closed_.begin(), closed_.end(), cell, is_before);
 }
 
-void LegBarriers::find_legs(const FloorGrid& floor, const FloorBox& within) {
-  std::erase_if(legs_, [&](const Leg& leg) { return within.contains(leg.first); });
+std::size_t LegBarriers::legs() const {
+  return static_cast<std::size_t>(std::count_if(
+      things_.begin(), things_.end(), [](const Thing& thing) { return thing.stand != Stand::kUnclear; }));
+}
+
+void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
+  std::erase_if(things_, [&](const Thing& thing) { return within.contains(thing.first); });
   for (int y = within.low.y; y < within.end.y; ++y) {
     for (int x = within.low.x; x < within.end.x; ++x) {
       const FloorCell first{x, y};
@@ -107,12 +112,11 @@ void LegBarriers::find_legs(const FloorGrid& floor, const FloorBox& within) {
       if (cells.empty() || !begins_here) continue;
       Vec2 p_map = Vec2::Zero();
       for (const FloorCell cell : cells) p_map += floor.centre(cell) / static_cast<double>(cells.size());
-      const auto free = stands_free(floor, p_map);
-      if (free) legs_.push_back({first, p_map, *free});
+      things_.push_back({first, p_map, stand_of(floor, p_map)});
     }
   }
-  std::sort(legs_.begin(), legs_.end(),
-            [](const Leg& a, const Leg& b) { return is_before(a.first, b.first); });
+  std::sort(things_.begin(), things_.end(),
+            [](const Thing& a, const Thing& b) { return is_before(a.first, b.first); });
 }
 
 /// The cells that hang together with one of them; none if they are too many for a leg.
@@ -135,8 +139,7 @@ std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCel
   return cells;
 }
 
-/// Or before a wall; none: it may be anything, such as a piece of a wall of which little was seen.
-std::optional<bool> LegBarriers::stands_free(const FloorGrid& floor, const Vec2& p_map) const {
+LegBarriers::Stand LegBarriers::stand_of(const FloorGrid& floor, const Vec2& p_map) const {
   const int reach = static_cast<int>(std::ceil((kRing_m + kWallAround_m) / floor.cell_m())) + 1;
   bool at_wall = false;
   double ring = 0;
@@ -157,29 +160,36 @@ std::optional<bool> LegBarriers::stands_free(const FloorGrid& floor, const Vec2&
   const double free_share = static_cast<double>(free_rad.size()) / ring;
   if (!at_wall) {
     const bool is_free = free_share >= kRingFreeShare && widest_gap_rad(free_rad) <= kHidden_rad;
-    return is_free ? std::optional(true) : std::nullopt;
+    return is_free ? Stand::kFree : Stand::kUnclear;
   }
   const bool is_before_wall = free_share >= kFreeAtWallShare && lies_behind(to_wall);
-  return is_before_wall ? std::optional(false) : std::nullopt;
+  return is_before_wall ? Stand::kBeforeWall : Stand::kUnclear;
 }
 
 /// What stands there belongs to one.
 bool LegBarriers::is_leg(const Vec2& p_map) const {
-  return std::any_of(legs_.begin(), legs_.end(),
-                     [&](const Leg& leg) { return (leg.p_map - p_map).norm() <= params_.leg_max_m; });
+  return std::any_of(things_.begin(), things_.end(), [&](const Thing& thing) {
+    return thing.stand != Stand::kUnclear && (thing.p_map - p_map).norm() <= params_.leg_max_m;
+  });
 }
 
 std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const {
   std::vector<FloorCell> cells;
   const auto close = [&](const Vec2& from, const Vec2& to) {
-    for_cells_on_line(floor, from, to, [&](FloorCell cell) { cells.push_back(cell); });
+    const std::size_t before = cells.size();
+    bool was_stood_on = false;
+    for_cells_on_line(floor, from, to, [&](FloorCell cell) {
+      cells.push_back(cell);
+      was_stood_on = was_stood_on || floor.was_stood_on(cell);
+    });
+    if (was_stood_on) cells.resize(before);
   };
-  for (std::size_t i = 0; i < legs_.size(); ++i) {
-    for (const Vec2& p_map : hidden_partners(floor, legs_[i])) close(legs_[i].p_map, p_map);
-    for (std::size_t j = i + 1; j < legs_.size(); ++j) {
-      const Vec2 &a = legs_[i].p_map, &b = legs_[j].p_map;
+  for (std::size_t i = 0; i < things_.size(); ++i) {
+    for (const Vec2& p_map : hidden_partners(floor, things_[i])) close(things_[i].p_map, p_map);
+    for (std::size_t j = i + 1; j < things_.size(); ++j) {
+      const Vec2 &a = things_[i].p_map, &b = things_[j].p_map;
       const double apart_m = (b - a).norm();
-      if (apart_m > params_.apart_max_m || !may_carry_one_plate(floor, legs_[i], legs_[j])) continue;
+      if (apart_m > params_.apart_max_m || !may_carry_one_plate(floor, things_[i], things_[j])) continue;
       close(a, b);
       if (apart_m < params_.plate_min_m) continue;
       const auto behind_a = wall_behind(floor, a, b - a), behind_b = wall_behind(floor, b, b - a);
@@ -193,10 +203,15 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
   return cells;
 }
 
-/// Nothing but legs, and what blurs one that stands free, is between them: a chair may stand before a table.
-bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Leg& a, const Leg& b) const {
-  if (!a.stands_free && !b.stands_free) return false;
-  const auto blur_m = [&](const Leg& leg) { return leg.stands_free ? params_.leg_max_m : kBlurAtWall_m; };
+/// One of them stands free, and nothing but legs, and what blurs one that stands free, is between them: a
+/// chair may stand before a table.
+bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const {
+  if (a.stand != Stand::kFree && b.stand != Stand::kFree) return false;
+  if (a.stand == Stand::kUnclear && !stands_along_wall(floor, b, a)) return false;
+  if (b.stand == Stand::kUnclear && !stands_along_wall(floor, a, b)) return false;
+  const auto blur_m = [&](const Thing& thing) {
+    return thing.stand == Stand::kFree ? params_.leg_max_m : kBlurAtWall_m;
+  };
   bool in_sight = true;
   for_cells_on_line(floor, a.p_map, b.p_map, [&](FloorCell cell) {
     const Vec2 p_map = floor.centre(cell);
@@ -204,6 +219,12 @@ bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Leg& a, cons
     if (is_between && floor.at(cell) == Floor::kOccupied && !is_leg(p_map)) in_sight = false;
   });
   return in_sight;
+}
+
+/// What stands there may be a leg, too: what stands behind the leg goes on behind it.
+bool LegBarriers::stands_along_wall(const FloorGrid& floor, const Thing& leg, const Thing& thing) const {
+  const auto behind = wall_behind(floor, leg.p_map, thing.p_map - leg.p_map);
+  return behind && stands_about(floor, Vec2(*behind + thing.p_map - leg.p_map), params_.leg_max_m / 2);
 }
 
 /// The nearest place, across a line of legs, of something that is no leg.
@@ -234,35 +255,32 @@ std::optional<Vec2> LegBarriers::nearest_wall(const FloorGrid& floor, const Vec2
 }
 
 /// Of a leg before a wall: where the leg may be with which it carries a table along that wall, hidden by
-/// floor that nobody has seen yet, or too near to another wall to be told from it. Where such a leg is
-/// known on either side, no floor hides one.
-std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Leg& leg) const {
-  if (!leg.stands_free) return {};
+/// floor that nobody has seen yet. Where such a leg is known on either side, no floor hides one.
+std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thing& leg) const {
+  if (leg.stand != Stand::kFree) return {};
   const auto wall = nearest_wall(floor, leg.p_map, [](const Vec2&) { return true; });
   if (!wall) return {};
   const Vec2 across = (*wall - leg.p_map).normalized();
   std::vector<Vec2> hidden;
   for (const Vec2& along : {left_normal(across), across}) {
-    if (!wall_behind(floor, leg.p_map, along)) continue;
-    const bool is_paired = has_partner(leg, along);
+    if (!wall_behind(floor, leg.p_map, along) || has_partner(leg, along)) continue;
     for (const double side : {1.0, -1.0}) {
-      const auto place = partner_place(floor, leg.p_map, side * along);
-      if (place && (!is_paired || floor.at(*place) == Floor::kOccupied)) hidden.push_back(*place);
+      if (const auto place = partner_place(floor, leg.p_map, side * along)) hidden.push_back(*place);
     }
   }
   return hidden;
 }
 
-bool LegBarriers::has_partner(const Leg& leg, const Vec2& along) const {
-  return std::any_of(legs_.begin(), legs_.end(), [&](const Leg& other) {
+bool LegBarriers::has_partner(const Thing& leg, const Vec2& along) const {
+  return std::any_of(things_.begin(), things_.end(), [&](const Thing& other) {
     const Vec2 away = other.p_map - leg.p_map;
-    return away.norm() > params_.leg_max_m && away.norm() <= params_.apart_max_m &&
-           std::abs(left_normal(along).dot(away)) <= params_.leg_max_m;
+    return other.stand != Stand::kUnclear && away.norm() > params_.leg_max_m &&
+           away.norm() <= params_.apart_max_m && std::abs(left_normal(along).dot(away)) <= params_.leg_max_m;
   });
 }
 
-/// The first floor that was not seen, as far away as a table is long, or small thing with the same wall
-/// behind it; nothing where something else stands before it.
+/// The first floor that was not seen, as far away as a table is long; nothing where something stands before
+/// it.
 std::optional<Vec2> LegBarriers::partner_place(const FloorGrid& floor, const Vec2& p_map_leg,
                                                const Vec2& along) const {
   const double step_m = kLineStepCells * floor.cell_m();
@@ -270,11 +288,7 @@ std::optional<Vec2> LegBarriers::partner_place(const FloorGrid& floor, const Vec
   for (int i = 0; i <= steps; ++i) {
     const Vec2 p_map = p_map_leg + (params_.leg_max_m + i * step_m) * along;
     if (floor.at(p_map) == Floor::kFree) continue;
-    if (floor.at(p_map) == Floor::kUnknown) return p_map;
-    const auto behind_leg = wall_behind(floor, p_map_leg, along);
-    const bool may_be_leg = !small_thing(floor, floor.cell_at(p_map)).empty() && behind_leg &&
-                            stands_about(floor, Vec2(*behind_leg + p_map - p_map_leg), params_.leg_max_m / 2);
-    return may_be_leg ? std::optional(p_map) : std::nullopt;
+    return floor.at(p_map) == Floor::kUnknown ? std::optional(p_map) : std::nullopt;
   }
   return std::nullopt;
 }

@@ -84,5 +84,26 @@ TEST(FloorBox, HoldsWhatItIncludesAndSharesWhatLiesInBoth) {
   EXPECT_TRUE(box.common_with({{7, 0}, {8, 2}}).empty());
 }
 
+TEST(FloorGrid, HoldsWhereTheVehicleStoodUntilSomethingIsStruckThere) {
+  FloorGrid floor;
+  const FloorCell cell{3, 4};
+  EXPECT_TRUE(floor.stand_on(cell));
+  EXPECT_FALSE(floor.stand_on(cell));
+  for (int i = 0; i < 20; ++i) floor.see_free(cell);
+  EXPECT_TRUE(floor.was_stood_on(cell));
+  EXPECT_EQ(floor.at(cell), Floor::kFree);
+  floor.see_occupied(cell);
+  EXPECT_FALSE(floor.was_stood_on(cell));
+  for (int i = 0; i < 3; ++i) floor.see_occupied(cell);
+  EXPECT_EQ(floor.at(cell), Floor::kOccupied);
+}
+
+TEST(FloorGrid, DoesNotTakeAwayWhatIsOccupiedWhereTheVehicleStands) {
+  FloorGrid floor;
+  floor.set({3, 4}, Floor::kOccupied);
+  floor.stand_on({3, 4});
+  EXPECT_EQ(floor.at(FloorCell{3, 4}), Floor::kOccupied);
+}
+
 }  // namespace
 }  // namespace aisle

@@ -101,6 +101,27 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatStandsBesideACupboard) {
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
+/// Nearest to the other leg is a thing at the wall, aslant behind it.
+TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWithALegAtACupboardsCorner) {
+  wall(2, 0, 6);
+  stand(2.17, 1.77);
+  for (double x_m = 3.02; x_m < 3.6; x_m += 0.05) {
+    for (const double y_m : {3.67, 3.72}) stand(x_m, y_m);
+  }
+  hide({3.02, 3.77}, {3.6, 6});
+  stand(2.87, 2.02);
+  for (const double y_m : {3.52, 3.57, 3.62}) stand(2.87, y_m);
+  EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
+}
+
+TEST_F(LegBarriersOnAFloor, LeaveFloorOpenOnWhichTheVehicleStood) {
+  stand(3.02, 2.02);
+  stand(4.62, 2.02);
+  EXPECT_TRUE(is_closed({3.8, 1}, {3.8, 4}));
+  floor_.stand_on(floor_.cell_at({4.2, 2.02}));
+  EXPECT_FALSE(is_closed({3.8, 1}, {3.8, 4}));
+}
+
 /// As from a door that opens beside it: of what is around its legs, half was not seen.
 TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatHidesItsSurroundings) {
   stand(2.87, 2.02);

@@ -69,6 +69,13 @@ class FloorGrid {
   /// stands, and one view that strikes something there tells better.
   /// @return whether the cell is something else now
   bool seem_free(FloorCell cell);
+  /// The vehicle stands on the cell: nothing is there, however high above the floor. Held until something is
+  /// struck in it; a cell that is occupied counts as one that a view passed through.
+  /// @return whether the cell is something else now, or was not stood on before
+  bool stand_on(FloorCell cell);
+  bool was_stood_on(FloorCell cell) const {
+    return room_.contains(cell) && evidence_[index(cell)] == kStoodOn;
+  }
   /// Puts the cell as firmly as it can be.
   void set(FloorCell cell, Floor floor);
 
@@ -81,6 +88,7 @@ class FloorGrid {
 
  private:
   using Evidence = std::int8_t;  ///< 0: never seen; above: occupied; below: free
+  static constexpr Evidence kStoodOn = -100;
 
   static Floor floor_of(Evidence evidence) {
     return evidence == 0 ? Floor::kUnknown : evidence > 0 ? Floor::kOccupied : Floor::kFree;

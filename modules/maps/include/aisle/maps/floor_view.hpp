@@ -23,7 +23,8 @@ struct FloorViewParams {
 FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
                    std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params);
 
-/// Floor on which the vehicle stands is free.
+/// Floor on which the vehicle stands is free, and nothing is above it.
+/// @return the cells of which more is known now lie in this box
 FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle);
 
 /// What the vehicle has touched stands right before its front (1), or behind its rear (-1): occupied there.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -22,8 +23,9 @@ struct LegParams {
 /// A slice at one height shows the legs of tables and chairs, not their tops. Small things that stand in
 /// groups are taken for legs, and what lies between them for closed; so is the way in between a wall and
 /// two legs before it, where a table stands with its back to the wall, and from one such leg to where floor
-/// that was not seen, or another wall, may hide the other. What stands at a wall may be a speck of it: it is
-/// a leg only right before the wall, to one that stands free and has it in full view.
+/// that was not seen may hide the other. What stands at a wall may be a speck of it: it is a leg only right
+/// before the wall, or at the end of one with the same wall behind it as behind the other leg, and only to
+/// one that stands free and has it in full view. No plate is where the vehicle stood.
 class LegBarriers {
  public:
   explicit LegBarriers(const LegParams& params = {}) : params_(params) {}
@@ -33,30 +35,33 @@ class LegBarriers {
   FloorBox update(const FloorGrid& floor, const FloorBox& changed);
 
   bool is_closed(FloorCell cell) const;
-  std::size_t legs() const { return legs_.size(); }
+  std::size_t legs() const;
 
  private:
-  struct Leg {
-    FloorCell first;   ///< its lowest cell, the leftmost of these
-    Vec2 p_map;        ///< its middle
-    bool stands_free;  ///< or else before a wall
+  /// Where a small thing stands. Unclear: it may be a piece of a wall of which little was seen.
+  enum class Stand : std::uint8_t { kFree, kBeforeWall, kUnclear };
+  struct Thing {
+    FloorCell first;  ///< its lowest cell, the leftmost of these
+    Vec2 p_map;       ///< its middle
+    Stand stand;      ///< a leg unless unclear
   };
 
   std::vector<FloorCell> small_thing(const FloorGrid& floor, FloorCell start) const;
-  std::optional<bool> stands_free(const FloorGrid& floor, const Vec2& p_map) const;
-  void find_legs(const FloorGrid& floor, const FloorBox& within);
+  Stand stand_of(const FloorGrid& floor, const Vec2& p_map) const;
+  void find_things(const FloorGrid& floor, const FloorBox& within);
   bool is_leg(const Vec2& p_map) const;
   std::vector<FloorCell> cells_between(const FloorGrid& floor) const;
-  bool may_carry_one_plate(const FloorGrid& floor, const Leg& a, const Leg& b) const;
+  bool may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const;
+  bool stands_along_wall(const FloorGrid& floor, const Thing& leg, const Thing& thing) const;
   std::optional<Vec2> wall_behind(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& along) const;
   template <class Matters>
   std::optional<Vec2> nearest_wall(const FloorGrid& floor, const Vec2& p_map_leg, Matters matters) const;
-  std::vector<Vec2> hidden_partners(const FloorGrid& floor, const Leg& leg) const;
-  bool has_partner(const Leg& leg, const Vec2& along) const;
+  std::vector<Vec2> hidden_partners(const FloorGrid& floor, const Thing& leg) const;
+  bool has_partner(const Thing& leg, const Vec2& along) const;
   std::optional<Vec2> partner_place(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& along) const;
 
   LegParams params_;
-  std::vector<Leg> legs_;
+  std::vector<Thing> things_;      ///< row by row
   std::vector<FloorCell> closed_;  ///< row by row
 };
 
