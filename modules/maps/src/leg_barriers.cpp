@@ -184,9 +184,11 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
     });
     if (was_stood_on) cells.resize(before);
   };
+  const int apart_max = static_cast<int>((params_.apart_max_m + params_.leg_max_m) / floor.cell_m());
   for (std::size_t i = 0; i < things_.size(); ++i) {
     for (const Vec2& p_map : hidden_partners(floor, things_[i])) close(things_[i].p_map, p_map);
     for (std::size_t j = i + 1; j < things_.size(); ++j) {
+      if (things_[j].first.y - things_[i].first.y > apart_max) break;
       const Vec2 &a = things_[i].p_map, &b = things_[j].p_map;
       const double apart_m = (b - a).norm();
       if (apart_m > params_.apart_max_m || !may_carry_one_plate(floor, things_[i], things_[j])) continue;
