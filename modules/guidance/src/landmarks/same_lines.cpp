@@ -20,11 +20,14 @@ bool is_of_one_line(const LandmarkSighting& a, const LandmarkSighting& b) {
 
 }  // namespace
 
+bool shows(std::span<const LandmarkSighting> picture, const LandmarkSighting& line) {
+  return std::any_of(picture.begin(), picture.end(),
+                     [&](const LandmarkSighting& seen) { return is_of_one_line(seen, line); });
+}
+
 double shown_share(std::span<const LandmarkSighting> picture, std::span<const LandmarkSighting> other) {
-  const auto shown = std::count_if(picture.begin(), picture.end(), [&](const LandmarkSighting& seen) {
-    return std::any_of(other.begin(), other.end(),
-                       [&](const LandmarkSighting& before) { return is_of_one_line(seen, before); });
-  });
+  const auto shown = std::count_if(picture.begin(), picture.end(),
+                                   [&](const LandmarkSighting& line) { return shows(other, line); });
   return static_cast<double>(shown) / static_cast<double>(picture.size());
 }
 

@@ -8,8 +8,11 @@
 
 namespace aisle {
 
-/// How much of a picture another one shows too: lines of one brighter side whose feet agree by both errors
-/// and that of the odometry between the two. NaN of an empty picture.
+/// Whether a picture shows a line that another one showed: of one brighter side, and the feet agree by both
+/// errors and that of the odometry between the two.
+bool shows(std::span<const LandmarkSighting> picture, const LandmarkSighting& line);
+
+/// How much of a picture another one shows too. NaN of an empty picture.
 double shown_share(std::span<const LandmarkSighting> picture, std::span<const LandmarkSighting> other);
 
 /// As they are seen after the vehicle has moved.

@@ -47,22 +47,30 @@ TEST(ContinuityWatch, NoticesOnceThatDoorsNearbyAreGone) {
   EXPECT_EQ(noticed, 1);
 }
 
+/// Some pictures show distant lines, and those after them fewer.
+/// @return in how many it was noticed
+int drive_towards_distant_lines(int pictures, std::size_t left) {
+  ContinuityWatch watch;
+  std::vector<LandmarkSighting> distant;
+  for (int i = 0; i < 9; ++i)
+    distant.push_back({.p_vehicle = {5.5 + 0.3 * i, i % 2 == 0 ? 1 : -1},
+                       .covariance = Mat2::Identity() * 1e-4,
+                       .brighter_right = i % 3 == 0});
+  drive_on(watch, kBare);
+  for (int i = 0; i < pictures; ++i) drive_on(watch, distant);
+  distant.resize(left);
+  int noticed = 0;
+  for (int i = 0; i < 10; ++i) noticed += drive_on(watch, distant) ? 1 : 0;
+  return noticed;
+}
+
 TEST(ContinuityWatch, DistantLinesMayGoOneByOneButNotAllAtOnce) {
-  const auto drive = [](std::size_t left) {
-    ContinuityWatch watch;
-    std::vector<LandmarkSighting> distant;
-    for (int i = 0; i < 9; ++i)
-      distant.push_back({.p_vehicle = {5.5 + 0.3 * i, i % 2 == 0 ? 1 : -1},
-                         .covariance = Mat2::Identity() * 1e-4,
-                         .brighter_right = i % 3 == 0});
-    drive_on(watch, distant);
-    distant.resize(left);
-    int noticed = 0;
-    for (int i = 0; i < 10; ++i) noticed += drive_on(watch, distant) ? 1 : 0;
-    return noticed;
-  };
-  EXPECT_EQ(drive(2), 0);
-  EXPECT_EQ(drive(0), 1);
+  EXPECT_EQ(drive_towards_distant_lines(2, 2), 0);
+  EXPECT_EQ(drive_towards_distant_lines(2, 0), 1);
+}
+
+TEST(ContinuityWatch, WhatOnePictureAloneShowsNeedNotStay) {
+  EXPECT_EQ(drive_towards_distant_lines(1, 0), 0);
 }
 
 TEST(ContinuityWatch, NoticesOnceThatDoorsAreThereWhichWouldHaveBeenInViewBefore) {

@@ -9,8 +9,8 @@
 namespace aisle {
 
 /// Notices that the vehicle was lifted where one of the two places shows hardly a line, so that no two scenes
-/// can be compared: lines that must stay in view are gone from one picture to the next, and stay away (near
-/// ones, or all at once); or lines are there that would have been in view before.
+/// can be compared: lines that two pictures in a row showed and that must stay in view are gone at once, and
+/// stay away (near ones, or all of them); or lines are there that would have been in view before.
 class ContinuityWatch {
  public:
   /// The vehicle has moved since the last call, by its odometry.
@@ -27,10 +27,11 @@ class ContinuityWatch {
   bool shows_what_was_not_there(std::span<const LandmarkSighting> picture);
   void take(std::span<const LandmarkSighting> picture);
 
-  std::vector<LandmarkSighting> scene_;  ///< of the last picture that went on, as seen now
-  double span_rad_ = 0;                  ///< greatest bearing in it, to either side, when it was taken
-  double since_m_ = 0;                   ///< way since it was taken ...
-  double since_rad_ = 0;                 ///< ... and turning
+  std::vector<LandmarkSighting> scene_;   ///< of the last picture that went on, as seen now
+  std::vector<LandmarkSighting> steady_;  ///< those of them that the picture before it showed, too
+  double span_rad_ = 0;                   ///< greatest bearing in it, to either side, when it was taken
+  double since_m_ = 0;                    ///< way since it was taken ...
+  double since_rad_ = 0;                  ///< ... and turning
   bool has_scene_ = false;
   std::vector<LandmarkSighting> latest_;    ///< the picture before this one
   std::vector<LandmarkSighting> compared_;  ///< of one scene, for a comparison
