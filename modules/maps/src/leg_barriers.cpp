@@ -96,8 +96,8 @@ bool LegBarriers::is_closed(FloorCell cell) const {
 }
 
 std::size_t LegBarriers::legs() const {
-  return static_cast<std::size_t>(std::count_if(
-      things_.begin(), things_.end(), [](const Thing& thing) { return thing.stand != Stand::kUnclear; }));
+  return static_cast<std::size_t>(
+      std::count_if(things_.begin(), things_.end(), [](const Thing& thing) { return thing.is_leg(); }));
 }
 
 void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
@@ -169,7 +169,7 @@ LegBarriers::Stand LegBarriers::stand_of(const FloorGrid& floor, const Vec2& p_m
 /// What stands there belongs to one.
 bool LegBarriers::is_leg(const Vec2& p_map) const {
   return std::any_of(things_.begin(), things_.end(), [&](const Thing& thing) {
-    return thing.stand != Stand::kUnclear && (thing.p_map - p_map).norm() <= params_.leg_max_m;
+    return thing.is_leg() && (thing.p_map - p_map).norm() <= params_.leg_max_m;
   });
 }
 
@@ -208,9 +208,10 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
 /// One of them stands free, and nothing but legs, and what blurs one that stands free, is between them: a
 /// chair may stand before a table.
 bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const {
-  if (a.stand != Stand::kFree && b.stand != Stand::kFree) return false;
-  if (a.stand == Stand::kUnclear && !stands_along_wall(floor, b, a)) return false;
-  if (b.stand == Stand::kUnclear && !stands_along_wall(floor, a, b)) return false;
+  const auto goes_with = [&](const Thing& leg, const Thing& thing) {
+    return leg.stand == Stand::kFree && (thing.is_leg() || stands_along_wall(floor, leg, thing));
+  };
+  if (!goes_with(a, b) && !goes_with(b, a)) return false;
   const auto blur_m = [&](const Thing& thing) {
     return thing.stand == Stand::kFree ? params_.leg_max_m : kBlurAtWall_m;
   };
@@ -276,8 +277,8 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
 bool LegBarriers::has_partner(const Thing& leg, const Vec2& along) const {
   return std::any_of(things_.begin(), things_.end(), [&](const Thing& other) {
     const Vec2 away = other.p_map - leg.p_map;
-    return other.stand != Stand::kUnclear && away.norm() > params_.leg_max_m &&
-           away.norm() <= params_.apart_max_m && std::abs(left_normal(along).dot(away)) <= params_.leg_max_m;
+    return other.is_leg() && away.norm() > params_.leg_max_m && away.norm() <= params_.apart_max_m &&
+           std::abs(left_normal(along).dot(away)) <= params_.leg_max_m;
   });
 }
 

@@ -31,7 +31,6 @@ bool stands_near(const LandmarkSighting& sighting) {
 void ContinuityWatch::move(const Pose2& T_before_now) {
   const Pose2 T_now_before = T_before_now.inverse();
   carry_sightings(scene_, T_now_before);
-  carry_sightings(steady_, T_now_before);
   carry_sightings(latest_, T_now_before);
   since_m_ += T_before_now.position().norm();
   since_rad_ += T_before_now.theta;
@@ -54,10 +53,11 @@ bool ContinuityWatch::can_tell() const {
 /// One by one, distant lines come and go by themselves; all of them at once do not.
 bool ContinuityWatch::lacks_what_must_stay(std::span<const LandmarkSighting> picture) {
   compared_.clear();
-  std::copy_if(
-      steady_.begin(), steady_.end(), std::back_inserter(compared_), [&](const LandmarkSighting& line) {
-        return (picture.empty() || stands_near(line)) && bearing_aside(line) < kInsideShare * span_rad_;
-      });
+  std::copy_if(scene_.begin(), scene_.begin() + steady_, std::back_inserter(compared_),
+               [&](const LandmarkSighting& line) {
+                 return (picture.empty() || stands_near(line)) &&
+                        bearing_aside(line) < kInsideShare * span_rad_;
+               });
   return compared_.size() >= kLinesMin && shown_share(compared_, picture) <= kShownShareMax;
 }
 
@@ -70,9 +70,9 @@ bool ContinuityWatch::shows_what_was_not_there(std::span<const LandmarkSighting>
 
 void ContinuityWatch::take(std::span<const LandmarkSighting> picture) {
   scene_.assign(picture.begin(), picture.end());
-  steady_.clear();
-  std::copy_if(picture.begin(), picture.end(), std::back_inserter(steady_),
-               [&](const LandmarkSighting& line) { return shows(latest_, line); });
+  const auto others = std::partition(scene_.begin(), scene_.end(),
+                                     [&](const LandmarkSighting& line) { return shows(latest_, line); });
+  steady_ = others - scene_.begin();
   span_rad_ = 0;
   for (const LandmarkSighting& line : picture) span_rad_ = std::max(span_rad_, bearing_aside(line));
   since_m_ = since_rad_ = 0;

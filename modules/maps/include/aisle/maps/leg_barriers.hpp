@@ -43,7 +43,8 @@ class LegBarriers {
   struct Thing {
     FloorCell first;  ///< its lowest cell, the leftmost of these
     Vec2 p_map;       ///< its middle
-    Stand stand;      ///< a leg unless unclear
+    Stand stand;
+    bool is_leg() const { return stand != Stand::kUnclear; }
   };
 
   std::vector<FloorCell> small_thing(const FloorGrid& floor, FloorCell start) const;

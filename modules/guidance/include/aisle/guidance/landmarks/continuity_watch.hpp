@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -27,11 +28,11 @@ class ContinuityWatch {
   bool shows_what_was_not_there(std::span<const LandmarkSighting> picture);
   void take(std::span<const LandmarkSighting> picture);
 
-  std::vector<LandmarkSighting> scene_;   ///< of the last picture that went on, as seen now
-  std::vector<LandmarkSighting> steady_;  ///< those of them that the picture before it showed, too
-  double span_rad_ = 0;                   ///< greatest bearing in it, to either side, when it was taken
-  double since_m_ = 0;                    ///< way since it was taken ...
-  double since_rad_ = 0;                  ///< ... and turning
+  std::vector<LandmarkSighting> scene_;  ///< of the last picture that went on, as seen now
+  std::ptrdiff_t steady_ = 0;            ///< so many lines, its first, the picture before it showed, too
+  double span_rad_ = 0;                  ///< greatest bearing in it, to either side, when it was taken
+  double since_m_ = 0;                   ///< way since it was taken ...
+  double since_rad_ = 0;                 ///< ... and turning
   bool has_scene_ = false;
   std::vector<LandmarkSighting> latest_;    ///< the picture before this one
   std::vector<LandmarkSighting> compared_;  ///< of one scene, for a comparison
