@@ -25,11 +25,16 @@ void add_feature(CLI::App& detect, Work& work, const std::string& name, const st
         "--follow", options->follow,
         "the pictures are of one drive, in order: the same line has the same number in all of them");
   }
+  if (feature == Feature::kPlaces) {
+    verb->add_option("--taught", options->taught,
+                     "pictures of the taught places, or directories of them, in order along the way");
+  }
   verb->add_flag("--force", options->force, "replace results that are there already");
   add_parameter_options(
       *verb, options->parameters, [] { return detect_parameters(feature); }, work,
       [options, &work] {
         if (options->files.empty()) throw CLI::RequiredError("IMAGE");
+        if (feature == Feature::kPlaces && options->taught.empty()) throw CLI::RequiredError("--taught");
         work = [options](Console& console) { return run_detect(*options, console); };
       });
 }
@@ -47,4 +52,6 @@ void add_detect_verb(CLI::App& app, Work& work) {
   add_feature<Feature::kStripes>(*detect, work, "stripes",
                                  "the marks of a horizontal laser plane, as polylines with their corners");
   add_feature<Feature::kRegion>(*detect, work, "region", "the floor in front of the vehicle, as a mask");
+  add_feature<Feature::kPlaces>(*detect, work, "places",
+                                "the taught places at which the pictures were taken");
 }

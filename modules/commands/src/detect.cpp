@@ -33,7 +33,8 @@ constexpr const char* kMaskEnding = ".region.png";
 constexpr const char* kFollowedName = "followed.png";
 
 std::unique_ptr<PictureDetector> make_detector(Feature feature,
-                                               const std::optional<CameraModel>& camera = {}) {
+                                               const std::optional<CameraModel>& camera = {},
+                                               std::vector<TaughtPicture> taught = {}) {
   switch (feature) {
     case Feature::kVerticals:
       return make_verticals_detector(camera);
@@ -43,6 +44,8 @@ std::unique_ptr<PictureDetector> make_detector(Feature feature,
       return make_stripe_detector();
     case Feature::kRegion:
       return make_region_detector();
+    case Feature::kPlaces:
+      return make_places_detector(std::move(taught));
   }
   throw std::invalid_argument("no such feature");
 }
@@ -63,6 +66,8 @@ const char* name_of(Feature feature) {
       return "detect stripes";
     case Feature::kRegion:
       return "detect region";
+    case Feature::kPlaces:
+      return "detect places";
   }
   throw std::invalid_argument("no such feature");
 }
@@ -119,7 +124,9 @@ Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
     calibration = *read;
     camera.emplace(calibration->intrinsics);
   }
-  const auto detector = make_detector(options.feature, camera);
+  auto taught = read_taught_pictures(options.taught);
+  if (!taught) return taught.problems();
+  const auto detector = make_detector(options.feature, camera, std::move(*taught));
   LineFollowerParams following;
   FieldList fields = fields_of(*detector, options.feature, following);
   if (const Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;

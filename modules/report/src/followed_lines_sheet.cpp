@@ -7,7 +7,6 @@
 
 #include "canvas.hpp"
 #include "palette.hpp"
-#include "shrunk_picture.hpp"
 
 namespace aisle {
 namespace {
@@ -146,7 +145,8 @@ void FollowedLinesSheet::add(const Image& picture, const std::vector<VerticalLin
   const double height_max_px = 2.0 * width_max_px_;
   const double scale = std::min(
       {1.0, static_cast<double>(width_max_px_) / picture.width_px, height_max_px / picture.height_px});
-  Cell cell{shrunk(picture, scale), lines, numbers};
+  const auto length_px = [&](int given_px) { return std::max(1, static_cast<int>(scale * given_px)); };
+  Cell cell{shrunk(picture, length_px(picture.width_px), length_px(picture.height_px)), lines, numbers};
   for (VerticalLine& line : cell.lines) {
     line.top_px = scale * (line.top_px + Vec2(0.5, 0.5));
     line.bottom_px = scale * (line.bottom_px + Vec2(0.5, 0.5));

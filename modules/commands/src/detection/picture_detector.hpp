@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "aisle/commands/detect.hpp"
 #include "aisle/core/image.hpp"
 #include "aisle/core/parameters.hpp"
+#include "aisle/core/result.hpp"
 #include "aisle/geometry/camera_model.hpp"
 #include "aisle/geometry/pose2.hpp"
 #include "aisle/vision/lines/vertical_lines.hpp"
@@ -39,6 +41,17 @@ std::unique_ptr<PictureDetector> make_verticals_detector(const std::optional<Cam
 std::unique_ptr<PictureDetector> make_base_lines_detector(const std::optional<CameraModel>& camera);
 std::unique_ptr<PictureDetector> make_stripe_detector();
 std::unique_ptr<PictureDetector> make_region_detector();
+
+/// A picture from a place that was taught.
+struct TaughtPicture {
+  std::string name;
+  Image picture;
+};
+
+/// @param paths  pictures, and directories of them, in order
+Result<std::vector<TaughtPicture>> read_taught_pictures(const std::vector<std::filesystem::path>& paths);
+/// @param taught  in order along a way, at least one
+std::unique_ptr<PictureDetector> make_places_detector(std::vector<TaughtPicture> taught);
 
 /// [u, v] in pixels, to a thousandth.
 nlohmann::ordered_json pixel_json(const Vec2& pixel);

@@ -3,7 +3,8 @@
 #include <utility>
 
 #include "aisle/guidance/rooms/room_cameras.hpp"
-#include "aisle/vision/route/brightness_view.hpp"
+#include "aisle/vision/places/brightness_view.hpp"
+#include "aisle/vision/places/column_view.hpp"
 #include "rooms/room_driver.hpp"
 #include "sessions/session_trip.hpp"
 
@@ -29,7 +30,7 @@ void RoomTripCollector::add(const Observation& observation) {
     if (!std::exchange(has_patch_, true))
       cycle.patch = RouteBrightness{sight.patch_grey, sight.patch_deviation};
     cycle.p_vehicle_edges = sight.p_vehicle_edges;
-    cycle.view = brightness_view(*picture->image);
+    cycle.view = PlaceView{brightness_view(*picture->image), column_view(*picture->image)};
     cycle.p_vehicle_painted = painted_line_points(*picture->image, CameraModel(camera_.intrinsics),
                                                   camera_.mount, params_.learning.frame);
   }

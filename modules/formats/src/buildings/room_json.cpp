@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <charconv>
 #include <string_view>
 
+#include "aisle/vision/places/column_view.hpp"
 #include "buildings/json_text.hpp"
 
 namespace aisle {
@@ -20,11 +22,24 @@ std::string turning_json(const RoomTurning& turning) {
                      decimals(turning.end_m, kMillimetreDecimals));
 }
 
+std::string columns_json(const Image& columns) {
+  std::string rows;
+  for (int v = 0; v < columns.height_px; ++v) {
+    rows += rows.empty() ? "[\"" : ", \"";
+    for (int u = 0; u < columns.width_px; ++u) rows += fmt::format("{:02x}", columns.row(v)[u]);
+    rows += '"';
+  }
+  return rows + "]";
+}
+
 std::string view_json(const StopView& view) {
   std::string shares;
-  for (const double share : view.brightness)
+  for (const double share : view.seen.brightness)
     shares += (shares.empty() ? "[" : ", ") + decimals(share, kViewDecimals);
-  return fmt::format(R"({{"left_m": {}, "at": {}]}})", decimals(view.left_m, kMillimetreDecimals), shares);
+  std::string text =
+      fmt::format(R"({{"left_m": {}, "at": {}])", decimals(view.left_m, kMillimetreDecimals), shares);
+  if (!view.seen.columns.bytes.empty()) text += R"(, "columns": )" + columns_json(view.seen.columns);
+  return text + "}";
 }
 
 std::string edge_json(const RouteEdge& edge) {
@@ -62,14 +77,37 @@ RoomTurning read_turning(const JsonValue& value) {
   return turning;
 }
 
+/// Two hexadecimal digits for each column of a band.
+void read_band(const JsonValue& value, Image& columns, int band) {
+  if (!value.is_text()) return;
+  std::string digits;
+  value.read(digits);
+  if (digits.size() != 2 * columns.row_bytes() ||
+      digits.find_first_not_of("0123456789abcdef") != std::string::npos)
+    return value.wrong(fmt::format("is not {} digits 0-9 and a-f", 2 * columns.row_bytes()));
+  for (int u = 0; u < columns.width_px; ++u) {
+    const char* const pair = digits.data() + 2 * static_cast<std::size_t>(u);
+    std::from_chars(pair, pair + 2, columns.row(band)[u], 16);
+  }
+}
+
+Image read_columns(const JsonValue& value) {
+  Image columns(kViewColumns, kViewBands);
+  if (!value.is_list_of(kViewBands)) return {};
+  for (int band = 0; band < kViewBands; ++band)
+    read_band(value.element(static_cast<std::size_t>(band)), columns, band);
+  return columns;
+}
+
 StopView read_view(const JsonValue& value) {
   StopView view;
-  if (!value.is_object_of({"left_m", "at"})) return view;
+  if (!value.is_object_of({"left_m", "at", "columns"})) return view;
+  if (const auto columns = value.find("columns")) view.seen.columns = read_columns(*columns);
   if (const auto left = value.require("left_m")) left->read_number(view.left_m, -kWayMax_m, kWayMax_m);
   const auto at = value.require("at");
-  if (!at || !at->is_list_of(view.brightness.size())) return view;
-  for (std::size_t i = 0; i < view.brightness.size(); ++i)
-    at->element(i).read_number(view.brightness[i], 0, 1);
+  if (!at || !at->is_list_of(view.seen.brightness.size())) return view;
+  for (std::size_t i = 0; i < view.seen.brightness.size(); ++i)
+    at->element(i).read_number(view.seen.brightness[i], 0, 1);
   return view;
 }
 

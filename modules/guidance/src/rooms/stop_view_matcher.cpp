@@ -3,28 +3,31 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
-#include "aisle/vision/route/brightness_view.hpp"
+#include "aisle/vision/places/brightness_view.hpp"
+#include "aisle/vision/places/view_recognition.hpp"
 
 namespace aisle {
 namespace {
 
-/// How unlike two views are: the mean and the most of the eight differences.
-std::pair<double, double> unlikeness(const BrightnessView& a, const BrightnessView& b) {
-  double sum = 0, most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double off = std::abs(a[i] - b[i]);
-    sum += off;
-    most = std::max(most, off);
-  }
-  return {sum / static_cast<double>(a.size()), most};
+double mean_off(const BrightnessView& a, const BrightnessView& b) {
+  const double sum = std::transform_reduce(a.begin(), a.end(), b.begin(), 0.0, std::plus<>(),
+                                           [](double x, double y) { return std::abs(x - y); });
+  return sum / static_cast<double>(a.size());
+}
+
+bool are_within(double delta, const BrightnessView& a, const BrightnessView& b) {
+  return std::equal(a.begin(), a.end(), b.begin(),
+                    [&](double x, double y) { return std::abs(x - y) <= delta; });
 }
 
 }  // namespace
 
 void StopViewParams::describe(FieldList& fields) {
-  fields.real("delta", delta, {0, 1}, "by which each of the eight positions may be off, of the part's width");
+  fields.flag("by_extremes", by_extremes, "compare where columns are brightest and darkest, as published");
+  fields.real("delta", delta, {0, 1}, "then: by which each of the eight places may be off, of the part's width");
+  fields.group("columns", columns);
+  fields.real("unlike_max", unlike_max, {0, 2}, "else: one minus the least correlation with a learned view");
   fields.real("within_m", within_m, {0, 20}, "before the end views are looked for");
   fields.real("rival_m", rival_m, {0, 10}, "views from so far apart are of different places");
   fields.real("rival_factor", rival_factor, {1, 100}, "by which the best view must be more alike than those");
@@ -33,14 +36,23 @@ void StopViewParams::describe(FieldList& fields) {
   fields.real("gain", gain, {0.01, 1}, "how much one picture corrects the way that is left");
 }
 
-StopViewMatcher::StopViewMatcher(const StopViewParams& params, std::vector<StopView> views)
-    : params_(params), views_(std::move(views)) {}
+StopViewMatcher::StopViewMatcher(const StopViewParams& params, const std::vector<StopView>& views)
+    : params_(params), unlike_(views.size()) {
+  for (const StopView& view : views) {
+    left_m_.push_back(view.left_m);
+    extremes_.push_back(view.seen.brightness);
+    // A way that an earlier version learned has no columns.
+    if (view.seen.columns.bytes.empty()) params_.by_extremes = true;
+  }
+  if (params_.by_extremes) return;
+  for (const StopView& view : views) curves_.emplace_back(params_.columns, view.seen.columns);
+}
 
 void StopViewMatcher::take(const Image& picture, double left_m) {
-  if (views_.empty() || left_m > params_.within_m) return;
-  const StopView* view = match(brightness_view(picture));
-  if (view == nullptr) return shifts_m_.clear();
-  shifts_m_.push_back(view->left_m - left_m);
+  if (left_m_.empty() || left_m > params_.within_m) return;
+  const auto seen_left_m = match(picture);
+  if (!seen_left_m) return shifts_m_.clear();
+  shifts_m_.push_back(*seen_left_m - left_m);
   if (shifts_m_.size() > static_cast<std::size_t>(params_.confirmations)) shifts_m_.pop_front();
   const auto [least, most] = std::minmax_element(shifts_m_.begin(), shifts_m_.end());
   if (shifts_m_.size() < static_cast<std::size_t>(params_.confirmations) || *most - *least > params_.agree_m)
@@ -50,23 +62,30 @@ void StopViewMatcher::take(const Image& picture, double left_m) {
   shift_m_ = shift_m_ ? *shift_m_ + params_.gain * (mean_m - *shift_m_) : mean_m;
 }
 
-/// The learned view that is most alike, if it matches and no other place's does nearly as well.
-const StopView* StopViewMatcher::match(const BrightnessView& seen) const {
-  const StopView* best = nullptr;
-  double least = 0, most_off = 0;
-  for (const StopView& view : views_) {
-    const auto [mean, most] = unlikeness(seen, view.brightness);
-    if (best != nullptr && mean >= least) continue;
-    best = &view;
-    least = mean;
-    most_off = most;
-  }
-  if (best == nullptr || most_off > params_.delta) return nullptr;
-  const bool has_rival = std::any_of(views_.begin(), views_.end(), [&](const StopView& view) {
-    return std::abs(view.left_m - best->left_m) > params_.rival_m &&
-           unlikeness(seen, view.brightness).first < params_.rival_factor * least;
-  });
-  return has_rival ? nullptr : best;
+/// The way that is left by the learned view that is most alike, if it matches and no other place's does
+/// nearly as well.
+std::optional<double> StopViewMatcher::match(const Image& picture) {
+  return params_.by_extremes ? match_extremes(picture) : match_curves(picture);
+}
+
+std::optional<double> StopViewMatcher::match_curves(const Image& picture) {
+  const ViewCurves seen(params_.columns, column_view(picture));
+  std::transform(curves_.begin(), curves_.end(), unlike_.begin(),
+                 [&](const ViewCurves& view) { return view.unlikeness(seen); });
+  const auto found = recognise_view(unlike_, left_m_, params_.rival_m);
+  if (!found || !found->is_sure(params_.unlike_max, params_.rival_factor)) return std::nullopt;
+  return left_m_[found->view];
+}
+
+std::optional<double> StopViewMatcher::match_extremes(const Image& picture) {
+  const BrightnessView seen = brightness_view(picture);
+  std::transform(extremes_.begin(), extremes_.end(), unlike_.begin(),
+                 [&](const BrightnessView& view) { return mean_off(seen, view); });
+  const auto found = recognise_view(unlike_, left_m_, params_.rival_m);
+  if (!found || !found->is_sure(params_.delta, params_.rival_factor) ||
+      !are_within(params_.delta, seen, extremes_[found->view]))
+    return std::nullopt;
+  return left_m_[found->view];
 }
 
 }  // namespace aisle

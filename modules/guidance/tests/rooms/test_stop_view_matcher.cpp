@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "aisle/vision/route/brightness_view.hpp"
+#include "aisle/vision/places/brightness_view.hpp"
 
 namespace aisle {
 namespace {

@@ -117,7 +117,7 @@ std::vector<RoomCycle> drive_about_place() {
   trip[199].marks = {{Mark::Kind::kStop, "view"}};
   for (std::size_t i = 0; i < trip.size(); ++i) {
     if (i >= 200 && i < 300) trip[i].odometry = FrontSteeredMotion{.distance_m = -0.01};
-    trip[i].view = BrightnessView{0.001 * static_cast<double>(i)};
+    trip[i].view = PlaceView{.brightness = {0.001 * static_cast<double>(i)}, .columns = {}};
   }
   return trip;
 }
@@ -144,7 +144,7 @@ TEST(PatternViews, AreThoseFromThePlacesOfThePattern) {
   for (const ViewLane& lane : view_pattern()) {
     for (const double along_m : lane.along_m) {
       for (const double off_m : {-0.04, 0.01}) {
-        cycles.emplace_back().view = BrightnessView{off_m > 0 ? 1.0 : 0.0};
+        cycles.emplace_back().view = PlaceView{.brightness = {off_m > 0 ? 1.0 : 0.0}, .columns = {}};
         T_route_vehicle.push_back(T_route_place * lane.at(along_m + off_m));
       }
     }
@@ -152,7 +152,7 @@ TEST(PatternViews, AreThoseFromThePlacesOfThePattern) {
   const auto views = pattern_views(cycles, T_route_vehicle, T_route_place);
   ASSERT_THAT(views, SizeIs(63));
   EXPECT_NEAR(views.front().left_m, 0.59, 1e-9) << "the first is wished 0.6 m before the place";
-  for (const StopView& view : views) EXPECT_EQ(view.brightness.front(), 1) << "the nearest picture";
+  for (const StopView& view : views) EXPECT_EQ(view.seen.brightness.front(), 1) << "the nearest picture";
 }
 
 }  // namespace

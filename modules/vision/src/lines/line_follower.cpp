@@ -7,8 +7,6 @@
 namespace aisle {
 namespace {
 
-using Look = LineFollower::Look;
-
 /// Mean grey level along a line, 1 .. 2 % of the width beside it.
 double tone_beside(const Image& grey, const VerticalLine& line, int side) {
   constexpr int kSamples = 24, kAcross = 4;
@@ -26,7 +24,7 @@ double tone_beside(const Image& grey, const VerticalLine& line, int side) {
   return sum / (kSamples * kAcross);
 }
 
-Look look_of(const Image& grey, const VerticalLine& line) {
+LineLook look_of(const Image& grey, const VerticalLine& line) {
   const Vec2 along = line.bottom_px - line.top_px;
   const double slope = along.y() > 0 ? along.x() / along.y() : 0;
   const double column_px = line.top_px.x() + slope * (grey.height_px / 2.0 - line.top_px.y());
@@ -56,7 +54,7 @@ struct Pairing {
 /// Which lines of one picture are which of the next.
 class Comparison {
  public:
-  Comparison(const std::vector<Look>& before, const std::vector<Look>& now, const LineFollowerParams& params);
+  Comparison(const std::vector<LineLook>& before, const std::vector<LineLook>& now, const LineFollowerParams& params);
 
   Pairing best_pairing(const std::vector<Motion>& motions);
 
@@ -65,8 +63,8 @@ class Comparison {
   double compare(const Motion& motion);
   std::vector<std::pair<std::size_t, std::size_t>> pairs(const Motion& motion);
 
-  const std::vector<Look>& before_;
-  const std::vector<Look>& now_;
+  const std::vector<LineLook>& before_;
+  const std::vector<LineLook>& now_;
   const LineFollowerParams& params_;
   std::vector<double> like_;  // line i before and j now, wherever they are
   std::vector<double> best_;  // the first i and the first j lines together
@@ -77,19 +75,19 @@ double squared_share(double difference, double gate) {
 }
 
 /// 1: just alike; negative: another line.
-double likeness(const Look& before, const Look& now, const LineFollowerParams& params) {
+double likeness(const LineLook& before, const LineLook& now, const LineFollowerParams& params) {
   if (before.brighter_right() != now.brighter_right()) return -1;
   return 1 - squared_share(now.slope - before.slope, params.slope_gate) -
          squared_share(now.tone_left - before.tone_left, params.tone_gate) -
          squared_share(now.tone_right - before.tone_right, params.tone_gate);
 }
 
-Comparison::Comparison(const std::vector<Look>& before, const std::vector<Look>& now,
+Comparison::Comparison(const std::vector<LineLook>& before, const std::vector<LineLook>& now,
                        const LineFollowerParams& params)
     : before_(before), now_(now), params_(params), best_((before.size() + 1) * (now.size() + 1)) {
   like_.reserve(before.size() * now.size());
-  for (const Look& a : before) {
-    for (const Look& b : now) like_.push_back(likeness(a, b, params));
+  for (const LineLook& a : before) {
+    for (const LineLook& b : now) like_.push_back(likeness(a, b, params));
   }
 }
 
@@ -171,10 +169,24 @@ void LineFollowerParams::describe(FieldList& fields) {
               "of all lines together, at best 1 each, less for great motion; below: none");
 }
 
-std::vector<int> LineFollower::follow(const Image& grey, const std::vector<VerticalLine>& lines) {
-  std::vector<Look> looks;
+std::vector<LineLook> line_looks(const Image& grey, const std::vector<VerticalLine>& lines) {
+  std::vector<LineLook> looks;
   looks.reserve(lines.size());
   for (const VerticalLine& line : lines) looks.push_back(look_of(grey, line));
+  return looks;
+}
+
+double lines_likeness(const std::vector<LineLook>& a, const std::vector<LineLook>& b,
+                      const LineFollowerParams& params) {
+  constexpr double kBeforehand = 1;  // lines supposed to be alike: few lines say little
+  const std::vector<Motion> motions = possible_motions(params);
+  const double worth = std::max(Comparison(a, b, params).best_pairing(motions).worth,
+                                Comparison(b, a, params).best_pairing(motions).worth);
+  return (worth + kBeforehand) / (static_cast<double>(a.size() + b.size()) / 2 + kBeforehand);
+}
+
+std::vector<int> LineFollower::follow(const Image& grey, const std::vector<VerticalLine>& lines) {
+  std::vector<LineLook> looks = line_looks(grey, lines);
   std::vector<int> numbers(lines.size(), -1);
   const Pairing pairing = Comparison(looks_, looks, params_).best_pairing(possible_motions(params_));
   if (pairing.worth >= params_.likeness_min) {

@@ -11,7 +11,7 @@
 namespace aisle {
 
 /// What to look for in pictures.
-enum class Feature { kVerticals, kBaseLines, kStripes, kRegion };
+enum class Feature { kVerticals, kBaseLines, kStripes, kRegion, kPlaces };
 
 struct DetectOptions {
   Feature feature = Feature::kRegion;
@@ -20,6 +20,7 @@ struct DetectOptions {
   std::optional<std::filesystem::path> overlay;  ///< directory for drawings and masks; none: figures only
   bool follow =
       false;  ///< verticals: the pictures are one drive's, in order; lines are numbered through them
+  std::vector<std::filesystem::path> taught;  ///< places: their pictures, or directories of them, in order
   bool force = false;
   ParameterSources parameters;
 };

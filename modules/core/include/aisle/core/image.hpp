@@ -33,4 +33,8 @@ Image to_grey(const Image& image);
 /// The same without a copy of what is grey already. @return `image` or `converted`
 const Image& as_grey(const Image& image, Image& converted);
 
+/// The picture in another size, at least 1 x 1, each pixel the mean of those it covers.
+/// @param image  not empty
+Image shrunk(const Image& image, int width_px, int height_px);
+
 }  // namespace aisle

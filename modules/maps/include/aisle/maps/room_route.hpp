@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/image.hpp"
 #include "aisle/geometry/pose2.hpp"
 
 namespace aisle {
@@ -65,10 +66,16 @@ std::optional<ParkingStrategy> parking_of(std::string_view word);
 /// 2), as shares of the part's width: upper max, upper min, lower max, ...
 using BrightnessView = std::array<double, 8>;
 
+/// What is kept of a picture to know the place again.
+struct PlaceView {
+  BrightnessView brightness{};
+  Image columns;  ///< how bright its columns are in bands of its rows: vision's `column_view`; may be empty
+};
+
 /// The view from a place about the end of a route.
 struct StopView {
   double left_m = 0;  ///< way to the end; negative: beyond it
-  BrightnessView brightness{};
+  PlaceView seen;
 };
 
 /// A point where the route was seen to end when the way was taught: the foot of what stood there.

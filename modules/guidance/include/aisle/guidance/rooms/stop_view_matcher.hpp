@@ -7,11 +7,15 @@
 #include "aisle/core/image.hpp"
 #include "aisle/core/parameters.hpp"
 #include "aisle/maps/room_route.hpp"
+#include "aisle/vision/places/column_view.hpp"
 
 namespace aisle {
 
 struct StopViewParams {
+  bool by_extremes = false;
   double delta = 0.04;
+  ColumnViewParams columns;
+  double unlike_max = 0.1;
   double within_m = 1.5;
   double rival_m = 0.15;
   double rival_factor = 1.3;
@@ -23,12 +27,12 @@ struct StopViewParams {
 };
 
 /// Tells by what is seen how far off the odometry is about the way that is left to a taught place (L96
-/// section 3.5). A learned view matches when all eight positions are within delta. Beyond the paper, a match
-/// counts only if no view from elsewhere is nearly as much alike, and if several pictures in succession
-/// agree.
+/// section 3.5). As published a learned view matches when the eight places where columns are brightest and
+/// darkest are within delta; beyond the paper, the curves themselves are compared, a match counts only if no
+/// view from elsewhere is nearly as much alike, and only if several pictures in succession agree.
 class StopViewMatcher {
  public:
-  StopViewMatcher(const StopViewParams& params, std::vector<StopView> views);
+  StopViewMatcher(const StopViewParams& params, const std::vector<StopView>& views);
 
   /// @param left_m  way to the place, by odometry
   void take(const Image& picture, double left_m);
@@ -38,11 +42,16 @@ class StopViewMatcher {
   bool has_matched() const { return shift_m_.has_value(); }
 
  private:
-  const StopView* match(const BrightnessView& seen) const;
+  std::optional<double> match(const Image& picture);
+  std::optional<double> match_curves(const Image& picture);
+  std::optional<double> match_extremes(const Image& picture);
 
   StopViewParams params_;
-  std::vector<StopView> views_;
-  std::deque<double> shifts_m_;  ///< of the latest pictures that matched, one after another
+  std::vector<double> left_m_;            ///< of the taught views
+  std::vector<BrightnessView> extremes_;  ///< of the same
+  std::vector<ViewCurves> curves_;        ///< of the same; empty if compared by their extremes
+  std::vector<double> unlike_;            ///< of the same, in the picture before the vehicle
+  std::deque<double> shifts_m_;           ///< of the latest pictures that matched, one after another
   std::optional<double> shift_m_;
 };
 

@@ -21,7 +21,7 @@ struct RoomCycle {
   std::vector<Mark> marks;
   std::optional<RouteBrightness> patch;  ///< before the vehicle, in the first camera's picture
   std::vector<Vec2> p_vehicle_painted;   ///< on painted lines, in the same picture
-  std::optional<BrightnessView> view;    ///< of the same picture
+  std::optional<PlaceView> view;         ///< of the same picture
   std::vector<Vec2> p_vehicle_edges;     ///< where the route ends, in the same picture
 };
 

@@ -22,6 +22,25 @@ struct LineFollowerParams {
   void describe(FieldList& fields);
 };
 
+/// A line as it is recognised.
+struct LineLook {
+  double column = 0;  ///< half-way down the picture; 0 is the middle of the width
+  double slope = 0;   ///< columns to the right for each row down
+  double tone_left = 0;
+  double tone_right = 0;
+
+  bool brighter_right() const { return tone_right > tone_left; }
+};
+
+/// @param lines  of this picture, from left to right
+std::vector<LineLook> line_looks(const Image& grey, const std::vector<VerticalLine>& lines);
+
+/// How alike the lines of two pictures are, whichever of the two is ahead, if the camera moved between them
+/// as makes them most alike: 1 the same lines, less where lines of either have no like in the other, at least
+/// 0; two pictures without lines are alike. O(motions x lines of each).
+double lines_likeness(const std::vector<LineLook>& a, const std::vector<LineLook>& b,
+                      const LineFollowerParams& params);
+
 /// Follows vertical lines through the pictures of one drive along a corridor, which may be metres apart: of
 /// all turns and approaches the one under which most lines find their like (by column, slope, polarity and
 /// the tones on both sides), in the same order from left to right.
@@ -33,19 +52,9 @@ class LineFollower {
   /// @return for each the number of the same line in the picture before, or one never given yet, from 0
   std::vector<int> follow(const Image& grey, const std::vector<VerticalLine>& lines);
 
-  /// A line as it is recognised.
-  struct Look {
-    double column = 0;  ///< half-way down the picture; 0 is the middle of the width
-    double slope = 0;   ///< columns to the right for each row down
-    double tone_left = 0;
-    double tone_right = 0;
-
-    bool brighter_right() const { return tone_right > tone_left; }
-  };
-
  private:
   LineFollowerParams params_;
-  std::vector<Look> looks_;  // of the picture before
+  std::vector<LineLook> looks_;  // of the picture before
   std::vector<int> numbers_;
   int next_number_ = 0;
 };

@@ -1,4 +1,4 @@
-#include "aisle/vision/route/brightness_view.hpp"
+#include "aisle/vision/places/brightness_view.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/report/picture_sheet.hpp"
+#include "aisle/vision/places/place_recogniser.hpp"
+#include "detection/picture_detector.hpp"
+#include "rounded.hpp"
+
+namespace aisle {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kUnlikeDecimals = 4;
+
+/// Names the taught picture at whose place another one was taken.
+class PlacesDetector final : public PictureDetector {
+ public:
+  explicit PlacesDetector(std::vector<TaughtPicture> taught) : taught_(std::move(taught)) {}
+
+  void describe(FieldList& fields) override { fields.group("places", params_); }
+
+  Detection detect(const Image& picture, bool is_drawn) override {
+    if (!recogniser_) {
+      recogniser_.emplace(params_);
+      for (const TaughtPicture& taught : taught_) recogniser_->teach(taught.picture);
+    }
+    const ViewRecognition found = recogniser_->recognise(picture).value();
+    const TaughtPicture& alike = taught_[found.view];
+    const bool is_sure = recogniser_->is_sure(found);
+    Detection detection;
+    detection.figures = {{"place", is_sure ? Json(alike.name) : Json(nullptr)},
+                         {"most_alike", alike.name},
+                         {"unlike", rounded(found.unlike, kUnlikeDecimals)},
+                         {"rival_unlike", std::isfinite(found.rival_unlike)
+                                              ? Json(rounded(found.rival_unlike, kUnlikeDecimals))
+                                              : Json(nullptr)}};
+    const std::string_view meaning = is_sure ? "taken at" : "no taught place; most like";
+    detection.summary = fmt::format("{} {}", meaning, alike.name);
+    if (is_drawn) {
+      const std::array<TakenPicture, 2> pair = {TakenPicture{picture, std::string(meaning)},
+                                                TakenPicture{alike.picture, alike.name}};
+      detection.overlay_png = picture_sheet_png(pair);
+    }
+    return detection;
+  }
+
+ private:
+  PlaceParams params_;
+  std::vector<TaughtPicture> taught_;
+  std::optional<PlaceRecogniser> recogniser_;  // when the parameters are known
+};
+
+bool is_picture(const fs::path& path) {
+  constexpr std::array<std::string_view, 8> kEndings = {".png", ".jpg", ".jpeg", ".pgm",
+                                                        ".ppm", ".bmp", ".tif",  ".tiff"};
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+/// Those of a directory in the order of the numbers in their names.
+Result<std::vector<fs::path>> pictures_at(const fs::path& path) {
+  if (!fs::is_directory(path)) return std::vector{path};
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error))
+    if (is_picture(entry->path())) files.push_back(entry->path());
+  if (error) return Problem{{path.string()}, fmt::format("cannot be read: {}", error.message())};
+  if (files.empty()) return Problem{{path.string()}, "has no pictures"};
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return strverscmp(a.filename().c_str(), b.filename().c_str()) < 0;
+  });
+  return files;
+}
+
+}  // namespace
+
+Result<std::vector<TaughtPicture>> read_taught_pictures(const std::vector<fs::path>& paths) {
+  std::vector<TaughtPicture> taught;
+  Problems problems;
+  const auto note = [&](const Problems& more) { problems.insert(problems.end(), more.begin(), more.end()); };
+  for (const fs::path& path : paths) {
+    const auto files = pictures_at(path);
+    if (!files) {
+      note(files.problems());
+      continue;
+    }
+    for (const fs::path& file : *files) {
+      auto picture = read_picture(file);
+      if (!picture)
+        note(picture.problems());
+      else
+        taught.push_back({file.string(), std::move(*picture)});
+    }
+  }
+  if (!problems.empty()) return problems;
+  return taught;
+}
+
+std::unique_ptr<PictureDetector> make_places_detector(std::vector<TaughtPicture> taught) {
+  return std::make_unique<PlacesDetector>(std::move(taught));
+}
+
+}  // namespace aisle

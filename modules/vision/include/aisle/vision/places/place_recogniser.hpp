@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "aisle/core/image.hpp"
+#include "aisle/core/parameters.hpp"
+#include "aisle/vision/lines/line_follower.hpp"
+#include "aisle/vision/lines/vertical_lines.hpp"
+#include "aisle/vision/places/column_view.hpp"
+#include "aisle/vision/places/view_recognition.hpp"
+
+namespace aisle {
+
+struct PlaceParams {
+  ColumnViewParams columns{.aside_max = 0.2, .approach_max = 2.7};
+  VerticalLineParams verticals;
+  LineFollowerParams lines;
+  double unlike_max = 0.7;
+  int rival_apart = 1;
+  double rival_factor = 1.15;
+
+  void describe(FieldList& fields);
+};
+
+/// Knows places again that were taught by a picture each, from some metres away, too, and without odometry.
+/// Both must agree: the curves of columns' brightness are alike wherever lamps hang in a row, the lines that
+/// stand wherever doors do.
+class PlaceRecogniser {
+ public:
+  explicit PlaceRecogniser(const PlaceParams& params);
+
+  /// The next place along the way.
+  void teach(const Image& picture);
+
+  /// Which place it was taken at; rivals are those that are not its neighbours along the way. Some 20 ms for
+  /// each taught place.
+  /// @return nullopt if none was taught
+  std::optional<ViewRecognition> recognise(const Image& picture);
+  bool is_sure(const ViewRecognition& recognition) const {
+    return recognition.is_sure(params_.unlike_max, params_.rival_factor);
+  }
+
+ private:
+  struct Look {
+    ViewCurves curves;
+    std::vector<LineLook> lines;
+  };
+
+  Look look_at(const Image& picture);
+  double unlikeness(const Look& a, const Look& b) const;
+
+  PlaceParams params_;
+  VerticalLineDetector verticals_;
+  std::vector<Look> taught_;
+  std::vector<double> order_;   // of the same
+  std::vector<double> unlike_;  // the same, to the latest picture
+};
+
+}  // namespace aisle

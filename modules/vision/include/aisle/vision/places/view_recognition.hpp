@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace aisle {
+
+/// Which of several taught views one is taken for.
+struct ViewRecognition {
+  std::size_t view = 0;     ///< the one that is most alike
+  double unlike = 0;        ///< how unlike it is, 0 or more
+  double rival_unlike = 0;  ///< the same of the one that is most alike of those from elsewhere; infinity: none
+
+  /// Beyond L96: looking alike is not enough where elsewhere looks nearly so, too.
+  bool is_sure(double unlike_max, double rival_factor) const {
+    return unlike <= unlike_max && rival_unlike >= rival_factor * unlike;
+  }
+};
+
+/// @param unlike   how unlike each taught view is
+/// @param along    where each was taken, along the way
+/// @param apart    views that are farther apart are of different places
+/// @return nullopt if there is none
+std::optional<ViewRecognition> recognise_view(std::span<const double> unlike, std::span<const double> along,
+                                              double apart);
+
+}  // namespace aisle

@@ -1,0 +1,42 @@
+#include "aisle/vision/places/place_recogniser.hpp"
+
+#include <algorithm>
+
+namespace aisle {
+
+void PlaceParams::describe(FieldList& fields) {
+  fields.group("columns", columns);
+  fields.group("verticals", verticals);
+  fields.group("lines", lines);
+  fields.real("unlike_max", unlike_max, {0, 1}, "from the most alike taught picture; 0: just alike");
+  fields.count("rival_apart", rival_apart, {0, 1000},
+               "taught pictures up to so far apart in order may show one place");
+  fields.real("rival_factor", rival_factor, {1, 100}, "by which all others must be more unlike");
+}
+
+PlaceRecogniser::PlaceRecogniser(const PlaceParams& params) : params_(params), verticals_(params.verticals) {}
+
+void PlaceRecogniser::teach(const Image& picture) {
+  order_.push_back(static_cast<double>(taught_.size()));
+  taught_.push_back(look_at(picture));
+}
+
+std::optional<ViewRecognition> PlaceRecogniser::recognise(const Image& picture) {
+  const Look seen = look_at(picture);
+  unlike_.resize(taught_.size());
+  std::transform(taught_.begin(), taught_.end(), unlike_.begin(),
+                 [&](const Look& taught) { return unlikeness(taught, seen); });
+  return recognise_view(unlike_, order_, params_.rival_apart);
+}
+
+PlaceRecogniser::Look PlaceRecogniser::look_at(const Image& picture) {
+  const Image grey = to_grey(picture);
+  return {ViewCurves(params_.columns, column_view(grey)), line_looks(grey, verticals_.detect(grey))};
+}
+
+double PlaceRecogniser::unlikeness(const Look& a, const Look& b) const {
+  const double curves_alike = std::clamp(1 - a.curves.unlikeness(b.curves), 0.0, 1.0);
+  return 1 - curves_alike * std::clamp(lines_likeness(a.lines, b.lines, params_.lines), 0.0, 1.0);
+}
+
+}  // namespace aisle

@@ -1,0 +1,22 @@
+#include "aisle/vision/places/view_recognition.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace aisle {
+
+std::optional<ViewRecognition> recognise_view(std::span<const double> unlike, std::span<const double> along,
+                                              double apart) {
+  if (unlike.empty()) return std::nullopt;
+  const auto least = static_cast<std::size_t>(std::min_element(unlike.begin(), unlike.end()) - unlike.begin());
+  ViewRecognition recognition{
+      .view = least, .unlike = unlike[least], .rival_unlike = std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < unlike.size(); ++i) {
+    if (std::abs(along[i] - along[least]) <= apart) continue;
+    recognition.rival_unlike = std::min(recognition.rival_unlike, unlike[i]);
+  }
+  return recognition;
+}
+
+}  // namespace aisle
