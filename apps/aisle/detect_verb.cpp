@@ -26,6 +26,10 @@ void add_feature(CLI::App& detect, Work& work, const std::string& name, const st
         "the pictures are of one drive, in order: the same line has the same number in all of them");
   }
   if (feature == Feature::kPlaces) {
+    verb->add_flag(
+        "--follow", options->follow,
+        "the pictures are of one drive along the way, in order: places that go on along it confirm "
+        "each other");
     verb->add_option("--taught", options->taught,
                      "pictures of the taught places, or directories of them, in order along the way");
   }

@@ -4,11 +4,14 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <regex>
 
 #include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/vision/places/brightness_view.hpp"
+#include "aisle/vision/places/place_recogniser.hpp"
 #include "aisle/vision/route/route_region.hpp"
 #include "aisle/vision/stripes/laser_stripes.hpp"
 #include "real_data.hpp"
@@ -173,6 +176,94 @@ TEST(RealPictures, AStripesRowTellsTheDistance) {
   const double rms_px = std::sqrt(squares / count);
   fmt::print("stripe rows: rms {:.2f} px against 255 + 1800/d on boxes and 273 on the wall\n", rms_px);
   EXPECT_LE(rms_px, 1.0);
+}
+
+/// How far the places where columns are brightest and darkest are off at most (L96 section 3.5).
+double most_off(const std::array<double, 8>& a, const std::array<double, 8>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
+
+/// Of pictures in order, every second one taught and the others recognised.
+struct PlaceCount {
+  int pictures = 0;
+  int alike_as_published = 0;  ///< most like one of their neighbours by the published views
+  int alike = 0;               ///< most like one of their neighbours
+  int sure = 0;                ///< and sure to be there
+  int wrong = 0;               ///< sure to be more than three pictures away
+  int confirmed = 0;           ///< most like a neighbour, and sure or confirmed by the pictures beside it
+  int confirmed_wrong = 0;     ///< confirmed to be more than three pictures away
+};
+
+PlaceCount recognise_every_second(const std::vector<Image>& drive) {
+  PlaceRecogniser recogniser({});
+  for (std::size_t i = 0; i < drive.size(); i += 2) recogniser.teach(drive[i]);
+  PlaceCount count;
+  std::vector<std::size_t> places;
+  std::vector<int> aways;
+  std::vector<bool> sures;
+  for (std::size_t i = 1; i < drive.size(); i += 2) {
+    const auto view = brightness_view(drive[i]);
+    std::size_t nearest = 0;
+    for (std::size_t j = 0; j < drive.size(); j += 2) {
+      if (most_off(view, brightness_view(drive[j])) < most_off(view, brightness_view(drive[nearest])))
+        nearest = j;
+    }
+    count.alike_as_published += static_cast<int>(nearest + 1 == i || i + 1 == nearest);
+    const auto found = recogniser.recognise(drive[i]);
+    const int away = std::abs(2 * static_cast<int>(found->view) - static_cast<int>(i));
+    const bool is_sure = recogniser.is_sure(*found);
+    ++count.pictures;
+    count.alike += static_cast<int>(away == 1);
+    count.sure += static_cast<int>(away == 1 && is_sure);
+    count.wrong += static_cast<int>(away > 3 && is_sure);
+    places.push_back(found->view);
+    aways.push_back(away);
+    sures.push_back(is_sure);
+  }
+  const std::vector<bool> confirmed = recogniser.confirmed(places);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    count.confirmed += static_cast<int>(aways[i] == 1 && (sures[i] || confirmed[i]));
+    count.confirmed_wrong += static_cast<int>(aways[i] > 3 && confirmed[i]);
+  }
+  return count;
+}
+
+void print(const char* of, const PlaceCount& count) {
+  fmt::print(
+      "places, every second picture of {} taught: of {} most like a neighbour {} (as published {}), sure of "
+      "it {}, "
+      "with those confirmed {}; sure of a wrong place {}, confirmed {}\n",
+      of, count.pictures, count.alike, count.alike_as_published, count.sure, count.confirmed, count.wrong,
+      count.confirmed_wrong);
+}
+
+TEST(RealPictures, PlacesOfACorridorAreKnownAgainFromMetresAway) {
+  const fs::path folder = pictures("rtabmap_corridor_2laps");
+  AISLE_NEEDS(folder);
+  std::vector<Image> lap;
+  for (int i = 1; i <= 40; ++i) lap.push_back(read(folder / fmt::format("{}.jpg", i)));
+  PlaceRecogniser whole({});
+  for (const Image& picture : lap) whole.teach(picture);
+  for (std::size_t i = 0; i < lap.size(); ++i) EXPECT_EQ(whole.recognise(lap[i])->view, i);
+  const PlaceCount count = recognise_every_second(lap);
+  print("a lap", count);
+  EXPECT_GE(count.alike, 12);
+  EXPECT_EQ(count.wrong, 0);
+  EXPECT_EQ(count.confirmed_wrong, 0);
+}
+
+TEST(RealPictures, PlacesOfAnOfficeAreKnownAgain) {
+  const fs::path folder = pictures("pepper_office");
+  AISLE_NEEDS(folder);
+  std::vector<Image> drive;
+  for (int i = 0; i <= 320; i += 4) drive.push_back(read(folder / fmt::format("img{:05}.png", i)));
+  const PlaceCount count = recognise_every_second(drive);
+  print("a drive", count);
+  EXPECT_GE(count.sure, 34);
+  EXPECT_EQ(count.wrong, 0);
+  EXPECT_EQ(count.confirmed_wrong, 0);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "workplace.hpp"
 
 namespace aisle {
@@ -177,6 +179,64 @@ TEST_F(Detect, MistakesAreRefusedInOneLine) {
 TEST_F(Detect, PeopleReadALineForEachPicture) {
   const ProgramRun run = run_aisle({"detect", "region", file("a.pgm", picture_file())});
   EXPECT_THAT(run.out, HasSubstr("a.pgm: route on 33.3 % of the picture"));
+}
+
+/// A wall with a dark door from one column to another, as PGM.
+std::string door_file(int from, int to, int wall_grey) {
+  constexpr int kWidth = 320, kHeight = 240;
+  std::string bytes = "P5 320 240 255\n";
+  for (int v = 0; v < kHeight; ++v) {
+    for (int u = 0; u < kWidth; ++u)
+      bytes += static_cast<char>(u >= from && u < to && v > 40 && v < 200 ? wall_grey / 3 : wall_grey);
+  }
+  return bytes;
+}
+
+TEST_F(Detect, TaughtPlacesAreKnownAgainInOtherLight) {
+  std::filesystem::create_directory(at("lap"));
+  file("lap/2.pgm", door_file(30, 90, 180));
+  file("lap/10.pgm", door_file(200, 290, 180));
+  file("lap/notes.txt", "no picture");
+  const std::string extra = file("extra.pgm", door_file(150, 170, 180));
+  const std::string late = file("late.pgm", door_file(30, 90, 140)),
+                    bare = file("bare.pgm", door_file(0, 0, 140));
+  const ProgramRun run = run_aisle({"detect", "places", late, extra, bare, "--taught", at("lap"), extra,
+                                    "--set", "places.rival_apart=0", "--overlay", at("out"), "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto images = run.json()["figures"]["images"];
+  EXPECT_EQ(images[0]["place"], at("lap/2.pgm"));
+  EXPECT_LT(images[0]["unlike"], 0.1);
+  EXPECT_GT(images[0]["rival_unlike"], 0.1);
+  EXPECT_EQ(images[1]["place"], extra);
+  EXPECT_TRUE(images[2]["place"].is_null());
+  EXPECT_TRUE(images[2]["most_alike"].is_string());
+  EXPECT_THAT(names_in(at("out")), ElementsAre("bare.overlay.png", "extra.overlay.png", "late.overlay.png"));
+  EXPECT_EQ(size_of_png(at("out/late.overlay.png")), std::pair(2 * 320 + 6, 240));
+}
+
+TEST_F(Detect, PlacesOfOneDriveConfirmEachOther) {
+  std::vector<std::string> command = {"detect", "places"};
+  for (const int from : {30, 110, 190})
+    command.push_back(file(std::to_string(from) + ".pgm", door_file(from, from + 60, 180)));
+  command.insert(command.end(),
+                 {"--taught", command[2], command[3], command[4], "--set", "places.unlike_max=0", "--json"});
+  const auto alone = run_aisle(command).json()["figures"]["images"];
+  for (const auto& image : alone) EXPECT_TRUE(image["place"].is_null());
+  command.push_back("--follow");
+  const auto together = run_aisle(command).json()["figures"]["images"];
+  for (const auto& image : together) EXPECT_EQ(image["place"], image["file"]);
+}
+
+TEST_F(Detect, PlacesWithoutTaughtPicturesAreRefused) {
+  const std::string picture = file("a.pgm", picture_file());
+  EXPECT_THAT(run_aisle({"detect", "places", picture}).err, HasSubstr("--taught"));
+  std::filesystem::create_directory(at("empty"));
+  const ProgramRun run = run_aisle(
+      {"detect", "places", picture, "--taught", at("empty"), at("none.png"), "--overlay", at("out")});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("has no pictures"));
+  EXPECT_THAT(run.err, HasSubstr("none.png")) << "all that is wrong at once";
+  EXPECT_FALSE(std::filesystem::exists(at("out")));
 }
 
 }  // namespace

@@ -32,8 +32,7 @@ constexpr const char* kOverlayEnding = ".overlay.png";
 constexpr const char* kMaskEnding = ".region.png";
 constexpr const char* kFollowedName = "followed.png";
 
-std::unique_ptr<PictureDetector> make_detector(Feature feature,
-                                               const std::optional<CameraModel>& camera = {},
+std::unique_ptr<PictureDetector> make_detector(Feature feature, const std::optional<CameraModel>& camera = {},
                                                std::vector<TaughtPicture> taught = {}) {
   switch (feature) {
     case Feature::kVerticals:
@@ -135,7 +134,8 @@ Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
   Outcome outcome{.verb = name_of(options.feature)};
   auto& images = outcome.figures["images"] = nlohmann::ordered_json::array();
   std::optional<LinePursuit> pursuit;
-  if (options.follow) pursuit.emplace(following, options.files.size());
+  if (options.follow && options.feature == Feature::kVerticals)
+    pursuit.emplace(following, options.files.size());
   std::vector<OutputFile> drawings;
   Problems problems;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
@@ -161,6 +161,7 @@ Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
     drawings.push_back({mask, mask, std::move(*found.mask_png)});
   }
   if (!problems.empty()) return problems;
+  if (options.follow) outcome.text += detector->look_back(images);
   if (pursuit) {
     outcome.figures["follow"] = pursuit->figures();
     outcome.text += pursuit->summary();

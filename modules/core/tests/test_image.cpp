@@ -22,5 +22,20 @@ TEST(Image, GreyPicturesAreNotCopied) {
   EXPECT_EQ(as_grey(coloured, converted), grey);
 }
 
+TEST(Image, AShrunkPixelIsTheMeanOfThoseThatItCovers) {
+  Image image(4, 2);
+  image.bytes = {10, 20, 30, 40,  //
+                 30, 40, 50, 60};
+  EXPECT_THAT(shrunk(image, 2, 1).bytes, ElementsAre(25, 45));
+  EXPECT_THAT(shrunk(image, 1, 2).bytes, ElementsAre(25, 45));
+  EXPECT_EQ(shrunk(image, 4, 2), image);
+}
+
+TEST(Image, MorePixelsThanThereAreRepeatThem) {
+  Image image(2, 1, 3);
+  image.bytes = {1, 2, 3, 4, 5, 6};
+  EXPECT_THAT(shrunk(image, 4, 1).bytes, ElementsAre(1, 2, 3, 1, 2, 3, 4, 5, 6, 4, 5, 6));
+}
+
 }  // namespace
 }  // namespace aisle

@@ -41,20 +41,32 @@ class PlacesDetector final : public PictureDetector {
                          {"rival_unlike", std::isfinite(found.rival_unlike)
                                               ? Json(rounded(found.rival_unlike, kUnlikeDecimals))
                                               : Json(nullptr)}};
-    const std::string_view meaning = is_sure ? "taken at" : "no taught place; most like";
-    detection.summary = fmt::format("{} {}", meaning, alike.name);
+    detection.summary = fmt::format("{} {}", is_sure ? "taken at" : "unsure; most like", alike.name);
+    places_.push_back(found.view);
     if (is_drawn) {
-      const std::array<TakenPicture, 2> pair = {TakenPicture{picture, std::string(meaning)},
+      const std::array<TakenPicture, 2> pair = {TakenPicture{picture, "is most like"},
                                                 TakenPicture{alike.picture, alike.name}};
       detection.overlay_png = picture_sheet_png(pair);
     }
     return detection;
   }
 
+  std::string look_back(Json& images) override {
+    const std::vector<bool> confirmed = recogniser_->confirmed(places_);
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (confirmed[i]) images[i]["place"] = images[i]["most_alike"];
+      known += static_cast<std::size_t>(!images[i]["place"].is_null());
+    }
+    return fmt::format("with those that confirm each other, {} of {} were taken at taught places\n", known,
+                       places_.size());
+  }
+
  private:
   PlaceParams params_;
   std::vector<TaughtPicture> taught_;
   std::optional<PlaceRecogniser> recogniser_;  // when the parameters are known
+  std::vector<std::size_t> places_;            // the most alike of each picture so far
 };
 
 bool is_picture(const fs::path& path) {

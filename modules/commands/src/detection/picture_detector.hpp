@@ -34,6 +34,9 @@ class PictureDetector {
 
   virtual void describe(FieldList& fields) = 0;
   virtual Detection detect(const Image& picture, bool is_drawn) = 0;
+  /// All pictures so far were one drive's, in order: what they tell together goes into their figures.
+  /// @return the same for people, in lines
+  virtual std::string look_back(nlohmann::ordered_json& /*images*/) { return {}; }
 };
 
 /// @param camera  if given, lines are fitted where its distortion is undone

@@ -25,7 +25,8 @@ bool are_within(double delta, const BrightnessView& a, const BrightnessView& b) 
 
 void StopViewParams::describe(FieldList& fields) {
   fields.flag("by_extremes", by_extremes, "compare where columns are brightest and darkest, as published");
-  fields.real("delta", delta, {0, 1}, "then: by which each of the eight places may be off, of the part's width");
+  fields.real("delta", delta, {0, 1},
+              "then: by which each of the eight places may be off, of the part's width");
   fields.group("columns", columns);
   fields.real("unlike_max", unlike_max, {0, 2}, "else: one minus the least correlation with a learned view");
   fields.real("within_m", within_m, {0, 20}, "before the end views are looked for");

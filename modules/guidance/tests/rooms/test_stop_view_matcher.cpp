@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "aisle/vision/places/brightness_view.hpp"
+#include "aisle/vision/places/column_view.hpp"
 
 namespace aisle {
 namespace {
@@ -26,18 +27,36 @@ Image view_from(double left_m) {
 
 std::vector<StopView> taught() {
   std::vector<StopView> views;
-  for (int i = 0; i <= 20; ++i) views.push_back({0.05 * i, brightness_view(view_from(0.05 * i))});
+  for (int i = 0; i <= 20; ++i) {
+    const Image view = view_from(0.05 * i);
+    views.push_back({0.05 * i, {brightness_view(view), column_view(view)}});
+  }
   return views;
 }
 
-TEST(StopViewMatcher, CorrectsTheWayThatIsLeft) {
-  StopViewMatcher matcher({}, taught());
+/// On the last half metre, where the odometry says 0.2 m less than is left.
+void drive_up_to(StopViewMatcher& matcher) {
   for (int i = 0; i < 8; ++i) {
     const double really_left_m = 0.5 - 0.03 * i;
     matcher.take(view_from(really_left_m), really_left_m - 0.2);
   }
+}
+
+TEST(StopViewMatcher, CorrectsTheWayThatIsLeft) {
+  for (const bool by_extremes : {false, true}) {
+    StopViewMatcher matcher({.by_extremes = by_extremes}, taught());
+    drive_up_to(matcher);
+    EXPECT_NEAR(matcher.shift_m(), 0.2, 0.05);
+    EXPECT_TRUE(matcher.has_matched());
+  }
+}
+
+TEST(StopViewMatcher, ViewsOfAnEarlierVersionAreComparedByTheirExtremes) {
+  std::vector<StopView> views = taught();
+  for (StopView& view : views) view.seen.columns = {};
+  StopViewMatcher matcher({}, views);
+  drive_up_to(matcher);
   EXPECT_NEAR(matcher.shift_m(), 0.2, 0.05);
-  EXPECT_TRUE(matcher.has_matched());
 }
 
 TEST(StopViewMatcher, OneMatchAloneDoesNotCount) {

@@ -54,20 +54,34 @@ struct Pairing {
 /// Which lines of one picture are which of the next.
 class Comparison {
  public:
-  Comparison(const std::vector<LineLook>& before, const std::vector<LineLook>& now, const LineFollowerParams& params);
+  Comparison(const std::vector<LineLook>& before, const std::vector<LineLook>& now,
+             const LineFollowerParams& params);
 
   Pairing best_pairing(const std::vector<Motion>& motions);
 
  private:
-  double& best(std::size_t i, std::size_t j) { return best_[i * (now_.size() + 1) + j]; }
+  /// Lines that would be alike if they were where they are expected.
+  struct Candidate {
+    std::size_t before;
+    std::size_t now;
+    double like;
+  };
+  /// One of them, after the best pairs farther left that it does not cross.
+  struct Link {
+    std::size_t before;
+    std::size_t now;
+    double worth;      // with theirs
+    std::size_t left;  // the next of them; itself: none
+  };
+
   double compare(const Motion& motion);
   std::vector<std::pair<std::size_t, std::size_t>> pairs(const Motion& motion);
 
   const std::vector<LineLook>& before_;
   const std::vector<LineLook>& now_;
   const LineFollowerParams& params_;
-  std::vector<double> like_;  // line i before and j now, wherever they are
-  std::vector<double> best_;  // the first i and the first j lines together
+  std::vector<Candidate> candidates_;  // from left to right by the line before
+  std::vector<Link> links_;            // of the latest motion
 };
 
 double squared_share(double difference, double gate) {
@@ -84,39 +98,47 @@ double likeness(const LineLook& before, const LineLook& now, const LineFollowerP
 
 Comparison::Comparison(const std::vector<LineLook>& before, const std::vector<LineLook>& now,
                        const LineFollowerParams& params)
-    : before_(before), now_(now), params_(params), best_((before.size() + 1) * (now.size() + 1)) {
-  like_.reserve(before.size() * now.size());
-  for (const LineLook& a : before) {
-    for (const LineLook& b : now) like_.push_back(likeness(a, b, params));
+    : before_(before), now_(now), params_(params) {
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    for (std::size_t j = 0; j < now.size(); ++j) {
+      const double like = likeness(before[i], now[j], params);
+      if (like > 0) candidates_.push_back({i, j, like});
+    }
   }
 }
 
 /// The greatest sum of likenesses of pairs that do not cross.
 double Comparison::compare(const Motion& motion) {
-  for (std::size_t i = 1; i <= before_.size(); ++i) {
-    const double expected = motion.expected(before_[i - 1].column);
-    for (std::size_t j = 1; j <= now_.size(); ++j) {
-      const double aside = squared_share(now_[j - 1].column - expected, params_.gate);
-      const double paired = best(i - 1, j - 1) + like_[(i - 1) * now_.size() + j - 1] - aside;
-      best(i, j) = std::max({best(i - 1, j), best(i, j - 1), paired});
+  links_.clear();
+  double best = 0;
+  for (const Candidate& candidate : candidates_) {
+    const double expected = motion.expected(before_[candidate.before].column);
+    const double aside = squared_share(now_[candidate.now].column - expected, params_.gate);
+    if (aside >= candidate.like) continue;
+    Link link{candidate.before, candidate.now, 0, links_.size()};
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      const Link& left = links_[k];
+      if (left.before >= link.before || left.now >= link.now || left.worth <= link.worth) continue;
+      link.worth = left.worth;
+      link.left = k;
     }
+    link.worth += candidate.like - aside;
+    best = std::max(best, link.worth);
+    links_.push_back(link);
   }
-  return best(before_.size(), now_.size());
+  return best;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> Comparison::pairs(const Motion& motion) {
   compare(motion);
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (std::size_t i = before_.size(), j = now_.size(); i > 0 && j > 0;) {
-    if (best(i, j) == best(i - 1, j)) {
-      --i;
-    } else if (best(i, j) == best(i, j - 1)) {
-      --j;
-    } else {
-      pairs.emplace_back(--i, --j);
-    }
+  const auto last = std::max_element(links_.begin(), links_.end(),
+                                     [](const Link& a, const Link& b) { return a.worth < b.worth; });
+  if (last == links_.end()) return pairs;
+  for (auto k = static_cast<std::size_t>(last - links_.begin());; k = links_[k].left) {
+    pairs.emplace_back(links_[k].before, links_[k].now);
+    if (links_[k].left == k) return pairs;
   }
-  return pairs;
 }
 
 /// All that are looked at, the finer the slower the approach.

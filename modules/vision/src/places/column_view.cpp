@@ -10,9 +10,9 @@ namespace {
 
 using Tones = Eigen::Map<const Eigen::VectorXf>;
 
-constexpr double kDarkest = 10;  ///< grey levels below say nothing
+constexpr double kDarkest = 10;   ///< grey levels below say nothing
 constexpr double kNoise = 0.005;  ///< of tones: where curves have no contrast, nothing is alike
-constexpr int kEnds = 3;         ///< columns of the corridor's end that are looked at, to either side ...
+constexpr int kEnds = 3;          ///< columns of the corridor's end that are looked at, to either side ...
 constexpr double kEndStep = 0.05;
 constexpr int kApproaches = 6;
 

@@ -1,8 +1,21 @@
 #include "aisle/vision/places/place_recogniser.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace aisle {
+namespace {
+
+constexpr double kLightTone = 128;  ///< of all pictures, as their lines are compared
+
+/// What nine in ten parts of a view are darker than: walls, whatever stands before them.
+double light_tone(Image view) {
+  const auto tenth = static_cast<std::ptrdiff_t>(view.bytes.size() / 10);
+  std::nth_element(view.bytes.begin(), view.bytes.end() - tenth, view.bytes.end());
+  return std::max<double>(1, *(view.bytes.end() - tenth));
+}
+
+}  // namespace
 
 void PlaceParams::describe(FieldList& fields) {
   fields.group("columns", columns);
@@ -12,6 +25,8 @@ void PlaceParams::describe(FieldList& fields) {
   fields.count("rival_apart", rival_apart, {0, 1000},
                "taught pictures up to so far apart in order may show one place");
   fields.real("rival_factor", rival_factor, {1, 100}, "by which all others must be more unlike");
+  fields.count("ahead_max", ahead_max, {1, 1000},
+               "taught pictures from one of a drive's pictures to the next");
 }
 
 PlaceRecogniser::PlaceRecogniser(const PlaceParams& params) : params_(params), verticals_(params.verticals) {}
@@ -30,8 +45,14 @@ std::optional<ViewRecognition> PlaceRecogniser::recognise(const Image& picture) 
 }
 
 PlaceRecogniser::Look PlaceRecogniser::look_at(const Image& picture) {
-  const Image grey = to_grey(picture);
-  return {ViewCurves(params_.columns, column_view(grey)), line_looks(grey, verticals_.detect(grey))};
+  const Image grey = to_grey(picture), view = column_view(grey);
+  Look look{ViewCurves(params_.columns, view), line_looks(grey, verticals_.detect(grey))};
+  const double exposure = kLightTone / light_tone(view);
+  for (LineLook& line : look.lines) {
+    line.tone_left *= exposure;
+    line.tone_right *= exposure;
+  }
+  return look;
 }
 
 double PlaceRecogniser::unlikeness(const Look& a, const Look& b) const {

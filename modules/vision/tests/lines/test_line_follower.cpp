@@ -91,5 +91,28 @@ TEST(LineFollower, AnEmptyPictureIsBridgedByNothing) {
   EXPECT_THAT(follow(follower, kCorridor), Each(Ge(5)));
 }
 
+std::vector<LineLook> looks(const Stripes& scene) {
+  return line_looks(scene.picture(), scene.lines());
+}
+
+TEST(LinesLikeness, IsOneForTheSameLinesAndTheSameBothWays) {
+  const auto lines = looks(kCorridor), others = looks({{60, 200, 330}, {90, 180, 60, 200}});
+  EXPECT_DOUBLE_EQ(lines_likeness(lines, lines, {}), 1);
+  EXPECT_DOUBLE_EQ(lines_likeness(lines, others, {}), lines_likeness(others, lines, {}));
+}
+
+TEST(LinesLikeness, FromNearerTheSameLinesAreMoreAlikeThanOthers) {
+  // 0.25 of the width from the middle goes to 0.25 / (1 - 1.2 x 0.25).
+  const Stripes nearer = {{13, 95, 167, 233, 343}, kCorridor.tones};
+  const Stripes elsewhere = {{80, 120, 170, 230, 300}, {60, 200, 90, 180, 40, 150}};
+  EXPECT_GT(lines_likeness(looks(kCorridor), looks(nearer), {}), 0.8);
+  EXPECT_LT(lines_likeness(looks(kCorridor), looks(elsewhere), {}), 0.6);
+}
+
+TEST(LinesLikeness, WithoutLinesNothingSpeaksAgainst) {
+  EXPECT_DOUBLE_EQ(lines_likeness({}, {}, {}), 1);
+  EXPECT_LT(lines_likeness(looks(kCorridor), {}, {}), 0.5);
+}
+
 }  // namespace
 }  // namespace aisle

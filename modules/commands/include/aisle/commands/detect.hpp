@@ -18,8 +18,8 @@ struct DetectOptions {
   std::vector<std::string> files;
   std::optional<std::filesystem::path> camera;   ///< its calibration; none: found without
   std::optional<std::filesystem::path> overlay;  ///< directory for drawings and masks; none: figures only
-  bool follow =
-      false;  ///< verticals: the pictures are one drive's, in order; lines are numbered through them
+  bool follow = false;  ///< verticals, places: the pictures are one drive's, in order; lines are numbered
+                        ///< through them, places that go on along the way confirm each other
   std::vector<std::filesystem::path> taught;  ///< places: their pictures, or directories of them, in order
   bool force = false;
   ParameterSources parameters;

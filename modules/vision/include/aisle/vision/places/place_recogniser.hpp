@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "aisle/core/image.hpp"
@@ -19,6 +20,7 @@ struct PlaceParams {
   double unlike_max = 0.7;
   int rival_apart = 1;
   double rival_factor = 1.15;
+  int ahead_max = 3;
 
   void describe(FieldList& fields);
 };
@@ -39,6 +41,10 @@ class PlaceRecogniser {
   std::optional<ViewRecognition> recognise(const Image& picture);
   bool is_sure(const ViewRecognition& recognition) const {
     return recognition.is_sure(params_.unlike_max, params_.rival_factor);
+  }
+  /// Of the most alike places of a drive's pictures, in order: which of them those beside them confirm.
+  std::vector<bool> confirmed(std::span<const std::size_t> places) const {
+    return confirmed_in_succession(places, static_cast<std::size_t>(params_.ahead_max));
   }
 
  private:
