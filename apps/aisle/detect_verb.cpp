@@ -14,8 +14,11 @@ void add_feature(CLI::App& detect, Work& work, const std::string& name, const st
   auto options = std::make_shared<DetectOptions>();
   options->feature = feature;
   verb->add_option("IMAGE", options->files, "pictures: PNG, JPEG, PGM, PPM, BMP, TIFF");
-  verb->add_option("--camera", options->camera,
-                   "its calibration, OpenCV YAML or ROS camera_info; all features are found without it too");
+  if (feature != Feature::kPlaces) {
+    verb->add_option(
+        "--camera", options->camera,
+        "its calibration, OpenCV YAML or ROS camera_info; all features are found without it too");
+  }
   verb->add_option("--overlay", options->overlay,
                    feature == Feature::kRegion
                        ? "directory for the region masks and for the pictures with what was found drawn over"
