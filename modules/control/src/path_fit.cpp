@@ -149,26 +149,38 @@ void split(LoosePath& loose, std::size_t k) {
   }
 }
 
+/// The pieces that stray most, each of those near it: what is done to one leaves the others as they are.
+std::vector<std::size_t> worst_of_neighbours(const std::vector<double>& strays_m, double stray_max_m) {
+  constexpr std::ptrdiff_t kNear = 4;
+  std::vector<std::size_t> worst;
+  for (auto stray_m = strays_m.begin(); stray_m != strays_m.end(); ++stray_m) {
+    const auto first = stray_m - std::min(kNear, stray_m - strays_m.begin());
+    const auto end = stray_m + std::min(kNear + 1, strays_m.end() - stray_m);
+    if (*stray_m > stray_max_m && std::max_element(first, end) == stray_m)
+      worst.push_back(static_cast<std::size_t>(stray_m - strays_m.begin()));
+  }
+  return worst;
+}
+
 /// Adjusts, pulls harder where the way strays most, and cuts where pulling does not help.
 /// @param stray_max_m  at the samples
 Path smoothed(LoosePath loose, double stray_max_m, double radius_min_m, double step_m) {
   constexpr int kRounds = 24, kPullsBeforeCut = 3;
   constexpr double kPull = 4;
   constexpr double kGapMax = 0.02;  // of the stray: gaps add up where the pieces are laid end to end
+  std::vector<double> strays_m;     // the worst of each piece
   for (int round = 1; round <= kRounds; ++round) {
     adjust(loose, radius_min_m);
-    std::size_t worst_piece = 0;
-    double worst_m = 0;
+    strays_m.assign(loose.pieces.size(), 0);
     for (Waypoint& waypoint : loose.waypoints) {
       const double off_m = stray_m(loose, waypoint);
       if (off_m > stray_max_m) waypoint.weight *= kPull;
-      if (off_m > worst_m) worst_piece = waypoint.piece;
-      worst_m = std::max(worst_m, off_m);
+      strays_m[waypoint.piece] = std::max(strays_m[waypoint.piece], off_m);
     }
-    const bool is_near = worst_m <= stray_max_m;
-    if (is_near && widest_gap_m(loose) < kGapMax * stray_max_m) break;
-    if (is_near || round % kPullsBeforeCut != 0) continue;
-    split(loose, worst_piece);
+    const auto worst = worst_of_neighbours(strays_m, stray_max_m);
+    if (worst.empty() && widest_gap_m(loose) < kGapMax * stray_max_m) break;
+    if (worst.empty() || round % kPullsBeforeCut != 0) continue;
+    for (auto k = worst.rbegin(); k != worst.rend(); ++k) split(loose, *k);
     for (Waypoint& waypoint : loose.waypoints) waypoint.weight = first_weight(waypoint.stray_share, step_m);
   }
   return joined(loose);

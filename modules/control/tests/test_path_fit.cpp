@@ -143,6 +143,34 @@ TEST(FitPath, UTurnsAndNarrowBendsDoNotFallToPieces) {
   }
 }
 
+/// To the ends of many branches and back, turning about there.
+Path comb(int branches) {
+  const double bend_m = 0.4 * kPi / 2;
+  std::vector<Arc> arcs = {{4, 0}};
+  for (int i = 0; i < branches; ++i) {
+    const double side = i % 2 == 0 ? 1 : -1;
+    arcs.insert(arcs.end(), {{bend_m, side * kPi / 2},
+                             {9, 0},
+                             {0.4 * kPi, side * kPi},
+                             {9, 0},
+                             {bend_m, side * kPi / 2},
+                             {4, 0}});
+  }
+  return path_of(arcs);
+}
+
+TEST(FitPath, ALongWayDoesNotFallToPieces) {
+  for (std::uint64_t seed = 0; seed < 2; ++seed) {
+    Random random(seed);
+    const Path way = comb(8);
+    const std::vector<Pose2> driven = driven_by_hand(way, 0.06, random);
+    const PathFitParams params{.stray_max_m = 0.08, .radius_min_m = 0.2};
+    const Path path = fit_path(driven, params);
+    EXPECT_LE(path.pieces().size(), 3 * way.pieces().size()) << seed;
+    EXPECT_LE(stray_m(path, driven), params.stray_max_m) << seed;
+  }
+}
+
 TEST(FitPath, NarrowBendsAreSmoothedWhateverTheLeastRadius) {
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     Random random(seed);
