@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "aisle/core/angle.hpp"
@@ -29,6 +30,7 @@ void SectionLearningParams::describe(FieldList& fields) {
 namespace {
 
 constexpr double kStartSigma_rad = 5 * kDegree;  // against the wall beside which a drive begins
+constexpr double kKnownEdge_rad = 3 * kDegree;   // of an edge's direction
 constexpr double kParallel_rad = 6 * kDegree;    // a stretch that is nearly so was meant to be
 constexpr double kOnAxis_rad = 1e-6;             // of what was laid there
 constexpr double kWayPoints_m = 0.05;
@@ -42,16 +44,21 @@ constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
 constexpr double kSameLine_m = 0.25;  // a base line that is farther from where it usually is is another
 constexpr std::size_t kSeenMin = 5;   // cycles in which a base line must be seen for its distance to count
 
-/// Odometry, held by the walls, which are the axes of `route`: some degrees right.
+/// Odometry, held by the walls, which are the axes of `route`: some degrees right. An edge whose direction is
+/// hardly seen is as often a floor's grain, and grain that is seen again and again leads astray.
 std::vector<double> followed_headings(std::span<const SectionCycle> cycles,
                                       const VehicleDescription& vehicle) {
   PoseFilter filter(vehicle, about({}, 0, kStartSigma_rad));
   std::vector<double> headings_rad;
   headings_rad.reserve(cycles.size());
+  std::vector<SensedSegment> known;
   for (const SectionCycle& cycle : cycles) {
     filter.predict(cycle.odometry);
     const double theta = filter.pose().theta;
-    const auto walls = heading_from_walls(cycle.floor_edges, theta, std::sqrt(filter.covariance()(2, 2)));
+    known.clear();
+    std::copy_if(cycle.floor_edges.begin(), cycle.floor_edges.end(), std::back_inserter(known),
+                 [](const SensedSegment& edge) { return edge.sigma_heading_rad <= kKnownEdge_rad; });
+    const auto walls = heading_from_walls(known, theta, std::sqrt(filter.covariance()(2, 2)));
     if (walls) filter.correct(wrap_angle(walls->heading_rad - theta), Vec3::UnitZ(), walls->sigma_rad);
     headings_rad.push_back(filter.pose().theta);
   }

@@ -33,6 +33,13 @@ class Drive {
   /// From here on pictures show nothing but an edge that lies askew; 0: no more.
   void set_askew(double askew_rad) { askew_rad_ = askew_rad; }
 
+  /// From here on the floor's grain looks like edges, which lie turned the more the farther the drive goes;
+  /// 0: no more.
+  void set_grain(double turn_rad_per_m) {
+    grain_rad_per_m_ = turn_rad_per_m;
+    grain_from_ = T_.position();
+  }
+
   void go(double length_m, double turn_rad = 0) {
     const double step_m = vehicle_.differential.step_length_m();
     const double turn_m = turn_rad * vehicle_.differential.wheel_separation_m / 2;
@@ -61,6 +68,16 @@ class Drive {
       const Vec2 near{T_.x + 0.5, wall_m_}, far = near + 2 * unit(askew_rad_);
       seen.push_back(wall_m_ > 0 ? edge(far, near) : edge(near, far));
     }
+    if (grain_rad_per_m_ != 0) {
+      const double turned_rad = grain_rad_per_m_ * (T_.position() - grain_from_).norm();
+      for (const double aside_m : {-0.2, 0.2}) {
+        const Vec2 near = T_ * Vec2(3, aside_m);
+        SensedSegment grain = edge(near, near + unit(T_.theta + turned_rad));
+        grain.length_m = 1;
+        grain.sigma_heading_rad = 5 * kDegree;
+        seen.push_back(grain);
+      }
+    }
     if (across_m_ != 0 && across_m_ - T_.x < kSeenFrom_m) {
       const double from_m = T_.y + (T_.theta > kPi / 4 ? 0.5 : -1);
       seen.push_back(edge({across_m_, from_m}, {across_m_, from_m + 2}));
@@ -81,7 +98,8 @@ class Drive {
 
   VehicleDescription vehicle_ = mini_vehicle();
   Pose2 T_;
-  double wall_m_ = 0, across_m_ = 0, askew_rad_ = 0;
+  double wall_m_ = 0, across_m_ = 0, askew_rad_ = 0, grain_rad_per_m_ = 0;
+  Vec2 grain_from_{0, 0};
   double left_m_ = 0, right_m_ = 0;
   int left_ = 0, right_ = 0;
   std::vector<SectionCycle> cycles_;
@@ -147,6 +165,21 @@ TEST(SectionRecording, AnEdgeThatLiesAskewDoesNotLeadTheWayAside) {
     EXPECT_LT(std::abs(T.y), 0.01);
     EXPECT_LT(std::abs(T.theta), 1 * kDegree);
   }
+}
+
+TEST(SectionRecording, TheFloorsGrainDoesNotTurnTheWay) {
+  Drive drive;
+  drive.set_wall(-0.45);
+  drive.go(2);
+  drive.set_wall(0);
+  drive.set_grain(10 * kDegree);
+  drive.go(6);
+  drive.set_grain(0);
+  drive.set_wall(-0.45);
+  drive.go(4);
+  const DrivenList driven = drive.recorded();
+  ASSERT_EQ(driven.sections.size(), 1U);
+  EXPECT_NEAR(driven.T_route_vehicle.back().y, 0, 0.1);
 }
 
 TEST(SectionRecording, TheWallAcrossOneStretchIsTheOneBesideTheNext) {
