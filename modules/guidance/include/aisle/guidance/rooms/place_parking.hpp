@@ -12,7 +12,7 @@ namespace aisle {
 struct PlaceParkingParams {
   SteeringParams steering{.look_ahead_m = 0.25};
   double aside_m = 0.05;
-  double turned_rad = 2.5 * kDegree;
+  double turned_rad = 1.5 * kDegree;
   double aside_max_m = 0.1;
   double turned_max_rad = 5 * kDegree;
   double taken_max_m = 0.3;
