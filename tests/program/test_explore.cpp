@@ -78,6 +78,17 @@ TEST_F(Explore, ATrialExploresByTheSensorThatItIsTold) {
     EXPECT_EQ(tried[figure], explored[figure]) << figure;
 }
 
+TEST_F(Explore, ATrialCountsWhatIsCompleteAndWhatHasACertificate) {
+  const std::string world = file("dead-ends.yaml", kDeadEnds);
+  const auto shares = [&](const std::string& set) {
+    const auto figures =
+        run_aisle({"trial", "explore", "--world", world, "--set", set, "--json"}).json()["figures"];
+    return std::pair(figures["complete_share"].get<double>(), figures["certificate_share"].get<double>());
+  };
+  EXPECT_EQ(shares("time_max_s=1000"), std::pair(1.0, 1.0));
+  EXPECT_EQ(shares("time_max_s=10"), std::pair(0.0, 0.0));
+}
+
 TEST_F(Explore, APlanIsExploredLikeTheWorldThatIsMadeOfIt) {
   const std::string plan = file("room.pbm", room_pbm(90, 40));
   ASSERT_EQ(run_aisle({"convert", plan, "--resolution", "0.1", "-o", at("room.yaml")}).exit_code, 0);
