@@ -17,9 +17,12 @@ LandmarkTripCollector::LandmarkTripCollector(const LandmarkSightingParams& param
       detector_(params, trip.camera.intrinsics, trip.camera.mount) {}
 
 void LandmarkTripCollector::add(const Observation& observation) {
-  LandmarkCycle cycle{.stamp_s = observation.stamp_s, .odometry = observation.odometry, .sightings = {}};
-  if (const CameraPicture* picture = present_picture(observation, trip.camera.name, trip.vehicle.cycle_s))
+  LandmarkCycle cycle{
+      .stamp_s = observation.stamp_s, .odometry = observation.odometry, .sightings = {}, .floor_edges = {}};
+  if (const CameraPicture* picture = present_picture(observation, trip.camera.name, trip.vehicle.cycle_s)) {
     cycle.sightings = detector_.detect(*picture->image);
+    for (const FloorEdge& edge : detector_.floor_edges()) cycle.floor_edges.push_back(edge.on_floor);
+  }
   trip.cycles.push_back(std::move(cycle));
 }
 

@@ -172,8 +172,10 @@ void LandmarkNavigator::locate(const Observation& observation) {
   has_looked_ = picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s);
   if (has_looked_) {
     sightings_ = detector_.detect(*picture->image);
+    edges_on_floor_.clear();
+    for (const FloorEdge& edge : detector_.floor_edges()) edges_on_floor_.push_back(edge.on_floor);
     if (state_ == State::kLooking || state_ == State::kFollowing)
-      match_ = localiser_.correct(building_->landmarks, sightings_);
+      match_ = localiser_.correct(building_->landmarks, sightings_, edges_on_floor_);
     strangeness_.look(sightings_, match_ == LandmarkMatch::kMatched, localiser_.pose(),
                       (localiser_.pose().position() - T_map_before.position()).norm());
     watch_for_lift();

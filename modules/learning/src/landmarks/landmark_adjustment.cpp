@@ -114,6 +114,19 @@ struct SightingError {
   }
 };
 
+/// The heading of a cycle, against walls whose direction is unknown.
+struct WallError {
+  double key_to_cycle_rad;
+  HeadingMeasurement against_walls;
+
+  template <class T>
+  bool operator()(const T* key, const T* walls_rad, T* residual) const {
+    const T off = key[2] + key_to_cycle_rad - walls_rad[0] - against_walls.heading_rad;
+    residual[0] = (off - 2 * kPi * floor((off + kPi) / (2 * kPi))) / against_walls.sigma_rad;
+    return true;
+  }
+};
+
 /// Keeps unknowns in standard deviations near zero.
 template <int kUnknowns>
 struct NearZero {
@@ -154,8 +167,8 @@ OdometryError odometry_error(std::span<const LandmarkCycle> cycles, std::size_t 
 
 void adjust_landmarks(std::span<const LandmarkCycle> cycles,
                       std::span<const LandmarkObservation> observations, std::span<const LandmarkLoop> loops,
-                      const VehicleDescription& vehicle, std::vector<Pose2>& T_map_vehicle,
-                      std::vector<Landmark>& landmarks) {
+                      std::span<const WallObservation> walls, const VehicleDescription& vehicle,
+                      std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks) {
   const Keyframes keyframes = choose_keyframes(T_map_vehicle);
   std::vector<std::array<double, 3>> keys;
   for (const std::size_t cycle : keyframes.cycles) {
@@ -192,6 +205,17 @@ void adjust_landmarks(std::span<const LandmarkCycle> cycles,
                              &tilts[seen.cycle], landmarks[seen.landmark].p_map.data());
     const Mat2 R_map_vehicle = rotation(T_map_vehicle[seen.cycle].theta);
     information[seen.landmark] += R_map_vehicle * sighting.covariance.inverse() * R_map_vehicle.transpose();
+  }
+  std::vector<double> walls_rad;
+  for (const WallObservation& seen : walls) {
+    if (static_cast<std::size_t>(seen.walls) >= walls_rad.size())
+      walls_rad.push_back(T_map_vehicle[seen.cycle].theta - seen.against_walls.heading_rad);
+  }
+  for (const WallObservation& seen : walls) {
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<WallError, 1, 3, 1>(
+                                 new WallError{T_key_cycle[seen.cycle].theta, seen.against_walls}),
+                             new ceres::CauchyLoss(kCauchy), keys[keyframes.of_cycle[seen.cycle]].data(),
+                             &walls_rad[static_cast<std::size_t>(seen.walls)]);
   }
   for (double& tilt : tilts) {
     if (problem.HasParameterBlock(&tilt)) problem.AddResidualBlock(NearZero<1>::cost(), nullptr, &tilt);

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 
 #include "aisle/learning/landmarks/landmark_learning.hpp"
+#include "aisle/learning/walls/wall_compass.hpp"
 #include "landmarks/landmark_adjustment.hpp"
 #include "landmarks/landmark_loops.hpp"
 #include "landmarks/trip_landmarks.hpp"
@@ -22,15 +24,20 @@ constexpr double kNearSigma_rad = 0.005;
 class FirstTrip {
  public:
   FirstTrip(const VehicleDescription& vehicle, const LandmarkLearningParams& params)
-      : learner_(params), localiser_(params.localiser, vehicle, about({}, kOriginSigma, kOriginSigma)) {}
+      : params_(params),
+        learner_(params),
+        localiser_(params.localiser, vehicle, about({}, kOriginSigma, kOriginSigma)) {}
 
   void add(const LandmarkCycle& cycle) {
     if (!T_map_vehicle_.empty()) {
       const Vec2 before = localiser_.pose().position();
       localiser_.predict(cycle.odometry);
-      way_m_ += (localiser_.pose().position() - before).norm();
+      const double moved_m = (localiser_.pose().position() - before).norm();
+      way_m_ += moved_m;
+      compass_.move(moved_m);
     }
     set_old_ones_aside();
+    if (params_.localiser.heading_by_walls) heed_walls(cycle.floor_edges);
     if (localiser_.correct(learner_.map(), cycle.sightings) != LandmarkMatch::kAmbiguous) {
       for (const std::size_t index : learner_.merge(cycle.sightings, localiser_.pose())) note_seen(index);
     }
@@ -38,6 +45,7 @@ class FirstTrip {
   }
 
   const std::vector<Pose2>& T_map_vehicle() const { return T_map_vehicle_; }
+  const std::vector<WallObservation>& walls() const { return walls_; }
 
   std::vector<TripLandmark> landmarks(int sightings_min) {
     std::vector<TripLandmark> often;
@@ -55,6 +63,18 @@ class FirstTrip {
     std::size_t first_cycle = 0, last_cycle = 0;
     double last_m = 0;
   };
+
+  /// Heading and walls' direction: the surer one corrects the other.
+  void heed_walls(std::span<const SensedSegment> floor_edges) {
+    compass_.look(floor_edges, localiser_.pose().theta, std::sqrt(localiser_.covariance()(2, 2)));
+    if (const auto heading = compass_.heading()) {
+      localiser_.correct_heading(*heading);
+    } else {
+      compass_.learn();
+    }
+    if (compass_.against_walls())
+      walls_.push_back({T_map_vehicle_.size(), compass_.starts() - 1, *compass_.against_walls()});
+  }
 
   void note_seen(std::size_t index) {
     const std::size_t cycle = T_map_vehicle_.size();
@@ -85,9 +105,12 @@ class FirstTrip {
     if (landmark.weight > 0) kept_.push_back({landmark, glimpse.first_cycle, glimpse.last_cycle});
   }
 
+  LandmarkLearningParams params_;
   LandmarkLearner learner_;
   LandmarkLocaliser localiser_;
+  WallCompass compass_;
   std::vector<Pose2> T_map_vehicle_;
+  std::vector<WallObservation> walls_;
   std::vector<Glimpse> recent_;
   std::vector<TripLandmark> kept_;
   double way_m_ = 0;
@@ -138,9 +161,9 @@ std::vector<TripLandmark> without_doubles(std::span<const TripLandmark> landmark
 /// Moves a trip and its landmarks together, closes its loops, and moves them together again.
 class TripAdjuster {
  public:
-  TripAdjuster(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
-               const LandmarkLearningParams& params)
-      : cycles_(cycles), vehicle_(vehicle), params_(params) {}
+  TripAdjuster(std::span<const LandmarkCycle> cycles, std::span<const WallObservation> walls,
+               const VehicleDescription& vehicle, const LandmarkLearningParams& params)
+      : cycles_(cycles), walls_(walls), vehicle_(vehicle), params_(params) {}
 
   void run(std::vector<Pose2>& T_map_vehicle, std::vector<TripLandmark>& landmarks) const {
     adjust(T_map_vehicle, landmarks, {});
@@ -157,11 +180,12 @@ class TripAdjuster {
     moved.reserve(landmarks.size());
     for (const TripLandmark& landmark : landmarks) moved.push_back(landmark.landmark);
     adjust_landmarks(cycles_, observations(cycles_, vehicle_, params_.localiser, T_map_vehicle, landmarks),
-                     loops, vehicle_, T_map_vehicle, moved);
+                     loops, walls_, vehicle_, T_map_vehicle, moved);
     for (std::size_t i = 0; i < moved.size(); ++i) landmarks[i].landmark = moved[i];
   }
 
   std::span<const LandmarkCycle> cycles_;
+  std::span<const WallObservation> walls_;
   const VehicleDescription& vehicle_;
   const LandmarkLearningParams& params_;
 };
@@ -175,7 +199,7 @@ LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const Vehicle
   for (const LandmarkCycle& cycle : cycles) first.add(cycle);
   LearnedTrip trip{.map = {}, .T_map_vehicle = first.T_map_vehicle()};
   std::vector<TripLandmark> found = first.landmarks(params.sightings_min);
-  if (params.adjust) TripAdjuster(cycles, vehicle, params).run(trip.T_map_vehicle, found);
+  if (params.adjust) TripAdjuster(cycles, first.walls(), vehicle, params).run(trip.T_map_vehicle, found);
   std::vector<Landmark> landmarks;
   landmarks.reserve(found.size());
   for (const TripLandmark& landmark : found) landmarks.push_back(landmark.landmark);

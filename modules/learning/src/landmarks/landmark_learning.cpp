@@ -118,7 +118,7 @@ RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const Landma
   std::size_t seen_pictures = 0, matched_pictures = 0;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
     if (i > 0) localiser.predict(cycles[i].odometry);
-    const LandmarkMatch match = localiser.correct(map, cycles[i].sightings);
+    const LandmarkMatch match = localiser.correct(map, cycles[i].sightings, cycles[i].floor_edges);
     refined.T_map_vehicle.push_back(localiser.pose());
     if (match != LandmarkMatch::kNothing) ++seen_pictures;
     if (match != LandmarkMatch::kMatched) continue;

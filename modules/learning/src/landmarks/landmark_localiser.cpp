@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
 #include "landmarks/landmark_view.hpp"
 
@@ -42,6 +43,7 @@ void LandmarkLocaliserParams::describe(FieldList& fields) {
   fields.flag("polarity", polarity,
               "a line that is brighter on its right is never taken for one that is brighter left");
   fields.flag("covariance", covariance, "errors along and across the line of sight are kept apart");
+  fields.flag("heading_by_walls", heading_by_walls, "floor edges along the walls tell the heading, too");
 }
 
 /// A runner-up on the flank of the best peak is refined to the same place: it is no hypothesis of its own.
@@ -60,17 +62,37 @@ void LandmarkLocaliser::predict(const OdometryReading& reading) {
   filter_.predict(reading);
   const Pose2 moved = between(before, filter_.pose());
   since_here_m_ += moved.position().norm();
+  compass_.move(moved.position().norm());
   since_here_rad_ += std::abs(moved.theta);
   if (since_here_m_ >= kStanding_m || since_here_rad_ >= kStanding_rad) taken_in_here_ = 0;
 }
 
 void LandmarkLocaliser::place(const UncertainPose2& T_map_vehicle) {
   filter_.place(T_map_vehicle);
+  compass_.start();
   taken_in_here_ = 0;
 }
 
-LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map,
-                                         std::span<const LandmarkSighting> sightings) {
+void LandmarkLocaliser::correct_heading(const HeadingMeasurement& measured) {
+  const double off_rad = wrap_angle(measured.heading_rad - filter_.pose().theta);
+  filter_.correct(off_rad, Vec3::UnitZ(), measured.sigma_rad);
+}
+
+LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+                                         std::span<const SensedSegment> floor_edges) {
+  const LandmarkMatch found = correct_by_landmarks(map, sightings);
+  if (!params_.heading_by_walls || floor_edges.empty()) return found;
+  compass_.look(floor_edges, filter_.pose().theta, std::sqrt(filter_.covariance()(2, 2)));
+  if (found == LandmarkMatch::kMatched) {
+    compass_.learn();
+  } else if (const auto heading = compass_.heading(); heading && found != LandmarkMatch::kUnmatched) {
+    correct_heading(*heading);
+  }
+  return found;
+}
+
+LandmarkMatch LandmarkLocaliser::correct_by_landmarks(const LandmarkMap& map,
+                                                      std::span<const LandmarkSighting> sightings) {
   pairs_.clear();
   matched_share_ = 0;
   agreement_ = 0;

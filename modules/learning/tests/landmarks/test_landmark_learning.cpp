@@ -148,6 +148,65 @@ TEST(LearnLandmarks, MovingAllPosesAndLandmarksTogetherMakesTheTripBetter) {
   EXPECT_LT(adjusted_m, 0.8 * plain_m);
 }
 
+/// Drives 12 m along the bare walls of a corridor, which from 4 m on runs `bend_rad` to the left, with wheels
+/// that slip where no line is seen: half a degree a metre.
+CorridorTrip trip_along_bare_walls(double bend_rad) {
+  constexpr double kStep_m = 0.04, kBend_m = 4, kSlipPer_m = 0.5 * kDegree;
+  Random random(3);
+  const std::vector<CorridorLine> lines = corridor_lines(5, random);
+  CorridorTrip trip;
+  Pose2 T_map_vehicle;
+  for (double way_m = 0; way_m < 12; way_m += kStep_m) {
+    const double turn_rad = std::abs(way_m - kBend_m) < 0.4 ? bend_rad * kStep_m / 0.8 : 0;
+    const double wheelbase_m = corridor_cart().front_steered.wheelbase_m;
+    const double slip_per_m = way_m > 5 ? kSlipPer_m : 0;
+    const double steering_rad = std::atan(wheelbase_m * (turn_rad / kStep_m + slip_per_m));
+    LandmarkCycle cycle{.stamp_s = way_m / 0.4,
+                        .odometry = FrontSteeredMotion{kStep_m / std::cos(steering_rad), steering_rad},
+                        .sightings = {},
+                        .floor_edges = {}};
+    if (way_m == 0) {
+      cycle.odometry = FrontSteeredMotion{0, 0};
+    } else {
+      T_map_vehicle = T_map_vehicle * end_pose({kStep_m, turn_rad});
+    }
+    cycle.sightings = sightings_from(lines, T_map_vehicle, {}, &random);
+    const double walls_rad = way_m < kBend_m ? 0 : bend_rad;
+    for (const double along_rad : {walls_rad, walls_rad + kPi}) {
+      SensedSegment edge;
+      edge.heading_rad = wrap_angle(along_rad - T_map_vehicle.theta + random.normal(0.3 * kDegree));
+      edge.length_m = 2;
+      edge.sigma_heading_rad = 0.3 * kDegree;
+      cycle.floor_edges.push_back(edge);
+    }
+    trip.cycles.push_back(std::move(cycle));
+    trip.T_map_vehicle.push_back(T_map_vehicle);
+  }
+  return trip;
+}
+
+double end_error_m(const CorridorTrip& trip, const LandmarkLearningParams& params) {
+  const LearnedTrip learned = learn_landmarks(trip.cycles, corridor_cart(), params);
+  return (learned.T_map_vehicle.back().position() - trip.T_map_vehicle.back().position()).norm();
+}
+
+LandmarkLearningParams without_walls() {
+  LandmarkLearningParams params;
+  params.localiser.heading_by_walls = false;
+  return params;
+}
+
+TEST(LearnLandmarks, WhereNoLineIsSeenTheWallsKeepTheMapStraight) {
+  const CorridorTrip trip = trip_along_bare_walls(0);
+  EXPECT_LT(end_error_m(trip, {}), 0.06);
+  EXPECT_GT(end_error_m(trip, without_walls()), 0.15);
+}
+
+TEST(LearnLandmarks, AnObliqueCorridorIsNotTakenForAStraightOne) {
+  const CorridorTrip trip = trip_along_bare_walls(30 * kDegree);
+  EXPECT_LT(end_error_m(trip, {}), end_error_m(trip, without_walls()));
+}
+
 TEST(LearnLandmarks, AnEmptyTripAndABlindOneLearnNothing) {
   EXPECT_TRUE(learn_landmarks({}, corridor_cart(), {}).map.empty());
   std::vector<LandmarkCycle> blind(5);

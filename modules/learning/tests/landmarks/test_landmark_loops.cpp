@@ -64,7 +64,8 @@ CorridorTrip trip_round(const Ring& ring, const SightNoise& noise, Random& rando
       const double steering_rad = std::atan(wheelbase_m * (curvature_per_m + kTurnPer_m));
       LandmarkCycle cycle{.stamp_s = 0.2 * static_cast<double>(trip.cycles.size()),
                           .odometry = FrontSteeredMotion{kStep_m / std::cos(steering_rad), steering_rad},
-                          .sightings = {}};
+                          .sightings = {},
+                          .floor_edges = {}};
       T_ring_vehicle = T_ring_vehicle * end_pose({kStep_m, curvature_per_m * kStep_m});
       cycle.sightings =
           sightings_from(ring.seen_from(T_ring_vehicle.position()), T_ring_vehicle, noise, &random);

@@ -117,6 +117,7 @@ class LandmarkNavigator final : public Navigator {
   ContinuityWatch continuity_;
   ExpectationWatch expectations_;
   std::vector<LandmarkSighting> sightings_;
+  std::vector<SensedSegment> edges_on_floor_;
   State state_ = State::kLooking;
   State interrupted_ = State::kFollowing;  ///< by the last doubt
   std::string why_lost_;

@@ -25,6 +25,7 @@ struct LandmarkCycle {
   double stamp_s = 0;
   OdometryReading odometry;                 ///< since the cycle before
   std::vector<LandmarkSighting> sightings;  ///< of its picture, if it has one
+  std::vector<SensedSegment> floor_edges;   ///< likewise, in base_link
 };
 
 /// Two landmarks as one at their weighted centroid (C98 eq. (17)), with the covariance of the surer one.

@@ -8,6 +8,7 @@
 #include "aisle/core/parameters.hpp"
 #include "aisle/learning/landmarks/landmark_patterns.hpp"
 #include "aisle/learning/pose_filter.hpp"
+#include "aisle/learning/walls/wall_compass.hpp"
 
 namespace aisle {
 
@@ -28,6 +29,7 @@ struct LandmarkLocaliserParams {
   int pairs_min = 2;
   bool polarity = true;
   bool covariance = true;
+  bool heading_by_walls = true;
 
   void describe(FieldList& fields);
 };
@@ -59,7 +61,14 @@ class LandmarkLocaliser {
   /// uncertainty leaves open (MWGHT), pairs sightings with landmarks there, and lets the filter take the
   /// pairs in. Costs the same whatever the size of the map. The second picture from one place has the errors
   /// of the first: a vehicle that stands does not become surer and surer.
-  LandmarkMatch correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
+  /// @param floor_edges  of the same picture, in base_link. A match tells which way these run on the map;
+  /// where
+  ///                     nothing known is seen, they tell the heading.
+  LandmarkMatch correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+                        std::span<const SensedSegment> floor_edges = {});
+
+  /// The heading as something else than landmarks tells it; not believed if it is too far off.
+  void correct_heading(const HeadingMeasurement& measured);
 
   void place(const UncertainPose2& T_map_vehicle);
 
@@ -75,6 +84,7 @@ class LandmarkLocaliser {
   static constexpr double kPairEvidence = 3;
 
  private:
+  LandmarkMatch correct_by_landmarks(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
   bool has_matched() const;
   bool is_believable(const Pose2& T_map_guess) const;
   LandmarkMatch without_match(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
@@ -86,6 +96,7 @@ class LandmarkLocaliser {
 
   LandmarkLocaliserParams params_;
   PoseFilter filter_;
+  WallCompass compass_;
   Mwght mwght_;
   LandmarkPatterns patterns_;  ///< of the last picture, in base_link as predicted
   std::vector<LandmarkPair> pairs_, first_pairs_;

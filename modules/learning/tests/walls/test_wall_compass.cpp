@@ -1,0 +1,100 @@
+#include "aisle/learning/walls/wall_compass.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "aisle/core/angle.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kSure_rad = 0.1 * kDegree, kUnsure_rad = 2 * kDegree;
+
+SensedSegment edge(double heading_rad) {
+  SensedSegment edge;
+  edge.heading_rad = wrap_angle(heading_rad);
+  edge.length_m = 2;
+  edge.sigma_heading_rad = 0.3 * kDegree;
+  return edge;
+}
+
+/// Both sides of a corridor that runs so on the map, and its end.
+std::vector<SensedSegment> corridor(double walls_rad, double heading_rad) {
+  return {edge(walls_rad - heading_rad), edge(walls_rad - heading_rad + kPi),
+          edge(walls_rad - heading_rad + kPi / 2)};
+}
+
+/// A compass that saw so many pictures of such a corridor.
+WallCompass compass_in(double walls_rad, int pictures = 20) {
+  WallCompass compass;
+  for (int i = 0; i < pictures; ++i) {
+    compass.look(corridor(walls_rad, 0.3), 0.3, kSure_rad);
+    compass.learn();
+  }
+  return compass;
+}
+
+TEST(WallCompass, TellsTheHeadingByWallsThatWereSeenWhereItWasKnown) {
+  for (const double walls_rad : {-0.7, 0.0, 0.4, 3.1}) {
+    WallCompass compass = compass_in(walls_rad);
+    for (const double heading_rad : {0.3, 0.3 + kPi / 2, -3.0}) {
+      compass.look(corridor(walls_rad, heading_rad), heading_rad + 3 * kDegree, kUnsure_rad);
+      ASSERT_TRUE(compass.heading()) << walls_rad;
+      EXPECT_NEAR(wrap_angle(compass.heading()->heading_rad - heading_rad), 0, 0.1 * kDegree) << walls_rad;
+    }
+  }
+}
+
+TEST(WallCompass, TellsNothingToWhomIsSurer) {
+  WallCompass compass = compass_in(0);
+  compass.look(corridor(0, 0), 0, kUnsure_rad);
+  EXPECT_TRUE(compass.heading());
+  compass.look(corridor(0, 0), 0, 0.05 * kDegree);
+  EXPECT_FALSE(compass.heading());
+  compass.look({}, 0, kUnsure_rad);
+  EXPECT_FALSE(compass.heading()) << "no wall in view";
+}
+
+TEST(WallCompass, ALongWayMakesItLessSure) {
+  WallCompass compass = compass_in(0);
+  compass.look(corridor(0, 0), 0, kUnsure_rad);
+  const double before_rad = compass.heading()->sigma_rad;
+  compass.move(50);
+  compass.look(corridor(0, 0), 0, kUnsure_rad);
+  EXPECT_GT(compass.heading()->sigma_rad, before_rad);
+}
+
+TEST(WallCompass, AnOpenDoorHardlyTurnsIt) {
+  WallCompass compass = compass_in(0);
+  std::vector<SensedSegment> seen = corridor(0, 0);
+  seen.push_back(edge(20 * kDegree));
+  compass.look(seen, 0, kUnsure_rad);
+  ASSERT_TRUE(compass.heading());
+  EXPECT_NEAR(compass.heading()->heading_rad, 0, 0.3 * kDegree);
+}
+
+TEST(WallCompass, WallsThatRunOtherwiseForLongAreTakenForTheOnesAround) {
+  constexpr double kOblique_rad = 30 * kDegree;
+  WallCompass compass = compass_in(0);
+  compass.look(corridor(kOblique_rad, 0), 0, kUnsure_rad);
+  EXPECT_FALSE(compass.heading()) << "these are no walls that it knows";
+  for (int i = 0; i < 100; ++i) {
+    compass.look(corridor(kOblique_rad, 0), 0, kSure_rad);
+    compass.learn();
+  }
+  EXPECT_EQ(compass.starts(), 2);
+  compass.look(corridor(kOblique_rad, 0), 1 * kDegree, kUnsure_rad);
+  ASSERT_TRUE(compass.heading());
+  EXPECT_NEAR(compass.heading()->heading_rad, 0, 0.2 * kDegree);
+}
+
+TEST(WallCompass, AfterAStartNothingIsKnown) {
+  WallCompass compass = compass_in(0);
+  compass.start();
+  EXPECT_EQ(compass.starts(), 0);
+  EXPECT_FALSE(compass.heading());
+}
+
+}  // namespace
+}  // namespace aisle
