@@ -9,6 +9,7 @@
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/core/clock.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/formats/sessions/session_writer.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "landmarks/landmark_mission.hpp"
@@ -142,7 +143,7 @@ Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
   if (const Problems problems = close(*session); !problems.empty()) return problems;
   Outcome outcome = outcome_of(options, *mission, *result, clock.now_s() - begun_s);
   if (options.out.empty()) return outcome;
-  const std::filesystem::path picture = options.out / "driven.svg";
+  const std::filesystem::path picture = options.out / kDrivenPicture;
   if (Problems problems = write_whole_file(
           picture, trace_picture(mission->driver->building(), *result, "driven alone, simulated"));
       !problems.empty())

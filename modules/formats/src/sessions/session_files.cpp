@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "aisle/formats/sessions/session_writer.hpp"
 #include "aisle/formats/whole_file.hpp"
 
 namespace aisle {
@@ -34,11 +35,12 @@ Problems check_length(const sqlite::Database& database) {
            fmt::format("is cut off: it has {} of {} bytes", bytes, pages->integer(0))}};
 }
 
-/// What a session consists of, killed or not.
+/// What a session consists of, killed or not, and its picture.
 bool belongs_to_session(const fs::path& file) {
   const std::string name = file.filename().string();
-  return name == kMetadataName || name == std::string(kMetadataName) + ".part" || name.ends_with(".db3") ||
-         name.ends_with(".db3-wal") || name.ends_with(".db3-shm") || name.ends_with(".db3-journal");
+  return name == kDrivenPicture || name == kMetadataName || name == std::string(kMetadataName) + ".part" ||
+         name.ends_with(".db3") || name.ends_with(".db3-wal") || name.ends_with(".db3-shm") ||
+         name.ends_with(".db3-journal");
 }
 
 Result<std::vector<fs::path>> files_in(const fs::path& directory) {

@@ -205,6 +205,14 @@ TEST(SessionWriter, NeverOverwritesWithoutForce) {
   EXPECT_THAT(stamps_in(place / "drive"), IsEmpty());
 }
 
+TEST(SessionWriter, ATripsPictureIsReplacedWithItsSession) {
+  const SessionPlace place;
+  record_sample(place / "drive", 3);
+  std::ofstream(place / "drive" / kDrivenPicture) << "<svg/>";
+  EXPECT_EQ(refusal(place / "drive", true), "");
+  EXPECT_FALSE(fs::exists(place / "drive" / kDrivenPicture));
+}
+
 TEST(SessionWriter, NeverRemovesWhatIsNoSession) {
   const SessionPlace place;
   record_sample(place / "drive", 3);

@@ -208,7 +208,7 @@ void adjust_landmarks(std::span<const LandmarkCycle> cycles,
   }
   std::vector<double> walls_rad;
   for (const WallObservation& seen : walls) {
-    if (static_cast<std::size_t>(seen.walls) >= walls_rad.size())
+    while (walls_rad.size() <= static_cast<std::size_t>(seen.walls))
       walls_rad.push_back(T_map_vehicle[seen.cycle].theta - seen.against_walls.heading_rad);
   }
   for (const WallObservation& seen : walls) {

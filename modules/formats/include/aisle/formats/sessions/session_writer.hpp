@@ -9,6 +9,9 @@
 
 namespace aisle {
 
+/// The picture of a trip that may lie beside its session, and is replaced with it.
+inline constexpr std::string_view kDrivenPicture = "driven.svg";
+
 /// A session while it is recorded: a ROS 2 bag in rosbag2's SQLite layout, docs/formats/session.md.
 ///
 /// The same messages give the same bytes. Messages are kept in transactions of less than a second by their
