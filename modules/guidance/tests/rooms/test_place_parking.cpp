@@ -23,7 +23,7 @@ Pose2 moved(const Pose2& T_map_vehicle, double speed_mps, double steering_rad) {
 
 TEST(PlaceParking, WhoStandsWellHasParked) {
   PlaceParking place = parking();
-  EXPECT_EQ(place.settle(kEnd * Pose2{0, 0.04, 2 * kDegree}, false).status, NavigatorStatus::kDone);
+  EXPECT_EQ(place.settle(kEnd * Pose2{0, 0.04, 1 * kDegree}, false).status, NavigatorStatus::kDone);
   EXPECT_EQ(place.tries(), 1);
 }
 
