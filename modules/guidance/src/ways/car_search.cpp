@@ -231,9 +231,14 @@ void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance
   const std::uint64_t bin = bin_of(T_map);
   const auto there = bins_.find(bin);
   if (there != bins_.end() && nodes_[there->second].closed) return;
+  const auto cost_with = [&](double spare_m) {
+    return nodes_[from].cost_m + cost_of(arc, nodes_[from].arc, is_begin(from), spare_m);
+  };
+  const double cost_least_m = cost_with(params_.spare_wanted_m);
+  if (there != bins_.end() && nodes_[there->second].cost_m <= cost_least_m) return;
   const auto spare_m = least_spare_m(floor, clearance, nodes_[from].T_map, T_from_passed);
   if (!spare_m) return;
-  const double cost_m = nodes_[from].cost_m + cost_of(arc, nodes_[from].arc, is_begin(from), *spare_m);
+  const double cost_m = cost_with(*spare_m);
   std::size_t node = nodes_.size();
   if (there != bins_.end()) {
     node = there->second;
