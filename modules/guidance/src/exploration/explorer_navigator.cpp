@@ -157,10 +157,12 @@ void ExplorerNavigator::begin_search() {
   const Path& path = driver_.path();
   const Pose2 T_map_from = path.empty() ? learner_.T_map_vehicle() : path.at(path.length_m()).T_map_path;
   target_search_.look_for(*target_, T_map_from, tries_, may_end_at_home(T_map_from));
+  const bool is_path = target_->kind == ExploringTarget::Kind::kPath;
   if (target_search_.leads_home() && driver_.has_way()) {
     search_.stop();
     is_search_due_ = stands_first_ = true;
   }
+  if (is_path && !target_->gate.is_nook && !driver_.has_way()) target_search_.search_from_ends_too(tries_);
   const double since_blocked_m = (T_map_from.position() - p_map_blocked_).norm();
   if (since_blocked_m < kSameSpot_m) search_.forbid_first(blocked_direction_);
   keep_off_struck();
@@ -222,7 +224,7 @@ void ExplorerNavigator::find_no_way() {
   const bool shut_in = is_shut_in();
   if (is_wedged_) tries_.failures = std::max(tries_.failures, 1);
   if ((shut_in && tries_.failures > 0 && retreat()) || is_wedged_) return;
-  is_out_of_reach_ = is_out_of_reach_ || (search_.has_tried_all() && !shut_in);
+  is_out_of_reach_ = is_out_of_reach_ || is_target_shut_off() || (search_.has_tried_all() && !shut_in);
   const bool is_last_try = target_->gate.is_nook ? tries_.failures > 0 : tries_.look_from_afar();
   ++tries_.failures;
   if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
@@ -233,6 +235,12 @@ void ExplorerNavigator::find_no_way() {
 bool ExplorerNavigator::is_shut_in() const {
   return search_.has_tried_all() &&
          !search_.has_come_to(learner_.T_map_home().position(), HomeSearch::kNear_m);
+}
+
+/// Not even squeezing does the vehicle get out of where the target would show, to home or to where it stands.
+bool ExplorerNavigator::is_target_shut_off() const {
+  return tries_.failures > 0 &&
+         search_.is_shut_off_from(learner_.T_map_home().position(), HomeSearch::kNear_m);
 }
 
 /// Back as it came, and then it searches again.

@@ -1,5 +1,7 @@
 #include "aisle/guidance/exploration/target_search.hpp"
 
+#include <cmath>
+
 #include "aisle/guidance/exploration/gate_view.hpp"
 
 namespace aisle {
@@ -40,6 +42,15 @@ void TargetSearch::look_into_gate(const Pose2& T_map_from, const TargetTries& tr
   search_.look_for(learner_.floor(), learner_.clearance(), T_map_from,
                    gate_.is_nook ? learner_.floor().centre(gate_.stand) : gate_.p_map,
                    gate_.is_nook ? kAboutStand_m : reach_m + front_m_, shows_path);
+}
+
+/// Poses that show some of the rim stand about it.
+void TargetSearch::search_from_ends_too(const TargetTries& tries) {
+  FloorBox places;
+  for (const Vec2& p_map : gate_.rim) places.include(learner_.floor().cell_at(p_map));
+  const double beside_m = look_from_m(tries) + front_m_;
+  search_.search_from_ends_too(
+      places.widened(static_cast<int>(std::ceil(beside_m / learner_.floor().cell_m()))));
 }
 
 void TargetSearch::look_for_crossing(const Vec2& p_map_crossing, const Pose2& T_map_from) {

@@ -18,6 +18,8 @@ constexpr double kLeave_m = 2;     // so far about its start a vehicle may go wh
 constexpr double kTightCost = 4;   // of way with less room than the margin, on the way out of a narrow place
 constexpr double kLeastMargin_m = 0.03;  // ... or has so much room around its footprint
 constexpr double kSharpShare = 0.97;     // of the wheels' range, where it squeezes through
+constexpr double kEndsEvery_m = 0.05;    // ends are tried, in as many headings as poses are told apart in
+constexpr int kPlaceExpansions = 4;      // what it takes to try a place for them
 
 /// What a vehicle can do in one step.
 std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_share) {
@@ -40,6 +42,13 @@ std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_shar
 
 bool changes_direction(const Arc& a, const Arc& b) {
   return a.length_m * b.length_m <= 0;
+}
+
+CarSearch::IsGoal is_near(const Pose2& T_map_vehicle) {
+  return [T_map_vehicle](const Pose2& T_map) {
+    return (T_map.position() - T_map_vehicle.position()).norm() < kNear_m &&
+           std::abs(wrap_angle(T_map.theta - T_map_vehicle.theta)) < kNear_rad;
+  };
 }
 
 /// Joins pieces of one bend.
@@ -101,20 +110,29 @@ void CarSearch::look_for(const Pose2& T_map_vehicle, IsGoal is_goal,
   left_m_ = std::move(left_m);
   from_the_end_ = false;
   begin(T_map_vehicle);
+  begin_at(T_map_vehicle);
 }
 
 void CarSearch::look_for_way_to(const Pose2& T_map_goal, const Pose2& T_map_vehicle,
                                 std::function<double(const Vec2&)> left_m) {
-  is_goal_ = [T_map_vehicle](const Pose2& T_map) {
-    return (T_map.position() - T_map_vehicle.position()).norm() < kNear_m &&
-           std::abs(wrap_angle(T_map.theta - T_map_vehicle.theta)) < kNear_rad;
-  };
+  is_goal_ = is_near(T_map_vehicle);
   left_m_ = std::move(left_m);
   from_the_end_ = true;
   begin(T_map_goal);
+  begin_at(T_map_goal);
 }
 
-void CarSearch::begin(const Pose2& T_map_start) {
+void CarSearch::look_for_way_to_any(IsGoal is_good, const FloorBox& places, const Pose2& T_map_vehicle,
+                                    std::function<double(const Vec2&)> left_m) {
+  is_goal_ = is_near(T_map_vehicle);
+  left_m_ = std::move(left_m);
+  from_the_end_ = true;
+  begin(T_map_vehicle);
+  is_end_ = std::move(is_good);
+  ends_ = places;
+}
+
+void CarSearch::begin(const Pose2& T_map_leave) {
   nodes_.clear();
   bins_.clear();
   queue_.clear();
@@ -123,14 +141,50 @@ void CarSearch::begin(const Pose2& T_map_start) {
   forbidden_first_ = 0;
   squeezes_ = false;
   is_free_ = nullptr;
-  nodes_.push_back({.T_map = T_map_start, .arc = {}});
-  bins_[bin_of(T_map_start)] = 0;
-  queue_.push_back({0, 0});
+  ends_ = {};
+  T_map_leave_ = T_map_leave;
   state_ = State::kSearching;
 }
 
+void CarSearch::begin_at(const Pose2& T_map) {
+  const std::size_t node = nodes_.size();
+  nodes_.push_back({.T_map = T_map, .parent = node, .arc = {}});
+  bins_[bin_of(T_map)] = node;
+  queue_.push_back({params_.haste * left_m_(T_map.position()), node});
+  std::push_heap(queue_.begin(), queue_.end());
+}
+
+/// @return what was used up of the portion
+int CarSearch::gather_ends(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
+  const int every = std::max(1, static_cast<int>(kEndsEvery_m / floor.cell_m()));
+  int used = 0;
+  for (; has_ends_left() && used < expansions; ends_.low.y += every) {
+    for (FloorCell cell = ends_.low; cell.x < ends_.end.x; cell.x += every) {
+      if (clearance.to_doubtful_m(cell) <= 0) continue;
+      gather_ends_at(floor, clearance, floor.centre(cell));
+      used += kPlaceExpansions;
+    }
+  }
+  return used;
+}
+
+void CarSearch::gather_ends_at(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map) {
+  constexpr Pose2 kThere[] = {{}};
+  for (int heading = 0; heading < kHeadings; ++heading) {
+    const Pose2 T_map{p_map.x(), p_map.y(), (heading + 0.5) / kHeadings * 2 * kPi - kPi};
+    if (bins_.contains(bin_of(T_map)) || !least_spare_m(floor, clearance, T_map, kThere)) continue;
+    if (is_end_(T_map)) begin_at(T_map);
+  }
+}
+
+bool CarSearch::is_found(const Node& node) const {
+  const bool begins_forbidden = from_the_end_ && node.arc.length_m * forbidden_first_ > 0;
+  return !begins_forbidden && is_goal_(node.T_map);
+}
+
 CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
-  start_spare_m_ = room_.standing_spare_m(floor, clearance, nodes_.front().T_map);
+  leave_spare_m_ = room_.standing_spare_m(floor, clearance, T_map_leave_);
+  expansions -= gather_ends(floor, clearance, expansions);
   for (int i = 0; i < expansions && state_ == State::kSearching; ++i) {
     if (queue_.empty() || expansions_ >= params_.expansions_max) {
       state_ = State::kNone;
@@ -142,9 +196,8 @@ CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance
     if (nodes_[node].closed) continue;
     nodes_[node].closed = true;
     ++expansions_;
-    const Vec2 p_map_start = nodes_.front().T_map.position();
-    reached_m_ = std::max(reached_m_, (nodes_[node].T_map.position() - p_map_start).norm());
-    if (is_goal_(nodes_[node].T_map)) {
+    reached_m_ = std::max(reached_m_, (nodes_[node].T_map.position() - T_map_leave_.position()).norm());
+    if (is_found(nodes_[node])) {
       found_ = node;
       state_ = State::kFound;
       break;
@@ -160,6 +213,11 @@ bool CarSearch::has_come_to(const Vec2& p_map, double within_m) const {
   });
 }
 
+bool CarSearch::meets(const CarSearch& other) const {
+  return std::any_of(bins_.begin(), bins_.end(),
+                     [&](const auto& bin) { return other.bins_.contains(bin.first); });
+}
+
 void CarSearch::expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node) {
   for (const Move& move : squeezes_ ? sharp_moves_ : moves_) try_move(floor, clearance, node, move);
 }
@@ -167,15 +225,20 @@ void CarSearch::expand(const FloorGrid& floor, const FloorClearance& clearance, 
 void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from,
                          const Move& move) {
   const Arc& arc = move.arc;
-  if (from == 0 && arc.length_m * forbidden_first_ > 0) return;
+  if (!from_the_end_ && is_begin(from) && arc.length_m * forbidden_first_ > 0) return;
   const std::vector<Pose2>& T_from_passed = from_the_end_ ? move.T_to_driven : move.T_from_driven;
   const Pose2 T_map = nodes_[from].T_map * T_from_passed.front();
   const std::uint64_t bin = bin_of(T_map);
   const auto there = bins_.find(bin);
   if (there != bins_.end() && nodes_[there->second].closed) return;
+  const auto cost_with = [&](double spare_m) {
+    return nodes_[from].cost_m + cost_of(arc, nodes_[from].arc, is_begin(from), spare_m);
+  };
+  const double cost_least_m = cost_with(params_.spare_wanted_m);
+  if (there != bins_.end() && nodes_[there->second].cost_m <= cost_least_m) return;
   const auto spare_m = least_spare_m(floor, clearance, nodes_[from].T_map, T_from_passed);
   if (!spare_m) return;
-  const double cost_m = nodes_[from].cost_m + cost_of(arc, nodes_[from].arc, from == 0, *spare_m);
+  const double cost_m = cost_with(*spare_m);
   std::size_t node = nodes_.size();
   if (there != bins_.end()) {
     node = there->second;
@@ -194,7 +257,7 @@ void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance
 std::optional<double> CarSearch::least_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
                                                const Pose2& T_map_from,
                                                std::span<const Pose2> T_from_passed) const {
-  const bool is_leaving = (T_map_from.position() - nodes_.front().T_map.position()).norm() < kLeave_m;
+  const bool is_leaving = (T_map_from.position() - T_map_leave_.position()).norm() < kLeave_m;
   const double least_spare_m = is_leaving || squeezes_ ? kLeastMargin_m - params_.margin_m : 0;
   double least_m = clearance.far_m();
   for (const Pose2& T_from : T_from_passed) {
@@ -202,7 +265,7 @@ std::optional<double> CarSearch::least_spare_m(const FloorGrid& floor, const Flo
     const double spare_m = room_.spare_m(floor, clearance, T_map);
     const bool fits =
         spare_m >= std::min(0.0, least_spare_m) ||
-        (is_leaving && room_.fits_barely(floor, clearance, T_map, start_spare_m_ - kRoomNoise_m));
+        (is_leaving && room_.fits_barely(floor, clearance, T_map, leave_spare_m_ - kRoomNoise_m));
     if (!fits || (is_free_ && !is_free_(T_map))) return std::nullopt;
     least_m = std::min(least_m, spare_m);
   }
@@ -230,11 +293,12 @@ std::uint64_t CarSearch::bin_of(const Pose2& T_map) const {
 
 Path CarSearch::path() const {
   std::vector<std::size_t> chain;
-  for (std::size_t node = found_; node != 0; node = nodes_[node].parent) chain.push_back(node);
+  std::size_t node = found_;
+  for (; !is_begin(node); node = nodes_[node].parent) chain.push_back(node);
   if (!from_the_end_) std::reverse(chain.begin(), chain.end());
   std::vector<PathPiece> pieces;
-  const Pose2& T_map_start = nodes_[from_the_end_ ? found_ : 0].T_map;
-  for (const std::size_t node : chain) append(pieces, T_map_start, nodes_[node].arc);
+  const Pose2& T_map_start = nodes_[from_the_end_ ? found_ : node].T_map;
+  for (const std::size_t driven : chain) append(pieces, T_map_start, nodes_[driven].arc);
   return Path(std::move(pieces));
 }
 

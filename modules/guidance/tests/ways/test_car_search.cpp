@@ -98,6 +98,31 @@ TEST(CarSearch, EndsExactlyAtAPose) {
   expect_drivable(path, known, cart());
 }
 
+TEST(CarSearch, EndsAtAnyOfThePosesThatAreGoodEnough) {
+  const KnownFloor known({{Vec2(0, 0), Vec2(10, 5)}});
+  CarSearch search({}, cart());
+  const auto is_good = [](const Pose2& T) { return T.x < 3 && std::abs(wrap_angle(T.theta - kPi)) < 0.2; };
+  const Pose2 T_map_vehicle{8, 3, 1};
+  const FloorBox places{known.floor.cell_at({1, 1}), known.floor.cell_at({5, 4})};
+  search.look_for_way_to_any(is_good, places, T_map_vehicle,
+                             [&](const Vec2& p) { return (p - T_map_vehicle.position()).norm(); });
+  ASSERT_EQ(run(known, search), CarSearch::State::kFound);
+  const Path path = search.path();
+  EXPECT_TRUE(is_good(path.at(path.length_m()).T_map_path));
+  EXPECT_LT((path.at(0).T_map_path.position() - T_map_vehicle.position()).norm(), 0.13);
+  expect_drivable(path, known, cart());
+}
+
+TEST(CarSearch, TriesFewPosesWhereAllThatAreGoodEnoughAreShutOff) {
+  const KnownFloor hall_and_closet({{Vec2(0, 0), Vec2(20, 20)}, {Vec2(22, 0), Vec2(24, 2)}});
+  CarSearch search({}, cart());
+  const auto in_the_closet = [](const Pose2& T) { return T.x > 22; };
+  search.look_for_way_to_any(in_the_closet, hall_and_closet.floor.known(), {5, 5, 0}, no_guide);
+  EXPECT_EQ(run(hall_and_closet, search), CarSearch::State::kNone);
+  EXPECT_TRUE(search.has_tried_all());
+  EXPECT_LT(search.expansions(), 5000);
+}
+
 TEST(CarSearch, SqueezesThroughWhereToldTo) {
   const KnownFloor room_off_corridor(
       {{Vec2(0, 0), Vec2(8, 1.25)}, {Vec2(4, 1.25), Vec2(4.85, 1.45)}, {Vec2(2.5, 1.45), Vec2(6.5, 4.5)}});

@@ -65,5 +65,54 @@ TEST(StagedSearch, FindsNoWayOutOfARoomThatIsClosed) {
   EXPECT_EQ(search.advance(known.floor, known.clearance, 1000000), CarSearch::State::kNone);
 }
 
+/// A hall with more poses than are ever tried, and off it a dead end. Beside that is a room, whose door opens
+/// near its end: from a corridor 1.35 m wide the vehicle can hardly swing in, from one of 1 m it cannot.
+struct HallAndRoom {
+  explicit HallAndRoom(double corridor_m)
+      : known({{Vec2(0, 0), Vec2(20, 20)},
+               {Vec2(-7, 5.35 - corridor_m), Vec2(0, 5.35)},
+               {Vec2(-6.75, 5.35), Vec2(-5.8, 5.5)},
+               {Vec2(-7, 5.5), Vec2(-3, 8)}}) {
+    search.look_for(known.floor, known.clearance, {5, 5, 0}, {-5, 7}, 0, is_in_the_room);
+  }
+
+  void search_from_ends_too() {
+    search.search_from_ends_too({known.floor.cell_at({-8, 4}), known.floor.cell_at({-2, 9})});
+  }
+  CarSearch::State search_in_portions() {
+    while (search.advance(known.floor, known.clearance, 1500) == CarSearch::State::kSearching) continue;
+    return search.state();
+  }
+
+  static bool is_in_the_room(const Pose2& T) { return T.x < 0 && T.y > 6.5; }
+
+  KnownFloor known;
+  StagedSearch search{{.stage_m = 100, .expansions_max = 40000}, cart()};
+};
+
+TEST(StagedSearch, FindsFromItsEndsWhatIsHardToSwingInto) {
+  HallAndRoom one_way(1.35);
+  EXPECT_EQ(one_way.search_in_portions(), CarSearch::State::kNone);
+  HallAndRoom both_ways(1.35);
+  both_ways.search_from_ends_too();
+  ASSERT_EQ(both_ways.search_in_portions(), CarSearch::State::kFound);
+  const Path path = both_ways.search.path();
+  EXPECT_TRUE(HallAndRoom::is_in_the_room(path.at(path.length_m()).T_map_path));
+  EXPECT_LT((path.at(0).T_map_path.position() - Vec2(5, 5)).norm(), 0.13);
+}
+
+TEST(StagedSearch, KnowsFromItsEndsThatNoWayLeadsThere) {
+  const Vec2 p_map_home(18, 18);
+  HallAndRoom one_way(1);
+  EXPECT_EQ(one_way.search_in_portions(), CarSearch::State::kNone);
+  EXPECT_FALSE(one_way.search.has_tried_all());
+  EXPECT_FALSE(one_way.search.is_shut_off_from(p_map_home, 1));
+  HallAndRoom both_ways(1);
+  both_ways.search_from_ends_too();
+  EXPECT_EQ(both_ways.search_in_portions(), CarSearch::State::kNone);
+  EXPECT_TRUE(both_ways.search.is_shut_off_from(p_map_home, 1));
+  EXPECT_FALSE(both_ways.search.is_shut_off_from({-5, 7}, 1));
+}
+
 }  // namespace
 }  // namespace aisle

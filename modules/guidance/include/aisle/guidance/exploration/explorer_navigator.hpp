@@ -62,6 +62,7 @@ class ExplorerNavigator final : public Navigator {
   bool was_worth_it() const;
   void find_no_way();
   bool is_shut_in() const;
+  bool is_target_shut_off() const;
   bool retreat();
   void hitch();
   void leave_path();

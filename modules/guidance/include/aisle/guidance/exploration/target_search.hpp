@@ -37,6 +37,8 @@ class TargetSearch {
   /// Begins to look for a way from a pose. A way home ends exactly there, or near it.
   void look_for(const ExploringTarget& target, const Pose2& T_map_from, const TargetTries& tries,
                 bool exactly_home);
+  /// Of the search for a gate that was begun; see StagedSearch.
+  void search_from_ends_too(const TargetTries& tries);
   /// The gate that is looked for, as it is seen by now.
   void see(const Gate& gate) { gate_ = gate; }
 

@@ -49,6 +49,12 @@ class CarSearch {
   void look_for_way_to(const Pose2& T_map_goal, const Pose2& T_map_vehicle,
                        std::function<double(const Vec2&)> left_m);
 
+  /// From about where the vehicle stands to any pose that is good enough and lies in a box: searched from all
+  /// of them at once. Where they are shut off from the vehicle, few poses are to be looked at to know that.
+  /// @param left_m  how far it is from the vehicle to a place, at least
+  void look_for_way_to_any(IsGoal is_good, const FloorBox& places, const Pose2& T_map_vehicle,
+                           std::function<double(const Vec2&)> left_m);
+
   /// Of the search that was begun: the way must not begin forwards (1) or backwards (-1), where something is
   /// in the way that the floor does not show.
   void forbid_first(int direction) { forbidden_first_ = direction; }
@@ -72,7 +78,9 @@ class CarSearch {
   Path path() const;
   int expansions() const { return expansions_; }
   /// There is nowhere else to look.
-  bool has_tried_all() const { return queue_.empty(); }
+  bool has_tried_all() const { return queue_.empty() && !has_ends_left(); }
+  /// Some pose has been come upon by both searches.
+  bool meets(const CarSearch& other) const;
   /// Some pose that was looked at lies so near to a place.
   bool has_come_to(const Vec2& p_map, double within_m) const;
   /// How far from its start the search has come, as the crow flies.
@@ -82,8 +90,8 @@ class CarSearch {
   struct Node {
     Pose2 T_map;
     double cost_m = 0;
-    std::size_t parent = 0;
-    Arc arc;  ///< as the vehicle drives it
+    std::size_t parent = 0;  ///< itself: the search began here
+    Arc arc;                 ///< as the vehicle drives it
     bool closed = false;
   };
   /// An arc, and the vehicle's poses on it that are looked at.
@@ -102,7 +110,13 @@ class CarSearch {
 
   static std::vector<Move> moves_of(const VehicleDescription& vehicle, double steering_share);
   static Move move_along(const Arc& arc);
-  void begin(const Pose2& T_map_start);
+  void begin(const Pose2& T_map_leave);
+  void begin_at(const Pose2& T_map);
+  bool is_begin(std::size_t node) const { return nodes_[node].parent == node; }
+  bool has_ends_left() const { return !ends_.empty(); }
+  int gather_ends(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
+  void gather_ends_at(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map);
+  bool is_found(const Node& node) const;
   void expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node);
   void try_move(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from, const Move& move);
   std::optional<double> least_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
@@ -117,10 +131,13 @@ class CarSearch {
   IsGoal is_goal_;
   std::function<double(const Vec2&)> left_m_;
   bool from_the_end_ = false;
+  IsGoal is_end_;      ///< of a search from any of its ends ...
+  FloorBox ends_;      ///< ... in which poses are still to be tried for that, row by row
+  Pose2 T_map_leave_;  ///< about which there may be little room
   State state_ = State::kIdle;
   int expansions_ = 0;
   double reached_m_ = 0;
-  double start_spare_m_ = 0;  ///< room where the search began
+  double leave_spare_m_ = 0;  ///< room there
   int forbidden_first_ = 0;
   bool squeezes_ = false;
   std::function<bool(const Pose2&)> is_free_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "aisle/exploration/floor_distances.hpp"
@@ -21,42 +22,60 @@ class StagedSearch {
   void look_for(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                 const Vec2& p_map_place, double about_m, CarSearch::IsGoal is_goal);
 
+  /// Of the search that look_for() began, before all else is told: what it does not find soon is searched
+  /// from its ends as well, which are all poses in a box that are good enough.
+  void search_from_ends_too(const FloorBox& places);
+
   /// Exactly to a pose; from where the vehicle stands, once it has come within a stage of it.
   void look_for_way_to(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_goal,
                        const Pose2& T_map_vehicle);
 
   /// See CarSearch; of the search that was begun.
-  void keep_to(std::function<bool(const Pose2& T_map_vehicle)> is_free) {
-    search_.keep_to(std::move(is_free));
-  }
-  void forbid_first(int direction) { search_.forbid_first(direction); }
-  void squeeze() { search_.squeeze(); }
-  CarSearch::State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
-    return search_.advance(floor, clearance, expansions);
-  }
-  void stop() { search_.stop(); }
+  void keep_to(const std::function<bool(const Pose2& T_map_vehicle)>& is_free);
+  void forbid_first(int direction);
+  void squeeze();
+  CarSearch::State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
+  void stop();
 
-  CarSearch::State state() const { return search_.state(); }
+  CarSearch::State state() const;
   const FootprintRoom& room() const { return search_.room(); }
-  Path path() const { return search_.path(); }
+  Path path() const { return is_found_from_ends() ? from_ends_.path() : search_.path(); }
   int expansions() const { return search_.expansions(); }
   double reached_m() const { return search_.reached_m(); }
   bool has_tried_all() const { return search_.has_tried_all(); }
   bool has_come_to(const Vec2& p_map, double within_m) const { return search_.has_come_to(p_map, within_m); }
+  /// All was tried from the ends: no way leads from any of them to where the vehicle stands, nor so near to a
+  /// place.
+  bool is_shut_off_from(const Vec2& p_map, double within_m) const {
+    return ends_are_shut_off_ && !from_ends_.has_come_to(p_map, within_m);
+  }
   /// What was found, or is searched, ends where a stage does.
-  bool is_stage() const { return is_stage_; }
+  bool is_stage() const { return is_stage_ && !is_found_from_ends(); }
 
  private:
-  double measure(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                 const Vec2& p_map_place);
-  double left_m(const Vec2& p_map) const;
+  /// Tells how far it is to a place.
+  struct Guide {
+    FloorDistances distances;
+    Vec2 p_map_place = Vec2::Zero();
+  };
+
+  double measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map_from,
+                 const Vec2& p_map_place, Guide& guide) const;
+  double left_m(const Guide& guide, const Vec2& p_map) const;
+  void begin(const FloorGrid& floor, const Pose2& T_map_vehicle);
+  bool is_turn_of_ends() const;
+  bool is_found_from_ends() const { return from_ends_.state() == CarSearch::State::kFound; }
 
   CarSearchParams params_;
   double half_width_m_;
   CarSearch search_;
-  FloorDistances distances_;
-  const FloorGrid* floor_ = nullptr;  ///< of `distances_`
-  Vec2 p_map_place_ = Vec2::Zero();   ///< what `distances_` are measured from
+  CarSearch from_ends_;
+  CarSearch::IsGoal is_goal_;
+  Pose2 T_map_vehicle_;
+  const FloorGrid* floor_ = nullptr;
+  Guide to_place_;
+  std::optional<Guide> to_vehicle_;  ///< of a search from its ends, since it was its turn
+  bool ends_are_shut_off_ = false;
   bool is_stage_ = false;
 };
 
