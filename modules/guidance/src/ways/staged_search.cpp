@@ -117,7 +117,7 @@ CarSearch::State StagedSearch::advance(const FloorGrid& floor, const FloorCleara
     return state();
   }
   if (!to_vehicle_)
-    measure(floor, clearance, to_place_.p_map_place, T_map_vehicle_.position(), to_vehicle_.emplace());
+    measure(floor, clearance, to_place_.p_map_place, T_map_vehicle_.position(), to_vehicle_.emplace(Guide{}));
   from_ends_.advance(floor, clearance, expansions);
   ends_are_shut_off_ = found_none_at_all(from_ends_) && !from_ends_.meets(search_);
   return state();
