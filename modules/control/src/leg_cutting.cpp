@@ -94,7 +94,7 @@ std::vector<Stretch> cut_leg(std::span<const Pose2> samples, double step_m, doub
       const bool is_whole = i == 0 && j + 1 == count;
       if (j == i || (j - i < kShortest && !is_whole)) continue;
       improve(cuts[j][kLine], {after_arc + step_m * sums.off_line_m2() + price_m3 / 2, i, kArc, 0});
-      if (j - i < kShortest) continue;
+      if (j - i < kShortest || best + price_m3 >= cuts[j][kArc].cost) continue;
       const PointSums::Circle circle = sums.circle();
       const double curvature_per_m = std::clamp(circle.curvature_per_m, -1 / radius_min_m, 1 / radius_min_m);
       const double turn_rad = std::abs(curvature_per_m) * static_cast<double>(j - i) * step_m;
