@@ -9,6 +9,7 @@ namespace aisle {
 struct RoomLook {
   double ambient_share = 1;
   double floor_contrast = 0;
+  double floor_gloss = 0;
   double like_floor_share = 0;
 
   void describe(FieldList& fields) {
@@ -16,6 +17,7 @@ struct RoomLook {
                 "of the light from everywhere: less makes shadows dark");
     fields.real("floor_contrast", floor_contrast, {0, 1},
                 "of the pattern on a carpet; 0: the world's own floor");
+    fields.real("floor_gloss", floor_gloss, {0, 1}, "of a polished floor; 0: the world's own");
     fields.real("like_floor_share", like_floor_share, {0, 1}, "furniture is so far as bright as the floor");
   }
 
@@ -25,6 +27,7 @@ struct RoomLook {
       world.floor.kind = FloorCovering::Kind::kCarpet;
       world.floor.contrast = floor_contrast;
     }
+    if (floor_gloss > 0) world.floor.gloss = floor_gloss;
     for (Furniture& piece : world.furniture)
       piece.brightness += like_floor_share * (world.floor.brightness - piece.brightness);
   }

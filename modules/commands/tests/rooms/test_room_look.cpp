@@ -24,10 +24,12 @@ TEST(RoomLook, LeavesTheWorldAsItIsUnlessAsked) {
 
 TEST(RoomLook, FurnitureComesNearTheFloorsBrightnessFromBothSides) {
   World world = furnished();
-  RoomLook{.ambient_share = 0.5, .floor_contrast = 0.3, .like_floor_share = 0.5}.apply(world);
+  RoomLook{.ambient_share = 0.5, .floor_contrast = 0.3, .floor_gloss = 0.6, .like_floor_share = 0.5}.apply(
+      world);
   EXPECT_DOUBLE_EQ(world.ambient_light, 0.2);
   EXPECT_EQ(world.floor.kind, FloorCovering::Kind::kCarpet);
   EXPECT_DOUBLE_EQ(world.floor.contrast, 0.3);
+  EXPECT_DOUBLE_EQ(world.floor.gloss, 0.6);
   EXPECT_DOUBLE_EQ(world.furniture[0].brightness, 0.4);
   EXPECT_DOUBLE_EQ(world.furniture[1].brightness, 0.7);
 }

@@ -100,7 +100,8 @@ WorldFields fields_of(Lamp& lamp) {
 
 WorldFields fields_of(FloorCovering& floor) {
   return {word("kind", floor.kind, kFloorKinds), number("tile_m", floor.tile_m, {0.01, 10}),
-          number("brightness", floor.brightness, kShare), number("contrast", floor.contrast, kShare)};
+          number("brightness", floor.brightness, kShare), number("contrast", floor.contrast, kShare),
+          number("gloss", floor.gloss, kShare)};
 }
 
 WorldFields fields_of(FloorPaper& paper) {

@@ -20,6 +20,8 @@ void FrameParkingParams::describe(FieldList& fields) {
   fields.real("gain", gain, {0.01, 1}, "how much one picture corrects where the frame is");
   fields.real("aside_max_m", aside_max_m, {0.001, 1}, "farther aside the vehicle tries again");
   fields.angle("turned_max_deg", turned_max_rad, {0.1, 45}, "turned more, it tries again");
+  fields.real("askew_m", askew_m, {0.001, 1}, "farther aside after the last try it has not parked");
+  fields.angle("askew_deg", askew_rad, {0.1, 45}, "turned more then, it has not parked");
   fields.real("judged_m", judged_m, {0, 5}, "so far before the end a hopeless approach is given up");
   fields.real("hopeless_m", hopeless_m, {0.001, 1}, "so far aside there is hopeless");
   fields.real("back_off_m", back_off_m, {0.2, 10}, "way back before it tries again");
@@ -100,16 +102,19 @@ Decision FrameParking::approach() {
 /// Ends, or backs off for another try.
 Decision FrameParking::settle() {
   const Pose2 off = FrameParking::off();
-  const bool is_good =
-      std::abs(off.y) <= params_.aside_max_m && std::abs(off.theta) <= params_.turned_max_rad;
-  if (is_good || tries_ >= params_.tries_max) {
-    return {.status = NavigatorStatus::kDone,
-            .state = "parked",
-            .why = fmt::format("{:.3f} m aside, {:.2f} degrees turned", off.y, to_degrees(off.theta))};
+  const auto is_within = [&](double aside_m, double turned_rad) {
+    return std::abs(off.y) <= aside_m && std::abs(off.theta) <= turned_rad;
+  };
+  const bool is_good = is_within(params_.aside_max_m, params_.turned_max_rad);
+  if (!is_good && tries_ < params_.tries_max) {
+    ++tries_;
+    is_backing_ = true;
+    return {.state = "backing off"};
   }
-  ++tries_;
-  is_backing_ = true;
-  return {.state = "backing off"};
+  const std::string why = fmt::format("{:.3f} m aside, {:.2f} degrees turned", off.y, to_degrees(off.theta));
+  if (is_good || is_within(params_.askew_m, params_.askew_rad))
+    return {.status = NavigatorStatus::kDone, .state = "parked", .why = why};
+  return {.status = NavigatorStatus::kFailed, .state = "askew", .why = "not parked: it stands " + why};
 }
 
 Decision FrameParking::back_off() {

@@ -70,5 +70,24 @@ TEST(FrameParking, DoesNotFollowWhatLooksLikeItAwayFromWhereItWasFirstSeen) {
   EXPECT_LT(between(kFrameAhead, *parking.frame()).position().norm(), tracked_m + 0.05);
 }
 
+/// At the end of its last try, so far aside of the frame's middle.
+Decision end_of_last_try(double aside_m) {
+  const VehicleDescription vehicle = frame_cart();
+  FrameParkingParams params;
+  params.tries_max = 1;
+  params.unseen_max_m = 5;
+  FrameParking parking(params, vehicle, kFrame_m);
+  parking.look(sight_of_frame(vehicle.cameras.front()), {}, kFrameAhead, 1);
+  const double ahead_m = (vehicle.footprint.front_m - vehicle.footprint.rear_m) / 2;
+  parking.look({}, {kFrameAhead.x - ahead_m, aside_m, 0}, kFrameAhead, 1);
+  return parking.step();
+}
+
+TEST(FrameParking, HasNotParkedIfItStandsAskewAfterTheLastTry) {
+  EXPECT_EQ(end_of_last_try(0.03).status, NavigatorStatus::kDone);
+  EXPECT_EQ(end_of_last_try(0.08).status, NavigatorStatus::kFailed);
+  EXPECT_EQ(end_of_last_try(0.08).state, "askew");
+}
+
 }  // namespace
 }  // namespace aisle

@@ -84,18 +84,31 @@ struct Exposure::View {
   const Viewpoint& from;
   std::vector<PixelOffset> samples;
   float share;
+  bool is_in_floor = false;  ///< what the floor mirrors
 };
 
 Exposure::Exposure(const RenderedWorld::Scene& scene, const LensTable& lens, const LightLevels& levels,
                    const LaserPlane& laser)
-    : scene_(scene), lens_(lens), levels_(levels), laser_(laser), light_(lens.blocks.size(), Floats{}) {}
+    : scene_(scene), lens_(lens), levels_(levels), laser_(laser), light_(lens.blocks.size(), Floats{}) {
+  if (scene.has_polished_floor()) mirrored_.resize(lens.blocks.size());
+}
 
 void Exposure::add(const Viewpoint& view, int samples, float share) {
-  const std::vector<SeenPanel> panels = scene_.seen_panels(view);
+  const std::vector<PixelOffset> offsets = sample_offsets(std::clamp(samples, 1, kSamplesMax));
+  std::fill(mirrored_.begin(), mirrored_.end(), Floats{});
+  look_from({view, offsets, share});
+  if (!mirrored_.empty()) look_from({mirrored_in_floor(view), offsets, share, true});
+}
+
+void Exposure::look_from(const View& view) {
+  const std::vector<SeenPanel> panels = scene_.seen_panels(view.from);
   std::vector<Candidate> candidates;
   candidates.reserve(panels.size());
-  for (const SeenPanel& panel : panels) candidates.push_back({&panel, panel.nearest, false});
-  look({view, sample_offsets(std::clamp(samples, 1, kSamplesMax)), share}, lens_.whole(), candidates, 0);
+  for (const SeenPanel& panel : panels) {
+    if (!view.is_in_floor || scene_.is_above_floor(panel.number))
+      candidates.push_back({&panel, panel.nearest, false});
+  }
+  look(view, lens_.whole(), candidates, 0);
 }
 
 /// @param candidates  those from `begin` on may be seen; the same when done
@@ -142,8 +155,23 @@ void Exposure::add_panel(const View& view, std::size_t block, const SeenPanel& p
   Floats radiance;
   shade(surface, scene_.tables(), levels_, rays, coverage.any, radiance);
   if (laser_.strength > 0) add_stripe(surface, rays, coverage.any, radiance);
+  if (!mirrored_.empty() && !view.is_in_floor) mirror(surface, view, block, rays, coverage, radiance);
   for (int k = 0; k < kLanes; ++k) {
-    light_[block].at[k] += coverage.any.at[k] != 0 ? view.share * coverage.share.at[k] * radiance.at[k] : 0;
+    const float share = view.is_in_floor ? mirrored_[block].at[k] : view.share;
+    light_[block].at[k] += coverage.any.at[k] != 0 ? share * coverage.share.at[k] * radiance.at[k] : 0;
+  }
+}
+
+/// Notes what the floor mirrors of other light, and takes that from its own.
+void Exposure::mirror(const Surface& surface, const View& view, std::size_t block, const RayPacket& rays,
+                      const Coverage& coverage, Floats& radiance) {
+  const float gloss = scene_.tables().materials[static_cast<std::size_t>(surface.material)].gloss;
+  if (gloss == 0) return;
+  Floats shares;
+  find_mirrored(gloss, rays, shares);
+  for (int k = 0; k < kLanes; ++k) {
+    radiance.at[k] *= 1 - shares.at[k];
+    mirrored_[block].at[k] += coverage.any.at[k] != 0 ? view.share * coverage.share.at[k] * shares.at[k] : 0;
   }
 }
 

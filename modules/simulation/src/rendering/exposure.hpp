@@ -16,7 +16,8 @@ RayPacket block_rays(const LensTable::Block& block, const Viewpoint& view, const
 /// One picture in the making: collects the light of the views that it is exposed to, one after the other.
 /// Each view is divided into ever narrower beams until a beam sees only one panel or is a block of pixels.
 /// Where a block sees one panel, one ray a pixel is shaded, as patterns are filtered by what a pixel sees of
-/// them; where panels meet, samples of a pixel say how much it sees of each.
+/// them; where panels meet, samples of a pixel say how much it sees of each. A polished floor shows what the
+/// mirrored view sees, besides itself.
 class Exposure {
  public:
   Exposure(const RenderedWorld::Scene& scene, const LensTable& lens, const LightLevels& levels,
@@ -32,17 +33,21 @@ class Exposure {
  private:
   struct View;
 
+  void look_from(const View& view);
   void look(const View& view, const Square& square, std::vector<Candidate>& candidates, std::size_t begin);
   void add_block(const View& view, std::size_t block, std::span<const Candidate> candidates);
   void add_panel(const View& view, std::size_t block, const SeenPanel& panel, const Coverage& coverage);
   void add_stripe(const Surface& surface, const RayPacket& rays, const Flags& on_surface,
                   Floats& radiance) const;
+  void mirror(const Surface& surface, const View& view, std::size_t block, const RayPacket& rays,
+              const Coverage& coverage, Floats& radiance);
 
   const RenderedWorld::Scene& scene_;
   const LensTable& lens_;
   LightLevels levels_;
   LaserPlane laser_;
-  std::vector<Floats> light_;  ///< of the pixels, block by block
+  std::vector<Floats> light_;     ///< of the pixels, block by block
+  std::vector<Floats> mirrored_;  ///< share of a view's light that the floor mirrors; none: it is dull
 };
 
 }  // namespace aisle

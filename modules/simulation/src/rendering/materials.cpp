@@ -46,7 +46,8 @@ int Materials::paint(double brightness) {
 }
 
 int Materials::floor(const FloorCovering& covering) {
-  Material material{.brightness = static_cast<float>(covering.brightness)};
+  Material material{.brightness = static_cast<float>(covering.brightness),
+                    .gloss = static_cast<float>(covering.gloss)};
   switch (covering.kind) {
     case FloorCovering::Kind::kPlain:
       material.detail = layer(kGrain, 1.0, 1.0, 0.4 * covering.contrast);

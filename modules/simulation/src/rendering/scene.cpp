@@ -106,6 +106,15 @@ std::vector<SeenPanel> RenderedWorld::Scene::seen_panels(const Viewpoint& view) 
   return seen;
 }
 
+bool RenderedWorld::Scene::is_above_floor(std::uint32_t panel_number) const {
+  constexpr float kPaper_m = 0.01f;
+  return surface(panel_number).top > kPaper_m;
+}
+
+bool RenderedWorld::Scene::has_polished_floor() const {
+  return materials_.all()[static_cast<std::size_t>(standing_surfaces_.front().material)].gloss > 0;
+}
+
 void RenderedWorld::Scene::find_blocked(const WayPacket& ways, Flags& blocked) const {
   standing_.find_blocked(ways, blocked);
   moving_.find_blocked(ways, blocked);

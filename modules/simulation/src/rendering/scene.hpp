@@ -15,6 +15,9 @@ struct RenderedWorld::Scene {
 
   /// All that is ahead of a camera, hidden or not.
   std::vector<SeenPanel> seen_panels(const Viewpoint& view) const;
+  /// What stands on the floor or hangs above it.
+  bool is_above_floor(std::uint32_t panel_number) const;
+  bool has_polished_floor() const;
   const Surface& surface(std::uint32_t panel_number) const;
   void find_blocked(const WayPacket& ways, Flags& blocked) const;
   const RayScene& what_stands() const { return standing_; }

@@ -238,6 +238,17 @@ void shade(const Surface& surface, const ShadingTables& tables, const LightLevel
 }
 
 AISLE_KERNEL
+void find_mirrored(float gloss, const RayPacket& rays, Floats& mirrored) {
+  constexpr float kFacing = 0.04f;  // of what comes from straight above: as wax, varnish and vinyl do
+  for (int k = 0; k < kLanes; ++k) {
+    const float x = rays.x.at[k], y = rays.y.at[k], z = rays.z.at[k];
+    const float grazing = 1 - std::abs(z) / std::sqrt(x * x + y * y + z * z);
+    const float squared = grazing * grazing;
+    mirrored.at[k] = gloss * (kFacing + (1 - kFacing) * squared * squared * grazing);
+  }
+}
+
+AISLE_KERNEL
 bool shade_stripe(const Surface& surface, const LaserPlane& laser, const RayPacket& rays,
                   const Flags& on_surface, Floats& stripe, WayPacket& ways) {
   constexpr float kBeam_m = 0.0018f;          ///< standard deviation of the light plane's profile

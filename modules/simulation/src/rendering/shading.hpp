@@ -32,6 +32,9 @@ struct ShadingTables {
 void shade(const Surface& surface, const ShadingTables& tables, const LightLevels& levels,
            const RayPacket& rays, const Flags& on_surface, Floats& radiance);
 
+/// The share of the light that a polished floor mirrors (Schlick 1994), lane by lane.
+void find_mirrored(float gloss, const RayPacket& rays, Floats& mirrored);
+
 /// The laser stripe as far as nothing blocks the light plane: the light of the lanes on the surface, and the
 /// way to the projector in `ways`, which asks where there is any.
 /// @return whether there is any; if not, nothing is said of light and ways

@@ -35,7 +35,8 @@ struct Material {
   Joints joints;
   float chessboard_columns = 0;  ///< squares with the margins; u and v count squares then. 0: no chessboard
   float chessboard_rows = 0;
-  float glow = 0;  ///< light that it sends out when lamps are on
+  float glow = 0;   ///< light that it sends out when lamps are on
+  float gloss = 0;  ///< of the light that a polished surface mirrors, this share; the floor only
 };
 
 /// Corners of a convex piece, in turn around it.

@@ -33,6 +33,11 @@ double smear_px(const CameraDescription& camera, const CameraSensorParams& param
 
 }  // namespace
 
+Viewpoint mirrored_in_floor(const Viewpoint& view) {
+  const Eigen::DiagonalMatrix<float, 3> upside_down(1, 1, -1);
+  return {upside_down * view.p_scene_camera, upside_down * view.R_scene_camera};
+}
+
 std::vector<Viewpoint> viewpoints(const CameraDescription& camera, const CameraSensorParams& params,
                                   const CameraMoment& moment, std::uint64_t seed, const SceneFrame& frame) {
   const CameraMount mount = shaken(camera.mount, params, moment, seed);

@@ -224,6 +224,54 @@ TEST(CameraSensor, TheLaserStripeRunsAtItsHeightOverTheWall) {
   }
 }
 
+/// Where the floor mirrors a point to the camera of `ordinary_camera`.
+Vec3 mirrored_at(const Vec3& p_vehicle) {
+  const Vec3 p_camera = ordinary_camera().mount.p_vehicle_camera;
+  const double share = p_camera.z() / (p_camera.z() + p_vehicle.z());
+  return {p_camera.x() + share * (p_vehicle.x() - p_camera.x()),
+          p_camera.y() + share * (p_vehicle.y() - p_camera.y()), 0};
+}
+
+TEST(CameraSensor, APolishedFloorMirrorsTheWallBehindIt) {
+  World world = wall_ahead(2.7);
+  world.walls[0].brightness = 1;
+  const Image dull = picture_of(world);
+  world.floor.gloss = 0.8;
+  const Image polished = picture_of(world);
+  for (const Vec3& on_wall : {Vec3(3, 0.3, 0.3), Vec3(3, -0.4, 0.5), Vec3(3, 1, 0.8)}) {
+    const Vec3 on_floor = mirrored_at(on_wall);
+    const Vec3 ray = on_floor - ordinary_camera().mount.p_vehicle_camera;
+    const double share = 0.8 * (0.04 + 0.96 * std::pow(1 + ray.z() / ray.norm(), 5));
+    const double floor = grey_at(dull, projected(on_floor)), wall = grey_at(dull, projected(on_wall));
+    EXPECT_GT(share * (wall - floor), 5);
+    EXPECT_NEAR(grey_at(polished, projected(on_floor)), (1 - share) * floor + share * wall, 1.5);
+    EXPECT_EQ(grey_at(polished, projected(on_wall)), wall);
+  }
+}
+
+TEST(CameraSensor, APolishedFloorMirrorsTheStripe) {
+  World world = wall_ahead(2.7);
+  world.floor.gloss = 1;
+  const Image dark = picture_of(world), lit = picture_of(world, with_laser());
+  const Vec2 mirrored = projected(mirrored_at({3, 0.2, 0.4}));
+  const auto brighter_at = [&](double below_px) {
+    const Vec2 pixel = mirrored + Vec2(0, below_px);
+    return grey_at(lit, pixel) - grey_at(dark, pixel);
+  };
+  EXPECT_GT(brighter_at(0), 4);
+  EXPECT_EQ(brighter_at(-4), 0);
+  EXPECT_EQ(brighter_at(4), 0);
+}
+
+TEST(CameraSensor, PaperOnAPolishedFloorMirrorsNothing) {
+  World world = wall_ahead(2.7);
+  world.papers = {{.centre = {2, 0}}};
+  const Vec2 on_paper = projected({2, 0, 0});
+  const double dull = grey_at(picture_of(world), on_paper);
+  world.floor.gloss = 1;
+  EXPECT_EQ(grey_at(picture_of(world), on_paper), dull);
+}
+
 TEST(CameraSensor, AWallLowerThanTheLightPlaneHasNoStripe) {
   const Image image = picture_of(wall_ahead(0.2), with_laser());
   const Vec2 above = projected({3, 0.2, 0.4});

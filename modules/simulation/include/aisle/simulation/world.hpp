@@ -63,6 +63,7 @@ struct FloorCovering {
   double tile_m = 0.3;  ///< side of a tile, or of the carpet's pattern
   double brightness = 0.5;
   double contrast = 0.1;  ///< of joints, stains and pattern against it
+  double gloss = 0;       ///< 0: dull; 1: polished, a mirror at grazing angles
 };
 
 /// A sheet of paper that lies on the floor.

@@ -22,6 +22,8 @@ struct FrameParkingParams {
   double gain = 0.3;
   double aside_max_m = 0.012;
   double turned_max_rad = 1 * kDegree;
+  double askew_m = 0.05;
+  double askew_rad = 3 * kDegree;
   double judged_m = 0.35;
   double hopeless_m = 0.06;
   double back_off_m = 1.8;
@@ -35,7 +37,7 @@ struct FrameParkingParams {
 /// Drives a front-steered vehicle into a painted square frame (L96 section 3.4): along the line through the
 /// middles of its near and far side, which the second camera shows from far and the first from near. Beyond
 /// the paper, the frame's pose is carried on by odometry and corrected by each picture; a vehicle that would
-/// come to stand askew backs off and tries again.
+/// come to stand askew backs off and tries again, and says after the last try if it did not park.
 class FrameParking {
  public:
   /// @param size_m  between the middles of the frame's lines, along the way in and across
