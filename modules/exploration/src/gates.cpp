@@ -39,10 +39,6 @@ class GateFinder {
   enum Mark : std::uint8_t { kNothing, kSill, kTaken, kCounted };
 
   bool is_sure(FloorCell cell) const { return clearance_.to_doubtful_m(cell) >= params_.room_m; }
-  /// Of sure floor: a cell beside it may be not sure.
-  bool is_beside_doubt(FloorCell cell) const {
-    return clearance_.to_doubtful_m(cell) < params_.room_m + kBesideCells * floor_.cell_m();
-  }
   bool may_be_floor(FloorCell cell) const {
     return clearance_.to_occupied_m(cell) >= params_.room_m + params_.doubt_m;
   }
@@ -61,13 +57,15 @@ class GateFinder {
 
   std::vector<FloorCell> mark_sills() {
     std::vector<FloorCell> sills;
-    const FloorBox& known = floor_.known();
+    const double sure_m = params_.room_m, beside_doubt_m = sure_m + kBesideCells * floor_.cell_m();
+    const FloorBox known = floor_.known().common_with(clearance_.room());
     for (int y = known.low.y; y < known.end.y; ++y) {
+      const std::size_t row = clearance_.index({known.low.x, y});
       for (int x = known.low.x; x < known.end.x; ++x) {
+        const double room_m = clearance_.to_doubtful_m(row + static_cast<std::size_t>(x - known.low.x));
+        if (room_m < sure_m || room_m >= beside_doubt_m) continue;
         const FloorCell cell{x, y};
-        if (!is_sure(cell) || !is_beside_doubt(cell) || !may_be_floor(cell) ||
-            reached_.to(cell) == FloorDistances::kUnreached)
-          continue;
+        if (!may_be_floor(cell) || reached_.to(cell) == FloorDistances::kUnreached) continue;
         bool borders = false;
         for_neighbours(cell, 1, [&](FloorCell next) { borders = borders || is_doubtful(next); });
         if (!borders) continue;

@@ -12,12 +12,13 @@
 namespace aisle {
 namespace {
 
-constexpr int kDarkCells = 3;            // behind the edge all is unknown
-constexpr double kBeyondGate_m = 0.3;    // so far into the unknown a gate leads for sure
-constexpr std::size_t kLooksMax = 6;     // points of a rim from which lines of sight are tried ...
-constexpr int kSights = 24;              // ... in so many directions
-constexpr std::size_t kNookRimMax = 24;  // points that stand for a rim
-constexpr double kSightMin_m = 0.8;      // the vehicle's middle does not come nearer
+constexpr int kDarkCells = 3;                 // behind the edge all is unknown
+constexpr double kBesideUnknownCells = 0.75;  // there is less room beside the unknown
+constexpr double kBeyondGate_m = 0.3;         // so far into the unknown a gate leads for sure
+constexpr std::size_t kLooksMax = 6;          // points of a rim from which lines of sight are tried ...
+constexpr int kSights = 24;                   // ... in so many directions
+constexpr std::size_t kNookRimMax = 24;       // points that stand for a rim
+constexpr double kSightMin_m = 0.8;           // the vehicle's middle does not come nearer
 constexpr std::array<FloorCell, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 /// So many of a row of things, evenly spread over it.
@@ -106,9 +107,13 @@ class NookFinder {
 
   std::vector<FloorCell> mark_edges() {
     std::vector<FloorCell> edges;
-    const FloorBox& known = floor_.known();
+    const double beside_unknown_m = kBesideUnknownCells * floor_.cell_m();
+    const FloorBox known = floor_.known().common_with(clearance_.room());
     for (int y = known.low.y; y < known.end.y; ++y) {
+      const std::size_t row = clearance_.index({known.low.x, y});
       for (int x = known.low.x; x < known.end.x; ++x) {
+        if (clearance_.to_doubtful_m(row + static_cast<std::size_t>(x - known.low.x)) > beside_unknown_m)
+          continue;
         const FloorCell cell{x, y};
         if (floor_.at(cell) == Floor::kFree && dark_beside(cell) && !is_led_to(cell)) edges.push_back(cell);
       }

@@ -258,14 +258,14 @@ std::optional<double> CarSearch::least_spare_m(const FloorGrid& floor, const Flo
                                                const Pose2& T_map_from,
                                                std::span<const Pose2> T_from_passed) const {
   const bool is_leaving = (T_map_from.position() - T_map_leave_.position()).norm() < kLeave_m;
-  const double least_spare_m = is_leaving || squeezes_ ? kLeastMargin_m - params_.margin_m : 0;
+  const double enough_m = is_leaving || squeezes_ ? std::min(0.0, kLeastMargin_m - params_.margin_m) : 0;
   double least_m = clearance.far_m();
   for (const Pose2& T_from : T_from_passed) {
     const Pose2 T_map = T_map_from * T_from;
-    const double spare_m = room_.spare_m(floor, clearance, T_map);
-    const bool fits =
-        spare_m >= std::min(0.0, least_spare_m) ||
-        (is_leaving && room_.fits_barely(floor, clearance, T_map, leave_spare_m_ - kRoomNoise_m));
+    const double spare_m = is_leaving ? room_.spare_m(floor, clearance, T_map)
+                                      : room_.spare_m(floor, clearance, T_map, enough_m);
+    const bool fits = spare_m >= enough_m || (is_leaving && room_.fits_barely(floor, clearance, T_map,
+                                                                              leave_spare_m_ - kRoomNoise_m));
     if (!fits || (is_free_ && !is_free_(T_map))) return std::nullopt;
     least_m = std::min(least_m, spare_m);
   }

@@ -16,16 +16,24 @@ constexpr double kWayCheck_m = 0.1;
 constexpr double kTouchedCells = 0.8;  // between the points that are looked at under the footprint
 
 /// What cells have at their middles, at any point between four of them.
+/// @param value_of  of a cell, or of one of the room by its number
 template <class ValueOf>
-double between_cells(const FloorGrid& floor, const Vec2& p_map, ValueOf value_of) {
+double between_cells(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map,
+                     ValueOf value_of) {
   const double x = p_map.x() / floor.cell_m() - 0.5, y = p_map.y() / floor.cell_m() - 0.5;
   const double column = std::floor(x), row = std::floor(y);
   const double right = x - column, up = y - row;
-  const FloorCell low{static_cast<int>(column), static_cast<int>(row)};
-  const auto in_row = [&](int cell_y) -> double {
-    return (1 - right) * value_of(FloorCell{low.x, cell_y}) + right * value_of(FloorCell{low.x + 1, cell_y});
+  const auto between = [&](double low_left, double low_right, double high_left, double high_right) {
+    return (1 - up) * ((1 - right) * low_left + right * low_right) +
+           up * ((1 - right) * high_left + right * high_right);
   };
-  return (1 - up) * in_row(low.y) + up * in_row(low.y + 1);
+  const FloorCell low{static_cast<int>(column), static_cast<int>(row)}, high{low.x + 1, low.y + 1};
+  if (clearance.room().contains(low) && clearance.room().contains(high)) {
+    const std::size_t below = clearance.index(low), above = below + clearance.columns();
+    return between(value_of(below), value_of(below + 1), value_of(above), value_of(above + 1));
+  }
+  return between(value_of(low), value_of(FloorCell{high.x, low.y}), value_of(FloorCell{low.x, high.y}),
+                 value_of(high));
 }
 
 }  // namespace
@@ -63,28 +71,32 @@ void FootprintRoom::cover(const Piece& piece, const Vec2& size_max_m, std::vecto
 }
 
 double FootprintRoom::spare_m(const FloorGrid& floor, const FloorClearance& clearance,
-                              const Pose2& T_map_vehicle) const {
-  return least_m(floor, T_map_vehicle, [&](FloorCell cell) { return clearance.to_doubtful_m(cell); });
+                              const Pose2& T_map_vehicle, double enough_m) const {
+  return least_m(floor, clearance, T_map_vehicle, enough_m,
+                 [&](auto cell) { return clearance.to_doubtful_m(cell); });
 }
 
 double FootprintRoom::standing_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
                                        const Pose2& T_map_vehicle) const {
-  return least_m(floor, T_map_vehicle, [&](FloorCell cell) { return clearance.to_occupied_m(cell); });
+  return least_m(floor, clearance, T_map_vehicle, -kNoneNear_m,
+                 [&](auto cell) { return clearance.to_occupied_m(cell); });
 }
 
+/// The first disc with less than enough decides.
 template <class DistanceAt>
-double FootprintRoom::least_m(const FloorGrid& floor, const Pose2& T_map_vehicle,
-                              DistanceAt distance_at) const {
+double FootprintRoom::least_m(const FloorGrid& floor, const FloorClearance& clearance,
+                              const Pose2& T_map_vehicle, double enough_m, DistanceAt distance_at) const {
   const Mat2 R_map_vehicle = rotation(T_map_vehicle.theta);
-  const auto least = [&](const std::vector<Disc>& discs, double at_most_m) {
+  const auto least = [&](const std::vector<Disc>& discs, double at_most_m, double enough_there_m) {
     for (const Disc& disc : discs) {
       const Vec2 p_map = T_map_vehicle.position() + R_map_vehicle * disc.p_vehicle;
-      at_most_m = std::min(at_most_m, between_cells(floor, p_map, distance_at) - disc.radius_m);
+      at_most_m = std::min(at_most_m, between_cells(floor, clearance, p_map, distance_at) - disc.radius_m);
+      if (at_most_m < enough_there_m) break;
     }
     return at_most_m;
   };
-  const double rough_m = least(rough_, kNoneNear_m);
-  return rough_m >= kMuchRoom_m ? rough_m : least(close_, kMuchRoom_m);
+  const double rough_m = least(rough_, kNoneNear_m, kMuchRoom_m);
+  return rough_m >= kMuchRoom_m ? rough_m : least(close_, kMuchRoom_m, enough_m);
 }
 
 bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& clearance,

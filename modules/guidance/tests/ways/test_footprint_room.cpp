@@ -38,6 +38,28 @@ TEST(FootprintRoom, ChangesLittleWhileAPostIsPassed) {
   EXPECT_LT(most_m - least_m, 0.01);
 }
 
+TEST(FootprintRoom, TellsEnoughRoomExactly) {
+  KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
+  hall.floor.set({60, 60}, Floor::kOccupied);
+  hall.clearance.update(hall.floor, hall.floor.known());
+  const FootprintRoom room(cart().footprint, kKept_m);
+  Random random(1);
+  int enough = 0, too_little = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Pose2 T_map_vehicle{random.uniform(-1, 7), random.uniform(-1, 7), random.uniform(-kPi, kPi)};
+    const double enough_m = random.uniform(-0.1, 0.3);
+    const double exact_m = room.spare_m(hall.floor, hall.clearance, T_map_vehicle);
+    const double told_m = room.spare_m(hall.floor, hall.clearance, T_map_vehicle, enough_m);
+    ++(exact_m >= enough_m ? enough : too_little);
+    if (exact_m >= enough_m)
+      EXPECT_EQ(told_m, exact_m);
+    else
+      EXPECT_LT(told_m, enough_m);
+  }
+  EXPECT_GT(enough, 1000);
+  EXPECT_GT(too_little, 1000);
+}
+
 TEST(FootprintRoom, LeavesNothingOfTheFootprintOut) {
   KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
   hall.floor.set({60, 60}, Floor::kOccupied);

@@ -35,12 +35,13 @@ class FloorClearance {
   double to_doubtful_m(FloorCell cell) const {
     return room_.contains(cell) ? to_doubtful_m_[index(cell)] : 0;
   }
-  /// By its number; 0 beside the room's edge.
-  double to_doubtful_m(std::size_t index) const { return to_doubtful_m_[index]; }
   /// 0 in an occupied cell.
   double to_occupied_m(FloorCell cell) const {
     return room_.contains(cell) ? to_occupied_m_[index(cell)] : static_cast<float>(far_m_);
   }
+  /// By its number; nothing is free beside the room's edge.
+  double to_doubtful_m(std::size_t index) const { return to_doubtful_m_[index]; }
+  double to_occupied_m(std::size_t index) const { return to_occupied_m_[index]; }
   /// Where the two say more than "unknown": the floor's known box and a margin.
   const FloorBox& room() const { return room_; }
   /// The number of a cell of the room, 0 .. size() - 1: row by row.

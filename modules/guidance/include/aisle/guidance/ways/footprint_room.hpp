@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "aisle/control/path.hpp"
@@ -18,10 +19,12 @@ class FootprintRoom {
   FootprintRoom(const Footprint& footprint, double margin_m);
 
   bool fits(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle) const {
-    return spare_m(floor, clearance, T_map_vehicle) >= 0;
+    return spare_m(floor, clearance, T_map_vehicle, 0) >= 0;
   }
-  /// How much room there is beyond the margin; negative: too little.
-  double spare_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle) const;
+  /// How much room there is beyond the margin; negative: too little. Less than `enough_m` is not told apart:
+  /// there may be even less.
+  double spare_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                 double enough_m = -std::numeric_limits<double>::infinity()) const;
 
   /// The same towards what is known to stand there only.
   double standing_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
@@ -53,7 +56,8 @@ class FootprintRoom {
 
   void cover(const Piece& piece, const Vec2& size_max_m, std::vector<Disc>& discs) const;
   template <class DistanceAt>
-  double least_m(const FloorGrid& floor, const Pose2& T_map_vehicle, DistanceAt distance_at) const;
+  double least_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                 double enough_m, DistanceAt distance_at) const;
 
   Footprint footprint_;
   double margin_m_;
