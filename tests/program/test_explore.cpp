@@ -89,6 +89,16 @@ TEST_F(Explore, ATrialCountsWhatIsCompleteAndWhatHasACertificate) {
   EXPECT_EQ(shares("time_max_s=10"), std::pair(0.0, 0.0));
 }
 
+/// At a half-open door a search found ways out, and each was blocked where it began, for as long as it had
+/// patience.
+TEST_F(Explore, AVehicleThatIsBlockedOnEveryWayOutGoesBackAsItCame) {
+  const ProgramRun run = run_aisle({"explore", "alcoves", "--order", "nearest-frontier", "--json"});
+  const auto figures = run.json()["figures"];
+  EXPECT_EQ(figures["came_home"], true) << figures["ended_because"];
+  EXPECT_EQ(figures["collisions"], 0);
+  EXPECT_LE(figures["home_error_m"], 0.1);
+}
+
 TEST_F(Explore, APlanIsExploredLikeTheWorldThatIsMadeOfIt) {
   const std::string plan = file("room.pbm", room_pbm(90, 40));
   ASSERT_EQ(run_aisle({"convert", plan, "--resolution", "0.1", "-o", at("room.yaml")}).exit_code, 0);

@@ -116,6 +116,11 @@ Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPl
   return Explored{std::move(*mission), std::move(map), std::move(floor), std::move(corridors), truth};
 }
 
+bool has_certificate(const Explored& explored) {
+  return explored.mission.record.certified() && explored.mission.collisions == 0 &&
+         explored.truth.covered_share >= kCompleteShare;
+}
+
 nlohmann::ordered_json figures_of(const Explored& explored) {
   const ExplorationMissionResult& mission = explored.mission;
   const ExplorationScore& truth = explored.truth;
@@ -135,8 +140,7 @@ nlohmann::ordered_json figures_of(const Explored& explored) {
           {"wall_missed_share", rounded(truth.walls.missed_share(), 4)},
           {"wall_false_share", rounded(truth.walls.false_share(), 4)},
           {"free_m2", rounded(explored.floor.free_m2(), 2)},
-          {"certificate",
-           mission.record.certified() && mission.collisions == 0 && truth.covered_share >= kCompleteShare},
+          {"certificate", has_certificate(explored)},
           {"ended_because", mission.record.ended_because},
           {"loop_closures", explored.map.loop_closures.size()},
           {"cycle_ms",
@@ -202,6 +206,7 @@ Result<JudgedExploration> judge(const ExploreOptions& options, const Exploration
     const auto nearest = explore_once(yardstick, plan, {}, unrecorded, console.progress);
     if (!nearest) return nearest.problems();
     outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m, 3);
+    outcome.figures["nearest_frontier_certificate"] = has_certificate(*nearest);
   }
   outcome.text = text_of(*explored);
   Building building{plan.setting.world.name, explored->map.has_dominant_direction,

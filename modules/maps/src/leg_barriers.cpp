@@ -12,7 +12,7 @@ namespace {
 constexpr double kRing_m = 0.25;               // about a leg: nothing else stands there
 constexpr double kWallAround_m = 0.1;          // so far beyond it is looked how a wall there goes on
 constexpr double kRingFreeShare = 0.5;         // of it; the rest may be hidden ...
-constexpr double kHidden_rad = 165 * kDegree;  // ... in one piece: a wall hides half of all
+constexpr double kHidden_rad = 158 * kDegree;  // ... in one piece: a wall hides half of all
 constexpr double kFreeAtWallShare = 0.4;       // of it, where a wall takes up the other side
 constexpr double kBehindBeside_m = 0.09;       // so far to both sides a wall goes on behind a leg before it
 constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itself is told apart from it

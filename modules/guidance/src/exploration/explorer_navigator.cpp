@@ -19,6 +19,7 @@ constexpr int kHomeAttemptsMax = 4;
 constexpr double kGateMoved_m = 1;
 constexpr int kNookExpansions = 30000;  // of the search: more is not worth while
 constexpr double kSameSpot_m = 0.2;     // about a place where the vehicle was blocked
+constexpr int kBlocksMax = 3;           // there: then the trail back is the way out
 constexpr double kStruckNow_m = 1.5;    // so far from the vehicle ways keep off what is struck now
 constexpr double kStageLeft_m = 2.5;    // of a stage, when the next one is searched
 constexpr double kLearned_m2 = 0.5;     // so much more floor is something learned
@@ -220,7 +221,10 @@ void ExplorerNavigator::find_no_way() {
   search_.stop();
   arrived_cycle_ = cycle_;
   if (!is_wedged_) hitch();
-  if (std::exchange(blocked_direction_, 0) != 0) return;
+  if (std::exchange(blocked_direction_, 0) != 0) {
+    if (is_wedged_ && blocks_here_ > kBlocksMax) retreat();
+    return;
+  }
   const bool shut_in = is_shut_in();
   if (is_wedged_) tries_.failures = std::max(tries_.failures, 1);
   if ((shut_in && tries_.failures > 0 && retreat()) || is_wedged_) return;
@@ -397,7 +401,9 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
 
 void ExplorerNavigator::be_blocked(int direction) {
   hitch();
-  p_map_blocked_ = learner_.T_map_vehicle().position();
+  const Vec2 p_map_now = learner_.T_map_vehicle().position();
+  blocks_here_ = (p_map_now - p_map_blocked_).norm() < kSameSpot_m ? blocks_here_ + 1 : 1;
+  p_map_blocked_ = p_map_now;
   blocked_direction_ = direction;
   drop_way();
 }

@@ -95,10 +95,11 @@ class ExplorerNavigator final : public Navigator {
   std::optional<ExploringTarget> target_;
   std::optional<ExploringTarget> former_;     ///< the latest, also after its way was dropped
   Vec2 p_map_blocked_ = Vec2::Constant(1e9);  ///< where the vehicle could not go on ...
+  int blocked_direction_ = 0;                 ///< ... forwards (1) or backwards (-1) ...
+  int blocks_here_ = 0;                       ///< ... so often on end
   int driven_direction_ = 0;  ///< forwards (1) or backwards (-1), in the latest cycle that drove
   bool is_touching_ = false;
   int touches_ = 0;
-  int blocked_direction_ = 0;           ///< ... forwards (1) or backwards (-1)
   Vec2 p_map_searched_ = Vec2::Zero();  ///< the gate that the latest search was for
   double searched_m2_ = 0;              ///< of floor, when that search began
   bool is_search_due_ = false;
