@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace aisle {
@@ -15,6 +16,7 @@ constexpr double kSurelyInside_m = 0.05;  // of the footprint: the pose may be o
 constexpr double kCoarse = 1.5;           // cells by which what is struck may lie off
 constexpr double kWallGap_m = 0.3;        // so far from what was struck a wall may go on unseen
 constexpr double kThin_m = 0.04;          // as the leg of a table: beams farther apart may miss it
+constexpr double kLostAcross_m = 0.3;     // no opening is so narrow: beams between have lost their light
 
 /// The cells that a disc or rectangle about a place may touch.
 FloorBox box_around(const FloorGrid& floor, const Vec2& p_map, double reach_m) {
@@ -132,6 +134,24 @@ bool is_shut(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad,
   return false;
 }
 
+/// Beams that strike nothing, in a gap between others that do in which nothing could drive, have lost their
+/// light, as on black or shiny things: they tell nothing.
+void leave_out_lost(const LaserScanner& laser, std::vector<float>& told_m) {
+  std::optional<std::size_t> struck;
+  for (std::size_t beam = 0; beam < told_m.size(); ++beam) {
+    const bool is_struck = told_m[beam] > 0 && told_m[beam] < laser.range_max_m;
+    if (!is_struck) continue;
+    if (struck) {
+      const double across_m = static_cast<double>(beam - *struck) * laser.angle_step_rad *
+                              std::min(told_m[*struck], told_m[beam]);
+      if (across_m < kLostAcross_m)
+        std::fill(told_m.begin() + static_cast<std::ptrdiff_t>(*struck + 1),
+                  told_m.begin() + static_cast<std::ptrdiff_t>(beam), 0.0F);
+    }
+    struck = beam;
+  }
+}
+
 /// A beam that strikes nothing tells of free floor only where nothing is known to stand nearer than it looks.
 std::vector<float> told_ranges_m(const FloorGrid& floor, const LaserScanner& laser,
                                  std::span<const float> ranges_m, std::span<const float> near_m,
@@ -142,6 +162,7 @@ std::vector<float> told_ranges_m(const FloorGrid& floor, const LaserScanner& las
         is_shut(floor, T_map_laser, laser.beam_angle(beam), near_m[beam]))
       told_m[beam] = 0;
   }
+  leave_out_lost(laser, told_m);
   return told_m;
 }
 

@@ -105,6 +105,26 @@ TEST(FloorView, UnusableReadingsTellNothing) {
   EXPECT_EQ(floor.at(Vec2(1.5, 0.2)), Floor::kFree);
 }
 
+TEST(FloorView, BeamsThatLoseTheirLightDoNotLookThroughAWall) {
+  for (const std::size_t lost : {1U, 2U, 3U, 20U}) {
+    FloorGrid floor;
+    std::vector<float> ranges_m = wall_ahead(2.02);
+    std::fill_n(ranges_m.begin() + 85, lost, 30.0F);
+    see_floor(floor, kScanner, ranges_m, {}, {}, {});
+    const double between_rad = kScanner.beam_angle(85) + 0.5 * kScanner.angle_step_rad;
+    EXPECT_EQ(floor.at(Vec2(4 * unit(between_rad))), lost == 20 ? Floor::kFree : Floor::kUnknown) << lost;
+  }
+}
+
+/// The end is farther away than the scanner reaches.
+TEST(FloorView, LooksAlongALongCorridor) {
+  FloorGrid floor;
+  std::vector<float> ranges_m = wall_ahead(29);
+  std::fill_n(ranges_m.begin() + 89, 3, 30.0F);
+  see_floor(floor, kScanner, ranges_m, {}, {}, {});
+  EXPECT_EQ(floor.at(Vec2(5, 0)), Floor::kFree);
+}
+
 TEST(FloorView, FloorUnderTheVehicleIsFree) {
   FloorGrid floor;
   stand_on_floor(floor, Footprint{.front_m = 0.9, .rear_m = 0.2, .width_m = 0.6}, {3, 4, kPi});
