@@ -162,7 +162,8 @@ std::vector<float> told_ranges_m(const FloorGrid& floor, const LaserScanner& las
         is_shut(floor, T_map_laser, laser.beam_angle(beam), near_m[beam]))
       told_m[beam] = 0;
   }
-  leave_out_lost(laser, told_m);
+  const bool tells_of_lost_light = !near_m.empty();
+  if (!tells_of_lost_light) leave_out_lost(laser, told_m);
   return told_m;
 }
 

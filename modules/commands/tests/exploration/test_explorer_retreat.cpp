@@ -66,7 +66,8 @@ TEST_P(ExplorerRetreat, GoesBackAlongItsOwnTrailOutOfANarrowDeadEndAndThenHome) 
   EXPECT_LT((vehicle.truth().T_world_vehicle.position() - world.start->position()).norm(), 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, ExplorerRetreat, testing::Values(7, 15));
+/// By which the vehicle gets stuck in there.
+INSTANTIATE_TEST_SUITE_P(Seeds, ExplorerRetreat, testing::Values(7, 26, 34, 35));
 
 }  // namespace
 }  // namespace aisle
