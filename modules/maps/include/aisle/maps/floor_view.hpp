@@ -9,8 +9,8 @@
 namespace aisle {
 
 /// How a fan of ranges tells free floor. Between two beams the floor counts as free as far as the nearer of
-/// both goes. A scanner's beams that strike nothing have lost their light, and tell nothing, where others beside
-/// them leave no opening in which anything could drive.
+/// both goes. A scanner's beams that strike nothing have lost their light, and tell nothing, where others
+/// beside them leave no opening in which anything could drive.
 struct FloorViewParams {
   double reach_m = 6;  ///< farther floor is left unknown
 
