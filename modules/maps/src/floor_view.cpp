@@ -137,13 +137,13 @@ bool is_shut(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad,
 /// Beams that strike nothing, in a gap between others that do in which nothing could drive, have lost their
 /// light, as on black or shiny things: they tell nothing.
 void leave_out_lost(const LaserScanner& laser, std::vector<float>& told_m) {
+  const auto struck_at = [&](std::size_t beam) { return Vec2(told_m[beam] * unit(laser.beam_angle(beam))); };
   std::optional<std::size_t> struck;
   for (std::size_t beam = 0; beam < told_m.size(); ++beam) {
     const bool is_struck = told_m[beam] > 0 && told_m[beam] < laser.range_max_m;
     if (!is_struck) continue;
     if (struck) {
-      const double across_m = static_cast<double>(beam - *struck) * laser.angle_step_rad *
-                              std::min(told_m[*struck], told_m[beam]);
+      const double across_m = (struck_at(*struck) - struck_at(beam)).norm();
       if (across_m < kLostAcross_m)
         std::fill(told_m.begin() + static_cast<std::ptrdiff_t>(*struck + 1),
                   told_m.begin() + static_cast<std::ptrdiff_t>(beam), 0.0F);

@@ -125,6 +125,16 @@ TEST(FloorView, LooksAlongALongCorridor) {
   EXPECT_EQ(floor.at(Vec2(5, 0)), Floor::kFree);
 }
 
+/// One beam looks past the end of a wall, into a corridor that is longer than the scanner reaches.
+TEST(FloorView, LooksPastAWallIntoALongCorridor) {
+  FloorGrid floor;
+  std::vector<float> ranges_m = wall_ahead(5);
+  std::fill(ranges_m.begin() + 91, ranges_m.end(), 8.0F);
+  ranges_m[90] = 30;
+  see_floor(floor, kScanner, ranges_m, {}, {}, {});
+  EXPECT_EQ(floor.at(Vec2(4 * unit(kScanner.beam_angle(90)))), Floor::kFree);
+}
+
 TEST(FloorView, FloorUnderTheVehicleIsFree) {
   FloorGrid floor;
   stand_on_floor(floor, Footprint{.front_m = 0.9, .rear_m = 0.2, .width_m = 0.6}, {3, 4, kPi});
