@@ -142,7 +142,7 @@ void leave_out_lost(const LaserScanner& laser, std::vector<float>& told_m) {
   for (std::size_t beam = 0; beam < told_m.size(); ++beam) {
     const bool is_struck = told_m[beam] > 0 && told_m[beam] < laser.range_max_m;
     if (!is_struck) continue;
-    if (struck) {
+    if (struck && beam > *struck + 1) {
       const double across_m = (struck_at(*struck) - struck_at(beam)).norm();
       if (across_m < kLostAcross_m)
         std::fill(told_m.begin() + static_cast<std::ptrdiff_t>(*struck + 1),
