@@ -42,11 +42,15 @@ bool stands_about(const FloorGrid& floor, const Vec2& p_map, double within_m) {
   return stands;
 }
 
-/// All on one side, and wide there: a wall that goes on behind, not one that ends here.
-bool lies_behind(std::span<const Vec2> to_wall) {
+Vec2 mean_direction(std::span<const Vec2> away) {
   Vec2 sum = Vec2::Zero();
-  for (const Vec2& away : to_wall) sum += away;
-  const Vec2 behind = sum.normalized(), aside = left_normal(behind);
+  for (const Vec2& one : away) sum += one;
+  return sum.normalized();
+}
+
+/// All on one side, and wide there: a wall that goes on behind, not one that ends here.
+bool lies_behind(const Vec2& behind, std::span<const Vec2> to_wall) {
+  const Vec2 aside = left_normal(behind);
   double left_m = 0, right_m = 0;
   for (const Vec2& away : to_wall) {
     if (behind.dot(away) <= 0) return false;
@@ -112,7 +116,9 @@ void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
       if (cells.empty() || !begins_here) continue;
       Vec2 p_map = Vec2::Zero();
       for (const FloorCell cell : cells) p_map += floor.centre(cell) / static_cast<double>(cells.size());
-      things_.push_back({first, p_map, stand_of(floor, p_map)});
+      Thing thing{first, p_map};
+      look_about(floor, thing);
+      things_.push_back(thing);
     }
   }
   std::sort(things_.begin(), things_.end(),
@@ -139,14 +145,14 @@ std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCel
   return cells;
 }
 
-LegBarriers::Stand LegBarriers::stand_of(const FloorGrid& floor, const Vec2& p_map) const {
+void LegBarriers::look_about(const FloorGrid& floor, Thing& thing) const {
   const int reach = static_cast<int>(std::ceil((kRing_m + kWallAround_m) / floor.cell_m())) + 1;
   bool at_wall = false;
   double ring = 0;
   std::vector<double> free_rad;
   std::vector<Vec2> to_wall;
-  for_cells_around(floor.cell_at(p_map), reach, [&](FloorCell cell) {
-    const Vec2 away = floor.centre(cell) - p_map;
+  for_cells_around(floor.cell_at(thing.p_map), reach, [&](FloorCell cell) {
+    const Vec2 away = floor.centre(cell) - thing.p_map;
     const double beyond_m = away.norm() - kRing_m;
     if (beyond_m > kWallAround_m) return;
     if (floor.at(cell) == Floor::kOccupied && small_thing(floor, cell).empty()) {
@@ -160,10 +166,12 @@ LegBarriers::Stand LegBarriers::stand_of(const FloorGrid& floor, const Vec2& p_m
   const double free_share = static_cast<double>(free_rad.size()) / ring;
   if (!at_wall) {
     const bool is_free = free_share >= kRingFreeShare && widest_gap_rad(free_rad) <= kHidden_rad;
-    return is_free ? Stand::kFree : Stand::kUnclear;
+    thing.stand = is_free ? Stand::kFree : Stand::kUnclear;
+    return;
   }
-  const bool is_before_wall = free_share >= kFreeAtWallShare && lies_behind(to_wall);
-  return is_before_wall ? Stand::kBeforeWall : Stand::kUnclear;
+  thing.behind = mean_direction(to_wall);
+  const bool is_before_wall = free_share >= kFreeAtWallShare && lies_behind(thing.behind, to_wall);
+  thing.stand = is_before_wall ? Stand::kBeforeWall : Stand::kUnclear;
 }
 
 /// What stands there belongs to one.
@@ -258,18 +266,25 @@ std::optional<Vec2> LegBarriers::nearest_wall(const FloorGrid& floor, const Vec2
 }
 
 /// Of a leg before a wall: where the leg may be with which it carries a table along that wall, hidden by
-/// floor that nobody has seen yet. Where such a leg is known on either side, no floor hides one.
+/// floor that nobody has seen yet. Where such a leg is known on either side, no floor hides one. In a corner
+/// the table lies away from the wall that the leg stands right before.
 std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thing& leg) const {
-  if (leg.stand != Stand::kFree) return {};
-  const auto wall = nearest_wall(floor, leg.p_map, [](const Vec2&) { return true; });
-  if (!wall) return {};
-  const Vec2 across = (*wall - leg.p_map).normalized();
   std::vector<Vec2> hidden;
+  const auto look = [&](const Vec2& along) {
+    if (const auto place = partner_place(floor, leg.p_map, along)) hidden.push_back(*place);
+  };
+  const auto may_hide_one = [&](const Vec2& along) {
+    return wall_behind(floor, leg.p_map, along) && !has_partner(leg, along);
+  };
+  if (leg.stand == Stand::kBeforeWall && may_hide_one(leg.behind)) look(-leg.behind);
+  if (leg.stand != Stand::kFree) return hidden;
+  const auto wall = nearest_wall(floor, leg.p_map, [](const Vec2&) { return true; });
+  if (!wall) return hidden;
+  const Vec2 across = (*wall - leg.p_map).normalized();
   for (const Vec2& along : {left_normal(across), across}) {
-    if (!wall_behind(floor, leg.p_map, along) || has_partner(leg, along)) continue;
-    for (const double side : {1.0, -1.0}) {
-      if (const auto place = partner_place(floor, leg.p_map, side * along)) hidden.push_back(*place);
-    }
+    if (!may_hide_one(along)) continue;
+    look(along);
+    look(-along);
   }
   return hidden;
 }

@@ -43,12 +43,14 @@ class LegBarriers {
   struct Thing {
     FloorCell first;  ///< its lowest cell, the leftmost of these
     Vec2 p_map;       ///< its middle
-    Stand stand;
+    Stand stand = Stand::kUnclear;
+    Vec2 behind = Vec2::Zero();  ///< a unit towards what it stands right before
     bool is_leg() const { return stand != Stand::kUnclear; }
   };
 
   std::vector<FloorCell> small_thing(const FloorGrid& floor, FloorCell start) const;
-  Stand stand_of(const FloorGrid& floor, const Vec2& p_map) const;
+  /// Tells its stand, and behind.
+  void look_about(const FloorGrid& floor, Thing& thing) const;
   void find_things(const FloorGrid& floor, const FloorBox& within);
   bool is_leg(const Vec2& p_map) const;
   std::vector<FloorCell> cells_between(const FloorGrid& floor) const;
