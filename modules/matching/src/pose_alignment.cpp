@@ -15,6 +15,7 @@ constexpr double kSettledStep = 1e-4;  // [m, rad]: further iterations change no
 constexpr double kHeadingGate_rad = 6 * kDegree;
 constexpr double kFirstHeadingGateMax_rad = 20 * kDegree;
 constexpr double kOverlapMin_m = 0.1;
+constexpr double kParallelSigmas = 2;  // walls whose headings differ by less may run alike
 
 /// The gate of one round: wide first, when the pose is only a guess.
 AssociationGate gate_in_round(int round, double gate_m, const Mat3& prior_information) {
@@ -26,7 +27,28 @@ AssociationGate gate_in_round(int round, double gate_m, const Mat3& prior_inform
   return {gate_m * shrink, heading_rad, kOverlapMin_m};
 }
 
+/// A wall that may run like most of the others tells nothing about the way along them, however askew it was
+/// learned: what it seems to tell is the error of its heading, the same in every scan.
+Vec2 normal_to_trust(const WallEstimate& wall, const Vec2& normal_of_most, double sigma_rad) {
+  const double cosine = wall.normal.dot(normal_of_most);
+  if (!wall.is_oblique() || std::abs(cosine) < std::cos(kParallelSigmas * sigma_rad)) return wall.normal;
+  return cosine > 0 ? normal_of_most : -normal_of_most;
+}
+
 }  // namespace
+
+/// The one, to either side, that the matched walls have most of.
+Vec2 PoseAligner::normal_of_most(std::span<const SensedSegment> segments,
+                                 std::span<const WallEstimate> walls) const {
+  Vec2 doubled = Vec2::Zero();
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    if (wall_of_segment_[i] < 0) continue;
+    const Vec2& normal = walls[static_cast<std::size_t>(wall_of_segment_[i])].normal;
+    doubled +=
+        segments[i].length_m * Vec2(square(normal.x()) - square(normal.y()), 2 * normal.x() * normal.y());
+  }
+  return unit(heading_of(doubled) / 2);
+}
 
 void PoseAligner::associate_all(const Pose2& T_map_sensor, std::span<const SensedSegment> segments,
                                 std::span<const WallEstimate> walls, std::span<const int> candidates,
@@ -48,6 +70,7 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
     if (round < kAssociationRounds) {
       associate_all(pose, segments, walls, candidates, gate_in_round(round, gate_m, prior.information));
     }
+    const Vec2 most = normal_of_most(segments, walls);
     const Vec3 from_prior(pose.x - prior.T_map_sensor.x, pose.y - prior.T_map_sensor.y,
                           wrap_angle(pose.theta - prior.T_map_sensor.theta));
     Vec3 gradient = prior.information * from_prior;
@@ -75,7 +98,8 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
       const double offset_weight = trust / offset_variance * offset_fit;
       const double heading_weight = trust / heading_variance * cauchy_weight(turn_rad, params_.cauchy_rad);
 
-      const Vec3 jacobian(wall.normal.x(), wall.normal.y(), wall.normal.dot(left_normal(lever)));
+      const Vec2 normal = normal_to_trust(wall, most, params_.oblique_sigma_rad);
+      const Vec3 jacobian(normal.x(), normal.y(), normal.dot(left_normal(lever)));
       information += offset_weight * jacobian * jacobian.transpose();
       gradient += offset_weight * offset_m * jacobian;
       information(2, 2) += heading_weight;

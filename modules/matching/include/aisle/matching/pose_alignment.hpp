@@ -44,8 +44,9 @@ struct Alignment {
 
 /// Finds the pose at which the sensed segments lie best on the walls: Gauss-Newton on each segment's offset
 /// from its wall, n.(R c + t) - rho, and heading difference, both with a Cauchy weight, and on the prior.
-/// Walls are found anew in the first iterations, within a gate that narrows to half. O(iterations * segments
-/// * candidates); no allocation once warm.
+/// A wall that may run like most of the matched ones, as far as its heading is known, tells nothing about the
+/// way along them. Walls are found anew in the first iterations, within a gate that narrows to half.
+/// O(iterations * segments * candidates); no allocation once warm.
 class PoseAligner {
  public:
   explicit PoseAligner(const AlignmentParams& params) : params_(params) {}
@@ -57,6 +58,7 @@ class PoseAligner {
   void associate_all(const Pose2& T_map_sensor, std::span<const SensedSegment> segments,
                      std::span<const WallEstimate> walls, std::span<const int> candidates,
                      const AssociationGate& gate);
+  Vec2 normal_of_most(std::span<const SensedSegment> segments, std::span<const WallEstimate> walls) const;
 
   AlignmentParams params_;
   std::vector<int> wall_of_segment_;
