@@ -155,6 +155,16 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegAtAnotherWall) {
 }
 
 /// What stands small at the wall behind is no other front leg.
+TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegOfATableInACorner) {
+  wall(2, 1, 6);
+  for (double x_m = 2; x_m < 6; x_m += 0.05) stand(x_m, 1);
+  stand(2.87, 1.22);
+  EXPECT_FALSE(is_closed({4, 1.8}, {2.3, 1.8}));
+  hide({2.02, 2.52}, {5, 6});
+  EXPECT_TRUE(is_closed({4, 1.8}, {2.3, 1.8}));
+  EXPECT_FALSE(is_closed({2.5, 1.3}, {2.5, 2.4}));
+}
+
 TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckStandsAtTheWallBehind) {
   wall(2, 0, 6);
   stand(2.87, 2.02);

@@ -27,11 +27,11 @@ AssociationGate gate_in_round(int round, double gate_m, const Mat3& prior_inform
   return {gate_m * shrink, heading_rad, kOverlapMin_m};
 }
 
-/// A wall that may run like most of the others tells nothing about the way along them, however askew it was
-/// learned: what it seems to tell is the error of its heading, the same in every scan.
+/// Walls that may run like most of the others are taken to: about the way along them they tell nothing. What
+/// they seem to tell, where one was learned askew, is the error of its heading, the same in every scan.
 Vec2 normal_to_trust(const WallEstimate& wall, const Vec2& normal_of_most, double sigma_rad) {
   const double cosine = wall.normal.dot(normal_of_most);
-  if (!wall.is_oblique() || std::abs(cosine) < std::cos(kParallelSigmas * sigma_rad)) return wall.normal;
+  if (std::abs(cosine) < std::cos(kParallelSigmas * sigma_rad)) return wall.normal;
   return cosine > 0 ? normal_of_most : -normal_of_most;
 }
 

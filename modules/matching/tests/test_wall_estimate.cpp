@@ -104,5 +104,23 @@ TEST(PoseAligner, ACorridorLeavesThePlaceAlongItToThePrior) {
   EXPECT_LT(found.wall_information(0, 0), 1e-6 * found.wall_information(1, 1));
 }
 
+/// Its error is the same in every scan: however many there are, they say nothing new.
+TEST(PoseAligner, AWallLearnedAskewDoesNotDrawTheVehicleAlongItsCorridor) {
+  const std::vector<SensedSegment> corridor = {sensed({{-9, -1}, {9, -1}}), sensed({{9, 1}, {-9, 1}})};
+  Walls walls;
+  walls.absorb_view(corridor, {});
+  walls.all[1].facing = Facing::kOblique;
+  walls.all[1].set_heading(walls.all[1].heading_rad + 1 * kDegree);
+  walls.all[1].anchor += Vec2(0, 0.02);
+  PoseAligner aligner(AlignmentParams{});
+  const Mat3 prior = Vec3(600, 1e4, 1e4).asDiagonal();
+  Pose2 T_map_sensor{0.5, 0, 0};
+  for (int scan = 0; scan < 100; ++scan) {
+    T_map_sensor =
+        aligner.align(corridor, walls.all, walls.candidates, {T_map_sensor, prior}, 0.25, 10).T_map_sensor;
+  }
+  EXPECT_NEAR(T_map_sensor.x, 0.5, 1e-3);
+}
+
 }  // namespace
 }  // namespace aisle
