@@ -27,6 +27,7 @@ constexpr double kShown_m2 = 0.03;      // so much more floor after a way: it wa
 constexpr double kWedged_m = 0.5;       // a search that comes no farther says something about where it began
 constexpr double kRetreat_m = 3;        // at least, along its own trail, before it searches anew ...
 constexpr double kRoomy_m = 0.15;       // ... where it has so much more room than it needs
+constexpr int kDespairsMax = 3;         // then it gives up, wherever it is
 constexpr int kTouchesMax = 5;          // of the bumper: then something is wrong
 constexpr double kTouchedKnown_m = -0.03;  // beyond the margin: what stands so near is what was touched
 constexpr double kIdleWay_m = 150;         // without learning anything: what waits is left undone
@@ -87,11 +88,9 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   }
   search_way();
   lose_patience();
+  if (is_lost_for_ways())
+    despair(is_wedged_ ? "finds no way out of where it stands" : "finds no way that it can drive");
   if (!ended_because_.empty()) return end(NavigatorStatus::kFailed, "stuck", ended_because_);
-  if (is_lost_for_ways()) {
-    return end(NavigatorStatus::kFailed, "stuck",
-               is_wedged_ ? "finds no way out of where it stands" : "finds no way that it can drive");
-  }
   return drive(observation);
 }
 
@@ -311,9 +310,21 @@ void ExplorerNavigator::lose_patience() {
       moved_s_ = stamp_s_;
       return drop_way();
     case ExploringTarget::Kind::kHome:
-      ended_because_ = "does not get home";
-      return;
+      return despair("does not get home");
   }
+}
+
+/// The vehicle came in along its trail, however narrow that is: back along some of it, before it gives up.
+void ExplorerNavigator::despair(const std::string& why) {
+  drop_way();
+  if (!learner_.is_standing()) return;
+  if (++despairs_ > kDespairsMax || !retreat()) {
+    ended_because_ = why;
+    return;
+  }
+  is_wedged_ = false;
+  moved_s_ = stamp_s_;
+  patience_.renew(stamp_s_, learner_.way_m(), learner_.way_m() / 2);
 }
 
 /// A place was recognised: the floor is laid anew while the vehicle stands.

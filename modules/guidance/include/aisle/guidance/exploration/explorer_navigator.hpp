@@ -64,6 +64,7 @@ class ExplorerNavigator final : public Navigator {
   bool is_shut_in() const;
   bool is_target_shut_off() const;
   bool retreat();
+  void despair(const std::string& why);
   void hitch();
   void leave_path();
   void give_path_up();
@@ -109,6 +110,7 @@ class ExplorerNavigator final : public Navigator {
   bool is_out_of_reach_ = false;  ///< every pose was tried: none shows the target, unless it squeezes
   TargetTries tries_;             ///< for this target
   bool is_retreating_ = false;    ///< its way is the trail back
+  int despairs_ = 0;              ///< retreats as nothing else was left
   bool is_wedged_ = false;        ///< no way leads out of where the vehicle stands
   std::size_t arrived_cycle_ = 0;
   std::size_t cycle_ = 0;
