@@ -154,7 +154,6 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegAtAnotherWall) {
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
-/// What stands small at the wall behind is no other front leg.
 TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegOfATableInACorner) {
   wall(2, 1, 6);
   for (double x_m = 2; x_m < 6; x_m += 0.05) stand(x_m, 1);
@@ -165,6 +164,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegOfATableInACorner) {
   EXPECT_FALSE(is_closed({2.5, 1.3}, {2.5, 2.4}));
 }
 
+/// What stands small at the wall behind is no other front leg.
 TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckStandsAtTheWallBehind) {
   wall(2, 0, 6);
   stand(2.87, 2.02);

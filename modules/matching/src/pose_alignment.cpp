@@ -29,9 +29,9 @@ AssociationGate gate_in_round(int round, double gate_m, const Mat3& prior_inform
 
 /// Walls that may run like most of the others are taken to: about the way along them they tell nothing. What
 /// they seem to tell, where one was learned askew, is the error of its heading, the same in every scan.
-Vec2 normal_to_trust(const WallEstimate& wall, const Vec2& normal_of_most, double sigma_rad) {
+Vec2 normal_to_trust(const WallEstimate& wall, const Vec2& normal_of_most, double parallel_cosine) {
   const double cosine = wall.normal.dot(normal_of_most);
-  if (std::abs(cosine) < std::cos(kParallelSigmas * sigma_rad)) return wall.normal;
+  if (std::abs(cosine) < parallel_cosine) return wall.normal;
   return cosine > 0 ? normal_of_most : -normal_of_most;
 }
 
@@ -63,14 +63,16 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
                              int iterations) {
   wall_of_segment_.assign(segments.size(), -1);
   Pose2 pose = prior.T_map_sensor;
+  const double parallel_cosine = std::cos(kParallelSigmas * params_.oblique_sigma_rad);
+  Vec2 most = Vec2::Zero();
   Alignment result;
   for (const SensedSegment& s : segments) result.seen_m += s.length_m;
 
   for (int round = 0; round < iterations; ++round) {
     if (round < kAssociationRounds) {
       associate_all(pose, segments, walls, candidates, gate_in_round(round, gate_m, prior.information));
+      most = normal_of_most(segments, walls);
     }
-    const Vec2 most = normal_of_most(segments, walls);
     const Vec3 from_prior(pose.x - prior.T_map_sensor.x, pose.y - prior.T_map_sensor.y,
                           wrap_angle(pose.theta - prior.T_map_sensor.theta));
     Vec3 gradient = prior.information * from_prior;
@@ -98,7 +100,7 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
       const double offset_weight = trust / offset_variance * offset_fit;
       const double heading_weight = trust / heading_variance * cauchy_weight(turn_rad, params_.cauchy_rad);
 
-      const Vec2 normal = normal_to_trust(wall, most, params_.oblique_sigma_rad);
+      const Vec2 normal = normal_to_trust(wall, most, parallel_cosine);
       const Vec3 jacobian(normal.x(), normal.y(), normal.dot(left_normal(lever)));
       information += offset_weight * jacobian * jacobian.transpose();
       gradient += offset_weight * offset_m * jacobian;
