@@ -17,6 +17,7 @@ constexpr double kFreeAtWallShare = 0.4;       // of it, where a wall takes up t
 constexpr double kBehindBeside_m = 0.09;       // so far to both sides a wall goes on behind a leg before it
 constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itself is told apart from it
 constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
+constexpr double kWallGoesOn_m = 0.15;         // to both sides of its nearest place: not a corner or an end
 constexpr double kLineStepCells = 0.5;
 
 template <class Visit>
@@ -40,6 +41,13 @@ bool stands_about(const FloorGrid& floor, const Vec2& p_map, double within_m) {
   for_cells_around(floor.cell_at(p_map), static_cast<int>(within_m / floor.cell_m()),
                    [&](FloorCell cell) { stands = stands || floor.at(cell) == Floor::kOccupied; });
   return stands;
+}
+
+/// Something that runs across this direction, to both sides of where it is met.
+bool wall_goes_on(const FloorGrid& floor, const Vec2& p_map_from, const Vec2& away) {
+  const Vec2 p_map = p_map_from + away, aside = kWallGoesOn_m * left_normal(away.normalized());
+  return stands_about(floor, Vec2(p_map + aside), floor.cell_m()) &&
+         stands_about(floor, Vec2(p_map - aside), floor.cell_m());
 }
 
 Vec2 mean_direction(std::span<const Vec2> away) {
@@ -181,6 +189,13 @@ bool LegBarriers::is_leg(const Vec2& p_map) const {
   });
 }
 
+/// What stands there belongs to a small thing, a leg or not.
+bool LegBarriers::is_thing(const Vec2& p_map) const {
+  return std::any_of(things_.begin(), things_.end(), [&](const Thing& thing) {
+    return (thing.p_map - p_map).norm() <= params_.leg_max_m / 2;
+  });
+}
+
 std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const {
   std::vector<FloorCell> cells;
   const auto close = [&](const Vec2& from, const Vec2& to) {
@@ -278,7 +293,8 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
   };
   if (leg.stand == Stand::kBeforeWall && may_hide_one(leg.behind)) look(-leg.behind);
   if (leg.stand != Stand::kFree) return hidden;
-  const auto wall = nearest_wall(floor, leg.p_map, [](const Vec2&) { return true; });
+  const auto wall = nearest_wall(
+      floor, leg.p_map, [&](const Vec2& away) { return wall_goes_on(floor, leg.p_map, away); });
   if (!wall) return hidden;
   const Vec2 across = (*wall - leg.p_map).normalized();
   for (const Vec2& along : {left_normal(across), across}) {
@@ -297,8 +313,8 @@ bool LegBarriers::has_partner(const Thing& leg, const Vec2& along) const {
   });
 }
 
-/// The first floor that was not seen, as far away as a table is long; nothing where something stands before
-/// it.
+/// The first floor that was not seen, or small thing, as far away as a table is long; nothing where a wall
+/// stands before it.
 std::optional<Vec2> LegBarriers::partner_place(const FloorGrid& floor, const Vec2& p_map_leg,
                                                const Vec2& along) const {
   const double step_m = kLineStepCells * floor.cell_m();
@@ -306,7 +322,8 @@ std::optional<Vec2> LegBarriers::partner_place(const FloorGrid& floor, const Vec
   for (int i = 0; i <= steps; ++i) {
     const Vec2 p_map = p_map_leg + (params_.leg_max_m + i * step_m) * along;
     if (floor.at(p_map) == Floor::kFree) continue;
-    return floor.at(p_map) == Floor::kUnknown ? std::optional(p_map) : std::nullopt;
+    const bool may_be_leg = floor.at(p_map) == Floor::kUnknown || is_thing(p_map);
+    return may_be_leg ? std::optional(p_map) : std::nullopt;
   }
   return std::nullopt;
 }

@@ -181,6 +181,39 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
+/// The leaf ends beside it and hides some of what is about it.
+TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegBesideAnOpenDoorsLeaf) {
+  wall(2, 0, 6);
+  for (double x_m = 2; x_m < 2.8; x_m += 0.05) stand(x_m, 3.87);
+  stand(2.87, 2.02);
+  EXPECT_FALSE(is_closed({4, 2.8}, {2.2, 2.8}));
+  stand(2.87, 3.62);
+  hide({2.02, 3.3}, {2.85, 3.85});
+  EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
+}
+
+TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughACupboardsCornerIsNearerThanTheWall) {
+  wall(2, 0, 6);
+  wall(3.2, 3.5, 4.2);
+  for (double x_m = 3.2; x_m < 4; x_m += 0.05) stand(x_m, 3.5);
+  hide({3.25, 3.55}, {4, 4.2});
+  stand(2.87, 3.02);
+  hide({2.02, 0}, {3.5, 1.4});
+  EXPECT_TRUE(is_closed({4, 2.2}, {2.2, 2.2}));
+}
+
+/// Of the wall that the door is in, only the frame was seen from within: it does not say how a table stands.
+TEST_F(LegBarriersOnAFloor, LeaveADoorOpenBesideWhichALegStands) {
+  wall(1.85, 0, 2);
+  for (double x_m = 1.85; x_m < 2.05; x_m += 0.05) stand(x_m, 1.97);
+  wall(2, 3, 6);
+  for (double x_m = 2; x_m < 2.85; x_m += 0.05) stand(x_m, 3.07);
+  stand(2.62, 1.77);
+  hide({2, 0}, {2.4, 1.85});
+  hide({2.05, 3.1}, {3.2, 6});
+  EXPECT_FALSE(is_closed({1, 2.5}, {6, 2.5}));
+}
+
 TEST_F(LegBarriersOnAFloor, DoNotTakeASpeckBehindAWallForALegOfATableBeforeIt) {
   wall(3, 0, 6);
   stand(3.12, 3.02);

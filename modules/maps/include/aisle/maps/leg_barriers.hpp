@@ -53,6 +53,7 @@ class LegBarriers {
   void look_about(const FloorGrid& floor, Thing& thing) const;
   void find_things(const FloorGrid& floor, const FloorBox& within);
   bool is_leg(const Vec2& p_map) const;
+  bool is_thing(const Vec2& p_map) const;
   std::vector<FloorCell> cells_between(const FloorGrid& floor) const;
   bool may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const;
   bool stands_along_wall(const FloorGrid& floor, const Thing& leg, const Thing& thing) const;
