@@ -349,6 +349,7 @@ void ExplorerNavigator::arrive() {
   arrived_cycle_ = cycle_;
   is_retreating_ = false;
   if (target_ && target_->kind == ExploringTarget::Kind::kCrossing) return target_.reset();
+  if (ends_at_home_) learner_.settle_home();
   const bool is_there = stands_at_home(learner_.T_map_home(), learner_.T_map_vehicle());
   if (!ends_at_home_ || !(is_there || tries_.ways >= kHomeAttemptsMax)) return;
   came_home_ = true;

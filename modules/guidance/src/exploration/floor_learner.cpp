@@ -74,6 +74,10 @@ void FloorLearner::touch(int direction) {
   clearance_.update(floor_, put(touches_.back(), T_map_vehicle_, floor_));
 }
 
+void FloorLearner::settle_home() {
+  T_map_home_ = mapping_.lay_again(0, T_map_home_).value_or(T_map_home_);
+}
+
 void FloorLearner::keep_slice(double stamp_s) {
   LaserScan scan;
   scan.stamp_s = scan.time_s = stamp_s;

@@ -31,6 +31,12 @@ bool OnlineMapping::take_scan(std::span<const float> ranges_m, const Pose2& T_la
   return closed;
 }
 
+std::optional<Pose2> OnlineMapping::lay_again(std::size_t scan, const Pose2& T_map_guess) {
+  const auto T_map_sensor = work_->mapping.lay_again(scan, T_map_guess * work_->T_vehicle_laser);
+  if (!T_map_sensor) return std::nullopt;
+  return *T_map_sensor * work_->T_vehicle_laser.inverse();
+}
+
 std::vector<Pose2> OnlineMapping::T_map_vehicle_of_all() const {
   std::vector<Pose2> poses = work_->mapping.T_map_sensor_of_all();
   const Pose2 T_laser_vehicle = work_->T_vehicle_laser.inverse();

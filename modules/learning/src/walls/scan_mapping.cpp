@@ -45,6 +45,12 @@ std::vector<Pose2> ScanMapping::T_map_sensor_of_all() const {
   return carried_along(tracked_, scans, corrected);
 }
 
+std::optional<Pose2> ScanMapping::lay_again(std::size_t scan, const Pose2& T_map_guess) {
+  const auto T_track = tracker_.lay_again(segments_.of_scan(scan), T_map_track_.inverse() * T_map_guess);
+  if (!T_track) return std::nullopt;
+  return T_map_track_ * *T_track;
+}
+
 void ScanMapping::finish_loops() {
   if (next_keyframe_ < tracker_.keyframes().size()) close_submap();
   loops_.finish(tracker_.keyframes());

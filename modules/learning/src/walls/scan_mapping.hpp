@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "aisle/learning/walls/map_building.hpp"
@@ -27,6 +28,9 @@ class ScanMapping {
   Pose2 T_map_sensor() const { return T_map_track_ * tracked_.back(); }
   /// Of all scans, as known now.
   std::vector<Pose2> T_map_sensor_of_all() const;
+
+  /// Where an earlier scan lies on the walls of the last stretch of way, near a guess, if it fits them.
+  std::optional<Pose2> lay_again(std::size_t scan, const Pose2& T_map_guess);
 
   /// Looks for loops once more, now that every scan is in.
   void finish_loops();

@@ -20,6 +20,8 @@ constexpr double kDoubtful_m = 0.03;  // after a motion of at least this
 constexpr double kClearlyBetter = 0.15;
 constexpr double kSlightlyBetter = 0.02;
 constexpr double kRelocationSeen_m = 2;  // with less wall in sight a guess is worse than none
+constexpr double kGuessSigma_m = 0.3, kGuessSigma_rad = 3 * kDegree;
+constexpr double kLaidAgainShare = 0.5;  // of the seen length must fit
 constexpr double kRelocatedPoseSigma_m = 0.05;
 constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
 
@@ -61,6 +63,16 @@ Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_
   if (keyframe_is_due()) learn(segments, wall_information);
   ++scan_;
   return T_track_sensor_.mean;
+}
+
+std::optional<Pose2> ScanTracker::lay_again(std::span<const SensedSegment> segments,
+                                            const Pose2& T_track_guess) {
+  const Vec3 sigma(kGuessSigma_m, kGuessSigma_m, kGuessSigma_rad);
+  const PosePrior prior{T_track_guess, sigma.cwiseAbs2().cwiseInverse().asDiagonal()};
+  const Alignment alignment =
+      aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
+  if (alignment.seen_m == 0 || alignment.fitting_share() < kLaidAgainShare) return std::nullopt;
+  return alignment.T_map_sensor;
 }
 
 /// Without axes there is nothing better than walls as they are.

@@ -73,6 +73,32 @@ TEST(ScanTracker, NeedsNoAxes) {
   EXPECT_THAT(last, PoseNear(curve().back(), 0.02, 0.01));
 }
 
+TEST(ScanTracker, LaysAnEarlierScanOntoTheWallsAgain) {
+  ScanTracker tracker(TrackerParams{});
+  const std::vector<Pose2> drive = curve();
+  Pose2 T_track_last;
+  for (std::size_t i = 0; i < drive.size(); ++i)
+    T_track_last = tracker.step(view_from(drive[i]), i > 0 ? between(drive[i - 1], drive[i]) : Pose2{}, true);
+  const Pose2 T_room_track = drive.back() * T_track_last.inverse();
+  const auto first = tracker.lay_again(view_from(drive.front()),
+                                       T_room_track.inverse() * drive.front() * Pose2{0.1, -0.08, 0.03});
+  ASSERT_TRUE(first);
+  EXPECT_THAT(T_room_track * *first, PoseNear(drive.front(), 0.01, 0.003));
+}
+
+TEST(ScanTracker, DoesNotLayAScanOfAnotherRoomOntoTheWalls) {
+  ScanTracker tracker(TrackerParams{});
+  tracker.step(view_from({}), {}, true);
+  std::vector<SensedSegment> elsewhere = view_from({});
+  for (SensedSegment& s : elsewhere) {
+    s.segment = Pose2{0, 0, 0.6} * s.segment;
+    s.centroid = s.segment.midpoint();
+    s.heading_rad = s.segment.heading();
+  }
+  EXPECT_FALSE(tracker.lay_again(elsewhere, {}));
+  EXPECT_FALSE(tracker.lay_again({}, {}));
+}
+
 TEST(ScanTracker, WithNothingInSightItKeepsToTheOdometry) {
   ScanTracker tracker(TrackerParams{});
   tracker.step({}, {}, true);

@@ -40,6 +40,10 @@ class FloorLearner {
   /// now on something stands there on the floor. After the first slice.
   void touch(int direction);
 
+  /// Back where it began, by what it sees from there: lays its first slice onto the walls that it has come by
+  /// last. After the first slice.
+  void settle_home();
+
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
   const Pose2& T_map_home() const { return T_map_home_; }  ///< where it began, as known now
   bool has_looked() const { return !looks_.empty(); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,9 @@ class OnlineMapping {
   /// At the latest scan, as known now. At the first scan the vehicle is about the origin of `map`, heading
   /// along an axis as nearly as the walls show one.
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
+  /// Where the vehicle stood at an earlier scan by the walls that were seen last, near a guess; nothing where
+  /// that scan does not fit them.
+  std::optional<Pose2> lay_again(std::size_t scan, const Pose2& T_map_guess);
   /// At all scans, as known now.
   std::vector<Pose2> T_map_vehicle_of_all() const;
 

@@ -46,6 +46,10 @@ class ScanTracker {
   /// the pose in `track`. With `orthogonal` false the building has no dominant direction: no wall is an axis.
   Pose2 step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal);
 
+  /// Where an earlier scan lies best on the walls of the last stretch of way, near a guess; nothing where too
+  /// little of it fits them.
+  std::optional<Pose2> lay_again(std::span<const SensedSegment> segments, const Pose2& T_track_guess);
+
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
   double path_m() const { return path_m_; }
   std::size_t wall_count() const { return walls_.size(); }
