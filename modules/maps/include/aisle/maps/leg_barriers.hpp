@@ -22,10 +22,10 @@ struct LegParams {
 
 /// A slice at one height shows the legs of tables and chairs, not their tops. Small things that stand in
 /// groups are taken for legs, and what lies between them for closed; so is the way in between a wall and
-/// two legs before it, where a table stands with its back to the wall, and from one such leg to what small
-/// thing may be the other, or floor not seen hide it. What stands at a wall may be a speck of it: it is a leg only right
-/// before the wall, or at the end of one with the same wall behind it as behind the other leg, and only to
-/// one that stands free and has it in full view. No plate is where the vehicle stood.
+/// two legs before it, where a table stands with its back to the wall, and from one such leg to the other,
+/// be it a small thing or hidden by floor not seen yet. What stands at a wall may be a speck of it: it is a
+/// leg only right before the wall, or at the end of one with the same wall behind it as behind the other
+/// leg, and only to one that stands free and has it in full view. No plate is where the vehicle stood.
 class LegBarriers {
  public:
   explicit LegBarriers(const LegParams& params = {}) : params_(params) {}
