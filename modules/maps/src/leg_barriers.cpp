@@ -293,8 +293,8 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
   };
   if (leg.stand == Stand::kBeforeWall && may_hide_one(leg.behind)) look(-leg.behind);
   if (leg.stand != Stand::kFree) return hidden;
-  const auto wall = nearest_wall(
-      floor, leg.p_map, [&](const Vec2& away) { return wall_goes_on(floor, leg.p_map, away); });
+  const auto wall =
+      nearest_wall(floor, leg.p_map, [&](const Vec2& away) { return wall_goes_on(floor, leg.p_map, away); });
   if (!wall) return hidden;
   const Vec2 across = (*wall - leg.p_map).normalized();
   for (const Vec2& along : {left_normal(across), across}) {
