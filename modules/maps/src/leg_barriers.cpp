@@ -43,13 +43,6 @@ bool stands_about(const FloorGrid& floor, const Vec2& p_map, double within_m) {
   return stands;
 }
 
-/// Something that runs across this direction, to both sides of where it is met.
-bool wall_goes_on(const FloorGrid& floor, const Vec2& p_map_from, const Vec2& away) {
-  const Vec2 p_map = p_map_from + away, aside = kWallGoesOn_m * left_normal(away.normalized());
-  return stands_about(floor, Vec2(p_map + aside), floor.cell_m()) &&
-         stands_about(floor, Vec2(p_map - aside), floor.cell_m());
-}
-
 Vec2 mean_direction(std::span<const Vec2> away) {
   Vec2 sum = Vec2::Zero();
   for (const Vec2& one : away) sum += one;
@@ -260,6 +253,14 @@ std::optional<Vec2> LegBarriers::wall_behind(const FloorGrid& floor, const Vec2&
   return nearest_wall(floor, p_map_leg, [&](const Vec2& away) {
     return std::abs(across.dot(away)) >= kAcrossMin * away.norm();
   });
+}
+
+/// More than a small thing runs across this direction, to both sides of where it is met.
+bool LegBarriers::wall_goes_on(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& away) const {
+  const Vec2 p_map = p_map_leg + away, aside = kWallGoesOn_m * left_normal(away.normalized());
+  return small_thing(floor, floor.cell_at(p_map)).empty() &&
+         stands_about(floor, Vec2(p_map + aside), floor.cell_m()) &&
+         stands_about(floor, Vec2(p_map - aside), floor.cell_m());
 }
 
 template <class Matters>
