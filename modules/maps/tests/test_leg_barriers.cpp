@@ -20,6 +20,9 @@ class LegBarriersOnAFloor : public testing::Test {
   void wall(double x_m, double from_y_m, double to_y_m) {
     for (double y_m = from_y_m; y_m < to_y_m; y_m += 0.05) stand(x_m, y_m);
   }
+  void wall_across(double y_m, double from_x_m, double to_x_m) {
+    for (double x_m = from_x_m; x_m < to_x_m; x_m += 0.05) stand(x_m, y_m);
+  }
   void hide(const Vec2& low, const Vec2& high) {
     for (double x_m = low.x(); x_m < high.x(); x_m += 0.05) {
       for (double y_m = low.y(); y_m < high.y(); y_m += 0.05)
@@ -156,7 +159,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegAtAnotherWall) {
 
 TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegOfATableInACorner) {
   wall(2, 1, 6);
-  for (double x_m = 2; x_m < 6; x_m += 0.05) stand(x_m, 1);
+  wall_across(1, 2, 6);
   stand(2.87, 1.22);
   EXPECT_FALSE(is_closed({4, 1.8}, {2.3, 1.8}));
   hide({2.02, 2.52}, {5, 6});
@@ -174,7 +177,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckStandsAtTheWallBe
 }
 
 TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
-  for (double x_m = 1; x_m < 5; x_m += 0.05) stand(x_m, 3.87);
+  wall_across(3.87, 1, 5);
   stand(2.87, 2.02);
   stand(2.87, 3.62);
   stand(2.92, 3.62);
@@ -184,7 +187,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
 /// The leaf ends beside it and hides some of what is about it.
 TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegBesideAnOpenDoorsLeaf) {
   wall(2, 0, 6);
-  for (double x_m = 2; x_m < 2.8; x_m += 0.05) stand(x_m, 3.87);
+  wall_across(3.87, 2, 2.8);
   stand(2.87, 2.02);
   EXPECT_FALSE(is_closed({4, 2.8}, {2.2, 2.8}));
   stand(2.87, 3.62);
@@ -195,7 +198,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegBesideAnOpenDoorsLeaf) {
 TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughACupboardsCornerIsNearerThanTheWall) {
   wall(2, 0, 6);
   wall(3.2, 3.5, 4.2);
-  for (double x_m = 3.2; x_m < 4; x_m += 0.05) stand(x_m, 3.5);
+  wall_across(3.5, 3.2, 4);
   hide({3.25, 3.55}, {4, 4.2});
   stand(2.87, 3.02);
   hide({2.02, 0}, {3.5, 1.4});
@@ -205,9 +208,9 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughACupboardsCornerIsNeare
 /// Of the wall that the door is in, only the frame was seen from within: it does not say how a table stands.
 TEST_F(LegBarriersOnAFloor, LeaveADoorOpenBesideWhichALegStands) {
   wall(1.85, 0, 2);
-  for (double x_m = 1.85; x_m < 2.05; x_m += 0.05) stand(x_m, 1.97);
+  wall_across(1.97, 1.85, 2.05);
   wall(2, 3, 6);
-  for (double x_m = 2; x_m < 2.85; x_m += 0.05) stand(x_m, 3.07);
+  wall_across(3.07, 2, 2.85);
   stand(2.62, 1.77);
   hide({2, 0}, {2.4, 1.85});
   hide({2.05, 3.1}, {3.2, 6});
