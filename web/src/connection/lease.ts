@@ -3,7 +3,10 @@ import { Signal } from "../page/signal";
 
 const renew_every_ms = 1000;
 
-/** The right to drive, which one client at a time holds. Renewed until it is given back or the connection ends. */
+/**
+ * The right to drive, which one client at a time holds. Renewed until it is given back or the connection ends; one that
+ * ran out while the page was held up is taken again where nobody else has it.
+ */
 export class Lease {
   /** The token; undefined: not held here. */
   readonly token = new Signal<string | undefined>(undefined);
@@ -42,7 +45,9 @@ export class Lease {
     try {
       await this.connection.call("lease/renew", { lease });
     } catch {
-      if (this.token.value === lease) this.token.value = undefined;
+      if (this.token.value !== lease) return;
+      this.token.value = undefined;
+      await this.take().catch(() => undefined);
     }
   }
 }

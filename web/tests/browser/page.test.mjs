@@ -68,6 +68,28 @@ test("Arrow keys drive while they are held, and the last word is to stand", asyn
   assert.ok(vehicle.drives.every(({ lease }) => lease === "token"));
 });
 
+test("Controls that ran out are taken again where they are free, and what was held drives no more", async () => {
+  await page.getByRole("button", { name: "Take the controls" }).click();
+  await page.getByText("you hold the controls").waitFor();
+  await page.keyboard.down("ArrowUp");
+  await until(() => vehicle.drives.length > 0, "driving");
+  vehicle.answers["lease/take"] = () => ({ lease: "second token", valid_s: 3 });
+  vehicle.answers["lease/renew"] = ({ lease }) =>
+    lease === "token" ? new Error("the lease ran out") : { valid_s: 3 };
+  await until(() => called("lease/take").length === 2, "taken again");
+  await page.getByText("you hold the controls").waitFor();
+  await page.keyboard.up("ArrowUp");
+  await page.keyboard.down("ArrowUp");
+  await until(() => vehicle.drives.at(-1)?.lease === "second token", "driving again");
+  const again = vehicle.drives.filter(({ lease }) => lease === "second token");
+  assert.equal(again[0].sequence, 1);
+  await page.keyboard.up("ArrowUp");
+
+  vehicle.answers["lease/renew"] = () => new Error("the lease ran out");
+  vehicle.answers["lease/take"] = () => new Error("anna drives");
+  await page.getByText("nobody holds the controls").waitFor();
+});
+
 test("Without the controls the arrow keys say nothing", async () => {
   await page.keyboard.press("ArrowUp");
   await page.getByRole("button", { name: "Emergency stop" }).click();
