@@ -2,6 +2,7 @@
 
 #include <ceres/ceres.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,6 +18,7 @@ constexpr double kCauchy = 2;         // standard deviations at which a sighting
 constexpr double kKeyframe_m = 0.05;  // poses closer than this to the one before move with it
 constexpr double kKeyframe_rad = 0.01;
 constexpr double kLeastMotionSigma = 1e-4;  // of a motion [m, rad]
+constexpr double kLeastKnownSigma_m = 0.002;  // of a landmark that earlier trips know
 constexpr int kIterationsMax = 25;
 constexpr double kLoopSigma_m = 0.03;  // of a loop
 constexpr double kLoopSigma_rad = 0.5 * kDegree;
@@ -114,6 +116,20 @@ struct SightingError {
   }
 };
 
+/// A landmark against its place as earlier trips know it.
+struct KnownError {
+  Vec2 p_map;
+  Mat2 root_information;
+
+  template <class T>
+  bool operator()(const T* landmark, T* residual) const {
+    const T off_x = landmark[0] - p_map.x(), off_y = landmark[1] - p_map.y();
+    residual[0] = root_information(0, 0) * off_x + root_information(0, 1) * off_y;
+    residual[1] = root_information(1, 0) * off_x + root_information(1, 1) * off_y;
+    return true;
+  }
+};
+
 /// The heading of a cycle, against walls whose direction is unknown.
 struct WallError {
   double key_to_cycle_rad;
@@ -163,12 +179,41 @@ OdometryError odometry_error(std::span<const LandmarkCycle> cycles, std::size_t 
   return error;
 }
 
+/// What remains of a symmetric matrix above zero.
+Mat2 positive_part(const Mat2& m) {
+  const Eigen::SelfAdjointEigenSolver<Mat2> solver(m);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() *
+         solver.eigenvectors().transpose();
+}
+
+/// How far the sightings of each landmark scatter about it, in `map`, beyond their own errors. What is seen
+/// behind an edge, or taken now for one line of a door's frame and now for another, wanders with the place
+/// from where it is seen.
+std::vector<Mat2> unexplained_spread(const TripEvidence& trip, const std::vector<Pose2>& T_map_vehicle,
+                                     const std::vector<double>& tilts,
+                                     const std::vector<Landmark>& landmarks) {
+  std::vector<Mat2> spread(landmarks.size(), Mat2::Zero());
+  std::vector<int> count(landmarks.size(), 0);
+  for (const LandmarkObservation& seen : trip.observations) {
+    const LandmarkSighting& sighting = trip.cycles[seen.cycle].sightings[seen.sighting];
+    const Pose2& T = T_map_vehicle[seen.cycle];
+    const Vec2 off = T * Vec2(sighting.p_vehicle - sighting.by_tilt * tilts[seen.cycle]) -
+                     landmarks[seen.landmark].p_map;
+    const Mat2 R_map_vehicle = rotation(T.theta);
+    const Mat2 own = sighting.covariance - sighting.by_tilt * sighting.by_tilt.transpose();
+    spread[seen.landmark] += off * off.transpose() - R_map_vehicle * own * R_map_vehicle.transpose();
+    ++count[seen.landmark];
+  }
+  for (std::size_t i = 0; i < spread.size(); ++i)
+    spread[i] = positive_part(spread[i] / std::max(count[i], 1));
+  return spread;
+}
+
 }  // namespace
 
-void adjust_landmarks(std::span<const LandmarkCycle> cycles,
-                      std::span<const LandmarkObservation> observations, std::span<const LandmarkLoop> loops,
-                      std::span<const WallObservation> walls, const VehicleDescription& vehicle,
+void adjust_landmarks(const TripEvidence& trip, const VehicleDescription& vehicle,
                       std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks) {
+  const std::span<const LandmarkCycle> cycles = trip.cycles;
   const Keyframes keyframes = choose_keyframes(T_map_vehicle);
   std::vector<std::array<double, 3>> keys;
   for (const std::size_t cycle : keyframes.cycles) {
@@ -188,7 +233,7 @@ void adjust_landmarks(std::span<const LandmarkCycle> cycles,
             new OdometryError(odometry_error(cycles, keyframes.cycles[k - 1], keyframes.cycles[k], vehicle))),
         nullptr, keys[k - 1].data(), keys[k].data(), steady.data());
   }
-  for (const LandmarkLoop& loop : loops) {
+  for (const LandmarkLoop& loop : trip.loops) {
     const std::size_t a = keyframes.of_cycle[loop.earlier_cycle], b = keyframes.of_cycle[loop.later_cycle];
     const Pose2 T_a_b =
         T_key_cycle[loop.earlier_cycle] * loop.T_earlier_later * T_key_cycle[loop.later_cycle].inverse();
@@ -196,7 +241,14 @@ void adjust_landmarks(std::span<const LandmarkCycle> cycles,
                              new ceres::HuberLoss(kLoopHuber), keys[a].data(), keys[b].data());
   }
   std::vector<Mat2> information(landmarks.size(), Mat2::Zero());
-  for (const LandmarkObservation& seen : observations) {
+  for (std::size_t i = 0; i < trip.known.size(); ++i) {
+    const Mat2 covariance = trip.known[i].covariance + square(kLeastKnownSigma_m) * Mat2::Identity();
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<KnownError, 2, 2>(
+                                 new KnownError{trip.known[i].p_map, root_information(covariance)}),
+                             new ceres::CauchyLoss(kCauchy), landmarks[i].p_map.data());
+    information[i] = covariance.inverse();
+  }
+  for (const LandmarkObservation& seen : trip.observations) {
     const LandmarkSighting& sighting = cycles[seen.cycle].sightings[seen.sighting];
     const Mat2 own = sighting.covariance - sighting.by_tilt * sighting.by_tilt.transpose();
     problem.AddResidualBlock(new ceres::AutoDiffCostFunction<SightingError, 2, 3, 1, 2>(
@@ -207,11 +259,11 @@ void adjust_landmarks(std::span<const LandmarkCycle> cycles,
     information[seen.landmark] += R_map_vehicle * sighting.covariance.inverse() * R_map_vehicle.transpose();
   }
   std::vector<double> walls_rad;
-  for (const WallObservation& seen : walls) {
+  for (const WallObservation& seen : trip.walls) {
     while (walls_rad.size() <= static_cast<std::size_t>(seen.walls))
       walls_rad.push_back(T_map_vehicle[seen.cycle].theta - seen.against_walls.heading_rad);
   }
-  for (const WallObservation& seen : walls) {
+  for (const WallObservation& seen : trip.walls) {
     problem.AddResidualBlock(new ceres::AutoDiffCostFunction<WallError, 1, 3, 1>(
                                  new WallError{T_key_cycle[seen.cycle].theta, seen.against_walls}),
                              new ceres::CauchyLoss(kCauchy), keys[keyframes.of_cycle[seen.cycle]].data(),
@@ -221,7 +273,7 @@ void adjust_landmarks(std::span<const LandmarkCycle> cycles,
     if (problem.HasParameterBlock(&tilt)) problem.AddResidualBlock(NearZero<1>::cost(), nullptr, &tilt);
   }
   if (keys.size() > 1) {
-    problem.SetParameterBlockConstant(keys.front().data());
+    if (trip.known.empty()) problem.SetParameterBlockConstant(keys.front().data());
     problem.AddResidualBlock(NearZero<3>::cost(), nullptr, steady.data());
   }
   ceres::Solver::Options options;
@@ -235,8 +287,9 @@ void adjust_landmarks(std::span<const LandmarkCycle> cycles,
     const std::array<double, 3>& key = keys[keyframes.of_cycle[i]];
     T_map_vehicle[i] = Pose2{key[0], key[1], key[2]} * T_key_cycle[i];
   }
+  const std::vector<Mat2> spread = unexplained_spread(trip, T_map_vehicle, tilts, landmarks);
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    if (information[i].determinant() > 0) landmarks[i].covariance = information[i].inverse();
+    if (information[i].determinant() > 0) landmarks[i].covariance = information[i].inverse() + spread[i];
   }
 }
 

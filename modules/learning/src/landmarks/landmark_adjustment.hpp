@@ -5,15 +5,9 @@
 
 #include "aisle/learning/landmarks/landmark_learning.hpp"
 #include "landmarks/landmark_loops.hpp"
+#include "landmarks/landmark_observations.hpp"
 
 namespace aisle {
-
-/// That a sighting of a cycle shows a landmark.
-struct LandmarkObservation {
-  std::size_t cycle = 0;
-  std::size_t sighting = 0;
-  std::size_t landmark = 0;
-};
 
 /// The heading of the vehicle in a cycle against the walls around.
 struct WallObservation {
@@ -22,13 +16,21 @@ struct WallObservation {
   HeadingMeasurement against_walls;
 };
 
+/// What is known of a trip and of what it saw.
+struct TripEvidence {
+  std::span<const LandmarkCycle> cycles;
+  std::span<const LandmarkObservation> observations;
+  std::span<const LandmarkLoop> loops;
+  std::span<const WallObservation> walls;
+  std::span<const Landmark> known = {};  ///< by earlier trips: the first of the landmarks
+};
+
 /// Moves the poses of a trip and its landmarks until sightings, odometry and walls agree best (robust least
-/// squares); the first pose stays, and what loops say of two poses holds. What is steadily wrong with the
-/// odometry, and each picture's tilt, are unknowns, too. Landmarks get the covariance that their sightings
-/// leave.
-void adjust_landmarks(std::span<const LandmarkCycle> cycles,
-                      std::span<const LandmarkObservation> observations, std::span<const LandmarkLoop> loops,
-                      std::span<const WallObservation> walls, const VehicleDescription& vehicle,
+/// squares), and what loops say of two poses holds. Without landmarks that are known the first pose stays;
+/// else these hold the map where it is, each as firmly as it is known. What is steadily wrong with the
+/// odometry, and each picture's tilt, are unknowns, too. Landmarks get the covariance that all their
+/// sightings leave.
+void adjust_landmarks(const TripEvidence& trip, const VehicleDescription& vehicle,
                       std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks);
 
 }  // namespace aisle

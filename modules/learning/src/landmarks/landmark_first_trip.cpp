@@ -16,8 +16,6 @@ constexpr double kRemembered_m =
     10;  // of way: what was last seen before is another pass, if it is seen again
 
 constexpr int kFinalAdjustments = 2;
-constexpr double kNearSigma_m = 0.02;  // poses of the trip while sightings are paired with its landmarks
-constexpr double kNearSigma_rad = 0.005;
 
 /// The trip picture by picture: match, correct, merge. After a long way round the pose has drifted against
 /// what was seen at its beginning; so only what was seen on the last metres is matched and merged with.
@@ -116,24 +114,6 @@ class FirstTrip {
   double way_m_ = 0;
 };
 
-/// Which sighting of a trip shows which of its landmarks.
-std::vector<LandmarkObservation> observations(std::span<const LandmarkCycle> cycles,
-                                              const VehicleDescription& vehicle,
-                                              const LandmarkLocaliserParams& params,
-                                              std::span<const Pose2> T_map_vehicle,
-                                              std::span<const TripLandmark> landmarks) {
-  LandmarkLocaliser localiser(params, vehicle, {});
-  PresentLandmarks present(landmarks);
-  std::vector<LandmarkObservation> all;
-  for (std::size_t i = 0; i < cycles.size(); ++i) {
-    localiser.place(about(T_map_vehicle[i], kNearSigma_m, kNearSigma_rad));
-    if (localiser.correct(present.at(i), cycles[i].sightings) != LandmarkMatch::kMatched) continue;
-    for (const LandmarkPair& pair : localiser.pairs())
-      all.push_back({i, pair.sighting, present.original(pair.landmark)});
-  }
-  return all;
-}
-
 /// Landmarks that lie upon each other become one, which was there all the time between.
 std::vector<TripLandmark> without_doubles(std::span<const TripLandmark> landmarks, double merge_m) {
   std::vector<TripLandmark> single;
@@ -179,8 +159,9 @@ class TripAdjuster {
     std::vector<Landmark> moved;
     moved.reserve(landmarks.size());
     for (const TripLandmark& landmark : landmarks) moved.push_back(landmark.landmark);
-    adjust_landmarks(cycles_, observations(cycles_, vehicle_, params_.localiser, T_map_vehicle, landmarks),
-                     loops, walls_, vehicle_, T_map_vehicle, moved);
+    const auto observations =
+        observe_landmarks(cycles_, vehicle_, params_.localiser, T_map_vehicle, landmarks);
+    adjust_landmarks({cycles_, observations, loops, walls_}, vehicle_, T_map_vehicle, moved);
     for (std::size_t i = 0; i < moved.size(); ++i) landmarks[i].landmark = moved[i];
   }
 

@@ -1,17 +1,10 @@
 #include "aisle/learning/landmarks/landmark_learning.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "landmarks/landmark_view.hpp"
 
 namespace aisle {
 
 namespace {
-
-constexpr int kExpectedMin = 15;        // pictures that show whether a landmark is still there
-constexpr double kSeenShareMin = 0.05;  // seen in fewer of them it is gone
-constexpr double kGoneShare = 0.3;      // of a vanished landmark's mass that remains after a trip
 
 /// The landmark as one sighting shows it.
 Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, double confidence_m2) {
@@ -24,26 +17,6 @@ Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, d
           .passes = 1,
           .seen_from = (T_map_vehicle.position() - T_map_vehicle * sighting.p_vehicle).normalized(),
           .brighter_right = sighting.brighter_right};
-}
-
-/// How often a landmark should have been seen on a trip, and how often it was.
-struct Visibility {
-  int expected = 0;
-  int seen = 0;
-
-  bool is_gone() const { return expected >= kExpectedMin && seen < kSeenShareMin * expected; }
-};
-
-void count_visibility(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
-                      const LandmarkLocaliser& localiser, std::vector<Visibility>& visibility) {
-  const LandmarkView view(sightings);
-  std::vector<int> near;
-  map.within(localiser.pose().position(), view.far_m(), near);
-  for (const int i : near) {
-    const auto index = static_cast<std::size_t>(i);
-    if (view.expects(map[index], localiser.pose())) ++visibility[index].expected;
-  }
-  for (const LandmarkPair& pair : localiser.pairs()) ++visibility[pair.landmark].seen;
 }
 
 }  // namespace
@@ -106,41 +79,6 @@ void settle_weights(std::vector<Landmark>& landmarks, const Vec2& p_map_start, d
   };
   const double greatest = std::max_element(landmarks.begin(), landmarks.end(), by_weight)->weight;
   std::min_element(landmarks.begin(), landmarks.end(), by_distance)->weight = greatest;
-}
-
-RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const LandmarkCycle> cycles,
-                                  const VehicleDescription& vehicle, const UncertainPose2& T_map_start,
-                                  const LandmarkLearningParams& params) {
-  RefinedLandmarks refined;
-  LandmarkLocaliser localiser(params.localiser, vehicle, T_map_start);
-  LandmarkLearner learner(params, map);
-  std::vector<Visibility> visibility(map.size());
-  std::size_t seen_pictures = 0, matched_pictures = 0;
-  for (std::size_t i = 0; i < cycles.size(); ++i) {
-    if (i > 0) localiser.predict(cycles[i].odometry);
-    const LandmarkMatch match = localiser.correct(map, cycles[i].sightings, cycles[i].floor_edges);
-    refined.T_map_vehicle.push_back(localiser.pose());
-    if (match != LandmarkMatch::kNothing) ++seen_pictures;
-    if (match != LandmarkMatch::kMatched) continue;
-    ++matched_pictures;
-    count_visibility(map, cycles[i].sightings, localiser, visibility);
-    learner.merge(cycles[i].sightings, localiser.pose());
-  }
-  std::vector<Landmark> landmarks;
-  for (std::size_t i = 0; i < learner.map().size(); ++i) {
-    Landmark landmark = learner.map()[i];
-    if (landmark.weight == 0) continue;
-    if (i < visibility.size()) {
-      if (params.forget && visibility[i].is_gone()) landmark.mass *= kGoneShare;
-      if (visibility[i].seen > 0) ++landmark.passes;
-    }
-    landmarks.push_back(landmark);
-  }
-  settle_weights(landmarks, T_map_start.mean.position(), params.weight_min);
-  refined.map.assign(landmarks);
-  refined.matched_share =
-      static_cast<double>(matched_pictures) / static_cast<double>(std::max<std::size_t>(seen_pictures, 1));
-  return refined;
 }
 
 }  // namespace aisle

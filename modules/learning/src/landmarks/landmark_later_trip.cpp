@@ -1,0 +1,118 @@
+#include <algorithm>
+
+#include "aisle/learning/landmarks/landmark_learning.hpp"
+#include "landmarks/landmark_adjustment.hpp"
+#include "landmarks/landmark_view.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr int kExpectedMin = 15;        // pictures that show whether a landmark is still there
+constexpr double kSeenShareMin = 0.05;  // seen in fewer of them it is gone
+constexpr double kGoneShare = 0.3;      // of a vanished landmark's mass that remains after a trip
+constexpr int kAdjustments = 2;         // of a later trip
+
+/// How often a landmark should have been seen on a trip, and how often it was.
+struct Visibility {
+  int expected = 0;
+  int seen = 0;
+
+  bool is_gone() const { return expected >= kExpectedMin && seen < kSeenShareMin * expected; }
+};
+
+void count_visibility(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
+                      const LandmarkLocaliser& localiser, std::vector<Visibility>& visibility) {
+  const LandmarkView view(sightings);
+  std::vector<int> near;
+  map.within(localiser.pose().position(), view.far_m(), near);
+  for (const int i : near) {
+    const auto index = static_cast<std::size_t>(i);
+    if (view.expects(map[index], localiser.pose())) ++visibility[index].expected;
+  }
+  for (const LandmarkPair& pair : localiser.pairs()) ++visibility[pair.landmark].seen;
+}
+
+/// A trip through a building that is known, picture by picture: match, correct, merge into what is known.
+class LaterTrip {
+ public:
+  LaterTrip(const LandmarkMap& map, const VehicleDescription& vehicle, const UncertainPose2& T_map_start,
+            const LandmarkLearningParams& params)
+      : params_(params),
+        vehicle_(vehicle),
+        known_(map),
+        learner_(params, map),
+        localiser_(params.localiser, vehicle, T_map_start),
+        visibility_(map.size()) {}
+
+  void add(const LandmarkCycle& cycle) {
+    if (!T_map_vehicle_.empty()) localiser_.predict(cycle.odometry);
+    const LandmarkMatch match = localiser_.correct(known_, cycle.sightings, cycle.floor_edges);
+    T_map_vehicle_.push_back(localiser_.pose());
+    if (match != LandmarkMatch::kNothing) ++seen_pictures_;
+    if (match != LandmarkMatch::kMatched) return;
+    ++matched_pictures_;
+    count_visibility(known_, cycle.sightings, localiser_, visibility_);
+    learner_.merge(cycle.sightings, localiser_.pose());
+  }
+
+  /// What is known now, the landmarks of the map first. @param known_before  becomes these as they were
+  std::vector<Landmark> landmarks(std::vector<Landmark>& known_before) const {
+    std::vector<Landmark> landmarks;
+    for (std::size_t i = 0; i < learner_.map().size(); ++i) {
+      Landmark landmark = learner_.map()[i];
+      if (landmark.weight == 0) continue;
+      if (i < known_.size()) {
+        if (params_.forget && visibility_[i].is_gone()) landmark.mass *= kGoneShare;
+        if (visibility_[i].seen > 0) ++landmark.passes;
+        known_before.push_back(known_[i]);
+      }
+      landmarks.push_back(landmark);
+    }
+    return landmarks;
+  }
+
+  /// Moves poses and landmarks together; those that were known hold the map where it is.
+  void adjust(std::span<const LandmarkCycle> cycles, std::span<const Landmark> known_before,
+              std::vector<Landmark>& landmarks) {
+    std::vector<TripLandmark> all_the_time;
+    for (const Landmark& landmark : landmarks) all_the_time.push_back({landmark, 0, cycles.size()});
+    const auto observations =
+        observe_landmarks(cycles, vehicle_, params_.localiser, T_map_vehicle_, all_the_time);
+    adjust_landmarks({cycles, observations, {}, {}, known_before}, vehicle_, T_map_vehicle_, landmarks);
+  }
+
+  const std::vector<Pose2>& T_map_vehicle() const { return T_map_vehicle_; }
+
+  /// Of the pictures with sightings.
+  double matched_share() const {
+    return static_cast<double>(matched_pictures_) / static_cast<double>(std::max(seen_pictures_, 1));
+  }
+
+ private:
+  LandmarkLearningParams params_;
+  const VehicleDescription& vehicle_;
+  const LandmarkMap& known_;
+  LandmarkLearner learner_;
+  LandmarkLocaliser localiser_;
+  std::vector<Visibility> visibility_;  ///< of what is known
+  std::vector<Pose2> T_map_vehicle_;
+  int seen_pictures_ = 0, matched_pictures_ = 0;
+};
+
+}  // namespace
+
+RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const LandmarkCycle> cycles,
+                                  const VehicleDescription& vehicle, const UncertainPose2& T_map_start,
+                                  const LandmarkLearningParams& params) {
+  LaterTrip trip(map, vehicle, T_map_start, params);
+  for (const LandmarkCycle& cycle : cycles) trip.add(cycle);
+  std::vector<Landmark> known;
+  std::vector<Landmark> landmarks = trip.landmarks(known);
+  for (int round = 0; params.adjust && round < kAdjustments; ++round) trip.adjust(cycles, known, landmarks);
+  settle_weights(landmarks, T_map_start.mean.position(), params.weight_min);
+  RefinedLandmarks refined{.map = {}, .T_map_vehicle = trip.T_map_vehicle(), .matched_share = trip.matched_share()};
+  refined.map.assign(std::move(landmarks));
+  return refined;
+}
+
+}  // namespace aisle

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "aisle/learning/landmarks/landmark_learning.hpp"
+#include "landmarks/trip_landmarks.hpp"
+
+namespace aisle {
+
+/// That a sighting of a cycle shows a landmark.
+struct LandmarkObservation {
+  std::size_t cycle = 0;
+  std::size_t sighting = 0;
+  std::size_t landmark = 0;
+};
+
+/// Which sighting of a trip shows which landmark, where its poses are known to a few centimetres.
+std::vector<LandmarkObservation> observe_landmarks(std::span<const LandmarkCycle> cycles,
+                                                   const VehicleDescription& vehicle,
+                                                   const LandmarkLocaliserParams& params,
+                                                   std::span<const Pose2> T_map_vehicle,
+                                                   std::span<const TripLandmark> landmarks);
+
+}  // namespace aisle
