@@ -17,7 +17,7 @@ namespace {
 constexpr double kCauchy = 2;         // standard deviations at which a sighting begins to count less
 constexpr double kKeyframe_m = 0.05;  // poses closer than this to the one before move with it
 constexpr double kKeyframe_rad = 0.01;
-constexpr double kLeastMotionSigma = 1e-4;  // of a motion [m, rad]
+constexpr double kLeastMotionSigma = 1e-4;    // of a motion [m, rad]
 constexpr double kLeastKnownSigma_m = 0.002;  // of a landmark that earlier trips know
 constexpr int kIterationsMax = 25;
 constexpr double kLoopSigma_m = 0.03;  // of a loop
@@ -197,8 +197,8 @@ std::vector<Mat2> unexplained_spread(const TripEvidence& trip, const std::vector
   for (const LandmarkObservation& seen : trip.observations) {
     const LandmarkSighting& sighting = trip.cycles[seen.cycle].sightings[seen.sighting];
     const Pose2& T = T_map_vehicle[seen.cycle];
-    const Vec2 off = T * Vec2(sighting.p_vehicle - sighting.by_tilt * tilts[seen.cycle]) -
-                     landmarks[seen.landmark].p_map;
+    const Vec2 off =
+        T * Vec2(sighting.p_vehicle - sighting.by_tilt * tilts[seen.cycle]) - landmarks[seen.landmark].p_map;
     const Mat2 R_map_vehicle = rotation(T.theta);
     const Mat2 own = sighting.covariance - sighting.by_tilt * sighting.by_tilt.transpose();
     spread[seen.landmark] += off * off.transpose() - R_map_vehicle * own * R_map_vehicle.transpose();

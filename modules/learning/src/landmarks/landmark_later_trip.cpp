@@ -32,6 +32,12 @@ void count_visibility(const LandmarkMap& map, std::span<const LandmarkSighting> 
   for (const LandmarkPair& pair : localiser.pairs()) ++visibility[pair.landmark].seen;
 }
 
+/// What a trip makes of a map.
+struct KnownLandmarks {
+  std::vector<Landmark> before;  ///< as the map had them; those that went on the trip are not among them
+  std::vector<Landmark> after;   ///< the same, in the same order, then the new ones
+};
+
 /// A trip through a building that is known, picture by picture: match, correct, merge into what is known.
 class LaterTrip {
  public:
@@ -55,30 +61,29 @@ class LaterTrip {
     learner_.merge(cycle.sightings, localiser_.pose());
   }
 
-  /// What is known now, the landmarks of the map first. @param known_before  becomes these as they were
-  std::vector<Landmark> landmarks(std::vector<Landmark>& known_before) const {
-    std::vector<Landmark> landmarks;
+  KnownLandmarks landmarks() const {
+    KnownLandmarks landmarks;
     for (std::size_t i = 0; i < learner_.map().size(); ++i) {
       Landmark landmark = learner_.map()[i];
       if (landmark.weight == 0) continue;
       if (i < known_.size()) {
         if (params_.forget && visibility_[i].is_gone()) landmark.mass *= kGoneShare;
         if (visibility_[i].seen > 0) ++landmark.passes;
-        known_before.push_back(known_[i]);
+        landmarks.before.push_back(known_[i]);
       }
-      landmarks.push_back(landmark);
+      landmarks.after.push_back(landmark);
     }
     return landmarks;
   }
 
   /// Moves poses and landmarks together; those that were known hold the map where it is.
-  void adjust(std::span<const LandmarkCycle> cycles, std::span<const Landmark> known_before,
-              std::vector<Landmark>& landmarks) {
+  void adjust(std::span<const LandmarkCycle> cycles, KnownLandmarks& landmarks) {
     std::vector<TripLandmark> all_the_time;
-    for (const Landmark& landmark : landmarks) all_the_time.push_back({landmark, 0, cycles.size()});
+    for (const Landmark& landmark : landmarks.after) all_the_time.push_back({landmark, 0, cycles.size()});
     const auto observations =
         observe_landmarks(cycles, vehicle_, params_.localiser, T_map_vehicle_, all_the_time);
-    adjust_landmarks({cycles, observations, {}, {}, known_before}, vehicle_, T_map_vehicle_, landmarks);
+    adjust_landmarks({cycles, observations, {}, {}, landmarks.before}, vehicle_, T_map_vehicle_,
+                     landmarks.after);
   }
 
   const std::vector<Pose2>& T_map_vehicle() const { return T_map_vehicle_; }
@@ -106,12 +111,12 @@ RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const Landma
                                   const LandmarkLearningParams& params) {
   LaterTrip trip(map, vehicle, T_map_start, params);
   for (const LandmarkCycle& cycle : cycles) trip.add(cycle);
-  std::vector<Landmark> known;
-  std::vector<Landmark> landmarks = trip.landmarks(known);
-  for (int round = 0; params.adjust && round < kAdjustments; ++round) trip.adjust(cycles, known, landmarks);
-  settle_weights(landmarks, T_map_start.mean.position(), params.weight_min);
-  RefinedLandmarks refined{.map = {}, .T_map_vehicle = trip.T_map_vehicle(), .matched_share = trip.matched_share()};
-  refined.map.assign(std::move(landmarks));
+  KnownLandmarks landmarks = trip.landmarks();
+  for (int round = 0; params.adjust && round < kAdjustments; ++round) trip.adjust(cycles, landmarks);
+  settle_weights(landmarks.after, T_map_start.mean.position(), params.weight_min);
+  RefinedLandmarks refined{
+      .map = {}, .T_map_vehicle = trip.T_map_vehicle(), .matched_share = trip.matched_share()};
+  refined.map.assign(std::move(landmarks.after));
   return refined;
 }
 
