@@ -71,10 +71,10 @@ ExploringTarget BuildingExplorer::decide(const FloorGrid& floor, const FloorClea
   p_map_vehicle_ = T_map_vehicle.position();
   free_m2_ = floor.free_m2();
   from_vehicle_.measure(floor, clearance, p_map_middle, params_.gates.room_m, kLeeway_m);
-  gates_ = find_gates(floor, clearance, from_vehicle_, params_.gates);
+  gates_ = find_gates(floor, clearance, from_vehicle_, params_.gates, marks_);
   if (params_.nooks.way_max_m > 0) {
     std::vector<Gate> nooks =
-        find_nooks(floor, clearance, from_vehicle_, gates_, params_.gates, params_.nooks);
+        find_nooks(floor, clearance, from_vehicle_, gates_, params_.gates, params_.nooks, marks_);
     std::move(nooks.begin(), nooks.end(), std::back_inserter(gates_));
   }
   match_gates(floor, T_map_vehicle);

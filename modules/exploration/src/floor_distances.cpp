@@ -15,7 +15,6 @@ struct Step {
 };
 constexpr std::array<Step, 8> kSteps = {
     {{1, 0, 10}, {-1, 0, 10}, {0, 1, 10}, {0, -1, 10}, {1, 1, 14}, {1, -1, 14}, {-1, 1, 14}, {-1, -1, 14}}};
-constexpr std::size_t kBuckets = 16;
 
 }  // namespace
 
@@ -26,18 +25,16 @@ void FloorDistances::measure(const FloorGrid& floor, const FloorClearance& clear
   tenths_.assign(clearance.size(), kFar);
   const FloorCell start = floor.cell_at(from_m);
   if (!room_.widened(-1).contains(start)) return;
-  std::array<std::vector<std::size_t>, kBuckets> queue;
-  queue[0].push_back(index(start));
+  queue_[0].push_back(index(start));
   tenths_[index(start)] = 0;
   const auto columns = static_cast<std::ptrdiff_t>(clearance.columns());
   const auto leeway = static_cast<std::uint32_t>(10 * leeway_m / floor.cell_m());
-  std::vector<std::size_t> bucket;
   std::size_t waiting = 1;
   for (std::uint32_t now = 0; waiting > 0; ++now) {
-    bucket.clear();
-    bucket.swap(queue[now % kBuckets]);
-    waiting -= bucket.size();
-    for (const std::size_t at : bucket) {
+    bucket_.clear();
+    bucket_.swap(queue_[now % kBuckets]);
+    waiting -= bucket_.size();
+    for (const std::size_t at : bucket_) {
       if (tenths_[at] != now) continue;
       for (const Step& step : kSteps) {
         const std::size_t next = at + static_cast<std::size_t>(step.y * columns + step.x);
@@ -46,7 +43,7 @@ void FloorDistances::measure(const FloorGrid& floor, const FloorClearance& clear
         const double room = clearance.to_doubtful_m(next);
         if (room < room_m && (now > leeway || room <= 0)) continue;
         tenths_[next] = then;
-        queue[then % kBuckets].push_back(next);
+        queue_[then % kBuckets].push_back(next);
         ++waiting;
       }
     }

@@ -16,12 +16,10 @@ constexpr double kBesideCells = 1.5;     // between two that touch distances dif
 class GateFinder {
  public:
   GateFinder(const FloorGrid& floor, const FloorClearance& clearance, const FloorDistances& reached,
-             const GateParams& params)
-      : floor_(floor),
-        clearance_(clearance),
-        reached_(reached),
-        params_(params),
-        marks_(clearance.size(), kNothing) {}
+             const GateParams& params, CellMarks& marks)
+      : floor_(floor), clearance_(clearance), reached_(reached), params_(params), marks_(marks) {
+    marks_.assign(clearance.size(), kNothing);
+  }
 
   std::vector<Gate> find() {
     std::vector<FloorCell> sills = mark_sills();
@@ -58,21 +56,16 @@ class GateFinder {
   std::vector<FloorCell> mark_sills() {
     std::vector<FloorCell> sills;
     const double sure_m = params_.room_m, beside_doubt_m = sure_m + kBesideCells * floor_.cell_m();
-    const FloorBox known = floor_.known().common_with(clearance_.room());
-    for (int y = known.low.y; y < known.end.y; ++y) {
-      const std::size_t row = clearance_.index({known.low.x, y});
-      for (int x = known.low.x; x < known.end.x; ++x) {
-        const double room_m = clearance_.to_doubtful_m(row + static_cast<std::size_t>(x - known.low.x));
-        if (room_m < sure_m || room_m >= beside_doubt_m) continue;
-        const FloorCell cell{x, y};
-        if (!may_be_floor(cell) || reached_.to(cell) == FloorDistances::kUnreached) continue;
-        bool borders = false;
-        for_neighbours(cell, 1, [&](FloorCell next) { borders = borders || is_doubtful(next); });
-        if (!borders) continue;
-        marks_[clearance_.index(cell)] = kSill;
-        sills.push_back(cell);
-      }
-    }
+    clearance_.for_cells(floor_.known(), [&](FloorCell cell, std::size_t index) {
+      const double room_m = clearance_.to_doubtful_m(index);
+      if (room_m < sure_m || room_m >= beside_doubt_m) return;
+      if (!may_be_floor(cell) || reached_.to(cell) == FloorDistances::kUnreached) return;
+      bool borders = false;
+      for_neighbours(cell, 1, [&](FloorCell next) { borders = borders || is_doubtful(next); });
+      if (!borders) return;
+      marks_[index] = kSill;
+      sills.push_back(cell);
+    });
     return sills;
   }
 
@@ -145,7 +138,7 @@ class GateFinder {
   const FloorClearance& clearance_;
   const FloorDistances& reached_;
   const GateParams& params_;
-  std::vector<std::uint8_t> marks_;
+  CellMarks& marks_;
 };
 
 }  // namespace
@@ -159,8 +152,8 @@ void GateParams::describe(FieldList& fields) {
 }
 
 std::vector<Gate> find_gates(const FloorGrid& floor, const FloorClearance& clearance,
-                             const FloorDistances& reached, const GateParams& params) {
-  return GateFinder(floor, clearance, reached, params).find();
+                             const FloorDistances& reached, const GateParams& params, CellMarks& marks) {
+  return GateFinder(floor, clearance, reached, params, marks).find();
 }
 
 }  // namespace aisle

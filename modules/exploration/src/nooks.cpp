@@ -32,13 +32,15 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
 class NookFinder {
  public:
   NookFinder(const FloorGrid& floor, const FloorClearance& clearance, const FloorDistances& reached,
-             const GateParams& gate_params, const NookParams& params)
+             const GateParams& gate_params, const NookParams& params, CellMarks& marks)
       : floor_(floor),
         clearance_(clearance),
         reached_(reached),
         gate_params_(gate_params),
         params_(params),
-        marks_(clearance.size(), kNothing) {}
+        marks_(marks) {
+    marks_.assign(clearance.size(), kNothing);
+  }
 
   std::vector<Gate> find(std::span<const Gate> gates) {
     for (const Gate& gate : gates) mark_led_to(gate);
@@ -108,16 +110,10 @@ class NookFinder {
   std::vector<FloorCell> mark_edges() {
     std::vector<FloorCell> edges;
     const double beside_unknown_m = kBesideUnknownCells * floor_.cell_m();
-    const FloorBox known = floor_.known().common_with(clearance_.room());
-    for (int y = known.low.y; y < known.end.y; ++y) {
-      const std::size_t row = clearance_.index({known.low.x, y});
-      for (int x = known.low.x; x < known.end.x; ++x) {
-        if (clearance_.to_doubtful_m(row + static_cast<std::size_t>(x - known.low.x)) > beside_unknown_m)
-          continue;
-        const FloorCell cell{x, y};
-        if (floor_.at(cell) == Floor::kFree && dark_beside(cell) && !is_led_to(cell)) edges.push_back(cell);
-      }
-    }
+    clearance_.for_cells(floor_.known(), [&](FloorCell cell, std::size_t index) {
+      if (clearance_.to_doubtful_m(index) > beside_unknown_m) return;
+      if (floor_.at(cell) == Floor::kFree && dark_beside(cell) && !is_led_to(cell)) edges.push_back(cell);
+    });
     for (const FloorCell cell : edges) marks_[clearance_.index(cell)] = kEdge;
     return edges;
   }
@@ -172,7 +168,7 @@ class NookFinder {
   const FloorDistances& reached_;
   const GateParams& gate_params_;
   const NookParams& params_;
-  std::vector<std::uint8_t> marks_;
+  CellMarks& marks_;
 };
 
 }  // namespace
@@ -186,8 +182,8 @@ void NookParams::describe(FieldList& fields) {
 
 std::vector<Gate> find_nooks(const FloorGrid& floor, const FloorClearance& clearance,
                              const FloorDistances& reached, std::span<const Gate> gates,
-                             const GateParams& gate_params, const NookParams& params) {
-  return NookFinder(floor, clearance, reached, gate_params, params).find(gates);
+                             const GateParams& gate_params, const NookParams& params, CellMarks& marks) {
+  return NookFinder(floor, clearance, reached, gate_params, params, marks).find(gates);
 }
 
 }  // namespace aisle

@@ -25,14 +25,14 @@ class DrawnFloor {
 
   std::vector<Gate> gates() {
     const FloorClearance clearance = clearance_now();
-    return find_gates(floor, clearance, reached_now(clearance), params);
+    return find_gates(floor, clearance, reached_now(clearance), params, marks);
   }
 
   std::vector<Gate> nooks() {
     const FloorClearance clearance = clearance_now();
     const FloorDistances reached = reached_now(clearance);
-    return find_nooks(floor, clearance, reached, find_gates(floor, clearance, reached, params), params,
-                      nook_params);
+    return find_nooks(floor, clearance, reached, find_gates(floor, clearance, reached, params, marks), params,
+                      nook_params, marks);
   }
 
   FloorClearance clearance_now() const {
@@ -42,6 +42,7 @@ class DrawnFloor {
   }
 
   FloorGrid floor;
+  CellMarks marks;
   GateParams params;
   NookParams nook_params;
 

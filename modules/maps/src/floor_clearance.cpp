@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace aisle {
 namespace {
@@ -12,12 +13,15 @@ constexpr int kMargin = 32;  // cells of room beyond what is known
 /// rows over at most as many cells as the limit holds.
 class BoxDistances {
  public:
-  BoxDistances(const FloorBox& box, int limit)
+  /// @param in_column  to work with
+  BoxDistances(const FloorBox& box, int limit, std::vector<int>& in_column)
       : box_(box),
         width_(box.end.x - box.low.x),
         height_(box.end.y - box.low.y),
         limit_(limit),
-        in_column_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), limit) {}
+        in_column_(in_column) {
+    in_column_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), limit);
+  }
 
   template <class IsMarked>
   void mark(IsMarked is_marked) {
@@ -53,7 +57,7 @@ class BoxDistances {
   int width_;
   int height_;
   int limit_;
-  std::vector<int> in_column_;
+  std::vector<int>& in_column_;
 };
 
 }  // namespace
@@ -72,17 +76,18 @@ bool FloorClearance::is_barred(FloorCell cell) const {
 
 /// Beyond the former room all is unknown as yet.
 void FloorClearance::widen_room(const FloorBox& wider) {
-  const FloorClearance former = *this;
+  const FloorBox former = room_;
+  const std::vector<float> former_doubtful_m = std::move(to_doubtful_m_);
+  const std::vector<float> former_occupied_m = std::move(to_occupied_m_);
   room_.include_box(wider);
   const std::size_t size = columns() * static_cast<std::size_t>(room_.end.y - room_.low.y);
   to_doubtful_m_.assign(size, 0);
   to_occupied_m_.assign(size, static_cast<float>(far_m_));
-  for (int y = former.room_.low.y; y < former.room_.end.y; ++y) {
-    for (int x = former.room_.low.x; x < former.room_.end.x; ++x) {
-      to_doubtful_m_[index({x, y})] = former.to_doubtful_m_[former.index({x, y})];
-      to_occupied_m_[index({x, y})] = former.to_occupied_m_[former.index({x, y})];
-    }
-  }
+  std::size_t number = 0;
+  for_cells(former, [&](FloorCell, std::size_t wider_number) {
+    to_doubtful_m_[wider_number] = former_doubtful_m[number];
+    to_occupied_m_[wider_number] = former_occupied_m[number++];
+  });
 }
 
 void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
@@ -98,7 +103,8 @@ void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
     if (is_first || !barred_.empty()) anew = room_;
   }
   anew = anew.common_with(room_);
-  BoxDistances doubtful(anew.widened(limit), limit), occupied(anew.widened(limit), limit);
+  BoxDistances doubtful(anew.widened(limit), limit, doubtful_cells_);
+  BoxDistances occupied(anew.widened(limit), limit, occupied_cells_);
   doubtful.mark([&](FloorCell cell) { return floor.at(cell) != Floor::kFree || is_closed(cell); });
   occupied.mark([&](FloorCell cell) { return floor.at(cell) == Floor::kOccupied || is_closed(cell); });
   const auto metres = [&](double cells) {

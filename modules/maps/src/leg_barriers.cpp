@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "aisle/core/angle.hpp"
 
@@ -84,8 +85,13 @@ void LegParams::describe(FieldList& fields) {
 
 FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return {};
-  const double matters_m = params_.leg_max_m + kRing_m + kWallAround_m;
-  find_things(floor, changed.widened(static_cast<int>(std::ceil(matters_m / floor.cell_m())) + 1));
+  const auto cells = [&](double m) { return static_cast<int>(std::ceil(m / floor.cell_m())) + 1; };
+  const FloorBox within = changed.widened(cells(params_.leg_max_m + kRing_m + kWallAround_m));
+  find_things(floor, within);
+  const FloorBox about = within.widened(cells(params_.wall_max_m + 2 * params_.leg_max_m));
+  for (Thing& thing : things_) {
+    if (about.contains(thing.first)) find_walls(floor, thing);
+  }
   std::vector<FloorCell> closed = cells_between(floor);
   std::vector<FloorCell> differ;
   std::set_symmetric_difference(closed.begin(), closed.end(), closed_.begin(), closed_.end(),
@@ -117,13 +123,25 @@ void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
       if (cells.empty() || !begins_here) continue;
       Vec2 p_map = Vec2::Zero();
       for (const FloorCell cell : cells) p_map += floor.centre(cell) / static_cast<double>(cells.size());
-      Thing thing{first, p_map};
+      Thing thing{.first = first, .p_map = p_map, .walls = {}};
       look_about(floor, thing);
-      things_.push_back(thing);
+      things_.push_back(std::move(thing));
     }
   }
   std::sort(things_.begin(), things_.end(),
             [](const Thing& a, const Thing& b) { return is_before(a.first, b.first); });
+}
+
+void LegBarriers::find_walls(const FloorGrid& floor, Thing& thing) const {
+  thing.walls.clear();
+  const int reach = static_cast<int>(std::ceil(params_.wall_max_m / floor.cell_m()));
+  for_cells_around(floor.cell_at(thing.p_map), reach, [&](FloorCell cell) {
+    if (floor.at(cell) != Floor::kOccupied) return;
+    const Vec2 p_map = floor.centre(cell);
+    const double away_m = (p_map - thing.p_map).norm();
+    if (away_m <= params_.leg_max_m || away_m >= params_.wall_max_m || is_leg(p_map)) return;
+    thing.walls.push_back(p_map);
+  });
 }
 
 /// The cells that hang together with one of them; none if they are too many for a leg.
@@ -210,7 +228,7 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
       if (apart_m > params_.apart_max_m || !may_carry_one_plate(floor, things_[i], things_[j])) continue;
       close(a, b);
       if (apart_m < params_.plate_min_m) continue;
-      const auto behind_a = wall_behind(floor, a, b - a), behind_b = wall_behind(floor, b, b - a);
+      const auto behind_a = wall_behind(things_[i], b - a), behind_b = wall_behind(things_[j], b - a);
       if (!behind_a || !behind_b) continue;
       close(a, *behind_a);
       close(b, *behind_b);
@@ -242,17 +260,15 @@ bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Thing& a, co
 
 /// What stands there may be a leg, too: what stands behind the leg goes on behind it.
 bool LegBarriers::stands_along_wall(const FloorGrid& floor, const Thing& leg, const Thing& thing) const {
-  const auto behind = wall_behind(floor, leg.p_map, thing.p_map - leg.p_map);
+  const auto behind = wall_behind(leg, thing.p_map - leg.p_map);
   return behind && stands_about(floor, Vec2(*behind + thing.p_map - leg.p_map), params_.leg_max_m / 2);
 }
 
 /// The nearest place, across a line of legs, of something that is no leg.
-std::optional<Vec2> LegBarriers::wall_behind(const FloorGrid& floor, const Vec2& p_map_leg,
-                                             const Vec2& along) const {
+std::optional<Vec2> LegBarriers::wall_behind(const Thing& leg, const Vec2& along) const {
   const Vec2 across = left_normal(along.normalized());
-  return nearest_wall(floor, p_map_leg, [&](const Vec2& away) {
-    return std::abs(across.dot(away)) >= kAcrossMin * away.norm();
-  });
+  return nearest_wall(
+      leg, [&](const Vec2& away) { return std::abs(across.dot(away)) >= kAcrossMin * away.norm(); });
 }
 
 /// More than a small thing runs across this direction, to both sides of where it is met.
@@ -264,20 +280,16 @@ bool LegBarriers::wall_goes_on(const FloorGrid& floor, const Vec2& p_map_leg, co
 }
 
 template <class Matters>
-std::optional<Vec2> LegBarriers::nearest_wall(const FloorGrid& floor, const Vec2& p_map_leg,
-                                              Matters matters) const {
+std::optional<Vec2> LegBarriers::nearest_wall(const Thing& leg, Matters matters) const {
   std::optional<Vec2> nearest;
   double nearest_m = params_.wall_max_m;
-  const int reach = static_cast<int>(std::ceil(params_.wall_max_m / floor.cell_m()));
-  for_cells_around(floor.cell_at(p_map_leg), reach, [&](FloorCell cell) {
-    if (floor.at(cell) != Floor::kOccupied) return;
-    const Vec2 p_map = floor.centre(cell);
-    const double away_m = (p_map - p_map_leg).norm();
-    if (away_m <= params_.leg_max_m || away_m >= nearest_m || !matters(p_map - p_map_leg)) return;
-    if (is_leg(p_map)) return;
+  for (const Vec2& p_map : leg.walls) {
+    const Vec2 away = p_map - leg.p_map;
+    const double away_m = away.norm();
+    if (away_m >= nearest_m || !matters(away)) continue;
     nearest_m = away_m;
     nearest = p_map;
-  });
+  }
   return nearest;
 }
 
@@ -290,12 +302,11 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
     if (const auto place = partner_place(floor, leg.p_map, along)) hidden.push_back(*place);
   };
   const auto may_hide_one = [&](const Vec2& along) {
-    return wall_behind(floor, leg.p_map, along) && !has_partner(leg, along);
+    return wall_behind(leg, along) && !has_partner(leg, along);
   };
   if (leg.stand == Stand::kBeforeWall && may_hide_one(leg.behind)) look(-leg.behind);
   if (leg.stand != Stand::kFree) return hidden;
-  const auto wall =
-      nearest_wall(floor, leg.p_map, [&](const Vec2& away) { return wall_goes_on(floor, leg.p_map, away); });
+  const auto wall = nearest_wall(leg, [&](const Vec2& away) { return wall_goes_on(floor, leg.p_map, away); });
   if (!wall) return hidden;
   const Vec2 across = (*wall - leg.p_map).normalized();
   for (const Vec2& along : {left_normal(across), across}) {

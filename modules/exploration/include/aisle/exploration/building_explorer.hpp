@@ -132,6 +132,7 @@ class BuildingExplorer {
   std::vector<Gate> gates_;
   std::vector<PathEvent> events_;
   std::vector<TransducerStep> steps_;
+  CellMarks marks_;
   FloorDistances from_vehicle_;
   FloorDistances from_home_;
   std::size_t cycle_ = 0;

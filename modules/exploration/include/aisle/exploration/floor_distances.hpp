@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -28,6 +29,7 @@ class FloorDistances {
 
  private:
   static constexpr std::uint32_t kFar = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::size_t kBuckets = 16;
 
   std::size_t index(FloorCell cell) const {
     return static_cast<std::size_t>(cell.y - room_.low.y) *
@@ -37,7 +39,9 @@ class FloorDistances {
 
   FloorBox room_;
   float cell_m_ = 0;
-  std::vector<std::uint32_t> tenths_;  ///< from the place to each cell of the room
+  std::vector<std::uint32_t> tenths_;                     ///< from the place to each cell of the room
+  std::array<std::vector<std::size_t>, kBuckets> queue_;  ///< to work with, as the next
+  std::vector<std::size_t> bucket_;
 };
 
 }  // namespace aisle

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "aisle/core/parameters.hpp"
@@ -32,8 +33,13 @@ struct Gate {
   FloorCell stand;              ///< ... the nearest place from which that may be; `way_m` leads there
 };
 
-/// All gates that can be reached. `reached`: measured with `params.room_m`.
+/// What a search notes of each cell of a room; kept for the next one, as its memory is costly to get anew.
+using CellMarks = std::vector<std::uint8_t>;
+
+/// All gates that can be reached.
+/// @param reached  measured with `params.room_m`
+/// @param marks  to work with
 std::vector<Gate> find_gates(const FloorGrid& floor, const FloorClearance& clearance,
-                             const FloorDistances& reached, const GateParams& params);
+                             const FloorDistances& reached, const GateParams& params, CellMarks& marks);
 
 }  // namespace aisle

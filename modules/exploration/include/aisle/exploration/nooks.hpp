@@ -20,8 +20,9 @@ struct NookParams {
 /// edge of the free floor, its rim lies a little behind it in the unknown.
 /// @param reached  measured with `gate_params.room_m`
 /// @param gates  of the same floor
+/// @param marks  to work with
 std::vector<Gate> find_nooks(const FloorGrid& floor, const FloorClearance& clearance,
                              const FloorDistances& reached, std::span<const Gate> gates,
-                             const GateParams& gate_params, const NookParams& params);
+                             const GateParams& gate_params, const NookParams& params, CellMarks& marks);
 
 }  // namespace aisle

@@ -49,6 +49,15 @@ class FloorClearance {
     return static_cast<std::size_t>(cell.y - room_.low.y) * columns() +
            static_cast<std::size_t>(cell.x - room_.low.x);
   }
+  /// Visits the cells of a box that are of the room, each with its number, row by row.
+  template <class Visit>
+  void for_cells(const FloorBox& box, Visit visit) const {
+    const FloorBox within = box.common_with(room_);
+    for (int y = within.low.y; y < within.end.y; ++y) {
+      std::size_t number = index({within.low.x, y});
+      for (int x = within.low.x; x < within.end.x; ++x) visit(FloorCell{x, y}, number++);
+    }
+  }
   std::size_t columns() const { return static_cast<std::size_t>(room_.end.x - room_.low.x); }
   std::size_t size() const { return to_doubtful_m_.size(); }
 
@@ -62,6 +71,7 @@ class FloorClearance {
   FloorBox room_;
   std::vector<float> to_doubtful_m_;
   std::vector<float> to_occupied_m_;
+  std::vector<int> doubtful_cells_, occupied_cells_;  ///< to work with
 };
 
 }  // namespace aisle

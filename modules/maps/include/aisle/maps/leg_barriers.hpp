@@ -45,6 +45,7 @@ class LegBarriers {
     Vec2 p_map;       ///< its middle
     Stand stand = Stand::kUnclear;
     Vec2 behind = Vec2::Zero();  ///< a unit towards what it stands right before
+    std::vector<Vec2> walls;     ///< places in `map` near it where something stands that is no leg
     bool is_leg() const { return stand != Stand::kUnclear; }
   };
 
@@ -52,14 +53,15 @@ class LegBarriers {
   /// Tells its stand, and behind.
   void look_about(const FloorGrid& floor, Thing& thing) const;
   void find_things(const FloorGrid& floor, const FloorBox& within);
+  void find_walls(const FloorGrid& floor, Thing& thing) const;
   bool is_leg(const Vec2& p_map) const;
   bool is_thing(const Vec2& p_map) const;
   std::vector<FloorCell> cells_between(const FloorGrid& floor) const;
   bool may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const;
   bool stands_along_wall(const FloorGrid& floor, const Thing& leg, const Thing& thing) const;
-  std::optional<Vec2> wall_behind(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& along) const;
+  std::optional<Vec2> wall_behind(const Thing& leg, const Vec2& along) const;
   template <class Matters>
-  std::optional<Vec2> nearest_wall(const FloorGrid& floor, const Vec2& p_map_leg, Matters matters) const;
+  std::optional<Vec2> nearest_wall(const Thing& leg, Matters matters) const;
   bool wall_goes_on(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& away) const;
   std::vector<Vec2> hidden_partners(const FloorGrid& floor, const Thing& leg) const;
   bool has_partner(const Thing& leg, const Vec2& along) const;
