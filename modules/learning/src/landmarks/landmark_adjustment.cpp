@@ -186,9 +186,8 @@ Mat2 positive_part(const Mat2& m) {
          solver.eigenvectors().transpose();
 }
 
-/// How far the sightings of each landmark scatter about it, in `map`, beyond their own errors. What is seen
-/// behind an edge, or taken now for one line of a door's frame and now for another, wanders with the place
-/// from where it is seen.
+/// What is seen behind an edge, or taken now for one line of a door's frame and now for another, wanders with
+/// the place from where it is seen.
 std::vector<Mat2> unexplained_spread(const TripEvidence& trip, const std::vector<Pose2>& T_map_vehicle,
                                      const std::vector<double>& tilts,
                                      const std::vector<Landmark>& landmarks) {
@@ -211,8 +210,8 @@ std::vector<Mat2> unexplained_spread(const TripEvidence& trip, const std::vector
 
 }  // namespace
 
-void adjust_landmarks(const TripEvidence& trip, const VehicleDescription& vehicle,
-                      std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks) {
+std::vector<Mat2> adjust_landmarks(const TripEvidence& trip, const VehicleDescription& vehicle,
+                                   std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks) {
   const std::span<const LandmarkCycle> cycles = trip.cycles;
   const Keyframes keyframes = choose_keyframes(T_map_vehicle);
   std::vector<std::array<double, 3>> keys;
@@ -287,10 +286,10 @@ void adjust_landmarks(const TripEvidence& trip, const VehicleDescription& vehicl
     const std::array<double, 3>& key = keys[keyframes.of_cycle[i]];
     T_map_vehicle[i] = Pose2{key[0], key[1], key[2]} * T_key_cycle[i];
   }
-  const std::vector<Mat2> spread = unexplained_spread(trip, T_map_vehicle, tilts, landmarks);
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    if (information[i].determinant() > 0) landmarks[i].covariance = information[i].inverse() + spread[i];
+    if (information[i].determinant() > 0) landmarks[i].covariance = information[i].inverse();
   }
+  return unexplained_spread(trip, T_map_vehicle, tilts, landmarks);
 }
 
 }  // namespace aisle

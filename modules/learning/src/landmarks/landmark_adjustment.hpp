@@ -30,7 +30,8 @@ struct TripEvidence {
 /// else these hold the map where it is, each as firmly as it is known. What is steadily wrong with the
 /// odometry, and each picture's tilt, are unknowns, too. Landmarks get the covariance that all their
 /// sightings leave.
-void adjust_landmarks(const TripEvidence& trip, const VehicleDescription& vehicle,
-                      std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks);
+/// @return of each landmark, how far its sightings scatter about it, in `map`, beyond their own errors
+std::vector<Mat2> adjust_landmarks(const TripEvidence& trip, const VehicleDescription& vehicle,
+                                   std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks);
 
 }  // namespace aisle

@@ -150,19 +150,23 @@ class TripAdjuster {
     const auto loops = find_landmark_loops(landmarks, T_map_vehicle, params_.localiser);
     if (!loops.empty()) adjust(T_map_vehicle, landmarks, loops);
     landmarks = without_doubles(landmarks, params_.merge_m);
-    for (int round = 0; round < kFinalAdjustments; ++round) adjust(T_map_vehicle, landmarks, {});
+    std::vector<Mat2> spread;
+    for (int round = 0; round < kFinalAdjustments; ++round) spread = adjust(T_map_vehicle, landmarks, {});
+    for (std::size_t i = 0; i < landmarks.size(); ++i) landmarks[i].landmark.covariance += spread[i];
   }
 
  private:
-  void adjust(std::vector<Pose2>& T_map_vehicle, std::vector<TripLandmark>& landmarks,
-              std::span<const LandmarkLoop> loops) const {
+  std::vector<Mat2> adjust(std::vector<Pose2>& T_map_vehicle, std::vector<TripLandmark>& landmarks,
+                           std::span<const LandmarkLoop> loops) const {
     std::vector<Landmark> moved;
     moved.reserve(landmarks.size());
     for (const TripLandmark& landmark : landmarks) moved.push_back(landmark.landmark);
     const auto observations =
         observe_landmarks(cycles_, vehicle_, params_.localiser, T_map_vehicle, landmarks);
-    adjust_landmarks({cycles_, observations, loops, walls_}, vehicle_, T_map_vehicle, moved);
+    std::vector<Mat2> spread =
+        adjust_landmarks({cycles_, observations, loops, walls_}, vehicle_, T_map_vehicle, moved);
     for (std::size_t i = 0; i < moved.size(); ++i) landmarks[i].landmark = moved[i];
+    return spread;
   }
 
   std::span<const LandmarkCycle> cycles_;

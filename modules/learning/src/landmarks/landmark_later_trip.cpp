@@ -77,13 +77,14 @@ class LaterTrip {
   }
 
   /// Moves poses and landmarks together; those that were known hold the map where it is.
-  void adjust(std::span<const LandmarkCycle> cycles, KnownLandmarks& landmarks) {
+  /// @return as adjust_landmarks() does
+  std::vector<Mat2> adjust(std::span<const LandmarkCycle> cycles, KnownLandmarks& landmarks) {
     std::vector<TripLandmark> all_the_time;
     for (const Landmark& landmark : landmarks.after) all_the_time.push_back({landmark, 0, cycles.size()});
     const auto observations =
         observe_landmarks(cycles, vehicle_, params_.localiser, T_map_vehicle_, all_the_time);
-    adjust_landmarks({cycles, observations, {}, {}, landmarks.before}, vehicle_, T_map_vehicle_,
-                     landmarks.after);
+    return adjust_landmarks({cycles, observations, {}, {}, landmarks.before}, vehicle_, T_map_vehicle_,
+                            landmarks.after);
   }
 
   const std::vector<Pose2>& T_map_vehicle() const { return T_map_vehicle_; }
@@ -112,7 +113,9 @@ RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const Landma
   LaterTrip trip(map, vehicle, T_map_start, params);
   for (const LandmarkCycle& cycle : cycles) trip.add(cycle);
   KnownLandmarks landmarks = trip.landmarks();
-  for (int round = 0; params.adjust && round < kAdjustments; ++round) trip.adjust(cycles, landmarks);
+  std::vector<Mat2> spread(landmarks.after.size(), Mat2::Zero());
+  for (int round = 0; params.adjust && round < kAdjustments; ++round) spread = trip.adjust(cycles, landmarks);
+  for (std::size_t i = 0; i < spread.size(); ++i) landmarks.after[i].covariance += spread[i];
   settle_weights(landmarks.after, T_map_start.mean.position(), params.weight_min);
   RefinedLandmarks refined{
       .map = {}, .T_map_vehicle = trip.T_map_vehicle(), .matched_share = trip.matched_share()};

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
@@ -183,8 +184,9 @@ MwghtWindow LandmarkLocaliser::window() const {
           .turn_half_rad = half(covariance(2, 2), params_.window_min_rad, params_.window_max_rad)};
 }
 
-/// Every sighting with the landmark that it lies nearest to, by its own errors and the landmark's; a landmark
-/// is taken once, and rather one that was seen from this side.
+/// Every sighting with the landmark that most likely shows so, by its own errors and the landmark's: of two
+/// equally many standard deviations away, the one that is known more surely. A landmark is taken once, and
+/// rather one that was seen from this side.
 void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
                                 const Pose2& T_map_vehicle) {
   pairs_.clear();
@@ -197,7 +199,7 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
   for (std::size_t i = 0; i < sightings.size(); ++i) {
     const LandmarkSighting& sighting = sightings[i];
     all += patterns_.seen[i].weight;
-    double nearest = square(params_.gate_sigmas);
+    double nearest = 0, least_unlikely = std::numeric_limits<double>::infinity();
     std::size_t best = patterns_.near.size();
     Mat2 best_covariance = Mat2::Identity();
     for (std::size_t k = 0; k < patterns_.near.size(); ++k) {
@@ -211,7 +213,10 @@ void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const Landmark
       const Vec2 off = sighting.p_vehicle - T_vehicle_map * landmark.p_map;
       const double behind = is_known_from_behind(landmark, T_map_vehicle.position()) ? kBehindDistance : 0;
       const double distance = off.dot(covariance.inverse() * off) + behind;
-      if (distance >= nearest) continue;
+      if (distance >= square(params_.gate_sigmas)) continue;
+      const double unlikely = distance + std::log(covariance.determinant());
+      if (unlikely >= least_unlikely) continue;
+      least_unlikely = unlikely;
       nearest = distance;
       best = k;
       best_covariance = covariance;
