@@ -59,6 +59,35 @@ TEST(LandmarkLocaliser, PairsEverySightingWithTheLandmarkThatItShows) {
   }
 }
 
+/// One that is hardly known is few standard deviations from anything around.
+TEST(LandmarkLocaliser, ALandmarkThatIsHardlyKnownTakesNoSightingFromOneThatIsKnownBetter) {
+  Random random(4);
+  const std::vector<CorridorLine> lines = corridor_lines(12, random);
+  LandmarkMap map = map_of(lines);
+  std::vector<LandmarkSighting> seen = sightings_from(lines, {3, 0, 0}, kNoise);
+  LandmarkSighting& off =
+      *std::min_element(seen.begin(), seen.end(), [](const LandmarkSighting& a, const LandmarkSighting& b) {
+        return a.p_vehicle.norm() < b.p_vehicle.norm();
+      });
+  const auto shown = static_cast<std::size_t>(
+      std::find_if(lines.begin(), lines.end(),
+                   [&](const CorridorLine& line) {
+                     return (Pose2{3, 0, 0} * off.p_vehicle - line.p_map).norm() < 1e-9;
+                   }) -
+      lines.begin());
+  Landmark vague = map[shown];
+  vague.p_map += Vec2(0.06, 0);
+  vague.covariance = square(0.1) * Mat2::Identity();
+  map.add(vague);
+  off.p_vehicle += Vec2(0.02, 0);
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.05, 0.05, kDegree));
+  ASSERT_EQ(localiser.correct(map, seen), LandmarkMatch::kMatched);
+  const auto taken = std::find_if(localiser.pairs().begin(), localiser.pairs().end(),
+                                  [&](const LandmarkPair& pair) { return &seen[pair.sighting] == &off; });
+  ASSERT_NE(taken, localiser.pairs().end());
+  EXPECT_EQ(taken->landmark, shown);
+}
+
 TEST(LandmarkLocaliser, LookAlikeDoorsAreCarriedByOdometryAndNeverJumpedTo) {
   const LandmarkMap map = map_of(lookalike_doors(-9, 40));
   const VehicleDescription cart = corridor_cart();
