@@ -78,6 +78,7 @@ test("Controls that ran out are taken again where they are free, and what was he
     lease === "token" ? new Error("the lease ran out") : { valid_s: 3 };
   await until(() => called("lease/take").length === 2, "taken again");
   await page.getByText("you hold the controls").waitFor();
+  assert.ok(vehicle.drives.every(({ lease }) => lease === "token"));
   await page.keyboard.up("ArrowUp");
   await page.keyboard.down("ArrowUp");
   await until(() => vehicle.drives.at(-1)?.lease === "second token", "driving again");
