@@ -15,6 +15,7 @@ namespace {
 constexpr Range kSigma_m = {1e-6, 1e3};
 constexpr Range kWeight = {1e-9, 1e9};
 constexpr double kCorrelationMax = 0.9999;  // as far from 1 as its digits tell
+constexpr double kDistanceMax_m = 1000;
 constexpr std::size_t kLandmarksMax = 1'000'000;
 
 struct Spread {
@@ -34,21 +35,27 @@ Mat2 covariance_of(const Spread& spread) {
   return spread.sigma_m.asDiagonal() * correlations * spread.sigma_m.asDiagonal();
 }
 
-/// To the degree; nothing where it is unknown.
-std::string seen_from_json(const Vec2& seen_from) {
-  if (seen_from.isZero()) return "";
-  return fmt::format(R"("seen_from_deg": {:.0f}, )",
-                     to_degrees(std::atan2(seen_from.y(), seen_from.x())) + 0.0);
+/// To the degree and the centimetre; nothing where it is unknown.
+std::string seen_from_json(const Landmark& landmark) {
+  std::string text;
+  const Vec2& seen_from = landmark.seen_from;
+  if (!seen_from.isZero())
+    text += fmt::format(R"("seen_from_deg": {}, )",
+                        std::lround(to_degrees(std::atan2(seen_from.y(), seen_from.x()))));
+  if (std::isfinite(landmark.seen_far_m))
+    text += fmt::format(R"("seen_from_m": [{}, {}], )", decimals(landmark.seen_near_m, 2),
+                        decimals(landmark.seen_far_m, 2));
+  return text;
 }
 
 std::string landmark_json(const Landmark& landmark) {
   const Spread spread = spread_of(landmark.covariance);
   return fmt::format(
-      R"({{"at_m": {}, "sigma_m": [{:.4g}, {:.4g}], "correlation": {}, "mass": {:.6g}, "weight": {:.6g}, )"
+      R"({{"at_m": {}, "sigma_m": [{:.3g}, {:.3g}], "correlation": {}, "mass": {:.4g}, "weight": {:.4g}, )"
       R"("sightings": {}, "passes": {}, {}"brighter": "{}"}})",
       point_json(landmark.p_map, kMillimetreDecimals), spread.sigma_m.x(), spread.sigma_m.y(),
       decimals(spread.correlation, 4), landmark.mass, landmark.weight, landmark.sightings, landmark.passes,
-      seen_from_json(landmark.seen_from), brighter_text(landmark.brighter_right));
+      seen_from_json(landmark), brighter_text(landmark.brighter_right));
 }
 
 Mat2 read_covariance(const JsonValue& value) {
@@ -62,10 +69,16 @@ Mat2 read_covariance(const JsonValue& value) {
   return covariance_of(spread);
 }
 
+void read_distances(const JsonValue& value, Landmark& landmark) {
+  if (!value.is_list_of(2)) return;
+  value.element(0).read_number(landmark.seen_near_m, 0, kDistanceMax_m);
+  value.element(1).read_number(landmark.seen_far_m, landmark.seen_near_m, kDistanceMax_m);
+}
+
 Landmark read_landmark(const JsonValue& value) {
   Landmark landmark;
   if (!value.is_object_of({"at_m", "sigma_m", "correlation", "mass", "weight", "sightings", "passes",
-                           "seen_from_deg", "brighter"}))
+                           "seen_from_deg", "seen_from_m", "brighter"}))
     return landmark;
   if (const auto at = value.require("at_m")) at->read_point(landmark.p_map);
   landmark.covariance = read_covariance(value);
@@ -79,6 +92,7 @@ Landmark read_landmark(const JsonValue& value) {
     seen_from->read_number(heading_deg, -360, 360);
     landmark.seen_from = unit(heading_deg * kDegree);
   }
+  if (const auto seen_from = value.find("seen_from_m")) read_distances(*seen_from, landmark);
   if (const auto brighter = value.require("brighter")) read_brighter(*brighter, landmark.brighter_right);
   return landmark;
 }

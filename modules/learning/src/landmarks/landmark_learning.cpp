@@ -16,6 +16,8 @@ Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, d
           .sightings = 1,
           .passes = 1,
           .seen_from = (T_map_vehicle.position() - T_map_vehicle * sighting.p_vehicle).normalized(),
+          .seen_near_m = sighting.p_vehicle.norm(),
+          .seen_far_m = sighting.p_vehicle.norm(),
           .brighter_right = sighting.brighter_right};
 }
 
@@ -37,6 +39,8 @@ Landmark united(const Landmark& a, const Landmark& b) {
   both.weight = a.weight + b.weight;
   both.p_map = (a.mass * a.p_map + b.mass * b.p_map) / both.mass;
   both.seen_from = (a.sightings * a.seen_from + b.sightings * b.seen_from).normalized();
+  both.seen_near_m = std::min(a.seen_near_m, b.seen_near_m);
+  both.seen_far_m = std::max(a.seen_far_m, b.seen_far_m);
   both.covariance = a.covariance.trace() < b.covariance.trace() ? a.covariance : b.covariance;
   both.sightings = a.sightings + b.sightings;
   return both;

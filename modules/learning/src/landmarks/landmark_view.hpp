@@ -19,7 +19,8 @@ class LandmarkView {
 
   double far_m() const { return far_m_; }
 
-  /// Whether a landmark should be seen: it is in the view, and was seen from about this side before.
+  /// Whether a landmark should be seen: it is in the view, and was seen from about this side and distance
+  /// before. From nearer, a line may lie above the picture, or be as bright on both its sides.
   bool expects(const Landmark& landmark, const Pose2& T_map_vehicle) const;
 
  private:

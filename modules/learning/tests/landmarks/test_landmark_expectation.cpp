@@ -48,6 +48,20 @@ TEST(LandmarkExpectation, ElsewhereHardlyAnythingIsSeen) {
   EXPECT_LE(elsewhere.seen, 1);
 }
 
+TEST(LandmarkExpectation, WhatWasOnlySeenFromAfarOrFromNearByIsNotExpectedAtAnotherDistance) {
+  const LandmarkSighting behind = sighting_of({6, 0}, false, {}), left = sighting_of({2, 2}, false, {}),
+                         right = sighting_of({2, -2}, false, {});
+  const std::vector<LandmarkSighting> picture{left, behind, right};
+  const auto is_expected = [&](double near_m, double far_m) {
+    LandmarkMap map;
+    map.add({.p_map = {4, 0.5}, .seen_from = {-1, 0}, .seen_near_m = near_m, .seen_far_m = far_m});
+    return !expected_landmarks(map, about({0, 0, 0}, 0.01, 0.1 * kDegree), picture, kPlaceSigma_m).empty();
+  };
+  EXPECT_TRUE(is_expected(2, 5));
+  EXPECT_FALSE(is_expected(4.5, 7)) << "only seen from afar";
+  EXPECT_FALSE(is_expected(1, 3)) << "only seen from near by";
+}
+
 TEST(LandmarkExpectation, AnUnsurePoseExcusesWhatIsOff) {
   const Pose2 aside{5, 0.2, 0};
   EXPECT_LE(expectation_from(aside, {.unseen = 0}, 0.01).seen, 1);

@@ -45,6 +45,17 @@ TEST(ConfidenceWeight, FallsWithTheSquareOfTheDistance) {
   EXPECT_DOUBLE_EQ(confidence_weight({6, 0}, 4), 0.1);
 }
 
+TEST(UnitedLandmarks, WereSeenFromAllDistancesOfBoth) {
+  Landmark near, far;
+  near.mass = far.mass = 1;
+  near.seen_near_m = 1.5, near.seen_far_m = 3;
+  far.seen_near_m = 2.5, far.seen_far_m = 6;
+  for (const Landmark& both : {united(near, far), united(far, near)}) {
+    EXPECT_EQ(both.seen_near_m, 1.5);
+    EXPECT_EQ(both.seen_far_m, 6);
+  }
+}
+
 // Masses 1, 2 and 6 have mean 3: weights 1/3, 2/3, 2; the nearest to the start gets the greatest.
 TEST(SettleWeights, WeightsAreMassesOverTheirMeanAndThePrimaryLandmarkGetsTheGreatest) {
   std::vector<Landmark> landmarks = {landmark_of_mass({5, 0}, 1), landmark_of_mass({1, 0}, 2),

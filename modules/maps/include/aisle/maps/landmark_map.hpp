@@ -1,6 +1,7 @@
 #pragma once
 /// The learned model of C98: vertical lines of the building as points on its floor.
 
+#include <limits>
 #include <vector>
 
 #include "aisle/geometry/pose2.hpp"
@@ -16,6 +17,8 @@ struct Landmark {
   int sightings = 0;               ///< pictures in which it was seen
   int passes = 0;                  ///< trips on which it was seen
   Vec2 seen_from = Vec2::Zero();   ///< unit vector, in `map`: towards where it was seen from; zero: unknown
+  double seen_near_m = 0;          ///< the least distance that it was seen from ...
+  double seen_far_m = std::numeric_limits<double>::infinity();  ///< ... and the greatest; infinite: unknown
   bool brighter_right = false;  ///< the right side of the line is the brighter one, from wherever it is seen
 };
 
