@@ -82,10 +82,8 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   if (stamp_s_ - *begun_s_ < params_.look_s || !learner_.has_looked()) return {.state = "looking"};
   if (came_home_) return end(NavigatorStatus::kDone, "home", what_was_explored());
   if (news == FloorLearner::News::kLoop) drop_way();
-  if (news != FloorLearner::News::kNothing || !target_) {
-    check_way();
-    choose();
-  }
+  if (news != FloorLearner::News::kNothing) check_way();
+  if (is_time_to_choose(news)) choose();
   search_way();
   lose_patience();
   if (is_lost_for_ways())
@@ -129,6 +127,12 @@ void ExplorerNavigator::keep_trail(FloorLearner::News news) {
 void ExplorerNavigator::mark_coverage() {
   if (!coverage_.empty() && learner_.way_m() - coverage_.back().way_m < kCoverageEvery_m) return;
   coverage_.push_back({learner_.way_m(), learner_.floor().free_m2()});
+}
+
+/// Learning floor is a cycle's work already, so where to go is decided in the next one.
+bool ExplorerNavigator::is_time_to_choose(FloorLearner::News news) {
+  const bool was_due = std::exchange(is_choice_due_, news != FloorLearner::News::kNothing);
+  return was_due || (!target_ && !is_choice_due_);
 }
 
 /// C99's steps 9 and 10: what is around is encoded, the transducer says where to go.

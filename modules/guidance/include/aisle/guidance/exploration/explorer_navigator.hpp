@@ -53,6 +53,7 @@ class ExplorerNavigator final : public Navigator {
   Decision back_off(const Observation& observation);
   void keep_trail(FloorLearner::News news);
   void mark_coverage();
+  bool is_time_to_choose(FloorLearner::News news);
   void choose();
   void begin_search();
   bool may_end_at_home(const Pose2& T_map_from) const;
@@ -93,6 +94,7 @@ class ExplorerNavigator final : public Navigator {
   WayDriver driver_;
   Patience patience_;
   Trail trail_;
+  bool is_choice_due_ = false;  ///< floor was learned since the latest one
   std::optional<ExploringTarget> target_;
   std::optional<ExploringTarget> former_;     ///< the latest, also after its way was dropped
   Vec2 p_map_blocked_ = Vec2::Constant(1e9);  ///< where the vehicle could not go on ...
