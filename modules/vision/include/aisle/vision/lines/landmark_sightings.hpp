@@ -36,6 +36,9 @@ struct LandmarkSighting {
                                    ///< foot goes when the tilt is off by a standard deviation [m]
   Vec2 foot_px = Vec2::Zero();     ///< in the picture
   bool brighter_right = false;     ///< the right side of the line is the brighter one; a corner: false
+
+  /// What its picture's other sightings do not share.
+  Mat2 own_covariance() const { return covariance - by_tilt * by_tilt.transpose(); }
 };
 
 /// Picture -> vertical lines -> edges of the floor -> feet. A line that ends on an edge of the floor, or on
