@@ -22,6 +22,8 @@ constexpr double kSlightlyBetter = 0.02;
 constexpr double kRelocationSeen_m = 2;  // with less wall in sight a guess is worse than none
 constexpr double kGuessSigma_m = 0.3, kGuessSigma_rad = 3 * kDegree;
 constexpr double kLaidAgainShare = 0.5;  // of the seen length must fit
+constexpr int kAgreeingScans = 3;        // say where the sensor is, before that is believed
+constexpr double kSamePlace_m = 0.15, kSamePlace_rad = 5 * kDegree;
 constexpr double kRelocatedPoseSigma_m = 0.05;
 constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
 
@@ -56,11 +58,12 @@ Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_
     if (orthogonal) correct_heading(segments);
     const Alignment alignment = lay_onto_walls(segments);
     wall_information = alignment.wall_information;
-    if (alignment.seen_m > kRelocationSeen_m && alignment.fitting_share() < params_.lost_share) {
-      relocated_ |= relocate(segments);
-    }
+    const bool is_lost =
+        alignment.seen_m > kRelocationSeen_m && alignment.fitting_share() < params_.lost_share;
+    if (!is_lost) suspected_scans_ = 0;
+    relocated_ |= is_lost && relocate(segments);
   }
-  if (keyframe_is_due()) learn(segments, wall_information);
+  if (keyframe_is_due() && suspected_scans_ == 0) learn(segments, wall_information);
   ++scan_;
   return T_track_sensor_.mean;
 }
@@ -132,12 +135,26 @@ Alignment ScanTracker::lay_from(std::span<const SensedSegment> segments, const V
   return aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
 }
 
+/// One scan may lie well on walls where the sensor is not: a row of desks, one desk on. So several scans in a
+/// row must say the same; meanwhile nothing is learned.
 bool ScanTracker::relocate(std::span<const SensedSegment> segments) {
   const auto found = find_pose_near(T_track_sensor_.mean, segments, walls_, window_, path_m_,
                                     params_.relocation_reach_m, aligner_);
-  if (!found) return false;
+  if (!found) suspected_scans_ = 0;
+  if (!found || !agrees_with_suspicion(between(T_track_sensor_.mean, *found))) return false;
   const Vec3 sigma(kRelocatedPoseSigma_m, kRelocatedPoseSigma_m, kRelocatedPoseSigma_rad);
   T_track_sensor_ = {*found, sigma.cwiseAbs2().asDiagonal()};
+  return true;
+}
+
+/// Several scans in a row say that the sensor is there, seen from where it was thought to be.
+bool ScanTracker::agrees_with_suspicion(const Pose2& T_sensor_found) {
+  const Pose2 apart = between(T_sensor_suspected_, T_sensor_found);
+  const bool is_same = apart.position().norm() < kSamePlace_m && std::abs(apart.theta) < kSamePlace_rad;
+  T_sensor_suspected_ = T_sensor_found;
+  suspected_scans_ = is_same ? suspected_scans_ + 1 : 1;
+  if (suspected_scans_ < kAgreeingScans) return false;
+  suspected_scans_ = 0;
   return true;
 }
 

@@ -63,6 +63,35 @@ TEST(ScanTracker, StandsWhereOnlyTheWheelsTurn) {
   EXPECT_THAT(last, PoseNear(standing.back(), 0.06, 0.01));
 }
 
+/// Drives on for some scans, one of whose views is from `aside`. @return how far off it is then, and at last
+std::vector<double> off_after_views_from_aside_m(const Pose2& aside, int views) {
+  ScanTracker tracker(TrackerParams{});
+  std::vector<double> off_m;
+  Pose2 T_room_track;
+  for (int i = 0; i < 40; ++i) {
+    const Pose2 T_room_sensor{-1.5 + 0.05 * i, -0.5, 0};
+    const bool is_aside = i >= 20 && i < 20 + views;
+    const Pose2 seen_from = is_aside ? T_room_sensor * aside : T_room_sensor;
+    const Pose2 T_track_sensor = tracker.step(view_from(seen_from), {i > 0 ? 0.05 : 0.0, 0, 0}, true);
+    if (i == 0) T_room_track = T_room_sensor * T_track_sensor.inverse();
+    off_m.push_back(((T_room_track * T_track_sensor).position() - seen_from.position()).norm());
+  }
+  return off_m;
+}
+
+TEST(ScanTracker, FindsItselfWhereTheOdometryHasMissedAMotion) {
+  const std::vector<double> off_m = off_after_views_from_aside_m({0.5, 0.8, 0}, 20);
+  EXPECT_GT(off_m[20], 0.5);
+  EXPECT_LT(off_m[24], 0.03);
+  EXPECT_LT(off_m.back(), 0.03);
+}
+
+TEST(ScanTracker, IsNotLedAsideByOneScanThatLiesWellElsewhere) {
+  const std::vector<double> off_m = off_after_views_from_aside_m({0.5, 0.8, 0}, 1);
+  for (std::size_t i = 21; i < off_m.size(); ++i) EXPECT_LT(off_m[i], 0.15) << i;
+  EXPECT_LT(off_m.back(), 0.03);
+}
+
 TEST(ScanTracker, NeedsNoAxes) {
   const Pose2 last = follow(
       curve(),

@@ -63,6 +63,7 @@ class ScanTracker {
   Alignment lay_onto_walls(std::span<const SensedSegment> segments);
   Alignment lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m);
   bool relocate(std::span<const SensedSegment> segments);
+  bool agrees_with_suspicion(const Pose2& T_sensor_found);
   bool keyframe_is_due() const;
   void learn(std::span<const SensedSegment> segments, const Mat3& wall_information);
 
@@ -80,6 +81,8 @@ class ScanTracker {
   double path_m_ = 0;
   std::size_t headings_used_ = 0;
   bool relocated_ = false;
+  Pose2 T_sensor_suspected_;  ///< where the latest scans fit better ...
+  int suspected_scans_ = 0;   ///< ... so many in a row
   bool orthogonal_ = true;
 };
 
