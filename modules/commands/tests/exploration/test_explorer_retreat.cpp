@@ -67,7 +67,7 @@ TEST_P(ExplorerRetreat, GoesBackAlongItsOwnTrailOutOfANarrowDeadEndAndThenHome) 
 }
 
 /// By which the vehicle gets stuck in there.
-INSTANTIATE_TEST_SUITE_P(Seeds, ExplorerRetreat, testing::Values(7, 12, 18, 26, 31, 32, 35, 36));
+INSTANTIATE_TEST_SUITE_P(Seeds, ExplorerRetreat, testing::Values(7, 12, 13, 21, 25, 31, 33, 36));
 
 }  // namespace
 }  // namespace aisle
