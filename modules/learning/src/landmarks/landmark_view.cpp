@@ -32,8 +32,7 @@ bool LandmarkView::expects(const Landmark& landmark, const Pose2& T_map_vehicle)
   const Vec2 p_vehicle = T_map_vehicle.inverse() * landmark.p_map;
   const double distance_m = p_vehicle.norm();
   if (distance_m < landmark.seen_near_m || distance_m > landmark.seen_far_m) return false;
-  if (distance_m > far_m_ || bearing(p_vehicle) > left_rad_ || bearing(p_vehicle) < right_rad_)
-    return false;
+  if (distance_m > far_m_ || bearing(p_vehicle) > left_rad_ || bearing(p_vehicle) < right_rad_) return false;
   const Vec2 from = (T_map_vehicle.position() - landmark.p_map).normalized();
   return from.dot(landmark.seen_from) > std::cos(kSameSide_rad);
 }

@@ -63,8 +63,8 @@ TEST(ScanTracker, StandsWhereOnlyTheWheelsTurn) {
   EXPECT_THAT(last, PoseNear(standing.back(), 0.06, 0.01));
 }
 
-/// A drive of 40 scans; from the 20th on some are taken from aside of where the odometry says. @return of each
-/// how far the tracker puts it from where it was taken
+/// A drive of 40 scans; from the 20th on some are taken from aside of where the odometry says. @return of
+/// each how far the tracker puts it from where it was taken
 std::vector<double> off_after_views_from_aside_m(const Pose2& aside, int views) {
   ScanTracker tracker(TrackerParams{});
   std::vector<double> off_m;
