@@ -23,7 +23,8 @@ constexpr double kRelocationSeen_m = 2;  // with less wall in sight a guess is w
 constexpr double kGuessSigma_m = 0.3, kGuessSigma_rad = 3 * kDegree;
 constexpr double kLaidAgainShare = 0.5;  // of the seen length must fit
 constexpr int kAgreeingScans = 3;        // say where the sensor is, before that is believed
-constexpr double kSamePlace_m = 0.15, kSamePlace_rad = 5 * kDegree;
+constexpr double kAgreeing_m = 0.15;     // so near each other
+constexpr double kAgreeing_rad = 5 * kDegree;
 constexpr double kRelocatedPoseSigma_m = 0.05;
 constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
 
@@ -150,7 +151,7 @@ bool ScanTracker::relocate(std::span<const SensedSegment> segments) {
 /// Several scans in a row say that the sensor is there, seen from where it was thought to be.
 bool ScanTracker::agrees_with_suspicion(const Pose2& T_sensor_found) {
   const Pose2 apart = between(T_sensor_suspected_, T_sensor_found);
-  const bool is_same = apart.position().norm() < kSamePlace_m && std::abs(apart.theta) < kSamePlace_rad;
+  const bool is_same = apart.position().norm() < kAgreeing_m && std::abs(apart.theta) < kAgreeing_rad;
   T_sensor_suspected_ = T_sensor_found;
   suspected_scans_ = is_same ? suspected_scans_ + 1 : 1;
   if (suspected_scans_ < kAgreeingScans) return false;
