@@ -30,11 +30,20 @@ inline Landmark any_landmark(Random& random) {
   landmark.weight = random.uniform(0.01, 9);
   landmark.sightings = static_cast<int>(random.index(2000));
   landmark.passes = static_cast<int>(random.index(20));
-  landmark.seen_from = unit(random.uniform(-kPi, kPi));
-  landmark.seen_near_m = random.uniform(0.5, 4);
-  landmark.seen_far_m = random.uniform(4, 12);
   landmark.brighter_right = random.uniform() < 0.5;
   return landmark;
+}
+
+/// The same, and where they were seen from.
+inline LandmarkMap with_views(const LandmarkMap& landmarks, Random& random) {
+  LandmarkMap map;
+  for (Landmark landmark : landmarks.all()) {
+    landmark.seen_from = unit(random.uniform(-kPi, kPi));
+    landmark.seen_near_m = random.uniform(0.5, 4);
+    landmark.seen_far_m = random.uniform(4, 12);
+    map.add(landmark);
+  }
+  return map;
 }
 
 inline Building any_learned_building(Random& random, int landmarks, int routes, int pieces) {

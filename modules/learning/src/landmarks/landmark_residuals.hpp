@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "aisle/core/angle.hpp"
@@ -12,13 +13,28 @@
 
 namespace aisle {
 
+/// The angle within half a turn of zero.
+template <class T>
+T wrapped(const T& angle_rad) {
+  return angle_rad - 2 * kPi * floor((angle_rad + kPi) / (2 * kPi));
+}
+
+/// What is off, in standard deviations.
+template <class Matrix, class T, std::size_t kSize>
+void weigh(const Matrix& root_information, const std::array<T, kSize>& off, T* residual) {
+  for (int i = 0; i < static_cast<int>(kSize); ++i) {
+    residual[i] = T(0);
+    for (int j = 0; j < static_cast<int>(kSize); ++j)
+      residual[i] += root_information(i, j) * off[static_cast<std::size_t>(j)];
+  }
+}
+
 /// How far b, seen from a, is off (x, y, theta).
 template <class T>
 std::array<T, 3> relative_pose_error(const T* a, const T* b, const T& x, const T& y, const T& theta) {
   const T c = cos(a[2]), s = sin(a[2]);
-  const T turn = b[2] - a[2] - theta;
   return {c * (b[0] - a[0]) + s * (b[1] - a[1]) - x, -s * (b[0] - a[0]) + c * (b[1] - a[1]) - y,
-          turn - 2 * kPi * floor((turn + kPi) / (2 * kPi))};
+          wrapped(b[2] - a[2] - theta)};
 }
 
 /// The odometry between two keyframes against their poses. Steady errors are unknowns in standard deviations.
@@ -39,10 +55,7 @@ struct OdometryError {
       theta += turn;
     }
     const auto off = relative_pose_error(a, b, x, y, theta);
-    for (int i = 0; i < 3; ++i) {
-      residual[i] =
-          root_information(i, 0) * off[0] + root_information(i, 1) * off[1] + root_information(i, 2) * off[2];
-    }
+    weigh(root_information, off, residual);
     return true;
   }
 };
@@ -76,12 +89,11 @@ struct SightingError {
     const T x = key[0] + key_c * T_key_vehicle.x - key_s * T_key_vehicle.y;
     const T y = key[1] + key_s * T_key_vehicle.x + key_c * T_key_vehicle.y;
     const T c = cos(key[2] + T_key_vehicle.theta), s = sin(key[2] + T_key_vehicle.theta);
-    const T off_x = sighting.p_vehicle.x() - sighting.by_tilt.x() * tilt[0] -
-                    (c * (landmark[0] - x) + s * (landmark[1] - y));
-    const T off_y = sighting.p_vehicle.y() - sighting.by_tilt.y() * tilt[0] -
-                    (-s * (landmark[0] - x) + c * (landmark[1] - y));
-    residual[0] = root_information(0, 0) * off_x + root_information(0, 1) * off_y;
-    residual[1] = root_information(1, 0) * off_x + root_information(1, 1) * off_y;
+    const std::array<T, 2> off{sighting.p_vehicle.x() - sighting.by_tilt.x() * tilt[0] -
+                                   (c * (landmark[0] - x) + s * (landmark[1] - y)),
+                               sighting.p_vehicle.y() - sighting.by_tilt.y() * tilt[0] -
+                                   (-s * (landmark[0] - x) + c * (landmark[1] - y))};
+    weigh(root_information, off, residual);
     return true;
   }
 };
@@ -93,9 +105,8 @@ struct KnownError {
 
   template <class T>
   bool operator()(const T* landmark, T* residual) const {
-    const T off_x = landmark[0] - p_map.x(), off_y = landmark[1] - p_map.y();
-    residual[0] = root_information(0, 0) * off_x + root_information(0, 1) * off_y;
-    residual[1] = root_information(1, 0) * off_x + root_information(1, 1) * off_y;
+    const std::array<T, 2> off{landmark[0] - p_map.x(), landmark[1] - p_map.y()};
+    weigh(root_information, off, residual);
     return true;
   }
 };
@@ -108,7 +119,7 @@ struct WallError {
   template <class T>
   bool operator()(const T* key, const T* walls_rad, T* residual) const {
     const T off = key[2] + key_to_cycle_rad - walls_rad[0] - against_walls.heading_rad;
-    residual[0] = (off - 2 * kPi * floor((off + kPi) / (2 * kPi))) / against_walls.sigma_rad;
+    residual[0] = wrapped(off) / against_walls.sigma_rad;
     return true;
   }
 };

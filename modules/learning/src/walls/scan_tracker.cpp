@@ -142,14 +142,15 @@ bool ScanTracker::relocate(std::span<const SensedSegment> segments) {
   const auto found = find_pose_near(T_track_sensor_.mean, segments, walls_, window_, path_m_,
                                     params_.relocation_reach_m, aligner_);
   if (!found) suspected_scans_ = 0;
-  if (!found || !agrees_with_suspicion(between(T_track_sensor_.mean, *found))) return false;
+  if (!found || !confirm_suspicion(between(T_track_sensor_.mean, *found))) return false;
   const Vec3 sigma(kRelocatedPoseSigma_m, kRelocatedPoseSigma_m, kRelocatedPoseSigma_rad);
   T_track_sensor_ = {*found, sigma.cwiseAbs2().asDiagonal()};
   return true;
 }
 
-/// Several scans in a row say that the sensor is there, seen from where it was thought to be.
-bool ScanTracker::agrees_with_suspicion(const Pose2& T_sensor_found) {
+/// Counts one more scan that says so. @return whether enough in a row put the sensor there, seen from where
+/// it was thought to be
+bool ScanTracker::confirm_suspicion(const Pose2& T_sensor_found) {
   const Pose2 apart = between(T_sensor_suspected_, T_sensor_found);
   const bool is_same = apart.position().norm() < kAgreeing_m && std::abs(apart.theta) < kAgreeing_rad;
   T_sensor_suspected_ = T_sensor_found;

@@ -63,7 +63,7 @@ class ScanTracker {
   Alignment lay_onto_walls(std::span<const SensedSegment> segments);
   Alignment lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m);
   bool relocate(std::span<const SensedSegment> segments);
-  bool agrees_with_suspicion(const Pose2& T_sensor_found);
+  bool confirm_suspicion(const Pose2& T_sensor_found);
   bool keyframe_is_due() const;
   void learn(std::span<const SensedSegment> segments, const Mat3& wall_information);
 
