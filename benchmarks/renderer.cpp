@@ -87,7 +87,7 @@ void take_pictures(benchmark::State& state, int doors_per_side, double turn_rate
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(state.range(0)));
   const RenderedWorld& world = rendered_corridor(doors_per_side);
-  const CameraSensor sensor(camera(), {}, 1);
+  CameraSensor sensor(camera(), {}, 1);
   const auto begin = std::chrono::steady_clock::now();
   std::uint64_t picture = 0;
   for ([[maybe_unused]] auto _ : state) {

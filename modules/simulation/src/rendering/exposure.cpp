@@ -88,16 +88,17 @@ struct Exposure::View {
 };
 
 Exposure::Exposure(const RenderedWorld::Scene& scene, const LensTable& lens, const LightLevels& levels,
-                   const LaserPlane& laser)
-    : scene_(scene), lens_(lens), levels_(levels), laser_(laser), light_(lens.blocks.size(), Floats{}) {
-  if (scene.has_polished_floor()) mirrored_.resize(lens.blocks.size());
+                   const LaserPlane& laser, CollectedLight& light)
+    : scene_(scene), lens_(lens), levels_(levels), laser_(laser), light_(light) {
+  light_.all.assign(lens.blocks.size(), Floats{});
+  light_.mirrored.resize(scene.has_polished_floor() ? lens.blocks.size() : 0);
 }
 
 void Exposure::add(const Viewpoint& view, int samples, float share) {
   const std::vector<PixelOffset> offsets = sample_offsets(std::clamp(samples, 1, kSamplesMax));
-  std::fill(mirrored_.begin(), mirrored_.end(), Floats{});
+  std::fill(light_.mirrored.begin(), light_.mirrored.end(), Floats{});
   look_from({view, offsets, share});
-  if (!mirrored_.empty()) look_from({mirrored_in_floor(view), offsets, share, true});
+  if (!light_.mirrored.empty()) look_from({mirrored_in_floor(view), offsets, share, true});
 }
 
 void Exposure::look_from(const View& view) {
@@ -155,10 +156,10 @@ void Exposure::add_panel(const View& view, std::size_t block, const SeenPanel& p
   Floats radiance;
   shade(surface, scene_.tables(), levels_, rays, coverage.any, radiance);
   if (laser_.strength > 0) add_stripe(surface, rays, coverage.any, radiance);
-  if (!mirrored_.empty() && !view.is_in_floor) mirror(surface, view, block, rays, coverage, radiance);
+  if (!light_.mirrored.empty() && !view.is_in_floor) mirror(surface, view, block, rays, coverage, radiance);
   for (int k = 0; k < kLanes; ++k) {
-    const float share = view.is_in_floor ? mirrored_[block].at[k] : view.share;
-    light_[block].at[k] += coverage.any.at[k] != 0 ? share * coverage.share.at[k] * radiance.at[k] : 0;
+    const float share = view.is_in_floor ? light_.mirrored[block].at[k] : view.share;
+    light_.all[block].at[k] += coverage.any.at[k] != 0 ? share * coverage.share.at[k] * radiance.at[k] : 0;
   }
 }
 
@@ -171,7 +172,8 @@ void Exposure::mirror(const Surface& surface, const View& view, std::size_t bloc
   find_mirrored(gloss, rays, shares);
   for (int k = 0; k < kLanes; ++k) {
     radiance.at[k] *= 1 - shares.at[k];
-    mirrored_[block].at[k] += coverage.any.at[k] != 0 ? view.share * coverage.share.at[k] * shares.at[k] : 0;
+    light_.mirrored[block].at[k] +=
+        coverage.any.at[k] != 0 ? view.share * coverage.share.at[k] * shares.at[k] : 0;
   }
 }
 
@@ -195,7 +197,7 @@ Image Exposure::develop(const SensorResponse& response, double exposure) const {
       const std::size_t block = lens_.block(column, row);
       Floats light;
       for (int k = 0; k < kLanes; ++k) {
-        light.at[k] = gain * lens_.blocks[block].transmission.at[k] * light_[block].at[k];
+        light.at[k] = gain * lens_.blocks[block].transmission.at[k] * light_.all[block].at[k];
       }
       const Greys greys = response.greys(light, static_cast<std::uint32_t>(block));
       const int first_u = column * kPacketSide, first_v = row * kPacketSide;

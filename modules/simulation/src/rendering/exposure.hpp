@@ -13,6 +13,12 @@ namespace aisle {
 RayPacket block_rays(const LensTable::Block& block, const Viewpoint& view, const Floats& offset_u,
                      const Floats& offset_v);
 
+/// What came through the lens, block by block of its pixels.
+struct CollectedLight {
+  std::vector<Floats> all;
+  std::vector<Floats> mirrored;  ///< share of a view's light that the floor mirrors; none: it is dull
+};
+
 /// One picture in the making: collects the light of the views that it is exposed to, one after the other.
 /// Each view is divided into ever narrower beams until a beam sees only one panel or is a block of pixels.
 /// Where a block sees one panel, one ray a pixel is shaded, as patterns are filtered by what a pixel sees of
@@ -20,8 +26,9 @@ RayPacket block_rays(const LensTable::Block& block, const Viewpoint& view, const
 /// mirrored view sees, besides itself.
 class Exposure {
  public:
+  /// @param light  to collect in; what is in it is forgotten
   Exposure(const RenderedWorld::Scene& scene, const LensTable& lens, const LightLevels& levels,
-           const LaserPlane& laser);
+           const LaserPlane& laser, CollectedLight& light);
 
   /// @param samples  of a pixel, where panels meet
   /// @param share    of the exposure's time
@@ -46,8 +53,7 @@ class Exposure {
   const LensTable& lens_;
   LightLevels levels_;
   LaserPlane laser_;
-  std::vector<Floats> light_;     ///< of the pixels, block by block
-  std::vector<Floats> mirrored_;  ///< share of a view's light that the floor mirrors; none: it is dull
+  CollectedLight& light_;
 };
 
 }  // namespace aisle

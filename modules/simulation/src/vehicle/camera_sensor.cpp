@@ -29,13 +29,18 @@ CameraSensor::CameraSensor(const CameraDescription& camera, const CameraSensorPa
     : camera_(camera),
       params_(params),
       seed_(seed),
-      lens_(std::make_shared<LensTable>(camera, params.vignetting)) {}
+      lens_(std::make_unique<LensTable>(camera, params.vignetting)),
+      light_(std::make_unique<CollectedLight>()) {}
 
-Image CameraSensor::take(const RenderedWorld& world, const CameraMoment& moment) const {
+CameraSensor::~CameraSensor() = default;
+CameraSensor::CameraSensor(CameraSensor&&) noexcept = default;
+CameraSensor& CameraSensor::operator=(CameraSensor&&) noexcept = default;
+
+Image CameraSensor::take(const RenderedWorld& world, const CameraMoment& moment) {
   const RenderedWorld::Scene& scene = *world.scene_;
   const std::vector<Viewpoint> views = viewpoints(camera_, params_, moment, seed_, scene.frame);
   const int count = static_cast<int>(views.size());
-  Exposure exposure(scene, *lens_, light_levels(scene, moment), laser_plane(moment, scene.frame));
+  Exposure exposure(scene, *lens_, light_levels(scene, moment), laser_plane(moment, scene.frame), *light_);
   for (const Viewpoint& view : views) {
     exposure.add(view, (params_.rays_per_pixel + count - 1) / count, 1 / static_cast<float>(count));
   }

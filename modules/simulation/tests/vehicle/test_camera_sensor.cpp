@@ -308,7 +308,7 @@ TEST(CameraSensor, WhatIsOnTheLeftIsOnTheLeft) {
 
 TEST(CameraSensor, AMovingBodyHidesWhatIsBehindItUntilItIsTakenAway) {
   RenderedWorld world(wall_ahead(2.7));
-  const CameraSensor sensor(ordinary_camera(), without_faults(), 1);
+  CameraSensor sensor(ordinary_camera(), without_faults(), 1);
   const Image empty = sensor.take(world, {});
   const std::vector<MovingBody> bodies = {{.T_world_body = {2, 0, 0}, .size = {0.3, 0.3}, .brightness = 0.9}};
   world.place(bodies);
@@ -339,6 +339,14 @@ TEST(CameraSensor, TakesTheSamePictureWhateverTheNumberOfThreads) {
   EXPECT_EQ(picture(1), picture(2));
 }
 
+TEST(CameraSensor, TakesTheSamePictureWhateverWasTakenBefore) {
+  const RenderedWorld bright(office_corridor(2)), other(wall_ahead(2.7));
+  CameraSensor sensor(ordinary_camera(), {}, 1);
+  const Image first = sensor.take(bright, driving());
+  sensor.take(other, driving());
+  EXPECT_EQ(sensor.take(bright, driving()), first);
+}
+
 TEST(CameraSensor, NoiseIsAsStrongAsItsParameterAndAnotherInEachPicture) {
   World world = dark_floor();
   world.floor.brightness = 0.25;  // mid grey
@@ -347,7 +355,7 @@ TEST(CameraSensor, NoiseIsAsStrongAsItsParameterAndAnotherInEachPicture) {
   const RenderedWorld rendered(world);
   const Image clean = CameraSensor(ordinary_camera(), params, 1).take(rendered, {});
   params.noise_sigma = 3;
-  const CameraSensor noisy(ordinary_camera(), params, 1);
+  CameraSensor noisy(ordinary_camera(), params, 1);
   CameraMoment moment;
   const Image first = noisy.take(rendered, moment);
   moment.picture = 1;

@@ -14,6 +14,7 @@
 namespace aisle {
 
 struct LensTable;
+struct CollectedLight;
 
 /// Something upright that is not at its place for ever: a person, a box that blocks the way.
 struct MovingBody {
@@ -71,19 +72,23 @@ struct CameraMoment {
 };
 
 /// Takes pictures. Rays go through the lens model, so known points land where CameraModel::project says.
-/// The same arguments give the same bytes, whatever the number of threads.
+/// The same arguments give the same bytes, whatever the number of threads and what was taken before.
 class CameraSensor {
  public:
   CameraSensor(const CameraDescription& camera, const CameraSensorParams& params, std::uint64_t seed);
+  ~CameraSensor();
+  CameraSensor(CameraSensor&&) noexcept;
+  CameraSensor& operator=(CameraSensor&&) noexcept;
 
   /// Grey, camera.width_px x camera.height_px.
-  Image take(const RenderedWorld& world, const CameraMoment& moment) const;
+  Image take(const RenderedWorld& world, const CameraMoment& moment);
 
  private:
   CameraDescription camera_;
   CameraSensorParams params_;
   std::uint64_t seed_;
-  std::shared_ptr<const LensTable> lens_;
+  std::unique_ptr<const LensTable> lens_;
+  std::unique_ptr<CollectedLight> light_;  ///< of the picture in the making; kept, as new memory takes long
 };
 
 }  // namespace aisle
