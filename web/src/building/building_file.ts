@@ -18,6 +18,12 @@ export interface Landmark {
   at_m: Pair;
 }
 
+/** A list of objects as a file may have it: their keys once, then the values of each. */
+interface Table {
+  columns: string[];
+  rows: unknown[][];
+}
+
 export interface Place {
   name: string;
   at_m: Pair;
@@ -52,4 +58,22 @@ export interface Building {
   places?: Place[];
   barriers?: Barrier[];
   floor?: Floor;
+}
+
+/** A building as it stands in its file. */
+export type BuildingFile = Omit<Building, "landmarks"> & { landmarks?: Landmark[] | Table };
+
+export function building_of({ landmarks, ...parts }: BuildingFile): Building {
+  if (landmarks === undefined) return parts;
+  return {
+    ...parts,
+    landmarks: Array.isArray(landmarks) ? landmarks : (objects_of(landmarks) as Landmark[]),
+  };
+}
+
+/** What is null in a row its object has no key for. */
+function objects_of({ columns, rows }: Table): object[] {
+  return rows.map((row) =>
+    Object.fromEntries(columns.map((key, at) => [key, row[at]]).filter(([, value]) => value !== null)),
+  );
 }

@@ -2,7 +2,8 @@ import type { App } from "../page/app";
 import { get_json } from "../page/server_files";
 import { keep_fresh } from "../page/server_list";
 import { Signal } from "../page/signal";
-import type { Building } from "./building_file";
+import { building_of } from "./building_file";
+import type { Building, BuildingFile } from "./building_file";
 
 /** The buildings that the server keeps, and the one that is chosen. */
 export class BuildingShelf {
@@ -28,7 +29,7 @@ export class BuildingShelf {
     this.chosen.value = name;
     this.building.value = undefined;
     if (name === "") return;
-    const building = await get_json<Building>(`buildings/${encodeURIComponent(name)}.json`);
-    if (this.chosen.value === name) this.building.value = building;
+    const file = await get_json<BuildingFile>(`buildings/${encodeURIComponent(name)}.json`);
+    if (this.chosen.value === name) this.building.value = building_of(file);
   }
 }

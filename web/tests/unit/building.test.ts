@@ -9,6 +9,7 @@ import {
   without_part,
   without_place,
 } from "../../src/building/building_edits";
+import { building_of } from "../../src/building/building_file";
 import type { Building } from "../../src/building/building_file";
 import { pack_row, unpack_row } from "../../src/building/floor_cells";
 import { UndoList } from "../../src/page/undo_list";
@@ -23,6 +24,16 @@ const building: Building = {
   landmarks: [{ at_m: [2, 0.1] }],
   floor: { cell_m: 0.5, low_cell: [-1, 0], rows: ["1#6.1#", "1#3.1#", "4-1."] },
 };
+
+test("Landmarks in a table are those in a list", () => {
+  const landmarks = { columns: ["at_m", "seen_from_m"], rows: [[[2, 0.1], null]] };
+  assert.deepEqual(building_of({ ...building, landmarks }), building);
+  assert.deepEqual(building_of(building), building);
+  assert.deepEqual(building_of({ format: "aisle.building", version: 2 }), {
+    format: "aisle.building",
+    version: 2,
+  });
+});
 
 test("A row of the floor comes back as it was", () => {
   for (const row of ["5#", "1#3.1#", "1#1.2-1#", "", "4-1."]) assert.equal(pack_row(unpack_row(row)), row);

@@ -17,9 +17,10 @@ namespace aisle {
 namespace {
 
 constexpr std::string_view kBuildingFormat = "aisle.building";
-constexpr int kBuildingVersion = 1;
+constexpr int kBuildingVersion = 2;
+constexpr int kOldestVersion = 1;  // has landmarks in a list, what programs write now has them in a table
 
-Building read_version_1(const JsonValue& root) {
+Building read_parts(const JsonValue& root) {
   Building building;
   root.is_object_of({"format", "version", "name", "has_dominant_direction", "walls", "camera", "landmarks",
                      "routes", "corridors", "places", "barriers", "floor"});
@@ -67,12 +68,12 @@ Result<Building> parse_building(std::string_view text, const std::string& name) 
   }
   int version = 0;
   if (const auto value = root.require("version")) value->read_count(version);
-  if (problems.empty() && version != kBuildingVersion) {
-    return Problem{
-        {name, 0, "version"},
-        fmt::format("{} is unknown here; this program reads version {}", version, kBuildingVersion)};
+  if (problems.empty() && (version < kOldestVersion || version > kBuildingVersion)) {
+    return Problem{{name, 0, "version"},
+                   fmt::format("{} is unknown here; this program reads versions {} to {}", version,
+                               kOldestVersion, kBuildingVersion)};
   }
-  Building building = read_version_1(root);
+  Building building = read_parts(root);
   if (!problems.empty()) return problems.take();
   return building;
 }

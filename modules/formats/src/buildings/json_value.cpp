@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kCoordinateLimit_m = 1e6;
 constexpr std::size_t kNameBytesMax = 200;
+constexpr std::size_t kColumnsMax = 100;
 
 }  // namespace
 
@@ -91,6 +92,29 @@ bool JsonValue::is_list_up_to(std::size_t count_max) const {
 
 JsonValue JsonValue::element(std::size_t index) const {
   return {value_[index], fmt::format("{}[{}]", path_, index), problems_};
+}
+
+void JsonValue::for_each_object(std::size_t count_max,
+                                const std::function<void(const JsonValue&)>& read) const {
+  if (!value_.is_object()) {
+    if (!is_list_up_to(count_max)) return;
+    for (std::size_t i = 0; i < size(); ++i) read(element(i));
+    return;
+  }
+  is_object_of({"columns", "rows"});
+  const auto columns = require("columns"), rows = require("rows");
+  if (!columns || !rows || !columns->is_list_up_to(kColumnsMax) || !rows->is_list_up_to(count_max)) return;
+  std::vector<std::string> keys(columns->size());
+  for (std::size_t c = 0; c < keys.size(); ++c) columns->element(c).read(keys[c]);
+  for (std::size_t i = 0; i < rows->size(); ++i) {
+    const JsonValue row = rows->element(i);
+    if (!row.is_list_of(keys.size())) continue;
+    auto object = nlohmann::json::object();
+    for (std::size_t c = 0; c < keys.size(); ++c) {
+      if (!row.value_[c].is_null()) object[keys[c]] = row.value_[c];
+    }
+    read(JsonValue(object, row.path_, problems_));
+  }
 }
 
 bool JsonValue::is_object_of(const std::vector<std::string_view>& known) const {

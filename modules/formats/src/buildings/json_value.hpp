@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -41,6 +42,9 @@ class JsonValue {
   bool is_list_up_to(std::size_t count_max) const;
   std::size_t size() const { return value_.size(); }
   JsonValue element(std::size_t index) const;
+  /// Reads the objects of a list, or of the same list as a table: {"columns": keys, "rows": a list of values
+  /// each, null where the object has no such key}.
+  void for_each_object(std::size_t count_max, const std::function<void(const JsonValue&)>& read) const;
 
   /// Whether this is an object; keys other than `known` are problems.
   bool is_object_of(const std::vector<std::string_view>& known) const;

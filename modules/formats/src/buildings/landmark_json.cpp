@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/parameters.hpp"
@@ -17,6 +20,10 @@ constexpr Range kWeight = {1e-9, 1e9};
 constexpr double kCorrelationMax = 0.9999;  // as far from 1 as its digits tell
 constexpr double kDistanceMax_m = 1000;
 constexpr std::size_t kLandmarksMax = 1'000'000;
+/// In the order of a row.
+constexpr std::array<std::string_view, 10> kKeys = {
+    "at_m",      "sigma_m", "correlation",   "mass",        "weight",
+    "sightings", "passes",  "seen_from_deg", "seen_from_m", "brighter"};
 
 struct Spread {
   Vec2 sigma_m = Vec2::Ones();
@@ -35,27 +42,27 @@ Mat2 covariance_of(const Spread& spread) {
   return spread.sigma_m.asDiagonal() * correlations * spread.sigma_m.asDiagonal();
 }
 
-/// To the degree and the centimetre; nothing where it is unknown.
-std::string seen_from_json(const Landmark& landmark) {
-  std::string text;
-  const Vec2& seen_from = landmark.seen_from;
-  if (!seen_from.isZero())
-    text += fmt::format(R"("seen_from_deg": {}, )",
-                        std::lround(to_degrees(std::atan2(seen_from.y(), seen_from.x()))));
-  if (std::isfinite(landmark.seen_far_m))
-    text += fmt::format(R"("seen_from_m": [{}, {}], )", decimals(landmark.seen_near_m, 2),
-                        decimals(landmark.seen_far_m, 2));
-  return text;
+/// To the degree; null where it is unknown.
+std::string heading_json(const Vec2& seen_from) {
+  if (seen_from.isZero()) return "null";
+  return std::to_string(std::lround(to_degrees(std::atan2(seen_from.y(), seen_from.x()))));
 }
 
-std::string landmark_json(const Landmark& landmark) {
+/// To the centimetre; null where they are unknown.
+std::string distances_json(const Landmark& landmark) {
+  if (!std::isfinite(landmark.seen_far_m)) return "null";
+  return fmt::format("[{},{}]", decimals(landmark.seen_near_m, 2), decimals(landmark.seen_far_m, 2));
+}
+
+/// Without spaces: there are many of them.
+std::string landmark_row(const Landmark& landmark) {
   const Spread spread = spread_of(landmark.covariance);
-  return fmt::format(
-      R"({{"at_m": {}, "sigma_m": [{:.3g}, {:.3g}], "correlation": {}, "mass": {:.4g}, "weight": {:.4g}, )"
-      R"("sightings": {}, "passes": {}, {}"brighter": "{}"}})",
-      point_json(landmark.p_map, kMillimetreDecimals), spread.sigma_m.x(), spread.sigma_m.y(),
-      decimals(spread.correlation, 4), landmark.mass, landmark.weight, landmark.sightings, landmark.passes,
-      seen_from_json(landmark), brighter_text(landmark.brighter_right));
+  return fmt::format(R"([[{},{}],[{:.3g},{:.3g}],{},{:.4g},{:.4g},{},{},{},{},"{}"])",
+                     decimals(landmark.p_map.x(), kMillimetreDecimals),
+                     decimals(landmark.p_map.y(), kMillimetreDecimals), spread.sigma_m.x(),
+                     spread.sigma_m.y(), decimals(spread.correlation, 4), landmark.mass, landmark.weight,
+                     landmark.sightings, landmark.passes, heading_json(landmark.seen_from),
+                     distances_json(landmark), brighter_text(landmark.brighter_right));
 }
 
 Mat2 read_covariance(const JsonValue& value) {
@@ -77,9 +84,7 @@ void read_distances(const JsonValue& value, Landmark& landmark) {
 
 Landmark read_landmark(const JsonValue& value) {
   Landmark landmark;
-  if (!value.is_object_of({"at_m", "sigma_m", "correlation", "mass", "weight", "sightings", "passes",
-                           "seen_from_deg", "seen_from_m", "brighter"}))
-    return landmark;
+  if (!value.is_object_of({kKeys.begin(), kKeys.end()})) return landmark;
   if (const auto at = value.require("at_m")) at->read_point(landmark.p_map);
   landmark.covariance = read_covariance(value);
   if (const auto mass = value.find("mass")) mass->read_number(landmark.mass, 0, kWeight.max);
@@ -109,18 +114,17 @@ void read_brighter(const JsonValue& value, bool& is_right) {
 }
 
 std::string landmarks_json(const LandmarkMap& map) {
-  std::vector<std::string> landmarks;
+  std::vector<std::string> rows;
   for (const Landmark& landmark : map.all()) {
     const bool is_gap = landmark.weight == 0;
-    if (!is_gap) landmarks.push_back(landmark_json(landmark));
+    if (!is_gap) rows.push_back(landmark_row(landmark));
   }
-  return list_json(landmarks);
+  return fmt::format(R"({{"columns": ["{}"], "rows": {}}})", fmt::join(kKeys, R"(", ")"), list_json(rows));
 }
 
 LandmarkMap read_landmarks(const JsonValue& value) {
   LandmarkMap map;
-  if (!value.is_list_up_to(kLandmarksMax)) return map;
-  for (std::size_t i = 0; i < value.size(); ++i) map.add(read_landmark(value.element(i)));
+  value.for_each_object(kLandmarksMax, [&](const JsonValue& landmark) { map.add(read_landmark(landmark)); });
   return map;
 }
 

@@ -13,7 +13,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 std::string corridors_with(const std::string& passage, const std::string& other) {
-  return golden_building("building_corridors.v1.json", passage, other);
+  return golden_building("building_corridors.v2.json", passage, other);
 }
 
 Building any_explored_building(Random& random) {
@@ -39,7 +39,7 @@ Building any_explored_building(Random& random) {
 }
 
 TEST(BuildingCorridors, TheGoldenFileSaysWhatWasExplored) {
-  const auto building = parse_building(golden_building("building_corridors.v1.json"), "golden");
+  const auto building = parse_building(golden_building("building_corridors.v2.json"), "golden");
   ASSERT_TRUE(building.ok()) << to_string(building.problems());
   const CorridorGraph& graph = building->corridors;
   ASSERT_EQ(graph.nodes.size(), 4U);
@@ -58,7 +58,7 @@ TEST(BuildingCorridors, TheGoldenFileSaysWhatWasExplored) {
   EXPECT_EQ(building->floor->at(FloorCell{0, 9}), Floor::kUnknown);
   EXPECT_EQ(building->floor->at(FloorCell{2, 11}), Floor::kFree);
   EXPECT_EQ(building->floor->count(Floor::kFree), 5U);
-  EXPECT_EQ(building_json(*building), golden_building("building_corridors.v1.json"));
+  EXPECT_EQ(building_json(*building), golden_building("building_corridors.v2.json"));
 }
 
 RC_GTEST_PROP(BuildingCorridors, WhatIsReadIsWrittenAgainToTheLastByte, (std::uint64_t seed)) {

@@ -12,10 +12,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-const std::filesystem::path kGoldenWalls =
-    std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden/building.v1.json";
-const std::filesystem::path kGoldenRoutes =
-    std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden/building_routes.v1.json";
+const std::filesystem::path kGolden = std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden";
+const std::filesystem::path kGoldenWalls = kGolden / "building.v2.json";
+const std::filesystem::path kGoldenRoutes = kGolden / "building_routes.v2.json";
 
 /// A building of version 1 with these further members.
 std::string building_with(const std::string& members) {
@@ -41,7 +40,7 @@ Building any_building(Random& random, std::size_t walls) {
   return building;
 }
 
-TEST(BuildingJson, VersionOneStaysReadable) {
+TEST(BuildingJson, TheGoldenFileSaysWhatWasLearned) {
   const auto building = read_building(kGoldenWalls);
   ASSERT_TRUE(building.ok()) << to_string(building.problems());
   EXPECT_EQ(building->name, "Corridor \"B\"");
@@ -61,6 +60,14 @@ TEST(BuildingJson, VersionOneStaysReadable) {
 TEST(BuildingJson, WritesTheGoldenFilesAsTheyStand) {
   EXPECT_EQ(building_json(*read_building(kGoldenWalls)), *read_whole_file(kGoldenWalls));
   EXPECT_EQ(building_json(*read_building(kGoldenRoutes)), *read_whole_file(kGoldenRoutes));
+}
+
+TEST(BuildingJson, WhatVersion1SaysIsWrittenAsVersion2) {
+  for (const std::string name : {"building", "building_routes"}) {
+    const auto old = read_building(kGolden / (name + ".v1.json"));
+    ASSERT_TRUE(old.ok()) << to_string(old.problems());
+    EXPECT_EQ(building_json(*old), *read_whole_file(kGolden / (name + ".v2.json")));
+  }
 }
 
 TEST(BuildingJson, WallsAloneHaveNoLandmarks) {
@@ -118,8 +125,8 @@ TEST(BuildingJson, OtherFormatsAndVersionsAreRefused) {
   EXPECT_THAT(building_problems("{}"), HasSubstr("b.json: format: is not \"aisle.building\""));
   EXPECT_THAT(building_problems(R"({"format": "aisle.world", "version": 1})"), HasSubstr("format: is not"));
   EXPECT_THAT(building_problems(R"({"format": "aisle.building"})"), HasSubstr("version: is missing"));
-  EXPECT_THAT(building_problems(R"({"format": "aisle.building", "version": 2})"),
-              HasSubstr("version: 2 is unknown here"));
+  EXPECT_THAT(building_problems(R"({"format": "aisle.building", "version": 3})"),
+              HasSubstr("version: 3 is unknown here; this program reads versions 1 to 2"));
   EXPECT_THAT(building_problems("[]"), HasSubstr("b.json: is no JSON object"));
 }
 

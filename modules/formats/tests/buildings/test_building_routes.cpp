@@ -107,7 +107,7 @@ TEST(BuildingRoutes, AHundredMetresOfCorridorAreSmall) {
 }
 
 TEST(BuildingRoutes, AHundredMetresThatWereLearnedAreSmallWithTheirViewsToo) {
-  constexpr int kLandmarks = 205, kPieces = 15;  // l-corridor, 23 m, has 47 and 3 when it was taught once
+  constexpr int kLandmarks = 500, kPieces = 15;  // c98-corridor, 20 m, has 99 and 1 when it was taught once
   Random random(1);
   Building building = any_learned_building(random, kLandmarks, 1, kPieces);
   building.landmarks = with_views(building.landmarks, random);
@@ -158,6 +158,37 @@ TEST(BuildingRoutes, BadLandmarksNameTheirKeys) {
               HasSubstr("landmarks[0].pases: unknown key"));
   EXPECT_THAT(building_problems(routes_with("\"at_m\": [3.125, 1.05], ", "")),
               HasSubstr("landmarks[0].at_m: is missing"));
+}
+
+/// A building with its landmarks in a table.
+std::string problems_of_table(const std::string& columns, const std::string& rows) {
+  return building_problems(routes_with(R"([
+{"at_m": [3.125, 1.05], "sigma_m": [0.0213, 0.008], "correlation": -0.25, "mass": 41.5, "weight": 1.25, "sightings": 38, "passes": 2, "seen_from_deg": -172, "seen_from_m": [1.85, 6.5], "brighter": "right"},
+{"at_m": [4.025, -1.05], "sigma_m": [0.03, 0.012], "correlation": 0, "mass": 9, "weight": 0.5, "sightings": 12, "passes": 1, "brighter": "left"}
+])",
+                                       R"({"columns": )" + columns + R"(, "rows": )" + rows + "}"));
+}
+
+TEST(BuildingRoutes, ATableHasItsColumnsInAnyOrderAndNullWhereNothingIsKnown) {
+  EXPECT_EQ(problems_of_table(R"(["brighter", "sigma_m", "mass", "at_m"])",
+                              R"([["left", [0.1, 0.1], null, [1, 2]], ["right", [0.1, 0.1], 3, [1, 2]]])"),
+            "");
+}
+
+TEST(BuildingRoutes, BadTablesNameTheirRows) {
+  EXPECT_THAT(problems_of_table(R"(["at_m", "sigma_m", "bright"])", R"([[[1, 2], [0.1, 0.1], "left"]])"),
+              AllOf(HasSubstr("landmarks.rows[0].bright: unknown key"),
+                    HasSubstr("landmarks.rows[0].brighter: is missing")));
+  EXPECT_THAT(
+      problems_of_table(R"(["at_m", "sigma_m", "brighter"])", R"([[[1, 2], null, "left"], [[1, 2]], 7])"),
+      AllOf(HasSubstr("landmarks.rows[0].sigma_m: is missing"),
+            HasSubstr("landmarks.rows[1]: is not a list of 3"),
+            HasSubstr("landmarks.rows[2]: is not a list of 3")));
+  EXPECT_THAT(problems_of_table(R"([1, "at_m"])", R"([])"), HasSubstr("landmarks.columns[0]: is not a text"));
+  EXPECT_THAT(problems_of_table(R"({})", R"([])"), HasSubstr("landmarks.columns: is not a list"));
+  EXPECT_THAT(building_problems(R"({"format": "aisle.building", "version": 2, "landmarks": {"row": []}})"),
+              AllOf(HasSubstr("landmarks.row: unknown key"), HasSubstr("landmarks.columns: is missing"),
+                    HasSubstr("landmarks.rows: is missing")));
 }
 
 TEST(BuildingRoutes, ABadCameraNamesItsKeys) {
