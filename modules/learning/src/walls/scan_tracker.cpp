@@ -45,7 +45,10 @@ void TrackerParams::describe(FieldList& fields) {
 }
 
 ScanTracker::ScanTracker(const TrackerParams& params)
-    : params_(params), update_{.gate_m = params.same_wall_m}, aligner_(AlignmentParams{}) {}
+    : params_(params),
+      update_{.gate_m = params.same_wall_m},
+      aligner_(AlignmentParams{}),
+      scale_(params.motion.distance_scale) {}
 
 Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal) {
   if (orthogonal_ && !orthogonal) trust_oblique_walls();
@@ -87,10 +90,11 @@ void ScanTracker::trust_oblique_walls() {
 }
 
 void ScanTracker::predict(const Pose2& T_last_now) {
-  path_m_ += std::hypot(T_last_now.x, T_last_now.y);
   T_track_last_ = T_track_sensor_.mean;
-  motion_ = T_last_now;
+  motion_ = scale_.true_step(T_last_now);
+  path_m_ += motion_.position().norm();
   T_track_sensor_ = T_track_sensor_ * UncertainPose2{motion_, params_.motion.covariance(motion_)};
+  scale_.predict(T_track_last_, motion_, T_track_sensor_.covariance);
 }
 
 void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
@@ -100,9 +104,11 @@ void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
   if (!measured) return;
   const Vec3 gain = covariance.col(2) / (covariance(2, 2) + square(measured->sigma_rad));
   const Vec3 correction = gain * wrap_angle(measured->heading_rad - pose.theta);
+  const Mat3 prior = covariance;
   pose = {pose.x + correction(0), pose.y + correction(1), wrap_angle(pose.theta + correction(2))};
   covariance -= gain * covariance.row(2).eval();
   covariance = (0.5 * (covariance + covariance.transpose())).eval();
+  scale_.correct(prior, correction, covariance);
   ++headings_used_;
 }
 
@@ -111,6 +117,7 @@ void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
 /// believed as long as every scan speaks for it.
 Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
   const Vec2 counted_m = motion_.position();
+  bool is_as_counted = true;
   Alignment best = lay_from(segments, counted_m);
   if (counted_m.norm() < kDoubtful_m) {
     counts_backwards_ = false;
@@ -119,11 +126,22 @@ Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
     const Alignment mirrored = lay_from(segments, -counted_m);
     const Alignment standing = lay_from(segments, Vec2::Zero());
     counts_backwards_ = mirrored.fitting_share() > needed;
-    if (counts_backwards_) best = mirrored;
-    if (standing.fitting_share() > best.fitting_share() + kClearlyBetter) best = standing;
+    const bool stands =
+        standing.fitting_share() > (counts_backwards_ ? mirrored : best).fitting_share() + kClearlyBetter;
+    is_as_counted = !counts_backwards_ && !stands;
+    if (!is_as_counted) best = stands ? standing : mirrored;
   }
-  const Mat3 prior_information = T_track_sensor_.covariance.inverse();
+  const UncertainPose2 predicted = T_track_sensor_;
+  const Mat3 prior_information = predicted.covariance.inverse();
   T_track_sensor_ = {best.T_map_sensor, (prior_information + best.wall_information).inverse()};
+  if (is_as_counted && best.fitting_share() >= params_.lost_share) {
+    const Pose2& from = predicted.mean;
+    const Vec3 correction(best.T_map_sensor.x - from.x, best.T_map_sensor.y - from.y,
+                          wrap_angle(best.T_map_sensor.theta - from.theta));
+    scale_.correct(predicted.covariance, correction, T_track_sensor_.covariance);
+  } else {
+    scale_.forget_pose();
+  }
   return best;
 }
 
@@ -145,6 +163,7 @@ bool ScanTracker::relocate(std::span<const SensedSegment> segments) {
   if (!found || !confirm_suspicion(between(T_track_sensor_.mean, *found))) return false;
   const Vec3 sigma(kRelocatedPoseSigma_m, kRelocatedPoseSigma_m, kRelocatedPoseSigma_rad);
   T_track_sensor_ = {*found, sigma.cwiseAbs2().asDiagonal()};
+  scale_.forget_pose();
   return true;
 }
 

@@ -6,15 +6,11 @@
 namespace aisle {
 namespace {
 
-/// What is seen of a room of 8 x 5 m with a cupboard, all of it at once.
-std::vector<SensedSegment> view_from(const Pose2& T_room_sensor) {
-  const std::vector<Segment2> walls = {{{-4, -2}, {4, -2}}, {{4, -2}, {4, 3}},   {{4, 3}, {-4, 3}},
-                                       {{-4, 3}, {-4, -2}}, {{1, 2}, {2, 2}},    {{2, 2}, {2, 3}},
-                                       {{1, 3}, {1, 2}},    {{-2, -2}, {-2, -1}}};
+std::vector<SensedSegment> seen(std::span<const Segment2> walls, const Pose2& T_map_sensor) {
   std::vector<SensedSegment> view;
   for (const Segment2& wall : walls) {
     SensedSegment s;
-    s.segment = T_room_sensor.inverse() * wall;
+    s.segment = T_map_sensor.inverse() * wall;
     s.centroid = s.segment.midpoint();
     s.heading_rad = s.segment.heading();
     s.length_m = s.segment.length();
@@ -23,6 +19,14 @@ std::vector<SensedSegment> view_from(const Pose2& T_room_sensor) {
     view.push_back(s);
   }
   return view;
+}
+
+/// What is seen of a room of 8 x 5 m with a cupboard, all of it at once.
+std::vector<SensedSegment> view_from(const Pose2& T_room_sensor) {
+  const std::vector<Segment2> walls = {{{-4, -2}, {4, -2}}, {{4, -2}, {4, 3}},   {{4, 3}, {-4, 3}},
+                                       {{-4, 3}, {-4, -2}}, {{1, 2}, {2, 2}},    {{2, 2}, {2, 3}},
+                                       {{1, 3}, {1, 2}},    {{-2, -2}, {-2, -1}}};
+  return seen(walls, T_room_sensor);
 }
 
 /// Follows a drive whose odometry is the true motion changed by `odometry`; returns the last pose in the
@@ -61,6 +65,27 @@ TEST(ScanTracker, StandsWhereOnlyTheWheelsTurn) {
   const std::vector<Pose2> standing(30, Pose2{0.5, 0.3, 0.2});
   const Pose2 last = follow(standing, [](Pose2) { return Pose2{0.12, 0, 0}; });  // 3.5 m in all
   EXPECT_THAT(last, PoseNear(standing.back(), 0.06, 0.01));
+}
+
+/// What is seen between two walls of 60 m, and of what stands across their end if that is in sight.
+std::vector<SensedSegment> corridor_view(const Pose2& T_corridor_sensor, bool sees_end) {
+  std::vector<Segment2> walls = {{{0, -1}, {60, -1}}, {{60, 1}, {0, 1}}};
+  if (sees_end) walls.push_back({{60, -1}, {60, 1}});
+  return seen(walls, T_corridor_sensor);
+}
+
+TEST(ScanTracker, LearnsTheWheelsScaleWhereTheEndIsInSightAndKeepsIt) {
+  ScanTracker tracker({.motion = kReadEveryCycle});
+  constexpr double kStep_m = 0.05, kTooLong = 1.03;
+  constexpr int kSteps = 1000, kStepsInSight = 400;  // 20 m, then 30 m
+  Pose2 first, last;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double counted_m = i > 0 ? kTooLong * kStep_m : 0;
+    last = tracker.step(corridor_view({5 + i * kStep_m, 0.2, 0}, i < kStepsInSight), {counted_m, 0, 0}, true);
+    if (i == 0) first = last;
+  }
+  const double way_m = kSteps * kStep_m;
+  EXPECT_NEAR((last.position() - first.position()).norm(), way_m, 0.2);  // 0.9 by the wheels alone
 }
 
 /// A drive of 40 scans; from the 20th on some are taken from aside of where the odometry says. @return of

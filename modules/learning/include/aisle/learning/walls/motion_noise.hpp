@@ -9,6 +9,7 @@ namespace aisle {
 /// How far odometry may be off over one step, whatever the vehicle.
 struct MotionNoise {
   double distance_m_per_sqrt_m = 0.05;
+  double distance_scale = 0;  ///< share by which all ways may be counted wrong, learned on the way; 0: none
   double rotation_rad_per_sqrt_m = 0.06;
   double rotation_rad_per_sqrt_rad = 0.03;
   double rotation_share = 0.15;   ///< of the step's own rotation
@@ -24,6 +25,7 @@ struct MotionNoise {
 /// Wheels that are read in every cycle, each reading with its own scan: an ordinary indoor vehicle's, even
 /// three times as bad.
 inline constexpr MotionNoise kReadEveryCycle{.distance_m_per_sqrt_m = 0.03,
+                                             .distance_scale = 0.02,
                                              .rotation_rad_per_sqrt_m = 0.02,
                                              .rotation_rad_per_sqrt_rad = 0.01,
                                              .rotation_share = 0.05,

@@ -6,6 +6,7 @@
 
 #include "aisle/core/parameters.hpp"
 #include "aisle/learning/walls/motion_noise.hpp"
+#include "aisle/learning/walls/odometry_scale.hpp"
 #include "aisle/matching/pose_alignment.hpp"
 #include "aisle/matching/wall_estimate.hpp"
 
@@ -71,8 +72,9 @@ class ScanTracker {
   WallUpdateParams update_;
   PoseAligner aligner_;
   UncertainPose2 T_track_sensor_;
-  Pose2 T_track_last_;             ///< pose at the scan before
-  Pose2 motion_;                   ///< since then, by odometry
+  Pose2 T_track_last_;  ///< pose at the scan before
+  Pose2 motion_;        ///< since then, by odometry
+  OdometryScale scale_;
   bool counts_backwards_ = false;  ///< the odometry counts the way with the wrong sign
   std::vector<WallEstimate> walls_;
   std::vector<int> window_;
