@@ -112,35 +112,37 @@ void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
   ++headings_used_;
 }
 
-/// Lays the scan onto the walls from where odometry puts it. Wheels may count backwards driving forwards, or
-/// turn while the vehicle stands: where the scan does not fit, those are tried as well. Counting backwards is
-/// believed as long as every scan speaks for it.
+/// Lays the scan onto the walls; by how much that moves the sensor tells of the wheels' scale.
 Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
-  const Vec2 counted_m = motion_.position();
-  bool is_as_counted = true;
-  Alignment best = lay_from(segments, counted_m);
-  if (counted_m.norm() < kDoubtful_m) {
-    counts_backwards_ = false;
-  } else if (counts_backwards_ || best.fitting_share() < kDoubtful) {
-    const double needed = best.fitting_share() + (counts_backwards_ ? kSlightlyBetter : kClearlyBetter);
-    const Alignment mirrored = lay_from(segments, -counted_m);
-    const Alignment standing = lay_from(segments, Vec2::Zero());
-    counts_backwards_ = mirrored.fitting_share() > needed;
-    const bool stands =
-        standing.fitting_share() > (counts_backwards_ ? mirrored : best).fitting_share() + kClearlyBetter;
-    is_as_counted = !counts_backwards_ && !stands;
-    if (!is_as_counted) best = stands ? standing : mirrored;
-  }
   const UncertainPose2 predicted = T_track_sensor_;
-  const Mat3 prior_information = predicted.covariance.inverse();
-  T_track_sensor_ = {best.T_map_sensor, (prior_information + best.wall_information).inverse()};
-  if (is_as_counted && best.fitting_share() >= params_.lost_share) {
-    const Pose2& from = predicted.mean;
-    const Vec3 correction(best.T_map_sensor.x - from.x, best.T_map_sensor.y - from.y,
-                          wrap_angle(best.T_map_sensor.theta - from.theta));
+  const auto [alignment, is_as_counted] = explain_motion(segments);
+  const Pose2 &from = predicted.mean, &to = alignment.T_map_sensor;
+  T_track_sensor_ = {to, (predicted.covariance.inverse() + alignment.wall_information).inverse()};
+  if (is_as_counted && alignment.fitting_share() >= params_.lost_share) {
+    const Vec3 correction(to.x - from.x, to.y - from.y, wrap_angle(to.theta - from.theta));
     scale_.correct(predicted.covariance, correction, T_track_sensor_.covariance);
   } else {
     scale_.forget_pose();
+  }
+  return alignment;
+}
+
+/// Wheels may count backwards driving forwards, or turn while the vehicle stands: where the scan does not fit
+/// where odometry puts it, those are tried as well. Counting backwards is believed as long as every scan
+/// speaks for it.
+ScanTracker::Explanation ScanTracker::explain_motion(std::span<const SensedSegment> segments) {
+  const Vec2 counted_m = motion_.position();
+  Explanation best{lay_from(segments, counted_m)};
+  if (counted_m.norm() < kDoubtful_m) {
+    counts_backwards_ = false;
+  } else if (counts_backwards_ || best.alignment.fitting_share() < kDoubtful) {
+    const double needed =
+        best.alignment.fitting_share() + (counts_backwards_ ? kSlightlyBetter : kClearlyBetter);
+    const Alignment mirrored = lay_from(segments, -counted_m);
+    const Alignment standing = lay_from(segments, Vec2::Zero());
+    counts_backwards_ = mirrored.fitting_share() > needed;
+    if (counts_backwards_) best = {mirrored, false};
+    if (standing.fitting_share() > best.alignment.fitting_share() + kClearlyBetter) best = {standing, false};
   }
   return best;
 }

@@ -58,10 +58,16 @@ class ScanTracker {
   std::size_t headings_used() const { return headings_used_; }
 
  private:
+  struct Explanation {
+    Alignment alignment;
+    bool is_as_counted = true;  ///< the vehicle moved as its wheels say
+  };
+
   void trust_oblique_walls();
   void predict(const Pose2& T_last_now);
   void correct_heading(std::span<const SensedSegment> segments);
   Alignment lay_onto_walls(std::span<const SensedSegment> segments);
+  Explanation explain_motion(std::span<const SensedSegment> segments);
   Alignment lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m);
   bool relocate(std::span<const SensedSegment> segments);
   bool confirm_suspicion(const Pose2& T_sensor_found);
