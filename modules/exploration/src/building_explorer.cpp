@@ -172,7 +172,7 @@ std::optional<std::size_t> BuildingExplorer::best_child() const {
   double least_m = 1e18;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     const SeenPath& path = paths_[p];
-    if (path.state != PathState::kWaiting || is_far_nook(path.gate)) continue;
+    if (path.state != PathState::kWaiting || params_.nooks.is_far(path.gate)) continue;
     const bool from_start = !active_ && path.parent == p;
     if (!from_start && !(active_ && path.parent == *active_)) continue;
     const double way_m =
@@ -257,7 +257,7 @@ std::optional<std::size_t> BuildingExplorer::best_waiting() const {
   double least_m = 1e18;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     const SeenPath& path = paths_[p];
-    if (path.state != PathState::kWaiting || is_far_nook(path.gate)) continue;
+    if (path.state != PathState::kWaiting || params_.nooks.is_far(path.gate)) continue;
     double cost_m = path.gate.way_m;
     if (home_weight > 0) {
       float home_m = FloorDistances::kUnreached;
@@ -330,7 +330,7 @@ bool BuildingExplorer::resume_left() {
 bool BuildingExplorer::leave_far_nooks() {
   bool left = false;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
-    if (paths_[p].state != PathState::kWaiting || !is_far_nook(paths_[p].gate)) continue;
+    if (paths_[p].state != PathState::kWaiting || !params_.nooks.is_far(paths_[p].gate)) continue;
     give_up(p, cycle_);
     left = true;
   }

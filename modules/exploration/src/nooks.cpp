@@ -178,6 +178,8 @@ void NookParams::describe(FieldList& fields) {
   fields.real("reach_m", reach_m, {1, 20}, "from so far a nook is looked into, at most");
   fields.real("way_max_m", way_max_m, {0, 1000},
               "a nook farther away waits until the vehicle comes by; 0: none matters");
+  fields.real("way_max_m_per_m2", way_max_m_per_m2, {0, 1e6},
+              "the same by what it hides along its edge; the greater holds");
 }
 
 std::vector<Gate> find_nooks(const FloorGrid& floor, const FloorClearance& clearance,

@@ -110,7 +110,6 @@ class BuildingExplorer {
   void leave(std::size_t path, PathState state, PathEvent::Kind kind, std::size_t cycle);
   bool resume_left();
   bool leave_far_nooks();
-  bool is_far_nook(const Gate& gate) const { return gate.is_nook && gate.way_m > params_.nooks.way_max_m; }
   static bool is_open(const SeenPath& path) {
     return path.state == PathState::kWaiting || path.state == PathState::kActive;
   }

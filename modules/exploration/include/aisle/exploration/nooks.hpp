@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -8,9 +9,15 @@
 namespace aisle {
 
 struct NookParams {
-  double edge_min_m = 0.3;  ///< a shorter edge of what is known is none
-  double reach_m = 4.5;     ///< from so far a nook is looked into, at most
-  double way_max_m = 3;     ///< a nook farther away waits until the vehicle comes by; 0: none matters
+  double edge_min_m = 0.3;       ///< a shorter edge of what is known is none
+  double reach_m = 4.5;          ///< from so far a nook is looked into, at most
+  double way_max_m = 3;          ///< a nook farther away waits until the vehicle comes by; 0: none matters
+  double way_max_m_per_m2 = 60;  ///< the same by what it hides along its edge; the greater holds
+
+  /// Not worth a way of its own.
+  bool is_far(const Gate& gate) const {
+    return gate.is_nook && gate.way_m > std::max(way_max_m, way_max_m_per_m2 * gate.behind_m2);
+  }
 
   void describe(FieldList& fields);
 };

@@ -24,7 +24,7 @@ struct MotionNoise {
 
 /// Wheels that are read in every cycle, each reading with its own scan: an ordinary indoor vehicle's, even
 /// three times as bad.
-inline constexpr MotionNoise kReadEveryCycle{.distance_m_per_sqrt_m = 0.03,
+inline constexpr MotionNoise kReadEveryCycle{.distance_m_per_sqrt_m = 0.015,
                                              .distance_scale = 0.02,
                                              .rotation_rad_per_sqrt_m = 0.02,
                                              .rotation_rad_per_sqrt_rad = 0.01,
