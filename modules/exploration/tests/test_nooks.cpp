@@ -46,6 +46,18 @@ TEST(Nooks, ARoomBehindADoorTooNarrowForTheVehicleIsLookedInto) {
   EXPECT_FALSE(drawn.nooks().empty());
 }
 
+TEST(Nooks, ALongEdgeIsWorthALongerWay) {
+  const NookParams params{.way_max_m = 3, .way_max_m_per_m2 = 60};
+  const auto is_far = [&](double behind_m2, double way_m) {
+    return params.is_far({.behind_m2 = behind_m2, .way_m = way_m, .is_nook = true});
+  };
+  EXPECT_FALSE(is_far(0.01, 2.9));
+  EXPECT_TRUE(is_far(0.01, 3.1));
+  EXPECT_FALSE(is_far(0.15, 8.9));
+  EXPECT_TRUE(is_far(0.15, 9.1));
+  EXPECT_FALSE(params.is_far({.way_m = 99, .is_nook = false}));
+}
+
 TEST(Nooks, WhatAGateLeadsToIsNone) {
   DrawnFloor drawn;
   drawn.put_corridor(5, 2);

@@ -33,41 +33,54 @@ double off_m(const std::vector<Vec2>& way, const Vec2& p) {
   return least_m;
 }
 
-class ExplorerRetreat : public testing::TestWithParam<std::uint64_t> {};
+struct RoomTrip {
+  Decision last;
+  double back_m = 0;       ///< driven back along its trail
+  double off_trail_m = 0;  ///< at most, meanwhile
+  std::size_t collisions = 0;
+  double off_home_m = 0;
+};
 
-TEST_P(ExplorerRetreat, GoesBackAlongItsOwnTrailOutOfANarrowDeadEndAndThenHome) {
+RoomTrip drive_into_room(const World& world, const VehicleModel& model, std::uint64_t seed) {
+  SimulatedVehicle vehicle(world, model, {}, {.seed = seed, .T_world_start = *world.start});
+  const auto explorer = make_explorer(explorer_origin({}, {}), model.description);
+  RoomTrip trip;
+  std::vector<Vec2> way_in;
+  while (trip.last.status == NavigatorStatus::kGoing && vehicle.truth().stamp_s < kTimeMax_s) {
+    const double way_m = vehicle.truth().way_m;
+    trip.last = (*explorer)->step(*vehicle.sense());
+    const Vec2 p_world = vehicle.truth().T_world_vehicle.position();
+    if (trip.last.state == "retreating") {
+      trip.back_m += vehicle.truth().way_m - way_m;
+      trip.off_trail_m = std::max(trip.off_trail_m, off_m(way_in, p_world));
+    } else {
+      way_in.push_back(p_world);
+    }
+    vehicle.act(trip.last.command);
+  }
+  trip.collisions = vehicle.truth().collisions;
+  trip.off_home_m = (vehicle.truth().T_world_vehicle.position() - world.start->position()).norm();
+  return trip;
+}
+
+TEST(ExplorerRetreat, GoesBackAlongItsOwnTrailOutOfANarrowDeadEndAndThenHome) {
+  constexpr std::uint64_t kSeeds = 30;
   auto model = read_vehicle(std::filesystem::path(AISLE_SOURCE_DIR) / "vehicles/alv-scanner.yaml");
   ASSERT_TRUE(model.ok());
   model->description.cameras.clear();
   const World world = corridor_with_narrow_room();
-  SimulatedVehicle vehicle(world, *model, {}, {.seed = GetParam(), .T_world_start = *world.start});
-  const auto explorer = make_explorer(explorer_origin({}, {}), model->description);
-  ASSERT_TRUE(explorer.ok());
-
-  Decision decision;
-  std::vector<Vec2> way_in;
-  double back_m = 0, off_trail_m = 0;
-  while (decision.status == NavigatorStatus::kGoing && vehicle.truth().stamp_s < kTimeMax_s) {
-    const double way_m = vehicle.truth().way_m;
-    decision = (*explorer)->step(*vehicle.sense());
-    const Vec2 p_world = vehicle.truth().T_world_vehicle.position();
-    if (decision.state == "retreating") {
-      back_m += vehicle.truth().way_m - way_m;
-      off_trail_m = std::max(off_trail_m, off_m(way_in, p_world));
-    } else {
-      way_in.push_back(p_world);
-    }
-    vehicle.act(decision.command);
+  int stuck = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SCOPED_TRACE(seed);
+    const RoomTrip trip = drive_into_room(world, *model, seed);
+    EXPECT_EQ(trip.last.status, NavigatorStatus::kDone) << trip.last.why;
+    EXPECT_LT(trip.off_trail_m, 0.1);
+    EXPECT_EQ(trip.collisions, 0);
+    EXPECT_LT(trip.off_home_m, 0.1);
+    if (trip.back_m > 3) ++stuck;
   }
-  EXPECT_EQ(decision.status, NavigatorStatus::kDone) << decision.why;
-  EXPECT_GT(back_m, 3);
-  EXPECT_LT(off_trail_m, 0.1);
-  EXPECT_EQ(vehicle.truth().collisions, 0);
-  EXPECT_LT((vehicle.truth().T_world_vehicle.position() - world.start->position()).norm(), 0.1);
+  EXPECT_GE(stuck, 5);  // others find a way out by themselves
 }
-
-/// By which the vehicle gets stuck in there.
-INSTANTIATE_TEST_SUITE_P(Seeds, ExplorerRetreat, testing::Values(7, 12, 13, 21, 25, 31, 33, 36));
 
 }  // namespace
 }  // namespace aisle
