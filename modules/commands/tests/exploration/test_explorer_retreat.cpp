@@ -45,6 +45,10 @@ RoomTrip drive_into_room(const World& world, const VehicleModel& model, std::uin
   SimulatedVehicle vehicle(world, model, {}, {.seed = seed, .T_world_start = *world.start});
   const auto explorer = make_explorer(explorer_origin({}, {}), model.description);
   RoomTrip trip;
+  if (!explorer) {
+    ADD_FAILURE() << to_string(explorer.problems());
+    return trip;
+  }
   std::vector<Vec2> way_in;
   while (trip.last.status == NavigatorStatus::kGoing && vehicle.truth().stamp_s < kTimeMax_s) {
     const double way_m = vehicle.truth().way_m;
