@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "golden_files.hpp"
 #include "workplace.hpp"
 
 namespace aisle {
@@ -33,7 +34,7 @@ TEST_F(Map, JsonHasTheWordsThatOthersRelyOn) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   std::string keys;
   collect_keys(nlohmann::ordered_json::parse(run.out), "", keys);
-  EXPECT_EQ(keys, without_comments(read_bytes(AISLE_SOURCE_DIR "/tests/golden/program/map.keys.txt")));
+  EXPECT_EQ(keys, without_comments(read_bytes(kGolden / "program/map.keys.txt")));
 }
 
 TEST_F(Map, FiguresAreThoseOfTheSimulatedTrip) {

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <string>
 
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/whole_file.hpp"
+#include "golden_files.hpp"
 
 namespace aisle {
 
@@ -19,7 +19,7 @@ inline std::string building_problems(const std::string& text) {
 /// A golden building, with one passage put in the place of another.
 inline std::string golden_building(const char* name, const std::string& passage = "",
                                    const std::string& other = "") {
-  std::string text = *read_whole_file(std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden" / name);
+  std::string text = *read_whole_file(kGolden / name);
   const std::size_t at = text.find(passage);
   EXPECT_NE(at, std::string::npos) << passage;
   return text.replace(at, passage.size(), other);

@@ -5,6 +5,7 @@
 #include "aisle/core/angle.hpp"
 #include "aisle/formats/calibration_file.hpp"
 #include "aisle/formats/whole_file.hpp"
+#include "golden_files.hpp"
 #include "real_data.hpp"
 
 namespace aisle {
@@ -13,8 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
-
-const fs::path kGolden = fs::path(AISLE_SOURCE_DIR) / "tests/golden";
 
 std::string calibration_problems(const std::string& text) {
   const auto calibration = parse_calibration(text, "camera.yaml");

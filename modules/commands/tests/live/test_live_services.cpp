@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "golden_files.hpp"
 #include "live/live_arguments.hpp"
 #include "live/live_maze.hpp"
 #include "live/live_missions.hpp"
@@ -71,8 +72,7 @@ TEST_F(LiveMissions, AreCheckedBeforeTheyBegin) {
 }
 
 TEST_F(LiveMissions, NeedWhatIsThereAndReplaceNothing) {
-  options.listening.sessions = options.listening.buildings =
-      std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden";
+  options.listening.sessions = options.listening.buildings = kGolden;
   EXPECT_THAT(refusal({{"mission", "go"}, {"building", "none"}, {"place", "a"}}),
               HasSubstr("there is no 'none'"));
   EXPECT_EQ(refusal({{"mission", "go"}, {"building", "building.v1"}, {"x_m", 1}, {"y_m", 2}}), "");

@@ -3,6 +3,7 @@
 
 #include "aisle/core/random.hpp"
 #include "building_texts.hpp"
+#include "golden_files.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -12,7 +13,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-const std::filesystem::path kGolden = std::filesystem::path(AISLE_SOURCE_DIR) / "tests/golden";
 const std::filesystem::path kGoldenWalls = kGolden / "building.v2.json";
 const std::filesystem::path kGoldenRoutes = kGolden / "building_routes.v2.json";
 
