@@ -17,8 +17,9 @@ using Node = std::array<double, 3>;
 /// Whitened difference between the measured and the present relative pose.
 class RelativePoseCost final : public ceres::SizedCostFunction<3, 3, 3> {
  public:
-  explicit RelativePoseCost(const PoseConstraint& constraint)
-      : measured_(constraint.T_from_to), root_(constraint.information.llt().matrixU()) {}
+  /// @param T_from_to  as measured; must outlive this
+  RelativePoseCost(const Pose2& T_from_to, const Mat3& information)
+      : measured_(T_from_to), root_(information.llt().matrixU()) {}
 
   bool Evaluate(const double* const* nodes, double* residuals, double** jacobians) const override {
     const Pose2 from{nodes[0][0], nodes[0][1], nodes[0][2]};
@@ -46,7 +47,7 @@ class RelativePoseCost final : public ceres::SizedCostFunction<3, 3, 3> {
   }
 
  private:
-  Pose2 measured_;
+  const Pose2& measured_;
   Mat3 root_;
 };
 
@@ -71,8 +72,15 @@ class HeadingCost final : public ceres::SizedCostFunction<1, 3> {
 }  // namespace
 
 struct PoseGraph::Impl {
-  std::deque<Node> nodes;  // a deque: the problem holds their addresses
+  std::deque<Node> nodes;  // deques: the problem holds their addresses
+  std::deque<Pose2> odometry, loop_closures;
   ceres::Problem problem;
+
+  void add(const PoseConstraint& constraint, std::deque<Pose2>& measured, ceres::LossFunction* loss) {
+    measured.push_back(constraint.T_from_to);
+    problem.AddResidualBlock(new RelativePoseCost(measured.back(), constraint.information), loss,
+                             nodes.at(constraint.from).data(), nodes.at(constraint.to).data());
+  }
 };
 
 PoseGraph::PoseGraph() : impl_(std::make_unique<Impl>()) {}
@@ -92,16 +100,17 @@ void PoseGraph::add_heading_prior(std::size_t node, double heading_rad, double s
                                   impl_->nodes.at(node).data());
 }
 
-void PoseGraph::add_odometry(const PoseConstraint& constraint) {
-  impl_->problem.AddResidualBlock(new RelativePoseCost(constraint), nullptr,
-                                  impl_->nodes.at(constraint.from).data(),
-                                  impl_->nodes.at(constraint.to).data());
+std::size_t PoseGraph::add_odometry(const PoseConstraint& constraint) {
+  impl_->add(constraint, impl_->odometry, nullptr);
+  return impl_->odometry.size() - 1;
+}
+
+void PoseGraph::set_odometry(std::size_t index, const Pose2& T_from_to) {
+  impl_->odometry.at(index) = T_from_to;
 }
 
 void PoseGraph::add_loop_closure(const PoseConstraint& constraint, double cauchy) {
-  impl_->problem.AddResidualBlock(new RelativePoseCost(constraint), new ceres::CauchyLoss(cauchy),
-                                  impl_->nodes.at(constraint.from).data(),
-                                  impl_->nodes.at(constraint.to).data());
+  impl_->add(constraint, impl_->loop_closures, new ceres::CauchyLoss(cauchy));
 }
 
 void PoseGraph::optimise(int iterations_max) {

@@ -8,7 +8,7 @@ namespace aisle {
 namespace {
 
 constexpr double kRunIn_m = 1;  // straight, before home
-constexpr double kAtHome_m = 0.06;
+constexpr double kAtHome_m = 0.03;
 constexpr double kAtHome_rad = 1 * kDegree;
 
 bool is_within(const Pose2& off, double within_m, double within_rad) {

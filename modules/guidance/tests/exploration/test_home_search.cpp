@@ -53,8 +53,8 @@ TEST_F(WaysHome, AStageOfAFarWayDoesNotLeadHomeYet) {
 
 TEST(StandsAtHome, WithinAFewCentimetresAndADegree) {
   const Pose2 T_map_home{1, 2, kPi / 2};
-  EXPECT_TRUE(stands_at_home(T_map_home, {1.03, 2.03, kPi / 2 + 0.5 * kDegree}));
-  EXPECT_FALSE(stands_at_home(T_map_home, {1.08, 2, kPi / 2}));
+  EXPECT_TRUE(stands_at_home(T_map_home, {1.02, 2.015, kPi / 2 + 0.5 * kDegree}));
+  EXPECT_FALSE(stands_at_home(T_map_home, {1.04, 2, kPi / 2}));
   EXPECT_FALSE(stands_at_home(T_map_home, {1, 2, kPi / 2 + 2 * kDegree}));
 }
 

@@ -60,12 +60,11 @@ void LoopParams::describe(FieldList& fields) {
 }
 
 bool LoopCloser::add(Submap submap, std::span<const Keyframe> keyframes, bool orthogonal) {
-  const Pose2 guess = submaps_.empty() ? submap.T_track_anchor
-                                       : graph_.pose(submaps_.size() - 1) *
-                                             between(submaps_.back().T_track_anchor, submap.T_track_anchor);
   submaps_.push_back(std::move(submap));
   loops_of_submap_.emplace_back();
-  graph_.add_node(guess);
+  const std::size_t newest = submaps_.size() - 1;
+  graph_.add_node(newest == 0 ? submaps_.front().T_track_anchor
+                              : graph_.pose(newest - 1) * way_to(newest, keyframes));
   if (orthogonal) {
     graph_.add_heading_prior(submaps_.size() - 1, submaps_.back().T_track_anchor.theta, kOrthogonalSigma_rad);
   }
@@ -102,6 +101,19 @@ bool LoopCloser::is_closed(std::size_t submap, std::size_t other) const {
   });
 }
 
+void LoopCloser::restate_ways(double odometry_factor, std::span<const Keyframe> keyframes) {
+  if (odometry_factor == odometry_factor_) return;
+  odometry_factor_ = odometry_factor;
+  for (std::size_t i = 1; i < submaps_.size(); ++i) graph_.set_odometry(i - 1, way_to(i, keyframes));
+  if (submaps_.size() > 1) graph_.optimise();
+}
+
+/// From the submap before.
+Pose2 LoopCloser::way_to(std::size_t submap, std::span<const Keyframe> keyframes) const {
+  return way_between(keyframes[submaps_[submap - 1].anchor_keyframe],
+                     keyframes[submaps_[submap].anchor_keyframe], odometry_factor_);
+}
+
 /// The way between two anchors: each step is known by odometry and, across them, by the walls.
 void LoopCloser::connect_to_previous(std::span<const Keyframe> keyframes, bool orthogonal) {
   const std::size_t newer = submaps_.size() - 1;
@@ -123,7 +135,7 @@ void LoopCloser::connect_to_previous(std::span<const Keyframe> keyframes, bool o
   const Mat2 local =
       rotation.topLeftCorner<2, 2>() * covariance * rotation.topLeftCorner<2, 2>().transpose() +
       kStepFloor_m2 * Mat2::Identity();
-  PoseConstraint constraint{newer - 1, newer, between(from.T_track_anchor, to.T_track_anchor), Mat3::Zero()};
+  PoseConstraint constraint{newer - 1, newer, way_to(newer, keyframes), Mat3::Zero()};
   constraint.information.topLeftCorner<2, 2>() = local.inverse();
   constraint.information(2, 2) = 1 / square(orthogonal ? kOrthogonalSigma_rad : kFreeHeadingSigma_rad);
   graph_.add_odometry(constraint);

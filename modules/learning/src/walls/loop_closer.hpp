@@ -30,6 +30,10 @@ class LoopCloser {
   /// graph.
   void finish(std::span<const Keyframe> keyframes);
 
+  /// The wheels' ways are longer by this factor, as known now: all submaps are laid anew.
+  void restate_ways(double odometry_factor, std::span<const Keyframe> keyframes);
+  double odometry_factor() const { return odometry_factor_; }
+
   const std::vector<Submap>& submaps() const { return submaps_; }
   const std::vector<LoopClosure>& closures() const { return closures_; }
   Pose2 T_map_anchor(std::size_t submap) const { return graph_.pose(submap); }
@@ -46,6 +50,7 @@ class LoopCloser {
     bool taken = false;
   };
 
+  Pose2 way_to(std::size_t submap, std::span<const Keyframe> keyframes) const;
   void connect_to_previous(std::span<const Keyframe> keyframes, bool orthogonal);
   bool close_loops(std::size_t submap, std::span<const Keyframe> keyframes);
   std::vector<double> distances_from(std::size_t submap) const;
@@ -57,6 +62,7 @@ class LoopCloser {
 
   LoopParams params_;
   MotionNoise motion_;
+  double odometry_factor_ = 1;
   std::vector<Submap> submaps_;
   PoseGraph graph_;
   std::vector<std::vector<std::size_t>> loops_of_submap_;

@@ -53,7 +53,8 @@ class MapBuilder {
       keyframes.push_back(T_map_sensor[keyframe.scan]);
     }
     WallAdjustment adjustment(mapping_.tracker().keyframes(), mapping_.segments(), keyframes,
-                              params_.tracker.motion, mapping_.is_orthogonal());
+                              params_.tracker.motion, mapping_.tracker().odometry_factor(),
+                              mapping_.is_orthogonal());
     adjustment.run(params_.adjustment_rounds);
     walls_ = adjustment.walls();
     sightings_ = adjustment.sightings();

@@ -30,4 +30,28 @@ void OdometryScale::correct(const Mat3& prior, const Vec3& correction, const Mat
   with_pose_ = posterior * gain;
 }
 
+void OdometryScale::count_from_here(const Mat3& prior, const Mat3& posterior) {
+  const Vec2 before = way_from_there();
+  with_pose_ = posterior * prior.ldlt().solve(with_pose_);
+  const Vec2 passed = before - way_from_there();
+  way_there_.by_factor += passed;
+  way_there_.counted_m += factor_ * passed;
+}
+
+void OdometryScale::forget_pose() {
+  way_there_ = way();
+  with_pose_.setZero();
+}
+
+CountedWay OdometryScale::way() const {
+  const Vec2 way = way_from_there();
+  return {way_there_.by_factor + way, way_there_.counted_m + factor_ * way};
+}
+
+/// The pose's part that goes with the factor, for each unit of it.
+Vec2 OdometryScale::way_from_there() const {
+  if (variance_ == 0) return Vec2::Zero();
+  return with_pose_.head<2>() / variance_;
+}
+
 }  // namespace aisle

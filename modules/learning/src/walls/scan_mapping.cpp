@@ -1,9 +1,12 @@
 #include "walls/scan_mapping.hpp"
 
+#include <cmath>
+
 namespace aisle {
 namespace {
 
 constexpr std::size_t kFirstVerdict = 200;  // scans before the building's angles are judged
+constexpr double kFactorRestated = 0.002;   // ways are restated when the wheels' factor has changed so much
 
 }  // namespace
 
@@ -53,6 +56,7 @@ std::optional<Pose2> ScanMapping::lay_again(std::size_t scan, const Pose2& T_map
 
 void ScanMapping::finish_loops() {
   if (next_keyframe_ < tracker_.keyframes().size()) close_submap();
+  loops_.restate_ways(tracker_.odometry_factor(), tracker_.keyframes());
   loops_.finish(tracker_.keyframes());
 }
 
@@ -74,12 +78,15 @@ bool ScanMapping::close_submap() {
   const std::size_t last = is_last ? keyframes.size() - 1 : keyframes.size() - 2;
   WallUpdateParams update{.gate_m = params_.tracker.same_wall_m};
   if (!orthogonal_) update.axis_tolerance_rad = -1;
+  const double factor = tracker_.odometry_factor();
+  const bool restated = std::abs(factor - loops_.odometry_factor()) > kFactorRestated;
+  if (restated) loops_.restate_ways(factor, keyframes);
   const bool closed =
       loops_.add(build_submap(next_keyframe_, last, keyframes, segments_, update), keyframes, orthogonal_);
   next_keyframe_ = last + 1;
   const std::size_t newest = loops_.submaps().size() - 1;
   T_map_track_ = loops_.T_map_anchor(newest) * loops_.submaps()[newest].T_track_anchor.inverse();
-  return closed;
+  return closed || restated;
 }
 
 }  // namespace aisle

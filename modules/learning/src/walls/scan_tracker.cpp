@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "aisle/core/square.hpp"
 #include "aisle/geometry/dominant_direction.hpp"
@@ -42,6 +44,13 @@ void TrackerParams::describe(FieldList& fields) {
               "with less of the seen length fitting the walls the pose is looked for anew");
   fields.real("relocation_reach_m", relocation_reach_m, {0.1, 10},
               "how far from the predicted pose it is looked for");
+}
+
+Pose2 way_between(const Keyframe& from, const Keyframe& to, double odometry_factor) {
+  const Pose2 way = between(from.T_track_sensor, to.T_track_sensor);
+  const Vec2 off_m = to.way.off_m(odometry_factor) - from.way.off_m(odometry_factor);
+  const Vec2 turned_m = rotate(-from.T_track_sensor.theta, off_m);
+  return {way.x + turned_m.x(), way.y + turned_m.y(), way.theta};
 }
 
 ScanTracker::ScanTracker(const TrackerParams& params)
@@ -189,7 +198,8 @@ bool ScanTracker::keyframe_is_due() const {
 }
 
 void ScanTracker::learn(std::span<const SensedSegment> segments, const Mat3& wall_information) {
-  keyframes_.push_back({scan_, T_track_sensor_.mean, path_m_, wall_information, relocated_});
+  keyframes_.push_back(
+      {scan_, T_track_sensor_.mean, path_m_, wall_information, relocated_, scale_.way()});
   relocated_ = false;
   for (const SensedSegment& s : segments) {
     absorb(PlacedSegment(s, T_track_sensor_.mean), path_m_, update_, walls_, window_);
@@ -199,6 +209,21 @@ void ScanTracker::learn(std::span<const SensedSegment> segments, const Mat3& wal
     const double unseen_m = path_m_ - wall.last_seen_m;
     return unseen_m > params_.window_m || (wall.sightings == 1 && unseen_m > params_.unconfirmed_m);
   });
+  if (params_.motion.distance_scale > 0) count_from_new_walls(segments);
+}
+
+/// A wall stands where the vehicle thinks that it saw it first: seen again, it tells of the way since then
+/// only.
+void ScanTracker::count_from_new_walls(std::span<const SensedSegment> segments) {
+  new_walls_.clear();
+  std::copy_if(window_.begin(), window_.end(), std::back_inserter(new_walls_),
+               [&](int index) { return walls_[static_cast<std::size_t>(index)].sightings == 1; });
+  const Mat3& covariance = T_track_sensor_.covariance;
+  const Mat3 information = covariance.inverse();
+  const Mat3 from_new =
+      aligner_.align(segments, walls_, new_walls_, {T_track_sensor_.mean, information}, params_.gate_m, 1)
+          .wall_information;
+  scale_.count_from_here(covariance, (information + from_new).inverse());
 }
 
 }  // namespace aisle

@@ -48,8 +48,13 @@ void WallAdjustment::SolverDeleter::operator()(Solver* solver) const {
 }
 
 WallAdjustment::WallAdjustment(std::span<const Keyframe> keyframes, const ScanSegments& segments,
-                               std::vector<Pose2> T_map_sensor, const MotionNoise& motion, bool orthogonal)
-    : keyframes_(keyframes), T_map_sensor_(std::move(T_map_sensor)), motion_(motion), solver_(new Solver) {
+                               std::vector<Pose2> T_map_sensor, const MotionNoise& motion,
+                               double odometry_factor, bool orthogonal)
+    : keyframes_(keyframes),
+      T_map_sensor_(std::move(T_map_sensor)),
+      motion_(motion),
+      odometry_factor_(odometry_factor),
+      solver_(new Solver) {
   update_.weight_cap = 1e9;
   if (!orthogonal) {
     update_.axis_tolerance_rad = -1;
@@ -137,7 +142,7 @@ double WallAdjustment::solve(bool first_of_round) {
 void WallAdjustment::add_motions() {
   Eigen::VectorXd& gradient = solver_->gradient;
   for (std::size_t k = 0; k + 1 < keyframes_.size(); ++k) {
-    const Pose2 tracked = between(keyframes_[k].T_track_sensor, keyframes_[k + 1].T_track_sensor);
+    const Pose2 tracked = way_between(keyframes_[k], keyframes_[k + 1], odometry_factor_);
     const Pose2 present = between(T_map_sensor_[k], T_map_sensor_[k + 1]);
     Mat3 covariance = motion_.covariance(tracked);
     if (keyframes_[k + 1].relocated) covariance.diagonal().array() += kRelocatedVariance;

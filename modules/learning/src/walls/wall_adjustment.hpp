@@ -19,7 +19,8 @@ class WallAdjustment {
  public:
   /// `T_map_sensor`: the keyframes' poses to start from.
   WallAdjustment(std::span<const Keyframe> keyframes, const ScanSegments& segments,
-                 std::vector<Pose2> T_map_sensor, const MotionNoise& motion, bool orthogonal);
+                 std::vector<Pose2> T_map_sensor, const MotionNoise& motion, double odometry_factor,
+                 bool orthogonal);
 
   void run(int rounds);
 
@@ -46,6 +47,7 @@ class WallAdjustment {
   std::span<const Keyframe> keyframes_;
   std::vector<Pose2> T_map_sensor_;
   MotionNoise motion_;
+  double odometry_factor_;  ///< by which the wheels' ways are longer than counted
   WallUpdateParams update_;
   double oblique_sigma_m_ =
       0.02;  ///< oblique things are often furniture or doors; 0 where no wall has an axis

@@ -104,5 +104,29 @@ TEST(OdometryScale, APoseThatIsKnownAnewSaysNothingOfIt) {
   EXPECT_EQ(scale.factor(), 1);
 }
 
+TEST(OdometryScale, TellsHowFarAPlaceIsByAFactorThatIsLearnedLater) {
+  OdometryScale scale(0.02);
+  Mat3 covariance = 1e-6 * Mat3::Identity();
+  scale.predict({}, {10, 0, 0}, covariance);
+  EXPECT_NEAR(scale.way().off_m(1.01).x(), 0.1, 1e-9);
+  EXPECT_NEAR(scale.way().off_m(1).norm(), 0, 1e-9);
+}
+
+TEST(OdometryScale, WhatIsSeenFirstAndThenAgainSaysNothingOfTheWayThere) {
+  OdometryScale scale(0.02);
+  Mat3 covariance = 1e-6 * Mat3::Identity();
+  scale.predict({}, {10, 0, 0}, covariance);
+  const Mat3 seen = 1e-6 * Mat3::Identity();
+  scale.count_from_here(covariance, seen);
+  scale.correct(seen, Vec3::Zero(), 0.5 * seen);  // where it was
+  EXPECT_NEAR(scale.way().off_m(1.01).x(), 0.1, 1e-4);
+
+  covariance = seen;
+  scale.predict({10, 0, 0}, {1, 0, 0}, covariance);
+  scale.correct(covariance, {0.01, 0, 0}, 1e-9 * Mat3::Identity());
+  EXPECT_NEAR(scale.factor(), 1.01, 1e-3);  // 1 cm in 1 m, not in 11 m
+  EXPECT_NEAR(scale.way().off_m(1.01).x(), 0.1, 0.01);
+}
+
 }  // namespace
 }  // namespace aisle

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "aisle/learning/walls/scan_tracker.hpp"
 #include "pose_matchers.hpp"
 
@@ -86,6 +88,33 @@ TEST(ScanTracker, LearnsTheWheelsScaleWhereTheEndIsInSightAndKeepsIt) {
   }
   const double way_m = kSteps * kStep_m;
   EXPECT_NEAR((last.position() - first.position()).norm(), way_m, 0.2);  // 0.9 by the wheels alone
+}
+
+/// What is seen of a corridor of 20 m as far as 4 m from its middle at `x_m`.
+std::vector<SensedSegment> near_view(double x_m) {
+  const double begin_m = std::max(0.0, x_m - 4), end_m = std::min(20.0, x_m + 4);
+  std::vector<Segment2> walls = {{{begin_m, -1}, {end_m, -1}}, {{end_m, 1}, {begin_m, 1}}};
+  if (begin_m == 0) walls.push_back({{0, 1}, {0, -1}});
+  if (end_m == 20) walls.push_back({{20, -1}, {20, 1}});
+  return seen(walls, {x_m, 0, 0});
+}
+
+TEST(ScanTracker, KnowsInTheEndHowFarItCameBeforeItKnewTheWheelsScale) {
+  ScanTracker tracker({.motion = kReadEveryCycle});
+  constexpr double kStep_m = 0.05, kTooLong = 1.015;
+  double x_m = 6;
+  tracker.step(near_view(x_m), {}, true);
+  for (const double turning_m : {19.0, 6.0}) {
+    const double step_m = turning_m > x_m ? kStep_m : -kStep_m;
+    while (std::abs(turning_m - x_m) > 1e-9) {
+      x_m += step_m;
+      tracker.step(near_view(x_m), {kTooLong * step_m, 0, 0}, true);
+    }
+  }
+  const Keyframe &first = tracker.keyframes().front(), &last = tracker.keyframes().back();
+  EXPECT_NEAR(tracker.odometry_factor(), 1 / kTooLong, 0.005);
+  EXPECT_GT(between(first.T_track_sensor, last.T_track_sensor).position().norm(), 0.1);
+  EXPECT_LT(way_between(first, last, tracker.odometry_factor()).position().norm(), 0.05);
 }
 
 /// A drive of 40 scans; from the 20th on some are taken from aside of where the odometry says. @return of

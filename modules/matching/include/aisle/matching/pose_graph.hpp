@@ -30,7 +30,10 @@ class PoseGraph {
   std::size_t add_node(const Pose2& guess);
   /// The node's heading is about `heading_rad` (Cauchy loss of two sigmas).
   void add_heading_prior(std::size_t node, double heading_rad, double sigma_rad);
-  void add_odometry(const PoseConstraint& constraint);
+  /// @return its index among the odometry constraints
+  std::size_t add_odometry(const PoseConstraint& constraint);
+  /// Odometry is known better now.
+  void set_odometry(std::size_t index, const Pose2& T_from_to);
   /// `cauchy` is the number of sigmas beyond which the constraint counts less and less.
   void add_loop_closure(const PoseConstraint& constraint, double cauchy = 3);
 

@@ -4,6 +4,15 @@
 
 namespace aisle {
 
+/// A place that the vehicle came to, as far as nothing but its wheels told how far that was.
+struct CountedWay {
+  Vec2 by_factor = Vec2::Zero();  ///< the place moves by this for each unit of the scale's factor [m]
+  Vec2 counted_m = Vec2::Zero();  ///< how much of that it was moved by already, by the factors of the time
+
+  /// By how much it lies elsewhere, if this is the factor.
+  Vec2 off_m(double factor) const { return factor * by_factor - counted_m; }
+};
+
 /// By how much the way that the wheels count is too short or too long: the same share on the whole trip, as a
 /// tyre's radius is. Learned as a fourth unknown of the pose's Kalman filter: what corrects the pose says of
 /// the scale what their covariance says.
@@ -24,15 +33,25 @@ class OdometryScale {
   /// @param prior, posterior  its covariances, of (x, y, theta) in `track`
   void correct(const Mat3& prior, const Vec3& correction, const Mat3& posterior);
 
+  /// The pose is counted from what was first seen at it: how far the vehicle came before does not follow from
+  /// seeing that again.
+  /// @param prior, posterior  its covariances, as if that had been known before
+  void count_from_here(const Mat3& prior, const Mat3& posterior);
+
   /// The pose is known anew: how it came there says nothing.
-  void forget_pose() { with_pose_.setZero(); }
+  void forget_pose();
 
   double factor() const { return factor_; }
+  /// To the pose, in `track`.
+  CountedWay way() const;
 
  private:
+  Vec2 way_from_there() const;
+
   double factor_ = 1;
   double variance_;
   Vec3 with_pose_ = Vec3::Zero();  ///< covariance of the pose and the factor
+  CountedWay way_there_;           ///< to what the pose is counted from
 };
 
 }  // namespace aisle

@@ -33,7 +33,11 @@ struct Keyframe {
   double path_m = 0;
   Mat3 wall_information = Mat3::Zero();  ///< how well the walls fixed its pose
   bool relocated = false;                ///< the motion into it is a guess: it was lost before
+  CountedWay way;                        ///< in `track`
 };
+
+/// From one keyframe to another as tracked, but with the wheels' ways longer by this factor than they count.
+Pose2 way_between(const Keyframe& from, const Keyframe& to, double odometry_factor);
 
 /// Follows the sensor from scan to scan against the walls of the last stretch of way: odometry predicts, the
 /// walls' orthogonality corrects the heading, then the scan is laid onto the walls. The frame `track` never
@@ -53,6 +57,8 @@ class ScanTracker {
 
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
   double path_m() const { return path_m_; }
+  /// By how much more the vehicle moves than its wheels count, as known now.
+  double odometry_factor() const { return scale_.factor(); }
   std::size_t wall_count() const { return walls_.size(); }
   /// In how many scans the walls' orthogonality gave the heading.
   std::size_t headings_used() const { return headings_used_; }
@@ -73,6 +79,7 @@ class ScanTracker {
   bool confirm_suspicion(const Pose2& T_sensor_found);
   bool keyframe_is_due() const;
   void learn(std::span<const SensedSegment> segments, const Mat3& wall_information);
+  void count_from_new_walls(std::span<const SensedSegment> segments);
 
   TrackerParams params_;
   WallUpdateParams update_;
@@ -84,6 +91,7 @@ class ScanTracker {
   bool counts_backwards_ = false;  ///< the odometry counts the way with the wrong sign
   std::vector<WallEstimate> walls_;
   std::vector<int> window_;
+  std::vector<int> new_walls_;  ///< those of the window that were seen once
   std::vector<Keyframe> keyframes_;
   std::size_t scan_ = 0;
   double path_m_ = 0;
