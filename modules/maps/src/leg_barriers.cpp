@@ -20,6 +20,9 @@ constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itsel
 constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
 constexpr double kWallGoesOn_m = 0.15;         // to both sides of its nearest place: not a corner or an end
 constexpr double kLineStepCells = 0.5;
+constexpr std::size_t kRowMin = 8;     // small things: no table has so many legs, with its chairs ...
+constexpr double kRow_m = 2;           // ... in such a stretch ...
+constexpr double kRowBeside_m = 0.06;  // ... of a line
 
 template <class Visit>
 void for_cells_around(FloorCell middle, int reach, Visit visit) {
@@ -72,6 +75,16 @@ double widest_gap_rad(std::vector<double>& headings_rad) {
   return widest_rad;
 }
 
+/// Whether a stretch that the origin is in holds many of these.
+bool is_crowded(std::vector<double>& along_m) {
+  std::sort(along_m.begin(), along_m.end());
+  for (std::size_t i = 0; i + kRowMin <= along_m.size() && along_m[i] <= 0; ++i) {
+    const double end_m = along_m[i + kRowMin - 1];
+    if (end_m >= 0 && end_m - along_m[i] <= kRow_m) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void LegParams::describe(FieldList& fields) {
@@ -88,7 +101,8 @@ FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
   const auto cells = [&](double m) { return static_cast<int>(std::ceil(m / floor.cell_m())) + 1; };
   const FloorBox within = changed.widened(cells(params_.leg_max_m + kRing_m + kWallAround_m));
   find_things(floor, within);
-  const FloorBox about = within.widened(cells(params_.wall_max_m + 2 * params_.leg_max_m));
+  for (Thing& thing : things_) thing.is_in_row = stands_in_row(thing);
+  const FloorBox about = within.widened(cells(params_.wall_max_m + 2 * params_.leg_max_m + kRow_m));
   for (Thing& thing : things_) {
     if (about.contains(thing.first)) find_walls(floor, thing);
   }
@@ -130,6 +144,16 @@ void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
   }
   std::sort(things_.begin(), things_.end(),
             [](const Thing& a, const Thing& b) { return is_before(a.first, b.first); });
+}
+
+bool LegBarriers::stands_in_row(const Thing& thing) const {
+  std::vector<double> along_x_m, along_y_m;
+  for (const Thing& other : things_) {
+    const Vec2 away = other.p_map - thing.p_map;
+    if (std::abs(away.y()) <= kRowBeside_m && std::abs(away.x()) <= kRow_m) along_x_m.push_back(away.x());
+    if (std::abs(away.x()) <= kRowBeside_m && std::abs(away.y()) <= kRow_m) along_y_m.push_back(away.y());
+  }
+  return is_crowded(along_x_m) || is_crowded(along_y_m);
 }
 
 void LegBarriers::find_walls(const FloorGrid& floor, Thing& thing) const {
@@ -243,7 +267,7 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
 /// chair may stand before a table.
 bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const {
   const auto goes_with = [&](const Thing& leg, const Thing& thing) {
-    return leg.stand == Stand::kFree && (thing.is_leg() || stands_along_wall(floor, leg, thing));
+    return leg.is_free_leg() && (thing.is_leg() || stands_along_wall(floor, leg, thing));
   };
   if (!goes_with(a, b) && !goes_with(b, a)) return false;
   const auto blur_m = [&](const Thing& thing) {
@@ -304,6 +328,7 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
   const auto may_hide_one = [&](const Vec2& along) {
     return wall_behind(leg, along) && !has_partner(leg, along);
   };
+  if (leg.is_in_row) return hidden;
   if (leg.stand == Stand::kBeforeWall && may_hide_one(leg.behind)) look(-leg.behind);
   if (leg.stand != Stand::kFree) return hidden;
   const auto wall = nearest_wall(leg, [&](const Vec2& away) { return wall_goes_on(floor, leg.p_map, away); });

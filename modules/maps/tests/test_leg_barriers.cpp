@@ -79,6 +79,24 @@ TEST_F(LegBarriersOnAFloor, DoNotTakeAWallSeenFromFarForLegs) {
   EXPECT_FALSE(is_closed({4, 0}, {4, 6}));
 }
 
+/// At a grazing angle a wall is struck here and there, and one look passes it on either side.
+TEST_F(LegBarriersOnAFloor, LeaveACorridorOpenOfWhoseWallsOnlyPiecesWereSeen) {
+  for (int i = 0; i < 8; ++i) {
+    stand(3.02 + 0.25 * i, 2.02 + 0.05 * (i % 2));
+    stand(3.12 + 0.25 * i, 3.42 - 0.05 * (i % 2));
+  }
+  EXPECT_FALSE(is_closed({2, 2.7}, {6, 2.7}));
+}
+
+TEST_F(LegBarriersOnAFloor, CloseThatUnderATableWithChairs) {
+  for (const double x_m : {3.02, 4.42}) {
+    for (const double y_m : {2.02, 2.82}) stand(x_m, y_m);
+  }
+  for (const double x_m : {3.27, 3.62, 3.87, 4.22}) stand(x_m, 2.02);
+  EXPECT_TRUE(is_closed({3.05, 2.4}, {6, 2.4}));
+  EXPECT_TRUE(is_closed({4.32, 3.5}, {4.32, 2.2}));
+}
+
 TEST_F(LegBarriersOnAFloor, CloseTheWayInBetweenAWallAndATableAtIt) {
   wall(2, 0, 6);
   stand(2.87, 2.02);
