@@ -55,6 +55,14 @@ TEST(PoseGraph, ALoopClosureBringsTheEndBackToTheStart) {
   EXPECT_THAT(graph.pose(2), PoseNear(Pose2{10, 10, kPi}, 0.3, 0.05));
 }
 
+TEST(PoseGraph, TakesOdometryThatIsKnownBetterLater) {
+  PoseGraph graph = drifted_square();
+  for (std::size_t i = 0; i < 4; ++i) graph.set_odometry(i, {10, 0, kPi / 2});
+  graph.optimise(30);
+  EXPECT_THAT(graph.pose(4), PoseNear(Pose2{}, 1e-6, 1e-6));
+  EXPECT_THAT(graph.pose(2), PoseNear(Pose2{10, 10, kPi}, 1e-6, 1e-6));
+}
+
 TEST(PoseGraph, AWrongLoopClosureDoesNotTearTheGraph) {
   PoseGraph graph = drifted_square();
   const Pose2 before = graph.pose(2);
