@@ -20,9 +20,11 @@ constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itsel
 constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
 constexpr double kWallGoesOn_m = 0.15;         // to both sides of its nearest place: not a corner or an end
 constexpr double kLineStepCells = 0.5;
-constexpr std::size_t kRowMin = 8;     // small things: no table has so many legs, with its chairs ...
+constexpr std::size_t kRowMin = 8;     // small things: a wall in pieces, if there are so many ...
 constexpr double kRow_m = 2;           // ... in such a stretch ...
-constexpr double kRowBeside_m = 0.06;  // ... of a line
+constexpr double kRowBeside_m = 0.06;  // ... of a line ...
+constexpr double kInLine_m = 4;        // ... and on it, so near, a wall ...
+constexpr double kLongWall_m = 1;      // ... as long as this
 
 template <class Visit>
 void for_cells_around(FloorCell middle, int reach, Visit visit) {
@@ -85,6 +87,24 @@ bool is_crowded(std::vector<double>& along_m) {
   return false;
 }
 
+/// A long one, on the line through there along an axis.
+bool wall_stands_in_line(const FloorGrid& floor, const Vec2& p_map, FloorCell axis) {
+  const FloorCell middle = floor.cell_at(p_map);
+  const int reach = static_cast<int>(kInLine_m / floor.cell_m());
+  const int long_cells = static_cast<int>(kLongWall_m / floor.cell_m());
+  int run = 0;
+  for (int i = -reach; i <= reach; ++i) {
+    bool stands = false;
+    for (int aside = -1; aside <= 1; ++aside) {
+      const FloorCell cell{middle.x + i * axis.x + aside * axis.y, middle.y + i * axis.y + aside * axis.x};
+      stands = stands || floor.at(cell) == Floor::kOccupied;
+    }
+    run = stands ? run + 1 : 0;
+    if (run >= long_cells) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void LegParams::describe(FieldList& fields) {
@@ -101,7 +121,7 @@ FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
   const auto cells = [&](double m) { return static_cast<int>(std::ceil(m / floor.cell_m())) + 1; };
   const FloorBox within = changed.widened(cells(params_.leg_max_m + kRing_m + kWallAround_m));
   find_things(floor, within);
-  for (Thing& thing : things_) thing.is_in_row = stands_in_row(thing);
+  for (Thing& thing : things_) thing.is_of_wall = is_piece_of_wall(floor, thing);
   const FloorBox about = within.widened(cells(params_.wall_max_m + 2 * params_.leg_max_m + kRow_m));
   for (Thing& thing : things_) {
     if (about.contains(thing.first)) find_walls(floor, thing);
@@ -146,14 +166,15 @@ void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
             [](const Thing& a, const Thing& b) { return is_before(a.first, b.first); });
 }
 
-bool LegBarriers::stands_in_row(const Thing& thing) const {
+bool LegBarriers::is_piece_of_wall(const FloorGrid& floor, const Thing& thing) const {
   std::vector<double> along_x_m, along_y_m;
   for (const Thing& other : things_) {
     const Vec2 away = other.p_map - thing.p_map;
     if (std::abs(away.y()) <= kRowBeside_m && std::abs(away.x()) <= kRow_m) along_x_m.push_back(away.x());
     if (std::abs(away.x()) <= kRowBeside_m && std::abs(away.y()) <= kRow_m) along_y_m.push_back(away.y());
   }
-  return is_crowded(along_x_m) || is_crowded(along_y_m);
+  return (is_crowded(along_x_m) && wall_stands_in_line(floor, thing.p_map, {1, 0})) ||
+         (is_crowded(along_y_m) && wall_stands_in_line(floor, thing.p_map, {0, 1}));
 }
 
 void LegBarriers::find_walls(const FloorGrid& floor, Thing& thing) const {
@@ -328,7 +349,7 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
   const auto may_hide_one = [&](const Vec2& along) {
     return wall_behind(leg, along) && !has_partner(leg, along);
   };
-  if (leg.is_in_row) return hidden;
+  if (leg.is_of_wall) return hidden;
   if (leg.stand == Stand::kBeforeWall && may_hide_one(leg.behind)) look(-leg.behind);
   if (leg.stand != Stand::kFree) return hidden;
   const auto wall = nearest_wall(leg, [&](const Vec2& away) { return wall_goes_on(floor, leg.p_map, away); });

@@ -81,11 +81,21 @@ TEST_F(LegBarriersOnAFloor, DoNotTakeAWallSeenFromFarForLegs) {
 
 /// At a grazing angle a wall is struck here and there, and one look passes it on either side.
 TEST_F(LegBarriersOnAFloor, LeaveACorridorOpenOfWhoseWallsOnlyPiecesWereSeen) {
+  wall_across(2.02, 1, 2.5);
+  wall_across(3.42, 1, 2.5);
   for (int i = 0; i < 8; ++i) {
     stand(3.02 + 0.25 * i, 2.02 + 0.05 * (i % 2));
     stand(3.12 + 0.25 * i, 3.42 - 0.05 * (i % 2));
   }
   EXPECT_FALSE(is_closed({2, 2.7}, {6, 2.7}));
+}
+
+TEST_F(LegBarriersOnAFloor, CloseThatUnderARowOfTables) {
+  for (int i = 0; i < 8; ++i) {
+    stand(3.02 + 0.25 * i, 2.02);
+    stand(3.12 + 0.25 * i, 3.02);
+  }
+  EXPECT_TRUE(is_closed({2, 2.5}, {6, 2.5}));
 }
 
 TEST_F(LegBarriersOnAFloor, CloseThatUnderATableWithChairs) {

@@ -25,8 +25,8 @@ struct LegParams {
 /// two legs before it, where a table stands with its back to the wall, and from one such leg to the other,
 /// be it a small thing or hidden by floor not seen yet. What stands at a wall may be a speck of it: it is a
 /// leg only right before the wall, or at the end of one with the same wall behind it as behind the other
-/// leg, and only to one that stands free and has it in full view. One of many in a row is a piece of a wall
-/// that was seen from afar or along it. No plate is where the vehicle stood.
+/// leg, and only to one that stands free and has it in full view. One of many in a row on the
+/// line of a wall is a piece of it, seen from afar or along it. No plate is where the vehicle stood.
 class LegBarriers {
  public:
   explicit LegBarriers(const LegParams& params = {}) : params_(params) {}
@@ -47,16 +47,16 @@ class LegBarriers {
     Stand stand = Stand::kUnclear;
     Vec2 behind = Vec2::Zero();  ///< a unit towards what it stands right before
     std::vector<Vec2> walls;     ///< places in `map` near it where something stands that is no leg
-    bool is_in_row = false;      ///< of many along an axis of `map`
-    bool is_leg() const { return stand != Stand::kUnclear && !is_in_row; }
-    bool is_free_leg() const { return stand == Stand::kFree && !is_in_row; }
+    bool is_of_wall = false;     ///< one of its pieces
+    bool is_leg() const { return stand != Stand::kUnclear && !is_of_wall; }
+    bool is_free_leg() const { return stand == Stand::kFree && !is_of_wall; }
   };
 
   std::vector<FloorCell> small_thing(const FloorGrid& floor, FloorCell start) const;
   /// Tells its stand, and behind.
   void look_about(const FloorGrid& floor, Thing& thing) const;
   void find_things(const FloorGrid& floor, const FloorBox& within);
-  bool stands_in_row(const Thing& thing) const;
+  bool is_piece_of_wall(const FloorGrid& floor, const Thing& thing) const;
   void find_walls(const FloorGrid& floor, Thing& thing) const;
   bool is_leg(const Vec2& p_map) const;
   bool is_thing(const Vec2& p_map) const;
