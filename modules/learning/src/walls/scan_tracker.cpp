@@ -198,8 +198,7 @@ bool ScanTracker::keyframe_is_due() const {
 }
 
 void ScanTracker::learn(std::span<const SensedSegment> segments, const Mat3& wall_information) {
-  keyframes_.push_back(
-      {scan_, T_track_sensor_.mean, path_m_, wall_information, relocated_, scale_.way()});
+  keyframes_.push_back({scan_, T_track_sensor_.mean, path_m_, wall_information, relocated_, scale_.way()});
   relocated_ = false;
   for (const SensedSegment& s : segments) {
     absorb(PlacedSegment(s, T_track_sensor_.mean), path_m_, update_, walls_, window_);
