@@ -66,12 +66,12 @@ bool LoopCloser::add(Submap submap, std::span<const Keyframe> keyframes, bool or
   graph_.add_node(newest == 0 ? submaps_.front().T_track_anchor
                               : graph_.pose(newest - 1) * way_to(newest, keyframes));
   if (orthogonal) {
-    graph_.add_heading_prior(submaps_.size() - 1, submaps_.back().T_track_anchor.theta, kOrthogonalSigma_rad);
+    graph_.add_heading_prior(newest, submaps_.back().T_track_anchor.theta, kOrthogonalSigma_rad);
   }
   if (submaps_.size() < 2) return false;
   connect_to_previous(keyframes, orthogonal);
 
-  if (!close_loops(submaps_.size() - 1, keyframes)) return false;
+  if (!close_loops(newest, keyframes)) return false;
   graph_.optimise();
   return true;
 }

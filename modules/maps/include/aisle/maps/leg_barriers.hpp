@@ -25,8 +25,8 @@ struct LegParams {
 /// two legs before it, where a table stands with its back to the wall, and from one such leg to the other,
 /// be it a small thing or hidden by floor not seen yet. What stands at a wall may be a speck of it: it is a
 /// leg only right before the wall, or at the end of one with the same wall behind it as behind the other
-/// leg, and only to one that stands free and has it in full view. One of many in a row on the
-/// line of a wall is a piece of it, seen from afar or along it. No plate is where the vehicle stood.
+/// leg, and only to one that stands free and has it in full view. One of many in a row on the line
+/// of a long wall is a piece of it, seen from afar or along it. No plate is where the vehicle stood.
 class LegBarriers {
  public:
   explicit LegBarriers(const LegParams& params = {}) : params_(params) {}

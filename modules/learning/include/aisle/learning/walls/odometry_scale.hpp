@@ -4,7 +4,7 @@
 
 namespace aisle {
 
-/// A place that the vehicle came to, as far as nothing but its wheels told how far that was.
+/// A place in `track` that the vehicle came to, as far as nothing but its wheels told how far that was.
 struct CountedWay {
   Vec2 by_factor = Vec2::Zero();  ///< the place moves by this for each unit of the scale's factor [m]
   Vec2 counted_m = Vec2::Zero();  ///< how much of that it was moved by already, by the factors of the time
@@ -42,7 +42,7 @@ class OdometryScale {
   void forget_pose();
 
   double factor() const { return factor_; }
-  /// To the pose, in `track`.
+  /// To the pose. Nothing, where the scale is known to be 1.
   CountedWay way() const;
 
  private:
