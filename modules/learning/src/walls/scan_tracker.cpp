@@ -25,6 +25,7 @@ constexpr double kRelocationSeen_m = 2;  // with less wall in sight a guess is w
 constexpr double kGuessSigma_m = 0.3, kGuessSigma_rad = 3 * kDegree;
 constexpr double kLaidAgainShare = 0.5;  // of the seen length must fit
 constexpr int kAgreeingScans = 3;        // say where the sensor is, before that is believed
+constexpr double kAgreeingWay_m = 0.3;   // and over so long a way: from one place they are one scan
 constexpr double kAgreeing_m = 0.15;     // so near each other
 constexpr double kAgreeing_rad = 5 * kDegree;
 constexpr double kRelocatedPoseSigma_m = 0.05;
@@ -166,7 +167,7 @@ Alignment ScanTracker::lay_from(std::span<const SensedSegment> segments, const V
 }
 
 /// One scan may lie well on walls where the sensor is not: a row of desks, one desk on. So several scans in a
-/// row must say the same; meanwhile nothing is learned.
+/// row, taken along some way, must say the same; meanwhile nothing is learned.
 bool ScanTracker::relocate(std::span<const SensedSegment> segments) {
   const auto found = find_pose_near(T_track_sensor_.mean, segments, walls_, window_, path_m_,
                                     params_.relocation_reach_m, aligner_);
@@ -185,7 +186,8 @@ bool ScanTracker::confirm_suspicion(const Pose2& T_sensor_found) {
   const bool is_same = apart.position().norm() < kAgreeing_m && std::abs(apart.theta) < kAgreeing_rad;
   T_sensor_suspected_ = T_sensor_found;
   suspected_scans_ = is_same ? suspected_scans_ + 1 : 1;
-  if (suspected_scans_ < kAgreeingScans) return false;
+  if (suspected_scans_ == 1) suspected_since_m_ = path_m_;
+  if (suspected_scans_ < kAgreeingScans || path_m_ - suspected_since_m_ < kAgreeingWay_m) return false;
   suspected_scans_ = 0;
   return true;
 }

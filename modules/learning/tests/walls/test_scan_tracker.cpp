@@ -137,7 +137,7 @@ std::vector<double> off_after_views_from_aside_m(const Pose2& aside, int views) 
 TEST(ScanTracker, FindsItselfWhereTheOdometryHasMissedAMotion) {
   const std::vector<double> off_m = off_after_views_from_aside_m({0.5, 0.8, 0}, 20);
   EXPECT_GT(off_m[20], 0.5);
-  EXPECT_LT(off_m[24], 0.03);
+  EXPECT_LT(off_m[28], 0.03) << "after 40 cm";
   EXPECT_LT(off_m.back(), 0.03);
 }
 
@@ -145,6 +145,13 @@ TEST(ScanTracker, IsNotLedAsideByOneScanThatLiesWellElsewhere) {
   const std::vector<double> off_m = off_after_views_from_aside_m({0.5, 0.8, 0}, 1);
   EXPECT_GT(off_m[20], 0.5) << "from where that scan was taken";
   for (std::size_t i = 21; i < off_m.size(); ++i) EXPECT_LT(off_m[i], 0.15) << i;
+  EXPECT_LT(off_m.back(), 0.03);
+}
+
+TEST(ScanTracker, IsNotLedAsideByScansOfOnePlaceThatLieWellElsewhere) {
+  const int views = 5;  // within 20 cm
+  const std::vector<double> off_m = off_after_views_from_aside_m({0.5, 0.8, 0}, views);
+  for (std::size_t i = 20; i < 20 + views; ++i) EXPECT_GT(off_m[i], 0.5) << i;
   EXPECT_LT(off_m.back(), 0.03);
 }
 

@@ -97,8 +97,9 @@ class ScanTracker {
   double path_m_ = 0;
   std::size_t headings_used_ = 0;
   bool relocated_ = false;
-  Pose2 T_sensor_suspected_;  ///< where the latest scans fit better ...
-  int suspected_scans_ = 0;   ///< ... so many in a row
+  Pose2 T_sensor_suspected_;      ///< where the latest scans fit better ...
+  int suspected_scans_ = 0;       ///< ... so many in a row ...
+  double suspected_since_m_ = 0;  ///< ... since this way
   bool orthogonal_ = true;
 };
 
