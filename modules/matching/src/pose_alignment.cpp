@@ -78,10 +78,12 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
     Vec3 gradient = prior.information * from_prior;
     Mat3 information = Mat3::Zero();
     result.matched_m = result.fitting_m = 0;
+    says_.clear();
     const double c = std::cos(pose.theta), s = std::sin(pose.theta);
     for (std::size_t i = 0; i < segments.size(); ++i) {
       if (wall_of_segment_[i] < 0) continue;
-      const WallEstimate& wall = walls[static_cast<std::size_t>(wall_of_segment_[i])];
+      const auto index = static_cast<std::size_t>(wall_of_segment_[i]);
+      const WallEstimate& wall = walls[index];
       const SensedSegment& seen = segments[i];
       const Vec2 lever(c * seen.centroid.x() - s * seen.centroid.y(),
                        s * seen.centroid.x() + c * seen.centroid.y());
@@ -104,6 +106,7 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
       const Vec3 jacobian(normal.x(), normal.y(), normal.dot(left_normal(lever)));
       information += offset_weight * jacobian * jacobian.transpose();
       gradient += offset_weight * offset_m * jacobian;
+      says_.push_back({index, normal, offset_weight});
       information(2, 2) += heading_weight;
       gradient(2) += heading_weight * turn_rad;
       result.matched_m += seen.length_m;

@@ -30,12 +30,16 @@ void OdometryScale::correct(const Mat3& prior, const Vec3& correction, const Mat
   with_pose_ = posterior * gain;
 }
 
-void OdometryScale::count_from_here(const Mat3& prior, const Mat3& posterior) {
-  const Vec2 before = way_from_there();
-  with_pose_ = posterior * prior.ldlt().solve(with_pose_);
-  const Vec2 passed = before - way_from_there();
-  way_there_.by_factor += passed;
-  way_there_.counted_m += factor_ * passed;
+Vec2 OdometryScale::refer_to(const CountedWay& seen, Mat3& pose_covariance) {
+  if (variance_ == 0) return Vec2::Zero();
+  const Vec2 moves_m = way_there_.off_m(factor_) - seen.off_m(factor_);
+  Vec3 between = Vec3::Zero();
+  between.head<2>() = way_there_.by_factor - seen.by_factor;
+  pose_covariance += with_pose_ * between.transpose() + between * with_pose_.transpose() +
+                     variance_ * between * between.transpose();
+  with_pose_ += variance_ * between;
+  way_there_ = seen;
+  return moves_m;
 }
 
 void OdometryScale::forget_pose() {
@@ -44,14 +48,9 @@ void OdometryScale::forget_pose() {
 }
 
 CountedWay OdometryScale::way() const {
-  const Vec2 way = way_from_there();
-  return {way_there_.by_factor + way, way_there_.counted_m + factor_ * way};
-}
-
-/// The pose's part that goes with the factor, for each unit of it.
-Vec2 OdometryScale::way_from_there() const {
-  if (variance_ == 0) return Vec2::Zero();
-  return with_pose_.head<2>() / variance_;
+  if (variance_ == 0) return way_there_;
+  const Vec2 on = with_pose_.head<2>() / variance_;
+  return {way_there_.by_factor + on, way_there_.counted_m + factor_ * on};
 }
 
 }  // namespace aisle

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "aisle/core/square.hpp"
 #include "aisle/geometry/dominant_direction.hpp"
@@ -28,6 +27,8 @@ constexpr int kAgreeingScans = 3;        // say where the sensor is, before that
 constexpr double kAgreeingWay_m = 0.3;   // and over so long a way: from one place they are one scan
 constexpr double kAgreeing_m = 0.15;     // so near each other
 constexpr double kAgreeing_rad = 5 * kDegree;
+constexpr double kNoWall_per_m2 = 1;  // information across, where no wall tells of it
+constexpr double kAcross = 0.7;       // of the way: cosine between it and the normal
 constexpr double kRelocatedPoseSigma_m = 0.05;
 constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
 
@@ -122,19 +123,54 @@ void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
   ++headings_used_;
 }
 
-/// Lays the scan onto the walls; by how much that moves the sensor tells of the wheels' scale.
 Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
-  const UncertainPose2 predicted = T_track_sensor_;
-  const auto [alignment, is_as_counted] = explain_motion(segments);
-  const Pose2 &from = predicted.mean, &to = alignment.T_map_sensor;
-  T_track_sensor_ = {to, (predicted.covariance.inverse() + alignment.wall_information).inverse()};
+  const auto [alignment, way_to_walls, is_as_counted] = explain_motion(segments);
   if (is_as_counted && alignment.fitting_share() >= params_.lost_share) {
-    const Vec3 correction(to.x - from.x, to.y - from.y, wrap_angle(to.theta - from.theta));
-    scale_.correct(predicted.covariance, correction, T_track_sensor_.covariance);
+    correct_pose(alignment, way_to_walls);
   } else {
+    const Mat3 information = T_track_sensor_.covariance.inverse() + alignment.wall_information;
+    T_track_sensor_ = {alignment.T_map_sensor, information.inverse()};
     scale_.forget_pose();
   }
   return alignment;
+}
+
+/// By how much the walls move the sensor, beyond what was to be expected of where they were laid, tells of
+/// the wheels' scale.
+void ScanTracker::correct_pose(const Alignment& alignment, const CountedWay& way_to_walls) {
+  auto& [pose, covariance] = T_track_sensor_;
+  const Pose2& laid = alignment.T_map_sensor;
+  const Mat3& information = alignment.wall_information;
+  const Vec3 moved(laid.x - pose.x, laid.y - pose.y, wrap_angle(laid.theta - pose.theta));
+  const Vec3 pull = (covariance.inverse() + information) * moved;
+  Vec3 expected = Vec3::Zero();
+  expected.head<2>() = scale_.refer_to(way_to_walls, covariance);
+  const Mat3 prior = covariance;
+  covariance = (prior.inverse() + information).inverse();
+  const Vec3 correction = covariance * (pull - information * expected);
+  scale_.correct(prior, correction, covariance);
+  const Vec3 moves = expected + correction;
+  pose = {pose.x + moves(0), pose.y + moves(1), wrap_angle(pose.theta + moves(2))};
+}
+
+/// To what the latest alignment lies on: in each direction as the walls that tell of it. A wall that the
+/// vehicle drives along is none of them: it moves away and nearer by little, and by a heading that is off
+/// more.
+CountedWay ScanTracker::way_to_walls() const {
+  const CountedWay to_sensor = scale_.way();
+  const Vec2 ahead = rotate(T_track_last_.theta, motion_.position()).stableNormalized();
+  Mat2 information = kNoWall_per_m2 * Mat2::Identity();
+  CountedWay pull{information * to_sensor.by_factor, information * to_sensor.counted_m};
+  for (const WallSay& say : aligner_.says()) {
+    const bool lies_across = std::abs(say.normal.dot(ahead)) > kAcross;
+    const CountedWay& way = lies_across ? ways_[say.wall] : to_sensor;
+    const Mat2 told = say.weight * say.normal * say.normal.transpose();
+    information += told;
+    pull.by_factor += told * way.by_factor;
+    pull.counted_m += told * way.counted_m;
+  }
+  const Mat2 covariance = information.inverse();
+  return {covariance * pull.by_factor, covariance * pull.counted_m};
 }
 
 /// Wheels may count backwards driving forwards, or turn while the vehicle stands: where the scan does not fit
@@ -142,28 +178,31 @@ Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
 /// speaks for it.
 ScanTracker::Explanation ScanTracker::explain_motion(std::span<const SensedSegment> segments) {
   const Vec2 counted_m = motion_.position();
-  Explanation best{lay_from(segments, counted_m)};
+  Explanation best = lay_from(segments, counted_m);
   if (counted_m.norm() < kDoubtful_m) {
     counts_backwards_ = false;
   } else if (counts_backwards_ || best.alignment.fitting_share() < kDoubtful) {
     const double needed =
         best.alignment.fitting_share() + (counts_backwards_ ? kSlightlyBetter : kClearlyBetter);
-    const Alignment mirrored = lay_from(segments, -counted_m);
-    const Alignment standing = lay_from(segments, Vec2::Zero());
-    counts_backwards_ = mirrored.fitting_share() > needed;
-    if (counts_backwards_) best = {mirrored, false};
-    if (standing.fitting_share() > best.alignment.fitting_share() + kClearlyBetter) best = {standing, false};
+    const Explanation mirrored = lay_from(segments, -counted_m);
+    const Explanation standing = lay_from(segments, Vec2::Zero());
+    counts_backwards_ = mirrored.alignment.fitting_share() > needed;
+    if (counts_backwards_) best = mirrored;
+    if (standing.alignment.fitting_share() > best.alignment.fitting_share() + kClearlyBetter) best = standing;
   }
   return best;
 }
 
-Alignment ScanTracker::lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m) {
+ScanTracker::Explanation ScanTracker::lay_from(std::span<const SensedSegment> segments,
+                                               const Vec2& motion_m) {
   const Vec2 counted = T_track_last_ * motion_.position(), assumed = T_track_last_ * motion_m;
   const Pose2& predicted = T_track_sensor_.mean;
   const PosePrior prior{
       {predicted.x + assumed.x() - counted.x(), predicted.y + assumed.y() - counted.y(), predicted.theta},
       T_track_sensor_.covariance.inverse()};
-  return aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
+  const Alignment alignment =
+      aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
+  return {alignment, way_to_walls(), motion_m == motion_.position()};
 }
 
 /// One scan may lie well on walls where the sensor is not: a row of desks, one desk on. So several scans in a
@@ -205,26 +244,12 @@ void ScanTracker::learn(std::span<const SensedSegment> segments, const Mat3& wal
   for (const SensedSegment& s : segments) {
     absorb(PlacedSegment(s, T_track_sensor_.mean), path_m_, update_, walls_, window_);
   }
+  ways_.resize(walls_.size(), scale_.way());
   std::erase_if(window_, [&](int index) {
     const WallEstimate& wall = walls_[static_cast<std::size_t>(index)];
     const double unseen_m = path_m_ - wall.last_seen_m;
     return unseen_m > params_.window_m || (wall.sightings == 1 && unseen_m > params_.unconfirmed_m);
   });
-  if (params_.motion.distance_scale > 0) count_from_new_walls(segments);
-}
-
-/// A wall stands where the vehicle thinks that it saw it first: seen again, it tells of the way since then
-/// only.
-void ScanTracker::count_from_new_walls(std::span<const SensedSegment> segments) {
-  new_walls_.clear();
-  std::copy_if(window_.begin(), window_.end(), std::back_inserter(new_walls_),
-               [&](int index) { return walls_[static_cast<std::size_t>(index)].sightings == 1; });
-  const Mat3& covariance = T_track_sensor_.covariance;
-  const Mat3 information = covariance.inverse();
-  const Mat3 from_new =
-      aligner_.align(segments, walls_, new_walls_, {T_track_sensor_.mean, information}, params_.gate_m, 1)
-          .wall_information;
-  scale_.count_from_here(covariance, (information + from_new).inverse());
 }
 
 }  // namespace aisle

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
 
@@ -53,8 +54,18 @@ Mat3 any_information(Random& random) {
   return roots * roots.transpose() + 10 * Mat3::Identity();
 }
 
+/// The pose's covariance after a step that is known exactly.
+Mat3 carried_on(const Mat3& covariance, const Pose2& from, const Pose2& step) {
+  const Vec2 moved = rotate(from.theta, step.position());
+  Mat3 by_pose = Mat3::Identity();
+  by_pose(0, 2) = -moved.y();
+  by_pose(1, 2) = moved.x();
+  return by_pose * covariance * by_pose.transpose();
+}
+
 RC_GTEST_PROP(OdometryScale, IsTheFourthUnknownOfOneKalmanFilter, (std::uint64_t seed)) {
   constexpr double kTurn_rad2 = 1e-4;
+  constexpr double kCorrection = 0.002;  // [m, rad] so small that the factor stays where wheels' are
   Random random(seed);
   OdometryScale scale(0.05);
   WholeFilter whole;
@@ -64,17 +75,14 @@ RC_GTEST_PROP(OdometryScale, IsTheFourthUnknownOfOneKalmanFilter, (std::uint64_t
     const Pose2 counted{random.uniform(-0.5, 0.5), random.uniform(-0.1, 0.1), random.uniform(-0.3, 0.3)};
     const Pose2 step = scale.true_step(counted);
     const Pose2 from{whole.state(0), whole.state(1), whole.state(2)};
-    const Vec2 moved = rotate(from.theta, step.position());
-    Mat3 by_pose = Mat3::Identity();
-    by_pose(0, 2) = -moved.y();
-    by_pose(1, 2) = moved.x();
-    covariance = by_pose * covariance * by_pose.transpose();
+    covariance = carried_on(covariance, from, step);
     covariance(2, 2) += kTurn_rad2;
     scale.predict(from, step, covariance);
     whole.predict(step, kTurn_rad2);
 
-    const Vec3 correction(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01),
-                          random.uniform(-0.01, 0.01));
+    const Vec3 correction(random.uniform(-kCorrection, kCorrection),
+                          random.uniform(-kCorrection, kCorrection),
+                          random.uniform(-kCorrection, kCorrection));
     const Mat3 information = any_information(random);
     const Mat3 posterior = (covariance.inverse() + information).inverse();
     scale.correct(covariance, correction, posterior);
@@ -116,16 +124,67 @@ TEST(OdometryScale, WhatIsSeenFirstAndThenAgainSaysNothingOfTheWayThere) {
   OdometryScale scale(0.02);
   Mat3 covariance = 1e-6 * Mat3::Identity();
   scale.predict({}, {10, 0, 0}, covariance);
-  const Mat3 seen = 1e-6 * Mat3::Identity();
-  scale.count_from_here(covariance, seen);
+  const CountedWay first_seen = scale.way();
+  EXPECT_EQ(scale.refer_to(first_seen, covariance), Vec2(0, 0));
+  const Mat3 seen = covariance;
   scale.correct(seen, Vec3::Zero(), 0.5 * seen);  // where it was
   EXPECT_NEAR(scale.way().off_m(1.01).x(), 0.1, 1e-4);
 
-  covariance = seen;
   scale.predict({10, 0, 0}, {1, 0, 0}, covariance);
   scale.correct(covariance, {0.01, 0, 0}, 1e-9 * Mat3::Identity());
   EXPECT_NEAR(scale.factor(), 1.01, 1e-3);  // 1 cm in 1 m, not in 11 m
   EXPECT_NEAR(scale.way().off_m(1.01).x(), 0.1, 0.01);
+}
+
+TEST(OdometryScale, WhatWasSeenOnTheWayOutSaysNothingOnTheWayBack) {
+  OdometryScale scale(0.02);
+  Mat3 covariance = 1e-6 * Mat3::Identity();
+  scale.predict({}, {4, 0, 0}, covariance);
+  const CountedWay to_mark = scale.way();
+  scale.predict({4, 0, 0}, {6, 0, 0}, covariance);
+  scale.predict({10, 0, kPi}, {6, 0, 0}, covariance);
+  EXPECT_NEAR(scale.refer_to(to_mark, covariance).norm(), 0, 1e-12);
+  EXPECT_NEAR(covariance(0, 0), 1e-6, 1e-9) << "both were counted by the same factor";
+  scale.correct(covariance, {0.05, 0, 0}, 1e-9 * Mat3::Identity());
+  EXPECT_NEAR(scale.factor(), 1, 1e-9);
+}
+
+TEST(OdometryScale, KnowsThatItComesBackElsewhereThanWhereItLaidTheStart) {
+  OdometryScale scale(0.02);
+  Mat3 covariance = 1e-6 * Mat3::Identity();
+  const CountedWay to_start = scale.way();
+  scale.predict({}, {10, 0, 0}, covariance);
+  scale.refer_to(scale.way(), covariance);  // to what it sees first there; then it learns the factor by it
+  scale.predict({10, 0, 0}, {1, 0, 0}, covariance);
+  const Mat3 prior = covariance;
+  covariance = 1e-9 * Mat3::Identity();
+  scale.correct(prior, {0.01, 0, 0}, covariance);
+  ASSERT_NEAR(scale.factor(), 1.01, 1e-4);
+  scale.predict({11.01, 0, kPi}, scale.true_step({11, 0, 0}), covariance);  // to -0.1 m, as laid
+  EXPECT_NEAR(scale.refer_to(to_start, covariance).x(), 0.1, 2e-3);
+}
+
+RC_GTEST_PROP(OdometryScale, WhatThePoseRefersToChangesNothingThatIsKnown, (std::uint64_t seed)) {
+  Random random(seed);
+  OdometryScale scale(0.02);
+  Mat3 covariance = 0.01 * Mat3::Identity();
+  for (int i = 0; i < 5; ++i) {
+    const Pose2 from{0, 0, random.uniform(-3, 3)};
+    const Pose2 step{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    covariance = carried_on(covariance, from, step);
+    scale.predict(from, step, covariance);
+    const Mat3 prior = covariance;
+    covariance = (covariance.inverse() + any_information(random)).inverse();
+    scale.correct(prior, Vec3::Constant(random.uniform(-0.01, 0.01)), covariance);
+  }
+  const CountedWay there = scale.way();
+  const CountedWay elsewhere{{random.uniform(-9, 9), random.uniform(-9, 9)},
+                             {random.uniform(-9, 9), random.uniform(-9, 9)}};
+  const Vec2 moved = scale.refer_to(elsewhere, covariance);
+  const Vec2 off_before = there.off_m(scale.factor()), off = scale.way().off_m(scale.factor());
+  RC_ASSERT((off + moved - off_before).norm() < 1e-9);
+  RC_ASSERT((scale.way().by_factor - there.by_factor).norm() < 1e-9);
+  RC_ASSERT(covariance.ldlt().isPositive());
 }
 
 }  // namespace

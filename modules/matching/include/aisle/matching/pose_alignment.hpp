@@ -42,6 +42,13 @@ struct Alignment {
   double fitting_share() const { return seen_m > 0 ? fitting_m / seen_m : 1; }
 };
 
+/// What one wall said of where the sensor is.
+struct WallSay {
+  std::size_t wall = 0;
+  Vec2 normal = Vec2::UnitX();  ///< the direction in which it says it
+  double weight = 0;            ///< 1 / variance [1/m^2]
+};
+
 /// Finds the pose at which the sensed segments lie best on the walls: Gauss-Newton on each segment's offset
 /// from its wall, n.(R c + t) - rho, and heading difference, both with a Cauchy weight, and on the prior.
 /// A wall that may run like most of the matched ones, as far as its heading is known, tells nothing about the
@@ -54,6 +61,9 @@ class PoseAligner {
   Alignment align(std::span<const SensedSegment> segments, std::span<const WallEstimate> walls,
                   std::span<const int> candidates, const PosePrior& prior, double gate_m, int iterations);
 
+  /// In the latest alignment, one for each segment that has a wall. Valid until the next.
+  std::span<const WallSay> says() const { return says_; }
+
  private:
   void associate_all(const Pose2& T_map_sensor, std::span<const SensedSegment> segments,
                      std::span<const WallEstimate> walls, std::span<const int> candidates,
@@ -62,6 +72,7 @@ class PoseAligner {
 
   AlignmentParams params_;
   std::vector<int> wall_of_segment_;
+  std::vector<WallSay> says_;
 };
 
 }  // namespace aisle

@@ -33,10 +33,11 @@ class OdometryScale {
   /// @param prior, posterior  its covariances, of (x, y, theta) in `track`
   void correct(const Mat3& prior, const Vec3& correction, const Mat3& posterior);
 
-  /// The pose is counted from what was first seen at it: how far the vehicle came before does not follow from
-  /// seeing that again.
-  /// @param prior, posterior  its covariances, as if that had been known before
-  void count_from_here(const Mat3& prior, const Mat3& posterior);
+  /// From now on the pose, its covariance and what corrects it are meant as seen from something that stands
+  /// where the vehicle came by such a way: wheels' ways that both have in common say nothing of how they lie
+  /// to each other. What is known of the two, and way(), stay the same.
+  /// @return how far the pose moves by that in `track`, where what is seen stands as it was laid [m]
+  Vec2 refer_to(const CountedWay& seen, Mat3& pose_covariance);
 
   /// The pose is known anew: how it came there says nothing.
   void forget_pose();
@@ -46,12 +47,10 @@ class OdometryScale {
   CountedWay way() const;
 
  private:
-  Vec2 way_from_there() const;
-
   double factor_ = 1;
   double variance_;
-  Vec3 with_pose_ = Vec3::Zero();  ///< covariance of the pose and the factor
-  CountedWay way_there_;           ///< to what the pose is counted from
+  Vec3 with_pose_ = Vec3::Zero();  ///< covariance of the pose, as seen from there, and the factor
+  CountedWay way_there_;           ///< to what the pose is seen from
 };
 
 }  // namespace aisle

@@ -66,6 +66,7 @@ class ScanTracker {
  private:
   struct Explanation {
     Alignment alignment;
+    CountedWay way;             ///< to the walls that it lies on
     bool is_as_counted = true;  ///< the vehicle moved as its wheels say
   };
 
@@ -74,12 +75,13 @@ class ScanTracker {
   void correct_heading(std::span<const SensedSegment> segments);
   Alignment lay_onto_walls(std::span<const SensedSegment> segments);
   Explanation explain_motion(std::span<const SensedSegment> segments);
-  Alignment lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m);
+  Explanation lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m);
+  CountedWay way_to_walls() const;
+  void correct_pose(const Alignment& alignment, const CountedWay& way_to_walls);
   bool relocate(std::span<const SensedSegment> segments);
   bool confirm_suspicion(const Pose2& T_sensor_found);
   bool keyframe_is_due() const;
   void learn(std::span<const SensedSegment> segments, const Mat3& wall_information);
-  void count_from_new_walls(std::span<const SensedSegment> segments);
 
   TrackerParams params_;
   WallUpdateParams update_;
@@ -90,8 +92,8 @@ class ScanTracker {
   OdometryScale scale_;
   bool counts_backwards_ = false;  ///< the odometry counts the way with the wrong sign
   std::vector<WallEstimate> walls_;
+  std::vector<CountedWay> ways_;  ///< to each wall, as it was seen first
   std::vector<int> window_;
-  std::vector<int> new_walls_;  ///< those of the window that were seen once
   std::vector<Keyframe> keyframes_;
   std::size_t scan_ = 0;
   double path_m_ = 0;
