@@ -296,6 +296,8 @@ void BuildingExplorer::abandon(std::size_t path, std::size_t cycle) {
 }
 
 void BuildingExplorer::abandon_all(std::size_t cycle) {
+  cycle_ = cycle;
+  leave_far_nooks();
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     if (!is_open(paths_[p])) continue;
     abandon(p, cycle);

@@ -44,6 +44,22 @@ TEST(BuildingExplorer, GoesHomeRatherThanFarForANook) {
   explorer.stop(2);
 }
 
+TEST(BuildingExplorer, LeavesNoFarNookUndone) {
+  DrawnFloor drawn;
+  drawn.put_corridor(20, 2);  // its far end is open
+  drawn.put({15, 2}, {15.4, 2.05}, Floor::kFree);
+  BuildingExplorer explorer(minding_nooks(), ExploringOrder::kRecommended);
+  const Pose2 T_map_home{1, 1, 0};
+  const auto decide = [&] {
+    return explorer.decide(drawn.floor, drawn.clearance_now(), T_map_home, {1.35, 1}, T_map_home, 1);
+  };
+  ASSERT_EQ(decide().kind, ExploringTarget::Kind::kPath);
+  ASSERT_EQ(explorer.paths_waiting(), 2);
+  explorer.abandon_all(2);
+  ASSERT_EQ(decide().kind, ExploringTarget::Kind::kHome);
+  EXPECT_EQ(explorer.paths_abandoned(), 1) << "the corridor's far end";
+}
+
 TEST(BuildingExplorer, TriesWhatItLeftOnceMoreFromElsewhere) {
   DrawnFloor drawn;
   drawn.put_corridor(20, 2);

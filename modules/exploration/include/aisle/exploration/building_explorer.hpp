@@ -63,7 +63,7 @@ class BuildingExplorer {
   void give_up(std::size_t path, std::size_t cycle);
   /// The vehicle has spent its time on this path: it is left undone.
   void abandon(std::size_t path, std::size_t cycle);
-  /// All that waits is left undone.
+  /// All that waits is left undone, but for far nooks: those were not worth a way before either.
   void abandon_all(std::size_t cycle);
   /// The vehicle is home and everything is explored.
   void stop(std::size_t cycle);
