@@ -78,7 +78,7 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
     Vec3 gradient = prior.information * from_prior;
     Mat3 information = Mat3::Zero();
     result.matched_m = result.fitting_m = 0;
-    says_.clear();
+    constraints_.clear();
     const double c = std::cos(pose.theta), s = std::sin(pose.theta);
     for (std::size_t i = 0; i < segments.size(); ++i) {
       if (wall_of_segment_[i] < 0) continue;
@@ -106,7 +106,7 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
       const Vec3 jacobian(normal.x(), normal.y(), normal.dot(left_normal(lever)));
       information += offset_weight * jacobian * jacobian.transpose();
       gradient += offset_weight * offset_m * jacobian;
-      says_.push_back({index, normal, offset_weight});
+      constraints_.push_back({index, normal, offset_weight});
       information(2, 2) += heading_weight;
       gradient(2) += heading_weight * turn_rad;
       result.matched_m += seen.length_m;

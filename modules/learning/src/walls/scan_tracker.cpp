@@ -161,10 +161,10 @@ CountedWay ScanTracker::way_to_walls() const {
   const Vec2 ahead = rotate(T_track_last_.theta, motion_.position()).stableNormalized();
   Mat2 information = kNoWall_per_m2 * Mat2::Identity();
   CountedWay pull{information * to_sensor.by_factor, information * to_sensor.counted_m};
-  for (const WallSay& say : aligner_.says()) {
-    const bool lies_across = std::abs(say.normal.dot(ahead)) > kAcross;
-    const CountedWay& way = lies_across ? ways_[say.wall] : to_sensor;
-    const Mat2 told = say.weight * say.normal * say.normal.transpose();
+  for (const WallConstraint& constraint : aligner_.constraints()) {
+    const bool lies_across = std::abs(constraint.normal.dot(ahead)) > kAcross;
+    const CountedWay& way = lies_across ? ways_[constraint.wall] : to_sensor;
+    const Mat2 told = constraint.weight * constraint.normal * constraint.normal.transpose();
     information += told;
     pull.by_factor += told * way.by_factor;
     pull.counted_m += told * way.counted_m;

@@ -42,10 +42,10 @@ struct Alignment {
   double fitting_share() const { return seen_m > 0 ? fitting_m / seen_m : 1; }
 };
 
-/// What one wall said of where the sensor is.
-struct WallSay {
+/// What one wall tells of where the sensor is.
+struct WallConstraint {
   std::size_t wall = 0;
-  Vec2 normal = Vec2::UnitX();  ///< the direction in which it says it
+  Vec2 normal = Vec2::UnitX();  ///< the direction in which it tells
   double weight = 0;            ///< 1 / variance [1/m^2]
 };
 
@@ -62,7 +62,7 @@ class PoseAligner {
                   std::span<const int> candidates, const PosePrior& prior, double gate_m, int iterations);
 
   /// In the latest alignment, one for each segment that has a wall. Valid until the next.
-  std::span<const WallSay> says() const { return says_; }
+  std::span<const WallConstraint> constraints() const { return constraints_; }
 
  private:
   void associate_all(const Pose2& T_map_sensor, std::span<const SensedSegment> segments,
@@ -72,7 +72,7 @@ class PoseAligner {
 
   AlignmentParams params_;
   std::vector<int> wall_of_segment_;
-  std::vector<WallSay> says_;
+  std::vector<WallConstraint> constraints_;
 };
 
 }  // namespace aisle
