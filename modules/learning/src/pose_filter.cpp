@@ -13,20 +13,25 @@ namespace aisle {
 namespace {
 
 constexpr double kLeastSigma = 1e-5;  // nothing is known better than this [m, rad]
-constexpr double kForgotten_per_m =
-    0.01;                       // share of the steady errors' first variance that comes back with each metre
-constexpr double kHuber = 1.5;  // residuals beyond so many standard deviations count less
+constexpr double kHuber = 1.5;        // residuals beyond so many standard deviations count less
 constexpr double kBelieved = 3;
 constexpr int kRounds = 5;
 constexpr double kPoseSettled = 1e-7;
 
+Pose2 moved_by(const Pose2& pose, const Vec3& change) {
+  return {pose.x + change[0], pose.y + change[1], wrap_angle(pose.theta + change[2])};
+}
+
 }  // namespace
 
-PoseFilter::PoseFilter(const VehicleDescription& vehicle, const UncertainPose2& T_map_vehicle)
-    : vehicle_(vehicle) {
+PoseFilter::PoseFilter(const VehicleDescription& vehicle, const UncertainPose2& T_map_vehicle,
+                       const Vec3& forgotten_per_m)
+    : vehicle_(vehicle), forgotten_per_m_(forgotten_per_m) {
   place(T_map_vehicle);
   steady_variances_ = steady_odometry_sigmas(vehicle).cwiseMax(kLeastSigma).cwiseAbs2();
   covariance_.bottomRightCorner<3, 3>() = steady_variances_.asDiagonal();
+  T_map_first_ = T_map_vehicle_;
+  first_with_state_ = covariance_.topRows<3>();
 }
 
 void PoseFilter::place(const UncertainPose2& T_map_vehicle) {
@@ -34,6 +39,7 @@ void PoseFilter::place(const UncertainPose2& T_map_vehicle) {
   covariance_.topRightCorner<3, 3>().setZero();
   covariance_.bottomLeftCorner<3, 3>().setZero();
   covariance_.topLeftCorner<3, 3>() = T_map_vehicle.covariance + Mat3::Identity() * square(kLeastSigma);
+  first_with_state_.leftCols<3>().setZero();
 }
 
 void PoseFilter::predict(const OdometryReading& reading) {
@@ -58,8 +64,10 @@ void PoseFilter::predict(const OdometryReading& reading) {
   by_state.topLeftCorner<3, 3>() = by_pose;
   by_state.topRightCorner<3, 3>() = by_arc * by_errors;
   covariance_ = by_state * covariance_ * by_state.transpose();
+  first_with_state_ = first_with_state_ * by_state.transpose();
   covariance_.topLeftCorner<3, 3>() += by_arc * read.covariance * by_arc.transpose();
-  covariance_.diagonal().tail<3>() += kForgotten_per_m * std::abs(arc.length_m) * steady_variances_;
+  covariance_.diagonal().tail<3>() +=
+      (forgotten_per_m_ * std::abs(arc.length_m)).cwiseProduct(steady_variances_);
   T_map_vehicle_ = T_map_vehicle_ * moved;
 }
 
@@ -69,11 +77,13 @@ bool PoseFilter::correct(double off, const Vec3& by_pose, double sigma) {
   const Vec6 with_state = covariance_ * by_state;
   const double variance = by_state.dot(with_state) + square(sigma);
   if (square(off) > square(kBelieved) * variance) return false;
+  const Vec3 first_with = first_with_state_ * by_state;
   const Vec6 change = with_state * off / variance;
   covariance_ -= with_state * with_state.transpose() / variance;
-  T_map_vehicle_ = {T_map_vehicle_.x + change[0], T_map_vehicle_.y + change[1],
-                    wrap_angle(T_map_vehicle_.theta + change[2])};
+  first_with_state_ -= first_with * with_state.transpose() / variance;
+  T_map_vehicle_ = moved_by(T_map_vehicle_, change.head<3>());
   odometry_errors_ += change.tail<3>();
+  T_map_first_ = moved_by(T_map_first_, first_with * off / variance);
   return true;
 }
 
@@ -81,10 +91,12 @@ void PoseFilter::update(std::span<const SeenPoint> points, const Pose2& guess) {
   if (points.empty()) return;
   const Fit found = fit(points, guess);
   const Mat7 posterior = found.information.llt().solve(Mat7::Identity());
+  const Mat36 first_by_state = covariance_.llt().solve(first_with_state_.transpose()).transpose();
   covariance_ = posterior.topLeftCorner<6, 6>();
-  T_map_vehicle_ = {T_map_vehicle_.x + found.change[0], T_map_vehicle_.y + found.change[1],
-                    wrap_angle(T_map_vehicle_.theta + found.change[2])};
+  first_with_state_ = first_by_state * covariance_;
+  T_map_vehicle_ = moved_by(T_map_vehicle_, found.change.head<3>());
   odometry_errors_ += found.change.segment<3>(3);
+  T_map_first_ = moved_by(T_map_first_, first_by_state * found.change.head<6>());
 }
 
 double PoseFilter::squared_distance(std::span<const SeenPoint> points, const Pose2& guess) const {

@@ -74,6 +74,19 @@ TEST(PoseFilter, OneExactPointOfTwoCorrectsAlongItsAxesOnly) {
   EXPECT_NEAR(filter.covariance()(0, 0), 0.01 / 2, 1e-4);
 }
 
+TEST(PoseFilter, WhatIsSeenLaterTellsWhereItWasAtFirst) {
+  // As unsure of its start as of the wheels' scale after 10 m: half of what is off there was so at first.
+  VehicleDescription vehicle = cart();
+  vehicle.front_steered_noise.distance_slip_m_per_sqrt_m = 0;
+  PoseFilter filter(vehicle, about({0, 0, 0}, 0.1, 1e-6), Vec3::Zero());
+  for (int i = 0; i < 100; ++i) filter.predict(FrontSteeredMotion{0.1, 0});
+  filter.correct(0.2, Vec3::UnitX(), 1e-4);
+  EXPECT_THAT(filter.pose(), PoseNear(Pose2{10.2, 0, 0}, 1e-3, 1e-3));
+  EXPECT_THAT(filter.first_pose(), PoseNear(Pose2{0.1, 0, 0}, 1e-3, 1e-3));
+  for (int i = 0; i < 100; ++i) filter.predict(FrontSteeredMotion{-0.1, 0});
+  EXPECT_THAT(filter.pose(), PoseNear(filter.first_pose(), 1e-3, 1e-3));
+}
+
 TEST(PoseFilter, NothingSeenChangesNothing) {
   PoseFilter filter(cart(), about({1, 2, 0.3}, 0.1, 0.02));
   const Mat3 before = filter.covariance();
@@ -87,6 +100,20 @@ TEST(PoseFilter, AVehicleThatStandsStaysAsSureAsItWas) {
   const Mat3 before = filter.covariance();
   for (int i = 0; i < 100; ++i) filter.predict(FrontSteeredMotion{0, 0.2});
   EXPECT_EQ(filter.covariance(), before);
+}
+
+TEST(PoseFilter, PointsTellWhereItWasAtFirstAsNumbersDo) {
+  const Vec2 foot{12, 0};
+  PoseFilter by_point(cart(), about({0, 0, 0}, 0.1, 1e-6)), by_number = by_point;
+  for (int i = 0; i < 100; ++i) {
+    by_point.predict(FrontSteeredMotion{0.1, 0});
+    by_number.predict(FrontSteeredMotion{0.1, 0});
+  }
+  const SeenPoint ahead{.p_map = foot, .p_vehicle = {1.9, 0}, .covariance = round_covariance(0.05)};
+  by_point.update(std::vector{ahead}, by_point.pose());
+  by_number.correct(0.1, Vec3::UnitX(), 0.05);
+  EXPECT_GT(by_point.first_pose().x, 0.02);
+  EXPECT_NEAR(by_point.first_pose().x, by_number.first_pose().x, 1e-4);
 }
 
 TEST(PoseFilter, APointThatIsWrongMovesThePoseLittle) {

@@ -9,6 +9,7 @@
 namespace aisle {
 namespace {
 
+constexpr double kGripForgotten_per_m = 0.01;
 constexpr double kEndDirection_rad = 0.4 * kDegree;  // to which the end of a base line is seen
 constexpr double kEndSigmaMax_m = 0.08;              // less sure, it is too far away to tell
 constexpr double kUsual_m = 0.05;  // of base lines that are what they are taken for: doors are off
@@ -33,22 +34,15 @@ void SectionLocaliserParams::describe(FieldList& fields) {
               "the end of the base line before a turn corrects a section's length");
 }
 
+/// Wheels keep their size: by what scale they counted the way out, they count the way home.
 SectionLocaliser::SectionLocaliser(const SectionLocaliserParams& params, const VehicleDescription& vehicle,
                                    const GuidedPath& way)
     : params_(params),
       way_(&way),
-      filter_(vehicle, about(way.path.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
-      start_heading_rad_(filter_.pose().theta),
-      start_covariance_(heading_variance()) {}
+      filter_(vehicle, about(way.path.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad),
+              {0, kGripForgotten_per_m, kGripForgotten_per_m}) {}
 
 void SectionLocaliser::correct(std::span<const SensedSegment> edges, std::size_t piece) {
-  const double heading_rad = pose().theta, variance = heading_variance();
-  correct_pose(edges, piece);
-  start_heading_rad_ += start_covariance_ / variance * wrap_angle(pose().theta - heading_rad);
-  start_covariance_ *= heading_variance() / variance;
-}
-
-void SectionLocaliser::correct_pose(std::span<const SensedSegment> edges, std::size_t piece) {
   is_guided_ = false;
   if (params_.heading_by_walls) correct_heading(edges);
   if (way_->path.pieces()[piece].is_on_the_spot()) return;

@@ -11,6 +11,8 @@
 namespace aisle {
 namespace {
 
+constexpr double kHomeward_m = 2.5;  // the last metres of the way home
+
 const CameraDescription& named_camera(const VehicleDescription& vehicle, const std::string& name) {
   if (const CameraDescription* camera = vehicle.camera(name)) return *camera;
   throw std::invalid_argument("the vehicle lacks the camera that is to look along the corridor");
@@ -48,13 +50,13 @@ Decision SectionNavigator::step(const Observation& observation) {
   locate(observation);
   if (observation.bumper_pressed) return fail("bumped", "the bumper is pressed");
   if (observation.stamp_s - *begun_s_ < params_.look_s) return {.state = "looking"};
-  const PathPoint& point = progress_.advance(pose());
+  const PathPoint& point = progress_.advance(pose_on_way());
   if (progress_.has_arrived()) return take_last_heading();
   const double aside_sigma_m = localiser_.aside_sigma_m(point.T_map_path.theta);
   if (aside_sigma_m > params_.lost_m)
     return fail("lost", fmt::format("saw no base line until unsure by {:.2f} m", aside_sigma_m));
   const double speed_mps = speed_along(way_.path, point.along_m, 1, vehicle_, params_.speed);
-  return guarded({.command = follower_.follow(way_.path, point, pose(), speed_mps, 0),
+  return guarded({.command = follower_.follow(way_.path, point, pose_on_way(), speed_mps, 0),
                   .state = is_guided_ ? "following" : "reckoning",
                   .why = place()});
 }
@@ -73,11 +75,21 @@ void SectionNavigator::locate(const Observation& observation) {
   is_guided_ = localiser_.is_guided();
 }
 
+/// Against the way, whose last metres home lead to where the vehicle was set down.
+Pose2 SectionNavigator::pose_on_way() const {
+  const PathPoint& point = progress_.point();
+  const bool is_last = point.piece + 1 == way_.path.pieces().size();
+  if (!way_.comes_home || !is_last || way_.path.length_m() - point.along_m > kHomeward_m) return pose();
+  const Vec2 home_off = localiser_.start_pose().position() - way_.path.at(0).T_map_path.position();
+  const Vec2 p_way = pose().position() - home_off;
+  return {p_way.x(), p_way.y(), pose().theta};
+}
+
 /// To the nearest step of a wheel: of less the vehicle does not know.
 Decision SectionNavigator::take_last_heading() {
   const double step_rad = vehicle_.differential.step_length_m() / vehicle_.differential.wheel_separation_m;
   const double way_rad = way_.path.pieces().back().end().theta;
-  const double askew_rad = localiser_.start_heading_rad() - way_.path.at(0).T_map_path.theta;
+  const double askew_rad = localiser_.start_pose().theta - way_.path.at(0).T_map_path.theta;
   const double due_rad = wrap_angle(way_rad + (way_.comes_home ? askew_rad : 0));
   if (std::abs(wrap_angle(due_rad - pose().theta)) < step_rad)
     return {.status = NavigatorStatus::kDone, .state = "arrived"};
@@ -87,7 +99,7 @@ Decision SectionNavigator::take_last_heading() {
 /// The same as far as nothing stands in the way.
 Decision SectionNavigator::guarded(Decision decision) {
   if (!params_.guarded) return decision;
-  const WayAhead way = way_ahead(way_.path, progress_.point(), pose(), params_.guard.reach_m);
+  const WayAhead way = way_ahead(way_.path, progress_.point(), pose_on_way(), params_.guard.reach_m);
   const Guarded allowed = guard_.allow(decision.command, way);
   if (allowed.state == GuardState::kBlocked) return fail("blocked", allowed.why);
   decision.command = allowed.command;

@@ -105,6 +105,21 @@ TEST(SectionLocaliser, AWallAheadWithARecessTurnsItLittle) {
   EXPECT_LT(std::abs(localiser.pose().theta), 3 * kDegree);
 }
 
+/// Out to a wall across, by wheels that count too little, and home again by the same wheels.
+TEST(SectionLocaliser, ComesHomeByTheScaleOfItsWayOut) {
+  constexpr double kOff_m = 0.04, kCounted = 0.99, kTurn_m = 4.5;
+  const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
+  const VehicleDescription vehicle = two_wheels();
+  const double step_m = 20 * vehicle.differential.step_length_m();
+  SectionLocaliser localiser({}, vehicle, way);
+  double x_m = kOff_m;
+  for (; x_m < kTurn_m; x_m += step_m / kCounted) localiser.predict(WheelSteps{20, 20});
+  for (int i = 0; i < 20; ++i) localiser.correct(std::vector{seen_from({x_m, 0, 0}, kEndWall)}, 0);
+  EXPECT_NEAR(localiser.pose().x, x_m, 0.02);
+  for (; x_m > kOff_m; x_m -= step_m / kCounted) localiser.predict(WheelSteps{-20, -20});
+  EXPECT_NEAR(localiser.pose().x - localiser.start_pose().x, x_m - kOff_m, 0.01);
+}
+
 TEST(SectionLocaliser, WhatIsSeenLaterTellsHowItWasHeadedAtFirst) {
   const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
   SectionLocaliser localiser({}, two_wheels(), way);
@@ -112,9 +127,9 @@ TEST(SectionLocaliser, WhatIsSeenLaterTellsHowItWasHeadedAtFirst) {
   for (int i = 0; i < 10; ++i) localiser.predict(WheelSteps{22, 22});
   std::vector<SensedSegment> edges;
   for (const Segment2& wall : {kRight, kLeft}) edges.push_back(seen_from({0.3, 0.02, kSetDown_rad}, wall));
-  EXPECT_EQ(localiser.start_heading_rad(), 0);
+  EXPECT_EQ(localiser.start_pose().theta, 0);
   for (int i = 0; i < 20; ++i) localiser.correct(edges, 0);
-  EXPECT_NEAR(localiser.start_heading_rad() / kDegree, kSetDown_rad / kDegree, 1);
+  EXPECT_NEAR(localiser.start_pose().theta / kDegree, kSetDown_rad / kDegree, 1);
 }
 
 TEST(SectionLocaliser, WhatStandsElsewhereIsNoWallOfTheWay) {

@@ -12,7 +12,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kAskew_rad = 2.5 * kDegree;
+constexpr double kAskew_rad = 2.5 * kDegree, kBeside_m = 0.04;
 const Vec3 kLeastCorner{-2, -0.6, 0}, kGreatestCorner{4, 0.6, 2.5};  // of a corridor along x
 
 /// @return brightness of the side that a ray from within the corridor meets
@@ -44,7 +44,8 @@ VehicleDescription two_wheels_and_a_camera() {
 /// A vehicle in the corridor that does what it is told, and sees and counts without an error.
 class CorridorDrive {
  public:
-  explicit CorridorDrive(const VehicleDescription& vehicle) : vehicle_(vehicle) {}
+  CorridorDrive(const VehicleDescription& vehicle, const Pose2& T_world_start)
+      : vehicle_(vehicle), T_world_vehicle_(T_world_start) {}
 
   /// @return whether the navigator was done before long
   bool drive(SectionNavigator& navigator) {
@@ -58,7 +59,7 @@ class CorridorDrive {
     return false;
   }
 
-  double heading_rad() const { return T_world_vehicle_.theta; }
+  const Pose2& T_world_vehicle() const { return T_world_vehicle_; }
 
  private:
   Observation observation(const WheelSteps& steps) const {
@@ -96,33 +97,35 @@ class CorridorDrive {
   }
 
   VehicleDescription vehicle_;
-  Pose2 T_world_vehicle_{0, 0, kAskew_rad};
+  Pose2 T_world_vehicle_;
   double left_steps_ = 0, right_steps_ = 0;
   int cycle_ = 0;
 };
 
-/// How a vehicle is headed at the end that was set down askew at the beginning.
-std::optional<double> last_heading_rad(SectionTrip trip) {
+/// Where a vehicle ends that is set down beside the beginning of its way and askew.
+std::optional<Pose2> end_of(SectionTrip trip) {
   const SectionList sections = {
-      {.kind = Section::Kind::kFollow, .length_m = 1, .right_m = 0.6, .left_m = 0.6}};
+      {.kind = Section::Kind::kFollow, .length_m = 2, .right_m = 0.6, .left_m = 0.6}};
   const VehicleDescription vehicle = two_wheels_and_a_camera();
   SectionNavigator navigator({.speed = {.speed_mps = 0.3}}, vehicle, "front", sections,
                              guided_path(sections, {}, trip));
-  CorridorDrive drive(vehicle);
+  CorridorDrive drive(vehicle, {0, kBeside_m, kAskew_rad});
   if (!drive.drive(navigator)) return std::nullopt;
-  return drive.heading_rad();
+  return drive.T_world_vehicle();
 }
 
-TEST(SectionNavigator, ComesHomeHeadedAsItWasSetDown) {
-  const auto heading_rad = last_heading_rad(SectionTrip::kThereAndBack);
-  ASSERT_TRUE(heading_rad);
-  EXPECT_NEAR(wrap_angle(*heading_rad - kPi - kAskew_rad) / kDegree, 0, 1);
+TEST(SectionNavigator, ComesHomeAsItWasSetDown) {
+  const auto end = end_of(SectionTrip::kThereAndBack);
+  ASSERT_TRUE(end);
+  EXPECT_NEAR(wrap_angle(end->theta - kPi - kAskew_rad) / kDegree, 0, 1);
+  EXPECT_NEAR(end->y, kBeside_m, 0.015);
 }
 
-TEST(SectionNavigator, EndsHeadedAsTheWayEnds) {
-  const auto heading_rad = last_heading_rad(SectionTrip::kThere);
-  ASSERT_TRUE(heading_rad);
-  EXPECT_NEAR(*heading_rad / kDegree, 0, 1);
+TEST(SectionNavigator, EndsAsTheWayEnds) {
+  const auto end = end_of(SectionTrip::kThere);
+  ASSERT_TRUE(end);
+  EXPECT_NEAR(end->theta / kDegree, 0, 1);
+  EXPECT_NEAR(end->y, 0, 0.015);
 }
 
 }  // namespace

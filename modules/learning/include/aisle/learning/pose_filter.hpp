@@ -23,7 +23,10 @@ struct SeenPoint {
 /// add up in the pose by themselves; seen landmarks correct both.
 class PoseFilter {
  public:
-  PoseFilter(const VehicleDescription& vehicle, const UncertainPose2& T_map_vehicle);
+  /// @param forgotten_per_m  how soon each of the steady errors may change: the share of its first variance
+  ///                         that comes back with each metre
+  PoseFilter(const VehicleDescription& vehicle, const UncertainPose2& T_map_vehicle,
+             const Vec3& forgotten_per_m = Vec3::Constant(0.01));
 
   void predict(const OdometryReading& reading);
 
@@ -47,11 +50,14 @@ class PoseFilter {
   void place(const UncertainPose2& T_map_vehicle);
 
   const Pose2& pose() const { return T_map_vehicle_; }
+  /// Where the vehicle was at first, by all that was seen since then (fixed-point smoothing).
+  const Pose2& first_pose() const { return T_map_first_; }
   Mat3 covariance() const { return covariance_.topLeftCorner<3, 3>(); }
 
  private:
   using Vec6 = Eigen::Matrix<double, 6, 1>;
   using Mat6 = Eigen::Matrix<double, 6, 6>;
+  using Mat36 = Eigen::Matrix<double, 3, 6>;
   using Vec7 = Eigen::Matrix<double, 7, 1>;
   using Mat7 = Eigen::Matrix<double, 7, 7>;
   /// The most probable change of (x, y, theta, odometry errors) against the prediction, and the picture's
@@ -65,10 +71,13 @@ class PoseFilter {
   Fit fit(std::span<const SeenPoint> points, const Pose2& guess) const;
 
   VehicleDescription vehicle_;
+  Vec3 forgotten_per_m_;
   Vec3 steady_variances_ = Vec3::Zero();  ///< of the odometry errors, before anything was seen
   Pose2 T_map_vehicle_;
   Vec3 odometry_errors_ = Vec3::Zero();  ///< way scale, turn scale, turn per metre [1/m]
   Mat6 covariance_ = Mat6::Zero();       ///< of (x, y, theta, odometry errors)
+  Pose2 T_map_first_;
+  Mat36 first_with_state_ = Mat36::Zero();  ///< covariance of the first pose with the present state
 };
 
 }  // namespace aisle

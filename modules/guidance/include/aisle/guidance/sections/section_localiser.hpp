@@ -47,8 +47,8 @@ class SectionLocaliser {
   /// Whether a base line beside the way has just been taken in.
   bool is_guided() const { return is_guided_; }
   const Pose2& pose() const { return filter_.pose(); }
-  /// How the vehicle was headed at first, as far as what was seen since then tells, too.
-  double start_heading_rad() const { return start_heading_rad_; }
+  /// Where the vehicle was set down, by all that was seen since then.
+  const Pose2& start_pose() const { return filter_.first_pose(); }
   /// How sure it is how far aside it is of a way with this heading.
   double aside_sigma_m(double heading_rad) const;
 
@@ -61,7 +61,6 @@ class SectionLocaliser {
   };
 
   Here here(std::size_t piece) const;
-  void correct_pose(std::span<const SensedSegment> edges, std::size_t piece);
   void correct_heading(std::span<const SensedSegment> edges);
   void correct_distance(const Here& here);
   void correct_by_wall_ahead(const Here& here, std::span<const SensedSegment> edges);
@@ -79,8 +78,6 @@ class SectionLocaliser {
   std::vector<WallBeside> beside_;
   std::vector<WallAcross> across_;
   bool is_guided_ = false;
-  double start_heading_rad_;
-  double start_covariance_;  ///< of it with the present heading
 };
 
 }  // namespace aisle

@@ -31,7 +31,8 @@ struct SectionNavigatorParams {
 };
 
 /// Keeps to the way as its localiser says where it is, and waits before what stands on the floor ahead. At
-/// the end it turns on the spot until it is headed as it should be: home again, as it was set down. Too
+/// the end it turns on the spot until it is headed as it should be. Home again, it stands where it was set
+/// down and as it was headed there, as far as all that it saw tells, and not where the list begins. Too
 /// unsure how far aside of its way it is, kept waiting for too long, or with the bumper pressed, it gives up,
 /// and says where in the list.
 class SectionNavigator final : public Navigator {
@@ -55,6 +56,7 @@ class SectionNavigator final : public Navigator {
 
  private:
   void locate(const Observation& observation);
+  Pose2 pose_on_way() const;
   Decision take_last_heading();
   Decision guarded(Decision decision);
   std::string place() const;
