@@ -55,21 +55,27 @@ LandmarkRelocator::LandmarkRelocator(const LandmarkRelocationParams& params,
 void LandmarkRelocator::start() {
   surroundings_.start();
   rounds_ = 0;
+  candidates_.clear();
   begin_round();
 }
 
+/// What was best so far is judged anew among what is promising now: places are tried along the ways only, and
+/// the vehicle may have turned aside from them since.
 void LandmarkRelocator::begin_round() {
   tried_ = 0;
   judged_ = 0;
   agreed_ = 0;
-  candidates_.clear();
+  former_ = std::exchange(candidates_, {});
+  std::erase_if(former_, [](const Candidate& candidate) { return candidate.evidence == 0; });
 }
 
 void LandmarkRelocator::predict(const OdometryReading& reading) {
   const Pose2 before = surroundings_.T_begin_vehicle();
   surroundings_.predict(reading);
   const Pose2 moved = between(before, surroundings_.T_begin_vehicle());
-  for (Candidate& candidate : candidates_) candidate.T_map_vehicle = candidate.T_map_vehicle * moved;
+  for (std::vector<Candidate>* candidates : {&candidates_, &former_}) {
+    for (Candidate& candidate : *candidates) candidate.T_map_vehicle = candidate.T_map_vehicle * moved;
+  }
 }
 
 std::optional<Pose2> LandmarkRelocator::look(const LandmarkMap& map,
@@ -106,6 +112,8 @@ void LandmarkRelocator::keep_promising() {
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& a, const Candidate& b) { return a.value > b.value; });
   if (candidates_.size() > kPromisingMax) candidates_.resize(kPromisingMax);
+  candidates_.insert(candidates_.end(), former_.begin(), former_.end());
+  former_.clear();
 }
 
 /// @return whether all were judged with the pictures before this one

@@ -179,5 +179,36 @@ TEST(LandmarkRelocation, WhatIsMissedTellsPlacesApart) {
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
 
+// Two places look alike until the vehicle turns into a side corridor, along which no place is tried.
+TEST(LandmarkRelocation, KeepsItsBestPlacesInMindWhenItTurnsAsideFromItsWays) {
+  constexpr double kApart_m = 16, kStep_m = 0.03, kSteering_rad = 0.5, kHalfView = 0.7;
+  Random random(11);
+  std::vector<CorridorLine> lines;
+  for (const CorridorLine& line : corridor_lines(9, random)) {
+    lines.push_back(line);
+    lines.push_back({line.p_map + Vec2(kApart_m, 0), line.brighter_right});
+  }
+  for (int i = 0; i < 8; ++i) lines.push_back({{i % 2 == 0 ? 2.9 : 3.2, 3 + 0.4 * i}, i % 3 == 0});
+  const LandmarkMap map = map_of(lines);
+  LandmarkRelocator relocator({}, {}, corridor_cart(), places(26));
+  relocator.start();
+  Pose2 truth{1, 0, 0};
+  std::optional<Pose2> found;
+  for (int i = 0; i < 160 && !found; ++i) {
+    const FrontSteeredMotion motion{.distance_m = kStep_m,
+                                    .steering_rad = i >= 60 && truth.theta < kPi / 2 ? kSteering_rad : 0};
+    truth = truth * drive(corridor_cart().front_steered, motion);
+    relocator.predict(motion);
+    std::vector<LandmarkSighting> picture = sightings_from(lines, truth, kRelocationNoise, &random);
+    std::erase_if(picture, [](const LandmarkSighting& seen) {
+      return std::abs(seen.p_vehicle.y()) > kHalfView * seen.p_vehicle.x();
+    });
+    found = relocator.look(map, picture);
+  }
+  ASSERT_TRUE(found);
+  EXPECT_GT(truth.theta, 60 * kDegree) << "else a place along the way would have been found";
+  EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
+}
+
 }  // namespace
 }  // namespace aisle

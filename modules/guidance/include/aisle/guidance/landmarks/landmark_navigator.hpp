@@ -44,7 +44,7 @@ struct LandmarkNavigatorParams {
   int strange_sightings_min = 3;
   double strange_max_m = 3;
   double search_speed_mps = 0.2;
-  double search_max_m = 12;
+  double search_max_m = 30;
   double give_up_s = 30;
   double off_route_max_m = 1;
 

@@ -79,7 +79,8 @@ class LandmarkRelocator {
   std::size_t judged_ = 0;  ///< candidates, of those that are promising
   int agreed_ = 0;          ///< pictures in which the best stayed the best
   std::vector<Candidate> candidates_;
-  LandmarkPatterns patterns_;  ///< at one place
+  std::vector<Candidate> former_;  ///< best ones of the round before, to be judged in this one, too
+  LandmarkPatterns patterns_;      ///< at one place
 };
 
 }  // namespace aisle
