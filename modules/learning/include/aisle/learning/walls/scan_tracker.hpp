@@ -90,7 +90,6 @@ class ScanTracker {
   Pose2 T_track_last_;  ///< pose at the scan before
   Pose2 motion_;        ///< since then, by odometry
   OdometryScale scale_;
-  bool counts_backwards_ = false;  ///< the odometry counts the way with the wrong sign
   std::vector<WallEstimate> walls_;
   std::vector<CountedWay> ways_;  ///< to each wall, as it was seen first
   std::vector<int> window_;
@@ -98,10 +97,11 @@ class ScanTracker {
   std::size_t scan_ = 0;
   double path_m_ = 0;
   std::size_t headings_used_ = 0;
+  Pose2 T_sensor_suspected_;       ///< where the latest scans fit better ...
+  double suspected_since_m_ = 0;   ///< ... since this way ...
+  int suspected_scans_ = 0;        ///< ... so many in a row
+  bool counts_backwards_ = false;  ///< the odometry counts the way with the wrong sign
   bool relocated_ = false;
-  Pose2 T_sensor_suspected_;      ///< where the latest scans fit better ...
-  int suspected_scans_ = 0;       ///< ... so many in a row ...
-  double suspected_since_m_ = 0;  ///< ... since this way
   bool orthogonal_ = true;
 };
 
