@@ -32,7 +32,7 @@ void OdometryScale::correct(const Mat3& prior, const Vec3& correction, const Mat
 
 Vec2 OdometryScale::refer_to(const CountedWay& seen, Mat3& pose_covariance) {
   if (variance_ == 0) return Vec2::Zero();
-  const Vec2 moves_m = way_there_.off_m(factor_) - seen.off_m(factor_);
+  Vec2 moves_m = way_there_.off_m(factor_) - seen.off_m(factor_);
   Vec3 between = Vec3::Zero();
   between.head<2>() = way_there_.by_factor - seen.by_factor;
   pose_covariance += with_pose_ * between.transpose() + between * with_pose_.transpose() +
