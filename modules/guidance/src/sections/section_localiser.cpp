@@ -9,7 +9,6 @@
 namespace aisle {
 namespace {
 
-constexpr double kGripForgotten_per_m = 0.01;
 constexpr double kEndDirection_rad = 0.4 * kDegree;  // to which the end of a base line is seen
 constexpr double kEndSigmaMax_m = 0.08;              // less sure, it is too far away to tell
 constexpr double kUsual_m = 0.05;  // of base lines that are what they are taken for: doors are off
@@ -40,7 +39,7 @@ SectionLocaliser::SectionLocaliser(const SectionLocaliserParams& params, const V
     : params_(params),
       way_(&way),
       filter_(vehicle, about(way.path.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad),
-              {0, kGripForgotten_per_m, kGripForgotten_per_m}) {}
+              {0, PoseFilter::kForgotten_per_m, PoseFilter::kForgotten_per_m}) {}
 
 void SectionLocaliser::correct(std::span<const SensedSegment> edges, std::size_t piece) {
   is_guided_ = false;

@@ -23,10 +23,12 @@ struct SeenPoint {
 /// add up in the pose by themselves; seen landmarks correct both.
 class PoseFilter {
  public:
+  static constexpr double kForgotten_per_m = 0.01;  ///< where nothing else is known of the wheels
+
   /// @param forgotten_per_m  how soon each of the steady errors may change: the share of its first variance
   ///                         that comes back with each metre
   PoseFilter(const VehicleDescription& vehicle, const UncertainPose2& T_map_vehicle,
-             const Vec3& forgotten_per_m = Vec3::Constant(0.01));
+             const Vec3& forgotten_per_m = Vec3::Constant(kForgotten_per_m));
 
   void predict(const OdometryReading& reading);
 

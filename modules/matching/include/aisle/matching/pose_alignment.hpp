@@ -42,10 +42,10 @@ struct Alignment {
   double fitting_share() const { return seen_m > 0 ? fitting_m / seen_m : 1; }
 };
 
-/// What one wall tells of where the sensor is.
+/// What one wall tells of where the sensor is, in the map's frame.
 struct WallConstraint {
-  std::size_t wall = 0;
-  Vec2 normal = Vec2::UnitX();  ///< the direction in which it tells
+  std::size_t wall = 0;         ///< its index in the walls given
+  Vec2 normal = Vec2::UnitX();  ///< unit vector: only along it does it tell
   double weight = 0;            ///< 1 / variance [1/m^2]
 };
 
