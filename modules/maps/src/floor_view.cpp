@@ -80,17 +80,32 @@ class FloorPainter {
     const Vec2 towards = floor_.centre(cell) - T_map_laser_.position();
     const double distance_m = towards.norm();
     if (distance_m > reach_m_) return;
-    const double beam =
+    const double from_first_rad =
         wrap_angle(heading_of(towards) - T_map_laser_.theta - laser_.first_angle_rad - kPi) + kPi;
-    const double below = std::floor(beam / laser_.angle_step_rad);
+    const double beam = from_first_rad / laser_.angle_step_rad;
+    const double below = std::floor(beam);
     if (below < 0 || below + 1 >= static_cast<double>(ranges_m_.size())) return;
     const auto first = static_cast<std::size_t>(below);
     if (!is_usable(first) || !is_usable(first + 1)) return;
     const double far_m = std::min(ranges_m_[first], ranges_m_[first + 1]) - floor_.cell_m();
     const double near_m = near_m_.empty() ? 0 : std::max(near_m_[first], near_m_[first + 1]);
     if (distance_m >= far_m || distance_m < near_m) return;
-    const bool may_miss = distance_m * laser_.angle_step_rad > kThin_m;
+    const bool may_miss =
+        distance_m * laser_.angle_step_rad > kThin_m || is_partly_hidden(cell, distance_m, beam);
     if (may_miss ? floor_.seem_free(cell) : floor_.see_free(cell)) changed_.include(cell);
+  }
+
+  /// By what stands before one side of the cell, as a door's jamb before its own face: what was struck in it
+  /// may stand there. O(beams across the cell); only what was struck is looked at so closely.
+  bool is_partly_hidden(FloorCell cell, double distance_m, double beam) const {
+    if (floor_.at(cell) != Floor::kOccupied) return false;
+    const double half_beams = floor_.cell_m() / 2 / distance_m / laser_.angle_step_rad;
+    const double last = std::min(beam + half_beams, static_cast<double>(ranges_m_.size() - 1));
+    for (double across = std::ceil(std::max(beam - half_beams, 0.0)); across <= last; ++across) {
+      const auto passing = static_cast<std::size_t>(across);
+      if (is_usable(passing) && ranges_m_[passing] < distance_m - floor_.cell_m()) return true;
+    }
+    return false;
   }
 
   std::size_t place(FloorCell cell) const {

@@ -61,6 +61,27 @@ TEST(FloorView, BeamsTooFarApartToMeetAThinThingDoNotTellAgainstIt) {
   }
 }
 
+/// A door's jamb: the wall's end before it hides the far side of the cell in which its face was struck.
+TEST(FloorView, WhatPassesOneSideOfACellDoesNotTellAgainstWhatStandsInTheOther) {
+  const LaserScanner fine{-10 * kDegree, 0.1 * kDegree, 30, {}};
+  constexpr double kWallAhead_m = 2, kFaceBeside_m = 0.22;
+  const Vec2 p_face(2.12, kFaceBeside_m), p_opening(2.12, 0.12);
+  for (const bool is_hidden : {false, true}) {
+    FloorGrid floor;
+    floor.see_occupied(floor.cell_at(p_face));
+    floor.see_occupied(floor.cell_at(p_opening));
+    std::vector<float> ranges_m;
+    for (std::size_t beam = 0; beam <= 200; ++beam) {
+      const Vec2 along = unit(fine.beam_angle(beam));
+      const bool meets_end = is_hidden && kWallAhead_m * along.y() > kFaceBeside_m * along.x();
+      ranges_m.push_back(static_cast<float>((meets_end ? kWallAhead_m : 5) / along.x()));
+    }
+    for (int i = 0; i < 20; ++i) see_floor(floor, fine, ranges_m, {}, {}, {});
+    EXPECT_EQ(floor.at(p_face), is_hidden ? Floor::kOccupied : Floor::kFree);
+    EXPECT_EQ(floor.at(p_opening), Floor::kFree);
+  }
+}
+
 TEST(FloorView, LeavesWhatIsNearerThanItLooksUnknown) {
   FloorGrid floor;
   const std::vector<float> near_m(181, 0.8F);

@@ -38,7 +38,6 @@ struct RoomTrip {
   double back_m = 0;       ///< driven back along its trail
   double off_trail_m = 0;  ///< at most, meanwhile
   std::size_t collisions = 0;
-  std::size_t collisions_going_back = 0;
   double off_home_m = 0;
 };
 
@@ -62,10 +61,8 @@ RoomTrip drive_into_room(const World& world, const VehicleModel& model, std::uin
       way_in.push_back(p_world);
     }
     vehicle.act(trip.last.command);
-    const std::size_t touches = vehicle.truth().collisions - trip.collisions;
-    if (trip.last.state == "retreating") trip.collisions_going_back += touches;
-    trip.collisions += touches;
   }
+  trip.collisions = vehicle.truth().collisions;
   trip.off_home_m = (vehicle.truth().T_world_vehicle.position() - world.start->position()).norm();
   return trip;
 }
@@ -76,19 +73,17 @@ TEST(ExplorerRetreat, GoesBackAlongItsOwnTrailOutOfANarrowDeadEndAndThenHome) {
   ASSERT_TRUE(model.ok());
   model->description.cameras.clear();
   const World world = corridor_with_narrow_room();
-  int stuck = 0, touched = 0;
+  int stuck = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     SCOPED_TRACE(seed);
     const RoomTrip trip = drive_into_room(world, *model, seed);
     EXPECT_EQ(trip.last.status, NavigatorStatus::kDone) << trip.last.why;
     EXPECT_LT(trip.off_trail_m, 0.1);
-    EXPECT_EQ(trip.collisions_going_back, 0);
+    EXPECT_EQ(trip.collisions, 0);
     EXPECT_LT(trip.off_home_m, 0.1);
     if (trip.back_m > 3) ++stuck;
-    if (trip.collisions > 0) ++touched;
   }
-  EXPECT_GE(stuck, 5);    // others find a way out by themselves ...
-  EXPECT_LE(touched, 1);  // ... past a door's jamb that is known to 3 cm: of seeds 1 to 100 one touches it
+  EXPECT_GE(stuck, 5);  // others find a way out by themselves
 }
 
 }  // namespace

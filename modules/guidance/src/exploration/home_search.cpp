@@ -44,12 +44,12 @@ Path HomeSearch::path() const {
 Arc HomeSearch::run_in(const FloorGrid& floor, const FloorClearance& clearance,
                        const Pose2& T_map_from) const {
   const FootprintRoom& room = search_.room();
-  const double standing_m = room.standing_spare_m(floor, clearance, T_map_home_);
+  const SpareRoom at_home = room.spare(floor, clearance, T_map_home_);
   const double first_m = between(T_map_home_, T_map_from).x > 0 ? -kRunIn_m : kRunIn_m;
   for (const double run_in_m : {first_m, -first_m}) {
     const Arc run_in{run_in_m, 0};
     const Path path({{T_map_home_ * end_pose(run_in).inverse(), run_in}});
-    if (room.free_way_m(floor, clearance, path, 0, standing_m) >= path.length_m()) return run_in;
+    if (room.free_way_m(floor, clearance, path, 0, at_home) >= path.length_m()) return run_in;
   }
   return {};
 }

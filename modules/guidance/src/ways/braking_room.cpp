@@ -98,8 +98,7 @@ bool BrakingRoom::is_free_at(const FloorGrid& floor, const FloorClearance& clear
   if (!is_off_struck(T_vehicle_later)) return false;
   const Pose2 T_map_later = T_map_vehicle * T_vehicle_later;
   if (room_.spare_m(floor, clearance, T_map_later) >= 0) return true;
-  const double standing_m = room_.standing_spare_m(floor, clearance, T_map_vehicle);
-  return room_.fits_barely(floor, clearance, T_map_later, standing_m - kRoomNoise_m);
+  return room_.fits_barely(floor, clearance, T_map_later, room_.spare(floor, clearance, T_map_vehicle));
 }
 
 /// From the footprint to the nearest thing that was struck; 0 inside.

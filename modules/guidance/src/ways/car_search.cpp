@@ -183,7 +183,7 @@ bool CarSearch::is_found(const Node& node) const {
 }
 
 CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
-  leave_spare_m_ = room_.standing_spare_m(floor, clearance, T_map_leave_);
+  leave_spare_ = room_.spare(floor, clearance, T_map_leave_);
   expansions -= gather_ends(floor, clearance, expansions);
   for (int i = 0; i < expansions && state_ == State::kSearching; ++i) {
     if (queue_.empty() || expansions_ >= params_.expansions_max) {
@@ -264,8 +264,8 @@ std::optional<double> CarSearch::least_spare_m(const FloorGrid& floor, const Flo
     const Pose2 T_map = T_map_from * T_from;
     const double spare_m = is_leaving ? room_.spare_m(floor, clearance, T_map)
                                       : room_.spare_m(floor, clearance, T_map, enough_m);
-    const bool fits = spare_m >= enough_m || (is_leaving && room_.fits_barely(floor, clearance, T_map,
-                                                                              leave_spare_m_ - kRoomNoise_m));
+    const bool fits =
+        spare_m >= enough_m || (is_leaving && room_.fits_barely(floor, clearance, T_map, leave_spare_));
     if (!fits || (is_free_ && !is_free_(T_map))) return std::nullopt;
     least_m = std::min(least_m, spare_m);
   }

@@ -100,8 +100,12 @@ double FootprintRoom::least_m(const FloorGrid& floor, const FloorClearance& clea
 }
 
 bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& clearance,
-                                const Pose2& T_map_vehicle, double spare_m) const {
-  return standing_spare_m(floor, clearance, T_map_vehicle) >= std::min(0.0, spare_m) &&
+                                const Pose2& T_map_vehicle, const SpareRoom& least) const {
+  const auto suffices = [](double spare_m, double least_m) {
+    return spare_m >= std::min(0.0, least_m - kRoomNoise_m);
+  };
+  return suffices(standing_spare_m(floor, clearance, T_map_vehicle), least.standing_m) &&
+         suffices(spare_m(floor, clearance, T_map_vehicle), least.free_m) &&
          lies_on_free(floor, clearance, T_map_vehicle);
 }
 
@@ -127,10 +131,10 @@ bool FootprintRoom::lies_on_free(const FloorGrid& floor, const FloorClearance& c
 }
 
 double FootprintRoom::free_way_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path,
-                                 double from_m, double spare_m) const {
+                                 double from_m, const SpareRoom& least) const {
   const auto is_free = [&](double along_m) {
     const Pose2 T_map = path.at(along_m).T_map_path;
-    return fits(floor, clearance, T_map) || fits_barely(floor, clearance, T_map, spare_m);
+    return fits(floor, clearance, T_map) || fits_barely(floor, clearance, T_map, least);
   };
   const double left_m = path.length_m() - from_m;
   const int checks = static_cast<int>(std::ceil(left_m / kWayCheck_m));

@@ -55,8 +55,8 @@ double WayDriver::free_m(const FloorGrid& floor, const FloorClearance& clearance
                          const Pose2& T_map_vehicle) const {
   if (!has_way()) return 0;
   if (is_on_trail_) return left_m();
-  const double standing_m = watch_.standing_spare_m(floor, clearance, T_map_vehicle);
-  return watch_.free_way_m(floor, clearance, path_, progress_->point().along_m, standing_m);
+  return watch_.free_way_m(floor, clearance, path_, progress_->point().along_m,
+                           watch_.spare(floor, clearance, T_map_vehicle));
 }
 
 WayDriver::Step WayDriver::drive(const FloorGrid& floor, const FloorClearance& clearance,

@@ -11,7 +11,7 @@ void expect_drivable(const Path& path, const KnownFloor& known, const VehicleDes
   const FootprintRoom room(vehicle.footprint, 0);
   for (double along_m = 0; along_m <= path.length_m(); along_m += 0.02) {
     const PathPoint point = path.at(along_m);
-    EXPECT_TRUE(room.fits_barely(known.floor, known.clearance, point.T_map_path, -1)) << along_m;
+    EXPECT_TRUE(room.fits_barely(known.floor, known.clearance, point.T_map_path, {-1, -1})) << along_m;
     EXPECT_LE(std::abs(point.curvature_per_m) * vehicle.front_steered.wheelbase_m,
               std::tan(vehicle.limits.steering_max_rad));
   }

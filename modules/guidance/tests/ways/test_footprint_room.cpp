@@ -60,6 +60,22 @@ TEST(FootprintRoom, TellsEnoughRoomExactly) {
   EXPECT_GT(too_little, 1000);
 }
 
+/// Beside what was not seen, such as a door's jamb that is only passed, there may be a wall.
+TEST(FootprintRoom, FitsBarelyNoNearerToTheUnseenThanWhereItStands) {
+  const KnownFloor strip({{Vec2(0, 0), Vec2(6, 1)}});
+  const FootprintRoom room(cart().footprint, kKept_m);
+  const auto fits_from = [&](double y_now_m, double y_later_m) {
+    const Pose2 T_map_now{2, y_now_m, 0}, T_map_later{2.2, y_later_m, 0};
+    const SpareRoom now = room.spare(strip.floor, strip.clearance, T_map_now);
+    return room.fits_barely(strip.floor, strip.clearance, T_map_later, now);
+  };
+  EXPECT_TRUE(fits_from(0.32, 0.32));  // 2 cm from it now, and later
+  EXPECT_TRUE(fits_from(0.32, 0.33));
+  EXPECT_FALSE(fits_from(0.32, 0.31));
+  EXPECT_FALSE(fits_from(0.5, 0.32));
+  EXPECT_TRUE(fits_from(0.5, 0.37));
+}
+
 TEST(FootprintRoom, LeavesNothingOfTheFootprintOut) {
   KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
   hall.floor.set({60, 60}, Floor::kOccupied);

@@ -137,7 +137,7 @@ class CarSearch {
   State state_ = State::kIdle;
   int expansions_ = 0;
   double reached_m_ = 0;
-  double leave_spare_m_ = 0;  ///< room there
+  SpareRoom leave_spare_;  ///< room there
   int forbidden_first_ = 0;
   bool squeezes_ = false;
   std::function<bool(const Pose2&)> is_free_;

@@ -11,6 +11,12 @@ namespace aisle {
 
 inline constexpr double kRoomNoise_m = 0.004;  ///< of the room that a vehicle seems to have
 
+/// Beyond the margin around a footprint; negative: too little.
+struct SpareRoom {
+  double free_m = 0;      ///< of known free floor
+  double standing_m = 0;  ///< up to what is known to stand there
+};
+
 /// Whether a vehicle's footprint, and a margin around it, lies on floor that is known to be free: the
 /// footprint is covered by discs, which stick out over its sides by 5 mm and over its ends by 1.6 cm at most
 /// where there is little room.
@@ -29,11 +35,14 @@ class FootprintRoom {
   /// The same towards what is known to stand there only.
   double standing_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
                           const Pose2& T_map_vehicle) const;
-  /// Whether at least the whole footprint lies on known free floor, no nearer to what stands there than it
-  /// must or than `spare_m`: where a vehicle is set down, it has not seen what is beside it, and in a narrow
-  /// place it may have come nearer to something than it would go.
+  SpareRoom spare(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle) const {
+    return {spare_m(floor, clearance, T_map_vehicle), standing_spare_m(floor, clearance, T_map_vehicle)};
+  }
+  /// Whether at least the whole footprint lies on known free floor, no nearer to what stands there or was not
+  /// seen than it must or than `least`, but for noise: where a vehicle is set down, it has not seen what is
+  /// beside it, and in a narrow place it may have come nearer to something than it would go.
   bool fits_barely(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                   double spare_m) const;
+                   const SpareRoom& least) const;
 
   /// Whether the whole footprint lies on known free floor.
   bool lies_on_free(const FloorGrid& floor, const FloorClearance& clearance,
@@ -42,7 +51,7 @@ class FootprintRoom {
   /// How far along a path, from a point on it, the vehicle fits, if barely with so much room: up to its end,
   /// or less.
   double free_way_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path, double from_m,
-                    double spare_m) const;
+                    const SpareRoom& least) const;
 
  private:
   struct Disc {
