@@ -19,6 +19,7 @@ constexpr double kBehindBeside_m = 0.09;       // so far to both sides a wall go
 constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itself is told apart from it
 constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
 constexpr double kWallGoesOn_m = 0.15;         // to both sides of its nearest place: not a corner or an end
+constexpr double kBesideOut_m = 0.15;          // of what stands out of a wall: free, and the wall behind
 constexpr double kLineStepCells = 0.5;
 constexpr std::size_t kRowMin = 8;     // small things: a wall in pieces, if there are so many ...
 constexpr double kRow_m = 2;           // ... in such a stretch ...
@@ -152,9 +153,13 @@ void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
       const FloorCell first{x, y};
       if (floor.at(first) != Floor::kOccupied) continue;
       const std::vector<FloorCell> cells = small_thing(floor, first);
+      if (cells.empty()) {
+        if (auto leg = leg_of_wall(floor, first)) things_.push_back(std::move(*leg));
+        continue;
+      }
       const bool begins_here =
           std::none_of(cells.begin(), cells.end(), [&](FloorCell cell) { return is_before(cell, first); });
-      if (cells.empty() || !begins_here) continue;
+      if (!begins_here) continue;
       Vec2 p_map = Vec2::Zero();
       for (const FloorCell cell : cells) p_map += floor.centre(cell) / static_cast<double>(cells.size());
       Thing thing{.first = first, .p_map = p_map, .walls = {}};
@@ -207,6 +212,39 @@ std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCel
     if (!fits) return {};
   }
   return cells;
+}
+
+/// A leg so near to a wall along the rows or columns that the cells do not part the two: a few stand out of
+/// it.
+/// @param first  of the cells farthest out
+std::optional<LegBarriers::Thing> LegBarriers::leg_of_wall(const FloorGrid& floor, FloorCell first) const {
+  const int wide = std::max(1, static_cast<int>(std::lround(params_.leg_max_m / floor.cell_m())));
+  const int beside = static_cast<int>(std::lround(kBesideOut_m / floor.cell_m()));
+  for (const FloorCell out : {FloorCell{1, 0}, FloorCell{-1, 0}, FloorCell{0, 1}, FloorCell{0, -1}}) {
+    const FloorCell aside{std::abs(out.y), std::abs(out.x)};
+    const auto cell = [&](int along, int deep) {
+      return FloorCell{first.x + along * aside.x - deep * out.x, first.y + along * aside.y - deep * out.y};
+    };
+    const auto are_all = [&](Floor kind, int from, int end, int deep) {
+      for (int along = from; along < end; ++along) {
+        if (floor.at(cell(along, deep)) != kind) return false;
+      }
+      return true;
+    };
+    const auto lies_beside = [&](Floor kind, int width, int deep) {
+      return are_all(kind, -beside, 0, deep) && are_all(kind, width, width + beside, deep);
+    };
+    int width = 1;
+    while (width <= wide && floor.at(cell(width, 0)) == Floor::kOccupied) ++width;
+    const bool is_tip = width <= wide && are_all(Floor::kFree, -beside, width + beside, -1);
+    if (!is_tip || !lies_beside(Floor::kFree, width, 0) || !lies_beside(Floor::kFree, width, 1)) continue;
+    for (int deep = 2; deep <= wide; ++deep) {
+      if (!lies_beside(Floor::kOccupied, width, deep)) continue;
+      const Vec2 p_map = (floor.centre(first) + floor.centre(cell(width - 1, 0))) / 2;
+      return Thing{first, p_map, Stand::kBeforeWall, -Vec2(out.x, out.y), {}};
+    }
+  }
+  return std::nullopt;
 }
 
 void LegBarriers::look_about(const FloorGrid& floor, Thing& thing) const {

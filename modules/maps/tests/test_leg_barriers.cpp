@@ -196,6 +196,32 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegOfATableInACorner) {
 }
 
 /// What stands small at the wall behind is no other front leg.
+TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableInACornerWhoseOtherLegHangsTogetherWithTheWall) {
+  wall(5.02, 1, 6);
+  wall_across(1.02, 0, 5);
+  hide({5.07, 0}, {8, 6});
+  hide({0, 0}, {8, 1});
+  stand(4.17, 2.82);
+  EXPECT_FALSE(is_closed({3.8, 2}, {4.6, 2}));
+  for (const double y_m : {1.07, 1.12}) stand(4.17, y_m);
+  EXPECT_TRUE(is_closed({3.8, 2}, {4.6, 2}));
+  EXPECT_FALSE(is_closed({3.8, 1.3}, {3.8, 5}));
+}
+
+/// Its leg at the far end of the table is hidden, too.
+TEST_F(LegBarriersOnAFloor, CloseTheWayFromALegThatHangsTogetherWithTheWallToAHiddenOne) {
+  wall(5.02, 1, 6);
+  wall_across(1.02, 0, 5);
+  hide({5.07, 0}, {8, 6});
+  hide({0, 0}, {8, 1});
+  hide({4, 2.5}, {5, 3.5});
+  EXPECT_FALSE(is_closed({3.8, 2}, {4.6, 2}));
+  stand(4.17, 1.07);  // may be a blurred piece of the wall
+  EXPECT_FALSE(is_closed({3.8, 2}, {4.6, 2}));
+  stand(4.17, 1.12);
+  EXPECT_TRUE(is_closed({3.8, 2}, {4.6, 2}));
+}
+
 TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckStandsAtTheWallBehind) {
   wall(2, 0, 6);
   stand(2.87, 2.02);

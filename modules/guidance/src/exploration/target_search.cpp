@@ -33,10 +33,10 @@ void TargetSearch::look_for(const ExploringTarget& target, const Pose2& T_map_fr
 /// From where enough of what is to be seen of the path would be seen.
 void TargetSearch::look_into_gate(const Pose2& T_map_from, const TargetTries& tries) {
   const double reach_m = look_from_m(tries);
-  const bool is_first_way = tries.ways == 0;
-  const auto shows_path = [this, reach_m, is_first_way](const Pose2& T_map) {
+  const bool is_seldom_seen = tries.failures > 0;
+  const auto shows_path = [this, reach_m, is_seldom_seen](const Pose2& T_map) {
     const GateLook look{learner_.sensor().fan(), learner_.view().near_m, reach_m};
-    const std::size_t enough = is_first_way ? (gate_.rim.size() + 3) / 4 : 1;
+    const std::size_t enough = is_seldom_seen ? 1 : (gate_.rim.size() + 3) / 4;
     return sees_rim(look, learner_.floor(), T_map, gate_, enough);
   };
   search_.look_for(learner_.floor(), learner_.clearance(), T_map_from,

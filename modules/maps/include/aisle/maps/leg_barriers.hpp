@@ -24,9 +24,10 @@ struct LegParams {
 /// groups are taken for legs, and what lies between them for closed; so is the way in between a wall and
 /// two legs before it, where a table stands with its back to the wall, and from one such leg to the other,
 /// be it a small thing or hidden by floor not seen yet. What stands at a wall may be a speck of it: it is a
-/// leg only right before the wall, or at the end of one with the same wall behind it as behind the other
-/// leg, and only to one that stands free and has it in full view. One of many in a row on the line
-/// of a long wall is a piece of it, seen from afar or along it. No plate is where the vehicle stood.
+/// leg only right before the wall, standing two cells out of it where it hangs together with it, or at the
+/// end of one with the same wall behind it as behind the other leg, and only to one that stands free and has
+/// it in full view. One of many in a row on the line of a long wall is a piece of it, seen from afar or along
+/// it. No plate is where the vehicle stood.
 class LegBarriers {
  public:
   explicit LegBarriers(const LegParams& params = {}) : params_(params) {}
@@ -53,6 +54,7 @@ class LegBarriers {
   };
 
   std::vector<FloorCell> small_thing(const FloorGrid& floor, FloorCell start) const;
+  std::optional<Thing> leg_of_wall(const FloorGrid& floor, FloorCell first) const;
   /// Tells its stand, and behind.
   void look_about(const FloorGrid& floor, Thing& thing) const;
   void find_things(const FloorGrid& floor, const FloorBox& within);
