@@ -19,7 +19,7 @@ constexpr double kBehindBeside_m = 0.09;       // so far to both sides a wall go
 constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itself is told apart from it
 constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
 constexpr double kWallGoesOn_m = 0.15;         // to both sides of its nearest place: not a corner or an end
-constexpr double kBesideOut_m = 0.15;          // of what stands out of a wall: free, and the wall behind
+constexpr double kBesideOut_m = 0.15;  // so far beside what stands out of a wall is free, but for blur
 constexpr double kLineStepCells = 0.5;
 constexpr std::size_t kRowMin = 8;     // small things: a wall in pieces, if there are so many ...
 constexpr double kRow_m = 2;           // ... in such a stretch ...
@@ -232,7 +232,7 @@ std::optional<LegBarriers::Thing> LegBarriers::leg_of_wall(const FloorGrid& floo
       return true;
     };
     const auto lies_beside = [&](Floor kind, int width, int deep) {
-      return are_all(kind, -beside, 0, deep) && are_all(kind, width, width + beside, deep);
+      return are_all(kind, -beside, -1, deep) && are_all(kind, width + 1, width + beside, deep);
     };
     int width = 1;
     while (width <= wide && floor.at(cell(width, 0)) == Floor::kOccupied) ++width;

@@ -205,6 +205,8 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableInACornerWhoseOtherLegHangsTog
   EXPECT_FALSE(is_closed({3.8, 2}, {4.6, 2}));
   for (const double y_m : {1.07, 1.12}) stand(4.17, y_m);
   EXPECT_TRUE(is_closed({3.8, 2}, {4.6, 2}));
+  stand(4.22, 1.07);  // blurred
+  EXPECT_TRUE(is_closed({3.8, 2}, {4.6, 2}));
   EXPECT_FALSE(is_closed({3.8, 1.3}, {3.8, 5}));
 }
 
