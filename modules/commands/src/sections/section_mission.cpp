@@ -6,9 +6,9 @@
 #include <memory>
 #include <utility>
 
-#include "aisle/simulation/slice.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "rounded.hpp"
+#include "sections/wall_keeping.hpp"
 #include "simulated_record.hpp"
 #include "statistics.hpp"
 #include "timed_navigator.hpp"
@@ -16,30 +16,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kBaseLine_m = 0.02;      // height at which a wall is its base line
-constexpr double kSameBaseLine_m = 0.25;  // off by more, another thing stands there
 constexpr double kPictureWorthy_m = 0.5;  // shorter sections all look alike
-
-/// The walls themselves: where there is a door, none stands.
-std::vector<Segment2> base_lines_of(World world) {
-  world.doors.clear();
-  return slice(world, kBaseLine_m);
-}
-
-/// How far a thing stands from a point in a direction; nullopt: nothing stands there.
-std::optional<double> distance_m(const Vec2& from, const Vec2& direction,
-                                 const std::vector<Segment2>& walls) {
-  std::optional<double> nearest_m;
-  for (const Segment2& wall : walls) {
-    const Vec2 along = wall.end - wall.start, gap = wall.start - from;
-    const double across = cross(direction, along);
-    if (across == 0) continue;
-    const double ray_m = cross(gap, along) / across, share = cross(gap, direction) / across;
-    if (ray_m < 0 || share < 0 || share > 1) continue;
-    if (!nearest_m || ray_m < *nearest_m) nearest_m = ray_m;
-  }
-  return nearest_m;
-}
 
 /// Keeps the mission's session and, beside it, what it comes to.
 class SectionMissionRecord final : public SimulatedRecord {
@@ -50,8 +27,7 @@ class SectionMissionRecord final : public SimulatedRecord {
       : SimulatedRecord(session, vehicle),
         vehicle_(vehicle),
         navigator_(navigator),
-        base_lines_(base_lines_of(setting.world)),
-        skirting_m_(setting.world.skirting_height_m > 0 ? kSkirtingDepth_m : 0),
+        wall_keeping_(setting.world),
         T_world_map_(options.T_world_map),
         keeps_pictures_(options.keep_pictures),
         result_(result) {}
@@ -71,6 +47,8 @@ class SectionMissionRecord final : public SimulatedRecord {
     return SimulatedRecord::keep(decision);
   }
 
+  ErrorFigure wall_distance_m() const { return wall_keeping_.error_m(); }
+
  private:
   /// The first picture behind the middle of a straight section.
   void keep_picture() {
@@ -86,18 +64,15 @@ class SectionMissionRecord final : public SimulatedRecord {
   void judge_distance() {
     const auto learned_m = navigator_.guide().right_m;
     if (!learned_m) return;
-    const double right_rad = T_world_map_.theta + navigator_.point().T_map_path.theta - kPi / 2;
-    const auto wall_m = distance_m(vehicle_.truth().T_world_vehicle.position(), unit(right_rad), base_lines_);
-    if (!wall_m) return;
-    const double off_m = *wall_m - skirting_m_ - *learned_m;
-    if (std::abs(off_m) > kSameBaseLine_m) return;
-    result_.wall_distance_m.add(off_m);
+    const PathPoint& point = navigator_.point();
+    const Vec2 p_world = vehicle_.truth().T_world_vehicle.position();
+    wall_keeping_.add(point.piece, {p_world.x(), p_world.y(), T_world_map_.theta + point.T_map_path.theta},
+                      *learned_m);
   }
 
   const SimulatedVehicle& vehicle_;
   const SectionNavigator& navigator_;
-  std::vector<Segment2> base_lines_;
-  double skirting_m_;
+  WallKeeping wall_keeping_;
   Pose2 T_world_map_;
   bool keeps_pictures_;
   SectionMissionResult& result_;
@@ -127,6 +102,7 @@ Result<SectionMissionResult> drive_section_mission(const SimulationSetting& sett
   result.end = std::move(*end);
   result.collisions = vehicle.truth().collisions;
   result.distance_m = vehicle.truth().way_m;
+  result.wall_distance_m = record.wall_distance_m();
   const Pose2 T_world_due = navigator.comes_home() ? T_world_set_down * between(T_map_start, T_map_end)
                                                    : options.T_world_map * T_map_end;
   const Pose2 off = between(T_world_due, vehicle.truth().T_world_vehicle);

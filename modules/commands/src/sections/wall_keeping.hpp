@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "aisle/geometry/segment2.hpp"
+#include "aisle/simulation/world.hpp"
+#include "landmarks/landmark_evaluation.hpp"
+
+namespace aisle {
+
+/// How exactly a vehicle keeps its learned distances from the walls to its right, judged in the truth.
+class WallKeeping {
+ public:
+  explicit WallKeeping(World world);
+
+  /// A cycle in which a base line is followed.
+  /// @param piece    of the path, along which one distance is kept
+  /// @param T_world  where the vehicle is, headed as the path
+  void add(std::size_t piece, const Pose2& T_world, double learned_m);
+
+  /// Of each piece, beside the wall that is to the right of most of it. What steps back from that wall, such
+  /// as an alcove or the next corridor, is another thing; so is whatever is off by more than 0.25 m.
+  ErrorFigure error_m() const;
+
+ private:
+  struct Beside {
+    double wall_line_m = 0;  ///< from the world's origin to the line that the wall lies on
+    double off_m = 0;        ///< farther away than was learned
+  };
+
+  std::vector<Segment2> base_lines_;
+  double skirting_m_;
+  std::map<std::size_t, std::vector<Beside>> of_piece_;
+};
+
+}  // namespace aisle
