@@ -72,8 +72,10 @@ GuidedPath guided_path(const SectionList& sections, const Pose2& T_map_start, Se
     for (std::size_t i = 0; i < piece_sections.size(); ++i)
       append(way, pieces, there.pieces()[i], guide_of(i));
   }
-  if (way.comes_home)
-    append(way, pieces, {there.pieces().back().end(), {0, kPi}}, {.section = sections.size() - 1});
+  const auto turn_about = [&](std::size_t section) {
+    append(way, pieces, {pieces.back().end(), {0, kPi}}, {.section = section});
+  };
+  if (way.comes_home) turn_about(sections.size() - 1);
   if (trip != SectionTrip::kThere) {
     const Path back = there.reversed();
     for (std::size_t i = 0; i < back.pieces().size(); ++i) {
@@ -83,6 +85,7 @@ GuidedPath guided_path(const SectionList& sections, const Pose2& T_map_start, Se
       append(way, pieces, back.pieces()[i], guide);
     }
   }
+  if (way.comes_home) turn_about(0);
   way.path = Path(std::move(pieces));
   add_corners(way, [&](std::size_t i) {
     return sections[way.guides[i].section].is_straight() && !way.path.pieces()[i].is_on_the_spot();

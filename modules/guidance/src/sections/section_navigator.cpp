@@ -26,7 +26,8 @@ void SectionNavigatorParams::describe(FieldList& fields) {
   fields.group("speed", speed);
   fields.group("guard", guard);
   fields.flag("guarded", guarded, "stop for what stands in the way, and while the camera shows nothing new");
-  fields.real("look_s", look_s, {0, 60}, "time to look where it stands before it starts");
+  fields.real("look_s", look_s, {0, 60},
+              "time to look where it stands before it starts, and where it has arrived");
   localiser.describe(fields);
   fields.real("lost_m", lost_m, {0.01, 10}, "less sure how far aside of its way it is, it gives up");
 }
@@ -51,7 +52,7 @@ Decision SectionNavigator::step(const Observation& observation) {
   if (observation.bumper_pressed) return fail("bumped", "the bumper is pressed");
   if (observation.stamp_s - *begun_s_ < params_.look_s) return {.state = "looking"};
   const PathPoint& point = progress_.advance(pose_on_way());
-  if (progress_.has_arrived()) return take_last_heading();
+  if (progress_.has_arrived()) return take_last_heading(observation.stamp_s);
   const double aside_sigma_m = localiser_.aside_sigma_m(point.T_map_path.theta);
   if (aside_sigma_m > params_.lost_m)
     return fail("lost", fmt::format("saw no base line until unsure by {:.2f} m", aside_sigma_m));
@@ -75,25 +76,30 @@ void SectionNavigator::locate(const Observation& observation) {
   is_guided_ = localiser_.is_guided();
 }
 
-/// Against the way, whose last metres home lead to where the vehicle was set down.
+/// Against the way, whose last metres home, and the turn about there, are where the vehicle was set down.
 Pose2 SectionNavigator::pose_on_way() const {
   const PathPoint& point = progress_.point();
-  const bool is_last = point.piece + 1 == way_.path.pieces().size();
-  if (!way_.comes_home || !is_last || way_.path.length_m() - point.along_m > kHomeward_m) return pose();
+  const bool is_homeward = way_.comes_home && point.piece + 2 >= way_.path.pieces().size();
+  if (!is_homeward || way_.path.length_m() - point.along_m > kHomeward_m) return pose();
   const Vec2 home_off = localiser_.start_pose().position() - way_.path.at(0).T_map_path.position();
   const Vec2 p_way = pose().position() - home_off;
   return {p_way.x(), p_way.y(), pose().theta};
 }
 
-/// To the nearest step of a wheel: of less the vehicle does not know.
-Decision SectionNavigator::take_last_heading() {
+/// To the nearest step of a wheel: of less the vehicle does not know. What it sees where it has arrived may
+/// still tell that it is headed otherwise.
+Decision SectionNavigator::take_last_heading(double stamp_s) {
   const double step_rad = vehicle_.differential.step_length_m() / vehicle_.differential.wheel_separation_m;
   const double way_rad = way_.path.pieces().back().end().theta;
   const double askew_rad = localiser_.start_pose().theta - way_.path.at(0).T_map_path.theta;
   const double due_rad = wrap_angle(way_rad + (way_.comes_home ? askew_rad : 0));
-  if (std::abs(wrap_angle(due_rad - pose().theta)) < step_rad)
-    return {.status = NavigatorStatus::kDone, .state = "arrived"};
-  return guarded({.command = follower_.turn_to(due_rad, pose().theta), .state = "turning", .why = place()});
+  if (std::abs(wrap_angle(due_rad - pose().theta)) >= step_rad) {
+    headed_s_.reset();
+    return guarded({.command = follower_.turn_to(due_rad, pose().theta), .state = "turning", .why = place()});
+  }
+  if (!headed_s_) headed_s_ = stamp_s;
+  if (stamp_s - *headed_s_ < params_.look_s) return {.state = "looking", .why = place()};
+  return {.status = NavigatorStatus::kDone, .state = "arrived"};
 }
 
 /// The same as far as nothing stands in the way.

@@ -43,11 +43,11 @@ TEST(GuidedPath, OnTheWayBackSidesChangeAndTheSectionBeforeIsTheWallAhead) {
   EXPECT_NEAR(*first.line_ends_m, 0.7, 1e-9);
 }
 
-TEST(GuidedPath, ThereAndBackEndsWhereItBeganTurnedAbout) {
+TEST(GuidedPath, ThereAndBackEndsAsItBegan) {
   const GuidedPath way = guided_path(kRoundTheCorner, {}, SectionTrip::kThereAndBack);
   const Pose2 T_end = way.path.pieces().back().end();
   EXPECT_NEAR(T_end.position().norm(), 0, 1e-9);
-  EXPECT_NEAR(std::abs(T_end.theta), kPi, 1e-9);
+  EXPECT_NEAR(wrap_angle(T_end.theta), 0, 1e-9);
   EXPECT_EQ(way.guides.size(), way.path.pieces().size());
 }
 

@@ -24,14 +24,14 @@ struct SectionGuide {
 struct GuidedPath {
   Path path;
   std::vector<SectionGuide> guides;  ///< one a piece
-  bool comes_home = false;           ///< it ends where it begins, turned about
+  bool comes_home = false;           ///< it ends as it begins
 };
 
 enum class SectionTrip { kThere, kBack, kThereAndBack };
 
-/// The way of a list; back, the vehicle turned about, right and left change places. Where two sections that
-/// follow base lines meet at a corner, the base lines of the one are the wall across the other and the end of
-/// its base line.
+/// The way of a list; back, the vehicle turned about, right and left change places. Home again it turns about
+/// once more, and looks along the way as it did at first. Where two sections that follow base lines meet at a
+/// corner, the base lines of the one are the wall across the other and the end of its base line.
 GuidedPath guided_path(const SectionList& sections, const Pose2& T_map_start, SectionTrip trip);
 
 }  // namespace aisle

@@ -31,10 +31,10 @@ struct SectionNavigatorParams {
 };
 
 /// Keeps to the way as its localiser says where it is, and waits before what stands on the floor ahead. At
-/// the end it turns on the spot until it is headed as it should be. Home again, it stands where it was set
-/// down and as it was headed there, as far as all that it saw tells, and not where the list begins. Too
-/// unsure how far aside of its way it is, kept waiting for too long, or with the bumper pressed, it gives up,
-/// and says where in the list.
+/// the end it turns on the spot until it is headed as it should be, also by a last look. Home again, it
+/// stands where it was set down and as it was headed there, as far as all that it saw tells, and not where
+/// the list begins. Too unsure how far aside of its way it is, kept waiting for too long, or with the bumper
+/// pressed, it gives up, and says where in the list.
 class SectionNavigator final : public Navigator {
  public:
   /// @param camera  the vehicle's, that looks along the corridor
@@ -57,7 +57,7 @@ class SectionNavigator final : public Navigator {
  private:
   void locate(const Observation& observation);
   Pose2 pose_on_way() const;
-  Decision take_last_heading();
+  Decision take_last_heading(double stamp_s);
   Decision guarded(Decision decision);
   std::string place() const;
   Decision fail(std::string state, const std::string& what) const;
@@ -76,6 +76,7 @@ class SectionNavigator final : public Navigator {
   std::vector<SensedSegment> edges_on_floor_;
   bool is_guided_ = false;  ///< in this cycle
   std::optional<double> begun_s_;
+  std::optional<double> headed_s_;  ///< since then it is headed as the way ends
 };
 
 }  // namespace aisle
