@@ -28,6 +28,8 @@ void VerticalLineParams::describe(FieldList& fields) {
   fields.real("fill_min", fill_min, {0, 1}, "least share of a line on which its step is seen");
   fields.real("score_min", score_min, {0, 1},
               "of length, contrast and fill, each at most 1, and less in faint pictures");
+  fields.real("usual_score_min", usual_score_min, {0, 1},
+              "a picture's good lines count as no fainter than this, when its others are judged by them");
   fields.real("apart_px", apart_px, {0, 50}, "of lines closer than this the stronger remains");
 }
 
@@ -45,7 +47,6 @@ constexpr double kLongShare = 0.3;       // of the height: so long a line has mo
 constexpr double kContrastClear = 20;    // grey levels: so clear a line has most of the score for contrast
 constexpr double kEyeLevelTop = 0.3, kEyeLevelBottom = 0.6;  // of the height: there the horizon is expected
 constexpr std::ptrdiff_t kBestLines = 2, kGoodLines = 6;     // of a picture, by which its others are judged
-constexpr double kUsualScoreMin = 0.7;                       // in no picture less than this is usual
 constexpr double kOffEyeLevel = 0.7;  // score of a line wholly above or below: lamp, bottle, gap in the floor
 constexpr int kSmallest_px = 16;      // pictures smaller than this show no lines
 
@@ -127,7 +128,8 @@ class VerticalLineDetector::Work {
     const auto first = scores_.begin() + std::min(kBestLines, std::ssize(scores_));
     const auto last = scores_.begin() + std::min(kBestLines + kGoodLines, std::ssize(scores_));
     if (first == last) return 1;
-    return std::max(kUsualScoreMin, std::accumulate(first, last, 0.0) / static_cast<double>(last - first));
+    return std::max(params_.usual_score_min,
+                    std::accumulate(first, last, 0.0) / static_cast<double>(last - first));
   }
 
   /// How sure it is that a line stands in the building: long ones of much contrast without gaps. What stands

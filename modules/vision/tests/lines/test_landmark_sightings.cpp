@@ -49,6 +49,17 @@ TEST(LandmarkSightings, APosterHangsOnTheWallThatStandsBeneathIt) {
   EXPECT_THAT(sightings_of(room, standing_only), IsEmpty());
 }
 
+// Short lines above eye level are all that a picture of a near wall shows.
+TEST(LandmarkSightings, FaintNoticesOnANearWallCountWhereNothingElseIsSeen) {
+  DrawnRoom room{.walls = {wall_ahead(1.3, 0)}};
+  for (const double from_m : {19.4, 19.9, 20.4})
+    room.panels.push_back({.from_m = from_m, .to_m = from_m + 0.25, .bottom_m = 1.1, .brightness = 140});
+  EXPECT_THAT(sightings_of(room), SizeIs(6));
+  LandmarkSightingParams as_if_clear;
+  as_if_clear.verticals = {};
+  EXPECT_THAT(sightings_of(room, as_if_clear), IsEmpty());
+}
+
 // A distorted picture shows a door at the side bowed by several pixels: one of them is 3 cm on the wall.
 TEST(LandmarkSightings, ADoorAtTheSideStandsWhereItIsThoughTheLensBowsIt) {
   const double aside_m = 1.05;

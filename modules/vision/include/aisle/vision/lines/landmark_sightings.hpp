@@ -13,7 +13,7 @@
 namespace aisle {
 
 struct LandmarkSightingParams {
-  VerticalLineParams verticals;
+  VerticalLineParams verticals{.usual_score_min = 0.3};  ///< before a bare wall faint lines are all there is
   FloorEdgeParams floor_edges;
   BackProjectionNoise noise;
   double relief_m = 0.02;

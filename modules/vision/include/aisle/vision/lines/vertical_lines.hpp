@@ -27,6 +27,7 @@ struct VerticalLineParams {
   double length_share_min = 0.07;
   double fill_min = 0.6;
   double score_min = 0.35;
+  double usual_score_min = 0.7;
   double apart_px = 4;
 
   void describe(FieldList& fields);
