@@ -20,13 +20,22 @@ constexpr double kSettledSigma_rad = 1 * kDegree;
 constexpr int kMissedLooks = 4;  // in which a landmark should be seen, and is not: it is not there
 constexpr double kSamePlace_m = 0.3;
 constexpr double kSamePlace_rad = 5 * kDegree;
+constexpr double kSamePairs_m = 0.5;  // likewise, by the same pairs of sightings and landmarks
+constexpr double kSamePairs_rad = 12 * kDegree;
 
-bool is_same_place(const Pose2& a, const Pose2& b) {
+bool are_near(const Pose2& a, const Pose2& b, double near_m, double near_rad) {
   const Pose2 off = between(a, b);
-  return off.position().norm() < kSamePlace_m && std::abs(off.theta) < kSamePlace_rad;
+  return off.position().norm() < near_m && std::abs(off.theta) < near_rad;
 }
 
 }  // namespace
+
+/// Pairs that leave some direction open, as lines of one wall do, fit from here to a little aside.
+bool LandmarkRelocator::is_same_place(const Candidate& a, const Candidate& b) {
+  const bool by_same_pairs = !a.pairs.empty() && a.pairs == b.pairs;
+  return by_same_pairs ? are_near(a.T_map_vehicle, b.T_map_vehicle, kSamePairs_m, kSamePairs_rad)
+                       : are_near(a.T_map_vehicle, b.T_map_vehicle, kSamePlace_m, kSamePlace_rad);
+}
 
 void LandmarkRelocationParams::describe(FieldList& fields) {
   fields.real("apart_m", apart_m, {0.1, 5}, "between places that are tried");
@@ -37,6 +46,8 @@ void LandmarkRelocationParams::describe(FieldList& fields) {
               "a place must be more likely than any other by this (logarithm of the ratio)");
   fields.real("missed_evidence", missed_evidence, {0, 10},
               "by which a landmark that should have been seen, and was not, makes a place less likely");
+  fields.real("unknown_evidence", unknown_evidence, {0, 10},
+              "by which a sighting of nothing that is known there makes a place less likely");
   fields.real("matched_share_min", matched_share_min, {0, 1}, "so much of what is seen must be known there");
   fields.count("pairs_min", pairs_min, {1, 100}, "so many sightings must be known there");
   fields.count("agreeing_pictures", agreeing_pictures, {1, 100}, "so many in a row must say the same");
@@ -131,13 +142,16 @@ void LandmarkRelocator::judge(Candidate& candidate, const LandmarkMap& map,
                               std::span<const LandmarkSighting> seen) {
   localiser_.place(about(candidate.T_map_vehicle, kRoughSigma_m, kRoughSigma_rad));
   candidate.evidence = 0;
+  candidate.pairs.clear();
   // once to come near, once to see how well it fits there
   if (localiser_.correct(map, seen) != LandmarkMatch::kMatched ||
       localiser_.correct(map, seen) != LandmarkMatch::kMatched)
     return;
   candidate.T_map_vehicle = localiser_.pose();
+  candidate.pairs = localiser_.pairs();
   const double missed = params_.missed_evidence * missed_landmarks(map, candidate);
-  candidate.evidence = std::max(0.0, localiser_.evidence() - missed);
+  const double unknown = params_.unknown_evidence * static_cast<double>(seen.size() - candidate.pairs.size());
+  candidate.evidence = std::max(0.0, localiser_.evidence() - missed - unknown);
   candidate.matched_share = localiser_.matched_share();
 }
 
@@ -159,7 +173,7 @@ int LandmarkRelocator::missed_landmarks(const LandmarkMap& map, const Candidate&
       tally.is_seen = tally.is_seen || landmark.is_seen;
     }
   }
-  for (const LandmarkPair& pair : localiser_.pairs()) expected.erase(static_cast<int>(pair.landmark));
+  for (const LandmarkPair& pair : candidate.pairs) expected.erase(static_cast<int>(pair.landmark));
   return static_cast<int>(std::count_if(expected.begin(), expected.end(), [](const auto& landmark) {
     return !landmark.second.is_seen && landmark.second.looks >= kMissedLooks;
   }));
@@ -174,9 +188,7 @@ void LandmarkRelocator::keep_best() {
     const Candidate candidate = candidates_[i];
     const bool is_known =
         std::any_of(candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(kept),
-                    [&](const Candidate& better) {
-                      return is_same_place(better.T_map_vehicle, candidate.T_map_vehicle);
-                    });
+                    [&](const Candidate& better) { return is_same_place(better, candidate); });
     if (!is_known) candidates_[kept++] = candidate;
   }
   candidates_.resize(kept);

@@ -179,6 +179,46 @@ TEST(LandmarkRelocation, WhatIsMissedTellsPlacesApart) {
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
 
+// Two lines that are seen here lack at the other place: each is known here, and unknown there.
+TEST(LandmarkRelocation, WhatIsUnknownTellsPlacesApart) {
+  constexpr double kApart_m = 16;
+  Random random(12);
+  const std::vector<CorridorLine> here = corridor_lines(6, random);
+  std::vector<CorridorLine> lines = here;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    const bool is_lacking = i == 3 || i == here.size() - 3;
+    if (!is_lacking) lines.push_back({here[i].p_map + Vec2(kApart_m, 0), here[i].brighter_right});
+  }
+  const LandmarkMap map = map_of(lines);
+  const Pose2 truth{0.4, 0.1, 0.02};
+  LandmarkRelocationParams params{.distinct_evidence = 7, .unknown_evidence = 0};
+  LandmarkRelocator blind(params, {}, corridor_cart(), places(22));
+  EXPECT_EQ(look(blind, map, lines, truth), std::nullopt) << "they make it more likely by 2 * 3";
+  params.unknown_evidence = 1;
+  LandmarkRelocator relocator(params, {}, corridor_cart(), places(22));
+  const auto found = look(relocator, map, lines, truth);
+  ASSERT_TRUE(found);
+  EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
+}
+
+// From a little more to the left, turned to the right, the lines of a wall ahead look much the same: that is
+// no other place to be told from the right one.
+TEST(LandmarkRelocation, OneWallSeenFromHereOrFromALittleAsideIsOnePlace) {
+  constexpr SightNoise kVague{.away_m = 0.05, .aside_m = 0.01, .unseen = 0};
+  std::vector<CorridorLine> lines;
+  for (const double y : {-0.7, -0.45, -0.1, 0.4, 0.6}) lines.push_back({{3.2, y}, lines.size() % 2 == 0});
+  const Pose2 truth{0.4, 0, 0};
+  std::vector<Pose2> tried;
+  for (const double aside_m : {-0.8, -0.4, 0.0, 0.4, 0.8}) tried.push_back({0.4, aside_m, -aside_m / 2.8});
+  LandmarkRelocator relocator({}, {}, corridor_cart(), tried);
+  Random random(2);
+  const auto picture = sightings_from(lines, truth, kVague, &random);
+  std::optional<Pose2> found;
+  for (int i = 0; i < 40 && !found; ++i) found = relocator.look(map_of(lines), picture);
+  ASSERT_TRUE(found);
+  EXPECT_THAT(*found, PoseNear(truth, 0.2, 4 * kDegree));
+}
+
 // Two places look alike until the vehicle turns into a side corridor, along which no place is tried.
 TEST(LandmarkRelocation, KeepsItsBestPlacesInMindWhenItTurnsAsideFromItsWays) {
   constexpr double kApart_m = 16, kStep_m = 0.03, kSteering_rad = 0.5, kHalfView = 0.7;

@@ -17,6 +17,7 @@ struct LandmarkRelocationParams {
   int places_per_picture = 16;
   double distinct_evidence = 8;
   double missed_evidence = 2.5;
+  double unknown_evidence = 1;
   double matched_share_min = 0.7;
   int pairs_min = 5;
   int agreeing_pictures = 4;
@@ -54,9 +55,11 @@ class LandmarkRelocator {
   struct Candidate {
     Pose2 T_map_vehicle;
     double value = 0;     ///< of its peak
-    double evidence = 0;  ///< of the pairs there, less what is missed
+    double evidence = 0;  ///< of the pairs there, less what is missed or unknown
     double matched_share = 0;
+    std::vector<LandmarkPair> pairs;
   };
+  static bool is_same_place(const Candidate& a, const Candidate& b);
 
   void begin_round();
   bool try_places(const LandmarkMap& map, std::span<const LandmarkSighting> seen);
