@@ -57,7 +57,8 @@ class ExplorerNavigator final : public Navigator {
   void choose();
   void begin_search();
   bool may_end_at_home(const Pose2& T_map_from) const;
-  void keep_off_struck();
+  void keep_off_what_blocks();
+  bool is_barred(const Pose2& T_map_later) const;
   void search_on();
   void search_way();
   bool was_worth_it() const;
@@ -100,6 +101,7 @@ class ExplorerNavigator final : public Navigator {
   Vec2 p_map_blocked_ = Vec2::Constant(1e9);  ///< where the vehicle could not go on ...
   int blocked_direction_ = 0;                 ///< ... forwards (1) or backwards (-1) ...
   int blocks_here_ = 0;                       ///< ... so often on end
+  std::vector<Pose2> T_map_barred_;           ///< just beyond where it was, on the way to the present target
   int driven_direction_ = 0;  ///< forwards (1) or backwards (-1), in the latest cycle that drove
   bool is_touching_ = false;
   int touches_ = 0;
