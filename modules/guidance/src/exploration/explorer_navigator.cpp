@@ -360,6 +360,7 @@ void ExplorerNavigator::take_way() {
   ends_at_home_ = target_search_.leads_home();
   search_.stop();
   if (found.empty()) return arrive();
+  patience_.allow(stamp_s_, learner_.way_m(), found.length_m());
   driver_.take(found);
 }
 

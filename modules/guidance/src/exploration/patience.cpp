@@ -1,5 +1,6 @@
 #include "aisle/guidance/exploration/patience.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "aisle/core/angle.hpp"
@@ -24,6 +25,11 @@ void Patience::renew(double stamp_s, double way_m, double target_m) {
   until_s_ = stamp_s + params_.time_s + params_.time_s_per_m * target_m;
   until_m_ = way_m + params_.way_m + params_.way_factor * target_m;
   hitches_ = 0;
+}
+
+void Patience::allow(double stamp_s, double way_m, double found_m) {
+  until_s_ = std::max(until_s_, stamp_s + params_.time_s + params_.time_s_per_m * found_m);
+  until_m_ = std::max(until_m_, way_m + params_.way_factor * found_m);
 }
 
 void Patience::hitch(const Pose2& T_map_vehicle) {

@@ -23,6 +23,8 @@ class Patience {
 
   /// A target was chosen, or something was learned: everything begins anew.
   void renew(double stamp_s, double way_m, double target_m);
+  /// A way of this length was found: it may be driven to its end, however near the target had seemed.
+  void allow(double stamp_s, double way_m, double found_m);
   /// A way could not be driven to its end, or there was none, while the vehicle stood here.
   void hitch(const Pose2& T_map_vehicle);
   bool is_over(double stamp_s, double way_m) const;
