@@ -100,10 +100,11 @@ class FloorPainter {
   bool is_partly_hidden(FloorCell cell, double distance_m, double beam) const {
     if (floor_.at(cell) != Floor::kOccupied) return false;
     const double half_beams = floor_.cell_m() / 2 / distance_m / laser_.angle_step_rad;
-    const double last = std::min(beam + half_beams, static_cast<double>(ranges_m_.size() - 1));
-    for (double across = std::ceil(std::max(beam - half_beams, 0.0)); across <= last; ++across) {
-      const auto passing = static_cast<std::size_t>(across);
-      if (is_usable(passing) && ranges_m_[passing] < distance_m - floor_.cell_m()) return true;
+    const auto first = static_cast<std::size_t>(std::ceil(std::max(beam - half_beams, 0.0)));
+    const auto last =
+        static_cast<std::size_t>(std::min(beam + half_beams, static_cast<double>(ranges_m_.size() - 1)));
+    for (std::size_t across = first; across <= last; ++across) {
+      if (is_usable(across) && ranges_m_[across] < distance_m - floor_.cell_m()) return true;
     }
     return false;
   }
