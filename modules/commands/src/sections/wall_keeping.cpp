@@ -23,7 +23,7 @@ std::vector<Segment2> base_lines_of(World world) {
 
 }  // namespace
 
-WallKeeping::WallKeeping(World world)
+WallKeeping::WallKeeping(const World& world)
     : base_lines_(base_lines_of(world)), skirting_m_(world.skirting_height_m > 0 ? kSkirtingDepth_m : 0) {}
 
 void WallKeeping::add(std::size_t piece, const Pose2& T_world, double learned_m) {

@@ -13,7 +13,7 @@ namespace aisle {
 /// How exactly a vehicle keeps its learned distances from the walls to its right, judged in the truth.
 class WallKeeping {
  public:
-  explicit WallKeeping(World world);
+  explicit WallKeeping(const World& world);
 
   /// A cycle in which a base line is followed.
   /// @param piece    of the path, along which one distance is kept
