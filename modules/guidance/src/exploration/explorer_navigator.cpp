@@ -360,7 +360,8 @@ void ExplorerNavigator::take_way() {
   ends_at_home_ = target_search_.leads_home();
   search_.stop();
   if (found.empty()) return arrive();
-  patience_.allow(stamp_s_, learner_.way_m(), found.length_m());
+  if (target_->kind == ExploringTarget::Kind::kPath)
+    patience_.allow(stamp_s_, learner_.way_m(), found.length_m());
   driver_.take(found);
 }
 
