@@ -194,9 +194,13 @@ void LegBarriers::find_walls(const FloorGrid& floor, Thing& thing) const {
   });
 }
 
+int LegBarriers::leg_cells(const FloorGrid& floor) const {
+  return std::max(1, static_cast<int>(std::lround(params_.leg_max_m / floor.cell_m())));
+}
+
 /// The cells that hang together with one of them; none if they are too many for a leg.
 std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCell start) const {
-  const int wide = std::max(1, static_cast<int>(std::lround(params_.leg_max_m / floor.cell_m())));
+  const int wide = leg_cells(floor);
   std::vector<FloorCell> cells = {start};
   FloorBox box;
   box.include(start);
@@ -218,7 +222,7 @@ std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCel
 /// it.
 /// @param first  of the cells farthest out
 std::optional<LegBarriers::Thing> LegBarriers::leg_of_wall(const FloorGrid& floor, FloorCell first) const {
-  const int wide = std::max(1, static_cast<int>(std::lround(params_.leg_max_m / floor.cell_m())));
+  const int wide = leg_cells(floor);
   const int beside = static_cast<int>(std::lround(kBesideOut_m / floor.cell_m()));
   for (const FloorCell out : {FloorCell{1, 0}, FloorCell{-1, 0}, FloorCell{0, 1}, FloorCell{0, -1}}) {
     const FloorCell aside{std::abs(out.y), std::abs(out.x)};

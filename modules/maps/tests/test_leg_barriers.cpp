@@ -29,6 +29,13 @@ class LegBarriersOnAFloor : public testing::Test {
         floor_.set(floor_.cell_at({x_m, y_m}), Floor::kUnknown);
     }
   }
+  /// At (5.02, 1.02), nothing seen behind its walls.
+  void corner_at_the_right() {
+    wall(5.02, 1, 6);
+    wall_across(1.02, 0, 5);
+    hide({5.07, 0}, {8, 6});
+    hide({0, 0}, {8, 1});
+  }
   /// Whether a straight way is closed anywhere.
   bool is_closed(const Vec2& from, const Vec2& to) {
     LegBarriers barriers;
@@ -195,12 +202,8 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegOfATableInACorner) {
   EXPECT_FALSE(is_closed({2.5, 1.3}, {2.5, 2.4}));
 }
 
-/// What stands small at the wall behind is no other front leg.
 TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableInACornerWhoseOtherLegHangsTogetherWithTheWall) {
-  wall(5.02, 1, 6);
-  wall_across(1.02, 0, 5);
-  hide({5.07, 0}, {8, 6});
-  hide({0, 0}, {8, 1});
+  corner_at_the_right();
   stand(4.17, 2.82);
   EXPECT_FALSE(is_closed({3.8, 2}, {4.6, 2}));
   for (const double y_m : {1.07, 1.12}) stand(4.17, y_m);
@@ -212,10 +215,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableInACornerWhoseOtherLegHangsTog
 
 /// Its leg at the far end of the table is hidden, too.
 TEST_F(LegBarriersOnAFloor, CloseTheWayFromALegThatHangsTogetherWithTheWallToAHiddenOne) {
-  wall(5.02, 1, 6);
-  wall_across(1.02, 0, 5);
-  hide({5.07, 0}, {8, 6});
-  hide({0, 0}, {8, 1});
+  corner_at_the_right();
   hide({4, 2.5}, {5, 3.5});
   EXPECT_FALSE(is_closed({3.8, 2}, {4.6, 2}));
   stand(4.17, 1.07);  // may be a blurred piece of the wall
@@ -224,6 +224,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayFromALegThatHangsTogetherWithTheWallToAHi
   EXPECT_TRUE(is_closed({3.8, 2}, {4.6, 2}));
 }
 
+/// What stands small at the wall behind is no other front leg.
 TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckStandsAtTheWallBehind) {
   wall(2, 0, 6);
   stand(2.87, 2.02);

@@ -36,7 +36,7 @@ void WallKeeping::add(std::size_t piece, const Pose2& T_world, double learned_m)
     const double ray_m = cross(gap, along) / across, share = cross(gap, right) / across;
     if (ray_m < 0 || ray_m >= nearest_m || share < 0 || share > 1) continue;
     nearest_m = ray_m;
-    line_m = cross(along.normalized(), wall.start);
+    line_m = cross(along, wall.start) / std::copysign(along.norm(), across);
   }
   const double off_m = nearest_m - skirting_m_ - learned_m;
   if (std::abs(off_m) <= kOtherThing_m) of_piece_[piece].push_back({line_m, off_m});

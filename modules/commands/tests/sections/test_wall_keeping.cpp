@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace aisle {
 namespace {
 
@@ -39,6 +41,13 @@ TEST(WallKeeping, AnAlcoveIsNotTheWallThatADistanceIsKeptFrom) {
     EXPECT_NEAR(error_m.worst(), 0.01, 1e-9);
     EXPECT_EQ(error_m.count(), 80U);
   }
+}
+
+TEST(WallKeeping, WallsOfOneLineMayRunEitherWay) {
+  World world = corridor_with_alcove(0.2);
+  Segment2& last = world.walls.back().foot;
+  std::swap(last.start, last.end);
+  EXPECT_EQ(error_along(world, 1, 0).count(), 80U);
 }
 
 TEST(WallKeeping, AWallThatStepsAsideByLittleCounts) {

@@ -53,6 +53,7 @@ class LegBarriers {
     bool is_free_leg() const { return stand == Stand::kFree && !is_of_wall; }
   };
 
+  int leg_cells(const FloorGrid& floor) const;
   std::vector<FloorCell> small_thing(const FloorGrid& floor, FloorCell start) const;
   std::optional<Thing> leg_of_wall(const FloorGrid& floor, FloorCell first) const;
   /// Tells its stand, and behind.
