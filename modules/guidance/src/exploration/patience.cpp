@@ -25,16 +25,14 @@ void Patience::renew(double stamp_s, double way_m, double target_m) {
   until_s_ = stamp_s + params_.time_s + params_.time_s_per_m * target_m;
   until_m_ = way_m + params_.way_m + params_.way_factor * target_m;
   hitches_ = 0;
-  allowed_until_s_ = allowed_until_m_ = 0;
 }
 
 void Patience::allow(double stamp_s, double way_m, double found_m) {
-  allowed_until_s_ = stamp_s + params_.time_s_per_m * found_m;
-  allowed_until_m_ = way_m + params_.way_factor * found_m;
+  until_s_ = std::max(until_s_, stamp_s + params_.time_s + params_.time_s_per_m * found_m);
+  until_m_ = std::max(until_m_, way_m + params_.way_factor * found_m);
 }
 
 void Patience::hitch(const Pose2& T_map_vehicle) {
-  allowed_until_s_ = allowed_until_m_ = 0;
   const Pose2 moved = between(T_map_hitch_, T_map_vehicle);
   const bool same_spot = moved.position().norm() < kHitchSpot_m && std::abs(moved.theta) < kHitchSpot_rad;
   hitches_ = same_spot ? hitches_ + 1 : 1;
@@ -42,9 +40,7 @@ void Patience::hitch(const Pose2& T_map_vehicle) {
 }
 
 bool Patience::is_over(double stamp_s, double way_m) const {
-  const bool is_late = stamp_s > std::max(until_s_, allowed_until_s_);
-  const bool is_far = way_m > std::max(until_m_, allowed_until_m_);
-  return is_late || is_far || hitches_ > params_.hitches;
+  return stamp_s > until_s_ || way_m > until_m_ || hitches_ > params_.hitches;
 }
 
 }  // namespace aisle

@@ -25,12 +25,11 @@ TEST(Patience, LastsForTheWayThatWasFound) {
   EXPECT_TRUE(patience.is_over(125, 54));
   EXPECT_TRUE(patience.is_over(105, 65));
   patience.allow(105, 54, 10);
-  EXPECT_FALSE(patience.is_over(124, 64));
-  EXPECT_TRUE(patience.is_over(126, 64));
-  EXPECT_TRUE(patience.is_over(124, 75));
-  patience.hitch({});
-  EXPECT_TRUE(patience.is_over(124, 54)) << "the way failed";
-  EXPECT_FALSE(patience.is_over(111, 54));
+  EXPECT_FALSE(patience.is_over(125, 64));
+  EXPECT_TRUE(patience.is_over(136, 64));
+  EXPECT_TRUE(patience.is_over(125, 75));
+  patience.allow(110, 60, 0.1);
+  EXPECT_FALSE(patience.is_over(125, 64)) << "what was allowed is not taken back";
 }
 
 TEST(Patience, EndsWhenWaysFailOnOneSpot) {

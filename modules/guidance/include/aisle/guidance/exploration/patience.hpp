@@ -23,8 +23,7 @@ class Patience {
 
   /// A target was chosen, or something was learned: everything begins anew.
   void renew(double stamp_s, double way_m, double target_m);
-  /// A way of this length was found: it may be driven to its end, however near the target had seemed, unless
-  /// it fails.
+  /// A way of this length was found: it may be driven to its end, however near the target had seemed.
   void allow(double stamp_s, double way_m, double found_m);
   /// A way could not be driven to its end, or there was none, while the vehicle stood here.
   void hitch(const Pose2& T_map_vehicle);
@@ -34,8 +33,6 @@ class Patience {
   PatienceParams params_;
   double until_s_ = 0;
   double until_m_ = 0;
-  double allowed_until_s_ = 0;  ///< on the way that was found
-  double allowed_until_m_ = 0;
   int hitches_ = 0;
   Pose2 T_map_hitch_;
 };
