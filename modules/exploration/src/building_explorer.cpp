@@ -328,6 +328,18 @@ bool BuildingExplorer::resume_left() {
   return resumed;
 }
 
+bool BuildingExplorer::has_left_floor() const {
+  return std::any_of(paths_.begin(), paths_.end(),
+                     [this](const SeenPath& path) { return is_left_with_floor(path); });
+}
+
+void BuildingExplorer::halve_cells() {
+  for (SeenPath& path : paths_) {
+    path.gate = with_cells_halved(std::move(path.gate));
+    if (is_left_with_floor(path)) path.state = PathState::kWaiting;
+  }
+}
+
 /// Nooks that the vehicle did not come by are not worth a way of their own.
 bool BuildingExplorer::leave_far_nooks() {
   bool left = false;

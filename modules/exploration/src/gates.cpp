@@ -151,6 +151,14 @@ void GateParams::describe(FieldList& fields) {
   fields.real("cluster_gap_m", cluster_gap_m, {0.05, 1}, "pieces of a gate so near to each other are one");
 }
 
+Gate with_cells_halved(Gate gate) {
+  const auto halved = [](FloorCell cell) { return FloorCell{2 * cell.x, 2 * cell.y}; };
+  for (FloorCell& cell : gate.sill) cell = halved(cell);
+  gate.box = {halved(gate.box.low), halved(gate.box.end)};
+  gate.stand = halved(gate.stand);
+  return gate;
+}
+
 std::vector<Gate> find_gates(const FloorGrid& floor, const FloorClearance& clearance,
                              const FloorDistances& reached, const GateParams& params, CellMarks& marks) {
   return GateFinder(floor, clearance, reached, params, marks).find();

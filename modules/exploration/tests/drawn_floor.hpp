@@ -9,9 +9,12 @@ namespace aisle {
 /// A floor drawn by hand: what is not put is unknown.
 class DrawnFloor {
  public:
+  explicit DrawnFloor(double cell_m = 0.05) : floor(cell_m) {}
+
   void put(const Vec2& low, const Vec2& high, Floor kind) {
-    for (double y = low.y() + 0.025; y < high.y(); y += 0.05) {
-      for (double x = low.x() + 0.025; x < high.x(); x += 0.05) floor.set(floor.cell_at({x, y}), kind);
+    const double step_m = floor.cell_m();
+    for (double y = low.y() + step_m / 2; y < high.y(); y += step_m) {
+      for (double x = low.x() + step_m / 2; x < high.x(); x += step_m) floor.set(floor.cell_at({x, y}), kind);
     }
   }
 

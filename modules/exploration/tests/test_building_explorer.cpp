@@ -90,6 +90,25 @@ TEST(BuildingExplorer, TriesWhatItLeftOnceMoreWhenItKnowsMore) {
   EXPECT_EQ(kind_now(), ExploringTarget::Kind::kPath);
 }
 
+TEST(BuildingExplorer, TriesWhatItLeftAgainOnCellsHalfAsWide) {
+  DrawnFloor coarse, fine(0.025);
+  for (DrawnFloor* drawn : {&coarse, &fine}) drawn->put_corridor(20, 2);
+  BuildingExplorer explorer({}, ExploringOrder::kRecommended);
+  const auto target_on = [&](const DrawnFloor& drawn) {
+    return explorer.decide(drawn.floor, drawn.clearance_now(), {18, 1, 0}, {18, 1}, {1, 1, 0}, 1);
+  };
+  ASSERT_EQ(target_on(coarse).kind, ExploringTarget::Kind::kPath);
+  EXPECT_FALSE(explorer.has_left_floor());
+  explorer.give_up(0, 2);
+  ASSERT_EQ(target_on(coarse).kind, ExploringTarget::Kind::kHome);
+  ASSERT_TRUE(explorer.has_left_floor());
+  explorer.halve_cells();
+  const ExploringTarget again = target_on(fine);
+  EXPECT_EQ(again.kind, ExploringTarget::Kind::kPath);
+  EXPECT_EQ(again.path, 0);
+  EXPECT_EQ(explorer.paths_waiting(), 1);
+}
+
 /// C99's order: all paths that lead off a crossing were explored, and then it is to go back there.
 class BackToACrossing : public testing::Test {
  protected:

@@ -49,5 +49,14 @@ TEST(Gates, RimLiesWhereTheFreeFloorEnds) {
   for (const Vec2& p : gates[0].rim) EXPECT_NEAR(p.x(), 5.025, 0.06);
 }
 
+TEST(Gates, AreFoundWhereTheyWereOnCellsHalfAsWide) {
+  DrawnFloor coarse, fine(0.025);
+  for (DrawnFloor* drawn : {&coarse, &fine}) drawn->put_corridor(5, 2);
+  const Gate halved = with_cells_halved(coarse.gates().at(0)), found = fine.gates().at(0);
+  ASSERT_EQ(halved.sill.size(), coarse.gates()[0].sill.size());
+  for (const FloorCell cell : halved.sill) EXPECT_TRUE(found.box.widened(2).contains(cell));
+  EXPECT_TRUE(halved.box.widened(2).contains(found.box.low));
+}
+
 }  // namespace
 }  // namespace aisle

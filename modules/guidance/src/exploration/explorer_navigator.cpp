@@ -145,6 +145,10 @@ void ExplorerNavigator::choose() {
   const ExploringTarget target =
       explorer_.decide(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(),
                        learner_.T_map_vehicle() * Vec2(middle_m, 0), learner_.T_map_home(), cycle_);
+  if (target.kind == ExploringTarget::Kind::kHome && explorer_.has_left_floor() && learner_.halve_cells()) {
+    explorer_.halve_cells();
+    return drop_way();
+  }
   const bool goes_on = target_ && is_same(*target_, target);
   const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
   if (gate_moved || !former_ || !is_same(*former_, target)) is_out_of_reach_ = false;
@@ -346,11 +350,11 @@ void ExplorerNavigator::despair(const std::string& why) {
   patience_.renew(stamp_s_, learner_.way_m(), learner_.way_m() / 2);
 }
 
-/// A place was recognised: the floor is laid anew while the vehicle stands.
+/// A place was recognised, or cells are halved: the floor is laid anew while the vehicle stands.
 Decision ExplorerNavigator::wait_for_floor() {
   drop_way();
   moved_s_ = stamp_s_;
-  return {.state = "recognising"};
+  return {.state = "laying floor anew"};
 }
 
 void ExplorerNavigator::take_way() {

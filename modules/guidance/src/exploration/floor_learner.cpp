@@ -24,6 +24,8 @@ void FloorLearnerParams::describe(FieldList& fields) {
   fields.group("view", view);
   fields.group("legs", legs);
   fields.real("cell_m", cell_m, {0.02, 0.2}, "cells of the floor");
+  fields.real("cell_least_m", cell_least_m, {0.02, 0.2},
+              "to which they are halved where paths stay out of reach");
   fields.real("look_every_m", look_every_m, {0.02, 2}, "way after which the floor is looked at again");
   fields.angle("look_every_deg", look_every_rad, {0.5, 90}, "turning after which it is");
   fields.count("look_every_cycles", look_every_cycles, {1, 1000}, "cycles after which it is");
@@ -36,7 +38,8 @@ FloorLearner::FloorLearner(const FloorLearnerParams& params, const VehicleDescri
       sensor_(std::move(sensor)),
       mapping_(params.mapping, sensor_->fan()),
       floor_(params.cell_m),
-      clearance_(params.legs) {
+      clearance_(params.legs),
+      cell_m_(params.cell_m) {
   log_.laser = sensor_->fan();
 }
 
@@ -76,6 +79,14 @@ void FloorLearner::touch(int direction) {
 
 void FloorLearner::settle_home() {
   T_map_home_ = mapping_.lay_again(0, T_map_home_).value_or(T_map_home_);
+}
+
+bool FloorLearner::halve_cells() {
+  if (cell_m_ / 2 < params_.cell_least_m) return false;
+  cell_m_ /= 2;
+  T_map_of_all_ = mapping_.T_map_vehicle_of_all();
+  begin_anew();
+  return true;
 }
 
 void FloorLearner::keep_slice(double stamp_s) {
@@ -119,7 +130,7 @@ Footprint FloorLearner::set_down_room() const {
 }
 
 FloorGrid FloorLearner::floor_from(std::span<const Pose2> T_map_vehicle) const {
-  FloorGrid floor(params_.cell_m);
+  FloorGrid floor(cell_m_);
   for (const Look& look : looks_) put(look, T_map_vehicle[look.slice], floor);
   for (const Touch& touch : touches_) put(touch, T_map_vehicle[touch.slice] * touch.T_slice_vehicle, floor);
   return floor;
@@ -136,7 +147,7 @@ bool FloorLearner::places_moved() {
 }
 
 void FloorLearner::begin_anew() {
-  anew_.emplace(params_.cell_m, clearance_.far_m(), params_.legs);
+  anew_.emplace(cell_m_, clearance_.far_m(), params_.legs);
 }
 
 /// Lays a few slices more onto the floor as they lie now; true when all are laid.

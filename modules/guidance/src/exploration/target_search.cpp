@@ -37,7 +37,7 @@ void TargetSearch::look_into_gate(const Pose2& T_map_from, const TargetTries& tr
   const auto shows_path = [this, reach_m, is_seldom_seen](const Pose2& T_map) {
     const GateLook look{learner_.sensor().fan(), learner_.view().near_m, reach_m};
     const std::size_t enough = is_seldom_seen ? 1 : (gate_.rim.size() + 3) / 4;
-    return sees_rim(look, learner_.floor(), T_map, gate_, enough);
+    return sees_rim(look, learner_.floor(), learner_.clearance(), T_map, gate_, enough);
   };
   search_.look_for(learner_.floor(), learner_.clearance(), T_map_from,
                    gate_.is_nook ? learner_.floor().centre(gate_.stand) : gate_.p_map,

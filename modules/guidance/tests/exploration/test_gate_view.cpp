@@ -1,7 +1,9 @@
 #include "aisle/guidance/exploration/gate_view.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include "aisle/core/random.hpp"
 #include "known_floor.hpp"
 
 namespace aisle {
@@ -15,7 +17,7 @@ class GateView : public testing::Test {
   }
 
   bool sees(const Pose2& T_map_vehicle, double reach_m = 5, std::span<const float> near_m = {}) const {
-    return sees_rim({kFan, near_m, reach_m}, known_.floor, T_map_vehicle, gate_, 4);
+    return sees_rim({kFan, near_m, reach_m}, known_.floor, known_.clearance, T_map_vehicle, gate_, 4);
   }
 
   KnownFloor known_;
@@ -50,6 +52,27 @@ TEST_F(GateView, LooksIntoANookAcrossItsEdgeNotAlongIt) {
   for (double x = 4.525; x < 5.2; x += 0.05)
     known_.floor.set(known_.floor.cell_at({x, 4.025}), Floor::kOccupied);
   EXPECT_FALSE(sees({3, 3, 0})) << "a wall stands in the line of sight";
+}
+
+/// Where nothing is known of the room there is, each step is looked at.
+RC_GTEST_PROP(GateViewInStrides, ShowsWhatEachStepShows, (std::uint64_t seed)) {
+  Random random(seed);
+  KnownFloor known({{Vec2(0, 0), Vec2(8, 8)}});
+  const auto place = [&] { return Vec2(8 * random.uniform(), 8 * random.uniform()); };
+  for (int i = 0; i < 25; ++i)
+    known.floor.set(known.floor.cell_at(place()), i % 3 == 0 ? Floor::kUnknown : Floor::kOccupied);
+  known.clearance.update(known.floor, known.floor.known());
+  for (int i = 0; i < 200; ++i) {
+    Gate gate;
+    gate.is_nook = random.uniform() < 0.5;
+    gate.rim = {place()};
+    const Vec2 p_map = place();
+    const Pose2 T_map_vehicle{p_map.x(), p_map.y(), 2 * kPi * random.uniform()};
+    const auto sees = [&](const FloorClearance& clearance) {
+      return sees_rim({kFan, {}, 6}, known.floor, clearance, T_map_vehicle, gate, 1);
+    };
+    RC_ASSERT(sees(known.clearance) == sees(FloorClearance()));
+  }
 }
 
 }  // namespace

@@ -65,6 +65,10 @@ class BuildingExplorer {
   void abandon(std::size_t path, std::size_t cycle);
   /// All that waits is left undone, but for far nooks: those were not worth a way before either.
   void abandon_all(std::size_t cycle);
+  /// Behind a path that was left there may be more than leftovers.
+  bool has_left_floor() const;
+  /// The floor's cells are half as wide from now on: such paths are tried again.
+  void halve_cells();
   /// The vehicle is home and everything is explored.
   void stop(std::size_t cycle);
 
@@ -110,6 +114,9 @@ class BuildingExplorer {
   void leave(std::size_t path, PathState state, PathEvent::Kind kind, std::size_t cycle);
   bool resume_left();
   bool leave_far_nooks();
+  bool is_left_with_floor(const SeenPath& path) const {
+    return is_left(path) && path.has_gate && path.gate.behind_m2 >= params_.leftover_m2;
+  }
   static bool is_open(const SeenPath& path) {
     return path.state == PathState::kWaiting || path.state == PathState::kActive;
   }

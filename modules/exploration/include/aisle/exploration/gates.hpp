@@ -33,6 +33,9 @@ struct Gate {
   FloorCell stand;              ///< ... the nearest place from which that may be; `way_m` leads there
 };
 
+/// The same gate on floor of cells half as wide.
+Gate with_cells_halved(Gate gate);
+
 /// What a search notes of each cell of a room; kept for the next one, as its memory is costly to get anew.
 using CellMarks = std::vector<std::uint8_t>;
 

@@ -19,6 +19,7 @@ struct FloorLearnerParams {
   FloorViewParams view;
   LegParams legs;
   double cell_m = 0.05;
+  double cell_least_m = 0.025;          ///< so narrow they may become where need be
   double look_every_m = 0.15;           ///< of way, or ...
   double look_every_rad = 4 * kDegree;  ///< ... of turning, or ...
   int look_every_cycles = 10;           ///< ... of time the floor is looked at
@@ -44,13 +45,18 @@ class FloorLearner {
   /// last. After the first slice.
   void settle_home();
 
+  /// Lays the whole floor anew, on cells half as wide, unless that is less than they may be. Not while it is
+  /// laid anew.
+  /// @return whether it does
+  bool halve_cells();
+
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
   const Pose2& T_map_home() const { return T_map_home_; }  ///< where it began, as known now
   bool has_looked() const { return !looks_.empty(); }
   const FloorGrid& floor() const { return floor_; }
   const FloorClearance& clearance() const { return clearance_; }
   const SliceSensor& sensor() const { return *sensor_; }
-  /// A place was recognised, and the floor does not lie yet where it belongs: no time to drive.
+  /// The floor does not lie yet where it belongs: no time to drive.
   bool is_laying_anew() const { return anew_.has_value(); }
   /// What the sensor showed last.
   const SliceView& view() const { return view_; }
@@ -77,7 +83,7 @@ class FloorLearner {
     int direction = 0;
     Pose2 T_map_put;  ///< of the vehicle, where the floor shows it
   };
-  /// The floor after a place was recognised, while it is made.
+  /// The floor after a place was recognised, or of narrower cells, while it is made.
   struct LaidAnew {
     LaidAnew(double cell_m, double far_m, const LegParams& legs) : floor(cell_m), clearance(legs, far_m) {}
     FloorGrid floor;
@@ -101,7 +107,8 @@ class FloorLearner {
   FloorGrid floor_;
   FloorClearance clearance_;
   std::optional<LaidAnew> anew_;
-  std::vector<Pose2> T_map_of_all_;  ///< when a place was recognised last
+  double cell_m_;
+  std::vector<Pose2> T_map_of_all_;  ///< when the floor was laid anew last
   SliceView view_;
   std::vector<Look> looks_;
   std::vector<Touch> touches_;

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "aisle/exploration/gates.hpp"
-#include "aisle/maps/floor_grid.hpp"
+#include "aisle/maps/floor_clearance.hpp"
 #include "aisle/vehicle/laser_log.hpp"
 
 namespace aisle {
@@ -18,7 +18,8 @@ struct GateLook {
 
 /// Whether at least `enough` points of a gate's rim would be seen from there: within reach and within the
 /// fan, with nothing between that stands or is unknown.
-bool sees_rim(const GateLook& look, const FloorGrid& floor, const Pose2& T_map_vehicle, const Gate& gate,
-              std::size_t enough);
+/// @param clearance  of the floor: free floor is passed in strides
+bool sees_rim(const GateLook& look, const FloorGrid& floor, const FloorClearance& clearance,
+              const Pose2& T_map_vehicle, const Gate& gate, std::size_t enough);
 
 }  // namespace aisle
