@@ -46,6 +46,7 @@ void TrackerParams::describe(FieldList& fields) {
               "with less of the seen length fitting the walls the pose is looked for anew");
   fields.real("relocation_reach_m", relocation_reach_m, {0.1, 10},
               "how far from the predicted pose it is looked for");
+  fields.flag("may_count_backwards", may_count_backwards, "the wheels, driving forwards, for a while");
 }
 
 Pose2 way_between(const Keyframe& from, const Keyframe& to, double odometry_factor) {
@@ -173,7 +174,7 @@ CountedWay ScanTracker::way_to_walls() const {
   return {covariance * pull.by_factor, covariance * pull.counted_m};
 }
 
-/// Wheels may count backwards driving forwards, or turn while the vehicle stands: where the scan does not fit
+/// Wheels may turn while the vehicle stands, or count backwards driving forwards: where the scan does not fit
 /// where odometry puts it, those are tried as well. Counting backwards is believed as long as every scan
 /// speaks for it.
 ScanTracker::Explanation ScanTracker::explain_motion(std::span<const SensedSegment> segments) {
@@ -184,10 +185,12 @@ ScanTracker::Explanation ScanTracker::explain_motion(std::span<const SensedSegme
   } else if (counts_backwards_ || best.alignment.fitting_share() < kDoubtful) {
     const double needed =
         best.alignment.fitting_share() + (counts_backwards_ ? kSlightlyBetter : kClearlyBetter);
-    const Explanation mirrored = lay_from(segments, -counted_m);
     const Explanation standing = lay_from(segments, Vec2::Zero());
-    counts_backwards_ = mirrored.alignment.fitting_share() > needed;
-    if (counts_backwards_) best = mirrored;
+    if (params_.may_count_backwards) {
+      const Explanation mirrored = lay_from(segments, -counted_m);
+      counts_backwards_ = mirrored.alignment.fitting_share() > needed;
+      if (counts_backwards_) best = mirrored;
+    }
     if (standing.alignment.fitting_share() > best.alignment.fitting_share() + kClearlyBetter) best = standing;
   }
   return best;

@@ -12,10 +12,11 @@
 namespace aisle {
 
 struct FloorLearnerParams {
-  /// Doors' leaves stand 11 cm behind their walls. Of a room that was looked into from its door, walls are
-  /// seen on a short way.
-  MapParams mapping{
-      .tracker{.motion = kReadEveryCycle, .same_wall_m = 0.06}, .drawn_length_m = 0.3, .drawn_sightings = 2};
+  /// Doors' leaves stand 11 cm behind their walls. The wheels are the vehicle's own, and count the right way.
+  /// Of a room that was looked into from its door, walls are seen on a short way.
+  MapParams mapping{.tracker{.motion = kReadEveryCycle, .same_wall_m = 0.06, .may_count_backwards = false},
+                    .drawn_length_m = 0.3,
+                    .drawn_sightings = 2};
   FloorViewParams view;
   LegParams legs;
   double cell_m = 0.05;

@@ -22,6 +22,7 @@ struct TrackerParams {
   double keyframe_rad = 8 * kDegree;
   double lost_share = 0.55;  ///< less of the seen length fits than this: look for the pose anew
   double relocation_reach_m = 1.2;
+  bool may_count_backwards = true;  ///< the wheels, driving forwards, for a while: in some logs they do
 
   void describe(FieldList& fields);
 };
