@@ -20,6 +20,7 @@ constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itsel
 constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
 constexpr double kWallGoesOn_m = 0.15;         // to both sides of its nearest place: not a corner or an end
 constexpr double kBesideOut_m = 0.15;  // so far beside what stands out of a wall is free, but for blur
+constexpr double kLegDeepCells = 1.5;  // so far behind a leg's front there is the wall that it stands before
 constexpr double kLineStepCells = 0.5;
 constexpr std::size_t kRowMin = 8;     // small things: a wall in pieces, if there are so many ...
 constexpr double kRow_m = 2;           // ... in such a stretch ...
@@ -189,7 +190,7 @@ void LegBarriers::find_walls(const FloorGrid& floor, Thing& thing) const {
     if (floor.at(cell) != Floor::kOccupied) return;
     const Vec2 p_map = floor.centre(cell);
     const double away_m = (p_map - thing.p_map).norm();
-    if (away_m <= params_.leg_max_m || away_m >= params_.wall_max_m || is_leg(p_map)) return;
+    if (away_m <= params_.leg_max_m || away_m >= params_.wall_max_m || is_leg(floor, p_map)) return;
     thing.walls.push_back(p_map);
   });
 }
@@ -280,10 +281,12 @@ void LegBarriers::look_about(const FloorGrid& floor, Thing& thing) const {
   thing.stand = is_before_wall ? Stand::kBeforeWall : Stand::kUnclear;
 }
 
-/// What stands there belongs to one.
-bool LegBarriers::is_leg(const Vec2& p_map) const {
+/// What stands there belongs to one, not to the wall behind it.
+bool LegBarriers::is_leg(const FloorGrid& floor, const Vec2& p_map) const {
+  const double deep_m = kLegDeepCells * floor.cell_m();
   return std::any_of(things_.begin(), things_.end(), [&](const Thing& thing) {
-    return thing.is_leg() && (thing.p_map - p_map).norm() <= params_.leg_max_m;
+    const Vec2 away = p_map - thing.p_map;
+    return thing.is_leg() && away.norm() <= params_.leg_max_m && thing.behind.dot(away) < deep_m;
   });
 }
 
@@ -340,7 +343,7 @@ bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Thing& a, co
   for_cells_on_line(floor, a.p_map, b.p_map, [&](FloorCell cell) {
     const Vec2 p_map = floor.centre(cell);
     const bool is_between = (p_map - a.p_map).norm() > blur_m(a) && (p_map - b.p_map).norm() > blur_m(b);
-    if (is_between && floor.at(cell) == Floor::kOccupied && !is_leg(p_map)) in_sight = false;
+    if (is_between && floor.at(cell) == Floor::kOccupied && !is_leg(floor, p_map)) in_sight = false;
   });
   return in_sight;
 }

@@ -181,6 +181,17 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToWhereATablesOtherLegMayBeHidden) {
   EXPECT_FALSE(is_closed({4, 1.5}, {2.2, 1.5}));
 }
 
+/// It hangs together with the wall, which is as far from the front legs as it may be.
+TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughTheBackLegHidesTheWallBehind) {
+  wall(2, 0, 6);
+  for (const double x_m : {2.07, 2.12}) stand(x_m, 2.02);
+  stand(2.92, 2.02);
+  for (const double y_m : {2.02, 2.07}) stand(2.97, y_m);
+  EXPECT_FALSE(is_closed({4, 2.8}, {2.2, 2.8}));
+  hide({2.4, 3.52}, {5, 6});
+  EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
+}
+
 /// It is a speck like those of the wall beside it, of which little was seen.
 TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegAtAnotherWall) {
   wall(2, 0, 4);
