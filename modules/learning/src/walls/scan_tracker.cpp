@@ -21,16 +21,22 @@ constexpr double kDoubtful_m = 0.03;  // after a motion of at least this
 constexpr double kClearlyBetter = 0.15;
 constexpr double kSlightlyBetter = 0.02;
 constexpr double kRelocationSeen_m = 2;  // with less wall in sight a guess is worse than none
-constexpr double kGuessSigma_m = 0.3, kGuessSigma_rad = 3 * kDegree;
-constexpr double kLaidAgainShare = 0.5;  // of the seen length must fit
-constexpr int kAgreeingScans = 3;        // say where the sensor is, before that is believed
-constexpr double kAgreeingWay_m = 0.3;   // and over so long a way: from one place they are one scan
-constexpr double kAgreeing_m = 0.15;     // so near each other
+constexpr double kGuessReach_m = 0.3,
+                 kGuessReach_rad = 3 * kDegree;  // an earlier scan may lie so far off ...
+constexpr double kGuessSigma_m = 0.05, kGuessSigma_rad = 1 * kDegree;  // ... but seldom does
+constexpr double kLaidAgainShare = 0.5;                                // of the seen length must fit
+constexpr int kAgreeingScans = 3;       // say where the sensor is, before that is believed
+constexpr double kAgreeingWay_m = 0.3;  // and over so long a way: from one place they are one scan
+constexpr double kAgreeing_m = 0.15;    // so near each other
 constexpr double kAgreeing_rad = 5 * kDegree;
 constexpr double kNoWall_per_m2 = 1;  // information across, where no wall tells of it
 constexpr double kAcross = 0.7;       // of the way: cosine between it and the normal
 constexpr double kRelocatedPoseSigma_m = 0.05;
 constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
+
+Mat3 information_of(double sigma_m, double sigma_rad) {
+  return Vec3(sigma_m, sigma_m, sigma_rad).cwiseAbs2().cwiseInverse().asDiagonal();
+}
 
 }  // namespace
 
@@ -84,14 +90,20 @@ Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_
   return T_track_sensor_.mean;
 }
 
+/// Where the walls hardly tell, as along a corridor by a door's leaf, the guess holds.
 std::optional<Pose2> ScanTracker::lay_again(std::span<const SensedSegment> segments,
                                             const Pose2& T_track_guess) {
-  const Vec3 sigma(kGuessSigma_m, kGuessSigma_m, kGuessSigma_rad);
-  const PosePrior prior{T_track_guess, sigma.cwiseAbs2().cwiseInverse().asDiagonal()};
+  const PosePrior prior{T_track_guess, information_of(kGuessReach_m, kGuessReach_rad)};
   const Alignment alignment =
       aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
   if (alignment.seen_m == 0 || alignment.fitting_share() < kLaidAgainShare) return std::nullopt;
-  return alignment.T_map_sensor;
+  const Pose2& laid = alignment.T_map_sensor;
+  const Vec3 off(laid.x - T_track_guess.x, laid.y - T_track_guess.y,
+                 wrap_angle(laid.theta - T_track_guess.theta));
+  const Mat3 information = alignment.wall_information + information_of(kGuessSigma_m, kGuessSigma_rad);
+  const Vec3 moved = information.inverse() * alignment.wall_information * off;
+  return Pose2{T_track_guess.x + moved(0), T_track_guess.y + moved(1),
+               wrap_angle(T_track_guess.theta + moved(2))};
 }
 
 /// Without axes there is nothing better than walls as they are.

@@ -208,6 +208,23 @@ TEST(ScanTracker, LaysAnEarlierScanOntoTheWallsAgain) {
   EXPECT_THAT(T_room_track * *first, PoseNear(drive.front(), 0.01, 0.003));
 }
 
+/// Of the way along a corridor an open door's leaf tells little: it may have been learned 10 cm off.
+TEST(ScanTracker, LaysAnEarlierScanAlongACorridorWhereItWasThoughtToBe) {
+  ScanTracker tracker(TrackerParams{});
+  const auto view = [](double x_m, double leaf_x_m) {
+    return seen(
+        std::vector<Segment2>{
+            {{0, -1}, {60, -1}}, {{60, 1}, {0, 1}}, {{leaf_x_m + 0.5, 0.7}, {leaf_x_m, 0.9}}},
+        {x_m, 0, 0});
+  };
+  constexpr double kStart_m = 8, kLeaf_m = 10;
+  for (int i = 0; i <= 20; ++i)
+    tracker.step(view(kStart_m + 0.08 * i, kLeaf_m), {i > 0 ? 0.08 : 0, 0, 0}, true);
+  const auto first = tracker.lay_again(view(kStart_m, kLeaf_m + 0.1), {});
+  ASSERT_TRUE(first);
+  EXPECT_THAT(*first, PoseNear(Pose2{}, 0.04, 0.01));
+}
+
 TEST(ScanTracker, DoesNotLayAScanOfAnotherRoomOntoTheWalls) {
   ScanTracker tracker(TrackerParams{});
   tracker.step(view_from({}), {}, true);
