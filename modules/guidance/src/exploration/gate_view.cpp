@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFanEdge_rad = 3 * kDegree;  // nothing is expected to be seen so near to the fan's edge
 constexpr double kSpareCells = 1.5;           // before a rim's point, where the unknown begins
-constexpr double kCellCorners = 1;  // what is free about a cell's middle, and not about each of its points
+constexpr double kCornerCells = 1;  // so much less is free about a point than about its cell's middle
 
 /// Nothing stands, and nothing is unknown, between two places; of a nook's rim, what lies just before it may
 /// be unknown.
@@ -24,7 +24,7 @@ bool is_clear(const FloorGrid& floor, const FloorClearance& clearance, const Vec
     const FloorCell cell = floor.cell_at(from + way * (along_m / length_m));
     const Floor kind = floor.at(cell);
     if (kind == Floor::kOccupied || (kind == Floor::kUnknown && along_m < known_m)) return false;
-    const double free_m = clearance.to_doubtful_m(cell) - kCellCorners * floor.cell_m();
+    const double free_m = clearance.to_doubtful_m(cell) - kCornerCells * floor.cell_m();
     i += std::max(1, static_cast<int>(free_m / step_m));
   }
   return true;
