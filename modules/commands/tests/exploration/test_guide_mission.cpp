@@ -28,6 +28,21 @@ bool is_floor_of_l(const Vec2& p) {
   return p.y() < 2 || p.x() > 12;
 }
 
+constexpr double kGap_m = 0.72;  // for a vehicle of 0.6 m
+
+/// The same with a gap in a wall across its second corridor.
+World narrowed_l_building() {
+  World world = l_building();
+  world.walls.push_back({.foot = {{12, 5}, {13 - kGap_m / 2, 5}}});
+  world.walls.push_back({.foot = {{13 + kGap_m / 2, 5}, {14, 5}}});
+  return world;
+}
+
+bool is_floor_of_narrowed_l(const Vec2& p) {
+  const bool is_in_wall = std::abs(p.y() - 5) < 0.03 && std::abs(p.x() - 13) > kGap_m / 2;
+  return is_floor_of_l(p) && !is_in_wall;
+}
+
 /// Corridors 2 m wide round a block, in a square of 10 m.
 World ring_building() {
   World world;
@@ -53,15 +68,15 @@ VehicleModel cart_with_scanner() {
 }
 
 /// What a vehicle that learned everything rightly would leave.
-Building learned(const World& world, bool (*is_floor)(const Vec2&) = is_floor_of_l) {
+Building learned(const World& world, bool (*is_floor)(const Vec2&) = is_floor_of_l, double cell_m = 0.05) {
   Building building{.name = "corridors"};
   for (const Segment2& s : slice(world, 0.3))
     building.walls.walls.push_back({.segment = s, .is_orthogonal = true, .sightings = 9, .sigma_m = 0.01});
   building.corridors = true_corridors(world, cart_with_scanner().description, world.start->position());
   building.places = {{"home", *world.start}, {"lift", {13, 8, 0}}};
-  building.floor.emplace();
-  for (double x = 0.025; x < 14; x += 0.05) {
-    for (double y = 0.025; y < 12; y += 0.05) {
+  building.floor.emplace(cell_m);
+  for (double x = cell_m / 2; x < 14; x += cell_m) {
+    for (double y = cell_m / 2; y < 12; y += cell_m) {
       if (is_floor({x, y})) building.floor->set(building.floor->cell_at({x, y}), Floor::kFree);
     }
   }
@@ -101,6 +116,13 @@ TEST(GuideMission, GoesToAPlaceByItsNameOnAboutTheShortestWay) {
   EXPECT_EQ(driven.result.collisions, 0U);
   EXPECT_LT((driven.result.T_world_vehicle.back().position() - Vec2(13, 8)).norm(), 1.5);
   EXPECT_LT(driven.result.distance_m, driven.shortest_m + 1);
+}
+
+TEST(GuideMission, SqueezesThroughWhereNoOtherWayIs) {
+  const World narrowed = narrowed_l_building();
+  const Driven driven = drive("go lift", narrowed, learned(narrowed, is_floor_of_narrowed_l, 0.025));
+  EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
+  EXPECT_EQ(driven.result.collisions, 0U);
 }
 
 TEST(GuideMission, PatrolsAllCorridorsAndComesHome) {

@@ -131,6 +131,7 @@ void GuideNavigator::begin_search() {
   search_.look_for(floor_, clearance_, T_map_vehicle_, p_map_place, vehicle_.footprint.front_m,
                    [this](const Pose2& T_map) { return is_at_place(T_map); });
   if (blocked_direction_ != 0) search_.forbid_first(std::exchange(blocked_direction_, 0));
+  if (squeezes_) search_.squeeze();
 }
 
 void GuideNavigator::search_way(double stamp_s) {
@@ -141,12 +142,16 @@ void GuideNavigator::search_way(double stamp_s) {
   if (driver_.has_way()) return;
   if (search_.state() == CarSearch::State::kIdle) begin_search();
   if (search_.state() == CarSearch::State::kNone) {
-    if (stamp_s - searched_s_ < kSearchAgain_s) return;
+    if (!squeezes_ && stamp_s - searched_s_ < kSearchAgain_s) return;
     begin_search();
   }
   const CarSearch::State state = search_.advance(floor_, clearance_, params_.expansions);
-  if (state == CarSearch::State::kNone) searched_s_ = stamp_s;
+  if (state == CarSearch::State::kNone) {
+    searched_s_ = stamp_s;
+    squeezes_ = !squeezes_;
+  }
   if (state != CarSearch::State::kFound) return;
+  squeezes_ = false;
   const Path way = search_.path();
   search_.stop();
   if (way.empty()) {
