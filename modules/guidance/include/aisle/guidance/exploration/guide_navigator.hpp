@@ -94,7 +94,7 @@ class GuideNavigator final : public Navigator {
   Vec2 p_map_hopeful_ = Vec2::Constant(1e9);  ///< where that was
   double searched_s_ = 0;
   int blocked_direction_ = 0;  ///< in which the vehicle could just not go on: forwards 1, backwards -1
-  bool squeezes_ = false;  ///< through less room, as the search before found no way
+  bool squeezes_ = false;      ///< through less room, as the search before found no way
   std::size_t ways_closed_ = 0;
 };
 
