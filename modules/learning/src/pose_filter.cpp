@@ -8,6 +8,7 @@
 #include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
 #include "odometry_arc.hpp"
+#include "pose_change.hpp"
 
 namespace aisle {
 namespace {
@@ -17,10 +18,6 @@ constexpr double kHuber = 1.5;        // residuals beyond so many standard devia
 constexpr double kBelieved = 3;
 constexpr int kRounds = 5;
 constexpr double kPoseSettled = 1e-7;
-
-Pose2 moved_by(const Pose2& pose, const Vec3& change) {
-  return {pose.x + change[0], pose.y + change[1], wrap_angle(pose.theta + change[2])};
-}
 
 }  // namespace
 
@@ -107,8 +104,7 @@ PoseFilter::Fit PoseFilter::fit(std::span<const SeenPoint> points, const Pose2& 
   Mat7 prior = Mat7::Identity();
   prior.topLeftCorner<6, 6>() = covariance_.llt().solve(Mat6::Identity());
   Fit fit;
-  fit.change.head<3>() << guess.x - T_map_vehicle_.x, guess.y - T_map_vehicle_.y,
-      wrap_angle(guess.theta - T_map_vehicle_.theta);
+  fit.change.head<3>() = change_between(T_map_vehicle_, guess);
   for (int round = 0; round < kRounds; ++round) {
     fit.information = prior;
     fit.squared_distance = fit.change.dot(prior * fit.change);

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
@@ -24,13 +25,20 @@ inline World walled_by(std::initializer_list<Vec2> corners, const Pose2& T_world
   return world;
 }
 
+inline VehicleModel cart_with_scanner() {
+  auto read = read_vehicle(std::filesystem::path(AISLE_SOURCE_DIR) / "vehicles/alv-scanner.yaml");
+  if (!read) throw std::runtime_error(to_string(read.problems()));
+  read->description.cameras.clear();
+  return *read;
+}
+
 /// An explorer by range scanner in a world, to be driven cycle by cycle.
 class ExplorerTrip {
  public:
   ExplorerTrip(const World& world, std::uint64_t seed, const ExplorerNavigatorParams& params = {})
-      : vehicle(world, model(), {}, {.seed = seed, .T_world_start = *world.start}),
+      : vehicle(world, cart_with_scanner(), {}, {.seed = seed, .T_world_start = *world.start}),
         T_world_start_(*world.start) {
-    auto made = make_explorer(explorer_origin(params, {}), model().description);
+    auto made = make_explorer(explorer_origin(params, {}), vehicle.description());
     if (!made) throw std::runtime_error(to_string(made.problems()));
     explorer = std::move(*made);
   }
@@ -52,13 +60,6 @@ class ExplorerTrip {
   Decision last;
 
  private:
-  static VehicleModel model() {
-    auto read = read_vehicle(std::filesystem::path(AISLE_SOURCE_DIR) / "vehicles/alv-scanner.yaml");
-    if (!read) throw std::runtime_error(to_string(read.problems()));
-    read->description.cameras.clear();
-    return *read;
-  }
-
   Pose2 T_world_start_;
 };
 

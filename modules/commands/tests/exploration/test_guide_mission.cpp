@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "aisle/formats/buildings/building_json.hpp"
-#include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "aisle/simulation/slice.hpp"
-#include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "exploration/exploration_evaluation.hpp"
 #include "exploration/guide_mission.hpp"
+#include "explorer_trip.hpp"
 
 namespace aisle {
 namespace {
@@ -16,12 +15,7 @@ using testing::HasSubstr;
 
 /// An L of corridors 2 m wide: along x from (0, 0) to (14, 2), then up to (14, 12).
 World l_building() {
-  World world;
-  const Vec2 corners[] = {{0, 0}, {14, 0}, {14, 12}, {12, 12}, {12, 2}, {0, 2}};
-  for (std::size_t i = 0; i < std::size(corners); ++i)
-    world.walls.push_back({.foot = {corners[i], corners[(i + 1) % std::size(corners)]}});
-  world.start = Pose2{1.5, 1, 0};
-  return world;
+  return walled_by({{0, 0}, {14, 0}, {14, 12}, {12, 12}, {12, 2}, {0, 2}}, {1.5, 1, 0});
 }
 
 bool is_floor_of_l(const Vec2& p) {
@@ -58,13 +52,6 @@ World ring_building() {
 bool is_floor_of_ring(const Vec2& p) {
   const auto is_in_block = [](double x) { return x > 2 && x < 8; };
   return p.x() < 10 && p.y() < 10 && !(is_in_block(p.x()) && is_in_block(p.y()));
-}
-
-VehicleModel cart_with_scanner() {
-  auto model = read_vehicle(std::filesystem::path(AISLE_SOURCE_DIR) / "vehicles/alv-scanner.yaml");
-  EXPECT_TRUE(model.ok());
-  model->description.cameras.clear();
-  return *model;
 }
 
 /// What a vehicle that learned everything rightly would leave.

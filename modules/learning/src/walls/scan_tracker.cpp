@@ -8,6 +8,7 @@
 #include "aisle/core/square.hpp"
 #include "aisle/geometry/dominant_direction.hpp"
 #include "aisle/learning/walls/wall_heading.hpp"
+#include "pose_change.hpp"
 #include "walls/relocation.hpp"
 
 namespace aisle {
@@ -34,10 +35,6 @@ constexpr double kNoWall_per_m2 = 1;  // information across, where no wall tells
 constexpr double kAcross = 0.7;       // of the way: cosine between it and the normal
 constexpr double kRelocatedPoseSigma_m = 0.05;
 constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
-
-Mat3 information_of(double sigma_m, double sigma_rad) {
-  return Vec3(sigma_m, sigma_m, sigma_rad).cwiseAbs2().cwiseInverse().asDiagonal();
-}
 
 }  // namespace
 
@@ -94,17 +91,16 @@ Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_
 /// Where the walls hardly tell, as along a corridor by a door's leaf, the guess holds.
 std::optional<Pose2> ScanTracker::lay_again(std::span<const SensedSegment> segments,
                                             const Pose2& T_track_guess) {
-  const PosePrior prior{T_track_guess, information_of(kGuessReach_m, kGuessReach_rad)};
+  const auto information_about = [&](double sigma_m, double sigma_rad) {
+    return about(T_track_guess, sigma_m, sigma_rad).covariance.inverse().eval();
+  };
+  const PosePrior prior{T_track_guess, information_about(kGuessReach_m, kGuessReach_rad)};
   const Alignment alignment =
       aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
   if (alignment.seen_m == 0 || alignment.fitting_share() < kLaidAgainShare) return std::nullopt;
-  const Pose2& laid = alignment.T_map_sensor;
-  const Vec3 off(laid.x - T_track_guess.x, laid.y - T_track_guess.y,
-                 wrap_angle(laid.theta - T_track_guess.theta));
-  const Mat3 information = alignment.wall_information + information_of(kGuessSigma_m, kGuessSigma_rad);
-  const Vec3 moved = information.inverse() * alignment.wall_information * off;
-  return Pose2{T_track_guess.x + moved(0), T_track_guess.y + moved(1),
-               wrap_angle(T_track_guess.theta + moved(2))};
+  const Mat3 information = alignment.wall_information + information_about(kGuessSigma_m, kGuessSigma_rad);
+  const Vec3 off = change_between(T_track_guess, alignment.T_map_sensor);
+  return moved_by(T_track_guess, information.inverse() * alignment.wall_information * off);
 }
 
 /// Without axes there is nothing better than walls as they are.
@@ -130,7 +126,7 @@ void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
   const Vec3 gain = covariance.col(2) / (covariance(2, 2) + square(measured->sigma_rad));
   const Vec3 correction = gain * wrap_angle(measured->heading_rad - pose.theta);
   const Mat3 prior = covariance;
-  pose = {pose.x + correction(0), pose.y + correction(1), wrap_angle(pose.theta + correction(2))};
+  pose = moved_by(pose, correction);
   covariance -= gain * covariance.row(2).eval();
   covariance = (0.5 * (covariance + covariance.transpose())).eval();
   scale_.correct(prior, correction, covariance);
@@ -153,18 +149,15 @@ Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
 /// the wheels' scale.
 void ScanTracker::correct_pose(const Alignment& alignment, const CountedWay& way_to_walls) {
   auto& [pose, covariance] = T_track_sensor_;
-  const Pose2& laid = alignment.T_map_sensor;
   const Mat3& information = alignment.wall_information;
-  const Vec3 moved(laid.x - pose.x, laid.y - pose.y, wrap_angle(laid.theta - pose.theta));
-  const Vec3 pull = (covariance.inverse() + information) * moved;
+  const Vec3 pull = (covariance.inverse() + information) * change_between(pose, alignment.T_map_sensor);
   Vec3 expected = Vec3::Zero();
   expected.head<2>() = scale_.refer_to(way_to_walls, covariance);
   const Mat3 prior = covariance;
   covariance = (prior.inverse() + information).inverse();
   const Vec3 correction = covariance * (pull - information * expected);
   scale_.correct(prior, correction, covariance);
-  const Vec3 moves = expected + correction;
-  pose = {pose.x + moves(0), pose.y + moves(1), wrap_angle(pose.theta + moves(2))};
+  pose = moved_by(pose, expected + correction);
 }
 
 /// To what the latest alignment lies on: in each direction as the walls that tell of it. A wall that the
