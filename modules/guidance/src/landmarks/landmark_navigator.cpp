@@ -166,6 +166,7 @@ void LandmarkNavigator::locate(const Observation& observation) {
   scenes_.move(T_before_now);
   stripes_.move(T_before_now);
   continuity_.move(T_before_now);
+  recognition_.move(T_before_now);
   sightings_.clear();
   match_ = LandmarkMatch::kNothing;
   const CameraPicture* picture = guard_.look(observation);
@@ -195,6 +196,9 @@ void LandmarkNavigator::watch_for_lift() {
       expectations_.look(expected_landmarks(building_->landmarks, fix().T_map_vehicle, sightings_,
                                             params_.localiser.landmark_sigma_m)))
     was_lifted_ = true;
+  if (state_ == State::kFollowing && match_ != LandmarkMatch::kAmbiguous &&
+      recognition_.look(sightings_.size(), localiser_.pairs().size(), is_known_here))
+    was_lifted_ = has_jumped_ = true;
   if (fits && !is_known_here) return;
   if (continuity_.look(sightings_, is_known_here) && state_ == State::kFollowing)
     was_lifted_ = has_jumped_ = true;
@@ -239,6 +243,7 @@ void LandmarkNavigator::go_on(State state) {
   begin(state);
   has_jumped_ = false;
   expectations_.start();
+  recognition_.start();
   matched_stamp_s_ = stamp_s_;
   strangeness_.start();
 }

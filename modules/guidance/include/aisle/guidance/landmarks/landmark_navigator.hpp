@@ -13,6 +13,7 @@
 #include "aisle/guidance/landmarks/continuity_watch.hpp"
 #include "aisle/guidance/landmarks/expectation_watch.hpp"
 #include "aisle/guidance/landmarks/place_doubt.hpp"
+#include "aisle/guidance/landmarks/recognition_watch.hpp"
 #include "aisle/guidance/landmarks/scene_watch.hpp"
 #include "aisle/guidance/landmarks/strange_watch.hpp"
 #include "aisle/guidance/landmarks/stripe_watch.hpp"
@@ -116,6 +117,7 @@ class LandmarkNavigator final : public Navigator {
   StripeWatch stripes_;
   ContinuityWatch continuity_;
   ExpectationWatch expectations_;
+  RecognitionWatch recognition_;
   std::vector<LandmarkSighting> sightings_;
   std::vector<SensedSegment> edges_on_floor_;
   State state_ = State::kLooking;
