@@ -19,6 +19,7 @@ constexpr double kBehindBeside_m = 0.09;       // so far to both sides a wall go
 constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itself is told apart from it
 constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
 constexpr double kWallGoesOn_m = 0.15;         // to both sides of its nearest place: not a corner or an end
+constexpr double kPieceMin_m = 0.3;    // legs nearer to each other carry two pieces, side by side
 constexpr double kBesideOut_m = 0.15;  // so far beside what stands out of a wall is free, but for blur
 constexpr double kLegDeepCells = 1.5;  // so far behind a leg's front there is the wall that it stands before
 constexpr double kLineStepCells = 0.5;
@@ -411,7 +412,7 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
 bool LegBarriers::has_partner(const Thing& leg, const Vec2& along) const {
   return std::any_of(things_.begin(), things_.end(), [&](const Thing& other) {
     const Vec2 away = other.p_map - leg.p_map;
-    return other.is_leg() && away.norm() > params_.leg_max_m && away.norm() <= params_.apart_max_m &&
+    return other.is_leg() && away.norm() > kPieceMin_m && away.norm() <= params_.apart_max_m &&
            std::abs(left_normal(along).dot(away)) <= params_.leg_max_m;
   });
 }

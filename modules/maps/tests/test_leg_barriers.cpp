@@ -244,6 +244,16 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckStandsAtTheWallBe
   EXPECT_TRUE(is_closed({4, 3.4}, {2.5, 3.4}));
 }
 
+/// Two tables stand side by side, one of them farther out.
+TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughTheNextTablesLegStandsBeside) {
+  wall(2, 0, 6);
+  stand(2.87, 3.02);
+  hide({2.02, 0}, {5, 1.6});
+  EXPECT_TRUE(is_closed({4, 2.2}, {2.2, 2.2}));
+  stand(2.72, 3.22);
+  EXPECT_TRUE(is_closed({4, 2.2}, {2.2, 2.2}));
+}
+
 TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
   wall_across(3.87, 1, 5);
   stand(2.87, 2.02);
