@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/square.hpp"
 
 namespace aisle {
 namespace {
@@ -19,6 +20,8 @@ constexpr double kBehindBeside_m = 0.09;       // so far to both sides a wall go
 constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itself is told apart from it
 constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
 constexpr double kWallGoesOn_m = 0.15;         // to both sides of its nearest place: not a corner or an end
+constexpr double kWallStretch_m = 0.3;         // of it to both sides tells how it runs
+constexpr double kStraightMin = 0.94;          // cosine: a place to which the way leads straight across it
 constexpr double kPieceMin_m = 0.3;            // legs nearer to each other carry two pieces, side by side
 constexpr double kBesideOut_m = 0.15;  // so far beside what stands out of a wall is free, but for blur
 constexpr double kLegDeepCells = 1.5;  // so far behind a leg's front there is the wall that it stands before
@@ -362,6 +365,24 @@ std::optional<Vec2> LegBarriers::wall_behind(const Thing& leg, const Vec2& along
       leg, [&](const Vec2& away) { return std::abs(across.dot(away)) >= kAcrossMin * away.norm(); });
 }
 
+/// A unit across a wall, towards its nearest place. That a place lies well aside of how the wall runs about
+/// it is the doing of a speck that stands out.
+Vec2 LegBarriers::across_wall(const Thing& leg, const Vec2& p_map_nearest) const {
+  double xx = 0, xy = 0, yy = 0;
+  for (const Vec2& p_map : leg.walls) {
+    const Vec2 away = p_map - p_map_nearest;
+    if (away.norm() > kWallStretch_m) continue;
+    xx += square(away.x());
+    xy += away.x() * away.y();
+    yy += square(away.y());
+  }
+  const Vec2 towards = (p_map_nearest - leg.p_map).normalized();
+  const Vec2 across = left_normal(unit(std::atan2(2 * xy, xx - yy) / 2));
+  const double off = across.dot(towards);
+  if (std::abs(off) >= kStraightMin) return towards;
+  return off < 0 ? Vec2(-across) : across;
+}
+
 /// More than a small thing runs across this direction, to both sides of where it is met.
 bool LegBarriers::wall_goes_on(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& away) const {
   const Vec2 p_map = p_map_leg + away, aside = kWallGoesOn_m * left_normal(away.normalized());
@@ -400,7 +421,7 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
   if (leg.stand != Stand::kFree) return hidden;
   const auto wall = nearest_wall(leg, [&](const Vec2& away) { return wall_goes_on(floor, leg.p_map, away); });
   if (!wall) return hidden;
-  const Vec2 across = (*wall - leg.p_map).normalized();
+  const Vec2 across = across_wall(leg, *wall);
   for (const Vec2& along : {left_normal(across), across}) {
     if (!may_hide_one(along)) continue;
     look(along);

@@ -254,6 +254,17 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughTheNextTablesLegStandsB
   EXPECT_TRUE(is_closed({4, 2.2}, {2.2, 2.2}));
 }
 
+/// Which stands out of the wall that is nearest to the leg, so that it is its nearest place.
+TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckOfTheNearestWallLiesAside) {
+  wall(4, 2, 6);
+  wall_across(2, 0, 4.05);
+  stand(3.12, 2.37);
+  hide({2.9, 3.52}, {3.4, 6});
+  EXPECT_TRUE(is_closed({2.5, 3}, {3.5, 3}));
+  for (const double x_m : {2.77, 2.97}) stand(x_m, 2.07);
+  EXPECT_TRUE(is_closed({2.5, 3}, {3.5, 3}));
+}
+
 TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
   wall_across(3.87, 1, 5);
   stand(2.87, 2.02);

@@ -69,6 +69,7 @@ class LegBarriers {
   std::optional<Vec2> wall_behind(const Thing& leg, const Vec2& along) const;
   template <class Matters>
   std::optional<Vec2> nearest_wall(const Thing& leg, Matters matters) const;
+  Vec2 across_wall(const Thing& leg, const Vec2& p_map_nearest) const;
   bool wall_goes_on(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& away) const;
   std::vector<Vec2> hidden_partners(const FloorGrid& floor, const Thing& leg) const;
   bool has_partner(const Thing& leg, const Vec2& along) const;
