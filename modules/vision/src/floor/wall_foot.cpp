@@ -6,9 +6,18 @@
 #include "aisle/core/angle.hpp"
 
 namespace aisle {
+namespace {
+
+constexpr double kClearSign = 0.5;  // of the contrast: three quarters step one way
+
+}  // namespace
 
 double WallFoot::slope_deg() const {
   return std::atan2(direction.y(), direction.x()) / kDegree;
+}
+
+bool WallFoot::has_clear_sign() const {
+  return std::abs(sign) > kClearSign * contrast;
 }
 
 /// What the edges alone say.

@@ -21,6 +21,8 @@ struct WallFoot {
   double on_floor = 0;   ///< share of its length beneath which there is floor
   double at_edge = 0;    ///< share of its length beneath which there is floor, and none above
 
+  /// Whether most of its length steps alike, as one edge of a board does.
+  bool has_clear_sign() const;
   double support() const;
   double score() const;
   double v_at(double u_px) const {

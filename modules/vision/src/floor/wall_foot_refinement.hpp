@@ -24,18 +24,24 @@ class WallFootRefinement {
     bool other_edge = false;  ///< of the board, beneath the line that was found
   };
 
-  void sample_steps(const SideView& view, double from_px, double to_px, const WallFoot& foot);
-  void thin(std::vector<float>& steps) const;
-  void vote(const WallFoot& foot);
-  const Shift* lowest_of_like_votes() const;
   using Shifts_px = std::pair<double, double>;  ///< at both ends
+
+  void measure_steps(const SideView& view, double from_px, double to_px, const WallFoot& foot);
+  void sample_profiles(const SideView& view, double from_px, double to_px, const WallFoot& foot);
+  void average_profile(std::size_t i);
+  void thin(std::vector<float>& steps) const;
+  void vote(std::size_t side, bool other_edge);
+  const Shift* most_voted() const;
+  const Shift* lowest_of_like_votes() const;
   Shifts_px settled(const Shift& shift) const;
   Shifts_px between_steps(const Shifts_px& shifts_px, std::size_t side) const;
+  static void move(const Shifts_px& shifts_px, double from_px, double to_px, WallFoot& foot);
 
   std::size_t reach_ = 0, across_ = 0, along_ = 0;
-  std::vector<float> profile_;
+  std::vector<float> profiles_;              ///< brightness across the line, one after the other along it
+  std::vector<float> profile_;               ///< one of them, averaged
   std::array<std::vector<float>, 2> steps_;  ///< of each sign; one row of `across_` a sample
-  std::array<std::vector<float>, 2> unthinned_;
+  std::array<std::vector<float>, 2> edges_;  ///< the same from pixel to pixel, sharper
   std::vector<Shift> shifts_;
 };
 

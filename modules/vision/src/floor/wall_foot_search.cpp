@@ -49,6 +49,7 @@ double depth_px(const SideScene& scene, const WallFoot& foot) {
 
 /// Whether `foot` may be the lower edge of the board whose upper edge is `upper`.
 bool is_lower_edge(const SideScene& scene, const WallFoot& foot, const WallFoot& upper) {
+  if (!foot.has_clear_sign()) return false;
   const bool opposite_step = foot.support() > kOtherEdge * upper.support() && foot.followed < kFreeFloor &&
                              foot.sign * upper.sign < 0;
   if (foot.score() < kLikeScore * upper.score() && !opposite_step) return false;
