@@ -1,4 +1,9 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
 
 #include "aisle/formats/pictures/picture_file.hpp"
 #include "aisle/vision/floor/base_lines.hpp"
@@ -35,6 +40,59 @@ TEST_P(RealBaseLines, LieWithinFourPixelsOfTheLabelsOfTheFloor) {
     const Vec2 p = GetParam().far_px + share * (GetParam().near_px - GetParam().far_px);
     EXPECT_LT(distance_px(*line, p), 4);
   }
+}
+
+/// A right base line marked by hand: where it is seen, from far to near.
+struct MarkedLine {
+  std::string picture;  ///< beneath the images of the data
+  std::vector<Vec2> points_px;
+
+  /// Mean distance of points spread evenly along it from a line.
+  double off_px(const BaseLine& line) const {
+    constexpr int kPointsPerPiece = 20;
+    double sum = 0, length_px = 0;
+    for (std::size_t i = 1; i < points_px.size(); ++i) {
+      const Vec2 piece = points_px[i] - points_px[i - 1];
+      for (int k = 0; k < kPointsPerPiece; ++k) {
+        const double share = (k + 0.5) / kPointsPerPiece;
+        sum += piece.norm() / kPointsPerPiece * distance_px(line, points_px[i - 1] + share * piece);
+      }
+      length_px += piece.norm();
+    }
+    return sum / length_px;
+  }
+};
+
+std::vector<MarkedLine> marked_lines() {
+  std::ifstream file(std::filesystem::path(AISLE_SOURCE_DIR) / "tests" / "data" / "right_base_lines.txt");
+  std::vector<MarkedLine> lines;
+  for (std::string text; std::getline(file, text);) {
+    std::istringstream words(text);
+    MarkedLine& line = lines.emplace_back();
+    words >> line.picture;
+    for (double u = 0, v = 0; words >> u >> v;) line.points_px.emplace_back(u, v);
+  }
+  return lines;
+}
+
+TEST(RealPictures, RightBaseLinesAreNearThoseMarkedByHand) {
+  AISLE_NEEDS(real_data() / "images" / "office_corridor_walkable");
+  const auto marked = marked_lines();
+  std::vector<double> offs_px;
+  for (const MarkedLine& line : marked) {
+    const Image grey = to_grey(read_picture(real_data() / "images" / line.picture).value());
+    const auto found = BaseLineDetector().detect(grey, VerticalLineDetector().detect(grey)).right;
+    if (found) offs_px.push_back(line.off_px(*found) * 640 / grey.width_px);
+  }
+  ASSERT_FALSE(offs_px.empty());
+  std::sort(offs_px.begin(), offs_px.end());
+  double mean_px = 0;
+  for (const double off_px : offs_px) mean_px += off_px / static_cast<double>(offs_px.size());
+  fmt::print(
+      "right base lines: {} of {} found, off by {:.2f} px of 640 (mean), {:.2f} (median), {:.1f} (9 in 10)\n",
+      offs_px.size(), marked.size(), mean_px, offs_px[offs_px.size() / 2], offs_px[offs_px.size() * 9 / 10]);
+  EXPECT_GE(offs_px.size(), marked.size() * 8 / 10);
+  EXPECT_LE(mean_px, 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Labels, RealBaseLines,

@@ -59,6 +59,14 @@ TEST(BaseLines, AreFoundWithoutSkirtingBoards) {
   expect_base_lines(corridor, look_at(corridor.picture()).base_lines, 1.5);
 }
 
+TEST(BaseLines, OfLowSkirtingBoardsAreAsSharp) {
+  for (const double skirting_m : {0.03, 0.05, 0.07}) {
+    DrawnCorridor corridor;
+    corridor.skirting_m = skirting_m;
+    expect_base_lines(corridor, look_at(corridor.picture()).base_lines, 1);
+  }
+}
+
 TEST(BaseLines, AreFoundByATiltedAndRolledCamera) {
   DrawnCorridor corridor;
   corridor.down_rad = 6 * kDegree;
