@@ -7,14 +7,16 @@
 namespace aisle {
 namespace {
 
-/// Steps to the neighbours in tenths of a cell, so that a queue of a few buckets orders them.
-struct Step {
-  int x;
-  int y;
-  unsigned tenths;
-};
-constexpr std::array<Step, 8> kSteps = {
-    {{1, 0, 10}, {-1, 0, 10}, {0, 1, 10}, {0, -1, 10}, {1, 1, 14}, {1, -1, 14}, {-1, 1, 14}, {-1, -1, 14}}};
+/// To the neighbours, all round from the right. In tenths of a cell they are so long that a queue of a few
+/// buckets orders them.
+constexpr std::array<FloorCell, 8> kSteps = {
+    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+constexpr std::int32_t kStraight = 10;
+constexpr std::int32_t kDiagonal = 14;
+
+constexpr bool is_diagonal(unsigned step) {
+  return step % 2 == 1;
+}
 
 }  // namespace
 
@@ -22,32 +24,75 @@ void FloorDistances::measure(const FloorGrid& floor, const FloorClearance& clear
                              double room_m, double leeway_m) {
   room_ = clearance.room();
   cell_m_ = static_cast<float>(floor.cell_m());
-  tenths_.assign(clearance.size(), kFar);
+  const auto has_room = [&](std::size_t at) { return clearance.to_doubtful_m(at) >= room_m; };
+  tenths_.resize(clearance.size());
+  for (std::size_t at = 0; at < tenths_.size(); ++at) tenths_[at] = has_room(at) ? kFar : kShut;
   const FloorCell start = floor.cell_at(from_m);
   if (!room_.widened(-1).contains(start)) return;
-  queue_[0].push_back(index(start));
-  tenths_[index(start)] = 0;
-  const auto columns = static_cast<std::ptrdiff_t>(clearance.columns());
-  const auto leeway = static_cast<std::uint32_t>(10 * leeway_m / floor.cell_m());
-  std::size_t waiting = 1;
-  for (std::uint32_t now = 0; waiting > 0; ++now) {
+  const auto leeway = static_cast<std::int32_t>(10 * leeway_m / floor.cell_m());
+  FloorBox about;
+  about.include(start);
+  about = about.widened((leeway + 2 * kDiagonal) / 10);
+  clearance.for_cells(about, [&](FloorCell, std::size_t at) {
+    if (clearance.to_doubtful_m(at) > 0) tenths_[at] = kFar;
+  });
+  for (std::size_t step = 0; step < kSteps.size(); ++step)
+    to_next_[step] = kSteps[step].y * static_cast<std::ptrdiff_t>(clearance.columns()) + kSteps[step].x;
+  begin_at(index(start));
+  // what has less room is entered from within the leeway only: all of it is settled a step beyond
+  settle(leeway + kDiagonal, [&](Reached reached) {
+    for (unsigned step = 0; step < kSteps.size(); ++step) {
+      if (now_ <= leeway || has_room(next(reached.at, step))) go(reached.at, step);
+    }
+  });
+  clearance.for_cells(about, [&](FloorCell, std::size_t at) {
+    if (tenths_[at] == kFar && !has_room(at)) tenths_[at] = kShut;
+  });
+  settle(kFar, [this](Reached reached) { go_on(reached); });
+}
+
+void FloorDistances::begin_at(std::size_t start) {
+  now_ = 0;
+  waiting_ = 1;
+  tenths_[start] = 0;
+  queue_[0].push_back({static_cast<std::uint32_t>(start), 0});
+}
+
+/// What is no farther than so many tenths of a cell, nearest first.
+template <class Leave>
+void FloorDistances::settle(std::int32_t until, Leave leave) {
+  for (; waiting_ > 0 && now_ <= until; ++now_) {
     bucket_.clear();
-    bucket_.swap(queue_[now % kBuckets]);
-    waiting -= bucket_.size();
-    for (const std::size_t at : bucket_) {
-      if (tenths_[at] != now) continue;
-      for (const Step& step : kSteps) {
-        const std::size_t next = at + static_cast<std::size_t>(step.y * columns + step.x);
-        const std::uint32_t then = now + step.tenths;
-        if (tenths_[next] <= then) continue;
-        const double room = clearance.to_doubtful_m(next);
-        if (room < room_m && (now > leeway || room <= 0)) continue;
-        tenths_[next] = then;
-        queue_[then % kBuckets].push_back(next);
-        ++waiting;
-      }
+    bucket_.swap(queue_[static_cast<std::size_t>(now_) % kBuckets]);
+    waiting_ -= bucket_.size();
+    for (const Reached reached : bucket_) {
+      if (tenths_[reached.at] == now_) leave(reached);
     }
   }
+}
+
+void FloorDistances::go(std::size_t from, unsigned step) {
+  const std::size_t at = next(from, step);
+  const std::int32_t then = now_ + (is_diagonal(step) ? kDiagonal : kStraight);
+  if (tenths_[at] <= then) return;
+  tenths_[at] = then;
+  queue_[static_cast<std::size_t>(then) % kBuckets].push_back(
+      {static_cast<std::uint32_t>(at), static_cast<std::uint8_t>(step)});
+  ++waiting_;
+}
+
+/// As the latest step led, and round what stands beside it; all else is no farther from the cell before.
+void FloorDistances::go_on(Reached reached) {
+  const unsigned ahead = reached.by, beside = is_diagonal(ahead) ? 3 : 2;
+  const auto is_shut = [&](unsigned step) { return tenths_[next(reached.at, step)] == kShut; };
+  go(reached.at, ahead);
+  if (is_diagonal(ahead)) {
+    go(reached.at, (ahead + 1) % kSteps.size());
+    go(reached.at, (ahead + 7) % kSteps.size());
+  }
+  const unsigned left = (ahead + beside) % kSteps.size(), right = (ahead + 8 - beside) % kSteps.size();
+  if (is_shut(left)) go(reached.at, (left + 7) % kSteps.size());
+  if (is_shut(right)) go(reached.at, (right + 1) % kSteps.size());
 }
 
 float FloorDistances::near(const FloorGrid& floor, const Vec2& p_map, double within_m) const {

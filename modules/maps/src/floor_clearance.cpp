@@ -10,54 +10,78 @@ namespace {
 constexpr int kMargin = 32;  // cells of room beyond what is known
 
 /// Exact distances to marked cells in a box, up to a limit: down and up the columns first, then along the
-/// rows over at most as many cells as the limit holds.
+/// rows over at most as many cells as the limit holds. Whole rows at once, in loops without branches.
 class BoxDistances {
  public:
   /// @param in_column  to work with
   BoxDistances(const FloorBox& box, int limit, std::vector<int>& in_column)
       : box_(box),
         width_(box.end.x - box.low.x),
-        height_(box.end.y - box.low.y),
         limit_(limit),
-        in_column_(in_column) {
-    in_column_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), limit);
+        in_column_(in_column),
+        squared_(static_cast<std::size_t>(width_ + 2 * limit), limit * limit) {
+    in_column_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(box.end.y - box.low.y));
   }
 
   template <class IsMarked>
   void mark(IsMarked is_marked) {
-    for (int y = 0; y < height_; ++y) {
-      for (int x = 0; x < width_; ++x) {
-        const bool marked = is_marked(FloorCell{box_.low.x + x, box_.low.y + y});
-        at(x, y) = marked ? 0 : y == 0 ? limit_ : std::min(limit_, at(x, y - 1) + 1);
-      }
-    }
-    for (int y = height_ - 2; y >= 0; --y) {
-      for (int x = 0; x < width_; ++x) at(x, y) = std::min(at(x, y), at(x, y + 1) + 1);
+    for (int y = box_.low.y; y < box_.end.y; ++y) {
+      int* cells = row(y);
+      for (int x = 0; x < width_; ++x) cells[x] = is_marked(FloorCell{box_.low.x + x, y}) ? 0 : limit_;
     }
   }
 
-  /// In cells, from middle to middle.
-  double distance(FloorCell cell) {
-    const int x = cell.x - box_.low.x, y = cell.y - box_.low.y;
-    int best = at(x, y) * at(x, y);
-    for (int away = 1; away * away < best; ++away) {
-      if (x >= away) best = std::min(best, away * away + at(x - away, y) * at(x - away, y));
-      if (x + away < width_) best = std::min(best, away * away + at(x + away, y) * at(x + away, y));
+  void mark_cells(std::span<const FloorCell> cells) {
+    for (const FloorCell cell : cells) {
+      if (box_.contains(cell)) row(cell.y)[cell.x - box_.low.x] = 0;
     }
-    return std::sqrt(best);
+  }
+
+  /// After all marks.
+  void measure_columns() {
+    for (int y = box_.low.y + 1; y < box_.end.y; ++y) go_on(row(y - 1), row(y));
+    for (int y = box_.end.y - 2; y >= box_.low.y; --y) go_on(row(y + 1), row(y));
+  }
+
+  /// Visits the cells of a row from `low_x` to before `end_x`, each with its distance squared [cells, from
+  /// middle to middle].
+  template <class Visit>
+  void measure_row(int y, int low_x, int end_x, Visit visit) {
+    const int* cells = row(y);
+    for (int x = 0; x < width_; ++x) squared_[static_cast<std::size_t>(x + limit_)] = cells[x] * cells[x];
+    for (int x = low_x; x < end_x; x += kAtOnce) {
+      const int* middle = squared_.data() + limit_ + (x - box_.low.x);
+      const int count = std::min(kAtOnce, end_x - x);
+      int nearest2[kAtOnce];
+      std::copy(middle, middle + count, nearest2);
+      int farthest2 = limit_ * limit_;
+      for (int away = 1; away * away < farthest2; ++away) {
+        farthest2 = 0;
+        for (int i = 0; i < count; ++i) {
+          nearest2[i] = std::min(nearest2[i], away * away + std::min(middle[i - away], middle[i + away]));
+          farthest2 = std::max(farthest2, nearest2[i]);
+        }
+      }
+      for (int i = 0; i < count; ++i) visit(FloorCell{x + i, y}, nearest2[i]);
+    }
   }
 
  private:
-  int& at(int x, int y) {
-    return in_column_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                      static_cast<std::size_t>(x)];
+  static constexpr int kAtOnce = 32;  // cells of a row, as long as one of them is far from all marks
+
+  void go_on(const int* from, int* to) const {
+    for (int x = 0; x < width_; ++x) to[x] = std::min(to[x], from[x] + 1);
+  }
+
+  int* row(int y) {
+    return in_column_.data() + static_cast<std::size_t>(y - box_.low.y) * static_cast<std::size_t>(width_);
   }
 
   FloorBox box_;
   int width_;
-  int height_;
   int limit_;
   std::vector<int>& in_column_;
+  std::vector<int> squared_;  ///< of one row, and as far beside it as matters
 };
 
 }  // namespace
@@ -103,19 +127,24 @@ void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
     if (is_first || !barred_.empty()) anew = room_;
   }
   anew = anew.common_with(room_);
-  BoxDistances doubtful(anew.widened(limit), limit, doubtful_cells_);
-  BoxDistances occupied(anew.widened(limit), limit, occupied_cells_);
-  doubtful.mark([&](FloorCell cell) { return floor.at(cell) != Floor::kFree || is_closed(cell); });
-  occupied.mark([&](FloorCell cell) { return floor.at(cell) == Floor::kOccupied || is_closed(cell); });
-  const auto metres = [&](double cells) {
-    return static_cast<float>(std::clamp((cells - 0.5) * floor.cell_m(), 0.0, far_m_));
-  };
-  for (int y = anew.low.y; y < anew.end.y; ++y) {
-    for (int x = anew.low.x; x < anew.end.x; ++x) {
-      to_doubtful_m_[index({x, y})] = metres(doubtful.distance({x, y}));
-      to_occupied_m_[index({x, y})] = metres(occupied.distance({x, y}));
+  std::vector<float> metres;  // by distance squared
+  for (int squared = 0; squared <= limit * limit; ++squared)
+    metres.push_back(
+        static_cast<float>(std::clamp((std::sqrt(squared) - 0.5) * floor.cell_m(), 0.0, far_m_)));
+  const auto measure = [&](auto is_marked, std::vector<float>& to_marked_m) {
+    BoxDistances distances(anew.widened(limit), limit, in_column_);
+    distances.mark(is_marked);
+    if (legs_) distances.mark_cells(legs_->closed());
+    distances.mark_cells(barred_);
+    distances.measure_columns();
+    for (int y = anew.low.y; y < anew.end.y; ++y) {
+      distances.measure_row(y, anew.low.x, anew.end.x, [&](FloorCell cell, int squared) {
+        to_marked_m[index(cell)] = metres[static_cast<std::size_t>(squared)];
+      });
     }
-  }
+  };
+  measure([&](FloorCell cell) { return floor.at(cell) != Floor::kFree; }, to_doubtful_m_);
+  measure([&](FloorCell cell) { return floor.at(cell) == Floor::kOccupied; }, to_occupied_m_);
 }
 
 }  // namespace aisle

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -91,6 +92,20 @@ bool is_crowded(std::vector<double>& along_m) {
     if (end_m >= 0 && end_m - along_m[i] <= kRow_m) return true;
   }
   return false;
+}
+
+/// More cells than told, straight along the rows, the columns or between them: most walls are.
+bool is_in_long_row(const FloorGrid& floor, FloorCell cell, int wide) {
+  constexpr FloorCell kAlong[] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
+  return std::any_of(std::begin(kAlong), std::end(kAlong), [&](FloorCell along) {
+    const auto stands = [&](int i) {
+      return floor.at(FloorCell{cell.x + i * along.x, cell.y + i * along.y}) == Floor::kOccupied;
+    };
+    int low = 0, end = 1;
+    while (end - low <= wide && stands(low - 1)) --low;
+    while (end - low <= wide && stands(end)) ++end;
+    return end - low > wide;
+  });
 }
 
 /// A long one, on the line through there along an axis.
@@ -206,6 +221,7 @@ int LegBarriers::leg_cells(const FloorGrid& floor) const {
 /// The cells that hang together with one of them; none if they are too many for a leg.
 std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCell start) const {
   const int wide = leg_cells(floor);
+  if (is_in_long_row(floor, start, wide)) return {};
   std::vector<FloorCell> cells = {start};
   FloorBox box;
   box.include(start);

@@ -21,14 +21,16 @@ class FloorDistances {
 
   /// [m]; kUnreached where no way is known.
   float to(FloorCell cell) const {
-    const std::uint32_t tenths = room_.contains(cell) ? tenths_[index(cell)] : kFar;
-    return tenths == kFar ? kUnreached : static_cast<float>(tenths) * 0.1F * cell_m_;
+    const std::int32_t tenths = room_.contains(cell) ? tenths_[index(cell)] : kShut;
+    return tenths == kShut || tenths == kFar ? kUnreached : static_cast<float>(tenths) * 0.1F * cell_m_;
   }
   /// To the nearest cell about a place from which there is a way.
   float near(const FloorGrid& floor, const Vec2& p_map, double within_m) const;
 
  private:
-  static constexpr std::uint32_t kFar = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
+  static constexpr std::int32_t kShut =
+      -1;  ///< too little room: as near as can be, so that no way improves it
   static constexpr std::size_t kBuckets = 16;
 
   std::size_t index(FloorCell cell) const {
@@ -37,11 +39,28 @@ class FloorDistances {
            static_cast<std::size_t>(cell.x - room_.low.x);
   }
 
+  struct Reached {
+    std::uint32_t at;  ///< a cell's number ...
+    std::uint8_t by;   ///< ... and the step that led there
+  };
+
+  std::size_t next(std::size_t at, unsigned step) const {
+    return at + static_cast<std::size_t>(to_next_[step]);
+  }
+  void begin_at(std::size_t start);
+  template <class Leave>
+  void settle(std::int32_t until, Leave leave);
+  void go(std::size_t from, unsigned step);
+  void go_on(Reached reached);
+
   FloorBox room_;
   float cell_m_ = 0;
-  std::vector<std::uint32_t> tenths_;                     ///< from the place to each cell of the room
-  std::array<std::vector<std::size_t>, kBuckets> queue_;  ///< to work with, as the next
-  std::vector<std::size_t> bucket_;
+  std::vector<std::int32_t> tenths_;                  ///< from the place to each cell of the room
+  std::array<std::ptrdiff_t, 8> to_next_ = {};        ///< by what step the number of a cell changes
+  std::array<std::vector<Reached>, kBuckets> queue_;  ///< to work with, as the next ones
+  std::vector<Reached> bucket_;
+  std::int32_t now_ = 0;
+  std::size_t waiting_ = 0;
 };
 
 }  // namespace aisle

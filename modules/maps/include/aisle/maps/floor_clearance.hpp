@@ -63,7 +63,6 @@ class FloorClearance {
 
  private:
   void widen_room(const FloorBox& wider);
-  bool is_closed(FloorCell cell) const { return (legs_ && legs_->is_closed(cell)) || is_barred(cell); }
 
   double far_m_;
   std::optional<LegBarriers> legs_;
@@ -71,7 +70,7 @@ class FloorClearance {
   FloorBox room_;
   std::vector<float> to_doubtful_m_;
   std::vector<float> to_occupied_m_;
-  std::vector<int> doubtful_cells_, occupied_cells_;  ///< to work with
+  std::vector<int> in_column_;  ///< to work with
 };
 
 }  // namespace aisle

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "aisle/core/parameters.hpp"
@@ -37,6 +38,8 @@ class LegBarriers {
   FloorBox update(const FloorGrid& floor, const FloorBox& changed);
 
   bool is_closed(FloorCell cell) const;
+  /// Row by row.
+  std::span<const FloorCell> closed() const { return closed_; }
   std::size_t legs() const;
 
  private:
