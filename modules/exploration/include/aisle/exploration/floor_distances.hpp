@@ -29,8 +29,8 @@ class FloorDistances {
 
  private:
   static constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
-  static constexpr std::int32_t kShut =
-      -1;  ///< too little room: as near as can be, so that no way improves it
+  /// Too little room: nearer than anything, so that no way leads there.
+  static constexpr std::int32_t kShut = -1;
   static constexpr std::size_t kBuckets = 16;
 
   std::size_t index(FloorCell cell) const {
