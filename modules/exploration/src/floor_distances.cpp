@@ -71,7 +71,7 @@ void FloorDistances::settle(std::int32_t until, Leave leave) {
   }
 }
 
-void FloorDistances::go(std::size_t from, unsigned step) {
+inline void FloorDistances::go(std::size_t from, unsigned step) {
   const std::size_t at = next(from, step);
   const std::int32_t then = now_ + (is_diagonal(step) ? kDiagonal : kStraight);
   if (tenths_[at] <= then) return;
@@ -82,7 +82,7 @@ void FloorDistances::go(std::size_t from, unsigned step) {
 }
 
 /// As the latest step led, and round what stands beside it; all else is no farther from the cell before.
-void FloorDistances::go_on(Reached reached) {
+inline void FloorDistances::go_on(Reached reached) {
   const unsigned ahead = reached.by, beside = is_diagonal(ahead) ? 3 : 2;
   const auto is_shut = [&](unsigned step) { return tenths_[next(reached.at, step)] == kShut; };
   go(reached.at, ahead);
