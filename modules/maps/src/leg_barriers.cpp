@@ -392,7 +392,7 @@ Vec2 LegBarriers::across_wall(const Thing& leg, const Vec2& p_map_nearest) const
     xy += away.x() * away.y();
     yy += square(away.y());
   }
-  const Vec2 towards = (p_map_nearest - leg.p_map).normalized();
+  Vec2 towards = (p_map_nearest - leg.p_map).normalized();
   const Vec2 across = left_normal(unit(std::atan2(2 * xy, xx - yy) / 2));
   const double off = across.dot(towards);
   if (std::abs(off) >= kStraightMin) return towards;
