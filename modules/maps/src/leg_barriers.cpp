@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "aisle/core/angle.hpp"
-#include "aisle/core/square.hpp"
+#include "aisle/geometry/principal_direction.hpp"
 
 namespace aisle {
 namespace {
@@ -384,16 +384,13 @@ std::optional<Vec2> LegBarriers::wall_behind(const Thing& leg, const Vec2& along
 /// A unit across a wall, towards its nearest place. That a place lies well aside of how the wall runs about
 /// it is the doing of a speck that stands out.
 Vec2 LegBarriers::across_wall(const Thing& leg, const Vec2& p_map_nearest) const {
-  double xx = 0, xy = 0, yy = 0;
+  Mat2 spread = Mat2::Zero();
   for (const Vec2& p_map : leg.walls) {
     const Vec2 away = p_map - p_map_nearest;
-    if (away.norm() > kWallStretch_m) continue;
-    xx += square(away.x());
-    xy += away.x() * away.y();
-    yy += square(away.y());
+    if (away.norm() <= kWallStretch_m) spread += away * away.transpose();
   }
   Vec2 towards = (p_map_nearest - leg.p_map).normalized();
-  const Vec2 across = left_normal(unit(std::atan2(2 * xy, xx - yy) / 2));
+  const Vec2 across = left_normal(principal_direction(spread));
   const double off = across.dot(towards);
   if (std::abs(off) >= kStraightMin) return towards;
   return off < 0 ? Vec2(-across) : across;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "aisle/core/angle.hpp"
 #include "landmarks/same_lines.hpp"
 
 namespace aisle {
@@ -15,8 +14,6 @@ constexpr double kSteadyShareMin = 0.5;  // of new lines, shown by the next pict
 constexpr int kBreaks = 5;               // pictures in a row
 constexpr double kStays_m = 5;           // so near lines do not come and go by their distance alone
 constexpr double kInsideShare = 0.9;     // of the seen bearings: what is farther aside may leave the view
-constexpr double kComparedWay_m = 0.5;   // farther on, other things come into view by themselves ...
-constexpr double kComparedTurn_rad = 10 * kDegree;  // ... and farther round
 
 double bearing_aside(const LandmarkSighting& sighting) {
   return std::abs(std::atan2(sighting.p_vehicle.y(), sighting.p_vehicle.x()));
@@ -32,8 +29,7 @@ void ContinuityWatch::move(const Pose2& T_before_now) {
   const Pose2 T_now_before = T_before_now.inverse();
   carry_sightings(scene_, T_now_before);
   carry_sightings(latest_, T_now_before);
-  since_m_ += T_before_now.position().norm();
-  since_rad_ += T_before_now.theta;
+  since_.move(T_before_now);
 }
 
 bool ContinuityWatch::look(std::span<const LandmarkSighting> picture, bool is_known_here) {
@@ -47,7 +43,7 @@ bool ContinuityWatch::look(std::span<const LandmarkSighting> picture, bool is_kn
 }
 
 bool ContinuityWatch::can_tell() const {
-  return has_scene_ && since_m_ < kComparedWay_m && std::abs(since_rad_) < kComparedTurn_rad;
+  return has_scene_ && since_.is_comparable();
 }
 
 /// One by one, distant lines come and go by themselves; all of them at once do not.
@@ -75,7 +71,7 @@ void ContinuityWatch::take(std::span<const LandmarkSighting> picture) {
   steady_ = others - scene_.begin();
   span_rad_ = 0;
   for (const LandmarkSighting& line : picture) span_rad_ = std::max(span_rad_, bearing_aside(line));
-  since_m_ = since_rad_ = 0;
+  since_.start();
   has_scene_ = true;
   breaks_ = 0;
 }

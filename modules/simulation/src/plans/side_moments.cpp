@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/geometry/principal_direction.hpp"
+
 namespace aisle {
 namespace {
 
@@ -30,8 +32,7 @@ double Moments::squares_off_line() const {
 }
 
 Vec2 Moments::direction() const {
-  const Mat2 s = scatter();
-  return unit(std::atan2(2 * s(0, 1), s(0, 0) - s(1, 1)) / 2);
+  return principal_direction(scatter());
 }
 
 SideMoments::SideMoments(const Outline& outline) : before_(outline.size() + 1) {

@@ -5,6 +5,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
+#include "aisle/geometry/principal_direction.hpp"
 
 namespace aisle {
 
@@ -77,7 +78,7 @@ struct WallFootSearch::Scatter {
     const Mat2 spread = products / weight - mean_px * mean_px.transpose();
     foot.point_px = mean_px;
     if (spread.trace() <= 1) return;
-    const Vec2 along = unit(0.5 * std::atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1)));
+    const Vec2 along = principal_direction(spread);
     foot.direction = along.dot(foot.direction) < 0 ? Vec2(-along) : along;
   }
 };

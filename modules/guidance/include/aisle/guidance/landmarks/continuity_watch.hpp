@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "aisle/geometry/pose2.hpp"
+#include "aisle/guidance/landmarks/motion_since.hpp"
 #include "aisle/vision/lines/landmark_sightings.hpp"
 
 namespace aisle {
@@ -31,8 +31,7 @@ class ContinuityWatch {
   std::vector<LandmarkSighting> scene_;  ///< of the last picture that went on, as seen now
   std::ptrdiff_t steady_ = 0;            ///< so many lines, its first, the picture before it showed, too
   double span_rad_ = 0;                  ///< greatest bearing in it, to either side, when it was taken
-  double since_m_ = 0;                   ///< way since it was taken ...
-  double since_rad_ = 0;                 ///< ... and turning
+  MotionSince since_;                    ///< it was taken
   bool has_scene_ = false;
   std::vector<LandmarkSighting> latest_;    ///< the picture before this one
   std::vector<LandmarkSighting> compared_;  ///< of one scene, for a comparison

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <bitset>
-#include <cmath>
 #include <cstddef>
 
-#include "aisle/core/angle.hpp"
-#include "aisle/geometry/pose2.hpp"
+#include "aisle/guidance/landmarks/motion_since.hpp"
 
 namespace aisle {
 
@@ -18,10 +16,7 @@ class RecognitionWatch {
   void start() { *this = {}; }
 
   /// The vehicle has moved since the last call, by its odometry.
-  void move(const Pose2& T_before_now) {
-    since_known_m_ += T_before_now.position().norm();
-    since_known_rad_ += T_before_now.theta;
-  }
+  void move(const Pose2& T_before_now) { since_known_.move(T_before_now); }
 
   /// Takes in a picture.
   /// @param pairs  so many of its sightings lie on known landmarks
@@ -30,7 +25,7 @@ class RecognitionWatch {
   bool look(std::size_t sightings, std::size_t pairs, bool is_known_here) {
     if (is_known_here) {
       was_steady_ = known_.count() >= kKnownLeast;
-      since_known_m_ = since_known_rad_ = 0;
+      since_known_.start();
       unknown_ = {};
     } else {
       ++unknown_.pictures;
@@ -38,10 +33,8 @@ class RecognitionWatch {
       unknown_.pairs += pairs;
     }
     known_ = known_ << 1 | Pictures(is_known_here ? 1 : 0);
-    const bool can_tell =
-        was_steady_ && since_known_m_ < kComparedWay_m && std::abs(since_known_rad_) < kComparedTurn_rad;
-    return can_tell && unknown_.pictures >= kUnknownPictures && unknown_.sightings >= kUnknownSightings &&
-           kPairedOneIn * unknown_.pairs <= unknown_.sightings;
+    return was_steady_ && since_known_.is_comparable() && unknown_.pictures >= kUnknownPictures &&
+           unknown_.sightings >= kUnknownSightings && kPairedOneIn * unknown_.pairs <= unknown_.sightings;
   }
 
  private:
@@ -50,18 +43,15 @@ class RecognitionWatch {
   static constexpr std::size_t kUnknownPictures = 5;
   static constexpr std::size_t kUnknownSightings = 20;
   static constexpr std::size_t kPairedOneIn = 5;  ///< of the sightings in them: no more than by chance
-  static constexpr double kComparedWay_m = 0.5;   ///< farther on, other things come into view ...
-  static constexpr double kComparedTurn_rad = 10 * kDegree;  ///< ... and farther round
 
   struct Tally {
     std::size_t pictures = 0, sightings = 0, pairs = 0;
   };
 
-  Pictures known_;              ///< which of the latest were
-  bool was_steady_ = false;     ///< most of those before the last known one were known, too
-  Tally unknown_;               ///< since that one
-  double since_known_m_ = 0;    ///< way since that one ...
-  double since_known_rad_ = 0;  ///< ... and turning
+  Pictures known_;           ///< which of the latest were
+  bool was_steady_ = false;  ///< most of those before the last known one were known, too
+  Tally unknown_;            ///< since that one
+  MotionSince since_known_;  ///< likewise
 };
 
 }  // namespace aisle

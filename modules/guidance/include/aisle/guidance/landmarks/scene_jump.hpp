@@ -1,12 +1,10 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "aisle/core/angle.hpp"
-#include "aisle/geometry/pose2.hpp"
+#include "aisle/guidance/landmarks/motion_since.hpp"
 
 namespace aisle {
 
@@ -28,8 +26,7 @@ class SceneJump {
   void move(const Pose2& T_before_now, Carry carry) {
     carry(known_, T_before_now.inverse());
     carry(other_, T_before_now.inverse());
-    since_known_m_ += T_before_now.position().norm();
-    since_known_rad_ += T_before_now.theta;
+    since_known_.move(T_before_now);
   }
 
   /// Takes in a picture.
@@ -40,8 +37,7 @@ class SceneJump {
   bool look(std::span<const Thing> picture, bool is_known_here, const Limits& limits,
             KnownShare known_share) {
     if (picture.size() < limits.compared_min) return false;
-    const bool can_tell = known_.size() >= limits.compared_min && since_known_m_ < kComparedWay_m &&
-                          std::abs(since_known_rad_) < kComparedTurn_rad;
+    const bool can_tell = known_.size() >= limits.compared_min && since_known_.is_comparable();
     const bool goes_on = is_known_here || !can_tell || known_share(picture, known_) > limits.other_share_max;
     const bool is_elsewhere = !goes_on && other_.size() >= limits.compared_min &&
                               known_share(picture, other_) >= limits.same_share_min;
@@ -50,20 +46,15 @@ class SceneJump {
       return false;
     }
     known_.assign(picture.begin(), picture.end());
-    since_known_m_ = since_known_rad_ = 0;
+    since_known_.start();
     other_.clear();
     return is_elsewhere;
   }
 
  private:
-  static constexpr double kComparedWay_m =
-      0.5;  ///< farther on, other things come into view by themselves ...
-  static constexpr double kComparedTurn_rad = 10 * kDegree;  ///< ... and farther round
-
-  std::vector<Thing> known_;    ///< of the last picture that went on from the one before, as seen now
-  double since_known_m_ = 0;    ///< of way
-  double since_known_rad_ = 0;  ///< of turning
-  std::vector<Thing> other_;    ///< of the last picture if it did not
+  std::vector<Thing> known_;  ///< of the last picture that went on from the one before, as seen now
+  MotionSince since_known_;
+  std::vector<Thing> other_;  ///< of the last picture if it did not
 };
 
 }  // namespace aisle
