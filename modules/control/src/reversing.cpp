@@ -8,12 +8,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kSettle_m = 0.35;   // way over which what is off shrinks to 1/e
-constexpr double kPreview_m = 0.04;  // the wheels need their time
+constexpr double kSettle_m = 0.35;  // way over which what is off shrinks to 1/e
 
 /// Of the path a little ahead, on the same leg.
-double curvature_ahead_per_m(const Path& path, const PathPoint& point) {
-  return path.at(std::min(point.along_m + kPreview_m, path.leg_end_m(point.piece) - 1e-6)).curvature_per_m;
+double curvature_ahead_per_m(const Path& path, const PathPoint& point, double ahead_m) {
+  return path.at(std::min(point.along_m + ahead_m, path.leg_end_m(point.piece) - 1e-6)).curvature_per_m;
 }
 
 }  // namespace
@@ -21,10 +20,11 @@ double curvature_ahead_per_m(const Path& path, const PathPoint& point) {
 /// With e how far base_link is to the left of the path, h its heading off the path's, s the way (against the
 /// heading: e' = -sin h, h' = -(bend - path's bend)): e'' = -2 e' / S - e / S^2 settles without overshoot.
 double reversing_steering_rad(const VehicleDescription& vehicle, const Path& path, const PathPoint& point,
-                              const Pose2& T_map_vehicle, double steering_rad) {
+                              const Pose2& T_map_vehicle, double speed_mps, double steering_rad) {
+  const double wheels_s = vehicle.limits.steering_max_rad / vehicle.limits.steering_rate_max_rad_s;
   const Pose2 off = between(point.T_map_path, T_map_vehicle);
   const double direction = path.pieces()[point.piece].arc.length_m < 0 ? -1 : 1;
-  const double bend_per_m = curvature_ahead_per_m(path, point) -
+  const double bend_per_m = curvature_ahead_per_m(path, point, wheels_s * speed_mps) -
                             direction * 2 * std::sin(off.theta) / kSettle_m - off.y / (kSettle_m * kSettle_m);
   const double wanted_rad = std::atan(bend_per_m * vehicle.front_steered.wheelbase_m);
   const double change_rad = vehicle.limits.steering_rate_max_rad_s * vehicle.cycle_s;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/control/reversing.hpp"
 #include "least_on_grid.hpp"
 #include "wheel_paths.hpp"
 
@@ -80,11 +81,11 @@ Command PathFollower::follow(const Path& path, const PathPoint& from, const Pose
         best_steering_rad(steered, path, from, T_map_vehicle, ahead_m, {-most_rad, most_rad});
     return {.speed_mps = along_mps, .turn_rate_rad_s = along_mps * std::tan(best_rad) / steered.wheelbase_m};
   }
-  const FrontSteered& steered = vehicle_.front_steered;
-  const double reversing_m = in_reverse ? steered.wheelbase_m : 0;
-  const double best_rad = best_steering_rad(steered, path, from, T_map_vehicle, ahead_m + reversing_m,
-                                            reachable(vehicle_, steering_rad));
-  return {.speed_mps = along_mps, .steering_rad = best_rad};
+  const double wheels_rad =
+      in_reverse ? reversing_steering_rad(vehicle_, path, from, T_map_vehicle, speed_mps, steering_rad)
+                 : best_steering_rad(vehicle_.front_steered, path, from, T_map_vehicle, ahead_m,
+                                     reachable(vehicle_, steering_rad));
+  return {.speed_mps = along_mps, .steering_rad = wheels_rad};
 }
 
 double PathFollower::best_steering_rad(const FrontSteered& steered, const Path& path, const PathPoint& from,

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "aisle/control/reversing.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {

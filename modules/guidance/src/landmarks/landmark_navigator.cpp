@@ -51,6 +51,13 @@ TaughtView view_of(const Building& building, const CameraDescription& camera, co
   return view;
 }
 
+/// Reversing no faster than the guard lets it.
+VehicleDescription as_guarded(VehicleDescription vehicle, const LandmarkNavigatorParams& params) {
+  double& max_mps = vehicle.limits.reverse_speed_max_mps;
+  if (params.guarded) max_mps = std::min(max_mps, params.guard.reverse_speed_mps);
+  return vehicle;
+}
+
 /// Enough that it is where it thinks.
 bool knows_what_it_sees(const LandmarkLocaliser& localiser) {
   return localiser.pairs().size() >= kKnownPairs && localiser.matched_share() >= kKnownShare;
@@ -102,7 +109,7 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
 LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, const VehicleDescription& vehicle,
                                      const Building& building, const Path& route)
     : params_(params),
-      vehicle_(vehicle),
+      vehicle_(as_guarded(vehicle, params)),
       building_(&building),
       path_(route),
       camera_(camera_of(vehicle, building).name),

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "aisle/control/reversing.hpp"
 #include "aisle/guidance/rooms/route_floor.hpp"
 
 namespace aisle {
@@ -186,10 +185,7 @@ Decision FrameBacking::drive_to(double ahead_of_parked_m, const char* state) con
   const double way_m = std::abs(left_m) + 2 * kBeyond_m;
   const Path path({{T_odom_parked() * Pose2{off.x - direction * kBeyond_m, 0, 0}, {direction * way_m, 0}}});
   const PathPoint point = path.nearest(T_odom_vehicle_.position(), 0, way_m);
-  Command command = follower_.follow(path, point, T_odom_vehicle_, speed_mps, steering_rad_);
-  if (direction < 0)
-    command.steering_rad = reversing_steering_rad(vehicle_, path, point, T_odom_vehicle_, steering_rad_);
-  return {.command = command,
+  return {.command = follower_.follow(path, point, T_odom_vehicle_, speed_mps, steering_rad_),
           .state = state,
           .why = fmt::format("{:.2f} m to go, {:.3f} m aside", std::abs(left_m), off.y)};
 }

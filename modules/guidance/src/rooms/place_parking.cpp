@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "aisle/control/reversing.hpp"
-
 namespace aisle {
 namespace {
 
@@ -72,9 +70,7 @@ Decision PlaceParking::settle(const Pose2& T_map_vehicle, bool is_taken) {
 
 Command PlaceParking::back_off(const Pose2& T_map_vehicle, double steering_now_rad) const {
   const PathPoint point = path_back_.nearest(T_map_vehicle.position(), 0, 2 * params_.back_off_m);
-  return {
-      .speed_mps = -params_.reverse_speed_mps,
-      .steering_rad = reversing_steering_rad(vehicle_, path_back_, point, T_map_vehicle, steering_now_rad)};
+  return follower_.follow(path_back_, point, T_map_vehicle, params_.reverse_speed_mps, steering_now_rad);
 }
 
 void PlaceParking::judge_way_back(const Pose2& T_map_vehicle, double free_m) {

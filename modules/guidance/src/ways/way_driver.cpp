@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "aisle/control/reversing.hpp"
 #include "aisle/guidance/ways/driving_care.hpp"
 
 namespace aisle {
@@ -67,9 +66,7 @@ WayDriver::Step WayDriver::drive(const FloorGrid& floor, const FloorClearance& c
   if (progress_->has_arrived()) return {State::kArrived, standing};
   const double care = driving_care(vehicle_, room, floor, clearance, path_, point.along_m, steering_rad);
   const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, speed_);
-  Command command = follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_rad);
-  if (!vehicle_.is_differential && command.speed_mps < 0)
-    command.steering_rad = reversing_steering_rad(vehicle_, path_, point, T_map_vehicle, steering_rad);
+  const Command command = follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_rad);
   if (const auto wheels_rad = wheels_to_turn_rad(point, command.steering_rad, steering_rad))
     return {State::kTurningWheels, {.steering_rad = *wheels_rad}};
   const int direction = command.speed_mps > 0 ? 1 : -1;

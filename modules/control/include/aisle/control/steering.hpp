@@ -14,9 +14,7 @@
 
 namespace aisle {
 
-/// Tuned on a cart of 0.75 m wheelbase at 0.3 to 1 m/s (docs/driving.md). Reversing, a front-steered vehicle
-/// looks one wheelbase farther: over less, laying the front wheels on the path would drive the rear ones off
-/// it.
+/// Tuned on a cart of 0.75 m wheelbase at 0.3 to 1 m/s (docs/driving.md).
 struct SteeringParams {
   double look_ahead_m = 0.2;              ///< S, the way over which a steering angle is judged
   double look_ahead_s = 0.4;              ///< as much more at speed
@@ -40,8 +38,9 @@ class PathFollower {
 
   /// The command that brings the vehicle along the path at a speed: of all steering angles that the wheels
   /// can have by the next cycle, multiples of the step, the one of least L_P (the least turn among equals,
-  /// left before right). The search gives the angle that trying all of them gives. A differential vehicle
-  /// gets the turn rate that drives the arc of a front-steered one; it turns on the spot where the path does.
+  /// left before right). The search gives the angle that trying all of them gives. A front-steered vehicle
+  /// that reverses steers as reversing.hpp says. A differential one gets the turn rate that drives the arc of
+  /// a front-steered one; it turns on the spot where the path does.
   /// @param from  where the vehicle is on the path (PathProgress)
   /// @param speed_mps   of the front reference point (front-steered) or base_link (differential); >= 0, along
   ///                    the path: backwards where it is driven backwards
