@@ -1,6 +1,7 @@
 #include "aisle/simulation/operators/scripted_operator.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -26,6 +27,10 @@ constexpr double kBackOff_m = 0.8;  ///< of the way
 constexpr double kBackedOff_m = 0.1;
 constexpr double kSlowlyAgain = 0.5;  ///< of the usual speed
 constexpr double kBackingSpare_m = 0.01;
+constexpr std::array kLikedRooms_m = {0.12, 0.1, 0.08, 0.06, 0.04, 0.02};
+constexpr double kLookedAt_m = 0.7;  ///< of the way
+constexpr double kTriedStep_rad = 2 * kDegree;
+constexpr int kTriedSteps = 10;
 constexpr double kTurnsOnTheSpot_rad = 40 * kDegree;
 constexpr double kTurnGain_1_s = 1.5;
 
@@ -73,6 +78,9 @@ ScriptedOperator::ScriptedOperator(const World& world, const VehicleDescription&
       places_(world.places),
       walls_(world, with_room_to_spare(vehicle.footprint, kAtWall_m)) {
   add_legs(world);
+  if (vehicle.is_differential) return;
+  for (const double room_m : kLikedRooms_m)
+    liked_room_.emplace_back(world, with_room_to_spare(vehicle.footprint, room_m));
 }
 
 void ScriptedOperator::add_legs(const World& world) {
@@ -183,6 +191,24 @@ Command ScriptedOperator::towards(const Vec2& p_vehicle_target, double speed_mps
   return {.speed_mps = speed_mps, .turn_rate_rad_s = curvature_1_m * speed_mps};
 }
 
+/// Steered as near to what is wished as leaves all the room about the vehicle that there can be, at most as
+/// much as a person likes.
+Command ScriptedOperator::clear_of_walls(const Pose2& T_world_vehicle, const Command& wish) {
+  if (wish.speed_mps == 0) return wish;
+  const double way_m = std::copysign(kLookedAt_m, wish.speed_mps);
+  const double max_rad = vehicle_.limits.steering_max_rad;
+  for (Obstacles& walls : liked_room_) {
+    for (int i = 0; i <= 2 * kTriedSteps; ++i) {
+      const double off_rad = (i % 2 == 0 ? -1 : 1) * ((i + 1) / 2) * kTriedStep_rad;
+      const double tried_rad = std::clamp(wish.steering_rad + off_rad, -max_rad, max_rad);
+      const double turn_rad = way_m * std::tan(tried_rad) / vehicle_.front_steered.wheelbase_m;
+      if (walls.free_share(T_world_vehicle, {way_m, turn_rad}) == 1)
+        return {.speed_mps = wish.speed_mps, .steering_rad = tried_rad};
+    }
+  }
+  return wish;
+}
+
 double ScriptedOperator::wished_speed_mps(const OperatorView& view) const {
   const Leg& leg = legs_[leg_];
   const double left_m = std::max(0.0, leg.length_m - along_m_);
@@ -258,11 +284,12 @@ OperatorInput ScriptedOperator::look(const OperatorView& view) {
     return input;
   }
   if (backs_to_m_) {
-    input.wish = back_off(view);
+    input.wish = clear_of_walls(view.T_world_vehicle, back_off(view));
     return input;
   }
   follow(seen.T_world_vehicle.position());
-  Command wish = towards(seen.T_world_vehicle.inverse() * target(), wished_speed_mps(view));
+  Command wish = clear_of_walls(view.T_world_vehicle,
+                                towards(seen.T_world_vehicle.inverse() * target(), wished_speed_mps(view)));
   // Where the way on is blocked just before a leg's end, that is near enough.
   const double left_m = legs_[leg_].length_m - along_m_;
   const bool stands = wish.speed_mps == 0 && wish.turn_rate_rad_s == 0;

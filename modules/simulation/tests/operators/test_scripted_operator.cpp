@@ -52,9 +52,17 @@ World narrow_tee(double from_x, double to_x, double half_width) {
   return world;
 }
 
+/// From a corridor 2.4 m wide into one of 1.2 m, a bit back out of it, and on along the first one.
+World narrow_dead_end() {
+  World world = narrow_tee(-8, 12, 1.2);
+  world.tour = {{-6, 0}, {0, 0}, {0, 6}, {0, 0}, {9, 0}};
+  return world;
+}
+
 struct Drive {
   SimulatedTruth end;
   std::vector<Mark> marks;
+  bool came_near = false;    ///< within 3 cm of a wall
   double largest_off_m = 0;  ///< of the first 8 m of the first corridor, aside of the route
   bool arrived = false;
   bool gave_up = false;
@@ -66,11 +74,17 @@ Drive drive(const World& world, const VehicleModel& model, std::uint64_t seed,
   SimulatedVehicle vehicle(world, model, scenario,
                            {.seed = seed, .T_world_start = *start_pose(world), .takes_pictures = false},
                            &person);
+  Footprint with_room = model.description.footprint;
+  with_room.front_m += 0.03;
+  with_room.rear_m += 0.03;
+  with_room.width_m += 0.06;
+  Obstacles near_walls(world, with_room);
   Drive drive;
   for (int i = 0; i < 6000; ++i) {
     const Observation observation = *vehicle.sense();
     const OperatorInput& input = observation.operator_input;
     drive.marks.insert(drive.marks.end(), input.marks.begin(), input.marks.end());
+    drive.came_near |= near_walls.touch(vehicle.truth().T_world_vehicle);
     if (vehicle.truth().T_world_vehicle.x < 8) {
       drive.largest_off_m = std::max(drive.largest_off_m, std::abs(vehicle.truth().T_world_vehicle.y));
     }
@@ -144,6 +158,14 @@ TEST_P(ScriptedOperatorTest, WhereTheWayBackTurnsOffItBacksRoundTheCornerAndGoes
 
 TEST_P(ScriptedOperatorTest, TurnsIntoANarrowCorridorSoThatTheOuterFrontCornerGetsThrough) {
   expect_to_get_through(narrow_tee(-4, 6, 1));
+}
+
+TEST_P(ScriptedOperatorTest, SteersClearOfTheCornersOfANarrowCorridorForwardsAndBackwards) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Drive trip = drive(narrow_dead_end(), model, seed);
+    EXPECT_TRUE(trip.arrived) << seed;
+    EXPECT_FALSE(trip.came_near) << seed;
+  }
 }
 
 TEST_P(ScriptedOperatorTest, BacksOffFromAWallThatItCameTooNearToAndComesAgain) {

@@ -31,9 +31,10 @@ struct ScriptedOperatorParams {
 };
 
 /// Follows a world's tour by sight, not quite straight and not quite evenly; names the places that it passes;
-/// waits before what is in the way, and gives up when it stays there; backs off where a bend led it too near
-/// to a wall. Where the tour turns back, a differential vehicle turns round; a front-steered one goes on in
-/// reverse, until it can back round a corner such that it stands the right way to go on forwards.
+/// waits before what is in the way, and gives up when it stays there; in bends steers clear of walls as far
+/// as there is room, and backs off where it came too near to one all the same. Where the tour turns back, a
+/// differential vehicle turns round; a front-steered one goes on in reverse, until it can back round a corner
+/// such that it stands the right way to go on forwards.
 class ScriptedOperator final : public Operator {
  public:
   /// @param world  its tour has at least two different points
@@ -64,6 +65,7 @@ class ScriptedOperator final : public Operator {
   void follow(const Vec2& p_world);
   Vec2 target() const;
   Command towards(const Vec2& p_vehicle_target, double speed_mps) const;
+  Command clear_of_walls(const Pose2& T_world_vehicle, const Command& wish);
   double wished_speed_mps(const OperatorView& view) const;
   double cautious_speed_mps(const OperatorView& view, double speed_mps, bool in_reverse) const;
   bool comes_again() const;
@@ -76,8 +78,9 @@ class ScriptedOperator final : public Operator {
   ScriptedOperatorParams params_;
   Random random_;
   std::vector<Leg> legs_;
-  std::vector<NamedPlace> places_;  ///< not passed yet
-  Obstacles walls_;                 ///< for the vehicle with some room around it
+  std::vector<NamedPlace> places_;     ///< not passed yet
+  Obstacles walls_;                    ///< for the vehicle with some room around it
+  std::vector<Obstacles> liked_room_;  ///< front-steered: with ever less room around it
   std::deque<OperatorView> views_;
   std::size_t leg_ = 0;
   double along_m_ = 0;                                  ///< of the present leg
