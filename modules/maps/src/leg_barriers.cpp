@@ -349,13 +349,27 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
   return cells;
 }
 
-/// One of them stands free, and nothing but legs, and what blurs one that stands free, is between them: a
-/// chair may stand before a table.
+/// Each right before a wall across from the other's, and something that is no leg behind their middle: a
+/// table fills a recess.
+bool LegBarriers::fill_recess(const FloorGrid& floor, const Thing& a, const Thing& b) const {
+  if (!a.is_leg() || !b.is_leg()) return false;
+  const Vec2 along = (b.p_map - a.p_map).normalized(), middle = (a.p_map + b.p_map) / 2;
+  if (a.behind.dot(along) > -kAcrossMin || b.behind.dot(along) < kAcrossMin) return false;
+  bool ends = false;
+  const Vec2 across = params_.wall_max_m * left_normal(along);
+  for_cells_on_line(floor, Vec2(middle - across), Vec2(middle + across), [&](FloorCell cell) {
+    ends = ends || (floor.at(cell) == Floor::kOccupied && !is_leg(floor, floor.centre(cell)));
+  });
+  return ends;
+}
+
+/// One of them stands free or they fill a recess, and nothing but legs, and what blurs one that stands free,
+/// is between them: a chair may stand before a table.
 bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const {
   const auto goes_with = [&](const Thing& leg, const Thing& thing) {
     return leg.is_free_leg() && (thing.is_leg() || stands_along_wall(floor, leg, thing));
   };
-  if (!goes_with(a, b) && !goes_with(b, a)) return false;
+  if (!goes_with(a, b) && !goes_with(b, a) && !fill_recess(floor, a, b)) return false;
   const auto blur_m = [&](const Thing& thing) {
     return thing.stand == Stand::kFree ? params_.leg_max_m : kBlurAtWall_m;
   };

@@ -274,6 +274,23 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
 }
 
 /// The leaf ends beside it and hides some of what is about it.
+TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatFillsARecess) {
+  wall_across(1.02, 2, 4);
+  wall(2.02, 1, 3);
+  wall(4.02, 1, 3);
+  stand(2.22, 1.72);
+  stand(3.82, 1.72);
+  EXPECT_TRUE(is_closed({3, 2.5}, {3, 1.3}));
+}
+
+TEST_F(LegBarriersOnAFloor, LeaveACorridorOpenBetweenSpecksBeforeItsWalls) {
+  wall(2.02, 1, 6);
+  wall(4.02, 1, 6);
+  stand(2.22, 3.02);
+  stand(3.82, 3.02);
+  EXPECT_FALSE(is_closed({3, 5}, {3, 1.3}));
+}
+
 TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegBesideAnOpenDoorsLeaf) {
   wall(2, 0, 6);
   wall_across(3.87, 2, 2.8);

@@ -27,8 +27,9 @@ struct LegParams {
 /// be it a small thing or hidden by floor not seen yet. What stands at a wall may be a speck of it: it is a
 /// leg only right before the wall, standing two cells out of it where it hangs together with it, or at the
 /// end of one with the same wall behind it as behind the other leg, and only to one that stands free and has
-/// it in full view. One of many in a row on the line of a long wall is a piece of it, seen from afar or along
-/// it. No plate is where the vehicle stood.
+/// it in full view, or that stands right before the wall across the recess that a table fills. One of many in
+/// a row on the line of a long wall is a piece of it, seen from afar or along it. No plate is where the
+/// vehicle stood.
 class LegBarriers {
  public:
   explicit LegBarriers(const LegParams& params = {}) : params_(params) {}
@@ -67,6 +68,7 @@ class LegBarriers {
   bool is_leg(const FloorGrid& floor, const Vec2& p_map) const;
   bool is_thing(const Vec2& p_map) const;
   std::vector<FloorCell> cells_between(const FloorGrid& floor) const;
+  bool fill_recess(const FloorGrid& floor, const Thing& a, const Thing& b) const;
   bool may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const;
   bool stands_along_wall(const FloorGrid& floor, const Thing& leg, const Thing& thing) const;
   std::optional<Vec2> wall_behind(const Thing& leg, const Vec2& along) const;
