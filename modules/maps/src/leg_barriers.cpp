@@ -301,18 +301,31 @@ void LegBarriers::look_about(const FloorGrid& floor, Thing& thing) const {
   thing.stand = is_before_wall ? Stand::kBeforeWall : Stand::kUnclear;
 }
 
+/// All that may stand within a leg's width of a place, and few others: O(log of all).
+std::span<const LegBarriers::Thing> LegBarriers::things_about(const FloorGrid& floor,
+                                                              const Vec2& p_map) const {
+  const int row = floor.cell_at(p_map).y, reach = 2 * leg_cells(floor) + 3;
+  const auto begin = std::lower_bound(things_.begin(), things_.end(), row - reach,
+                                      [](const Thing& thing, int y) { return thing.first.y < y; });
+  const auto end = std::upper_bound(begin, things_.end(), row + reach,
+                                    [](int y, const Thing& thing) { return y < thing.first.y; });
+  return {begin, end};
+}
+
 /// What stands there belongs to one, not to the wall behind it.
 bool LegBarriers::is_leg(const FloorGrid& floor, const Vec2& p_map) const {
   const double deep_m = kLegDeepCells * floor.cell_m();
-  return std::any_of(things_.begin(), things_.end(), [&](const Thing& thing) {
+  const std::span<const Thing> about = things_about(floor, p_map);
+  return std::any_of(about.begin(), about.end(), [&](const Thing& thing) {
     const Vec2 away = p_map - thing.p_map;
     return thing.is_leg() && away.norm() <= params_.leg_max_m && thing.behind.dot(away) < deep_m;
   });
 }
 
 /// What stands there belongs to a small thing, a leg or not.
-bool LegBarriers::is_thing(const Vec2& p_map) const {
-  return std::any_of(things_.begin(), things_.end(), [&](const Thing& thing) {
+bool LegBarriers::is_thing(const FloorGrid& floor, const Vec2& p_map) const {
+  const std::span<const Thing> about = things_about(floor, p_map);
+  return std::any_of(about.begin(), about.end(), [&](const Thing& thing) {
     return (thing.p_map - p_map).norm() <= params_.leg_max_m / 2;
   });
 }
@@ -474,7 +487,7 @@ std::optional<Vec2> LegBarriers::partner_place(const FloorGrid& floor, const Vec
   for (int i = 0; i <= steps; ++i) {
     const Vec2 p_map = p_map_leg + (params_.leg_max_m + i * step_m) * along;
     if (floor.at(p_map) == Floor::kFree) continue;
-    const bool may_be_leg = floor.at(p_map) == Floor::kUnknown || is_thing(p_map);
+    const bool may_be_leg = floor.at(p_map) == Floor::kUnknown || is_thing(floor, p_map);
     return may_be_leg ? std::optional(p_map) : std::nullopt;
   }
   return std::nullopt;

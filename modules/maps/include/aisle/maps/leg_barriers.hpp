@@ -65,8 +65,9 @@ class LegBarriers {
   void find_things(const FloorGrid& floor, const FloorBox& within);
   bool is_piece_of_wall(const FloorGrid& floor, const Thing& thing) const;
   void find_walls(const FloorGrid& floor, Thing& thing) const;
+  std::span<const Thing> things_about(const FloorGrid& floor, const Vec2& p_map) const;
   bool is_leg(const FloorGrid& floor, const Vec2& p_map) const;
-  bool is_thing(const Vec2& p_map) const;
+  bool is_thing(const FloorGrid& floor, const Vec2& p_map) const;
   std::vector<FloorCell> cells_between(const FloorGrid& floor) const;
   bool fill_recess(const FloorGrid& floor, const Thing& a, const Thing& b) const;
   bool may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const;
