@@ -20,11 +20,10 @@ double curvature_ahead_per_m(const Path& path, const PathPoint& point, double ah
 /// With e how far base_link is to the left of the path, h its heading off the path's, s the way (against the
 /// heading: e' = -sin h, h' = -(bend - path's bend)): e'' = -2 e' / S - e / S^2 settles without overshoot.
 double reversing_steering_rad(const VehicleDescription& vehicle, const Path& path, const PathPoint& point,
-                              const Pose2& T_map_vehicle, double speed_mps, double steering_rad) {
-  const double wheels_s = vehicle.limits.steering_max_rad / vehicle.limits.steering_rate_max_rad_s;
+                              const Pose2& T_map_vehicle, double ahead_m, double steering_rad) {
   const Pose2 off = between(point.T_map_path, T_map_vehicle);
   const double direction = path.pieces()[point.piece].arc.length_m < 0 ? -1 : 1;
-  const double bend_per_m = curvature_ahead_per_m(path, point, wheels_s * speed_mps) -
+  const double bend_per_m = curvature_ahead_per_m(path, point, ahead_m) -
                             direction * 2 * std::sin(off.theta) / kSettle_m - off.y / (kSettle_m * kSettle_m);
   const double wanted_rad = std::atan(bend_per_m * vehicle.front_steered.wheelbase_m);
   const double change_rad = vehicle.limits.steering_rate_max_rad_s * vehicle.cycle_s;

@@ -55,6 +55,8 @@ Interval reachable(const VehicleDescription& vehicle, double steering_rad) {
 void SteeringParams::describe(FieldList& fields) {
   fields.real("look_ahead_m", look_ahead_m, {0.02, 10}, "way over which a steering angle is judged");
   fields.real("look_ahead_s", look_ahead_s, {0, 10}, "as much more at speed");
+  fields.real("bend_ahead_m", bend_ahead_m, {0, 1}, "reversing, the wheels turn so far before a bend");
+  fields.real("bend_ahead_s", bend_ahead_s, {0, 2}, "as much more at speed");
   fields.angle("angle_step_deg", angle_step_rad, {0.01, 5}, "steering angles are multiples of this");
 }
 
@@ -81,8 +83,9 @@ Command PathFollower::follow(const Path& path, const PathPoint& from, const Pose
         best_steering_rad(steered, path, from, T_map_vehicle, ahead_m, {-most_rad, most_rad});
     return {.speed_mps = along_mps, .turn_rate_rad_s = along_mps * std::tan(best_rad) / steered.wheelbase_m};
   }
+  const double bend_ahead_m = params_.bend_ahead_m + params_.bend_ahead_s * speed_mps;
   const double wheels_rad =
-      in_reverse ? reversing_steering_rad(vehicle_, path, from, T_map_vehicle, speed_mps, steering_rad)
+      in_reverse ? reversing_steering_rad(vehicle_, path, from, T_map_vehicle, bend_ahead_m, steering_rad)
                  : best_steering_rad(vehicle_.front_steered, path, from, T_map_vehicle, ahead_m,
                                      reachable(vehicle_, steering_rad));
   return {.speed_mps = along_mps, .steering_rad = wheels_rad};

@@ -37,7 +37,7 @@ double most_aside_m(const Pose2& T_map_start, double after_m, Pose2& T_path_end)
     const PathPoint point = progress.advance(T_map);
     if (progress.has_arrived()) break;
     if (point.along_m >= after_m) most_m = std::max(most_m, std::abs(point.aside_m));
-    steering_rad = reversing_steering_rad(vehicle, path, point, T_map, 0.12, steering_rad);
+    steering_rad = reversing_steering_rad(vehicle, path, point, T_map, 0.08, steering_rad);
     T_map = T_map * drive(vehicle.front_steered, FrontSteeredMotion{-0.012, steering_rad});
   }
   EXPECT_TRUE(progress.has_arrived());

@@ -10,12 +10,11 @@
 
 namespace aisle {
 
-/// The steering angle that the wheels shall have, within what they can have by the next cycle. They begin to
-/// turn for a bend before it, by the way on which they could turn from straight ahead to their limit.
+/// The steering angle that the wheels shall have, within what they can have by the next cycle.
 /// @param point  where the vehicle is on the path, which must not be on the spot
-/// @param speed_mps  >= 0, whichever way it drives
+/// @param ahead_m  so far before a bend they begin to turn for it
 /// @param steering_rad  how the wheels stand now
 double reversing_steering_rad(const VehicleDescription& vehicle, const Path& path, const PathPoint& point,
-                              const Pose2& T_map_vehicle, double speed_mps, double steering_rad);
+                              const Pose2& T_map_vehicle, double ahead_m, double steering_rad);
 
 }  // namespace aisle

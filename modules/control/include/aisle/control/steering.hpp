@@ -18,6 +18,8 @@ namespace aisle {
 struct SteeringParams {
   double look_ahead_m = 0.2;              ///< S, the way over which a steering angle is judged
   double look_ahead_s = 0.4;              ///< as much more at speed
+  double bend_ahead_m = 0;                ///< front-steered, reversing: the wheels turn so far before a bend
+  double bend_ahead_s = 0.67;             ///< as much more at speed
   double angle_step_rad = 0.1 * kDegree;  ///< of the answer
 
   void describe(FieldList& fields);
