@@ -199,8 +199,8 @@ Command ScriptedOperator::clear_of_walls(const Pose2& T_world_vehicle, const Com
   const double max_rad = vehicle_.limits.steering_max_rad;
   for (Obstacles& walls : liked_room_) {
     for (int i = 0; i <= 2 * kTriedSteps; ++i) {
-      const double off_rad = (i % 2 == 0 ? -1 : 1) * ((i + 1) / 2) * kTriedStep_rad;
-      const double tried_rad = std::clamp(wish.steering_rad + off_rad, -max_rad, max_rad);
+      const int steps = (i + 1) / 2, off = i % 2 == 0 ? -steps : steps;
+      const double tried_rad = std::clamp(wish.steering_rad + off * kTriedStep_rad, -max_rad, max_rad);
       const double turn_rad = way_m * std::tan(tried_rad) / vehicle_.front_steered.wheelbase_m;
       if (walls.free_share(T_world_vehicle, {way_m, turn_rad}) == 1)
         return {.speed_mps = wish.speed_mps, .steering_rad = tried_rad};
