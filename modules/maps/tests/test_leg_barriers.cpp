@@ -36,6 +36,13 @@ class LegBarriersOnAFloor : public testing::Test {
     hide({5.07, 0}, {8, 6});
     hide({0, 0}, {8, 1});
   }
+  /// A small thing before each of two walls that lie 2 m apart.
+  void things_before_walls_across(double y_m, double walls_to_y_m) {
+    wall(2.02, 1, walls_to_y_m);
+    wall(4.02, 1, walls_to_y_m);
+    stand(2.22, y_m);
+    stand(3.82, y_m);
+  }
   /// Whether a straight way is closed anywhere.
   bool is_closed(const Vec2& from, const Vec2& to) {
     LegBarriers barriers;
@@ -273,24 +280,18 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
-/// The leaf ends beside it and hides some of what is about it.
 TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatFillsARecess) {
   wall_across(1.02, 2, 4);
-  wall(2.02, 1, 3);
-  wall(4.02, 1, 3);
-  stand(2.22, 1.72);
-  stand(3.82, 1.72);
+  things_before_walls_across(1.72, 3);
   EXPECT_TRUE(is_closed({3, 2.5}, {3, 1.3}));
 }
 
 TEST_F(LegBarriersOnAFloor, LeaveACorridorOpenBetweenSpecksBeforeItsWalls) {
-  wall(2.02, 1, 6);
-  wall(4.02, 1, 6);
-  stand(2.22, 3.02);
-  stand(3.82, 3.02);
+  things_before_walls_across(3.02, 6);
   EXPECT_FALSE(is_closed({3, 5}, {3, 1.3}));
 }
 
+/// The leaf ends beside it and hides some of what is about it.
 TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegBesideAnOpenDoorsLeaf) {
   wall(2, 0, 6);
   wall_across(3.87, 2, 2.8);

@@ -9,8 +9,6 @@
 namespace aisle {
 namespace {
 
-constexpr double kBackingBendAhead_m = 0.04;  // the wheels turn for a bend so far before it
-
 /// nullptr: there is none.
 const RoomTurning* turning_beyond(const std::vector<RoomTurning>& turnings, double along_m) {
   const auto next = std::find_if(turnings.begin(), turnings.end(),
@@ -55,10 +53,9 @@ std::optional<bool> RoomNavigator::has_seen_corner() const {
 }
 
 Decision RoomNavigator::back_between_turnings() {
-  const double wish_rad = backs_to_corner_
-                              ? corner_backing_->wished_steering_rad()
-                              : reversing_steering_rad(vehicle_, route_.path, progress_.point(), pose(),
-                                                       kBackingBendAhead_m, steering_rad_);
+  const double wish_rad = backs_to_corner_ ? corner_backing_->wished_steering_rad()
+                                           : reversing_steering_rad(vehicle_, route_.path, progress_.point(),
+                                                                    pose(), kLateBendAhead_m, steering_rad_);
   const SteeringChoice way = choose_steering_behind(wish_rad);
   const bool is_far_enough = backs_to_corner_ ? corner_backing_->is_done(T_odom_vehicle_) : !is_on_way_back();
   if (is_far_enough || way.free_m < params_.stop_free_m) {

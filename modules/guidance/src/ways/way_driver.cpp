@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "aisle/control/reversing.hpp"
 #include "aisle/guidance/ways/driving_care.hpp"
 
 namespace aisle {
@@ -11,14 +12,12 @@ namespace {
 constexpr double kWatchMargin_m = 0.02;  // around the footprint
 constexpr double kCreeping_mps = 0.04;   // where it could not stop in time at the speed of its way
 constexpr double kBendAhead_m = 0.05;
-constexpr double kTurnsBeforeBend_m = 0.04;  // backwards
 constexpr double kWheelsOff_rad = 25 * kDegree;
 constexpr double kWheelsOffAtFirst_rad = 4 * kDegree;  // at the start of a leg
 constexpr double kWheelsTurned_rad = 1 * kDegree;
 
-/// It judges the room about its way by its wheels as they stand: they must not turn long before a bend.
 SteeringParams turning_late(SteeringParams steering) {
-  steering.bend_ahead_m = kTurnsBeforeBend_m;
+  steering.bend_ahead_m = kLateBendAhead_m;
   steering.bend_ahead_s = 0;
   return steering;
 }

@@ -2,6 +2,7 @@
 
 #include "aisle/simulation/operators/scripted_operator.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
+#include "operators/operator_way.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -74,11 +75,7 @@ Drive drive(const World& world, const VehicleModel& model, std::uint64_t seed,
   SimulatedVehicle vehicle(world, model, scenario,
                            {.seed = seed, .T_world_start = *start_pose(world), .takes_pictures = false},
                            &person);
-  Footprint with_room = model.description.footprint;
-  with_room.front_m += 0.03;
-  with_room.rear_m += 0.03;
-  with_room.width_m += 0.06;
-  Obstacles near_walls(world, with_room);
+  Obstacles near_walls(world, with_room_to_spare(model.description.footprint, 0.03));
   Drive drive;
   for (int i = 0; i < 6000; ++i) {
     const Observation observation = *vehicle.sense();

@@ -1,5 +1,5 @@
 #pragma once
-/// Keeping a front-steered vehicle to a path that it drives backwards, where there is little room beside it.
+/// Keeping a front-steered vehicle to a path that it drives backwards.
 ///
 /// Backwards, base_link goes first, and laying both wheels on the path after a look-ahead (steering.hpp)
 /// needs so long a look-ahead that bends are cut. Here the bend itself brings base_link's distance from the
@@ -9,6 +9,10 @@
 #include "aisle/vehicle/vehicle_description.hpp"
 
 namespace aisle {
+
+/// So far before a bend the wheels begin to turn where the room about the way is judged by the wheels as they
+/// stand: turned long before it they would stand across that room.
+inline constexpr double kLateBendAhead_m = 0.04;
 
 /// The steering angle that the wheels shall have, within what they can have by the next cycle.
 /// @param point  where the vehicle is on the path, which must not be on the spot
