@@ -26,7 +26,7 @@ constexpr double kStricter = 0.9;
 constexpr double kBend_rad = 30 * kDegree;  // over so much way a hand's wander turns less
 constexpr double kBendOver_m = 1.2;
 constexpr double kBesideBend_m = 0.5;
-constexpr double kStrayShareOnBends = 0.4;
+constexpr double kMeantStrayShare = 0.4;
 
 double way_m(const DrivenLeg& leg, const Stretch& stretch) {
   double way_m = 0;
@@ -36,8 +36,8 @@ double way_m(const DrivenLeg& leg, const Stretch& stretch) {
   return way_m;
 }
 
-/// Who turns between walls means the way that he takes: on a bend and beside it what was driven is hardly
-/// wander.
+/// Who turns between walls or backs means the way that he takes: on a bend and beside it, and backwards, what
+/// was driven is hardly wander.
 /// @return for each sample of the leg how much of the stray is allowed
 std::vector<double> stray_shares(const DrivenLeg& leg, double step_m) {
   const std::size_t count = leg.samples.size();
@@ -45,11 +45,12 @@ std::vector<double> stray_shares(const DrivenLeg& leg, double step_m) {
   const auto beside = static_cast<std::size_t>(std::lround(kBesideBend_m / step_m));
   const auto back_from = [](std::size_t i, std::size_t steps) { return i - std::min(i, steps); };
   const auto on_from = [&](std::size_t i, std::size_t steps) { return std::min(i + steps, count - 1); };
+  if (leg.direction < 0) return std::vector<double>(count, kMeantStrayShare);
   std::vector<double> shares(count, 1);
   for (std::size_t i = 0; i < count; ++i) {
     const double turn_rad = leg.samples[on_from(i, half)].theta - leg.samples[back_from(i, half)].theta;
     if (std::abs(turn_rad) < kBend_rad) continue;
-    for (std::size_t k = back_from(i, beside); k <= on_from(i, beside); ++k) shares[k] = kStrayShareOnBends;
+    for (std::size_t k = back_from(i, beside); k <= on_from(i, beside); ++k) shares[k] = kMeantStrayShare;
   }
   return shares;
 }

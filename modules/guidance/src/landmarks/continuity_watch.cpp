@@ -13,7 +13,7 @@ constexpr double kShownShareMax = 0.2;
 constexpr double kSteadyShareMin = 0.5;  // of new lines, shown by the next picture, too
 constexpr int kBreaks = 5;               // pictures in a row
 constexpr double kStays_m = 5;           // so near lines do not come and go by their distance alone
-constexpr double kInsideShare = 0.9;     // of the seen bearings: what is farther aside may leave the view
+constexpr double kInsideShare = 0.9;     // of what is in view: what is nearer to its border may leave it
 
 double bearing_aside(const LandmarkSighting& sighting) {
   return std::abs(std::atan2(sighting.p_vehicle.y(), sighting.p_vehicle.x()));
@@ -30,6 +30,7 @@ void ContinuityWatch::move(const Pose2& T_before_now) {
   carry_sightings(scene_, T_now_before);
   carry_sightings(latest_, T_now_before);
   since_.move(T_before_now);
+  T_scene_now_ = T_scene_now_ * T_before_now;
 }
 
 bool ContinuityWatch::look(std::span<const LandmarkSighting> picture, bool is_known_here) {
@@ -46,20 +47,28 @@ bool ContinuityWatch::can_tell() const {
   return has_scene_ && since_.is_comparable();
 }
 
+bool ContinuityWatch::is_clear_of_lower_edge(const Vec2& p_vehicle) const {
+  return kInsideShare * p_vehicle.x() > nearest_m_;
+}
+
 /// One by one, distant lines come and go by themselves; all of them at once do not.
 bool ContinuityWatch::lacks_what_must_stay(std::span<const LandmarkSighting> picture) {
   compared_.clear();
   std::copy_if(scene_.begin(), scene_.begin() + steady_, std::back_inserter(compared_),
                [&](const LandmarkSighting& line) {
                  return (picture.empty() || stands_near(line)) &&
-                        bearing_aside(line) < kInsideShare * span_rad_;
+                        bearing_aside(line) < kInsideShare * span_rad_ &&
+                        is_clear_of_lower_edge(line.p_vehicle);
                });
   return compared_.size() >= kLinesMin && shown_share(compared_, picture) <= kShownShareMax;
 }
 
 bool ContinuityWatch::shows_what_was_not_there(std::span<const LandmarkSighting> picture) {
   compared_.clear();
-  std::copy_if(picture.begin(), picture.end(), std::back_inserter(compared_), stands_near);
+  std::copy_if(picture.begin(), picture.end(), std::back_inserter(compared_),
+               [&](const LandmarkSighting& line) {
+                 return stands_near(line) && is_clear_of_lower_edge(T_scene_now_ * line.p_vehicle);
+               });
   if (compared_.size() < kLinesMin || shown_share(compared_, scene_) > kShownShareMax) return false;
   return breaks_ == 0 || shown_share(compared_, latest_) >= kSteadyShareMin;
 }
@@ -72,6 +81,7 @@ void ContinuityWatch::take(std::span<const LandmarkSighting> picture) {
   span_rad_ = 0;
   for (const LandmarkSighting& line : picture) span_rad_ = std::max(span_rad_, bearing_aside(line));
   since_.start();
+  T_scene_now_ = {};
   has_scene_ = true;
   breaks_ = 0;
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "aisle/geometry/back_projection.hpp"
 #include "aisle/guidance/obstacles/barrier_watch.hpp"
 #include "aisle/learning/landmarks/landmark_expectation.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
@@ -41,6 +42,17 @@ std::vector<Pose2> places_to_try(const Building& building, const Path& path, dou
   for (const Route& route : building.routes) add(route.path);
   if (building.routes.empty()) add(path);
   return places;
+}
+
+/// How far ahead of the vehicle the floor is that all columns of a picture still show.
+double nearest_in_view_m(const CameraDescription& camera) {
+  const BackProjection floor(CameraModel(camera.intrinsics), camera.mount, 0);
+  double nearest_m = 0;
+  for (int column = 0; column < camera.width_px; ++column) {
+    if (const auto p_vehicle = floor.point(Vec2(column, camera.height_px - 1)))
+      nearest_m = std::max(nearest_m, p_vehicle->x());
+  }
+  return nearest_m;
 }
 
 /// What was seen when the building was taught. A building without routes was taught along the way there.
@@ -123,7 +135,8 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
       follower_(vehicle, params.steering),
       progress_(path_),
       guard_(vehicle, params.guard, &camera_of(vehicle, building)),
-      strangeness_(view_of(building, camera_of(vehicle, building), path_), params.strange_sightings_min) {}
+      strangeness_(view_of(building, camera_of(vehicle, building), path_), params.strange_sightings_min),
+      continuity_(nearest_in_view_m(camera_of(vehicle, building))) {}
 
 Decision LandmarkNavigator::step(const Observation& observation) {
   locate(observation);

@@ -8,6 +8,7 @@ namespace aisle {
 namespace {
 
 constexpr double kDriven_m = 0.03;
+constexpr double kNearest_m = 1.2;
 const std::vector<LandmarkSighting> kBare;
 
 /// Edges of the doors on both sides of a corridor that begins bare, from 6 m on and up to 9 m.
@@ -35,12 +36,42 @@ int drive_past(ContinuityWatch& watch, double from_m, int pictures) {
 }
 
 TEST(ContinuityWatch, DrivingUpToDoorsAndPastThemGoesOn) {
-  ContinuityWatch watch;
+  ContinuityWatch watch(kNearest_m);
   EXPECT_EQ(drive_past(watch, 0, 400), 0);
 }
 
+/// Boards on a wall ahead, with nothing else in view, until it is so near that its foot is below the picture.
+std::vector<LandmarkSighting> boards_on_wall(double ahead_m) {
+  std::vector<LandmarkSighting> seen;
+  for (int i = 0; i < 8 && ahead_m > kNearest_m; ++i)
+    seen.push_back({.p_vehicle = {ahead_m, 0.2 * i - 0.7},
+                    .covariance = Mat2::Identity() * 1e-4,
+                    .brighter_right = i % 3 == 0});
+  return seen;
+}
+
+TEST(ContinuityWatch, AWallThatTheVehicleDrivesUpToAndBacksFromGoesOn) {
+  ContinuityWatch watch(kNearest_m);
+  int noticed = 0;
+  for (double ahead_m = 2; ahead_m > 0.5; ahead_m -= kDriven_m)
+    noticed += drive_on(watch, boards_on_wall(ahead_m)) ? 1 : 0;
+  for (double ahead_m = 0.5; ahead_m < 2; ahead_m += kDriven_m) {
+    watch.move({-kDriven_m, 0, 0});
+    noticed += watch.look(boards_on_wall(ahead_m)) ? 1 : 0;
+  }
+  EXPECT_EQ(noticed, 0);
+}
+
+TEST(ContinuityWatch, NoticesOnceThatAWallThatTheVehicleStandsBeforeIsGone) {
+  ContinuityWatch watch(kNearest_m);
+  for (double ahead_m = 3; ahead_m > 2; ahead_m -= kDriven_m) drive_on(watch, boards_on_wall(ahead_m));
+  int noticed = 0;
+  for (int i = 0; i < 50; ++i) noticed += watch.look(kBare) ? 1 : 0;
+  EXPECT_EQ(noticed, 1);
+}
+
 TEST(ContinuityWatch, NoticesOnceThatDoorsNearbyAreGone) {
-  ContinuityWatch watch;
+  ContinuityWatch watch(kNearest_m);
   drive_past(watch, 3.5, 20);
   int noticed = 0;
   for (int i = 0; i < 50; ++i) noticed += drive_on(watch, kBare) ? 1 : 0;
@@ -50,7 +81,7 @@ TEST(ContinuityWatch, NoticesOnceThatDoorsNearbyAreGone) {
 /// Some pictures show distant lines, and those after them fewer.
 /// @return in how many it was noticed
 int drive_towards_distant_lines(int pictures, std::size_t left) {
-  ContinuityWatch watch;
+  ContinuityWatch watch(kNearest_m);
   std::vector<LandmarkSighting> distant;
   for (int i = 0; i < 9; ++i)
     distant.push_back({.p_vehicle = {5.5 + 0.3 * i, i % 2 == 0 ? 1 : -1},
@@ -74,32 +105,32 @@ TEST(ContinuityWatch, WhatOnePictureAloneShowsNeedNotStay) {
 }
 
 TEST(ContinuityWatch, NoticesOnceThatDoorsAreThereWhichWouldHaveBeenInViewBefore) {
-  ContinuityWatch watch;
+  ContinuityWatch watch(kNearest_m);
   for (int i = 0; i < 20; ++i) EXPECT_FALSE(drive_on(watch, kBare));
   EXPECT_EQ(drive_past(watch, 3.5, 50), 1);
 }
 
 TEST(ContinuityWatch, AFewBadPicturesAreNoOtherPlace) {
-  ContinuityWatch watch;
+  ContinuityWatch watch(kNearest_m);
   drive_past(watch, 3.5, 20);
   for (int i = 0; i < 3; ++i) EXPECT_FALSE(drive_on(watch, kBare));
   EXPECT_EQ(drive_past(watch, 3.5 + 23 * kDriven_m, 50), 0);
 }
 
 TEST(ContinuityWatch, LinesThatAreNotThereAgainAreNoPlace) {
-  ContinuityWatch watch;
+  ContinuityWatch watch(kNearest_m);
   for (int i = 0; i < 20; ++i) drive_on(watch, kBare);
   for (int i = 0; i < 20; ++i) EXPECT_FALSE(drive_on(watch, doors_from(i % 2 == 0 ? 3.5 : 3.7)));
 }
 
 TEST(ContinuityWatch, WhatIsKnownToBeHereIsNoOtherPlace) {
-  ContinuityWatch watch;
+  ContinuityWatch watch(kNearest_m);
   for (int i = 0; i < 20; ++i) drive_on(watch, kBare);
   for (int i = 0; i < 20; ++i) EXPECT_FALSE(drive_on(watch, doors_from(3.5 + kDriven_m * i), true));
 }
 
 TEST(ContinuityWatch, AFewLinesMayComeAndGo) {
-  ContinuityWatch watch;
+  ContinuityWatch watch(kNearest_m);
   const std::vector<LandmarkSighting> doors = doors_from(4);
   const std::vector<LandmarkSighting> some(doors.begin(), doors.begin() + 4);
   for (int i = 0; i < 50; ++i) EXPECT_FALSE(drive_on(watch, i / 10 % 2 == 0 ? kBare : some));

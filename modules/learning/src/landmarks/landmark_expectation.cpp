@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kExpectedWeight = 0.5;  // landmarks of this weight are there
 constexpr double kSeenSigmas = 2;
+constexpr double kBeyond_m = 0.5;  // the farthest sighting its landmark may lie
 
 }  // namespace
 
@@ -25,10 +26,11 @@ std::vector<ExpectedLandmark> expected_landmarks(const LandmarkMap& map, const U
   const LandmarkView view(picture);
   std::vector<ExpectedLandmark> expected;
   std::vector<int> near;
-  map.within(T_map_vehicle.position(), view.far_m(), near);
+  map.within(T_map_vehicle.position(), view.far_m() + kBeyond_m, near);
   for (const int i : near) {
     const Landmark& landmark = map[static_cast<std::size_t>(i)];
-    if (landmark.weight < kExpectedWeight || !view.expects(landmark, T_map_vehicle)) continue;
+    if (landmark.weight < kExpectedWeight || !was_seen_from_about(landmark, T_map_vehicle.position()))
+      continue;
     const Vec2 p_vehicle = T_vehicle_map * landmark.p_map;
     const Vec2 by_heading(p_vehicle.y(), -p_vehicle.x());
     const Mat2 known = R_vehicle_map * (position + landmark.covariance) * R_vehicle_map.transpose() +
@@ -39,7 +41,8 @@ std::vector<ExpectedLandmark> expected_landmarks(const LandmarkMap& map, const U
       return seen.brighter_right == landmark.brighter_right &&
              off.dot((seen.covariance + known).inverse() * off) < square(kSeenSigmas);
     };
-    expected.push_back({i, std::any_of(picture.begin(), picture.end(), shows_it)});
+    const bool is_seen = std::any_of(picture.begin(), picture.end(), shows_it);
+    if (is_seen || view.covers(p_vehicle)) expected.push_back({i, is_seen});
   }
   return expected;
 }

@@ -35,6 +35,18 @@ TEST(LandmarkExpectation, WhereTheVehicleIsNearlyAllIsSeen) {
   EXPECT_GE(here.seen, here.expected * 3 / 4);
 }
 
+TEST(LandmarkExpectation, WhatBoundsTheViewIsSeen) {
+  const std::vector<LandmarkSighting> picture{sighting_of({5, 0.6}, false, {}),
+                                              sighting_of({2.5, -0.6}, false, {})};
+  LandmarkMap map;
+  for (const Vec2& p_map : {Vec2(5.01, 0.61), Vec2(2.51, -0.61)})
+    map.add({.p_map = p_map, .seen_from = {-1, 0}});
+  const auto expected =
+      expected_landmarks(map, about({0, 0, 0}, 0.01, 0.1 * kDegree), picture, kPlaceSigma_m);
+  ASSERT_EQ(expected.size(), 2);
+  EXPECT_TRUE(expected[0].is_seen && expected[1].is_seen);
+}
+
 TEST(LandmarkExpectation, WhatElseIsSeenDoesNotCount) {
   const LandmarkExpectation plain = expectation_from({5, 0, 0}, {.unseen = 0}, 0.01);
   const LandmarkExpectation grainy = expectation_from({5, 0, 0}, {.unseen = 0, .grain = 30}, 0.01);

@@ -14,6 +14,9 @@ namespace aisle {
 /// stay away (near ones, or all of them); or lines are there that would have been in view before.
 class ContinuityWatch {
  public:
+  /// @param nearest_m  ahead, that the camera sees of the floor: what comes nearer leaves the picture below
+  explicit ContinuityWatch(double nearest_m) : nearest_m_(nearest_m) {}
+
   /// The vehicle has moved since the last call, by its odometry.
   void move(const Pose2& T_before_now);
 
@@ -24,14 +27,17 @@ class ContinuityWatch {
 
  private:
   bool can_tell() const;
+  bool is_clear_of_lower_edge(const Vec2& p_vehicle) const;
   bool lacks_what_must_stay(std::span<const LandmarkSighting> picture);
   bool shows_what_was_not_there(std::span<const LandmarkSighting> picture);
   void take(std::span<const LandmarkSighting> picture);
 
+  double nearest_m_;
   std::vector<LandmarkSighting> scene_;  ///< of the last picture that went on, as seen now
   std::ptrdiff_t steady_ = 0;            ///< so many lines, its first, the picture before it showed, too
   double span_rad_ = 0;                  ///< greatest bearing in it, to either side, when it was taken
   MotionSince since_;                    ///< it was taken
+  Pose2 T_scene_now_;                    ///< likewise
   bool has_scene_ = false;
   std::vector<LandmarkSighting> latest_;    ///< the picture before this one
   std::vector<LandmarkSighting> compared_;  ///< of one scene, for a comparison
