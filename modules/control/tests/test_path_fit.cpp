@@ -96,6 +96,20 @@ TEST(FitPath, KeepsCloserToABendThanToTheStraightStretchesBesideIt) {
   EXPECT_GT(straight_m, 0.07);
 }
 
+TEST(FitPath, KeepsCloserToAWayThatWasBackedThanToOneDrivenForwards) {
+  const auto worst_stray_m = [](double length_m) {
+    double worst_m = 0;
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      Random random(seed);
+      const std::vector<Pose2> driven = driven_by_hand(path_of({{length_m, 0}}), 0.04, random);
+      worst_m = std::max(worst_m, stray_m(fit_path(driven, {}), driven));
+    }
+    return worst_m;
+  };
+  EXPECT_LT(worst_stray_m(-12), 0.055);
+  EXPECT_GT(worst_stray_m(12), 0.07);
+}
+
 TEST(FitPath, KeepsTurnsOnTheSpotAndTurningPoints) {
   Random random(1);
   std::vector<Pose2> driven = driven_by_hand(path_of({{3, 0}}), 0, random);

@@ -3,6 +3,7 @@
 
 #include "aisle/core/random.hpp"
 #include "aisle/geometry/pose2.hpp"
+#include "aisle/geometry/pose_change.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -23,6 +24,12 @@ RC_GTEST_PROP(Pose2, CompositionUndoesBetween, (std::uint64_t seed)) {
   const Pose2 a = any_pose(random), b = any_pose(random);
   RC_ASSERT(testing::Matches(PoseNear(b, 1e-9, 1e-9))(a * between(a, b)));
   RC_ASSERT(testing::Matches(PoseNear(Pose2{}, 1e-9, 1e-9))(a * a.inverse()));
+}
+
+RC_GTEST_PROP(Pose2, ChangeBetweenMovesOneToTheOther, (std::uint64_t seed)) {
+  Random random(seed);
+  const Pose2 a = any_pose(random), b = any_pose(random);
+  RC_ASSERT(testing::Matches(PoseNear(b, 1e-9, 1e-9))(moved_by(a, change_between(a, b))));
 }
 
 RC_GTEST_PROP(Pose2, CovariancePropagationMatchesNumericalJacobians, (std::uint64_t seed)) {

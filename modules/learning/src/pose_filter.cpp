@@ -8,7 +8,7 @@
 #include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
 #include "odometry_arc.hpp"
-#include "pose_change.hpp"
+#include "aisle/geometry/pose_change.hpp"
 
 namespace aisle {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "aisle/core/cauchy.hpp"
 #include "aisle/core/square.hpp"
+#include "aisle/geometry/pose_change.hpp"
 
 namespace aisle {
 namespace {
@@ -73,9 +74,7 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
       associate_all(pose, segments, walls, candidates, gate_in_round(round, gate_m, prior.information));
       most = normal_of_most(segments, walls);
     }
-    const Vec3 from_prior(pose.x - prior.T_map_sensor.x, pose.y - prior.T_map_sensor.y,
-                          wrap_angle(pose.theta - prior.T_map_sensor.theta));
-    Vec3 gradient = prior.information * from_prior;
+    Vec3 gradient = prior.information * change_between(prior.T_map_sensor, pose);
     Mat3 information = Mat3::Zero();
     result.matched_m = result.fitting_m = 0;
     constraints_.clear();
@@ -113,7 +112,7 @@ Alignment PoseAligner::align(std::span<const SensedSegment> segments, std::span<
       result.fitting_m += seen.length_m * offset_fit;
     }
     const Vec3 step = -(information + prior.information).ldlt().solve(gradient);
-    pose = {pose.x + step(0), pose.y + step(1), wrap_angle(pose.theta + step(2))};
+    pose = moved_by(pose, step);
     result.wall_information = information;
     if (round + 1 >= kAssociationRounds && step.norm() < kSettledStep) break;
   }

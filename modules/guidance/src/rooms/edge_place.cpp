@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "aisle/core/square.hpp"
+#include "aisle/geometry/pose_change.hpp"
 
 namespace aisle {
 namespace {
@@ -57,8 +58,7 @@ class PoseEquations {
       if (sides[i].normal.isZero()) continue;
       p_moved[i] += sides[i].normal.inverse() * (sides[i].right - sides[i].with_pose.transpose() * step);
     }
-    return {T_map_vehicle_.x + step.x(), T_map_vehicle_.y + step.y(),
-            wrap_angle(T_map_vehicle_.theta + step.z())};
+    return moved_by(T_map_vehicle_, step);
   }
 
  private:

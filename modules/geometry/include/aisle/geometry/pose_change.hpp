@@ -1,4 +1,5 @@
 #pragma once
+/// Small changes of a pose as vectors (x, y, heading), as filters and least squares count them.
 
 #include "aisle/core/angle.hpp"
 #include "aisle/geometry/pose2.hpp"
