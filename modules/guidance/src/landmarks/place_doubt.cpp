@@ -11,7 +11,9 @@ constexpr int kContradictingMin = 3;   // fewer may be the wrong feet that woke 
 constexpr int kFittingMin = 3;         // show that it is still here though walls stand elsewhere
 constexpr int kFittingEach = 4;        // so many that fit outweigh one that contradicts
 constexpr int kExpectedMin = 10;       // landmarks, in all pictures together, tell ...
-constexpr double kSeenShareMin = 0.1;  // ... if fewer than this are seen: no more than by chance
+constexpr double kSeenShareMin = 0.1;  // ... if fewer than this are seen: no more than by chance ...
+constexpr std::size_t kKnownMin = 2;   // ... and not half of the pictures show so many known lines ...
+constexpr double kMostlyKnown = 0.7;   // ... and hardly any other
 
 }  // namespace
 
@@ -25,10 +27,14 @@ Suspicion PlaceDoubt::look(const LandmarkMap& map, const UncertainPose2& T_map_b
     ++expected_;
     if (here.is_seen) ++seen_;
   }
+  const std::size_t known = known_sightings(map, T_map_believed, picture, landmark_sigma_m_);
+  if (known >= kKnownMin && static_cast<double>(known) >= kMostlyKnown * static_cast<double>(picture.size()))
+    ++known_;
   ++pictures_;
   if (fitting_ + contradicting_ < kTellingPictures && pictures_ < kPicturesMax) return Suspicion::kOpen;
   const bool contradicts = contradicting_ >= kContradictingMin && kFittingEach * contradicting_ > fitting_;
-  const bool is_missed = expected_ >= kExpectedMin && seen_ < kSeenShareMin * expected_;
+  const bool is_missed =
+      expected_ >= kExpectedMin && seen_ < kSeenShareMin * expected_ && 2 * known_ < pictures_;
   const bool is_unknown = has_jumped_ && fitting_ < kFittingMin;
   return contradicts || is_missed || is_unknown ? Suspicion::kConfirmed : Suspicion::kDispelled;
 }

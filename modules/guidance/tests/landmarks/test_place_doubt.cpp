@@ -92,6 +92,11 @@ TEST(PlaceDoubt, ExpectedLandmarksThatAreMissingAreADoubtThoughSomethingFitsAtAD
   EXPECT_EQ(look_at(together(a_hand_aside, kElsewhere)), Suspicion::kConfirmed);
 }
 
+TEST(PlaceDoubt, AFewLinesThatAreAllKnownOutweighWhatElseShouldBeSeen) {
+  const std::vector<Vec2> outermost{{2.97, 0.99}, {1.52, -1.01}};
+  EXPECT_EQ(look_at(outermost), Suspicion::kDispelled);
+}
+
 TEST(PlaceDoubt, IsDispelledWherePicturesShowNothingThatContradicts) {
   EXPECT_EQ(look_from({24, 0, 0}, kNoise, 1), Suspicion::kDispelled) << "past the last line";
 }

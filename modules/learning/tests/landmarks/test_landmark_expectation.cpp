@@ -35,16 +35,14 @@ TEST(LandmarkExpectation, WhereTheVehicleIsNearlyAllIsSeen) {
   EXPECT_GE(here.seen, here.expected * 3 / 4);
 }
 
-TEST(LandmarkExpectation, WhatBoundsTheViewIsSeen) {
-  const std::vector<LandmarkSighting> picture{sighting_of({5, 0.6}, false, {}),
-                                              sighting_of({2.5, -0.6}, false, {})};
+TEST(LandmarkExpectation, LinesOnSureLandmarksAreKnown) {
   LandmarkMap map;
-  for (const Vec2& p_map : {Vec2(5.01, 0.61), Vec2(2.51, -0.61)})
-    map.add({.p_map = p_map, .seen_from = {-1, 0}});
-  const auto expected =
-      expected_landmarks(map, about({0, 0, 0}, 0.01, 0.1 * kDegree), picture, kPlaceSigma_m);
-  ASSERT_EQ(expected.size(), 2);
-  EXPECT_TRUE(expected[0].is_seen && expected[1].is_seen);
+  map.add({.p_map = {5, 0.6}});
+  map.add({.p_map = {2.5, -0.6}, .weight = 0.4});
+  const std::vector<LandmarkSighting> picture{
+      sighting_of({5.01, 0.61}, false, {}), sighting_of({5, 0.6}, true, {}), sighting_of({5, 1.2}, false, {}),
+      sighting_of({2.5, -0.6}, false, {})};
+  EXPECT_EQ(known_sightings(map, about({0, 0, 0}, 0.01, 0.1 * kDegree), picture, kPlaceSigma_m), 1);
 }
 
 TEST(LandmarkExpectation, WhatElseIsSeenDoesNotCount) {

@@ -16,7 +16,7 @@ enum class Suspicion {
 /// For a vehicle that stands and suspects to have been lifted: whether the building's landmarks are seen from
 /// where it believes to be. A single picture may miss them, or show little but wrong feet; elsewhere, picture
 /// after picture contradicts the map, or fits it only at some displacement, as many lines do somewhere: of
-/// what should be seen hardly anything is where it should be.
+/// what should be seen hardly anything is where it should be, and little of what is seen is known.
 class PlaceDoubt {
  public:
   PlaceDoubt(const LandmarkLocaliserParams& matching, const VehicleDescription& vehicle)
@@ -25,7 +25,7 @@ class PlaceDoubt {
   /// Nothing that was seen so far counts.
   /// @param has_jumped  walls stand elsewhere than a moment ago: pictures must fit, or it is elsewhere
   void start(bool has_jumped = false) {
-    pictures_ = fitting_ = contradicting_ = expected_ = seen_ = 0;
+    pictures_ = fitting_ = contradicting_ = known_ = expected_ = seen_ = 0;
     has_jumped_ = has_jumped;
   }
 
@@ -39,6 +39,7 @@ class PlaceDoubt {
   LandmarkLocaliser localiser_;
   bool has_jumped_ = false;
   int pictures_ = 0, fitting_ = 0, contradicting_ = 0;
+  int known_ = 0;                ///< pictures of which most is known where it is
   int expected_ = 0, seen_ = 0;  ///< landmarks, in all pictures together
 };
 

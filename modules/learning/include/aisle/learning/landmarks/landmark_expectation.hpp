@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -14,13 +15,15 @@ struct ExpectedLandmark {
   bool is_seen = false;
 };
 
-/// Which landmarks should be seen: those that lie in the part of the surroundings that the picture shows, and
-/// those that are seen. A landmark is seen where a line of its brighter side stands within two standard
-/// deviations of it: those of the sighting, the landmark and the pose together. What else the picture shows
-/// does not count.
+/// A landmark is seen where a line of its brighter side stands within two standard deviations of it: those of
+/// the sighting, the landmark and the pose together. What else the picture shows does not count.
 /// @param landmark_sigma_m  least error of a landmark's place
 std::vector<ExpectedLandmark> expected_landmarks(const LandmarkMap& map, const UncertainPose2& T_map_believed,
                                                  std::span<const LandmarkSighting> picture,
                                                  double landmark_sigma_m);
+
+/// @return so many lines of the picture show a sure landmark, wherever in the view, in the same sense
+std::size_t known_sightings(const LandmarkMap& map, const UncertainPose2& T_map_believed,
+                            std::span<const LandmarkSighting> picture, double landmark_sigma_m);
 
 }  // namespace aisle
