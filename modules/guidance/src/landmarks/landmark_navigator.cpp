@@ -17,8 +17,9 @@ namespace {
 
 constexpr double kFoundSigma_m = 0.1;  // of a place that was found while lost, before a picture settles it
 constexpr double kFoundSigma_rad = 2 * kDegree;
-constexpr std::size_t kKnownPairs = 4;   // so many sightings of known things ...
-constexpr double kKnownShare = 0.7;      // ... that are so much of a picture show where the vehicle is
+constexpr std::size_t kKnownPairs = 4;      // so many sightings of known things ...
+constexpr double kKnownShare = 0.7;         // ... that are so much of a picture show where the vehicle is
+constexpr std::size_t kInPictureLeast = 3;  // landmarks; with fewer, seeing none is as the map says
 constexpr double kStrangeBlocked_m = 1;  // of way, before something that stands where the taught way was free
 
 const CameraDescription& camera_of(const VehicleDescription& vehicle, const Building& building) {
@@ -124,9 +125,8 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
       vehicle_(as_guarded(vehicle, params)),
       building_(&building),
       path_(route),
-      camera_(camera_of(vehicle, building).name),
-      detector_(params.sightings, camera_of(vehicle, building).intrinsics,
-                camera_of(vehicle, building).mount),
+      camera_(camera_of(vehicle, building)),
+      detector_(params.sightings, camera_.intrinsics, camera_.mount),
       localiser_(params.localiser, vehicle,
                  about(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
       doubt_(params.localiser, vehicle),
@@ -134,9 +134,9 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
                  places_to_try(building, path_, params.relocation.apart_m)),
       follower_(vehicle, params.steering),
       progress_(path_),
-      guard_(vehicle, params.guard, &camera_of(vehicle, building)),
-      strangeness_(view_of(building, camera_of(vehicle, building), path_), params.strange_sightings_min),
-      continuity_(nearest_in_view_m(camera_of(vehicle, building))) {}
+      guard_(vehicle, params.guard, &camera_),
+      strangeness_(view_of(building, camera_, path_), params.strange_sightings_min),
+      continuity_(nearest_in_view_m(camera_)) {}
 
 Decision LandmarkNavigator::step(const Observation& observation) {
   locate(observation);
@@ -190,7 +190,7 @@ void LandmarkNavigator::locate(const Observation& observation) {
   sightings_.clear();
   match_ = LandmarkMatch::kNothing;
   const CameraPicture* picture = guard_.look(observation);
-  has_looked_ = picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s);
+  has_looked_ = picture != nullptr && picture == present_picture(observation, camera_.name, vehicle_.cycle_s);
   if (has_looked_) {
     sightings_ = detector_.detect(*picture->image);
     edges_on_floor_.clear();
@@ -220,7 +220,10 @@ void LandmarkNavigator::watch_for_lift() {
       recognition_.look(sightings_.size(), localiser_.pairs().size(), is_known_here))
     was_lifted_ = has_jumped_ = true;
   if (fits && !is_known_here) return;
-  if (continuity_.look(sightings_, is_known_here) && state_ == State::kFollowing)
+  const bool is_bare_here =
+      sightings_.empty() &&
+      landmarks_in_picture(building_->landmarks, localiser_.pose(), camera_) < kInPictureLeast;
+  if (continuity_.look(sightings_, is_known_here || is_bare_here) && state_ == State::kFollowing)
     was_lifted_ = has_jumped_ = true;
 }
 
@@ -334,7 +337,7 @@ Decision LandmarkNavigator::search(const Observation& observation) {
   Decision decision{.state = "lost", .why = why_lost_};
   const bool has_looked_around = stamp_s_ - *state_since_s_ > params_.look_s && relocator_.rounds() > 0;
   if (!has_looked_around || !may_search()) return decision;
-  if (!explorer_) explorer_ = explorer_of_floor(params_.search_speed_mps, vehicle_, camera_);
+  if (!explorer_) explorer_ = explorer_of_floor(params_.search_speed_mps, vehicle_, camera_.name);
   const Decision next = explorer_->step(observation);
   if (next.status != NavigatorStatus::kGoing) {
     searched_m_ = params_.search_max_m;

@@ -26,10 +26,24 @@ TEST(ExpectationWatch, MostOfWhatShouldBeSeenMayBeMissing) {
   EXPECT_EQ(noticed_at(watch, 100, 10, 2), 0);
 }
 
-TEST(ExpectationWatch, NoticesWithinTenPicturesThatNothingIsSeenAnyMore) {
+TEST(ExpectationWatch, NoticesWithinTenPicturesThatTheFewThatWereSeenAreNotAnyMore) {
+  ExpectationWatch watch;
+  noticed_at(watch, 100, 12, 3);
+  EXPECT_EQ(noticed_at(watch, 100, 12, 0), 7);
+}
+
+TEST(ExpectationWatch, NoticesWithinFourPicturesThatTheManyThatWereSeenAreNotAnyMore) {
   ExpectationWatch watch;
   noticed_at(watch, 100, 12, 9);
-  EXPECT_EQ(noticed_at(watch, 100, 12, 0), 9);
+  EXPECT_EQ(noticed_at(watch, 100, 12, 0), 4);
+}
+
+TEST(ExpectationWatch, ThreePicturesInWhichTheyAreMissingMayBeBadOnes) {
+  ExpectationWatch watch;
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(noticed_at(watch, 10, 12, 9), 0);
+    EXPECT_EQ(noticed_at(watch, 3, 12, 0), 0);
+  }
 }
 
 TEST(ExpectationWatch, FewExpectedLandmarksTellNothing) {

@@ -28,11 +28,11 @@ class FirstTrip {
 
   void add(const LandmarkCycle& cycle) {
     if (!T_map_vehicle_.empty()) {
-      const Vec2 before = localiser_.pose().position();
+      const Pose2 before = localiser_.pose();
       localiser_.predict(cycle.odometry);
-      const double moved_m = (localiser_.pose().position() - before).norm();
-      way_m_ += moved_m;
-      compass_.move(moved_m);
+      const Pose2 moved = between(before, localiser_.pose());
+      way_m_ += moved.position().norm();
+      compass_.move(moved.position().norm(), moved.theta);
     }
     set_old_ones_aside();
     if (params_.localiser.heading_by_walls) heed_walls(cycle.floor_edges);

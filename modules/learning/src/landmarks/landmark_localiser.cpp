@@ -63,7 +63,7 @@ void LandmarkLocaliser::predict(const OdometryReading& reading) {
   filter_.predict(reading);
   const Pose2 moved = between(before, filter_.pose());
   since_here_m_ += moved.position().norm();
-  compass_.move(moved.position().norm());
+  compass_.move(moved.position().norm(), moved.theta);
   since_here_rad_ += std::abs(moved.theta);
   if (since_here_m_ >= kStanding_m || since_here_rad_ >= kStanding_rad) taken_in_here_ = 0;
 }

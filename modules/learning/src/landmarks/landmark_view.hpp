@@ -11,6 +11,10 @@ namespace aisle {
 /// the same from there; of a door frame or a corner another edge is seen, which may be a landmark of its own.
 bool is_known_from_behind(const Landmark& landmark, const Vec2& p_map_vehicle);
 
+/// Whether a landmark was seen from about this side and distance before: from nearer, a line may lie above
+/// the picture, or be as bright on both its sides.
+bool was_seen_from_about(const Landmark& landmark, const Vec2& p_map_vehicle);
+
 /// The part of the surroundings in which landmarks were seen in a picture: where one was seen, another that
 /// is nearer and between the outermost ones could have been seen, too.
 class LandmarkView {
@@ -19,8 +23,7 @@ class LandmarkView {
 
   double far_m() const { return far_m_; }
 
-  /// Whether a landmark should be seen: it is in the view, and was seen from about this side and distance
-  /// before. From nearer, a line may lie above the picture, or be as bright on both its sides.
+  /// Whether a landmark should be seen: it is in the view, and was seen from about here.
   bool expects(const Landmark& landmark, const Pose2& T_map_vehicle) const;
 
  private:

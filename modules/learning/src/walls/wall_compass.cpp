@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/cauchy.hpp"
@@ -18,7 +19,9 @@ constexpr double kBends_rad = 0.1 * kDegree;  // in a metre of way, of map and w
 constexpr double kBelieved = 3;               // standard deviations
 constexpr double kUsual_rad = 1 * kDegree;    // of walls that are the ones that are known
 constexpr int kUnlikeMax = 30;                // pictures in a row in which walls run otherwise
-constexpr double kRepeatInflation = 3;        // of variances: pictures in a row are not independent
+constexpr double kTellsAnew_m = 0.3;  // of way: pictures that are taken on it have the same errors ...
+constexpr double kTellsAnew_rad = 10 * kDegree;  // ... as have those on such a turn
+constexpr double kStanding = 0.003;              // of either
 
 /// Edges that lie askew (open doors, furniture) count the less the more.
 std::optional<HeadingMeasurement> heading_near(std::span<const SensedSegment> edges, double foretold_rad,
@@ -33,7 +36,7 @@ std::optional<HeadingMeasurement> heading_near(std::span<const SensedSegment> ed
     turn_rad -= weight * misfit->off_rad;
   }
   if (information == 0) return std::nullopt;
-  return HeadingMeasurement{foretold_rad + turn_rad / information, std::sqrt(kRepeatInflation / information)};
+  return HeadingMeasurement{foretold_rad + turn_rad / information, std::sqrt(1 / information)};
 }
 
 }  // namespace
@@ -42,14 +45,17 @@ void WallCompass::start() {
   *this = {};
 }
 
-void WallCompass::move(double way_m) {
+void WallCompass::move(double way_m, double turn_rad) {
   variance_ += square(kBends_rad) * way_m;
+  anew_ += way_m / kTellsAnew_m + std::abs(turn_rad) / kTellsAnew_rad;
 }
 
 void WallCompass::look(std::span<const SensedSegment> edges, double heading_rad, double sigma_rad) {
   heading_rad_ = heading_rad;
   heading_variance_ = square(sigma_rad);
   against_walls_.reset();
+  if (anew_ < kStanding) return;
+  const double information_share = std::min(1.0, std::exchange(anew_, 0));
   if (starts_ == 0 || unlike_ > kUnlikeMax) {
     const auto seen = dominant_direction(edges);
     if (!seen || seen->share < kShareMin) return;
@@ -65,7 +71,11 @@ void WallCompass::look(std::span<const SensedSegment> edges, double heading_rad,
   const double off_rad = against_walls_->heading_rad - foretold_rad;
   const bool is_like = std::abs(off_rad) < kBelieved * std::sqrt(foretold_variance + square(kUsual_rad));
   unlike_ = is_like ? 0 : unlike_ + 1;
-  if (!is_like) against_walls_.reset();
+  if (is_like) {
+    against_walls_->sigma_rad /= std::sqrt(information_share);
+  } else {
+    against_walls_.reset();
+  }
 }
 
 std::optional<HeadingMeasurement> WallCompass::heading() const {

@@ -25,11 +25,18 @@ std::vector<SensedSegment> corridor(double walls_rad, double heading_rad) {
           edge(walls_rad - heading_rad + kPi / 2)};
 }
 
+/// Takes in a picture from so far on that its edges have other errors.
+void look_anew(WallCompass& compass, const std::vector<SensedSegment>& edges, double heading_rad,
+               double sigma_rad) {
+  compass.move(0.5, 0);
+  compass.look(edges, heading_rad, sigma_rad);
+}
+
 /// A compass that saw so many pictures of such a corridor.
 WallCompass compass_in(double walls_rad, int pictures = 20) {
   WallCompass compass;
   for (int i = 0; i < pictures; ++i) {
-    compass.look(corridor(walls_rad, 0.3), 0.3, kSure_rad);
+    look_anew(compass, corridor(walls_rad, 0.3), 0.3, kSure_rad);
     compass.learn();
   }
   return compass;
@@ -39,7 +46,7 @@ TEST(WallCompass, TellsTheHeadingByWallsThatWereSeenWhereItWasKnown) {
   for (const double walls_rad : {-0.7, 0.0, 0.4, 3.1}) {
     WallCompass compass = compass_in(walls_rad);
     for (const double heading_rad : {0.3, 0.3 + kPi / 2, -3.0}) {
-      compass.look(corridor(walls_rad, heading_rad), heading_rad + 3 * kDegree, kUnsure_rad);
+      look_anew(compass, corridor(walls_rad, heading_rad), heading_rad + 3 * kDegree, kUnsure_rad);
       ASSERT_TRUE(compass.heading()) << walls_rad;
       EXPECT_NEAR(wrap_angle(compass.heading()->heading_rad - heading_rad), 0, 0.1 * kDegree) << walls_rad;
     }
@@ -48,28 +55,40 @@ TEST(WallCompass, TellsTheHeadingByWallsThatWereSeenWhereItWasKnown) {
 
 TEST(WallCompass, TellsNothingToWhomIsSurer) {
   WallCompass compass = compass_in(0);
-  compass.look(corridor(0, 0), 0, kUnsure_rad);
+  look_anew(compass, corridor(0, 0), 0, kUnsure_rad);
   EXPECT_TRUE(compass.heading());
-  compass.look(corridor(0, 0), 0, 0.05 * kDegree);
+  look_anew(compass, corridor(0, 0), 0, 0.05 * kDegree);
   EXPECT_FALSE(compass.heading());
-  compass.look({}, 0, kUnsure_rad);
+  look_anew(compass, {}, 0, kUnsure_rad);
   EXPECT_FALSE(compass.heading()) << "no wall in view";
 }
 
 TEST(WallCompass, ALongWayMakesItLessSure) {
   WallCompass compass = compass_in(0);
-  compass.look(corridor(0, 0), 0, kUnsure_rad);
+  look_anew(compass, corridor(0, 0), 0, kUnsure_rad);
   const double before_rad = compass.heading()->sigma_rad;
-  compass.move(50);
-  compass.look(corridor(0, 0), 0, kUnsure_rad);
+  compass.move(50, 0);
+  look_anew(compass, corridor(0, 0), 0, kUnsure_rad);
   EXPECT_GT(compass.heading()->sigma_rad, before_rad);
+}
+
+TEST(WallCompass, PicturesInARowTellTheLessTheNearerTheyAre) {
+  const auto sigma_after_rad = [](double way_m, double turn_rad) {
+    WallCompass compass = compass_in(0);
+    compass.move(way_m, turn_rad);
+    compass.look(corridor(0, 0), 0, kUnsure_rad);
+    return compass.heading() ? compass.heading()->sigma_rad : kPi;
+  };
+  EXPECT_LT(sigma_after_rad(0.3, 0), sigma_after_rad(0.03, 0) / 2);
+  EXPECT_LT(sigma_after_rad(0, 10 * kDegree), sigma_after_rad(0, 1 * kDegree) / 2);
+  EXPECT_EQ(sigma_after_rad(0, 0), kPi) << "standing, it sees the same again";
 }
 
 TEST(WallCompass, AnOpenDoorHardlyTurnsIt) {
   WallCompass compass = compass_in(0);
   std::vector<SensedSegment> seen = corridor(0, 0);
   seen.push_back(edge(20 * kDegree));
-  compass.look(seen, 0, kUnsure_rad);
+  look_anew(compass, seen, 0, kUnsure_rad);
   ASSERT_TRUE(compass.heading());
   EXPECT_NEAR(compass.heading()->heading_rad, 0, 0.3 * kDegree);
 }
@@ -77,14 +96,14 @@ TEST(WallCompass, AnOpenDoorHardlyTurnsIt) {
 TEST(WallCompass, WallsThatRunOtherwiseForLongAreTakenForTheOnesAround) {
   constexpr double kOblique_rad = 30 * kDegree;
   WallCompass compass = compass_in(0);
-  compass.look(corridor(kOblique_rad, 0), 0, kUnsure_rad);
+  look_anew(compass, corridor(kOblique_rad, 0), 0, kUnsure_rad);
   EXPECT_FALSE(compass.heading()) << "these are no walls that it knows";
   for (int i = 0; i < 100; ++i) {
-    compass.look(corridor(kOblique_rad, 0), 0, kSure_rad);
+    look_anew(compass, corridor(kOblique_rad, 0), 0, kSure_rad);
     compass.learn();
   }
   EXPECT_EQ(compass.starts(), 2);
-  compass.look(corridor(kOblique_rad, 0), 1 * kDegree, kUnsure_rad);
+  look_anew(compass, corridor(kOblique_rad, 0), 1 * kDegree, kUnsure_rad);
   ASSERT_TRUE(compass.heading());
   EXPECT_NEAR(compass.heading()->heading_rad, 0, 0.2 * kDegree);
 }

@@ -104,7 +104,7 @@ class LandmarkNavigator final : public Navigator {
   VehicleDescription vehicle_;
   const Building* building_;
   Path path_;
-  std::string camera_;
+  CameraDescription camera_;
   LandmarkDetector detector_;
   LandmarkLocaliser localiser_;
   PlaceDoubt doubt_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "aisle/maps/landmark_map.hpp"
+#include "aisle/vehicle/camera_description.hpp"
 #include "aisle/vision/lines/landmark_sightings.hpp"
 
 namespace aisle {
@@ -25,5 +26,10 @@ std::vector<ExpectedLandmark> expected_landmarks(const LandmarkMap& map, const U
 /// @return so many lines of the picture show a sure landmark, wherever in the view, in the same sense
 std::size_t known_sightings(const LandmarkMap& map, const UncertainPose2& T_map_believed,
                             std::span<const LandmarkSighting> picture, double landmark_sigma_m);
+
+/// @return so many sure landmarks have their feet in the camera's picture and were seen from about this side
+/// and distance before: whatever the picture shows
+std::size_t landmarks_in_picture(const LandmarkMap& map, const Pose2& T_map_vehicle,
+                                 const CameraDescription& camera);
 
 }  // namespace aisle

@@ -14,11 +14,13 @@ class WallCompass {
   /// Nothing that was seen so far counts.
   void start();
 
-  /// The vehicle drove so far: walls and map are not quite straight.
-  void move(double way_m);
+  /// The vehicle drove so far and turned: walls and map are not quite straight.
+  void move(double way_m, double turn_rad);
 
   /// Compares the edges of the floor (base_link) in one picture with the walls that are known. Walls that run
-  /// otherwise for long become those that are known.
+  /// otherwise for long become those that are known. Pictures from near each other show the same edges with
+  /// the same errors: the less the vehicle has moved since the last one, the less this one tells, and nothing
+  /// if it stands.
   /// @param heading_rad  of the vehicle on the map, as far as known without this picture's edges
   void look(std::span<const SensedSegment> edges, double heading_rad, double sigma_rad);
 
@@ -38,8 +40,9 @@ class WallCompass {
 
  private:
   double walls_rad_ = 0, variance_ = 0;
-  int starts_ = 0;                                 ///< 0: none is known
-  int unlike_ = 0;                                 ///< pictures since walls last ran as known
+  int starts_ = 0;   ///< 0: none is known
+  int unlike_ = 0;   ///< pictures since walls last ran as known
+  double anew_ = 1;  ///< how much of the next picture's errors are new ones: 0 .. 1
   double heading_rad_ = 0, heading_variance_ = 0;  ///< as given with the last picture
   std::optional<HeadingMeasurement> against_walls_;
 };
