@@ -7,8 +7,8 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/square.hpp"
-#include "odometry_arc.hpp"
 #include "aisle/geometry/pose_change.hpp"
+#include "odometry_arc.hpp"
 
 namespace aisle {
 namespace {

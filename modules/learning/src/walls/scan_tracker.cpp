@@ -7,8 +7,8 @@
 
 #include "aisle/core/square.hpp"
 #include "aisle/geometry/dominant_direction.hpp"
-#include "aisle/learning/walls/wall_heading.hpp"
 #include "aisle/geometry/pose_change.hpp"
+#include "aisle/learning/walls/wall_heading.hpp"
 #include "walls/relocation.hpp"
 
 namespace aisle {
