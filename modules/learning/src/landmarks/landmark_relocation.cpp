@@ -17,7 +17,9 @@ constexpr double kRoughSigma_m = 0.1;  // of a displacement, before its pairs se
 constexpr double kRoughSigma_rad = 2 * kDegree;
 constexpr double kSettledSigma_m = 0.05;  // ... and after
 constexpr double kSettledSigma_rad = 1 * kDegree;
-constexpr int kMissedLooks = 4;  // in which a landmark should be seen, and is not: it is not there
+constexpr int kMissedLooks = 4;       // in which a landmark should be seen, and is not: it is not there
+constexpr double kMostlyKnown = 0.7;  // of what is seen; a place where less is known ...
+constexpr double kMoreDistinct = 3;   // ... must be so much more distinct
 constexpr double kSamePlace_m = 0.3;
 constexpr double kSamePlace_rad = 5 * kDegree;
 constexpr double kSamePairs_m = 0.5;  // likewise, by the same pairs of sightings and landmarks
@@ -199,8 +201,9 @@ bool LandmarkRelocator::best_is_distinct() const {
   if (candidates_.empty()) return false;
   const Candidate& best = candidates_.front();
   const double rival = candidates_.size() > 1 ? candidates_[1].evidence : 0;
-  return best.matched_share >= params_.matched_share_min &&
-         best.evidence - rival >= params_.distinct_evidence;
+  const double distinct_evidence =
+      (best.matched_share < kMostlyKnown ? kMoreDistinct : 1) * params_.distinct_evidence;
+  return best.matched_share >= params_.matched_share_min && best.evidence - rival >= distinct_evidence;
 }
 
 void LandmarkRelocator::try_place(const LandmarkMap& map, const Pose2& T_map_tried,

@@ -201,6 +201,29 @@ TEST(LandmarkRelocation, WhatIsUnknownTellsPlacesApart) {
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
 
+/// What it makes of pictures that show so many lines, of which the map has only some.
+std::optional<Pose2> look_where_some_are_unknown(const Pose2& truth, std::size_t shown, double known_share) {
+  Random random(12);
+  std::vector<CorridorLine> lines, known;
+  for (std::size_t i = 0; i < shown; ++i) {
+    lines.push_back({{random.uniform(6, 9), i % 2 == 0 ? 1.0 : -1.0}, random.uniform() < 0.5});
+    if (static_cast<double>(known.size()) < known_share * static_cast<double>(lines.size()))
+      known.push_back(lines.back());
+  }
+  LandmarkRelocator relocator({}, {}, corridor_cart(), places(22));
+  return look(relocator, map_of(known), lines, truth);
+}
+
+TEST(LandmarkRelocation, WhereManyThingsAreUnknownMuchMustBeKnown) {
+  const Pose2 truth{4, 0.1, 0.02};
+  const auto found = look_where_some_are_unknown(truth, 24, 0.6);
+  ASSERT_TRUE(found);
+  EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
+  EXPECT_FALSE(look_where_some_are_unknown(truth, 11, 0.52));
+  EXPECT_TRUE(look_where_some_are_unknown(truth, 11, 1));
+  EXPECT_FALSE(look_where_some_are_unknown(truth, 24, 0.3));
+}
+
 // From a little more to the left, turned to the right, the lines of a wall ahead look much the same: that is
 // no other place to be told from the right one.
 TEST(LandmarkRelocation, OneWallSeenFromHereOrFromALittleAsideIsOnePlace) {

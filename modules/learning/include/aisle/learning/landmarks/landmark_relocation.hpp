@@ -18,7 +18,7 @@ struct LandmarkRelocationParams {
   double distinct_evidence = 8;
   double missed_evidence = 2.5;
   double unknown_evidence = 1;
-  double matched_share_min = 0.7;
+  double matched_share_min = 0.5;
   int pairs_min = 5;
   int agreeing_pictures = 4;
 
