@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "aisle/geometry/back_projection.hpp"
 #include "aisle/guidance/obstacles/barrier_watch.hpp"
 #include "aisle/learning/landmarks/landmark_expectation.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
@@ -45,20 +44,9 @@ std::vector<Pose2> places_to_try(const Building& building, const Path& path, dou
   return places;
 }
 
-/// How far ahead of the vehicle the floor is that all columns of a picture still show.
-double nearest_in_view_m(const CameraDescription& camera) {
-  const BackProjection floor(CameraModel(camera.intrinsics), camera.mount, 0);
-  double nearest_m = 0;
-  for (int column = 0; column < camera.width_px; ++column) {
-    if (const auto p_vehicle = floor.point(Vec2(column, camera.height_px - 1)))
-      nearest_m = std::max(nearest_m, p_vehicle->x());
-  }
-  return nearest_m;
-}
-
 /// What was seen when the building was taught. A building without routes was taught along the way there.
-TaughtView view_of(const Building& building, const CameraDescription& camera, const Path& path) {
-  TaughtView view(camera);
+TaughtView view_of(const Building& building, const FloorInPicture& floor, const Path& path) {
+  TaughtView view(floor);
   for (const Route& route : building.routes) view.add(route.path);
   if (building.routes.empty()) view.add(path);
   return view;
@@ -125,8 +113,10 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
       vehicle_(as_guarded(vehicle, params)),
       building_(&building),
       path_(route),
-      camera_(camera_of(vehicle, building)),
-      detector_(params.sightings, camera_.intrinsics, camera_.mount),
+      camera_(camera_of(vehicle, building).name),
+      floor_in_picture_(camera_of(vehicle, building)),
+      detector_(params.sightings, camera_of(vehicle, building).intrinsics,
+                camera_of(vehicle, building).mount),
       localiser_(params.localiser, vehicle,
                  about(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
       doubt_(params.localiser, vehicle),
@@ -134,9 +124,9 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
                  places_to_try(building, path_, params.relocation.apart_m)),
       follower_(vehicle, params.steering),
       progress_(path_),
-      guard_(vehicle, params.guard, &camera_),
-      strangeness_(view_of(building, camera_, path_), params.strange_sightings_min),
-      continuity_(nearest_in_view_m(camera_)) {}
+      guard_(vehicle, params.guard, &camera_of(vehicle, building)),
+      strangeness_(view_of(building, floor_in_picture_, path_), params.strange_sightings_min),
+      continuity_(floor_in_picture_.nearest_m()) {}
 
 Decision LandmarkNavigator::step(const Observation& observation) {
   locate(observation);
@@ -190,7 +180,7 @@ void LandmarkNavigator::locate(const Observation& observation) {
   sightings_.clear();
   match_ = LandmarkMatch::kNothing;
   const CameraPicture* picture = guard_.look(observation);
-  has_looked_ = picture != nullptr && picture == present_picture(observation, camera_.name, vehicle_.cycle_s);
+  has_looked_ = picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s);
   if (has_looked_) {
     sightings_ = detector_.detect(*picture->image);
     edges_on_floor_.clear();
@@ -222,7 +212,7 @@ void LandmarkNavigator::watch_for_lift() {
   if (fits && !is_known_here) return;
   const bool is_bare_here =
       sightings_.empty() &&
-      landmarks_in_picture(building_->landmarks, localiser_.pose(), camera_) < kInPictureLeast;
+      landmarks_in_picture(building_->landmarks, localiser_.pose(), floor_in_picture_) < kInPictureLeast;
   if (continuity_.look(sightings_, is_known_here || is_bare_here) && state_ == State::kFollowing)
     was_lifted_ = has_jumped_ = true;
 }
@@ -337,7 +327,7 @@ Decision LandmarkNavigator::search(const Observation& observation) {
   Decision decision{.state = "lost", .why = why_lost_};
   const bool has_looked_around = stamp_s_ - *state_since_s_ > params_.look_s && relocator_.rounds() > 0;
   if (!has_looked_around || !may_search()) return decision;
-  if (!explorer_) explorer_ = explorer_of_floor(params_.search_speed_mps, vehicle_, camera_.name);
+  if (!explorer_) explorer_ = explorer_of_floor(params_.search_speed_mps, vehicle_, camera_);
   const Decision next = explorer_->step(observation);
   if (next.status != NavigatorStatus::kGoing) {
     searched_m_ = params_.search_max_m;

@@ -11,8 +11,6 @@ constexpr double kTaughtPlacesApart_m = 0.25;  // along a route
 
 }  // namespace
 
-TaughtView::TaughtView(const CameraDescription& camera) : camera_(camera), model_(camera.intrinsics) {}
-
 void TaughtView::add(const Path& route) {
   const auto steps = static_cast<int>(std::ceil(route.length_m() / kTaughtPlacesApart_m));
   for (int i = 0; i <= steps; ++i) {
@@ -31,10 +29,7 @@ bool TaughtView::shows(const Vec2& p_map) {
 
 bool TaughtView::shows_from(const Pose2& T_map_vehicle, const Vec2& p_map) const {
   const Vec2 p_vehicle = T_map_vehicle.inverse() * p_map;
-  if (p_vehicle.norm() > kFarthest_m) return false;
-  const auto pixel_px = model_.project(camera_.mount.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
-  return pixel_px && pixel_px->x() >= 0 && pixel_px->x() <= camera_.width_px - 1 && pixel_px->y() >= 0 &&
-         pixel_px->y() <= camera_.height_px - 1;
+  return p_vehicle.norm() <= kFarthest_m && floor_.shows(p_vehicle);
 }
 
 }  // namespace aisle

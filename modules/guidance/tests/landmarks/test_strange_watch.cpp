@@ -19,7 +19,7 @@ CameraDescription corridor_camera_of_cart() {
 
 /// Of a route that was taught from (0, 0) to (10, 0).
 TaughtView taught_view() {
-  TaughtView view(corridor_camera_of_cart());
+  TaughtView view(FloorInPicture{corridor_camera_of_cart()});
   view.add(Path({PathPiece{{0, 0, 0}, {10, 0}}}));
   return view;
 }
@@ -44,7 +44,7 @@ TEST(TaughtView, ShowsWhatWasBeforeTheVehicleOnItsWay) {
 }
 
 TEST(TaughtView, OfNoRouteShowsNothing) {
-  TaughtView view(corridor_camera_of_cart());
+  TaughtView view(FloorInPicture{corridor_camera_of_cart()});
   EXPECT_FALSE(view.shows({5, 1}));
 }
 

@@ -84,15 +84,12 @@ std::size_t known_sightings(const LandmarkMap& map, const UncertainPose2& T_map_
 }
 
 std::size_t landmarks_in_picture(const LandmarkMap& map, const Pose2& T_map_vehicle,
-                                 const CameraDescription& camera) {
-  const CameraModel model(camera.intrinsics);
+                                 const FloorInPicture& floor) {
   const std::vector<int> near = sure_landmarks(map, T_map_vehicle.position(), kFarthest_m);
   return static_cast<std::size_t>(std::count_if(near.begin(), near.end(), [&](int i) {
     const Landmark& landmark = map[static_cast<std::size_t>(i)];
-    const Vec2 p_vehicle = T_map_vehicle.inverse() * landmark.p_map;
-    const auto pixel_px = model.project(camera.mount.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
-    return pixel_px && pixel_px->x() >= 0 && pixel_px->x() <= camera.width_px - 1 && pixel_px->y() >= 0 &&
-           pixel_px->y() <= camera.height_px - 1 && was_seen_from_about(landmark, T_map_vehicle.position());
+    return floor.shows(T_map_vehicle.inverse() * landmark.p_map) &&
+           was_seen_from_about(landmark, T_map_vehicle.position());
   }));
 }
 

@@ -45,6 +45,22 @@ TEST(LandmarkExpectation, LinesOnSureLandmarksAreKnown) {
   EXPECT_EQ(known_sightings(map, about({0, 0, 0}, 0.01, 0.1 * kDegree), picture, kPlaceSigma_m), 1);
 }
 
+TEST(LandmarkExpectation, InThePictureAreThoseThatWereSeenFromHereAndAreBeforeTheCamera) {
+  LandmarkMap map;
+  const auto add = [&map](const Vec2& p_map, double seen_far_m) {
+    map.add({.p_map = p_map, .seen_from = {-1, 0}, .seen_far_m = seen_far_m});
+  };
+  add({5, 0.6}, 6);
+  add({5, -0.6}, 4);
+  add({1, 0.6}, 6);
+  add({-3, 0}, 6);
+  CameraDescription camera;
+  camera.mount = {.p_vehicle_camera = {0.85, 0, 1}, .tilt_rad = 14 * kDegree};
+  EXPECT_EQ(landmarks_in_picture(map, {}, FloorInPicture(camera)), 1);
+  EXPECT_EQ(landmarks_in_picture(map, {1.5, 0, 0}, FloorInPicture(camera)), 2) << "nearer to the second";
+  EXPECT_EQ(landmarks_in_picture(map, {8, 0, kPi}, FloorInPicture(camera)), 0) << "from behind";
+}
+
 TEST(LandmarkExpectation, WhatElseIsSeenDoesNotCount) {
   const LandmarkExpectation plain = expectation_from({5, 0, 0}, {.unseen = 0}, 0.01);
   const LandmarkExpectation grainy = expectation_from({5, 0, 0}, {.unseen = 0, .grain = 30}, 0.01);

@@ -104,7 +104,8 @@ class LandmarkNavigator final : public Navigator {
   VehicleDescription vehicle_;
   const Building* building_;
   Path path_;
-  CameraDescription camera_;
+  std::string camera_;
+  FloorInPicture floor_in_picture_;
   LandmarkDetector detector_;
   LandmarkLocaliser localiser_;
   PlaceDoubt doubt_;

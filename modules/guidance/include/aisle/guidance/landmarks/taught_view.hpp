@@ -3,9 +3,8 @@
 #include <vector>
 
 #include "aisle/control/path.hpp"
-#include "aisle/geometry/camera_model.hpp"
 #include "aisle/maps/cell_index.hpp"
-#include "aisle/vehicle/camera_description.hpp"
+#include "aisle/vehicle/floor_in_picture.hpp"
 
 namespace aisle {
 
@@ -13,7 +12,7 @@ namespace aisle {
 /// nothing: on a way back, what is beyond the place from which a route began was behind the vehicle.
 class TaughtView {
  public:
-  explicit TaughtView(const CameraDescription& camera);
+  explicit TaughtView(const FloorInPicture& floor) : floor_(floor) {}
 
   /// The route was driven along its path, the camera ahead.
   void add(const Path& route);
@@ -25,8 +24,7 @@ class TaughtView {
  private:
   bool shows_from(const Pose2& T_map_vehicle, const Vec2& p_map) const;
 
-  CameraDescription camera_;
-  CameraModel model_;
+  FloorInPicture floor_;  ///< of the camera
   std::vector<Pose2> T_map_taught_;
   CellIndex index_;        ///< of these
   std::vector<int> near_;  ///< of them to the point that is asked for

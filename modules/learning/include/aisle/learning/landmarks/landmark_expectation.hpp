@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aisle/maps/landmark_map.hpp"
-#include "aisle/vehicle/camera_description.hpp"
+#include "aisle/vehicle/floor_in_picture.hpp"
 #include "aisle/vision/lines/landmark_sightings.hpp"
 
 namespace aisle {
@@ -30,6 +30,6 @@ std::size_t known_sightings(const LandmarkMap& map, const UncertainPose2& T_map_
 /// @return so many sure landmarks have their feet in the camera's picture and were seen from about this side
 /// and distance before: whatever the picture shows
 std::size_t landmarks_in_picture(const LandmarkMap& map, const Pose2& T_map_vehicle,
-                                 const CameraDescription& camera);
+                                 const FloorInPicture& floor);
 
 }  // namespace aisle
