@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kExpectedWeight = 0.5;  // landmarks of this weight are there
 constexpr double kSeenSigmas = 2;
-constexpr double kBeyond_m = 0.5;  // the farthest sighting its landmark may lie
-constexpr double kFarthest_m = 7;  // feet farther away are vague
+constexpr double kBeyond_m = 0.5;      // the farthest sighting its landmark may lie
+constexpr double kFootFarthest_m = 7;  // feet farther away are vague
 
 /// What landmarks look like from where the vehicle believes to be.
 class BelievedSight {
@@ -85,7 +85,7 @@ std::size_t known_sightings(const LandmarkMap& map, const UncertainPose2& T_map_
 
 std::size_t landmarks_in_picture(const LandmarkMap& map, const Pose2& T_map_vehicle,
                                  const FloorInPicture& floor) {
-  const std::vector<int> near = sure_landmarks(map, T_map_vehicle.position(), kFarthest_m);
+  const std::vector<int> near = sure_landmarks(map, T_map_vehicle.position(), kFootFarthest_m);
   return static_cast<std::size_t>(std::count_if(near.begin(), near.end(), [&](int i) {
     const Landmark& landmark = map[static_cast<std::size_t>(i)];
     return floor.shows(T_map_vehicle.inverse() * landmark.p_map) &&
