@@ -30,7 +30,6 @@ void ContinuityWatch::move(const Pose2& T_before_now) {
   carry_sightings(scene_, T_now_before);
   carry_sightings(latest_, T_now_before);
   since_.move(T_before_now);
-  T_scene_now_ = T_scene_now_ * T_before_now;
 }
 
 bool ContinuityWatch::look(std::span<const LandmarkSighting> picture, bool is_known_here) {
@@ -67,7 +66,7 @@ bool ContinuityWatch::shows_what_was_not_there(std::span<const LandmarkSighting>
   compared_.clear();
   std::copy_if(picture.begin(), picture.end(), std::back_inserter(compared_),
                [&](const LandmarkSighting& line) {
-                 return stands_near(line) && is_clear_of_lower_edge(T_scene_now_ * line.p_vehicle);
+                 return stands_near(line) && is_clear_of_lower_edge(since_.T_then_now() * line.p_vehicle);
                });
   if (compared_.size() < kLinesMin || shown_share(compared_, scene_) > kShownShareMax) return false;
   return breaks_ == 0 || shown_share(compared_, latest_) >= kSteadyShareMin;
@@ -81,7 +80,6 @@ void ContinuityWatch::take(std::span<const LandmarkSighting> picture) {
   span_rad_ = 0;
   for (const LandmarkSighting& line : picture) span_rad_ = std::max(span_rad_, bearing_aside(line));
   since_.start();
-  T_scene_now_ = {};
   has_scene_ = true;
   breaks_ = 0;
 }

@@ -29,12 +29,12 @@ Suspicion PlaceDoubt::look(const LandmarkMap& map, const UncertainPose2& T_map_b
   }
   const std::size_t known = known_sightings(map, T_map_believed, picture, landmark_sigma_m_);
   if (known >= kKnownMin && static_cast<double>(known) >= kMostlyKnown * static_cast<double>(picture.size()))
-    ++known_;
+    ++mostly_known_;
   ++pictures_;
   if (fitting_ + contradicting_ < kTellingPictures && pictures_ < kPicturesMax) return Suspicion::kOpen;
   const bool contradicts = contradicting_ >= kContradictingMin && kFittingEach * contradicting_ > fitting_;
   const bool is_missed =
-      expected_ >= kExpectedMin && seen_ < kSeenShareMin * expected_ && 2 * known_ < pictures_;
+      expected_ >= kExpectedMin && seen_ < kSeenShareMin * expected_ && 2 * mostly_known_ < pictures_;
   const bool is_unknown = has_jumped_ && fitting_ < kFittingMin;
   return contradicts || is_missed || is_unknown ? Suspicion::kConfirmed : Suspicion::kDispelled;
 }

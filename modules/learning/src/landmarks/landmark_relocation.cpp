@@ -45,7 +45,8 @@ void LandmarkRelocationParams::describe(FieldList& fields) {
   fields.angle("window_deg", window_rad, {1, 90}, "turns up to this are tried around each");
   fields.count("places_per_picture", places_per_picture, {1, 10000}, "so many places are tried in a cycle");
   fields.real("distinct_evidence", distinct_evidence, {0, 1000},
-              "a place must be more likely than any other by this (logarithm of the ratio)");
+              "a place must be more likely than any other by this (logarithm of the ratio), by three times "
+              "this where less than 0.7 of what is seen is known");
   fields.real("missed_evidence", missed_evidence, {0, 10},
               "by which a landmark that should have been seen, and was not, makes a place less likely");
   fields.real("unknown_evidence", unknown_evidence, {0, 10},

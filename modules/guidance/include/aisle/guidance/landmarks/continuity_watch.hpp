@@ -37,7 +37,6 @@ class ContinuityWatch {
   std::ptrdiff_t steady_ = 0;            ///< so many lines, its first, the picture before it showed, too
   double span_rad_ = 0;                  ///< greatest bearing in it, to either side, when it was taken
   MotionSince since_;                    ///< it was taken
-  Pose2 T_scene_now_;                    ///< likewise
   bool has_scene_ = false;
   std::vector<LandmarkSighting> latest_;    ///< the picture before this one
   std::vector<LandmarkSighting> compared_;  ///< of one scene, for a comparison

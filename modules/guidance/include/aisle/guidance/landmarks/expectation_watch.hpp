@@ -32,7 +32,7 @@ class ExpectationWatch {
 
  private:
   static constexpr std::size_t kPictures = 10;
-  static constexpr std::size_t kAtOnce = 4;   ///< pictures, after as many others in which most were seen
+  static constexpr std::size_t kAtOnce = 4;   ///< pictures, after kPictures others that showed most
   static constexpr int kExpectedLeast = 60;   ///< in all pictures together
   static constexpr int kExpectedAtOnce = 24;  ///< likewise
   static constexpr int kSeenOneIn = 10;

@@ -17,7 +17,10 @@ class MotionSince {
   void move(const Pose2& T_before_now) {
     way_m_ += T_before_now.position().norm();
     turn_rad_ += T_before_now.theta;
+    T_then_now_ = T_then_now_ * T_before_now;
   }
+
+  const Pose2& T_then_now() const { return T_then_now_; }
 
   bool is_comparable() const { return way_m_ < kComparedWay_m && std::abs(turn_rad_) < kComparedTurn_rad; }
 
@@ -27,6 +30,7 @@ class MotionSince {
 
   double way_m_ = 0;
   double turn_rad_ = 0;
+  Pose2 T_then_now_;
 };
 
 }  // namespace aisle

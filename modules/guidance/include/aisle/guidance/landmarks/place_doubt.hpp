@@ -25,7 +25,7 @@ class PlaceDoubt {
   /// Nothing that was seen so far counts.
   /// @param has_jumped  walls stand elsewhere than a moment ago: pictures must fit, or it is elsewhere
   void start(bool has_jumped = false) {
-    pictures_ = fitting_ = contradicting_ = known_ = expected_ = seen_ = 0;
+    pictures_ = fitting_ = contradicting_ = mostly_known_ = expected_ = seen_ = 0;
     has_jumped_ = has_jumped;
   }
 
@@ -39,7 +39,7 @@ class PlaceDoubt {
   LandmarkLocaliser localiser_;
   bool has_jumped_ = false;
   int pictures_ = 0, fitting_ = 0, contradicting_ = 0;
-  int known_ = 0;                ///< pictures of which most is known where it is
+  int mostly_known_ = 0;         ///< pictures that show hardly anything but known lines
   int expected_ = 0, seen_ = 0;  ///< landmarks, in all pictures together
 };
 

@@ -10,6 +10,8 @@
 
 namespace aisle {
 
+inline constexpr double kFootFarthest_m = 7;  ///< from the vehicle: lines' feet farther away are vague
+
 /// A sure landmark that should be seen in a picture from where the vehicle believes to be.
 struct ExpectedLandmark {
   int landmark = 0;
@@ -28,7 +30,7 @@ std::size_t known_sightings(const LandmarkMap& map, const UncertainPose2& T_map_
                             std::span<const LandmarkSighting> picture, double landmark_sigma_m);
 
 /// @return so many sure landmarks have their feet in the camera's picture and were seen from about this side
-/// and distance before: whatever the picture shows
+/// and distance before, at most kFootFarthest_m away: whatever the picture shows
 std::size_t landmarks_in_picture(const LandmarkMap& map, const Pose2& T_map_vehicle,
                                  const FloorInPicture& floor);
 
