@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "aisle/core/angle.hpp"
 #include "aisle/core/random.hpp"
 #include "aisle/maps/building.hpp"
 
@@ -58,6 +59,10 @@ inline Building any_learned_building(Random& random, int landmarks, int routes, 
   building.camera->mount.tilt_rad = random.uniform(0, 0.3);
   building.camera->mount.pan_rad = random.uniform(-3, 3);
   for (int i = 0; i < landmarks; ++i) building.landmarks.add(any_landmark(random));
+  for (int i = 0; i < landmarks / 8; ++i)
+    building.wall_directions.push_back({.p_map = {random.uniform(-50, 50), random.uniform(-50, 50)},
+                                        .direction_rad = random.uniform(-kPi / 4, kPi / 4),
+                                        .sigma_rad = random.uniform(0.1, 1) * kDegree});
   for (int i = 0; i < routes; ++i) {
     Route route{
         .name = "route \"" + std::to_string(i) + "\"", .path = any_path(random, pieces), .start_view = {}};

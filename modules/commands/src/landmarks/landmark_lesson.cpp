@@ -55,6 +55,7 @@ Result<LandmarkLesson> learn_lesson(const LandmarkTrip& trip, const std::string&
   lesson.building.name = route;
   lesson.building.camera = trip.camera;
   lesson.building.landmarks = std::move(learned.map);
+  lesson.building.wall_directions = std::move(learned.wall_directions);
   lesson.building.routes.push_back(
       {.name = route, .path = std::move(path), .start_view = start_view(trip, learned.T_map_vehicle)});
   lesson.T_map_taught = std::move(learned.T_map_vehicle);

@@ -11,6 +11,7 @@
 #include "buildings/json_value.hpp"
 #include "buildings/landmark_json.hpp"
 #include "buildings/route_json.hpp"
+#include "buildings/wall_direction_json.hpp"
 #include "buildings/wall_json.hpp"
 
 namespace aisle {
@@ -23,13 +24,15 @@ constexpr int kOldestVersion = 1;  // has landmarks in a list, what programs wri
 Building read_parts(const JsonValue& root) {
   Building building;
   root.is_object_of({"format", "version", "name", "has_dominant_direction", "walls", "camera", "landmarks",
-                     "routes", "corridors", "places", "barriers", "floor"});
+                     "wall_directions", "routes", "corridors", "places", "barriers", "floor"});
   if (const auto name = root.find("name")) name->read(building.name);
   if (const auto dominant = root.find("has_dominant_direction"))
     dominant->read(building.has_dominant_direction);
   if (const auto walls = root.find("walls")) building.walls = read_walls(*walls);
   if (const auto camera = root.find("camera")) building.camera = read_camera(*camera);
   if (const auto landmarks = root.find("landmarks")) building.landmarks = read_landmarks(*landmarks);
+  if (const auto directions = root.find("wall_directions"))
+    building.wall_directions = read_wall_directions(*directions);
   if (const auto routes = root.find("routes")) building.routes = read_routes(*routes);
   if (const auto corridors = root.find("corridors")) building.corridors = read_corridors(*corridors);
   if (const auto places = root.find("places")) building.places = read_places(*places);
@@ -48,6 +51,8 @@ std::string building_json(const Building& building) {
   text += ",\n\"walls\": " + walls_json(building.walls);
   if (building.camera) text += ",\n\"camera\": " + camera_json(*building.camera);
   if (!building.landmarks.empty()) text += ",\n\"landmarks\": " + landmarks_json(building.landmarks);
+  if (!building.wall_directions.empty())
+    text += ",\n\"wall_directions\": " + wall_directions_json(building.wall_directions);
   if (!building.routes.empty()) text += ",\n\"routes\": " + routes_json(building.routes);
   if (!building.corridors.nodes.empty()) text += ",\n\"corridors\": " + corridors_json(building.corridors);
   if (!building.places.empty()) text += ",\n\"places\": " + places_json(building.places);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
+#include "aisle/core/angle.hpp"
 #include "aisle/core/random.hpp"
 #include "building_texts.hpp"
 #include "golden_files.hpp"
@@ -108,6 +109,25 @@ TEST(BuildingJson, BarriersAreReadAndWrittenAndOtherKindsAreRefused) {
               AllOf(HasSubstr("barriers[0].kind: is neither \"keep_out\" nor \"glass\""),
                     HasSubstr("barriers[0].start_m: is not a list of 2"),
                     HasSubstr("barriers[0].end_m: is missing")));
+}
+
+TEST(BuildingJson, DirectionsOfWallsAreToAQuarterTurnAndAsSureAsMayBe) {
+  const auto building = parse_building(
+      building_with(R"("wall_directions": [{"at_m": [0, -0.25], "direction_deg": 1.35, "sigma_deg": 0.15}])"),
+      "b.json");
+  ASSERT_TRUE(building.ok());
+  ASSERT_THAT(building->wall_directions, SizeIs(1));
+  EXPECT_THAT(building->wall_directions[0].p_map, PointNear(Vec2(0, -0.25), 0));
+  EXPECT_NEAR(building->wall_directions[0].direction_rad, 1.35 * kDegree, 1e-12);
+  EXPECT_NEAR(building->wall_directions[0].sigma_rad, 0.15 * kDegree, 1e-12);
+  EXPECT_THAT(
+      building_problems(building_with(
+          R"("wall_directions": [{"at_m": [1], "direction_deg": 90, "sigma_deg": 0}, {"at_m": [1, 2]}])")),
+      AllOf(HasSubstr("wall_directions[0].at_m: is not a list of 2"),
+            HasSubstr("wall_directions[0].direction_deg: is not a number from -45 to 45"),
+            HasSubstr("wall_directions[0].sigma_deg: is not a number from 0.01 to 45"),
+            HasSubstr("wall_directions[1].direction_deg: is missing"),
+            HasSubstr("wall_directions[1].sigma_deg: is missing")));
 }
 
 TEST(BuildingJson, SixHundredWallsAreSmall) {

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kFoundSigma_m = 0.1;  // of a place that was found while lost, before a picture settles it
 constexpr double kFoundSigma_rad = 2 * kDegree;
+constexpr double kWallsReach_m = 2;         // walls seen from farther off may be others
 constexpr std::size_t kKnownPairs = 4;      // so many sightings of known things ...
 constexpr double kKnownShare = 0.7;         // ... that are so much of a picture show where the vehicle is
 constexpr std::size_t kInPictureLeast = 3;  // landmarks; with fewer, seeing none is as the map says
@@ -117,8 +118,7 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
       floor_in_picture_(camera_of(vehicle, building)),
       detector_(params.sightings, camera_of(vehicle, building).intrinsics,
                 camera_of(vehicle, building).mount),
-      localiser_(params.localiser, vehicle,
-                 about(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad)),
+      localiser_(params.localiser, vehicle, {}),
       doubt_(params.localiser, vehicle),
       relocator_(params.relocation, params.localiser, vehicle,
                  places_to_try(building, path_, params.relocation.apart_m)),
@@ -126,7 +126,9 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
       progress_(path_),
       guard_(vehicle, params.guard, &camera_of(vehicle, building)),
       strangeness_(view_of(building, floor_in_picture_, path_), params.strange_sightings_min),
-      continuity_(floor_in_picture_.nearest_m()) {}
+      continuity_(floor_in_picture_.nearest_m()) {
+  place(about(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad));
+}
 
 Decision LandmarkNavigator::step(const Observation& observation) {
   locate(observation);
@@ -160,6 +162,11 @@ void LandmarkNavigator::begin(State state) {
   searched_s_ = stamp_s_;
   explorer_.reset();
   relocator_.start();
+}
+
+void LandmarkNavigator::place(const UncertainPose2& T_map_vehicle) {
+  localiser_.place(T_map_vehicle,
+                   walls_around(building_->wall_directions, T_map_vehicle.mean.position(), kWallsReach_m));
 }
 
 LandmarkFix LandmarkNavigator::fix() const {
@@ -276,7 +283,7 @@ Decision LandmarkNavigator::find_itself(const Observation& observation) {
 
 /// It drives on if the route leads on from there, the way it points; else it comes back onto its route.
 Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation& observation) {
-  localiser_.place(about(T_map_vehicle, kFoundSigma_m, kFoundSigma_rad));
+  place(about(T_map_vehicle, kFoundSigma_m, kFoundSigma_rad));
   if (progress_.find(T_map_vehicle, params_.off_route_max_m)) {
     go_on(State::kFollowing);
     return {.state = "found", .why = fmt::format("{:.1f} m along the route", progress_.point().along_m)};

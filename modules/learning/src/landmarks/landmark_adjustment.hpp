@@ -6,15 +6,9 @@
 #include "aisle/learning/landmarks/landmark_learning.hpp"
 #include "landmarks/landmark_loops.hpp"
 #include "landmarks/landmark_observations.hpp"
+#include "landmarks/trip_walls.hpp"
 
 namespace aisle {
-
-/// The heading of the vehicle in a cycle against the walls around.
-struct WallObservation {
-  std::size_t cycle = 0;
-  int walls = 0;  ///< whose direction is one unknown, from 0 on
-  HeadingMeasurement against_walls;
-};
 
 /// What is known of a trip and of what it saw.
 struct TripEvidence {

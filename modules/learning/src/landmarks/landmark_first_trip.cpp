@@ -64,11 +64,12 @@ class FirstTrip {
 
   /// Heading and walls' direction: the surer one corrects the other.
   void heed_walls(std::span<const SensedSegment> floor_edges) {
-    compass_.look(floor_edges, localiser_.pose().theta, std::sqrt(localiser_.covariance()(2, 2)));
+    const double heading_sigma_rad = std::sqrt(localiser_.covariance()(2, 2));
+    compass_.look(floor_edges, localiser_.pose().theta, heading_sigma_rad);
     if (const auto heading = compass_.heading()) {
       localiser_.correct_heading(*heading);
     } else {
-      compass_.learn();
+      compass_.learn(localiser_.pose().theta, heading_sigma_rad);
     }
     if (compass_.against_walls())
       walls_.push_back({T_map_vehicle_.size(), compass_.starts() - 1, *compass_.against_walls()});
@@ -182,7 +183,7 @@ LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const Vehicle
   if (cycles.empty()) return {};
   FirstTrip first(vehicle, params);
   for (const LandmarkCycle& cycle : cycles) first.add(cycle);
-  LearnedTrip trip{.map = {}, .T_map_vehicle = first.T_map_vehicle()};
+  LearnedTrip trip{.map = {}, .wall_directions = {}, .T_map_vehicle = first.T_map_vehicle()};
   std::vector<TripLandmark> found = first.landmarks(params.sightings_min);
   if (params.adjust) TripAdjuster(cycles, first.walls(), vehicle, params).run(trip.T_map_vehicle, found);
   std::vector<Landmark> landmarks;
@@ -190,6 +191,7 @@ LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const Vehicle
   for (const TripLandmark& landmark : found) landmarks.push_back(landmark.landmark);
   settle_weights(landmarks, trip.T_map_vehicle.front().position(), params.weight_min);
   trip.map.assign(std::move(landmarks));
+  trip.wall_directions = wall_directions(first.walls(), trip.T_map_vehicle);
   return trip;
 }
 

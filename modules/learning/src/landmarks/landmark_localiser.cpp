@@ -17,6 +17,7 @@ constexpr int kContradictingMin = 2;             // so many of them out of sight
 constexpr double kStanding_m = 0.01;             // pictures from so near each other have the same errors ...
 constexpr double kStanding_rad = 0.2 * kDegree;  // ... unless the vehicle has turned so far
 constexpr double kByChanceMax = 3 * LandmarkLocaliser::kPairEvidence;  // three pairs, however near
+constexpr double kFarSurer = 0.5;  // deviations against the heading's, of walls that tell it before landmarks
 constexpr double kBehindDistance = 2;  // to the squared distance, if seen from the other side only
 
 }  // namespace
@@ -68,9 +69,10 @@ void LandmarkLocaliser::predict(const OdometryReading& reading) {
   if (since_here_m_ >= kStanding_m || since_here_rad_ >= kStanding_rad) taken_in_here_ = 0;
 }
 
-void LandmarkLocaliser::place(const UncertainPose2& T_map_vehicle) {
+void LandmarkLocaliser::place(const UncertainPose2& T_map_vehicle,
+                              const std::optional<WallDirection>& walls) {
   filter_.place(T_map_vehicle);
-  compass_.start();
+  compass_.start(walls);
   taken_in_here_ = 0;
 }
 
@@ -81,13 +83,18 @@ void LandmarkLocaliser::correct_heading(const HeadingMeasurement& measured) {
 
 LandmarkMatch LandmarkLocaliser::correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
                                          std::span<const SensedSegment> floor_edges) {
+  const bool sees_walls = params_.heading_by_walls && !floor_edges.empty();
+  if (!sees_walls) return correct_by_landmarks(map, sightings);
+  compass_.look(floor_edges, filter_.pose().theta, heading_sigma_rad());
+  const auto by_walls = compass_.heading();
+  const bool is_far_surer = by_walls && by_walls->sigma_rad < kFarSurer * heading_sigma_rad();
+  if (is_far_surer) correct_heading(*by_walls);
   const LandmarkMatch found = correct_by_landmarks(map, sightings);
-  if (!params_.heading_by_walls || floor_edges.empty()) return found;
-  compass_.look(floor_edges, filter_.pose().theta, std::sqrt(filter_.covariance()(2, 2)));
+  if (is_far_surer) return found;
   if (found == LandmarkMatch::kMatched) {
-    compass_.learn();
-  } else if (const auto heading = compass_.heading(); heading && found != LandmarkMatch::kUnmatched) {
-    correct_heading(*heading);
+    compass_.learn(filter_.pose().theta, heading_sigma_rad());
+  } else if (by_walls && found != LandmarkMatch::kUnmatched) {
+    correct_heading(*by_walls);
   }
   return found;
 }

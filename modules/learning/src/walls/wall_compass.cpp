@@ -41,8 +41,12 @@ std::optional<HeadingMeasurement> heading_near(std::span<const SensedSegment> ed
 
 }  // namespace
 
-void WallCompass::start() {
+void WallCompass::start(const std::optional<WallDirection>& walls) {
   *this = {};
+  if (!walls) return;
+  walls_rad_ = walls->direction_rad;
+  variance_ = square(walls->sigma_rad);
+  starts_ = 1;
 }
 
 void WallCompass::move(double way_m, double turn_rad) {
@@ -51,7 +55,6 @@ void WallCompass::move(double way_m, double turn_rad) {
 }
 
 void WallCompass::look(std::span<const SensedSegment> edges, double heading_rad, double sigma_rad) {
-  heading_rad_ = heading_rad;
   heading_variance_ = square(sigma_rad);
   against_walls_.reset();
   if (anew_ < kStanding) return;
@@ -84,10 +87,10 @@ std::optional<HeadingMeasurement> WallCompass::heading() const {
                             std::hypot(against_walls_->sigma_rad, std::sqrt(variance_))};
 }
 
-void WallCompass::learn() {
+void WallCompass::learn(double heading_rad, double sigma_rad) {
   if (!against_walls_) return;
-  const double off_rad = heading_rad_ - against_walls_->heading_rad - walls_rad_;
-  const double gain = variance_ / (variance_ + heading_variance_ + square(against_walls_->sigma_rad));
+  const double off_rad = wrap_angle(heading_rad - against_walls_->heading_rad - walls_rad_);
+  const double gain = variance_ / (variance_ + square(sigma_rad) + square(against_walls_->sigma_rad));
   walls_rad_ += gain * off_rad;
   variance_ = std::max((1 - gain) * variance_, square(kLeastSigma_rad));
 }

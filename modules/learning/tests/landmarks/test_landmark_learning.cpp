@@ -218,6 +218,22 @@ TEST(LearnLandmarks, AnObliqueCorridorIsNotTakenForAStraightOne) {
   EXPECT_LT(end_error_m(trip, {}), end_error_m(trip, without_walls()));
 }
 
+/// The first pose is the map's origin, so the corridor runs as it is driven into.
+TEST(LearnLandmarks, SaysWhichWayWallsRunAllAlong) {
+  constexpr double kOblique_rad = 30 * kDegree;
+  const CorridorTrip trip = trip_along_bare_walls(kOblique_rad);
+  const LearnedTrip learned = learn_landmarks(trip.cycles, corridor_cart(), {});
+  const auto first = walls_around(learned.wall_directions, {0, 0}, 0.1);
+  ASSERT_TRUE(first);
+  EXPECT_NEAR(first->direction_rad, 0, 0.3 * kDegree);
+  EXPECT_LT(first->sigma_rad, 0.5 * kDegree);
+  const auto last = walls_around(learned.wall_directions, trip.T_map_vehicle.back().position(), 2);
+  ASSERT_TRUE(last);
+  EXPECT_NEAR(last->direction_rad, kOblique_rad, 1.5 * kDegree);
+  EXPECT_GT(learned.wall_directions.size(), 4U);
+  EXPECT_LT(learned.wall_directions.size(), 10U);
+}
+
 TEST(LearnLandmarks, AnEmptyTripAndABlindOneLearnNothing) {
   EXPECT_TRUE(learn_landmarks({}, corridor_cart(), {}).map.empty());
   std::vector<LandmarkCycle> blind(5);

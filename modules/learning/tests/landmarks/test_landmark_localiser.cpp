@@ -46,6 +46,26 @@ TEST(LandmarkLocaliser, CorrectsAStartThatIsOff) {
   EXPECT_LT(std::sqrt(turned_rad2), 0.5 * kDegree);
 }
 
+/// A few lines at one distance are moved aside by a turn as they are by a step.
+TEST(LandmarkLocaliser, WallsThatAreKnownWhereItStartsTellTheHeadingThatItsFirstLandmarksHardlyTell) {
+  const std::vector<CorridorLine> lines{{{8, -0.5}, false}, {{8.1, 0.1}, true}, {{8, 0.6}, false}};
+  const LandmarkMap map = map_of(lines);
+  const Pose2 truth{3, 0, 0};
+  SensedSegment along;
+  along.length_m = 3;
+  along.sigma_heading_rad = 0.3 * kDegree;
+  const std::vector<SensedSegment> edges{along};
+  const std::vector<LandmarkSighting> seen = sightings_from(lines, truth, kNoise);
+  const auto heading_off_rad = [&](const std::optional<WallDirection>& walls) {
+    LandmarkLocaliser localiser({}, corridor_cart(), {});
+    localiser.place(somewhere_about({3, 0.15, 2 * kDegree}, 0.15, 0.15, 3 * kDegree), walls);
+    EXPECT_EQ(localiser.correct(map, seen, edges), LandmarkMatch::kMatched);
+    return std::abs(localiser.pose().theta);
+  };
+  EXPECT_GT(heading_off_rad({}), 0.6 * kDegree);
+  EXPECT_LT(heading_off_rad(WallDirection{.sigma_rad = 0.2 * kDegree}), 0.3 * kDegree);
+}
+
 TEST(LandmarkLocaliser, PairsEverySightingWithTheLandmarkThatItShows) {
   Random random(4);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);

@@ -37,7 +37,7 @@ WallCompass compass_in(double walls_rad, int pictures = 20) {
   WallCompass compass;
   for (int i = 0; i < pictures; ++i) {
     look_anew(compass, corridor(walls_rad, 0.3), 0.3, kSure_rad);
-    compass.learn();
+    compass.learn(0.3, kSure_rad);
   }
   return compass;
 }
@@ -100,12 +100,23 @@ TEST(WallCompass, WallsThatRunOtherwiseForLongAreTakenForTheOnesAround) {
   EXPECT_FALSE(compass.heading()) << "these are no walls that it knows";
   for (int i = 0; i < 100; ++i) {
     look_anew(compass, corridor(kOblique_rad, 0), 0, kSure_rad);
-    compass.learn();
+    compass.learn(0, kSure_rad);
   }
   EXPECT_EQ(compass.starts(), 2);
   look_anew(compass, corridor(kOblique_rad, 0), 1 * kDegree, kUnsure_rad);
   ASSERT_TRUE(compass.heading());
   EXPECT_NEAR(compass.heading()->heading_rad, 0, 0.2 * kDegree);
+}
+
+TEST(WallCompass, WallsThatAreKnownFromTheStartTellTheHeadingInTheFirstPicture) {
+  for (const double quarter_turns : {0, 1, 2, 3}) {
+    const double heading_rad = wrap_angle(0.4 + quarter_turns * kPi / 2);
+    WallCompass compass;
+    compass.start(WallDirection{.direction_rad = 0.4, .sigma_rad = 0.2 * kDegree});
+    compass.look(corridor(0.4, heading_rad), heading_rad + 3 * kDegree, kUnsure_rad);
+    ASSERT_TRUE(compass.heading()) << quarter_turns;
+    EXPECT_NEAR(wrap_angle(compass.heading()->heading_rad - heading_rad), 0, 0.1 * kDegree) << quarter_turns;
+  }
 }
 
 TEST(WallCompass, AfterAStartNothingIsKnown) {

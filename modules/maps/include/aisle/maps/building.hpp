@@ -9,6 +9,7 @@
 #include "aisle/maps/floor_grid.hpp"
 #include "aisle/maps/landmark_map.hpp"
 #include "aisle/maps/route.hpp"
+#include "aisle/maps/wall_direction.hpp"
 #include "aisle/maps/wall_map.hpp"
 #include "aisle/vehicle/camera_description.hpp"
 
@@ -30,6 +31,7 @@ struct Building {
   WallMap walls;
   std::optional<CameraDescription> camera;  ///< that the landmarks were seen with; present if there are any
   LandmarkMap landmarks;
+  std::vector<WallDirection> wall_directions;  ///< from where landmarks were learned
   std::vector<Route> routes;
   CorridorGraph corridors;
   std::vector<MapPlace> places;

@@ -85,6 +85,7 @@ class LandmarkNavigator final : public Navigator {
  private:
   enum class State { kLooking, kFollowing, kDoubting, kLost, kReturning };
 
+  void place(const UncertainPose2& T_map_vehicle);
   void locate(const Observation& observation);
   void watch_for_lift();
   std::string why_lost() const;

@@ -58,7 +58,8 @@ void settle_weights(std::vector<Landmark>& landmarks, const Vec2& p_map_start, d
 /// A trip as it was learned.
 struct LearnedTrip {
   LandmarkMap map;
-  std::vector<Pose2> T_map_vehicle;  ///< at the end of every cycle; the first is the map's origin
+  std::vector<WallDirection> wall_directions;  ///< in the order in which they were come by
+  std::vector<Pose2> T_map_vehicle;            ///< at the end of every cycle; the first is the map's origin
 };
 
 /// Algorithm 2: the map of a building from one trip. With `adjust`, all poses and landmarks are then moved

@@ -2,6 +2,8 @@
 /// Where the vehicle is among known landmarks: C98 Algorithm 2 steps 9-13 and Algorithm 3 steps 6-9, one
 /// picture after the other.
 
+#include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -62,15 +64,15 @@ class LandmarkLocaliser {
   /// pairs in. Costs the same whatever the size of the map. The second picture from one place has the errors
   /// of the first: a vehicle that stands does not become surer and surer.
   /// @param floor_edges  of the same picture, in base_link. A match tells which way these run on the map;
-  /// where
-  ///                     nothing known is seen, they tell the heading.
+  ///                     where nothing known is seen, or the heading is far less sure, they tell it.
   LandmarkMatch correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
                         std::span<const SensedSegment> floor_edges = {});
 
   /// The heading as something else than landmarks tells it; not believed if it is too far off.
   void correct_heading(const HeadingMeasurement& measured);
 
-  void place(const UncertainPose2& T_map_vehicle);
+  /// @param walls  around there, if known
+  void place(const UncertainPose2& T_map_vehicle, const std::optional<WallDirection>& walls = {});
 
   const Pose2& pose() const { return filter_.pose(); }
   Mat3 covariance() const { return filter_.covariance(); }
@@ -89,6 +91,7 @@ class LandmarkLocaliser {
   bool is_believable(const Pose2& T_map_guess) const;
   LandmarkMatch without_match(const LandmarkMap& map, std::span<const LandmarkSighting> sightings);
   void take_in(const Pose2& T_map_guess);
+  double heading_sigma_rad() const { return std::sqrt(filter_.covariance()(2, 2)); }
   MwghtWindow window() const;
   bool is_elsewhere(const Pose2& best, const Pose2& other) const;
   void pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,

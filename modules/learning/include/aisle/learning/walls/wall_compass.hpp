@@ -4,6 +4,7 @@
 #include <span>
 
 #include "aisle/learning/walls/wall_heading.hpp"
+#include "aisle/maps/wall_direction.hpp"
 
 namespace aisle {
 
@@ -11,8 +12,8 @@ namespace aisle {
 /// tells this; where it is not, this tells the heading.
 class WallCompass {
  public:
-  /// Nothing that was seen so far counts.
-  void start();
+  /// Nothing that was seen so far counts. @param walls  around, if known
+  void start(const std::optional<WallDirection>& walls = {});
 
   /// The vehicle drove so far and turned: walls and map are not quite straight.
   void move(double way_m, double turn_rad);
@@ -32,18 +33,18 @@ class WallCompass {
   /// given is surer than the walls' direction.
   std::optional<HeadingMeasurement> heading() const;
 
-  /// Takes the heading that was given for true, as far as it is sure.
-  void learn();
+  /// Takes this heading, of the last picture, for true, as far as it is sure.
+  void learn(double heading_rad, double sigma_rad);
 
   double walls_rad() const { return walls_rad_; }  ///< in the map
   int starts() const { return starts_; }           ///< how often other walls became those that are known
 
  private:
   double walls_rad_ = 0, variance_ = 0;
-  int starts_ = 0;   ///< 0: none is known
-  int unlike_ = 0;   ///< pictures since walls last ran as known
-  double anew_ = 1;  ///< how much of the next picture's errors are new ones: 0 .. 1
-  double heading_rad_ = 0, heading_variance_ = 0;  ///< as given with the last picture
+  int starts_ = 0;               ///< 0: none is known
+  int unlike_ = 0;               ///< pictures since walls last ran as known
+  double anew_ = 1;              ///< how much of the next picture's errors are new ones: 0 .. 1
+  double heading_variance_ = 0;  ///< as given with the last picture
   std::optional<HeadingMeasurement> against_walls_;
 };
 
