@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kOneDirection_m = 2;  // from end to end, of what tells one direction
 constexpr double kLeastDirectionSigma_rad = 0.15 * kDegree;
+constexpr double kNoDirectionSigma_rad = kPi / 4;  // to a quarter turn, less sure says nothing
 
 /// The mean of directions that are known to a quarter turn.
 class DirectionMean {
@@ -46,7 +47,8 @@ std::vector<WallDirection> wall_directions(std::span<const WallObservation> seen
       if ((T_map_seen_from.position() - p_map).norm() > kOneDirection_m) break;
       mean.add(T_map_seen_from.theta - seen[i].against_walls.heading_rad, seen[i].against_walls.sigma_rad);
     }
-    directions.push_back(mean.seen_from(p_map));
+    const WallDirection walls = mean.seen_from(p_map);
+    if (walls.sigma_rad < kNoDirectionSigma_rad) directions.push_back(walls);
   }
   return directions;
 }

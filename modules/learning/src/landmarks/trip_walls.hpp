@@ -16,7 +16,7 @@ struct WallObservation {
   HeadingMeasurement against_walls;
 };
 
-/// Which way walls run along a trip, stretch by stretch.
+/// Which way walls run along a trip, stretch by stretch; those where hardly anything tells it are left out.
 /// @param seen  in the order of the cycles
 std::vector<WallDirection> wall_directions(std::span<const WallObservation> seen,
                                            std::span<const Pose2> T_map_vehicle);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "corridor_trip.hpp"
+#include "landmarks/trip_walls.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -232,6 +233,15 @@ TEST(LearnLandmarks, SaysWhichWayWallsRunAllAlong) {
   EXPECT_NEAR(last->direction_rad, kOblique_rad, 1.5 * kDegree);
   EXPECT_GT(learned.wall_directions.size(), 4U);
   EXPECT_LT(learned.wall_directions.size(), 10U);
+}
+
+TEST(WallDirections, AStretchWhoseWallsHardlyTellADirectionHasNone) {
+  const std::vector<Pose2> T_map_vehicle{{0, 0, 0.1}, {5, 0, 0.1}};
+  const std::vector<WallObservation> seen{{0, 0, {0.1, 50 * kDegree}}, {1, 0, {0.1, 1 * kDegree}}};
+  const std::vector<WallDirection> directions = wall_directions(seen, T_map_vehicle);
+  ASSERT_EQ(directions.size(), 1U);
+  EXPECT_EQ(directions[0].p_map.x(), 5);
+  EXPECT_NEAR(directions[0].direction_rad, 0, 1e-12);
 }
 
 TEST(LearnLandmarks, AnEmptyTripAndABlindOneLearnNothing) {
