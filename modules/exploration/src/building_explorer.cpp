@@ -64,14 +64,18 @@ void ExplorerParams::describe(FieldList& fields) {
 BuildingExplorer::BuildingExplorer(const ExplorerParams& params, ExploringOrder order)
     : params_(params), order_(order), run_(corridor_rules()) {}
 
+void BuildingExplorer::look_around(const FloorGrid& floor, const FloorClearance& clearance,
+                                   const Vec2& p_map_middle) {
+  from_vehicle_.measure(floor, clearance, p_map_middle, params_.gates.room_m, kLeeway_m);
+  gates_ = find_gates(floor, clearance, from_vehicle_, params_.gates, marks_);
+}
+
 ExploringTarget BuildingExplorer::decide(const FloorGrid& floor, const FloorClearance& clearance,
-                                         const Pose2& T_map_vehicle, const Vec2& p_map_middle,
-                                         const Pose2& T_map_home, std::size_t cycle) {
+                                         const Pose2& T_map_vehicle, const Pose2& T_map_home,
+                                         std::size_t cycle) {
   cycle_ = cycle;
   p_map_vehicle_ = T_map_vehicle.position();
   free_m2_ = floor.free_m2();
-  from_vehicle_.measure(floor, clearance, p_map_middle, params_.gates.room_m, kLeeway_m);
-  gates_ = find_gates(floor, clearance, from_vehicle_, params_.gates, marks_);
   if (params_.nooks.way_max_m > 0) {
     std::vector<Gate> nooks =
         find_nooks(floor, clearance, from_vehicle_, gates_, params_.gates, params_.nooks, marks_);

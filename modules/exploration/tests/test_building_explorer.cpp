@@ -13,6 +13,14 @@ ExplorerParams minding_nooks() {
   return params;
 }
 
+ExploringTarget look_and_decide(BuildingExplorer& explorer, const DrawnFloor& drawn,
+                                const Pose2& T_map_vehicle, const Vec2& p_map_middle, const Pose2& T_map_home,
+                                std::size_t cycle = 1) {
+  const FloorClearance clearance = drawn.clearance_now();
+  explorer.look_around(drawn.floor, clearance, p_map_middle);
+  return explorer.decide(drawn.floor, clearance, T_map_vehicle, T_map_home, cycle);
+}
+
 /// Where the vehicle goes that stands at the left end of a corridor of which all is known but a recess.
 ExploringTarget target_with_recess_at(double x_m, BuildingExplorer& explorer) {
   DrawnFloor drawn;
@@ -20,7 +28,7 @@ ExploringTarget target_with_recess_at(double x_m, BuildingExplorer& explorer) {
   drawn.put({20, 0}, {20.05, 2}, Floor::kOccupied);
   drawn.put({x_m, 2}, {x_m + 0.4, 2.05}, Floor::kFree);
   const Pose2 T_map_vehicle{1, 1, 0};
-  return explorer.decide(drawn.floor, drawn.clearance_now(), T_map_vehicle, {1.35, 1}, T_map_vehicle, 1);
+  return look_and_decide(explorer, drawn, T_map_vehicle, {1.35, 1}, T_map_vehicle);
 }
 
 TEST(BuildingExplorer, LooksIntoANookThatItComesBy) {
@@ -50,9 +58,7 @@ TEST(BuildingExplorer, LeavesNoFarNookUndone) {
   drawn.put({15, 2}, {15.4, 2.05}, Floor::kFree);
   BuildingExplorer explorer(minding_nooks(), ExploringOrder::kRecommended);
   const Pose2 T_map_home{1, 1, 0};
-  const auto decide = [&] {
-    return explorer.decide(drawn.floor, drawn.clearance_now(), T_map_home, {1.35, 1}, T_map_home, 1);
-  };
+  const auto decide = [&] { return look_and_decide(explorer, drawn, T_map_home, {1.35, 1}, T_map_home); };
   ASSERT_EQ(decide().kind, ExploringTarget::Kind::kPath);
   ASSERT_EQ(explorer.paths_waiting(), 2);
   explorer.abandon_all(2);
@@ -63,10 +69,9 @@ TEST(BuildingExplorer, LeavesNoFarNookUndone) {
 TEST(BuildingExplorer, TriesWhatItLeftOnceMoreFromElsewhere) {
   DrawnFloor drawn;
   drawn.put_corridor(20, 2);
-  const FloorClearance clearance = drawn.clearance_now();
   BuildingExplorer explorer({}, ExploringOrder::kRecommended);
   const auto kind_at = [&](double x_m) {
-    return explorer.decide(drawn.floor, clearance, {x_m, 1, 0}, {x_m, 1}, {1, 1, 0}, 1).kind;
+    return look_and_decide(explorer, drawn, {x_m, 1, 0}, {x_m, 1}, {1, 1, 0}).kind;
   };
   ASSERT_EQ(kind_at(18), ExploringTarget::Kind::kPath);
   explorer.abandon(0, 2);
@@ -80,9 +85,7 @@ TEST(BuildingExplorer, TriesWhatItLeftOnceMoreWhenItKnowsMore) {
   DrawnFloor drawn;
   drawn.put_corridor(20, 2);
   BuildingExplorer explorer({}, ExploringOrder::kRecommended);
-  const auto kind_now = [&] {
-    return explorer.decide(drawn.floor, drawn.clearance_now(), {18, 1, 0}, {18, 1}, {1, 1, 0}, 1).kind;
-  };
+  const auto kind_now = [&] { return look_and_decide(explorer, drawn, {18, 1, 0}, {18, 1}, {1, 1, 0}).kind; };
   ASSERT_EQ(kind_now(), ExploringTarget::Kind::kPath);
   explorer.abandon(0, 2);
   EXPECT_EQ(kind_now(), ExploringTarget::Kind::kHome);
@@ -95,7 +98,7 @@ TEST(BuildingExplorer, TriesWhatItLeftAgainOnCellsHalfAsWide) {
   for (DrawnFloor* drawn : {&coarse, &fine}) drawn->put_corridor(20, 2);
   BuildingExplorer explorer({}, ExploringOrder::kRecommended);
   const auto target_on = [&](const DrawnFloor& drawn) {
-    return explorer.decide(drawn.floor, drawn.clearance_now(), {18, 1, 0}, {18, 1}, {1, 1, 0}, 1);
+    return look_and_decide(explorer, drawn, {18, 1, 0}, {18, 1}, {1, 1, 0});
   };
   ASSERT_EQ(target_on(coarse).kind, ExploringTarget::Kind::kPath);
   EXPECT_FALSE(explorer.has_left_floor());
@@ -122,8 +125,8 @@ class BackToACrossing : public testing::Test {
   }
 
   ExploringTarget decide(const Pose2& T_map_vehicle) {
-    return explorer_.decide(drawn_.floor, drawn_.clearance_now(), T_map_vehicle, T_map_vehicle.position(),
-                            T_map_crossing_, ++cycle_);
+    return look_and_decide(explorer_, drawn_, T_map_vehicle, T_map_vehicle.position(), T_map_crossing_,
+                           ++cycle_);
   }
 
   DrawnFloor drawn_;

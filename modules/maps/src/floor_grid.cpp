@@ -18,11 +18,6 @@ bool is_within_reach(FloorCell cell) {
   return std::abs(cell.x) <= FloorGrid::kReach && std::abs(cell.y) <= FloorGrid::kReach;
 }
 
-int column_of(double coordinate_cells) {
-  constexpr double kLimit = FloorGrid::kReach + 1;
-  return static_cast<int>(std::floor(std::clamp(coordinate_cells, -kLimit, kLimit)));
-}
-
 }  // namespace
 
 void FloorBox::include(FloorCell cell) {
@@ -49,10 +44,6 @@ FloorBox FloorBox::widened(int cells) const {
 
 FloorGrid::FloorGrid(double cell_m) : cell_m_(cell_m) {
   if (!(cell_m > 0)) throw std::invalid_argument("the cells of a floor grid need a size");
-}
-
-FloorCell FloorGrid::cell_at(const Vec2& p_map) const {
-  return {column_of(p_map.x() / cell_m_), column_of(p_map.y() / cell_m_)};
 }
 
 bool FloorGrid::see_free(FloorCell cell) {

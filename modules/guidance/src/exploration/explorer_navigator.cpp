@@ -16,7 +16,7 @@ constexpr double kCoverageEvery_m = 0.5;
 constexpr int kAttemptsMax = 4;
 constexpr int kHomeAttemptsMax = 4;
 constexpr double kGateMoved_m = 1;
-constexpr int kNookExpansions = 30000;   // of the search: more is not worth while
+constexpr int kNookExpansions = 40000;   // of the search: more is not worth while
 constexpr double kSameSpot_m = 0.2;      // about a place where the vehicle was blocked
 constexpr int kBlocksMax = 3;            // there: then the trail back is the way out
 constexpr double kStruckNow_m = 1.5;     // so far from the vehicle ways keep off what is struck now
@@ -84,10 +84,9 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   keep_trail(news);
   if (stamp_s_ - *begun_s_ < params_.look_s || !learner_.has_looked()) return {.state = "looking"};
   if (came_home_) return end(NavigatorStatus::kDone, "home", what_was_explored());
-  if (news == FloorLearner::News::kLoop) drop_way();
+  if (news == FloorLearner::News::kLoop) begin_on_new_floor();
   if (news != FloorLearner::News::kNothing) check_way();
-  if (is_time_to_choose(news)) choose();
-  search_way();
+  think(news);
   lose_patience();
   if (is_lost_for_ways())
     despair(is_wedged_ ? "finds no way out of where it stands" : "finds no way that it can drive");
@@ -132,18 +131,33 @@ void ExplorerNavigator::mark_coverage() {
   coverage_.push_back({learner_.way_m(), learner_.floor().free_m2()});
 }
 
-/// Learning floor is a cycle's work already, so where to go is decided in the next one.
-bool ExplorerNavigator::is_time_to_choose(FloorLearner::News news) {
-  const bool was_due = std::exchange(is_choice_due_, news != FloorLearner::News::kNothing);
-  return was_due || (!target_ && !is_choice_due_);
+/// Learning floor is a cycle's work already. In the next one it is encoded what is around, in the one after
+/// it is decided where to go; and then it is a way's turn to be searched, as in all other cycles.
+void ExplorerNavigator::think(FloorLearner::News news) {
+  const bool is_news = news != FloorLearner::News::kNothing;
+  const bool is_turn_of_look = !std::exchange(is_turn_of_search_, false);
+  if (std::exchange(is_choice_due_, false)) {
+    choose();
+    is_turn_of_search_ = true;
+  } else if (is_turn_of_look && (std::exchange(is_look_due_, false) || (!target_ && !is_news))) {
+    look_around();
+  } else {
+    search_way();
+  }
+  is_look_due_ = is_look_due_ || is_news;
 }
 
-/// C99's steps 9 and 10: what is around is encoded, the transducer says where to go.
-void ExplorerNavigator::choose() {
+/// C99's step 9.
+void ExplorerNavigator::look_around() {
   const double middle_m = (vehicle_.footprint.front_m - vehicle_.footprint.rear_m) / 2;
-  const ExploringTarget target =
-      explorer_.decide(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle(),
-                       learner_.T_map_vehicle() * Vec2(middle_m, 0), learner_.T_map_home(), cycle_);
+  explorer_.look_around(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle() * Vec2(middle_m, 0));
+  is_choice_due_ = true;
+}
+
+/// C99's step 10: the transducer says where to go.
+void ExplorerNavigator::choose() {
+  const ExploringTarget target = explorer_.decide(learner_.floor(), learner_.clearance(),
+                                                  learner_.T_map_vehicle(), learner_.T_map_home(), cycle_);
   if (target.kind == ExploringTarget::Kind::kHome && explorer_.has_left_floor() && learner_.halve_cells()) {
     explorer_.halve_cells();
     return drop_way();
@@ -242,7 +256,7 @@ void ExplorerNavigator::find_no_way() {
   arrived_cycle_ = cycle_;
   if (!is_wedged_) hitch();
   if (std::exchange(blocked_direction_, 0) != 0) {
-    if (is_wedged_ && blocks_here_ > kBlocksMax) retreat();
+    if (blocks_here_ > kBlocksMax) retreat();
     return;
   }
   const bool shut_in = is_shut_in();
@@ -354,6 +368,11 @@ Decision ExplorerNavigator::wait_for_floor() {
   drop_way();
   moved_s_ = stamp_s_;
   return {.state = "laying floor anew"};
+}
+
+void ExplorerNavigator::begin_on_new_floor() {
+  drop_way();
+  is_choice_due_ = false;
 }
 
 void ExplorerNavigator::take_way() {

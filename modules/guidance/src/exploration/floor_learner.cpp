@@ -12,10 +12,11 @@ namespace {
 constexpr double kSetDownAhead_m = 0.15;
 constexpr double kSetDownBeside_m = 0.1;
 constexpr double kOutOfPlace_m =
-    0.025;                      // the floor is laid anew when a slice lies so far from where it was put
-constexpr double kLever_m = 2;  // at which turns count
-constexpr std::size_t kLaidACycle = 8;  // of the slices that are laid anew
-constexpr double kStanding_m = 0.002;   // of way in a cycle
+    0.025;                            // the floor is laid anew when a slice lies so far from where it was put
+constexpr double kLever_m = 2;        // at which turns count
+constexpr double kLaidACycle = 8;     // of the slices that are laid anew, on cells ...
+constexpr double kLaidCell_m = 0.05;  // ... so wide
+constexpr double kStanding_m = 0.002;  // of way in a cycle
 
 }  // namespace
 
@@ -152,7 +153,8 @@ void FloorLearner::begin_anew() {
 
 /// Lays a few slices more onto the floor as they lie now; true when all are laid.
 bool FloorLearner::lay_on() {
-  const std::size_t end = std::min(anew_->next + kLaidACycle, looks_.size());
+  const auto portion = static_cast<std::size_t>(std::max(1.0, kLaidACycle * cell_m_ / kLaidCell_m));
+  const std::size_t end = std::min(anew_->next + portion, looks_.size());
   FloorBox changed;
   for (; anew_->next < end; ++anew_->next) {
     Look& look = looks_[anew_->next];

@@ -19,7 +19,9 @@ constexpr double kTightCost = 4;   // of way with less room than the margin, on 
 constexpr double kLeastMargin_m = 0.03;  // ... or has so much room around its footprint
 constexpr double kSharpShare = 0.97;     // of the wheels' range, where it squeezes through
 constexpr double kEndsEvery_m = 0.05;    // ends are tried, in as many headings as poses are told apart in
-constexpr int kPlaceExpansions = 4;      // what it takes to try a place for them
+constexpr int kPlaceExpansions = 4;      // what it takes to look for room at a place ...
+constexpr int kEndsAnExpansion = 4;      // ... and to try so many poses there that have it takes one
+constexpr int kLeaveExpansions = 2;  // what it takes to go on from a pose where the vehicle may barely fit
 
 /// What a vehicle can do in one step.
 std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_share) {
@@ -130,6 +132,7 @@ void CarSearch::look_for_way_to_any(IsGoal is_good, const FloorBox& places, cons
   begin(T_map_vehicle);
   is_end_ = std::move(is_good);
   ends_ = places;
+  next_end_ = places.low;
 }
 
 void CarSearch::begin(const Pose2& T_map_leave) {
@@ -158,23 +161,30 @@ void CarSearch::begin_at(const Pose2& T_map) {
 int CarSearch::gather_ends(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
   const int every = std::max(1, static_cast<int>(kEndsEvery_m / floor.cell_m()));
   int used = 0;
-  for (; has_ends_left() && used < expansions; ends_.low.y += every) {
-    for (FloorCell cell = ends_.low; cell.x < ends_.end.x; cell.x += every) {
-      if (clearance.to_doubtful_m(cell) <= 0) continue;
-      gather_ends_at(floor, clearance, floor.centre(cell));
-      used += kPlaceExpansions;
-    }
+  while (has_ends_left() && used < expansions) {
+    if (clearance.to_doubtful_m(next_end_) > 0)
+      used += kPlaceExpansions + gather_ends_at(floor, clearance, floor.centre(next_end_)) / kEndsAnExpansion;
+    next_end_.x += every;
+    if (next_end_.x >= ends_.end.x) next_end_ = {ends_.low.x, next_end_.y + every};
   }
   return used;
 }
 
-void CarSearch::gather_ends_at(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map) {
+/// @return how many poses were tried
+int CarSearch::gather_ends_at(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map) {
   constexpr Pose2 kThere[] = {{}};
+  int tried = 0;
   for (int heading = 0; heading < kHeadings; ++heading) {
     const Pose2 T_map{p_map.x(), p_map.y(), (heading + 0.5) / kHeadings * 2 * kPi - kPi};
     if (bins_.contains(bin_of(T_map)) || !least_spare_m(floor, clearance, T_map, kThere)) continue;
     if (is_end_(T_map)) begin_at(T_map);
+    ++tried;
   }
+  return tried;
+}
+
+bool CarSearch::is_leaving(const Pose2& T_map) const {
+  return (T_map.position() - T_map_leave_.position()).norm() < kLeave_m;
 }
 
 bool CarSearch::is_found(const Node& node) const {
@@ -185,7 +195,7 @@ bool CarSearch::is_found(const Node& node) const {
 CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
   leave_spare_ = room_.spare(floor, clearance, T_map_leave_);
   expansions -= gather_ends(floor, clearance, expansions);
-  for (int i = 0; i < expansions && state_ == State::kSearching; ++i) {
+  while (expansions > 0 && state_ == State::kSearching) {
     if (queue_.empty() || expansions_ >= params_.expansions_max) {
       state_ = State::kNone;
       break;
@@ -203,6 +213,7 @@ CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance
       break;
     }
     expand(floor, clearance, node);
+    expansions -= is_leaving(nodes_[node].T_map) ? kLeaveExpansions : 1;
   }
   return state_;
 }
@@ -257,15 +268,15 @@ void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance
 std::optional<double> CarSearch::least_spare_m(const FloorGrid& floor, const FloorClearance& clearance,
                                                const Pose2& T_map_from,
                                                std::span<const Pose2> T_from_passed) const {
-  const bool is_leaving = (T_map_from.position() - T_map_leave_.position()).norm() < kLeave_m;
-  const double enough_m = is_leaving || squeezes_ ? std::min(0.0, kLeastMargin_m - params_.margin_m) : 0;
+  const bool may_barely_fit = is_leaving(T_map_from);
+  const double enough_m = may_barely_fit || squeezes_ ? std::min(0.0, kLeastMargin_m - params_.margin_m) : 0;
+  const double told_m = may_barely_fit ? std::min(enough_m, leave_spare_.free_m - kRoomNoise_m) : enough_m;
   double least_m = clearance.far_m();
   for (const Pose2& T_from : T_from_passed) {
     const Pose2 T_map = T_map_from * T_from;
-    const double spare_m = is_leaving ? room_.spare_m(floor, clearance, T_map)
-                                      : room_.spare_m(floor, clearance, T_map, enough_m);
-    const bool fits =
-        spare_m >= enough_m || (is_leaving && room_.fits_barely(floor, clearance, T_map, leave_spare_));
+    const double spare_m = room_.spare_m(floor, clearance, T_map, told_m);
+    const bool fits = spare_m >= enough_m ||
+                      (may_barely_fit && room_.fits_barely(floor, clearance, T_map, spare_m, leave_spare_));
     if (!fits || (is_free_ && !is_free_(T_map))) return std::nullopt;
     least_m = std::min(least_m, spare_m);
   }

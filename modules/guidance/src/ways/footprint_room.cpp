@@ -100,12 +100,12 @@ double FootprintRoom::least_m(const FloorGrid& floor, const FloorClearance& clea
 }
 
 bool FootprintRoom::fits_barely(const FloorGrid& floor, const FloorClearance& clearance,
-                                const Pose2& T_map_vehicle, const SpareRoom& least) const {
-  const auto suffices = [](double spare_m, double least_m) {
-    return spare_m >= std::min(0.0, least_m - kRoomNoise_m);
+                                const Pose2& T_map_vehicle, double spare_m, const SpareRoom& least) const {
+  const auto suffices = [](double room_m, double least_m) {
+    return room_m >= std::min(0.0, least_m - kRoomNoise_m);
   };
-  return suffices(standing_spare_m(floor, clearance, T_map_vehicle), least.standing_m) &&
-         suffices(spare_m(floor, clearance, T_map_vehicle), least.free_m) &&
+  return suffices(spare_m, least.free_m) &&
+         suffices(standing_spare_m(floor, clearance, T_map_vehicle), least.standing_m) &&
          lies_on_free(floor, clearance, T_map_vehicle);
 }
 
@@ -119,12 +119,14 @@ bool FootprintRoom::lies_on_free(const FloorGrid& floor, const FloorClearance& c
     return static_cast<int>(std::ceil(way_m / (kTouchedCells * floor.cell_m())));
   };
   const int columns = steps_over(length_m), rows = steps_over(width_m);
-  for (int column = 0; column <= columns; ++column) {
-    for (int row = 0; row <= rows; ++row) {
-      const double x = length_m * column / columns + inset_m - footprint_.rear_m,
-                   y = width_m * (static_cast<double>(row) / rows - 0.5);
+  for (int row = 0; row <= rows; ++row) {
+    const double y = width_m * (static_cast<double>(row) / rows - 0.5);
+    for (int column = 0; column <= columns;) {
+      const double x = length_m * column / columns + inset_m - footprint_.rear_m;
       const FloorCell cell = floor.cell_at(T_map_vehicle.position() + x * ahead + y * aside);
-      if (floor.at(cell) != Floor::kFree || clearance.is_barred(cell)) return false;
+      const double free_m = clearance.to_doubtful_m(cell);
+      if (free_m <= 0 && (floor.at(cell) != Floor::kFree || clearance.is_barred(cell))) return false;
+      column += std::max(1, static_cast<int>((free_m - floor.cell_m()) * columns / length_m));
     }
   }
   return true;
@@ -134,7 +136,8 @@ double FootprintRoom::free_way_m(const FloorGrid& floor, const FloorClearance& c
                                  double from_m, const SpareRoom& least) const {
   const auto is_free = [&](double along_m) {
     const Pose2 T_map = path.at(along_m).T_map_path;
-    return fits(floor, clearance, T_map) || fits_barely(floor, clearance, T_map, least);
+    const double room_m = spare_m(floor, clearance, T_map);
+    return room_m >= 0 || fits_barely(floor, clearance, T_map, room_m, least);
   };
   const double left_m = path.length_m() - from_m;
   const int checks = static_cast<int>(std::ceil(left_m / kWayCheck_m));

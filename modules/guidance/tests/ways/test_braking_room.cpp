@@ -67,6 +67,7 @@ TEST(BrakingRoom, OnItsTrailItMayComeNearToWhatTheFloorShowsBesideIt) {
                             swings_its_front_aside.steering_rad));
   EXPECT_TRUE(may_go_back());
   hall.floor.set(hall.floor.cell_at({4.72, 0.385}), Floor::kOccupied);
+  hall.clearance.update(hall.floor, hall.floor.known());
   EXPECT_FALSE(may_go_back());
 }
 

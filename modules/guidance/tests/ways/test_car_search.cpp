@@ -18,7 +18,8 @@ void expect_drivable(const Path& path, const KnownFloor& known, const VehicleDes
 }
 
 CarSearch::State run(const KnownFloor& known, CarSearch& search) {
-  return search.advance(known.floor, known.clearance, 1000000);
+  while (search.advance(known.floor, known.clearance, 100000) == CarSearch::State::kSearching) continue;
+  return search.state();
 }
 
 double no_guide(const Vec2&) {

@@ -112,6 +112,7 @@ TEST(StagedSearch, KnowsFromItsEndsThatNoWayLeadsThere) {
   EXPECT_EQ(both_ways.search_in_portions(), CarSearch::State::kNone);
   EXPECT_TRUE(both_ways.search.is_shut_off_from(p_map_home, 1));
   EXPECT_FALSE(both_ways.search.is_shut_off_from({-5, 7}, 1));
+  EXPECT_TRUE(both_ways.search.is_shut_off_from({-5, 7}, 5)) << "the vehicle, too, comes so near";
 }
 
 }  // namespace

@@ -53,9 +53,12 @@ class BuildingExplorer {
  public:
   BuildingExplorer(const ExplorerParams& params, ExploringOrder order);
 
-  /// One learning cycle: what is known now -> where to go. `T_map_home`: where it began.
+  /// C99's step 9: encodes where paths lead on from what is known now.
+  void look_around(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map_middle);
+  /// C99's step 10: where to go. After a look around on this floor, of which a little more may be known
+  /// since. `T_map_home`: where it began.
   ExploringTarget decide(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                         const Vec2& p_map_middle, const Pose2& T_map_home, std::size_t cycle);
+                         const Pose2& T_map_home, std::size_t cycle);
 
   /// The vehicle does not get back to the crossing: it goes on from where it stands.
   void pass_crossing_by();

@@ -1,6 +1,8 @@
 #pragma once
 /// The floor of a building as it was seen: square cells in the frame `map`, at one height above the floor.
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -53,7 +55,9 @@ class FloorGrid {
   explicit FloorGrid(double cell_m = 0.05);
 
   double cell_m() const { return cell_m_; }
-  FloorCell cell_at(const Vec2& p_map) const;
+  FloorCell cell_at(const Vec2& p_map) const {
+    return {column_of(p_map.x() / cell_m_), column_of(p_map.y() / cell_m_)};
+  }
   Vec2 centre(FloorCell cell) const { return {(cell.x + 0.5) * cell_m_, (cell.y + 0.5) * cell_m_}; }
 
   Floor at(FloorCell cell) const {
@@ -90,6 +94,10 @@ class FloorGrid {
   using Evidence = std::int8_t;  ///< 0: never seen; above: occupied; below: free
   static constexpr Evidence kStoodOn = -100;
 
+  static int column_of(double coordinate_cells) {
+    constexpr double kLimit = kReach + 1;
+    return static_cast<int>(std::floor(std::clamp(coordinate_cells, -kLimit, kLimit)));
+  }
   static Floor floor_of(Evidence evidence) {
     return evidence == 0 ? Floor::kUnknown : evidence > 0 ? Floor::kOccupied : Floor::kFree;
   }

@@ -26,7 +26,7 @@ struct ExplorerNavigatorParams {
   double join_m = 0.6;       ///< so far ahead a new way joins the old one
   PatienceParams patience;
   double time_max_s = 14400;  ///< then it gives up, wherever it is
-  int expansions = 1500;      ///< of the search, a cycle
+  int expansions = 2000;      ///< of the search, a cycle
   double stuck_s = 120;       ///< without any way for so long it gives up
 
   void describe(FieldList& fields);
@@ -53,7 +53,8 @@ class ExplorerNavigator final : public Navigator {
   Decision back_off(const Observation& observation);
   void keep_trail(FloorLearner::News news);
   void mark_coverage();
-  bool is_time_to_choose(FloorLearner::News news);
+  void think(FloorLearner::News news);
+  void look_around();
   void choose();
   void begin_search();
   bool may_end_at_home(const Pose2& T_map_from) const;
@@ -73,6 +74,7 @@ class ExplorerNavigator final : public Navigator {
   void watch_learning(const ExploringTarget& target);
   void lose_patience();
   Decision wait_for_floor();
+  void begin_on_new_floor();
   void take_way();
   void arrive();
   void shorten_way(double ahead_m);
@@ -95,7 +97,9 @@ class ExplorerNavigator final : public Navigator {
   WayDriver driver_;
   Patience patience_;
   Trail trail_;
-  bool is_choice_due_ = false;  ///< floor was learned since the latest one
+  bool is_look_due_ = false;        ///< floor was learned since the latest look around
+  bool is_choice_due_ = false;      ///< that showed where paths lead on: by it the next choice is made
+  bool is_turn_of_search_ = false;  ///< it was made in the latest cycle
   std::optional<ExploringTarget> target_;
   std::optional<ExploringTarget> former_;     ///< the latest, also after its way was dropped
   Vec2 p_map_blocked_ = Vec2::Constant(1e9);  ///< where the vehicle could not go on ...

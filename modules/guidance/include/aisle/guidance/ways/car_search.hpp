@@ -66,7 +66,7 @@ class CarSearch {
   /// no way otherwise, as both make it harder to keep to what was found.
   void squeeze() { squeezes_ = true; }
 
-  /// Looks at so many poses more.
+  /// Looks at so many poses more, or fewer where one takes longer.
   State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
 
   /// Forgets what was searched.
@@ -113,9 +113,10 @@ class CarSearch {
   void begin(const Pose2& T_map_leave);
   void begin_at(const Pose2& T_map);
   bool is_begin(std::size_t node) const { return nodes_[node].parent == node; }
-  bool has_ends_left() const { return !ends_.empty(); }
+  bool has_ends_left() const { return ends_.contains(next_end_); }
   int gather_ends(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
-  void gather_ends_at(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map);
+  int gather_ends_at(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map);
+  bool is_leaving(const Pose2& T_map) const;
   bool is_found(const Node& node) const;
   void expand(const FloorGrid& floor, const FloorClearance& clearance, std::size_t node);
   void try_move(const FloorGrid& floor, const FloorClearance& clearance, std::size_t from, const Move& move);
@@ -131,9 +132,10 @@ class CarSearch {
   IsGoal is_goal_;
   std::function<double(const Vec2&)> left_m_;
   bool from_the_end_ = false;
-  IsGoal is_end_;      ///< of a search from any of its ends ...
-  FloorBox ends_;      ///< ... in which poses are still to be tried for that, row by row
-  Pose2 T_map_leave_;  ///< about which there may be little room
+  IsGoal is_end_;       ///< of a search from any of its ends ...
+  FloorBox ends_;       ///< ... in which poses are tried for that, row by row ...
+  FloorCell next_end_;  ///< ... from here on; outside: all were
+  Pose2 T_map_leave_;   ///< about which there may be little room
   State state_ = State::kIdle;
   int expansions_ = 0;
   double reached_m_ = 0;

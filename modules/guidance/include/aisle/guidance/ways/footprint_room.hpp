@@ -42,7 +42,12 @@ class FootprintRoom {
   /// seen than it must or than `least`, but for noise: where a vehicle is set down, it has not seen what is
   /// beside it, and in a narrow place it may have come nearer to something than it would go.
   bool fits_barely(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
-                   const SpareRoom& least) const;
+                   const SpareRoom& least) const {
+    return fits_barely(floor, clearance, T_map_vehicle, spare_m(floor, clearance, T_map_vehicle), least);
+  }
+  /// Where `spare_m` is known already, at least as far as `least` needs it.
+  bool fits_barely(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                   double spare_m, const SpareRoom& least) const;
 
   /// Whether the whole footprint lies on known free floor.
   bool lies_on_free(const FloorGrid& floor, const FloorClearance& clearance,

@@ -45,9 +45,10 @@ class StagedSearch {
   bool has_tried_all() const { return search_.has_tried_all(); }
   bool has_come_to(const Vec2& p_map, double within_m) const { return search_.has_come_to(p_map, within_m); }
   /// All was tried from the ends: no way leads from any of them to where the vehicle stands, nor so near to a
-  /// place.
+  /// place, unless the vehicle gets there, too.
   bool is_shut_off_from(const Vec2& p_map, double within_m) const {
-    return ends_are_shut_off_ && !from_ends_.has_come_to(p_map, within_m);
+    return ends_are_shut_off_ &&
+           (search_.has_come_to(p_map, within_m) || !from_ends_.has_come_to(p_map, within_m));
   }
   /// What was found, or is searched, ends where a stage does.
   bool is_stage() const { return is_stage_ && !is_found_from_ends(); }
