@@ -16,22 +16,17 @@ constexpr double kCoverageEvery_m = 0.5;
 constexpr int kAttemptsMax = 4;
 constexpr int kHomeAttemptsMax = 4;
 constexpr double kGateMoved_m = 1;
-constexpr int kNookExpansions = 40000;   // of the search: more is not worth while
-constexpr double kSameSpot_m = 0.2;      // about a place where the vehicle was blocked
-constexpr int kBlocksMax = 3;            // there: then the trail back is the way out
-constexpr double kStruckNow_m = 1.5;     // so far from the vehicle ways keep off what is struck now
-constexpr double kBarredAhead_m = 0.08;  // of where it was blocked ...
-constexpr double kBarredAlong_m = 0.08;  // ... no way leads through a pose that is as near as this
-constexpr double kBarredAcross_m = 0.04;
-constexpr double kBarred_rad = 6 * kDegree;
-constexpr double kStageLeft_m = 2.5;  // of a stage, when the next one is searched
-constexpr double kLearned_m2 = 0.5;   // so much more floor is something learned
-constexpr double kShown_m2 = 0.03;    // so much more floor after a way: it was worth driving
-constexpr double kWedged_m = 0.5;     // a search that comes no farther says something about where it began
-constexpr double kRetreat_m = 3;      // at least, along its own trail, before it searches anew ...
-constexpr double kRoomy_m = 0.15;     // ... where it has so much more room than it needs
-constexpr int kDespairsMax = 3;       // then it gives up, wherever it is
-constexpr int kTouchesMax = 5;        // of the bumper: then something is wrong
+constexpr int kNookExpansions = 40000;  // of the search: more is not worth while
+constexpr int kBlocksMax = 3;           // on one spot: then the trail back is the way out
+constexpr double kStruckNow_m = 1.5;    // so far from the vehicle ways keep off what is struck now
+constexpr double kStageLeft_m = 2.5;    // of a stage, when the next one is searched
+constexpr double kLearned_m2 = 0.5;     // so much more floor is something learned
+constexpr double kShown_m2 = 0.03;      // so much more floor after a way: it was worth driving
+constexpr double kWedged_m = 0.5;       // a search that comes no farther says something about where it began
+constexpr double kRetreat_m = 3;        // at least, along its own trail, before it searches anew ...
+constexpr double kRoomy_m = 0.15;       // ... where it has so much more room than it needs
+constexpr int kDespairsMax = 3;         // then it gives up, wherever it is
+constexpr int kTouchesMax = 5;          // of the bumper: then something is wrong
 constexpr double kTouchedKnown_m = -0.03;  // beyond the margin: what stands so near is what was touched
 constexpr double kIdleWay_m = 150;         // without learning anything: what waits is left undone
 
@@ -188,8 +183,7 @@ void ExplorerNavigator::begin_search() {
     is_search_due_ = stands_first_ = true;
   }
   if (is_path && !target_->gate.is_nook && !driver_.has_way()) target_search_.search_from_ends_too(tries_);
-  const double since_blocked_m = (T_map_from.position() - p_map_blocked_).norm();
-  if (since_blocked_m < kSameSpot_m) search_.forbid_first(blocked_direction_);
+  if (blocks_.was_at(T_map_from)) search_.forbid_first(blocks_.shut_direction());
   keep_off_what_blocks();
   if (tries_.failures > 0) search_.squeeze();
 }
@@ -198,24 +192,15 @@ void ExplorerNavigator::begin_search() {
 /// the vehicle was blocked would be blocked again.
 void ExplorerNavigator::keep_off_what_blocks() {
   search_.keep_to([this](const Pose2& T_map_later) {
-    if (is_barred(T_map_later)) return false;
+    if (blocks_.is_barred(T_map_later)) return false;
     const Pose2 T_vehicle_later = between(learner_.T_map_vehicle(), T_map_later);
     return T_vehicle_later.position().norm() > kStruckNow_m || driver_.is_off_struck(T_vehicle_later);
   });
 }
 
-bool ExplorerNavigator::is_barred(const Pose2& T_map_later) const {
-  return std::any_of(T_map_barred_.begin(), T_map_barred_.end(), [&](const Pose2& T_map_barred) {
-    const Pose2 off = between(T_map_barred, T_map_later);
-    return std::abs(off.x) < kBarredAlong_m && std::abs(off.y) < kBarredAcross_m &&
-           std::abs(off.theta) < kBarred_rad;
-  });
-}
-
 /// Where no way that ends exactly there is found, near home first, and on from there.
 bool ExplorerNavigator::may_end_at_home(const Pose2& T_map_from) const {
-  const bool was_blocked_here = (T_map_from.position() - p_map_blocked_).norm() < kSameSpot_m;
-  return tries_.ways % 2 == 0 && (tries_.ways > 0 || !was_blocked_here);
+  return tries_.ways % 2 == 0 && (tries_.ways > 0 || !blocks_.was_at(T_map_from));
 }
 
 /// Before a stage ends, the way on from it is searched.
@@ -255,8 +240,9 @@ void ExplorerNavigator::find_no_way() {
   search_.stop();
   arrived_cycle_ = cycle_;
   if (!is_wedged_) hitch();
-  if (std::exchange(blocked_direction_, 0) != 0) {
-    if (blocks_here_ > kBlocksMax) retreat();
+  if (blocks_.shut_direction() != 0) {
+    blocks_.open_direction();
+    if (blocks_.times() > kBlocksMax) retreat();
     return;
   }
   const bool shut_in = is_shut_in();
@@ -326,7 +312,7 @@ void ExplorerNavigator::watch_learning(const ExploringTarget& target) {
   const bool is_path = target.kind == ExploringTarget::Kind::kPath;
   const double target_m = is_path ? target.gate.way_m : learner_.way_m() / 2;
   patience_.renew(stamp_s_, learner_.way_m(), target_m);
-  T_map_barred_.clear();
+  blocks_.unbar();
 }
 
 /// What leads nowhere is left undone, and in the end everything.
@@ -456,11 +442,7 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
 
 void ExplorerNavigator::be_blocked(int direction) {
   hitch();
-  const Vec2 p_map_now = learner_.T_map_vehicle().position();
-  blocks_here_ = (p_map_now - p_map_blocked_).norm() < kSameSpot_m ? blocks_here_ + 1 : 1;
-  p_map_blocked_ = p_map_now;
-  blocked_direction_ = direction;
-  T_map_barred_.push_back(learner_.T_map_vehicle() * Pose2{direction * kBarredAhead_m, 0, 0});
+  blocks_.note(learner_.T_map_vehicle(), direction);
   drop_way();
 }
 

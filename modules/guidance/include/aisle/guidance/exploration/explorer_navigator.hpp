@@ -6,6 +6,7 @@
 #include <string>
 
 #include "aisle/exploration/building_explorer.hpp"
+#include "aisle/guidance/exploration/block_memory.hpp"
 #include "aisle/guidance/exploration/floor_learner.hpp"
 #include "aisle/guidance/exploration/patience.hpp"
 #include "aisle/guidance/exploration/target_search.hpp"
@@ -59,7 +60,6 @@ class ExplorerNavigator final : public Navigator {
   void begin_search();
   bool may_end_at_home(const Pose2& T_map_from) const;
   void keep_off_what_blocks();
-  bool is_barred(const Pose2& T_map_later) const;
   void search_on();
   void search_way();
   bool was_worth_it() const;
@@ -101,11 +101,8 @@ class ExplorerNavigator final : public Navigator {
   bool is_choice_due_ = false;      ///< that showed where paths lead on: by it the next choice is made
   bool is_turn_of_search_ = false;  ///< it was made in the latest cycle
   std::optional<ExploringTarget> target_;
-  std::optional<ExploringTarget> former_;     ///< the latest, also after its way was dropped
-  Vec2 p_map_blocked_ = Vec2::Constant(1e9);  ///< where the vehicle could not go on ...
-  int blocked_direction_ = 0;                 ///< ... forwards (1) or backwards (-1) ...
-  int blocks_here_ = 0;                       ///< ... so often on end
-  std::vector<Pose2> T_map_barred_;           ///< just beyond where it was, on the way to the present target
+  std::optional<ExploringTarget> former_;  ///< the latest, also after its way was dropped
+  BlockMemory blocks_;
   int driven_direction_ = 0;  ///< forwards (1) or backwards (-1), in the latest cycle that drove
   bool is_touching_ = false;
   int touches_ = 0;

@@ -1,0 +1,38 @@
+#include "aisle/guidance/exploration/block_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kSameSpot_m = 0.2;
+constexpr double kBarredAhead_m = 0.08;  // of where it was stopped ...
+constexpr double kBarredAlong_m = 0.08;  // ... poses are barred that are as near as this
+constexpr double kBarredAcross_m = 0.04;
+constexpr double kBarred_rad = 6 * kDegree;
+
+}  // namespace
+
+void BlockMemory::note(const Pose2& T_map_vehicle, int direction) {
+  times_ = was_at(T_map_vehicle) ? times_ + 1 : 1;
+  p_map_ = T_map_vehicle.position();
+  shut_direction_ = direction;
+  T_map_barred_.push_back(T_map_vehicle * Pose2{direction * kBarredAhead_m, 0, 0});
+}
+
+bool BlockMemory::was_at(const Pose2& T_map) const {
+  return (T_map.position() - p_map_).norm() < kSameSpot_m;
+}
+
+bool BlockMemory::is_barred(const Pose2& T_map) const {
+  return std::any_of(T_map_barred_.begin(), T_map_barred_.end(), [&](const Pose2& T_map_barred) {
+    const Pose2 off = between(T_map_barred, T_map);
+    return std::abs(off.x) < kBarredAlong_m && std::abs(off.y) < kBarredAcross_m &&
+           std::abs(off.theta) < kBarred_rad;
+  });
+}
+
+}  // namespace aisle

@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/guidance/exploration/block_memory.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr Pose2 kStopped{5, 2, 90 * kDegree};
+
+TEST(BlockMemory, BarsThePoseJustBeyondOnTheSideThatItDroveTo) {
+  BlockMemory backwards;
+  backwards.note(kStopped, -1);
+  EXPECT_TRUE(backwards.is_barred({5, 1.92, 90 * kDegree}));
+  EXPECT_FALSE(backwards.is_barred({5, 2.08, 90 * kDegree}));
+  EXPECT_FALSE(backwards.is_barred({5.05, 1.92, 90 * kDegree})) << "beside it";
+  EXPECT_FALSE(backwards.is_barred({5, 1.92, 80 * kDegree})) << "askew";
+  backwards.unbar();
+  EXPECT_FALSE(backwards.is_barred({5, 1.92, 90 * kDegree}));
+}
+
+TEST(BlockMemory, CountsHowOftenOnEndItWasStoppedOnOneSpot) {
+  BlockMemory blocks;
+  EXPECT_FALSE(blocks.was_at(kStopped));
+  for (int times = 1; times <= 3; ++times) {
+    blocks.note(kStopped, 1);
+    EXPECT_EQ(blocks.times(), times);
+  }
+  EXPECT_TRUE(blocks.was_at({5.1, 2.1, 0}));
+  blocks.note({6, 2, 0}, 1);
+  EXPECT_EQ(blocks.times(), 1);
+  EXPECT_FALSE(blocks.was_at(kStopped));
+}
+
+TEST(BlockMemory, ShutsTheDirectionUntilThereIsNoOtherWay) {
+  BlockMemory blocks;
+  EXPECT_EQ(blocks.shut_direction(), 0);
+  blocks.note(kStopped, -1);
+  EXPECT_EQ(blocks.shut_direction(), -1);
+  blocks.open_direction();
+  EXPECT_EQ(blocks.shut_direction(), 0);
+  EXPECT_TRUE(blocks.was_at(kStopped));
+}
+
+}  // namespace
+}  // namespace aisle
