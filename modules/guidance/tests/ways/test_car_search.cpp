@@ -124,6 +124,22 @@ TEST(CarSearch, TriesFewPosesWhereAllThatAreGoodEnoughAreShutOff) {
   EXPECT_LT(search.expansions(), 5000);
 }
 
+TEST(CarSearch, TriesNoMoreEndsInAPortionThanThatIsWorth) {
+  const KnownFloor hall({{Vec2(0, 0), Vec2(20, 20)}});
+  CarSearch search({}, cart());
+  int tried = 0;
+  const auto never = [&](const Pose2&) {
+    ++tried;
+    return false;
+  };
+  search.look_for_way_to_any(never, hall.floor.known(), {5, 5, 0}, no_guide);
+  while (search.advance(hall.floor, hall.clearance, 500) == CarSearch::State::kSearching) {
+    EXPECT_LT(tried, 2000);
+    tried = 0;
+  }
+  EXPECT_TRUE(search.has_tried_all());
+}
+
 TEST(CarSearch, SqueezesThroughWhereToldTo) {
   const KnownFloor room_off_corridor(
       {{Vec2(0, 0), Vec2(8, 1.25)}, {Vec2(4, 1.25), Vec2(4.85, 1.45)}, {Vec2(2.5, 1.45), Vec2(6.5, 4.5)}});

@@ -94,5 +94,25 @@ TEST(FootprintRoom, LeavesNothingOfTheFootprintOut) {
   EXPECT_GT(fitting, 2000);
 }
 
+TEST(FootprintRoom, LiesOnFreeFloorWhereNothingIsUnderIt) {
+  KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
+  hall.floor.set({60, 60}, Floor::kOccupied);
+  hall.clearance.update(hall.floor, hall.floor.known());
+  const Footprint footprint = cart().footprint;
+  const FootprintRoom room(footprint, 0);
+  const double cell_m = hall.floor.cell_m();
+  Random random(2);
+  int on_it = 0, off_it = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Pose2 T_map_vehicle{random.uniform(1.5, 4.5), random.uniform(1.5, 4.5), random.uniform(-kPi, kPi)};
+    const double off_m = off_footprint_m(footprint, T_map_vehicle.inverse() * hall.floor.centre({60, 60}));
+    if (std::abs(off_m) < cell_m) continue;
+    ++(off_m < 0 ? on_it : off_it);
+    EXPECT_EQ(room.lies_on_free(hall.floor, hall.clearance, T_map_vehicle), off_m > 0);
+  }
+  EXPECT_GT(on_it, 150);
+  EXPECT_GT(off_it, 2000);
+}
+
 }  // namespace
 }  // namespace aisle
