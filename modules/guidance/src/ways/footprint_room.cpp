@@ -13,7 +13,7 @@ constexpr double kMuchRoom_m = 0.2;    // more room than this is not measured cl
 constexpr double kWhole = 1e-9;        // so little more is no other piece
 constexpr double kNoneNear_m = 10;
 constexpr double kWayCheck_m = 0.1;
-constexpr double kTouchedCells = 0.7;  // between points under the footprint: each cell holds one, however it lies
+constexpr double kTouchedCells = 0.7;  // between points under the footprint: no cell lies between them
 
 /// What cells have at their middles, at any point between four of them.
 /// @param value_of  of a cell, or of one of the room by its number
