@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kTimeMax_s = 600;
+constexpr double kTimeMax_s = 900;
 
 /// A corridor along x, 8 m x 1.3 m, and on its left, behind a door that is open into it, a narrow room of
 /// 1.5 m x 2.6 m, which is a dead end: the vehicle gets in, but a search in it finds no way out.
