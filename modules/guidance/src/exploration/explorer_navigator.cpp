@@ -356,6 +356,7 @@ Decision ExplorerNavigator::wait_for_floor() {
   return {.state = "laying floor anew"};
 }
 
+/// What was seen around on the former floor does not lie where it lies now.
 void ExplorerNavigator::begin_on_new_floor() {
   drop_way();
   is_choice_due_ = false;

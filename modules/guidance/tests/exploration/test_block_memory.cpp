@@ -1,7 +1,8 @@
+#include "aisle/guidance/exploration/block_memory.hpp"
+
 #include <gtest/gtest.h>
 
 #include "aisle/core/angle.hpp"
-#include "aisle/guidance/exploration/block_memory.hpp"
 
 namespace aisle {
 namespace {

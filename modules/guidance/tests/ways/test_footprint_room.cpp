@@ -9,6 +9,19 @@ namespace aisle {
 namespace {
 
 constexpr double kKept_m = 0.05;
+constexpr FloorCell kPost{60, 60};
+
+KnownFloor hall_with_post() {
+  KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
+  hall.floor.set(kPost, Floor::kOccupied);
+  hall.clearance.update(hall.floor, hall.floor.known());
+  return hall;
+}
+
+Pose2 about_the_post(Random& random) {
+  const double x_m = random.uniform(1.5, 4.5), y_m = random.uniform(1.5, 4.5);
+  return {x_m, y_m, random.uniform(-kPi, kPi)};
+}
 
 TEST(FootprintRoom, ItsEndsMayComeAsNearAsItsSides) {
   const KnownFloor hall({{Vec2(0, 0), Vec2(10, 4)}});
@@ -24,9 +37,7 @@ TEST(FootprintRoom, ItsEndsMayComeAsNearAsItsSides) {
 
 /// So a search that looks at a few poses of an arc knows of those between them.
 TEST(FootprintRoom, ChangesLittleWhileAPostIsPassed) {
-  KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
-  hall.floor.set({60, 60}, Floor::kOccupied);
-  hall.clearance.update(hall.floor, hall.floor.known());
+  const KnownFloor hall = hall_with_post();
   const FootprintRoom room(cart().footprint, kKept_m);
   double least_m = 1, most_m = 0;
   for (double along_m = 0; along_m < 0.7; along_m += 0.01) {
@@ -39,9 +50,7 @@ TEST(FootprintRoom, ChangesLittleWhileAPostIsPassed) {
 }
 
 TEST(FootprintRoom, TellsEnoughRoomExactly) {
-  KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
-  hall.floor.set({60, 60}, Floor::kOccupied);
-  hall.clearance.update(hall.floor, hall.floor.known());
+  const KnownFloor hall = hall_with_post();
   const FootprintRoom room(cart().footprint, kKept_m);
   Random random(1);
   int enough = 0, too_little = 0;
@@ -77,35 +86,31 @@ TEST(FootprintRoom, FitsBarelyNoNearerToTheUnseenThanWhereItStands) {
 }
 
 TEST(FootprintRoom, LeavesNothingOfTheFootprintOut) {
-  KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
-  hall.floor.set({60, 60}, Floor::kOccupied);
-  hall.clearance.update(hall.floor, hall.floor.known());
+  const KnownFloor hall = hall_with_post();
   const Footprint footprint = cart().footprint;
   const FootprintRoom room(footprint, 0);
   Random random(1);
   int fitting = 0;
   for (int i = 0; i < 5000; ++i) {
-    const Pose2 T_map_vehicle{random.uniform(1.5, 4.5), random.uniform(1.5, 4.5), random.uniform(-kPi, kPi)};
+    const Pose2 T_map_vehicle = about_the_post(random);
     if (!room.fits(hall.floor, hall.clearance, T_map_vehicle)) continue;
     ++fitting;
-    const Vec2 p_vehicle = T_map_vehicle.inverse() * hall.floor.centre({60, 60});
+    const Vec2 p_vehicle = T_map_vehicle.inverse() * hall.floor.centre(kPost);
     EXPECT_GT(off_footprint_m(footprint, p_vehicle), 0);
   }
   EXPECT_GT(fitting, 2000);
 }
 
 TEST(FootprintRoom, LiesOnFreeFloorWhereNothingIsUnderIt) {
-  KnownFloor hall({{Vec2(0, 0), Vec2(6, 6)}});
-  hall.floor.set({60, 60}, Floor::kOccupied);
-  hall.clearance.update(hall.floor, hall.floor.known());
+  const KnownFloor hall = hall_with_post();
   const Footprint footprint = cart().footprint;
   const FootprintRoom room(footprint, 0);
   const double cell_m = hall.floor.cell_m();
   Random random(2);
   int on_it = 0, off_it = 0;
   for (int i = 0; i < 5000; ++i) {
-    const Pose2 T_map_vehicle{random.uniform(1.5, 4.5), random.uniform(1.5, 4.5), random.uniform(-kPi, kPi)};
-    const double off_m = off_footprint_m(footprint, T_map_vehicle.inverse() * hall.floor.centre({60, 60}));
+    const Pose2 T_map_vehicle = about_the_post(random);
+    const double off_m = off_footprint_m(footprint, T_map_vehicle.inverse() * hall.floor.centre(kPost));
     if (std::abs(off_m) < cell_m) continue;
     ++(off_m < 0 ? on_it : off_it);
     EXPECT_EQ(room.lies_on_free(hall.floor, hall.clearance, T_map_vehicle), off_m > 0);

@@ -9,7 +9,7 @@ namespace aisle {
 /// Where a vehicle could not go on, as something was in the way that the floor does not show.
 class BlockMemory {
  public:
-  /// It was stopped here while it drove forwards (1) or backwards (-1).
+  /// It was stopped here while it drove forwards (1) or backwards (-1), or touched as it stood (0).
   void note(const Pose2& T_map_vehicle, int direction);
 
   /// Whether it was stopped there last, or about there.
