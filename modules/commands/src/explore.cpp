@@ -11,7 +11,7 @@
 #include "aisle/formats/sessions/session_truth.hpp"
 #include "aisle/learning/corridors/corridor_tracing.hpp"
 #include "aisle/learning/walls/map_building.hpp"
-#include "aisle/maps/wall_extension.hpp"
+#include "aisle/maps/grazed_walls.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "exploration/exploration_check.hpp"
 #include "exploration/exploration_evaluation.hpp"
@@ -106,7 +106,7 @@ Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPl
   const LaserLog& log = mission->log;
   MapResult map = build_map(log, plan.params.learner.mapping, 0.0, false, progress);
   FloorGrid floor = navigator.learner().floor_from(map.T_map_vehicle);
-  extend_walls(map.walls, floor);
+  draw_grazed_walls(map.walls, floor);
   CorridorGraph corridors = trace_corridors(floor, map.T_map_vehicle.front().position(), {});
   const double height_m = vehicle.laser_markers ? vehicle.laser_markers->height_m
                                                 : plan.setting.vehicle.simulated.scanner.height_m;

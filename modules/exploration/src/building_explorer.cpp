@@ -135,10 +135,7 @@ std::optional<std::size_t> BuildingExplorer::continued_by(const FloorGrid& floor
 std::size_t BuildingExplorer::add_path(Gate gate, const Pose2& T_map_vehicle) {
   const std::size_t path = paths_.size();
   const Bearing bearing = bearing_of(gate.p_map, T_map_vehicle);
-  paths_.push_back({.parent = active_.value_or(path),
-                    .bearing = bearing,
-                    .chances = gate.is_nook ? 0 : 1,
-                    .gate = std::move(gate)});
+  paths_.push_back({.parent = active_.value_or(path), .bearing = bearing, .gate = std::move(gate)});
   return path;
 }
 
@@ -324,7 +321,9 @@ bool BuildingExplorer::resume_left() {
   for (SeenPath& path : paths_) {
     const bool is_elsewhere = (path.p_map_left - p_map_vehicle_).norm() > kElsewhere_m;
     const bool knows_more = free_m2_ > path.free_m2_left + kMoreKnown_m2;
-    if (!is_left(path) || !path.has_gate || path.chances == 0 || !(is_elsewhere || knows_more)) continue;
+    const bool has_chance =
+        path.has_gate && path.chances > 0 && params_.nooks.is_worth_another_look(path.gate);
+    if (!is_left(path) || !has_chance || !(is_elsewhere || knows_more)) continue;
     --path.chances;
     path.state = PathState::kWaiting;
     resumed = true;

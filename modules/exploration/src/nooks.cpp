@@ -16,9 +16,10 @@ constexpr int kDarkCells = 3;                 // behind the edge all is unknown
 constexpr double kBesideUnknownCells = 0.75;  // there is less room beside the unknown
 constexpr double kBeyondGate_m = 0.3;         // so far into the unknown a gate leads for sure
 constexpr std::size_t kLooksMax = 6;          // points of a rim from which lines of sight are tried ...
-constexpr int kSights = 24;                   // ... in so many directions
+constexpr int kSights = 96;                   // ... in so many directions: doors may be hardly open
 constexpr std::size_t kNookRimMax = 24;       // points that stand for a rim
 constexpr double kSightMin_m = 0.8;           // the vehicle's middle does not come nearer
+constexpr double kStrideMax_m = 0.2;          // along a line of sight, over free floor
 constexpr std::array<FloorCell, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 /// So many of a row of things, evenly spread over it.
@@ -152,14 +153,15 @@ class NookFinder {
   }
 
   void look_back(const Vec2& p_map, const Vec2& direction, Gate& nook) const {
-    for (int step = 0; step * floor_.cell_m() < params_.reach_m; ++step) {
-      const double along_m = step * floor_.cell_m();
+    for (double along_m = 0; along_m < params_.reach_m;) {
       const FloorCell cell = floor_.cell_at(Vec2(p_map + along_m * direction));
       const Floor kind = floor_.at(cell);
       if (kind == Floor::kOccupied || (kind == Floor::kUnknown && along_m > Gate::kNookDepth_m)) return;
-      if (along_m < kSightMin_m || reached_.to(cell) >= nook.way_m) continue;
-      nook.way_m = reached_.to(cell);
-      nook.stand = cell;
+      if (along_m >= kSightMin_m && reached_.to(cell) < nook.way_m) {
+        nook.way_m = reached_.to(cell);
+        nook.stand = cell;
+      }
+      along_m += std::clamp(clearance_.to_doubtful_m(cell) - floor_.cell_m(), floor_.cell_m(), kStrideMax_m);
     }
   }
 
@@ -180,6 +182,8 @@ void NookParams::describe(FieldList& fields) {
               "a nook farther away waits until the vehicle comes by; 0: none matters");
   fields.real("way_max_m_per_m2", way_max_m_per_m2, {0, 1e6},
               "the same by what it hides along its edge; the greater holds");
+  fields.real("again_m2", again_m2, {0, 1e6},
+              "what hides so much along its edge is looked into once more, from elsewhere or knowing more");
 }
 
 std::vector<Gate> find_nooks(const FloorGrid& floor, const FloorClearance& clearance,

@@ -93,6 +93,42 @@ TEST(BuildingExplorer, TriesWhatItLeftOnceMoreWhenItKnowsMore) {
   EXPECT_EQ(kind_now(), ExploringTarget::Kind::kPath);
 }
 
+/// A corridor of which all is known but what lies beyond a slit in its wall.
+class SecondLook : public testing::Test {
+ protected:
+  SecondLook() {
+    drawn_.put_corridor(20, 2);
+    drawn_.put({20, 0}, {20.05, 2}, Floor::kOccupied);
+    drawn_.put({5, 2}, {5.4, 2.05}, Floor::kFree);
+  }
+
+  /// How many nooks it wants to look into from about there, while none of them shows anything.
+  int looks_at(double x_m) {
+    for (int looks = 0;; ++looks) {
+      const ExploringTarget target = look_and_decide(explorer_, drawn_, {x_m, 1, 0}, {x_m, 1}, {1, 1, 0});
+      if (target.kind == ExploringTarget::Kind::kHome) return looks;
+      explorer_.give_up(target.path, 2);
+    }
+  }
+
+  DrawnFloor drawn_;
+  BuildingExplorer explorer_{minding_nooks(), ExploringOrder::kRecommended};
+};
+
+TEST_F(SecondLook, IsWorthWhileFromElsewhereWhereMuchIsHidden) {
+  drawn_.put({4, 2.05}, {6.5, 3.5}, Floor::kFree);
+  const int looks = looks_at(5);
+  EXPECT_GT(looks, 0);
+  EXPECT_EQ(looks_at(5.5), 0);
+  EXPECT_EQ(looks_at(8), looks);
+  EXPECT_EQ(looks_at(5), 0);
+}
+
+TEST_F(SecondLook, IsNotWorthWhileIntoARecess) {
+  EXPECT_EQ(looks_at(5), 1);
+  EXPECT_EQ(looks_at(8), 0);
+}
+
 TEST(BuildingExplorer, TriesWhatItLeftAgainOnCellsHalfAsWide) {
   DrawnFloor coarse, fine(0.025);
   for (DrawnFloor* drawn : {&coarse, &fine}) drawn->put_corridor(20, 2);

@@ -46,6 +46,17 @@ TEST(Nooks, ARoomBehindADoorTooNarrowForTheVehicleIsLookedInto) {
   EXPECT_FALSE(drawn.nooks().empty());
 }
 
+TEST(Nooks, ALineOfSightThroughASlitIsFound) {
+  DrawnFloor drawn = closed_corridor();
+  drawn.put({2, 2}, {2.1, 2.05}, Floor::kFree);
+  drawn.put({2, 2.05}, {4.5, 4.5}, Floor::kFree);
+  drawn.put({1.95, 2.05}, {2, 4.5}, Floor::kOccupied);
+  drawn.put({4.5, 2.05}, {4.55, 4.55}, Floor::kOccupied);
+  drawn.put({2, 4.5}, {3.6, 4.55}, Floor::kOccupied);
+  drawn.put({3.9, 4.5}, {4.55, 4.55}, Floor::kOccupied);
+  EXPECT_EQ(drawn.nooks().size(), 1);
+}
+
 TEST(Nooks, ALongEdgeIsWorthALongerWay) {
   const NookParams params{.way_max_m = 3, .way_max_m_per_m2 = 60};
   const auto is_far = [&](double behind_m2, double way_m) {

@@ -28,7 +28,8 @@ constexpr double kRoomy_m = 0.15;       // ... where it has so much more room th
 constexpr int kDespairsMax = 3;         // then it gives up, wherever it is
 constexpr int kTouchesMax = 5;          // of the bumper: then something is wrong
 constexpr double kTouchedKnown_m = -0.03;  // beyond the margin: what stands so near is what was touched
-constexpr double kIdleWay_m = 150;         // without learning anything: what waits is left undone
+constexpr double kIdleWay_m = 150;         // without learning anything: what waits is left undone ...
+constexpr double kIdleShare = 0.5;         // ... after more, where as much of the way before was worth it
 
 bool is_same(const ExploringTarget& a, const ExploringTarget& b) {
   if (a.kind != b.kind) return false;
@@ -318,7 +319,8 @@ void ExplorerNavigator::watch_learning(const ExploringTarget& target) {
 /// What leads nowhere is left undone, and in the end everything.
 void ExplorerNavigator::lose_patience() {
   if (!target_ || is_wedged_) return;
-  const bool is_idle = learner_.way_m() - learned_way_m_ > kIdleWay_m;
+  const double idle_max_m = std::max(kIdleWay_m, kIdleShare * learned_way_m_);
+  const bool is_idle = learner_.way_m() - learned_way_m_ > idle_max_m;
   if (is_idle && target_->kind != ExploringTarget::Kind::kHome) {
     explorer_.abandon_all(cycle_);
     return drop_way();

@@ -13,10 +13,15 @@ struct NookParams {
   double reach_m = 4.5;          ///< from so far a nook is looked into, at most
   double way_max_m = 3;          ///< a nook farther away waits until the vehicle comes by; 0: none matters
   double way_max_m_per_m2 = 60;  ///< the same by what it hides along its edge; the greater holds
+  double again_m2 = 0.3;         ///< what hides so much along its edge is looked into twice
 
   /// Not worth a way of its own.
   bool is_far(const Gate& gate) const {
     return gate.is_nook && gate.way_m > std::max(way_max_m, way_max_m_per_m2 * gate.behind_m2);
+  }
+  /// When a look into it has shown nothing.
+  bool is_worth_another_look(const Gate& gate) const {
+    return !gate.is_nook || (gate.behind_m2 >= again_m2 && !is_far(gate));
   }
 
   void describe(FieldList& fields);
