@@ -26,6 +26,12 @@ struct Run {
   double across_m = 0;  ///< sum of how far to the left of the line they lie
 };
 
+/// How a wall may run.
+struct Direction {
+  Vec2 along;
+  bool is_orthogonal = false;
+};
+
 class GrazedWalls {
  public:
   GrazedWalls(WallMap& map, const FloorGrid& floor) : walls_(map.walls), floor_(floor) {
@@ -54,7 +60,7 @@ class GrazedWalls {
     const Vec2 p_map = floor_.centre(cell);
     if (floor_.at(cell) != Floor::kOccupied || is_explained(p_map)) return;
     std::optional<Wall> longest;
-    for (const Wall& direction : directions_near(p_map)) {
+    for (const Direction& direction : directions_near(p_map)) {
       const auto wall = wall_through(p_map, direction);
       if (wall && (!longest || wall->segment.length() > longest->segment.length())) longest = wall;
     }
@@ -105,25 +111,23 @@ class GrazedWalls {
     });
   }
 
-  /// Walls of no length that tell only how they lie: on both axes, and along and across oblique ones nearby.
-  std::vector<Wall> directions_near(const Vec2& p_map) {
-    std::vector<Wall> directions;
-    const auto add_both = [&](const Vec2& along, bool is_orthogonal) {
-      for (const Vec2& way : {along, left_normal(along)})
-        directions.push_back({.segment = {Vec2::Zero(), way}, .is_orthogonal = is_orthogonal});
-    };
-    add_both(Vec2::UnitX(), true);
+  /// Both axes, and along and across the oblique walls nearby.
+  std::vector<Direction> directions_near(const Vec2& p_map) {
+    std::vector<Direction> directions{{Vec2::UnitX(), true}, {Vec2::UnitY(), true}};
     index_.query(p_map, p_map, kNearby_m, near_);
     for (const int i : near_) {
       const Wall& wall = walls_[static_cast<std::size_t>(i)];
-      if (!wall.is_orthogonal && wall.segment.length() > 0 && wall.segment.distance(p_map) < kNearby_m)
-        add_both((wall.segment.end - wall.segment.start).normalized(), false);
+      const bool is_nearby = wall.segment.length() > 0 && wall.segment.distance(p_map) < kNearby_m;
+      if (wall.is_orthogonal || !is_nearby) continue;
+      const Vec2 along = (wall.segment.end - wall.segment.start).normalized();
+      directions.push_back({along});
+      directions.push_back({left_normal(along)});
     }
     return directions;
   }
 
-  std::optional<Wall> wall_through(const Vec2& p_map, const Wall& direction) {
-    const Vec2 along = direction.segment.end - direction.segment.start;
+  std::optional<Wall> wall_through(const Vec2& p_map, const Direction& direction) {
+    const Vec2& along = direction.along;
     const double cell_m = floor_.cell_m();
     const Vec2 p_map_edge = p_map - cell_m / 2 * along;
     const Run after = run_from(p_map_edge, along), before = run_from(p_map_edge, -along);
@@ -131,10 +135,11 @@ class GrazedWalls {
     if (steps * cell_m < kLeastWall_m || struck < kStruckShareMin * steps) return std::nullopt;
     const double across_m = (after.across_m - before.across_m) / struck;
     const Vec2 p_map_line = p_map_edge + across_m * left_normal(along);
-    Wall wall = direction;
-    wall.segment = {p_map_line - before.steps * cell_m * along, p_map_line + after.steps * cell_m * along};
-    wall.sightings = 1;
-    wall.sigma_m = cell_m / std::sqrt(12.0);
+    Wall wall{
+        .segment = {p_map_line - before.steps * cell_m * along, p_map_line + after.steps * cell_m * along},
+        .is_orthogonal = direction.is_orthogonal,
+        .sightings = 1,
+        .sigma_m = cell_m / std::sqrt(12.0)};
     if (is_free_to_the_left(wall.segment)) return wall;
     wall.segment = wall.segment.reversed();
     return is_free_to_the_left(wall.segment) ? std::optional(wall) : std::nullopt;

@@ -24,12 +24,13 @@ class GrazedWalls : public testing::Test {
     for (int x = first.x; x <= last.x; x += every) floor_.set({x, first.y}, Floor::kOccupied);
   }
 
+  void draw() { draw_grazed_walls(map_, floor_); }
   const Wall& extended() {
-    draw_grazed_walls(map_, floor_);
+    draw();
     return map_.walls.front();
   }
 
-  void free(FloorCell low, FloorCell end) {
+  void put_free(FloorCell low, FloorCell end) {
     for (int y = low.y; y < end.y; ++y) {
       for (int x = low.x; x < end.x; ++x) floor_.set({x, y}, Floor::kFree);
     }
@@ -80,9 +81,9 @@ TEST_F(GrazedWalls, ACornerEndsIt) {
 }
 
 TEST_F(GrazedWalls, ARowOfStruckCellsBesideFreeFloorIsAWallThatIsSeenFromThere) {
-  free({-10, 60}, {40, 80});
+  put_free({-10, 60}, {40, 80});
   for (int x = 0; x < 24; x += 2) floor_.set({x, 80}, Floor::kOccupied);
-  extended();
+  draw();
   ASSERT_EQ(map_.walls.size(), 2U);
   const Wall& wall = map_.walls.back();
   EXPECT_TRUE(wall.is_orthogonal);
@@ -96,25 +97,25 @@ TEST_F(GrazedWalls, ARowOfStruckCellsBesideFreeFloorIsAWallThatIsSeenFromThere) 
 
 TEST_F(GrazedWalls, WithNoFreeFloorBesideItARowIsNoWall) {
   for (int x = 0; x < 24; x += 2) floor_.set({x, 80}, Floor::kOccupied);
-  extended();
+  draw();
   EXPECT_EQ(map_.walls.size(), 1U);
 }
 
 TEST_F(GrazedWalls, ShortRowsAndLegsAreNoWalls) {
-  free({-10, 60}, {40, 100});
+  put_free({-10, 60}, {40, 100});
   for (int x = 0; x < 5; ++x) floor_.set({x, 80}, Floor::kOccupied);
   for (int x = 12; x < 40; x += 7) floor_.set({x, 80}, Floor::kOccupied);
-  extended();
+  draw();
   EXPECT_EQ(map_.walls.size(), 1U);
 }
 
 TEST_F(GrazedWalls, ObliqueRowsLieAsTheWallNearby) {
   const Vec2 along = unit(0.3), across = left_normal(along);
   map_.walls.push_back({.segment = {{0, 6}, Vec2(0, 6) + along}});
-  free({-10, 100}, {60, 160});
+  put_free({-10, 100}, {60, 160});
   for (int i = 0; i < 12; ++i)
     floor_.set(floor_.cell_at(Vec2(0, 6) + 0.1 * (i + 0.5) * across - 0.1 * along), Floor::kOccupied);
-  extended();
+  draw();
   ASSERT_EQ(map_.walls.size(), 3U);
   EXPECT_FALSE(map_.walls.back().is_orthogonal);
   EXPECT_NEAR(std::abs(std::remainder(map_.walls.back().segment.heading() - 0.3, kPi)), kPi / 2, 1e-9);
