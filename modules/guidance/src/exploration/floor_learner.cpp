@@ -16,6 +16,8 @@ constexpr double kOutOfPlace_m =
 constexpr double kLever_m = 2;        // at which turns count
 constexpr double kLaidACycle = 8;     // of the slices that are laid anew, on cells ...
 constexpr double kLaidCell_m = 0.05;  // ... so wide
+constexpr double kNearBy_m = 2.5;     // what is struck so near may be in the way soon ...
+constexpr double kApart_m = 0.1;      // ... and is new where nothing stands so near to it
 constexpr double kStanding_m = 0.002;  // of way in a cycle
 
 }  // namespace
@@ -63,7 +65,7 @@ FloorLearner::News FloorLearner::take(const Observation& observation) {
   T_map_vehicle_ = mapping_.T_map_vehicle() * T_slice_vehicle_;
   if (recognised && places_moved()) begin_anew();
   if (anew_) return lay_on() ? News::kLoop : News::kNothing;
-  if (!sees || !is_time_to_look()) return News::kNothing;
+  if (!sees || !(is_time_to_look() || strikes_something_new())) return News::kNothing;
   looks_.push_back({log_.scans.size() - 1, view_.near_m, T_map_vehicle_});
   T_map_looked_ = T_map_vehicle_;
   cycles_since_look_ = 0;
@@ -102,6 +104,19 @@ bool FloorLearner::is_time_to_look() const {
   const Pose2 since = between(T_map_looked_, T_map_vehicle_);
   return looks_.empty() || since.position().norm() >= params_.look_every_m ||
          std::abs(since.theta) >= params_.look_every_rad || cycles_since_look_ >= params_.look_every_cycles;
+}
+
+/// What is thin is not struck by every slice: one that does must not be passed over.
+bool FloorLearner::strikes_something_new() const {
+  const LaserScanner& fan = sensor_->fan();
+  const Pose2 T_map_laser = T_map_vehicle_ * fan.T_vehicle_laser;
+  for (std::size_t beam = 0; beam < view_.ranges_m.size(); ++beam) {
+    const double range_m = view_.ranges_m[beam];
+    if (!(range_m > 0 && range_m < kNearBy_m)) continue;
+    const FloorCell cell = floor_.cell_at(Vec2(T_map_laser * Vec2(range_m * unit(fan.beam_angle(beam)))));
+    if (floor_.at(cell) == Floor::kFree && clearance_.to_occupied_m(cell) > kApart_m) return true;
+  }
+  return false;
 }
 
 FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const {

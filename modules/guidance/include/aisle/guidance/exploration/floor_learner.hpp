@@ -93,6 +93,7 @@ class FloorLearner {
   };
 
   bool is_time_to_look() const;
+  bool strikes_something_new() const;
   FloorBox put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const;
   FloorBox put(const Touch& touch, const Pose2& T_map_vehicle, FloorGrid& floor) const;
   void keep_slice(double stamp_s);
