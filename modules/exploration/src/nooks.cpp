@@ -86,13 +86,14 @@ class NookFinder {
     }
   }
 
-  /// Into which of the four directions it is dark behind a free cell.
+  /// The first cell of the dark behind a free one, into one of the four directions. No farther in: lines of
+  /// sight along an edge that was the limit of sight pass into the dark at small angles.
   std::optional<FloorCell> dark_beside(FloorCell cell) const {
     for (const FloorCell way : kBeside) {
       bool is_dark = true;
       for (int i = 1; i <= kDarkCells && is_dark; ++i)
         is_dark = floor_.at(FloorCell{cell.x + i * way.x, cell.y + i * way.y}) == Floor::kUnknown;
-      if (is_dark) return FloorCell{cell.x + kDarkCells * way.x, cell.y + kDarkCells * way.y};
+      if (is_dark) return FloorCell{cell.x + way.x, cell.y + way.y};
     }
     return std::nullopt;
   }

@@ -26,7 +26,7 @@ TEST(Nooks, ARecessTooNarrowForTheVehicleIsOne) {
   const auto nooks = drawn.nooks();
   ASSERT_EQ(nooks.size(), 1);
   EXPECT_TRUE(nooks[0].is_nook);
-  for (const Vec2& p : nooks[0].rim) EXPECT_NEAR(p.y(), 2.175, 0.01);
+  for (const Vec2& p : nooks[0].rim) EXPECT_NEAR(p.y(), 2.075, 0.01);
   const Vec2 p_stand = drawn.floor.centre(nooks[0].stand);
   EXPECT_LT(p_stand.y(), 2);
   EXPECT_NEAR(nooks[0].way_m, (p_stand - Vec2(1, 1)).norm(), 0.15);
@@ -55,6 +55,17 @@ TEST(Nooks, ALineOfSightThroughASlitIsFound) {
   drawn.put({2, 4.5}, {3.6, 4.55}, Floor::kOccupied);
   drawn.put({3.9, 4.5}, {4.55, 4.55}, Floor::kOccupied);
   EXPECT_EQ(drawn.nooks().size(), 1);
+}
+
+TEST(Nooks, BehindADoorsLeafALineOfSightAlongTheEdgeIsFound) {
+  DrawnFloor drawn = closed_corridor();
+  drawn.put({2, 2}, {2.3, 2.05}, Floor::kFree);
+  drawn.put({2, 2.05}, {4.5, 4.5}, Floor::kFree);
+  drawn.put({1.95, 2.05}, {2, 3}, Floor::kOccupied);
+  drawn.put({4.5, 2.05}, {4.55, 4.55}, Floor::kOccupied);
+  drawn.put({2, 4.5}, {4.5, 4.55}, Floor::kOccupied);
+  ASSERT_EQ(drawn.nooks().size(), 1);
+  EXPECT_LT(drawn.floor.centre(drawn.nooks()[0].stand).y(), 2);
 }
 
 TEST(Nooks, ALongEdgeIsWorthALongerWay) {

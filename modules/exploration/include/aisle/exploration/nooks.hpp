@@ -29,7 +29,7 @@ struct NookParams {
 
 /// Nooks: floor that no gate leads to, but that can be seen from where the vehicle gets: behind a cupboard,
 /// or in a room whose door is hardly open. Each is told as a gate that is not driven through: its sill is the
-/// edge of the free floor, its rim lies a little behind it in the unknown.
+/// edge of the free floor, its rim right behind it in the unknown.
 /// @param reached  measured with `gate_params.room_m`
 /// @param gates  of the same floor
 /// @param marks  to work with
