@@ -33,6 +33,8 @@ constexpr double kRowBeside_m = 0.06;  // ... of a line ...
 constexpr double kInLine_m = 4;        // ... and on it, so near, a wall ...
 constexpr double kLongWall_m = 1;      // ... as long as this
 
+constexpr auto kInOrder = [](FloorCell a, FloorCell b) { return is_before(a, b); };
+
 template <class Visit>
 void for_cells_around(FloorCell middle, int reach, Visit visit) {
   for (int y = middle.y - reach; y <= middle.y + reach; ++y) {
@@ -142,23 +144,52 @@ FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
   const auto cells = [&](double m) { return static_cast<int>(std::ceil(m / floor.cell_m())) + 1; };
   const FloorBox within = changed.widened(cells(params_.leg_max_m + kRing_m + kWallAround_m));
   find_things(floor, within);
-  for (Thing& thing : things_) thing.is_of_wall = is_piece_of_wall(floor, thing);
-  const FloorBox about = within.widened(cells(params_.wall_max_m + 2 * params_.leg_max_m + kRow_m));
+  std::vector<FloorBox> told_anew = {
+      within.widened(cells(params_.wall_max_m + 2 * params_.leg_max_m + kRow_m))};
   for (Thing& thing : things_) {
-    if (about.contains(thing.first)) find_walls(floor, thing);
+    const bool was_of_wall = std::exchange(thing.is_of_wall, is_piece_of_wall(floor, thing));
+    if (thing.is_of_wall != was_of_wall) told_anew.emplace_back().include(thing.first);
   }
-  std::vector<FloorCell> closed = cells_between(floor);
-  std::vector<FloorCell> differ;
-  std::set_symmetric_difference(closed.begin(), closed.end(), closed_.begin(), closed_.end(),
-                                std::back_inserter(differ), is_before);
-  closed_ = std::move(closed);
+  for (Thing& thing : things_) {
+    if (told_anew.front().contains(thing.first)) find_walls(floor, thing);
+  }
+  for (FloorBox& box : told_anew)
+    box = box.widened(cells(params_.apart_max_m + params_.wall_max_m + 3 * params_.leg_max_m));
+  return close_anew(floor, told_anew);
+}
+
+/// Between the things in these boxes; what the others close does not depend on what has changed.
+FloorBox LegBarriers::close_anew(const FloorGrid& floor, std::span<const FloorBox> boxes) {
+  std::vector<FloorCell> opened = std::move(orphaned_), closed;
+  orphaned_.clear();
+  for (std::size_t i = 0; i < things_.size(); ++i) {
+    Thing& thing = things_[i];
+    const auto holds = [&](const FloorBox& box) { return box.contains(thing.first); };
+    if (std::none_of(boxes.begin(), boxes.end(), holds)) continue;
+    opened.insert(opened.end(), thing.closes.begin(), thing.closes.end());
+    thing.closes = cells_closed_by(floor, i);
+    closed.insert(closed.end(), thing.closes.begin(), thing.closes.end());
+  }
+  std::sort(opened.begin(), opened.end(), kInOrder);
+  std::sort(closed.begin(), closed.end(), kInOrder);
+  std::vector<FloorCell> left, now;
+  std::set_difference(closed_.begin(), closed_.end(), opened.begin(), opened.end(), std::back_inserter(left),
+                      kInOrder);
+  std::merge(left.begin(), left.end(), closed.begin(), closed.end(), std::back_inserter(now), kInOrder);
   FloorBox box;
-  for (const FloorCell cell : differ) box.include(cell);
+  const auto note = [&](std::span<const FloorCell> cells) {
+    for (const FloorCell cell : cells) {
+      if (is_closed(cell) != std::binary_search(now.begin(), now.end(), cell, kInOrder)) box.include(cell);
+    }
+  };
+  note(opened);
+  note(closed);
+  closed_ = std::move(now);
   return box;
 }
 
 bool LegBarriers::is_closed(FloorCell cell) const {
-  return std::binary_search(closed_.begin(), closed_.end(), cell, is_before);
+  return std::binary_search(closed_.begin(), closed_.end(), cell, kInOrder);
 }
 
 std::size_t LegBarriers::legs() const {
@@ -167,7 +198,11 @@ std::size_t LegBarriers::legs() const {
 }
 
 void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
-  std::erase_if(things_, [&](const Thing& thing) { return within.contains(thing.first); });
+  std::erase_if(things_, [&](const Thing& thing) {
+    const bool is_looked_for_anew = within.contains(thing.first);
+    if (is_looked_for_anew) orphaned_.insert(orphaned_.end(), thing.closes.begin(), thing.closes.end());
+    return is_looked_for_anew;
+  });
   for (int y = within.low.y; y < within.end.y; ++y) {
     for (int x = within.low.x; x < within.end.x; ++x) {
       const FloorCell first{x, y};
@@ -182,7 +217,7 @@ void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
       if (!begins_here) continue;
       Vec2 p_map = Vec2::Zero();
       for (const FloorCell cell : cells) p_map += floor.centre(cell) / static_cast<double>(cells.size());
-      Thing thing{.first = first, .p_map = p_map, .walls = {}};
+      Thing thing{.p_map = p_map, .walls = {}, .closes = {}, .first = first};
       look_about(floor, thing);
       things_.push_back(std::move(thing));
     }
@@ -193,7 +228,8 @@ void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
 
 bool LegBarriers::is_piece_of_wall(const FloorGrid& floor, const Thing& thing) const {
   std::vector<double> along_x_m, along_y_m;
-  for (const Thing& other : things_) {
+  const int reach = static_cast<int>(std::ceil(kRow_m / floor.cell_m())) + leg_cells(floor);
+  for (const Thing& other : things_in_rows(thing.first.y - reach, thing.first.y + reach)) {
     const Vec2 away = other.p_map - thing.p_map;
     if (std::abs(away.y()) <= kRowBeside_m && std::abs(away.x()) <= kRow_m) along_x_m.push_back(away.x());
     if (std::abs(away.x()) <= kRowBeside_m && std::abs(away.y()) <= kRow_m) along_y_m.push_back(away.y());
@@ -266,7 +302,12 @@ std::optional<LegBarriers::Thing> LegBarriers::leg_of_wall(const FloorGrid& floo
     for (int deep = 2; deep <= wide; ++deep) {
       if (!lies_beside(Floor::kOccupied, width, deep)) continue;
       const Vec2 p_map = (floor.centre(first) + floor.centre(cell(width - 1, 0))) / 2;
-      return Thing{first, p_map, Stand::kBeforeWall, -Vec2(out.x, out.y), {}};
+      return Thing{.p_map = p_map,
+                   .behind = -Vec2(out.x, out.y),
+                   .walls = {},
+                   .closes = {},
+                   .first = first,
+                   .stand = Stand::kBeforeWall};
     }
   }
   return std::nullopt;
@@ -301,15 +342,20 @@ void LegBarriers::look_about(const FloorGrid& floor, Thing& thing) const {
   thing.stand = is_before_wall ? Stand::kBeforeWall : Stand::kUnclear;
 }
 
-/// All that may stand within a leg's width of a place, and few others: O(log of all).
+/// O(log of all).
+std::span<const LegBarriers::Thing> LegBarriers::things_in_rows(int low, int high) const {
+  const auto begin = std::lower_bound(things_.begin(), things_.end(), low,
+                                      [](const Thing& thing, int y) { return thing.first.y < y; });
+  const auto end = std::upper_bound(begin, things_.end(), high,
+                                    [](int y, const Thing& thing) { return y < thing.first.y; });
+  return {begin, end};
+}
+
+/// All that may stand within a leg's width of a place, and few others.
 std::span<const LegBarriers::Thing> LegBarriers::things_about(const FloorGrid& floor,
                                                               const Vec2& p_map) const {
   const int row = floor.cell_at(p_map).y, reach = 2 * leg_cells(floor) + 3;
-  const auto begin = std::lower_bound(things_.begin(), things_.end(), row - reach,
-                                      [](const Thing& thing, int y) { return thing.first.y < y; });
-  const auto end = std::upper_bound(begin, things_.end(), row + reach,
-                                    [](int y, const Thing& thing) { return y < thing.first.y; });
-  return {begin, end};
+  return things_in_rows(row - reach, row + reach);
 }
 
 /// What stands there belongs to one, not to the wall behind it.
@@ -330,7 +376,8 @@ bool LegBarriers::is_thing(const FloorGrid& floor, const Vec2& p_map) const {
   });
 }
 
-std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const {
+/// With it as the first of two.
+std::vector<FloorCell> LegBarriers::cells_closed_by(const FloorGrid& floor, std::size_t first) const {
   std::vector<FloorCell> cells;
   const auto close = [&](const Vec2& from, const Vec2& to) {
     const std::size_t before = cells.size();
@@ -341,23 +388,23 @@ std::vector<FloorCell> LegBarriers::cells_between(const FloorGrid& floor) const 
     });
     if (was_stood_on) cells.resize(before);
   };
+  const Thing& thing = things_[first];
   const int apart_max = static_cast<int>((params_.apart_max_m + params_.leg_max_m) / floor.cell_m());
-  for (std::size_t i = 0; i < things_.size(); ++i) {
-    for (const Vec2& p_map : hidden_partners(floor, things_[i])) close(things_[i].p_map, p_map);
-    for (std::size_t j = i + 1; j < things_.size(); ++j) {
-      if (things_[j].first.y - things_[i].first.y > apart_max) break;
-      const Vec2 &a = things_[i].p_map, &b = things_[j].p_map;
-      const double apart_m = (b - a).norm();
-      if (apart_m > params_.apart_max_m || !may_carry_one_plate(floor, things_[i], things_[j])) continue;
-      close(a, b);
-      if (apart_m < params_.plate_min_m) continue;
-      const auto behind_a = wall_behind(things_[i], b - a), behind_b = wall_behind(things_[j], b - a);
-      if (!behind_a || !behind_b) continue;
-      close(a, *behind_a);
-      close(b, *behind_b);
-    }
+  for (const Vec2& p_map : hidden_partners(floor, thing)) close(thing.p_map, p_map);
+  for (std::size_t i = first + 1; i < things_.size(); ++i) {
+    const Thing& other = things_[i];
+    if (other.first.y - thing.first.y > apart_max) break;
+    const Vec2 &a = thing.p_map, &b = other.p_map;
+    const double apart_m = (b - a).norm();
+    if (apart_m > params_.apart_max_m || !may_carry_one_plate(floor, thing, other)) continue;
+    close(a, b);
+    if (apart_m < params_.plate_min_m) continue;
+    const auto behind_a = wall_behind(thing, b - a), behind_b = wall_behind(other, b - a);
+    if (!behind_a || !behind_b) continue;
+    close(a, *behind_a);
+    close(b, *behind_b);
   }
-  std::sort(cells.begin(), cells.end(), is_before);
+  std::sort(cells.begin(), cells.end(), kInOrder);
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   return cells;
 }
@@ -454,7 +501,7 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
     if (const auto place = partner_place(floor, leg.p_map, along)) hidden.push_back(*place);
   };
   const auto may_hide_one = [&](const Vec2& along) {
-    return wall_behind(leg, along) && !has_partner(leg, along);
+    return wall_behind(leg, along) && !has_partner(floor, leg, along);
   };
   if (leg.is_of_wall) return hidden;
   if (leg.stand == Stand::kBeforeWall && may_hide_one(leg.behind)) look(-leg.behind);
@@ -470,8 +517,10 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
   return hidden;
 }
 
-bool LegBarriers::has_partner(const Thing& leg, const Vec2& along) const {
-  return std::any_of(things_.begin(), things_.end(), [&](const Thing& other) {
+bool LegBarriers::has_partner(const FloorGrid& floor, const Thing& leg, const Vec2& along) const {
+  const int reach = static_cast<int>(std::ceil(params_.apart_max_m / floor.cell_m())) + leg_cells(floor);
+  const std::span<const Thing> about = things_in_rows(leg.first.y - reach, leg.first.y + reach);
+  return std::any_of(about.begin(), about.end(), [&](const Thing& other) {
     const Vec2 away = other.p_map - leg.p_map;
     return other.is_leg() && away.norm() > kPieceMin_m && away.norm() <= params_.apart_max_m &&
            std::abs(left_normal(along).dot(away)) <= params_.leg_max_m;

@@ -353,26 +353,43 @@ TEST_F(LegBarriersOnAFloor, DoNotReachThroughWalls) {
   EXPECT_FALSE(is_closed({2.6, 1}, {2.6, 5}));
 }
 
+/// Things of one cell and now and then a wall, on a floor as wide as a building.
+FloorBox scatter_things(FloorGrid& floor, Random& random) {
+  FloorBox changed;
+  const int left = static_cast<int>(random.index(360)), low = static_cast<int>(random.index(60));
+  const int wall_y = low + static_cast<int>(random.index(80));
+  for (int y = low; y < low + 40; ++y) {
+    for (int x = left; x < left + 40; ++x) {
+      const bool stands = y == wall_y || random.uniform() < 0.004;
+      floor.set({x, y}, stands ? Floor::kOccupied : Floor::kFree);
+      changed.include({x, y});
+    }
+  }
+  return changed;
+}
+
 RC_GTEST_PROP(LegBarriers, AreTheSameWhetherSeenAtOnceOrBitByBit, (std::uint64_t seed)) {
   Random random(seed);
   FloorGrid floor;
   LegBarriers bit_by_bit;
-  for (int round = 0; round < 5; ++round) {
-    FloorBox changed;
-    const int left = static_cast<int>(random.index(60)), low = static_cast<int>(random.index(60));
-    for (int y = low; y < low + 40; ++y) {
-      for (int x = left; x < left + 40; ++x) {
-        floor.set({x, y}, random.uniform() < 0.004 ? Floor::kOccupied : Floor::kFree);
-        changed.include({x, y});
+  for (int round = 0; round < 15; ++round) {
+    const LegBarriers before = bit_by_bit;
+    const FloorBox turned = bit_by_bit.update(floor, scatter_things(floor, random));
+    FloorBox differ;
+    const auto note_closed = [&](const LegBarriers& by, const LegBarriers& not_by) {
+      for (const FloorCell cell : by.closed()) {
+        if (!not_by.is_closed(cell)) differ.include(cell);
       }
-    }
-    bit_by_bit.update(floor, changed);
+    };
+    note_closed(before, bit_by_bit);
+    note_closed(bit_by_bit, before);
+    RC_ASSERT(differ.low == turned.low && differ.end == turned.end);
   }
   LegBarriers at_once;
   at_once.update(floor, floor.known());
   RC_ASSERT(at_once.legs() == bit_by_bit.legs());
-  for (int y = 0; y < 110; ++y) {
-    for (int x = 0; x < 110; ++x) RC_ASSERT(at_once.is_closed({x, y}) == bit_by_bit.is_closed({x, y}));
+  for (int y = 0; y < 100; ++y) {
+    for (int x = 0; x < 400; ++x) RC_ASSERT(at_once.is_closed({x, y}) == bit_by_bit.is_closed({x, y}));
   }
 }
 

@@ -34,12 +34,12 @@ class LegBarriers {
  public:
   explicit LegBarriers(const LegParams& params = {}) : params_(params) {}
 
-  /// The cells of the box may have changed.
+  /// The cells of the box may have changed. O(what stands within 8 m of the box), but for passing over all.
   /// @return where it is closed now and was not, or the other way round
   FloorBox update(const FloorGrid& floor, const FloorBox& changed);
 
   bool is_closed(FloorCell cell) const;
-  /// Row by row.
+  /// Row by row; a cell that several pairs close stands there as often.
   std::span<const FloorCell> closed() const { return closed_; }
   std::size_t legs() const;
 
@@ -47,12 +47,13 @@ class LegBarriers {
   /// Where a small thing stands. Unclear: it may be a piece of a wall of which little was seen.
   enum class Stand : std::uint8_t { kFree, kBeforeWall, kUnclear };
   struct Thing {
-    FloorCell first;  ///< its lowest cell, the leftmost of these
-    Vec2 p_map;       ///< its middle
+    Vec2 p_map;                     ///< its middle
+    Vec2 behind = Vec2::Zero();     ///< a unit towards what it stands right before
+    std::vector<Vec2> walls;        ///< places in `map` near it where something stands that is no leg
+    std::vector<FloorCell> closes;  ///< between it and what follows it, or hides; row by row
+    FloorCell first;                ///< its lowest cell, the leftmost of these
     Stand stand = Stand::kUnclear;
-    Vec2 behind = Vec2::Zero();  ///< a unit towards what it stands right before
-    std::vector<Vec2> walls;     ///< places in `map` near it where something stands that is no leg
-    bool is_of_wall = false;     ///< one of its pieces
+    bool is_of_wall = false;  ///< one of its pieces
     bool is_leg() const { return stand != Stand::kUnclear && !is_of_wall; }
     bool is_free_leg() const { return stand == Stand::kFree && !is_of_wall; }
   };
@@ -65,10 +66,12 @@ class LegBarriers {
   void find_things(const FloorGrid& floor, const FloorBox& within);
   bool is_piece_of_wall(const FloorGrid& floor, const Thing& thing) const;
   void find_walls(const FloorGrid& floor, Thing& thing) const;
+  std::span<const Thing> things_in_rows(int low, int high) const;
   std::span<const Thing> things_about(const FloorGrid& floor, const Vec2& p_map) const;
   bool is_leg(const FloorGrid& floor, const Vec2& p_map) const;
   bool is_thing(const FloorGrid& floor, const Vec2& p_map) const;
-  std::vector<FloorCell> cells_between(const FloorGrid& floor) const;
+  FloorBox close_anew(const FloorGrid& floor, std::span<const FloorBox> boxes);
+  std::vector<FloorCell> cells_closed_by(const FloorGrid& floor, std::size_t first) const;
   bool fill_recess(const FloorGrid& floor, const Thing& a, const Thing& b) const;
   bool may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const;
   bool stands_along_wall(const FloorGrid& floor, const Thing& leg, const Thing& thing) const;
@@ -78,12 +81,13 @@ class LegBarriers {
   Vec2 across_wall(const Thing& leg, const Vec2& p_map_nearest) const;
   bool wall_goes_on(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& away) const;
   std::vector<Vec2> hidden_partners(const FloorGrid& floor, const Thing& leg) const;
-  bool has_partner(const Thing& leg, const Vec2& along) const;
+  bool has_partner(const FloorGrid& floor, const Thing& leg, const Vec2& along) const;
   std::optional<Vec2> partner_place(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& along) const;
 
   LegParams params_;
-  std::vector<Thing> things_;      ///< row by row
-  std::vector<FloorCell> closed_;  ///< row by row
+  std::vector<Thing> things_;        ///< row by row
+  std::vector<FloorCell> closed_;    ///< row by row, as often as things close it
+  std::vector<FloorCell> orphaned_;  ///< of it, what things closed that are no more
 };
 
 }  // namespace aisle
