@@ -133,15 +133,15 @@ FloorBox FloorLearner::put(const Touch& touch, const Pose2& T_map_vehicle, Floor
   return strike_floor(floor, vehicle_.footprint, T_map_vehicle, touch.direction);
 }
 
-/// Who sets a vehicle down leaves it a little room beside and behind it, and the strip free that it cannot
-/// see ahead of itself.
+/// Who sets a vehicle down leaves it a little room on all sides, ahead beyond the strip that it cannot see:
+/// it does not stand before a table, and the jambs of a door in which it stands are no legs.
 Footprint FloorLearner::set_down_room() const {
   Footprint room = vehicle_.footprint;
   room.rear_m += kSetDownBeside_m;
   room.width_m += 2 * kSetDownBeside_m;
   const std::vector<float>& near_m = looks_.front().near_m;
-  if (!near_m.empty())
-    room.front_m = sensor_->fan().T_vehicle_laser.x + near_m[near_m.size() / 2] + kSetDownAhead_m;
+  if (!near_m.empty()) room.front_m = sensor_->fan().T_vehicle_laser.x + near_m[near_m.size() / 2];
+  room.front_m += kSetDownAhead_m;
   return room;
 }
 

@@ -12,29 +12,38 @@ namespace aisle {
 namespace {
 
 constexpr std::size_t kBeams = 181;
-constexpr std::size_t kThinAt = 60;  // the beam that may strike something thin ...
-constexpr float kThin_m = 1.5;       // ... so far away
+constexpr double kThinRadius_m = 0.02;
 
-/// The cart stands in a room of 8 m by 8 m, its laser in the middle.
+/// The cart stands in a room of 8 m by 8 m, its laser in the middle. Among thin things, told as the laser
+/// sees them.
 class StandingCart {
  public:
   StandingCart() : learner_({}, scanning_cart(), scanner_slices(scanning_cart())) {}
 
-  FloorLearner::News look(bool strikes_thin) {
+  FloorLearner::News look(const std::vector<Vec2>& thin_things) {
     Observation observation{.stamp_s = stamp_s_ += 0.1};
     std::vector<float> ranges_m(kBeams);
     for (std::size_t beam = 0; beam < kBeams; ++beam) {
-      const Vec2 along = unit(kFan.beam_angle(beam)).cwiseAbs();
-      ranges_m[beam] = static_cast<float>(4 / std::max(along.x(), along.y()));
+      const Vec2 along = unit(kFan.beam_angle(beam));
+      double range_m = 4 / along.cwiseAbs().maxCoeff();
+      for (const Vec2& p_laser : thin_things) {
+        const bool is_struck = std::abs(left_normal(along).dot(p_laser)) < kThinRadius_m;
+        if (is_struck && along.dot(p_laser) > 0) range_m = std::min(range_m, along.dot(p_laser));
+      }
+      ranges_m[beam] = static_cast<float>(range_m);
     }
-    if (strikes_thin) ranges_m[kThinAt] = kThin_m;
     observation.scan = RangeScan{.ranges_m = std::move(ranges_m)};
     return learner_.take(observation);
   }
 
-  Floor at_thin() const {
-    return learner_.floor().at(Vec2(learner_.T_map_vehicle() * kFan.T_vehicle_laser *
-                                    Vec2(kThin_m * unit(kFan.beam_angle(kThinAt)))));
+  Floor at(const Vec2& p_laser) const { return learner_.floor().at(in_map(p_laser)); }
+  /// Straight ahead, from one distance to the other, nothing stands, nor does a table.
+  bool is_open(double from_m, double to_m) const {
+    for (double ahead_m = from_m; ahead_m < to_m; ahead_m += 0.01) {
+      const FloorCell cell = learner_.floor().cell_at(in_map({ahead_m, 0}));
+      if (learner_.clearance().to_occupied_m(cell) <= 0) return false;
+    }
+    return true;
   }
 
  private:
@@ -44,23 +53,35 @@ class StandingCart {
     return vehicle;
   }
 
+  Vec2 in_map(const Vec2& p_laser) const { return learner_.T_map_vehicle() * kFan.T_vehicle_laser * p_laser; }
+
   double stamp_s_ = 0;
   FloorLearner learner_;
 };
 
+const Vec2 kThin = 1.5 * unit(kFan.beam_angle(60));
+
 TEST(FloorLearner, WhileItStandsOneLookInManyCyclesIsEnough) {
   StandingCart cart;
-  EXPECT_EQ(cart.look(false), FloorLearner::News::kFloor);
-  EXPECT_EQ(cart.look(false), FloorLearner::News::kNothing);
-  EXPECT_EQ(cart.at_thin(), Floor::kFree);
+  EXPECT_EQ(cart.look({}), FloorLearner::News::kFloor);
+  EXPECT_EQ(cart.look({}), FloorLearner::News::kNothing);
+  EXPECT_EQ(cart.at(kThin), Floor::kFree);
 }
 
 TEST(FloorLearner, WhatIsStruckWhereTheFloorShowsNothingIsNotPassedOver) {
   StandingCart cart;
-  cart.look(false);
-  EXPECT_EQ(cart.look(true), FloorLearner::News::kFloor);
-  EXPECT_EQ(cart.at_thin(), Floor::kOccupied);
-  EXPECT_EQ(cart.look(true), FloorLearner::News::kNothing) << "the floor shows it now";
+  cart.look({});
+  EXPECT_EQ(cart.look({kThin}), FloorLearner::News::kFloor);
+  EXPECT_EQ(cart.at(kThin), Floor::kOccupied);
+  EXPECT_EQ(cart.look({kThin}), FloorLearner::News::kNothing) << "the floor shows it now";
+}
+
+TEST(FloorLearner, ItIsNotSetDownRightBeforeATable) {
+  StandingCart before_table, in_door;
+  before_table.look({{0.7, 0.4}, {0.7, -0.4}});
+  EXPECT_FALSE(before_table.is_open(0, 1));
+  in_door.look({{0.08, 0.4}, {0.08, -0.4}});
+  EXPECT_TRUE(in_door.is_open(0, 1));
 }
 
 }  // namespace
