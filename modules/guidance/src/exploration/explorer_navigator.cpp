@@ -74,6 +74,7 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   driver_.see(learner_.sensor().fan(), learner_.view().ranges_m);
   mark_coverage();
   if (touches_anew(observation)) return back_off(observation);
+  note_touch();
   if (stamp_s_ - *begun_s_ > params_.time_max_s)
     return end(NavigatorStatus::kFailed, "late", "its time is over");
   if (learner_.is_laying_anew()) return wait_for_floor();
@@ -104,15 +105,22 @@ bool ExplorerNavigator::touches_anew(const Observation& observation) {
   return is_touching_ && !was_touching;
 }
 
-/// What it touched is noted, unless the floor shows it; then another way is searched, away from it.
+/// Another way is searched, away from what it touched.
 Decision ExplorerNavigator::back_off(const Observation& observation) {
   if (++touches_ > kTouchesMax || !learner_.has_looked())
     return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
-  const double room_m =
-      search_.room().standing_spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
-  if (room_m > kTouchedKnown_m && driven_direction_ != 0) learner_.touch(driven_direction_);
+  is_touch_due_ = driven_direction_ != 0;
   be_blocked(driven_direction_);
   return {.command = {.steering_rad = steering_rad_of(observation.odometry)}, .state = "touched"};
+}
+
+/// What it touched is right before where it came to a stand, and is noted there unless the floor shows it.
+void ExplorerNavigator::note_touch() {
+  if (!is_touch_due_ || !learner_.is_standing()) return;
+  is_touch_due_ = false;
+  const double room_m =
+      search_.room().standing_spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+  if (room_m > kTouchedKnown_m) learner_.touch(driven_direction_);
 }
 
 void ExplorerNavigator::keep_trail(FloorLearner::News news) {

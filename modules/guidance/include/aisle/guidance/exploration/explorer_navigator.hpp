@@ -52,6 +52,7 @@ class ExplorerNavigator final : public Navigator {
  private:
   bool touches_anew(const Observation& observation);
   Decision back_off(const Observation& observation);
+  void note_touch();
   void keep_trail(FloorLearner::News news);
   void mark_coverage();
   void think(FloorLearner::News news);
@@ -105,6 +106,7 @@ class ExplorerNavigator final : public Navigator {
   BlockMemory blocks_;
   int driven_direction_ = 0;  ///< forwards (1) or backwards (-1), in the latest cycle that drove
   bool is_touching_ = false;
+  bool is_touch_due_ = false;
   int touches_ = 0;
   Vec2 p_map_searched_ = Vec2::Zero();  ///< the gate that the latest search was for
   double searched_m2_ = 0;              ///< of floor, when that search began
