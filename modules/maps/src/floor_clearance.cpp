@@ -91,11 +91,11 @@ void FloorClearance::bar(std::span<const Barrier> barriers, double cell_m) {
     const std::vector<FloorCell> cells = cells_under(barrier.segment, cell_m);
     barred_.insert(barred_.end(), cells.begin(), cells.end());
   }
-  std::sort(barred_.begin(), barred_.end(), is_before);
+  std::sort(barred_.begin(), barred_.end());
 }
 
 bool FloorClearance::is_barred(FloorCell cell) const {
-  return std::binary_search(barred_.begin(), barred_.end(), cell, is_before);
+  return std::binary_search(barred_.begin(), barred_.end(), cell);
 }
 
 /// Beyond the former room all is unknown as yet.

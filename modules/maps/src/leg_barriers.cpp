@@ -33,8 +33,6 @@ constexpr double kRowBeside_m = 0.06;  // ... of a line ...
 constexpr double kInLine_m = 4;        // ... and on it, so near, a wall ...
 constexpr double kLongWall_m = 1;      // ... as long as this
 
-constexpr auto kInOrder = [](FloorCell a, FloorCell b) { return is_before(a, b); };
-
 template <class Visit>
 void for_cells_around(FloorCell middle, int reach, Visit visit) {
   for (int y = middle.y - reach; y <= middle.y + reach; ++y) {
@@ -143,25 +141,26 @@ FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return {};
   const auto cells = [&](double m) { return static_cast<int>(std::ceil(m / floor.cell_m())) + 1; };
   const FloorBox within = changed.widened(cells(params_.leg_max_m + kRing_m + kWallAround_m));
-  find_things(floor, within);
-  std::vector<FloorBox> told_anew = {
-      within.widened(cells(params_.wall_max_m + 2 * params_.leg_max_m + kRow_m))};
+  std::vector<FloorCell> opened = find_things(floor, within);
+  const FloorBox about = within.widened(cells(params_.wall_max_m + 2 * params_.leg_max_m + kRow_m));
+  std::vector<FloorBox> told_anew = {about};
   for (Thing& thing : things_) {
     const bool was_of_wall = std::exchange(thing.is_of_wall, is_piece_of_wall(floor, thing));
     if (thing.is_of_wall != was_of_wall) told_anew.emplace_back().include(thing.first);
   }
   for (Thing& thing : things_) {
-    if (told_anew.front().contains(thing.first)) find_walls(floor, thing);
+    if (about.contains(thing.first)) find_walls(floor, thing);
   }
   for (FloorBox& box : told_anew)
     box = box.widened(cells(params_.apart_max_m + params_.wall_max_m + 3 * params_.leg_max_m));
-  return close_anew(floor, told_anew);
+  return close_anew(floor, told_anew, std::move(opened));
 }
 
 /// Between the things in these boxes; what the others close does not depend on what has changed.
-FloorBox LegBarriers::close_anew(const FloorGrid& floor, std::span<const FloorBox> boxes) {
-  std::vector<FloorCell> opened = std::move(orphaned_), closed;
-  orphaned_.clear();
+/// @param opened  what things closed that are no more
+FloorBox LegBarriers::close_anew(const FloorGrid& floor, std::span<const FloorBox> boxes,
+                                 std::vector<FloorCell> opened) {
+  std::vector<FloorCell> closed;
   for (std::size_t i = 0; i < things_.size(); ++i) {
     Thing& thing = things_[i];
     const auto holds = [&](const FloorBox& box) { return box.contains(thing.first); };
@@ -170,26 +169,23 @@ FloorBox LegBarriers::close_anew(const FloorGrid& floor, std::span<const FloorBo
     thing.closes = cells_closed_by(floor, i);
     closed.insert(closed.end(), thing.closes.begin(), thing.closes.end());
   }
-  std::sort(opened.begin(), opened.end(), kInOrder);
-  std::sort(closed.begin(), closed.end(), kInOrder);
+  std::sort(opened.begin(), opened.end());
+  std::sort(closed.begin(), closed.end());
   std::vector<FloorCell> left, now;
-  std::set_difference(closed_.begin(), closed_.end(), opened.begin(), opened.end(), std::back_inserter(left),
-                      kInOrder);
-  std::merge(left.begin(), left.end(), closed.begin(), closed.end(), std::back_inserter(now), kInOrder);
+  std::set_difference(closed_.begin(), closed_.end(), opened.begin(), opened.end(), std::back_inserter(left));
+  std::merge(left.begin(), left.end(), closed.begin(), closed.end(), std::back_inserter(now));
+  const std::vector<FloorCell> before = std::exchange(closed_, std::move(now));
   FloorBox box;
-  const auto note = [&](std::span<const FloorCell> cells) {
-    for (const FloorCell cell : cells) {
-      if (is_closed(cell) != std::binary_search(now.begin(), now.end(), cell, kInOrder)) box.include(cell);
+  for (const std::vector<FloorCell>* cells : {&opened, &closed}) {
+    for (const FloorCell cell : *cells) {
+      if (is_closed(cell) != std::binary_search(before.begin(), before.end(), cell)) box.include(cell);
     }
-  };
-  note(opened);
-  note(closed);
-  closed_ = std::move(now);
+  }
   return box;
 }
 
 bool LegBarriers::is_closed(FloorCell cell) const {
-  return std::binary_search(closed_.begin(), closed_.end(), cell, kInOrder);
+  return std::binary_search(closed_.begin(), closed_.end(), cell);
 }
 
 std::size_t LegBarriers::legs() const {
@@ -197,12 +193,14 @@ std::size_t LegBarriers::legs() const {
       std::count_if(things_.begin(), things_.end(), [](const Thing& thing) { return thing.is_leg(); }));
 }
 
-void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
-  std::erase_if(things_, [&](const Thing& thing) {
-    const bool is_looked_for_anew = within.contains(thing.first);
-    if (is_looked_for_anew) orphaned_.insert(orphaned_.end(), thing.closes.begin(), thing.closes.end());
-    return is_looked_for_anew;
-  });
+/// @return what those things closed that were there before
+std::vector<FloorCell> LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
+  const auto looked_for_anew = std::partition(
+      things_.begin(), things_.end(), [&](const Thing& thing) { return !within.contains(thing.first); });
+  std::vector<FloorCell> opened;
+  for (auto thing = looked_for_anew; thing != things_.end(); ++thing)
+    opened.insert(opened.end(), thing->closes.begin(), thing->closes.end());
+  things_.erase(looked_for_anew, things_.end());
   for (int y = within.low.y; y < within.end.y; ++y) {
     for (int x = within.low.x; x < within.end.x; ++x) {
       const FloorCell first{x, y};
@@ -213,7 +211,7 @@ void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
         continue;
       }
       const bool begins_here =
-          std::none_of(cells.begin(), cells.end(), [&](FloorCell cell) { return is_before(cell, first); });
+          std::none_of(cells.begin(), cells.end(), [&](FloorCell cell) { return cell < first; });
       if (!begins_here) continue;
       Vec2 p_map = Vec2::Zero();
       for (const FloorCell cell : cells) p_map += floor.centre(cell) / static_cast<double>(cells.size());
@@ -222,14 +220,13 @@ void LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
       things_.push_back(std::move(thing));
     }
   }
-  std::sort(things_.begin(), things_.end(),
-            [](const Thing& a, const Thing& b) { return is_before(a.first, b.first); });
+  std::sort(things_.begin(), things_.end(), [](const Thing& a, const Thing& b) { return a.first < b.first; });
+  return opened;
 }
 
 bool LegBarriers::is_piece_of_wall(const FloorGrid& floor, const Thing& thing) const {
   std::vector<double> along_x_m, along_y_m;
-  const int reach = static_cast<int>(std::ceil(kRow_m / floor.cell_m())) + leg_cells(floor);
-  for (const Thing& other : things_in_rows(thing.first.y - reach, thing.first.y + reach)) {
+  for (const Thing& other : things_about(floor, thing.p_map, kRow_m)) {
     const Vec2 away = other.p_map - thing.p_map;
     if (std::abs(away.y()) <= kRowBeside_m && std::abs(away.x()) <= kRow_m) along_x_m.push_back(away.x());
     if (std::abs(away.x()) <= kRowBeside_m && std::abs(away.y()) <= kRow_m) along_y_m.push_back(away.y());
@@ -342,26 +339,22 @@ void LegBarriers::look_about(const FloorGrid& floor, Thing& thing) const {
   thing.stand = is_before_wall ? Stand::kBeforeWall : Stand::kUnclear;
 }
 
-/// O(log of all).
-std::span<const LegBarriers::Thing> LegBarriers::things_in_rows(int low, int high) const {
-  const auto begin = std::lower_bound(things_.begin(), things_.end(), low,
+/// All that stand so near to a place, and what else stands in the same rows: O(log of all).
+std::span<const LegBarriers::Thing> LegBarriers::things_about(const FloorGrid& floor, const Vec2& p_map,
+                                                              double within_m) const {
+  const int row = floor.cell_at(p_map).y;
+  const int reach = static_cast<int>(std::ceil(within_m / floor.cell_m())) + leg_cells(floor) + 1;
+  const auto begin = std::lower_bound(things_.begin(), things_.end(), row - reach,
                                       [](const Thing& thing, int y) { return thing.first.y < y; });
-  const auto end = std::upper_bound(begin, things_.end(), high,
+  const auto end = std::upper_bound(begin, things_.end(), row + reach,
                                     [](int y, const Thing& thing) { return y < thing.first.y; });
   return {begin, end};
-}
-
-/// All that may stand within a leg's width of a place, and few others.
-std::span<const LegBarriers::Thing> LegBarriers::things_about(const FloorGrid& floor,
-                                                              const Vec2& p_map) const {
-  const int row = floor.cell_at(p_map).y, reach = 2 * leg_cells(floor) + 3;
-  return things_in_rows(row - reach, row + reach);
 }
 
 /// What stands there belongs to one, not to the wall behind it.
 bool LegBarriers::is_leg(const FloorGrid& floor, const Vec2& p_map) const {
   const double deep_m = kLegDeepCells * floor.cell_m();
-  const std::span<const Thing> about = things_about(floor, p_map);
+  const std::span<const Thing> about = things_about(floor, p_map, params_.leg_max_m);
   return std::any_of(about.begin(), about.end(), [&](const Thing& thing) {
     const Vec2 away = p_map - thing.p_map;
     return thing.is_leg() && away.norm() <= params_.leg_max_m && thing.behind.dot(away) < deep_m;
@@ -370,7 +363,7 @@ bool LegBarriers::is_leg(const FloorGrid& floor, const Vec2& p_map) const {
 
 /// What stands there belongs to a small thing, a leg or not.
 bool LegBarriers::is_thing(const FloorGrid& floor, const Vec2& p_map) const {
-  const std::span<const Thing> about = things_about(floor, p_map);
+  const std::span<const Thing> about = things_about(floor, p_map, params_.leg_max_m);
   return std::any_of(about.begin(), about.end(), [&](const Thing& thing) {
     return (thing.p_map - p_map).norm() <= params_.leg_max_m / 2;
   });
@@ -404,7 +397,7 @@ std::vector<FloorCell> LegBarriers::cells_closed_by(const FloorGrid& floor, std:
     close(a, *behind_a);
     close(b, *behind_b);
   }
-  std::sort(cells.begin(), cells.end(), kInOrder);
+  std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   return cells;
 }
@@ -518,8 +511,7 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
 }
 
 bool LegBarriers::has_partner(const FloorGrid& floor, const Thing& leg, const Vec2& along) const {
-  const int reach = static_cast<int>(std::ceil(params_.apart_max_m / floor.cell_m())) + leg_cells(floor);
-  const std::span<const Thing> about = things_in_rows(leg.first.y - reach, leg.first.y + reach);
+  const std::span<const Thing> about = things_about(floor, leg.p_map, params_.apart_max_m);
   return std::any_of(about.begin(), about.end(), [&](const Thing& other) {
     const Vec2 away = other.p_map - leg.p_map;
     return other.is_leg() && away.norm() > kPieceMin_m && away.norm() <= params_.apart_max_m &&

@@ -18,12 +18,9 @@ struct FloorCell {
   int x = 0;
   int y = 0;
   bool operator==(const FloorCell&) const = default;
+  /// Row by row from below, each from the left.
+  bool operator<(const FloorCell& other) const { return y != other.y ? y < other.y : x < other.x; }
 };
-
-/// Row by row from below, each from the left.
-inline bool is_before(FloorCell a, FloorCell b) {
-  return a.y != b.y ? a.y < b.y : a.x < b.x;
-}
 
 /// Cells from `low` to before `end`, in both directions.
 struct FloorBox {

@@ -63,14 +63,13 @@ class LegBarriers {
   std::optional<Thing> leg_of_wall(const FloorGrid& floor, FloorCell first) const;
   /// Tells its stand, and behind.
   void look_about(const FloorGrid& floor, Thing& thing) const;
-  void find_things(const FloorGrid& floor, const FloorBox& within);
+  std::vector<FloorCell> find_things(const FloorGrid& floor, const FloorBox& within);
   bool is_piece_of_wall(const FloorGrid& floor, const Thing& thing) const;
   void find_walls(const FloorGrid& floor, Thing& thing) const;
-  std::span<const Thing> things_in_rows(int low, int high) const;
-  std::span<const Thing> things_about(const FloorGrid& floor, const Vec2& p_map) const;
+  std::span<const Thing> things_about(const FloorGrid& floor, const Vec2& p_map, double within_m) const;
   bool is_leg(const FloorGrid& floor, const Vec2& p_map) const;
   bool is_thing(const FloorGrid& floor, const Vec2& p_map) const;
-  FloorBox close_anew(const FloorGrid& floor, std::span<const FloorBox> boxes);
+  FloorBox close_anew(const FloorGrid& floor, std::span<const FloorBox> boxes, std::vector<FloorCell> opened);
   std::vector<FloorCell> cells_closed_by(const FloorGrid& floor, std::size_t first) const;
   bool fill_recess(const FloorGrid& floor, const Thing& a, const Thing& b) const;
   bool may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const;
@@ -85,9 +84,8 @@ class LegBarriers {
   std::optional<Vec2> partner_place(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& along) const;
 
   LegParams params_;
-  std::vector<Thing> things_;        ///< row by row
-  std::vector<FloorCell> closed_;    ///< row by row, as often as things close it
-  std::vector<FloorCell> orphaned_;  ///< of it, what things closed that are no more
+  std::vector<Thing> things_;      ///< row by row
+  std::vector<FloorCell> closed_;  ///< row by row, as often as things close it
 };
 
 }  // namespace aisle

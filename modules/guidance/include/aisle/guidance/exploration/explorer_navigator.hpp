@@ -106,7 +106,7 @@ class ExplorerNavigator final : public Navigator {
   BlockMemory blocks_;
   int driven_direction_ = 0;  ///< forwards (1) or backwards (-1), in the latest cycle that drove
   bool is_touching_ = false;
-  bool is_touch_due_ = false;
+  bool is_touch_due_ = false;  ///< to be noted, as soon as the vehicle stands
   int touches_ = 0;
   Vec2 p_map_searched_ = Vec2::Zero();  ///< the gate that the latest search was for
   double searched_m2_ = 0;              ///< of floor, when that search began
