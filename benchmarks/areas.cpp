@@ -1,4 +1,4 @@
-/// Laser stripes and the route region of a picture of 640 x 480, against what OpenCV has for the same
+/// Laser stripes and the route region of an image of 640 x 480, against what OpenCV has for the same
 /// purpose: blurring, a vertical derivative and the strongest row of each column for stripes; the watershed
 /// from a floor marker and a wall marker for the region. The counter `share_of_baseline` is the ratio of the
 /// times in the same run.
@@ -25,13 +25,13 @@ Image corridor() {
   Random random(1);
   for (int v = 0; v < kHeight; ++v) {
     for (int u = 0; u < kWidth; ++u) {
-      const double aside = std::abs(u - 319.5), depth = std::max(1.0, aside / 320);
-      const bool is_floor = v > 240 + 0.7 * aside && v > 270;
-      const bool is_door = !is_floor && static_cast<int>(aside / 60) % 2 == 1 && v > 160;
+      const double lateral = std::abs(u - 319.5), depth = std::max(1.0, lateral / 320);
+      const bool is_floor = v > 240 + 0.7 * lateral && v > 270;
+      const bool is_door = !is_floor && static_cast<int>(lateral / 60) % 2 == 1 && v > 160;
       const bool is_joint = is_floor && (v - 240) % 40 < 2;
       double grey = is_floor ? 120 + (v - 240) / 8.0 : is_door ? 90 : 180 / depth;
       if (is_joint) grey -= 15;
-      const double off = (v - (262 + 0.2 * aside)) / 1.2;
+      const double off = (v - (262 + 0.2 * lateral)) / 1.2;
       const double lit = is_floor ? 0 : 90 * std::exp(-off * off / 2);
       for (int c = 0; c < 3; ++c) {
         const double value = grey + (c == 0 ? lit : 0.1 * lit) + 3 * random.normal();
@@ -46,9 +46,9 @@ cv::Mat to_mat(Image& image) {
   return {image.height_px, image.width_px, CV_8UC3, image.bytes.data()};
 }
 
-std::vector<int> strongest_rows(const cv::Mat& picture) {
+std::vector<int> strongest_rows(const cv::Mat& scene) {
   cv::Mat grey, smooth, slope;
-  cv::cvtColor(picture, grey, cv::COLOR_RGB2GRAY);
+  cv::cvtColor(scene, grey, cv::COLOR_RGB2GRAY);
   cv::GaussianBlur(grey, smooth, {5, 5}, 1);
   cv::Sobel(smooth, slope, CV_16S, 0, 1);
   std::vector<int> rows(kWidth, 0);
@@ -64,11 +64,11 @@ std::vector<int> strongest_rows(const cv::Mat& picture) {
   return rows;
 }
 
-cv::Mat floor_by_watershed(const cv::Mat& picture) {
+cv::Mat floor_by_watershed(const cv::Mat& scene) {
   cv::Mat markers(kHeight, kWidth, CV_32S, cv::Scalar(0));
   markers(cv::Rect(280, 450, 80, 30)) = 1;
   markers(cv::Rect(0, 0, kWidth, 140)) = 2;
-  cv::watershed(picture, markers);
+  cv::watershed(scene, markers);
   return markers;
 }
 
@@ -88,27 +88,27 @@ void compare(benchmark::State& state, Ours ours, Baseline baseline) {
 }
 
 void BM_LaserStripes(benchmark::State& state) {
-  Image picture = corridor();
+  Image scene = corridor();
   compare(
-      state, [&] { return find_laser_stripes(picture); }, [&] { return strongest_rows(to_mat(picture)); });
+      state, [&] { return find_laser_stripes(scene); }, [&] { return strongest_rows(to_mat(scene)); });
 }
 
 void BM_RouteRegion(benchmark::State& state) {
-  Image picture = corridor();
+  Image scene = corridor();
   RouteRegionFinder finder;
   Image mask;
   const auto find = [&] {
-    finder.find(picture, mask);
+    finder.find(scene, mask);
     return mask.bytes.data();
   };
-  compare(state, find, [&] { return floor_by_watershed(to_mat(picture)); });
+  compare(state, find, [&] { return floor_by_watershed(to_mat(scene)); });
 }
 
 void BM_LaserStripesInGrey(benchmark::State& state) {
-  Image picture = corridor();
-  const Image grey = to_grey(picture);
+  Image scene = corridor();
+  const Image grey = to_grey(scene);
   compare(
-      state, [&] { return find_laser_stripes(grey); }, [&] { return strongest_rows(to_mat(picture)); });
+      state, [&] { return find_laser_stripes(grey); }, [&] { return strongest_rows(to_mat(scene)); });
 }
 
 BENCHMARK(BM_LaserStripes)->Unit(benchmark::kMillisecond);

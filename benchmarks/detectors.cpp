@@ -1,7 +1,7 @@
-/// Near-vertical lines and base lines of pictures 640 wide against OpenCV's line finders on one core: the
-/// line segment detector, and Canny edges with the probabilistic Hough transform. The picture is a drawn
-/// corridor with noise; with AISLE_DATA the pictures of real corridors there as well. The counter
-/// `times_segment_detector` is the ratio of frames to OpenCV's detector on the same pictures.
+/// Near-vertical lines and base lines of images 640 wide against OpenCV's line finders on one core: the
+/// line segment detector, and Canny edges with the probabilistic Hough transform. The image is a drawn
+/// corridor with noise; with AISLE_DATA the images of real corridors there as well. The counter
+/// `times_segment_detector` is the ratio of frames to OpenCV's detector on the same images.
 
 #include <benchmark/benchmark.h>
 
@@ -12,7 +12,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "aisle/core/random.hpp"
-#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/formats/images/image_file.hpp"
 #include "aisle/vision/floor/base_lines.hpp"
 #include "drawn_corridor.hpp"
 
@@ -21,10 +21,10 @@ namespace {
 
 constexpr int kWidth_px = 640;
 
-Image drawn_picture() {
+Image drawn_image() {
   DrawnCorridor corridor;
   corridor.shine = 0.25;
-  Image image = corridor.picture();
+  Image image = corridor.image();
   Random random(1);
   for (auto& byte : image.bytes) {
     byte = static_cast<std::uint8_t>(std::clamp(std::lround(byte + random.normal(3)), 0L, 255L));
@@ -43,8 +43,8 @@ Image as_wide_as_the_drawn(const Image& image) {
   return out;
 }
 
-const std::vector<Image>& pictures(bool real) {
-  static const std::vector<Image> drawn{drawn_picture()};
+const std::vector<Image>& recorded_images(bool real) {
+  static const std::vector<Image> drawn{drawn_image()};
   static const std::vector<Image> recorded = [] {
     std::vector<Image> images;
     const char* data = std::getenv("AISLE_DATA");
@@ -55,7 +55,7 @@ const std::vector<Image>& pictures(bool real) {
       if (!std::filesystem::exists(directory)) continue;
       for (const auto& entry : std::filesystem::directory_iterator(directory)) {
         if (entry.path().extension() != ".jpg") continue;
-        if (const auto image = read_picture(entry.path()))
+        if (const auto image = read_image(entry.path()))
           images.push_back(as_wide_as_the_drawn(to_grey(*image)));
       }
     }
@@ -73,7 +73,7 @@ double seconds_by_segment_detector(bool real) {
   const auto start = std::clock();
   int frames = 0;
   for (int round = 0; round < (real ? 1 : 10); ++round) {
-    for (const Image& image : pictures(real)) {
+    for (const Image& image : recorded_images(real)) {
       detector->detect(view_of(image), segments);
       ++frames;
     }
@@ -82,12 +82,12 @@ double seconds_by_segment_detector(bool real) {
   return known = passed_s / frames;
 }
 
-/// Runs `detect(index)` over the pictures and counts frames and the ratio to OpenCV's segment detector.
+/// Runs `detect(index)` over the images and counts frames and the ratio to OpenCV's segment detector.
 template <class Detect>
-void over_pictures(benchmark::State& state, const Detect& detect) {
+void over_images(benchmark::State& state, const Detect& detect) {
   cv::setNumThreads(1);
   const bool real = state.range(0) != 0;
-  const auto& images = pictures(real);
+  const auto& images = recorded_images(real);
   const double baseline_s = seconds_by_segment_detector(real);
   std::size_t i = 0;
   const auto start = std::clock();
@@ -97,51 +97,51 @@ void over_pictures(benchmark::State& state, const Detect& detect) {
   }
   const double passed_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   state.counters["times_segment_detector"] = baseline_s * static_cast<double>(state.iterations()) / passed_s;
-  state.SetLabel(real ? "recorded pictures" : "drawn corridor");
+  state.SetLabel(real ? "recorded images" : "drawn corridor");
 }
 
 void vertical_lines(benchmark::State& state) {
   VerticalLineDetector detector;
-  const auto& images = pictures(state.range(0) != 0);
-  over_pictures(state, [&](std::size_t i) { benchmark::DoNotOptimize(detector.detect(images[i])); });
+  const auto& images = recorded_images(state.range(0) != 0);
+  over_images(state, [&](std::size_t i) { benchmark::DoNotOptimize(detector.detect(images[i])); });
 }
 
 void base_lines(benchmark::State& state) {
   VerticalLineDetector vertical_detector;
   BaseLineDetector detector;
-  const auto& images = pictures(state.range(0) != 0);
+  const auto& images = recorded_images(state.range(0) != 0);
   std::vector<std::vector<VerticalLine>> verticals;
   for (const Image& image : images) verticals.push_back(vertical_detector.detect(image));
-  over_pictures(state,
-                [&](std::size_t i) { benchmark::DoNotOptimize(detector.detect(images[i], verticals[i])); });
+  over_images(state,
+              [&](std::size_t i) { benchmark::DoNotOptimize(detector.detect(images[i], verticals[i])); });
 }
 
 void segment_detector(benchmark::State& state) {
   const auto detector = cv::createLineSegmentDetector();
   std::vector<cv::Vec4f> segments;
-  const auto& images = pictures(state.range(0) != 0);
-  over_pictures(state, [&](std::size_t i) { detector->detect(view_of(images[i]), segments); });
+  const auto& images = recorded_images(state.range(0) != 0);
+  over_images(state, [&](std::size_t i) { detector->detect(view_of(images[i]), segments); });
 }
 
 void canny_and_hough(benchmark::State& state) {
   cv::Mat edges;
   std::vector<cv::Vec4i> segments;
-  const auto& images = pictures(state.range(0) != 0);
-  over_pictures(state, [&](std::size_t i) {
+  const auto& images = recorded_images(state.range(0) != 0);
+  over_images(state, [&](std::size_t i) {
     cv::Canny(view_of(images[i]), edges, 50, 150);
     cv::HoughLinesP(edges, segments, 1, CV_PI / 180, 50, 40, 5);
   });
 }
 
-void with_pictures(benchmark::internal::Benchmark* measured) {
+void with_images(benchmark::internal::Benchmark* measured) {
   measured->Unit(benchmark::kMillisecond)->Arg(0);
-  if (!pictures(true).empty()) measured->Arg(1);
+  if (!recorded_images(true).empty()) measured->Arg(1);
 }
 
-BENCHMARK(vertical_lines)->Apply(with_pictures);
-BENCHMARK(base_lines)->Apply(with_pictures);
-BENCHMARK(segment_detector)->Apply(with_pictures);
-BENCHMARK(canny_and_hough)->Apply(with_pictures);
+BENCHMARK(vertical_lines)->Apply(with_images);
+BENCHMARK(base_lines)->Apply(with_images);
+BENCHMARK(segment_detector)->Apply(with_images);
+BENCHMARK(canny_and_hough)->Apply(with_images);
 
 }  // namespace
 }  // namespace aisle

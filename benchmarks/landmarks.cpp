@@ -1,4 +1,4 @@
-/// One picture in maps of a hundred to a million landmarks: where the vehicle is (LandmarkLocaliser), and
+/// One image in maps of a hundred to a million landmarks: where the vehicle is (LandmarkLocaliser), and
 /// where it may be when it is lost (LandmarkRelocator). Both are to cost the same in any building;
 /// `times_small` is the median against that of the smallest map in the same run.
 
@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "aisle/learning/landmarks/landmark_relocation.hpp"
-#include "corridor_trip.hpp"
+#include "corridor_run.hpp"
 
 namespace aisle {
 namespace {
 
 constexpr double kCorridor_m = 25, kApart_m = 6, kTried_m = 0.8;
-constexpr int kPictures = 200;
+constexpr int kImages = 200;
 
 /// Corridors side by side, until there are so many landmarks.
 struct ManyCorridors {
@@ -65,7 +65,7 @@ void measure(benchmark::State& state, const std::string& name, const ManyCorrido
   Random random(2);
   std::vector<double> times_s;
   for (auto _ : state) {
-    for (int i = 0; i < kPictures; ++i) {
+    for (int i = 0; i < kImages; ++i) {
       const auto sightings = sightings_from(many.lines, many.T_map_middle, {}, &random);
       const double begun_s = thread_cpu_now_s();
       take_in(sightings);

@@ -59,7 +59,7 @@ class Cycles {
     stamp_s_ += 1.0 / 30;
     const double begun_s = thread_cpu_s();
     Observation observation{.stamp_s = stamp_s_, .odometry = FrontSteeredMotion{}};
-    observation.pictures.push_back({"front", stamp_s_, image_});
+    observation.images.push_back({"front", stamp_s_, image_});
     if (!record_.keep(std::move(observation))) throw std::runtime_error("a cycle was not shown");
     (void)record_.keep(Decision{.state = "driving"});
     return thread_cpu_s() - begun_s;
@@ -67,7 +67,7 @@ class Cycles {
 
  private:
   SessionRecord record_;
-  std::shared_ptr<const Image> image_ = watched_picture();
+  std::shared_ptr<const Image> image_ = watched_image();
   double stamp_s_ = 0;
 };
 

@@ -27,7 +27,7 @@ Case wide() {
   return {{.cell_m = 0.01}, {1, 1, 5 * kDegree}, {.learned = 60, .seen = 30, .off = {0.8, 0.3, 4 * kDegree}}};
 }
 
-/// From one picture to the next.
+/// From one image to the next.
 Case driving() {
   return {{}, {0.25, 0.25, 2 * kDegree}, {.learned = 45, .seen = 15, .off = {0.15, 0.08, 1 * kDegree}}};
 }

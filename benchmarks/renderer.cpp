@@ -1,4 +1,4 @@
-/// Pictures of 640 x 480 pixels of an office corridor with lamps, soft shadows and laser stripe, against the
+/// Images of 640 x 480 pixels of an office corridor with lamps, soft shadows and laser stripe, against the
 /// ray tracer's primary rays alone (one a pixel, nothing shaded) in the same scene and run. The argument is
 /// the number of threads; `of_raw` compares the rate at which finished pixels come with the raw rate.
 
@@ -22,12 +22,12 @@ CameraDescription camera() {
   return camera;
 }
 
-CameraMoment moment(std::uint64_t picture, double turn_rate_rad_s) {
+CameraMoment moment(std::uint64_t image, double turn_rate_rad_s) {
   CameraMoment moment;
-  moment.T_world_vehicle = {1 + 0.1 * static_cast<double>(picture % 200), 0, 0};
+  moment.T_world_vehicle = {1 + 0.1 * static_cast<double>(image % 200), 0, 0};
   moment.turn_rate_rad_s = turn_rate_rad_s;
   moment.laser_on = true;
-  moment.picture = picture;
+  moment.image = image;
   return moment;
 }
 
@@ -43,7 +43,7 @@ const RenderedWorld& rendered_corridor(int doors_per_side) {
   return doors_per_side == kDoorsPerSide ? short_one : long_one;
 }
 
-double pixels_per_picture() {
+double pixels_per_image() {
   return static_cast<double>(camera().width_px) * camera().height_px;
 }
 
@@ -77,42 +77,42 @@ void RawPrimaryRays(benchmark::State& state) {
     });
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  const double rays = static_cast<double>(state.iterations()) * pixels_per_picture();
+  const double rays = static_cast<double>(state.iterations()) * pixels_per_image();
   raw_rays_per_s(state.range(0)) = rays / taken.count();
   state.counters["rays/s"] = rays / taken.count();
 }
 BENCHMARK(RawPrimaryRays)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-void take_pictures(benchmark::State& state, int doors_per_side, double turn_rate_rad_s) {
+void take_images(benchmark::State& state, int doors_per_side, double turn_rate_rad_s) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(state.range(0)));
   const RenderedWorld& world = rendered_corridor(doors_per_side);
   CameraSensor sensor(camera(), {}, 1);
   const auto begin = std::chrono::steady_clock::now();
-  std::uint64_t picture = 0;
+  std::uint64_t image = 0;
   for ([[maybe_unused]] auto _ : state) {
-    benchmark::DoNotOptimize(sensor.take(world, moment(picture++, turn_rate_rad_s)));
+    benchmark::DoNotOptimize(sensor.take(world, moment(image++, turn_rate_rad_s)));
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   const double frames_per_s = static_cast<double>(state.iterations()) / taken.count();
   state.counters["frames/s"] = frames_per_s;
-  state.counters["of_raw"] = frames_per_s * pixels_per_picture() / raw_rays_per_s(state.range(0));
+  state.counters["of_raw"] = frames_per_s * pixels_per_image() / raw_rays_per_s(state.range(0));
 }
 
-void Pictures(benchmark::State& state) {
-  take_pictures(state, kDoorsPerSide, 0);
+void Images(benchmark::State& state) {
+  take_images(state, kDoorsPerSide, 0);
 }
-BENCHMARK(Pictures)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(Images)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-void PicturesOfAWholeFloor(benchmark::State& state) {
-  take_pictures(state, kWholeFloorDoorsPerSide, 0);
+void ImagesOfAWholeFloor(benchmark::State& state) {
+  take_images(state, kWholeFloorDoorsPerSide, 0);
 }
-BENCHMARK(PicturesOfAWholeFloor)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(ImagesOfAWholeFloor)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
-void PicturesWithMotionBlur(benchmark::State& state) {
-  take_pictures(state, kDoorsPerSide, 1);
+void ImagesWithMotionBlur(benchmark::State& state) {
+  take_images(state, kDoorsPerSide, 1);
 }
-BENCHMARK(PicturesWithMotionBlur)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(ImagesWithMotionBlur)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void BuildingTheScene(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(RenderedWorld(corridor(kDoorsPerSide)));

@@ -1,5 +1,5 @@
 /// What recording a session costs: processor time for each second of driving, one camera at 10 Hz with
-/// 640 x 480 pictures, against encoding the same pictures and nothing else.
+/// 640 x 480 images, against encoding the same images and nothing else.
 
 #include <benchmark/benchmark.h>
 
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "aisle/core/random.hpp"
-#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/formats/images/image_file.hpp"
 #include "aisle/formats/sessions/session_record.hpp"
 
 namespace aisle {
@@ -21,7 +21,7 @@ namespace {
 constexpr int kWidth_px = 640;
 constexpr int kHeight_px = 480;
 constexpr double kPeriod_s = 0.1;
-constexpr int kPictures = 20;  // different ones, taken in turn
+constexpr int kImages = 20;  // different ones, taken in turn
 
 /// A corridor of sorts: floor tiles and walls running to a vanishing point, shading, pixel noise.
 Image corridor(int channels, Random& random) {
@@ -44,10 +44,10 @@ Image corridor(int channels, Random& random) {
   return image;
 }
 
-std::vector<std::shared_ptr<const Image>> pictures(int channels) {
+std::vector<std::shared_ptr<const Image>> images(int channels) {
   Random random(1);
   std::vector<std::shared_ptr<const Image>> all;
-  for (int i = 0; i < kPictures; ++i) all.push_back(std::make_shared<Image>(corridor(channels, random)));
+  for (int i = 0; i < kImages; ++i) all.push_back(std::make_shared<Image>(corridor(channels, random)));
   return all;
 }
 
@@ -62,8 +62,8 @@ double process_cpu_s() {
 }
 
 /// Records while the benchmark runs, a cycle an iteration.
-void record(benchmark::State& state, const PictureCoding& coding, int channels) {
-  const auto all = pictures(channels);
+void record(benchmark::State& state, const ImageCoding& coding, int channels) {
+  const auto all = images(channels);
   const auto directory = std::filesystem::temp_directory_path() / "aisle-benchmark-session";
   auto session = SessionRecord::create(directory, true, vehicle(), {.navigator = "none"}, coding);
   if (!session) return state.SkipWithError(to_string(session.problems()).c_str());
@@ -72,7 +72,7 @@ void record(benchmark::State& state, const PictureCoding& coding, int channels) 
   const double start_cpu_s = process_cpu_s();
   for (auto _ : state) {
     observation.stamp_s = kPeriod_s * static_cast<double>(++cycles);
-    observation.pictures = {{"front", observation.stamp_s, all[cycles % all.size()]}};
+    observation.images = {{"front", observation.stamp_s, all[cycles % all.size()]}};
     benchmark::DoNotOptimize(session->keep(observation));
     if (!session->keep(Decision{.state = "on"}).empty()) return state.SkipWithError("not kept");
   }
@@ -85,14 +85,14 @@ void record(benchmark::State& state, const PictureCoding& coding, int channels) 
   std::filesystem::remove_all(directory);
 }
 
-/// The baseline: the pictures as JPEG and back, which any recording of compressed pictures that shows the
+/// The baseline: the images as JPEG and back, which any recording of compressed images that shows the
 /// navigator what it keeps must do.
 void BM_EncodeAndDecodeOnly(benchmark::State& state, int channels) {
-  const auto all = pictures(channels);
+  const auto all = images(channels);
   std::size_t cycles = 0;
   const double start_cpu_s = process_cpu_s();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(parse_picture(jpeg_bytes(*all[cycles++ % all.size()], 90), "picture"));
+    benchmark::DoNotOptimize(parse_image(jpeg_bytes(*all[cycles++ % all.size()], 90), "picture"));
   }
   state.counters["percent_of_a_core"] =
       100 * (process_cpu_s() - start_cpu_s) / (kPeriod_s * static_cast<double>(cycles));
@@ -102,10 +102,10 @@ void BM_RecordJpeg(benchmark::State& state, int channels) {
   record(state, {}, channels);
 }
 void BM_RecordRaw(benchmark::State& state, int channels) {
-  record(state, {PictureCoding::Kind::kRaw}, channels);
+  record(state, {ImageCoding::Kind::kRaw}, channels);
 }
 void BM_RecordPng(benchmark::State& state, int channels) {
-  record(state, {PictureCoding::Kind::kPng}, channels);
+  record(state, {ImageCoding::Kind::kPng}, channels);
 }
 
 // 6000 cycles are the ten minutes of the figure.

@@ -63,10 +63,10 @@ void add_out(CLI::App& verb, const std::shared_ptr<Options>& options) {
 }
 
 void add_camera(CLI::App& calibrate, Work& work) {
-  CLI::App* verb = calibrate.add_subcommand("camera", "the lens, from at least 3 pictures of a chessboard");
+  CLI::App* verb = calibrate.add_subcommand("camera", "the lens, from at least 3 images of a chessboard");
   verb->fallthrough();
   auto options = std::make_shared<CalibrateCameraOptions>();
-  verb->add_option("IMAGES", options->images, "pictures of one size, the board turned to all sides")
+  verb->add_option("IMAGES", options->images, "images of one size, the board turned to all sides")
       ->required();
   add_board(*verb, options);
   verb->add_option("--name", options->camera_name, "the camera's name in its files, default camera");
@@ -82,14 +82,14 @@ void add_floor(CLI::App& calibrate, Work& work) {
       "floor", "how the camera sits on the vehicle, from boards or marks on the floor");
   verb->fallthrough();
   auto options = std::make_shared<CalibrateFloorOptions>();
-  verb->add_option("IMAGES", options->images, "pictures of a chessboard that lies on the floor");
+  verb->add_option("IMAGES", options->images, "images of a chessboard that lies on the floor");
   verb->add_option("--camera", options->camera, "calibration of the lens (YAML)")->required();
   verb->add_option_function<std::vector<std::string>>(
           "--board-at",
           [options](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) options->boards_at.push_back(read_place(text));
           },
-          "once for each picture: middle of the board's corners in metres ahead and to the left of "
+          "once for each image: middle of the board's corners in metres ahead and to the left of "
           "base_link, "
           "and the direction of its upper edge in degrees (0: it lies as printed for who looks ahead, the "
           "black "
@@ -110,11 +110,11 @@ void add_laser(CLI::App& calibrate, Work& work) {
       calibrate.add_subcommand("laser", "the height of the laser plane, from its stripe on walls");
   verb->fallthrough();
   auto options = std::make_shared<CalibrateLaserOptions>();
-  verb->add_option("IMAGES", options->images, "pictures of the stripe on a wall, best at several distances")
+  verb->add_option("IMAGES", options->images, "images of the stripe on a wall, best at several distances")
       ->required();
   verb->add_option("--camera", options->camera, "calibration of lens and mount (YAML)")->required();
   verb->add_option("--wall-at", options->walls_at_m,
-                   "once for each picture: distance of the wall ahead, at right angles, from base_link in "
+                   "once for each image: distance of the wall ahead, at right angles, from base_link in "
                    "metres; else a chessboard on the wall tells where it is")
       ->check(CLI::Range(0.05, 100.0))
       ->allow_extra_args(false);

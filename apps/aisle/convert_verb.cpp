@@ -42,24 +42,24 @@ void add_convert_verb(CLI::App& app, Work& work) {
   auto options = std::make_shared<ConvertOptions>();
   verb->add_option(
       "PLAN", options->plan,
-      "wall-segment text, a picture (PBM, PGM, PNG), a map_server YAML file, a maze; plain or gzip");
+      "wall-segment text, an image (PBM, PGM, PNG), a map_server YAML file, a maze; plain or gzip");
   add_choice<PlanKind>(*verb, "--from", options->from,
                        {{"segments", PlanKind::kSegments},
-                        {"picture", PlanKind::kPicture},
+                        {"picture", PlanKind::kImage},
                         {"map_server", PlanKind::kMapServer},
                         {"maze", PlanKind::kMaze}},
-                       "what PLAN is (default: told from its content)");
+                       "what PLAN is (default: known from its content)");
   add_resolution(*verb, options->resolution_m);
   verb->add_option("--tolerance", options->tracing.tolerance_cells,
                    "how far a straight wall may lie from the pixels' border, in pixels (default 1)")
       ->check(CLI::Range(0.5, 5.0));
   verb->add_option("--speck", options->speck_m,
-                   "what fits into a square of this side is left out of a picture, in metres (default 0.1)")
+                   "what fits into a square of this side is left out of an image, in metres (default 0.1)")
       ->check(CLI::Range(0.0, 2.0));
   add_corridor_width(*verb, *options);
   verb->add_option("--wall-thickness", options->maze.wall_thickness_m, "of a maze, in metres (default 0.15)")
       ->check(CLI::Range(0.05, 5.0));
-  verb->add_option("--vehicle-width", options->trip.vehicle_width_m,
+  verb->add_option("--vehicle-width", options->run.vehicle_width_m,
                    "of the vehicle that start and tour are for, in metres (default 0.6)")
       ->check(CLI::Range(0.05, 5.0));
   add_random_options(*verb, *options);

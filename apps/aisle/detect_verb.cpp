@@ -13,7 +13,7 @@ void add_feature(CLI::App& detect, Work& work, const std::string& name, const st
   verb->fallthrough();
   auto options = std::make_shared<DetectOptions>();
   options->feature = feature;
-  verb->add_option("IMAGE", options->files, "pictures: PNG, JPEG, PGM, PPM, BMP, TIFF");
+  verb->add_option("IMAGE", options->files, "images: PNG, JPEG, PGM, PPM, BMP, TIFF");
   if (feature != Feature::kPlaces) {
     verb->add_option(
         "--camera", options->camera,
@@ -21,20 +21,18 @@ void add_feature(CLI::App& detect, Work& work, const std::string& name, const st
   }
   verb->add_option("--overlay", options->overlay,
                    feature == Feature::kRegion
-                       ? "directory for the region masks and for the pictures with what was found drawn over"
-                       : "directory for the pictures with what was found drawn over");
+                       ? "directory for the region masks and for the images with what was found drawn over"
+                       : "directory for the images with what was found drawn over");
   if (feature == Feature::kVerticals) {
-    verb->add_flag(
-        "--follow", options->follow,
-        "the pictures are of one drive, in order: the same line has the same number in all of them");
+    verb->add_flag("--follow", options->follow,
+                   "the images are of one drive, in order: the same line has the same number in all of them");
   }
   if (feature == Feature::kPlaces) {
-    verb->add_flag(
-        "--follow", options->follow,
-        "the pictures are of one drive along the way, in order: places that go on along it confirm "
-        "each other");
+    verb->add_flag("--follow", options->follow,
+                   "the images are of one drive along the path, in order: places that go on along it confirm "
+                   "each other");
     verb->add_option("--taught", options->taught,
-                     "pictures of the taught places, or directories of them, in order along the way");
+                     "images of the taught places, or directories of them, in order along the path");
   }
   verb->add_flag("--force", options->force, "replace results that are there already");
   add_parameter_options(
@@ -49,7 +47,7 @@ void add_feature(CLI::App& detect, Work& work, const std::string& name, const st
 }  // namespace
 
 void add_detect_verb(CLI::App& app, Work& work) {
-  CLI::App* detect = app.add_subcommand("detect", "find features in pictures");
+  CLI::App* detect = app.add_subcommand("detect", "find features in images");
   detect->require_subcommand(1);
   detect->fallthrough();
   add_feature<Feature::kVerticals>(*detect, work, "verticals",
@@ -59,6 +57,5 @@ void add_detect_verb(CLI::App& app, Work& work) {
   add_feature<Feature::kStripes>(*detect, work, "stripes",
                                  "the marks of a horizontal laser plane, as polylines with their corners");
   add_feature<Feature::kRegion>(*detect, work, "region", "the floor in front of the vehicle, as a mask");
-  add_feature<Feature::kPlaces>(*detect, work, "places",
-                                "the taught places at which the pictures were taken");
+  add_feature<Feature::kPlaces>(*detect, work, "places", "the taught places at which the images were taken");
 }

@@ -13,7 +13,7 @@ void add_drive_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   auto options = std::make_shared<DriveOptions>();
   auto hands = std::make_shared<HandOptions>();
-  auto no_pictures = std::make_shared<bool>(false);
+  auto no_images = std::make_shared<bool>(false);
   verb->add_option("WORLD", options->world, "world file (YAML), or the name of a shipped one");
   verb->add_option("--vehicle", options->vehicle,
                    "vehicle file (YAML), or the name of a shipped one (default alv)");
@@ -24,11 +24,11 @@ void add_drive_verb(CLI::App& app, Work& work) {
   verb->add_flag("--force", options->force, "replace a session that is there already");
   add_hand_options(*verb, *hands);
   const LiveOption live(*verb);
-  verb->add_flag("--no-pictures", *no_pictures, "the cameras see nothing: faster");
+  verb->add_flag("--no-pictures", *no_images, "the cameras see nothing: faster");
   add_parameter_options(*verb, options->parameters, drive_parameters, work, [=, &app, &work] {
     if (options->world.empty()) throw CLI::RequiredError("WORLD");
     check_page_driver(*hands, live);
-    options->takes_pictures = !*no_pictures;
+    options->takes_images = !*no_images;
     options->keys = key_operator(*hands, app.count("--quiet") > 0);
     work = live.around([options, hands](Console& console, const DriveOptions::KeyOperator& hand) {
       DriveOptions driven = *options;

@@ -31,11 +31,11 @@ void add_explore_verb(CLI::App& app, Work& work) {
           "where the vehicle is set down in the world: x,y,degrees (default: where the world says)")
       ->type_name("X,Y,DEG");
   verb->add_flag("--compare", options->compares, "drive by nearest frontier as well, and tell both ways");
-  add_seed(*verb, options->seed, "of all noise; the same seed gives the same trip (default 1)");
-  verb->add_option("--out", options->out, "directory for building.json, the pictures and report.html");
-  verb->add_option("--session", options->session, "directory to record the trip in, as a session");
+  add_seed(*verb, options->seed, "of all noise; the same seed gives the same run (default 1)");
+  verb->add_option("--out", options->out, "directory for building.json, the images and report.html");
+  verb->add_option("--session", options->session, "directory to record the run in, as a session");
   verb->add_option("--resume", options->resumed,
-                   "session of a trip that was interrupted: it goes on from where it stood");
+                   "session of a run that was interrupted: it goes on from where it stood");
   verb->add_flag("--force", options->force, "replace results that are there already");
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, explore_parameters, work, [=, &work] {

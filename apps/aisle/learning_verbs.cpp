@@ -28,9 +28,10 @@ void add_teach_verb(CLI::App& app, Work& work) {
   add_seed(*verb, options->drive.seed, "of all noise; the same seed gives the same session (default 1)");
   verb->add_option("--out", options->drive.out, "directory for the session");
   verb->add_flag("--force", options->drive.force, "replace a session that is there already");
-  add_choice<bool>(*verb, "--views", options->shows_view_pattern, {{"trail", false}, {"pattern", true}},
-                   "of a taught place (route): from the way to it (default), or from the 63 places about it, "
-                   "which a scripted person drives");
+  add_choice<bool>(
+      *verb, "--views", options->shows_view_pattern, {{"trail", false}, {"pattern", true}},
+      "of a taught place (route): from the path to it (default), or from the 63 places about it, "
+      "which a scripted person drives");
   add_hand_options(*verb, *hands);
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->drive.parameters, drive_parameters, work, [=, &app, &work] {
@@ -47,12 +48,12 @@ void add_teach_verb(CLI::App& app, Work& work) {
 }
 
 void add_learn_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("learn", "make a building of a trip that was taught");
+  CLI::App* verb = app.add_subcommand("learn", "make a building of a run that was taught");
   verb->fallthrough();
   auto options = std::make_shared<LearnOptions>();
   verb->add_option("SESSION", options->sessions, "the session's directory; sections: several of one way");
   verb->add_option("--method", options->method, "how it is learned: landmarks (default), sections or route");
-  verb->add_option("--out", options->out, "directory for building.json and its picture");
+  verb->add_option("--out", options->out, "directory for building.json and its image");
   verb->add_flag("--force", options->force, "replace results that are there already");
   add_parameter_options(*verb, options->parameters, learn_parameters, work, [=, &work] {
     if (options->sessions.empty()) throw CLI::RequiredError("SESSION");
@@ -72,7 +73,7 @@ void add_navigate_verb(CLI::App& app, Work& work) {
                    "scenario file (YAML) of what goes wrong, or the name of a shipped one");
   verb->add_option("--method", options->method, "how it was learned: landmarks (default), sections or route");
   verb->add_option("--route", options->route, "name of the route (default: the first)");
-  verb->add_flag("--reverse", options->in_reverse, "drive the route's way back");
+  verb->add_flag("--reverse", options->in_reverse, "drive the route's return path");
   verb->add_flag("--and-back", options->and_back, "sections: there, turned about, and home again");
   verb->add_option("--speed", options->speed_mps, "speed where nothing speaks against it [m/s]")
       ->check(CLI::Range(0.05, 5.0));
@@ -88,12 +89,12 @@ void add_navigate_verb(CLI::App& app, Work& work) {
 }
 
 void add_refine_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("refine", "make a learned building better by more trips");
+  CLI::App* verb = app.add_subcommand("refine", "make a learned building better by more runs");
   verb->fallthrough();
   auto options = std::make_shared<RefineOptions>();
   verb->add_option("BUILDING", options->building, "building file (JSON) that was learned");
-  verb->add_option("SESSION", options->sessions, "sessions of trips along its routes");
-  verb->add_option("--out", options->out, "directory for the refined building.json and its picture");
+  verb->add_option("SESSION", options->sessions, "sessions of runs along its routes");
+  verb->add_option("--out", options->out, "directory for the refined building.json and its image");
   verb->add_flag("--force", options->force, "replace results that are there already");
   add_parameter_options(*verb, options->parameters, refine_parameters, work, [=, &work] {
     if (options->building.empty()) throw CLI::RequiredError("BUILDING");

@@ -10,7 +10,7 @@ using namespace aisle;
 void add_live_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
       "live",
-      "a simulated vehicle that is watched and driven from a browser, and does what it is told there");
+      "a simulated vehicle that is watched and driven from a browser, and does what it is given there");
   verb->fallthrough();
   auto options = std::make_shared<LiveOptions>();
   auto out = std::make_shared<std::filesystem::path>();

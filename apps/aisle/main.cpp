@@ -14,7 +14,7 @@ namespace {
 
 enum ExitCode { kDone = 0, kMissionFailed = 1, kBadInput = 2, kInternalError = 3, kInterrupted = 130 };
 
-/// Pictures of 300 kB come and go between small things that stay. On pages of their own they are given back;
+/// Images of 300 kB come and go between small things that stay. On pages of their own they are given back;
 /// in the heap each would leave a hole too small for the next.
 constexpr int kOwnPages_bytes = 128 * 1024;
 

@@ -40,7 +40,7 @@ void add_map_verb(CLI::App& app, Work& work) {
   add_choice<MapRules>(*verb, "--rules", options->rules,
                        {{"published", MapRules::kPublished}, {"refined", MapRules::kRefined}},
                        "published: Algorithms 2 and 3 of C99 alone; default refined");
-  verb->add_option("--out", options->out, "directory for the map, the pictures and the trajectory");
+  verb->add_option("--out", options->out, "directory for the map, the images and the trajectory");
   verb->add_flag("--force", options->force, "replace results that are there already");
   add_choice<LengthUnit>(*verb, "--units", options->reading.unit,
                          {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}},

@@ -93,8 +93,8 @@ void add_explore(CLI::App& maze, Work& work) {
   verb->add_option("--speed", *frames_per_s, "of --watch, moves per second (default 20)")
       ->check(CLI::Range(0.1, 1e4));
   verb->add_option("--svg", options->svg, "draw the run and the learned map");
-  verb->add_option("--gif", options->gif, "the same as a moving picture");
-  verb->add_flag("--force", options->force, "replace pictures that are there already");
+  verb->add_option("--gif", options->gif, "the same as a moving image");
+  verb->add_flag("--force", options->force, "replace images that are there already");
   verb->callback([=, &work] {
     if (options->files.empty()) throw CLI::RequiredError("FILE");
     if (*watch) options->watch = watching_terminal(*frames_per_s);

@@ -16,7 +16,7 @@ void add_reproduce_verb(CLI::App& app, Work& work) {
       "laser markers and one camera; l03: a corridor learned from one drive by sections, driven there\n"
       "and back");
   verb->add_option("--seed", options->seed, "of everything that is left to chance (default 1)");
-  verb->add_option("--out", options->out, "directory for the pictures and the learned building");
+  verb->add_option("--out", options->out, "directory for the images and the learned building");
   verb->add_flag("--force", options->force, "replace results that are already there");
   add_parameter_options(*verb, options->parameters, reproduce_parameters, work, [=, &work] {
     if (options->experiment.empty()) throw CLI::RequiredError("EXPERIMENT");

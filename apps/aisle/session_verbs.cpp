@@ -38,8 +38,8 @@ void add_cut_verb(CLI::App& app, Work& work) {
 }
 
 void add_replay_verb(CLI::App& app, Work& work) {
-  CLI::App* verb =
-      app.add_subcommand("replay", "decide anew on what a session recorded; every decision must be the same");
+  CLI::App* verb = app.add_subcommand(
+      "replay", "decide again on what a session recorded; every decision must be the same");
   verb->fallthrough();
   auto options = std::make_shared<SessionReplayOptions>();
   verb->add_option("SESSION", options->session, kSessionMeaning)->required();

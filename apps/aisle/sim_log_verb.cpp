@@ -7,7 +7,7 @@
 using namespace aisle;
 
 void add_sim_log_verb(CLI::App& sim, Work& work) {
-  CLI::App* verb = sim.add_subcommand("log", "record a laser log on a simulated trip along a world's tour");
+  CLI::App* verb = sim.add_subcommand("log", "record a laser log on a simulated run along a world's tour");
   verb->fallthrough();
   auto options = std::make_shared<SimulateLogOptions>();
   verb->add_option("WORLD", options->world, "world file (YAML) with a tour, or the name of a shipped one");

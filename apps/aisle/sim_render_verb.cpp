@@ -10,7 +10,7 @@
 using namespace aisle;
 
 void add_sim_render_verb(CLI::App& sim, Work& work) {
-  CLI::App* verb = sim.add_subcommand("render", "take the picture that a vehicle's camera sees at a place");
+  CLI::App* verb = sim.add_subcommand("render", "take the image that a vehicle's camera sees at a place");
   verb->fallthrough();
   auto options = std::make_shared<RenderViewOptions>();
   verb->add_option("WORLD", options->world, "world file (YAML), or the name of a shipped one");
@@ -28,8 +28,8 @@ void add_sim_render_verb(CLI::App& sim, Work& work) {
   verb->add_flag("--lamps-off", options->lamps_off, "only the light that comes from everywhere");
   verb->add_flag("--laser", options->laser, "the laser markers are on");
   add_seed(*verb, options->seed, "of noise (default 1)");
-  verb->add_option("-o,--output", options->out, "the picture, .png or .jpg")->type_name("FILE");
-  verb->add_flag("--force", options->force, "replace a picture that is there already");
+  verb->add_option("-o,--output", options->out, "the image, .png or .jpg")->type_name("FILE");
+  verb->add_flag("--force", options->force, "replace an image that is there already");
   add_parameter_options(*verb, options->parameters, render_view_parameters, work, [options, &work] {
     if (options->world.empty()) throw CLI::RequiredError("WORLD");
     if (options->out.empty()) throw CLI::RequiredError("-o");

@@ -12,7 +12,7 @@ void add_sim_show_verb(CLI::App& sim, Work& work) {
   verb->add_option("WORLD", options->world, "world file (YAML), or the name of a shipped one")->required();
   verb->add_option("--svg", options->svg, "draw the plan as SVG")->type_name("FILE");
   verb->add_option("--png", options->png, "draw the plan as PNG")->type_name("FILE");
-  verb->add_flag("--force", options->force, "replace pictures that are there already");
+  verb->add_flag("--force", options->force, "replace images that are there already");
   verb->callback(
       [options, &work] { work = [options](Console& console) { return run_show_world(*options, console); }; });
 }

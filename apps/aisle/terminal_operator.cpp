@@ -44,7 +44,7 @@ TerminalOperator::TerminalOperator(const KeySpeeds& speeds, bool is_differential
   if (!shows_status_) return;
   fmt::print(stderr,
              "arrows drive, q stops, space ends; d NUMBER Enter: a turning begins, e: it ends, p NAME Enter: "
-             "a place, x: the way ends here\n");
+             "a place, x: the path ends here\n");
 }
 
 TerminalOperator::~TerminalOperator() {

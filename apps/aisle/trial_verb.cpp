@@ -55,9 +55,9 @@ void add_trial_verb(CLI::App& app, Work& work) {
   add_choice<ParkingStrategy>(*verb, "--strategy", options->strategy, parking_choices<ParkingStrategy>(),
                               "park: how the routes end (default frame)");
   verb->add_option("--teachings", options->teachings,
-                   "sections: times that the way is shown before it is driven alone (default 1)")
+                   "sections: times that the path is shown before it is driven alone (default 1)")
       ->check(CLI::Range(1, 20));
-  verb->add_option("--refinements", options->refinements, "trips after the first, each taken in (default 0)")
+  verb->add_option("--refinements", options->refinements, "runs after the first, each taken in (default 0)")
       ->check(CLI::Range(0, 100));
   verb->add_option("--speed", options->speed_mps, "speed where nothing speaks against it [m/s]")
       ->check(CLI::Range(0.05, 5.0));
@@ -69,9 +69,9 @@ void add_trial_verb(CLI::App& app, Work& work) {
                    "explore: how much worse the odometry is (default 1)")
       ->check(CLI::Range(0.0, 20.0));
   verb->add_option("--lift", options->lift_m,
-                   "landmarks: somewhere on its way the vehicle is lifted and put so far on or back [m]")
+                   "landmarks: somewhere on its path the vehicle is lifted and put so far on or back [m]")
       ->check(CLI::Range(0.5, 100.0));
-  verb->add_flag("--reverse", options->in_reverse, "drive the routes' ways back; park: back into the frame");
+  verb->add_flag("--reverse", options->in_reverse, "drive the routes' paths back; park: back into the frame");
   verb->add_flag("--close", options->close,
                  "turnings: two that are too close for the vehicle, which backs between them");
   add_parameter_options(*verb, options->parameters, trial_parameters, work, [=, &work] {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/formats/images/image_file.hpp"
 #include "aisle/vision/floor/base_lines.hpp"
 #include "real_data.hpp"
 
@@ -14,11 +14,11 @@ namespace {
 
 /// Labelled by hand in the data: where the floor meets a wall, near and far [px].
 struct Labelled {
-  const char* picture;
+  const char* image;
   bool right;
   Vec2 far_px, near_px;
 
-  friend void PrintTo(const Labelled& labelled, std::ostream* out) { *out << labelled.picture; }
+  friend void PrintTo(const Labelled& labelled, std::ostream* out) { *out << labelled.image; }
 };
 
 double distance_px(const BaseLine& line, const Vec2& p) {
@@ -29,9 +29,9 @@ double distance_px(const BaseLine& line, const Vec2& p) {
 class RealBaseLines : public testing::TestWithParam<Labelled> {};
 
 TEST_P(RealBaseLines, LieWithinFourPixelsOfTheLabelsOfTheFloor) {
-  const auto file = real_data() / "images" / "hedau_layout" / GetParam().picture;
+  const auto file = real_data() / "images" / "hedau_layout" / GetParam().image;
   AISLE_NEEDS(file);
-  const Image grey = to_grey(read_picture(file).value());
+  const Image grey = to_grey(read_image(file).value());
   const auto verticals = VerticalLineDetector().detect(grey);
   const BaseLines lines = BaseLineDetector().detect(grey, verticals);
   const auto& line = GetParam().right ? lines.right : lines.left;
@@ -44,7 +44,7 @@ TEST_P(RealBaseLines, LieWithinFourPixelsOfTheLabelsOfTheFloor) {
 
 /// A right base line marked by hand: where it is seen, from far to near.
 struct MarkedLine {
-  std::string picture;  ///< beneath the images of the data
+  std::string image;  ///< beneath the images of the data
   std::vector<Vec2> points_px;
 
   /// Mean distance of points spread evenly along it from a line.
@@ -69,18 +69,18 @@ std::vector<MarkedLine> marked_lines() {
   for (std::string text; std::getline(file, text);) {
     std::istringstream words(text);
     MarkedLine& line = lines.emplace_back();
-    words >> line.picture;
+    words >> line.image;
     for (double u = 0, v = 0; words >> u >> v;) line.points_px.emplace_back(u, v);
   }
   return lines;
 }
 
-TEST(RealPictures, RightBaseLinesAreNearThoseMarkedByHand) {
+TEST(RealImages, RightBaseLinesAreNearThoseMarkedByHand) {
   AISLE_NEEDS(real_data() / "images" / "office_corridor_walkable");
   const auto marked = marked_lines();
   std::vector<double> offs_px;
   for (const MarkedLine& line : marked) {
-    const Image grey = to_grey(read_picture(real_data() / "images" / line.picture).value());
+    const Image grey = to_grey(read_image(real_data() / "images" / line.image).value());
     const auto found = BaseLineDetector().detect(grey, VerticalLineDetector().detect(grey)).right;
     if (found) offs_px.push_back(line.off_px(*found) * 640 / grey.width_px);
   }

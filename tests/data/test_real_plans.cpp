@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "aisle/core/progress.hpp"
+#include "aisle/formats/images/plan_image.hpp"
 #include "aisle/formats/mazes/maze_file.hpp"
-#include "aisle/formats/pictures/plan_picture.hpp"
 #include "aisle/formats/worlds/world_yaml.hpp"
 #include "aisle/simulation/buildings/maze_building.hpp"
+#include "aisle/simulation/paths/round_trip.hpp"
 #include "aisle/simulation/plans/free_sides.hpp"
 #include "aisle/simulation/plans/plan_tracing.hpp"
-#include "aisle/simulation/ways/round_trip.hpp"
 #include "driven_tour.hpp"
 #include "plan_raster.hpp"
 #include "real_data.hpp"
@@ -42,10 +42,10 @@ World written(const World& world) {
 /// Gives the world a start and a tour and checks them.
 void expect_drivable(World world) {
   SilentProgress silent;
-  const auto trip = plan_round_trip(world, {}, silent);
-  ASSERT_TRUE(trip.has_value()) << world.name;
-  world.tour = trip->tour;
-  world.start = trip->T_world_start;
+  const auto run = plan_round_trip(world, {}, silent);
+  ASSERT_TRUE(run.has_value()) << world.name;
+  world.tour = run->tour;
+  world.start = run->T_world_start;
   const ClearanceGrid grid(obstacles_below(world, 2), 0.05);
   EXPECT_GE(grid.clearance_m(world.start->position()), 0.3) << world.name;
   double tour_m = 0;
@@ -77,13 +77,13 @@ TEST_P(RealPlans, AreTracedWithoutLosingFloorAndCanBeDriven) {
   const fs::path folder = real_data() / GetParam().path;
   AISLE_NEEDS(folder);
   for (const fs::path& file : files_in(folder)) {
-    auto plan = read_plan_picture(file, GetParam().cell_m);
+    auto plan = read_plan_image(file, GetParam().cell_m);
     ASSERT_TRUE(plan.ok()) << file;
     clean_plan(*plan, 0.1);
     SilentProgress silent;
     World world{.name = file.stem().string()};
-    for (const Segment2& wall : trace_plan(*plan, {}, silent)) world.walls.push_back({.foot = wall});
-    const Agreement agrees = agreement(*plan, wall_feet(written(world)));
+    for (const Segment2& wall : trace_plan(*plan, {}, silent)) world.walls.push_back({.floor_point = wall});
+    const Agreement agrees = agreement(*plan, wall_floor_edges(written(world)));
     EXPECT_GE(agrees.all, 0.99) << file;
     EXPECT_GE(agrees.away_from_borders, 0.999) << file;
     expect_drivable(world);
@@ -96,8 +96,8 @@ TEST(RealSegments, FloorsOfWallSegmentsCanBeDriven) {
   for (const fs::path& file : files_in(folder)) {
     auto world = read_wall_segments(file);
     ASSERT_TRUE(world.ok()) << file;
-    const std::vector<Segment2> feet = with_free_sides_left(wall_feet(*world));
-    for (std::size_t i = 0; i < feet.size(); ++i) world->walls[i].foot = feet[i];
+    const std::vector<Segment2> floor_points = with_free_sides_left(wall_floor_edges(*world));
+    for (std::size_t i = 0; i < floor_points.size(); ++i) world->walls[i].floor_point = floor_points[i];
     EXPECT_EQ(written(*world).walls.size(), world->walls.size()) << file;
     expect_drivable(*world);
   }

@@ -1,4 +1,4 @@
-#include "aisle/formats/pictures/map_server.hpp"
+#include "aisle/formats/images/map_server.hpp"
 #include "fuzz_input.hpp"
 
 using namespace aisle;

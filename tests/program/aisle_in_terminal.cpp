@@ -18,7 +18,7 @@ namespace aisle {
 namespace {
 
 /// A whole status line every tenth of a second is usual; nothing for so long means that none comes any more.
-constexpr int kPatience_ms = 20'000;
+constexpr int kTimeout_ms = 20'000;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void AisleInTerminal::type(std::string_view keys) const {
 std::string AisleInTerminal::next_words() const {
   constexpr int kLook_ms = 50;
   pollfd words{keyboard_, POLLIN, 0};
-  for (int waited_ms = 0; waited_ms < kPatience_ms; waited_ms += kLook_ms) {
+  for (int waited_ms = 0; waited_ms < kTimeout_ms; waited_ms += kLook_ms) {
     if (poll(&words, 1, kLook_ms) > 0) {
       std::array<char, 4096> chunk{};
       const ssize_t count = read(keyboard_, chunk.data(), chunk.size());

@@ -4,7 +4,7 @@
 
 namespace aisle {
 
-/// A workplace with the keys of a drive of three seconds, and ways to drive them.
+/// A workplace with the keys of a drive of three seconds, and paths to drive them.
 class WorkplaceWithKeys : public Workplace {
  protected:
   void SetUp() override { file("keys.txt", "0-2 up\n1 place lobby\n2-2.5 left\n"); }
@@ -18,7 +18,7 @@ class WorkplaceWithKeys : public Workplace {
   }
 };
 
-/// A workplace with the session of that drive, without pictures.
+/// A workplace with the session of that drive, without images.
 class WorkplaceWithSession : public WorkplaceWithKeys {
  protected:
   void SetUp() override {

@@ -52,7 +52,7 @@ TEST_F(BadInput, BinaryDataIsRefused) {
   EXPECT_THAT(map(file("binary.log", bytes)), IsRefused("is binary data"));
 }
 
-TEST_F(BadInput, ThePictureOfAMapIsRefused) {
+TEST_F(BadInput, TheImageOfAMapIsRefused) {
   ASSERT_EQ(run_aisle({"map", log(), "--out", at("before")}).exit_code, 0);
   EXPECT_THAT(map(at("before/map.png")), IsRefused(at("before/map.png")));
 }

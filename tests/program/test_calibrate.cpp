@@ -19,16 +19,16 @@ const std::string kMounted =
 constexpr const char* kMarks =
     "445 490 2 -0.5\n195 490 2 0.5\n445 365 4 -1\n195 365 4 1\n320 406.6666667 3 0\n520 440 2.5 -1\n";
 
-std::string grey_picture(int width, int height) {
+std::string grey_image(int width, int height) {
   return "P5 " + std::to_string(width) + " " + std::to_string(height) + " 255\n" +
          std::string(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), '\x80');
 }
 
-/// A grey picture of a wall with the laser's stripe in row `row`.
-std::string striped_picture(std::size_t row) {
-  std::string picture = grey_picture(640, 480);
-  picture.replace(picture.size() - (480 - row) * 640, 640, std::string(640, '\xff'));
-  return picture;
+/// A grey image of a wall with the laser's stripe in row `row`.
+std::string striped_image(std::size_t row) {
+  std::string image = grey_image(640, 480);
+  image.replace(image.size() - (480 - row) * 640, 640, std::string(640, '\xff'));
+  return image;
 }
 
 class Calibrate : public Workplace {};
@@ -52,9 +52,9 @@ TEST_F(Calibrate, MarksOnTheFloorGiveTheMountAndFilesThatAreReadAgain) {
 
 TEST_F(Calibrate, AStripeOnAWallGivesTheLasersHeight) {
   // Row 415 at 2 m: 1 - 2 * (415 - 240) / 500 = 0.3 m.
-  const std::string camera = file("camera.yaml", kMounted), picture = file("wall.pgm", striped_picture(415));
+  const std::string camera = file("camera.yaml", kMounted), image = file("wall.pgm", striped_image(415));
   const ProgramRun run = run_aisle(
-      {"calibrate", "laser", picture, "--wall-at", "2", "--camera", camera, "--out", at("out"), "--json"});
+      {"calibrate", "laser", image, "--wall-at", "2", "--camera", camera, "--out", at("out"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   EXPECT_NEAR(run.json()["figures"]["laser_height_m"], 0.3, 1e-4);
   EXPECT_THAT(read_bytes(at("out/camera.yaml")), HasSubstr("laser_height_m: 0.3"));
@@ -70,39 +70,39 @@ TEST_F(Calibrate, MarksThatDoNotFitMakeAPoorResultAndExitCodeOne) {
   EXPECT_EQ(run.json()["figures"]["verdict"]["quality"], "poor");
 }
 
-TEST_F(Calibrate, CameraRefusesPicturesThatTellNothing) {
-  const std::string a = file("a.pgm", grey_picture(64, 48)), b = file("b.pgm", grey_picture(48, 64));
+TEST_F(Calibrate, CameraRefusesImagesThatTellNothing) {
+  const std::string a = file("a.pgm", grey_image(64, 48)), b = file("b.pgm", grey_image(48, 64));
   EXPECT_THAT(run_aisle({"calibrate", "camera", a, a, a, "--json", "--quiet"}),
-              IsRefused("a.pgm: the board with 9 x 6 inner corners is whole in 0 of 3 pictures"));
+              IsRefused("a.pgm: the board with 9 x 6 inner corners is whole in 0 of 3 images"));
   EXPECT_THAT(run_aisle({"calibrate", "camera", a, b, "--json"}), IsRefused("b.pgm: has 48 x 64 pixels"));
-  EXPECT_THAT(run_aisle({"calibrate", "camera", file("c.png", "no picture"), "--json"}),
-              IsRefused("c.png: is not a picture"));
+  EXPECT_THAT(run_aisle({"calibrate", "camera", file("c.png", "no image"), "--json"}),
+              IsRefused("c.png: is not an image"));
   EXPECT_THAT(run_aisle({"calibrate", "camera", a, "--board", "9by6", "--json"}), IsRefused("'9by6' is not"));
   EXPECT_THAT(run_aisle({"calibrate", "camera", a, "--square-m", "0", "--json"}), IsRefused("--square-m"));
 }
 
 TEST_F(Calibrate, FloorNamesWhatIsWrongWithMarksAndBoards) {
-  const std::string lens = file("lens.yaml", kLens), picture = file("a.pgm", grey_picture(640, 480));
+  const std::string lens = file("lens.yaml", kLens), image = file("a.pgm", grey_image(640, 480));
   const auto floor = [&](std::vector<std::string> more) {
     Arguments arguments = {"calibrate", "floor", "--camera", lens, "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_aisle(arguments);
   };
-  EXPECT_THAT(floor({}), IsRefused("--marks: neither pictures of a board nor a file of marks"));
+  EXPECT_THAT(floor({}), IsRefused("--marks: neither images of a board nor a file of marks"));
   EXPECT_THAT(floor({"--marks", file("m.txt", "1 2 3\n")}), IsRefused("m.txt:1: the line ends"));
   EXPECT_THAT(floor({"--marks", file("l.txt", "320 490 2 0\n320 365 4 0\n320 340 5 0\n320 323 6 0\n")}),
               IsRefused("l.txt: all points lie on one line"));
-  EXPECT_THAT(floor({picture}), IsRefused("--board-at: stands there 0 times for 1 pictures"));
-  EXPECT_THAT(floor({picture, "--board-at", "1,2"}), IsRefused("'1,2' is not x,y,degrees"));
-  EXPECT_THAT(floor({picture, "--board-at", "2,0,0"}), IsRefused("a.pgm: no whole board"));
-  EXPECT_THAT(floor({picture, "--board-at", "2,0,0", "--board", "8x6"}), IsRefused("turned half round"));
-  EXPECT_THAT(floor({file("small.pgm", grey_picture(64, 48)), "--board-at", "2,0,0"}),
+  EXPECT_THAT(floor({image}), IsRefused("--board-at: stands there 0 times for 1 images"));
+  EXPECT_THAT(floor({image, "--board-at", "1,2"}), IsRefused("'1,2' is not x,y,degrees"));
+  EXPECT_THAT(floor({image, "--board-at", "2,0,0"}), IsRefused("a.pgm: no whole board"));
+  EXPECT_THAT(floor({image, "--board-at", "2,0,0", "--board", "8x6"}), IsRefused("turned half round"));
+  EXPECT_THAT(floor({file("small.pgm", grey_image(64, 48)), "--board-at", "2,0,0"}),
               IsRefused("small.pgm: has 64 x 48 pixels; the calibration holds for 640 x 480"));
 }
 
 TEST_F(Calibrate, LaserNeedsAMountAndAStripe) {
   const std::string lens = file("lens.yaml", kLens), camera = file("camera.yaml", kMounted);
-  const std::string blank = file("a.pgm", grey_picture(640, 480));
+  const std::string blank = file("a.pgm", grey_image(640, 480));
   EXPECT_THAT(run_aisle({"calibrate", "laser", blank, "--wall-at", "2", "--camera", lens, "--json"}),
               IsRefused("lens.yaml: vehicle_mount: is missing"));
   EXPECT_THAT(run_aisle({"calibrate", "laser", blank, "--wall-at", "2", "--camera", camera, "--json"}),

@@ -12,7 +12,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// A dark grey wall with a bright stripe in row 20 over a brighter floor that begins in row 60, as PGM.
-std::string picture_file(int width = 120, int height = 90) {
+std::string image_file(int width = 120, int height = 90) {
   std::string bytes = "P5 " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
   for (int v = 0; v < height; ++v)
     bytes += std::string(static_cast<std::size_t>(width), static_cast<char>(v == 20  ? 250
@@ -35,8 +35,8 @@ std::pair<int, int> size_of_png(const std::string& path) {
 
 class Detect : public Workplace {};
 
-TEST_F(Detect, StripesAreListedForEachPictureWithItsNameAsGiven) {
-  const std::string a = file("a.pgm", picture_file()), b = file("b.pgm", picture_file());
+TEST_F(Detect, StripesAreListedForEachImageWithItsNameAsGiven) {
+  const std::string a = file("a.pgm", image_file()), b = file("b.pgm", image_file());
   const ProgramRun run = run_aisle({"detect", "stripes", a, b, "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto images = run.json()["figures"]["images"];
@@ -50,8 +50,8 @@ TEST_F(Detect, StripesAreListedForEachPictureWithItsNameAsGiven) {
   EXPECT_EQ(stripe["corners"], (nlohmann::json{{0.0, 20.0}, {119.0, 20.0}}));
 }
 
-TEST_F(Detect, TheRegionIsAMaskBesideItsOverlayBothAsLargeAsThePicture) {
-  const std::string a = file("a.pgm", picture_file());
+TEST_F(Detect, TheRegionIsAMaskBesideItsOverlayBothAsLargeAsTheImage) {
+  const std::string a = file("a.pgm", image_file());
   const ProgramRun run = run_aisle({"detect", "region", a, "--overlay", at("out"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto image = run.json()["figures"]["images"][0];
@@ -63,7 +63,7 @@ TEST_F(Detect, TheRegionIsAMaskBesideItsOverlayBothAsLargeAsThePicture) {
 }
 
 TEST_F(Detect, VerticalLinesAndBaseLinesHaveTheirKeys) {
-  const std::string a = file("a.pgm", picture_file());
+  const std::string a = file("a.pgm", image_file());
   const ProgramRun verticals = run_aisle({"detect", "verticals", a, "--overlay", at("out"), "--json"});
   ASSERT_EQ(verticals.exit_code, 0) << verticals.err;
   EXPECT_TRUE(verticals.json()["figures"]["images"][0]["verticals"].is_array());
@@ -88,7 +88,7 @@ TEST_F(Detect, ADoorsEdgesAreVerticalLines) {
 }
 
 /// A corridor's end of three tones whose lines are at these columns, as PGM.
-std::string picture_with_lines(int first, int second, int third) {
+std::string image_with_lines(int first, int second, int third) {
   std::string bytes = "P5 320 240 255\n";
   for (int v = 0; v < 240; ++v) {
     for (int u = 0; u < 320; ++u) {
@@ -99,8 +99,8 @@ std::string picture_with_lines(int first, int second, int third) {
 }
 
 TEST_F(Detect, FollowedLinesKeepTheirNumbersWhileTheCameraComesNearer) {
-  const std::string far = file("far.pgm", picture_with_lines(120, 140, 210));
-  const std::string near = file("near.pgm", picture_with_lines(100, 128, 240));
+  const std::string far = file("far.pgm", image_with_lines(120, 140, 210));
+  const std::string near = file("near.pgm", image_with_lines(100, 128, 240));
   const ProgramRun run =
       run_aisle({"detect", "verticals", "--follow", far, near, "--overlay", at("out"), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -115,8 +115,8 @@ TEST_F(Detect, FollowedLinesKeepTheirNumbersWhileTheCameraComesNearer) {
   EXPECT_EQ(size_of_png(at("out/followed.png")), std::pair(2 * 320 + 6, 240));
 }
 
-TEST_F(Detect, ACamerasCalibrationMustBeOneAndFitThePicture) {
-  const std::string a = file("a.pgm", picture_file());
+TEST_F(Detect, ACamerasCalibrationMustBeOneAndFitTheImage) {
+  const std::string a = file("a.pgm", image_file());
   const std::string calibration = file("camera.yaml",
                                        "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\n"
                                        "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
@@ -125,48 +125,48 @@ TEST_F(Detect, ACamerasCalibrationMustBeOneAndFitThePicture) {
                                        "   dt: d\n   data: [0., 0., 0., 0., 0.]\n");
   EXPECT_THAT(run_aisle({"detect", "verticals", a, "--camera", calibration, "--json"}),
               IsRefused("a.pgm: has 120 x 90 pixels; the camera's calibration holds for 640 x 480"));
-  const std::string large = file("large.pgm", picture_file(640, 480));
+  const std::string large = file("large.pgm", image_file(640, 480));
   EXPECT_EQ(run_aisle({"detect", "verticals", large, "--camera", calibration}).exit_code, 0);
   EXPECT_THAT(run_aisle({"detect", "verticals", a, "--camera", at("absent.yaml"), "--json"}),
               IsRefused("absent.yaml"));
 }
 
 TEST_F(Detect, WithoutADirectoryThereIsNoMask) {
-  const ProgramRun run = run_aisle({"detect", "region", file("a.pgm", picture_file()), "--json"});
+  const ProgramRun run = run_aisle({"detect", "region", file("a.pgm", image_file()), "--json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(run.json()["figures"]["images"][0]["region_mask"].is_null());
   EXPECT_THAT(run.json()["files"], IsEmpty());
 }
 
-TEST_F(Detect, PicturesOfTheSameNameDoNotOverwriteEachOther) {
+TEST_F(Detect, ImagesOfTheSameNameDoNotOverwriteEachOther) {
   std::filesystem::create_directory(at("left"));
   std::filesystem::create_directory(at("right"));
-  const std::string a = file("left/1.pgm", picture_file()), b = file("right/1.pgm", picture_file(60, 90));
+  const std::string a = file("left/1.pgm", image_file()), b = file("right/1.pgm", image_file(60, 90));
   ASSERT_EQ(run_aisle({"detect", "stripes", a, b, "--overlay", at("out")}).exit_code, 0);
   EXPECT_THAT(names_in(at("out")), ElementsAre("1-2.overlay.png", "1.overlay.png"));
   EXPECT_EQ(size_of_png(at("out/1.overlay.png")), std::pair(120, 90));
   EXPECT_EQ(size_of_png(at("out/1-2.overlay.png")), std::pair(60, 90));
 }
 
-TEST_F(Detect, OneBadPictureAmongManyIsNamedAndNothingIsWritten) {
-  const std::string good = file("good.pgm", picture_file());
-  const std::string bad = file("bad.png", "no picture");
+TEST_F(Detect, OneBadImageAmongManyIsNamedAndNothingIsWritten) {
+  const std::string good = file("good.pgm", image_file());
+  const std::string bad = file("bad.png", "no image");
   EXPECT_THAT(run_aisle({"detect", "region", good, bad, good, "--overlay", at("out"), "--json"}),
-              IsRefused("bad.png: is not a picture"));
+              IsRefused("bad.png: is not an image"));
   EXPECT_THAT(run_aisle({"detect", "region", good, at("absent.png"), "--overlay", at("out"), "--json"}),
               IsRefused("absent.png: no such file"));
   EXPECT_FALSE(std::filesystem::exists(at("out")));
 }
 
 TEST_F(Detect, ResultsAreReplacedOnlyByForce) {
-  const std::string a = file("a.pgm", picture_file());
+  const std::string a = file("a.pgm", image_file());
   ASSERT_EQ(run_aisle({"detect", "stripes", a, "--overlay", at("out")}).exit_code, 0);
   EXPECT_THAT(run_aisle({"detect", "stripes", a, "--overlay", at("out"), "--json"}), IsRefused("--force"));
   EXPECT_EQ(run_aisle({"detect", "stripes", a, "--overlay", at("out"), "--force"}).exit_code, 0);
 }
 
 TEST_F(Detect, MistakesAreRefusedInOneLine) {
-  const std::string a = file("a.pgm", picture_file());
+  const std::string a = file("a.pgm", image_file());
   EXPECT_THAT(run_aisle({"detect", "--json"}), IsRefused("A subcommand is required"));
   EXPECT_THAT(run_aisle({"detect", "stripes", "--json"}), IsRefused("IMAGE is required"));
   EXPECT_THAT(run_aisle({"detect", "stripes", a, "--overlay", "", "--json"}), IsRefused("--overlay"));
@@ -176,9 +176,9 @@ TEST_F(Detect, MistakesAreRefusedInOneLine) {
               IsRefused("stripes.corner_px"));
 }
 
-TEST_F(Detect, PeopleReadALineForEachPicture) {
-  const ProgramRun run = run_aisle({"detect", "region", file("a.pgm", picture_file())});
-  EXPECT_THAT(run.out, HasSubstr("a.pgm: route on 33.3 % of the picture"));
+TEST_F(Detect, PeopleReadALineForEachImage) {
+  const ProgramRun run = run_aisle({"detect", "region", file("a.pgm", image_file())});
+  EXPECT_THAT(run.out, HasSubstr("a.pgm: route on 33.3 % of the image"));
 }
 
 /// A wall with a dark door from one column to another, as PGM.
@@ -196,7 +196,7 @@ TEST_F(Detect, TaughtPlacesAreKnownAgainInOtherLight) {
   std::filesystem::create_directory(at("lap"));
   file("lap/2.pgm", door_file(30, 90, 180));
   file("lap/10.pgm", door_file(200, 290, 180));
-  file("lap/notes.txt", "no picture");
+  file("lap/notes.txt", "no image");
   const std::string extra = file("extra.pgm", door_file(150, 170, 180));
   const std::string late = file("late.pgm", door_file(30, 90, 140)),
                     bare = file("bare.pgm", door_file(0, 0, 140));
@@ -227,14 +227,14 @@ TEST_F(Detect, PlacesOfOneDriveConfirmEachOther) {
   for (const auto& image : together) EXPECT_EQ(image["place"], image["file"]);
 }
 
-TEST_F(Detect, PlacesWithoutTaughtPicturesAreRefused) {
-  const std::string picture = file("a.pgm", picture_file());
-  EXPECT_THAT(run_aisle({"detect", "places", picture}).err, HasSubstr("--taught"));
+TEST_F(Detect, PlacesWithoutTaughtImagesAreRefused) {
+  const std::string image = file("a.pgm", image_file());
+  EXPECT_THAT(run_aisle({"detect", "places", image}).err, HasSubstr("--taught"));
   std::filesystem::create_directory(at("empty"));
-  const ProgramRun run = run_aisle(
-      {"detect", "places", picture, "--taught", at("empty"), at("none.png"), "--overlay", at("out")});
+  const ProgramRun run =
+      run_aisle({"detect", "places", image, "--taught", at("empty"), at("none.png"), "--overlay", at("out")});
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.err, HasSubstr("has no pictures"));
+  EXPECT_THAT(run.err, HasSubstr("has no images"));
   EXPECT_THAT(run.err, HasSubstr("none.png")) << "all that is wrong at once";
   EXPECT_FALSE(std::filesystem::exists(at("out")));
 }

@@ -62,20 +62,20 @@ TEST_F(DriveByKeys, TheSameSeedGivesTheSameBytesWithOneThreadAndWithMany) {
 }
 
 TEST_F(DriveByKeys, NamesWhatIsNotThere) {
-  const auto without_pictures = [](Arguments arguments) {
+  const auto without_images = [](Arguments arguments) {
     arguments.insert(arguments.end(), {"--no-pictures", "--json"});
     return run_aisle(arguments);
   };
-  EXPECT_THAT(without_pictures({"drive"}), IsRefused("WORLD"));
-  EXPECT_THAT(without_pictures({"drive", at("no.yaml")}), IsRefused("no.yaml: no such file"));
-  EXPECT_THAT(without_pictures({"drive", "l-corridor", "--vehicle", "cab"}), IsRefused("cab: no such file"));
-  EXPECT_THAT(without_pictures({"drive", "l-corridor", "--scenario", "flood"}),
+  EXPECT_THAT(without_images({"drive"}), IsRefused("WORLD"));
+  EXPECT_THAT(without_images({"drive", at("no.yaml")}), IsRefused("no.yaml: no such file"));
+  EXPECT_THAT(without_images({"drive", "l-corridor", "--vehicle", "cab"}), IsRefused("cab: no such file"));
+  EXPECT_THAT(without_images({"drive", "l-corridor", "--scenario", "flood"}),
               IsRefused("flood: no such file, nor one of the shipped scenarios: blocked-corridor, "));
-  EXPECT_THAT(without_pictures({"drive", "l-corridor", "--keys", at("none.txt")}), IsRefused("none.txt: "));
-  EXPECT_THAT(without_pictures({"drive", "l-corridor", "--keys", file("bad.txt", "0-1 up\n2 jump\n")}),
+  EXPECT_THAT(without_images({"drive", "l-corridor", "--keys", at("none.txt")}), IsRefused("none.txt: "));
+  EXPECT_THAT(without_images({"drive", "l-corridor", "--keys", file("bad.txt", "0-1 up\n2 jump\n")}),
               IsRefused("bad.txt:2: "));
-  EXPECT_THAT(without_pictures({"drive", "l-corridor", "--seed", "-1"}), IsRefused("--seed"));
-  EXPECT_THAT(without_pictures({"drive", "l-corridor", "--set", "limits.speed_max_mps=fast"}),
+  EXPECT_THAT(without_images({"drive", "l-corridor", "--seed", "-1"}), IsRefused("--seed"));
+  EXPECT_THAT(without_images({"drive", "l-corridor", "--set", "limits.speed_max_mps=fast"}),
               IsRefused("limits.speed_max_mps"));
 }
 
@@ -89,7 +89,7 @@ TEST_F(DriveByKeys, NamesWhatDoesNotGoTogether) {
        "format: aisle.world\nversion: 1\nwalls: [[[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]]\n"
        "start: {at: [5, 5]}\n");
   EXPECT_THAT(run_aisle({"drive", at("no-tour.yaml"), "--operator", "scripted", "--json"}),
-              IsRefused("no-tour.yaml: tour: needs at least two way points"));
+              IsRefused("no-tour.yaml: tour: needs at least two waypoint"));
   EXPECT_THAT(
       run_aisle({"drive", file("no-world.yaml", "format: aisle.vehicle\nversion: 1\nwalls: []\n"), "--json"}),
       IsRefused("no-world.yaml:1: format"));

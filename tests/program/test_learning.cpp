@@ -1,4 +1,4 @@
-/// The whole way of a route by landmarks: taught, learned, driven alone, refined.
+/// The whole path of a route by landmarks: taught, learned, driven alone, refined.
 
 #include <gmock/gmock.h>
 
@@ -46,9 +46,9 @@ TEST_F(Learning, ARouteIsTaughtOnceLearnedDrivenAloneReplayedAndRefined) {
               ElementsAre("building.json", "landmarks.svg", "trip.tum", "trip_truth.tum"));
 
   const std::string building = at("learned/building.json");
-  const auto trip = run({"navigate", building, "--world", "l-corridor", "--out", at("trip")});
-  EXPECT_TRUE(std::filesystem::exists(trip["files"]["driven_svg"].get<std::string>()));
-  const auto driven = trip["figures"];
+  const auto driven = run({"navigate", building, "--world", "l-corridor", "--out", at("trip")});
+  EXPECT_TRUE(std::filesystem::exists(driven["files"]["driven_svg"].get<std::string>()));
+  const auto driven = driven["figures"];
   EXPECT_EQ(driven["arrived"], true);
   EXPECT_EQ(driven["collisions"], 0);
   EXPECT_EQ(driven["lost_count"], 0);
@@ -87,7 +87,7 @@ TEST_F(Learning, ATrialIsAWholeMissionWithItsStatistics) {
   expect_precise(figures["runs"][0]["localisation"], figures["runs"][0]["tracking"]);
 }
 
-TEST_F(Learning, TheWayBackIsDrivenByWhatWasTaughtInOneDirection) {
+TEST_F(Learning, ThePathBackIsDrivenByWhatWasTaughtInOneDirection) {
   file("keys.txt", "0-14 up\n");
   run({"teach", "l-corridor", "--keys", at("keys.txt"), "--route", "main", "--out", at("taught")});
   run({"learn", at("taught"), "--out", at("learned")});

@@ -37,7 +37,7 @@ TEST_F(Map, JsonHasTheWordsThatOthersRelyOn) {
   EXPECT_EQ(keys, without_comments(read_bytes(kGolden / "program/map.keys.txt")));
 }
 
-TEST_F(Map, FiguresAreThoseOfTheSimulatedTrip) {
+TEST_F(Map, FiguresAreThoseOfTheSimulatedRun) {
   const auto result = run_aisle({"map", log(), "--relations", relations(), "--json"}).json();
   EXPECT_EQ(result["verb"], "map");
   EXPECT_EQ(result["ok"], true);

@@ -16,7 +16,7 @@ class OutputDirectory : public WorkplaceWithLog {};
 
 TEST_F(OutputDirectory, ResultsAreNotOverwrittenWithoutForce) {
   fs::create_directory(at("out"));
-  write_bytes(at("out/map.png"), "a picture of mine");
+  write_bytes(at("out/map.png"), "an image of mine");
   write_bytes(at("out/building.json"), "a building of mine");
   const ProgramRun run = run_aisle({"map", log(), "--out", at("out"), "--json"});
   EXPECT_EQ(run.exit_code, 2);
@@ -25,12 +25,12 @@ TEST_F(OutputDirectory, ResultsAreNotOverwrittenWithoutForce) {
   EXPECT_THAT(run.err, HasSubstr("--force"));
   EXPECT_THAT(run.json()["files"], IsEmpty());
   EXPECT_THAT(names_in(at("out")), ElementsAre("building.json", "map.png"));
-  EXPECT_EQ(read_bytes(at("out/map.png")), "a picture of mine");
+  EXPECT_EQ(read_bytes(at("out/map.png")), "an image of mine");
 }
 
 TEST_F(OutputDirectory, ForceReplacesResultsAndNothingElse) {
   fs::create_directory(at("out"));
-  write_bytes(at("out/map.svg"), "a picture of mine");
+  write_bytes(at("out/map.svg"), "an image of mine");
   write_bytes(at("out/notes.txt"), "notes of mine");
   EXPECT_EQ(run_aisle({"map", log(), "--out", at("out"), "--force"}).exit_code, 0);
   EXPECT_THAT(read_bytes(at("out/map.svg")), HasSubstr("<svg"));

@@ -1,4 +1,4 @@
-/// A way through a furnished room, shown once, learned, and parked at by the vehicle alone.
+/// A path through a furnished room, shown once, learned, and parked at by the vehicle alone.
 
 #include <gmock/gmock.h>
 
@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 using Rooms = Workplace;
 
-/// A short bright way between dark boxes, with a painted frame at its end.
+/// A short bright path between dark boxes, with a painted frame at its end.
 constexpr const char* kRoom = R"(format: aisle.world
 version: 1
 name: short room
@@ -40,7 +40,7 @@ nlohmann::json run_for_figures(const Arguments& arguments, int exit_code = 0) {
   return nlohmann::json::parse(run.out)["figures"];
 }
 
-TEST_F(Rooms, AWayThatWasShownOnceIsDrivenIntoItsFrame) {
+TEST_F(Rooms, APathThatWasShownOnceIsDrivenIntoItsFrame) {
   const std::string world = file("room.yaml", kRoom);
   run_for_figures({"teach", world, "--method", "route", "--route", "to the bay", "--operator", "scripted",
                    "--out", at("taught")});
@@ -71,8 +71,8 @@ TEST_F(Rooms, AWayThatWasShownOnceIsDrivenIntoItsFrame) {
   EXPECT_EQ(run_for_figures({"replay", at("backing")})["different"], 0);
 }
 
-TEST_F(Rooms, AWayThatCannotBeTaughtLeavesTheOthersOfATrial) {
-  const std::string away = "  - {name: to no bay, park: frame, way: [[5.85, 1.5], [3, 1.5]]}\n";
+TEST_F(Rooms, APathThatCannotBeTaughtLeavesTheOthersOfATrial) {
+  const std::string away = "  - {name: to no bay, park: frame, path: [[5.85, 1.5], [3, 1.5]]}\n";
   const auto trial = run_for_figures({"trial", "park", "--strategy", "frame", "--seeds", "1..3", "--world",
                                       file("room.yaml", kRoom + away)});
   EXPECT_EQ(trial["missions"], 1);
@@ -87,7 +87,7 @@ TEST_F(Rooms, AWayThatCannotBeTaughtLeavesTheOthersOfATrial) {
   }
 }
 
-TEST_F(Rooms, WithoutAnyLessonATrialIsNotWell) {
+TEST_F(Rooms, WithoutAnyTaughtRunATrialIsNotWell) {
   const std::string room = kRoom;
   const std::string no_frame =
       room.substr(0, room.find("parking_frames:")) + room.substr(room.find("start:"));
@@ -121,7 +121,7 @@ TEST_F(Rooms, WhatCannotBeDrivenIsRefused) {
   EXPECT_THAT(backwards.err, HasSubstr("does not end in a painted frame"));
   const ProgramRun corridor = run_aisle({"park", building, "corridor", "--world", world});
   EXPECT_EQ(corridor.exit_code, 2);
-  EXPECT_THAT(corridor.err, HasSubstr("was not taught as a way through a room"));
+  EXPECT_THAT(corridor.err, HasSubstr("was not taught as a path through a room"));
   EXPECT_EQ(run_aisle({"park", building, "nowhere", "--world", world}).exit_code, 2);
   EXPECT_EQ(run_aisle({"park", building, "way", "--world", world, "--vehicle", "mini"}).exit_code, 2);
   EXPECT_EQ(run_aisle({"park", building, "way", "--world", world, "--start", "1,2"}).exit_code, 2);

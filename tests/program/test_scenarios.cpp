@@ -38,13 +38,13 @@ TEST_F(Scenarios, APersonWhoCrossesIsWaitedFor) {
   EXPECT_GT(figures["duration_s"], usual["duration_s"]);
 }
 
-TEST_F(Scenarios, ALiftedVehicleGoesOnWhereItWasPutDown) {
+TEST_F(Scenarios, AKidnappedVehicleGoesOnWhereItWasPutDown) {
   const auto usual = drive("crossings", "laser-off").json()["figures"];
   const ProgramRun run = drive("crossings", "lifted");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const auto figures = run.json()["figures"];
   EXPECT_EQ(figures["collisions"], 0);
-  // The way from x = 7 m round the corner up to y = 6 m was not driven.
+  // The path from x = 7 m round the corner up to y = 6 m was not driven.
   EXPECT_NEAR(usual["distance_m"].get<double>() - figures["distance_m"].get<double>(), 21.1 - 7 + 6 - 1.1,
               1.5);
 }
@@ -54,7 +54,7 @@ TEST_F(Scenarios, PlacesMeanNothingInAnotherWorld) {
               IsRefused("lifted: world: it happens in the world 'crossings', this is 'l-corridor'"));
 }
 
-TEST_F(Scenarios, DroppedPicturesAreMissing) {
+TEST_F(Scenarios, DroppedImagesAreMissing) {
   file("keys.txt", "0-12.5 up\n");
   const ProgramRun run = run_aisle({"drive", "mini-corridor", "--vehicle", "mini", "--keys", at("keys.txt"),
                                     "--scenario", "camera-dropped", "--json"});

@@ -1,4 +1,4 @@
-/// A way taught once to the mini-vehicle, learned as sections, driven there and back.
+/// A path taught once to the mini-vehicle, learned as sections, driven there and back.
 
 #include <gmock/gmock.h>
 
@@ -21,7 +21,7 @@ nlohmann::json run_well(const Arguments& arguments) {
   return nlohmann::json::parse(run.out);
 }
 
-TEST_F(Sections, AWayThatWasDrivenOnceIsDrivenThereAndBack) {
+TEST_F(Sections, APathThatWasDrivenOnceIsDrivenThereAndBack) {
   run_well({"teach", "mini-corridor", "--method", "sections", "--route", "main", "--operator", "scripted",
             "--out", at("taught")});
   const auto learned = run_well({"learn", at("taught"), "--method", "sections", "--out", at("learned")});

@@ -59,13 +59,13 @@ TEST_F(Session, InfoTellsTopicsDurationAndOrigin) {
   EXPECT_EQ(figures["origin"]["navigator"], "hand");
   EXPECT_EQ(figures["origin"]["simulated"], true);
   EXPECT_EQ(figures["origin"]["vehicle"], "mini-vehicle");
-  int decisions = 0, pictures = 0;
+  int decisions = 0, images = 0;
   for (const auto& topic : figures["topics"]) {
     if (topic["name"] == "/decision") decisions = topic["messages"];
-    if (topic["name"] == "/camera/front/image_raw/compressed") pictures = topic["messages"];
+    if (topic["name"] == "/camera/front/image_raw/compressed") images = topic["messages"];
   }
   EXPECT_GE(decisions, 29);
-  EXPECT_EQ(pictures, decisions);
+  EXPECT_EQ(images, decisions);
   EXPECT_THAT(run_aisle({"info", session()}).out, AllOf(HasSubstr("/truth/pose"), HasSubstr("10.00 Hz")));
 }
 

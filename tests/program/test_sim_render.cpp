@@ -16,7 +16,7 @@ class SimRender : public Workplace {
   }
 };
 
-TEST_F(SimRender, TheSamePlaceAndSeedGiveTheSamePicture) {
+TEST_F(SimRender, TheSamePlaceAndSeedGiveTheSameImage) {
   const auto result = render({"--at", "2,1,90", "-o", at("a.png")}).json();
   EXPECT_EQ(result["figures"]["simulated"], true);
   EXPECT_EQ(result["figures"]["width_px"], 640);
@@ -27,7 +27,7 @@ TEST_F(SimRender, TheSamePlaceAndSeedGiveTheSamePicture) {
   EXPECT_FALSE(read_bytes(at("a.png")) == read_bytes(at("c.png")));
 }
 
-TEST_F(SimRender, RefusesToReplaceAPictureUnlessForced) {
+TEST_F(SimRender, RefusesToReplaceAImageUnlessForced) {
   render({"-o", at("a.png")});
   const ProgramRun refused = render({"-o", at("a.png")});
   EXPECT_EQ(refused.exit_code, 2);

@@ -72,7 +72,7 @@ TEST_F(Faults, NeitherSlipNorSteeringErrorsDriveTheVehicleAgainstAnything) {
   for (const char* scenario : {"slip-burst", "steering-bias"}) expect_arrival_or_a_reason(scenario);
 }
 
-TEST_F(Faults, ABlockedCorridorEndsTheMissionBeforeTheVehicleTouchesAnything) {
+TEST_F(Faults, ABlockedCorridorEndsTheMissionBeforeTheVehicleContactsAnything) {
   const ProgramRun run = drive("blocked-corridor", {"--out", at("trip")});
   EXPECT_EQ(run.exit_code, 1) << run.err;
   const auto figures = run.json()["figures"];

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "pose_matchers.hpp"
-#include "recorded_trips.hpp"
+#include "recorded_runs.hpp"
 
 namespace aisle {
 namespace {

@@ -1,4 +1,4 @@
-/// Calibrations from pictures that the simulator's camera took, noise and lens distortion included, against
+/// Calibrations from images that the simulator's camera took, noise and lens distortion included, against
 /// what the camera really is.
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ World room(double ahead_m = 6) {
   const Vec2 a(0, 0), b(2 + ahead_m, 0), c(2 + ahead_m, 6), d(0, 6);
   World world;
   for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}}) {
-    world.walls.push_back({.foot = {from, to}});
+    world.walls.push_back({.floor_point = {from, to}});
   }
   world.lamps = {{.centre = {2, 2}}, {.centre = {2.5, 4}}, {.centre = {5, 3}}};
   return world;
@@ -55,10 +55,10 @@ class RenderedCalibration : public testing::TestWithParam<Case> {
     return camera;
   }
 
-  Image picture(const World& world, std::uint64_t number, bool laser_on = false) const {
+  Image image(const World& world, std::uint64_t number, bool laser_on = false) const {
     CameraMoment moment;
     moment.T_world_vehicle = kStand;
-    moment.picture = number;
+    moment.image = number;
     moment.laser_on = laser_on;
     return CameraSensor(camera(), {}, 1).take(RenderedWorld(world), moment);
   }
@@ -99,7 +99,7 @@ TEST_P(RenderedCalibration, BoardsHeldBeforeTheCameraGiveItsTrueLens) {
   for (std::uint64_t number = 0; number < 10; ++number) {
     World world = room();
     world.boards = {held_board(random)};
-    if (auto corners = find_chessboard(picture(world, number), board)) {
+    if (auto corners = find_chessboard(image(world, number), board)) {
       views.push_back({std::to_string(number), std::move(*corners)});
     }
   }
@@ -128,7 +128,7 @@ TEST_P(RenderedCalibration, ABoardOnTheFloorGivesTheTrueMount) {
                    .yaw_rad = kPi + place.heading_rad,
                    .pitch_rad = kPi / 2,
                    .square_m = board.square_m}};
-  const auto corners = find_chessboard(picture(world, 1), board);
+  const auto corners = find_chessboard(image(world, 1), board);
   ASSERT_TRUE(corners);
   std::vector<FloorMark> marks;
   for (std::size_t i = 0; i < corners->size(); ++i) {
@@ -150,7 +150,7 @@ TEST_P(RenderedCalibration, StripesOnWallsGiveTheTrueLaserHeight) {
   std::vector<StripeView> views;
   for (const double ahead_m : {2.0, 2.5, 3.0}) {
     StripeView view{wall_ahead(ahead_m), {}};
-    for (const LaserStripe& stripe : find_laser_stripes(picture(room(ahead_m), 3, true))) {
+    for (const LaserStripe& stripe : find_laser_stripes(image(room(ahead_m), 3, true))) {
       view.points_px.insert(view.points_px.end(), stripe.points_px.begin(), stripe.points_px.end());
     }
     views.push_back(view);

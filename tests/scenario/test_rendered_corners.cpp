@@ -1,4 +1,4 @@
-/// The corner of the route between two close turnings, in pictures that the simulator's camera took.
+/// The corner of the route between two close turnings, in images that the simulator's camera took.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-/// Vertical lines and base lines of pictures that the simulator's camera took in a corridor with niches and
+/// Vertical lines and base lines of images that the simulator's camera took in a corridor with niches and
 /// doors, against where the projection puts the corners of the walls and the edges of the door frames.
 
 #include <gtest/gtest.h>
@@ -25,7 +25,8 @@ constexpr Niche kLeftNiches[] = {{4.0, 5.2}, {8.2, 9.4}};
 constexpr double kRightHinge_m = 5.2, kLeftHinge_m = 7.2;  // of the doors, where they begin and end
 
 void add_wall(World& world, const std::vector<Vec2>& points) {
-  for (std::size_t i = 1; i < points.size(); ++i) world.walls.push_back({.foot = {points[i - 1], points[i]}});
+  for (std::size_t i = 1; i < points.size(); ++i)
+    world.walls.push_back({.floor_point = {points[i - 1], points[i]}});
 }
 
 /// From x = 0 to 14 m, free side to the left of each face.
@@ -61,9 +62,9 @@ CameraDescription camera() {
   return camera;
 }
 
-/// A true vertical line of the building, in the picture.
+/// A true vertical line of the building, in the image.
 struct TrueLine {
-  Vec2 foot_px = Vec2::Zero();
+  Vec2 floor_point_px = Vec2::Zero();
   Vec2 middle_px = Vec2::Zero();
   bool is_corner = false;  ///< of the walls themselves, whose foot is a point
 };
@@ -77,12 +78,12 @@ std::vector<TrueLine> true_lines(const Pose2& T_world_vehicle) {
   };
   std::vector<TrueLine> lines;
   const auto add = [&](double x, double side, bool is_corner) {
-    const auto foot = pixel(x, side * kHalfWidth_m, 0), middle = pixel(x, side * kHalfWidth_m, 1);
-    if (!foot || !middle) return;
-    const bool is_seen = foot->x() > 8 && foot->x() < 631 && foot->y() < 470;
+    const auto floor_point = pixel(x, side * kHalfWidth_m, 0), middle = pixel(x, side * kHalfWidth_m, 1);
+    if (!floor_point || !middle) return;
+    const bool is_seen = floor_point->x() > 8 && floor_point->x() < 631 && floor_point->y() < 470;
     const bool is_near =
         (Vec2(x, side * kHalfWidth_m) - Vec2(T_world_vehicle.x, T_world_vehicle.y)).norm() < 7;
-    if (is_seen && is_near) lines.push_back({*foot, *middle, is_corner});
+    if (is_seen && is_near) lines.push_back({*floor_point, *middle, is_corner});
   };
   for (const Niche& niche : kRightNiches)
     for (const double x : {niche.from_m, niche.to_m}) add(x, -1, true);
@@ -114,7 +115,7 @@ std::vector<VerticalLine> found_lines(const Pose2& T_world_vehicle) {
 
 TEST(RenderedLines, NineInTenCornersAndFramesAreFoundAndCornersStandWithinFivePixels) {
   int known = 0, found = 0;
-  std::vector<double> feet_off_px;
+  std::vector<double> floor_points_off_px;
   for (const Pose2& T_world_vehicle :
        {Pose2{0.8, 0, 0}, Pose2{1.5, 0.2, 3 * kDegree}, Pose2{2.2, -0.2, -4 * kDegree}, Pose2{3, 0.1, 0}}) {
     const auto lines = found_lines(T_world_vehicle);
@@ -126,14 +127,16 @@ TEST(RenderedLines, NineInTenCornersAndFramesAreFoundAndCornersStandWithinFivePi
       });
       if (line == lines.end()) continue;
       ++found;
-      if (truth.is_corner && line->foot) feet_off_px.push_back((line->bottom_px - truth.foot_px).norm());
+      if (truth.is_corner && line->floor_point)
+        floor_points_off_px.push_back((line->bottom_px - truth.floor_point_px).norm());
     }
   }
   ASSERT_GE(known, 20);
   EXPECT_GE(found, 0.9 * known) << found << " of " << known;
-  ASSERT_GE(feet_off_px.size(), 8U);
-  std::sort(feet_off_px.begin(), feet_off_px.end());
-  EXPECT_LT(feet_off_px[feet_off_px.size() / 2], 5) << "median of " << feet_off_px.size();
+  ASSERT_GE(floor_points_off_px.size(), 8U);
+  std::sort(floor_points_off_px.begin(), floor_points_off_px.end());
+  EXPECT_LT(floor_points_off_px[floor_points_off_px.size() / 2], 5)
+      << "median of " << floor_points_off_px.size();
 }
 
 }  // namespace

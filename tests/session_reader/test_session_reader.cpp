@@ -123,7 +123,7 @@ void expect_same_messages(const fs::path& directory) {
 
 TEST(IndependentReader, DecodesEveryMessageAsWeDo) {
   const SessionPlace place;
-  for (const auto kind : {PictureCoding::Kind::kRaw, PictureCoding::Kind::kJpeg, PictureCoding::Kind::kPng}) {
+  for (const auto kind : {ImageCoding::Kind::kRaw, ImageCoding::Kind::kJpeg, ImageCoding::Kind::kPng}) {
     const fs::path directory = place / ("drive" + std::to_string(static_cast<int>(kind)));
     record_sample(directory, 20, {kind});
     expect_same_messages(directory);

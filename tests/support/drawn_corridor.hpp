@@ -1,5 +1,5 @@
 #pragma once
-/// Pictures drawn from geometry, so that where their edges are is known exactly.
+/// Images drawn from geometry, so that where their edges are is known exactly.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-/// The picture of a brightness given over the plane of the picture, each pixel the mean over its area.
+/// The image of a brightness given over the plane of the image, each pixel the mean over its area.
 template <class Brightness>
 Image drawn(int width_px, int height_px, int samples, const Brightness& brightness) {
   Image image(width_px, height_px);
@@ -57,7 +57,7 @@ struct DrawnCorridor {
     for (double z_m = 2.2; z_m <= 8; z_m += 0.2) line.push_back(pixel({x_m, height_m, z_m}));
     return line;
   }
-  Image picture(int samples = 3) const {
+  Image image(int samples = 3) const {
     const CameraModel model(camera);
     const bool straight = camera.k1 == 0;
     return drawn(width_px, height_px, samples, [&](const Vec2& p) {

@@ -4,13 +4,13 @@
 #include <limits>
 #include <span>
 
+#include "aisle/simulation/cross_section.hpp"
 #include "aisle/simulation/operators/tour_driver.hpp"
-#include "aisle/simulation/slice.hpp"
-#include "aisle/simulation/ways/clearance_grid.hpp"
+#include "aisle/simulation/paths/clearance_grid.hpp"
 
 namespace aisle {
 
-/// A trip of the tour driver along a world's tour.
+/// A run of the tour driver along a world's tour.
 struct DrivenTour {
   bool arrived = false;
   double clearance_min_m =

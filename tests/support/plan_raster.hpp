@@ -71,10 +71,10 @@ inline Agreement agreement(const FloorPlan& plan, std::span<const Segment2> wall
   return {equal / cells, inner > 0 ? inner_equal / inner : 1};
 }
 
-inline std::vector<Segment2> wall_feet(const World& world) {
-  std::vector<Segment2> feet;
-  for (const WallFace& wall : world.walls) feet.push_back(wall.foot);
-  return feet;
+inline std::vector<Segment2> wall_floor_edges(const World& world) {
+  std::vector<Segment2> floor_points;
+  for (const WallFace& wall : world.walls) floor_points.push_back(wall.floor_point);
+  return floor_points;
 }
 
 }  // namespace aisle

@@ -1,5 +1,5 @@
 #pragma once
-/// A vehicle of which only the pictures matter: for benchmarks of those who watch it.
+/// A vehicle of which only the images matter: for benchmarks of those who watch it.
 
 #include <memory>
 
@@ -24,7 +24,7 @@ inline VehicleDescription watched_vehicle() {
 }
 
 /// Not too smooth, not too rough for a JPEG of a usual size.
-inline std::shared_ptr<const Image> watched_picture() {
+inline std::shared_ptr<const Image> watched_image() {
   auto image = std::make_shared<Image>(kWatchedWidth_px, kWatchedHeight_px);
   Random random(1);
   for (int v = 0; v < kWatchedHeight_px; ++v) {

@@ -2,7 +2,7 @@
 
 #include <opencv2/calib3d.hpp>
 
-#include "pictures.hpp"
+#include "images.hpp"
 
 namespace aisle {
 

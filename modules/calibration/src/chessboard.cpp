@@ -5,7 +5,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "pictures.hpp"
+#include "images.hpp"
 
 namespace aisle {
 namespace {
@@ -98,9 +98,9 @@ std::vector<Vec2> BoardOnFloor::p_vehicle_corners(const Chessboard& board) const
   return corners;
 }
 
-std::optional<std::vector<Vec2>> find_chessboard(const Image& picture, const Chessboard& board) {
-  const Image grey_picture = to_grey(picture);
-  const cv::Mat grey = as_mat(grey_picture);
+std::optional<std::vector<Vec2>> find_chessboard(const Image& image, const Chessboard& board) {
+  const Image grey_image = to_grey(image);
+  const cv::Mat grey = as_mat(grey_image);
   Corners corners;
   if (!find_roughly(grey, {board.columns, board.rows}, corners)) return std::nullopt;
   const CornerGrid grid(corners, board);

@@ -159,16 +159,16 @@ CalibrationVerdict judge(const LaserCalibration& c) {
   if (c.height_m <= 0) verdict.limit(kPoor, "the plane lies below the floor: check mount and distances");
   if (c.height_deviation_m > 0.002) {
     verdict.limit(c.height_deviation_m > 0.01 ? kPoor : kUsable,
-                  fmt::format("the height is known to {:.1f} mm only: more pictures, from nearer",
+                  fmt::format("the height is known to {:.1f} mm only: more images, from nearer",
                               1000 * c.height_deviation_m));
   }
-  const auto judge_slope = [&](const char* way, double slope, double deviation) {
+  const auto judge_slope = [&](const char* path, double slope, double deviation) {
     constexpr double kLevel = 0.2 * kDegree;
     if (std::abs(slope) < kLevel || std::abs(slope) < 3 * deviation) return;
     verdict.limit(kUsable,
                   fmt::format("the light plane is not level: it rises by {:.2f} deg to the {}; level "
                               "the laser, or distances will be wrong",
-                              to_degrees(std::atan(slope)), way));
+                              to_degrees(std::atan(slope)), path));
   };
   judge_slope("front", c.slope_ahead, c.slope_ahead_deviation);
   judge_slope("left", c.slope_left, c.slope_left_deviation);

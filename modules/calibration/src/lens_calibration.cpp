@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "pictures.hpp"
+#include "images.hpp"
 
 namespace aisle {
 namespace {

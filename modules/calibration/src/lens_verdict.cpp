@@ -14,7 +14,7 @@ namespace {
 
 using enum CalibrationQuality;
 
-/// Residuals grow with the picture: the limits are those of a picture 640 px wide.
+/// Residuals grow with the image: the limits are those of an image 640 px wide.
 double picture_scale(const LensCalibration& c) {
   return std::max(1.0, c.width_px / 640.0);
 }
@@ -23,7 +23,7 @@ void judge_residuals(const LensCalibration& c, CalibrationVerdict& verdict) {
   const double scale = picture_scale(c);
   if (c.rms_px > 0.5 * scale) {
     verdict.limit(c.rms_px > 1.0 * scale ? kPoor : kUsable,
-                  fmt::format("the residual of {:.2f} px is high: is the board flat, the pictures sharp, and "
+                  fmt::format("the residual of {:.2f} px is high: is the board flat, the images sharp, and "
                               "is it the right number of corners?",
                               c.rms_px));
   }
@@ -51,7 +51,7 @@ void judge_views(const LensCalibration& c, CalibrationVerdict& verdict) {
   }
 }
 
-/// Which corners of the picture no board corner came near.
+/// Which corners of the image no board corner came near.
 std::vector<std::string> bare_corners(const LensCalibration& c) {
   constexpr std::array kNames = {"upper left", "upper right", "lower left", "lower right"};
   std::array<bool, 4> is_reached{};
@@ -72,15 +72,14 @@ std::vector<std::string> bare_corners(const LensCalibration& c) {
 void judge_coverage(const LensCalibration& c, CalibrationVerdict& verdict) {
   const std::vector<std::string> bare = bare_corners(c);
   if (!bare.empty()) {
-    verdict.limit(kUsable, fmt::format("the board never came near the picture's {} corner: the distortion is "
+    verdict.limit(kUsable, fmt::format("the board never came near the image's {} corner: the distortion is "
                                        "not known there",
                                        fmt::join(bare, ", ")));
   }
   if (c.coverage < 0.5) {
-    verdict.limit(kUsable,
-                  fmt::format("the boards cover {:.0f} % of the picture: hold them closer and at all "
-                              "its sides",
-                              100 * c.coverage));
+    verdict.limit(kUsable, fmt::format("the boards cover {:.0f} % of the image: hold them closer and at all "
+                                       "its sides",
+                                       100 * c.coverage));
   }
 }
 

@@ -4,31 +4,31 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
-#include "pictures.hpp"
+#include "images.hpp"
 
 namespace aisle {
 namespace {
 
 /// The marks as the pinhole of focal length 1 sees them, centred on the floor for the solver's sake.
-struct PlanePicture {
+struct PlaneImage {
   Vec3 p_vehicle_middle = Vec3::Zero();
   std::vector<cv::Point3d> floor;
   std::vector<cv::Point2d> slopes;
 };
 
-PlanePicture plane_picture(std::span<const FloorMark> marks, const CameraModel& lens) {
-  PlanePicture picture;
+PlaneImage plane_image(std::span<const FloorMark> marks, const CameraModel& lens) {
+  PlaneImage image;
   for (const FloorMark& mark : marks) {
-    picture.p_vehicle_middle.head<2>() += mark.p_vehicle / static_cast<double>(marks.size());
+    image.p_vehicle_middle.head<2>() += mark.p_vehicle / static_cast<double>(marks.size());
   }
   for (const FloorMark& mark : marks) {
     const auto ray = lens.ray(mark.pixel_px);
     if (!ray) continue;
-    const Vec2 p = mark.p_vehicle - picture.p_vehicle_middle.head<2>();
-    picture.floor.emplace_back(p.x(), p.y(), 0);
-    picture.slopes.emplace_back(ray->direction.x(), ray->direction.y());
+    const Vec2 p = mark.p_vehicle - image.p_vehicle_middle.head<2>();
+    image.floor.emplace_back(p.x(), p.y(), 0);
+    image.slopes.emplace_back(ray->direction.x(), ray->direction.y());
   }
-  return picture;
+  return image;
 }
 
 }  // namespace
@@ -49,12 +49,12 @@ CameraMount mount_of(const Mat3& R_vehicle_camera, const Vec3& p_vehicle_camera)
 }
 
 std::vector<CameraMount> mount_starts(std::span<const FloorMark> marks, const CameraModel& lens) {
-  const PlanePicture picture = plane_picture(marks, lens);
-  if (picture.floor.size() < kFloorMarksMin) return {};
+  const PlaneImage image = plane_image(marks, lens);
+  if (image.floor.size() < kFloorMarksMin) return {};
   std::vector<cv::Mat> turns, shifts;
   try {
-    cv::solvePnPGeneric(picture.floor, picture.slopes, cv::Matx33d::eye(), cv::noArray(), turns, shifts,
-                        false, cv::SOLVEPNP_IPPE);
+    cv::solvePnPGeneric(image.floor, image.slopes, cv::Matx33d::eye(), cv::noArray(), turns, shifts, false,
+                        cv::SOLVEPNP_IPPE);
   } catch (const cv::Exception&) {
     return {};
   }
@@ -64,7 +64,7 @@ std::vector<CameraMount> mount_starts(std::span<const FloorMark> marks, const Ca
     cv::Rodrigues(turns[i], rotation);
     const Mat3 R_vehicle_camera = to_eigen(rotation).transpose();
     const Vec3 shift(shifts[i].at<double>(0), shifts[i].at<double>(1), shifts[i].at<double>(2));
-    const Vec3 p_vehicle_camera = picture.p_vehicle_middle - R_vehicle_camera * shift;
+    const Vec3 p_vehicle_camera = image.p_vehicle_middle - R_vehicle_camera * shift;
     const bool is_above_the_floor = R_vehicle_camera.allFinite() && p_vehicle_camera.z() > 0;
     if (is_above_the_floor) starts.push_back(mount_of(R_vehicle_camera, p_vehicle_camera));
   }

@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// Mounts from which a refinement may start: the poses of a camera above the floor that a plane's picture
+/// Mounts from which a refinement may start: the poses of a camera above the floor that a plane's image
 /// allows, at most two, the better one first.
 std::vector<CameraMount> mount_starts(std::span<const FloorMark> marks, const CameraModel& lens);
 

@@ -30,7 +30,7 @@ CalibrationVerdict judge(const MountCalibration& c) {
   if (c.is_ambiguous) {
     verdict.limit(kPoor,
                   "a second, different mount explains the points as well: use points nearer to the "
-                  "camera and over more of the picture");
+                  "camera and over more of the image");
   }
   const auto left_out = std::count(c.fits.begin(), c.fits.end(), false);
   if (left_out > 0) {

@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-/// The picture of a board under a homography from board metres to pixels: each pixel the mean of 6 x 6 rays.
+/// The image of a board under a homography from board metres to pixels: each pixel the mean of 6 x 6 rays.
 Image drawn(const Chessboard& board, const Mat3& pixel_board) {
   constexpr int kRays = 6;
   const Mat3 board_pixel = pixel_board.inverse();
@@ -34,13 +34,13 @@ Image drawn(const Chessboard& board, const Mat3& pixel_board) {
   return image;
 }
 
-/// Board in the picture's middle, turned, and farther away at its right.
+/// Board in the image's middle, turned, and farther away at its right.
 Mat3 view(double turn_rad, double depth) {
-  Mat3 to_middle, turn, picture;
+  Mat3 to_middle, turn, image;
   to_middle << 1, 0, -0.1, 0, 1, -0.0625, 0, 0, 1;
   turn << std::cos(turn_rad), -std::sin(turn_rad), 0, std::sin(turn_rad), std::cos(turn_rad), 0, 0, 0, 1;
-  picture << 1400, 0, 318.3, 0, 1400, 241.7, depth, 0, 1;
-  return picture * turn * to_middle;
+  image << 1400, 0, 318.3, 0, 1400, 241.7, depth, 0, 1;
+  return image * turn * to_middle;
 }
 
 TEST(Chessboard, CornersAreFoundToAFewHundredthsOfAPixelInTheBoardsOwnOrderHoweverItIsTurned) {
@@ -59,7 +59,7 @@ TEST(Chessboard, CornersAreFoundToAFewHundredthsOfAPixelInTheBoardsOwnOrderHowev
   }
 }
 
-TEST(Chessboard, AnEmptyPictureAndAnotherBoardShowNone) {
+TEST(Chessboard, AnEmptyImageAndAnotherBoardShowNone) {
   EXPECT_FALSE(find_chessboard(Image(320, 240), {}));
   EXPECT_FALSE(find_chessboard(drawn({7, 6, 0.025}, view(0, 0)), {9, 6, 0.025}));
 }

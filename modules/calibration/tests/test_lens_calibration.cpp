@@ -17,7 +17,7 @@ using testing::HasSubstr;
 const CameraIntrinsics kTruth{530, 533, 330, 236, -0.25, 0.08, 0.001, -0.0008, 0};
 const Chessboard kBoard{9, 6, 0.03};
 
-/// The board 0.4 m to 0.7 m away, somewhere in the picture, turned by up to `turn_deg` about two axes.
+/// The board 0.4 m to 0.7 m away, somewhere in the image, turned by up to `turn_deg` about two axes.
 std::vector<BoardView> views(int count, double turn_deg, double noise_px, Random& random) {
   const CameraModel lens(kTruth);
   std::vector<BoardView> result;

@@ -8,7 +8,7 @@
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/worlds/world_yaml.hpp"
 #include "aisle/geometry/polyline.hpp"
-#include "aisle/simulation/buildings/dressing.hpp"
+#include "aisle/simulation/buildings/decoration.hpp"
 #include "plan_reading.hpp"
 
 namespace aisle {
@@ -41,13 +41,13 @@ Result<Outcome> run_convert(const ConvertOptions& options, Console& console) {
         fmt::format("makes {} walls; a world has at most {} (a larger --tolerance or --speck makes fewer)",
                     bare->walls.size(), kWallsMax)};
   }
-  auto [world, drivable_m2] = with_tour(std::move(*bare), options.trip, console);
+  auto [world, drivable_m2] = with_tour(std::move(*bare), options.run, console);
   if (options.dress && !options.seed) dress(world, Random(1));
   if (Problems problems = write_whole_file(options.out, world_yaml(world)); !problems.empty())
     return problems;
 
   double walls_m = 0;
-  for (const WallFace& wall : world.walls) walls_m += wall.foot.length();
+  for (const WallFace& wall : world.walls) walls_m += wall.floor_point.length();
   Outcome outcome{.verb = "convert"};
   outcome.figures = {{"name", world.name},
                      {"seed", options.seed ? nlohmann::ordered_json(*options.seed) : nullptr},

@@ -7,9 +7,9 @@
 #include "aisle/commands/output_directory.hpp"
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/formats/calibration_file.hpp"
-#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/formats/images/image_file.hpp"
+#include "detection/image_detector.hpp"
 #include "detection/line_pursuit.hpp"
-#include "detection/picture_detector.hpp"
 #include "rounded.hpp"
 
 namespace aisle {
@@ -32,8 +32,8 @@ constexpr const char* kOverlayEnding = ".overlay.png";
 constexpr const char* kMaskEnding = ".region.png";
 constexpr const char* kFollowedName = "followed.png";
 
-std::unique_ptr<PictureDetector> make_detector(Feature feature, const std::optional<CameraModel>& camera = {},
-                                               std::vector<TaughtPicture> taught = {}) {
+std::unique_ptr<ImageDetector> make_detector(Feature feature, const std::optional<CameraModel>& camera = {},
+                                             std::vector<TaughtImage> taught = {}) {
   switch (feature) {
     case Feature::kVerticals:
       return make_verticals_detector(camera);
@@ -49,7 +49,7 @@ std::unique_ptr<PictureDetector> make_detector(Feature feature, const std::optio
   throw std::invalid_argument("no such feature");
 }
 
-FieldList fields_of(PictureDetector& detector, Feature feature, LineFollowerParams& following) {
+FieldList fields_of(ImageDetector& detector, Feature feature, LineFollowerParams& following) {
   FieldList fields = fields_of(detector);
   if (feature == Feature::kVerticals) fields.group("follow", following);
   return fields;
@@ -71,7 +71,7 @@ const char* name_of(Feature feature) {
   throw std::invalid_argument("no such feature");
 }
 
-/// A name for each picture's results: its own without the ending; a number follows where two are alike.
+/// A name for each image's results: its own without the ending; a number follows where two are alike.
 std::vector<std::string> result_names(const std::vector<std::string>& files) {
   std::vector<std::string> names;
   std::set<std::string> taken;
@@ -84,14 +84,14 @@ std::vector<std::string> result_names(const std::vector<std::string>& files) {
   return names;
 }
 
-/// A picture as the calibrated camera takes it, if that is known.
-Result<Image> read_picture_of(const std::optional<CameraCalibration>& camera, const std::string& file) {
-  auto picture = read_picture(file);
-  if (!picture || !camera || camera->width_px == 0) return picture;
-  if (picture->width_px == camera->width_px && picture->height_px == camera->height_px) return picture;
+/// An image as the calibrated camera takes it, if that is known.
+Result<Image> read_image_of(const std::optional<CameraCalibration>& camera, const std::string& file) {
+  auto image = read_image(file);
+  if (!image || !camera || camera->width_px == 0) return image;
+  if (image->width_px == camera->width_px && image->height_px == camera->height_px) return image;
   return Problem{{file},
                  fmt::format("has {} x {} pixels; the camera's calibration holds for {} x {}",
-                             picture->width_px, picture->height_px, camera->width_px, camera->height_px)};
+                             image->width_px, image->height_px, camera->width_px, camera->height_px)};
 }
 
 /// Writes all drawings into the overlay directory. @return role -> path
@@ -123,7 +123,7 @@ Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
     calibration = *read;
     camera.emplace(calibration->intrinsics);
   }
-  auto taught = read_taught_pictures(options.taught);
+  auto taught = read_taught_images(options.taught);
   if (!taught) return taught.problems();
   const auto detector = make_detector(options.feature, camera, std::move(*taught));
   LineFollowerParams following;
@@ -140,17 +140,16 @@ Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
   Problems problems;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
     console.progress.report("pictures", i, options.files.size());
-    const auto picture = read_picture_of(calibration, options.files[i]);
-    if (!picture) {
-      problems.insert(problems.end(), picture.problems().begin(), picture.problems().end());
+    const auto image = read_image_of(calibration, options.files[i]);
+    if (!image) {
+      problems.insert(problems.end(), image.problems().begin(), image.problems().end());
       continue;
     }
-    Detection found = detector->detect(*picture, options.overlay.has_value());
+    Detection found = detector->detect(*image, options.overlay.has_value());
     nlohmann::ordered_json& figures = images.emplace_back();
-    figures = {
-        {"file", options.files[i]}, {"width_px", picture->width_px}, {"height_px", picture->height_px}};
+    figures = {{"file", options.files[i]}, {"width_px", image->width_px}, {"height_px", image->height_px}};
     figures.update(found.figures);
-    if (pursuit) pursuit->add(*picture, found.verticals, figures["verticals"]);
+    if (pursuit) pursuit->add(*image, found.verticals, figures["verticals"]);
     if (found.mask_png) figures["region_mask"] = nullptr;
     outcome.text += fmt::format("{}: {}\n", options.files[i], found.summary);
     if (!options.overlay) continue;

@@ -39,7 +39,7 @@ Result<Drive> read_drive(const DriveOptions& options) {
   drive.T_world_start = *start;
   if (!options.keys && drive.setting.world.tour.size() < 2) {
     return Problem{{drive.setting.world_file.string(), 0, "tour"},
-                   "needs at least two way points to be followed"};
+                   "needs at least two waypoint to be followed"};
   }
   return drive;
 }
@@ -54,7 +54,7 @@ SessionOrigin origin_of(const DriveOptions& options, const Drive& drive) {
 }
 
 Outcome outcome_of(const DriveOptions& options, const Drive& drive, const MissionEnd& end,
-                   const SimulatedTruth& truth, std::size_t pictures, double worked_s) {
+                   const SimulatedTruth& truth, std::size_t images, double worked_s) {
   Outcome outcome{.verb = "drive", .ok = end.arrived && truth.collisions == 0};
   const double factor = truth.stamp_s / std::max(worked_s, 1e-6);
   outcome.figures = {{"simulated", true},
@@ -62,8 +62,8 @@ Outcome outcome_of(const DriveOptions& options, const Drive& drive, const Missio
                      {"vehicle", drive.setting.vehicle.description.name},
                      {"cycles", end.cycles},
                      {"duration_s", rounded(truth.stamp_s, 3)},
-                     {"distance_m", rounded(truth.way_m, 3)},
-                     {"pictures", pictures},
+                     {"distance_m", rounded(truth.path_m, 3)},
+                     {"pictures", images},
                      {"collisions", truth.collisions},
                      {"state", end.state},
                      {"why", end.why},
@@ -71,10 +71,10 @@ Outcome outcome_of(const DriveOptions& options, const Drive& drive, const Missio
   if (!options.out.empty()) outcome.files["session"] = options.out.string();
   outcome.text = fmt::format(
       "simulated drive through {} with {}: {:.1f} m in {:.1f} s, {} collision{}; {}{}{}\n"
-      "{} pictures; {:.1f} times as fast as real time{}\n",
-      drive.setting.world.name, drive.setting.vehicle.description.name, truth.way_m, truth.stamp_s,
+      "{} images; {:.1f} times as fast as real time{}\n",
+      drive.setting.world.name, drive.setting.vehicle.description.name, truth.path_m, truth.stamp_s,
       truth.collisions, truth.collisions == 1 ? "" : "s", end.state, end.why.empty() ? "" : ": ", end.why,
-      pictures, factor, options.out.empty() ? "" : "; session in " + options.out.string());
+      images, factor, options.out.empty() ? "" : "; session in " + options.out.string());
   return outcome;
 }
 
@@ -103,7 +103,7 @@ Result<Outcome> run_drive(const DriveOptions& options, Console& console) {
 
   SimulatedVehicle vehicle(
       drive->setting.world, drive->setting.vehicle, drive->setting.scenario,
-      {.seed = options.seed, .T_world_start = drive->T_world_start, .takes_pictures = options.takes_pictures},
+      {.seed = options.seed, .T_world_start = drive->T_world_start, .takes_images = options.takes_images},
       person->get());
   HandDriver driver(drive->params.limits);
   SimulatedRecord record(*session, vehicle);
@@ -114,7 +114,7 @@ Result<Outcome> run_drive(const DriveOptions& options, Console& console) {
   if (const Problems problems = close(*session); !problems.empty()) return problems;
 
   Outcome outcome =
-      outcome_of(options, *drive, *end, vehicle.truth(), record.pictures(), clock.now_s() - begun_s);
+      outcome_of(options, *drive, *end, vehicle.truth(), record.images(), clock.now_s() - begun_s);
   if (const auto* scripted = dynamic_cast<const ScriptedOperator*>(person->get())) {
     outcome.figures["route_share"] = rounded(scripted->share_done(), 3);
     if (!scripted->has_arrived()) {

@@ -11,7 +11,7 @@
 #include "aisle/formats/sessions/session_truth.hpp"
 #include "aisle/learning/corridors/corridor_tracing.hpp"
 #include "aisle/learning/walls/map_building.hpp"
-#include "aisle/maps/grazed_walls.hpp"
+#include "aisle/maps/grazing_walls.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "exploration/exploration_check.hpp"
 #include "exploration/exploration_evaluation.hpp"
@@ -68,7 +68,7 @@ Result<ExplorationPlan> read_plan(const ExploreOptions& options, SimulationSetti
     const auto start = start_in(plan.setting);
     if (!start) return start.problems();
     plan.T_world_start = is_plan(plan.setting.world_file)
-                             ? start_with_a_way(plan.setting.world, vehicle.footprint, *start)
+                             ? start_with_a_path(plan.setting.world, vehicle.footprint, *start)
                              : *start;
   }
   if (Problems problems =
@@ -94,7 +94,7 @@ SensorField field_of(const LaserScanner& fan, std::size_t beams, double reach_m,
 }
 
 Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPlan& plan,
-                              std::optional<InterruptedTrip> former, std::optional<SessionRecord>& session,
+                              std::optional<InterruptedRun> former, std::optional<SessionRecord>& session,
                               Progress& progress) {
   const VehicleDescription& vehicle = plan.setting.vehicle.description;
   const auto explorer = make_explorer(explorer_origin(plan.params, options), vehicle);
@@ -106,7 +106,7 @@ Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPl
   const LaserLog& log = mission->log;
   MapResult map = build_map(log, plan.params.learner.mapping, 0.0, false, progress);
   FloorGrid floor = navigator.learner().floor_from(map.T_map_vehicle);
-  draw_grazed_walls(map.walls, floor);
+  draw_grazing_walls(map.walls, floor);
   CorridorGraph corridors = trace_corridors(floor, map.T_map_vehicle.front().position(), {});
   const double height_m = vehicle.laser_markers ? vehicle.laser_markers->height_m
                                                 : plan.setting.vehicle.simulated.scanner.height_m;
@@ -114,7 +114,7 @@ Result<Explored> explore_once(const ExploreOptions& options, const ExplorationPl
       field_of(log.laser, log.scans.front().ranges_m.size(), plan.params.learner.view.reach_m, height_m);
   const ExplorationScore truth = evaluate_exploration(
       plan.setting.world, vehicle, field,
-      {mission->T_world_slice, map_in_world(map.T_map_vehicle, mission->T_world_slice), floor, map.walls});
+      {mission->T_world_scan, map_in_world(map.T_map_vehicle, mission->T_world_scan), floor, map.walls});
   return Explored{std::move(*mission), std::move(map), std::move(floor), std::move(corridors), truth};
 }
 
@@ -158,14 +158,13 @@ std::string text_of(const Explored& explored) {
                      100 * explored.truth.home_error_m);
 }
 
-/// The trip that is to be gone on with; it must have been driven by the same explorer.
-Result<std::optional<InterruptedTrip>> former_trip(const ExploreOptions& options,
-                                                   const SessionOrigin& origin) {
-  if (options.resumed.empty()) return std::optional<InterruptedTrip>();
+/// The run that is to be gone on with; it must have been driven by the same explorer.
+Result<std::optional<InterruptedRun>> former_run(const ExploreOptions& options, const SessionOrigin& origin) {
+  if (options.resumed.empty()) return std::optional<InterruptedRun>();
   const std::string file = options.resumed.string();
   std::error_code none;
   if (std::filesystem::equivalent(options.resumed, options.session, none))
-    return Problem{{"--session"}, fmt::format("'{}' is the trip that is gone on with; name another", file)};
+    return Problem{{"--session"}, fmt::format("'{}' is the run that is gone on with; name another", file)};
   auto truth = read_true_poses(options.resumed);
   if (!truth) return truth.problems();
   auto cycles = SessionCycles::open(options.resumed);
@@ -176,10 +175,10 @@ Result<std::optional<InterruptedTrip>> former_trip(const ExploreOptions& options
     return Problem{{file, 0, "navigator"},
                    fmt::format("'{} {}' drove, with its parameters; going on takes the same, not '{} {}'",
                                driven.navigator, driven.route, origin.navigator, origin.route)};
-  InterruptedTrip trip{std::move(*cycles), std::move(truth->T_map_vehicle)};
-  if (trip.T_world_vehicle.empty())
-    return Problem{{file, 0, "/truth/pose"}, "is empty: only a simulated trip can be gone on with"};
-  return std::optional(std::move(trip));
+  InterruptedRun run{std::move(*cycles), std::move(truth->T_map_vehicle)};
+  if (run.T_world_vehicle.empty())
+    return Problem{{file, 0, "/truth/pose"}, "is empty: only a simulated run can be gone on with"};
+  return std::optional(std::move(run));
 }
 
 /// Drives, judges, and keeps what was learned.
@@ -188,7 +187,7 @@ Result<JudgedExploration> judge(const ExploreOptions& options, const Exploration
   SessionOrigin origin = explorer_origin(plan.params, options);
   origin.seed = options.seed;
   origin.simulated = true;
-  auto former = former_trip(options, origin);
+  auto former = former_run(options, origin);
   if (!former) return former.problems();
   auto session =
       open_session(options.session, options.force, plan.setting.vehicle.description, origin, console.watcher);
@@ -202,10 +201,10 @@ Result<JudgedExploration> judge(const ExploreOptions& options, const Exploration
   outcome.figures["order"] = name_of(options.order);
   outcome.ok = outcome.figures["certificate"].get<bool>();
   if (options.compares) {
-    ExploreOptions yardstick = options;
-    yardstick.order = ExploringOrder::kNearest;
+    ExploreOptions baseline = options;
+    baseline.order = ExploringOrder::kNearest;
     std::optional<SessionRecord> unrecorded;
-    const auto nearest = explore_once(yardstick, plan, {}, unrecorded, console.progress);
+    const auto nearest = explore_once(baseline, plan, {}, unrecorded, console.progress);
     if (!nearest) return nearest.problems();
     outcome.figures["nearest_frontier_distance_m"] = rounded(nearest->mission.distance_m, 3);
     outcome.figures["nearest_frontier_certificate"] = has_certificate(*nearest);
@@ -224,13 +223,13 @@ Result<JudgedExploration> judge(const ExploreOptions& options, const Exploration
                            plan.params.learner.mapping.segments};
 }
 
-/// What was learned, pictures of it, and the report.
+/// What was learned, images of it, and the report.
 std::vector<OutputFile> files_of(const JudgedExploration& explored) {
-  const ExplorationPicture picture = picture_of(explored);
+  const ExplorationPicture image = image_of(explored);
   return {{"building", "building.json", building_json(explored.building)},
-          {"picture_png", "exploration.png", png(picture)},
-          {"picture_svg", "exploration.svg", svg(picture)},
-          {"report", "report.html", exploration_report(picture, explored.building, explored.outcome)}};
+          {"picture_png", "exploration.png", png(image)},
+          {"picture_svg", "exploration.svg", svg(image)},
+          {"report", "report.html", exploration_report(image, explored.building, explored.outcome)}};
 }
 
 }  // namespace
@@ -252,7 +251,7 @@ Result<Outcome> run_explore(const ExploreOptions& options, Console& console) {
   return explore_in(options, std::move(*setting), console);
 }
 
-ExplorationPicture picture_of(const JudgedExploration& explored) {
+ExplorationPicture image_of(const JudgedExploration& explored) {
   const std::string& text = explored.outcome.text;
   return {.floor = *explored.building.floor,
           .walls = explored.building.walls,

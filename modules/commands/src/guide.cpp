@@ -30,7 +30,7 @@ Problems in_file(Problems problems, const std::string& file) {
   return problems;
 }
 
-Result<GuidePlan> read_guide_plan(const GuideOptions& options, const std::string& errand) {
+Result<GuidePlan> read_guide_plan(const GuideOptions& options, const std::string& goal) {
   GuideNavigatorParams params;
   FieldList fields = fields_of(params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
@@ -41,7 +41,7 @@ Result<GuidePlan> read_guide_plan(const GuideOptions& options, const std::string
   setting->vehicle.description.cameras.clear();
   const auto start = start_in(*setting);
   if (!start) return start.problems();
-  GuidePlan plan{std::move(*setting), *start, GuideDriver::origin(params, std::move(*building), errand), {}};
+  GuidePlan plan{std::move(*setting), *start, GuideDriver::origin(params, std::move(*building), goal), {}};
   plan.origin.seed = options.seed;
   plan.origin.simulated = true;
   auto driver = GuideDriver::make(plan.origin, plan.setting.vehicle.description);
@@ -50,9 +50,9 @@ Result<GuidePlan> read_guide_plan(const GuideOptions& options, const std::string
   return plan;
 }
 
-Result<Outcome> run_errand(const char* verb, const GuideOptions& options, const std::string& errand,
-                           Console& console) {
-  const auto plan = read_guide_plan(options, errand);
+Result<Outcome> run_goal(const char* verb, const GuideOptions& options, const std::string& goal,
+                         Console& console) {
+  const auto plan = read_guide_plan(options, goal);
   if (!plan) return plan.problems();
   auto session = open_session(options.out, options.force, plan->setting.vehicle.description, plan->origin,
                               console.watcher);
@@ -65,7 +65,7 @@ Result<Outcome> run_errand(const char* verb, const GuideOptions& options, const 
   const GuideNavigator& navigator = plan->driver->navigator();
   const Building& building = plan->driver->building();
   const Footprint& footprint = plan->setting.vehicle.description.footprint;
-  const Errand& sent = plan->driver->errand();
+  const Goal& sent = plan->driver->goal();
   Outcome outcome{.verb = verb, .ok = result->end.arrived && result->collisions == 0};
   outcome.figures = {
       {"simulated", true},
@@ -85,7 +85,7 @@ Result<Outcome> run_errand(const char* verb, const GuideOptions& options, const 
         {"p99", rounded(1e3 * quantile(result->cycle_s, 0.99), 3)}}}};
   if (!options.out.empty()) outcome.files["session"] = options.out.string();
   outcome.text = fmt::format(
-      "simulated: {}{}{}; {:.1f} m in {:.0f} s (the shortest way is {:.1f} m), {} collision{}\n",
+      "simulated: {}{}{}; {:.1f} m in {:.0f} s (the shortest path is {:.1f} m), {} collision{}\n",
       result->end.state, result->end.why.empty() ? "" : ": ", result->end.why, result->distance_m,
       result->end.duration_s, sent.shortest_m, result->collisions, result->collisions == 1 ? "" : "s");
   return outcome;
@@ -99,11 +99,11 @@ Outcome guide_parameters() {
 }
 
 Result<Outcome> run_go(const GuideOptions& options, Console& console) {
-  return run_errand("go", options, "go " + options.place, console);
+  return run_goal("go", options, "go " + options.place, console);
 }
 
 Result<Outcome> run_patrol(const GuideOptions& options, Console& console) {
-  return run_errand("patrol", options, "patrol " + std::to_string(options.rounds), console);
+  return run_goal("patrol", options, "patrol " + std::to_string(options.rounds), console);
 }
 
 }  // namespace aisle

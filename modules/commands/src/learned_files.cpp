@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-constexpr const char* kPicture = "landmarks.svg";
+constexpr const char* kImage = "landmarks.svg";
 constexpr const char* kTrip = "trip.tum";
 constexpr const char* kTripTruth = "trip_truth.tum";
 
@@ -19,8 +19,8 @@ std::string numbered_tum(const std::vector<Pose2>& poses) {
   return tum_text(numbers, poses);
 }
 
-std::string picture_of(const Building& building, const std::vector<Pose2>& T_map_driven,
-                       const std::vector<Vec2>& p_map_sightings) {
+std::string image_of(const Building& building, const std::vector<Pose2>& T_map_driven,
+                     const std::vector<Vec2>& p_map_sightings) {
   std::vector<std::vector<Pose2>> driven;
   if (!T_map_driven.empty()) driven.push_back(T_map_driven);
   return svg(LandmarkPicture{.landmarks = building.landmarks,
@@ -34,7 +34,7 @@ std::string picture_of(const Building& building, const std::vector<Pose2>& T_map
 }  // namespace
 
 std::vector<std::string> learned_file_names() {
-  return {"building.json", kPicture, kTrip, kTripTruth};
+  return {"building.json", kImage, kTrip, kTripTruth};
 }
 
 std::vector<std::string> truth_file_names() {
@@ -50,16 +50,16 @@ std::vector<OutputFile> learned_files(const Building& building, const MapTruth& 
                                       const std::vector<Vec2>& p_map_sightings) {
   std::vector<OutputFile> files = {
       {"building", "building.json", building_json(building)},
-      {"landmarks_svg", kPicture, picture_of(building, truth.T_map_taught(), p_map_sightings)}};
+      {"landmarks_svg", kImage, image_of(building, truth.T_map_taught(), p_map_sightings)}};
   for (OutputFile& file : truth_files(truth)) files.push_back(std::move(file));
   return files;
 }
 
 Result<MapTruth> read_map_truth(const std::filesystem::path& building) {
-  const std::filesystem::path trip = building.parent_path() / kTrip,
+  const std::filesystem::path run = building.parent_path() / kTrip,
                               truth = building.parent_path() / kTripTruth;
-  if (!std::filesystem::exists(trip) || !std::filesystem::exists(truth)) return MapTruth();
-  auto thought = read_tum(trip);
+  if (!std::filesystem::exists(run) || !std::filesystem::exists(truth)) return MapTruth();
+  auto thought = read_tum(run);
   if (!thought) return thought.problems();
   auto real = read_tum(truth);
   if (!real) return real.problems();

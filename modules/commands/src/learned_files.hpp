@@ -14,11 +14,11 @@ namespace aisle {
 
 std::vector<std::string> learned_file_names();
 
-/// How the map lies in the simulated world, for evaluation: trip.tum and trip_truth.tum.
+/// How the map lies in the simulated world, for evaluation: trip.tum and run_truth.tum.
 std::vector<std::string> truth_file_names();
 std::vector<OutputFile> truth_files(const MapTruth& truth);
 
-/// building.json; landmarks.svg, the landmarks with the routes and the trip; and how the map lies in the
+/// building.json; landmarks.svg, the landmarks with the routes and the run; and how the map lies in the
 /// simulated world (truth_files; empty files where there is no truth).
 /// @param p_map_sightings  drawn, too
 std::vector<OutputFile> learned_files(const Building& building, const MapTruth& truth,

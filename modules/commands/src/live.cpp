@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "live/live_control.hpp"
-#include "live/live_desk.hpp"
 #include "live/live_missions.hpp"
 #include "live/live_operator.hpp"
 #include "live/live_replay.hpp"
+#include "live/live_request_handler.hpp"
 #include "live/live_site.hpp"
 
 namespace aisle {

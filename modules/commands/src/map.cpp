@@ -9,9 +9,9 @@
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/process_usage.hpp"
 #include "aisle/formats/buildings/building_json.hpp"
+#include "aisle/formats/images/map_server.hpp"
 #include "aisle/formats/logs/relations.hpp"
 #include "aisle/formats/logs/trajectory.hpp"
-#include "aisle/formats/pictures/map_server.hpp"
 #include "aisle/learning/walls/map_building.hpp"
 #include "aisle/learning/walls/published_mapping.hpp"
 #include "aisle/learning/walls/relation_error.hpp"
@@ -92,7 +92,7 @@ std::string error_text(const Json& figures) {
 
 std::string mapping_text(const Json& figures) {
   std::string text = fmt::format(
-      "{} scans, {:.0f} m of way: {} walls, {:.0f} % of their length on the axes, {} loops closed\n"
+      "{} scans, {:.0f} m of path: {} walls, {:.0f} % of their length on the axes, {} loops closed\n"
       "{:.2f} s of processor time ({:.0f} times faster than the drive), {:.0f} MB of memory\n",
       figures["scans"].get<int>(), figures["path_m"].get<double>(), figures["walls"].get<int>(),
       100 * figures["orthogonal_share"].get<double>(), figures["loop_closures"].get<int>(),
@@ -123,13 +123,13 @@ Result<std::map<std::string, std::string>> write_results(const MapResult& result
                                                          const std::string& title,
                                                          const OutputDirectory& out) {
   const Building building{title, result.has_dominant_direction, result.walls};
-  const MapPicture picture{result.walls, result.T_map_vehicle, result.loop_closures, title};
+  const MapPicture image{result.walls, result.T_map_vehicle, result.loop_closures, title};
   std::vector<double> stamps_s;
   for (const LaserScan& scan : log.scans) stamps_s.push_back(scan.stamp_s);
   const OccupancyImage occupancy = occupancy_of(result.walls, log, result.T_map_vehicle);
   return out.write({{"building", "building.json", building_json(building)},
-                    {"picture_svg", "map.svg", svg(picture)},
-                    {"picture_png", "map.png", png(picture)},
+                    {"picture_svg", "map.svg", svg(image)},
+                    {"picture_png", "map.png", png(image)},
                     {"trajectory", "trajectory.tum", tum_text(stamps_s, result.T_map_vehicle)},
                     {"map_pgm", "map.pgm", pgm_bytes(occupancy)},
                     {"map_yaml", "map.yaml", map_server_yaml(occupancy, "map.pgm")}});

@@ -11,7 +11,7 @@ namespace aisle {
 /// interrupt each.
 class MissionCount final : public Progress {
  public:
-  /// @param what  "missions", "trips"
+  /// @param what  "missions", "runs"
   MissionCount(Progress& shown, std::string_view what, std::size_t missions)
       : shown_(shown), what_(what), missions_(missions) {}
 

@@ -128,7 +128,7 @@ Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
   if (options.method == "sections") return navigate_by_sections(options, params.sections, console);
   if (options.method == "route") return navigate_by_route(options, params.route, console);
   if (options.and_back)
-    return Problem{{"--and-back"}, "is for --method sections; by landmarks the way back is --reverse"};
+    return Problem{{"--and-back"}, "is for --method sections; by landmarks the return path is --reverse"};
   const auto mission = read_mission(options, params.landmarks);
   if (!mission) return mission.problems();
   auto session = open_session(options.out, options.force, mission->setting.vehicle.description,
@@ -143,12 +143,12 @@ Result<Outcome> run_navigate(const NavigateOptions& options, Console& console) {
   if (const Problems problems = close(*session); !problems.empty()) return problems;
   Outcome outcome = outcome_of(options, *mission, *result, clock.now_s() - begun_s);
   if (options.out.empty()) return outcome;
-  const std::filesystem::path picture = options.out / kDrivenPicture;
+  const std::filesystem::path image = options.out / kDrivenImage;
   if (Problems problems = write_whole_file(
-          picture, trace_picture(mission->driver->building(), *result, "driven alone, simulated"));
+          image, trace_picture(mission->driver->building(), *result, "driven alone, simulated"));
       !problems.empty())
     return problems;
-  outcome.files["driven_svg"] = picture.string();
+  outcome.files["driven_svg"] = image.string();
   return outcome;
 }
 

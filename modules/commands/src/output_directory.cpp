@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Problems in_the_way(const fs::path& directory, bool force, const std::vector<std::string>& names) {
+Problems in_the_path(const fs::path& directory, bool force, const std::vector<std::string>& names) {
   Problems problems;
   for (const std::string& name : names) {
     const fs::path path = directory / name;
@@ -55,7 +55,7 @@ Result<OutputDirectory> OutputDirectory::open(const fs::path& directory, bool fo
   if (!fs::is_directory(directory, error)) return Problem{{directory.string()}, "is not a directory"};
   if (::access(directory.c_str(), W_OK | X_OK) != 0)
     return Problem{{directory.string()}, "cannot be written to"};
-  if (const Problems problems = in_the_way(directory, force, names); !problems.empty()) return problems;
+  if (const Problems problems = in_the_path(directory, force, names); !problems.empty()) return problems;
   return opened;
 }
 

@@ -8,9 +8,9 @@
 #include <sstream>
 #include <utility>
 
+#include "aisle/formats/images/map_server.hpp"
+#include "aisle/formats/images/plan_image.hpp"
 #include "aisle/formats/mazes/maze_file.hpp"
-#include "aisle/formats/pictures/map_server.hpp"
-#include "aisle/formats/pictures/plan_picture.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/worlds/world_yaml.hpp"
 #include "aisle/simulation/plans/free_sides.hpp"
@@ -44,7 +44,7 @@ Result<World> world_of_floor(Result<FloorPlan> plan, const ConvertOptions& optio
   clean_plan(*plan, options.speck_m);
   World world;
   for (const Segment2& wall : trace_plan(*plan, options.tracing, console.progress)) {
-    world.walls.push_back({.foot = wall});
+    world.walls.push_back({.floor_point = wall});
   }
   if (world.walls.empty()) return Problem{{options.plan.string()}, "shows no free floor"};
   return world;
@@ -68,10 +68,10 @@ Result<World> world_of_maze(std::string_view bytes, const ConvertOptions& option
 Result<World> world_of_segments(std::string_view bytes, const std::string& name) {
   Result<World> world = parse_wall_segments(bytes, name);
   if (!world) return world;
-  std::vector<Segment2> feet;
-  for (const WallFace& wall : world->walls) feet.push_back(wall.foot);
-  feet = with_free_sides_left(feet);
-  for (std::size_t i = 0; i < feet.size(); ++i) world->walls[i].foot = feet[i];
+  std::vector<Segment2> floor_points;
+  for (const WallFace& wall : world->walls) floor_points.push_back(wall.floor_point);
+  floor_points = with_free_sides_left(floor_points);
+  for (std::size_t i = 0; i < floor_points.size(); ++i) world->walls[i].floor_point = floor_points[i];
   return world;
 }
 
@@ -82,8 +82,8 @@ Result<World> walls_of_plan(const ConvertOptions& options, Console& console) {
   switch (options.from == PlanKind::kAny ? plan_kind_of(options.plan, *bytes) : options.from) {
     case PlanKind::kSegments:
       return world_of_segments(*bytes, name);
-    case PlanKind::kPicture:
-      return world_of_floor(parse_plan_picture(*bytes, name, options.resolution_m), options, console);
+    case PlanKind::kImage:
+      return world_of_floor(parse_plan_image(*bytes, name, options.resolution_m), options, console);
     case PlanKind::kMapServer:
       return world_of_floor(read_map_server(options.plan), options, console);
     case PlanKind::kMaze:
@@ -100,10 +100,10 @@ bool is_yaml(const std::filesystem::path& file) {
 }  // namespace
 
 PlanKind plan_kind_of(const std::filesystem::path& name, std::string_view bytes) {
-  static constexpr std::array<std::string_view, 6> kPictures = {"P1", "P2",      "P4",
-                                                                "P5", "\x89PNG", "\xff\xd8\xff"};
-  if (std::any_of(kPictures.begin(), kPictures.end(), [&](auto magic) { return bytes.starts_with(magic); })) {
-    return PlanKind::kPicture;
+  static constexpr std::array<std::string_view, 6> kImages = {"P1", "P2",      "P4",
+                                                              "P5", "\x89PNG", "\xff\xd8\xff"};
+  if (std::any_of(kImages.begin(), kImages.end(), [&](auto magic) { return bytes.starts_with(magic); })) {
+    return PlanKind::kImage;
   }
   if (is_yaml(name)) return PlanKind::kMapServer;
   return begins_with_wall_segment(bytes) ? PlanKind::kSegments : PlanKind::kMaze;
@@ -116,15 +116,15 @@ Result<World> world_of_plan(const ConvertOptions& options, Console& console) {
 }
 
 PlannedWorld with_tour(World world, const RoundTripParams& params, Console& console) {
-  auto trip = plan_round_trip(world, params, console.progress);
-  if (!trip) {
+  auto run = plan_round_trip(world, params, console.progress);
+  if (!run) {
     console.warn(fmt::format("{}: no room for a vehicle {:g} m wide: the world has neither start nor tour",
                              world.name, params.vehicle_width_m));
     return {std::move(world), 0};
   }
-  if (!world.start) world.start = trip->T_world_start;
-  if (world.tour.empty() && trip->tour.size() > 1) world.tour = std::move(trip->tour);
-  return {std::move(world), trip->drivable_m2};
+  if (!world.start) world.start = run->T_world_start;
+  if (world.tour.empty() && run->tour.size() > 1) world.tour = std::move(run->tour);
+  return {std::move(world), run->drivable_m2};
 }
 
 bool is_plan(const std::filesystem::path& file) {

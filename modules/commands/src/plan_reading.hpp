@@ -13,9 +13,9 @@ struct PlannedWorld {
   World world;
   double drivable_m2 = 0;  ///< where a vehicle can be
 };
-PlannedWorld with_tour(World world, const RoundTripParams& trip, Console& console);
+PlannedWorld with_tour(World world, const RoundTripParams& run, Console& console);
 
-/// Whether there is a file that is a plan: no YAML, or one that names a map_server's picture.
+/// Whether there is a file that is a plan: no YAML, or one that names a map_server's image.
 bool is_plan(const std::filesystem::path& file);
 
 /// What a file with this content and name is; never kAny.

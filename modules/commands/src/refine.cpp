@@ -10,40 +10,40 @@
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/vehicle/same_camera.hpp"
 #include "landmarks/landmark_driver.hpp"
-#include "landmarks/landmark_lesson.hpp"
+#include "landmarks/landmark_learning_result.hpp"
 #include "learned_files.hpp"
 #include "rounded.hpp"
 
 namespace aisle {
 namespace {
 
-/// Where a trip began: at the start of its route, or of the way back. A session that names none of the
+/// Where a run began: at the start of its route, or of the return path. A session that names none of the
 /// building's routes begins at the first one's start.
 Pose2 start_of(const SessionOrigin& origin, const Building& building, const VehicleDescription& vehicle) {
   for (const Route& route : building.routes) {
     if (route.name != origin.route) continue;
-    const Path path = origin.in_reverse ? way_back(route.path, vehicle.footprint) : route.path;
+    const Path path = origin.in_reverse ? path_back(route.path, vehicle.footprint) : route.path;
     return path.at(0).T_map_path;
   }
   return building.routes.empty() ? Pose2{} : building.routes.front().path.at(0).T_map_path;
 }
 
-/// One more trip. @return its figures
+/// One more run. @return its figures
 Result<nlohmann::ordered_json> take_in(const std::filesystem::path& session,
-                                       const LandmarkLessonParams& params, Building& building,
+                                       const LandmarkLearnerParams& params, Building& building,
                                        Progress& progress) {
   auto cycles = SessionCycles::open(session);
   if (!cycles) return cycles.problems();
-  const auto trip = read_landmark_trip(session, *cycles, params.sightings, progress);
-  if (!trip) return trip.problems();
-  if (Problems problems = check_same_camera(*building.camera, trip->camera); !problems.empty())
+  const auto run = read_landmark_run(session, *cycles, params.sightings, progress);
+  if (!run) return run.problems();
+  if (Problems problems = check_same_camera(*building.camera, run->camera); !problems.empty())
     return at_file(problems, session.string());
   const Pose2 T_map_start = start_of(cycles->origin(), building, cycles->vehicle());
-  RefinedLandmarks refined = refine_landmarks(building.landmarks, trip->cycles, trip->vehicle,
+  RefinedLandmarks refined = refine_landmarks(building.landmarks, run->cycles, run->vehicle,
                                               about_start(T_map_start), params.learning);
   if (refined.matched_share < kKnownShareMin) {
     return Problem{{session.string()},
-                   fmt::format("shows other landmarks than the building's: {:.0f} % of its pictures fit",
+                   fmt::format("shows other landmarks than the building's: {:.0f} % of its images fit",
                                100 * refined.matched_share)};
   }
   building.landmarks = std::move(refined.map);
@@ -55,12 +55,12 @@ Result<nlohmann::ordered_json> take_in(const std::filesystem::path& session,
 }  // namespace
 
 Outcome refine_parameters() {
-  LandmarkLessonParams params;
+  LandmarkLearnerParams params;
   return parameter_listing("refine", fields_of(params));
 }
 
 Result<Outcome> run_refine(const RefineOptions& options, Console& console) {
-  LandmarkLessonParams params;
+  LandmarkLearnerParams params;
   FieldList fields = fields_of(params);
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   auto building = read_building(options.building);
@@ -75,12 +75,12 @@ Result<Outcome> run_refine(const RefineOptions& options, Console& console) {
   Outcome outcome{.verb = "refine"};
   outcome.figures = {{"landmarks_before", before}, {"trips", nlohmann::ordered_json::array()}};
   for (const std::filesystem::path& session : options.sessions) {
-    auto trip = take_in(session, params, *building, console.progress);
-    if (!trip) return trip.problems();
-    outcome.figures["trips"].push_back(std::move(*trip));
+    auto run = take_in(session, params, *building, console.progress);
+    if (!run) return run.problems();
+    outcome.figures["trips"].push_back(std::move(*run));
   }
   outcome.figures["landmarks"] = building->landmarks.size();
-  outcome.text = fmt::format("{} landmarks before, {} after {} trip{}\n", before, building->landmarks.size(),
+  outcome.text = fmt::format("{} landmarks before, {} after {} run{}\n", before, building->landmarks.size(),
                              options.sessions.size(), options.sessions.size() == 1 ? "" : "s");
   if (!*directory) return outcome;
   auto files = (*directory)->write(learned_files(*building, *truth, {}));

@@ -7,7 +7,7 @@
 
 #include "aisle/commands/parameter_listing.hpp"
 #include "aisle/commands/shipped_files.hpp"
-#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/formats/images/image_file.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "aisle/formats/worlds/world_yaml.hpp"
@@ -60,7 +60,7 @@ bool is_jpeg(const fs::path& path) {
 
 Problems unfit_for_output(const fs::path& path, bool force) {
   if (path.extension() != ".png" && !is_jpeg(path)) {
-    return {{{path.string()}, "is no name of a picture: it ends neither in .png nor in .jpg"}};
+    return {{{path.string()}, "is no name of an image: it ends neither in .png nor in .jpg"}};
   }
   std::error_code error;
   if (fs::is_directory(path, error)) return {{{path.string()}, "is a directory"}};
@@ -102,8 +102,8 @@ Result<Outcome> run_render_view(const RenderViewOptions& options, Console&) {
   moment.light = options.light;
   moment.laser_on = options.laser;
   if (model->description.laser_markers) moment.laser_height_m = model->description.laser_markers->height_m;
-  const Image picture = CameraSensor(*camera, params, options.seed).take(RenderedWorld(*world), moment);
-  const std::string bytes = is_jpeg(options.out) ? jpeg_bytes(picture, kJpegQuality) : png_bytes(picture);
+  const Image image = CameraSensor(*camera, params, options.seed).take(RenderedWorld(*world), moment);
+  const std::string bytes = is_jpeg(options.out) ? jpeg_bytes(image, kJpegQuality) : png_bytes(image);
   if (const Problems problems = write_whole_file(options.out, bytes); !problems.empty()) return problems;
 
   Outcome outcome{.verb = "sim render"};
@@ -111,14 +111,14 @@ Result<Outcome> run_render_view(const RenderViewOptions& options, Console&) {
   outcome.figures = {{"simulated", true},
                      {"seed", options.seed},
                      {"camera", camera->name},
-                     {"width_px", picture.width_px},
-                     {"height_px", picture.height_px},
+                     {"width_px", image.width_px},
+                     {"height_px", image.height_px},
                      {"x_m", place->x},
                      {"y_m", place->y},
                      {"heading_deg", std::round(to_degrees(place->theta) * 1000) / 1000},
-                     {"mean_grey", std::round(mean_grey(picture) * 10) / 10}};
-  outcome.text = fmt::format("simulated picture of camera {} in {}, {} x {} pixels: {}\n", camera->name,
-                             world->name, picture.width_px, picture.height_px, options.out.string());
+                     {"mean_grey", std::round(mean_grey(image) * 10) / 10}};
+  outcome.text = fmt::format("simulated image of camera {} in {}, {} x {} pixels: {}\n", camera->name,
+                             world->name, image.width_px, image.height_px, options.out.string());
   return outcome;
 }
 

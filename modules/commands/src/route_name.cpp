@@ -34,12 +34,12 @@ Result<Route> find_route(const Building& building, const std::string& name) {
                  fmt::format("'{}' is unknown; the building has: {}", name, names_of(building.routes))};
 }
 
-Problems check_barriers(const Building& building, const std::string& route, const Path& way,
+Problems check_barriers(const Building& building, const std::string& route, const Path& path,
                         const Footprint& footprint) {
   if (building.barriers.empty()) return {};
-  const auto steps = static_cast<int>(way.length_m() / kRouteCheckEvery_m);
+  const auto steps = static_cast<int>(path.length_m() / kRouteCheckEvery_m);
   for (int i = 0; i <= steps; ++i) {
-    const Pose2 T_map_vehicle = way.at(i * kRouteCheckEvery_m).T_map_path;
+    const Pose2 T_map_vehicle = path.at(i * kRouteCheckEvery_m).T_map_path;
     const Barrier* met = barrier_met(building.barriers, footprint, T_map_vehicle);
     if (met == nullptr) continue;
     return {{{"", 0, "route"},

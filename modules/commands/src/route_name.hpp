@@ -29,7 +29,7 @@ Result<Route> find_route(const Building& building, const std::string& name);
 
 /// Whether the vehicle meets no barrier of the building on the way.
 /// @param route  its name
-Problems check_barriers(const Building& building, const std::string& route, const Path& way,
+Problems check_barriers(const Building& building, const std::string& route, const Path& path,
                         const Footprint& footprint);
 
 }  // namespace aisle

@@ -11,8 +11,8 @@
 #include "aisle/formats/worlds/world_yaml.hpp"
 #include "aisle/geometry/polyline.hpp"
 #include "aisle/report/world_picture.hpp"
-#include "aisle/simulation/slice.hpp"
-#include "aisle/simulation/ways/free_floor.hpp"
+#include "aisle/simulation/cross_section.hpp"
+#include "aisle/simulation/paths/free_floor.hpp"
 
 namespace aisle {
 namespace {
@@ -27,16 +27,16 @@ double to_centimetre(double value_m) {
 
 double wall_length_m(const World& world) {
   double sum_m = 0;
-  for (const WallFace& wall : world.walls) sum_m += wall.foot.length();
+  for (const WallFace& wall : world.walls) sum_m += wall.floor_point.length();
   return sum_m;
 }
 
 Vec2 size_m(const World& world) {
   if (world.walls.empty()) return Vec2::Zero();
-  Vec2 low = world.walls[0].foot.start, high = low;
+  Vec2 low = world.walls[0].floor_point.start, high = low;
   for (const WallFace& wall : world.walls) {
-    low = low.cwiseMin(wall.foot.start).cwiseMin(wall.foot.end);
-    high = high.cwiseMax(wall.foot.start).cwiseMax(wall.foot.end);
+    low = low.cwiseMin(wall.floor_point.start).cwiseMin(wall.floor_point.end);
+    high = high.cwiseMax(wall.floor_point.start).cwiseMax(wall.floor_point.end);
   }
   return high - low;
 }
@@ -153,7 +153,7 @@ Problems draw(const World& world, const ShowWorldOptions& options, Outcome& outc
   const Vec2 size = size_m(world);
   const std::string caption = fmt::format("{:.1f} m x {:.1f} m, {} doors, {} places", size.x(), size.y(),
                                           world.doors.size(), world.places.size());
-  const WorldPicture picture{world, world.name, caption};
+  const WorldPicture image{world, world.name, caption};
   Problems problems;
   const auto write = [&](const char* role, const std::filesystem::path& path, const std::string& bytes) {
     const Problems more = write_whole_file(path, bytes);
@@ -161,8 +161,8 @@ Problems draw(const World& world, const ShowWorldOptions& options, Outcome& outc
     outcome.files[role] = path.string();
     outcome.text += fmt::format("  plan in {}\n", path.string());
   };
-  if (options.svg) write("svg", *options.svg, svg(picture));
-  if (options.png) write("png", *options.png, png(picture));
+  if (options.svg) write("svg", *options.svg, svg(image));
+  if (options.png) write("png", *options.png, png(image));
   return problems;
 }
 

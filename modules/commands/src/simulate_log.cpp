@@ -53,32 +53,32 @@ Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& con
   const auto world = read_shipped_or_own("worlds", options.world.string(), read_world);
   if (!world) return world.problems();
   if (world->tour.size() < 2)
-    return Problem{{options.world.string(), 0, "tour"}, "needs at least two way points"};
+    return Problem{{options.world.string(), 0, "tour"}, "needs at least two waypoint"};
   const auto out =
       OutputDirectory::open(options.out, options.force, {"simulated-trip.log", "true.relations", "true.tum"});
   if (!out) return out.problems();
 
-  const TourRecording trip = record_tour(*world, params, options.seed, console.progress);
+  const TourRecording run = record_tour(*world, params, options.seed, console.progress);
   Random random(options.seed);
-  const auto relations = true_relations(trip.T_world_vehicle, random);
+  const auto relations = true_relations(run.T_world_vehicle, random);
   std::vector<double> stamps_s;
-  for (const LaserScan& scan : trip.log.scans) stamps_s.push_back(scan.stamp_s);
+  for (const LaserScan& scan : run.log.scans) stamps_s.push_back(scan.stamp_s);
 
-  const auto written = out->write({{"log", "simulated-trip.log", carmen_text(trip.log)},
+  const auto written = out->write({{"log", "simulated-trip.log", carmen_text(run.log)},
                                    {"relations", "true.relations", relations_text(relations)},
-                                   {"truth", "true.tum", tum_text(stamps_s, trip.T_world_vehicle)}});
+                                   {"truth", "true.tum", tum_text(stamps_s, run.T_world_vehicle)}});
   if (!written) return written.problems();
 
   Outcome outcome{.verb = "sim log"};
   outcome.files = *written;
-  const double way_m = length_m(trip.T_world_vehicle);
+  const double path_m = length_m(run.T_world_vehicle);
   outcome.figures = {{"simulated", true},
                      {"seed", options.seed},
-                     {"scans", trip.log.scans.size()},
-                     {"path_m", std::round(way_m * 100) / 100},
+                     {"scans", run.log.scans.size()},
+                     {"path_m", std::round(path_m * 100) / 100},
                      {"relations", relations.size()}};
-  outcome.text = fmt::format("simulated trip of {:.0f} m through {}: {} scans in {}\n", way_m, world->name,
-                             trip.log.scans.size(), outcome.files["log"]);
+  outcome.text = fmt::format("simulated run of {:.0f} m through {}: {} scans in {}\n", path_m, world->name,
+                             run.log.scans.size(), outcome.files["log"]);
   return outcome;
 }
 

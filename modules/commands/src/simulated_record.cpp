@@ -7,11 +7,11 @@
 namespace aisle {
 
 Result<Observation> SimulatedRecord::keep(Observation observation) {
-  pictures_ += observation.pictures.size();
-  picture_camera_.clear();
-  if (!observation.pictures.empty()) {
-    picture_camera_ = observation.pictures.front().camera;
-    picture_stamp_s_ = observation.pictures.front().stamp_s;
+  images_ += observation.images.size();
+  image_camera_.clear();
+  if (!observation.images.empty()) {
+    image_camera_ = observation.images.front().camera;
+    image_stamp_s_ = observation.images.front().stamp_s;
   }
   if (!session_) return observation;
   const SimulatedTruth& truth = vehicle_.truth();
@@ -43,8 +43,8 @@ void SimulatedRecord::show_match(const ViewMatch& match) const {
 }
 
 void SimulatedRecord::show_overlay(const Overlay& overlay) const {
-  if (is_watched() && !picture_camera_.empty())
-    show(overlay_topic(picture_camera_), overlay_cdr(picture_stamp_s_, overlay));
+  if (is_watched() && !image_camera_.empty())
+    show(overlay_topic(image_camera_), overlay_cdr(image_stamp_s_, overlay));
 }
 
 void SimulatedRecord::show_floor(const FloorGrid& floor) {

@@ -22,11 +22,11 @@ class SimulatedRecord : public MissionRecord {
   Result<Observation> keep(Observation observation) override;
   Problems keep(const Decision& decision) override;
 
-  std::size_t pictures() const { return pictures_; }
+  std::size_t images() const { return images_; }
 
  protected:
   /// To whoever watches; nothing of it is kept. Where the navigator takes the vehicle to be, along what it
-  /// drives, how well what it sees fits what it knows, and what it saw in the cycle's first picture.
+  /// drives, how well what it sees fits what it knows, and what it saw in the cycle's first image.
   void show_pose(const UncertainPose2& T_map_vehicle) const;
   void show_plan(const Path& path) const;
   void show_match(const ViewMatch& match) const;
@@ -36,15 +36,15 @@ class SimulatedRecord : public MissionRecord {
   void show(const SessionTopic& topic, const std::string& cdr) const;
 
   bool is_watched() const { return session_ && session_->watcher() != nullptr; }
-  /// The camera of the cycle's first picture; empty: none was taken.
-  const std::string& pictured_by() const { return picture_camera_; }
+  /// The camera of the cycle's first image; empty: none was taken.
+  const std::string& pictured_by() const { return image_camera_; }
 
  private:
   std::optional<SessionRecord>& session_;
   const SimulatedVehicle& vehicle_;
-  std::size_t pictures_ = 0;
-  std::string picture_camera_;
-  double picture_stamp_s_ = 0;
+  std::size_t images_ = 0;
+  std::string image_camera_;
+  double image_stamp_s_ = 0;
   std::string floor_shown_;
   double floor_shown_s_ = -1;
 };

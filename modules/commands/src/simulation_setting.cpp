@@ -41,7 +41,7 @@ Result<World> read_world_or_plan(const std::filesystem::path& file, double plan_
   Console console{silent, [](const std::string&) {}};
   auto world = world_of_plan(convert, console);
   if (!world) return world;
-  return with_tour(std::move(*world), convert.trip, console).world;
+  return with_tour(std::move(*world), convert.run, console).world;
 }
 
 }  // namespace

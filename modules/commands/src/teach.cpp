@@ -7,7 +7,7 @@
 #include "aisle/formats/worlds/world_yaml.hpp"
 #include "aisle/guidance/rooms/room_cameras.hpp"
 #include "aisle/simulation/operators/route_guide.hpp"
-#include "landmarks/landmark_trip.hpp"
+#include "landmarks/landmark_run.hpp"
 #include "methods.hpp"
 #include "rooms/room_driver.hpp"
 #include "route_name.hpp"
@@ -24,20 +24,21 @@ Problems take_route(const TeachOptions& options, const VehicleDescription& vehic
   if (!file) return file.problems();
   const auto world = read_world(*file);
   if (!world) return world.problems();
-  const TaughtWay* way = route_of(*world, options.route);
-  if (way != nullptr) drive.T_world_start = start_of(*way);
-  if (options.shows_view_pattern && (drive.keys || way == nullptr || way->parking != ParkingStrategy::kView))
+  const WorldRoute* path = route_of(*world, options.route);
+  if (path != nullptr) drive.T_world_start = start_of(*path);
+  if (options.shows_view_pattern &&
+      (drive.keys || path == nullptr || path->parking != ParkingStrategy::kView))
     return {{{"", 0, "--views"}, "the pattern is driven by a scripted person, about a taught place"}};
   if (drive.keys) return {};
-  if (way == nullptr)
+  if (path == nullptr)
     return {{{file->string(), 0, "routes"},
              fmt::format("none is '{}', which a scripted person could drive; there are: {}", options.route,
                          names_of(world->routes))}};
   const ShownViews views = options.shows_view_pattern ? ShownViews::kPattern : ShownViews::kTrail;
-  drive.keys = [world = *world, way = *way, seed = drive.seed, views](
+  drive.keys = [world = *world, path = *path, seed = drive.seed, views](
                    const VehicleDescription& driven, const KeySpeeds&) -> Result<std::unique_ptr<Operator>> {
     return std::unique_ptr<Operator>(
-        std::make_unique<RouteGuide>(world, way, driven, ScriptedOperatorParams{}, seed, views));
+        std::make_unique<RouteGuide>(world, path, driven, ScriptedOperatorParams{}, seed, views));
   };
   return {};
 }

@@ -114,26 +114,26 @@ Problems run_seed(const TrialOptions& options, const LandmarkCourseParams& param
                   Trial& trial, Progress& progress) {
   const auto setting = landmark_setting(options, seed);
   if (!setting) return setting.problems();
-  const auto trip = teach_trip(*setting, params, seed, progress);
-  if (!trip) return trip.problems();
-  if (!*trip) {
+  const auto run = teach_run(*setting, params, seed, progress);
+  if (!run) return run.problems();
+  if (!*run) {
     trial.not_taught.add(seed, "the person did not get through");
     return {};
   }
-  const auto lesson = learn_lesson(**trip, "route", params.lesson);
-  if (!lesson) {
-    trial.not_taught.add(seed, to_string(lesson.problems()));
+  const auto learned = learn_route(**run, "route", params.learner);
+  if (!learned) {
+    trial.not_taught.add(seed, to_string(learned.problems()));
     return {};
   }
-  const MapTruth truth(lesson->T_map_taught, (*trip)->T_world_vehicle);
-  Building building = lesson->building;
+  const MapTruth truth(learned->T_map_taught, (*run)->T_world_vehicle);
+  Building building = learned->building;
   for (int refinement = 0; refinement <= options.refinements; ++refinement) {
     const std::uint64_t mission_seed = 1000 * (seed + 1) + static_cast<std::uint64_t>(refinement);
     SimulationSetting present = *setting;
     if (options.lift_m) {
       const auto lift =
           lift_on_route(present, building.routes.front().path, truth, *options.lift_m, mission_seed);
-      if (!lift) return {{{}, fmt::format("seed {}: the way is too short to be lifted along it", seed)}};
+      if (!lift) return {{{}, fmt::format("seed {}: the path is too short to be lifted along it", seed)}};
       present.scenario.events.push_back(*lift);
     }
     const auto result = drive_alone(present, params, building, truth,
@@ -141,7 +141,7 @@ Problems run_seed(const TrialOptions& options, const LandmarkCourseParams& param
     if (!result) return result.problems();
     trial.after[static_cast<std::size_t>(refinement)].add(*result, building.landmarks.size());
     trial.missions.push_back(mission_json(seed, *setting, refinement, *result));
-    refine_by(*result, setting->vehicle.description, params.lesson.learning, building);
+    refine_by(*result, setting->vehicle.description, params.learner.learning, building);
   }
   return {};
 }

@@ -20,11 +20,11 @@ std::string text_cdr(const ViewerJson& json) {
 /// Laser light on things, as dashes.
 void append_light(Overlay& overlay, std::span<const Vec2> p_vehicle_lit, const CameraDescription& camera,
                   double height_m) {
-  const Vec2 aside(3, 0);
+  const Vec2 lateral(3, 0);
   const CameraModel model(camera.intrinsics);
   for (const Vec2& p : p_vehicle_lit) {
     const auto pixel = model.project(camera.mount.to_camera({p.x(), p.y(), height_m}));
-    if (pixel) overlay.push_back({"stripe", *pixel - aside, *pixel + aside});
+    if (pixel) overlay.push_back({"stripe", *pixel - lateral, *pixel + lateral});
   }
 }
 
@@ -39,13 +39,13 @@ std::optional<int> top_of(const Image& mask, int u) {
 
 Overlay overlay_of(const LandmarkNavigator& navigator, const VehicleDescription& vehicle,
                    const std::string& camera) {
-  const Vec2 aside(7, 0), up(0, 7);
+  const Vec2 lateral(7, 0), up(0, 7);
   Overlay overlay;
   for (const VerticalLine& line : navigator.lines())
     overlay.push_back({"vertical line", line.top_px, line.bottom_px});
   for (const LandmarkSighting& sighting : navigator.sightings()) {
-    overlay.push_back({"foot", sighting.foot_px - aside, sighting.foot_px + aside});
-    overlay.push_back({"foot", sighting.foot_px - up, sighting.foot_px + up});
+    overlay.push_back({"foot", sighting.floor_point_px - lateral, sighting.floor_point_px + lateral});
+    overlay.push_back({"foot", sighting.floor_point_px - up, sighting.floor_point_px + up});
   }
   if (const CameraDescription* eye = vehicle.camera(camera); eye != nullptr && vehicle.laser_markers)
     append_light(overlay, navigator.p_vehicle_lit(), *eye, vehicle.laser_markers->height_m);

@@ -14,7 +14,7 @@
 
 namespace aisle {
 
-/// A line in a picture.
+/// A line in an image.
 struct OverlayLine {
   const char* kind = "";
   Vec2 from_px = Vec2::Zero();
@@ -23,7 +23,7 @@ struct OverlayLine {
 using Overlay = std::vector<OverlayLine>;
 
 /// Vertical lines, the feet of landmarks as small crosses, and the light of the laser markers.
-/// @param camera  of the picture
+/// @param camera  of the image
 Overlay overlay_of(const LandmarkNavigator& navigator, const VehicleDescription& vehicle,
                    const std::string& camera);
 /// Where the floor ends: the base lines of walls.
@@ -32,7 +32,7 @@ Overlay overlay_of(std::span<const FloorEdge> edges);
 Overlay overlay_of(const RouteView& view, const RouteSight& sight);
 
 SessionTopic overlay_topic(const std::string& camera);
-/// @param stamp_s  of the picture
+/// @param stamp_s  of the image
 std::string overlay_cdr(double stamp_s, const Overlay& overlay);
 
 /// How well what is seen fits what is known.

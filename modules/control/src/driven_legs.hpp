@@ -7,14 +7,14 @@
 
 namespace aisle {
 
-/// A stretch that was driven without a stop between: all forwards or all backwards.
+/// A segment that was driven without a stop between: all forwards or all backwards.
 struct DrivenLeg {
   double direction = 1;        ///< -1: backwards
   std::vector<Pose2> samples;  ///< base_link, `step_m` apart; at least two
   double turn_before_rad = 0;  ///< on the spot, between the leg before and this one
 };
 
-/// The legs of a driven way, thinned to samples a step apart. Where less than a step was driven there is no
+/// The legs of a driven path, thinned to samples a step apart. Where less than a step was driven there is no
 /// leg.
 std::vector<DrivenLeg> driven_legs(std::span<const Pose2> driven, double step_m);
 

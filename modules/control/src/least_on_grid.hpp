@@ -19,7 +19,7 @@ inline bool is_better(const GridValue& a, const GridValue& b) {
 }
 
 /// The best of f(min) .. f(max), the same as all tries would give, for a function whose neighbouring values
-/// differ by at most `slope`: stretches that can hold nothing as good as the best are left out.
+/// differ by at most `slope`: segments that can hold nothing as good as the best are left out.
 template <class Function>
 GridValue least_on_grid(int min, int max, double slope, Function&& f) {
   constexpr double kRounding = 1e-9;
@@ -31,18 +31,18 @@ GridValue least_on_grid(int min, int max, double slope, Function&& f) {
     return tried;
   };
   if (min == max) return first;
-  std::vector<std::pair<GridValue, GridValue>> stretches = {{first, try_at(max)}};
-  while (!stretches.empty()) {
-    const auto [a, b] = stretches.back();
-    stretches.pop_back();
+  std::vector<std::pair<GridValue, GridValue>> path_segments = {{first, try_at(max)}};
+  while (!path_segments.empty()) {
+    const auto [a, b] = path_segments.back();
+    path_segments.pop_back();
     const int steps = b.index - a.index;
     const double bound = (a.value + b.value - slope * steps) / 2;
     if (steps < 2 || bound > best.value + kRounding) continue;
     const double lowest_at = a.index + (steps + (a.value - b.value) / slope) / 2;
     const int middle = std::clamp(static_cast<int>(std::lround(lowest_at)), a.index + 1, b.index - 1);
     const GridValue m = try_at(middle);
-    stretches.push_back({a, m});
-    stretches.push_back({m, b});
+    path_segments.push_back({a, m});
+    path_segments.push_back({m, b});
   }
   return best;
 }

@@ -54,13 +54,13 @@ class PointSums {
   Vec2 last_ = Vec2::Zero();
 };
 
-enum StretchKind : std::size_t { kLine, kArc };
+enum PathSegmentKind : std::size_t { kLine, kArc };
 
-/// The cheapest way to have cut the samples up to one of them, by the kind of its last stretch.
+/// The cheapest path to have cut the samples up to one of them, by the kind of its last segment.
 struct Cut {
   double cost = std::numeric_limits<double>::infinity();
   std::size_t first = 0;
-  StretchKind kind_before = kArc;
+  PathSegmentKind kind_before = kArc;
   double curvature_per_m = 0;
 };
 using Cuts = std::array<Cut, 2>;
@@ -69,14 +69,14 @@ void improve(Cut& cut, const Cut& tried) {
   if (tried.cost < cut.cost) cut = tried;
 }
 
-StretchKind cheapest(const Cuts& cuts) {
+PathSegmentKind cheapest(const Cuts& cuts) {
   return cuts[kLine].cost <= cuts[kArc].cost ? kLine : kArc;
 }
 
 }  // namespace
 
-std::vector<Stretch> cut_leg(std::span<const Pose2> samples, double step_m, double radius_min_m,
-                             double price_m3) {
+std::vector<PathSegment> cut_leg(std::span<const Pose2> samples, double step_m, double radius_min_m,
+                                 double price_m3) {
   constexpr std::size_t kLongest = 600;
   constexpr std::size_t kShortest = 3;
   constexpr double kTurnMax_rad = 0.75 * std::numbers::pi;
@@ -85,7 +85,7 @@ std::vector<Stretch> cut_leg(std::span<const Pose2> samples, double step_m, doub
   cuts[0][kArc].cost = cuts[0][kLine].cost = 0;
   for (std::size_t i = 0; i + 1 < count; ++i) {
     PointSums sums;
-    const StretchKind before = cheapest(cuts[i]);
+    const PathSegmentKind before = cheapest(cuts[i]);
     const double best = cuts[i][before].cost;
     const double after_arc = i == 0 ? 0 : cuts[i][kArc].cost;
     if (!std::isfinite(best)) continue;
@@ -102,16 +102,16 @@ std::vector<Stretch> cut_leg(std::span<const Pose2> samples, double step_m, doub
       improve(cuts[j][kArc], {best + step_m * circle.off_m2 + price_m3, i, before, curvature_per_m});
     }
   }
-  std::vector<Stretch> stretches;
-  StretchKind kind = cheapest(cuts.back());
+  std::vector<PathSegment> path_segments;
+  PathSegmentKind kind = cheapest(cuts.back());
   for (std::size_t last = count - 1; last > 0;) {
     const Cut& cut = cuts[last][kind];
-    stretches.push_back({cut.first, last, cut.curvature_per_m});
+    path_segments.push_back({cut.first, last, cut.curvature_per_m});
     last = cut.first;
     kind = cut.kind_before;
   }
-  std::reverse(stretches.begin(), stretches.end());
-  return stretches;
+  std::reverse(path_segments.begin(), path_segments.end());
+  return path_segments;
 }
 
 }  // namespace aisle

@@ -9,16 +9,16 @@
 namespace aisle {
 
 /// Consecutive samples of a leg that lie along one line or arc.
-struct Stretch {
+struct PathSegment {
   std::size_t first = 0;       ///< sample
-  std::size_t last = 0;        ///< the next stretch begins there
+  std::size_t last = 0;        ///< the next segment begins there
   double curvature_per_m = 0;  ///< to the left in the direction of travel; 0: a line
 };
 
 /// Cuts a leg into the lines and arcs for which the sum of squared distances times their spacing, and a price
 /// for each piece, is least. Two lines never follow each other: they could not join without a kink.
 /// @param price_m3  of an arc; a line costs half
-std::vector<Stretch> cut_leg(std::span<const Pose2> samples, double step_m, double radius_min_m,
-                             double price_m3);
+std::vector<PathSegment> cut_leg(std::span<const Pose2> samples, double step_m, double radius_min_m,
+                                 double price_m3);
 
 }  // namespace aisle

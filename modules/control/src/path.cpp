@@ -34,7 +34,7 @@ bool is_one_leg(const PathPiece& a, const PathPiece& b) {
 
 Pose2 PathPiece::at(double from_start_m) const {
   if (is_on_the_spot()) return T_map_start;
-  const double share = from_start_m / way_m();
+  const double share = from_start_m / path_m();
   return T_map_start * end_pose({share * arc.length_m, share * arc.turn_rad});
 }
 
@@ -54,7 +54,7 @@ Path::Path(std::vector<PathPiece> pieces) : pieces_(std::move(pieces)) {
       throw std::invalid_argument("piece " + std::to_string(i) + " does not start where the one before ends");
     }
     starts_m_.push_back(length_m_);
-    length_m_ += pieces_[i].way_m();
+    length_m_ += pieces_[i].path_m();
   }
 }
 
@@ -69,7 +69,7 @@ PathPoint Path::at(double along_m) const {
   const double within_m = std::clamp(along_m, 0.0, length_m_);
   const auto after = std::upper_bound(starts_m_.begin() + 1, starts_m_.end(), within_m);
   const std::size_t piece = static_cast<std::size_t>(after - starts_m_.begin()) - 1;
-  return point(piece, std::min(within_m - starts_m_[piece], pieces_[piece].way_m()));
+  return point(piece, std::min(within_m - starts_m_[piece], pieces_[piece].path_m()));
 }
 
 PathPoint Path::nearest(const Vec2& p_map, double from_m, double to_m, std::size_t first,
@@ -79,16 +79,16 @@ PathPoint Path::nearest(const Vec2& p_map, double from_m, double to_m, std::size
   double best_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = first; i < end; ++i) {
     const PathPiece& piece = pieces_[i];
-    const double start_m = starts_m_[i], way_m = piece.way_m();
-    if (start_m + way_m < first_m || start_m > last_m) continue;
-    const PathPoint here = point(i, piece.nearest(p_map, std::clamp(first_m - start_m, 0.0, way_m),
-                                                  std::clamp(last_m - start_m, 0.0, way_m)));
+    const double start_m = starts_m_[i], path_m = piece.path_m();
+    if (start_m + path_m < first_m || start_m > last_m) continue;
+    const PathPoint here = point(i, piece.nearest(p_map, std::clamp(first_m - start_m, 0.0, path_m),
+                                                  std::clamp(last_m - start_m, 0.0, path_m)));
     const double off_m = (p_map - here.T_map_path.position()).norm();
     if (off_m >= best_m) continue;
     best = here;
     best_m = off_m;
   }
-  best.aside_m = (best.T_map_path.inverse() * p_map).y();
+  best.lateral_m = (best.T_map_path.inverse() * p_map).y();
   return best;
 }
 
@@ -100,7 +100,7 @@ std::size_t Path::leg_end(std::size_t piece) const {
 
 double Path::leg_end_m(std::size_t piece) const {
   const std::size_t last = leg_end(piece) - 1;
-  return starts_m_[last] + pieces_[last].way_m();
+  return starts_m_[last] + pieces_[last].path_m();
 }
 
 Path Path::up_to(double along_m) const {
@@ -109,8 +109,8 @@ Path Path::up_to(double along_m) const {
   for (PathPiece piece : pieces_) {
     const double left_m = along_m - starts_m_[pieces.size()];
     if (left_m <= 0 && !pieces.empty()) break;
-    if (left_m < piece.way_m()) {
-      const double share = std::max(left_m, kLeast_m) / piece.way_m();
+    if (left_m < piece.path_m()) {
+      const double share = std::max(left_m, kLeast_m) / piece.path_m();
       piece.arc = {piece.arc.length_m * share, piece.arc.turn_rad * share};
     }
     pieces.push_back(piece);

@@ -91,18 +91,18 @@ void add_joint(NormalEquations& equations, const LoosePath& loose, std::size_t k
 void add_waypoint(NormalEquations& equations, const LoosePath& loose, const Waypoint& waypoint) {
   const LoosePiece& piece = loose.pieces[waypoint.piece];
   const PathPiece shape{piece.T_map_start, piece.arc()};
-  const double way_m = shape.nearest(waypoint.p_map, 0, shape.way_m());
-  const Pose2 T_map_foot = shape.at(way_m);
-  const Vec2 off = T_map_foot.position() - waypoint.p_map;
-  const Eigen::Matrix<double, 3, kUnknowns> foot_slopes = place_slopes(piece, way_m / shape.way_m());
+  const double path_m = shape.nearest(waypoint.p_map, 0, shape.path_m());
+  const Pose2 T_map_floor_point = shape.at(path_m);
+  const Vec2 off = T_map_floor_point.position() - waypoint.p_map;
+  const Eigen::Matrix<double, 3, kUnknowns> floor_point_slopes = place_slopes(piece, path_m / shape.path_m());
   const auto pull = [&](const Vec2& towards) {
     Slopes slopes = Slopes::Zero();
-    slopes.head<kUnknowns>() = foot_slopes.topRows<2>().transpose() * towards;
+    slopes.head<kUnknowns>() = floor_point_slopes.topRows<2>().transpose() * towards;
     equations.add(waypoint.piece, towards.dot(off), slopes, waypoint.weight);
   };
-  const Vec2 ahead = unit(T_map_foot.theta);
+  const Vec2 ahead = unit(T_map_floor_point.theta);
   pull(left_normal(ahead));
-  if (way_m == 0 || way_m == shape.way_m()) pull(ahead);
+  if (path_m == 0 || path_m == shape.path_m()) pull(ahead);
 }
 
 /// A leg begins and ends where it was driven to.
@@ -166,13 +166,13 @@ void apply(LoosePath& loose, const Eigen::VectorXd& step) {
 }
 
 /// Where one piece's waypoints end and the next one's begin, each goes to the nearer piece; they stay in
-/// order, so that none leaps over to a stretch that passes near by.
+/// order, so that none leaps over to a segment that passes near by.
 void reassign(LoosePath& loose) {
   const auto choose = [&](Waypoint& waypoint, std::size_t first, std::size_t last) {
     if (waypoint.begins_leg || waypoint.ends_leg || first == last) return;
     const auto off_m = [&](std::size_t k) {
       const PathPiece shape{loose.pieces[k].T_map_start, loose.pieces[k].arc()};
-      return (shape.at(shape.nearest(waypoint.p_map, 0, shape.way_m())).position() - waypoint.p_map).norm();
+      return (shape.at(shape.nearest(waypoint.p_map, 0, shape.path_m())).position() - waypoint.p_map).norm();
     };
     double least_m = off_m(waypoint.piece);
     for (std::size_t k = first; k <= last; ++k) {
@@ -209,7 +209,7 @@ void drop_vanished(LoosePath& loose) {
   }
 }
 
-/// A step that turns a piece so far may lay it the other way round, which the waypoints do not tell apart.
+/// A step that turns a piece so far may lay it the other way round, which the waypoints do not distinguish.
 bool whirls(const Eigen::VectorXd& step) {
   constexpr double kTurnMost_rad = 30 * kDegree;
   for (Eigen::Index i = 2; i < step.size(); i += kUnknowns) {

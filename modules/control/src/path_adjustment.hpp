@@ -38,7 +38,7 @@ struct LoosePath {
   Pose2 T_map_end;
 };
 
-/// Moves, stretches and bends the pieces until they join and the sum of squared distances of the waypoints
+/// Moves, segments and bends the pieces until they join and the sum of squared distances of the waypoints
 /// from them, by weight, is least.
 void adjust(LoosePath& loose, double radius_min_m);
 

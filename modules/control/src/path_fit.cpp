@@ -23,21 +23,21 @@ constexpr int kTries = 3;
 constexpr double kCheaper = 4;
 constexpr double kBetweenSamples = 0.95;  // of the stray: between them it may be a little more
 constexpr double kStricter = 0.9;
-constexpr double kBend_rad = 30 * kDegree;  // over so much way a hand's wander turns less
+constexpr double kBend_rad = 30 * kDegree;  // over so much distance a hand's wander turns less
 constexpr double kBendOver_m = 1.2;
 constexpr double kBesideBend_m = 0.5;
 constexpr double kMeantStrayShare = 0.4;
 
-double way_m(const DrivenLeg& leg, const Stretch& stretch) {
-  double way_m = 0;
-  for (std::size_t i = stretch.first; i < stretch.last; ++i) {
-    way_m += (leg.samples[i + 1].position() - leg.samples[i].position()).norm();
+double path_m(const DrivenLeg& leg, const PathSegment& path_segment) {
+  double path_m = 0;
+  for (std::size_t i = path_segment.first; i < path_segment.last; ++i) {
+    path_m += (leg.samples[i + 1].position() - leg.samples[i].position()).norm();
   }
-  return way_m;
+  return path_m;
 }
 
-/// Who turns between walls or backs means the way that he takes: on a bend and beside it, and backwards, what
-/// was driven is hardly wander.
+/// Who turns between walls or backs means the path that he takes: on a bend and beside it, and backwards,
+/// what was driven is hardly wander.
 /// @return for each sample of the leg how much of the stray is allowed
 std::vector<double> stray_shares(const DrivenLeg& leg, double step_m) {
   const std::size_t count = leg.samples.size();
@@ -60,21 +60,22 @@ double first_weight(double stray_share, double step_m) {
   return step_m / square(stray_share);
 }
 
-void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<Stretch>& stretches, double step_m) {
+void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<PathSegment>& path_segments,
+             double step_m) {
   if (leg.turn_before_rad != 0) {
     loose.pieces.push_back(
         {.kind = Kind::kTurnOnTheSpot, .T_map_start = loose.T_map_end, .turn_rad = leg.turn_before_rad});
   }
   const std::vector<double> shares = stray_shares(leg, step_m);
-  for (const Stretch& stretch : stretches) {
-    const double length_m = way_m(leg, stretch);
-    loose.pieces.push_back({.kind = stretch.curvature_per_m == 0 ? Kind::kLine : Kind::kArc,
+  for (const PathSegment& path_segment : path_segments) {
+    const double length_m = path_m(leg, path_segment);
+    loose.pieces.push_back({.kind = path_segment.curvature_per_m == 0 ? Kind::kLine : Kind::kArc,
                             .direction = leg.direction,
-                            .T_map_start = leg.samples[stretch.first],
+                            .T_map_start = leg.samples[path_segment.first],
                             .length_m = length_m,
-                            .turn_rad = stretch.curvature_per_m * length_m,
+                            .turn_rad = path_segment.curvature_per_m * length_m,
                             .driven_m = length_m});
-    for (std::size_t i = stretch.first; i < stretch.last; ++i) {
+    for (std::size_t i = path_segment.first; i < path_segment.last; ++i) {
       loose.waypoints.push_back({.p_map = leg.samples[i].position(),
                                  .piece = loose.pieces.size() - 1,
                                  .stray_share = shares[i],
@@ -116,7 +117,7 @@ double stray_m(const LoosePath& loose, const Waypoint& waypoint) {
   const LoosePiece& piece = loose.pieces[waypoint.piece];
   const PathPiece shape{piece.T_map_start, piece.arc()};
   const Vec2 p_map_path =
-      (waypoint.ends_leg ? shape.end() : shape.at(shape.nearest(waypoint.p_map, 0, shape.way_m())))
+      (waypoint.ends_leg ? shape.end() : shape.at(shape.nearest(waypoint.p_map, 0, shape.path_m())))
           .position();
   return (p_map_path - waypoint.p_map).norm() / waypoint.stray_share;
 }
@@ -163,7 +164,7 @@ std::vector<std::size_t> worst_of_neighbours(const std::vector<double>& strays_m
   return worst;
 }
 
-/// Adjusts, pulls harder where the way strays most, and cuts where pulling does not help.
+/// Adjusts, pulls harder where the path strays most, and cuts where pulling does not help.
 /// @param stray_max_m  at the samples
 Path smoothed(LoosePath loose, double stray_max_m, double radius_min_m, double step_m) {
   constexpr int kRounds = 24, kPullsBeforeCut = 3;

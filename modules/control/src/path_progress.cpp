@@ -59,9 +59,10 @@ const PathPoint& PathProgress::advance(const Pose2& T_map_vehicle) {
 bool PathProgress::find(const Pose2& T_map_vehicle, double off_max_m) {
   const std::vector<double> passes_m = passes_by(*path_, T_map_vehicle, off_max_m);
   if (passes_m.empty()) return false;
-  const auto way_to = [this](double along_m) { return std::abs(along_m - point_.along_m); };
-  *this = PathProgress(*path_, *std::min_element(passes_m.begin(), passes_m.end(),
-                                                 [&](double a, double b) { return way_to(a) < way_to(b); }));
+  const auto path_to = [this](double along_m) { return std::abs(along_m - point_.along_m); };
+  *this = PathProgress(*path_, *std::min_element(passes_m.begin(), passes_m.end(), [&](double a, double b) {
+    return path_to(a) < path_to(b);
+  }));
   return true;
 }
 
@@ -76,7 +77,7 @@ bool PathProgress::is_leg_done(const Pose2& T_map_vehicle) const {
   if (piece.is_on_the_spot()) {
     return std::abs(wrap_angle(piece.end().theta - T_map_vehicle.theta)) < kTurned_rad;
   }
-  return path_->start_m(last) + piece.way_m() - point_.along_m < kArrived_m;
+  return path_->start_m(last) + piece.path_m() - point_.along_m < kArrived_m;
 }
 
 }  // namespace aisle

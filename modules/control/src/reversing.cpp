@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kSettle_m = 0.35;  // way over which what is off shrinks to 1/e
+constexpr double kSettle_m = 0.35;  // path over which what is off shrinks to 1/e
 
 /// Of the path a little ahead, on the same leg.
 double curvature_ahead_per_m(const Path& path, const PathPoint& point, double ahead_m) {
@@ -17,7 +17,7 @@ double curvature_ahead_per_m(const Path& path, const PathPoint& point, double ah
 
 }  // namespace
 
-/// With e how far base_link is to the left of the path, h its heading off the path's, s the way (against the
+/// With e how far base_link is to the left of the path, h its heading off the path's, s the path (against the
 /// heading: e' = -sin h, h' = -(bend - path's bend)): e'' = -2 e' / S - e / S^2 settles without overshoot.
 double reversing_steering_rad(const VehicleDescription& vehicle, const Path& path, const PathPoint& point,
                               const Pose2& T_map_vehicle, double ahead_m, double steering_rad) {

@@ -35,9 +35,9 @@ double speed_along(const Path& path, double along_m, double certainty, const Veh
   if (path.empty() || along_m >= path.length_m()) return 0;
   const double deceleration_mps2 = std::min(params.deceleration_mps2, vehicle.limits.deceleration_max_mps2);
   const double late_mps = deceleration_mps2 * vehicle.cycle_s;
-  // The speed from which, braking a cycle from now, it is the later one after so much way.
-  const auto before_mps = [&](double later_mps, double way_m) {
-    const double squared = late_mps * late_mps + later_mps * later_mps + 2 * deceleration_mps2 * way_m;
+  // The speed from which, braking a cycle from now, it is the later one after so much distance.
+  const auto before_mps = [&](double later_mps, double path_m) {
+    const double squared = late_mps * late_mps + later_mps * later_mps + 2 * deceleration_mps2 * path_m;
     return std::max(later_mps, std::sqrt(squared) - late_mps);
   };
   const PathPoint here = path.at(along_m);
@@ -46,8 +46,8 @@ double speed_along(const Path& path, double along_m, double certainty, const Veh
 
   double braking_mps = std::numeric_limits<double>::infinity();
   for (std::size_t i = here.piece + 1; i < leg_end; ++i) {
-    const double way_m = path.start_m(i) - here.along_m;
-    braking_mps = std::min(braking_mps, before_mps(speed_on_mps(path.pieces()[i], vehicle, params), way_m));
+    const double path_m = path.start_m(i) - here.along_m;
+    braking_mps = std::min(braking_mps, before_mps(speed_on_mps(path.pieces()[i], vehicle, params), path_m));
   }
   const double to_stop_m = path.leg_end_m(here.piece) - here.along_m;
   braking_mps = std::min(braking_mps, before_mps(0, to_stop_m));

@@ -10,7 +10,8 @@
 namespace aisle {
 namespace {
 
-/// Way about the vehicle in which its wheels can be after the look-ahead, from however far aside.
+/// Path about the vehicle in which its wheels can be after the look-ahead, from however farther off
+/// laterally.
 double reach_m(const FrontSteered& vehicle, double look_ahead_m) {
   return 2 * look_ahead_m + std::abs(vehicle.wheelbase_m);
 }
@@ -20,7 +21,7 @@ double cost(const WheelPaths& paths, const FrontSteered& vehicle, const Pose2& T
   return paths.distance_sum(T_map_vehicle * drive(vehicle, {paths.direction() * look_ahead_m, steering_rad}));
 }
 
-/// How much L_P can change at most for each radian of steering. The front reference point after the way S is
+/// How much L_P can change at most for each radian of steering. The front reference point after the path S is
 /// the integral of unit(delta + s sin(delta) / d) over s = 0 .. S, which changes by at most 1 + s / d;
 /// base_link that of cos(delta) unit(s sin(delta) / d), by at most |sin(delta)| + s / d.
 double cost_slope_m_per_rad(const FrontSteered& vehicle, double look_ahead_m, double steering_max_rad) {
@@ -53,7 +54,7 @@ Interval reachable(const VehicleDescription& vehicle, double steering_rad) {
 }  // namespace
 
 void SteeringParams::describe(FieldList& fields) {
-  fields.real("look_ahead_m", look_ahead_m, {0.02, 10}, "way over which a steering angle is judged");
+  fields.real("look_ahead_m", look_ahead_m, {0.02, 10}, "path over which a steering angle is judged");
   fields.real("look_ahead_s", look_ahead_s, {0, 10}, "as much more at speed");
   fields.real("bend_ahead_m", bend_ahead_m, {0, 1}, "reversing, the wheels turn so far before a bend");
   fields.real("bend_ahead_s", bend_ahead_s, {0, 2}, "as much more at speed");
@@ -107,7 +108,7 @@ double PathFollower::best_steering_rad(const FrontSteered& steered, const Path& 
   return best.index * step_rad;
 }
 
-/// A quarter of what is left in each cycle: with a command that acts a cycle late this is the fastest way to
+/// A quarter of what is left in each cycle: with a command that acts a cycle late this is the fastest path to
 /// come to rest without overshoot.
 Command PathFollower::turn_to(double due_rad, double heading_rad) const {
   const double left_rad = wrap_angle(due_rad - heading_rad);

@@ -11,15 +11,15 @@ namespace {
 PathPiece front_piece(const FrontSteered& vehicle, const PathPiece& rear) {
   const double across_m = vehicle.wheelbase_m * rear.arc.turn_rad;
   const double steering_rad = std::atan(across_m / rear.arc.length_m);
-  const double way_m = std::hypot(rear.arc.length_m, across_m);
+  const double path_m = std::hypot(rear.arc.length_m, across_m);
   return {front_pose(vehicle, rear.T_map_start) * Pose2{0, 0, steering_rad},
-          {std::copysign(way_m, rear.arc.length_m), rear.arc.turn_rad}};
+          {std::copysign(path_m, rear.arc.length_m), rear.arc.turn_rad}};
 }
 
 double distance(const std::vector<PathPiece>& pieces, const Vec2& p_map) {
   double least_m = std::numeric_limits<double>::infinity();
   for (const PathPiece& piece : pieces) {
-    const Vec2 nearest = piece.at(piece.nearest(p_map, 0, piece.way_m())).position();
+    const Vec2 nearest = piece.at(piece.nearest(p_map, 0, piece.path_m())).position();
     least_m = std::min(least_m, (nearest - p_map).norm());
   }
   return least_m;
@@ -41,7 +41,7 @@ WheelPaths::WheelPaths(const FrontSteered& vehicle, const Path& path, const Path
     add({pieces[first].T_map_start * Pose2{-direction_ * reach_m, 0, 0}, {direction_ * reach_m, 0}});
   }
   for (std::size_t i = first; i <= last; ++i) add(pieces[i]);
-  const bool ends = path.start_m(last) + pieces[last].way_m() - from.along_m < reach_m;
+  const bool ends = path.start_m(last) + pieces[last].path_m() - from.along_m < reach_m;
   if (ends) add({pieces[last].end(), {direction_ * reach_m, 0}});
 }
 

@@ -43,7 +43,7 @@ inline Path path_of(const std::vector<Arc>& arcs, Pose2 T_map_start = {}) {
 
 struct DrivenCycle {
   double along_m = 0;
-  double aside_m = 0;
+  double lateral_m = 0;
   double heading_off_rad = 0;
   double speed_mps = 0;
 };
@@ -66,7 +66,7 @@ struct ClosedLoop {
     for (double time_s = 0; time_s < time_max_s; time_s += vehicle.cycle_s) {
       const PathPoint& at = progress.advance(T_map_vehicle);
       const double off_rad = wrap_angle(T_map_vehicle.theta - at.T_map_path.theta);
-      cycles.push_back({at.along_m, at.aside_m, off_rad, state.speed_mps});
+      cycles.push_back({at.along_m, at.lateral_m, off_rad, state.speed_mps});
       arrived = progress.has_arrived();
       if (arrived) return;
       const double speed_mps = speed_along(path, at.along_m, 1, vehicle, speed);
@@ -89,18 +89,19 @@ struct ClosedLoop {
                std::clamp(wanted.steering_rad, -limits.steering_max_rad, limits.steering_max_rad),
                limits.steering_rate_max_rad_s * part_s);
       approach(state.turn_rate_rad_s, wanted.turn_rate_rad_s, limits.turn_acceleration_max_rad_s2 * part_s);
-      const double way_m = state.speed_mps * part_s;
+      const double path_m = state.speed_mps * part_s;
       T_map_vehicle = T_map_vehicle *
                       (vehicle.is_differential
-                           ? end_pose({way_m, state.turn_rate_rad_s * part_s})
-                           : drive(vehicle.front_steered, {way_m, state.steering_rad + steering_bias_rad}));
+                           ? end_pose({path_m, state.turn_rate_rad_s * part_s})
+                           : drive(vehicle.front_steered, {path_m, state.steering_rad + steering_bias_rad}));
     }
   }
 
-  double aside_max_m(double from_m = 0, double to_m = 1e9) const {
+  double lateral_max_m(double from_m = 0, double to_m = 1e9) const {
     double max_m = 0;
     for (const DrivenCycle& cycle : cycles) {
-      if (cycle.along_m >= from_m && cycle.along_m <= to_m) max_m = std::max(max_m, std::abs(cycle.aside_m));
+      if (cycle.along_m >= from_m && cycle.along_m <= to_m)
+        max_m = std::max(max_m, std::abs(cycle.lateral_m));
     }
     return max_m;
   }

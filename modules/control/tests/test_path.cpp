@@ -30,11 +30,11 @@ TEST(Path, QuarterCircleByHand) {
   EXPECT_THAT(path.at(9).T_map_path, PoseNear(Pose2{2, 1, kPi / 2}, 1e-12, 1e-12));
   const PathPoint inside = path.nearest({1 + 0.5 * std::sqrt(0.5), 1 - 0.5 * std::sqrt(0.5)}, 0, 9);
   EXPECT_NEAR(inside.along_m, 1 + kPi / 4, 1e-12);
-  EXPECT_NEAR(inside.aside_m, 0.5, 1e-12);
+  EXPECT_NEAR(inside.lateral_m, 0.5, 1e-12);
   EXPECT_NEAR(inside.curvature_per_m, 1, 1e-12);
 }
 
-TEST(Path, DrivenBackwardsItsWayStillGrows) {
+TEST(Path, DrivenBackwardsItsPathStillGrows) {
   const Path path = path_of({{1, 0}, {-2, 0}});
   EXPECT_DOUBLE_EQ(path.length_m(), 3);
   EXPECT_THAT(path.at(2).T_map_path, PoseNear(Pose2{0, 0, 0}, 1e-12, 1e-12));

@@ -13,28 +13,28 @@
 namespace aisle {
 namespace {
 
-/// base_link along a path with a hand's wander aside, as its odometry gives it.
+/// base_link along a path with a hand's wander to the side, as its odometry gives it.
 std::vector<Pose2> driven_by_hand(const Path& path, double wander_m, Random& random) {
   constexpr double kStep_m = 0.03, kComesAndGoes_m = 1;
   std::vector<Pose2> driven;
-  double pull = 0, aside = 0, aside_before_m = 0;
+  double pull = 0, lateral = 0, lateral_before_m = 0;
   for (double along_m = 0; along_m < path.length_m(); along_m += kStep_m) {
     const double fade = kStep_m / kComesAndGoes_m;
     pull += -fade * pull + random.normal(std::sqrt(2 * fade));
-    aside += 3 * fade * (pull - aside);
-    const double aside_m = wander_m * std::clamp(aside, -2.0, 2.0);
+    lateral += 3 * fade * (pull - lateral);
+    const double lateral_m = wander_m * std::clamp(lateral, -2.0, 2.0);
     const double direction = path.pieces()[path.at(along_m).piece].arc.length_m < 0 ? -1 : 1;
     const double drift_rad =
-        direction * std::atan((aside_m - std::exchange(aside_before_m, aside_m)) / kStep_m);
-    driven.push_back(path.at(along_m).T_map_path * Pose2{0, aside_m, drift_rad});
+        direction * std::atan((lateral_m - std::exchange(lateral_before_m, lateral_m)) / kStep_m);
+    driven.push_back(path.at(along_m).T_map_path * Pose2{0, lateral_m, drift_rad});
   }
   return driven;
 }
 
-/// Straight stretches up to 25 m with bends, U-turns and turning points between.
+/// Straight segments up to 25 m with bends, U-turns and turning points between.
 Path any_route(Random& random, double radius_least_m) {
-  constexpr double kStretchLeast_m = 2, kStretchMost_m = 25;
-  std::vector<Arc> arcs = {{random.uniform(kStretchLeast_m, kStretchMost_m), 0}};
+  constexpr double kPathSegmentLeast_m = 2, kPathSegmentMost_m = 25;
+  std::vector<Arc> arcs = {{random.uniform(kPathSegmentLeast_m, kPathSegmentMost_m), 0}};
   double direction = 1;
   const std::uint64_t bends = random.index(5);
   for (std::uint64_t i = 0; i < bends; ++i) {
@@ -42,7 +42,7 @@ Path any_route(Random& random, double radius_least_m) {
                  turn_rad = random.uniform() < 0.2 ? kPi : kPi / 2;
     if (random.uniform() < 0.15) direction = -direction;
     arcs.push_back({direction * radius_m * turn_rad, random.uniform() < 0.5 ? turn_rad : -turn_rad});
-    arcs.push_back({direction * random.uniform(kStretchLeast_m, kStretchMost_m), 0});
+    arcs.push_back({direction * random.uniform(kPathSegmentLeast_m, kPathSegmentMost_m), 0});
   }
   return path_of(arcs);
 }
@@ -67,21 +67,21 @@ TEST(FitPath, AStraightCorridorDrivenByHandIsOneLine) {
 TEST(FitPath, ABendThatWasDrivenExactlyIsGivenBack) {
   Random random(1);
   for (const double radius_m : {0.8, 1.0, 2.0}) {
-    const Path way = path_of({{4, 0}, {radius_m * kPi / 2, kPi / 2}, {4, 0}});
-    const Path path = fit_path(driven_by_hand(way, 0, random), {});
+    const Path true_path = path_of({{4, 0}, {radius_m * kPi / 2, kPi / 2}, {4, 0}});
+    const Path path = fit_path(driven_by_hand(true_path, 0, random), {});
     ASSERT_EQ(path.pieces().size(), 3);
     EXPECT_NEAR(1 / path.pieces()[1].curvature_per_m(), radius_m, 0.01);
-    EXPECT_NEAR(path.length_m(), way.length_m(), 0.04);
+    EXPECT_NEAR(path.length_m(), true_path.length_m(), 0.04);
   }
 }
 
-TEST(FitPath, KeepsCloserToABendThanToTheStraightStretchesBesideIt) {
+TEST(FitPath, KeepsCloserToABendThanToTheStraightPathSegmentsBesideIt) {
   constexpr double kBegin_m = 8, kBend_m = 1.1 * kPi / 2;
   double bend_m = 0, straight_m = 0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Random random(seed);
-    const Path way = path_of({{kBegin_m, 0}, {kBend_m, kPi / 2}, {8, 0}});
-    const std::vector<Pose2> driven = driven_by_hand(way, 0.04, random);
+    const Path true_path = path_of({{kBegin_m, 0}, {kBend_m, kPi / 2}, {8, 0}});
+    const std::vector<Pose2> driven = driven_by_hand(true_path, 0.04, random);
     const Path path = fit_path(driven, {});
     double along_m = 0;
     for (const Pose2& pose : driven) {
@@ -96,7 +96,7 @@ TEST(FitPath, KeepsCloserToABendThanToTheStraightStretchesBesideIt) {
   EXPECT_GT(straight_m, 0.07);
 }
 
-TEST(FitPath, KeepsCloserToAWayThatWasBackedThanToOneDrivenForwards) {
+TEST(FitPath, KeepsCloserToAPathThatWasBackedThanToOneDrivenForwards) {
   const auto worst_stray_m = [](double length_m) {
     double worst_m = 0;
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -134,19 +134,21 @@ double backwards_m(const Path& path) {
 std::string fault_of_fit(std::uint64_t seed) {
   Random random(seed);
   const PathFitParams params{.radius_min_m = random.uniform(0.2, 0.8)};
-  const Path way = any_route(random, 0.3);
-  const std::vector<Pose2> driven = driven_by_hand(way, random.uniform(0, 0.05), random);
+  const Path true_path = any_route(random, 0.3);
+  const std::vector<Pose2> driven = driven_by_hand(true_path, random.uniform(0, 0.05), random);
   const Path path = fit_path(driven, params);
   const Vec2 p_map_end = path.pieces().back().end().position();
   if (stray_m(path, driven) > params.stray_max_m) return "strays";
-  if (path.pieces().size() > 2 * way.pieces().size() + 6) return "of too many pieces";
-  if (std::abs(path.length_m() - way.length_m()) > 0.02 * way.length_m()) return "of another length";
-  if (std::abs(backwards_m(path) - backwards_m(way)) > 0.02 * way.length_m()) return "driven the wrong way";
+  if (path.pieces().size() > 2 * true_path.pieces().size() + 6) return "of too many pieces";
+  if (std::abs(path.length_m() - true_path.length_m()) > 0.02 * true_path.length_m())
+    return "of another length";
+  if (std::abs(backwards_m(path) - backwards_m(true_path)) > 0.02 * true_path.length_m())
+    return "driven the wrong way";
   if ((p_map_end - driven.back().position()).norm() > params.stray_max_m) return "ends elsewhere";
   return "";
 }
 
-RC_GTEST_PROP(FitPath, AWayDrivenByHandIsGivenBackInFewPieces, (std::uint64_t seed)) {
+RC_GTEST_PROP(FitPath, APathDrivenByHandIsGivenBackInFewPieces, (std::uint64_t seed)) {
   RC_ASSERT(fault_of_fit(seed) == "");
 }
 
@@ -173,26 +175,27 @@ Path comb(int branches) {
   return path_of(arcs);
 }
 
-TEST(FitPath, ALongWayDoesNotFallToPieces) {
+TEST(FitPath, ALongPathDoesNotFallToPieces) {
   Random random(1);
-  const Path way = comb(3);
-  const std::vector<Pose2> driven = driven_by_hand(way, 0.06, random);
+  const Path true_path = comb(3);
+  const std::vector<Pose2> driven = driven_by_hand(true_path, 0.06, random);
   const PathFitParams params{.stray_max_m = 0.08, .radius_min_m = 0.2};
   const Path path = fit_path(driven, params);
-  EXPECT_LE(path.pieces().size(), 3 * way.pieces().size());
+  EXPECT_LE(path.pieces().size(), 3 * true_path.pieces().size());
   EXPECT_LE(stray_m(path, driven), params.stray_max_m);
 }
 
 TEST(FitPath, NarrowBendsAreSmoothedWhateverTheLeastRadius) {
   for (std::uint64_t seed = 0; seed < 3; ++seed) {
     Random random(seed);
-    const Path way = path_of({{14, 0}, {0.4 * kPi / 2, -kPi / 2}, {9, 0}, {0.4 * kPi / 2, kPi / 2}, {9, 0}});
-    const std::vector<Pose2> driven = driven_by_hand(way, 0.03, random);
+    const Path true_path =
+        path_of({{14, 0}, {0.4 * kPi / 2, -kPi / 2}, {9, 0}, {0.4 * kPi / 2, kPi / 2}, {9, 0}});
+    const std::vector<Pose2> driven = driven_by_hand(true_path, 0.03, random);
     for (const double radius_min_m : {0.1, 0.2, 0.3, 0.6}) {
       for (const double stray_max_m : {0.08, 0.12, 0.2}) {
         const Path path = fit_path(driven, {.stray_max_m = stray_max_m, .radius_min_m = radius_min_m});
         EXPECT_LE(path.pieces().size(), 20) << seed << " " << radius_min_m << " " << stray_max_m;
-        EXPECT_NEAR(path.length_m(), way.length_m(), 0.8)
+        EXPECT_NEAR(path.length_m(), true_path.length_m(), 0.8)
             << seed << " " << radius_min_m << " " << stray_max_m;
       }
     }

@@ -32,7 +32,7 @@ TEST(PathProgress, LeavesATurnOnTheSpotWhenItIsTurned) {
   EXPECT_EQ(progress.point().piece, 2);
 }
 
-TEST(PathProgress, StaysOnItsWayRoundWhereThePathCrossesItself) {
+TEST(PathProgress, StaysOnItsPathRoundWhereThePathCrossesItself) {
   const Path path = path_of({{3, 0}, {1.5 * kPi, 1.5 * kPi}, {3, 0}});
   PathProgress progress(path);
   for (double along_m = 0; along_m < path.length_m(); along_m += 0.05) {
@@ -56,7 +56,7 @@ TEST(PathProgress, IsFoundOnThePassThatItWasOnOrTheNextOne) {
   EXPECT_NEAR(progress.point().along_m, 6 + bend_m + 2, 0.05);
 }
 
-TEST(PathProgress, IsNotFoundOffThePathOrFacingAnotherWay) {
+TEST(PathProgress, IsNotFoundOffThePathOrFacingAnotherPath) {
   const Path path = path_of({{6, 0}});
   PathProgress progress(path, 2);
   EXPECT_FALSE(progress.find({4, 0, kPi}, 1));

@@ -15,7 +15,7 @@ VehicleDescription cart() {
   return vehicle;
 }
 
-/// Backwards: straight, a bend to either side as sharp as ways have them, straight.
+/// Backwards: straight, a bend to either side as sharp as paths have them, straight.
 Path bends() {
   std::vector<PathPiece> pieces;
   Pose2 T_map;
@@ -26,8 +26,8 @@ Path bends() {
   return Path(pieces);
 }
 
-/// The greatest distance from the path after so much way on it, for a vehicle that sets out from a pose.
-double most_aside_m(const Pose2& T_map_start, double after_m, Pose2& T_path_end) {
+/// The greatest distance from the path after so much distance on it, for a vehicle that sets out from a pose.
+double most_lateral_m(const Pose2& T_map_start, double after_m, Pose2& T_path_end) {
   const VehicleDescription vehicle = cart();
   const Path path = bends();
   PathProgress progress(path);
@@ -36,7 +36,7 @@ double most_aside_m(const Pose2& T_map_start, double after_m, Pose2& T_path_end)
   for (int cycle = 0; cycle < 1000; ++cycle) {
     const PathPoint point = progress.advance(T_map);
     if (progress.has_arrived()) break;
-    if (point.along_m >= after_m) most_m = std::max(most_m, std::abs(point.aside_m));
+    if (point.along_m >= after_m) most_m = std::max(most_m, std::abs(point.lateral_m));
     steering_rad = reversing_steering_rad(vehicle, path, point, T_map, 0.08, steering_rad);
     T_map = T_map * drive(vehicle.front_steered, FrontSteeredMotion{-0.012, steering_rad});
   }
@@ -47,14 +47,14 @@ double most_aside_m(const Pose2& T_map_start, double after_m, Pose2& T_path_end)
 
 TEST(Reversing, KeepsToBends) {
   Pose2 T_path_end;
-  EXPECT_LT(most_aside_m({}, 0, T_path_end), 0.015);
+  EXPECT_LT(most_lateral_m({}, 0, T_path_end), 0.015);
   EXPECT_NEAR(T_path_end.theta, 0, 1 * kDegree);
 }
 
 TEST(Reversing, ComesBackToThePathAndStaysOnIt) {
   for (const Pose2& T_map_start : {Pose2{0, 0.1, 0}, Pose2{0, -0.1, 0}, Pose2{0, 0, 7 * kDegree}}) {
     Pose2 T_path_end;
-    EXPECT_LT(most_aside_m(T_map_start, 1.5, T_path_end), 0.03);
+    EXPECT_LT(most_lateral_m(T_map_start, 1.5, T_path_end), 0.03);
     EXPECT_NEAR(T_path_end.y, 0, 0.01);
     EXPECT_NEAR(T_path_end.theta, 0, 1 * kDegree);
   }

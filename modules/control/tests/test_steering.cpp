@@ -32,7 +32,7 @@ ClosedLoop driven(const VehicleDescription& vehicle, const Path& path, double sp
 /// How far it comes to the other side of the path.
 double overshoot_m(const ClosedLoop& loop) {
   double over_m = 0;
-  for (const DrivenCycle& cycle : loop.cycles) over_m = std::max(over_m, -cycle.aside_m);
+  for (const DrivenCycle& cycle : loop.cycles) over_m = std::max(over_m, -cycle.lateral_m);
   return over_m;
 }
 
@@ -88,27 +88,27 @@ TEST(PathFollower, ComesToAStraightPathWithoutSwinging) {
     const ClosedLoop loop = driven(cart(), path_of({{12, 0}}), speed_mps, kTenCentimetresAndFiveDegreesOff);
     EXPECT_TRUE(loop.arrived);
     EXPECT_LT(overshoot_m(loop), 0.001) << speed_mps;
-    EXPECT_LT(loop.aside_max_m(6), 0.001) << speed_mps;
+    EXPECT_LT(loop.lateral_max_m(6), 0.001) << speed_mps;
   }
 }
 
 TEST(PathFollower, KeepsToBendsAndTheirBeginnings) {
-  EXPECT_LT(driven(cart(), two_bends(1), 0.3).aside_max_m(), 0.02);
-  EXPECT_LT(driven(cart(), two_bends(1), 1.0).aside_max_m(), 0.03);
-  EXPECT_LT(driven(cart(), two_bends(1.5), 0.3).aside_max_m(), 0.02);
-  EXPECT_LT(driven(cart(), two_bends(1.5), 1.0).aside_max_m(), 0.03);
+  EXPECT_LT(driven(cart(), two_bends(1), 0.3).lateral_max_m(), 0.02);
+  EXPECT_LT(driven(cart(), two_bends(1), 1.0).lateral_max_m(), 0.03);
+  EXPECT_LT(driven(cart(), two_bends(1.5), 0.3).lateral_max_m(), 0.02);
+  EXPECT_LT(driven(cart(), two_bends(1.5), 1.0).lateral_max_m(), 0.03);
 }
 
 TEST(PathFollower, ReversesAlongLinesAndBends) {
   const ClosedLoop line = driven(cart(), path_of({{-12, 0}}), 0.3, kTenCentimetresAndFiveDegreesOff);
   EXPECT_TRUE(line.arrived);
   EXPECT_LT(overshoot_m(line), 0.001);
-  EXPECT_LT(line.aside_max_m(8), 0.0015);
+  EXPECT_LT(line.lateral_max_m(8), 0.0015);
   for (const double radius_m : {1.0, 1.5}) {
     for (const double speed_mps : {0.15, 0.3, 0.5}) {
       const ClosedLoop bends = driven(cart(), two_bends(radius_m, -1), speed_mps);
       EXPECT_TRUE(bends.arrived);
-      EXPECT_LT(bends.aside_max_m(), 0.025) << radius_m << ' ' << speed_mps;
+      EXPECT_LT(bends.lateral_max_m(), 0.025) << radius_m << ' ' << speed_mps;
     }
   }
 }
@@ -116,7 +116,7 @@ TEST(PathFollower, ReversesAlongLinesAndBends) {
 TEST(PathFollower, AWrongZeroOfTheSteeringCostsMillimetres) {
   for (const double speed_mps : {0.3, 1.0}) {
     const ClosedLoop loop = driven(cart(), path_of({{12, 0}}), speed_mps, {}, 0.5 * kDegree);
-    EXPECT_LT(loop.aside_max_m(6), 0.01) << speed_mps;
+    EXPECT_LT(loop.lateral_max_m(6), 0.01) << speed_mps;
   }
 }
 
@@ -124,16 +124,16 @@ TEST(PathFollower, ADifferentialVehicleKeepsToLinesArcsAndTurnsOnTheSpot) {
   const ClosedLoop line = driven(mini_vehicle(), path_of({{4, 0}}), 0.2, kTenCentimetresAndFiveDegreesOff);
   EXPECT_TRUE(line.arrived);
   EXPECT_LT(overshoot_m(line), 0.001);
-  EXPECT_LT(line.aside_max_m(3), 0.001);
+  EXPECT_LT(line.lateral_max_m(3), 0.001);
   const ClosedLoop bends = driven(mini_vehicle(), two_bends(1), 0.2);
   EXPECT_TRUE(bends.arrived);
-  EXPECT_LT(bends.aside_max_m(), 0.02);
+  EXPECT_LT(bends.lateral_max_m(), 0.02);
   const ClosedLoop corner = driven(mini_vehicle(), path_of({{2, 0}, {0, kPi / 2}, {2, 0}}), 0.2);
   EXPECT_TRUE(corner.arrived);
-  EXPECT_LT(corner.aside_max_m(), 0.02);
+  EXPECT_LT(corner.lateral_max_m(), 0.02);
   const ClosedLoop back = driven(mini_vehicle(), path_of({{-4, 0}}), 0.2, kTenCentimetresAndFiveDegreesOff);
   EXPECT_TRUE(back.arrived);
-  EXPECT_LT(back.aside_max_m(3.5), 0.001);
+  EXPECT_LT(back.lateral_max_m(3.5), 0.001);
 }
 
 }  // namespace

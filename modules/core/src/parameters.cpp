@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "aisle/core/angle.hpp"
+#include "aisle/core/former_keys.hpp"
 
 namespace aisle {
 namespace {
@@ -79,8 +80,11 @@ void FieldList::flag(std::string_view key, bool& target, std::string_view doc) {
 
 Problems FieldList::assign(std::string_view key, std::string_view text, Place where) {
   where.key = std::string(key);
-  const auto field =
-      std::find_if(fields_.begin(), fields_.end(), [&](const Field& f) { return f.key == key; });
+  const auto named = [&](std::string_view name) {
+    return std::find_if(fields_.begin(), fields_.end(), [&](const Field& f) { return f.key == name; });
+  };
+  auto field = named(key);
+  if (field == fields_.end()) field = named(present_key(key));
   if (field == fields_.end()) {
     std::string what = "unknown key";
     const auto nearest =

@@ -14,7 +14,7 @@ TEST(Image, GreyWeighsTheColoursAndKeepsGreyAsItIs) {
   EXPECT_EQ(to_grey(to_grey(image)), to_grey(image));
 }
 
-TEST(Image, GreyPicturesAreNotCopied) {
+TEST(Image, GreyImagesAreNotCopied) {
   Image coloured(1, 1, 3), converted;
   coloured.bytes = {255, 255, 255};
   const Image grey = to_grey(coloured);

@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 3> kOrderNames = {"published", "recommend
 constexpr double kLeeway_m = 1.5;     // about itself and about home the vehicle may lack the room of a disc
 constexpr double kElsewhere_m = 2;    // from where a path was left, before it is tried again ...
 constexpr double kMoreKnown_m2 = 5;   // ... or so much more floor is known than was then
-constexpr double kDecideAgain_m = 1;  // way after which the yardstick chooses anew
+constexpr double kDecideAgain_m = 1;  // path after which the baseline chooses again
 
 Bearing bearing_of(const Vec2& p_map, const Pose2& T_map_vehicle) {
   const double angle_rad = wrap_angle(heading_of(p_map - T_map_vehicle.position()) - T_map_vehicle.theta);
@@ -23,13 +23,13 @@ Bearing bearing_of(const Vec2& p_map, const Pose2& T_map_vehicle) {
   return angle_rad > 0 ? Bearing::kLeft : Bearing::kRight;
 }
 
-/// How far two gates are apart [cells]; infinity: farther than what matters.
-double apart_cells(const Gate& a, const Gate& b, double matters) {
+/// How far two frontiers are apart [cells]; infinity: farther than what matters.
+double apart_cells(const Frontier& a, const Frontier& b, double matters) {
   const FloorBox around = a.box.widened(static_cast<int>(std::ceil(matters)));
   double nearest2 = std::numeric_limits<double>::infinity();
   if (around.common_with(b.box).empty()) return nearest2;
-  for (const FloorCell p : a.sill) {
-    for (const FloorCell q : b.sill) {
+  for (const FloorCell p : a.frontier_cells) {
+    for (const FloorCell q : b.frontier_cells) {
       const double dx = p.x - q.x, dy = p.y - q.y;
       nearest2 = std::min(nearest2, dx * dx + dy * dy);
     }
@@ -51,12 +51,12 @@ std::optional<ExploringOrder> exploring_order(std::string_view name) {
 }
 
 void ExplorerParams::describe(FieldList& fields) {
-  fields.group("gates", gates);
-  fields.group("nooks", nooks);
+  fields.group("frontiers", frontiers);
+  fields.group("pockets", pockets);
   fields.real("home_weight", home_weight, {0, 1}, "how much a path that is far from home is preferred");
-  fields.real("leftover_m2", leftover_m2, {0, 10}, "less floor behind a gate is a leftover");
+  fields.real("leftover_m2", leftover_m2, {0, 10}, "less floor behind a frontier is a leftover");
   fields.real("leftover_bonus_m", leftover_bonus_m, {0, 50}, "which is taken before what is so much nearer");
-  fields.real("same_gate_m", same_gate_m, {0.05, 2}, "a gate so near to an old one continues it");
+  fields.real("same_frontier_m", same_frontier_m, {0.05, 2}, "a frontier so near to an old one continues it");
   fields.real("crossing_near_m", crossing_near_m, {0.1, 5},
               "published order: so near to a crossing the vehicle is back at it");
 }
@@ -66,8 +66,8 @@ BuildingExplorer::BuildingExplorer(const ExplorerParams& params, ExploringOrder 
 
 void BuildingExplorer::look_around(const FloorGrid& floor, const FloorClearance& clearance,
                                    const Vec2& p_map_middle) {
-  from_vehicle_.measure(floor, clearance, p_map_middle, params_.gates.room_m, kLeeway_m);
-  gates_ = find_gates(floor, clearance, from_vehicle_, params_.gates, marks_);
+  from_vehicle_.measure(floor, clearance, p_map_middle, params_.frontiers.room_m, kLeeway_m);
+  frontiers_ = find_frontiers(floor, clearance, from_vehicle_, params_.frontiers, marks_);
 }
 
 ExploringTarget BuildingExplorer::decide(const FloorGrid& floor, const FloorClearance& clearance,
@@ -76,55 +76,57 @@ ExploringTarget BuildingExplorer::decide(const FloorGrid& floor, const FloorClea
   cycle_ = cycle;
   p_map_vehicle_ = T_map_vehicle.position();
   free_m2_ = floor.free_m2();
-  if (params_.nooks.way_max_m > 0) {
-    std::vector<Gate> nooks =
-        find_nooks(floor, clearance, from_vehicle_, gates_, params_.gates, params_.nooks, marks_);
-    std::move(nooks.begin(), nooks.end(), std::back_inserter(gates_));
+  if (params_.pockets.path_max_m > 0) {
+    std::vector<Frontier> pockets =
+        find_pockets(floor, clearance, from_vehicle_, frontiers_, params_.frontiers, params_.pockets, marks_);
+    std::move(pockets.begin(), pockets.end(), std::back_inserter(frontiers_));
   }
-  match_gates(floor, T_map_vehicle);
+  match_frontiers(floor, T_map_vehicle);
   if (auto target = go_on(T_map_vehicle)) return *target;
   if (order_ == ExploringOrder::kRecommended)
-    from_home_.measure(floor, clearance, T_map_home.position(), params_.gates.room_m, kLeeway_m);
+    from_home_.measure(floor, clearance, T_map_home.position(), params_.frontiers.room_m, kLeeway_m);
   return take_from_stack(T_map_vehicle);
 }
 
-/// Each gate continues the path that it belonged to, or is a path that leads off the present one. Paths whose
-/// gate has gone are explored (the twin of a loop's other end falls away like this).
-void BuildingExplorer::match_gates(const FloorGrid& floor, const Pose2& T_map_vehicle) {
-  std::vector<std::optional<std::size_t>> continued(gates_.size());
-  std::vector<std::optional<std::size_t>> gate_of(paths_.size());
-  for (std::size_t i = 0; i < gates_.size(); ++i) {
-    const auto path = continued_by(floor, gates_[i]);
+/// Each frontier continues the path that it belonged to, or is a path that leads off the present one. Paths
+/// whose frontier has gone are explored (the twin of a loop's other end falls away like this).
+void BuildingExplorer::match_frontiers(const FloorGrid& floor, const Pose2& T_map_vehicle) {
+  std::vector<std::optional<std::size_t>> continued(frontiers_.size());
+  std::vector<std::optional<std::size_t>> frontier_of(paths_.size());
+  for (std::size_t i = 0; i < frontiers_.size(); ++i) {
+    const auto path = continued_by(floor, frontiers_[i]);
     if (!path) continue;
-    std::optional<std::size_t>& best = gate_of[*path];
-    if (best && gates_[*best].sill.size() >= gates_[i].sill.size()) continue;
+    std::optional<std::size_t>& best = frontier_of[*path];
+    if (best && frontiers_[*best].frontier_cells.size() >= frontiers_[i].frontier_cells.size()) continue;
     if (best) continued[*best].reset();
     best = i;
     continued[i] = path;
   }
-  for (std::size_t p = 0; p < gate_of.size(); ++p) {
+  for (std::size_t p = 0; p < frontier_of.size(); ++p) {
     SeenPath& path = paths_[p];
     if (path.state == PathState::kExplored) continue;
-    path.has_gate = gate_of[p].has_value();
-    if (gate_of[p]) {
-      path.gate = gates_[*gate_of[p]];
+    path.has_frontier = frontier_of[p].has_value();
+    if (frontier_of[p]) {
+      path.frontier = frontiers_[*frontier_of[p]];
     } else if (!is_left(path)) {
       path.state = PathState::kExplored;
       note(PathEvent::Kind::kExplored, p);
     }
   }
-  for (std::size_t i = 0; i < gates_.size(); ++i) {
-    if (!continued[i]) add_path(gates_[i], T_map_vehicle);
+  for (std::size_t i = 0; i < frontiers_.size(); ++i) {
+    if (!continued[i]) add_path(frontiers_[i], T_map_vehicle);
   }
 }
 
-std::optional<std::size_t> BuildingExplorer::continued_by(const FloorGrid& floor, const Gate& gate) const {
-  const double same_cells = params_.same_gate_m / floor.cell_m();
+std::optional<std::size_t> BuildingExplorer::continued_by(const FloorGrid& floor,
+                                                          const Frontier& frontier) const {
+  const double same_cells = params_.same_frontier_m / floor.cell_m();
   std::optional<std::size_t> nearest;
   double nearest_cells = same_cells;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
-    if (paths_[p].state == PathState::kExplored || paths_[p].gate.is_nook != gate.is_nook) continue;
-    const double apart = apart_cells(gate, paths_[p].gate, same_cells);
+    if (paths_[p].state == PathState::kExplored || paths_[p].frontier.is_pocket != frontier.is_pocket)
+      continue;
+    const double apart = apart_cells(frontier, paths_[p].frontier, same_cells);
     if (apart > nearest_cells) continue;
     nearest_cells = apart;
     nearest = p;
@@ -132,10 +134,10 @@ std::optional<std::size_t> BuildingExplorer::continued_by(const FloorGrid& floor
   return nearest;
 }
 
-std::size_t BuildingExplorer::add_path(Gate gate, const Pose2& T_map_vehicle) {
+std::size_t BuildingExplorer::add_path(Frontier frontier, const Pose2& T_map_vehicle) {
   const std::size_t path = paths_.size();
-  const Bearing bearing = bearing_of(gate.p_map, T_map_vehicle);
-  paths_.push_back({.parent = active_.value_or(path), .bearing = bearing, .gate = std::move(gate)});
+  const Bearing bearing = bearing_of(frontier.p_map, T_map_vehicle);
+  paths_.push_back({.parent = active_.value_or(path), .bearing = bearing, .frontier = std::move(frontier)});
   return path;
 }
 
@@ -143,12 +145,12 @@ std::size_t BuildingExplorer::add_path(Gate gate, const Pose2& T_map_vehicle) {
 std::optional<ExploringTarget> BuildingExplorer::go_on(const Pose2& T_map_vehicle) {
   if (run_.state() != static_cast<Symbol>(CorridorState::kExploring)) return std::nullopt;
   const bool active_is_open = active_ && paths_[*active_].state == PathState::kActive;
-  const bool chooses_anew = order_ == ExploringOrder::kNearest &&
-                            (T_map_decided_.position() - T_map_vehicle.position()).norm() > kDecideAgain_m;
-  if (active_is_open && !chooses_anew) {
+  const bool chooses_again = order_ == ExploringOrder::kNearest &&
+                             (T_map_decided_.position() - T_map_vehicle.position()).norm() > kDecideAgain_m;
+  if (active_is_open && !chooses_again) {
     push_waiting(T_map_vehicle);
     return ExploringTarget{
-        .kind = ExploringTarget::Kind::kPath, .path = *active_, .gate = paths_[*active_].gate};
+        .kind = ExploringTarget::Kind::kPath, .path = *active_, .frontier = paths_[*active_].frontier};
   }
   T_map_decided_ = T_map_vehicle;
   if (active_is_open) {
@@ -158,7 +160,7 @@ std::optional<ExploringTarget> BuildingExplorer::go_on(const Pose2& T_map_vehicl
     if (child && !paths_[*child].on_stack) {
       paths_[*child].state = PathState::kActive;
       push_waiting(T_map_vehicle);
-      feed(corridor_input::one_way(paths_[*child].bearing));
+      feed(corridor_input::one_direction(paths_[*child].bearing));
       return take(*child);
     }
   }
@@ -173,26 +175,26 @@ std::optional<std::size_t> BuildingExplorer::best_child() const {
   double least_m = 1e18;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     const SeenPath& path = paths_[p];
-    if (path.state != PathState::kWaiting || params_.nooks.is_far(path.gate)) continue;
+    if (path.state != PathState::kWaiting || params_.pockets.is_far(path.frontier)) continue;
     const bool from_start = !active_ && path.parent == p;
     if (!from_start && !(active_ && path.parent == *active_)) continue;
-    const double way_m =
-        path.gate.way_m - (path.gate.behind_m2 < params_.leftover_m2 ? params_.leftover_bonus_m : 0);
-    if (way_m >= least_m) continue;
-    least_m = way_m;
+    const double path_m =
+        path.frontier.path_m - (path.frontier.behind_m2 < params_.leftover_m2 ? params_.leftover_bonus_m : 0);
+    if (path_m >= least_m) continue;
+    least_m = path_m;
     best = p;
   }
   return best;
 }
 
-/// C99's crossing: the way back first, then every path that is left for later.
+/// C99's crossing: the return path first, then every path that is left for later.
 void BuildingExplorer::push_waiting(const Pose2& T_map_vehicle) {
   bool is_first =
       order_ == ExploringOrder::kPublished && run_.state() == static_cast<Symbol>(CorridorState::kExploring);
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     if (paths_[p].state != PathState::kWaiting || paths_[p].on_stack) continue;
     if (is_first) {
-      feed(corridor_input::kCrossingWayBack);
+      feed(corridor_input::kCrossingPathBack);
       stack_.push_back({.path = p, .T_map_crossing = T_map_vehicle});
       is_first = false;
     }
@@ -209,25 +211,27 @@ ExploringTarget BuildingExplorer::take_from_stack(const Pose2& T_map_vehicle) {
   close_stale_tops();
   if (T_map_going_back_) {
     const double apart_m = (T_map_going_back_->position() - T_map_vehicle.position()).norm();
-    if (apart_m > params_.crossing_near_m && run_.top() == kWayBackSymbol)
-      return {
-          .kind = ExploringTarget::Kind::kCrossing, .path = 0, .gate = {}, .T_map_back = *T_map_going_back_};
+    if (apart_m > params_.crossing_near_m && run_.top() == kPathBackSymbol)
+      return {.kind = ExploringTarget::Kind::kCrossing,
+              .path = 0,
+              .frontier = {},
+              .T_map_back = *T_map_going_back_};
     pass_crossing_by();
     return take_from_stack(T_map_vehicle);
   }
-  if (run_.top() == kWayBackSymbol && order_ == ExploringOrder::kPublished) {
+  if (run_.top() == kPathBackSymbol && order_ == ExploringOrder::kPublished) {
     T_map_going_back_ = stack_.back().T_map_crossing;
     return take_from_stack(T_map_vehicle);
   }
   const auto next = best_waiting();
   if (!next) {
-    if (resume_left() || leave_far_nooks()) return take_from_stack(T_map_vehicle);
+    if (resume_left() || leave_far_pockets()) return take_from_stack(T_map_vehicle);
     if (!is_going_home_) feed(corridor_input::kAway);
     is_going_home_ = true;
     return {};
   }
   is_going_home_ = false;
-  const bool is_top = !stack_.empty() && run_.top() != kWayBackSymbol && stack_.back().path == *next;
+  const bool is_top = !stack_.empty() && run_.top() != kPathBackSymbol && stack_.back().path == *next;
   if (is_top) {
     feed(corridor_input::kExplored);
     stack_.pop_back();
@@ -240,7 +244,7 @@ ExploringTarget BuildingExplorer::take_from_stack(const Pose2& T_map_vehicle) {
 
 /// Symbols of paths that are explored, or were taken before their turn, are dropped when they come up.
 void BuildingExplorer::close_stale_tops() {
-  while (!stack_.empty() && run_.top() != kWayBackSymbol && run_.top() != kCorridorStackStart) {
+  while (!stack_.empty() && run_.top() != kPathBackSymbol && run_.top() != kCorridorStackStart) {
     SeenPath& path = paths_[stack_.back().path];
     if (path.state == PathState::kWaiting) return;
     feed(corridor_input::kClosed);
@@ -258,12 +262,13 @@ std::optional<std::size_t> BuildingExplorer::best_waiting() const {
   double least_m = 1e18;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     const SeenPath& path = paths_[p];
-    if (path.state != PathState::kWaiting || params_.nooks.is_far(path.gate)) continue;
-    double cost_m = path.gate.way_m;
+    if (path.state != PathState::kWaiting || params_.pockets.is_far(path.frontier)) continue;
+    double cost_m = path.frontier.path_m;
     if (home_weight > 0) {
       float home_m = FloorDistances::kUnreached;
-      if (path.gate.is_nook) home_m = from_home_.to(path.gate.stand);
-      for (const FloorCell cell : path.gate.sill) home_m = std::min(home_m, from_home_.to(cell));
+      if (path.frontier.is_pocket) home_m = from_home_.to(path.frontier.stand);
+      for (const FloorCell cell : path.frontier.frontier_cells)
+        home_m = std::min(home_m, from_home_.to(cell));
       if (std::isfinite(home_m)) cost_m -= home_weight * home_m;
     }
     if (cost_m >= least_m) continue;
@@ -277,13 +282,16 @@ ExploringTarget BuildingExplorer::take(std::size_t path) {
   paths_[path].state = PathState::kActive;
   active_ = path;
   note(PathEvent::Kind::kTaken, path);
-  return {.kind = ExploringTarget::Kind::kPath, .path = path, .gate = paths_[path].gate, .T_map_back = {}};
+  return {.kind = ExploringTarget::Kind::kPath,
+          .path = path,
+          .frontier = paths_[path].frontier,
+          .T_map_back = {}};
 }
 
 void BuildingExplorer::pass_crossing_by() {
   if (!T_map_going_back_) return;
   T_map_going_back_.reset();
-  if (run_.top() != kWayBackSymbol) return;
+  if (run_.top() != kPathBackSymbol) return;
   feed(corridor_input::kExplored);
   stack_.pop_back();
 }
@@ -298,7 +306,7 @@ void BuildingExplorer::abandon(std::size_t path, std::size_t cycle) {
 
 void BuildingExplorer::abandon_all(std::size_t cycle) {
   cycle_ = cycle;
-  leave_far_nooks();
+  leave_far_pockets();
   for (std::size_t p = 0; p < paths_.size(); ++p) {
     if (!is_open(paths_[p])) continue;
     abandon(p, cycle);
@@ -322,7 +330,7 @@ bool BuildingExplorer::resume_left() {
     const bool is_elsewhere = (path.p_map_left - p_map_vehicle_).norm() > kElsewhere_m;
     const bool knows_more = free_m2_ > path.free_m2_left + kMoreKnown_m2;
     const bool has_chance =
-        path.has_gate && path.chances > 0 && params_.nooks.is_worth_another_look(path.gate);
+        path.has_frontier && path.chances > 0 && params_.pockets.is_worth_another_look(path.frontier);
     if (!is_left(path) || !has_chance || !(is_elsewhere || knows_more)) continue;
     --path.chances;
     path.state = PathState::kWaiting;
@@ -338,27 +346,27 @@ bool BuildingExplorer::has_left_floor() const {
 
 void BuildingExplorer::halve_cells() {
   for (SeenPath& path : paths_) {
-    path.gate = with_cells_halved(std::move(path.gate));
+    path.frontier = with_cells_halved(std::move(path.frontier));
     if (is_left_with_floor(path)) path.state = PathState::kWaiting;
   }
 }
 
-/// Nooks that the vehicle did not come by are not worth a way of their own.
-bool BuildingExplorer::leave_far_nooks() {
+/// Pockets that the vehicle did not come by are not worth a path of their own.
+bool BuildingExplorer::leave_far_pockets() {
   bool left = false;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
-    if (paths_[p].state != PathState::kWaiting || !params_.nooks.is_far(paths_[p].gate)) continue;
+    if (paths_[p].state != PathState::kWaiting || !params_.pockets.is_far(paths_[p].frontier)) continue;
     give_up(p, cycle_);
     left = true;
   }
   return left;
 }
 
-/// What was left, and has no gate any more, was seen from elsewhere.
+/// What was left, and has no frontier any more, was seen from elsewhere.
 void BuildingExplorer::stop(std::size_t cycle) {
   cycle_ = cycle;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
-    if (is_left(paths_[p]) && !paths_[p].has_gate)
+    if (is_left(paths_[p]) && !paths_[p].has_frontier)
       leave(p, PathState::kExplored, PathEvent::Kind::kExplored, cycle);
   }
   feed(corridor_input::kExplored);
@@ -370,7 +378,7 @@ std::size_t BuildingExplorer::paths_waiting() const {
 
 std::size_t BuildingExplorer::paths_abandoned() const {
   return static_cast<std::size_t>(std::count_if(paths_.begin(), paths_.end(), [](const SeenPath& path) {
-    return path.state == PathState::kAbandoned && path.has_gate;
+    return path.state == PathState::kAbandoned && path.has_frontier;
   }));
 }
 
@@ -391,7 +399,7 @@ void BuildingExplorer::note(PathEvent::Kind kind, std::size_t path) {
                      .path = path,
                      .parent = paths_[path].parent,
                      .symbol = corridor_rules().stack[explore_symbol(paths_[path].bearing)],
-                     .p_map = paths_[path].gate.p_map});
+                     .p_map = paths_[path].frontier.p_map});
 }
 
 }  // namespace aisle

@@ -37,7 +37,7 @@ class CorridorRuleMaker {
   TransducerTable make() {
     name_alphabets();
     table_.rules.resize(table_.transition_rules());
-    for (Symbol top = kCorridorStackStart; top <= kWayBackSymbol; ++top) {
+    for (Symbol top = kCorridorStackStart; top <= kPathBackSymbol; ++top) {
       for (const Bearing bearing : kBearings) add_path(bearing, top);
       add_ends(top);
     }
@@ -51,13 +51,13 @@ class CorridorRuleMaker {
 
   void name_alphabets() {
     table_.states = {"q_e", "q_r", "q_fin"};
-    table_.inputs = {"one-way front",     "one-way left",
-                     "one-way right",     "crossing front",
-                     "crossing left",     "crossing right",
-                     "crossing way back", "end",
-                     "explored",          "closed",
-                     "detour front",      "detour left",
-                     "detour right",      "away"};
+    table_.inputs = {"one-path front",     "one-path left",
+                     "one-path right",     "crossing front",
+                     "crossing left",      "crossing right",
+                     "crossing path back", "end",
+                     "explored",           "closed",
+                     "detour front",       "detour left",
+                     "detour right",       "away"};
     table_.stack = {"Z_0", "E_front", "E_left", "E_right", "R"};
     table_.outputs = {"forward",       "forward left",   "forward right", "backward",
                       "backward left", "backward right", "stop"};
@@ -69,7 +69,7 @@ class CorridorRuleMaker {
 
   void add_path(Bearing bearing, Symbol top) {
     using enum CorridorState;
-    rule(kExploring, corridor_input::one_way(bearing), top) =
+    rule(kExploring, corridor_input::one_direction(bearing), top) =
         keep_top(kC1, kExploring, top, towards(bearing));
     for (const CorridorState state : {kExploring, kRetreating}) {
       rule(state, corridor_input::crossing(bearing), top) = push_on(state, top, explore_symbol(bearing));
@@ -84,7 +84,7 @@ class CorridorRuleMaker {
   void add_ends(Symbol top) {
     using enum CorridorState;
     constexpr Symbol kBack = symbol_of(CorridorOutput::kBackward);
-    rule(kExploring, corridor_input::kCrossingWayBack, top) = push_on(kExploring, top, kWayBackSymbol);
+    rule(kExploring, corridor_input::kCrossingPathBack, top) = push_on(kExploring, top, kPathBackSymbol);
     rule(kExploring, corridor_input::kEnd, top) = keep_top(kC21, kRetreating, top);
     rule(kExploring, corridor_input::kExplored, top) = keep_top(kC41, kRetreating, top);
     if (top == kCorridorStackStart) {
@@ -94,7 +94,7 @@ class CorridorRuleMaker {
     } else {
       rule(kRetreating, corridor_input::kClosed, top) = pop_top(kC5, kRetreating);
     }
-    if (top == kWayBackSymbol)
+    if (top == kPathBackSymbol)
       rule(kRetreating, corridor_input::kExplored, top) = pop_top(kC42, kRetreating, kBack);
   }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "aisle/exploration/grid_explorer.hpp"
-#include "aisle/exploration/known_ways.hpp"
+#include "aisle/exploration/known_paths.hpp"
 
 namespace aisle {
 namespace {
@@ -103,29 +103,29 @@ Exploration explore(const GridWorld& world, Cell start, const GridRules& rules, 
 Exploration explore_nearest_first(const GridWorld& world, Cell start, Progress& progress, KeepMoves keep) {
   Drive drive(world, start, keep, progress);
   LearnedGrid map(world.width(), world.height());
-  KnownWays ways;
-  std::vector<Side> way;
+  KnownPaths paths;
+  std::vector<Side> path;
   const auto unvisited_side = [&map](std::size_t cell) {
     return std::find_if(std::begin(kAllSides), std::end(kAllSides), [&](Side side) {
       return contains(map.open(cell), side) && !map.visited(map.neighbour(cell, side));
     });
   };
-  const auto follow_way = [&] {
-    for (; !way.empty(); way.pop_back()) drive.move(way.back());
+  const auto follow_path = [&] {
+    for (; !path.empty(); path.pop_back()) drive.move(path.back());
   };
   while (true) {
     map.see(drive.at(), drive.sense());
-    const auto edge =
-        ways.search(map, drive.at(), [&](std::size_t c) { return unvisited_side(c) != std::end(kAllSides); });
+    const auto edge = paths.search(map, drive.at(),
+                                   [&](std::size_t c) { return unvisited_side(c) != std::end(kAllSides); });
     if (!edge) break;
-    ways.take_way(map, *edge, way);
-    follow_way();
+    paths.take_path(map, *edge, path);
+    follow_path();
     drive.move(*unvisited_side(*edge));
   }
   const std::size_t home = world.index(start);
-  (void)ways.search(map, drive.at(), [home](std::size_t cell) { return cell == home; });
-  ways.take_way(map, home, way);
-  follow_way();
+  (void)paths.search(map, drive.at(), [home](std::size_t cell) { return cell == home; });
+  paths.take_path(map, home, path);
+  follow_path();
   drive.figures().halted = true;
   drive.figures().stack_empty = true;
   return std::move(drive).finish(std::move(map));

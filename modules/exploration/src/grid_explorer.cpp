@@ -6,13 +6,13 @@
 namespace aisle {
 namespace {
 
-/// Beyond this many cells a shorter way is no longer looked for; the way back over the parents is taken.
+/// Beyond this many cells a shorter path is no longer looked for; the return path over the parents is taken.
 constexpr std::size_t kSearchedCells = 1 << 16;
 
 constexpr std::size_t kCellsSearchedForDetour = 256;
 
 /// What a move and a cell's distance from home count for when the next path to explore is chosen.
-constexpr std::int64_t kWayWeight = 10;
+constexpr std::int64_t kPathWeight = 10;
 constexpr std::int64_t kHomeWeight = 5;
 
 constexpr bool is_several(Sides sides) {
@@ -42,7 +42,7 @@ std::optional<Side> GridExplorer::step(Sides open) {
     last_input_ = encode(open);
     last_rule_ = &run_.step(last_input_);
     if (watcher_) watcher_(*last_rule_);
-    if (rules_->by_shortest_ways()) places_.resize(run_.stack().size() - 1, static_cast<std::uint32_t>(at_));
+    if (rules_->by_shortest_paths()) places_.resize(run_.stack().size() - 1, static_cast<std::uint32_t>(at_));
     if (last_rule_->output == kStopOutput) return std::nullopt;
     if (last_rule_->output != TransducerRule::kNoOutput) break;
   }
@@ -55,12 +55,12 @@ std::optional<Side> GridExplorer::step(Sides open) {
 void GridExplorer::learn(Sides open) {
   map_.see(at_, open);
   if (came_from_) notes_[at_] = static_cast<std::uint8_t>(place(*came_from_) << 2);
-  if (rules_->set == GridRuleSet::kCells || rules_->by_shortest_ways()) close_ways_to_visited(open);
+  if (rules_->set == GridRuleSet::kCells || rules_->by_shortest_paths()) close_paths_to_visited(open);
   if (home_) home_->add(map_, at_);
 }
 
 /// A new cell shows that an edge leads to a visited one: nothing is left to find behind it, from either end.
-void GridExplorer::close_ways_to_visited(Sides open) {
+void GridExplorer::close_paths_to_visited(Sides open) {
   for (const Side side : kAllSides) {
     if (!contains(open, side) || side == came_from_) continue;
     const std::size_t beyond = map_.neighbour(at_, side);
@@ -77,13 +77,13 @@ void GridExplorer::put_false_wall(std::size_t cell, Side side) {
 /// The preprocessing unit (C97 section 3.3).
 Symbol GridExplorer::encode(Sides open) {
   if (!came_from_) return encode_start(open);
-  if (rules_->by_shortest_ways()) return encode_homing(open);
+  if (rules_->by_shortest_paths()) return encode_homing(open);
   if (is_explored_crossing(at_)) return encode_explored(*came_from_);
   return encode_fresh(open);
 }
 
-/// The paper leaves it open, but without it the vehicle would not stop there: a start with several ways is an
-/// explored crossing from then on.
+/// The paper leaves it open, but without it the vehicle would not stop there: a start with several paths is
+/// an explored crossing from then on.
 Symbol GridExplorer::encode_start(Sides open) {
   if (is_several(open)) notes_[at_] |= kCrossing;
   return rules_->start_input[open];
@@ -101,7 +101,7 @@ Symbol GridExplorer::encode_explored(Side came) {
   return rules_->explored_input[place(came)][without(false_walls(at_), bit(came))];
 }
 
-/// While retreating, false walls leave nothing open but the shortest known way to where the stack's top was
+/// While retreating, false walls leave nothing open but the shortest known path to where the stack's top was
 /// pushed.
 Symbol GridExplorer::encode_homing(Sides open) {
   if (run_.state() == static_cast<Symbol>(GridState::kExploring)) {
@@ -110,10 +110,10 @@ Symbol GridExplorer::encode_homing(Sides open) {
   }
   if (top_is_stale()) return rules_->closed_input;
   const std::size_t goal = places_.empty() ? start_ : places_.back();
-  if (way_.empty() && !detour_ && at_ != goal) find_way(goal);
-  if (!way_.empty()) {
-    const Side next = way_.back();
-    way_.pop_back();
+  if (path_.empty() && !detour_ && at_ != goal) find_path(goal);
+  if (!path_.empty()) {
+    const Side next = path_.back();
+    path_.pop_back();
     return encode_move(next);
   }
   if (detour_) {
@@ -138,30 +138,30 @@ bool GridExplorer::top_is_stale() const {
   return !is_explore_symbol(top) || contains(false_walls(places_.back()), side_of(top));
 }
 
-void GridExplorer::find_way(std::size_t goal) {
+void GridExplorer::find_path(std::size_t goal) {
   const auto is_goal = [goal](std::size_t cell) { return cell == goal; };
   const bool roaming = rules_->set == GridRuleSet::kRoaming;
-  if (ways_.search(map_, at_, is_goal, roaming ? SIZE_MAX : kSearchedCells)) {
-    ways_.take_way(map_, goal, way_);
+  if (paths_.search(map_, at_, is_goal, roaming ? SIZE_MAX : kSearchedCells)) {
+    paths_.take_path(map_, goal, path_);
     if (roaming) look_for_detour(goal);
     return;
   }
-  for (std::size_t cell = at_; cell != goal; cell = map_.neighbour(cell, way_.back()))
-    way_.push_back(parent(cell));
-  std::reverse(way_.begin(), way_.end());
+  for (std::size_t cell = at_; cell != goal; cell = map_.neighbour(cell, path_.back()))
+    path_.push_back(parent(cell));
+  std::reverse(path_.begin(), path_.end());
 }
 
-/// Replaces the way to `goal` by one to a path that is nearer, or farther from home. Distances from home grow
-/// by at most one a move, so that beyond some distance nothing better can come.
+/// Replaces the path to `goal` by one to a path that is nearer, or farther from home. Distances from home
+/// grow by at most one a move, so that beyond some distance nothing better can come.
 void GridExplorer::look_for_detour(std::size_t goal) {
   if (places_.empty()) return;
   const auto score = [](std::size_t moves, std::size_t home) {
-    return kWayWeight * static_cast<std::int64_t>(moves) - kHomeWeight * static_cast<std::int64_t>(home);
+    return kPathWeight * static_cast<std::int64_t>(moves) - kHomeWeight * static_cast<std::int64_t>(home);
   };
-  std::int64_t best = score(way_.size(), (*home_)[goal]);
+  std::int64_t best = score(path_.size(), (*home_)[goal]);
   const std::size_t home_from_here = (*home_)[at_];
   const auto is_beyond_all = [&](std::size_t cell) {
-    const std::size_t moves = ways_.distance(cell);
+    const std::size_t moves = paths_.distance(cell);
     if (score(moves, home_from_here + moves) >= best) return true;
     if (!is_explored_crossing(cell) || score(moves, (*home_)[cell]) >= best) return false;
     if (const auto side = unexplored_side(cell)) {
@@ -170,8 +170,8 @@ void GridExplorer::look_for_detour(std::size_t goal) {
     }
     return false;
   };
-  (void)ways_.search(map_, at_, is_beyond_all, kCellsSearchedForDetour);
-  if (detour_) ways_.take_way(map_, detour_->cell, way_);
+  (void)paths_.search(map_, at_, is_beyond_all, kCellsSearchedForDetour);
+  if (detour_) paths_.take_path(map_, detour_->cell, path_);
 }
 
 std::optional<Side> GridExplorer::unexplored_side(std::size_t cell) const {

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kRuleSetNames = {"published", "shortcut", "cells", "homing",
                                                            "roaming"};
-constexpr std::array<std::string_view, 9> kInputKindNames = {"one-way",    "crossing",      "ending",
-                                                             "explored",   "one-way start", "multi-way start",
-                                                             "dead start", "closed",        "detour"};
+constexpr std::array<std::string_view, 9> kInputKindNames = {
+    "one-way",          "crossing",   "ending", "explored", "one-path start",
+    "multi-path start", "dead start", "closed", "detour"};
 
 /// The super rules of C97 section 3.3; 5.3, 6 and 7 are ours.
 enum SuperRule : Symbol { k1, k21, k22, k3, k4, k51, k52, k53, k6, k7 };
@@ -96,7 +96,7 @@ void GridRuleMaker::add_inputs() {
   for (const Side came : kAllSides) {
     for (const Side open : kAllSides) {
       if (open != came)
-        at(rules_.fresh_input, came, bit(open)) = add({GridInputKind::kOneWay, came, bit(open)});
+        at(rules_.fresh_input, came, bit(open)) = add({GridInputKind::kOneDirection, came, bit(open)});
     }
   }
   for (const Side came : kAllSides) {
@@ -109,10 +109,10 @@ void GridRuleMaker::add_inputs() {
   for (const Side came : kAllSides)
     at(rules_.explored_input, came, kNoSides) = add({GridInputKind::kExplored, came});
   for (const Side open : kAllSides) {
-    rules_.start_input[bit(open)] = add({GridInputKind::kOneWayStart, std::nullopt, bit(open)});
+    rules_.start_input[bit(open)] = add({GridInputKind::kOneDirectionStart, std::nullopt, bit(open)});
   }
   for (const Sides open : subsets(kEverySide, 2)) {
-    rules_.start_input[open] = add({GridInputKind::kMultiWayStart, std::nullopt, open});
+    rules_.start_input[open] = add({GridInputKind::kMultiPathStart, std::nullopt, open});
   }
   rules_.start_input[kNoSides] = add({GridInputKind::kDeadStart});
   if (rules_.set == GridRuleSet::kShortcut || rules_.set == GridRuleSet::kCells) {
@@ -122,7 +122,7 @@ void GridRuleMaker::add_inputs() {
       }
     }
   }
-  if (rules_.by_shortest_ways()) rules_.closed_input = add({GridInputKind::kClosed});
+  if (rules_.by_shortest_paths()) rules_.closed_input = add({GridInputKind::kClosed});
   if (rules_.set == GridRuleSet::kRoaming) {
     for (const Side open : kAllSides) {
       rules_.detour_input[static_cast<unsigned>(open)] =
@@ -139,7 +139,8 @@ TransducerRule drop(SuperRule super_rule, GridState next, Symbol output) {
   return {symbol(next), output, super_rule, false, 0, {}};
 }
 
-/// Super rule 4: the way back goes onto the stack first, then the open sides but the first, which is taken.
+/// Super rule 4: the return path goes onto the stack first, then the open sides but the first, which is
+/// taken.
 TransducerRule GridRuleMaker::cross(const GridInput& input, Symbol top) const {
   TransducerRule rule = keep(k4, GridState::kExploring, top, TransducerRule::kNoOutput);
   if (input.came_from) rule.replacement[rule.length++] = retreat_symbol(*input.came_from);
@@ -166,8 +167,8 @@ TransducerRule GridRuleMaker::pop(const GridInput& input, Symbol top) const {
 TransducerRule GridRuleMaker::derive(GridState state, const GridInput& input, Symbol top) const {
   const bool exploring = state == GridState::kExploring;
   switch (input.kind) {
-    case GridInputKind::kOneWay:
-    case GridInputKind::kOneWayStart:
+    case GridInputKind::kOneDirection:
+    case GridInputKind::kOneDirectionStart:
       return keep(k1, state, top, only_side(input.open));
     case GridInputKind::kEnding:
       if (exploring) return keep(k21, GridState::kRetreating, top, output(*input.came_from));
@@ -176,7 +177,7 @@ TransducerRule GridRuleMaker::derive(GridState state, const GridInput& input, Sy
       return exploring && top == kStackStart ? keep(k3, GridState::kFinal, top, kStopOutput)
                                              : TransducerRule{};
     case GridInputKind::kCrossing:
-    case GridInputKind::kMultiWayStart:
+    case GridInputKind::kMultiPathStart:
       return exploring ? cross(input, top) : TransducerRule{};
     case GridInputKind::kExplored:
       return exploring ? keep(k51, GridState::kRetreating, top, output(*input.came_from)) : pop(input, top);

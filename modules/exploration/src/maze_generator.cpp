@@ -13,10 +13,10 @@ constexpr std::array<std::string_view, 6> kMazeKindNames = {"perfect", "braided"
 /// Depth first, always on to a random unvisited neighbour: long winding corridors.
 void carve_tree(GridWorld& world, Random& random) {
   std::vector<bool> carved(world.size(), false);
-  std::vector<std::uint32_t> way{0};
+  std::vector<std::uint32_t> path{0};
   carved[0] = true;
-  while (!way.empty()) {
-    const Cell cell = world.cell(way.back());
+  while (!path.empty()) {
+    const Cell cell = world.cell(path.back());
     std::array<Side, 4> sides{};
     std::size_t count = 0;
     for (const Side side : kAllSides) {
@@ -24,13 +24,13 @@ void carve_tree(GridWorld& world, Random& random) {
       if (world.contains(next) && !carved[world.index(next)]) sides[count++] = side;
     }
     if (count == 0) {
-      way.pop_back();
+      path.pop_back();
       continue;
     }
     const Side side = sides[random.index(count)];
     world.set_open(cell, side, true);
-    way.push_back(static_cast<std::uint32_t>(world.index(neighbour(cell, side))));
-    carved[way.back()] = true;
+    path.push_back(static_cast<std::uint32_t>(world.index(neighbour(cell, side))));
+    carved[path.back()] = true;
   }
 }
 

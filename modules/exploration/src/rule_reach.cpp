@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-/// Every way in which the vehicle may come back to a crossing that it has registered: the sides are left one
+/// Every path in which the vehicle may come back to a crossing that it has registered: the sides are left one
 /// after the other, and in the meantime further sides may turn out to be known from their other ends.
 class CrossingLives {
  public:
@@ -86,8 +86,8 @@ class CrossingLives {
 
   GridRules& rules_;
   std::optional<Side> came_from_;
-  /// Not where the side opposite the entry is known: the way walked so far is then a closed curve through the
-  /// crossing, and the two other sides lie on different sides of it.
+  /// Not where the side opposite the entry is known: the path walked so far is then a closed curve through
+  /// the crossing, and the two other sides lie on different sides of it.
   bool may_find_walls_ = false;
 };
 
@@ -99,8 +99,8 @@ class ReachMarker {
     find_what_is_pushed();
     for (const GridInput& input : rules_.inputs) {
       const bool crossing =
-          input.kind == GridInputKind::kCrossing || input.kind == GridInputKind::kMultiWayStart;
-      if (crossing && !rules_.by_shortest_ways()) CrossingLives(rules_).live(input);
+          input.kind == GridInputKind::kCrossing || input.kind == GridInputKind::kMultiPathStart;
+      if (crossing && !rules_.by_shortest_paths()) CrossingLives(rules_).live(input);
     }
     TransducerTable& table = rules_.table;
     for (const GridState state : {GridState::kExploring, GridState::kRetreating}) {
@@ -127,20 +127,20 @@ class ReachMarker {
   bool is_reachable(GridState state, const GridInput& input, Symbol top) const {
     const bool exploring = state == GridState::kExploring;
     switch (input.kind) {
-      case GridInputKind::kOneWay:
-        return exploring || !rules_.by_shortest_ways() || top == kStackStart || is_explore_symbol(top);
+      case GridInputKind::kOneDirection:
+        return exploring || !rules_.by_shortest_paths() || top == kStackStart || is_explore_symbol(top);
       case GridInputKind::kEnding:
-        return !rules_.by_shortest_ways() || !exploring;
+        return !rules_.by_shortest_paths() || !exploring;
       case GridInputKind::kExplored:
         return exploring ? is_found_again(input, top)
-                         : rules_.by_shortest_ways() && awaits(*input.came_from, top);
+                         : rules_.by_shortest_paths() && awaits(*input.came_from, top);
       case GridInputKind::kCrossing:
       case GridInputKind::kClosed:
         return true;
       case GridInputKind::kDetour:
         return is_explore_symbol(top);
-      case GridInputKind::kOneWayStart:
-      case GridInputKind::kMultiWayStart:
+      case GridInputKind::kOneDirectionStart:
+      case GridInputKind::kMultiPathStart:
       case GridInputKind::kDeadStart:
         return exploring && top == kStackStart;
     }

@@ -16,8 +16,8 @@ class BlockWalk {
 
   std::size_t moves(std::size_t start) {
     enter(start);
-    while (!way_.empty()) {
-      Visit& visit = way_.back();
+    while (!path_.empty()) {
+      Visit& visit = path_.back();
       if (visit.next_side == 4) {
         leave();
         continue;
@@ -41,16 +41,16 @@ class BlockWalk {
   };
 
   void enter(std::size_t cell) {
-    way_.push_back({static_cast<std::uint32_t>(cell), 0});
-    depth_[cell] = low_[cell] = static_cast<std::uint32_t>(way_.size());
+    path_.push_back({static_cast<std::uint32_t>(cell), 0});
+    depth_[cell] = low_[cell] = static_cast<std::uint32_t>(path_.size());
     block_.push_back(static_cast<std::uint32_t>(cell));
   }
 
   void leave() {
-    const std::uint32_t child = way_.back().cell;
-    way_.pop_back();
-    if (way_.empty()) return;
-    const std::uint32_t parent = way_.back().cell;
+    const std::uint32_t child = path_.back().cell;
+    path_.pop_back();
+    if (path_.empty()) return;
+    const std::uint32_t parent = path_.back().cell;
     low_[parent] = std::min(low_[parent], low_[child]);
     if (low_[child] >= depth_[parent]) close_block(parent, child);
   }
@@ -76,7 +76,7 @@ class BlockWalk {
   const GridWorld& world_;
   std::vector<std::uint32_t> depth_;  ///< 1 for the start; 0: not entered yet
   std::vector<std::uint32_t> low_;
-  std::vector<Visit> way_;
+  std::vector<Visit> path_;
   std::vector<std::uint32_t> block_;
   std::size_t moves_ = 0;
 };

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "aisle/exploration/nooks.hpp"
+#include "aisle/exploration/pockets.hpp"
 
 namespace aisle {
 
@@ -26,16 +26,16 @@ class DrawnFloor {
     put({-0.05, 0}, {0, width_m}, Floor::kOccupied);
   }
 
-  std::vector<Gate> gates() {
+  std::vector<Frontier> frontiers() {
     const FloorClearance clearance = clearance_now();
-    return find_gates(floor, clearance, reached_now(clearance), params, marks);
+    return find_frontiers(floor, clearance, reached_now(clearance), params, marks);
   }
 
-  std::vector<Gate> nooks() {
+  std::vector<Frontier> pockets() {
     const FloorClearance clearance = clearance_now();
     const FloorDistances reached = reached_now(clearance);
-    return find_nooks(floor, clearance, reached, find_gates(floor, clearance, reached, params, marks), params,
-                      nook_params, marks);
+    return find_pockets(floor, clearance, reached, find_frontiers(floor, clearance, reached, params, marks),
+                        params, pocket_params, marks);
   }
 
   FloorClearance clearance_now() const {
@@ -46,8 +46,8 @@ class DrawnFloor {
 
   FloorGrid floor;
   CellMarks marks;
-  GateParams params;
-  NookParams nook_params;
+  FrontierParams params;
+  PocketParams pocket_params;
 
  private:
   FloorDistances reached_now(const FloorClearance& clearance) const {

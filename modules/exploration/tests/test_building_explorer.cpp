@@ -7,9 +7,9 @@
 namespace aisle {
 namespace {
 
-ExplorerParams minding_nooks() {
+ExplorerParams minding_pockets() {
   ExplorerParams params;
-  params.nooks.way_max_m = 8;
+  params.pockets.path_max_m = 8;
   return params;
 }
 
@@ -31,32 +31,32 @@ ExploringTarget target_with_recess_at(double x_m, BuildingExplorer& explorer) {
   return look_and_decide(explorer, drawn, T_map_vehicle, {1.35, 1}, T_map_vehicle);
 }
 
-TEST(BuildingExplorer, LooksIntoANookThatItComesBy) {
-  BuildingExplorer explorer(minding_nooks(), ExploringOrder::kRecommended);
+TEST(BuildingExplorer, LooksIntoAPocketThatItComesBy) {
+  BuildingExplorer explorer(minding_pockets(), ExploringOrder::kRecommended);
   const ExploringTarget target = target_with_recess_at(5, explorer);
   EXPECT_EQ(target.kind, ExploringTarget::Kind::kPath);
-  EXPECT_TRUE(target.gate.is_nook);
+  EXPECT_TRUE(target.frontier.is_pocket);
 }
 
-TEST(BuildingExplorer, PassesNooksIfToldTo) {
+TEST(BuildingExplorer, PassesPocketsIfReportedTo) {
   ExplorerParams params;
-  params.nooks.way_max_m = 0;
+  params.pockets.path_max_m = 0;
   BuildingExplorer explorer(params, ExploringOrder::kRecommended);
   EXPECT_EQ(target_with_recess_at(5, explorer).kind, ExploringTarget::Kind::kHome);
 }
 
-TEST(BuildingExplorer, GoesHomeRatherThanFarForANook) {
-  BuildingExplorer explorer(minding_nooks(), ExploringOrder::kRecommended);
+TEST(BuildingExplorer, GoesHomeRatherThanFarForAPocket) {
+  BuildingExplorer explorer(minding_pockets(), ExploringOrder::kRecommended);
   EXPECT_EQ(target_with_recess_at(15, explorer).kind, ExploringTarget::Kind::kHome);
   EXPECT_EQ(explorer.paths_waiting(), 0);
   explorer.stop(2);
 }
 
-TEST(BuildingExplorer, LeavesNoFarNookUndone) {
+TEST(BuildingExplorer, LeavesNoFarPocketUndone) {
   DrawnFloor drawn;
   drawn.put_corridor(20, 2);  // its far end is open
   drawn.put({15, 2}, {15.4, 2.05}, Floor::kFree);
-  BuildingExplorer explorer(minding_nooks(), ExploringOrder::kRecommended);
+  BuildingExplorer explorer(minding_pockets(), ExploringOrder::kRecommended);
   const Pose2 T_map_home{1, 1, 0};
   const auto decide = [&] { return look_and_decide(explorer, drawn, T_map_home, {1.35, 1}, T_map_home); };
   ASSERT_EQ(decide().kind, ExploringTarget::Kind::kPath);
@@ -102,7 +102,7 @@ class SecondLook : public testing::Test {
     drawn_.put({5, 2}, {5.4, 2.05}, Floor::kFree);
   }
 
-  /// How many nooks it wants to look into from about there, while none of them shows anything.
+  /// How many pockets it wants to look into from about there, while none of them shows anything.
   int looks_at(double x_m) {
     for (int looks = 0;; ++looks) {
       const ExploringTarget target = look_and_decide(explorer_, drawn_, {x_m, 1, 0}, {x_m, 1}, {1, 1, 0});
@@ -112,7 +112,7 @@ class SecondLook : public testing::Test {
   }
 
   DrawnFloor drawn_;
-  BuildingExplorer explorer_{minding_nooks(), ExploringOrder::kRecommended};
+  BuildingExplorer explorer_{minding_pockets(), ExploringOrder::kRecommended};
 };
 
 TEST_F(SecondLook, IsWorthWhileFromElsewhereWhereMuchIsHidden) {

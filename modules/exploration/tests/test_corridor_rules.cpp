@@ -12,7 +12,7 @@ constexpr auto kStop = static_cast<Symbol>(CorridorOutput::kStop);
 
 TEST(CorridorRules, OneCorridorIsDrivenToItsEndAndBack) {
   TransducerRun run(corridor_rules());
-  EXPECT_EQ(run.step(corridor_input::one_way(Bearing::kForward)).output, kForward);
+  EXPECT_EQ(run.step(corridor_input::one_direction(Bearing::kForward)).output, kForward);
   run.step(corridor_input::kEnd);
   EXPECT_EQ(run.state(), static_cast<Symbol>(CorridorState::kRetreating));
   EXPECT_EQ(run.step(corridor_input::kAway).output, kBackward);
@@ -20,11 +20,11 @@ TEST(CorridorRules, OneCorridorIsDrivenToItsEndAndBack) {
   EXPECT_TRUE(run.halted());
 }
 
-TEST(CorridorRules, PublishedCrossingIsLeftByTheWayBackLast) {
+TEST(CorridorRules, PublishedCrossingIsLeftByThePathBackLast) {
   TransducerRun run(corridor_rules());
-  run.step(corridor_input::kCrossingWayBack);
+  run.step(corridor_input::kCrossingPathBack);
   run.step(corridor_input::crossing(Bearing::kLeft));
-  EXPECT_EQ(run.step(corridor_input::one_way(Bearing::kForward)).output, kForward);
+  EXPECT_EQ(run.step(corridor_input::one_direction(Bearing::kForward)).output, kForward);
   run.step(corridor_input::kEnd);
   EXPECT_EQ(run.step(corridor_input::kExplored).output, kForwardLeft);
   run.step(corridor_input::kEnd);

@@ -38,7 +38,7 @@ std::map<std::pair<int, int>, int> tenths_by_trying(const FloorClearance& cleara
   return tenths;
 }
 
-RC_GTEST_PROP(FloorDistances, AreThoseThatTryingAllWaysGives, (std::uint64_t seed)) {
+RC_GTEST_PROP(FloorDistances, AreThoseThatTryingAllPathsGives, (std::uint64_t seed)) {
   Random random(seed);
   FloorGrid floor;
   for (int y = 0; y < kSide; ++y) {
@@ -54,10 +54,10 @@ RC_GTEST_PROP(FloorDistances, AreThoseThatTryingAllWaysGives, (std::uint64_t see
   const auto expected = tenths_by_trying(clearance, start, static_cast<int>(10 * kLeeway_m / floor.cell_m()));
   for (int y = -3; y < kSide + 3; ++y) {
     for (int x = -3; x < kSide + 3; ++x) {
-      const auto way = expected.find({x, y});
-      const float way_m = distances.to({x, y});
-      RC_ASSERT(std::isfinite(way_m) == (way != expected.end()));
-      if (way != expected.end()) RC_ASSERT(std::abs(way_m - 0.1 * way->second * floor.cell_m()) < 1e-5);
+      const auto path = expected.find({x, y});
+      const float path_m = distances.to({x, y});
+      RC_ASSERT(std::isfinite(path_m) == (path != expected.end()));
+      if (path != expected.end()) RC_ASSERT(std::abs(path_m - 0.1 * path->second * floor.cell_m()) < 1e-5);
     }
   }
 }

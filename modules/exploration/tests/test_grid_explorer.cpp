@@ -40,7 +40,7 @@ class EveryRuleSet : public testing::TestWithParam<GridRuleSet> {};
 INSTANTIATE_TEST_SUITE_P(Rules, EveryRuleSet, testing::ValuesIn(kGridRuleSets),
                          [](const auto& rules) { return std::string(name_of(rules.param)); });
 
-TEST_P(EveryRuleSet, StopsAtOnceWhereThereIsNoWayOut) {
+TEST_P(EveryRuleSet, StopsAtOnceWhereThereIsNoPathOut) {
   const Exploration run = explored(GridWorld(1, 1), GetParam());
   EXPECT_THAT(run.moves, IsEmpty());
   EXPECT_TRUE(run.figures.complete());

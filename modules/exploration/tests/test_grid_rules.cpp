@@ -44,10 +44,10 @@ TEST(GridRules, NumberTheInputsAsThePaperDoes) {
   const std::vector<GridInput>& inputs = published().inputs;
   const auto kind = [&](int g) { return inputs[static_cast<std::size_t>(g - 1)].kind; };
   for (const auto& [first, last, of] :
-       {std::tuple{1, 12, GridInputKind::kOneWay}, std::tuple{13, 28, GridInputKind::kCrossing},
+       {std::tuple{1, 12, GridInputKind::kOneDirection}, std::tuple{13, 28, GridInputKind::kCrossing},
         std::tuple{29, 32, GridInputKind::kEnding}, std::tuple{33, 36, GridInputKind::kExplored},
-        std::tuple{37, 40, GridInputKind::kOneWayStart}, std::tuple{41, 51, GridInputKind::kMultiWayStart},
-        std::tuple{52, 52, GridInputKind::kDeadStart}}) {
+        std::tuple{37, 40, GridInputKind::kOneDirectionStart},
+        std::tuple{41, 51, GridInputKind::kMultiPathStart}, std::tuple{52, 52, GridInputKind::kDeadStart}}) {
     for (int g = first; g <= last; ++g) EXPECT_EQ(kind(g), of) << "G" << g;
   }
 }

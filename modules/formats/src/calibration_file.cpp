@@ -131,7 +131,7 @@ void CalibrationReader::read_size(const YAML::Node& document) {
 void CalibrationReader::side(const YAML::Node& document, const char* key, int& side_px) {
   const auto entry = first_of(document, {key});
   if (!entry) return;
-  const auto value = number(*entry, {1, kPictureSideMax_px});
+  const auto value = number(*entry, {1, kImageSideMax_px});
   if (!value) return;
   if (*value != std::floor(*value)) problem(entry->node, key, "is not a whole number");
   side_px = static_cast<int>(*value);

@@ -9,8 +9,8 @@ inline constexpr std::size_t kSettingsBytesMax = 1 << 20;  ///< vehicles, scenar
 inline constexpr std::size_t kWorldBytesMax = 16 << 20;
 inline constexpr std::size_t kWorldWallsMax = 200'000;
 inline constexpr double kCoordinateMax_m = 10'000;
-inline constexpr std::size_t kPlanBytesMax = std::size_t{512} << 20;  ///< of a picture that is a floor plan
-inline constexpr int kPictureSideMax_px = 16384;
+inline constexpr std::size_t kPlanBytesMax = std::size_t{512} << 20;  ///< of an image that is a floor plan
+inline constexpr int kImageSideMax_px = 16384;
 inline constexpr double kAnyNumber = 1e15;  ///< where only what is no number at all is wrong
 
 }  // namespace aisle

@@ -24,16 +24,18 @@ struct KeyWord {
   Key key;
 };
 
-const std::array<KeyWord, 10> kWords = {{{"up", {.kind = Key::Kind::kUp}},
-                                         {"down", {.kind = Key::Kind::kDown}},
-                                         {"left", {.kind = Key::Kind::kLeft}},
-                                         {"right", {.kind = Key::Kind::kRight}},
-                                         {"stop", {.kind = Key::Kind::kStop}},
-                                         {"quit", {.kind = Key::Kind::kQuit}},
-                                         {"turning", {Key::Kind::kMark, {Mark::Kind::kTurningBegins, ""}}},
-                                         {"turning-ends", {Key::Kind::kMark, {Mark::Kind::kTurningEnds, ""}}},
-                                         {"place", {Key::Kind::kMark, {Mark::Kind::kPlace, ""}}},
-                                         {"way-ends", {Key::Kind::kMark, {Mark::Kind::kStop, ""}}}}};
+const std::array<KeyWord, 11> kWords = {
+    {{"up", {.kind = Key::Kind::kUp}},
+     {"down", {.kind = Key::Kind::kDown}},
+     {"left", {.kind = Key::Kind::kLeft}},
+     {"right", {.kind = Key::Kind::kRight}},
+     {"stop", {.kind = Key::Kind::kStop}},
+     {"quit", {.kind = Key::Kind::kQuit}},
+     {"turning", {Key::Kind::kMark, {Mark::Kind::kTurningBegins, ""}}},
+     {"turning-ends", {Key::Kind::kMark, {Mark::Kind::kTurningEnds, ""}}},
+     {"place", {Key::Kind::kMark, {Mark::Kind::kPlace, ""}}},
+     {"route-ends", {Key::Kind::kMark, {Mark::Kind::kStop, ""}}},
+     {"way-ends", {Key::Kind::kMark, {Mark::Kind::kStop, ""}}}}};  // of release 0.1
 
 std::optional<double> time_s(std::string_view text) {
   const auto value = parse_number(text);
@@ -81,7 +83,7 @@ std::optional<TimedKey> parse_line(std::string_view line, std::string& what) {
       std::find_if(kWords.begin(), kWords.end(), [&](const KeyWord& key) { return key.word == word; });
   if (known == kWords.end()) {
     what = fmt::format(
-        "'{}' is none of up, down, left, right, stop, quit, turning, turning-ends, place, way-ends",
+        "'{}' is none of up, down, left, right, stop, quit, turning, turning-ends, place, path-ends",
         printable(word));
     return std::nullopt;
   }

@@ -50,7 +50,7 @@ inline VehicleDescription sample_vehicle() {
   return vehicle;
 }
 
-/// A smooth picture with some noise.
+/// A smooth image with some noise.
 inline Image sample_image(int width, int height, int channels, Random& random) {
   Image image(width, height, channels);
   const double phase = random.uniform(0, 6);
@@ -66,10 +66,10 @@ inline Observation sample_observation(int index) {
   Random random(static_cast<std::uint64_t>(index) + 1);
   Observation observation;
   observation.stamp_s = 0.1 * (index + 1);
-  observation.pictures.push_back(
+  observation.images.push_back(
       {"front", observation.stamp_s - 0.02, std::make_shared<Image>(sample_image(64, 48, 1, random))});
   if (index % 2 == 0) {
-    observation.pictures.push_back(
+    observation.images.push_back(
         {"left", observation.stamp_s - 0.01, std::make_shared<Image>(sample_image(64, 48, 3, random))});
   }
   observation.odometry = FrontSteeredMotion{random.uniform(0, 0.1), random.normal(0.1)};
@@ -79,7 +79,7 @@ inline Observation sample_observation(int index) {
       observation.scan->ranges_m.push_back(static_cast<float>(random.uniform(0, 10)));
   }
   if (index % 5 == 2) {
-    observation.operator_input.wish = Command{.speed_mps = random.uniform(), .steering_rad = -0.1};
+    observation.operator_input.requested = Command{.speed_mps = random.uniform(), .steering_rad = -0.1};
     observation.operator_input.marks = {{Mark::Kind::kTurningBegins, "6"},
                                         {Mark::Kind::kPlace, "Büro \"1\""}};
   }
@@ -103,7 +103,7 @@ inline SessionOrigin sample_origin() {
 
 /// Records that many cycles with the truth; returns what the record gave back for each.
 inline std::vector<Observation> record_sample(const std::filesystem::path& directory, int cycles,
-                                              const PictureCoding& coding = {}) {
+                                              const ImageCoding& coding = {}) {
   auto record = SessionRecord::create(directory, false, sample_vehicle(), sample_origin(), coding);
   std::vector<Observation> kept;
   for (int i = 0; i < cycles; ++i) {

@@ -4,12 +4,12 @@
 
 #include "aisle/formats/buildings/building_json.hpp"
 #include "aisle/formats/buildings/floor_marks.hpp"
+#include "aisle/formats/images/map_server.hpp"
+#include "aisle/formats/images/plan_image.hpp"
 #include "aisle/formats/key_script_text.hpp"
 #include "aisle/formats/logs/carmen_log.hpp"
 #include "aisle/formats/logs/relations.hpp"
 #include "aisle/formats/logs/trajectory.hpp"
-#include "aisle/formats/pictures/map_server.hpp"
-#include "aisle/formats/pictures/plan_picture.hpp"
 #include "aisle/formats/sessions/decision_text.hpp"
 #include "aisle/formats/sessions/session_origin.hpp"
 #include "aisle/formats/whole_file.hpp"
@@ -71,7 +71,7 @@ TEST(DocumentedExamples, TheSectionsAreReadAndWrittenAsTheyStand) {
   EXPECT_EQ(building_json(*building), text);
 }
 
-TEST(DocumentedExamples, TheWayThroughARoomIsReadAndWrittenAsItStands) {
+TEST(DocumentedExamples, ThePathThroughARoomIsReadAndWrittenAsItStands) {
   const std::string text = example("rooms.md");
   const auto building = parse_building(text, "rooms.md");
   ASSERT_TRUE(building.ok()) << to_string(building.problems());
@@ -138,7 +138,7 @@ TEST(DocumentedExamples, ASessionOfALandmarkMissionHoldsABuilding) {
 }
 
 TEST(DocumentedExamples, ThePlanIsARoomWithAPillar) {
-  const auto plan = parse_plan_picture(example("plan.md"), "plan.md", 0.05);
+  const auto plan = parse_plan_image(example("plan.md"), "plan.md", 0.05);
   ASSERT_TRUE(plan.ok()) << to_string(plan.problems());
   EXPECT_TRUE(plan->is_solid(2, 2));
   EXPECT_TRUE(plan->is_solid(3, 2)) << "unknown";

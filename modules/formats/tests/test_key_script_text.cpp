@@ -30,7 +30,7 @@ TEST(KeyScriptText, EveryProblemIsNamedWithItsLine) {
             "keys.txt:1: 'x' is no time FROM or FROM-TO in seconds\n"
             "keys.txt:2: '3-1' is no time FROM or FROM-TO in seconds\n"
             "keys.txt:3: 'jump' is none of up, down, left, right, stop, quit, turning, turning-ends, place, "
-            "way-ends\n"
+            "route-ends\n"
             "keys.txt:4: a turning is a number from 1 to 13\n"
             "keys.txt:5: a place needs a name of at most 64 characters\n"
             "keys.txt:6: 'now' is too much\n"

@@ -35,7 +35,7 @@ CameraModel any_camera(Random& random) {
   return CameraModel(lens);
 }
 
-/// A pixel in the lower part of a 640 x 480 picture, where the floor is.
+/// A pixel in the lower part of a 640 x 480 image, where the floor is.
 Vec2 any_floor_pixel(Random& random) {
   return {random.uniform(60, 580), random.uniform(260, 470)};
 }

@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-/// Lenses from barrel to pincushion on a 640 x 480 picture of 50 degrees; none folds back within the picture.
+/// Lenses from barrel to pincushion on a 640 x 480 image of 50 degrees; none folds back within the image.
 CameraIntrinsics any_lens(Random& random) {
   CameraIntrinsics lens;
   lens.fx_px = random.uniform(660, 700);

@@ -9,13 +9,13 @@ void HandDriverParams::describe(FieldList& fields) {
   fields.real("reverse_speed_max_mps", reverse_speed_max_mps, {0.01, 10}, "backwards");
   fields.angle("steering_max_deg", steering_max_rad, {1, 89}, "of the front wheels, either way");
   fields.angle("turn_rate_max_deg_s", turn_rate_max_rad_s, {1, 1000}, "of a differential vehicle");
-  fields.real("wish_age_max_s", wish_age_max_s, {0.05, 10}, "older wishes mean: stop");
+  fields.real("request_age_max_s", request_age_max_s, {0.05, 10}, "older requests mean: stop");
 }
 
-Command HandDriver::limited(const Command& wish) const {
-  return {std::clamp(wish.speed_mps, -params_.reverse_speed_max_mps, params_.speed_max_mps),
-          std::clamp(wish.steering_rad, -params_.steering_max_rad, params_.steering_max_rad),
-          std::clamp(wish.turn_rate_rad_s, -params_.turn_rate_max_rad_s, params_.turn_rate_max_rad_s)};
+Command HandDriver::limited(const Command& requested) const {
+  return {std::clamp(requested.speed_mps, -params_.reverse_speed_max_mps, params_.speed_max_mps),
+          std::clamp(requested.steering_rad, -params_.steering_max_rad, params_.steering_max_rad),
+          std::clamp(requested.turn_rate_rad_s, -params_.turn_rate_max_rad_s, params_.turn_rate_max_rad_s)};
 }
 
 Decision HandDriver::step(const Observation& observation) {
@@ -24,18 +24,18 @@ Decision HandDriver::step(const Observation& observation) {
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the vehicle touches something"};
   }
   if (input.gives_up) {
-    return {.status = NavigatorStatus::kFailed, .state = "given up", .why = "the person found no way on"};
+    return {.status = NavigatorStatus::kFailed, .state = "given up", .why = "the person found no path on"};
   }
   if (input.quit) return {.status = NavigatorStatus::kDone, .state = "ended", .why = "ended by hand"};
-  if (input.wish) {
-    wish_ = limited(*input.wish);
-    wish_stamp_s_ = observation.stamp_s;
+  if (input.requested) {
+    requested_ = limited(*input.requested);
+    request_stamp_s_ = observation.stamp_s;
   }
-  if (!wish_stamp_s_) return {.state = "waiting", .why = "nothing was wished so far"};
-  if (observation.stamp_s - *wish_stamp_s_ > params_.wish_age_max_s) {
-    return {.state = "waiting", .why = "wishes have stopped coming"};
+  if (!request_stamp_s_) return {.state = "waiting", .why = "nothing was wished so far"};
+  if (observation.stamp_s - *request_stamp_s_ > params_.request_age_max_s) {
+    return {.state = "waiting", .why = "requests have stopped coming"};
   }
-  return {.command = wish_, .state = "driving"};
+  return {.command = requested_, .state = "driving"};
 }
 
 }  // namespace aisle

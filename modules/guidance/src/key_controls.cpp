@@ -30,7 +30,7 @@ OperatorInput KeyControls::press(double stamp_s, const std::vector<Key>& keys) {
   const auto go = [&](double speed_mps) {
     speed_mps_ = speed_mps;
     moved_stamp_s_ = stamp_s;
-    input.wish = Command{.speed_mps = speed_mps};
+    input.requested = Command{.speed_mps = speed_mps};
   };
   for (const Key& key : keys) {
     switch (key.kind) {
@@ -41,14 +41,14 @@ OperatorInput KeyControls::press(double stamp_s, const std::vector<Key>& keys) {
         go(-speeds_.reverse_speed_mps);
         break;
       case Key::Kind::kLeft:
-        input.wish = turning(stamp_s, 1);
+        input.requested = turning(stamp_s, 1);
         break;
       case Key::Kind::kRight:
-        input.wish = turning(stamp_s, -1);
+        input.requested = turning(stamp_s, -1);
         break;
       case Key::Kind::kStop:
         moved_stamp_s_ = -1e9;
-        input.wish = Command{};
+        input.requested = Command{};
         break;
       case Key::Kind::kQuit:
         input.quit = true;

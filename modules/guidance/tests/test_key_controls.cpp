@@ -49,22 +49,25 @@ TEST(TerminalKeys, WhatIsNoTurningIsNoMark) {
 
 TEST(KeyControls, UpAndDownDriveStraight) {
   KeyControls controls({.speed_mps = 0.3, .reverse_speed_mps = 0.2}, false);
-  EXPECT_EQ(controls.press(1, {key(Kind::kUp)}).wish, (Command{.speed_mps = 0.3}));
-  EXPECT_EQ(controls.press(2, {key(Kind::kDown)}).wish, (Command{.speed_mps = -0.2}));
-  EXPECT_FALSE(controls.press(3, {}).wish);
+  EXPECT_EQ(controls.press(1, {key(Kind::kUp)}).requested, (Command{.speed_mps = 0.3}));
+  EXPECT_EQ(controls.press(2, {key(Kind::kDown)}).requested, (Command{.speed_mps = -0.2}));
+  EXPECT_FALSE(controls.press(3, {}).requested);
 }
 
 TEST(KeyControls, LeftKeepsTheSpeedOfAnUpThatIsStillHeld) {
   KeyControls controls({.speed_mps = 0.3, .steering_rad = 0.4}, false);
   controls.press(1, {key(Kind::kUp)});
-  EXPECT_EQ(controls.press(1.4, {key(Kind::kLeft)}).wish, (Command{.speed_mps = 0.3, .steering_rad = 0.4}));
-  EXPECT_EQ(controls.press(1.8, {key(Kind::kRight)}).wish, (Command{.speed_mps = 0.3, .steering_rad = -0.4}));
-  EXPECT_EQ(controls.press(2.5, {key(Kind::kLeft)}).wish, (Command{.speed_mps = 0, .steering_rad = 0.4}));
+  EXPECT_EQ(controls.press(1.4, {key(Kind::kLeft)}).requested,
+            (Command{.speed_mps = 0.3, .steering_rad = 0.4}));
+  EXPECT_EQ(controls.press(1.8, {key(Kind::kRight)}).requested,
+            (Command{.speed_mps = 0.3, .steering_rad = -0.4}));
+  EXPECT_EQ(controls.press(2.5, {key(Kind::kLeft)}).requested,
+            (Command{.speed_mps = 0, .steering_rad = 0.4}));
 }
 
 TEST(KeyControls, ADifferentialVehicleTurnsOnTheSpot) {
   KeyControls controls({.turn_rate_rad_s = 0.5}, true);
-  EXPECT_EQ(controls.press(1, {key(Kind::kRight)}).wish, (Command{.turn_rate_rad_s = -0.5}));
+  EXPECT_EQ(controls.press(1, {key(Kind::kRight)}).requested, (Command{.turn_rate_rad_s = -0.5}));
 }
 
 TEST(KeyControls, StopStandsAndMarksAndQuitArePassedOn) {
@@ -72,10 +75,10 @@ TEST(KeyControls, StopStandsAndMarksAndQuitArePassedOn) {
   controls.press(1, {key(Kind::kUp)});
   const OperatorInput input =
       controls.press(1.1, {mark(Mark::Kind::kPlace, "lobby"), key(Kind::kStop), key(Kind::kQuit)});
-  EXPECT_EQ(input.wish, Command{});
+  EXPECT_EQ(input.requested, Command{});
   EXPECT_TRUE(input.quit);
   EXPECT_THAT(input.marks, ElementsAre(Mark{Mark::Kind::kPlace, "lobby"}));
-  EXPECT_EQ(controls.press(1.2, {key(Kind::kLeft)}).wish->speed_mps, 0);
+  EXPECT_EQ(controls.press(1.2, {key(Kind::kLeft)}).requested->speed_mps, 0);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Senses so many cycles of a tenth of a second, and remembers how it was told to drive.
+/// Senses so many cycles of a tenth of a second, and remembers how it was given to drive.
 class CountingVehicle final : public Vehicle {
  public:
   explicit CountingVehicle(int cycles) : cycles_left_(cycles) {}

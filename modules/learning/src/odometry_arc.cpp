@@ -9,17 +9,17 @@ namespace {
 
 UncertainArc arc_read(const VehicleDescription& vehicle, const FrontSteeredMotion& motion) {
   const FrontSteeredNoise& noise = vehicle.front_steered_noise;
-  const double way_m = std::abs(motion.distance_m);
+  const double path_m = std::abs(motion.distance_m);
   UncertainArc result{arc_of(vehicle.front_steered, motion)};
-  if (way_m == 0) return result;
-  const double way_m2 =
-      square(noise.distance_slip_m_per_sqrt_m) * way_m + square(noise.distance_quantum_m) / 6;
+  if (path_m == 0) return result;
+  const double path_m2 =
+      square(noise.distance_slip_m_per_sqrt_m) * path_m + square(noise.distance_quantum_m) / 6;
   const double steering_rad2 = square(noise.steering_quantum_rad) / 12;
-  const Vec2 by_way{std::cos(motion.steering_rad),
-                    std::sin(motion.steering_rad) / vehicle.front_steered.wheelbase_m};
-  result.covariance = by_way * way_m2 * by_way.transpose();
-  result.covariance(1, 1) += square(noise.heading_slip_rad_per_sqrt_m) * way_m +
-                             square(way_m / vehicle.front_steered.wheelbase_m) * steering_rad2;
+  const Vec2 by_path{std::cos(motion.steering_rad),
+                     std::sin(motion.steering_rad) / vehicle.front_steered.wheelbase_m};
+  result.covariance = by_path * path_m2 * by_path.transpose();
+  result.covariance(1, 1) += square(noise.heading_slip_rad_per_sqrt_m) * path_m +
+                             square(path_m / vehicle.front_steered.wheelbase_m) * steering_rad2;
   return result;
 }
 

@@ -14,8 +14,8 @@ struct UncertainArc {
 
 UncertainArc uncertain_arc(const VehicleDescription& vehicle, const OdometryReading& reading);
 
-/// Standard deviations of what is steadily wrong with the odometry: way scale, turn scale, turn per metre
-/// [1/m]. The true arc is length * (1 + way), turn * (1 + scale) + length * per_metre.
+/// Standard deviations of what is steadily wrong with the odometry: path scale, turn scale, turn per metre
+/// [1/m]. The true arc is length * (1 + path), turn * (1 + scale) + length * per_metre.
 Vec3 steady_odometry_sigmas(const VehicleDescription& vehicle);
 
 }  // namespace aisle

@@ -32,19 +32,19 @@ Mat2 round_covariance(double sigma_m) {
   return square(sigma_m) * Mat2::Identity();
 }
 
-std::vector<Vec2> corridor_feet() {
-  std::vector<Vec2> feet;
-  for (int i = 0; i < 40; ++i) feet.emplace_back(0.45 * i, i % 2 == 0 ? 1.1 : -1.1);
-  return feet;
+std::vector<Vec2> corridor_floor_points() {
+  std::vector<Vec2> floor_points;
+  for (int i = 0; i < 40; ++i) floor_points.emplace_back(0.45 * i, i % 2 == 0 ? 1.1 : -1.1);
+  return floor_points;
 }
 
 /// What a vehicle sees of the feet that are 1 to 6 m ahead.
 std::vector<SeenPoint> look(const Pose2& T_map_vehicle, double sigma_m, Random* random = nullptr) {
   std::vector<SeenPoint> points;
-  for (const Vec2& foot : corridor_feet()) {
-    const Vec2 p_vehicle = T_map_vehicle.inverse() * foot;
+  for (const Vec2& floor_point : corridor_floor_points()) {
+    const Vec2 p_vehicle = T_map_vehicle.inverse() * floor_point;
     if (p_vehicle.x() < 1 || p_vehicle.x() > 6) continue;
-    points.push_back({.p_map = foot, .p_vehicle = p_vehicle, .covariance = round_covariance(sigma_m)});
+    points.push_back({.p_map = floor_point, .p_vehicle = p_vehicle, .covariance = round_covariance(sigma_m)});
     if (random != nullptr) points.back().p_vehicle += Vec2(random->normal(sigma_m), random->normal(sigma_m));
   }
   return points;
@@ -103,13 +103,13 @@ TEST(PoseFilter, AVehicleThatStandsStaysAsSureAsItWas) {
 }
 
 TEST(PoseFilter, PointsTellWhereItWasAtFirstAsNumbersDo) {
-  const Vec2 foot{12, 0};
+  const Vec2 floor_point{12, 0};
   PoseFilter by_point(cart(), about({0, 0, 0}, 0.1, 1e-6)), by_number = by_point;
   for (int i = 0; i < 100; ++i) {
     by_point.predict(FrontSteeredMotion{0.1, 0});
     by_number.predict(FrontSteeredMotion{0.1, 0});
   }
-  const SeenPoint ahead{.p_map = foot, .p_vehicle = {1.9, 0}, .covariance = round_covariance(0.05)};
+  const SeenPoint ahead{.p_map = floor_point, .p_vehicle = {1.9, 0}, .covariance = round_covariance(0.05)};
   by_point.update(std::vector{ahead}, by_point.pose());
   by_number.correct(0.1, Vec3::UnitX(), 0.05);
   EXPECT_GT(by_point.first_pose().x, 0.02);
@@ -147,29 +147,29 @@ TEST(PoseFilter, PointsThatShowAnotherPoseAreFarOff) {
 }
 
 TEST(PoseFilter, ErrorsAreAsLargeAsTheCovarianceSaysBlindAndSeeing) {
-  constexpr int kTrips = 300, kSteps = 40;
+  constexpr int kRuns = 300, kSteps = 40;
   constexpr double kStep_m = 0.1;
   const VehicleDescription vehicle = cart();
   const FrontSteeredNoise& noise = vehicle.front_steered_noise;
   double blind = 0, seeing = 0;
   Random random(5);
-  for (int trip = 0; trip < kTrips; ++trip) {
+  for (int run = 0; run < kRuns; ++run) {
     const UncertainPose2 start = about({0, 0, 0}, 0.05, 1 * kDegree);
     Pose2 truth{random.normal(0.05), random.normal(0.05), random.normal(1 * kDegree)};
-    const double way_scale = 1 + random.normal(noise.distance_scale);
+    const double path_scale = 1 + random.normal(noise.distance_scale);
     const double turn_per_m = random.normal(noise.steering_bias_rad / kWheelbase_m);
     PoseFilter filter(vehicle, start);
     for (int i = 0; i < kSteps; ++i) {
-      const double way_m =
-          kStep_m * way_scale + random.normal(noise.distance_slip_m_per_sqrt_m * std::sqrt(kStep_m));
+      const double path_m =
+          kStep_m * path_scale + random.normal(noise.distance_slip_m_per_sqrt_m * std::sqrt(kStep_m));
       const double turn_rad =
           kStep_m * turn_per_m + random.normal(noise.heading_slip_rad_per_sqrt_m * std::sqrt(kStep_m));
-      truth = truth * end_pose({way_m, turn_rad});
+      truth = truth * end_pose({path_m, turn_rad});
       filter.predict(FrontSteeredMotion{kStep_m, 0});
     }
-    blind += normalised_error(filter, truth) / kTrips;
+    blind += normalised_error(filter, truth) / kRuns;
     filter.update(look(truth, 0.02, &random), filter.pose());
-    seeing += normalised_error(filter, truth) / kTrips;
+    seeing += normalised_error(filter, truth) / kRuns;
   }
   EXPECT_THAT(blind, testing::AllOf(testing::Gt(2.4), testing::Lt(3.6)));
   EXPECT_THAT(seeing, testing::AllOf(testing::Gt(2.0), testing::Lt(3.6)));
@@ -180,8 +180,8 @@ TEST(PoseFilter, SteeringOffItsZeroIsLearnedOnOneStraightAndHelpsOnTheNext) {
   constexpr double kTurn_per_m = 0.5 * kDegree / kWheelbase_m;
   PoseFilter seeing(cart(), about({0, 0, 0}, 0.01, 0.1 * kDegree)), blind = seeing;
   Pose2 truth;
-  const auto drive = [&](double way_m, bool looks) {
-    for (double s = 0; s < way_m; s += kStep_m) {
+  const auto drive = [&](double path_m, bool looks) {
+    for (double s = 0; s < path_m; s += kStep_m) {
       truth = truth * end_pose({kStep_m, kTurn_per_m * kStep_m});
       seeing.predict(FrontSteeredMotion{kStep_m, 0});
       blind.predict(FrontSteeredMotion{kStep_m, 0});
@@ -211,13 +211,15 @@ TEST(PoseFilter, HoweverManyPointsShareATiltErrorTheyDoNotMakeItSurerThanTheTilt
   constexpr double kPrior_m = 0.3, kTilt_m = 0.03;
   std::vector<SeenPoint> points;
   for (int i = 0; i < 400; ++i) {
-    const Vec2 foot{2 + 0.01 * i, i % 2 == 0 ? 1.1 : -1.1};
-    points.push_back(
-        {.p_map = foot, .p_vehicle = foot, .covariance = round_covariance(0.01), .by_tilt = {kTilt_m, 0}});
+    const Vec2 floor_point{2 + 0.01 * i, i % 2 == 0 ? 1.1 : -1.1};
+    points.push_back({.p_map = floor_point,
+                      .p_vehicle = floor_point,
+                      .covariance = round_covariance(0.01),
+                      .by_tilt = {kTilt_m, 0}});
   }
   PoseFilter filter(cart(), about({0, 0, 0}, kPrior_m, 1 * kDegree));
   filter.update(points, filter.pose());
-  // The sum of way along and tilt error is all but exact: their prior variances share it out.
+  // The sum of path along and tilt error is all but exact: their prior variances share it out.
   const double along_m2 = square(kPrior_m * kTilt_m) / (square(kPrior_m) + square(kTilt_m));
   EXPECT_NEAR(filter.covariance()(0, 0), along_m2, 0.02 * along_m2);
   EXPECT_LT(std::sqrt(filter.covariance()(1, 1)), 0.005);

@@ -20,16 +20,16 @@ template <class Stream>
 class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream>> {
  public:
   static constexpr std::uint32_t kHeaderBytesMax = 16 << 10;
-  static constexpr std::chrono::seconds kPatience{30};
+  static constexpr std::chrono::seconds kTimeout{30};
 
-  HttpConnection(Stream stream, Premises& premises, Counted connection)
-      : stream_(std::move(stream)), premises_(premises), connection_(std::move(connection)) {}
+  HttpConnection(Stream stream, ServerContext& server_context, Counted connection)
+      : stream_(std::move(stream)), server_context_(server_context), connection_(std::move(connection)) {}
 
   void read() {
     parser_.emplace();
     parser_->header_limit(kHeaderBytesMax);
-    parser_->body_limit(HttpDesk::kBuildingBytesMax);
-    beast::get_lowest_layer(stream_).expires_after(kPatience);
+    parser_->body_limit(HttpRequestHandler::kBuildingBytesMax);
+    beast::get_lowest_layer(stream_).expires_after(kTimeout);
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = this->shared_from_this()](const beast::error_code& error, std::size_t) {
                               if (!error) self->on_header();
@@ -47,18 +47,18 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
             .target = view(request.target())};
   }
 
-  /// Who may not come in is told so before anything more is read.
+  /// Who may not come in is given so before anything more is read.
   void on_header() {
-    if (!premises_.gatekeeper.is_from_here(caller()))
+    if (!server_context_.authenticator.is_from_here(caller()))
       return reply(http_problem(403, "a foreign Origin or Host"), false);
     if (beast::websocket::is_upgrade(parser_->get())) return upgrade();
     const HttpQuestion question = asked();
-    if (HttpDesk::brings_building(question.method, question.target)) {
+    if (HttpRequestHandler::brings_building(question.method, question.target)) {
       if (question.knows_token && question.has_lease) return read_body();
-      return reply(premises_.desk.answer(question), false);
+      return reply(server_context_.desk.answer(question), false);
     }
     const bool has_body = parser_->chunked() || parser_->content_length().value_or(0) > 0;
-    reply(premises_.desk.answer(question), !has_body && parser_->keep_alive());
+    reply(server_context_.desk.answer(question), !has_body && parser_->keep_alive());
   }
 
   void read_body() {
@@ -67,7 +67,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
                        if (error == http::error::body_limit)
                          return self->reply(http_problem(413, "more than 16 MiB"), false);
                        if (!error)
-                         self->reply(self->premises_.desk.answer(self->asked()), self->parser_->keep_alive());
+                         self->reply(self->server_context_.desk.answer(self->asked()),
+                                     self->parser_->keep_alive());
                      });
   }
 
@@ -77,17 +78,17 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
     return {.method = view(request.method_string()),
             .target = view(request.target()),
             .body = request.body(),
-            .knows_token = premises_.gatekeeper.knows_token(caller()),
-            .has_lease = !lease.empty() && premises_.hub.lease().renew(lease)};
+            .knows_token = server_context_.authenticator.knows_token(caller()),
+            .has_lease = !lease.empty() && server_context_.hub.lease().renew(lease)};
   }
 
   void upgrade() {
-    if (!premises_.gatekeeper.knows_token(caller()))
+    if (!server_context_.authenticator.knows_token(caller()))
       return reply(http_problem(401, "the token is missing or wrong"), false);
     const auto subprotocol = known_subprotocol();
     if (!subprotocol) return reply(http_problem(400, "the subprotocol must be foxglove.websocket.v1"), false);
     beast::get_lowest_layer(stream_).expires_never();
-    std::make_shared<WebSocketConnection<Stream>>(std::move(stream_), premises_, std::move(connection_))
+    std::make_shared<WebSocketConnection<Stream>>(std::move(stream_), server_context_, std::move(connection_))
         ->accept(parser_->release(), *subprotocol);
   }
 
@@ -128,7 +129,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
         "'unsafe-inline'; worker-src 'self' blob:; frame-ancestors 'none'");
     response.keep_alive(goes_on);
     response.prepare_payload();
-    beast::get_lowest_layer(stream_).expires_after(kPatience);
+    beast::get_lowest_layer(stream_).expires_after(kTimeout);
     if (parser_->get().method() == http::verb::head) return send_head(std::move(response));
     const auto kept = std::make_shared<http::response<Body>>(std::move(response));
     http::async_write(stream_, *kept,
@@ -154,7 +155,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
   }
 
   Stream stream_;
-  Premises& premises_;
+  ServerContext& server_context_;
   Counted connection_;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;

@@ -12,7 +12,7 @@
 
 #include "http_connection.hpp"
 #include "outbox.hpp"
-#include "premises.hpp"
+#include "server_context.hpp"
 #include "tls_context.hpp"
 #include "tls_door.hpp"
 
@@ -59,9 +59,9 @@ class LiveServer::Engine {
         drive_(clock_),
         hub_(options_.name, options_.version, std::move(services), clock_, drive_,
              [this](std::function<void()> work) { asio::post(io_, std::move(work)); }),
-        premises_{.hub = hub_,
-                  .gatekeeper = Gatekeeper(address.is_loopback(), options_.token),
-                  .desk = HttpDesk(options_.folders, options_.version)},
+        server_context_{.hub = hub_,
+                        .authenticator = Authenticator(address.is_loopback(), options_.token),
+                        .desk = HttpRequestHandler(options_.folders, options_.version)},
         acceptor_(io_) {}
 
   ~Engine() {
@@ -83,7 +83,7 @@ class LiveServer::Engine {
 
   DriveInbox& drive() { return drive_; }
   bool lease_is_held() const { return lease_is_held_; }
-  std::size_t clients() const { return premises_.clients; }
+  std::size_t clients() const { return server_context_.clients; }
 
  private:
   void accept();
@@ -97,7 +97,7 @@ class LiveServer::Engine {
   SteadyClock clock_;
   DriveInbox drive_;
   Hub hub_;
-  Premises premises_;
+  ServerContext server_context_;
   Outbox outbox_;
   std::atomic<bool> lease_is_held_ = false;
   asio::io_context io_{1};  // with the connections in it: they use all of the above to their end
@@ -130,18 +130,18 @@ void LiveServer::Engine::accept() {
 }
 
 void LiveServer::Engine::admit(Tcp::socket socket) {
-  if (premises_.connections >= kConnectionsMax) return;
+  if (server_context_.connections >= kConnectionsMax) return;
   boost::system::error_code ignored;
   socket.set_option(Tcp::no_delay(true), ignored);
   net::PlainStream stream(std::move(socket));
-  if (tls_) return std::make_shared<net::TlsDoor>(std::move(stream), *tls_, premises_)->open();
-  std::make_shared<net::HttpConnection<net::PlainStream>>(std::move(stream), premises_,
-                                                          Counted(premises_.connections))
+  if (tls_) return std::make_shared<net::TlsDoor>(std::move(stream), *tls_, server_context_)->open();
+  std::make_shared<net::HttpConnection<net::PlainStream>>(std::move(stream), server_context_,
+                                                          Counted(server_context_.connections))
       ->read();
 }
 
 void LiveServer::Engine::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) {
-  if (outbox_.put(topic, stamp, cdr, premises_.clients > 0)) deliver();
+  if (outbox_.put(topic, stamp, cdr, server_context_.clients > 0)) deliver();
 }
 
 void LiveServer::Engine::take_time(ros::Stamp_ns stamp) {

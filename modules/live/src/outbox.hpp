@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-/// Messages on their way from the mission's thread to the server's. Putting never waits for a client.
+/// Messages on their path from the mission's thread to the server's. Putting never waits for a client.
 class Outbox {
  public:
   static constexpr std::size_t kItemsMax = 1024;

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// One WebSocket message on its way to a client: its head, then a body that many clients share.
+/// One WebSocket message on its path to a client: its head, then a body that many clients share.
 struct OutFrame {
   std::string head;
   std::shared_ptr<const std::string> body;  ///< null: the head is all

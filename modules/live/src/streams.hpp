@@ -15,7 +15,7 @@ using PlainStream = beast::tcp_stream;
 using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
 /// So long what should come at once may take.
-inline constexpr std::chrono::seconds kShortPatience{5};
+inline constexpr std::chrono::seconds kShortTimeout{5};
 
 /// Nothing more is said on the stream.
 /// @param owner  kept until the other side knows
@@ -27,7 +27,7 @@ void end_stream(PlainStream& stream, const Owner&) {
 
 template <class Owner>
 void end_stream(TlsStream& stream, Owner owner) {
-  beast::get_lowest_layer(stream).expires_after(kShortPatience);
+  beast::get_lowest_layer(stream).expires_after(kShortTimeout);
   stream.async_shutdown([kept = std::move(owner)](const beast::error_code&) {});
 }
 

@@ -13,15 +13,18 @@
 
 namespace aisle::net {
 
-/// A connection that has not shown yet that it speaks TLS. Who speaks plain HTTP is told so; all others that
+/// A connection that has not shown yet that it speaks TLS. Who speaks plain HTTP is given so; all others that
 /// make no sense are dropped.
 class TlsDoor : public std::enable_shared_from_this<TlsDoor> {
  public:
-  TlsDoor(PlainStream stream, boost::asio::ssl::context& tls, Premises& premises)
-      : stream_(std::move(stream)), tls_(tls), premises_(premises), connection_(premises.connections) {}
+  TlsDoor(PlainStream stream, boost::asio::ssl::context& tls, ServerContext& server_context)
+      : stream_(std::move(stream)),
+        tls_(tls),
+        server_context_(server_context),
+        connection_(server_context.connections) {}
 
   void open() {
-    stream_.expires_after(kShortPatience);
+    stream_.expires_after(kShortTimeout);
     beast::async_detect_ssl(stream_, buffer_,
                             [self = this->shared_from_this()](const beast::error_code& error, bool is_tls) {
                               if (!error) is_tls ? self->shake_hands() : self->refuse();
@@ -39,7 +42,8 @@ class TlsDoor : public std::enable_shared_from_this<TlsDoor> {
   }
 
   void let_in() {
-    std::make_shared<HttpConnection<TlsStream>>(std::move(*encrypted_), premises_, std::move(connection_))
+    std::make_shared<HttpConnection<TlsStream>>(std::move(*encrypted_), server_context_,
+                                                std::move(connection_))
         ->read();
   }
 
@@ -58,7 +62,7 @@ class TlsDoor : public std::enable_shared_from_this<TlsDoor> {
 
   PlainStream stream_;
   boost::asio::ssl::context& tls_;
-  Premises& premises_;
+  ServerContext& server_context_;
   Counted connection_;
   beast::flat_buffer buffer_;
   std::optional<TlsStream> encrypted_;

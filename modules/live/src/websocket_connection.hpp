@@ -13,7 +13,7 @@
 
 #include "aisle/core/clock.hpp"
 #include "message_rate.hpp"
-#include "premises.hpp"
+#include "server_context.hpp"
 
 namespace aisle::net {
 
@@ -27,8 +27,8 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   static constexpr std::size_t kMessageBytesMax = 1 << 20;
   static constexpr double kMessages_per_s = 200;
 
-  WebSocketConnection(Stream stream, Premises& premises, Counted connection)
-      : socket_(std::move(stream)), premises_(premises), connection_(std::move(connection)) {
+  WebSocketConnection(Stream stream, ServerContext& server_context, Counted connection)
+      : socket_(std::move(stream)), server_context_(server_context), connection_(std::move(connection)) {
     auto timeout = websocket::stream_base::timeout::suggested(beast::role_type::server);
     timeout.idle_timeout = std::chrono::seconds(60);
     timeout.keep_alive_pings = true;
@@ -38,7 +38,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   }
 
   ~WebSocketConnection() {
-    if (id_ != 0) premises_.hub.leave(id_);
+    if (id_ != 0) server_context_.hub.leave(id_);
   }
 
   template <class Request>
@@ -53,9 +53,9 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
 
  private:
   void begin() {
-    id_ = ++premises_.last_client;
-    client_.emplace(premises_.clients);
-    premises_.hub.join(id_, [weak = this->weak_from_this()](OutFrame frame) {
+    id_ = ++server_context_.last_client;
+    client_.emplace(server_context_.clients);
+    server_context_.hub.join(id_, [weak = this->weak_from_this()](OutFrame frame) {
       if (const auto self = weak.lock()) self->send(std::move(frame));
     });
     read();
@@ -72,8 +72,8 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
       return close({websocket::close_code::policy_error, "too many messages"});
     const auto data = incoming_.cdata();
     const std::string_view message{static_cast<const char*>(data.data()), data.size()};
-    const bool makes_sense = socket_.got_text() ? premises_.hub.receive_text(id_, message)
-                                                : premises_.hub.receive_bytes(id_, message);
+    const bool makes_sense = socket_.got_text() ? server_context_.hub.receive_text(id_, message)
+                                                : server_context_.hub.receive_bytes(id_, message);
     if (!makes_sense) return close({websocket::close_code::unknown_data, "no message of the protocol"});
     incoming_.consume(incoming_.size());
     read();
@@ -107,7 +107,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   }
 
   websocket::stream<Stream> socket_;
-  Premises& premises_;
+  ServerContext& server_context_;
   Counted connection_;
   std::optional<Counted> client_;
   beast::flat_buffer incoming_;

@@ -35,7 +35,7 @@ TEST_F(Lease, RunsOutUnlessItIsRenewed) {
   EXPECT_TRUE(lease.is_held());
   clock.time_s += 0.2;
   EXPECT_FALSE(lease.is_held());
-  EXPECT_FALSE(lease.renew(*token)) << "what ran out must be taken anew";
+  EXPECT_FALSE(lease.renew(*token)) << "what ran out must be taken again";
   EXPECT_TRUE(lease.take(2));
 }
 
@@ -94,7 +94,7 @@ TEST_F(Inbox, DoesNotHearOldOrRepeatedSequences) {
   EXPECT_FALSE(inbox.put(command(5))) << "taken is not forgotten";
 }
 
-TEST_F(Inbox, BeginsAnewWithEachLease) {
+TEST_F(Inbox, BeginsAgainWithEachLease) {
   inbox.put(command(5, 0.4));
   inbox.begin_lease();
   EXPECT_FALSE(inbox.take()) << "of the driver before";

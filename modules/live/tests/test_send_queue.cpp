@@ -5,14 +5,14 @@
 namespace aisle {
 namespace {
 
-OutFrame picture(const std::string& head, std::size_t bytes = 1) {
+OutFrame image(const std::string& head, std::size_t bytes = 1) {
   return {.head = head, .body = std::make_shared<const std::string>(bytes, 'x'), .may_be_lost = true};
 }
 
 TEST(SendQueue, GivesBackInOrder) {
   SendQueue queue;
-  queue.push(picture("a"));
-  queue.push(picture("b"));
+  queue.push(image("a"));
+  queue.push(image("b"));
   EXPECT_EQ(queue.pop()->head, "a");
   EXPECT_EQ(queue.pop()->head, "b");
   EXPECT_FALSE(queue.pop());
@@ -21,14 +21,14 @@ TEST(SendQueue, GivesBackInOrder) {
 TEST(SendQueue, LosesTheOldestWhereTooManyWait) {
   SendQueue queue;
   const std::size_t count = SendQueue::kFramesMax + 10;
-  for (std::size_t i = 0; i < count; ++i) EXPECT_TRUE(queue.push(picture(std::to_string(i))));
+  for (std::size_t i = 0; i < count; ++i) EXPECT_TRUE(queue.push(image(std::to_string(i))));
   EXPECT_EQ(queue.lost(), 10);
   EXPECT_EQ(queue.pop()->head, "10");
 }
 
 TEST(SendQueue, LosesTheOldestWhereTheyAreTooLarge) {
   SendQueue queue;
-  for (const char* head : {"a", "b", "c"}) EXPECT_TRUE(queue.push(picture(head, SendQueue::kBytesMax / 2)));
+  for (const char* head : {"a", "b", "c"}) EXPECT_TRUE(queue.push(image(head, SendQueue::kBytesMax / 2)));
   EXPECT_EQ(queue.pop()->head, "c");
   EXPECT_FALSE(queue.pop());
 }
@@ -36,13 +36,13 @@ TEST(SendQueue, LosesTheOldestWhereTheyAreTooLarge) {
 TEST(SendQueue, KeepsWhatMustNotBeLost) {
   SendQueue queue;
   queue.push({.head = "answer", .body = {}});
-  for (std::size_t i = 0; i < 2 * SendQueue::kFramesMax; ++i) queue.push(picture("p"));
+  for (std::size_t i = 0; i < 2 * SendQueue::kFramesMax; ++i) queue.push(image("p"));
   EXPECT_EQ(queue.pop()->head, "answer");
 }
 
 TEST(SendQueue, OneMessageIsKeptHoweverLarge) {
   SendQueue queue;
-  EXPECT_TRUE(queue.push(picture("large", 2 * SendQueue::kBytesMax)));
+  EXPECT_TRUE(queue.push(image("large", 2 * SendQueue::kBytesMax)));
   EXPECT_EQ(queue.pop()->head, "large");
 }
 

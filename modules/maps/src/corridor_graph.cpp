@@ -20,18 +20,18 @@ std::string_view name_of(CorridorNode::Kind kind) {
 
 double Corridor::length_m() const {
   double sum_m = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) sum_m += (way[i] - way[i - 1]).norm();
+  for (std::size_t i = 1; i < path.size(); ++i) sum_m += (path[i] - path[i - 1]).norm();
   return sum_m;
 }
 
 Vec2 Corridor::at(double along_m) const {
   double left_m = std::max(along_m, 0.0);
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const double step_m = (way[i] - way[i - 1]).norm();
-    if (left_m < step_m) return way[i - 1] + left_m / step_m * (way[i] - way[i - 1]);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const double step_m = (path[i] - path[i - 1]).norm();
+    if (left_m < step_m) return path[i - 1] + left_m / step_m * (path[i] - path[i - 1]);
     left_m -= step_m;
   }
-  return way.back();
+  return path.back();
 }
 
 double CorridorGraph::length_m() const {
@@ -56,16 +56,17 @@ std::size_t CorridorGraph::degree(std::size_t node) const {
 std::optional<CorridorPlace> CorridorGraph::nearest(const Vec2& p_map) const {
   std::optional<CorridorPlace> best;
   for (std::size_t i = 0; i < corridors.size(); ++i) {
-    const std::vector<Vec2>& way = corridors[i].way;
+    const std::vector<Vec2>& path = corridors[i].path;
     double along_m = 0;
-    for (std::size_t j = 1; j < way.size(); ++j) {
-      const Vec2 step = way[j] - way[j - 1];
+    for (std::size_t j = 1; j < path.size(); ++j) {
+      const Vec2 step = path[j] - path[j - 1];
       const double step_m = step.norm();
       const double share =
-          step_m > 0 ? std::clamp((p_map - way[j - 1]).dot(step) / (step_m * step_m), 0.0, 1.0) : 0;
-      const Vec2 p = way[j - 1] + share * step;
-      const double aside_m = (p_map - p).norm();
-      if (!best || aside_m < best->aside_m) best = CorridorPlace{i, along_m + share * step_m, p, aside_m};
+          step_m > 0 ? std::clamp((p_map - path[j - 1]).dot(step) / (step_m * step_m), 0.0, 1.0) : 0;
+      const Vec2 p = path[j - 1] + share * step;
+      const double lateral_m = (p_map - p).norm();
+      if (!best || lateral_m < best->lateral_m)
+        best = CorridorPlace{i, along_m + share * step_m, p, lateral_m};
       along_m += step_m;
     }
   }

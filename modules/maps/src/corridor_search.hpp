@@ -18,12 +18,12 @@ class CorridorSearch {
   void run(const std::vector<double>& begin_m);
 
   double distance_m(std::size_t node) const { return distance_m_[node]; }
-  /// The corridor that the shortest way comes to the node by; nullopt: it begins there.
+  /// The corridor that the shortest path comes to the node by; nullopt: it begins there.
   std::optional<std::size_t> corridor_to(std::size_t node) const { return corridor_to_[node]; }
   /// The other end of a corridor.
   std::size_t across(std::size_t corridor, std::size_t node) const;
 
-  /// The corridors of the shortest way to a node that can be reached, in order.
+  /// The corridors of the shortest path to a node that can be reached, in order.
   std::vector<std::size_t> corridors_to(std::size_t node) const;
 
  private:

@@ -117,28 +117,28 @@ void FloorClearance::widen_room(const FloorBox& wider) {
 void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return;
   const int limit = static_cast<int>(std::ceil(far_m_ / floor.cell_m())) + 1;
-  FloorBox anew = changed;
-  if (legs_) anew.include_box(legs_->update(floor, changed));
-  anew = anew.widened(limit);
-  const bool is_within = room_.contains(anew.low) && room_.contains({anew.end.x - 1, anew.end.y - 1});
+  FloorBox again = changed;
+  if (legs_) again.include_box(legs_->update(floor, changed));
+  again = again.widened(limit);
+  const bool is_within = room_.contains(again.low) && room_.contains({again.end.x - 1, again.end.y - 1});
   if (!is_within) {
     const bool is_first = room_.empty();
     widen_room(floor.known().widened(2 * kMargin));
-    if (is_first || !barred_.empty()) anew = room_;
+    if (is_first || !barred_.empty()) again = room_;
   }
-  anew = anew.common_with(room_);
+  again = again.common_with(room_);
   std::vector<float> metres;  // by distance squared
   for (int squared = 0; squared <= limit * limit; ++squared)
     metres.push_back(
         static_cast<float>(std::clamp((std::sqrt(squared) - 0.5) * floor.cell_m(), 0.0, far_m_)));
   const auto measure = [&](auto is_marked, std::vector<float>& to_marked_m) {
-    BoxDistances distances(anew.widened(limit), limit, in_column_);
+    BoxDistances distances(again.widened(limit), limit, in_column_);
     distances.mark(is_marked);
     if (legs_) distances.mark_cells(legs_->closed());
     distances.mark_cells(barred_);
     distances.measure_columns();
-    for (int y = anew.low.y; y < anew.end.y; ++y) {
-      distances.measure_row(y, anew.low.x, anew.end.x, [&](FloorCell cell, int squared) {
+    for (int y = again.low.y; y < again.end.y; ++y) {
+      distances.measure_row(y, again.low.x, again.end.x, [&](FloorCell cell, int squared) {
         to_marked_m[index(cell)] = metres[static_cast<std::size_t>(squared)];
       });
     }

@@ -8,11 +8,12 @@ namespace aisle {
 namespace {
 
 constexpr int kPassed = -1;
-constexpr int kStruck = 4;
+constexpr int kHit = 4;
 constexpr int kSurelyFree = -10;
-constexpr int kSeemsFree = 1 - kStruck;
+constexpr int kSeemsFree = 1 - kHit;
 constexpr int kSurelyOccupied = 16;
-constexpr int kSpare = 128;  // cells of room that are added at once, beyond the one that was asked for
+constexpr int kRelaxedClearance =
+    128;  // cells of room that are added at once, beyond the one that was asked for
 
 bool is_within_reach(FloorCell cell) {
   return std::abs(cell.x) <= FloorGrid::kReach && std::abs(cell.y) <= FloorGrid::kReach;
@@ -51,7 +52,7 @@ bool FloorGrid::see_free(FloorCell cell) {
 }
 
 bool FloorGrid::see_occupied(FloorCell cell) {
-  return weigh(cell, kStruck);
+  return weigh(cell, kHit);
 }
 
 bool FloorGrid::seem_free(FloorCell cell) {
@@ -104,10 +105,13 @@ void FloorGrid::make_room(FloorCell cell) {
   if (room_.contains(cell)) return;
   FloorBox wider = room_;
   const auto clamped = [](int coordinate) { return std::clamp(coordinate, -kReach, kReach); };
-  for (const int spare : {-kSpare, kSpare}) {
-    const bool grows_x = room_.empty() || (spare < 0 ? cell.x < room_.low.x : cell.x >= room_.end.x);
-    const bool grows_y = room_.empty() || (spare < 0 ? cell.y < room_.low.y : cell.y >= room_.end.y);
-    wider.include({clamped(cell.x + (grows_x ? spare : 0)), clamped(cell.y + (grows_y ? spare : 0))});
+  for (const int relaxed_clearance : {-kRelaxedClearance, kRelaxedClearance}) {
+    const bool grows_x =
+        room_.empty() || (relaxed_clearance < 0 ? cell.x < room_.low.x : cell.x >= room_.end.x);
+    const bool grows_y =
+        room_.empty() || (relaxed_clearance < 0 ? cell.y < room_.low.y : cell.y >= room_.end.y);
+    wider.include({clamped(cell.x + (grows_x ? relaxed_clearance : 0)),
+                   clamped(cell.y + (grows_y ? relaxed_clearance : 0))});
   }
   const FloorBox old_room = room_;
   const std::vector<Evidence> old = std::move(evidence_);

@@ -10,11 +10,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kStruckFrom = 0.25;      // cells beyond the footprint: what was touched ...
-constexpr double kStruckTo = 1.5;         // ... and so deep
+constexpr double kHitFrom = 0.25;         // cells beyond the footprint: what was touched ...
+constexpr double kHitTo = 1.5;            // ... and so deep
 constexpr double kSurelyInside_m = 0.05;  // of the footprint: the pose may be off
-constexpr double kCoarse = 1.5;           // cells by which what is struck may lie off
-constexpr double kWallGap_m = 0.3;        // so far from what was struck a wall may go on unseen
+constexpr double kCoarse = 1.5;           // cells by which what is hit may lie off
+constexpr double kWallGap_m = 0.3;        // so far from what was hit a wall may go on unseen
 constexpr double kThin_m = 0.04;          // as the leg of a table: beams farther apart may miss it
 constexpr double kLostAcross_m = 0.3;     // no opening is so narrow: beams between have lost their light
 
@@ -37,9 +37,9 @@ class FloorPainter {
         T_map_laser_(T_map_laser),
         reach_m_(reach_m),
         around_(box_of_beams()),
-        struck_(static_cast<std::size_t>(around_.end.x - around_.low.x) *
-                    static_cast<std::size_t>(around_.end.y - around_.low.y),
-                false) {}
+        hit_(static_cast<std::size_t>(around_.end.x - around_.low.x) *
+                 static_cast<std::size_t>(around_.end.y - around_.low.y),
+             false) {}
 
   FloorBox paint() {
     for (std::size_t beam = 0; beam < ranges_m_.size(); ++beam) strike(beam);
@@ -69,14 +69,14 @@ class FloorPainter {
     if (!is_usable(beam) || range_m >= laser_.range_max_m || range_m > reach_m_) return;
     const Vec2 p_map = T_map_laser_ * Vec2(range_m * unit(laser_.beam_angle(beam)));
     const FloorCell cell = floor_.cell_at(p_map);
-    if (!around_.contains(cell) || struck_[place(cell)]) return;
-    struck_[place(cell)] = true;
+    if (!around_.contains(cell) || hit_[place(cell)]) return;
+    hit_[place(cell)] = true;
     if (floor_.see_occupied(cell)) changed_.include(cell);
   }
 
   /// A cell that lies before what both beams beside it strike is free.
   void pass(FloorCell cell) {
-    if (struck_[place(cell)]) return;
+    if (hit_[place(cell)]) return;
     const Vec2 towards = floor_.centre(cell) - T_map_laser_.position();
     const double distance_m = towards.norm();
     if (distance_m > reach_m_) return;
@@ -95,8 +95,8 @@ class FloorPainter {
     if (may_miss ? floor_.seem_free(cell) : floor_.see_free(cell)) changed_.include(cell);
   }
 
-  /// By what stands before one side of the cell, as a door's jamb before its own face: what was struck in it
-  /// may stand there. O(beams across the cell); only what was struck is looked at so closely.
+  /// By what stands before one side of the cell, as a door's jamb before its own face: what was hit in it
+  /// may stand there. O(beams across the cell); only what was hit is looked at so closely.
   bool is_partly_hidden(FloorCell cell, double distance_m, double beam) const {
     if (floor_.at(cell) != Floor::kOccupied) return false;
     const double half_beams = floor_.cell_m() / 2 / distance_m / laser_.angle_step_rad;
@@ -122,7 +122,7 @@ class FloorPainter {
   Pose2 T_map_laser_;
   double reach_m_;
   FloorBox around_;
-  std::vector<bool> struck_;
+  std::vector<bool> hit_;
   FloorBox changed_;
 };
 
@@ -152,35 +152,35 @@ bool is_shut(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad,
 
 /// Beams that strike nothing, in a gap between others that do in which nothing could drive, have lost their
 /// light, as on black or shiny things: they tell nothing.
-void leave_out_lost(const LaserScanner& laser, std::vector<float>& told_m) {
-  const auto struck_at = [&](std::size_t beam) { return Vec2(told_m[beam] * unit(laser.beam_angle(beam))); };
-  std::optional<std::size_t> struck;
-  for (std::size_t beam = 0; beam < told_m.size(); ++beam) {
-    const bool is_struck = told_m[beam] > 0 && told_m[beam] < laser.range_max_m;
-    if (!is_struck) continue;
-    if (struck && beam > *struck + 1) {
-      const double across_m = (struck_at(*struck) - struck_at(beam)).norm();
+void leave_out_lost(const LaserScanner& laser, std::vector<float>& needed_m) {
+  const auto hit_at = [&](std::size_t beam) { return Vec2(needed_m[beam] * unit(laser.beam_angle(beam))); };
+  std::optional<std::size_t> hit;
+  for (std::size_t beam = 0; beam < needed_m.size(); ++beam) {
+    const bool is_hit = needed_m[beam] > 0 && needed_m[beam] < laser.range_max_m;
+    if (!is_hit) continue;
+    if (hit && beam > *hit + 1) {
+      const double across_m = (hit_at(*hit) - hit_at(beam)).norm();
       if (across_m < kLostAcross_m)
-        std::fill(told_m.begin() + static_cast<std::ptrdiff_t>(*struck + 1),
-                  told_m.begin() + static_cast<std::ptrdiff_t>(beam), 0.0F);
+        std::fill(needed_m.begin() + static_cast<std::ptrdiff_t>(*hit + 1),
+                  needed_m.begin() + static_cast<std::ptrdiff_t>(beam), 0.0F);
     }
-    struck = beam;
+    hit = beam;
   }
 }
 
 /// A beam that strikes nothing tells of free floor only where nothing is known to stand nearer than it looks.
-std::vector<float> told_ranges_m(const FloorGrid& floor, const LaserScanner& laser,
-                                 std::span<const float> ranges_m, std::span<const float> near_m,
-                                 const Pose2& T_map_laser) {
-  std::vector<float> told_m(ranges_m.begin(), ranges_m.end());
+std::vector<float> reported_ranges_m(const FloorGrid& floor, const LaserScanner& laser,
+                                     std::span<const float> ranges_m, std::span<const float> near_m,
+                                     const Pose2& T_map_laser) {
+  std::vector<float> needed_m(ranges_m.begin(), ranges_m.end());
   for (std::size_t beam = 0; beam < near_m.size(); ++beam) {
-    if (told_m[beam] >= laser.range_max_m &&
+    if (needed_m[beam] >= laser.range_max_m &&
         is_shut(floor, T_map_laser, laser.beam_angle(beam), near_m[beam]))
-      told_m[beam] = 0;
+      needed_m[beam] = 0;
   }
   const bool tells_of_lost_light = !near_m.empty();
-  if (!tells_of_lost_light) leave_out_lost(laser, told_m);
-  return told_m;
+  if (!tells_of_lost_light) leave_out_lost(laser, needed_m);
+  return needed_m;
 }
 
 }  // namespace
@@ -192,8 +192,8 @@ void FloorViewParams::describe(FieldList& fields) {
 FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
                    std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params) {
   const Pose2 T_map_laser = T_map_vehicle * laser.T_vehicle_laser;
-  const std::vector<float> told_m = told_ranges_m(floor, laser, ranges_m, near_m, T_map_laser);
-  return FloorPainter(floor, laser, told_m, near_m, T_map_laser, params.reach_m).paint();
+  const std::vector<float> needed_m = reported_ranges_m(floor, laser, ranges_m, near_m, T_map_laser);
+  return FloorPainter(floor, laser, needed_m, near_m, T_map_laser, params.reach_m).paint();
 }
 
 FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle) {
@@ -221,7 +221,7 @@ FloorBox strike_floor(FloorGrid& floor, const Footprint& footprint, const Pose2&
                       int direction) {
   const double half_m = footprint.width_m / 2;
   const double end_m = direction < 0 ? footprint.rear_m : footprint.front_m;
-  const double from_m = kStruckFrom * floor.cell_m(), to_m = kStruckTo * floor.cell_m();
+  const double from_m = kHitFrom * floor.cell_m(), to_m = kHitTo * floor.cell_m();
   const FloorBox around =
       box_around(floor, T_map_vehicle.position(), std::hypot(end_m + to_m, half_m) + floor.cell_m());
   const Pose2 T_vehicle_map = T_map_vehicle.inverse();

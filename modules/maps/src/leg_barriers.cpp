@@ -18,17 +18,17 @@ constexpr double kRingFreeShare = 0.5;         // of it; the rest may be hidden 
 constexpr double kHidden_rad = 158 * kDegree;  // ... in one piece: a wall hides half of all
 constexpr double kFreeAtWallShare = 0.4;       // of it, where a wall takes up the other side
 constexpr double kBehindBeside_m = 0.09;       // so far to both sides a wall goes on behind a leg before it
-constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itself is told apart from it
+constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itself is distinguished from it
 constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
 constexpr double kWallGoesOn_m = 0.15;         // to both sides of its nearest place: not a corner or an end
-constexpr double kWallStretch_m = 0.3;         // of it to both sides tells how it runs
-constexpr double kStraightMin = 0.94;          // cosine: a place to which the way leads straight across it
+constexpr double kWallPathSegment_m = 0.3;     // of it to both sides tells how it runs
+constexpr double kStraightMin = 0.94;          // cosine: a place to which the path leads straight across it
 constexpr double kPieceMin_m = 0.3;            // legs nearer to each other carry two pieces, side by side
 constexpr double kBesideOut_m = 0.15;  // so far beside what stands out of a wall is free, but for blur
 constexpr double kLegDeepCells = 1.5;  // so far behind a leg's front there is the wall that it stands before
 constexpr double kLineStepCells = 0.5;
 constexpr std::size_t kRowMin = 8;     // small things: a wall in pieces, if there are so many ...
-constexpr double kRow_m = 2;           // ... in such a stretch ...
+constexpr double kRow_m = 2;           // ... in such a segment ...
 constexpr double kRowBeside_m = 0.06;  // ... of a line ...
 constexpr double kInLine_m = 4;        // ... and on it, so near, a wall ...
 constexpr double kLongWall_m = 1;      // ... as long as this
@@ -48,7 +48,7 @@ void for_cells_on_line(const FloorGrid& floor, const Vec2& from, const Vec2& to,
   for (int i = 0; i <= steps; ++i) visit(floor.cell_at(Vec2(from + (to - from) * i / steps)));
 }
 
-/// Anything, as far to each side as told at most.
+/// Anything, as far to each side as given at most.
 bool stands_about(const FloorGrid& floor, const Vec2& p_map, double within_m) {
   bool stands = false;
   for_cells_around(floor.cell_at(p_map), static_cast<int>(within_m / floor.cell_m()),
@@ -64,12 +64,12 @@ Vec2 mean_direction(std::span<const Vec2> away) {
 
 /// All on one side, and wide there: a wall that goes on behind, not one that ends here.
 bool lies_behind(const Vec2& behind, std::span<const Vec2> to_wall) {
-  const Vec2 aside = left_normal(behind);
+  const Vec2 lateral = left_normal(behind);
   double left_m = 0, right_m = 0;
   for (const Vec2& away : to_wall) {
     if (behind.dot(away) <= 0) return false;
-    left_m = std::max(left_m, aside.dot(away));
-    right_m = std::max(right_m, -aside.dot(away));
+    left_m = std::max(left_m, lateral.dot(away));
+    right_m = std::max(right_m, -lateral.dot(away));
   }
   return std::min(left_m, right_m) >= kBehindBeside_m;
 }
@@ -84,7 +84,7 @@ double widest_gap_rad(std::vector<double>& headings_rad) {
   return widest_rad;
 }
 
-/// Whether a stretch that the origin is in holds many of these.
+/// Whether a segment that the origin is in holds many of these.
 bool is_crowded(std::vector<double>& along_m) {
   std::sort(along_m.begin(), along_m.end());
   for (std::size_t i = 0; i + kRowMin <= along_m.size() && along_m[i] <= 0; ++i) {
@@ -94,7 +94,7 @@ bool is_crowded(std::vector<double>& along_m) {
   return false;
 }
 
-/// More cells than told, straight along the rows, the columns or between them: most walls are.
+/// More cells than given, straight along the rows, the columns or between them: most walls are.
 bool is_in_long_row(const FloorGrid& floor, FloorCell cell, int wide) {
   constexpr FloorCell kAlong[] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
   return std::any_of(std::begin(kAlong), std::end(kAlong), [&](FloorCell along) {
@@ -116,8 +116,9 @@ bool wall_stands_in_line(const FloorGrid& floor, const Vec2& p_map, FloorCell ax
   int run = 0;
   for (int i = -reach; i <= reach; ++i) {
     bool stands = false;
-    for (int aside = -1; aside <= 1; ++aside) {
-      const FloorCell cell{middle.x + i * axis.x + aside * axis.y, middle.y + i * axis.y + aside * axis.x};
+    for (int lateral = -1; lateral <= 1; ++lateral) {
+      const FloorCell cell{middle.x + i * axis.x + lateral * axis.y,
+                           middle.y + i * axis.y + lateral * axis.x};
       stands = stands || floor.at(cell) == Floor::kOccupied;
     }
     run = stands ? run + 1 : 0;
@@ -134,7 +135,7 @@ void LegParams::describe(FieldList& fields) {
   fields.real("plate_min_m", plate_min_m, {0.1, 2},
               "legs farther apart carry a table, under which one may drive");
   fields.real("wall_max_m", wall_max_m, {0, 2},
-              "so near to a wall behind it a table's legs close the way in");
+              "so near to a wall behind it a table's legs close the path in");
 }
 
 FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
@@ -143,23 +144,23 @@ FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
   const FloorBox within = changed.widened(cells(params_.leg_max_m + kRing_m + kWallAround_m));
   std::vector<FloorCell> opened = find_things(floor, within);
   const FloorBox about = within.widened(cells(params_.wall_max_m + 2 * params_.leg_max_m + kRow_m));
-  std::vector<FloorBox> told_anew = {about};
+  std::vector<FloorBox> to_update = {about};
   for (Thing& thing : things_) {
     const bool was_of_wall = std::exchange(thing.is_of_wall, is_piece_of_wall(floor, thing));
-    if (thing.is_of_wall != was_of_wall) told_anew.emplace_back().include(thing.first);
+    if (thing.is_of_wall != was_of_wall) to_update.emplace_back().include(thing.first);
   }
   for (Thing& thing : things_) {
     if (about.contains(thing.first)) find_walls(floor, thing);
   }
-  for (FloorBox& box : told_anew)
+  for (FloorBox& box : to_update)
     box = box.widened(cells(params_.apart_max_m + params_.wall_max_m + 3 * params_.leg_max_m));
-  return close_anew(floor, told_anew, std::move(opened));
+  return close_again(floor, to_update, std::move(opened));
 }
 
 /// Between the things in these boxes; what the others close does not depend on what has changed.
 /// @param opened  what things closed that are no more
-FloorBox LegBarriers::close_anew(const FloorGrid& floor, std::span<const FloorBox> boxes,
-                                 std::vector<FloorCell> opened) {
+FloorBox LegBarriers::close_again(const FloorGrid& floor, std::span<const FloorBox> boxes,
+                                  std::vector<FloorCell> opened) {
   std::vector<FloorCell> closed;
   for (std::size_t i = 0; i < things_.size(); ++i) {
     Thing& thing = things_[i];
@@ -195,12 +196,12 @@ std::size_t LegBarriers::legs() const {
 
 /// @return what those things closed that were there before
 std::vector<FloorCell> LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
-  const auto looked_for_anew = std::partition(
+  const auto looked_for_again = std::partition(
       things_.begin(), things_.end(), [&](const Thing& thing) { return !within.contains(thing.first); });
   std::vector<FloorCell> opened;
-  for (auto thing = looked_for_anew; thing != things_.end(); ++thing)
+  for (auto thing = looked_for_again; thing != things_.end(); ++thing)
     opened.insert(opened.end(), thing->closes.begin(), thing->closes.end());
-  things_.erase(looked_for_anew, things_.end());
+  things_.erase(looked_for_again, things_.end());
   for (int y = within.low.y; y < within.end.y; ++y) {
     for (int x = within.low.x; x < within.end.x; ++x) {
       const FloorCell first{x, y};
@@ -279,9 +280,10 @@ std::optional<LegBarriers::Thing> LegBarriers::leg_of_wall(const FloorGrid& floo
   const int wide = leg_cells(floor);
   const int beside = static_cast<int>(std::lround(kBesideOut_m / floor.cell_m()));
   for (const FloorCell out : {FloorCell{1, 0}, FloorCell{-1, 0}, FloorCell{0, 1}, FloorCell{0, -1}}) {
-    const FloorCell aside{std::abs(out.y), std::abs(out.x)};
+    const FloorCell lateral{std::abs(out.y), std::abs(out.x)};
     const auto cell = [&](int along, int deep) {
-      return FloorCell{first.x + along * aside.x - deep * out.x, first.y + along * aside.y - deep * out.y};
+      return FloorCell{first.x + along * lateral.x - deep * out.x,
+                       first.y + along * lateral.y - deep * out.y};
     };
     const auto are_all = [&](Floor kind, int from, int end, int deep) {
       for (int along = from; along < end; ++along) {
@@ -448,13 +450,13 @@ std::optional<Vec2> LegBarriers::wall_behind(const Thing& leg, const Vec2& along
       leg, [&](const Vec2& away) { return std::abs(across.dot(away)) >= kAcrossMin * away.norm(); });
 }
 
-/// A unit across a wall, towards its nearest place. That a place lies well aside of how the wall runs about
+/// A unit across a wall, towards its nearest place. That a place lies well beside how the wall runs about
 /// it is the doing of a speck that stands out.
 Vec2 LegBarriers::across_wall(const Thing& leg, const Vec2& p_map_nearest) const {
   Mat2 spread = Mat2::Zero();
   for (const Vec2& p_map : leg.walls) {
     const Vec2 away = p_map - p_map_nearest;
-    if (away.norm() <= kWallStretch_m) spread += away * away.transpose();
+    if (away.norm() <= kWallPathSegment_m) spread += away * away.transpose();
   }
   Vec2 towards = (p_map_nearest - leg.p_map).normalized();
   const Vec2 across = left_normal(principal_direction(spread));
@@ -465,10 +467,10 @@ Vec2 LegBarriers::across_wall(const Thing& leg, const Vec2& p_map_nearest) const
 
 /// More than a small thing runs across this direction, to both sides of where it is met.
 bool LegBarriers::wall_goes_on(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& away) const {
-  const Vec2 p_map = p_map_leg + away, aside = kWallGoesOn_m * left_normal(away.normalized());
+  const Vec2 p_map = p_map_leg + away, lateral = kWallGoesOn_m * left_normal(away.normalized());
   return small_thing(floor, floor.cell_at(p_map)).empty() &&
-         stands_about(floor, Vec2(p_map + aside), floor.cell_m()) &&
-         stands_about(floor, Vec2(p_map - aside), floor.cell_m());
+         stands_about(floor, Vec2(p_map + lateral), floor.cell_m()) &&
+         stands_about(floor, Vec2(p_map - lateral), floor.cell_m());
 }
 
 template <class Matters>

@@ -28,7 +28,7 @@ TurningClass class_of_turning(int number) {
   }
 }
 
-BlotOut blot_out(const RoomTurning& turning, double along_m) {
+MaskOut mask_out(const RoomTurning& turning, double along_m) {
   constexpr double kRapidShare = 0.75, kHalf = 0.5, kQuarter = 0.25;
   constexpr int kLeftBranch = 2, kRightBranch = 4;
   const bool is_rapid = along_m - turning.start_m < kRapidShare * (turning.end_m - turning.start_m);

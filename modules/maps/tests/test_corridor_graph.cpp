@@ -23,12 +23,12 @@ TEST(CorridorGraph, ACorridorThatLeadsRoundEndsTwiceAtItsNode) {
   EXPECT_EQ(graph.degree(2), 3U);
 }
 
-TEST(CorridorGraph, ThePlaceNearestToAPointIsFoundOnTheWayAndItsDistance) {
+TEST(CorridorGraph, ThePlaceNearestToAPointIsFoundOnThePathAndItsDistance) {
   const auto place = t_graph().nearest({4.5, 2});
   ASSERT_TRUE(place);
   EXPECT_EQ(place->corridor, 2U);
   EXPECT_DOUBLE_EQ(place->along_m, 1);
-  EXPECT_DOUBLE_EQ(place->aside_m, 0.5);
+  EXPECT_DOUBLE_EQ(place->lateral_m, 0.5);
   EXPECT_FALSE(CorridorGraph{}.nearest({0, 0}));
 }
 

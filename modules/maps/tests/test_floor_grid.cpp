@@ -18,7 +18,7 @@ TEST(FloorGrid, IsUnknownWhereNothingWasSeen) {
   EXPECT_EQ(grid.free_m2(), 0);
 }
 
-TEST(FloorGrid, CellsAreCountedFromTheOriginBothWays) {
+TEST(FloorGrid, CellsAreCountedFromTheOriginBothPaths) {
   const FloorGrid grid(0.1);
   EXPECT_EQ(grid.cell_at({0.05, 0.05}), (FloorCell{0, 0}));
   EXPECT_EQ(grid.cell_at({-0.05, 0.25}), (FloorCell{-1, 2}));
@@ -84,7 +84,7 @@ TEST(FloorBox, HoldsWhatItIncludesAndSharesWhatLiesInBoth) {
   EXPECT_TRUE(box.common_with({{7, 0}, {8, 2}}).empty());
 }
 
-TEST(FloorGrid, HoldsWhereTheVehicleStoodUntilSomethingIsStruckThere) {
+TEST(FloorGrid, HoldsWhereTheVehicleStoodUntilSomethingIsHitThere) {
   FloorGrid floor;
   const FloorCell cell{3, 4};
   EXPECT_TRUE(floor.stand_on(cell));

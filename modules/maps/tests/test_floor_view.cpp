@@ -61,7 +61,7 @@ TEST(FloorView, BeamsTooFarApartToMeetAThinThingDoNotTellAgainstIt) {
   }
 }
 
-/// A door's jamb: the wall's end before it hides the far side of the cell in which its face was struck.
+/// A door's jamb: the wall's end before it hides the far side of the cell in which its face was hit.
 TEST(FloorView, WhatPassesOneSideOfACellDoesNotTellAgainstWhatStandsInTheOther) {
   const LaserScanner fine{-10 * kDegree, 0.1 * kDegree, 30, {}};
   constexpr double kWallAhead_m = 2, kFaceBeside_m = 0.22;
@@ -96,11 +96,11 @@ TEST(FloorView, ABeamThatStrikesNothingTellsNothingBehindWhatStandsNearerThanItL
   for (const double y_m : {-0.03, 0.02, 0.32}) floor.set(floor.cell_at({0.5, y_m}), Floor::kOccupied);
   see_floor(floor, kScanner, nothing, near_m, {}, {});
   EXPECT_EQ(floor.at(Vec2(1.5, 0.02)), Floor::kUnknown);
-  EXPECT_EQ(floor.at(Vec2(1.5, 0.5)), Floor::kUnknown);  // between two places that were struck
+  EXPECT_EQ(floor.at(Vec2(1.5, 0.5)), Floor::kUnknown);  // between two places that were hit
   EXPECT_EQ(floor.at(Vec2(0.5, 1.5)), Floor::kFree);
 }
 
-TEST(FloorView, WhatTheVehicleTouchesStandsRightBeforeIt) {
+TEST(FloorView, WhatTheVehicleContactsStandsRightBeforeIt) {
   constexpr Footprint kCart{.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6};
   for (const int direction : {1, -1}) {
     FloorGrid floor;

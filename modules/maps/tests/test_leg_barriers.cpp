@@ -43,7 +43,7 @@ class LegBarriersOnAFloor : public testing::Test {
     stand(2.22, y_m);
     stand(3.82, y_m);
   }
-  /// Whether a straight way is closed anywhere.
+  /// Whether a straight path is closed anywhere.
   bool is_closed(const Vec2& from, const Vec2& to) {
     LegBarriers barriers;
     barriers.update(floor_, floor_.known());
@@ -93,7 +93,7 @@ TEST_F(LegBarriersOnAFloor, DoNotTakeAWallSeenFromFarForLegs) {
   EXPECT_FALSE(is_closed({4, 0}, {4, 6}));
 }
 
-/// At a grazing angle a wall is struck here and there, and one look passes it on either side.
+/// At a grazing angle a wall is hit here and there, and one look passes it on either side.
 TEST_F(LegBarriersOnAFloor, LeaveACorridorOpenOfWhoseWallsOnlyPiecesWereSeen) {
   wall_across(2.02, 1, 2.5);
   wall_across(3.42, 1, 2.5);
@@ -121,7 +121,7 @@ TEST_F(LegBarriersOnAFloor, CloseThatUnderATableWithChairs) {
   EXPECT_TRUE(is_closed({4.32, 3.5}, {4.32, 2.2}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseTheWayInBetweenAWallAndATableAtIt) {
+TEST_F(LegBarriersOnAFloor, CloseThePathInBetweenAWallAndATableAtIt) {
   wall(2, 0, 6);
   stand(2.87, 2.02);
   stand(2.87, 3.62);
@@ -129,14 +129,14 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayInBetweenAWallAndATableAtIt) {
 }
 
 /// As in a corner of a room: the front legs of a table, one of them beside a cupboard.
-TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableAtAWallThatAChairStandsBefore) {
+TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableAtAWallThatAChairStandsBefore) {
   wall(3.9, 0, 6);
   for (const double y_m : {2.02, 2.57, 3.02, 3.57}) stand(3.02, y_m);
   for (const double y_m : {2.57, 3.02}) stand(2.57, y_m);
   EXPECT_TRUE(is_closed({3.5, 1}, {3.5, 5}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatStandsBesideACupboard) {
+TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableThatStandsBesideACupboard) {
   wall(2, 0, 6);
   for (double x_m = 2; x_m < 3.5; x_m += 0.05) {
     for (double y_m = 3.8; y_m < 4.2; y_m += 0.05) stand(x_m, y_m);
@@ -147,7 +147,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatStandsBesideACupboard) {
 }
 
 /// Nearest to the other leg is a thing at the wall, aslant behind it.
-TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWithALegAtACupboardsCorner) {
+TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableWithALegAtACupboardsCorner) {
   wall(2, 0, 6);
   stand(2.17, 1.77);
   for (double x_m = 3.02; x_m < 3.6; x_m += 0.05) {
@@ -168,7 +168,7 @@ TEST_F(LegBarriersOnAFloor, LeaveFloorOpenOnWhichTheVehicleStood) {
 }
 
 /// As from a door that opens beside it: of what is around its legs, half was not seen.
-TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatHidesItsSurroundings) {
+TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableThatHidesItsSurroundings) {
   stand(2.87, 2.02);
   stand(2.87, 3.62);
   hide({2.02, 3.52}, {2.8, 3.7});
@@ -176,7 +176,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatHidesItsSurroundings) {
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseTheWayToWhereATablesOtherLegMayBeHidden) {
+TEST_F(LegBarriersOnAFloor, CloseThePathToWhereATablesOtherLegMayBeHidden) {
   wall(2, 0, 6);
   stand(2.87, 2.02);
   EXPECT_FALSE(is_closed({4, 2.8}, {2.2, 2.8}));
@@ -189,7 +189,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToWhereATablesOtherLegMayBeHidden) {
 }
 
 /// It hangs together with the wall, which is as far from the front legs as it may be.
-TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughTheBackLegHidesTheWallBehind) {
+TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughTheBackLegHidesTheWallBehind) {
   wall(2, 0, 6);
   for (const double x_m : {2.07, 2.12}) stand(x_m, 2.02);
   stand(2.92, 2.02);
@@ -200,7 +200,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughTheBackLegHidesTheWallB
 }
 
 /// It is a speck like those of the wall beside it, of which little was seen.
-TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegAtAnotherWall) {
+TEST_F(LegBarriersOnAFloor, CloseThePathToATablesOtherLegAtAnotherWall) {
   wall(2, 0, 4);
   for (const double x_m : {2.12, 2.27, 2.52, 2.87, 3.07}) stand(x_m, 3.82);
   hide({2.02, 3.87}, {5, 6});
@@ -210,7 +210,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegAtAnotherWall) {
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegOfATableInACorner) {
+TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegOfATableInACorner) {
   wall(2, 1, 6);
   wall_across(1, 2, 6);
   stand(2.87, 1.22);
@@ -220,7 +220,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegOfATableInACorner) {
   EXPECT_FALSE(is_closed({2.5, 1.3}, {2.5, 2.4}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableInACornerWhoseOtherLegHangsTogetherWithTheWall) {
+TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableInACornerWhoseOtherLegHangsTogetherWithTheWall) {
   corner_at_the_right();
   stand(4.17, 2.82);
   EXPECT_FALSE(is_closed({3.8, 2}, {4.6, 2}));
@@ -232,7 +232,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableInACornerWhoseOtherLegHangsTog
 }
 
 /// Its leg at the far end of the table is hidden, too.
-TEST_F(LegBarriersOnAFloor, CloseTheWayFromALegThatHangsTogetherWithTheWallToAHiddenOne) {
+TEST_F(LegBarriersOnAFloor, CloseThePathFromALegThatHangsTogetherWithTheWallToAHiddenOne) {
   corner_at_the_right();
   hide({4, 2.5}, {5, 3.5});
   EXPECT_FALSE(is_closed({3.8, 2}, {4.6, 2}));
@@ -243,7 +243,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayFromALegThatHangsTogetherWithTheWallToAHi
 }
 
 /// What stands small at the wall behind is no other front leg.
-TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckStandsAtTheWallBehind) {
+TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughASpeckStandsAtTheWallBehind) {
   wall(2, 0, 6);
   stand(2.87, 2.02);
   stand(2.12, 3.22);
@@ -252,7 +252,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckStandsAtTheWallBe
 }
 
 /// Two tables stand side by side, one of them farther out.
-TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughTheNextTablesLegStandsBeside) {
+TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughTheNextTablesLegStandsBeside) {
   wall(2, 0, 6);
   stand(2.87, 3.02);
   hide({2.02, 0}, {5, 1.6});
@@ -262,7 +262,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughTheNextTablesLegStandsB
 }
 
 /// Which stands out of the wall that is nearest to the leg, so that it is its nearest place.
-TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckOfTheNearestWallLiesAside) {
+TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughASpeckOfTheNearestWallLiesLateral) {
   wall(4, 2, 6);
   wall_across(2, 0, 4.05);
   stand(3.12, 2.37);
@@ -272,7 +272,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughASpeckOfTheNearestWallL
   EXPECT_TRUE(is_closed({2.5, 3}, {3.5, 3}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
+TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableWhoseSideIsNearAWall) {
   wall_across(3.87, 1, 5);
   stand(2.87, 2.02);
   stand(2.87, 3.62);
@@ -280,7 +280,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableWhoseSideIsNearAWall) {
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseTheWayUnderATableThatFillsARecess) {
+TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableThatFillsARecess) {
   wall_across(1.02, 2, 4);
   things_before_walls_across(1.72, 3);
   EXPECT_TRUE(is_closed({3, 2.5}, {3, 1.3}));
@@ -292,7 +292,7 @@ TEST_F(LegBarriersOnAFloor, LeaveACorridorOpenBetweenSpecksBeforeItsWalls) {
 }
 
 /// The leaf ends beside it and hides some of what is about it.
-TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegBesideAnOpenDoorsLeaf) {
+TEST_F(LegBarriersOnAFloor, CloseThePathToATablesOtherLegBesideAnOpenDoorsLeaf) {
   wall(2, 0, 6);
   wall_across(3.87, 2, 2.8);
   stand(2.87, 2.02);
@@ -302,7 +302,7 @@ TEST_F(LegBarriersOnAFloor, CloseTheWayToATablesOtherLegBesideAnOpenDoorsLeaf) {
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseTheWayToAHiddenLegThoughACupboardsCornerIsNearerThanTheWall) {
+TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughACupboardsCornerIsNearerThanTheWall) {
   wall(2, 0, 6);
   wall(3.2, 3.5, 4.2);
   wall_across(3.5, 3.2, 4);

@@ -25,16 +25,16 @@ TEST(RoomRoute, ThirteenTurningsAreOfThreeClasses) {
 TEST(RoomRoute, ATurnBlotsOutTheOtherSideHalfAndThenAQuarter) {
   const RoomTurning left{.number = 1, .start_m = 2, .end_m = 6},
       right{.number = 12, .start_m = 2, .end_m = 6};
-  EXPECT_EQ(blot_out(left, 4.9), (BlotOut{.right = 0.5}));
-  EXPECT_EQ(blot_out(left, 5.1), (BlotOut{.right = 0.25}));
-  EXPECT_EQ(blot_out(right, 4.9), (BlotOut{.left = 0.5}));
-  EXPECT_EQ(blot_out(right, 5.1), (BlotOut{.left = 0.25}));
+  EXPECT_EQ(mask_out(left, 4.9), (MaskOut{.right = 0.5}));
+  EXPECT_EQ(mask_out(left, 5.1), (MaskOut{.right = 0.25}));
+  EXPECT_EQ(mask_out(right, 4.9), (MaskOut{.left = 0.5}));
+  EXPECT_EQ(mask_out(right, 5.1), (MaskOut{.left = 0.25}));
 }
 
 TEST(RoomRoute, StraightOnBlotsOutTheSidesOfTheBranches) {
-  EXPECT_EQ(blot_out({.number = 2, .end_m = 1}, 0), (BlotOut{.left = 0.25}));
-  EXPECT_EQ(blot_out({.number = 4, .end_m = 1}, 0), (BlotOut{.right = 0.25}));
-  EXPECT_EQ(blot_out({.number = 9, .end_m = 1}, 0), (BlotOut{.left = 0.25, .right = 0.25}));
+  EXPECT_EQ(mask_out({.number = 2, .end_m = 1}, 0), (MaskOut{.left = 0.25}));
+  EXPECT_EQ(mask_out({.number = 4, .end_m = 1}, 0), (MaskOut{.right = 0.25}));
+  EXPECT_EQ(mask_out({.number = 9, .end_m = 1}, 0), (MaskOut{.left = 0.25, .right = 0.25}));
 }
 
 TEST(RoomRoute, OfTurningsThatOverlapTheLaterOneCounts) {

@@ -15,7 +15,7 @@ TEST(ViewPattern, Holds21PlacesFromEachOfThreeHeadings) {
 }
 
 TEST(ViewPattern, LanesAreTurnedAboutTheTaughtPlace) {
-  const ViewLane lane{.turned_rad = 1.5707963267948966, .aside_m = 0.2, .along_m = {}};
+  const ViewLane lane{.turned_rad = 1.5707963267948966, .lateral_m = 0.2, .along_m = {}};
   EXPECT_LT((lane.at(1).position() - Vec2(-0.2, 1)).norm(), 1e-12);
 }
 

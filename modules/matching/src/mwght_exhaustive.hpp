@@ -1,5 +1,5 @@
 #pragma once
-/// The published way: every vote into every cell of a three-dimensional array.
+/// The published path: every vote into every cell of a three-dimensional array.
 
 #include "mwght_kernel.hpp"
 #include "mwght_maximum.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// Maxima of H, found in two ways.
+/// Maxima of H, found in two paths.
 
 #include <cmath>
 #include <optional>

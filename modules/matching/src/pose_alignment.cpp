@@ -28,8 +28,8 @@ AssociationGate gate_in_round(int round, double gate_m, const Mat3& prior_inform
   return {gate_m * shrink, heading_rad, kOverlapMin_m};
 }
 
-/// Walls that may run like most of the others are taken to: about the way along them they tell nothing. What
-/// they seem to tell, where one was learned askew, is the error of its heading, the same in every scan.
+/// Walls that may run like most of the others are taken to: about the path along them they tell nothing. What
+/// they seem to tell, where one was learned misaligned, is the error of its heading, the same in every scan.
 Vec2 normal_to_trust(const WallEstimate& wall, const Vec2& normal_of_most, double parallel_cosine) {
   const double cosine = wall.normal.dot(normal_of_most);
   if (std::abs(cosine) < parallel_cosine) return wall.normal;

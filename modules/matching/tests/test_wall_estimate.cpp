@@ -105,7 +105,7 @@ TEST(PoseAligner, ACorridorLeavesThePlaceAlongItToThePrior) {
 }
 
 /// Its error is the same in every scan: however many there are, they say nothing new.
-TEST(PoseAligner, AWallLearnedAskewDoesNotDrawTheVehicleAlongItsCorridor) {
+TEST(PoseAligner, AWallLearnedMisalignedDoesNotDrawTheVehicleAlongItsCorridor) {
   const std::vector<SensedSegment> corridor = {sensed({{-9, -1}, {9, -1}}), sensed({{9, 1}, {-9, 1}})};
   Walls walls;
   walls.absorb_view(corridor, {});

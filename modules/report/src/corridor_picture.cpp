@@ -18,14 +18,14 @@ constexpr Color kGraphLine{0.80, 0.10, 0.20};
 constexpr Color kNamedPlace{0.10, 0.54, 0.30};
 
 constexpr Pen kCorridorPen{kGraphLine, 3};
-constexpr Pen kDrivenWayPen{kPath, 1.25};
+constexpr Pen kDrivenPathPen{kPath, 1.25};
 constexpr Pen kLearnedWallPen{kInk, 2};
 constexpr Font kNodeFont{15, kGraphLine, true};
 constexpr Font kPlaceFont{15, kNamedPlace, true};
 
 constexpr double kNode_px = 6;
 constexpr double kPlace_px = 5;
-constexpr double kWayTolerance_px = 0.3;
+constexpr double kPathTolerance_px = 0.3;
 
 PictureContent content_of(const CorridorPicture& picture) {
   PictureContent content;
@@ -41,7 +41,7 @@ PictureContent content_of(const CorridorPicture& picture) {
     content.add(wall.segment.end);
   }
   for (const Corridor& corridor : building.corridors.corridors) {
-    for (const Vec2& p : corridor.way) content.add(p);
+    for (const Vec2& p : corridor.path) content.add(p);
   }
   for (const Pose2& T : picture.path) content.add(T.position());
   return content;
@@ -59,7 +59,7 @@ class CorridorDrawing {
       draw_cells(canvas, Floor::kOccupied, kSeenStanding);
     }
     draw_walls(canvas);
-    draw_way(canvas);
+    draw_path(canvas);
     draw_corridors(canvas);
     draw_names(canvas);
     draw_header(canvas, scale_, picture_.title, picture_.caption);
@@ -94,16 +94,16 @@ class CorridorDrawing {
     canvas.lines(walls, kLearnedWallPen);
   }
 
-  void draw_way(Canvas& canvas) const {
+  void draw_path(Canvas& canvas) const {
     std::vector<Vec2> points;
     for (const Pose2& T : picture_.path) points.push_back(scale_.to_paper(T.position()));
-    canvas.polyline(simplified(points, kWayTolerance_px), kDrivenWayPen);
+    canvas.polyline(simplified(points, kPathTolerance_px), kDrivenPathPen);
   }
 
   void draw_corridors(Canvas& canvas) const {
     for (const Corridor& corridor : building_.corridors.corridors) {
       std::vector<Vec2> points;
-      for (const Vec2& p : corridor.way) points.push_back(scale_.to_paper(p));
+      for (const Vec2& p : corridor.path) points.push_back(scale_.to_paper(p));
       canvas.polyline(points, kCorridorPen);
     }
     for (const CorridorNode& node : building_.corridors.nodes)
@@ -131,7 +131,7 @@ class CorridorDrawing {
   /// From right to left, only what the picture shows.
   void draw_legend(Canvas& canvas) const {
     Legend legend(canvas, scale_);
-    if (!picture_.path.empty()) legend.add_line("way driven", kDrivenWayPen);
+    if (!picture_.path.empty()) legend.add_line("path driven", kDrivenPathPen);
     if (!building_.places.empty())
       legend.add("place", 2 * kPlace_px, [&](const Vec2& p) { canvas.disc(p, kPlace_px, kNamedPlace); });
     if (building_.corridors.count(CorridorNode::Kind::kEnd) > 0)

@@ -75,7 +75,7 @@ std::string verticals_overlay_png(const Image& picture, std::span<const Vertical
     for (const VerticalLine& line : verticals)
       canvas.line(on_canvas(line.top_px), on_canvas(line.bottom_px), {kCyan, stroke});
     for (const VerticalLine& line : verticals)
-      if (line.foot) canvas.disc(on_canvas(line.bottom_px), 2 * stroke, kRed);
+      if (line.floor_point) canvas.disc(on_canvas(line.bottom_px), 2 * stroke, kRed);
   });
 }
 

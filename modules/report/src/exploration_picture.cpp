@@ -20,7 +20,7 @@ constexpr Color kPushed{0.95, 0.60, 0.10};
 constexpr Color kGivenUp{0.55, 0.40, 0.65};
 constexpr Color kUndone{0.80, 0.10, 0.20};
 constexpr Pen kExploredWallPen{kInk, 2};
-constexpr Pen kExploredWayPen{kPath, 2.5};
+constexpr Pen kExploredPathPen{kPath, 2.5};
 constexpr double kGate_px = 6;
 
 class ExplorationDrawing {
@@ -33,7 +33,7 @@ class ExplorationDrawing {
     canvas.areas(cells_of(Floor::kFree), kExploredFloor);
     canvas.areas(cells_of(Floor::kOccupied), kExploredThings);
     draw_walls(canvas);
-    draw_way(canvas);
+    draw_path(canvas);
     draw_gates(canvas);
     draw_header(canvas, scale_, picture_.title, picture_.caption);
     draw_scale_bar(canvas, scale_);
@@ -70,12 +70,12 @@ class ExplorationDrawing {
     canvas.lines(ends, kExploredWallPen);
   }
 
-  void draw_way(Canvas& canvas) const {
+  void draw_path(Canvas& canvas) const {
     constexpr double kTolerance_px = 0.3;
     std::vector<Vec2> points;
     for (const Pose2& pose : picture_.T_map_vehicle) points.push_back(scale_.to_paper(pose.position()));
     if (points.empty()) return;
-    canvas.polyline(simplified(points, kTolerance_px), kExploredWayPen);
+    canvas.polyline(simplified(points, kTolerance_px), kExploredPathPen);
     canvas.disc(points.front(), kGate_px, kPath);
   }
 
@@ -100,7 +100,7 @@ class ExplorationDrawing {
     legend.add("path left for later", 2 * kGate_px, [&](const Vec2& p) {
       canvas.ring(p, kGate_px, {kPushed, 2});
     });
-    legend.add_line("way", kExploredWayPen);
+    legend.add_line("way", kExploredPathPen);
     legend.add_line("walls", kExploredWallPen);
   }
 

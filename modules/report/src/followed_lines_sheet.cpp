@@ -123,9 +123,9 @@ void FollowedLinesSheet::Sheet::draw_numbers(Canvas& canvas, std::size_t i) cons
     if (!is_followed(cell.numbers[k])) continue;
     const Font font{size_px, color_of(cell.numbers[k]), true};
     const std::string text = std::to_string(cell.numbers[k]);
-    const Vec2 foot = corner_of(i) + cell.lines[k].bottom_px;
+    const Vec2 floor_point = corner_of(i) + cell.lines[k].bottom_px;
     const double half_px = canvas.text_width(text, font) / 2 + 2;
-    const Vec2 low = foot - Vec2(half_px, size_px), high = foot + Vec2(half_px, 0);
+    const Vec2 low = floor_point - Vec2(half_px, size_px), high = floor_point + Vec2(half_px, 0);
     if (std::any_of(taken.begin(), taken.end(), [&](const auto& box) {
           return (low.array() < box.second.array()).all() && (high.array() > box.first.array()).all();
         }))

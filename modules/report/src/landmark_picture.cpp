@@ -41,9 +41,9 @@ std::vector<Vec2> points_on(const Path& path) {
   constexpr double kStep_m = 0.05;
   std::vector<Vec2> points;
   for (const PathPiece& piece : path.pieces()) {
-    const double way_m = piece.way_m();
-    const int steps = std::max(1, static_cast<int>(std::ceil(way_m / kStep_m)));
-    for (int i = 0; i <= steps; ++i) points.push_back(piece.at(way_m * i / steps).position());
+    const double path_m = piece.path_m();
+    const int steps = std::max(1, static_cast<int>(std::ceil(path_m / kStep_m)));
+    for (int i = 0; i <= steps; ++i) points.push_back(piece.at(path_m * i / steps).position());
   }
   return points;
 }
@@ -69,7 +69,7 @@ class LandmarkDrawing {
 
   const LandmarkPicture& picture_;
   const PictureScale& scale_;
-  double apart_m_;  ///< way between two squares
+  double apart_m_;  ///< path between two squares
 };
 
 void LandmarkDrawing::draw_on(Canvas& canvas) const {
@@ -125,13 +125,13 @@ void LandmarkDrawing::draw_square(Canvas& canvas, const Vec2& centre) const {
 }
 
 void LandmarkDrawing::draw_driven(Canvas& canvas) const {
-  for (const std::vector<Pose2>& trip : picture_.driven) {
-    double way_m = 0, next_square_m = 0;
-    for (std::size_t i = 0; i < trip.size(); ++i) {
-      if (i > 0) way_m += (trip[i].position() - trip[i - 1].position()).norm();
-      if (way_m < next_square_m) continue;
-      draw_square(canvas, scale_.to_paper(trip[i].position()));
-      while (next_square_m <= way_m) next_square_m += apart_m_;
+  for (const std::vector<Pose2>& run : picture_.driven) {
+    double path_m = 0, next_square_m = 0;
+    for (std::size_t i = 0; i < run.size(); ++i) {
+      if (i > 0) path_m += (run[i].position() - run[i - 1].position()).norm();
+      if (path_m < next_square_m) continue;
+      draw_square(canvas, scale_.to_paper(run[i].position()));
+      while (next_square_m <= path_m) next_square_m += apart_m_;
     }
   }
 }
@@ -195,8 +195,8 @@ PictureScale fit_scale(const LandmarkPicture& picture) {
   for (const Route& route : picture.routes) {
     for (const Vec2& p : points_on(route.path)) content.add(p);
   }
-  for (const std::vector<Pose2>& trip : picture.driven) {
-    for (const Pose2& pose : trip) content.add(pose.position());
+  for (const std::vector<Pose2>& run : picture.driven) {
+    for (const Pose2& pose : run) content.add(pose.position());
   }
   for (const Segment2& wall : picture.true_walls) {
     content.add(wall.start);

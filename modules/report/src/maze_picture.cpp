@@ -125,31 +125,31 @@ class MazeDrawing {
         canvas.polyline(line, {run_.exploring[i] ? kRetreating : kExploring, width_px});
         line.erase(line.begin(), line.end() - 1);
       }
-      if (i == 0) line.push_back(aside(at, run_.moves[i]));
+      if (i == 0) line.push_back(lateral(at, run_.moves[i]));
       at = neighbour(at, run_.moves[i]);
     }
     if (line.empty()) return;
-    line.push_back(aside(at, run_.moves.back()));
+    line.push_back(lateral(at, run_.moves.back()));
     canvas.polyline(line, {run_.exploring.back() ? kExploring : kRetreating, width_px});
   }
 
   static Vec2 to_the_right(Side heading) {
-    constexpr double kAside = 0.13;
+    constexpr double kLateral = 0.13;
     const Cell step = neighbour({0, 0}, heading);
-    return {kAside * step.y, -kAside * step.x};
+    return {kLateral * step.y, -kLateral * step.x};
   }
 
-  Vec2 aside(Cell cell, Side heading) const {
+  Vec2 lateral(Cell cell, Side heading) const {
     const Vec2 offset = to_the_right(heading);
     return on_paper(0, cell, 0.5 + offset.x(), 0.5 + offset.y());
   }
 
   /// The corner of the lane by which the vehicle comes with the one by which it goes.
   void add_turn(std::vector<Vec2>& line, Cell cell, Side in, Side out) const {
-    if (in == out) return line.push_back(aside(cell, in));
+    if (in == out) return line.push_back(lateral(cell, in));
     if (in == opposite(out)) {
-      line.push_back(aside(cell, in));
-      return line.push_back(aside(cell, out));
+      line.push_back(lateral(cell, in));
+      return line.push_back(lateral(cell, out));
     }
     const Vec2 offset = to_the_right(in) + to_the_right(out);
     line.push_back(on_paper(0, cell, 0.5 + offset.x(), 0.5 + offset.y()));

@@ -59,10 +59,10 @@ void draw_move(Canvas& canvas, const Vec2& corner, Side side) {
   const auto [start, end] = ends_of(side);
   const Vec2 gate = corner + 0.5 * (start + end);
   const Vec2 inward = (corner + Vec2(kCell_px / 2, kCell_px / 2) - gate).normalized();
-  const Vec2 aside(-inward.y(), inward.x());
+  const Vec2 lateral(-inward.y(), inward.x());
   const Vec2 tip = gate + 13 * inward;
   canvas.line(gate - 11 * inward, tip, {kMove, 2});
-  canvas.polyline({tip - 5 * inward + 4 * aside, tip, tip - 5 * inward - 4 * aside}, {kMove, 2});
+  canvas.polyline({tip - 5 * inward + 4 * lateral, tip, tip - 5 * inward - 4 * lateral}, {kMove, 2});
 }
 
 /// Shown by the preprocessing unit wherever the vehicle is, with no regard to the real walls.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/cross_section.hpp"
 #include "canvas.hpp"
 #include "picture_frame.hpp"
 #include "picture_scale.hpp"
@@ -22,7 +22,7 @@ constexpr Color kFurniture{0.88, 0.83, 0.74};
 constexpr Color kFurnitureEdge{0.52, 0.45, 0.34};
 constexpr Color kFrame{0.90, 0.55, 0.0};
 constexpr Color kPerson{0.10, 0.58, 0.34};
-constexpr Color kPersonWay{0.10, 0.58, 0.34, 0.55};
+constexpr Color kPersonPath{0.10, 0.58, 0.34, 0.55};
 constexpr Color kTour{0.13, 0.47, 0.86, 0.6};
 constexpr Color kBehindText{1, 1, 1, 0.8};
 
@@ -52,7 +52,7 @@ class WorldDrawing {
   std::array<Vec2, 4> corners(const Pose2& T_world_box, const Vec2& size) const;
   void draw_box(Canvas& canvas, const Pose2& T_world_box, const Vec2& size, const Color& color,
                 const Pen& edge) const;
-  void draw_way(Canvas& canvas, const std::vector<Vec2>& way, const Pen& pen) const;
+  void draw_path(Canvas& canvas, const std::vector<Vec2>& path, const Pen& pen) const;
   void draw_name(Canvas& canvas, const Vec2& p_paper, const std::string& name) const;
   double wall_px() const { return std::clamp(0.05 * scale_.px_per_m, 1.5, 3.5); }
 
@@ -64,7 +64,7 @@ class WorldDrawing {
 void WorldDrawing::draw_on(Canvas& canvas) const {
   canvas.fill(kPaper);
   std::vector<Segment2> faces;
-  for (const WallFace& wall : world_.walls) faces.push_back(wall.foot);
+  for (const WallFace& wall : world_.walls) faces.push_back(wall.floor_point);
   draw_wall_bodies(canvas, scale_, faces);
   draw_lamps(canvas);
   draw_papers(canvas);
@@ -147,7 +147,7 @@ void WorldDrawing::draw_furniture(Canvas& canvas) const {
 void WorldDrawing::draw_walls(Canvas& canvas) const {
   std::vector<std::pair<Vec2, Vec2>> ends;
   for (const WallFace& wall : world_.walls) {
-    ends.emplace_back(scale_.to_paper(wall.foot.start), scale_.to_paper(wall.foot.end));
+    ends.emplace_back(scale_.to_paper(wall.floor_point.start), scale_.to_paper(wall.floor_point.end));
   }
   canvas.lines(ends, {kInk, wall_px()});
 }
@@ -177,22 +177,22 @@ void WorldDrawing::draw_posters(Canvas& canvas) const {
   }
 }
 
-void WorldDrawing::draw_way(Canvas& canvas, const std::vector<Vec2>& way, const Pen& pen) const {
+void WorldDrawing::draw_path(Canvas& canvas, const std::vector<Vec2>& path, const Pen& pen) const {
   std::vector<Vec2> points;
-  points.reserve(way.size());
-  for (const Vec2& p : way) points.push_back(scale_.to_paper(p));
+  points.reserve(path.size());
+  for (const Vec2& p : path) points.push_back(scale_.to_paper(p));
   canvas.polyline(points, pen);
 }
 
 void WorldDrawing::draw_people(Canvas& canvas) const {
   for (const Person& person : world_.people) {
-    draw_way(canvas, person.path, {kPersonWay, 1.5});
+    draw_path(canvas, person.path, {kPersonPath, 1.5});
     canvas.disc(scale_.to_paper(person.path.front()), person.radius_m * scale_.px_per_m, kPerson);
   }
 }
 
 void WorldDrawing::draw_tour(Canvas& canvas) const {
-  draw_way(canvas, world_.tour, {kTour, 2});
+  draw_path(canvas, world_.tour, {kTour, 2});
 }
 
 /// A ring with a nose where the vehicle looks.

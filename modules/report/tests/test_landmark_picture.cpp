@@ -43,15 +43,15 @@ TEST(LandmarkPicture, LandmarksThatWentAreNotDrawn) {
   EXPECT_EQ(gone, svg({.landmarks = never_there}));
 }
 
-TEST(LandmarkPicture, SquaresMarkTheWayDrivenAtEqualDistancesHoweverFineItsPosesAre) {
+TEST(LandmarkPicture, SquaresMarkThePathDrivenAtEqualDistancesHoweverFineItsPosesAre) {
   const LandmarkMap map = landmarks(std::vector<double>(11, 1.0));  // 10 m: squares each 0.2 m
-  const auto squares_of_a_trip = [&](int poses) {
+  const auto squares_of_a_run = [&](int poses) {
     std::vector<std::vector<Pose2>> driven(1);
     for (int i = 0; i <= poses; ++i) driven[0].push_back({10.0 * i / poses, 0, 0});
     return count(svg({.landmarks = map, .driven = driven}), kSquare) - 3;  // three in the legend
   };
-  EXPECT_NEAR(squares_of_a_trip(100), 51, 2);
-  EXPECT_NEAR(squares_of_a_trip(3000), 51, 2);
+  EXPECT_NEAR(squares_of_a_run(100), 51, 2);
+  EXPECT_NEAR(squares_of_a_run(3000), 51, 2);
 }
 
 TEST(LandmarkPicture, AnArcIsDrawnRoundAndAStraightPathAsOneLine) {

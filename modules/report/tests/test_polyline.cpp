@@ -28,7 +28,7 @@ TEST(Polyline, AStraightLineNeedsItsEndsOnly) {
   EXPECT_THAT(simplified({{0, 0}, {1, 0.5}, {2, 0}}, 0.1), SizeIs(3));
 }
 
-TEST(Polyline, AWayOutAndBackKeepsItsFarEnd) {
+TEST(Polyline, APathOutAndBackKeepsItsFarEnd) {
   EXPECT_THAT(simplified({{0, 0}, {1, 0}, {2, 0}, {1, 0}, {0, 0}}, 0.1), SizeIs(3));
   EXPECT_THAT(simplified({}, 0.1), SizeIs(0));
 }

@@ -13,9 +13,9 @@ TEST(ReportPage, SaysEverythingThatItIsGiven) {
                                  .summary = "explored, home",
                                  .warnings = {"one door was closed"},
                                  .figures = {{"way", "120.5 m"}},
-                                 .pictures = {{"map", "<svg/>", "walls and way"}}});
+                                 .pictures = {{"map", "<svg/>", "walls and path"}}});
   for (const char* said : {"<title>two-loops</title>", "explored, home", "one door was closed", "120.5 m",
-                           "walls and way", "alt=\"map\""})
+                           "walls and path", "alt=\"map\""})
     EXPECT_THAT(page, HasSubstr(said));
 }
 

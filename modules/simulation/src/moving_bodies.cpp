@@ -12,7 +12,7 @@ namespace aisle {
 namespace {
 
 constexpr double kKeptClear_m = 0.15;  ///< how near people go to the vehicle
-constexpr double kPatience_s = 4;
+constexpr double kTimeout_s = 4;
 constexpr int kPersonSides = 12;
 
 bool is_clear(const MovingBody& box, const Footprint& footprint, const Pose2& T_world_vehicle) {
@@ -21,7 +21,7 @@ bool is_clear(const MovingBody& box, const Footprint& footprint, const Pose2& T_
   const Vec2 p_box = box.T_world_body.inverse() * T_world_vehicle.position();
   const bool holds_vehicle = std::abs(p_box.x()) < box.size.x() / 2 && std::abs(p_box.y()) < box.size.y() / 2;
   return !holds_vehicle && std::none_of(edges.begin(), edges.end(), [&](const Segment2& edge) {
-    return touches(footprint, T_vehicle_world * edge);
+    return contacts(footprint, T_vehicle_world * edge);
   });
 }
 
@@ -49,8 +49,8 @@ std::vector<Segment2> outline(const MovingBody& body) {
 
 Walker::Walker(Person person) : person_(std::move(person)), path_m_(polyline_length_m(person_.path)) {}
 
-Pose2 Walker::pose_after(double way_m) const {
-  const double there_and_back_m = path_m_ > 0 ? std::fmod(way_m, 2 * path_m_) : 0;
+Pose2 Walker::pose_after(double path_m) const {
+  const double there_and_back_m = path_m_ > 0 ? std::fmod(path_m, 2 * path_m_) : 0;
   const bool goes_back = there_and_back_m > path_m_;
   double left_m = goes_back ? 2 * path_m_ - there_and_back_m : there_and_back_m;
   for (std::size_t i = 1; i < person_.path.size(); ++i) {
@@ -68,25 +68,25 @@ Pose2 Walker::pose_after(double way_m) const {
 }
 
 void Walker::turn_back() {
-  way_m_ = 2 * path_m_ - std::fmod(way_m_, 2 * path_m_);
+  travelled_m_ = 2 * path_m_ - std::fmod(travelled_m_, 2 * path_m_);
   waited_s_ = 0;
 }
 
 std::optional<MovingBody> Walker::step(double now_s, double time_s, const Footprint& footprint,
                                        const Pose2& T_world_vehicle) {
   const double step_m = now_s > person_.start_s ? person_.speed_mps * time_s : 0;
-  const Pose2 T_world_next = pose_after(way_m_ + step_m);
+  const Pose2 T_world_next = pose_after(travelled_m_ + step_m);
   const double clear_m = distance_to(footprint, T_world_vehicle.inverse() * T_world_next.position());
   const bool has_room = clear_m > person_.radius_m + kKeptClear_m;
   if (has_room) {
-    way_m_ += step_m;
+    travelled_m_ += step_m;
     waited_s_ = 0;
     is_there_ = true;
   }
   if (!is_there_) return std::nullopt;
-  if (!has_room && (waited_s_ += time_s) > kPatience_s) turn_back();
+  if (!has_room && (waited_s_ += time_s) > kTimeout_s) turn_back();
   return MovingBody{.kind = MovingBody::Kind::kPerson,
-                    .T_world_body = pose_after(way_m_),
+                    .T_world_body = pose_after(travelled_m_),
                     .size = Vec2::Constant(2 * person_.radius_m),
                     .height_m = person_.height_m};
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/cross_section.hpp"
 
 namespace aisle {
 namespace {
@@ -20,7 +20,7 @@ double distance_to(const Footprint& footprint, const Vec2& p_vehicle) {
 }
 
 /// Cuts the segment by each side of the rectangle in turn (Liang and Barsky); something must remain.
-bool touches(const Footprint& footprint, const Segment2& in_vehicle) {
+bool contacts(const Footprint& footprint, const Segment2& in_vehicle) {
   const double half_m = footprint.width_m / 2;
   const Vec2 from = in_vehicle.start, along = in_vehicle.end - in_vehicle.start;
   const std::array<std::pair<double, double>, 4> sides = {{{-along.x(), from.x() + footprint.rear_m},
@@ -55,17 +55,17 @@ bool Obstacles::touch(const Pose2& T_world_vehicle) {
   const Pose2 T_vehicle_world = T_world_vehicle.inverse();
   const auto is_touched = [&](const Segment2& segment) {
     return segment.distance(T_world_vehicle.position()) <= reach_m_ &&
-           touches(footprint_, T_vehicle_world * segment);
+           contacts(footprint_, T_vehicle_world * segment);
   };
   return std::any_of(near_.begin(), near_.end(), is_touched) ||
          std::any_of(movers_.begin(), movers_.end(), is_touched);
 }
 
-double Obstacles::free_share(const Pose2& T_world_vehicle, const Arc& way) {
+double Obstacles::free_share(const Pose2& T_world_vehicle, const Arc& path) {
   const auto touch_after = [&](double share) {
-    return touch(T_world_vehicle * end_pose({share * way.length_m, share * way.turn_rad}));
+    return touch(T_world_vehicle * end_pose({share * path.length_m, share * path.turn_rad}));
   };
-  const double swept_m = std::abs(way.length_m) + std::abs(way.turn_rad) * reach_m_;
+  const double swept_m = std::abs(path.length_m) + std::abs(path.turn_rad) * reach_m_;
   const int checks = 1 + static_cast<int>(swept_m / kCheckedEvery_m);
   for (int i = 1; i <= checks; ++i) {
     double free = static_cast<double>(i - 1) / checks, touching = static_cast<double>(i) / checks;

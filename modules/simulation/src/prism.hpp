@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// An upright piece of matter: what stands in the way is made of these, and so is what a camera sees.
+/// An upright piece of matter: what stands in the path is made of these, and so is what a camera sees.
 struct Prism {
   std::vector<Vec2> outline;  ///< convex, clockwise: the outside is on the left
   double bottom_m = 0;

@@ -53,19 +53,18 @@ TEST(ScenarioPlay, ACameraFaultIsThatOfItsCameraOrOfAll) {
 
 class FeedTest : public testing::Test {
  protected:
-  /// A picture a tenth of a second, its brightness its number.
+  /// An image a tenth of a second, its brightness its number.
   void take(const CameraTrouble& trouble) {
     ++taken_;
     auto image = std::make_shared<Image>(1, 1);
     image->bytes[0] = static_cast<std::uint8_t>(taken_);
-    feed_.take({.camera = "front", .stamp_s = taken_ * 0.1, .image = image}, trouble);
+    feed_.take({.camera = "front", .stamp_s = taken_ * 0.1, .pixels = image}, trouble);
   }
   /// What arrives in this cycle: "stamp:number".
   std::string arrived() {
-    const auto picture = feed_.deliver(taken_ * 0.1 + 1e-9);
-    if (!picture) return "nothing";
-    return std::to_string(std::lround(picture->stamp_s * 10)) + ":" +
-           std::to_string(picture->image->bytes[0]);
+    const auto image = feed_.deliver(taken_ * 0.1 + 1e-9);
+    if (!image) return "nothing";
+    return std::to_string(std::lround(image->stamp_s * 10)) + ":" + std::to_string(image->pixels->bytes[0]);
   }
   std::string next(const CameraTrouble& trouble) {
     take(trouble);
@@ -76,25 +75,25 @@ class FeedTest : public testing::Test {
   int taken_ = 0;
 };
 
-TEST_F(FeedTest, AGoodCameraDeliversEachPictureAtOnceAndOnce) {
+TEST_F(FeedTest, AGoodCameraDeliversEachImageAtOnceAndOnce) {
   EXPECT_EQ(next({}), "1:1");
   EXPECT_EQ(arrived(), "nothing");
   EXPECT_EQ(next({}), "2:2");
 }
 
-TEST_F(FeedTest, AFrozenCameraRepeatsItsLastPictureWithNewStamps) {
+TEST_F(FeedTest, AFrozenCameraRepeatsItsLastImageWithNewStamps) {
   next({});
   EXPECT_EQ(next({.frozen = true}), "2:1");
   EXPECT_EQ(next({.frozen = true}), "3:1");
   EXPECT_EQ(next({}), "4:4");
 }
 
-TEST_F(FeedTest, DroppedPicturesNeverCome) {
+TEST_F(FeedTest, DroppedImagesNeverCome) {
   EXPECT_EQ(next({.dropped = true}), "nothing");
   EXPECT_EQ(next({}), "2:2");
 }
 
-TEST_F(FeedTest, LatePicturesKeepTheirStampsAndTheirOrder) {
+TEST_F(FeedTest, LateImagesKeepTheirStampsAndTheirOrder) {
   EXPECT_EQ(next({.delay_s = 0.2}), "nothing");
   EXPECT_EQ(next({.delay_s = 0.2}), "nothing");
   EXPECT_EQ(next({.delay_s = 0.2}), "1:1");

@@ -3,12 +3,12 @@
 namespace aisle {
 
 void CameraDescription::describe(FieldList& fields) {
-  fields.count("width_px", width_px, {16, 8192}, "of its pictures");
-  fields.count("height_px", height_px, {16, 8192}, "of its pictures");
+  fields.count("width_px", width_px, {16, 8192}, "of its images");
+  fields.count("height_px", height_px, {16, 8192}, "of its images");
   fields.real("fx_px", intrinsics.fx_px, {1, 1e5}, "focal length along u");
   fields.real("fy_px", intrinsics.fy_px, {1, 1e5}, "focal length along v");
-  fields.real("cx_px", intrinsics.cx_px, {-1e4, 1e4}, "where the optical axis meets the picture");
-  fields.real("cy_px", intrinsics.cy_px, {-1e4, 1e4}, "where the optical axis meets the picture");
+  fields.real("cx_px", intrinsics.cx_px, {-1e4, 1e4}, "where the optical axis meets the image");
+  fields.real("cy_px", intrinsics.cy_px, {-1e4, 1e4}, "where the optical axis meets the image");
   fields.real("k1", intrinsics.k1, {-10, 10}, "radial distortion");
   fields.real("k2", intrinsics.k2, {-10, 10}, "radial distortion");
   fields.real("p1", intrinsics.p1, {-1, 1}, "tangential distortion");
@@ -20,7 +20,7 @@ void CameraDescription::describe(FieldList& fields) {
   fields.angle("tilt_deg", mount.tilt_rad, {-90, 90}, "looking down");
   fields.angle("pan_deg", mount.pan_rad, {-180, 180}, "looking to the left");
   fields.angle("roll_deg", mount.roll_rad, {-180, 180}, "leaning to the right");
-  fields.real("period_s", period_s, {0.001, 10}, "from one picture to the next");
+  fields.real("period_s", period_s, {0.001, 10}, "from one image to the next");
 }
 
 }  // namespace aisle

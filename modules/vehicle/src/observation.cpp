@@ -2,10 +2,9 @@
 
 namespace aisle {
 
-const CameraPicture* present_picture(const Observation& observation, const std::string& camera,
-                                     double cycle_s) {
-  for (const CameraPicture& picture : observation.pictures) {
-    if (picture.camera == camera && observation.stamp_s - picture.stamp_s < cycle_s / 2) return &picture;
+const CameraImage* present_image(const Observation& observation, const std::string& camera, double cycle_s) {
+  for (const CameraImage& image : observation.images) {
+    if (image.camera == camera && observation.stamp_s - image.stamp_s < cycle_s / 2) return &image;
   }
   return nullptr;
 }

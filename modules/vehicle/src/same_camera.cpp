@@ -66,7 +66,7 @@ double distortion_difference_px(const CameraIntrinsics& learned, CameraIntrinsic
   return moved_px ? (*moved_px - pixel_px).norm() : std::numeric_limits<double>::infinity();
 }
 
-/// The most over corners, edges and inside of the picture.
+/// The most over corners, edges and inside of the image.
 double distortion_difference_px(const CameraDescription& learned, const CameraDescription& present) {
   constexpr int kSteps = 8;
   double most_px = 0;

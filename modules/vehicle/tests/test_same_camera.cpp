@@ -61,7 +61,7 @@ TEST(SameCamera, AFullTurnIsNoDifference) {
   EXPECT_THAT(check_same_camera(behind, again), IsEmpty());
 }
 
-TEST(SameCamera, ALensThatSeesLessOfThePictureDiffers) {
+TEST(SameCamera, ALensThatSeesLessOfTheImageDiffers) {
   CameraDescription folded = corridor_camera();
   folded.intrinsics.k1 = -5;
   EXPECT_THAT(to_string(check_same_camera(corridor_camera(), folded)), HasSubstr("cameras.corridor.k1"));

@@ -1,5 +1,5 @@
 #pragma once
-/// Pictures of rooms whose geometry is known exactly, for the detectors that know how the camera is mounted.
+/// Images of rooms whose geometry is known exactly, for the detectors that know how the camera is mounted.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace aisle {
 
 struct DrawnWall {
-  Segment2 foot;  ///< in base_link
+  Segment2 floor_point;  ///< in base_link
   double brightness = 170;
   double skirting_brightness = 60;
   double skirting_height_m = 0.1;
@@ -36,7 +36,7 @@ struct DrawnRoom {
   std::vector<DrawnWall> walls;
   std::vector<DrawnPanel> panels;
   std::vector<Segment2> papers;  ///< a sheet 0.2 m wide around each, on the floor
-  std::vector<Segment2> worn;    ///< likewise where the floor is a little brighter
+  std::vector<Segment2> worn;    ///< the same where the floor is a little brighter
 };
 
 inline CameraIntrinsics drawn_lens() {
@@ -52,7 +52,7 @@ class RoomDrawing {
   RoomDrawing(const DrawnRoom& room, const CameraMount& mount)
       : room_(room), mount_(mount), R_vehicle_camera_(mount.R_vehicle_camera()) {}
 
-  Image picture() const {
+  Image image() const {
     Image image(640, 480);
     for (int v = 0; v < image.height_px; ++v)
       for (int u = 0; u < image.width_px; ++u) image.row(v)[u] = pixel(u, v);
@@ -86,12 +86,12 @@ class RoomDrawing {
     double nearest = ray.z() < 0 ? -eye.z() / ray.z() : 1e9;
     double seen = ray.z() < 0 ? on_floor((eye + nearest * ray).head<2>()) : 200;
     for (std::size_t i = 0; i < room_.walls.size(); ++i) {
-      const Segment2& foot = room_.walls[i].foot;
-      const Vec2 along = foot.end - foot.start, across = left_normal(along),
-                 from = foot.start - eye.head<2>();
+      const Segment2& floor_point = room_.walls[i].floor_point;
+      const Vec2 along = floor_point.end - floor_point.start, across = left_normal(along),
+                 from = floor_point.start - eye.head<2>();
       const double share = across.dot(from) / across.dot(ray.head<2>());
       const Vec3 p = eye + share * ray;
-      const double on_wall = along.dot(p.head<2>() - foot.start) / along.norm();
+      const double on_wall = along.dot(p.head<2>() - floor_point.start) / along.norm();
       if (!(share > 0 && share < nearest && on_wall >= 0 && on_wall <= along.norm() && p.z() < 2.7)) continue;
       nearest = share;
       seen = on_its_wall(i, on_wall, p.z());
@@ -115,7 +115,7 @@ class RoomDrawing {
     double share = 1;
     if (room_.shadow_m > 0)
       for (const DrawnWall& wall : room_.walls)
-        share -= 0.25 * std::exp(-wall.foot.distance(p) / room_.shadow_m);
+        share -= 0.25 * std::exp(-wall.floor_point.distance(p) / room_.shadow_m);
     return share;
   }
 
@@ -136,14 +136,14 @@ class RoomDrawing {
 };
 
 inline Image drawn(const DrawnRoom& room, const CameraMount& mount = drawn_mount()) {
-  return RoomDrawing(room, mount).picture();
+  return RoomDrawing(room, mount).image();
 }
 
-/// A wall at a distance from the camera's foot, whose normal towards the camera is turned by `heading_rad`
-/// from the way ahead; the camera is on its left.
+/// A wall at a distance from the camera's floor point, whose normal towards the camera is turned by
+/// `heading_rad` from the path ahead; the camera is on its left.
 inline DrawnWall wall_ahead(double distance_m, double heading_rad) {
   const Vec2 out = unit(heading_rad), middle = drawn_mount().p_vehicle_camera.head<2>() + distance_m * out;
-  return {.foot = {middle - 20 * left_normal(out), middle + 20 * left_normal(out)}};
+  return {.floor_point = {middle - 20 * left_normal(out), middle + 20 * left_normal(out)}};
 }
 
 }  // namespace aisle

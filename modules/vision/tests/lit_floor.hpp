@@ -1,5 +1,5 @@
 #pragma once
-/// Pictures of a floor, 1 m below the camera of a cart that looks along a corridor.
+/// Images of a floor, 1 m below the camera of a cart that looks along a corridor.
 
 #include <cmath>
 
@@ -14,23 +14,22 @@ inline constexpr double kFloorLevel = 120;
 inline const CameraMount kMount{.p_vehicle_camera = {0.85, 0, 1}, .tilt_rad = 14 * kDegree};
 
 inline Image floor_with_noise() {
-  Image picture(kWidth_px, kHeight_px);
+  Image image(kWidth_px, kHeight_px);
   Random random(3);
-  for (auto& level : picture.bytes)
+  for (auto& level : image.bytes)
     level = static_cast<std::uint8_t>(std::lround(kFloorLevel + random.normal(2)));
-  return picture;
+  return image;
 }
 
 /// A sheet on the floor, square to the vehicle or turned.
-inline void lay_paper(Image& picture, const CameraIntrinsics& lens, const Vec2& p_vehicle,
-                      double turned_rad) {
+inline void lay_paper(Image& image, const CameraIntrinsics& lens, const Vec2& p_vehicle, double turned_rad) {
   const BackProjection floor(CameraModel(lens), kMount, 0);
   for (int v = 150; v < kHeight_px; ++v) {
     for (int u = 200; u < 440; ++u) {
       const auto p = floor.point({u, v});
       if (!p) continue;
       const Vec2 p_paper = rotate(-turned_rad, *p - p_vehicle);
-      if (std::abs(p_paper.x()) < 0.105 && std::abs(p_paper.y()) < 0.149) picture.row(v)[u] = 240;
+      if (std::abs(p_paper.x()) < 0.105 && std::abs(p_paper.y()) < 0.149) image.row(v)[u] = 240;
     }
   }
 }

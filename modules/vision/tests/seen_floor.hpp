@@ -1,5 +1,5 @@
 #pragma once
-/// Pictures of a flat floor on which nothing stands, drawn by its brightness at each point.
+/// Images of a flat floor on which nothing stands, drawn by its brightness at each point.
 
 #include <cmath>
 

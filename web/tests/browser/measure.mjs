@@ -1,6 +1,6 @@
 // Measures the page: its size, its first load, and how long a picture takes from the program's server to the screen,
 // 640 x 480 at 30 a second on loopback, and what the server takes of a core for it. Prints one JSON object.
-//   LIVE_PICTURES=build/release/bin/live_pictures npm run measure
+//   LIVE_PICTURES=build/release/bin/live_images npm run measure
 import { spawn } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";

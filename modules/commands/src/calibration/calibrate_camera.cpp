@@ -5,7 +5,7 @@
 #include <array>
 
 #include "aisle/core/angle.hpp"
-#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/formats/images/image_file.hpp"
 #include "calibration/calibration_steps.hpp"
 
 namespace aisle {
@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The pictures in which the board was found, and the names of the others.
+/// The images in which the board was found, and the names of the others.
 struct BoardViews {
   int width_px = 0;
   int height_px = 0;
@@ -26,21 +26,20 @@ Result<BoardViews> find_boards(const CalibrateCameraOptions& options, Progress& 
   Problems problems;
   for (std::size_t i = 0; i < options.images.size(); ++i) {
     progress.report("looking for boards", i, options.images.size());
-    const auto picture = read_picture(options.images[i]);
-    if (!picture) {
-      problems.insert(problems.end(), picture.problems().begin(), picture.problems().end());
+    const auto image = read_image(options.images[i]);
+    if (!image) {
+      problems.insert(problems.end(), image.problems().begin(), image.problems().end());
       continue;
     }
-    if (views.width_px == 0) views.width_px = picture->width_px, views.height_px = picture->height_px;
-    if (picture->width_px != views.width_px || picture->height_px != views.height_px) {
-      problems.push_back(
-          {{options.images[i].string()},
-           fmt::format("has {} x {} pixels, the first picture {} x {}; a calibration needs "
-                       "pictures of one size",
-                       picture->width_px, picture->height_px, views.width_px, views.height_px)});
+    if (views.width_px == 0) views.width_px = image->width_px, views.height_px = image->height_px;
+    if (image->width_px != views.width_px || image->height_px != views.height_px) {
+      problems.push_back({{options.images[i].string()},
+                          fmt::format("has {} x {} pixels, the first image {} x {}; a calibration needs "
+                                      "images of one size",
+                                      image->width_px, image->height_px, views.width_px, views.height_px)});
       continue;
     }
-    if (auto corners = find_chessboard(*picture, options.board)) {
+    if (auto corners = find_chessboard(*image, options.board)) {
       views.found.push_back({options.images[i].filename().string(), std::move(*corners)});
     } else {
       views.without_board.push_back(options.images[i].string());
@@ -52,7 +51,7 @@ Result<BoardViews> find_boards(const CalibrateCameraOptions& options, Progress& 
 
 Problem too_few(const BoardViews& views, const CalibrateCameraOptions& options) {
   return {{options.images.front().string()},
-          fmt::format("the board with {} x {} inner corners is whole in {} of {} pictures; at least {} are "
+          fmt::format("the board with {} x {} inner corners is whole in {} of {} images; at least {} are "
                       "needed (is --board right?)",
                       options.board.columns, options.board.rows, views.found.size(), options.images.size(),
                       kLensViewsMin)};
@@ -93,11 +92,11 @@ Json figures_of(const LensCalibration& lens, const BoardViews& views) {
 std::string text_of(const LensCalibration& lens, const BoardViews& views) {
   const CameraIntrinsics &c = lens.intrinsics, &d = lens.deviations;
   std::string text = fmt::format(
-      "{} views of the board, {} pictures without: rms {:.3f} px\n"
+      "{} views of the board, {} images without: rms {:.3f} px\n"
       "  fx {:.2f} +- {:.2f}, fy {:.2f} +- {:.2f}, cx {:.2f} +- {:.2f}, cy {:.2f} +- {:.2f} px\n"
       "  k1 {:.4f} +- {:.4f}, k2 {:.4f} +- {:.4f}, p1 {:.5f} +- {:.5f}, p2 {:.5f} +- {:.5f}, k3 {:.4f} +- "
       "{:.4f}\n"
-      "  {:.0f} % of the picture covered, board turned by up to {:.0f} deg\n",
+      "  {:.0f} % of the image covered, board turned by up to {:.0f} deg\n",
       lens.views.size(), views.without_board.size(), lens.rms_px, c.fx_px, d.fx_px, c.fy_px, d.fy_px, c.cx_px,
       d.cx_px, c.cy_px, d.cy_px, c.k1, d.k1, c.k2, d.k2, c.p1, d.p1, c.p2, d.p2, c.k3, d.k3,
       100 * lens.coverage, to_degrees(lens.largest_turn_rad));
@@ -107,14 +106,14 @@ std::string text_of(const LensCalibration& lens, const BoardViews& views) {
 }
 
 ResidualPicture residuals_of(const LensCalibration& lens, const std::string& camera_name) {
-  ResidualPicture picture{lens.width_px, lens.height_px, {}, "Calibration of " + camera_name, ""};
-  picture.caption =
+  ResidualPicture image{lens.width_px, lens.height_px, {}, "Calibration of " + camera_name, ""};
+  image.caption =
       fmt::format("{} views, rms {:.3f} px, fx {:.1f}, fy {:.1f}: {}", lens.views.size(), lens.rms_px,
                   lens.intrinsics.fx_px, lens.intrinsics.fy_px, to_string(lens.verdict.quality));
   for (const CalibratedView& view : lens.views) {
-    picture.groups.push_back({view.name, view.rms_px, view.corners_px, view.residuals_px});
+    image.groups.push_back({view.name, view.rms_px, view.corners_px, view.residuals_px});
   }
-  return picture;
+  return image;
 }
 
 }  // namespace
@@ -130,7 +129,7 @@ Result<Outcome> run_calibrate_camera(const CalibrateCameraOptions& options, Cons
       calibrate_lens(views->found, options.board, views->width_px, views->height_px, options.lens);
   if (!lens) {
     return Problem{{options.images.front().string()},
-                   "the views determine no lens: the board must be turned and moved between the pictures"};
+                   "the views determine no lens: the board must be turned and moved between the images"};
   }
 
   Outcome outcome{.verb = "calibrate camera"};

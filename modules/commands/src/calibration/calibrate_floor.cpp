@@ -33,9 +33,9 @@ struct CollectedMarks {
 
 Result<std::vector<FloorMark>> board_marks(const std::filesystem::path& path, const BoardOnFloor& place,
                                            const Chessboard& board, const CameraCalibration& camera) {
-  const auto picture = read_calibrated_picture(path, camera);
-  if (!picture) return picture.problems();
-  const auto corners = find_chessboard(*picture, board);
+  const auto image = read_calibrated_image(path, camera);
+  if (!image) return image.problems();
+  const auto corners = find_chessboard(*image, board);
   if (!corners) {
     return Problem{
         {path.string()},
@@ -68,11 +68,11 @@ Result<CollectedMarks> collect(const CalibrateFloorOptions& options, const Camer
 Problems contradictions(const CalibrateFloorOptions& options) {
   if (options.images.size() != options.boards_at.size()) {
     return {{{"--board-at"},
-             fmt::format("stands there {} times for {} pictures; each picture needs its own",
+             fmt::format("stands there {} times for {} images; each image needs its own",
                          options.boards_at.size(), options.images.size())}};
   }
   if (options.images.empty() && !options.marks) {
-    return {{{"--marks"}, "neither pictures of a board nor a file of marks is given"}};
+    return {{{"--marks"}, "neither images of a board nor a file of marks is given"}};
   }
   if (!options.images.empty() && !options.board.has_one_orientation()) {
     return {{{"--board"},
@@ -137,23 +137,23 @@ double rms_px(const std::vector<Vec2>& residuals_px) {
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-/// Files of marks do not say how large the picture is: then it reaches to the principal point twice.
+/// Files of marks do not say how large the image is: then it reaches to the principal point twice.
 ResidualPicture residuals_of(const MountCalibration& found, const CollectedMarks& marks,
                              const CameraCalibration& camera) {
-  ResidualPicture picture;
+  ResidualPicture image;
   const CameraIntrinsics& lens = camera.intrinsics;
   const auto side = [](int stated_px, double centre_px) {
     return stated_px > 0 ? stated_px : std::max(16, static_cast<int>(std::lround(2 * centre_px)));
   };
-  picture.width_px = side(camera.width_px, lens.cx_px);
-  picture.height_px = side(camera.height_px, lens.cy_px);
-  picture.title = "Mount of " + camera.camera_name;
-  picture.caption =
+  image.width_px = side(camera.width_px, lens.cx_px);
+  image.height_px = side(camera.height_px, lens.cy_px);
+  image.title = "Mount of " + camera.camera_name;
+  image.caption =
       fmt::format("height {:.4f} m, tilt {:.2f} deg, rms {:.3f} px: {}", found.mount.p_vehicle_camera.z(),
                   to_degrees(found.mount.tilt_rad), found.rms_px, to_string(found.verdict.quality));
   std::size_t at = 0;
   for (const MarkSource& source : marks.sources) {
-    ResidualGroup& group = picture.groups.emplace_back();
+    ResidualGroup& group = image.groups.emplace_back();
     group.name = source.name;
     for (const std::size_t end = at + source.count; at < end; ++at) {
       group.points_px.push_back(marks.marks[at].pixel_px);
@@ -161,7 +161,7 @@ ResidualPicture residuals_of(const MountCalibration& found, const CollectedMarks
     }
     group.rms_px = rms_px(group.residuals_px);
   }
-  return picture;
+  return image;
 }
 
 }  // namespace

@@ -14,9 +14,9 @@
 namespace aisle {
 namespace {
 
-std::vector<Vec2> stripe_points(const Image& picture) {
+std::vector<Vec2> stripe_points(const Image& image) {
   std::vector<Vec2> points;
-  for (const LaserStripe& stripe : find_laser_stripes(picture)) {
+  for (const LaserStripe& stripe : find_laser_stripes(image)) {
     points.insert(points.end(), stripe.points_px.begin(), stripe.points_px.end());
   }
   return points;
@@ -31,11 +31,11 @@ void keep_beside(const std::vector<Vec2>& corners_px, std::vector<Vec2>& points_
   std::erase_if(points_px, [=](const Vec2& p) { return p.x() < from_px || p.x() > to_px; });
 }
 
-/// The stripe on the wall that the picture's chessboard hangs on.
-Result<StripeView> view_with_board(const std::filesystem::path& path, const Image& picture,
+/// The stripe on the wall that the image's chessboard hangs on.
+Result<StripeView> view_with_board(const std::filesystem::path& path, const Image& image,
                                    const Chessboard& board, const CameraModel& lens,
                                    const CameraMount& mount) {
-  const auto corners_px = find_chessboard(picture, board);
+  const auto corners_px = find_chessboard(image, board);
   const auto pose = corners_px ? board_pose(*corners_px, board, lens) : std::nullopt;
   if (!pose) {
     return Problem{{path.string()},
@@ -43,8 +43,7 @@ Result<StripeView> view_with_board(const std::filesystem::path& path, const Imag
                                "distance of a bare wall",
                                board.columns, board.rows)};
   }
-  StripeView view{plane_seen(mount, pose->p_camera_board, pose->R_camera_board.col(2)),
-                  stripe_points(picture)};
+  StripeView view{plane_seen(mount, pose->p_camera_board, pose->R_camera_board.col(2)), stripe_points(image)};
   keep_beside(*corners_px, view.points_px);
   return view;
 }
@@ -57,13 +56,13 @@ Result<std::vector<StripeView>> collect(const CalibrateLaserOptions& options, co
   const auto fail = [&](const Problems& more) { problems.insert(problems.end(), more.begin(), more.end()); };
   for (std::size_t i = 0; i < options.images.size(); ++i) {
     progress.report("looking for stripes", i, options.images.size());
-    const auto picture = read_calibrated_picture(options.images[i], camera);
-    if (!picture) {
-      fail(picture.problems());
+    const auto image = read_calibrated_image(options.images[i], camera);
+    if (!image) {
+      fail(image.problems());
     } else if (!options.walls_at_m.empty()) {
-      views.push_back({wall_ahead(options.walls_at_m[i]), stripe_points(*picture)});
+      views.push_back({wall_ahead(options.walls_at_m[i]), stripe_points(*image)});
     } else {
-      auto view = view_with_board(options.images[i], *picture, options.board, lens, *camera.mount);
+      auto view = view_with_board(options.images[i], *image, options.board, lens, *camera.mount);
       if (!view) fail(view.problems());
       if (view) views.push_back(*view);
     }
@@ -101,7 +100,7 @@ std::string text_of(const LaserCalibration& c) {
 Result<Outcome> run_calibrate_laser(const CalibrateLaserOptions& options, Console& console) {
   if (!options.walls_at_m.empty() && options.walls_at_m.size() != options.images.size()) {
     return Problem{{"--wall-at"},
-                   fmt::format("stands there {} times for {} pictures; each needs its own",
+                   fmt::format("stands there {} times for {} images; each needs its own",
                                options.walls_at_m.size(), options.images.size())};
   }
   const auto out = open_calibration_directory(options.out, options.force, false);

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "aisle/formats/calibration_file.hpp"
-#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/formats/images/image_file.hpp"
 
 namespace aisle {
 
@@ -23,16 +23,15 @@ std::string verdict_text(const CalibrationVerdict& verdict) {
   return text;
 }
 
-Result<Image> read_calibrated_picture(const std::filesystem::path& path,
-                                      const CameraCalibration& calibration) {
-  Result<Image> picture = read_picture(path);
-  if (!picture || calibration.width_px == 0) return picture;
-  if (picture->width_px != calibration.width_px || picture->height_px != calibration.height_px) {
+Result<Image> read_calibrated_image(const std::filesystem::path& path, const CameraCalibration& calibration) {
+  Result<Image> image = read_image(path);
+  if (!image || calibration.width_px == 0) return image;
+  if (image->width_px != calibration.width_px || image->height_px != calibration.height_px) {
     return Problem{{path.string()},
-                   fmt::format("has {} x {} pixels; the calibration holds for {} x {}", picture->width_px,
-                               picture->height_px, calibration.width_px, calibration.height_px)};
+                   fmt::format("has {} x {} pixels; the calibration holds for {} x {}", image->width_px,
+                               image->height_px, calibration.width_px, calibration.height_px)};
   }
-  return picture;
+  return image;
 }
 
 Result<std::optional<OutputDirectory>> open_calibration_directory(const std::filesystem::path& directory,

@@ -23,15 +23,14 @@ nlohmann::ordered_json verdict_figures(const CalibrationVerdict& verdict);
 /// "verdict: usable\n  - reason\n..."
 std::string verdict_text(const CalibrationVerdict& verdict);
 
-/// A picture; a problem also if it has another size than the calibration holds for.
-Result<Image> read_calibrated_picture(const std::filesystem::path& path,
-                                      const CameraCalibration& calibration);
+/// An image; a problem also if it has another size than the calibration holds for.
+Result<Image> read_calibrated_image(const std::filesystem::path& path, const CameraCalibration& calibration);
 
 /// The directory for a calibration's files, checked before the work; none was asked for: nullopt.
 Result<std::optional<OutputDirectory>> open_calibration_directory(const std::filesystem::path& directory,
                                                                   bool force, bool with_residuals);
 
-/// The calibration in both layouts, and the picture of its residuals.
+/// The calibration in both layouts, and the image of its residuals.
 std::vector<OutputFile> calibration_files(const CameraCalibration& calibration,
                                           const std::optional<ResidualPicture>& residuals);
 

@@ -5,14 +5,14 @@
 #include "aisle/report/detection_overlay.hpp"
 #include "aisle/vision/floor/base_lines.hpp"
 #include "aisle/vision/lines/vertical_lines.hpp"
-#include "detection/picture_detector.hpp"
+#include "detection/image_detector.hpp"
 
 namespace aisle {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Vertical lines and base lines of one picture; either needs the other.
+/// Vertical lines and base lines of one image; either needs the other.
 class LineFinder {
  public:
   explicit LineFinder(const std::optional<CameraModel>& camera) : camera_(camera) {}
@@ -27,12 +27,12 @@ class LineFinder {
     BaseLines base_lines;
   };
 
-  Lines find(const Image& picture) {
+  Lines find(const Image& image) {
     if (!verticals_) {
       verticals_.emplace(verticals_params_, camera_);
       base_lines_.emplace(base_lines_params_, camera_);
     }
-    const Image grey = to_grey(picture);
+    const Image grey = to_grey(image);
     Lines lines;
     lines.verticals = verticals_->detect(grey);
     lines.base_lines = base_lines_->detect(grey, lines.verticals);
@@ -48,24 +48,25 @@ class LineFinder {
   std::optional<BaseLineDetector> base_lines_;
 };
 
-class VerticalsDetector final : public PictureDetector {
+class VerticalsDetector final : public ImageDetector {
  public:
   explicit VerticalsDetector(const std::optional<CameraModel>& camera) : finder_(camera) {}
 
   void describe(FieldList& fields) override { finder_.describe(fields); }
 
-  Detection detect(const Image& picture, bool is_drawn) override {
+  Detection detect(const Image& image, bool is_drawn) override {
     Detection detection;
-    const auto& verticals = detection.verticals = finder_.find(picture).verticals;
+    const auto& verticals = detection.verticals = finder_.find(image).verticals;
     Json& listed = detection.figures["verticals"] = Json::array();
     for (const VerticalLine& line : verticals) {
-      listed.push_back(
-          {{"top", pixel_json(line.top_px)}, {"bottom", pixel_json(line.bottom_px)}, {"foot", line.foot}});
+      listed.push_back({{"top", pixel_json(line.top_px)},
+                        {"bottom", pixel_json(line.bottom_px)},
+                        {"foot", line.floor_point}});
     }
-    const auto feet =
-        std::count_if(verticals.begin(), verticals.end(), [](const VerticalLine& line) { return line.foot; });
-    detection.summary = fmt::format("{} vertical lines, {} with a foot", verticals.size(), feet);
-    if (is_drawn) detection.overlay_png = verticals_overlay_png(picture, verticals);
+    const auto floor_points = std::count_if(verticals.begin(), verticals.end(),
+                                            [](const VerticalLine& line) { return line.floor_point; });
+    detection.summary = fmt::format("{} vertical lines, {} with a foot", verticals.size(), floor_points);
+    if (is_drawn) detection.overlay_png = verticals_overlay_png(image, verticals);
     return detection;
   }
 
@@ -77,20 +78,20 @@ Json line_json(const std::optional<BaseLine>& line) {
   return line ? polyline_json(*line) : Json(nullptr);
 }
 
-class BaseLinesDetector final : public PictureDetector {
+class BaseLinesDetector final : public ImageDetector {
  public:
   explicit BaseLinesDetector(const std::optional<CameraModel>& camera) : finder_(camera) {}
 
   void describe(FieldList& fields) override { finder_.describe(fields); }
 
-  Detection detect(const Image& picture, bool is_drawn) override {
-    const BaseLines lines = finder_.find(picture).base_lines;
+  Detection detect(const Image& image, bool is_drawn) override {
+    const BaseLines lines = finder_.find(image).base_lines;
     Detection detection;
     detection.figures = {{"right_baseline", line_json(lines.right)},
                          {"left_baseline", line_json(lines.left)}};
     detection.summary = fmt::format("right base line {}, left base line {}",
                                     lines.right ? "found" : "not found", lines.left ? "found" : "not found");
-    if (is_drawn) detection.overlay_png = base_lines_overlay_png(picture, lines);
+    if (is_drawn) detection.overlay_png = base_lines_overlay_png(image, lines);
     return detection;
   }
 
@@ -100,11 +101,11 @@ class BaseLinesDetector final : public PictureDetector {
 
 }  // namespace
 
-std::unique_ptr<PictureDetector> make_verticals_detector(const std::optional<CameraModel>& camera) {
+std::unique_ptr<ImageDetector> make_verticals_detector(const std::optional<CameraModel>& camera) {
   return std::make_unique<VerticalsDetector>(camera);
 }
 
-std::unique_ptr<PictureDetector> make_base_lines_detector(const std::optional<CameraModel>& camera) {
+std::unique_ptr<ImageDetector> make_base_lines_detector(const std::optional<CameraModel>& camera) {
   return std::make_unique<BaseLinesDetector>(camera);
 }
 

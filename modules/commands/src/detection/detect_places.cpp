@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/formats/images/image_file.hpp"
 #include "aisle/report/picture_sheet.hpp"
 #include "aisle/vision/places/place_recogniser.hpp"
-#include "detection/picture_detector.hpp"
+#include "detection/image_detector.hpp"
 #include "rounded.hpp"
 
 namespace aisle {
@@ -19,20 +19,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kUnlikeDecimals = 4;
 
-/// Names the taught picture at whose place another one was taken.
-class PlacesDetector final : public PictureDetector {
+/// Names the taught image at whose place another one was taken.
+class PlacesDetector final : public ImageDetector {
  public:
-  explicit PlacesDetector(std::vector<TaughtPicture> taught) : taught_(std::move(taught)) {}
+  explicit PlacesDetector(std::vector<TaughtImage> taught) : taught_(std::move(taught)) {}
 
   void describe(FieldList& fields) override { fields.group("places", params_); }
 
-  Detection detect(const Image& picture, bool is_drawn) override {
+  Detection detect(const Image& image, bool is_drawn) override {
     if (!recogniser_) {
       recogniser_.emplace(params_);
-      for (const TaughtPicture& taught : taught_) recogniser_->teach(taught.picture);
+      for (const TaughtImage& taught : taught_) recogniser_->teach(taught.image);
     }
-    const ViewRecognition found = recogniser_->recognise(picture).value();
-    const TaughtPicture& alike = taught_[found.view];
+    const ViewRecognition found = recogniser_->recognise(image).value();
+    const TaughtImage& alike = taught_[found.view];
     const bool is_sure = recogniser_->is_sure(found);
     Detection detection;
     detection.figures = {{"place", is_sure ? Json(alike.name) : Json(nullptr)},
@@ -44,8 +44,8 @@ class PlacesDetector final : public PictureDetector {
     detection.summary = fmt::format("{} {}", is_sure ? "taken at" : "unsure; most like", alike.name);
     places_.push_back(found.view);
     if (is_drawn) {
-      const std::array<TakenPicture, 2> pair = {TakenPicture{picture, "is most like"},
-                                                TakenPicture{alike.picture, alike.name}};
+      const std::array<TakenImage, 2> pair = {TakenImage{image, "is most like"},
+                                              TakenImage{alike.image, alike.name}};
       detection.overlay_png = picture_sheet_png(pair);
     }
     return detection;
@@ -64,12 +64,12 @@ class PlacesDetector final : public PictureDetector {
 
  private:
   PlaceParams params_;
-  std::vector<TaughtPicture> taught_;
+  std::vector<TaughtImage> taught_;
   std::optional<PlaceRecogniser> recogniser_;  // when the parameters are known
-  std::vector<std::size_t> places_;            // the most alike of each picture so far
+  std::vector<std::size_t> places_;            // the most alike of each image so far
 };
 
-bool is_picture(const fs::path& path) {
+bool is_image(const fs::path& path) {
   constexpr std::array<std::string_view, 8> kEndings = {".png", ".jpg", ".jpeg", ".pgm",
                                                         ".ppm", ".bmp", ".tif",  ".tiff"};
   std::string ending = path.extension().string();
@@ -79,14 +79,14 @@ bool is_picture(const fs::path& path) {
 }
 
 /// Those of a directory in the order of the numbers in their names.
-Result<std::vector<fs::path>> pictures_at(const fs::path& path) {
+Result<std::vector<fs::path>> images_at(const fs::path& path) {
   if (!fs::is_directory(path)) return std::vector{path};
   std::error_code error;
   std::vector<fs::path> files;
   for (fs::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error))
-    if (is_picture(entry->path())) files.push_back(entry->path());
+    if (is_image(entry->path())) files.push_back(entry->path());
   if (error) return Problem{{path.string()}, fmt::format("cannot be read: {}", error.message())};
-  if (files.empty()) return Problem{{path.string()}, "has no pictures"};
+  if (files.empty()) return Problem{{path.string()}, "has no images"};
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return strverscmp(a.filename().c_str(), b.filename().c_str()) < 0;
   });
@@ -95,29 +95,29 @@ Result<std::vector<fs::path>> pictures_at(const fs::path& path) {
 
 }  // namespace
 
-Result<std::vector<TaughtPicture>> read_taught_pictures(const std::vector<fs::path>& paths) {
-  std::vector<TaughtPicture> taught;
+Result<std::vector<TaughtImage>> read_taught_images(const std::vector<fs::path>& paths) {
+  std::vector<TaughtImage> taught;
   Problems problems;
   const auto note = [&](const Problems& more) { problems.insert(problems.end(), more.begin(), more.end()); };
   for (const fs::path& path : paths) {
-    const auto files = pictures_at(path);
+    const auto files = images_at(path);
     if (!files) {
       note(files.problems());
       continue;
     }
     for (const fs::path& file : *files) {
-      auto picture = read_picture(file);
-      if (!picture)
-        note(picture.problems());
+      auto image = read_image(file);
+      if (!image)
+        note(image.problems());
       else
-        taught.push_back({file.string(), std::move(*picture)});
+        taught.push_back({file.string(), std::move(*image)});
     }
   }
   if (!problems.empty()) return problems;
   return taught;
 }
 
-std::unique_ptr<PictureDetector> make_places_detector(std::vector<TaughtPicture> taught) {
+std::unique_ptr<ImageDetector> make_places_detector(std::vector<TaughtImage> taught) {
   return std::make_unique<PlacesDetector>(std::move(taught));
 }
 

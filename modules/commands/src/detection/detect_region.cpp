@@ -2,17 +2,17 @@
 
 #include <cmath>
 
-#include "aisle/formats/pictures/picture_file.hpp"
+#include "aisle/formats/images/image_file.hpp"
 #include "aisle/report/detection_overlay.hpp"
 #include "aisle/vision/route/route_region.hpp"
-#include "detection/picture_detector.hpp"
+#include "detection/image_detector.hpp"
 
 namespace aisle {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The scan lines of L96 Algorithm 4, as shares of the picture's height.
+/// The scan lines of L96 Algorithm 4, as shares of the image's height.
 struct ScanLines {
   double far_row_share = 0.75;
   double near_row_share = 0.9;
@@ -23,8 +23,8 @@ struct ScanLines {
   }
 };
 
-int row_at(double share, const Image& picture) {
-  return static_cast<int>(std::lround(share * (picture.height_px - 1)));
+int row_at(double share, const Image& image) {
+  return static_cast<int>(std::lround(share * (image.height_px - 1)));
 }
 
 Json middle_json(const std::optional<RouteMiddle>& middle) {
@@ -34,21 +34,21 @@ Json middle_json(const std::optional<RouteMiddle>& middle) {
           {"mean", pixel_json(middle->mean_px)}};
 }
 
-class RegionDetector final : public PictureDetector {
+class RegionDetector final : public ImageDetector {
  public:
   void describe(FieldList& fields) override {
     fields.group("region", params_);
     fields.group("middle", lines_);
   }
 
-  Detection detect(const Image& picture, bool is_drawn) override {
-    const RouteRegion region = find_route_region(picture, params_);
-    const auto middle = find_route_middle(region.mask, row_at(lines_.far_row_share, picture),
-                                          row_at(lines_.near_row_share, picture));
+  Detection detect(const Image& image, bool is_drawn) override {
+    const RouteRegion region = find_route_region(image, params_);
+    const auto middle = find_route_middle(region.mask, row_at(lines_.far_row_share, image),
+                                          row_at(lines_.near_row_share, image));
     Detection detection;
     detection.figures = {{"region_share", region.share}, {"middle", middle_json(middle)}};
-    detection.summary = fmt::format("route on {:.1f} % of the picture", 100 * region.share);
-    if (is_drawn) detection.overlay_png = region_overlay_png(picture, region, middle);
+    detection.summary = fmt::format("route on {:.1f} % of the image", 100 * region.share);
+    if (is_drawn) detection.overlay_png = region_overlay_png(image, region, middle);
     detection.mask_png = png_bytes(region.mask);
     return detection;
   }
@@ -60,7 +60,7 @@ class RegionDetector final : public PictureDetector {
 
 }  // namespace
 
-std::unique_ptr<PictureDetector> make_region_detector() {
+std::unique_ptr<ImageDetector> make_region_detector() {
   return std::make_unique<RegionDetector>();
 }
 

@@ -2,19 +2,19 @@
 
 #include "aisle/report/detection_overlay.hpp"
 #include "aisle/vision/stripes/laser_stripes.hpp"
-#include "detection/picture_detector.hpp"
+#include "detection/image_detector.hpp"
 
 namespace aisle {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-class StripeDetector final : public PictureDetector {
+class StripeDetector final : public ImageDetector {
  public:
   void describe(FieldList& fields) override { fields.group("stripes", params_); }
 
-  Detection detect(const Image& picture, bool is_drawn) override {
-    const auto stripes = find_laser_stripes(picture, params_);
+  Detection detect(const Image& image, bool is_drawn) override {
+    const auto stripes = find_laser_stripes(image, params_);
     Detection detection;
     Json& listed = detection.figures["stripes"] = Json::array();
     std::size_t columns = 0;
@@ -24,7 +24,7 @@ class StripeDetector final : public PictureDetector {
       columns += stripe.points_px.size();
     }
     detection.summary = fmt::format("{} stripes over {} columns", stripes.size(), columns);
-    if (is_drawn) detection.overlay_png = stripes_overlay_png(picture, stripes);
+    if (is_drawn) detection.overlay_png = stripes_overlay_png(image, stripes);
     return detection;
   }
 
@@ -34,7 +34,7 @@ class StripeDetector final : public PictureDetector {
 
 }  // namespace
 
-std::unique_ptr<PictureDetector> make_stripe_detector() {
+std::unique_ptr<ImageDetector> make_stripe_detector() {
   return std::make_unique<StripeDetector>();
 }
 

@@ -6,34 +6,34 @@
 
 namespace aisle {
 
-void LinePursuit::add(const Image& picture, const std::vector<VerticalLine>& lines,
+void LinePursuit::add(const Image& image, const std::vector<VerticalLine>& lines,
                       nlohmann::ordered_json& figures) {
-  const std::vector<int> numbers = follower_.follow(to_grey(picture), lines);
-  sheet_.add(picture, lines, numbers);
+  const std::vector<int> numbers = follower_.follow(to_grey(image), lines);
+  sheet_.add(image, lines, numbers);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    ++pictures_of_[numbers[i]];
+    ++images_of_[numbers[i]];
     figures[i]["number"] = numbers[i];
   }
 }
 
 int LinePursuit::followed() const {
-  return static_cast<int>(std::count_if(pictures_of_.begin(), pictures_of_.end(),
+  return static_cast<int>(std::count_if(images_of_.begin(), images_of_.end(),
                                         [](const auto& entry) { return entry.second > 1; }));
 }
 
 int LinePursuit::longest() const {
   int longest = 0;
-  for (const auto& [number, pictures] : pictures_of_) longest = std::max(longest, pictures);
+  for (const auto& [number, images] : images_of_) longest = std::max(longest, images);
   return longest;
 }
 
 nlohmann::ordered_json LinePursuit::figures() const {
-  return {{"lines", pictures_of_.size()}, {"followed", followed()}, {"longest_pictures", longest()}};
+  return {{"lines", images_of_.size()}, {"followed", followed()}, {"longest_pictures", longest()}};
 }
 
 std::string LinePursuit::summary() const {
-  return fmt::format("{} different lines, {} of them followed, the longest through {} pictures\n",
-                     pictures_of_.size(), followed(), longest());
+  return fmt::format("{} different lines, {} of them followed, the longest through {} images\n",
+                     images_of_.size(), followed(), longest());
 }
 
 }  // namespace aisle

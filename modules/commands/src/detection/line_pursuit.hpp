@@ -11,16 +11,16 @@
 
 namespace aisle {
 
-/// Vertical lines followed through the pictures of one drive.
+/// Vertical lines followed through the images of one drive.
 class LinePursuit {
  public:
-  /// @param pictures  how many there will be, at least 1
-  LinePursuit(const LineFollowerParams& params, std::size_t pictures) : follower_(params), sheet_(pictures) {}
+  /// @param images  how many there will be, at least 1
+  LinePursuit(const LineFollowerParams& params, std::size_t images) : follower_(params), sheet_(images) {}
 
-  /// The next picture. @param figures  a list with an object for each line, which gets its `number`
-  void add(const Image& picture, const std::vector<VerticalLine>& lines, nlohmann::ordered_json& figures);
+  /// The next image. @param figures  a list with an object for each line, which gets its `number`
+  void add(const Image& image, const std::vector<VerticalLine>& lines, nlohmann::ordered_json& figures);
 
-  /// How many lines were followed, and through how many pictures.
+  /// How many lines were followed, and through how many images.
   nlohmann::ordered_json figures() const;
   /// The same for people.
   std::string summary() const;
@@ -32,7 +32,7 @@ class LinePursuit {
 
   LineFollower follower_;
   FollowedLinesSheet sheet_;
-  std::map<int, int> pictures_of_;  // of each number
+  std::map<int, int> images_of_;  // of each number
 };
 
 }  // namespace aisle

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/cross_section.hpp"
+#include "aisle/simulation/paths/clearance_grid.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "aisle/simulation/wall_grid.hpp"
-#include "aisle/simulation/ways/clearance_grid.hpp"
 
 namespace aisle {
 namespace {
@@ -18,8 +18,8 @@ constexpr double kNearStart_m = 0.5;
 constexpr int kLooks = 72;
 constexpr double kOutsideShare = 0.4;  ///< of all looks that end at nothing: the place is outside
 
-/// The shortest way, cell by cell, from a place to the edge of the grid; empty if there is none.
-std::vector<Vec2> way_out(const ClearanceGrid& grid, const Vec2& start, double clearance_m) {
+/// The shortest path, cell by cell, from a place to the edge of the grid; empty if there is none.
+std::vector<Vec2> path_out(const ClearanceGrid& grid, const Vec2& start, double clearance_m) {
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> came_from(grid.size(), kNone), open;
   for (std::size_t cell = 0; cell < grid.size(); ++cell) {
@@ -31,11 +31,11 @@ std::vector<Vec2> way_out(const ClearanceGrid& grid, const Vec2& start, double c
   for (std::size_t next = 0; next < open.size(); ++next) {
     const std::size_t cell = open[next], column = cell % columns, row = cell / columns;
     if (column == 0 || row == 0 || column + 1 == columns || row + 1 == rows) {
-      std::vector<Vec2> way = {grid.centre(cell)};
+      std::vector<Vec2> path = {grid.centre(cell)};
       for (std::size_t at = cell; came_from[at] != at; at = came_from[at])
-        way.push_back(grid.centre(came_from[at]));
-      std::reverse(way.begin(), way.end());
-      return way;
+        path.push_back(grid.centre(came_from[at]));
+      std::reverse(path.begin(), path.end());
+      return path;
     }
     for (const std::size_t beside : {cell + 1, cell - 1, cell + columns, cell - columns}) {
       if (came_from[beside] != kNone || grid.clearance_m(beside) < clearance_m) continue;
@@ -60,12 +60,12 @@ std::optional<Vec2> opening_of(const World& world, const VehicleDescription& veh
   if (obstacles.empty()) return p_world_start;
   const ClearanceGrid grid(obstacles, kOpeningCell_m);
   if (!grid.contains(p_world_start)) return p_world_start;
-  const std::vector<Vec2> way = way_out(grid, p_world_start, vehicle.footprint.width_m / 2);
-  if (way.empty()) return std::nullopt;
+  const std::vector<Vec2> path = path_out(grid, p_world_start, vehicle.footprint.width_m / 2);
+  if (path.empty()) return std::nullopt;
   const WallGrid walls(obstacles);
   const auto first =
-      std::find_if(way.begin(), way.end(), [&](const Vec2& p) { return is_outside(walls, p); });
-  return first == way.end() ? way.back() : *first;
+      std::find_if(path.begin(), path.end(), [&](const Vec2& p) { return is_outside(walls, p); });
+  return first == path.end() ? path.back() : *first;
 }
 
 Problems check_explorable(const World& world, const std::string& world_file,

@@ -5,13 +5,13 @@
 #include <span>
 
 #include "aisle/learning/corridors/corridor_tracing.hpp"
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/cross_section.hpp"
 #include "exploration/footprint_reach.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr double kLookEvery_m = 0.1;  ///< of the way driven
+constexpr double kLookEvery_m = 0.1;  ///< of the path driven
 constexpr double kLookEvery_rad = 5 * kDegree;
 
 double passable_radius_m(const VehicleDescription& vehicle) {
@@ -29,8 +29,8 @@ SensorView view_in_reach(std::span<const Segment2> standing, std::span<const Seg
 }
 
 /// Looks as the sensor did on the way.
-SensorView view_on_the_way(std::span<const Segment2> standing, const SensorField& sensor,
-                           const std::vector<Pose2>& T_world_vehicle) {
+SensorView view_on_the_path(std::span<const Segment2> standing, const SensorField& sensor,
+                            const std::vector<Pose2>& T_world_vehicle) {
   SensorView view(standing);
   Pose2 last{1e9, 0, 0};
   for (const Pose2& T : T_world_vehicle) {
@@ -103,7 +103,7 @@ Pose2 map_in_world(const std::vector<Pose2>& T_map_vehicle, const std::vector<Po
     along += a.dot(b);
     across += cross(a, b);
   }
-  // Headings decide where the way is too short to tell.
+  // Headings decide where the path is too short to tell.
   for (std::size_t i = 0; i < count; ++i) {
     const double turn_rad = T_world_vehicle[i].theta - T_map_vehicle[i].theta;
     along += std::cos(turn_rad);
@@ -124,7 +124,7 @@ CorridorGraph true_corridors(const World& world, const VehicleDescription& vehic
 
 ExplorationScore evaluate_exploration(const World& world, const VehicleDescription& vehicle,
                                       const SensorField& sensor, const DrivenExploration& driven) {
-  const std::vector<Segment2> standing = slice(world, sensor.height_m);
+  const std::vector<Segment2> standing = cross_section(world, sensor.height_m);
   const std::vector<Segment2> obstacles = obstacles_below(world, vehicle.footprint.height_m);
   const Pose2& T_world_start = driven.T_world_vehicle.front();
   ExplorationScore figures;
@@ -134,10 +134,10 @@ ExplorationScore evaluate_exploration(const World& world, const VehicleDescripti
   if (standing.empty()) return figures;
 
   const SensorView possible = view_in_reach(standing, obstacles, vehicle, sensor, T_world_start);
-  const SensorView seen = view_on_the_way(standing, sensor, driven.T_world_vehicle);
+  const SensorView seen = view_on_the_path(standing, sensor, driven.T_world_vehicle);
   add_coverage(figures, possible, seen, driven.floor, driven.T_world_map);
   figures.walls = wall_errors(driven.walls, driven.T_world_map, standing,
-                              [&](const Vec2& p_world) { return possible.is_struck(p_world); });
+                              [&](const Vec2& p_world) { return possible.is_hit(p_world); });
   figures.graph_bound_m = 2 * true_corridors(world, vehicle, T_world_start.position()).length_m();
   return figures;
 }

@@ -39,7 +39,7 @@ inline constexpr double kPassableMargin_m = 0.05;
 ExplorationScore evaluate_exploration(const World& world, const VehicleDescription& vehicle,
                                       const SensorField& sensor, const DrivenExploration& driven);
 
-/// How a learned map lies in the world: the turn and shift that bring the learned way onto the true one
+/// How a learned map lies in the world: the turn and shift that bring the learned path onto the true one
 /// (least squares). The map's frame is its own: only what is bent in it counts as an error. The two are of
 /// the same moments.
 Pose2 map_in_world(const std::vector<Pose2>& T_map_vehicle, const std::vector<Pose2>& T_world_vehicle);

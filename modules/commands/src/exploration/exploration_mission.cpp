@@ -27,29 +27,29 @@ std::string transducer_json(const BuildingExplorer& explorer) {
 class ExplorationMissionRecord final : public SimulatedRecord {
  public:
   ExplorationMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
-                           const ExplorationTrip& trip, const ExplorerNavigator& navigator,
+                           const ExplorationRun& run, const ExplorerNavigator& navigator,
                            ExplorationMissionResult& result)
       : SimulatedRecord(session, vehicle),
         session_(session),
-        trip_(trip),
+        run_(run),
         navigator_(navigator),
         result_(result) {}
 
   Result<Observation> keep(Observation observation) override {
-    if (!trip_.was_interrupted() || !session_) return SimulatedRecord::keep(std::move(observation));
+    if (!run_.was_interrupted() || !session_) return SimulatedRecord::keep(std::move(observation));
     auto kept = session_->keep(std::move(observation));
     if (!kept) return kept.problems();
-    if (Problems problems = session_->keep_truth(kept->stamp_s, trip_.T_world_vehicle()); !problems.empty())
+    if (Problems problems = session_->keep_truth(kept->stamp_s, run_.T_world_vehicle()); !problems.empty())
       return problems;
     return kept;
   }
 
   Problems keep(const Decision& decision) override {
-    const Pose2& T_world_vehicle = trip_.T_world_vehicle();
+    const Pose2& T_world_vehicle = run_.T_world_vehicle();
     result_.T_world_vehicle.push_back(T_world_vehicle);
-    if (!trip_.was_interrupted()) show_all();
-    if (navigator_.learner().log().scans.size() > result_.T_world_slice.size())
-      result_.T_world_slice.push_back(T_world_vehicle);
+    if (!run_.was_interrupted()) show_all();
+    if (navigator_.learner().log().scans.size() > result_.T_world_scan.size())
+      result_.T_world_scan.push_back(T_world_vehicle);
     return SimulatedRecord::keep(decision);
   }
 
@@ -71,7 +71,7 @@ class ExplorationMissionRecord final : public SimulatedRecord {
   }
 
   std::optional<SessionRecord>& session_;
-  const ExplorationTrip& trip_;
+  const ExplorationRun& run_;
   std::size_t steps_shown_ = 0;
   const ExplorerNavigator& navigator_;
   ExplorationMissionResult& result_;
@@ -81,24 +81,24 @@ class ExplorationMissionRecord final : public SimulatedRecord {
 
 Result<ExplorationMissionResult> drive_exploration(const SimulationSetting& setting,
                                                    ExplorerNavigator& navigator, const Pose2& T_world_start,
-                                                   std::uint64_t seed, std::optional<InterruptedTrip> former,
+                                                   std::uint64_t seed, std::optional<InterruptedRun> former,
                                                    std::optional<SessionRecord>& session,
                                                    Progress& progress) {
   const Pose2 T_world_set_down = former ? former->T_world_vehicle.back() : T_world_start;
   SimulatedVehicle vehicle(setting.world, setting.vehicle, setting.scenario,
                            {.seed = seed, .T_world_start = T_world_set_down});
-  ExplorationTrip trip(vehicle, std::move(former));
+  ExplorationRun run(vehicle, std::move(former));
   ExplorationMissionResult result;
   TimedNavigator timed(navigator, result.cycle_s);
-  ExplorationMissionRecord record(session, vehicle, trip, navigator, result);
-  auto end = run_mission(trip, timed, record, progress);
+  ExplorationMissionRecord record(session, vehicle, run, navigator, result);
+  auto end = run_mission(run, timed, record, progress);
   if (!end) return end.problems();
-  if (!trip.problems().empty()) return trip.problems();
+  if (!run.problems().empty()) return run.problems();
   result.end = std::move(*end);
   result.record = navigator.record();
   result.log = navigator.learner().log();
   result.collisions = vehicle.truth().collisions;
-  result.distance_m = trip.way_m();
+  result.distance_m = run.path_m();
   return result;
 }
 

@@ -9,7 +9,7 @@
 #include "aisle/formats/sessions/session_record.hpp"
 #include "aisle/guidance/exploration/explorer_navigator.hpp"
 #include "aisle/guidance/mission.hpp"
-#include "exploration/exploration_trip.hpp"
+#include "exploration/exploration_run.hpp"
 #include "simulation_setting.hpp"
 
 namespace aisle {
@@ -18,18 +18,18 @@ namespace aisle {
 struct ExplorationMissionResult {
   MissionEnd end;
   ExplorationRecord record;
-  LaserLog log;  ///< what the sensor saw, slice by slice
+  LaserLog log;  ///< what the sensor saw, scan by scan
   std::size_t collisions = 0;
   double distance_m = 0;
   std::vector<Pose2> T_world_vehicle;  ///< as it was, one a cycle
-  std::vector<Pose2> T_world_slice;    ///< as it was, one a slice
+  std::vector<Pose2> T_world_scan;     ///< as it was, one a scan
   std::vector<double> cycle_s;         ///< processor time of each cycle, from observation to command
 };
 
-/// Sets the vehicle down and lets it explore, or go on with a trip that was interrupted.
+/// Sets the vehicle down and lets it explore, or go on with a run that was interrupted.
 Result<ExplorationMissionResult> drive_exploration(const SimulationSetting& setting,
                                                    ExplorerNavigator& navigator, const Pose2& T_world_start,
-                                                   std::uint64_t seed, std::optional<InterruptedTrip> former,
+                                                   std::uint64_t seed, std::optional<InterruptedRun> former,
                                                    std::optional<SessionRecord>& session, Progress& progress);
 
 }  // namespace aisle

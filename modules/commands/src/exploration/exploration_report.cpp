@@ -74,17 +74,17 @@ std::vector<std::string> warnings_of(const ExplorationRecord& record, const nloh
 
 }  // namespace
 
-std::string exploration_report(const ExplorationPicture& picture, const Building& building,
+std::string exploration_report(const ExplorationPicture& image, const Building& building,
                                const Outcome& outcome) {
-  const ExplorationRecord& record = picture.record;
-  ReportPage page{.title = "Exploring " + building.name, .summary = picture.caption};
+  const ExplorationRecord& record = image.record;
+  ReportPage page{.title = "Exploring " + building.name, .summary = image.caption};
   page.warnings = warnings_of(record, outcome.figures);
   add_figures(outcome.figures, page.figures);
-  page.pictures = {
-      {"Map and way", svg(picture), "Free floor white, what nobody has seen grey."},
+  page.images = {
+      {"Map and path", svg(image), "Free floor white, what nobody has seen grey."},
       {"Graph of corridors", svg(CorridorPicture{.building = building}),
-       "Crossings, ends and ways as learned."},
-      {"Floor known over the way", coverage_svg(record), ""},
+       "Crossings, ends and paths as learned."},
+      {"Floor known over the path", coverage_svg(record), ""},
       {"States and stack", transducer_svg(record), "What the transducer did, and how many paths waited."}};
   return html(page);
 }

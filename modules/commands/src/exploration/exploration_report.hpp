@@ -8,9 +8,9 @@
 
 namespace aisle {
 
-/// An exploration on one page: map and way, graph of corridors, how much was known after so much way, the
-/// transducer's states and stack, figures, and what went wrong.
-std::string exploration_report(const ExplorationPicture& picture, const Building& building,
+/// An exploration on one page: map and path, graph of corridors, how much was known after so much distance,
+/// the transducer's states and stack, figures, and what went wrong.
+std::string exploration_report(const ExplorationPicture& image, const Building& building,
                                const Outcome& outcome);
 
 }  // namespace aisle

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Figures whose mean and worst are told.
+/// Figures whose mean and worst are reported.
 constexpr const char* kErrorFigures[] = {"home_error_m",      "home_error_deg",   "wall_rmse_m",
                                          "wall_missed_share", "wall_false_share", "distance_m",
                                          "graph_bound_m"};

@@ -16,8 +16,8 @@ struct JudgedExploration {
   Outcome outcome;
   Building building;  ///< as it was learned, with its floor
   ExplorationRecord record;
-  std::vector<Pose2> T_map_vehicle;  ///< the way, in the learned map
-  LaserLog slices;                   ///< what was seen on it, one a pose
+  std::vector<Pose2> T_map_vehicle;  ///< the path, in the learned map
+  LaserLog scans;           ///< what was seen on it, one a pose
   SegmentParams segments;            ///< how walls were found in them
 };
 
@@ -32,6 +32,6 @@ Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, Simul
                                             Console& console);
 
 /// Refers to the exploration, which must outlive it.
-ExplorationPicture picture_of(const JudgedExploration& explored);
+ExplorationPicture image_of(const JudgedExploration& explored);
 
 }  // namespace aisle

@@ -46,7 +46,7 @@ Result<std::unique_ptr<ExplorerNavigator>> make_explorer(const SessionOrigin& or
   if (Problems problems = check_sensor(sensor, eye, vehicle); !problems.empty()) return problems;
   return std::make_unique<ExplorerNavigator>(
       params, vehicle, *order,
-      sensor == ExploringSensor::kScanner ? scanner_slices(vehicle) : marker_slices(vehicle, eye));
+      sensor == ExploringSensor::kScanner ? scanner_scans(vehicle) : marker_scans(vehicle, eye));
 }
 
 }  // namespace aisle

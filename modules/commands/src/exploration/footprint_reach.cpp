@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <unordered_set>
 
-#include "aisle/guidance/ways/footprint_room.hpp"
+#include "aisle/guidance/paths/footprint_clearance.hpp"
 #include "aisle/vehicle/arc.hpp"
 
 namespace aisle {
@@ -17,7 +17,7 @@ constexpr double kSpotTurn_rad = 12 * kDegree;
 constexpr int kChecks = 2;  // along a step
 constexpr double kFloorAround_m = 1;
 
-/// How finely poses are told apart.
+/// How finely poses are distinguished.
 struct PoseBins {
   double place_m;
   int headings;
@@ -55,7 +55,7 @@ class TrueFloor {
     clearance_.update(floor_, box);
   }
 
-  bool fits(const FootprintRoom& room, const Pose2& T) const { return room.fits(floor_, clearance_, T); }
+  bool fits(const FootprintClearance& room, const Pose2& T) const { return room.fits(floor_, clearance_, T); }
 
  private:
   FloorGrid floor_;
@@ -78,7 +78,7 @@ std::vector<Arc> steps_of(const VehicleDescription& vehicle) {
 std::vector<Pose2> poses_in_reach(std::span<const Segment2> obstacles, const VehicleDescription& vehicle,
                                   const Pose2& T_world_start, double margin_m) {
   const TrueFloor floor(obstacles);
-  const FootprintRoom room(vehicle.footprint, margin_m);
+  const FootprintClearance room(vehicle.footprint, margin_m);
   const std::vector<Arc> steps = steps_of(vehicle);
   const auto is_free = [&](const Pose2& T, const Arc& step) {
     for (int i = kChecks; i > 0; --i) {
@@ -88,7 +88,7 @@ std::vector<Pose2> poses_in_reach(std::span<const Segment2> obstacles, const Veh
     return true;
   };
   std::unordered_set<std::uint64_t> driven = {kDrivenBins.of(T_world_start)};
-  std::unordered_set<std::uint64_t> told = {kTellingBins.of(T_world_start)};
+  std::unordered_set<std::uint64_t> reported = {kTellingBins.of(T_world_start)};
   std::vector<Pose2> open = {T_world_start}, poses = {T_world_start};
   while (!open.empty()) {
     const Pose2 T = open.back();
@@ -98,7 +98,7 @@ std::vector<Pose2> poses_in_reach(std::span<const Segment2> obstacles, const Veh
       if (driven.contains(kDrivenBins.of(T_next)) || !is_free(T, step)) continue;
       driven.insert(kDrivenBins.of(T_next));
       open.push_back(T_next);
-      if (told.insert(kTellingBins.of(T_next)).second) poses.push_back(T_next);
+      if (reported.insert(kTellingBins.of(T_next)).second) poses.push_back(T_next);
     }
   }
   return poses;

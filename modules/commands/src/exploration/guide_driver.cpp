@@ -54,12 +54,12 @@ Result<Vec2> find_place(const Building& building, const std::string& text) {
   return *point;
 }
 
-/// Along the corridors from one point to another, and aside to them and from them.
+/// Along the corridors from one point to another, and to the side to them and from them.
 double shortest_m(const CorridorGraph& graph, const Vec2& from, const Vec2& to) {
   const auto first = graph.nearest(from), last = graph.nearest(to);
   if (!first || !last) return (to - from).norm();
-  const auto way = shortest_way(graph, *first, *last);
-  return way ? first->aside_m + way->length_m() + last->aside_m : 0;
+  const auto path = shortest_path(graph, *first, *last);
+  return path ? first->lateral_m + path->length_m() + last->lateral_m : 0;
 }
 
 std::size_t node_nearest(const CorridorGraph& graph, const Vec2& p_map) {
@@ -83,15 +83,15 @@ Problems check_guidable(const Building& building, const VehicleDescription& vehi
   return problems;
 }
 
-Result<Errand> errand_of(const Building& building, const std::string& text) {
+Result<Goal> goal_of(const Building& building, const std::string& text) {
   const std::size_t space = text.find(' ');
   const std::string verb = text.substr(0, space),
                     rest = space == std::string::npos ? "" : text.substr(space + 1);
-  if (verb == "go") return errand_to(building, rest);
+  if (verb == "go") return goal_to(building, rest);
   int rounds = 0;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), rounds);
   if (verb == "patrol" && error == std::errc() && end == rest.data() + rest.size())
-    return patrol_errand(building, rounds);
+    return patrol_goal(building, rounds);
   return Problem{{"", 0, "route"}, fmt::format("'{}' is neither 'go PLACE' nor 'patrol ROUNDS'", text)};
 }
 
@@ -103,39 +103,39 @@ Pose2 home_of(const Building& building) {
   return home == building.places.end() ? Pose2{} : home->T_map_place;
 }
 
-Result<Errand> errand_to(const Building& building, const std::string& place) {
+Result<Goal> goal_to(const Building& building, const std::string& place) {
   const auto p_map = find_place(building, place);
   if (!p_map) return p_map.problems();
-  return Errand{{*p_map}, shortest_m(building.corridors, home_of(building).position(), *p_map)};
+  return Goal{{*p_map}, shortest_m(building.corridors, home_of(building).position(), *p_map)};
 }
 
-Result<Errand> patrol_errand(const Building& building, int rounds) {
+Result<Goal> patrol_goal(const Building& building, int rounds) {
   if (rounds < 1 || rounds > kRoundsMax)
     return Problem{{"", 0, "--rounds"}, fmt::format("{} is outside 1 .. {}", rounds, kRoundsMax)};
   const CorridorGraph& graph = building.corridors;
   const Vec2 p_map_home = home_of(building).position();
   const std::size_t start = node_nearest(graph, p_map_home);
-  const CorridorWay round = patrol_way(graph, start);
-  Errand errand;
-  errand.shortest_m = 2 * shortest_m(graph, p_map_home, graph.nodes[start].p_map) + rounds * round.length_m();
+  const CorridorPath round = patrol_path(graph, start);
+  Goal goal;
+  goal.shortest_m = 2 * shortest_m(graph, p_map_home, graph.nodes[start].p_map) + rounds * round.length_m();
   for (int i = 0; i < rounds; ++i) {
     for (const CorridorLeg& leg : round.legs) {
       const Corridor& corridor = graph.corridors[leg.corridor];
-      errand.p_map_places.push_back(corridor.at((leg.from_m + leg.to_m) / 2));
-      errand.p_map_places.push_back(corridor.at(leg.to_m));
+      goal.p_map_places.push_back(corridor.at((leg.from_m + leg.to_m) / 2));
+      goal.p_map_places.push_back(corridor.at(leg.to_m));
     }
   }
-  errand.p_map_places.push_back(p_map_home);
-  return errand;
+  goal.p_map_places.push_back(p_map_home);
+  return goal;
 }
 
 SessionOrigin GuideDriver::origin(const GuideNavigatorParams& params, std::string building,
-                                  std::string errand) {
+                                  std::string goal) {
   SessionOrigin origin;
   origin.navigator = kName;
   origin.parameters = changed_parameters(params);
   origin.building = std::move(building);
-  origin.route = std::move(errand);
+  origin.route = std::move(goal);
   return origin;
 }
 
@@ -146,16 +146,16 @@ Result<std::unique_ptr<GuideDriver>> GuideDriver::make(const SessionOrigin& orig
   GuideNavigatorParams params;
   if (Problems problems = assign_all(params, origin.parameters); !problems.empty()) return problems;
   if (Problems problems = check_guidable(*building, vehicle); !problems.empty()) return problems;
-  auto errand = errand_of(*building, origin.route);
-  if (!errand) return errand.problems();
-  return std::make_unique<GuideDriver>(params, vehicle, std::move(*building), std::move(*errand));
+  auto goal = goal_of(*building, origin.route);
+  if (!goal) return goal.problems();
+  return std::make_unique<GuideDriver>(params, vehicle, std::move(*building), std::move(*goal));
 }
 
 GuideDriver::GuideDriver(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
-                         Building building, Errand errand)
+                         Building building, Goal goal)
     : building_(std::move(building)),
-      errand_(std::move(errand)),
-      navigator_(params, vehicle, building_, home_of(building_), errand_.p_map_places,
-                 scanner_slices(vehicle)) {}
+      goal_(std::move(goal)),
+      navigator_(params, vehicle, building_, home_of(building_), goal_.p_map_places, scanner_scans(vehicle)) {
+}
 
 }  // namespace aisle

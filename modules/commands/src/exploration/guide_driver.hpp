@@ -8,22 +8,22 @@
 #include "aisle/core/result.hpp"
 #include "aisle/formats/sessions/session_origin.hpp"
 #include "aisle/guidance/exploration/guide_navigator.hpp"
-#include "aisle/maps/corridor_way.hpp"
+#include "aisle/maps/corridor_path.hpp"
 
 namespace aisle {
 
 /// Where a vehicle is sent in a building.
-struct Errand {
+struct Goal {
   std::vector<Vec2> p_map_places;  ///< in order
-  double shortest_m = 0;           ///< the shortest way along the corridors, from home
+  double shortest_m = 0;           ///< the shortest path along the corridors, from home
 };
 
 /// To one place: one of the building's places by its name, a node of its corridors ("crossing 2", "end 1"),
 /// or "x,y" in the map. A problem lists what there is.
-Result<Errand> errand_to(const Building& building, const std::string& place);
+Result<Goal> goal_to(const Building& building, const std::string& place);
 
 /// So many times along all corridors and home again.
-Result<Errand> patrol_errand(const Building& building, int rounds);
+Result<Goal> patrol_goal(const Building& building, int rounds);
 
 /// Where missions in a building begin: its place "home", else the map's origin.
 Pose2 home_of(const Building& building);
@@ -35,8 +35,8 @@ class GuideDriver final : public Navigator {
 
   /// What a session records of it. Seed and "simulated" are the caller's.
   /// @param building  the text of a building file
-  /// @param errand    "go PLACE" or "patrol ROUNDS"
-  static SessionOrigin origin(const GuideNavigatorParams& params, std::string building, std::string errand);
+  /// @param goal    "go PLACE" or "patrol ROUNDS"
+  static SessionOrigin origin(const GuideNavigatorParams& params, std::string building, std::string goal);
 
   /// Problems: parameters and building that cannot be read, a building without walls, floor or corridors, an
   /// unknown place, a vehicle without a range scanner.
@@ -44,19 +44,19 @@ class GuideDriver final : public Navigator {
                                                    const VehicleDescription& vehicle);
 
   GuideDriver(const GuideNavigatorParams& params, const VehicleDescription& vehicle, Building building,
-              Errand errand);
+              Goal goal);
   GuideDriver(const GuideDriver&) = delete;
   GuideDriver& operator=(const GuideDriver&) = delete;
 
   Decision step(const Observation& observation) override { return navigator_.step(observation); }
 
   const Building& building() const { return building_; }
-  const Errand& errand() const { return errand_; }
+  const Goal& goal() const { return goal_; }
   const GuideNavigator& navigator() const { return navigator_; }
 
  private:
   Building building_;
-  Errand errand_;
+  Goal goal_;
   GuideNavigator navigator_;
 };
 

@@ -73,7 +73,7 @@ Result<GuideMissionResult> drive_guide_mission(const SimulationSetting& setting,
   if (!end) return end.problems();
   result.end = std::move(*end);
   result.collisions = vehicle.truth().collisions;
-  result.distance_m = vehicle.truth().way_m;
+  result.distance_m = vehicle.truth().path_m;
   return result;
 }
 

@@ -23,7 +23,7 @@ constexpr const char* kGlobalModelPicture = "fig10_global_model.svg";
 
 std::vector<OutputFile> files_of_exploration(const JudgedExploration& explored,
                                              const SignatureExample& example) {
-  ExplorationPicture trace = picture_of(explored);
+  ExplorationPicture trace = image_of(explored);
   trace.title = "C99 Fig. 7, simulated: trace of the vehicle";
   const MapPicture model{.walls = explored.building.walls,
                          .title = fmt::format("C99 Fig. 10, simulated: learned global model, {} walls",
@@ -67,11 +67,11 @@ Result<Outcome> reproduce_c99(const ReproduceOptions& options, Console& console)
   const auto& cycle_ms = outcome.figures["cycle_ms"];
   outcome.text =
       explored->outcome.text + fmt::format(
-                                   "a cycle, picture to command, took {:.1f} ms (median), {:.1f} ms (99th "
+                                   "a cycle, image to command, took {:.1f} ms (median), {:.1f} ms (99th "
                                    "percentile); C99: {} to {} s\n",
                                    cycle_ms["median"].get<double>(), cycle_ms["p99"].get<double>(),
                                    kPaperCycleLeast_s, kPaperCycleMost_s);
-  const SignatureExample example = signature_example(explored->slices, explored->T_map_vehicle,
+  const SignatureExample example = signature_example(explored->scans, explored->T_map_vehicle,
                                                      explored->building.walls, explored->segments);
   outcome.figures["signature_error_m"] = rounded((example.found_m + example.displaced_m).norm(), 4);
   if (!*directory) return outcome;

@@ -36,7 +36,7 @@ void SensorView::look(const Pose2& T_world_sensor, double reach_m, double width_
     const double free_m = std::min(reach_m, wall_m);
     const int marks = static_cast<int>(std::ceil(free_m * kMarksPerCell / cell_m_));
     for (int k = 0; k < marks; ++k) mark(origin + k * cell_m_ / kMarksPerCell * direction, kPassed);
-    if (wall_m <= reach_m) mark(origin + wall_m * direction, kStruck);
+    if (wall_m <= reach_m) mark(origin + wall_m * direction, kHit);
   }
 }
 
@@ -62,10 +62,10 @@ bool SensorView::has_nearby(std::size_t cell, std::uint8_t mark) const {
   return false;
 }
 
-bool SensorView::is_struck(const Vec2& p_world) const {
+bool SensorView::is_hit(const Vec2& p_world) const {
   const Vec2 at = (p_world - corner_) / cell_m_;
   const auto column = static_cast<long>(std::floor(at.x())), row = static_cast<long>(std::floor(at.y()));
-  return contains(column, row) && has_nearby(static_cast<std::size_t>(row * columns_ + column), kStruck);
+  return contains(column, row) && has_nearby(static_cast<std::size_t>(row * columns_ + column), kHit);
 }
 
 }  // namespace aisle

@@ -23,7 +23,7 @@ struct SensorField {
 /// The cells of a floor that were looked over, and those in which a look ended at a wall.
 class SensorView {
  public:
-  /// @param walls  what is in the way of a look, at least one
+  /// @param walls  what is in the path of a look, at least one
   explicit SensorView(std::span<const Segment2> walls);
 
   /// A ray a degree; @param width_rad  2 pi: all round
@@ -36,11 +36,11 @@ class SensorView {
   /// Whether the cell or one beside it was looked over: rays leave gaps of a cell.
   bool is_passed_nearby(std::size_t cell) const { return has_nearby(cell, kPassed); }
   /// Whether a look ended within a cell of this point.
-  bool is_struck(const Vec2& p_world) const;
+  bool is_hit(const Vec2& p_world) const;
 
  private:
   static constexpr std::uint8_t kPassed = 1;
-  static constexpr std::uint8_t kStruck = 2;
+  static constexpr std::uint8_t kHit = 2;
 
   bool contains(long column, long row) const {
     return column >= 0 && column < columns_ && row >= 0 && row < rows_;

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// C99 Algorithm 2 on one view of a trip, which stands where the odometry might have taken it.
+/// C99 Algorithm 2 on one view of a run, which stands where the odometry might have taken it.
 struct SignatureExample {
   SignedPattern learned;  ///< the walls about the vehicle
   SignedPattern sensed;   ///< the view, off by `displaced_m`
@@ -16,7 +16,7 @@ struct SignatureExample {
   Vec2 found_m = Vec2::Zero();  ///< carries the view onto the walls; right: -displaced_m
 };
 
-/// Of the trip's views, the one that shows most walls along both axes of the map.
+/// Of the run's views, the one that shows most walls along both axes of the map.
 SignatureExample signature_example(const LaserLog& log, const std::vector<Pose2>& T_map_vehicle,
                                    const WallMap& walls, const SegmentParams& segments);
 

@@ -10,30 +10,30 @@
 namespace aisle {
 namespace {
 
-/// Collects a trip that a person drives.
-class LessonRecord final : public MissionRecord {
+/// Collects a run that a person drives.
+class TaughtRunRecord final : public MissionRecord {
  public:
-  LessonRecord(const LandmarkSightingParams& params, const SimulatedVehicle& vehicle)
+  TaughtRunRecord(const LandmarkSightingParams& params, const SimulatedVehicle& vehicle)
       : collector_(params, vehicle.description()), vehicle_(vehicle) {}
 
   Result<Observation> keep(Observation observation) override {
     collector_.add(observation);
-    collector_.trip.T_world_vehicle.push_back(vehicle_.truth().T_world_vehicle);
+    collector_.run.T_world_vehicle.push_back(vehicle_.truth().T_world_vehicle);
     return observation;
   }
   Problems keep(const Decision&) override { return {}; }
 
-  LandmarkTrip take() { return std::move(collector_.trip); }
+  LandmarkRun take() { return std::move(collector_.run); }
 
  private:
-  LandmarkTripCollector collector_;
+  LandmarkRunCollector collector_;
   const SimulatedVehicle& vehicle_;
 };
 
 }  // namespace
 
 void LandmarkCourseParams::describe(FieldList& fields) {
-  fields.group("lesson", lesson);
+  fields.group("learner", learned);
   fields.group("navigator", navigator);
   fields.group("person", person);
 }
@@ -45,20 +45,20 @@ Problems keep_corridor_camera(SimulationSetting& setting) {
   return {};
 }
 
-Result<std::optional<LandmarkTrip>> teach_trip(const SimulationSetting& setting,
-                                               const LandmarkCourseParams& params, std::uint64_t seed,
-                                               Progress& progress) {
+Result<std::optional<LandmarkRun>> teach_run(const SimulationSetting& setting,
+                                             const LandmarkCourseParams& params, std::uint64_t seed,
+                                             Progress& progress) {
   const auto start = start_in(setting);
   if (!start) return start.problems();
   ScriptedOperator person(setting.world, setting.vehicle.description, params.person, seed);
   SimulatedVehicle vehicle(setting.world, setting.vehicle, {}, {.seed = seed, .T_world_start = *start},
                            &person);
   HandDriver driver({});
-  LessonRecord record(params.lesson.sightings, vehicle);
+  TaughtRunRecord record(params.learner.sightings, vehicle);
   const auto end = run_mission(vehicle, driver, record, progress);
   if (!end) return end.problems();
-  if (!person.has_arrived()) return std::optional<LandmarkTrip>();
-  return std::optional<LandmarkTrip>(record.take());
+  if (!person.has_arrived()) return std::optional<LandmarkRun>();
+  return std::optional<LandmarkRun>(record.take());
 }
 
 Result<LandmarkMissionResult> drive_alone(const SimulationSetting& setting,
@@ -75,13 +75,13 @@ Result<LandmarkMissionResult> drive_alone(const SimulationSetting& setting,
 
 std::optional<ScenarioEvent> lift_on_route(const SimulationSetting& setting, const Path& path,
                                            const MapTruth& truth, double lift_m, std::uint64_t seed) {
-  constexpr double kFromEnds_m = 1, kAside_m = 0.15, kTurned_rad = 5 * kDegree;
+  constexpr double kFromEnds_m = 1, kLateral_m = 0.15, kTurned_rad = 5 * kDegree;
   constexpr int kTrials = 50;
   Random random(seed);
   for (int trial = 0; trial < kTrials; ++trial) {
     const double from_m = random.uniform(kFromEnds_m, std::max(kFromEnds_m, path.length_m() - kFromEnds_m));
     const double to_m = from_m + (random.uniform(0, 1) < 0.5 ? -lift_m : lift_m);
-    const Pose2 off{0, random.uniform(-kAside_m, kAside_m), random.uniform(-kTurned_rad, kTurned_rad)};
+    const Pose2 off{0, random.uniform(-kLateral_m, kLateral_m), random.uniform(-kTurned_rad, kTurned_rad)};
     if (to_m < kFromEnds_m || to_m > path.length_m() - kFromEnds_m) continue;
     const Pose2 T_world_to = truth.in_world(path.at(to_m).T_map_path) * off;
     if (!fits(setting.world, setting.vehicle.description.footprint, T_world_to)) continue;

@@ -33,9 +33,9 @@ Result<Path> find_path(const Building& building, const SessionOrigin& origin, co
   auto route = find_route(building, origin.route);
   if (!route) return route.problems();
   if (!origin.in_reverse) return std::move(route->path);
-  Path back = way_back(route->path, footprint);
+  Path back = path_back(route->path, footprint);
   if (back.empty())
-    return Problem{{"", 0, "route"}, fmt::format("'{}' is too short for a way back", route->name)};
+    return Problem{{"", 0, "route"}, fmt::format("'{}' is too short for a return path", route->name)};
   return back;
 }
 
@@ -71,7 +71,7 @@ LandmarkDriver::LandmarkDriver(const LandmarkNavigatorParams& params, const Vehi
                                Building building, Path path)
     : building_(std::move(building)), path_(std::move(path)), navigator_(params, vehicle, building_, path_) {}
 
-Path way_back(const Path& path, const Footprint& footprint) {
+Path path_back(const Path& path, const Footprint& footprint) {
   const double left_m = path.length_m() - (footprint.front_m - footprint.rear_m);
   return left_m > 0 ? path.reversed().up_to(left_m) : Path();
 }

@@ -15,11 +15,11 @@ namespace aisle {
 struct LandmarkMission {
   std::string building;     ///< the text of a building file
   std::string route;        ///< of that building
-  bool in_reverse = false;  ///< its way back
+  bool in_reverse = false;  ///< its return path
 };
 
 /// The same way back: ends early enough to stay on floor that was driven over when the route was taught.
-Path way_back(const Path& path, const Footprint& footprint);
+Path path_back(const Path& path, const Footprint& footprint);
 
 /// Owns the building that its navigator drives by.
 class LandmarkDriver final : public Navigator {

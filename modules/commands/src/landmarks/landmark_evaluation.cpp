@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kWrong_m = 0.5;
 constexpr double kWrongMax_s = 3;
-constexpr double kTaughtAhead_m = 1.0;  // of way, from one taught pose along a path to the next one
+constexpr double kTaughtAhead_m = 1.0;  // of path, from one taught pose along a path to the next one
 constexpr double kNearer_m = 0.01;      // than what was passed last is another taught pose that is taken
 constexpr double kFoundOff_m = 1;       // from its path at most a vehicle that was lost goes on
 constexpr double kNear_m = 0.5;         // along the path, in which its point nearest to the vehicle is
@@ -20,7 +20,7 @@ MapTruth::MapTruth(std::vector<Pose2> T_map_taught, std::vector<Pose2> T_world_t
     : T_map_taught_(std::move(T_map_taught)), T_world_taught_(std::move(T_world_taught)) {
   for (std::size_t i = 0; i < T_map_taught_.size(); ++i) {
     const double step_m = i == 0 ? 0 : between(T_map_taught_[i - 1], T_map_taught_[i]).position().norm();
-    way_m_.push_back(i == 0 ? 0 : way_m_.back() + step_m);
+    travelled_m_.push_back(i == 0 ? 0 : travelled_m_.back() + step_m);
   }
 }
 
@@ -55,8 +55,9 @@ std::vector<std::size_t> MapTruth::along(const Path& path, bool in_reverse) cons
     const auto distance = [&](std::size_t i) {
       return (T_map_taught_[in_order(i)].position() - p_map).norm();
     };
-    const double from_m = way_m_[in_order(last)];
-    for (std::size_t i = last + 1; i < count && std::abs(way_m_[in_order(i)] - from_m) < kTaughtAhead_m; ++i)
+    const double from_m = travelled_m_[in_order(last)];
+    for (std::size_t i = last + 1; i < count && std::abs(travelled_m_[in_order(i)] - from_m) < kTaughtAhead_m;
+         ++i)
       if (distance(i) < distance(last) - kNearer_m) last = i;
     taught.push_back(in_order(last));
   }
@@ -73,7 +74,7 @@ double ErrorFigure::rms() const {
   return count_ == 0 ? 0 : std::sqrt(sum_of_squares_ / static_cast<double>(count_));
 }
 
-/// A vehicle that was lost, and perhaps lifted, may have found itself elsewhere on its way.
+/// A vehicle that was lost, and perhaps lifted, may have found itself elsewhere on its path.
 void MissionJudge::follow(const LandmarkFix& fix) {
   const Pose2& T_map_thought = fix.T_map_vehicle.mean;
   if (is_lost_ && fix.is_sure) progress_.find(T_map_thought, kFoundOff_m);

@@ -15,9 +15,9 @@
 
 namespace aisle {
 
-/// How a learned map lies in the world, told by the trip that taught it: the map's drift over a long way is
+/// How a learned map lies in the world, given by the run that taught it: the map's drift over a long path is
 /// not an error of driving by it. Where the vehicle is on the map is judged against the nearest pose of that
-/// trip.
+/// run.
 class MapTruth {
  public:
   MapTruth() = default;
@@ -28,12 +28,12 @@ class MapTruth {
 
   /// The taught pose next to a place.
   std::size_t nearest(const Pose2& T_map_place) const;
-  /// The taught poses next to a route's path, or to its way back, every kAlongStep_m of it from its start:
-  /// one after the other as they were taught, so that a way that comes by the same place again is not mixed
+  /// The taught poses next to a route's path, or to its return path, every kAlongStep_m of it from its start:
+  /// one after the other as they were taught, so that a path that comes by the same place again is not mixed
   /// up.
   std::vector<std::size_t> along(const Path& path, bool in_reverse) const;
   static constexpr double kAlongStep_m = 0.05;
-  /// The taught pose from which a route, or its way back, begins.
+  /// The taught pose from which a route, or its return path, begins.
   std::size_t start(bool in_reverse) const { return in_reverse ? T_map_taught_.size() - 1 : 0; }
 
   /// Where a vehicle really is on the map, by the taught pose next to it.
@@ -48,7 +48,7 @@ class MapTruth {
 
  private:
   std::vector<Pose2> T_map_taught_, T_world_taught_;
-  std::vector<double> way_m_;  ///< to each of them
+  std::vector<double> travelled_m_;  ///< to each of them
 };
 
 /// Root mean square and greatest magnitude of an error.
@@ -79,7 +79,7 @@ struct MissionErrors {
 class MissionJudge {
  public:
   /// Truth and path must outlive the judge.
-  /// @param in_reverse  the path is a route's way back
+  /// @param in_reverse  the path is a route's return path
   MissionJudge(const MapTruth& truth, const Path& path, bool in_reverse)
       : truth_(truth), path_(path), taught_(truth.along(path, in_reverse)), progress_(path) {}
 

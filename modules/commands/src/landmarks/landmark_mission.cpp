@@ -88,7 +88,7 @@ Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& se
   result.end = std::move(*end);
   result.errors = judge.errors();
   result.collisions = vehicle.truth().collisions;
-  result.distance_m = vehicle.truth().way_m;
+  result.distance_m = vehicle.truth().path_m;
   return result;
 }
 

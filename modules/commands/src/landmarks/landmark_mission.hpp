@@ -32,7 +32,7 @@ struct LandmarkMissionResult {
 
 struct LandmarkMissionOptions {
   std::uint64_t seed = 1;
-  bool in_reverse = false;      ///< the path is a route's way back
+  bool in_reverse = false;      ///< the path is a route's return path
   double start_sigma_m = 0.05;  ///< how far beside the route's start the vehicle is set down
   double start_sigma_rad = 1 * kDegree;
 };

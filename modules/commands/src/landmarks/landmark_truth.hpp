@@ -17,7 +17,7 @@ struct LandmarkTruth {
   int sure_and_real = 0;  ///< of these
 };
 
-/// @param truth  how the map lies in the world: each landmark by the nearest pose of the trip that taught it;
+/// @param truth  how the map lies in the world: each landmark by the nearest pose of the run that taught it;
 /// not empty
 LandmarkTruth compare_with_truth(const LandmarkMap& map, const MapTruth& truth,
                                  std::span<const VerticalEdge> edges);

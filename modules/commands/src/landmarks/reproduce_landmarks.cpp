@@ -25,37 +25,37 @@ constexpr const char* kInitialPicture = "fig11a_landmarks_initial.svg";
 constexpr const char* kRefinedPicture = "fig11b_landmarks_refined.svg";
 constexpr const char* kTracePicture = "fig12_trace.svg";
 
-/// The landmarks as they were before the first trip and after each, and how each trip went.
+/// The landmarks as they were before the first run and after each, and how each run went.
 struct Experiment {
   Building initial;
   Building refined;
-  std::vector<LandmarkTruth> landmarks;  ///< one more than trips
-  std::vector<LandmarkMissionResult> trips;
+  std::vector<LandmarkTruth> landmarks;  ///< one more than runs
+  std::vector<LandmarkMissionResult> runs;
 };
 
 Result<Experiment> run_experiment(const SimulationSetting& setting, const LandmarkCourseParams& params,
                                   std::uint64_t seed, Progress& progress) {
   MissionCount within(progress, "trips", kRefinements + 1);
   within.begin(0);
-  const auto taught = teach_trip(setting, params, seed, within);
+  const auto taught = teach_run(setting, params, seed, within);
   if (!taught) return taught.problems();
   if (!*taught) return Problem{{setting.world_file.string()}, "the person did not get through"};
-  auto lesson = learn_lesson(**taught, "corridor", params.lesson);
-  if (!lesson) return lesson.problems();
-  const MapTruth truth(lesson->T_map_taught, (*taught)->T_world_vehicle);
+  auto learned = learn_route(**taught, "corridor", params.learner);
+  if (!learned) return learned.problems();
+  const MapTruth truth(learned->T_map_taught, (*taught)->T_world_vehicle);
   const std::vector<VerticalEdge> edges = vertical_edges(setting.world);
 
   Experiment experiment{
-      .initial = lesson->building, .refined = lesson->building, .landmarks = {}, .trips = {}};
+      .initial = learned->building, .refined = learned->building, .landmarks = {}, .runs = {}};
   experiment.landmarks.push_back(compare_with_truth(experiment.initial.landmarks, truth, edges));
-  for (std::uint64_t trip = 1; trip <= kRefinements; ++trip) {
-    within.begin(trip);
+  for (std::uint64_t run = 1; run <= kRefinements; ++run) {
+    within.begin(run);
     auto driven =
-        drive_alone(setting, params, experiment.refined, truth, {.seed = 1000 * (seed + 1) + trip}, within);
+        drive_alone(setting, params, experiment.refined, truth, {.seed = 1000 * (seed + 1) + run}, within);
     if (!driven) return driven.problems();
-    refine_by(*driven, setting.vehicle.description, params.lesson.learning, experiment.refined);
+    refine_by(*driven, setting.vehicle.description, params.learner.learning, experiment.refined);
     experiment.landmarks.push_back(compare_with_truth(experiment.refined.landmarks, truth, edges));
-    experiment.trips.push_back(std::move(*driven));
+    experiment.runs.push_back(std::move(*driven));
   }
   return experiment;
 }
@@ -73,27 +73,27 @@ Json figures_of(const Experiment& experiment) {
                   {"paper", {{"landmarks_initial", kPaperInitial}, {"landmarks_refined", kPaperRefined}}},
                   {"initial", landmark_figures(experiment.landmarks.front())},
                   {"iterations", Json::array()}};
-  for (std::size_t i = 0; i < experiment.trips.size(); ++i) {
-    Json trip = figures_of(experiment.trips[i]);
-    trip["refined"] = landmark_figures(experiment.landmarks[i + 1]);
-    figures["iterations"].push_back(std::move(trip));
+  for (std::size_t i = 0; i < experiment.runs.size(); ++i) {
+    Json run = figures_of(experiment.runs[i]);
+    run["refined"] = landmark_figures(experiment.landmarks[i + 1]);
+    figures["iterations"].push_back(std::move(run));
   }
   return figures;
 }
 
 std::string text_of(const Experiment& experiment) {
   std::string text = fmt::format(
-      "simulated; C98 had {} landmarks at first and {} after {} trips\n"
+      "simulated; C98 had {} landmarks at first and {} after {} runs\n"
       "             driven (rms)                          landmarks then\n"
-      "trip  across  along  heading  tracking  worst      all  real  sure  sure and real\n",
+      "run  across  along  heading  tracking  worst      all  real  sure  sure and real\n",
       kPaperInitial, kPaperRefined, kRefinements);
   const auto landmarks = [](const LandmarkTruth& found) {
     return fmt::format("{:>8}  {:>4}  {:>4}  {:>13}\n", found.landmarks, found.real, found.sure,
                        found.sure_and_real);
   };
   text += fmt::format("{:<48}{}", "taught", landmarks(experiment.landmarks.front()));
-  for (std::size_t i = 0; i < experiment.trips.size(); ++i) {
-    const MissionErrors& errors = experiment.trips[i].errors;
+  for (std::size_t i = 0; i < experiment.runs.size(); ++i) {
+    const MissionErrors& errors = experiment.runs[i].errors;
     text += fmt::format("{:>4}  {:>4.1f}cm {:>4.1f}cm  {:>4.2f}deg  {:>6.1f}cm {:>4.1f}cm {}", i + 1,
                         100 * errors.across_m.rms(), 100 * errors.along_m.rms(),
                         to_degrees(errors.heading_rad.rms()), 100 * errors.tracking_m.rms(),
@@ -116,7 +116,7 @@ std::vector<OutputFile> files_of(const Experiment& experiment) {
           {"refined", kRefinedPicture,
            landmarks_picture(experiment.refined, title("11(b)", experiment.landmarks.back()))},
           {"trace", kTracePicture,
-           trace_picture(experiment.refined, experiment.trips.back(),
+           trace_picture(experiment.refined, experiment.runs.back(),
                          "C98 Fig. 12, simulated: planned path and trace")}};
 }
 
@@ -136,8 +136,8 @@ Result<Outcome> reproduce_c98(const ReproduceOptions& options, const LandmarkCou
   Outcome outcome{.verb = "reproduce"};
   outcome.figures = figures_of(*experiment);
   outcome.text = text_of(*experiment);
-  for (const LandmarkMissionResult& trip : experiment->trips)
-    outcome.ok = outcome.ok && trip.end.arrived && trip.collisions == 0;
+  for (const LandmarkMissionResult& run : experiment->runs)
+    outcome.ok = outcome.ok && run.end.arrived && run.collisions == 0;
   if (!*directory) return outcome;
   auto files = (*directory)->write(files_of(*experiment));
   if (!files) return files.problems();

@@ -9,7 +9,7 @@
 
 namespace aisle {
 
-/// The arguments of a service, read key by key; everything that is wrong with them is told at once.
+/// The arguments of a service, read key by key; everything that is wrong with them is given at once.
 class LiveArguments {
  public:
   /// @param json  an object

@@ -66,7 +66,7 @@ void LiveControl::begin() {
   state_.stamp_s = 0;
   state_.task.clear();
   state_.done = state_.total = 0;
-  told_.clear();
+  reported_.clear();
   tell_state();
 }
 
@@ -100,7 +100,7 @@ void LiveControl::report(std::string_view task, std::size_t done, std::size_t to
     serve(kPausedLook_s);
     pace_.rest();
   }
-  stop_if_told();
+  stop_if_requested();
 }
 
 void LiveControl::set_rate(double rate) {
@@ -135,13 +135,13 @@ void LiveControl::tell_state() {
   still.stamp_s = 0;
   still.done = 0;
   std::string news = live_state_json(still);
-  if (news == told_ && now_s - told_s_ < kStateEvery_s) return;
-  told_ = std::move(news);
-  told_s_ = now_s;
+  if (news == reported_ && now_s - reported_s_ < kStateEvery_s) return;
+  reported_ = std::move(news);
+  reported_s_ = now_s;
   server_.take(state_topic(), stamp_.value_or(0), cdr_bytes(ros::String{std::move(text)}));
 }
 
-void LiveControl::stop_if_told() {
+void LiveControl::stop_if_requested() {
   if (!std::exchange(shall_stop_, false)) return;
   was_stopped_ = true;
   throw Interrupted{};

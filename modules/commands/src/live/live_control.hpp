@@ -61,7 +61,7 @@ class LiveControl final : public Progress, public MessageSink {
   void show_map(ros::Stamp_ns stamp, std::string_view session_cdr);
   void do_as_asked(const ServiceCall& call);
   void mark(const ServiceCall& call);
-  void stop_if_told();
+  void stop_if_requested();
   void keep_pace();
 
   Progress& progress_;
@@ -73,8 +73,8 @@ class LiveControl final : public Progress, public MessageSink {
   LiveHand hand_;
   LiveState state_;
   std::optional<ros::Stamp_ns> stamp_;
-  std::string told_;
-  double told_s_ = -1;
+  std::string reported_;
+  double reported_s_ = -1;
   bool shall_stop_ = false;
   bool was_stopped_ = false;
   std::optional<Pose2> T_world_vehicle_;

@@ -10,7 +10,7 @@ OperatorInput LiveHand::look(double stamp_s) {
     heard_s_ = stamp_s;
   }
   const bool is_fresh = newest_ && !is_held_ && stamp_s - heard_s_ + newest_->age_s <= kCommandAgeMax_s;
-  return {.wish = is_fresh ? newest_->command : Command{},
+  return {.requested = is_fresh ? newest_->command : Command{},
           .marks = std::exchange(marks_, {}),
           .quit = std::exchange(is_finished_, false)};
 }

@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint64_t kSeedMax = 1'000'000'000;
 
 /// What the missions are made from.
-struct MissionDesk {
+struct MissionRequestHandler {
   const LiveOptions& live;
   LiveArguments& arguments;
   Problems& problems;
@@ -66,7 +66,7 @@ struct MissionDesk {
   }
 };
 
-DriveOptions hand_drive(const MissionDesk& desk, LiveMission& mission) {
+DriveOptions hand_drive(const MissionRequestHandler& desk, LiveMission& mission) {
   DriveOptions drive;
   drive.world = desk.live.world;
   drive.vehicle = desk.vehicle_or_ours();
@@ -75,7 +75,7 @@ DriveOptions hand_drive(const MissionDesk& desk, LiveMission& mission) {
   return drive;
 }
 
-LiveMission drive_mission(const MissionDesk& desk, const std::optional<Pose2>& T_world_vehicle) {
+LiveMission drive_mission(const MissionRequestHandler& desk, const std::optional<Pose2>& T_world_vehicle) {
   LiveMission mission{
       .name = "drive", .session = desk.arguments.name("session"), .is_driven_by_hand = true, .work = {}};
   DriveOptions options = hand_drive(desk, mission);
@@ -88,7 +88,7 @@ LiveMission drive_mission(const MissionDesk& desk, const std::optional<Pose2>& T
   return mission;
 }
 
-LiveMission teach_mission(const MissionDesk& desk) {
+LiveMission teach_mission(const MissionRequestHandler& desk) {
   LiveMission mission{.name = "teach", .session = desk.arguments.needed_name("session"), .work = {}};
   TeachOptions options;
   options.drive = hand_drive(desk, mission);
@@ -104,7 +104,7 @@ LiveMission teach_mission(const MissionDesk& desk) {
   return mission;
 }
 
-LiveMission learn_mission(const MissionDesk& desk) {
+LiveMission learn_mission(const MissionRequestHandler& desk) {
   LearnOptions options;
   options.sessions = {desk.session(desk.arguments.needed_name("session"))};
   const fs::path building = desk.new_building(desk.arguments.needed_name("building"));
@@ -114,7 +114,7 @@ LiveMission learn_mission(const MissionDesk& desk) {
           }};
 }
 
-LiveMission navigate_mission(const MissionDesk& desk) {
+LiveMission navigate_mission(const MissionRequestHandler& desk) {
   LiveMission mission{.name = "navigate", .session = desk.arguments.name("session"), .work = {}};
   NavigateOptions options;
   options.building = desk.building();
@@ -129,7 +129,7 @@ LiveMission navigate_mission(const MissionDesk& desk) {
   return mission;
 }
 
-LiveMission explore_mission(const MissionDesk& desk) {
+LiveMission explore_mission(const MissionRequestHandler& desk) {
   ExploreOptions options;
   options.world = desk.live.world;
   options.vehicle = desk.vehicle();
@@ -141,7 +141,7 @@ LiveMission explore_mission(const MissionDesk& desk) {
           }};
 }
 
-GuideOptions guided(const MissionDesk& desk, LiveMission& mission) {
+GuideOptions guided(const MissionRequestHandler& desk, LiveMission& mission) {
   GuideOptions options;
   options.building = desk.building();
   options.world = desk.live.world;
@@ -152,7 +152,7 @@ GuideOptions guided(const MissionDesk& desk, LiveMission& mission) {
   return options;
 }
 
-LiveMission go_mission(const MissionDesk& desk) {
+LiveMission go_mission(const MissionRequestHandler& desk) {
   LiveMission mission{.name = "go", .work = {}};
   GuideOptions options = guided(desk, mission);
   options.place = desk.arguments.text("place");
@@ -164,7 +164,7 @@ LiveMission go_mission(const MissionDesk& desk) {
   return mission;
 }
 
-LiveMission patrol_mission(const MissionDesk& desk) {
+LiveMission patrol_mission(const MissionRequestHandler& desk) {
   LiveMission mission{.name = "patrol", .work = {}};
   GuideOptions options = guided(desk, mission);
   constexpr std::uint64_t kRounds = 1000;
@@ -173,7 +173,7 @@ LiveMission patrol_mission(const MissionDesk& desk) {
   return mission;
 }
 
-LiveMission park_mission(const MissionDesk& desk) {
+LiveMission park_mission(const MissionRequestHandler& desk) {
   LiveMission mission{.name = "park", .session = desk.arguments.name("session"), .work = {}};
   ParkOptions options;
   options.building = desk.building();
@@ -190,14 +190,14 @@ LiveMission park_mission(const MissionDesk& desk) {
 
 Result<LiveMission> live_mission(const LiveOptions& live, const nlohmann::json& arguments,
                                  const std::optional<Pose2>& T_world_vehicle) {
-  using Make = std::function<LiveMission(const MissionDesk&)>;
+  using Make = std::function<LiveMission(const MissionRequestHandler&)>;
   static const std::map<std::string, Make> missions = {
       {"teach", teach_mission},     {"learn", learn_mission}, {"navigate", navigate_mission},
       {"explore", explore_mission}, {"go", go_mission},       {"patrol", patrol_mission},
       {"park", park_mission}};
   LiveArguments read(arguments);
   Problems problems;
-  const MissionDesk desk{live, read, problems};
+  const MissionRequestHandler desk{live, read, problems};
   const std::string name = read.needed_text("mission");
   const auto known = missions.find(name);
   if (known == missions.end() && name != "drive")

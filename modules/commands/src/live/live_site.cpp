@@ -41,7 +41,7 @@ std::vector<LiveService> all_services(ServiceMailbox& mission_calls, ServiceMail
   for (const char* name : {"mission/start", "mission/go", "replay/start", "replay/play", "replay/pause",
                            "replay/seek", "replay/rate", "replay/stop"})
     services.push_back({name, true, &mission_calls});
-  const std::vector<LiveService> others = desk_services(questions);
+  const std::vector<LiveService> others = handler_services(questions);
   services.insert(services.end(), others.begin(), others.end());
   return services;
 }
@@ -56,8 +56,9 @@ Result<std::unique_ptr<LiveSite>> LiveSite::open(const LiveListening& listening,
   auto server = LiveServer::open(std::move(*options), all_services(site->mission_calls_, site->questions_));
   if (!server) return server.problems();
   site->server_ = std::move(*server);
-  site->desk_ = std::make_unique<LiveDesk>(
-      LiveDesk::Folders{.sessions = listening.sessions, .buildings = listening.buildings}, site->questions_);
+  site->handler_ = std::make_unique<LiveRequestHandler>(
+      LiveRequestHandler::Folders{.sessions = listening.sessions, .buildings = listening.buildings},
+      site->questions_);
   if (site->server_->can_be_overheard())
     console.warn("without --cert and --key whoever listens on the way hears everything, the token too");
   announce(site->server_->url());

@@ -9,15 +9,15 @@
 #include "aisle/core/result.hpp"
 #include "aisle/live/live_server.hpp"
 #include "aisle/live/service_call.hpp"
-#include "live/live_desk.hpp"
+#include "live/live_request_handler.hpp"
 
 namespace aisle {
 
-/// The live server, the calls that are for the mission, and the desk that answers all others.
+/// The live server, the calls that are for the mission, and the request handler that answers all others.
 class LiveSite {
  public:
   /// @param console   is warned where others can overhear what is said
-  /// @param announce  is told the server's address once it listens
+  /// @param announce  is given the server's address once it listens
   static Result<std::unique_ptr<LiveSite>> open(const LiveListening& listening, const Console& console,
                                                 const std::function<void(const std::string&)>& announce);
 
@@ -31,7 +31,7 @@ class LiveSite {
   ServiceMailbox mission_calls_;
   ServiceMailbox questions_;
   std::unique_ptr<LiveServer> server_;
-  std::unique_ptr<LiveDesk> desk_;
+  std::unique_ptr<LiveRequestHandler> handler_;
 };
 
 }  // namespace aisle

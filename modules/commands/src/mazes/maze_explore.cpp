@@ -100,7 +100,7 @@ class Totals {
   std::size_t halted_ = 0, ended_at_start_ = 0, stack_empty_ = 0, map_equals_truth_ = 0;
 };
 
-/// Moves by every rule set, by the yardstick, and what no walk can undercut.
+/// Moves by every rule set, by the baseline, and what no walk can undercut.
 Json compare(const Maze& maze, Progress& progress) {
   Json moves = Json::object();
   for (const GridRuleSet set : kGridRuleSets) {
@@ -161,7 +161,7 @@ std::string exploration_text(const Json& figures) {
   return text;
 }
 
-Problems check_pictures(const MazeExploreOptions& options) {
+Problems check_images(const MazeExploreOptions& options) {
   Problems problems;
   if (options.files.size() > 1 && (options.svg || options.gif || options.watch)) {
     problems.push_back(
@@ -220,15 +220,15 @@ Result<std::vector<Maze>> read_mazes(const MazeExploreOptions& options, Console&
 }
 
 Problems draw(const MazeExploreOptions& options, const Maze& maze, Outcome& outcome) {
-  const MazePicture picture{maze.world, options.rules, fs::path(maze.file).filename().string()};
+  const MazePicture image{maze.world, options.rules, fs::path(maze.file).filename().string()};
   Problems problems;
   const auto write = [&](const char* role, const fs::path& path, const std::string& bytes) {
     const Problems more = write_whole_file(path, bytes);
     problems.insert(problems.end(), more.begin(), more.end());
     outcome.files[role] = path.string();
   };
-  if (options.svg) write("svg", *options.svg, svg(picture));
-  if (options.gif) write("gif", *options.gif, gif(picture));
+  if (options.svg) write("svg", *options.svg, svg(image));
+  if (options.gif) write("gif", *options.gif, gif(image));
   return problems;
 }
 
@@ -249,7 +249,7 @@ Problems watch(const Terminal& terminal, const Maze& maze, GridRuleSet rules, Pr
 }  // namespace
 
 Result<Outcome> run_maze_explore(const MazeExploreOptions& options, Console& console) {
-  if (Problems problems = check_pictures(options); !problems.empty()) return problems;
+  if (Problems problems = check_images(options); !problems.empty()) return problems;
   const auto mazes = read_mazes(options, console);
   if (!mazes) return mazes.problems();
   if (options.watch) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "aisle/exploration/grid_explorer.hpp"
-#include "aisle/exploration/known_ways.hpp"
+#include "aisle/exploration/known_paths.hpp"
 #include "aisle/exploration/maze_generator.hpp"
 #include "mazes/mms_mouse.hpp"
 
@@ -39,7 +39,7 @@ class MmsMission {
   struct Figures {
     std::size_t cells = 0;
     std::size_t moves = 0;
-    std::size_t way_to_middle = 0;
+    std::size_t path_to_middle = 0;
     std::size_t resets = 0;
     bool in_middle = false;
     bool crashed = false;
@@ -72,23 +72,23 @@ class MmsMission {
     }
   }
 
-  /// Straight stretches in one go: the simulator's score rewards them.
+  /// Straight segments in one go: the simulator's score rewards them.
   void drive_to_middle(const LearnedGrid& map) {
     const std::vector<Cell> middle = middle_cells(map);
-    KnownWays ways;
-    const auto goal = ways.search(map, map.index(mouse_.at()), [&](std::size_t cell) {
+    KnownPaths paths;
+    const auto goal = paths.search(map, map.index(mouse_.at()), [&](std::size_t cell) {
       return std::find(middle.begin(), middle.end(), map.cell(cell)) != middle.end();
     });
     figures_.in_middle = goal.has_value();
     if (!goal) return;
-    std::vector<Side> way;
-    ways.take_way(map, *goal, way);
-    figures_.way_to_middle = way.size();
-    while (!way.empty()) {
+    std::vector<Side> path;
+    paths.take_path(map, *goal, path);
+    figures_.path_to_middle = path.size();
+    while (!path.empty()) {
       heed_reset();
-      const Side side = way.back();
+      const Side side = path.back();
       int cells = 0;
-      for (; !way.empty() && way.back() == side; way.pop_back()) ++cells;
+      for (; !path.empty() && path.back() == side; path.pop_back()) ++cells;
       mouse_.move(side, cells);
       mouse_.show(kEverySide, kFastColor);
     }
@@ -106,7 +106,7 @@ class MmsMission {
                        {"visited", figures_.cells},
                        {"moves", figures_.moves},
                        {"reached_middle", figures_.in_middle && !figures_.crashed},
-                       {"way_to_middle", figures_.way_to_middle},
+                       {"way_to_middle", figures_.path_to_middle},
                        {"resets", figures_.resets},
                        {"crashed", figures_.crashed}};
     return outcome;

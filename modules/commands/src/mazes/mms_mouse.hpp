@@ -28,7 +28,7 @@ class MmsMouse {
   Cell at() const { return at_; }
   /// Open sides of the present cell.
   Sides sense();
-  /// Turns to that side and moves so many cells on. Throws MmsCrash if a wall is in the way.
+  /// Turns to that side and moves so many cells on. Throws MmsCrash if a wall is in the path.
   void move(Side side, int cells = 1);
 
   /// Whether the reset button was pressed; if so the mouse stands in (0, 0) again, heading for the top.

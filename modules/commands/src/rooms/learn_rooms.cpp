@@ -5,13 +5,13 @@
 #include "learned_files.hpp"
 #include "rooms/room_verbs.hpp"
 #include "rounded.hpp"
-#include "sessions/session_trip.hpp"
+#include "sessions/session_run.hpp"
 
 namespace aisle {
 namespace {
 
-Outcome room_lesson_outcome(const RoomLesson& lesson) {
-  const Route& route = lesson.building.routes.front();
+Outcome room_learning_outcome(const RoomLearningResult& learned) {
+  const Route& route = learned.building.routes.front();
   const RoomRoute& room = *route.room;
   auto turnings = nlohmann::ordered_json::array();
   for (const RoomTurning& turning : room.turnings)
@@ -20,7 +20,7 @@ Outcome room_lesson_outcome(const RoomLesson& lesson) {
                         {"end_m", rounded(turning.end_m, 3)}});
   Outcome outcome{.verb = "learn"};
   const std::string_view parking = parking_word(room.parking);
-  outcome.figures = {{"cycles", lesson.T_route_vehicle.size()},
+  outcome.figures = {{"cycles", learned.T_route_vehicle.size()},
                      {"route", route.name},
                      {"length_m", rounded(route.path.length_m(), 3)},
                      {"route_grey", rounded(room.brightness.grey, 2)},
@@ -39,7 +39,7 @@ Outcome room_lesson_outcome(const RoomLesson& lesson) {
 
 }  // namespace
 
-Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLessonParams& params,
+Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLearnerParams& params,
                                Console& console) {
   std::vector<std::string> names = truth_file_names();
   names.emplace_back("building.json");
@@ -50,18 +50,18 @@ Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLessonPara
   if (!cycles) return cycles.problems();
   const auto named = route_of_session(session, cycles->origin());
   if (!named) return named.problems();
-  const auto trip = read_room_trip(session, *cycles, params, console.progress);
-  if (!trip) return trip.problems();
-  const auto lesson = learn_room(*trip, cycles->vehicle(), *named, params);
-  if (!lesson) return at_file(lesson.problems(), session.string());
-  Outcome outcome = room_lesson_outcome(*lesson);
+  const auto run = read_room_run(session, *cycles, params, console.progress);
+  if (!run) return run.problems();
+  const auto learned = learn_room(*run, cycles->vehicle(), *named, params);
+  if (!learned) return at_file(learned.problems(), session.string());
+  Outcome outcome = room_learning_outcome(*learned);
   if (!*directory) return outcome;
-  const std::vector<Pose2>& driven = lesson->T_route_vehicle;
+  const std::vector<Pose2>& driven = learned->T_route_vehicle;
   const auto truth = true_poses(session, driven.size());
   if (!truth) return truth.problems();
   std::vector<OutputFile> files;
   if (!truth->empty()) files = truth_files(MapTruth(driven, *truth));
-  files.push_back({"building", "building.json", building_json(lesson->building)});
+  files.push_back({"building", "building.json", building_json(learned->building)});
   auto written = (*directory)->write(files);
   if (!written) return written.problems();
   outcome.files = std::move(*written);

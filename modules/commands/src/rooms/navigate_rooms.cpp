@@ -101,7 +101,7 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
 Result<Outcome> navigate_by_route(const NavigateOptions& options, const RoomDriverParams& params,
                                   Console& console) {
   if (options.in_reverse || options.and_back)
-    return Problem{{"--method"}, "ways through rooms are driven in the direction in which they were taught"};
+    return Problem{{"--method"}, "paths through rooms are driven in the direction in which they were taught"};
   return drive_room("navigate",
                     {.building = options.building,
                      .route = options.route,

@@ -15,7 +15,8 @@ Result<Route> find_room_route(const Building& building, const std::string& name)
   const bool is_first = name.empty() && !building.routes.empty();
   auto route = find_route(building, is_first ? building.routes.front().name : name);
   if (route && !route->room) {
-    return Problem{{"", 0, "route"}, fmt::format("'{}' was not taught as a way through a room", route->name)};
+    return Problem{{"", 0, "route"},
+                   fmt::format("'{}' was not taught as a path through a room", route->name)};
   }
   return route;
 }
@@ -30,7 +31,7 @@ Problems unfit_for_rooms(const VehicleDescription& vehicle, const std::vector<st
   Problems problems;
   if (vehicle.is_differential)
     problems.push_back(
-        {{"", 0, "is_differential"}, "is true: ways through rooms need a front-steered vehicle"});
+        {{"", 0, "is_differential"}, "is true: paths through rooms need a front-steered vehicle"});
   for (const std::string& name : cameras) {
     if (vehicle.camera(name) == nullptr)
       problems.push_back({{"", 0, "cameras"}, fmt::format("lack '{}', which looks at the route", name)});

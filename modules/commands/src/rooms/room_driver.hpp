@@ -1,5 +1,5 @@
 #pragma once
-/// The navigator of taught ways through rooms as missions and their replays make it: both from the origin
+/// The navigator of taught paths through rooms as missions and their replays make it: both from the origin
 /// that the session records.
 
 #include <memory>

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "aisle/guidance/rooms/room_cameras.hpp"
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/cross_section.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "rounded.hpp"
 #include "simulated_record.hpp"
@@ -75,7 +75,7 @@ Result<RoomMissionResult> drive_room_mission(const SimulationSetting& setting, R
   result.end = std::move(*end);
   const SimulatedTruth& truth = vehicle.truth();
   result.collisions = truth.collisions;
-  result.distance_m = truth.way_m;
+  result.distance_m = truth.path_m;
   const Pose2 off = between(options.T_world_due, truth.T_world_vehicle);
   result.end_error_m = off.position().norm();
   result.end_error_rad = std::abs(off.theta);

@@ -5,12 +5,13 @@
 #include "aisle/commands/navigate.hpp"
 #include "aisle/commands/trial.hpp"
 #include "rooms/room_driver.hpp"
-#include "rooms/room_lesson.hpp"
+#include "rooms/room_learning_result.hpp"
 #include "rooms/room_look.hpp"
 
 namespace aisle {
 
-Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLessonParams& params, Console& console);
+Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLearnerParams& params,
+                               Console& console);
 Result<Outcome> navigate_by_route(const NavigateOptions& options, const RoomDriverParams& params,
                                   Console& console);
 
@@ -26,7 +27,7 @@ struct RoomChange {
 };
 
 struct RoomTrialParams {
-  RoomLessonParams lesson;
+  RoomLearnerParams learned;
   bool view_pattern = false;
   RoomNavigatorParams navigator;
   RoomLook look;
@@ -34,7 +35,7 @@ struct RoomTrialParams {
   RoomChange park_change{.furniture_m = 0, .light_share = 0};
 
   void describe(FieldList& fields) {
-    fields.group("lesson", lesson);
+    fields.group("learner", learned);
     fields.flag("view_pattern", view_pattern, "the person shows the 63 views about a taught place");
     fields.group("navigator", navigator);
     fields.group("look", look);

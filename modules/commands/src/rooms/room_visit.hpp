@@ -1,5 +1,5 @@
 #pragma once
-/// A taught way in a simulated world: how its map lies there.
+/// A taught path in a simulated world: how its map lies there.
 
 #include "aisle/core/result.hpp"
 #include "aisle/maps/route.hpp"

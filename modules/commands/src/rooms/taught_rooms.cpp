@@ -13,9 +13,9 @@ namespace aisle {
 namespace {
 
 /// Collects a drive, with the truth.
-class RoomLessonRecord final : public MissionRecord {
+class RoomRunRecord final : public MissionRecord {
  public:
-  RoomLessonRecord(const RoomLessonParams& params, const SimulatedVehicle& vehicle)
+  RoomRunRecord(const RoomLearnerParams& params, const SimulatedVehicle& vehicle)
       : collector(params, vehicle.description()), vehicle_(vehicle) {}
 
   Result<Observation> keep(Observation observation) override {
@@ -25,43 +25,43 @@ class RoomLessonRecord final : public MissionRecord {
   }
   Problems keep(const Decision&) override { return {}; }
 
-  RoomTripCollector collector;
+  RoomRunCollector collector;
   std::vector<Pose2> T_world_vehicle;
 
  private:
   const SimulatedVehicle& vehicle_;
 };
 
-Result<TaughtRoute> teach_route(const SimulationSetting& setting, const TaughtWay& way,
+Result<TaughtRoute> teach_route(const SimulationSetting& setting, const WorldRoute& path,
                                 const RoomTrialParams& params, std::uint64_t seed, Progress& progress) {
   SimulationSetting taught = setting;
   keep_cameras(taught.vehicle.description, {kFirstCamera});
-  const bool shows_pattern = params.view_pattern && way.parking == ParkingStrategy::kView;
-  RouteGuide person(taught.world, way, taught.vehicle.description, {}, seed,
+  const bool shows_pattern = params.view_pattern && path.parking == ParkingStrategy::kView;
+  RouteGuide person(taught.world, path, taught.vehicle.description, {}, seed,
                     shows_pattern ? ShownViews::kPattern : ShownViews::kTrail);
-  SimulatedVehicle vehicle(taught.world, taught.vehicle, {}, {.seed = seed, .T_world_start = start_of(way)},
+  SimulatedVehicle vehicle(taught.world, taught.vehicle, {}, {.seed = seed, .T_world_start = start_of(path)},
                            &person);
   HandDriver driver({});
-  RoomLessonRecord record(params.lesson, vehicle);
+  RoomRunRecord record(params.learner, vehicle);
   const auto end = run_mission(vehicle, driver, record, progress);
   if (!end) return end.problems();
   if (!person.has_arrived())
-    return Problem{{setting.world_file.string(), 0, way.name}, "the person did not get through"};
-  auto lesson = learn_room(record.collector.cycles, taught.vehicle.description, way.name, params.lesson);
-  if (!lesson) return lesson.problems();
-  Route route = std::move(lesson->building.routes.front());
-  RouteInWorld place(MapTruth(std::move(lesson->T_route_vehicle), std::move(record.T_world_vehicle)), route);
+    return Problem{{setting.world_file.string(), 0, path.name}, "the person did not get through"};
+  auto learned = learn_room(record.collector.cycles, taught.vehicle.description, path.name, params.learner);
+  if (!learned) return learned.problems();
+  Route route = std::move(learned->building.routes.front());
+  RouteInWorld place(MapTruth(std::move(learned->T_route_vehicle), std::move(record.T_world_vehicle)), route);
   return TaughtRoute{std::move(route), std::move(place)};
 }
 
 }  // namespace
 
-Result<const TaughtRoute*> TaughtRoutes::taught(const SimulationSetting& setting, const TaughtWay& way,
+Result<const TaughtRoute*> TaughtRoutes::taught(const SimulationSetting& setting, const WorldRoute& path,
                                                 std::uint64_t seed, Progress& progress) {
-  const std::string key = setting.world_file.string() + "/" + setting.world.name + "/" + way.name;
+  const std::string key = setting.world_file.string() + "/" + setting.world.name + "/" + path.name;
   auto known = taught_.find(key);
   if (known == taught_.end()) {
-    auto route = teach_route(setting, way, params_, refused_.contains(key) ? seed : first_seed_, progress);
+    auto route = teach_route(setting, path, params_, refused_.contains(key) ? seed : first_seed_, progress);
     if (!route) {
       refused_.insert(key);
       return route.problems();

@@ -1,5 +1,5 @@
 #pragma once
-/// Ways through rooms as trials teach them: a scripted person shows each once.
+/// Paths through rooms as trials teach them: a scripted person shows each once.
 
 #include <cstdint>
 #include <map>
@@ -22,15 +22,15 @@ struct TaughtRoute {
 
 class TaughtRoutes {
  public:
-  /// @param first_seed  gives each way's first lesson
+  /// @param first_seed  gives each path's first taught run
   TaughtRoutes(const RoomTrialParams& params, std::uint64_t first_seed)
       : params_(params), first_seed_(first_seed) {}
 
-  /// As it was learned; taught now if it was not yet. Where the first lesson was refused, the next is given
-  /// by the seed that asks.
-  /// @param setting  of the world as it is at teaching; worlds are told apart by their file and name
-  /// Problems: why the lesson was refused.
-  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const TaughtWay& way,
+  /// As it was learned; taught now if it was not yet. Where the first taught run was refused, the next is
+  /// given by the seed that asks.
+  /// @param setting  of the world as it is at teaching; worlds are distinguished by their file and name
+  /// Problems: why the taught run was refused.
+  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const WorldRoute& path,
                                     std::uint64_t seed, Progress& progress);
 
  private:

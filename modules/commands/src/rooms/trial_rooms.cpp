@@ -37,7 +37,7 @@ SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& ch
 
 constexpr double kFalseStop_m = 0.5;  // who parks farther away has taken another place for the taught one
 
-/// Shares are of the missions that were driven: without a lesson there is none.
+/// Shares are of the missions that were driven: without a taught run there is none.
 struct RoomTrial {
   std::size_t missions = 0, arrived = 0, stopped = 0, collisions = 0, false_stops = 0;
   Spread end_m, end_deg, clearance_m;
@@ -114,12 +114,12 @@ Pose2 disturbed_start(const SimulationSetting& setting, const Pose2& T_world_sta
   return T_world_start;
 }
 
-/// Those that end with a way to park, or all.
-std::vector<const TaughtWay*> ways_of(const World& world, std::optional<ParkingStrategy> parking) {
-  std::vector<const TaughtWay*> ways;
-  for (const TaughtWay& way : world.routes)
-    if (!parking || way.parking == *parking) ways.push_back(&way);
-  return ways;
+/// Those that end with a path to park, or all.
+std::vector<const WorldRoute*> paths_of(const World& world, std::optional<ParkingStrategy> parking) {
+  std::vector<const WorldRoute*> routes;
+  for (const WorldRoute& route : world.routes)
+    if (!parking || route.parking == *parking) routes.push_back(&route);
+  return routes;
 }
 
 /// How a mission begins.
@@ -129,7 +129,7 @@ struct MissionBegin {
   double from_m = 0;  ///< along the route, where the vehicle takes itself to be
 };
 
-/// One mission for each seed, over the ways in turn.
+/// One mission for each seed, over the paths in turn.
 /// @param begin  (setting, taught route, seed) -> MissionBegin
 template <class Begin>
 Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialParams& params,
@@ -144,21 +144,21 @@ Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialPar
     const std::uint64_t seed = options.first_seed + i;
     const auto setting = room_setting(options, params.look, seed);
     if (!setting) return setting.problems();
-    const auto ways = ways_of(setting->world, parking);
-    if (ways.empty())
+    const auto routes = paths_of(setting->world, parking);
+    if (routes.empty())
       return Problem{{setting->world_file.string(), 0, "routes"},
                      fmt::format("none ends with parking: {}", parking_word(*parking))};
-    const TaughtWay& way = *ways[seed % ways.size()];
-    const auto taught = routes.taught(*setting, way, seed, within);
+    const WorldRoute& route = *routes[seed % routes.size()];
+    const auto taught = routes.taught(*setting, route, seed, within);
     if (!taught) {
-      trial.not_taught.add(seed, to_string(taught.problems()), way.name);
+      trial.not_taught.add(seed, to_string(taught.problems()), route.name);
       continue;
     }
     const MissionBegin mission = begin(*setting, **taught, seed);
     const auto result = drive_taught(mission.setting, **taught, params.navigator, seed,
                                      mission.T_world_vehicle, mission.from_m, within);
     if (!result) return result.problems();
-    trial.add(*result, seed, way.name);
+    trial.add(*result, seed, route.name);
   }
   return trial;
 }
@@ -267,7 +267,7 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
   RoomTrial trial;
   Json shares = Json::object();
   MissionCount within(console.progress, "missions", courses.size() * seeds);
-  TaughtRoutes lessons(params, options.first_seed);
+  TaughtRoutes results(params, options.first_seed);
   for (const auto& [name, world] : courses) {
     SimulationSetting setting = *vehicle;
     setting.world = world;
@@ -276,7 +276,7 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
     for (std::uint64_t i = 0; i < seeds; ++i) {
       within.begin(trial.missions + trial.not_taught.size());
       const std::uint64_t seed = options.first_seed + i;
-      const auto taught = lessons.taught(setting, world.routes.front(), seed, within);
+      const auto taught = results.taught(setting, world.routes.front(), seed, within);
       if (!taught) {
         trial.not_taught.add(seed, to_string(taught.problems()), setting.world.name);
         continue;

@@ -9,12 +9,12 @@
 #include "learned_files.hpp"
 #include "rounded.hpp"
 #include "sections/section_verbs.hpp"
-#include "sessions/session_trip.hpp"
+#include "sessions/session_run.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr const char* kSectionsPicture = "sections.svg";
+constexpr const char* kSectionsImage = "sections.svg";
 
 nlohmann::ordered_json texts_of(const SectionList& sections) {
   auto texts = nlohmann::ordered_json::array();
@@ -22,16 +22,16 @@ nlohmann::ordered_json texts_of(const SectionList& sections) {
   return texts;
 }
 
-Outcome section_lesson_outcome(const SectionLesson& lesson) {
-  const Route& route = lesson.building.routes.front();
+Outcome section_learning_outcome(const SectionLearningResult& learned) {
+  const Route& route = learned.building.routes.front();
   Outcome outcome{.verb = "learn"};
-  outcome.figures = {{"cycles", lesson.driven.T_route_vehicle.size()},
+  outcome.figures = {{"cycles", learned.driven.T_route_vehicle.size()},
                      {"route", route.name},
                      {"length_m", rounded(route.path.length_m(), 3)},
-                     {"recorded", texts_of(lesson.driven.sections)},
+                     {"recorded", texts_of(learned.driven.sections)},
                      {"sections", texts_of(route.sections)}};
-  if (lesson.driven.corridor_width_m)
-    outcome.figures["corridor_width_m"] = rounded(*lesson.driven.corridor_width_m, 3);
+  if (learned.driven.corridor_width_m)
+    outcome.figures["corridor_width_m"] = rounded(*learned.driven.corridor_width_m, 3);
   outcome.text = fmt::format("route {}: {:.1f} m in {} sections\n", route.name, route.path.length_m(),
                              route.sections.size());
   for (const Section& section : route.sections) outcome.text += "  " + section_text(section) + "\n";
@@ -44,7 +44,7 @@ struct SectionTeachings {
 };
 
 Result<SectionTeachings> read_teachings(const std::vector<std::filesystem::path>& sessions,
-                                        const SectionLessonParams& params, Progress& progress) {
+                                        const SectionLearnerParams& params, Progress& progress) {
   SectionTeachings teachings;
   for (const std::filesystem::path& session : sessions) {
     auto cycles = SessionCycles::open(session);
@@ -59,45 +59,45 @@ Result<SectionTeachings> read_teachings(const std::vector<std::filesystem::path>
   return teachings;
 }
 
-void warn_of_other_ways(const std::vector<std::filesystem::path>& sessions,
-                        const std::vector<std::size_t>& taken, Console& console) {
+void warn_of_other_paths(const std::vector<std::filesystem::path>& sessions,
+                         const std::vector<std::size_t>& taken, Console& console) {
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     if (!std::binary_search(taken.begin(), taken.end(), i))
-      console.warn(
-          fmt::format("{}: goes another way than the other sessions, and is left out", sessions[i].string()));
+      console.warn(fmt::format("{}: goes another path than the other sessions, and is left out",
+                               sessions[i].string()));
   }
 }
 
 }  // namespace
 
-Result<Outcome> learn_by_sections(const LearnOptions& options, const SectionLessonParams& params,
+Result<Outcome> learn_by_sections(const LearnOptions& options, const SectionLearnerParams& params,
                                   Console& console) {
   std::vector<std::string> names = truth_file_names();
-  names.insert(names.end(), {"building.json", kSectionsPicture});
+  names.insert(names.end(), {"building.json", kSectionsImage});
   const auto directory = OutputDirectory::open_if_named(options.out, options.force, names);
   if (!directory) return directory.problems();
   const auto taught = read_teachings(options.sessions, params, console.progress);
   if (!taught) return taught.problems();
-  const auto lesson = learn_sections(taught->drives, taught->route, params.learning);
-  if (!lesson) return at_file(lesson.problems(), options.sessions.front().string());
-  warn_of_other_ways(options.sessions, lesson->taken, console);
-  Outcome outcome = section_lesson_outcome(*lesson);
-  if (const auto why = gets_lost(*lesson, params.learning)) {
+  const auto learned = learn_sections(taught->drives, taught->route, params.learning);
+  if (!learned) return at_file(learned.problems(), options.sessions.front().string());
+  warn_of_other_paths(options.sessions, learned->taken, console);
+  Outcome outcome = section_learning_outcome(*learned);
+  if (const auto why = gets_lost(*learned, params.learning)) {
     outcome.ok = false;
     outcome.figures["why"] = *why;
     outcome.text = *why + '\n';
     return outcome;
   }
-  if (options.sessions.size() > 1) outcome.figures["teachings"] = lesson->taken.size();
+  if (options.sessions.size() > 1) outcome.figures["teachings"] = learned->taken.size();
   if (!*directory) return outcome;
-  const std::vector<Pose2>& driven = lesson->driven.T_route_vehicle;
-  const auto truth = true_poses(options.sessions[lesson->taken.front()], driven.size());
+  const std::vector<Pose2>& driven = learned->driven.T_route_vehicle;
+  const auto truth = true_poses(options.sessions[learned->taken.front()], driven.size());
   if (!truth) return truth.problems();
   std::vector<OutputFile> files;
   if (!truth->empty()) files = truth_files(MapTruth(driven, *truth));
-  files.push_back({"building", "building.json", building_json(lesson->building)});
-  files.push_back({"sections_svg", kSectionsPicture,
-                   svg(SectionPicture{.route = lesson->building.routes.front(),
+  files.push_back({"building", "building.json", building_json(learned->building)});
+  files.push_back({"sections_svg", kSectionsImage,
+                   svg(SectionPicture{.route = learned->building.routes.front(),
                                       .driven = driven,
                                       .title = fmt::format("{}: sections as learned", taught->route)})});
   auto written = (*directory)->write(files);

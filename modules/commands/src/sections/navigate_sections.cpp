@@ -7,7 +7,7 @@
 #include "aisle/formats/whole_file.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
 #include "changed_parameters.hpp"
-#include "landmarks/landmark_trip.hpp"
+#include "landmarks/landmark_run.hpp"
 #include "learned_files.hpp"
 #include "methods.hpp"
 #include "rounded.hpp"

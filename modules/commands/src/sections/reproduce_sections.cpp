@@ -25,20 +25,20 @@ constexpr const char* kSectionsFigure = "fig4_sections.svg";
 constexpr const char* kTripFigure = "there_and_back.svg";
 constexpr const char* kPicturesFigure = "fig7_pictures.png";
 
-nlohmann::ordered_json figures_of(const SectionLesson& lesson, const SectionMissionResult& trip,
+nlohmann::ordered_json figures_of(const SectionLearningResult& learned, const SectionMissionResult& run,
                                   double speed_mps) {
-  auto figures = figures_of(trip);
+  auto figures = figures_of(run);
   figures["simulated"] = true;
   figures["paper"] = {{"speed_mps", kL03Speed_mps}};
   figures["speed_mps"] = speed_mps;
-  figures["length_m"] = rounded(lesson.building.routes.front().path.length_m(), 3);
-  for (const Section& section : lesson.building.routes.front().sections)
+  figures["length_m"] = rounded(learned.building.routes.front().path.length_m(), 3);
+  for (const Section& section : learned.building.routes.front().sections)
     figures["sections"].push_back(section_text(section));
   return figures;
 }
 
-std::string text_of(const SectionLesson& lesson, const SectionMissionResult& trip, double speed_mps) {
-  const Route& route = lesson.building.routes.front();
+std::string text_of(const SectionLearningResult& learned, const SectionMissionResult& run, double speed_mps) {
+  const Route& route = learned.building.routes.front();
   std::string text = fmt::format("simulated; learned from one drive: {:.1f} m in {} sections\n",
                                  route.path.length_m(), route.sections.size());
   for (const Section& section : route.sections) text += "  " + section_text(section) + "\n";
@@ -49,27 +49,26 @@ std::string text_of(const SectionLesson& lesson, const SectionMissionResult& tri
       "home within      no figure            {:.1f} cm, {:.2f} deg\n"
       "distance kept    no figure            {:.1f} cm (rms, right base line)\n"
       "a cycle          no figure            {:.1f} ms (median)\n",
-      kL03Speed_mps, speed_mps, trip.end.state, trip.end.arrived ? "" : ", " + trip.end.why, trip.distance_m,
-      trip.end.duration_s, trip.collisions, 100 * trip.closing_error_m, to_degrees(trip.closing_error_rad),
-      100 * trip.wall_distance_m.rms(), 1000 * quantile(trip.cycle_s, 0.5));
+      kL03Speed_mps, speed_mps, run.end.state, run.end.arrived ? "" : ", " + run.end.why, run.distance_m,
+      run.end.duration_s, run.collisions, 100 * run.closing_error_m, to_degrees(run.closing_error_rad),
+      100 * run.wall_distance_m.rms(), 1000 * quantile(run.cycle_s, 0.5));
   return text;
 }
 
-std::vector<OutputFile> files_of(const SectionLesson& lesson, const SectionMissionResult& trip) {
-  const Route& route = lesson.building.routes.front();
+std::vector<OutputFile> files_of(const SectionLearningResult& learned, const SectionMissionResult& run) {
+  const Route& route = learned.building.routes.front();
   std::vector<OutputFile> files = {
-      {"building", "building.json", building_json(lesson.building)},
+      {"building", "building.json", building_json(learned.building)},
       {"sections", kSectionsFigure,
        svg(SectionPicture{.route = route,
-                          .driven = lesson.driven.T_route_vehicle,
+                          .driven = learned.driven.T_route_vehicle,
                           .title = "L03 Fig. 4, simulated: how each section is driven"})},
       {"trip", kTripFigure,
        svg(SectionPicture{.route = route,
-                          .driven = trip.T_map_driven,
+                          .driven = run.T_map_driven,
                           .driven_as = "as driven, there and back",
                           .title = "simulated: there and back along both walls"})}};
-  if (!trip.pictures.empty())
-    files.push_back({"pictures", kPicturesFigure, picture_sheet_png(trip.pictures)});
+  if (!run.images.empty()) files.push_back({"pictures", kPicturesFigure, picture_sheet_png(run.images)});
   return files;
 }
 
@@ -85,25 +84,25 @@ Result<Outcome> reproduce_l03(const ReproduceOptions& options, const SectionTria
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty()) return problems;
   MissionCount within(console.progress, "trips", 2);
   within.begin(0);
-  const auto course = teach_sections(*setting, params.lesson, options.seed, 1, within);
+  const auto course = teach_sections(*setting, params.learner, options.seed, 1, within);
   if (!course) return course.problems();
-  const SectionLesson& lesson = course->lesson;
+  const SectionLearningResult& learned = course->learned;
   const VehicleDescription& vehicle = setting->vehicle.description;
-  const SectionList& sections = lesson.building.routes.front().sections;
+  const SectionList& sections = learned.building.routes.front().sections;
   SectionNavigator navigator(params.navigator, vehicle, vehicle.cameras.front().name, sections,
-                             guided_path(sections, lesson.driven.T_route_start, SectionTrip::kThereAndBack));
+                             guided_path(sections, learned.driven.T_route_start, SectionRun::kThereAndBack));
   std::optional<SessionRecord> no_session;
   within.begin(1);
-  const auto trip = drive_section_mission(
+  const auto run = drive_section_mission(
       *setting, navigator,
-      {.seed = 1000 * (options.seed + 1), .T_world_map = course->T_world_map, .keep_pictures = true},
+      {.seed = 1000 * (options.seed + 1), .T_world_map = course->T_world_map, .keep_images = true},
       no_session, within);
-  if (!trip) return trip.problems();
-  Outcome outcome{.verb = "reproduce", .ok = trip->end.arrived && trip->collisions == 0};
-  outcome.figures = figures_of(lesson, *trip, params.navigator.speed.speed_mps);
-  outcome.text = text_of(lesson, *trip, params.navigator.speed.speed_mps);
+  if (!run) return run.problems();
+  Outcome outcome{.verb = "reproduce", .ok = run->end.arrived && run->collisions == 0};
+  outcome.figures = figures_of(learned, *run, params.navigator.speed.speed_mps);
+  outcome.text = text_of(learned, *run, params.navigator.speed.speed_mps);
   if (!*directory) return outcome;
-  auto files = (*directory)->write(files_of(lesson, *trip));
+  auto files = (*directory)->write(files_of(learned, *run));
   if (!files) return files.problems();
   outcome.files = std::move(*files);
   return outcome;

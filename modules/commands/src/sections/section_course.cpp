@@ -12,9 +12,9 @@ namespace aisle {
 namespace {
 
 /// Collects what is learned from.
-class SectionLessonRecord final : public MissionRecord {
+class SectionRunRecord final : public MissionRecord {
  public:
-  SectionLessonRecord(const FloorEdgeParams& params, const SimulatedVehicle& vehicle)
+  SectionRunRecord(const FloorEdgeParams& params, const SimulatedVehicle& vehicle)
       : collector(params, vehicle.description()) {}
 
   Result<Observation> keep(Observation observation) override {
@@ -23,18 +23,18 @@ class SectionLessonRecord final : public MissionRecord {
   }
   Problems keep(const Decision&) override { return {}; }
 
-  SectionTripCollector collector;
+  SectionRunCollector collector;
 };
 
 /// A person drives the world's tour.
 Result<DrivenList> teach_once(const SimulationSetting& setting, const Pose2& T_world_start,
-                              const SectionLessonParams& params, std::uint64_t seed, Progress& progress) {
+                              const SectionLearnerParams& params, std::uint64_t seed, Progress& progress) {
   const VehicleDescription& vehicle = setting.vehicle.description;
   ScriptedOperator person(setting.world, vehicle, {}, seed);
   SimulatedVehicle taught(setting.world, setting.vehicle, {}, {.seed = seed, .T_world_start = T_world_start},
                           &person);
   HandDriver driver({});
-  SectionLessonRecord record(params.floor_edges, taught);
+  SectionRunRecord record(params.floor_edges, taught);
   const auto end = run_mission(taught, driver, record, progress);
   if (!end) return end.problems();
   if (!person.has_arrived()) return Problem{{}, "the person did not get through"};
@@ -43,7 +43,7 @@ Result<DrivenList> teach_once(const SimulationSetting& setting, const Pose2& T_w
 
 }  // namespace
 
-Result<SectionCourse> teach_sections(const SimulationSetting& setting, const SectionLessonParams& params,
+Result<SectionCourse> teach_sections(const SimulationSetting& setting, const SectionLearnerParams& params,
                                      std::uint64_t seed, int teachings, Progress& progress) {
   constexpr std::uint64_t kSeedsApart = 1'000'000;  // of one teaching and the next
   const auto start = start_in(setting);
@@ -54,11 +54,11 @@ Result<SectionCourse> teach_sections(const SimulationSetting& setting, const Sec
     if (!drive) return drive.problems();
     drives.push_back(std::move(*drive));
   }
-  auto lesson = learn_sections(drives, "route", params.learning);
-  if (!lesson) return lesson.problems();
-  if (const auto why = gets_lost(*lesson, params.learning)) return Problem{{}, *why};
-  const Pose2 T_world_map = *start * lesson->driven.T_route_vehicle.front().inverse();
-  return SectionCourse{std::move(*lesson), T_world_map};
+  auto learned = learn_sections(drives, "route", params.learning);
+  if (!learned) return learned.problems();
+  if (const auto why = gets_lost(*learned, params.learning)) return Problem{{}, *why};
+  const Pose2 T_world_map = *start * learned->driven.T_route_vehicle.front().inverse();
+  return SectionCourse{std::move(*learned), T_world_map};
 }
 
 }  // namespace aisle

@@ -6,7 +6,7 @@
 
 #include "aisle/formats/buildings/building_json.hpp"
 #include "changed_parameters.hpp"
-#include "landmarks/landmark_trip.hpp"
+#include "landmarks/landmark_run.hpp"
 #include "route_name.hpp"
 
 namespace aisle {
@@ -19,9 +19,9 @@ Result<Route> find_section_route(const Building& building, const std::string& na
   return route;
 }
 
-SectionTrip trip_of(const SessionOrigin& origin, bool and_back) {
-  if (and_back) return SectionTrip::kThereAndBack;
-  return origin.in_reverse ? SectionTrip::kBack : SectionTrip::kThere;
+SectionRun run_of(const SessionOrigin& origin, bool and_back) {
+  if (and_back) return SectionRun::kThereAndBack;
+  return origin.in_reverse ? SectionRun::kBack : SectionRun::kThere;
 }
 
 }  // namespace
@@ -39,12 +39,12 @@ Result<std::unique_ptr<SectionNavigator>> make_section_navigator(const SessionOr
   auto route = find_section_route(*building, origin.route);
   if (!route) problems.insert(problems.end(), route.problems().begin(), route.problems().end());
   if (!problems.empty()) return problems;
-  GuidedPath way =
-      guided_path(route->sections, route->path.at(0).T_map_path, trip_of(origin, params.and_back));
-  problems = check_barriers(*building, origin.route, way.path, vehicle.footprint);
+  GuidedPath guided =
+      guided_path(route->sections, route->path.at(0).T_map_path, run_of(origin, params.and_back));
+  problems = check_barriers(*building, origin.route, guided.path, vehicle.footprint);
   if (!problems.empty()) return problems;
   return std::make_unique<SectionNavigator>(params.navigator, vehicle, corridor_camera(vehicle).name,
-                                            route->sections, std::move(way));
+                                            route->sections, std::move(guided));
 }
 
 }  // namespace aisle

@@ -29,12 +29,12 @@ class SectionMissionRecord final : public SimulatedRecord {
         navigator_(navigator),
         wall_keeping_(setting.world),
         T_world_map_(options.T_world_map),
-        keeps_pictures_(options.keep_pictures),
+        keeps_images_(options.keep_images),
         result_(result) {}
 
   Result<Observation> keep(Observation observation) override {
     auto kept = SimulatedRecord::keep(std::move(observation));
-    if (kept && keeps_pictures_ && !kept->pictures.empty()) last_picture_ = kept->pictures.front().image;
+    if (kept && keeps_images_ && !kept->images.empty()) last_image_ = kept->images.front().pixels;
     return kept;
   }
 
@@ -42,7 +42,7 @@ class SectionMissionRecord final : public SimulatedRecord {
     result_.T_map_driven.push_back(navigator_.pose());
     show_pose({navigator_.pose()});
     if (is_watched()) show_overlay(overlay_of(navigator_.edges()));
-    if (last_picture_) keep_picture();
+    if (last_image_) keep_image();
     if (decision.state == "following") judge_distance();
     return SimulatedRecord::keep(decision);
   }
@@ -50,15 +50,15 @@ class SectionMissionRecord final : public SimulatedRecord {
   ErrorFigure wall_distance_m() const { return wall_keeping_.error_m(); }
 
  private:
-  /// The first picture behind the middle of a straight section.
-  void keep_picture() {
+  /// The first image behind the middle of a straight section.
+  void keep_image() {
     const PathPoint& point = navigator_.point();
     const PathPiece& piece = navigator_.path().pieces()[point.piece];
-    const double middle_m = navigator_.path().start_m(point.piece) + piece.way_m() / 2;
-    const bool is_worth_it = piece.arc.turn_rad == 0 && piece.way_m() > kPictureWorthy_m;
+    const double middle_m = navigator_.path().start_m(point.piece) + piece.path_m() / 2;
+    const bool is_worth_it = piece.arc.turn_rad == 0 && piece.path_m() > kPictureWorthy_m;
     if (!is_worth_it || point.along_m < middle_m || point.piece == pictured_piece_) return;
     pictured_piece_ = point.piece;
-    result_.pictures.push_back({*last_picture_, fmt::format("section {}", navigator_.guide().section + 1)});
+    result_.images.push_back({*last_image_, fmt::format("section {}", navigator_.guide().section + 1)});
   }
 
   void judge_distance() {
@@ -74,9 +74,9 @@ class SectionMissionRecord final : public SimulatedRecord {
   const SectionNavigator& navigator_;
   WallKeeping wall_keeping_;
   Pose2 T_world_map_;
-  bool keeps_pictures_;
+  bool keeps_images_;
   SectionMissionResult& result_;
-  std::shared_ptr<const Image> last_picture_;
+  std::shared_ptr<const Image> last_image_;
   std::optional<std::size_t> pictured_piece_;
 };
 
@@ -101,7 +101,7 @@ Result<SectionMissionResult> drive_section_mission(const SimulationSetting& sett
   if (!end) return end.problems();
   result.end = std::move(*end);
   result.collisions = vehicle.truth().collisions;
-  result.distance_m = vehicle.truth().way_m;
+  result.distance_m = vehicle.truth().path_m;
   result.wall_distance_m = record.wall_distance_m();
   const Pose2 T_world_due = navigator.comes_home() ? T_world_set_down * between(T_map_start, T_map_end)
                                                    : options.T_world_map * T_map_end;

@@ -22,23 +22,23 @@ struct SectionMissionResult {
   std::size_t collisions = 0;
   double distance_m = 0;
   double closing_error_m =
-      0;  ///< by the truth: from where it began if it came home, else from where the way ends
+      0;  ///< by the truth: from where it began if it came home, else from where the path ends
   double closing_error_rad = 0;
   ErrorFigure wall_distance_m;  ///< to the right base line against the learned one, while one was followed
   std::vector<double> cycle_s;  ///< processor time of each cycle, from image to command
-  std::vector<Pose2> T_map_driven;     ///< of each cycle, as the vehicle thought
-  std::vector<TakenPicture> pictures;  ///< one from the middle of each longer straight section, if wanted
+  std::vector<Pose2> T_map_driven;  ///< of each cycle, as the vehicle thought
+  std::vector<TakenImage> images;   ///< one from the middle of each longer straight section, if wanted
 };
 
 struct SectionMissionOptions {
   std::uint64_t seed = 1;
-  Pose2 T_world_map;            ///< how the map lies in the world about the way's start
+  Pose2 T_world_map;            ///< how the map lies in the world about the path's start
   double start_sigma_m = 0.02;  ///< how far beside it the vehicle is set down
   double start_sigma_rad = 1 * kDegree;
-  bool keep_pictures = false;
+  bool keep_images = false;
 };
 
-/// Sets the vehicle down about the way's start and lets it drive there by itself.
+/// Sets the vehicle down about the path's start and lets it drive there by itself.
 Result<SectionMissionResult> drive_section_mission(const SimulationSetting& setting,
                                                    SectionNavigator& navigator,
                                                    const SectionMissionOptions& options,

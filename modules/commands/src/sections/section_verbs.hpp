@@ -5,21 +5,21 @@
 #include "aisle/commands/navigate.hpp"
 #include "aisle/commands/trial.hpp"
 #include "sections/section_driver.hpp"
-#include "sections/section_lesson.hpp"
+#include "sections/section_learning_result.hpp"
 
 namespace aisle {
 
-Result<Outcome> learn_by_sections(const LearnOptions& options, const SectionLessonParams& params,
+Result<Outcome> learn_by_sections(const LearnOptions& options, const SectionLearnerParams& params,
                                   Console& console);
 Result<Outcome> navigate_by_sections(const NavigateOptions& options, const SectionDriverParams& params,
                                      Console& console);
 
 struct SectionTrialParams {
-  SectionLessonParams lesson;
+  SectionLearnerParams learned;
   SectionNavigatorParams navigator;
 
   void describe(FieldList& fields) {
-    fields.group("lesson", lesson);
+    fields.group("learner", learned);
     fields.group("navigator", navigator);
   }
 };

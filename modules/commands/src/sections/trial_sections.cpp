@@ -30,36 +30,37 @@ constexpr double kBend_rad = 20 * kDegree;  // of a tour that is a turn
 constexpr double kTurnBack_rad = 135 * kDegree;
 constexpr double kLongest_m = 60, kSamePoint_m = 0.1, kEndMin_m = 1.5;
 
-/// Nobody begins or ends a way just beside a corner.
-std::vector<Vec2> without_short_ends(std::vector<Vec2> way) {
-  while (way.size() > 2 && (way[1] - way[0]).norm() < kEndMin_m) way.erase(way.begin());
-  while (way.size() > 2 && (way[way.size() - 1] - way[way.size() - 2]).norm() < kEndMin_m) way.pop_back();
-  return way;
+/// Nobody begins or ends a path just beside a corner.
+std::vector<Vec2> without_short_ends(std::vector<Vec2> path) {
+  while (path.size() > 2 && (path[1] - path[0]).norm() < kEndMin_m) path.erase(path.begin());
+  while (path.size() > 2 && (path[path.size() - 1] - path[path.size() - 2]).norm() < kEndMin_m)
+    path.pop_back();
+  return path;
 }
 
-/// The tour's longest stretch on which it does not turn back, cut where it becomes longer than a mission
+/// The tour's longest segment on which it does not turn back, cut where it becomes longer than a mission
 /// should be.
-std::vector<Vec2> one_way(const std::vector<Vec2>& tour) {
-  std::vector<Vec2> longest, way;
+std::vector<Vec2> one_direction(const std::vector<Vec2>& tour) {
+  std::vector<Vec2> longest, path;
   for (const Vec2& p : tour) {
-    if (way.size() >= 2) {
-      const Vec2 before = way.back() - way[way.size() - 2];
+    if (path.size() >= 2) {
+      const Vec2 before = path.back() - path[path.size() - 2];
       const bool turns_back =
-          std::abs(wrap_angle(heading_of(p - way.back()) - heading_of(before))) > kTurnBack_rad;
-      const bool is_long = polyline_length_m(way) + (p - way.back()).norm() > kLongest_m;
-      if (turns_back || is_long) way = {way.back()};
+          std::abs(wrap_angle(heading_of(p - path.back()) - heading_of(before))) > kTurnBack_rad;
+      const bool is_long = polyline_length_m(path) + (p - path.back()).norm() > kLongest_m;
+      if (turns_back || is_long) path = {path.back()};
     }
-    if (way.empty() || (p - way.back()).norm() > kSamePoint_m) way.push_back(p);
-    if (polyline_length_m(way) > polyline_length_m(longest)) longest = way;
+    if (path.empty() || (p - path.back()).norm() > kSamePoint_m) path.push_back(p);
+    if (polyline_length_m(path) > polyline_length_m(longest)) longest = path;
   }
   return without_short_ends(std::move(longest));
 }
 
-/// The sections that a way should be cut into, by how it lies in the building: one letter each.
-std::string due_letters(const std::vector<Vec2>& way, const SectionLearningParams& params) {
+/// The sections that a path should be cut into, by how it lies in the building: one letter each.
+std::string due_letters(const std::vector<Vec2>& path, const SectionLearningParams& params) {
   std::string letters = "a";
-  for (std::size_t i = 1; i + 1 < way.size(); ++i) {
-    const double turn_rad = wrap_angle(heading_of(way[i + 1] - way[i]) - heading_of(way[i] - way[i - 1]));
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const double turn_rad = wrap_angle(heading_of(path[i + 1] - path[i]) - heading_of(path[i] - path[i - 1]));
     if (std::abs(turn_rad) < kBend_rad) continue;
     if (turn_rad < 0) {
       letters.back() = 'h';
@@ -71,7 +72,7 @@ std::string due_letters(const std::vector<Vec2>& way, const SectionLearningParam
   return letters;
 }
 
-/// Sections in one line, which end where the base lines step aside, are one way.
+/// Sections in one line, which end where the base lines step to the side, are one way.
 std::string letters_of(const SectionList& sections) {
   std::string letters;
   for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -103,7 +104,7 @@ Result<SimulationSetting> section_setting(const TrialOptions& options, std::uint
   auto setting =
       setting_of_seed(options, seed, vehicle_or_usual(options.vehicle, options.method), kCorridorBuildings);
   if (!setting) return setting.problems();
-  setting->world.tour = one_way(setting->world.tour);
+  setting->world.tour = one_direction(setting->world.tour);
   setting->world.start.reset();
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty())
     return at_file(problems, options.vehicle);
@@ -129,19 +130,20 @@ Problems run_section_seed(const TrialOptions& options, const SectionTrialParams&
   const auto setting = section_setting(options, seed);
   if (!setting) return setting.problems();
   const VehicleDescription& vehicle = setting->vehicle.description;
-  const auto course = teach_sections(*setting, params.lesson, seed, options.teachings, progress);
+  const auto course = teach_sections(*setting, params.learner, seed, options.teachings, progress);
   if (!course) {
     trial.not_taught.add(seed, to_string(course.problems()));
     return {};
   }
-  const SectionLesson& lesson = course->lesson;
-  const SectionList& sections = lesson.building.routes.front().sections;
-  const std::string due = due_letters(setting->world.tour, params.lesson.learning);
+  const SectionLearningResult& taught_run = course->taught_run;
+  const SectionList& sections = taught_run.building.routes.front().sections;
+  const std::string due = due_letters(setting->world.tour, params.learner.learning);
   const std::string learned = letters_of(sections);
   trial.letters += std::max(due.size(), learned.size());
   trial.letters_wrong += letters_apart(due, learned);
-  SectionNavigator navigator(params.navigator, vehicle, vehicle.cameras.front().name, sections,
-                             guided_path(sections, lesson.driven.T_route_start, SectionTrip::kThereAndBack));
+  SectionNavigator navigator(
+      params.navigator, vehicle, vehicle.cameras.front().name, sections,
+      guided_path(sections, taught_run.driven.T_route_start, SectionRun::kThereAndBack));
   std::optional<SessionRecord> no_session;
   const auto result = drive_section_mission(*setting, navigator,
                                             {.seed = 1000 * (seed + 1), .T_world_map = course->T_world_map},

@@ -6,7 +6,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/core/median.hpp"
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/cross_section.hpp"
 
 namespace aisle {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kOtherThing_m = 0.25;
 /// The walls themselves: where there is a door, none stands.
 std::vector<Segment2> base_lines_of(World world) {
   world.doors.clear();
-  return slice(world, kBaseLine_m);
+  return cross_section(world, kBaseLine_m);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/cross_section.hpp"
 #include "exploration/exploration_evaluation.hpp"
 #include "pose_matchers.hpp"
 
@@ -14,23 +14,23 @@ World l_world() {
   World world;
   const Vec2 corners[] = {{0, 0}, {12, 0}, {12, 10}, {10, 10}, {10, 2}, {0, 2}};
   for (std::size_t i = 0; i < std::size(corners); ++i)
-    world.walls.push_back({.foot = {corners[i], corners[(i + 1) % std::size(corners)]}});
+    world.walls.push_back({.floor_point = {corners[i], corners[(i + 1) % std::size(corners)]}});
   return world;
 }
 
 /// Through the middles of the corridors and back.
-std::vector<Pose2> whole_way() {
-  std::vector<Pose2> way;
-  for (double x = 1; x < 11; x += 0.1) way.push_back({x, 1, 0});
-  for (double y = 1; y < 9; y += 0.1) way.push_back({11, y, kPi / 2});
-  std::vector<Pose2> back(way.rbegin(), way.rend());
-  way.insert(way.end(), back.begin(), back.end());
-  return way;
+std::vector<Pose2> whole_path() {
+  std::vector<Pose2> path;
+  for (double x = 1; x < 11; x += 0.1) path.push_back({x, 1, 0});
+  for (double y = 1; y < 9; y += 0.1) path.push_back({11, y, kPi / 2});
+  std::vector<Pose2> back(path.rbegin(), path.rend());
+  path.insert(path.end(), back.begin(), back.end());
+  return path;
 }
 
 WallMap walls_of(const World& world, const Pose2& T_map_world) {
   WallMap map;
-  for (const Segment2& s : slice(world, 0.3)) map.walls.push_back({.segment = T_map_world * s});
+  for (const Segment2& s : cross_section(world, 0.3)) map.walls.push_back({.segment = T_map_world * s});
   return map;
 }
 
@@ -45,7 +45,7 @@ FloorGrid known_floor(const Pose2& T_map_world) {
 }
 
 struct Learned {
-  std::vector<Pose2> T_world_vehicle = whole_way();
+  std::vector<Pose2> T_world_vehicle = whole_path();
   std::vector<Pose2> T_map_vehicle;
   FloorGrid floor;
   WallMap walls;
@@ -83,11 +83,11 @@ TEST(ExplorationEvaluation, WhereTheMapsOriginLiesMakesNoDifference) {
   }
 }
 
-TEST(ExplorationEvaluation, HalfTheWaySeesHalfTheFloor) {
+TEST(ExplorationEvaluation, HalfThePathSeesHalfTheFloor) {
   Learned learned({});
-  std::vector<Pose2> short_way(learned.T_world_vehicle.begin(), learned.T_world_vehicle.begin() + 30);
-  learned.T_world_vehicle = short_way;
-  learned.T_map_vehicle = short_way;
+  std::vector<Pose2> short_path(learned.T_world_vehicle.begin(), learned.T_world_vehicle.begin() + 30);
+  learned.T_world_vehicle = short_path;
+  learned.T_map_vehicle = short_path;
   const ExplorationScore figures = learned.figures();
   EXPECT_NEAR(figures.covered_share, 24.0 / 40, 0.03);
   EXPECT_GE(figures.mapped_share, 0.999);
@@ -118,7 +118,7 @@ TEST(WallErrors, AWallWhereThereIsNoneIsFalseByItsLength) {
   EXPECT_EQ(errors.missed_m, 0);
 }
 
-TEST(WallErrors, AWallAsideByTwoCentimetresIsWrongBySoMuchAndNeitherFalseNorMissed) {
+TEST(WallErrors, AWallLateralByTwoCentimetresIsWrongBySoMuchAndNeitherFalseNorMissed) {
   const std::vector<Segment2> standing = {{{0, 0}, {10, 0}}};
   const WallMap learned{{Wall{.segment = {{0, 0.02}, {10, 0.02}}}}};
   const WallErrors errors = wall_errors(learned, {}, standing, [](const Vec2&) { return true; });
@@ -153,7 +153,7 @@ TEST(ExplorationEvaluation, ClosedRoomsAreNoCorridorsAndNotMissed) {
   World world = l_world();
   for (const auto& [a, b] : {std::pair(Vec2(0, 3), Vec2(9, 3)), std::pair(Vec2(9, 3), Vec2(9, 9)),
                              std::pair(Vec2(9, 9), Vec2(0, 9)), std::pair(Vec2(0, 9), Vec2(0, 3))})
-    world.walls.push_back({.foot = {a, b}});
+    world.walls.push_back({.floor_point = {a, b}});
   const Learned learned({});
   const ExplorationScore figures =
       evaluate_exploration(world, {}, kAllRound, {learned.T_world_vehicle, {}, learned.floor, learned.walls});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "explorer_trip.hpp"
+#include "explorer_run.hpp"
 
 namespace aisle {
 namespace {
@@ -26,36 +26,36 @@ World corridor_with_narrow_door() {
                    {1, 0.8, 0});
 }
 
-struct NarrowDoorTrip {
+struct NarrowDoorRun {
   std::string why;
   double farthest_in_m = -1.72;  ///< of the vehicle's origin beyond the door
   std::size_t collisions = 0;
 };
 
-NarrowDoorTrip drive_to_narrow_door(double cell_least_m) {
+NarrowDoorRun drive_to_narrow_door(double cell_least_m) {
   constexpr double kLate_s = 900;
   ExplorerNavigatorParams params;
   params.learner.cell_least_m = cell_least_m;
-  ExplorerTrip trip(corridor_with_narrow_door(), 1, params);
-  NarrowDoorTrip driven;
-  while (trip.goes_on(kLate_s)) {
-    trip.step();
-    driven.farthest_in_m = std::max(driven.farthest_in_m, trip.vehicle.truth().T_world_vehicle.y - 1.72);
+  ExplorerRun run(corridor_with_narrow_door(), 1, params);
+  NarrowDoorRun driven;
+  while (run.goes_on(kLate_s)) {
+    run.step();
+    driven.farthest_in_m = std::max(driven.farthest_in_m, run.vehicle.truth().T_world_vehicle.y - 1.72);
   }
-  driven.why = trip.last.why;
-  driven.collisions = trip.vehicle.truth().collisions;
+  driven.why = run.last.why;
+  driven.collisions = run.vehicle.truth().collisions;
   return driven;
 }
 
 TEST(ExplorerNarrowDoor, IsPassedOnCellsHalfAsWide) {
-  const NarrowDoorTrip driven = drive_to_narrow_door(0.025);
+  const NarrowDoorRun driven = drive_to_narrow_door(0.025);
   EXPECT_EQ(driven.why, "explored");
   EXPECT_GT(driven.farthest_in_m, 0.5);
   EXPECT_EQ(driven.collisions, 0);
 }
 
 TEST(ExplorerNarrowDoor, IsTooNarrowOnCellsAsTheyAreAtFirst) {
-  const NarrowDoorTrip driven = drive_to_narrow_door(0.05);
+  const NarrowDoorRun driven = drive_to_narrow_door(0.05);
   EXPECT_EQ(driven.why, "explored");
   EXPECT_LT(driven.farthest_in_m, 0);
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "explorer_trip.hpp"
+#include "explorer_run.hpp"
 
 namespace aisle {
 namespace {
@@ -31,12 +31,12 @@ World hall_with_a_room_that_is_shut_off() {
 
 TEST(ExplorerShutOff, GivesUpARoomThatItCannotSwingInto) {
   constexpr double kLate_s = 600;
-  ExplorerTrip trip(hall_with_a_room_that_is_shut_off(), 1);
-  while (trip.goes_on(kLate_s)) trip.step();
-  EXPECT_EQ(trip.last.status, NavigatorStatus::kDone);
-  EXPECT_EQ(trip.last.why, "explored");
-  EXPECT_EQ(trip.vehicle.truth().collisions, 0);
-  const auto events = trip.explorer->record().paths;
+  ExplorerRun run(hall_with_a_room_that_is_shut_off(), 1);
+  while (run.goes_on(kLate_s)) run.step();
+  EXPECT_EQ(run.last.status, NavigatorStatus::kDone);
+  EXPECT_EQ(run.last.why, "explored");
+  EXPECT_EQ(run.vehicle.truth().collisions, 0);
+  const auto events = run.explorer->record().paths;
   EXPECT_TRUE(std::any_of(events.begin(), events.end(),
                           [](const PathEvent& event) { return event.kind == PathEvent::Kind::kGivenUp; }));
 }

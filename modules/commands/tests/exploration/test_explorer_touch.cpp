@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "explorer_trip.hpp"
+#include "explorer_run.hpp"
 
 namespace aisle {
 namespace {
@@ -15,24 +15,24 @@ World corner_of_corridors() {
   return walled_by({{0, 0}, {6, 0}, {6, 5}, {4.6, 5}, {4.6, 1.4}, {0, 1.4}}, {1, 0.7, 0});
 }
 
-TEST(ExplorerTouch, NotesWhatNoSliceShowsGoesNoFartherAndComesHomeWithoutACertificate) {
-  ExplorerTrip trip(corner_of_corridors(), 1);
-  int touches = 0;
+TEST(ExplorerTouch, NotesWhatNoScanShowsGoesNoFartherAndComesHomeWithoutACertificate) {
+  ExplorerRun run(corner_of_corridors(), 1);
+  int contacts = 0;
   double farthest_m = 0;
-  while (trip.goes_on(kTouchTimeMax_s)) {
-    auto observation = *trip.vehicle.sense();
-    const double x_m = trip.vehicle.truth().T_world_vehicle.x;
+  while (run.goes_on(kTouchTimeMax_s)) {
+    auto observation = *run.vehicle.sense();
+    const double x_m = run.vehicle.truth().T_world_vehicle.x;
     observation.bumper_pressed = x_m > kTouchAt_m;
-    trip.step(observation);
-    touches += trip.last.state == "touched" ? 1 : 0;
+    run.step(observation);
+    contacts += run.last.state == "touched" ? 1 : 0;
     farthest_m = std::max(farthest_m, x_m);
   }
-  EXPECT_EQ(trip.last.status, NavigatorStatus::kDone) << trip.last.why;
-  EXPECT_EQ(touches, 1);
+  EXPECT_EQ(run.last.status, NavigatorStatus::kDone) << run.last.why;
+  EXPECT_EQ(contacts, 1);
   EXPECT_LT(farthest_m, kTouchAt_m + 0.1);
-  EXPECT_FALSE(trip.explorer->record().certified());
-  EXPECT_TRUE(trip.explorer->record().came_home);
-  EXPECT_LT(trip.off_home_m(), 0.1);
+  EXPECT_FALSE(run.explorer->record().certified());
+  EXPECT_TRUE(run.explorer->record().came_home);
+  EXPECT_LT(run.off_home_m(), 0.1);
 }
 
 }  // namespace

@@ -14,18 +14,18 @@ World hall() {
   World world;
   const Vec2 corners[] = {{12, 0}, {12, 6}, {0, 6}, {0, 0}, {12, 0}};
   for (std::size_t i = 1; i < std::size(corners); ++i)
-    world.walls.push_back({.foot = {corners[i], corners[i - 1]}});
+    world.walls.push_back({.floor_point = {corners[i], corners[i - 1]}});
   return world;
 }
 
-TEST(ExploringStart, StaysAsItIsWhereThereIsAWayAhead) {
+TEST(ExploringStart, StaysAsItIsWhereThereIsAPathAhead) {
   const Pose2 start{6, 3, 0.3};
-  EXPECT_THAT(start_with_a_way(hall(), {}, start), PoseNear(start, 0, 0));
+  EXPECT_THAT(start_with_a_path(hall(), {}, start), PoseNear(start, 0, 0));
 }
 
-TEST(ExploringStart, BeforeACornerTheVehicleIsTurnedToAWay) {
+TEST(ExploringStart, BeforeACornerTheVehicleIsTurnedToAPath) {
   const Pose2 start{1.2, 1.2, -135 * kDegree};
-  const Pose2 turned = start_with_a_way(hall(), {}, start);
+  const Pose2 turned = start_with_a_path(hall(), {}, start);
   EXPECT_EQ(turned.position(), start.position());
   Obstacles obstacles(hall(), {});
   EXPECT_FALSE(obstacles.touch(turned));
@@ -37,19 +37,19 @@ World closet(std::vector<Vec2> tour) {
   World world;
   const Vec2 corners[] = {{1.4, 0}, {1.4, 1.4}, {0, 1.4}, {0, 0}, {10, 0}, {10, 1.4}, {1.4, 1.4}};
   for (std::size_t i = 1; i < std::size(corners); ++i)
-    world.walls.push_back({.foot = {corners[i], corners[i - 1]}});
+    world.walls.push_back({.floor_point = {corners[i], corners[i - 1]}});
   world.tour = std::move(tour);
   return world;
 }
 
-TEST(ExploringStart, WhereThereIsNoWayItIsSetDownFartherAlongTheTour) {
-  const Pose2 moved = start_with_a_way(closet({{0.4, 0.7}, {1, 0.7}, {4, 0.7}}), {}, {0.4, 0.7, 0});
+TEST(ExploringStart, WhereThereIsNoPathItIsSetDownFartherAlongTheTour) {
+  const Pose2 moved = start_with_a_path(closet({{0.4, 0.7}, {1, 0.7}, {4, 0.7}}), {}, {0.4, 0.7, 0});
   EXPECT_THAT(moved, PoseNear(Pose2{4, 0.7, 0}, 1e-9, 1e-9));
 }
 
-TEST(ExploringStart, StaysAsItIsWhereThereIsNoWayAnywhere) {
+TEST(ExploringStart, StaysAsItIsWhereThereIsNoPathAnywhere) {
   const Pose2 start{0.4, 0.7, 0};
-  EXPECT_THAT(start_with_a_way(closet({}), {}, start), PoseNear(start, 0, 0));
+  EXPECT_THAT(start_with_a_path(closet({}), {}, start), PoseNear(start, 0, 0));
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "aisle/formats/buildings/building_json.hpp"
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/cross_section.hpp"
 #include "exploration/exploration_evaluation.hpp"
 #include "exploration/guide_mission.hpp"
-#include "explorer_trip.hpp"
+#include "explorer_run.hpp"
 
 namespace aisle {
 namespace {
@@ -27,8 +27,8 @@ constexpr double kGap_m = 0.72;  // for a vehicle of 0.6 m
 /// The same with a gap in a wall across its second corridor.
 World narrowed_l_building() {
   World world = l_building();
-  world.walls.push_back({.foot = {{12, 5}, {13 - kGap_m / 2, 5}}});
-  world.walls.push_back({.foot = {{13 + kGap_m / 2, 5}, {14, 5}}});
+  world.walls.push_back({.floor_point = {{12, 5}, {13 - kGap_m / 2, 5}}});
+  world.walls.push_back({.floor_point = {{13 + kGap_m / 2, 5}, {14, 5}}});
   return world;
 }
 
@@ -42,8 +42,8 @@ World ring_building() {
   World world;
   const Vec2 outer[] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, block[] = {{2, 2}, {2, 8}, {8, 8}, {8, 2}};
   for (std::size_t i = 0; i < 4; ++i) {
-    world.walls.push_back({.foot = {outer[i], outer[(i + 1) % 4]}});
-    world.walls.push_back({.foot = {block[i], block[(i + 1) % 4]}});
+    world.walls.push_back({.floor_point = {outer[i], outer[(i + 1) % 4]}});
+    world.walls.push_back({.floor_point = {block[i], block[(i + 1) % 4]}});
   }
   world.start = Pose2{1, 1.5, kPi / 2};
   return world;
@@ -57,7 +57,7 @@ bool is_floor_of_ring(const Vec2& p) {
 /// What a vehicle that learned everything rightly would leave.
 Building learned(const World& world, bool (*is_floor)(const Vec2&) = is_floor_of_l, double cell_m = 0.05) {
   Building building{.name = "corridors"};
-  for (const Segment2& s : slice(world, 0.3))
+  for (const Segment2& s : cross_section(world, 0.3))
     building.walls.walls.push_back({.segment = s, .is_orthogonal = true, .sightings = 9, .sigma_m = 0.01});
   building.corridors = true_corridors(world, cart_with_scanner().description, world.start->position());
   building.places = {{"home", *world.start}, {"lift", {13, 8, 0}}};
@@ -76,12 +76,12 @@ struct Driven {
   double coverage = 0;
 };
 
-Driven drive(const std::string& errand, const World& world = l_building(),
+Driven drive(const std::string& goal, const World& world = l_building(),
              const Building& building = learned(l_building())) {
   const SimulationSetting setting{
       .world_file = {}, .world = world, .vehicle = cart_with_scanner(), .scenario = {}};
-  auto driver = GuideDriver::make(GuideDriver::origin({}, building_json(building), errand),
-                                  setting.vehicle.description);
+  auto driver =
+      GuideDriver::make(GuideDriver::origin({}, building_json(building), goal), setting.vehicle.description);
   EXPECT_TRUE(driver.ok()) << to_string(driver.problems());
   std::optional<SessionRecord> no_session;
   SilentProgress progress;
@@ -89,15 +89,15 @@ Driven drive(const std::string& errand, const World& world = l_building(),
   EXPECT_TRUE(result.ok());
   const double coverage = graph_coverage((*driver)->building().corridors, result->T_map_vehicle,
                                          setting.vehicle.description.footprint);
-  return {std::move(*result), (*driver)->errand().shortest_m, coverage};
+  return {std::move(*result), (*driver)->goal().shortest_m, coverage};
 }
 
 std::string refused(const std::string& place) {
-  const auto errand = errand_to(learned(l_building()), place);
-  return errand.ok() ? "" : to_string(errand.problems());
+  const auto goal = goal_to(learned(l_building()), place);
+  return goal.ok() ? "" : to_string(goal.problems());
 }
 
-TEST(GuideMission, GoesToAPlaceByItsNameOnAboutTheShortestWay) {
+TEST(GuideMission, GoesToAPlaceByItsNameOnAboutTheShortestPath) {
   const Driven driven = drive("go lift");
   EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
   EXPECT_EQ(driven.result.collisions, 0U);
@@ -105,7 +105,7 @@ TEST(GuideMission, GoesToAPlaceByItsNameOnAboutTheShortestWay) {
   EXPECT_LT(driven.result.distance_m, driven.shortest_m + 1);
 }
 
-TEST(GuideMission, SqueezesThroughWhereNoOtherWayIs) {
+TEST(GuideMission, SqueezesThroughWhereNoOtherPathIs) {
   const World narrowed = narrowed_l_building();
   const Driven driven = drive("go lift", narrowed, learned(narrowed, is_floor_of_narrowed_l, 0.025));
   EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
@@ -120,12 +120,12 @@ TEST(GuideMission, PatrolsAllCorridorsAndComesHome) {
   EXPECT_LT((driven.result.T_world_vehicle.back().position() - Vec2(1.5, 1)).norm(), 1.5);
 }
 
-TEST(GuideMission, GivesUpBeforeAWayThatIsClosedNowAndTouchesNothing) {
+TEST(GuideMission, GivesUpBeforeAPathThatIsClosedNowAndContactsNothing) {
   World closed = l_building();
-  closed.walls.push_back({.foot = {{12, 5}, {14, 5}}});
+  closed.walls.push_back({.floor_point = {{12, 5}, {14, 5}}});
   const Driven driven = drive("go lift", closed);
   EXPECT_FALSE(driven.result.end.arrived);
-  EXPECT_THAT(driven.result.end.why, HasSubstr("there is no way to 13.0, 8.0"));
+  EXPECT_THAT(driven.result.end.why, HasSubstr("there is no path to 13.0, 8.0"));
   EXPECT_EQ(driven.result.collisions, 0U);
 }
 
@@ -142,11 +142,11 @@ TEST(GuideMission, GivesUpBeforeAKeepOutLineThatOnlyTheMapShows) {
   building.barriers = {{.segment = {{12, 5}, {14, 5}}}};
   const Driven driven = drive("go lift", l_building(), building);
   EXPECT_FALSE(driven.result.end.arrived);
-  EXPECT_THAT(driven.result.end.why, HasSubstr("no way to 13.0, 8.0 that crosses neither keep-out lines"));
+  EXPECT_THAT(driven.result.end.why, HasSubstr("no path to 13.0, 8.0 that crosses neither keep-out lines"));
   EXPECT_FALSE(ever_met(building.barriers[0], driven));
 }
 
-TEST(GuideMission, GoesTheOtherWayRoundRatherThanThroughGlass) {
+TEST(GuideMission, GoesTheOtherPathRoundRatherThanThroughGlass) {
   Building building = learned(ring_building(), is_floor_of_ring);
   building.barriers = {{.kind = Barrier::Kind::kGlass, .segment = {{4, 0}, {4, 2}}}};
   const Driven driven = drive("go 6,1", ring_building(), building);
@@ -156,21 +156,21 @@ TEST(GuideMission, GoesTheOtherWayRoundRatherThanThroughGlass) {
   EXPECT_FALSE(ever_met(building.barriers[0], driven));
 }
 
-TEST(GuideErrand, PlacesAreNamesNodesAndPoints) {
+TEST(GuideGoal, PlacesAreNamesNodesAndPoints) {
   const Building building = learned(l_building());
-  EXPECT_EQ(errand_to(building, "lift")->p_map_places.front(), Vec2(13, 8));
-  EXPECT_EQ(errand_to(building, "end 2")->p_map_places.front(), building.corridors.nodes[1].p_map);
-  EXPECT_EQ(errand_to(building, "5,1.25")->p_map_places.front(), Vec2(5, 1.25));
+  EXPECT_EQ(goal_to(building, "lift")->p_map_places.front(), Vec2(13, 8));
+  EXPECT_EQ(goal_to(building, "end 2")->p_map_places.front(), building.corridors.nodes[1].p_map);
+  EXPECT_EQ(goal_to(building, "5,1.25")->p_map_places.front(), Vec2(5, 1.25));
   EXPECT_THAT(refused("cellar"), HasSubstr("'cellar' is unknown; there are home, lift, end 1, end 2"));
   EXPECT_THAT(refused("5,9"), HasSubstr("nothing is known at 5,9"));
   EXPECT_THAT(refused("5,nan"), HasSubstr("'5,nan' is unknown"));
 }
 
-TEST(GuideErrand, EveryRoundOfAPatrolIsAsLongAsTheFirst) {
+TEST(GuideGoal, EveryRoundOfAPatrolIsAsLongAsTheFirst) {
   const Building building = learned(l_building());
-  const Errand one = *patrol_errand(building, 1), three = *patrol_errand(building, 3);
+  const Goal one = *patrol_goal(building, 1), three = *patrol_goal(building, 3);
   EXPECT_EQ(three.p_map_places.size() - 1, 3 * (one.p_map_places.size() - 1));
-  EXPECT_FALSE(patrol_errand(building, 0).ok());
+  EXPECT_FALSE(patrol_goal(building, 0).ok());
 }
 
 }  // namespace

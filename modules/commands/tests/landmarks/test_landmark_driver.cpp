@@ -99,7 +99,7 @@ TEST(LandmarkDriver, RefusesWhatItCannotDriveBy) {
   back.building = building_json(short_one);
   back.in_reverse = true;
   EXPECT_THAT(problems(LandmarkDriver::origin({}, back)),
-              HasSubstr("route: 'there' is too short for a way back"));
+              HasSubstr("route: 'there' is too short for a return path"));
   EXPECT_THAT(problems(LandmarkDriver::origin({}, {})), HasSubstr("building: is missing"));
   LandmarkMission damaged = mission();
   damaged.building.resize(50);

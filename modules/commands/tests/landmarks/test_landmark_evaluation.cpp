@@ -16,7 +16,7 @@ Path in_and_out() {
   return Path({{{}, {6, 0}}, {end_of_dead_end, {-4, 0}}, {junction, {-3, 60 * kDegree}}});
 }
 
-/// Taught along the path; where the way came back the map has drifted by 3 cm with each metre.
+/// Taught along the path; where the path came back the map has drifted by 3 cm with each metre.
 MapTruth drifting_truth(const Path& path) {
   constexpr double kDrift = 0.03;
   std::vector<Pose2> T_map_taught, T_world_taught;
@@ -41,7 +41,7 @@ MissionErrors driven_as_taught(const Path& path, const MapTruth& truth, bool in_
   return judge.errors();
 }
 
-TEST(MissionJudge, FollowsAWayThatComesBackOnItself) {
+TEST(MissionJudge, FollowsAPathThatComesBackOnItself) {
   const Path path = in_and_out();
   const MissionErrors errors = driven_as_taught(path, drifting_truth(path), false);
   EXPECT_LT(errors.tracking_m.worst(), 0.01);
@@ -49,7 +49,7 @@ TEST(MissionJudge, FollowsAWayThatComesBackOnItself) {
   EXPECT_LT(errors.along_m.worst(), 0.01);
 }
 
-TEST(MissionJudge, FollowsItsWayBackToo) {
+TEST(MissionJudge, FollowsItsPathBackToo) {
   const Path path = in_and_out();
   const MissionErrors errors = driven_as_taught(path.reversed(), drifting_truth(path), true);
   EXPECT_LT(errors.tracking_m.worst(), 0.01);

@@ -35,8 +35,8 @@ TEST(LandmarkTruth, LandmarksThatWentDoNotCount) {
   EXPECT_EQ(compare_with_truth(landmarks({{{0, 1}, 0}}), map_is_world(), kEdges).landmarks, 0);
 }
 
-TEST(LandmarkTruth, EachLandmarkIsLaidOntoTheWorldByTheNearestPoseOfTheTrip) {
-  // map and world differ at the trip's start by a turn, at its end by a shift
+TEST(LandmarkTruth, EachLandmarkIsLaidOntoTheWorldByTheNearestPoseOfTheRun) {
+  // map and world differ at the run's start by a turn, at its end by a shift
   const MapTruth truth({{0, 0, 0}, {5, 0, 0}}, {{-1, 1, kPi / 2}, {5, 0.5, 0}});
   const LandmarkMap map = landmarks({{{0, -1}, 1}, {{5, 0.5}, 1}});
   const LandmarkTruth found = compare_with_truth(map, truth, kEdges);

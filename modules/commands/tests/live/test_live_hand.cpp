@@ -16,7 +16,7 @@ class Hand : public testing::Test {
   void say(std::uint64_t sequence, double speed_mps, double age_s = 0) {
     inbox.put({.lease = "t", .sequence = sequence, .age_s = age_s, .command = {.speed_mps = speed_mps}});
   }
-  double speed_at(double stamp_s) { return hand.look(stamp_s).wish->speed_mps; }
+  double speed_at(double stamp_s) { return hand.look(stamp_s).requested->speed_mps; }
 
   SetClock clock;
   DriveInbox inbox{clock};
@@ -27,7 +27,7 @@ TEST_F(Hand, StandsBeforeAnybodySaysAnything) {
   EXPECT_EQ(speed_at(0), 0);
 }
 
-TEST_F(Hand, DoesAsItIsToldForThreeTenthsOfASecondOfTheVehiclesTime) {
+TEST_F(Hand, DoesAsItIsReportedForThreeTenthsOfASecondOfTheVehiclesTime) {
   say(1, 0.3);
   EXPECT_EQ(speed_at(10), 0.3);
   EXPECT_EQ(speed_at(10.29), 0.3);
@@ -78,7 +78,7 @@ TEST_F(Hand, BeginsADriveWithoutWhatWasSaidBefore) {
   hand.finish();
   hand.begin();
   const OperatorInput input = hand.look(0.1);
-  EXPECT_EQ(input.wish->speed_mps, 0);
+  EXPECT_EQ(input.requested->speed_mps, 0);
   EXPECT_FALSE(input.quit);
 }
 

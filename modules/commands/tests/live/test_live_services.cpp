@@ -106,7 +106,7 @@ TEST(LivePaceKept, HurriesNobodyOnWhoWasLate) {
   EXPECT_NEAR(pace.wait_s(1.1), 0.1, 1e-9);
 }
 
-TEST(LivePaceKept, BeginsAnewWhereTimeBeginsAnew) {
+TEST(LivePaceKept, BeginsAgainWhereTimeBeginsAgain) {
   SteppedClock clock;
   LivePace pace(clock, 1);
   (void)pace.wait_s(100);

@@ -51,7 +51,7 @@ TEST_P(Mouse, ExploresAllAndDrivesToTheMiddleWithoutAnIllegalCommand) {
   }
 }
 
-TEST(Mouse, BeginsAnewWhenTheResetButtonIsPressed) {
+TEST(Mouse, BeginsAgainWhenTheResetButtonIsPressed) {
   MmsStandIn undisturbed(maze(2));
   ASSERT_TRUE(run_mouse(undisturbed).ok());
   for (const int moves : {1, 40, undisturbed.moves - 1, undisturbed.moves}) {

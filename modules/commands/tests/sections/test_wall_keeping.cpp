@@ -14,20 +14,21 @@ World corridor_with_alcove(double depth_m) {
   const double wall = -kSkirted_m;
   World world;
   world.skirting_height_m = 0.1;
-  for (const Segment2& foot : {Segment2{{10, wall}, {6, wall}}, Segment2{{6, wall}, {6, wall - depth_m}},
-                               Segment2{{6, wall - depth_m}, {4, wall - depth_m}},
-                               Segment2{{4, wall - depth_m}, {4, wall}}, Segment2{{4, wall}, {0, wall}}})
-    world.walls.push_back({.foot = foot});
+  for (const Segment2& floor_point :
+       {Segment2{{10, wall}, {6, wall}}, Segment2{{6, wall}, {6, wall - depth_m}},
+        Segment2{{6, wall - depth_m}, {4, wall - depth_m}}, Segment2{{4, wall - depth_m}, {4, wall}},
+        Segment2{{4, wall}, {0, wall}}})
+    world.walls.push_back({.floor_point = floor_point});
   return world;
 }
 
-ErrorFigure error_along(const World& world, double learned_m, double aside_m) {
+ErrorFigure error_along(const World& world, double learned_m, double lateral_m) {
   WallKeeping keeping(world);
-  for (int i = 0; i < 100; ++i) keeping.add(0, {0.05 + 0.1 * i, aside_m, 0}, learned_m);
+  for (int i = 0; i < 100; ++i) keeping.add(0, {0.05 + 0.1 * i, lateral_m, 0}, learned_m);
   return keeping.error_m();
 }
 
-TEST(WallKeeping, CountsTheWayToTheSkirtingBoardAgainstWhatWasLearned) {
+TEST(WallKeeping, CountsThePathToTheSkirtingBoardAgainstWhatWasLearned) {
   const World world = corridor_with_alcove(0);
   EXPECT_NEAR(error_along(world, 1, 0).rms(), 0, 1e-9);
   EXPECT_NEAR(error_along(world, 0.97, 0).rms(), 0.03, 1e-9);
@@ -43,14 +44,14 @@ TEST(WallKeeping, AnAlcoveIsNotTheWallThatADistanceIsKeptFrom) {
   }
 }
 
-TEST(WallKeeping, WallsOfOneLineMayRunEitherWay) {
+TEST(WallKeeping, WallsOfOneLineMayRunEitherPath) {
   World world = corridor_with_alcove(0.2);
-  Segment2& last = world.walls.back().foot;
+  Segment2& last = world.walls.back().floor_point;
   std::swap(last.start, last.end);
   EXPECT_EQ(error_along(world, 1, 0).count(), 80U);
 }
 
-TEST(WallKeeping, AWallThatStepsAsideByLittleCounts) {
+TEST(WallKeeping, AWallThatStepsLateralByLittleCounts) {
   EXPECT_NEAR(error_along(corridor_with_alcove(0.04), 1, 0).worst(), 0.04, 1e-9);
 }
 

@@ -18,8 +18,8 @@ namespace aisle {
 namespace {
 
 constexpr std::string_view kBuildingFormat = "aisle.building";
-constexpr int kBuildingVersion = 2;
-constexpr int kOldestVersion = 1;  // has landmarks in a list, what programs write now has them in a table
+constexpr int kBuildingVersion = 3;
+constexpr int kOldestVersion = 1;  // 1: landmarks in a list; 2: corridors with "way_m"
 
 Building read_parts(const JsonValue& root) {
   Building building;

@@ -11,9 +11,11 @@
 namespace aisle {
 namespace {
 
+constexpr const char* kFormerPathKey = "way_m";  // in versions 1 and 2
+
 constexpr std::size_t kNodesMax = 100'000;
 constexpr std::size_t kCorridorsMax = 100'000;
-constexpr std::size_t kWayPointsMax = 100'000;
+constexpr std::size_t kPathPointsMax = 100'000;
 constexpr std::size_t kPlacesMax = 10'000;
 constexpr double kWidthMax_m = 1000;
 constexpr double kLengthMax_m = 100'000;
@@ -28,16 +30,16 @@ std::string node_json(const CorridorNode& node) {
                      point_json(node.p_map, kMillimetreDecimals));
 }
 
-/// Its length is that of the way as it is written.
+/// Its length is that of the path as it is written.
 std::string corridor_json(const Corridor& corridor) {
   constexpr double kPerMetre = 1000;
   std::vector<std::string> points;
   Corridor written = corridor;
-  for (Vec2& p : written.way) {
+  for (Vec2& p : written.path) {
     points.push_back(point_json(p, kMillimetreDecimals));
     p = (p * kPerMetre).array().round() / kPerMetre;
   }
-  return fmt::format(R"({{"from": {}, "to": {}, "length_m": {}, "width_m": {}, "way_m": [{}]}})",
+  return fmt::format(R"({{"from": {}, "to": {}, "length_m": {}, "width_m": {}, "path_m": [{}]}})",
                      corridor.from, corridor.to, decimals(written.length_m(), 2),
                      decimals(corridor.width_m, 2), fmt::join(points, ", "));
 }
@@ -57,11 +59,11 @@ CorridorNode read_node(const JsonValue& value) {
   return node;
 }
 
-std::vector<Vec2> read_way(const JsonValue& value) {
-  std::vector<Vec2> way;
-  if (!value.is_list_up_to(kWayPointsMax)) return way;
-  for (std::size_t i = 0; i < value.size(); ++i) value.element(i).read_point(way.emplace_back(0, 0));
-  return way;
+std::vector<Vec2> read_path(const JsonValue& value) {
+  std::vector<Vec2> path;
+  if (!value.is_list_up_to(kPathPointsMax)) return path;
+  for (std::size_t i = 0; i < value.size(); ++i) value.element(i).read_point(path.emplace_back(0, 0));
+  return path;
 }
 
 std::size_t read_node_index(const JsonValue& corridor, const char* key, std::size_t nodes) {
@@ -72,27 +74,28 @@ std::size_t read_node_index(const JsonValue& corridor, const char* key, std::siz
 
 Corridor read_corridor(const JsonValue& value, const std::vector<CorridorNode>& nodes) {
   Corridor corridor;
-  if (!value.is_object_of({"from", "to", "length_m", "width_m", "way_m"})) return corridor;
+  if (!value.is_object_of({"from", "to", "length_m", "width_m", "path_m", kFormerPathKey})) return corridor;
   corridor.from = read_node_index(value, "from", nodes.size());
   corridor.to = read_node_index(value, "to", nodes.size());
   if (const auto width = value.require("width_m")) width->read_number(corridor.width_m, 0, kWidthMax_m);
-  const auto way = value.require("way_m");
-  if (!way) return corridor;
-  corridor.way = read_way(*way);
-  if (corridor.way.size() < 2) {
-    way->wrong("has less than two points");
+  const auto former_path = value.find(kFormerPathKey);
+  const auto path = former_path ? former_path : value.require("path_m");
+  if (!path) return corridor;
+  corridor.path = read_path(*path);
+  if (corridor.path.size() < 2) {
+    path->wrong("has less than two points");
     return corridor;
   }
   const auto is_at = [&](const Vec2& p, std::size_t node) {
     return node < nodes.size() && (p - nodes[node].p_map).norm() <= kOffNodeMax_m;
   };
-  if (!is_at(corridor.way.front(), corridor.from) || !is_at(corridor.way.back(), corridor.to))
-    way->wrong("does not lead from the place of `from` to that of `to`");
+  if (!is_at(corridor.path.front(), corridor.from) || !is_at(corridor.path.back(), corridor.to))
+    path->wrong("does not lead from the place of `from` to that of `to`");
   double length_m = corridor.length_m();
   const auto length = value.find("length_m");
   if (length) length->read_number(length_m, 0, kLengthMax_m);
   if (std::abs(length_m - corridor.length_m()) > kLengthOffMax_m)
-    length->wrong(fmt::format("is not the length of the way, {:.2f}", corridor.length_m()));
+    length->wrong(fmt::format("is not the length of the path, {:.2f}", corridor.length_m()));
   return corridor;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kGreyDecimals = 2, kViewDecimals = 4;
 constexpr std::size_t kTurningsMax = 1000, kViewsMax = 10'000, kEdgesMax = 100'000;
-constexpr double kWayMax_m = 100'000, kFrameMax_m = 20, kFrameMin_m = 0.2, kGreyMax = 255;
+constexpr double kPathMax_m = 100'000, kFrameMax_m = 20, kFrameMin_m = 0.2, kGreyMax = 255;
 
 std::string turning_json(const RoomTurning& turning) {
   return fmt::format(R"({{"number": {}, "start_m": {}, "end_m": {}}})", turning.number,
@@ -69,9 +69,9 @@ RoomTurning read_turning(const JsonValue& value) {
   RoomTurning turning;
   if (!value.is_object_of({"number", "start_m", "end_m"})) return turning;
   if (const auto number = value.require("number")) number->read_count(turning.number, 1, kTurningNumbers);
-  if (const auto start = value.require("start_m")) start->read_number(turning.start_m, 0, kWayMax_m);
+  if (const auto start = value.require("start_m")) start->read_number(turning.start_m, 0, kPathMax_m);
   if (const auto end = value.require("end_m")) {
-    end->read_number(turning.end_m, 0, kWayMax_m);
+    end->read_number(turning.end_m, 0, kPathMax_m);
     if (turning.end_m < turning.start_m) end->wrong("is before start_m");
   }
   return turning;
@@ -103,7 +103,7 @@ StopView read_view(const JsonValue& value) {
   StopView view;
   if (!value.is_object_of({"left_m", "at", "columns"})) return view;
   if (const auto columns = value.find("columns")) view.seen.columns = read_columns(*columns);
-  if (const auto left = value.require("left_m")) left->read_number(view.left_m, -kWayMax_m, kWayMax_m);
+  if (const auto left = value.require("left_m")) left->read_number(view.left_m, -kPathMax_m, kPathMax_m);
   const auto at = value.require("at");
   if (!at || !at->is_list_of(view.seen.brightness.size())) return view;
   for (std::size_t i = 0; i < view.seen.brightness.size(); ++i)
@@ -114,9 +114,9 @@ StopView read_view(const JsonValue& value) {
 RouteEdge read_edge(const JsonValue& value) {
   RouteEdge edge;
   if (!value.is_list_of(3)) return edge;
-  value.element(0).read_number(edge.along_m, 0, kWayMax_m);
-  value.element(1).read_number(edge.p_map.x(), -kWayMax_m, kWayMax_m);
-  value.element(2).read_number(edge.p_map.y(), -kWayMax_m, kWayMax_m);
+  value.element(0).read_number(edge.along_m, 0, kPathMax_m);
+  value.element(1).read_number(edge.p_map.x(), -kPathMax_m, kPathMax_m);
+  value.element(2).read_number(edge.p_map.y(), -kPathMax_m, kPathMax_m);
   return edge;
 }
 

@@ -29,7 +29,7 @@ constexpr double kTurnMax_deg = 3600;
 
 bool leads_somewhere(const Path& path) {
   return std::any_of(path.pieces().begin(), path.pieces().end(),
-                     [](const PathPiece& piece) { return piece.way_m() >= kPieceLengthMin_m; });
+                     [](const PathPiece& piece) { return piece.path_m() >= kPieceLengthMin_m; });
 }
 
 std::string heading_text(double heading_rad) {

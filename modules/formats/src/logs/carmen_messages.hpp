@@ -19,7 +19,7 @@ struct StampFields {
 struct ScanMessage {
   std::vector<float> ranges_m;        ///< as recorded; infinite ones are 0
   std::optional<BeamFan> fan;         ///< unless the message leaves it open (FLASER)
-  double maximum_range_m = 0;         ///< 0: not told
+  double maximum_range_m = 0;         ///< 0: not given
   std::optional<Pose2> T_odom_laser;  ///< unless the message has no poses (RAWLASER1)
   std::optional<Pose2> T_odom_vehicle;
   StampFields stamp;

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// A maze told cell by cell, so that the two cells of an edge may contradict each other.
+/// A maze given cell by cell, so that the two cells of an edge may contradict each other.
 class MazeCells {
  public:
   MazeCells(int width, int height) : world_(width, height), walls_(world_.size(), kNoSides) {}

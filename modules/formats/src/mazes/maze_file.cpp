@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "aisle/formats/pictures/portable_bitmap.hpp"
+#include "aisle/formats/images/portable_bitmap.hpp"
 #include "aisle/formats/whole_file.hpp"
 #include "mazes/maze_binary.hpp"
 #include "mazes/maze_number.hpp"

@@ -92,7 +92,8 @@ Decision decision_of(const Json& json) {
 
 OperatorInput operator_of(const Json& json) {
   OperatorInput input;
-  if (json.contains("wish")) input.wish = command_of(json.at("wish"));
+  for (const char* key : {"requested", "wish"})  // release 0.1 wrote the latter
+    if (json.contains(key)) input.requested = command_of(json.at(key));
   for (const Json& mark : json.at("marks"))
     input.marks.push_back({value_of(kMarkWords, mark.at("kind")), mark.at("label").get<std::string>()});
   input.quit = json.at("quit").get<bool>();
@@ -111,7 +112,7 @@ std::string decision_text(const Decision& decision) {
 
 std::string operator_text(const OperatorInput& input) {
   Json json = Json::object();
-  if (input.wish) json["wish"] = command_json(*input.wish);
+  if (input.requested) json["requested"] = command_json(*input.requested);
   json["marks"] = Json::array();
   for (const Mark& mark : input.marks)
     json["marks"].push_back(Json{{"kind", word_of(kMarkWords, mark.kind)}, {"label", mark.label}});

@@ -6,7 +6,7 @@
 
 #include "aisle/vehicle/differential.hpp"
 #include "aisle/vehicle/front_steered.hpp"
-#include "sessions/picture_messages.hpp"
+#include "sessions/image_messages.hpp"
 
 namespace aisle {
 namespace {

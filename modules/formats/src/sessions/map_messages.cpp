@@ -81,17 +81,17 @@ ros::Marker landmarks_of(const Building& building, ros::Stamp_ns stamp) {
 }
 
 /// Lines from point to point, each its own marker.
-void add_line(ros::MarkerArray& array, ros::Marker line, const std::vector<Vec2>& way) {
+void add_line(ros::MarkerArray& array, ros::Marker line, const std::vector<Vec2>& polyline) {
   line.id = static_cast<std::int32_t>(array.markers.size());
-  line.points.reserve(way.size());
-  for (const Vec2& p : way) line.points.push_back(point(p));
+  line.points.reserve(polyline.size());
+  for (const Vec2& p : polyline) line.points.push_back(point(p));
   array.markers.push_back(std::move(line));
 }
 
-std::vector<Vec2> way_of(const Path& path) {
-  std::vector<Vec2> way;
-  for (const double mark_m : plan_marks_m(path)) way.push_back(path.at(mark_m).T_map_path.position());
-  return way;
+std::vector<Vec2> polyline_of(const Path& path) {
+  std::vector<Vec2> polyline;
+  for (const double mark_m : plan_marks_m(path)) polyline.push_back(path.at(mark_m).T_map_path.position());
+  return polyline;
 }
 
 void add_places(ros::MarkerArray& array, const Building& building, ros::Stamp_ns stamp) {
@@ -143,9 +143,10 @@ const SessionTopic& map_topic() {
 std::string map_cdr(ros::Stamp_ns stamp, const Building& building) {
   ros::MarkerArray array{{walls_of(building, stamp), landmarks_of(building, stamp)}};
   for (const Corridor& corridor : building.corridors.corridors)
-    add_line(array, marker(stamp, "graph", ros::Marker::kLineStrip, 0.05, kGraphColour), corridor.way);
+    add_line(array, marker(stamp, "graph", ros::Marker::kLineStrip, 0.05, kGraphColour), corridor.polyline);
   for (const Route& route : building.routes)
-    add_line(array, marker(stamp, "routes", ros::Marker::kLineStrip, 0.05, kRouteColour), way_of(route.path));
+    add_line(array, marker(stamp, "routes", ros::Marker::kLineStrip, 0.05, kRouteColour),
+             polyline_of(route.path));
   add_places(array, building, stamp);
   array.markers.push_back(
       barriers_of(building, Barrier::Kind::kKeepOut,

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "aisle/formats/sessions/decision_text.hpp"
-#include "sessions/picture_messages.hpp"
+#include "sessions/image_messages.hpp"
 
 namespace aisle {
 namespace {
@@ -76,7 +76,7 @@ Result<OperatorInput> operator_of(const RecordedMessage& message, const std::str
 }
 
 bool is_silent(const OperatorInput& input) {
-  return !input.wish && input.marks.empty() && !input.quit;
+  return !input.requested && input.marks.empty() && !input.quit;
 }
 
 /// Takes the messages of one cycle in.
@@ -104,8 +104,8 @@ class ObservationReader {
                  [this](auto&& pressed) { observation_.bumper_pressed = pressed.data; });
     }
     if (const auto camera = camera_of(topic)) {
-      return put(picture_of(message, *camera, file_),
-                 [this](auto picture) { observation_.pictures.push_back(std::move(picture)); });
+      return put(image_of(message, *camera, file_),
+                 [this](auto image) { observation_.images.push_back(std::move(image)); });
     }
     return {};
   }
@@ -131,11 +131,10 @@ class ObservationReader {
 }  // namespace
 
 std::vector<RecordedMessage> messages_of(const Observation& observation, const VehicleDescription& vehicle,
-                                         const PictureCoding& coding) {
+                                         const ImageCoding& coding) {
   const ros::Stamp_ns stamp = ros::stamp_ns(observation.stamp_s);
   std::vector<RecordedMessage> messages;
-  for (const CameraPicture& picture : observation.pictures)
-    messages.push_back(picture_message(picture, coding));
+  for (const CameraImage& image : observation.images) messages.push_back(image_message(image, coding));
   messages.push_back(wheels_message(stamp, observation.odometry));
   if (observation.scan)
     messages.push_back(scan_message(*observation.scan, vehicle.scanner.value_or(LaserScanner{})));

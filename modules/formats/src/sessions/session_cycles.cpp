@@ -8,8 +8,8 @@
 #include "aisle/formats/sessions/decision_text.hpp"
 #include "aisle/formats/sessions/session_reader.hpp"
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
+#include "sessions/image_messages.hpp"
 #include "sessions/observation_messages.hpp"
-#include "sessions/picture_messages.hpp"
 
 namespace aisle {
 namespace {

@@ -35,10 +35,10 @@ Problems check_length(const sqlite::Database& database) {
            fmt::format("is cut off: it has {} of {} bytes", bytes, pages->integer(0))}};
 }
 
-/// What a session consists of, killed or not, and its picture.
+/// What a session consists of, killed or not, and its image.
 bool belongs_to_session(const fs::path& file) {
   const std::string name = file.filename().string();
-  return name == kDrivenPicture || name == kMetadataName || name == std::string(kMetadataName) + ".part" ||
+  return name == kDrivenImage || name == kMetadataName || name == std::string(kMetadataName) + ".part" ||
          name.ends_with(".db3") || name.ends_with(".db3-wal") || name.ends_with(".db3-shm") ||
          name.ends_with(".db3-journal");
 }

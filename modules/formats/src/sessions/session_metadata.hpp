@@ -32,7 +32,7 @@ std::string quality_of_service(bool latched);
 /// Whether such a text describes a latched topic.
 bool is_latched(const std::string& quality);
 
-/// The name of the bag's one database file. Bags that are stored otherwise are told what would be read.
+/// The name of the bag's one database file. Bags that are stored otherwise are reported what would be read.
 Result<std::string> parse_database_name(const std::string& text, const std::string& name);
 
 }  // namespace aisle

@@ -10,8 +10,8 @@
 #include "aisle/formats/worlds/vehicle_yaml.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 #include "sessions/frame_messages.hpp"
+#include "sessions/image_messages.hpp"
 #include "sessions/observation_messages.hpp"
-#include "sessions/picture_messages.hpp"
 
 namespace aisle {
 namespace {
@@ -34,7 +34,7 @@ Result<DescribedVehicle> as_described(const VehicleDescription& vehicle) {
 
 Result<SessionRecord> SessionRecord::create(const std::filesystem::path& directory, bool force,
                                             const VehicleDescription& vehicle, const SessionOrigin& origin,
-                                            const PictureCoding& coding) {
+                                            const ImageCoding& coding) {
   auto described = as_described(vehicle);
   if (!described) return described.problems();
   auto writer = SessionWriter::create(directory, force);
@@ -44,7 +44,7 @@ Result<SessionRecord> SessionRecord::create(const std::filesystem::path& directo
 }
 
 Result<SessionRecord> SessionRecord::shown(MessageSink& watcher, const VehicleDescription& vehicle,
-                                           const SessionOrigin& origin, const PictureCoding& coding) {
+                                           const SessionOrigin& origin, const ImageCoding& coding) {
   auto described = as_described(vehicle);
   if (!described) return described.problems();
   SessionRecord record(std::nullopt, std::move(described->description), std::move(described->text), origin,
@@ -54,7 +54,7 @@ Result<SessionRecord> SessionRecord::shown(MessageSink& watcher, const VehicleDe
 }
 
 SessionRecord::SessionRecord(std::optional<SessionWriter> writer, VehicleDescription vehicle,
-                             std::string vehicle_text, SessionOrigin origin, const PictureCoding& coding)
+                             std::string vehicle_text, SessionOrigin origin, const ImageCoding& coding)
     : writer_(std::move(writer)),
       vehicle_(std::move(vehicle)),
       vehicle_text_(std::move(vehicle_text)),
@@ -102,9 +102,9 @@ Problems SessionRecord::write_for_viewers(const Observation& observation, ros::S
   const double duration_s = last_stamp_ ? static_cast<double>(stamp - *last_stamp_) / 1e9 : 0;
   std::vector<RecordedMessage> messages = {odometry_message(stamp, T_odom_vehicle_, motion, duration_s),
                                            frames_message(stamp, T_odom_vehicle_)};
-  for (const CameraPicture& picture : observation.pictures) {
-    if (const CameraDescription* camera = vehicle_.camera(picture.camera))
-      messages.push_back(camera_info_message(*camera, picture.stamp_s));
+  for (const CameraImage& image : observation.images) {
+    if (const CameraDescription* camera = vehicle_.camera(image.camera))
+      messages.push_back(camera_info_message(*camera, image.stamp_s));
   }
   return write(stamp, messages);
 }

@@ -5,7 +5,7 @@
 namespace aisle::sqlite {
 namespace {
 
-/// No message of a session is larger: a picture of 8192 x 8192 pixels in colour fits.
+/// No message of a session is larger: an image of 8192 x 8192 pixels in colour fits.
 constexpr int kValueMax_bytes = 256 << 20;
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/cross_section.hpp"
 
 namespace aisle {
 namespace {
@@ -75,7 +75,7 @@ class Checks {
   Problems problems() && {
     check_names();
     check_heights();
-    check_ways();
+    check_paths();
     check_room_to_stand();
     check_posters();
     return std::move(problems_);
@@ -117,15 +117,15 @@ class Checks {
     }
   }
 
-  void check_ways() {
-    const auto check = [&](const std::string& key, const std::vector<Vec2>& way) {
+  void check_paths() {
+    const auto check = [&](const std::string& key, const std::vector<Vec2>& polyline) {
       const bool leads_somewhere =
-          std::any_of(way.begin(), way.end(), [&](const Vec2& p) { return p != way.front(); });
+          std::any_of(polyline.begin(), polyline.end(), [&](const Vec2& p) { return p != polyline.front(); });
       if (!leads_somewhere) add(key, "needs at least two different points");
     };
     if (!world_.tour.empty()) check("tour", world_.tour);
     for (std::size_t i = 0; i < world_.routes.size(); ++i) {
-      check(fmt::format("routes[{}].way", i), world_.routes[i].way);
+      check(fmt::format("routes[{}].way", i), world_.routes[i].polyline);
     }
     for (std::size_t i = 0; i < world_.people.size(); ++i) {
       check(fmt::format("people[{}].path", i), world_.people[i].path);
@@ -171,10 +171,11 @@ class Checks {
     for (std::size_t i = 0; i < spots.size(); ++i) hanging_free[spots[i].key] = &world_.posters[i];
     const Spots by_x(std::move(spots));
     for (const WallFace& wall : world_.walls) {
-      by_x.for_each_near(wall.foot, kOnTheWall_m, [&](const Spot& spot) {
+      by_x.for_each_near(wall.floor_point, kOnTheWall_m, [&](const Spot& spot) {
         const auto poster = hanging_free.find(spot.key);
         if (poster == hanging_free.end()) return;
-        const double across = std::abs(unit(poster->second->facing_rad).dot(unit(wall.foot.heading())));
+        const double across =
+            std::abs(unit(poster->second->facing_rad).dot(unit(wall.floor_point.heading())));
         constexpr double kOblique = 0.1;
         if (across < kOblique) hanging_free.erase(poster);
       });

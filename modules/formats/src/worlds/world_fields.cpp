@@ -147,9 +147,9 @@ WorldFields fields_of(NamedPlace& place) {
   return fields;
 }
 
-WorldFields fields_of(TaughtWay& route) {
+WorldFields fields_of(WorldRoute& route) {
   return {needed(text("name", route.name)), word("park", route.parking, kParkingWords),
-          needed(points("way", route.way))};
+          needed(points("path", route.path))};
 }
 
 WorldFields fields_of(TaughtTurning& turning) {

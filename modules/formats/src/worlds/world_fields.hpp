@@ -63,7 +63,7 @@ WorldFields fields_of(ParkingFrame& frame);
 WorldFields fields_of(CalibrationBoard& board);
 WorldFields fields_of(Person& person);
 WorldFields fields_of(NamedPlace& place);
-WorldFields fields_of(TaughtWay& route);
+WorldFields fields_of(WorldRoute& route);
 WorldFields fields_of(TaughtTurning& turning);
 WorldFields fields_of(Pose2& pose);
 

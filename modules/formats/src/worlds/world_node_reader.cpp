@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "aisle/core/former_keys.hpp"
 #include "field_reader.hpp"
 #include "yaml_text.hpp"
 
@@ -49,7 +50,9 @@ void WorldNodeReader::read_map(const YAML::Node& map, const std::string& key, co
   std::set<std::string> seen;
   for (const auto& entry : map) {
     if (is_hopeless()) return;
-    const std::string name = text_of(entry.first);
+    std::string name = text_of(entry.first);
+    if (find_key(fields, name) == fields.end() && find_key(fields, present_key(name)) != fields.end())
+      name = present_key(name);
     const std::string inner = key.empty() ? printable(name) : key + "." + printable(name);
     lines_.emplace(inner, line_at(entry.first));
     if (!seen.insert(name).second) problem(entry.first, inner, "stands there twice");

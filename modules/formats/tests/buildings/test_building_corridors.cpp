@@ -13,7 +13,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 std::string corridors_with(const std::string& passage, const std::string& other) {
-  return golden_building("building_corridors.v2.json", passage, other);
+  return golden_building("building_corridors.v3.json", passage, other);
 }
 
 Building any_explored_building(Random& random) {
@@ -39,7 +39,7 @@ Building any_explored_building(Random& random) {
 }
 
 TEST(BuildingCorridors, TheGoldenFileSaysWhatWasExplored) {
-  const auto building = parse_building(golden_building("building_corridors.v2.json"), "golden");
+  const auto building = parse_building(golden_building("building_corridors.v3.json"), "golden");
   ASSERT_TRUE(building.ok()) << to_string(building.problems());
   const CorridorGraph& graph = building->corridors;
   ASSERT_EQ(graph.nodes.size(), 4U);
@@ -47,7 +47,7 @@ TEST(BuildingCorridors, TheGoldenFileSaysWhatWasExplored) {
   EXPECT_EQ(graph.name_of(3), "end 3");
   ASSERT_EQ(graph.corridors.size(), 3U);
   EXPECT_EQ(graph.corridors[2].to, 3U);
-  EXPECT_EQ(graph.corridors[2].way.size(), 3U);
+  EXPECT_EQ(graph.corridors[2].path.size(), 3U);
   EXPECT_EQ(graph.corridors[1].width_m, 1.6);
   ASSERT_EQ(building->places.size(), 2U);
   EXPECT_EQ(building->places[1].name, "lift");
@@ -58,7 +58,7 @@ TEST(BuildingCorridors, TheGoldenFileSaysWhatWasExplored) {
   EXPECT_EQ(building->floor->at(FloorCell{0, 9}), Floor::kUnknown);
   EXPECT_EQ(building->floor->at(FloorCell{2, 11}), Floor::kFree);
   EXPECT_EQ(building->floor->count(Floor::kFree), 5U);
-  EXPECT_EQ(building_json(*building), golden_building("building_corridors.v2.json"));
+  EXPECT_EQ(building_json(*building), golden_building("building_corridors.v3.json"));
 }
 
 RC_GTEST_PROP(BuildingCorridors, WhatIsReadIsWrittenAgainToTheLastByte, (std::uint64_t seed)) {
@@ -88,14 +88,14 @@ TEST(BuildingCorridors, BadCorridorsNameTheirKeys) {
   EXPECT_THAT(building_problems(corridors_with("[[0.5, 0], [4, 0]]", "[[0.5, 0]]")),
               HasSubstr("corridors.corridors[0].way_m: has less than two points"));
   EXPECT_THAT(building_problems(corridors_with("[[0.5, 0], [4, 0]]", "[[0.5, 0], [4, 1]]")),
-              HasSubstr("corridors.corridors[0].way_m: does not lead from the place of `from`"));
+              HasSubstr("corridors.corridors[0].path_m: does not lead from the place of `from`"));
   EXPECT_THAT(building_problems(corridors_with("\"length_m\": 6.25", "\"length_m\": 7")),
-              HasSubstr("corridors.corridors[1].length_m: is not the length of the way, 6.25"));
+              HasSubstr("corridors.corridors[1].length_m: is not the length of the path, 6.25"));
   EXPECT_THAT(building_problems(corridors_with("\"width_m\": 1.6", "\"width_m\": -1")),
               HasSubstr("corridors.corridors[1].width_m: is not a number from 0"));
   EXPECT_THAT(building_problems(
                   R"({"format": "aisle.building", "version": 1, "corridors": {"nodes": [], "corridors": [
-                          {"from": 0, "to": 0, "width_m": 1, "way_m": [[0, 0], [1, 0]]}]}})"),
+                          {"from": 0, "to": 0, "width_m": 1, "path_m": [[0, 0], [1, 0]]}]}})"),
               HasSubstr("corridors.corridors[0]"));
 }
 

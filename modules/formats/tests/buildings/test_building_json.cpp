@@ -14,8 +14,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-const std::filesystem::path kGoldenWalls = kGolden / "building.v2.json";
-const std::filesystem::path kGoldenRoutes = kGolden / "building_routes.v2.json";
+const std::filesystem::path kGoldenWalls = kGolden / "building.v3.json";
+const std::filesystem::path kGoldenRoutes = kGolden / "building_routes.v3.json";
 
 /// A building of version 1 with these further members.
 std::string building_with(const std::string& members) {
@@ -63,11 +63,13 @@ TEST(BuildingJson, WritesTheGoldenFilesAsTheyStand) {
   EXPECT_EQ(building_json(*read_building(kGoldenRoutes)), *read_whole_file(kGoldenRoutes));
 }
 
-TEST(BuildingJson, WhatVersion1SaysIsWrittenAsVersion2) {
-  for (const std::string name : {"building", "building_routes"}) {
-    const auto old = read_building(kGolden / (name + ".v1.json"));
-    ASSERT_TRUE(old.ok()) << to_string(old.problems());
-    EXPECT_EQ(building_json(*old), *read_whole_file(kGolden / (name + ".v2.json")));
+TEST(BuildingJson, WhatFormerVersionsSayIsWrittenAsVersion3) {
+  for (const std::string former :
+       {"building.v1", "building.v2", "building_routes.v1", "building_routes.v2", "building_corridors.v2"}) {
+    const auto building = read_building(kGolden / (former + ".json"));
+    ASSERT_TRUE(building.ok()) << to_string(building.problems());
+    const std::string name = former.substr(0, former.find('.'));
+    EXPECT_EQ(building_json(*building), *read_whole_file(kGolden / (name + ".v3.json"))) << former;
   }
 }
 

@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "aisle/exploration/maze_generator.hpp"
-#include "aisle/formats/pictures/portable_bitmap.hpp"
+#include "aisle/formats/images/portable_bitmap.hpp"
 
 namespace aisle {
 namespace {

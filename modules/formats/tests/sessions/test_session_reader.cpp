@@ -25,7 +25,7 @@ std::string read(const fs::path& path) {
   return *read_whole_file(path);
 }
 
-/// Reads a session in every way that there is; returns the first problem, "" if there is none.
+/// Reads a session in every path that there is; returns the first problem, "" if there is none.
 std::string trouble_with(const fs::path& directory) {
   if (const auto summary = summarise_session(directory); !summary) return to_string(summary.problems());
   auto cycles = SessionCycles::open(directory);
@@ -86,7 +86,7 @@ std::string metadata_with(const std::string& storage, const std::string& compres
          "\n  compression_format: \"" + compression + "\"\n  relative_file_paths: " + files + "\n";
 }
 
-TEST_F(DamagedSession, BagsOfOtherLayoutsAreToldWhatWouldBeRead) {
+TEST_F(DamagedSession, BagsOfOtherLayoutsAreReportedWhatWouldBeRead) {
   const auto trouble = [&](const std::string& metadata) {
     write(place / "drive/metadata.yaml", metadata);
     return trouble_with(place / "drive");
@@ -136,7 +136,7 @@ TEST(SessionReader, ABagOfOthersIsReadButIsNoSession) {
               HasSubstr("bag_0.db3: /session: is missing: this bag is no session of aisle's"));
 }
 
-TEST(SessionReader, MessagesThatAreNotWhatTheyShouldBeAreTold) {
+TEST(SessionReader, MessagesThatAreNotWhatTheyShouldBeAreReported) {
   const SessionPlace place;
   record_sample(place / "drive", 2);
   auto reader = SessionReader::open(place / "drive");
@@ -164,16 +164,15 @@ TEST(SessionReader, MessagesThatAreNotWhatTheyShouldBeAreTold) {
   image.width = image.height = image.step = 2;
   image.encoding = "mono8";
   image.data = {1, 2, 3};
-  const SessionTopic pictures{"/camera/front/image_raw", ros::Image::kType};
-  EXPECT_THAT(trouble(pictures, cdr_bytes(image)),
-              HasSubstr("2 x 2 pixels in rows of 2 bytes, with 3 bytes"));
+  const SessionTopic images{"/camera/front/image_raw", ros::Image::kType};
+  EXPECT_THAT(trouble(images, cdr_bytes(image)), HasSubstr("2 x 2 pixels in rows of 2 bytes, with 3 bytes"));
   image.encoding = "yuv422";
-  EXPECT_THAT(trouble(pictures, cdr_bytes(image)), HasSubstr("has pictures in 'yuv422'"));
-  ros::CompressedImage no_picture;
-  no_picture.data = {1, 2, 3};
+  EXPECT_THAT(trouble(images, cdr_bytes(image)), HasSubstr("has images in 'yuv422'"));
+  ros::CompressedImage no_image;
+  no_image.data = {1, 2, 3};
   EXPECT_THAT(
-      trouble({"/camera/front/image_raw/compressed", ros::CompressedImage::kType}, cdr_bytes(no_picture)),
-      HasSubstr("is not a picture"));
+      trouble({"/camera/front/image_raw/compressed", ros::CompressedImage::kType}, cdr_bytes(no_image)),
+      HasSubstr("is not an image"));
 }
 
 TEST(SessionReader, ReplayNeverLooksAtTheTruth) {

@@ -12,8 +12,8 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 constexpr int kCycles = 30;
-constexpr PictureCoding kRaw{PictureCoding::Kind::kRaw};
-constexpr PictureCoding kPng{PictureCoding::Kind::kPng};
+constexpr ImageCoding kRaw{ImageCoding::Kind::kRaw};
+constexpr ImageCoding kPng{ImageCoding::Kind::kPng};
 
 /// Bit for bit.
 void expect_same(const OdometryReading& a, const OdometryReading& b) {
@@ -30,25 +30,25 @@ void expect_same(const OdometryReading& a, const OdometryReading& b) {
 void expect_same(const Observation& a, const Observation& b) {
   EXPECT_EQ(a.stamp_s, b.stamp_s);
   expect_same(a.odometry, b.odometry);
-  ASSERT_EQ(a.pictures.size(), b.pictures.size());
-  for (std::size_t i = 0; i < a.pictures.size(); ++i) {
-    EXPECT_EQ(a.pictures[i].camera, b.pictures[i].camera);
-    EXPECT_EQ(a.pictures[i].stamp_s, b.pictures[i].stamp_s);
-    EXPECT_TRUE(*a.pictures[i].image == *b.pictures[i].image) << "picture " << i << " at " << a.stamp_s;
+  ASSERT_EQ(a.images.size(), b.images.size());
+  for (std::size_t i = 0; i < a.images.size(); ++i) {
+    EXPECT_EQ(a.images[i].camera, b.images[i].camera);
+    EXPECT_EQ(a.images[i].stamp_s, b.images[i].stamp_s);
+    EXPECT_TRUE(*a.images[i].image == *b.images[i].image) << "image " << i << " at " << a.stamp_s;
   }
   ASSERT_EQ(a.scan.has_value(), b.scan.has_value());
   if (a.scan) {
     EXPECT_EQ(a.scan->stamp_s, b.scan->stamp_s);
     EXPECT_EQ(a.scan->ranges_m, b.scan->ranges_m);
   }
-  EXPECT_EQ(a.operator_input.wish, b.operator_input.wish);
+  EXPECT_EQ(a.operator_input.requested, b.operator_input.requested);
   EXPECT_EQ(a.operator_input.marks, b.operator_input.marks);
   EXPECT_EQ(a.operator_input.quit, b.operator_input.quit);
   EXPECT_EQ(a.operator_input.gives_up, b.operator_input.gives_up);
   EXPECT_EQ(a.bumper_pressed, b.bumper_pressed);
 }
 
-class SessionRecordTest : public testing::TestWithParam<PictureCoding> {
+class SessionRecordTest : public testing::TestWithParam<ImageCoding> {
  protected:
   SessionPlace place;
 };
@@ -69,23 +69,23 @@ TEST_P(SessionRecordTest, WhatItGivesBackIsWhatAReplaySees) {
   EXPECT_FALSE(end->has_value());
 }
 
-INSTANTIATE_TEST_SUITE_P(PictureCodings, SessionRecordTest,
-                         testing::Values(kRaw, PictureCoding{}, PictureCoding{PictureCoding::Kind::kJpeg, 50},
+INSTANTIATE_TEST_SUITE_P(ImageCodings, SessionRecordTest,
+                         testing::Values(kRaw, ImageCoding{}, ImageCoding{ImageCoding::Kind::kJpeg, 50},
                                          kPng),
                          [](const auto& coding) { return "Coding" + std::to_string(coding.index); });
 
 TEST(SessionRecord, LosslessCodingsGiveBackWhatWasSensed) {
   const SessionPlace place;
-  for (const PictureCoding& coding : {kRaw, kPng}) {
+  for (const ImageCoding& coding : {kRaw, kPng}) {
     const auto kept = record_sample(place / std::to_string(static_cast<int>(coding.kind)), 10, coding);
     for (int i = 0; i < 10; ++i) {
       Observation sensed = sample_observation(i);
       const Observation& given_back = kept[static_cast<std::size_t>(i)];
       EXPECT_NEAR(sensed.stamp_s, given_back.stamp_s, 0.5e-9);
       sensed.stamp_s = given_back.stamp_s;
-      for (std::size_t p = 0; p < sensed.pictures.size(); ++p) {
-        EXPECT_NEAR(sensed.pictures[p].stamp_s, given_back.pictures[p].stamp_s, 0.5e-9);
-        sensed.pictures[p].stamp_s = given_back.pictures[p].stamp_s;
+      for (std::size_t p = 0; p < sensed.images.size(); ++p) {
+        EXPECT_NEAR(sensed.images[p].stamp_s, given_back.images[p].stamp_s, 0.5e-9);
+        sensed.images[p].stamp_s = given_back.images[p].stamp_s;
       }
       if (sensed.scan) sensed.scan->stamp_s = given_back.scan->stamp_s;
       expect_same(sensed, given_back);

@@ -48,11 +48,11 @@ class RecordingProcess {
     process_ = ::fork();
     if (process_ == 0) record(directory, ends[1]);
     ::close(ends[1]);
-    told_ = ends[0];
+    reported_ = ends[0];
   }
   RecordingProcess(const RecordingProcess&) = delete;
   RecordingProcess& operator=(const RecordingProcess&) = delete;
-  ~RecordingProcess() { ::close(told_); }
+  ~RecordingProcess() { ::close(reported_); }
 
   /// Waits for that many messages, then kills it; returns the stamp of the last message that it wrote.
   ros::Stamp_ns kill_after(int messages) {
@@ -66,7 +66,7 @@ class RecordingProcess {
   }
 
  private:
-  bool next(ros::Stamp_ns& stamp) const { return ::read(told_, &stamp, sizeof stamp) == sizeof stamp; }
+  bool next(ros::Stamp_ns& stamp) const { return ::read(reported_, &stamp, sizeof stamp) == sizeof stamp; }
 
   [[noreturn]] static void record(const fs::path& directory, int tell) {
     auto writer = SessionWriter::create(directory, false);
@@ -78,7 +78,7 @@ class RecordingProcess {
   }
 
   pid_t process_ = 0;
-  int told_ = 0;
+  int reported_ = 0;
 };
 
 TEST(KilledSession, OpensAndMissesLessThanItsLastSecond) {
@@ -172,7 +172,7 @@ class StraightOn final : public Navigator {
 TEST(SessionWriter, AFullDiskEndsTheMissionWithAProblemAndAStandingVehicle) {
   const SessionPlace place;
   auto record = SessionRecord::create(place / "drive", false, sample_vehicle(), sample_origin(),
-                                      {PictureCoding::Kind::kRaw});
+                                      {ImageCoding::Kind::kRaw});
   ASSERT_TRUE(record.ok());
   TirelessVehicle vehicle;
   StraightOn navigator;
@@ -205,12 +205,12 @@ TEST(SessionWriter, NeverOverwritesWithoutForce) {
   EXPECT_THAT(stamps_in(place / "drive"), IsEmpty());
 }
 
-TEST(SessionWriter, ATripsPictureIsReplacedWithItsSession) {
+TEST(SessionWriter, ARunsImageIsReplacedWithItsSession) {
   const SessionPlace place;
   record_sample(place / "drive", 3);
-  std::ofstream(place / "drive" / kDrivenPicture) << "<svg/>";
+  std::ofstream(place / "drive" / kDrivenImage) << "<svg/>";
   EXPECT_EQ(refusal(place / "drive", true), "");
-  EXPECT_FALSE(fs::exists(place / "drive" / kDrivenPicture));
+  EXPECT_FALSE(fs::exists(place / "drive" / kDrivenImage));
 }
 
 TEST(SessionWriter, NeverRemovesWhatIsNoSession) {

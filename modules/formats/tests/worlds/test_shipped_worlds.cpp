@@ -3,10 +3,10 @@
 #include <filesystem>
 
 #include "aisle/formats/worlds/world_yaml.hpp"
+#include "aisle/simulation/cross_section.hpp"
 #include "aisle/simulation/operators/tour_driver.hpp"
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/paths/free_floor.hpp"
 #include "aisle/simulation/wall_grid.hpp"
-#include "aisle/simulation/ways/free_floor.hpp"
 
 namespace aisle {
 namespace {
@@ -71,7 +71,7 @@ TEST_P(ShippedWorld, TheTourIsDrivenWithoutTouchingAnything) {
 
 TEST_P(ShippedWorld, PostersHangWhereTheyAreSeen) {
   for (const Poster& poster : world_.posters) {
-    const WallGrid grid(slice(world_, poster.bottom_m + poster.height_m / 2));
+    const WallGrid grid(cross_section(world_, poster.bottom_m + poster.height_m / 2));
     const Vec2 ahead = unit(poster.facing_rad);
     EXPECT_GT(grid.cast(poster.centre + 0.05 * ahead, ahead), 0.5) << poster.centre.transpose();
     const Vec2 edge = (poster.width_m / 2 - 0.01) * left_normal(ahead);

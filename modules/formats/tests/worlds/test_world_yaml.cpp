@@ -2,7 +2,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/formats/worlds/world_yaml.hpp"
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/cross_section.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -32,7 +32,7 @@ TEST(WorldYaml, ReadsWallsBoxesAndTour) {
   ASSERT_TRUE(world.ok()) << to_string(world.problems());
   EXPECT_EQ(world->name, "closet");
   ASSERT_THAT(world->walls, SizeIs(2));
-  EXPECT_THAT(world->walls[1].foot.end, PointNear(Vec2(3, 2), 1e-12));
+  EXPECT_THAT(world->walls[1].floor_point.end, PointNear(Vec2(3, 2), 1e-12));
   ASSERT_THAT(world->furniture, SizeIs(1));
   EXPECT_THAT(world->furniture[0].size, PointNear(Vec2(1, 0.5), 1e-12));
   EXPECT_DOUBLE_EQ(world->furniture[0].heading_rad, 90 * kDegree);
@@ -161,7 +161,7 @@ TEST(WorldYaml, ABoxIsSeenByCamerasAndByAScannerAtKneeHeight) {
       parse_world(std::string(kWorldHead) + "walls: []\nboxes: [{centre: [0, 0], size: [1, 1]}]\n", "w.yaml");
   ASSERT_TRUE(world.ok());
   EXPECT_EQ(world->furniture.at(0).kind, Furniture::Kind::kBox);
-  EXPECT_THAT(slice(*world, 0.3), SizeIs(4));
+  EXPECT_THAT(cross_section(*world, 0.3), SizeIs(4));
 }
 
 TEST(WorldYaml, ReportsEveryProblemWithItsLineAndKey) {
@@ -270,7 +270,7 @@ TEST(WallSegments, ReadsOneWallALine) {
   ASSERT_TRUE(world.ok()) << to_string(world.problems());
   EXPECT_EQ(world->name, "floor-4");
   ASSERT_THAT(world->walls, SizeIs(2));
-  EXPECT_THAT(world->walls[1].foot.end, PointNear(Vec2(1.5, 2), 1e-12));
+  EXPECT_THAT(world->walls[1].floor_point.end, PointNear(Vec2(1.5, 2), 1e-12));
   EXPECT_THAT(world->tour, IsEmpty());
 }
 

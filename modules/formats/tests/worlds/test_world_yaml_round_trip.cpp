@@ -53,14 +53,14 @@ class FieldDrawer {
   Random& random_;
 };
 
-/// Vehicles stand far from everything that could be in their way.
-constexpr double kAside_m = 500;
+/// Vehicles stand far from everything that could be in their path.
+constexpr double kLateral_m = 500;
 
 /// A wall for the poster to hang on.
 WallFace behind(Poster& poster, std::uint64_t quarter_turns) {
   poster.facing_rad = static_cast<double>(quarter_turns) * kPi / 2;
   const Vec2 along = quarter_turns % 2 == 0 ? Vec2(0, 1) : Vec2(1, 0);
-  return {.foot = {poster.centre - along, poster.centre + along}};
+  return {.floor_point = {poster.centre - along, poster.centre + along}};
 }
 
 World draw_world(Random& random) {
@@ -78,14 +78,14 @@ World draw_world(Random& random) {
     WallLine line;
     drawer.draw(line);
     const bool goes_on = !world.walls.empty() && random.index(2) == 0;
-    world.walls.push_back({{goes_on ? world.walls.back().foot.end : line.line[0], line.line[1]},
+    world.walls.push_back({{goes_on ? world.walls.back().floor_point.end : line.line[0], line.line[1]},
                            random.index(2) == 0 ? world.ceiling_m : line.height_m,
                            random.index(2) == 0 ? WallFace{}.brightness : line.brightness});
   }
   for (Poster& poster : world.posters) world.walls.push_back(behind(poster, random.index(4)));
-  if (world.start) world.start->x += kAside_m;
-  for (Vec2& p : world.tour) p.x() += kAside_m;
-  for (NamedPlace& place : world.places) place.T_world_place.x += kAside_m;
+  if (world.start) world.start->x += kLateral_m;
+  for (Vec2& p : world.tour) p.x() += kLateral_m;
+  for (NamedPlace& place : world.places) place.T_world_place.x += kLateral_m;
   return world;
 }
 
@@ -96,8 +96,8 @@ bool same(const Vec2& a, const Vec2& b) {
   return same(a.x(), b.x()) && same(a.y(), b.y());
 }
 bool same(const WallFace& a, const WallFace& b) {
-  return same(a.foot.start, b.foot.start) && same(a.foot.end, b.foot.end) && same(a.height_m, b.height_m) &&
-         same(a.brightness, b.brightness);
+  return same(a.floor_point.start, b.floor_point.start) && same(a.floor_point.end, b.floor_point.end) &&
+         same(a.height_m, b.height_m) && same(a.brightness, b.brightness);
 }
 
 bool same_value(double* a, double* b) {

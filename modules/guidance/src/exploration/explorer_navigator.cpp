@@ -11,25 +11,25 @@
 namespace aisle {
 namespace {
 
-constexpr double kStopSpare_m = 0.15;  // the vehicle stops so far before what came into its way
+constexpr double kStopClearance_m = 0.15;  // the vehicle stops so far before what came into its path
 constexpr double kCoverageEvery_m = 0.5;
 constexpr int kAttemptsMax = 4;
 constexpr int kHomeAttemptsMax = 4;
-constexpr double kGateMoved_m = 1;
-constexpr int kNookExpansions = 40000;  // of the search: more is not worth while
-constexpr int kBlocksMax = 3;           // on one spot: then the trail back is the way out
-constexpr double kStruckNow_m = 1.5;    // so far from the vehicle ways keep off what is struck now
-constexpr double kStageLeft_m = 2.5;    // of a stage, when the next one is searched
-constexpr double kLearned_m2 = 0.5;     // so much more floor is something learned
-constexpr double kShown_m2 = 0.03;      // so much more floor after a way: it was worth driving
-constexpr double kWedged_m = 0.5;       // a search that comes no farther says something about where it began
-constexpr double kRetreat_m = 3;        // at least, along its own trail, before it searches anew ...
-constexpr double kRoomy_m = 0.15;       // ... where it has so much more room than it needs
-constexpr int kDespairsMax = 3;         // then it gives up, wherever it is
-constexpr int kTouchesMax = 5;          // of the bumper: then something is wrong
+constexpr double kFrontierMoved_m = 1;
+constexpr int kPocketExpansions = 40000;  // of the search: more is not worth while
+constexpr int kBlocksMax = 3;             // on one spot: then the trail back is the path out
+constexpr double kHitNow_m = 1.5;         // so far from the vehicle paths keep off what is hit now
+constexpr double kStageLeft_m = 2.5;      // of a stage, when the next one is searched
+constexpr double kLearned_m2 = 0.5;       // so much more floor is something learned
+constexpr double kShown_m2 = 0.03;        // so much more floor after a path: it was worth driving
+constexpr double kWedged_m = 0.5;  // a search that comes no farther says something about where it began
+constexpr double kRetreat_m = 3;   // at least, along its own trail, before it searches again ...
+constexpr double kRoomy_m = 0.15;  // ... where it has so much more room than it needs
+constexpr int kDespairsMax = 3;    // then it gives up, wherever it is
+constexpr int kContactsMax = 5;    // of the bumper: then something is wrong
 constexpr double kTouchedKnown_m = -0.03;  // beyond the margin: what stands so near is what was touched
-constexpr double kIdleWay_m = 150;         // without learning anything: what waits is left undone ...
-constexpr double kIdleShare = 0.5;         // ... after more, where as much of the way before was worth it
+constexpr double kIdlePath_m = 150;        // without learning anything: what waits is left undone ...
+constexpr double kIdleShare = 0.5;         // ... after more, where as much of the path before was worth it
 
 bool is_same(const ExploringTarget& a, const ExploringTarget& b) {
   if (a.kind != b.kind) return false;
@@ -46,25 +46,25 @@ void ExplorerNavigatorParams::describe(FieldList& fields) {
   fields.group("speed", speed);
   fields.real("look_s", look_s, {0, 60}, "time to look around before it starts");
   fields.real("look_from_m", look_from_m, {0.3, 10}, "so near it drives to what it wants to see");
-  fields.real("join_m", join_m, {0.1, 5}, "so far ahead a new way joins the old one");
-  fields.group("patience", patience);
+  fields.real("join_m", join_m, {0.1, 5}, "so far ahead a new path joins the old one");
+  fields.group("retry_budget", retry_budget);
   fields.real("time_max_s", time_max_s, {10, 100000}, "then it gives up, wherever it is");
   fields.count("expansions", expansions, {10, 100000}, "poses that the search looks at in a cycle");
-  fields.real("stuck_s", stuck_s, {1, 3600}, "standing for so long without a way it gives up");
+  fields.real("stuck_s", stuck_s, {1, 3600}, "standing for so long without a path it gives up");
 }
 
 ExplorerNavigator::ExplorerNavigator(const ExplorerNavigatorParams& params, const VehicleDescription& vehicle,
-                                     ExploringOrder order, std::unique_ptr<SliceSensor> sensor)
+                                     ExploringOrder order, std::unique_ptr<ScanSource> sensor)
     : params_(params),
       vehicle_(vehicle),
       learner_(params.learner, vehicle, std::move(sensor)),
       explorer_(params.explorer, order),
       search_(params.search, vehicle),
       target_search_(search_, learner_,
-                     {params.look_from_m, params.explorer.nooks.reach_m, params.explorer.crossing_near_m},
+                     {params.look_from_m, params.explorer.pockets.reach_m, params.explorer.crossing_near_m},
                      vehicle.footprint.front_m),
       driver_(vehicle, params.steering, params.speed),
-      patience_(params.patience) {}
+      retry_budget_(params.retry_budget) {}
 
 Decision ExplorerNavigator::step(const Observation& observation) {
   ++cycle_;
@@ -73,20 +73,20 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   const FloorLearner::News news = learner_.take(observation);
   driver_.see(learner_.sensor().fan(), learner_.view().ranges_m);
   mark_coverage();
-  if (touches_anew(observation)) return back_off(observation);
+  if (contacts_again(observation)) return back_off(observation);
   note_touch();
   if (stamp_s_ - *begun_s_ > params_.time_max_s)
     return end(NavigatorStatus::kFailed, "late", "its time is over");
-  if (learner_.is_laying_anew()) return wait_for_floor();
+  if (learner_.is_laying_again()) return wait_for_floor();
   keep_trail(news);
   if (stamp_s_ - *begun_s_ < params_.look_s || !learner_.has_looked()) return {.state = "looking"};
   if (came_home_) return end(NavigatorStatus::kDone, "home", what_was_explored());
   if (news == FloorLearner::News::kLoop) begin_on_new_floor();
-  if (news != FloorLearner::News::kNothing) check_way();
+  if (news != FloorLearner::News::kNothing) check_path();
   think(news);
-  lose_patience();
-  if (is_lost_for_ways())
-    despair(is_wedged_ ? "finds no way out of where it stands" : "finds no way that it can drive");
+  check_retry_budget();
+  if (is_lost_for_paths())
+    give_up_mission(is_wedged_ ? "finds no path out of where it stands" : "finds no path that it can drive");
   if (!ended_because_.empty()) return end(NavigatorStatus::kFailed, "stuck", ended_because_);
   return drive(observation);
 }
@@ -97,17 +97,17 @@ std::string ExplorerNavigator::what_was_explored() const {
                                    ? "explored"
                                    : fmt::format("came home with {} left undone",
                                                  undone == 1 ? "a path" : fmt::format("{} paths", undone));
-  return touches_ == 0 ? explored : explored + ", but touched something";
+  return contacts_ == 0 ? explored : explored + ", but touched something";
 }
 
-bool ExplorerNavigator::touches_anew(const Observation& observation) {
+bool ExplorerNavigator::contacts_again(const Observation& observation) {
   const bool was_touching = std::exchange(is_touching_, observation.bumper_pressed);
   return is_touching_ && !was_touching;
 }
 
-/// Another way is searched, away from what it touched.
+/// Another path is searched, away from what it touched.
 Decision ExplorerNavigator::back_off(const Observation& observation) {
-  if (++touches_ > kTouchesMax || !learner_.has_looked())
+  if (++contacts_ > kContactsMax || !learner_.has_looked())
     return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
   is_touch_due_ = driven_direction_ != 0;
   be_blocked(driven_direction_);
@@ -119,24 +119,24 @@ void ExplorerNavigator::note_touch() {
   if (!is_touch_due_ || !learner_.is_standing()) return;
   is_touch_due_ = false;
   const double room_m =
-      search_.room().standing_spare_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+      search_.room().standing_clearance_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
   if (room_m > kTouchedKnown_m) learner_.touch(driven_direction_);
 }
 
 void ExplorerNavigator::keep_trail(FloorLearner::News news) {
   if (!learner_.has_looked()) return;
-  if (news == FloorLearner::News::kLoop) trail_.lay_anew(learner_.T_map_vehicle_of_all());
+  if (news == FloorLearner::News::kLoop) trail_.lay_again(learner_.T_map_vehicle_of_all());
   if (is_retreating_) return trail_.go_back(learner_.T_map_vehicle());
   trail_.go_on(learner_.T_map_vehicle(), learner_.log().scans.size() - 1);
 }
 
 void ExplorerNavigator::mark_coverage() {
-  if (!coverage_.empty() && learner_.way_m() - coverage_.back().way_m < kCoverageEvery_m) return;
-  coverage_.push_back({learner_.way_m(), learner_.floor().free_m2()});
+  if (!coverage_.empty() && learner_.path_m() - coverage_.back().path_m < kCoverageEvery_m) return;
+  coverage_.push_back({learner_.path_m(), learner_.floor().free_m2()});
 }
 
 /// Learning floor is a cycle's work already. In the next one it is encoded what is around, in the one after
-/// it is decided where to go; and then it is a way's turn to be searched, as in all other cycles.
+/// it is decided where to go; and then it is a path's turn to be searched, as in all other cycles.
 void ExplorerNavigator::think(FloorLearner::News news) {
   const bool is_news = news != FloorLearner::News::kNothing;
   const bool is_turn_of_look = !std::exchange(is_turn_of_search_, false);
@@ -146,7 +146,7 @@ void ExplorerNavigator::think(FloorLearner::News news) {
   } else if (is_turn_of_look && (std::exchange(is_look_due_, false) || (!target_ && !is_news))) {
     look_around();
   } else {
-    search_way();
+    search_path();
   }
   is_look_due_ = is_look_due_ || is_news;
 }
@@ -164,91 +164,92 @@ void ExplorerNavigator::choose() {
                                                   learner_.T_map_vehicle(), learner_.T_map_home(), cycle_);
   if (target.kind == ExploringTarget::Kind::kHome && explorer_.has_left_floor() && learner_.halve_cells()) {
     explorer_.halve_cells();
-    return drop_way();
+    return drop_path();
   }
   const bool goes_on = target_ && is_same(*target_, target);
-  const bool gate_moved = (target.gate.p_map - p_map_searched_).norm() > kGateMoved_m;
-  if (gate_moved || !former_ || !is_same(*former_, target)) is_out_of_reach_ = false;
+  const bool frontier_moved = (target.frontier.p_map - p_map_searched_).norm() > kFrontierMoved_m;
+  if (frontier_moved || !former_ || !is_same(*former_, target)) is_out_of_reach_ = false;
   watch_learning(target);
   target_ = former_ = target;
-  target_search_.see(target.gate);
-  if (goes_on && (!gate_moved || target.kind != ExploringTarget::Kind::kPath)) return;
+  target_search_.see(target.frontier);
+  if (goes_on && (!frontier_moved || target.kind != ExploringTarget::Kind::kPath)) return;
   tries_ = {};
   is_search_due_ = true;
 }
 
-/// From where the present way is left: ahead, so that the vehicle need not stop.
+/// From where the present path is left: ahead, so that the vehicle need not stop.
 void ExplorerNavigator::begin_search() {
   is_search_due_ = stands_first_ = false;
-  p_map_searched_ = target_->gate.p_map;
+  p_map_searched_ = target_->frontier.p_map;
   searched_m2_ = learner_.floor().free_m2();
-  if (driver_.has_way()) shorten_way(params_.join_m);
+  if (driver_.has_path()) shorten_path(params_.join_m);
   const Path& path = driver_.path();
   const Pose2 T_map_from = path.empty() ? learner_.T_map_vehicle() : path.at(path.length_m()).T_map_path;
   target_search_.look_for(*target_, T_map_from, tries_, may_end_at_home(T_map_from));
   const bool is_path = target_->kind == ExploringTarget::Kind::kPath;
-  if (target_search_.leads_home() && driver_.has_way()) {
+  if (target_search_.leads_home() && driver_.has_path()) {
     search_.stop();
     is_search_due_ = stands_first_ = true;
   }
-  if (is_path && !target_->gate.is_nook && !driver_.has_way()) target_search_.search_from_ends_too(tries_);
+  if (is_path && !target_->frontier.is_pocket && !driver_.has_path())
+    target_search_.search_from_ends_too(tries_);
   if (blocks_.was_at(T_map_from)) search_.forbid_first(blocks_.shut_direction());
   keep_off_what_blocks();
-  if (tries_.failures > 0) search_.squeeze();
+  if (tries_.failures > 0) search_.relax_clearance();
 }
 
-/// What the sensor strikes now stands a little off where the floor's cells show it; and a way through where
+/// What the sensor strikes now stands a little off where the floor's cells show it; and a path through where
 /// the vehicle was blocked would be blocked again.
 void ExplorerNavigator::keep_off_what_blocks() {
   search_.keep_to([this](const Pose2& T_map_later) {
     if (blocks_.is_barred(T_map_later)) return false;
     const Pose2 T_vehicle_later = between(learner_.T_map_vehicle(), T_map_later);
-    return T_vehicle_later.position().norm() > kStruckNow_m || driver_.is_off_struck(T_vehicle_later);
+    return T_vehicle_later.position().norm() > kHitNow_m || driver_.is_off_hit(T_vehicle_later);
   });
 }
 
-/// Where no way that ends exactly there is found, near home first, and on from there.
+/// Where no path that ends exactly there is found, near home first, and on from there.
 bool ExplorerNavigator::may_end_at_home(const Pose2& T_map_from) const {
-  return tries_.ways % 2 == 0 && (tries_.ways > 0 || !blocks_.was_at(T_map_from));
+  return tries_.paths % 2 == 0 && (tries_.paths > 0 || !blocks_.was_at(T_map_from));
 }
 
-/// Before a stage ends, the way on from it is searched.
+/// Before a stage ends, the path on from it is searched.
 void ExplorerNavigator::search_on() {
-  const bool ends_soon = is_stage_ && driver_.has_way() && driver_.left_m() < kStageLeft_m;
+  const bool ends_soon = is_stage_ && driver_.has_path() && driver_.left_m() < kStageLeft_m;
   if (!ends_soon || search_.state() != CarSearch::State::kIdle) return;
   is_stage_ = false;
   is_search_due_ = true;
 }
 
-void ExplorerNavigator::search_way() {
+void ExplorerNavigator::search_path() {
   if (!target_ || is_retreating_) return;
   search_on();
-  if (is_search_due_ && (driver_.has_way() ? !stands_first_ : learner_.is_standing())) begin_search();
-  if (search_.state() == CarSearch::State::kIdle && !driver_.has_way() && !is_search_due_) {
+  if (is_search_due_ && (driver_.has_path() ? !stands_first_ : learner_.is_standing())) begin_search();
+  if (search_.state() == CarSearch::State::kIdle && !driver_.has_path() && !is_search_due_) {
     if (cycle_ - arrived_cycle_ <= static_cast<std::size_t>(params_.learner.look_every_cycles)) return;
-    const int attempts_max = target_->gate.is_nook ? 0 : kAttemptsMax;
-    const bool is_over = !is_wedged_ && ++tries_.ways > attempts_max && !was_worth_it();
+    const int attempts_max = target_->frontier.is_pocket ? 0 : kAttemptsMax;
+    const bool is_over = !is_wedged_ && ++tries_.paths > attempts_max && !was_worth_it();
     if (is_over && target_->kind == ExploringTarget::Kind::kPath) return leave_path();
     begin_search();
   }
   if (search_.state() != CarSearch::State::kSearching) return;
   const auto state = search_.advance(learner_.floor(), learner_.clearance(), params_.expansions);
-  const bool is_not_worth_more = target_->gate.is_nook && search_.expansions() > kNookExpansions;
-  if (state == CarSearch::State::kFound) return take_way();
-  if (state == CarSearch::State::kNone || is_not_worth_more) find_no_way();
+  const bool is_not_worth_more = target_->frontier.is_pocket && search_.expansions() > kPocketExpansions;
+  if (state == CarSearch::State::kFound) return take_path();
+  if (state == CarSearch::State::kNone || is_not_worth_more) find_no_path();
 }
 
-/// The latest way showed floor.
+/// The latest path showed floor.
 bool ExplorerNavigator::was_worth_it() const {
   return learner_.floor().free_m2() > searched_m2_ + kShown_m2;
 }
 
 /// Either there is none to the target, or none out of where the vehicle stands: then no target is to blame.
-void ExplorerNavigator::find_no_way() {
+void ExplorerNavigator::find_no_path() {
   is_wedged_ = search_.reached_m() < kWedged_m;
   search_.stop();
   arrived_cycle_ = cycle_;
-  if (!is_wedged_) hitch();
+  if (!is_wedged_) count_failure();
   if (blocks_.shut_direction() != 0) {
     blocks_.open_direction();
     if (blocks_.times() > kBlocksMax) retreat();
@@ -258,7 +259,7 @@ void ExplorerNavigator::find_no_way() {
   if (is_wedged_) tries_.failures = std::max(tries_.failures, 1);
   if ((shut_in && tries_.failures > 0 && retreat()) || is_wedged_) return;
   is_out_of_reach_ = is_out_of_reach_ || is_target_shut_off() || (search_.has_tried_all() && !shut_in);
-  const bool is_last_try = target_->gate.is_nook ? tries_.failures > 0 : tries_.look_from_afar();
+  const bool is_last_try = target_->frontier.is_pocket ? tries_.failures > 0 : tries_.look_from_afar();
   ++tries_.failures;
   if (!is_last_try || target_->kind != ExploringTarget::Kind::kPath) return;
   leave_path();
@@ -278,9 +279,9 @@ bool ExplorerNavigator::is_target_shut_off() const {
 
 /// Back as it came, and then it searches again.
 bool ExplorerNavigator::retreat() {
-  if (driver_.has_way()) return false;
-  const Path back = trail_.way_back(learner_.T_map_vehicle(), kRetreat_m, [this](const Pose2& T_map) {
-    return search_.room().spare_m(learner_.floor(), learner_.clearance(), T_map) > kRoomy_m;
+  if (driver_.has_path()) return false;
+  const Path back = trail_.path_back(learner_.T_map_vehicle(), kRetreat_m, [this](const Pose2& T_map) {
+    return search_.room().clearance_m(learner_.floor(), learner_.clearance(), T_map) > kRoomy_m;
   });
   if (back.empty()) return false;
   driver_.take_trail(back);
@@ -288,24 +289,24 @@ bool ExplorerNavigator::retreat() {
   return true;
 }
 
-/// A way home that fails is no reason not to come home.
-void ExplorerNavigator::hitch() {
+/// A path home that fails is no reason not to come home.
+void ExplorerNavigator::count_failure() {
   const bool goes_home = former_ && former_->kind == ExploringTarget::Kind::kHome;
-  if (!goes_home) patience_.hitch(learner_.T_map_vehicle());
+  if (!goes_home) retry_budget_.count_failure(learner_.T_map_vehicle());
 }
 
-/// It cannot look behind the gate: a corner is left out, and what is out of reach; more is left undone.
+/// It cannot look behind the frontier: a corner is left out, and what is out of reach; more is left undone.
 void ExplorerNavigator::leave_path() {
-  if (is_out_of_reach_ || target_->gate.behind_m2 < params_.explorer.leftover_m2) return give_path_up();
+  if (is_out_of_reach_ || target_->frontier.behind_m2 < params_.explorer.leftover_m2) return give_path_up();
   explorer_.abandon(target_->path, cycle_);
-  drop_way();
+  drop_path();
   moved_s_ = stamp_s_;
 }
 
 /// No pose that the vehicle can get to shows more of it, or hardly anything is left to be seen.
 void ExplorerNavigator::give_path_up() {
   explorer_.give_up(target_->path, cycle_);
-  drop_way();
+  drop_path();
   moved_s_ = stamp_s_;
 }
 
@@ -315,40 +316,40 @@ void ExplorerNavigator::watch_learning(const ExploringTarget& target) {
   const bool learned = learner_.floor().free_m2() > learned_m2_ + kLearned_m2;
   if (learned) {
     learned_m2_ = learner_.floor().free_m2();
-    learned_way_m_ = learner_.way_m();
+    learned_path_m_ = learner_.path_m();
   }
   if (!learned && goes_on) return;
   const bool is_path = target.kind == ExploringTarget::Kind::kPath;
-  const double target_m = is_path ? target.gate.way_m : learner_.way_m() / 2;
-  patience_.renew(stamp_s_, learner_.way_m(), target_m);
+  const double target_m = is_path ? target.frontier.path_m : learner_.path_m() / 2;
+  retry_budget_.renew(stamp_s_, learner_.path_m(), target_m);
   blocks_.unbar();
 }
 
 /// What leads nowhere is left undone, and in the end everything.
-void ExplorerNavigator::lose_patience() {
+void ExplorerNavigator::check_retry_budget() {
   if (!target_ || is_wedged_) return;
-  const double idle_max_m = std::max(kIdleWay_m, kIdleShare * learned_way_m_);
-  const bool is_idle = learner_.way_m() - learned_way_m_ > idle_max_m;
+  const double idle_max_m = std::max(kIdlePath_m, kIdleShare * learned_path_m_);
+  const bool is_idle = learner_.path_m() - learned_path_m_ > idle_max_m;
   if (is_idle && target_->kind != ExploringTarget::Kind::kHome) {
     explorer_.abandon_all(cycle_);
-    return drop_way();
+    return drop_path();
   }
-  if (!patience_.is_over(stamp_s_, learner_.way_m())) return;
+  if (!retry_budget_.is_over(stamp_s_, learner_.path_m())) return;
   switch (target_->kind) {
     case ExploringTarget::Kind::kPath:
       return leave_path();
     case ExploringTarget::Kind::kCrossing:
       explorer_.pass_crossing_by();
       moved_s_ = stamp_s_;
-      return drop_way();
+      return drop_path();
     case ExploringTarget::Kind::kHome:
-      return despair("does not get home");
+      return give_up_mission("does not get home");
   }
 }
 
 /// The vehicle came in along its trail, however narrow that is: back along some of it, before it gives up.
-void ExplorerNavigator::despair(const std::string& why) {
-  drop_way();
+void ExplorerNavigator::give_up_mission(const std::string& why) {
+  drop_path();
   if (!learner_.is_standing()) return;
   if (++despairs_ > kDespairsMax || !retreat()) {
     ended_because_ = why;
@@ -356,23 +357,23 @@ void ExplorerNavigator::despair(const std::string& why) {
   }
   is_wedged_ = false;
   moved_s_ = stamp_s_;
-  patience_.renew(stamp_s_, learner_.way_m(), learner_.way_m() / 2);
+  retry_budget_.renew(stamp_s_, learner_.path_m(), learner_.path_m() / 2);
 }
 
-/// A place was recognised, or cells are halved: the floor is laid anew while the vehicle stands.
+/// A place was recognised, or cells are halved: the floor is laid again while the vehicle stands.
 Decision ExplorerNavigator::wait_for_floor() {
-  drop_way();
+  drop_path();
   moved_s_ = stamp_s_;
-  return {.state = "laying floor anew"};
+  return {.state = "laying floor again"};
 }
 
 /// What was seen around on the former floor does not lie where it lies now.
 void ExplorerNavigator::begin_on_new_floor() {
-  drop_way();
+  drop_path();
   is_choice_due_ = false;
 }
 
-void ExplorerNavigator::take_way() {
+void ExplorerNavigator::take_path() {
   is_wedged_ = false;
   const Path found = target_search_.path();
   is_stage_ = search_.is_stage();
@@ -380,7 +381,7 @@ void ExplorerNavigator::take_way() {
   search_.stop();
   if (found.empty()) return arrive();
   if (target_->kind == ExploringTarget::Kind::kPath)
-    patience_.allow(stamp_s_, learner_.way_m(), found.length_m());
+    retry_budget_.allow(stamp_s_, learner_.path_m(), found.length_m());
   driver_.take(found);
 }
 
@@ -391,18 +392,18 @@ void ExplorerNavigator::arrive() {
   if (target_ && target_->kind == ExploringTarget::Kind::kCrossing) return target_.reset();
   if (ends_at_home_) learner_.settle_home();
   const bool is_there = stands_at_home(learner_.T_map_home(), learner_.T_map_vehicle());
-  if (!ends_at_home_ || !(is_there || tries_.ways >= kHomeAttemptsMax)) return;
+  if (!ends_at_home_ || !(is_there || tries_.paths >= kHomeAttemptsMax)) return;
   came_home_ = true;
   explorer_.stop(cycle_);
 }
 
-/// Keeps only the next stretch of the way.
-void ExplorerNavigator::shorten_way(double ahead_m) {
+/// Keeps only the next path segment.
+void ExplorerNavigator::shorten_path(double ahead_m) {
   driver_.shorten(ahead_m);
   ends_at_home_ = false;
 }
 
-void ExplorerNavigator::drop_way() {
+void ExplorerNavigator::drop_path() {
   driver_.drop();
   search_.stop();
   target_.reset();
@@ -411,40 +412,41 @@ void ExplorerNavigator::drop_way() {
   ends_at_home_ = false;
 }
 
-/// What was learned since may lie in the way.
-void ExplorerNavigator::check_way() {
-  if (!driver_.has_way()) return;
+/// What was learned since may lie in the path.
+void ExplorerNavigator::check_path() {
+  if (!driver_.has_path()) return;
   const double free_m = driver_.free_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
   if (free_m >= driver_.left_m() - 1e-6) return;
-  if (free_m < kStopSpare_m) {
-    hitch();
-    return drop_way();
+  if (free_m < kStopClearance_m) {
+    count_failure();
+    return drop_path();
   }
-  shorten_way(free_m - kStopSpare_m);
+  shorten_path(free_m - kStopClearance_m);
   target_.reset();
 }
 
-bool ExplorerNavigator::is_lost_for_ways() {
-  if (driver_.has_way() && !is_wedged_) moved_s_ = stamp_s_;
+bool ExplorerNavigator::is_lost_for_paths() {
+  if (driver_.has_path() && !is_wedged_) moved_s_ = stamp_s_;
   return stamp_s_ - moved_s_ > params_.stuck_s;
 }
 
 Decision ExplorerNavigator::drive(const Observation& observation) {
   const std::string state = state_word();
-  const WayDriver::Step step = driver_.drive(learner_.floor(), learner_.clearance(), search_.room(),
-                                             learner_.T_map_vehicle(), steering_rad_of(observation.odometry));
+  const PathDriver::Step step =
+      driver_.drive(learner_.floor(), learner_.clearance(), search_.room(), learner_.T_map_vehicle(),
+                    steering_rad_of(observation.odometry));
   switch (step.state) {
-    case WayDriver::State::kNoWay:
+    case PathDriver::State::kNoPath:
       return {.command = step.command, .state = state, .why = why_it_stands()};
-    case WayDriver::State::kArrived:
+    case PathDriver::State::kArrived:
       if (search_.state() != CarSearch::State::kSearching) arrive();
       break;
-    case WayDriver::State::kBlocked:
+    case PathDriver::State::kBlocked:
       be_blocked(step.direction);
       return {.command = step.command, .state = "blocked"};
-    case WayDriver::State::kTurningWheels:
+    case PathDriver::State::kTurningWheels:
       break;
-    case WayDriver::State::kDriving:
+    case PathDriver::State::kDriving:
       driven_direction_ = step.direction;
       break;
   }
@@ -452,13 +454,13 @@ Decision ExplorerNavigator::drive(const Observation& observation) {
 }
 
 void ExplorerNavigator::be_blocked(int direction) {
-  hitch();
+  count_failure();
   blocks_.note(learner_.T_map_vehicle(), direction);
-  drop_way();
+  drop_path();
 }
 
 std::string ExplorerNavigator::state_word() const {
-  if (!driver_.has_way()) return "searching";
+  if (!driver_.has_path()) return "searching";
   if (is_retreating_) return "retreating";
   if (!target_) return "exploring";
   switch (target_->kind) {
@@ -473,8 +475,8 @@ std::string ExplorerNavigator::state_word() const {
 }
 
 std::string ExplorerNavigator::why_it_stands() const {
-  if (is_wedged_) return "no way leads out of where it stands";
-  return search_.state() == CarSearch::State::kSearching ? "no way found yet" : "";
+  if (is_wedged_) return "no path leads out of where it stands";
+  return search_.state() == CarSearch::State::kSearching ? "no path found yet" : "";
 }
 
 Decision ExplorerNavigator::end(NavigatorStatus status, std::string state, std::string why) {
@@ -490,7 +492,7 @@ ExplorationRecord ExplorerNavigator::record() const {
   record.T_map_vehicle = learner_.T_map_vehicle_of_all();
   record.paths_waiting = explorer_.paths_waiting();
   record.paths_abandoned = explorer_.paths_abandoned();
-  record.way_m = learner_.way_m();
+  record.path_m = learner_.path_m();
   record.came_home = came_home_;
   record.ended_because = ended_because_;
   return record;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWatchAhead_m = 1.5;
 constexpr double kGetsOn_m = 0.3;     // within the time after which it gives up
-constexpr double kSearchAgain_s = 2;  // after there was no way
+constexpr double kSearchAgain_s = 2;  // after there was no path
 
 UncertainPose2 about_start(const Pose2& T_map_start, const GuideNavigatorParams& params) {
   const Vec3 sigma(params.start_sigma_m, params.start_sigma_m, params.start_sigma_rad);
@@ -39,17 +39,17 @@ void GuideNavigatorParams::describe(FieldList& fields) {
   fields.real("start_sigma_m", start_sigma_m, {0.001, 2}, "how far off its start the vehicle may stand");
   fields.angle("start_sigma_deg", start_sigma_rad, {0.05, 30}, "how far it may be turned there");
   fields.real("look_s", look_s, {0, 60}, "time to look around before it starts");
-  fields.real("look_every_m", look_every_m, {0.02, 2}, "way after which the floor is looked at again");
+  fields.real("look_every_m", look_every_m, {0.02, 2}, "path after which the floor is looked at again");
   fields.real("look_every_s", look_every_s, {0.05, 10}, "time after which it is");
   fields.real("arrive_m", arrive_m, {0.05, 3}, "so near the vehicle has reached a place");
   fields.real("lost_s", lost_s, {0.5, 60}, "seeing other walls than are known for so long it is lost");
-  fields.real("give_up_s", give_up_s, {1, 3600}, "without any way for so long it gives up");
+  fields.real("give_up_s", give_up_s, {1, 3600}, "without any path for so long it gives up");
   fields.count("expansions", expansions, {10, 100000}, "poses that the search looks at in a cycle");
 }
 
 GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
                                const Building& building, const Pose2& T_map_start,
-                               std::vector<Vec2> p_map_places, std::unique_ptr<SliceSensor> sensor)
+                               std::vector<Vec2> p_map_places, std::unique_ptr<ScanSource> sensor)
     : params_(params),
       vehicle_(vehicle),
       sensor_(std::move(sensor)),
@@ -72,8 +72,8 @@ Decision GuideNavigator::step(const Observation& observation) {
   if (const std::string why = why_failed(observation); !why.empty())
     return {.status = NavigatorStatus::kFailed, .state = "given up", .why = why};
   if (stamp_s - *begun_s_ < params_.look_s) return {.state = "looking"};
-  check_way();
-  if (next_ < p_map_places_.size()) search_way(stamp_s);
+  check_path();
+  if (next_ < p_map_places_.size()) search_path(stamp_s);
   if (next_ == p_map_places_.size()) return {.status = NavigatorStatus::kDone, .state = "arrived"};
   return drive(observation);
 }
@@ -103,19 +103,19 @@ std::string GuideNavigator::why_failed(const Observation& observation) {
   if (observation.stamp_s - sure_s_ > params_.lost_s) return "lost: what it sees fits no walls that it knows";
   if (observation.stamp_s - hopeful_s_ <= params_.give_up_s) return "";
   const Vec2& p = p_map_places_[next_];
-  return fmt::format("there is no way to {:.1f}, {:.1f}{}", p.x(), p.y(),
+  return fmt::format("there is no path to {:.1f}, {:.1f}{}", p.x(), p.y(),
                      has_barriers_ ? " that crosses neither keep-out lines nor glass" : "");
 }
 
-/// Something may have come into the way.
-void GuideNavigator::check_way() {
+/// Something may have come into the path.
+void GuideNavigator::check_path() {
   const double watched_m = std::min(kWatchAhead_m, driver_.left_m());
   if (driver_.free_m(floor_, clearance_, T_map_vehicle_) >= watched_m - 1e-6) return;
   ++ways_closed_;
-  drop_way();
+  drop_path();
 }
 
-void GuideNavigator::drop_way() {
+void GuideNavigator::drop_path() {
   driver_.drop();
   search_.stop();
 }
@@ -131,45 +131,45 @@ void GuideNavigator::begin_search() {
   search_.look_for(floor_, clearance_, T_map_vehicle_, p_map_place, vehicle_.footprint.front_m,
                    [this](const Pose2& T_map) { return is_at_place(T_map); });
   if (blocked_direction_ != 0) search_.forbid_first(std::exchange(blocked_direction_, 0));
-  if (squeezes_) search_.squeeze();
+  if (relaxes_clearance_) search_.relax_clearance();
 }
 
-void GuideNavigator::search_way(double stamp_s) {
+void GuideNavigator::search_path(double stamp_s) {
   if ((T_map_vehicle_.position() - p_map_hopeful_).norm() > kGetsOn_m) {
     hopeful_s_ = stamp_s;
     p_map_hopeful_ = T_map_vehicle_.position();
   }
-  if (driver_.has_way()) return;
+  if (driver_.has_path()) return;
   if (search_.state() == CarSearch::State::kIdle) begin_search();
   if (search_.state() == CarSearch::State::kNone) {
-    if (!squeezes_ && stamp_s - searched_s_ < kSearchAgain_s) return;
+    if (!relaxes_clearance_ && stamp_s - searched_s_ < kSearchAgain_s) return;
     begin_search();
   }
   const CarSearch::State state = search_.advance(floor_, clearance_, params_.expansions);
   if (state == CarSearch::State::kNone) {
     searched_s_ = stamp_s;
-    squeezes_ = !squeezes_;
+    relaxes_clearance_ = !relaxes_clearance_;
   }
   if (state != CarSearch::State::kFound) return;
-  squeezes_ = false;
-  const Path way = search_.path();
+  relaxes_clearance_ = false;
+  const Path path = search_.path();
   search_.stop();
-  if (way.empty()) {
+  if (path.empty()) {
     ++next_;
     hopeful_s_ = stamp_s;
   } else {
-    driver_.take(way);
+    driver_.take(path);
   }
 }
 
 Decision GuideNavigator::drive(const Observation& observation) {
   driver_.see(sensor_->fan(), view_.ranges_m);
-  const WayDriver::Step step = driver_.drive(floor_, clearance_, search_.room(), T_map_vehicle_,
-                                             steering_rad_of(observation.odometry));
+  const PathDriver::Step step = driver_.drive(floor_, clearance_, search_.room(), T_map_vehicle_,
+                                              steering_rad_of(observation.odometry));
   const bool drives =
-      step.state == WayDriver::State::kDriving || step.state == WayDriver::State::kTurningWheels;
-  if (step.state == WayDriver::State::kBlocked) blocked_direction_ = step.direction;
-  if (!drives && driver_.has_way()) drop_way();
+      step.state == PathDriver::State::kDriving || step.state == PathDriver::State::kTurningWheels;
+  if (step.state == PathDriver::State::kBlocked) blocked_direction_ = step.direction;
+  if (!drives && driver_.has_path()) drop_path();
   return {.command = step.command, .state = drives ? "driving" : "searching"};
 }
 

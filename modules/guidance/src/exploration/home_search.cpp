@@ -22,7 +22,7 @@ void HomeSearch::look_for(const FloorGrid& floor, const FloorClearance& clearanc
   is_exact_ = true;
   T_map_home_ = T_map_home;
   run_in_ = run_in(floor, clearance, T_map_from);
-  search_.look_for_way_to(floor, clearance, T_map_run_in(), T_map_from);
+  search_.look_for_path_to(floor, clearance, T_map_run_in(), T_map_from);
 }
 
 void HomeSearch::look_for_near(const FloorGrid& floor, const FloorClearance& clearance,
@@ -43,13 +43,13 @@ Path HomeSearch::path() const {
 /// From the side where the vehicle is, if there is room; or else from the other. None: of no length.
 Arc HomeSearch::run_in(const FloorGrid& floor, const FloorClearance& clearance,
                        const Pose2& T_map_from) const {
-  const FootprintRoom& room = search_.room();
-  const SpareRoom at_home = room.spare(floor, clearance, T_map_home_);
+  const FootprintClearance& room = search_.room();
+  const RelaxedClearance at_home = room.relaxed_clearance(floor, clearance, T_map_home_);
   const double first_m = between(T_map_home_, T_map_from).x > 0 ? -kRunIn_m : kRunIn_m;
   for (const double run_in_m : {first_m, -first_m}) {
     const Arc run_in{run_in_m, 0};
     const Path path({{T_map_home_ * end_pose(run_in).inverse(), run_in}});
-    if (room.free_way_m(floor, clearance, path, 0, at_home) >= path.length_m()) return run_in;
+    if (room.free_path_m(floor, clearance, path, 0, at_home) >= path.length_m()) return run_in;
   }
   return {};
 }

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "aisle/guidance/exploration/gate_view.hpp"
+#include "aisle/guidance/exploration/frontier_view.hpp"
 
 namespace aisle {
 namespace {
 
 constexpr double kAfar = 2;            // times as far as else, where it does not get near
-constexpr double kAboutStand_m = 1.5;  // poses that show a nook are looked for about the nearest one
+constexpr double kAboutStand_m = 1.5;  // poses that show a pocket are looked for about the nearest one
 
 }  // namespace
 
@@ -21,8 +21,8 @@ void TargetSearch::look_for(const ExploringTarget& target, const Pose2& T_map_fr
   goes_home_ = target.kind == ExploringTarget::Kind::kHome;
   switch (target.kind) {
     case ExploringTarget::Kind::kPath:
-      see(target.gate);
-      return look_into_gate(T_map_from, tries);
+      see(target.frontier);
+      return look_into_frontier(T_map_from, tries);
     case ExploringTarget::Kind::kCrossing:
       return look_for_crossing(target.T_map_back.position(), T_map_from);
     case ExploringTarget::Kind::kHome:
@@ -31,23 +31,23 @@ void TargetSearch::look_for(const ExploringTarget& target, const Pose2& T_map_fr
 }
 
 /// From where enough of what is to be seen of the path would be seen.
-void TargetSearch::look_into_gate(const Pose2& T_map_from, const TargetTries& tries) {
+void TargetSearch::look_into_frontier(const Pose2& T_map_from, const TargetTries& tries) {
   const double reach_m = look_from_m(tries);
   const bool is_seldom_seen = tries.failures > 0;
   const auto shows_path = [this, reach_m, is_seldom_seen](const Pose2& T_map) {
-    const GateLook look{learner_.sensor().fan(), learner_.view().near_m, reach_m};
-    const std::size_t enough = is_seldom_seen ? 1 : (gate_.rim.size() + 3) / 4;
-    return sees_rim(look, learner_.floor(), learner_.clearance(), T_map, gate_, enough);
+    const FrontierLook look{learner_.sensor().fan(), learner_.view().near_m, reach_m};
+    const std::size_t enough = is_seldom_seen ? 1 : (frontier_.rim.size() + 3) / 4;
+    return sees_rim(look, learner_.floor(), learner_.clearance(), T_map, frontier_, enough);
   };
   search_.look_for(learner_.floor(), learner_.clearance(), T_map_from,
-                   gate_.is_nook ? learner_.floor().centre(gate_.stand) : gate_.p_map,
-                   gate_.is_nook ? kAboutStand_m : reach_m + front_m_, shows_path);
+                   frontier_.is_pocket ? learner_.floor().centre(frontier_.stand) : frontier_.p_map,
+                   frontier_.is_pocket ? kAboutStand_m : reach_m + front_m_, shows_path);
 }
 
 /// Poses that show some of the rim stand about it.
 void TargetSearch::search_from_ends_too(const TargetTries& tries) {
   FloorBox places;
-  for (const Vec2& p_map : gate_.rim) places.include(learner_.floor().cell_at(p_map));
+  for (const Vec2& p_map : frontier_.rim) places.include(learner_.floor().cell_at(p_map));
   const double beside_m = look_from_m(tries) + front_m_;
   search_.search_from_ends_too(
       places.widened(static_cast<int>(std::ceil(beside_m / learner_.floor().cell_m()))));
@@ -66,9 +66,9 @@ void TargetSearch::look_for_home(const Pose2& T_map_from, bool exactly) {
 
 /// Nearer where the vehicle saw nothing, farther where it does not get so near.
 double TargetSearch::look_from_m(const TargetTries& tries) const {
-  if (gate_.is_nook) return distances_.nook_reach_m;
+  if (frontier_.is_pocket) return distances_.pocket_reach_m;
   if (tries.look_from_afar()) return kAfar * distances_.look_from_m;
-  return tries.ways < 2 ? distances_.look_from_m : distances_.look_from_m / 2;
+  return tries.paths < 2 ? distances_.look_from_m : distances_.look_from_m / 2;
 }
 
 }  // namespace aisle

@@ -12,7 +12,7 @@ constexpr double kMarkEvery_m = 0.2;
 constexpr double kMarkEvery_rad = 10 * kDegree;
 constexpr double kMoved_m = 0.005;  // in a cycle: less says nothing about the direction
 constexpr double kThere_m = 0.05;   // so near to a mark nothing is left to be driven to it
-constexpr double kPullIn_m = 0.4;   // of way on which what the way is off the trail is made good
+constexpr double kPullIn_m = 0.4;   // of path on which what the path is off the trail is made good
 constexpr double kAlmostStraight_rad = 1e-6;
 
 /// From one pose to about another, as the wheels roll: to its heading, and a little nearer to the trail.
@@ -28,13 +28,13 @@ Arc arc_to(const Pose2& T_from_to) {
 
 }  // namespace
 
-void Trail::go_on(const Pose2& T_map_vehicle, std::size_t slice) {
+void Trail::go_on(const Pose2& T_map_vehicle, std::size_t scan) {
   const double moved_m = between(latest_.T_map_vehicle, T_map_vehicle).x;
   const int direction = std::abs(moved_m) < kMoved_m ? direction_ : moved_m > 0 ? 1 : -1;
   const bool turns_about = !marks_.empty() && direction != direction_;
   if (turns_about) marks_.push_back(latest_);
   direction_ = direction;
-  latest_ = {T_map_vehicle, slice};
+  latest_ = {T_map_vehicle, scan};
   const Pose2 since = marks_.empty() ? Pose2{} : between(marks_.back().T_map_vehicle, T_map_vehicle);
   if (marks_.empty() || since.position().norm() >= kMarkEvery_m || std::abs(since.theta) >= kMarkEvery_rad)
     marks_.push_back(latest_);
@@ -48,15 +48,15 @@ void Trail::go_back(const Pose2& T_map_vehicle) {
   while (marks_.size() > 1 && off_m(marks_[marks_.size() - 2]) <= off_m(marks_.back())) marks_.pop_back();
 }
 
-void Trail::lay_anew(std::span<const Pose2> T_map_vehicle) {
-  for (Mark& mark : marks_) mark.T_map_vehicle = T_map_vehicle[mark.slice];
+void Trail::lay_again(std::span<const Pose2> T_map_vehicle) {
+  for (Mark& mark : marks_) mark.T_map_vehicle = T_map_vehicle[mark.scan];
 }
 
-Path Trail::way_back(const Pose2& T_map_vehicle, double way_m,
-                     const std::function<bool(const Pose2&)>& is_roomy) const {
+Path Trail::path_back(const Pose2& T_map_vehicle, double path_m,
+                      const std::function<bool(const Pose2&)>& is_roomy) const {
   std::vector<PathPiece> pieces;
   Pose2 T_map_end = T_map_vehicle;
-  double left_m = way_m;
+  double left_m = path_m;
   for (auto mark = marks_.rbegin(); mark != marks_.rend() && (left_m > 0 || !is_roomy(T_map_end)); ++mark) {
     const Arc arc = arc_to(between(T_map_end, mark->T_map_vehicle));
     const bool is_there = arc.length_m == 0 && std::abs(arc.turn_rad) < kMarkEvery_rad;

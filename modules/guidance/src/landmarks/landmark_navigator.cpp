@@ -7,20 +7,21 @@
 #include <stdexcept>
 #include <utility>
 
-#include "aisle/guidance/obstacles/barrier_watch.hpp"
+#include "aisle/guidance/obstacles/barrier_monitor.hpp"
 #include "aisle/learning/landmarks/landmark_expectation.hpp"
 #include "aisle/vehicle/odometry_step.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr double kFoundSigma_m = 0.1;  // of a place that was found while lost, before a picture settles it
+constexpr double kFoundSigma_m = 0.1;  // of a place that was found while lost, before an image settles it
 constexpr double kFoundSigma_rad = 2 * kDegree;
-constexpr double kWallsReach_m = 2;         // walls seen from farther off may be others
-constexpr std::size_t kKnownPairs = 4;      // so many sightings of known things ...
-constexpr double kKnownShare = 0.7;         // ... that are so much of a picture show where the vehicle is
-constexpr std::size_t kInPictureLeast = 3;  // landmarks; with fewer, seeing none is as the map says
-constexpr double kStrangeBlocked_m = 1;  // of way, before something that stands where the taught way was free
+constexpr double kWallsReach_m = 2;       // walls seen from farther off may be others
+constexpr std::size_t kKnownPairs = 4;    // so many sightings of known things ...
+constexpr double kKnownShare = 0.7;       // ... that are so much of an image show where the vehicle is
+constexpr std::size_t kInImageLeast = 3;  // landmarks; with fewer, seeing none is as the map says
+constexpr double kUnmatchedBlocked_m =
+    1;  // of path, before something that stands where the taught path was free
 
 const CameraDescription& camera_of(const VehicleDescription& vehicle, const Building& building) {
   if (building.camera) {
@@ -32,10 +33,10 @@ const CameraDescription& camera_of(const VehicleDescription& vehicle, const Buil
 /// Poses along all routes of a building, there and back.
 std::vector<Pose2> places_to_try(const Building& building, const Path& path, double apart_m) {
   std::vector<Pose2> places;
-  const auto add = [&](const Path& way) {
-    const auto steps = static_cast<int>(std::ceil(way.length_m() / apart_m));
+  const auto add = [&](const Path& ahead) {
+    const auto steps = static_cast<int>(std::ceil(ahead.length_m() / apart_m));
     for (int i = 0; i <= steps; ++i) {
-      const Pose2 there = way.at(way.length_m() * i / std::max(steps, 1)).T_map_path;
+      const Pose2 there = ahead.at(ahead.length_m() * i / std::max(steps, 1)).T_map_path;
       places.push_back(there);
       places.push_back(there * Pose2{0, 0, kPi});
     }
@@ -45,8 +46,8 @@ std::vector<Pose2> places_to_try(const Building& building, const Path& path, dou
   return places;
 }
 
-/// What was seen when the building was taught. A building without routes was taught along the way there.
-TaughtView view_of(const Building& building, const FloorInPicture& floor, const Path& path) {
+/// What was seen when the building was taught. A building without routes was taught along the path there.
+TaughtView view_of(const Building& building, const FloorInImage& floor, const Path& path) {
   TaughtView view(floor);
   for (const Route& route : building.routes) view.add(route.path);
   if (building.routes.empty()) view.add(path);
@@ -71,7 +72,7 @@ std::unique_ptr<ExplorerNavigator> explorer_of_floor(double speed_mps, const Veh
   params.speed.speed_mps = speed_mps;
   return std::make_unique<ExplorerNavigator>(
       params, vehicle, ExploringOrder::kRecommended,
-      vehicle.scanner ? scanner_slices(vehicle) : marker_slices(vehicle, camera));
+      vehicle.scanner ? scanner_scans(vehicle) : marker_scans(vehicle, camera));
 }
 
 double position_sigma_m(const Mat3& covariance) {
@@ -87,7 +88,7 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
   fields.group("steering", steering);
   fields.group("speed", speed);
   fields.group("guard", guard);
-  fields.flag("guarded", guarded, "stop for what stands in the way, and while the camera shows nothing new");
+  fields.flag("guarded", guarded, "stop for what stands in the path, and while the camera shows nothing new");
   fields.real("start_sigma_m", start_sigma_m, {0.001, 2},
               "how far from the route's start the vehicle may stand");
   fields.angle("start_sigma_deg", start_sigma_rad, {0.1, 45}, "how far it may be turned there");
@@ -97,10 +98,10 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
   fields.angle("lost_deg", lost_rad, {0.1, 90}, "less sure of its heading than this it is lost");
   fields.real("unmatched_max_s", unmatched_max_s, {0.1, 60},
               "seeing other things than are known for so long it is lost");
-  fields.count("strange_sightings_min", strange_sightings_min, {1, 100},
-               "a picture that does not fit, with so many sightings where the taught trip saw, is strange");
-  fields.real("strange_max_m", strange_max_m, {0.1, 1000},
-              "after so much way of strange pictures it is lost; known ones make up for strange ones");
+  fields.count("unmatched_sightings_min", unmatched_sightings_min, {1, 100},
+               "an image that does not fit, with so many sightings where the taught run saw, is unmatched");
+  fields.real("unmatched_max_m", unmatched_max_m, {0.1, 1000},
+              "after so much distance of unmatched images it is lost; known ones make up for unmatched ones");
   fields.real("search_speed_mps", search_speed_mps, {0, 1},
               "lost, it drives so fast to see more; 0: it stands");
   fields.real("search_max_m", search_max_m, {0, 50}, "and so far");
@@ -115,18 +116,18 @@ LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, cons
       building_(&building),
       path_(route),
       camera_(camera_of(vehicle, building).name),
-      floor_in_picture_(camera_of(vehicle, building)),
+      floor_in_image_(camera_of(vehicle, building)),
       detector_(params.sightings, camera_of(vehicle, building).intrinsics,
                 camera_of(vehicle, building).mount),
       localiser_(params.localiser, vehicle, {}),
-      doubt_(params.localiser, vehicle),
+      consistency_(params.localiser, vehicle),
       relocator_(params.relocation, params.localiser, vehicle,
                  places_to_try(building, path_, params.relocation.apart_m)),
       follower_(vehicle, params.steering),
       progress_(path_),
       guard_(vehicle, params.guard, &camera_of(vehicle, building)),
-      strangeness_(view_of(building, floor_in_picture_, path_), params.strange_sightings_min),
-      continuity_(floor_in_picture_.nearest_m()) {
+      unmatched_(view_of(building, floor_in_image_, path_), params.unmatched_sightings_min),
+      continuity_(floor_in_image_.nearest_m()) {
   place(about(path_.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad));
 }
 
@@ -139,11 +140,11 @@ Decision LandmarkNavigator::step(const Observation& observation) {
   if (observation.bumper_pressed)
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
   if (state_ == State::kLooking) return look_around(observation.stamp_s);
-  if (was_lifted_ && (state_ == State::kFollowing || state_ == State::kReturning)) {
+  if (was_kidnapped_ && (state_ == State::kFollowing || state_ == State::kReturning)) {
     interrupted_ = state_;
     begin(State::kDoubting);
   }
-  if (state_ == State::kDoubting) return doubt();
+  if (state_ == State::kDoubting) return check_consistency();
   if (state_ == State::kFollowing) {
     why_lost_ = why_lost();
     if (!why_lost_.empty()) begin(State::kLost);
@@ -157,7 +158,7 @@ void LandmarkNavigator::begin(State state) {
   state_ = state;
   state_since_s_ = stamp_s_;
   if (state != State::kLost) return;
-  was_lifted_ = false;
+  was_kidnapped_ = false;
   searched_m_ = 0;
   searched_s_ = stamp_s_;
   explorer_.reset();
@@ -175,7 +176,7 @@ LandmarkFix LandmarkNavigator::fix() const {
           state_ == State::kLost || state_ == State::kReturning};
 }
 
-/// Odometry, then the picture: pose and sightings of this cycle.
+/// Odometry, then the image: pose and sightings of this cycle.
 void LandmarkNavigator::locate(const Observation& observation) {
   const Pose2 T_map_before = localiser_.pose();
   localiser_.predict(observation.odometry);
@@ -186,16 +187,16 @@ void LandmarkNavigator::locate(const Observation& observation) {
   recognition_.move(T_before_now);
   sightings_.clear();
   match_ = LandmarkMatch::kNothing;
-  const CameraPicture* picture = guard_.look(observation);
-  has_looked_ = picture != nullptr && picture == present_picture(observation, camera_, vehicle_.cycle_s);
+  const CameraImage* image = guard_.look(observation);
+  has_looked_ = image != nullptr && image == present_image(observation, camera_, vehicle_.cycle_s);
   if (has_looked_) {
-    sightings_ = detector_.detect(*picture->image);
+    sightings_ = detector_.detect(*image->pixels);
     edges_on_floor_.clear();
     for (const FloorEdge& edge : detector_.floor_edges()) edges_on_floor_.push_back(edge.on_floor);
     if (state_ == State::kLooking || state_ == State::kFollowing)
       match_ = localiser_.correct(building_->landmarks, sightings_, edges_on_floor_);
-    strangeness_.look(sightings_, match_ == LandmarkMatch::kMatched, localiser_.pose(),
-                      (localiser_.pose().position() - T_map_before.position()).norm());
+    unmatched_.look(sightings_, match_ == LandmarkMatch::kMatched, localiser_.pose(),
+                    (localiser_.pose().position() - T_map_before.position()).norm());
     watch_for_lift();
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
@@ -203,25 +204,24 @@ void LandmarkNavigator::locate(const Observation& observation) {
   stamp_s_ = observation.stamp_s;
 }
 
-/// Of lines that come and go, a picture that fits a little tells neither way.
+/// Of lines that come and go, an image that fits a little tells neither path.
 void LandmarkNavigator::watch_for_lift() {
   const bool fits = match_ == LandmarkMatch::kMatched;
   const bool is_known_here = fits && knows_what_it_sees(localiser_);
-  if (stripes_.look(guard_.p_vehicle_lit(), is_known_here)) was_lifted_ = has_jumped_ = true;
-  if (scenes_.look(sightings_, is_known_here)) was_lifted_ = true;
+  if (stripes_.look(guard_.p_vehicle_lit(), is_known_here)) was_kidnapped_ = has_jumped_ = true;
+  if (scenes_.look(sightings_, is_known_here)) was_kidnapped_ = true;
   if (state_ == State::kFollowing &&
       expectations_.look(expected_landmarks(building_->landmarks, fix().T_map_vehicle, sightings_,
                                             params_.localiser.landmark_sigma_m)))
-    was_lifted_ = true;
+    was_kidnapped_ = true;
   if (state_ == State::kFollowing && match_ != LandmarkMatch::kAmbiguous &&
       recognition_.look(sightings_.size(), localiser_.pairs().size(), is_known_here))
-    was_lifted_ = has_jumped_ = true;
+    was_kidnapped_ = has_jumped_ = true;
   if (fits && !is_known_here) return;
-  const bool is_bare_here =
-      sightings_.empty() &&
-      landmarks_in_picture(building_->landmarks, localiser_.pose(), floor_in_picture_) < kInPictureLeast;
+  const bool is_bare_here = sightings_.empty() && landmarks_in_image(building_->landmarks, localiser_.pose(),
+                                                                     floor_in_image_) < kInImageLeast;
   if (continuity_.look(sightings_, is_known_here || is_bare_here) && state_ == State::kFollowing)
-    was_lifted_ = has_jumped_ = true;
+    was_kidnapped_ = has_jumped_ = true;
 }
 
 /// Why the vehicle does not know where it is; empty: it does.
@@ -230,7 +230,7 @@ std::string LandmarkNavigator::why_lost() const {
   if (sigma_m > params_.lost_m)
     return fmt::format("saw nothing that it knows until unsure by {:.2f} m", sigma_m);
   if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "is unsure which way it points";
-  if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s || strangeness_.way_m() > params_.strange_max_m)
+  if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s || unmatched_.path_m() > params_.unmatched_max_m)
     return "sees other things than it knows";
   return "";
 }
@@ -242,12 +242,12 @@ Decision LandmarkNavigator::look_around(double stamp_s) {
 
 /// That everything looks other than a moment ago may have other causes: lines that come and go, wrong feet.
 /// So the vehicle stands and looks whether the map's landmarks are seen from where it believes to be.
-Decision LandmarkNavigator::doubt() {
-  const bool is_woken_now = std::exchange(was_lifted_, false);
-  if (is_woken_now) doubt_.start(has_jumped_);
+Decision LandmarkNavigator::check_consistency() {
+  const bool is_woken_now = std::exchange(was_kidnapped_, false);
+  if (is_woken_now) consistency_.start(has_jumped_);
   const Suspicion suspicion = is_woken_now || !has_looked_
                                   ? Suspicion::kOpen
-                                  : doubt_.look(building_->landmarks, fix().T_map_vehicle, sightings_);
+                                  : consistency_.look(building_->landmarks, fix().T_map_vehicle, sightings_);
   if (suspicion == Suspicion::kDispelled) {
     go_on(interrupted_);
     return {.state = interrupted_ == State::kFollowing ? "following" : "returning"};
@@ -265,12 +265,12 @@ void LandmarkNavigator::go_on(State state) {
   expectations_.start();
   recognition_.start();
   matched_stamp_s_ = stamp_s_;
-  strangeness_.start();
+  unmatched_.start();
 }
 
 /// The vehicle compares what it has seen since it was lost with all places that it knows.
 Decision LandmarkNavigator::find_itself(const Observation& observation) {
-  if (std::exchange(was_lifted_, false)) {
+  if (std::exchange(was_kidnapped_, false)) {
     relocator_.start();
     explorer_.reset();
   }
@@ -281,7 +281,7 @@ Decision LandmarkNavigator::find_itself(const Observation& observation) {
   return T_map_found ? found(*T_map_found, observation) : search(observation);
 }
 
-/// It drives on if the route leads on from there, the way it points; else it comes back onto its route.
+/// It drives on if the route leads on from there, the path it points; else it comes back onto its route.
 Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation& observation) {
   place(about(T_map_vehicle, kFoundSigma_m, kFoundSigma_rad));
   if (progress_.find(T_map_vehicle, params_.off_route_max_m)) {
@@ -292,10 +292,10 @@ Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation&
                           params_.off_route_max_m);
   if (!explorer_) return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
   const FloorLearner& learner = explorer_->learner();
-  way_to_route_ = std::make_unique<WayToRoute>(vehicle_, params_.steering,
-                                               SpeedParams{.speed_mps = params_.search_speed_mps},
-                                               learner.floor(), learner.clearance());
-  way_to_route_->begin(path_, T_map_vehicle * learner.T_map_vehicle().inverse(), T_map_vehicle);
+  path_to_route_ = std::make_unique<PathToRoute>(vehicle_, params_.steering,
+                                                 SpeedParams{.speed_mps = params_.search_speed_mps},
+                                                 learner.floor(), learner.clearance());
+  path_to_route_->begin(path_, T_map_vehicle * learner.T_map_vehicle().inverse(), T_map_vehicle);
   begin(State::kReturning);
   return {.command = {.steering_rad = steering_rad_of(observation.odometry)},
           .state = "returning",
@@ -306,15 +306,15 @@ Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation&
 /// map would shift it against that floor.
 Decision LandmarkNavigator::come_back(const Observation& observation) {
   Decision decision{.state = "returning", .why = why_lost_};
-  const WayToRoute::State state =
-      way_to_route_->step(localiser_.pose(), steering_rad_of(observation.odometry), decision.command);
-  if (state == WayToRoute::State::kThere && progress_.find(localiser_.pose(), params_.off_route_max_m)) {
+  const PathToRoute::State state =
+      path_to_route_->step(localiser_.pose(), steering_rad_of(observation.odometry), decision.command);
+  if (state == PathToRoute::State::kThere && progress_.find(localiser_.pose(), params_.off_route_max_m)) {
     go_on(State::kFollowing);
-  } else if (state == WayToRoute::State::kThere || state == WayToRoute::State::kNoWay) {
+  } else if (state == PathToRoute::State::kThere || state == PathToRoute::State::kNoPath) {
     return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
   }
-  const WayAhead way = way_to_route_->ahead(localiser_.pose(), params_.guard.reach_m);
-  const Guarded allowed = guard_.allow(decision.command, way);
+  const PathAhead ahead = path_to_route_->ahead(localiser_.pose(), params_.guard.reach_m);
+  const Guarded allowed = guard_.allow(decision.command, ahead);
   if (allowed.state == GuardState::kBlocked)
     return {.status = NavigatorStatus::kFailed, .state = "lost", .why = allowed.why};
   decision.command = allowed.command;
@@ -341,9 +341,9 @@ Decision LandmarkNavigator::search(const Observation& observation) {
     return decision;
   }
   decision.command = guard_.allow(next.command, {}).command;
-  const double way_m = std::abs(decision.command.speed_mps) * vehicle_.cycle_s;
-  searched_m_ += way_m;
-  if (way_m > 0) searched_s_ = stamp_s_;
+  const double path_m = std::abs(decision.command.speed_mps) * vehicle_.cycle_s;
+  searched_m_ += path_m;
+  if (path_m > 0) searched_s_ = stamp_s_;
   return decision;
 }
 
@@ -359,7 +359,7 @@ Decision LandmarkNavigator::follow(const Observation& observation) {
           .state = match_ == LandmarkMatch::kMatched ? "following" : "bridging"};
 }
 
-/// The same as far as nothing stands in the way.
+/// The same as far as nothing stands in the path.
 Decision LandmarkNavigator::guarded(Decision decision) {
   if (decision.status != NavigatorStatus::kGoing) return decision;
   if (const Barrier* barrier =
@@ -368,11 +368,11 @@ Decision LandmarkNavigator::guarded(Decision decision) {
             .state = "blocked",
             .why = fmt::format("{} ahead", words_for(barrier->kind))};
   if (!params_.guarded) return decision;
-  const WayAhead way = way_ahead(path_, progress_.point(), localiser_.pose(), params_.guard.reach_m);
-  Guarded allowed = guard_.allow(decision.command, way);
-  if (allowed.state != GuardState::kFree && strangeness_.is_strange() &&
-      strangeness_.way_m() > kStrangeBlocked_m) {
-    why_lost_ = "sees other things than it knows, and something is in the way";
+  const PathAhead ahead = path_ahead(path_, progress_.point(), localiser_.pose(), params_.guard.reach_m);
+  Guarded allowed = guard_.allow(decision.command, ahead);
+  if (allowed.state != GuardState::kFree && unmatched_.is_unmatched() &&
+      unmatched_.path_m() > kUnmatchedBlocked_m) {
+    why_lost_ = "sees other things than it knows, and something is in the path";
     begin(State::kLost);
     return {.state = "lost", .why = why_lost_};
   }

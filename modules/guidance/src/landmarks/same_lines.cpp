@@ -9,7 +9,7 @@ namespace aisle {
 namespace {
 
 constexpr double kSameLineSigmas = 3.5;
-constexpr double kMovedSigma_m = 0.03;  // of what odometry says of the move between two pictures
+constexpr double kMovedSigma_m = 0.03;  // of what odometry says of the move between two images
 
 bool is_of_one_line(const LandmarkSighting& a, const LandmarkSighting& b) {
   if (a.brighter_right != b.brighter_right) return false;
@@ -20,15 +20,15 @@ bool is_of_one_line(const LandmarkSighting& a, const LandmarkSighting& b) {
 
 }  // namespace
 
-bool shows(std::span<const LandmarkSighting> picture, const LandmarkSighting& line) {
-  return std::any_of(picture.begin(), picture.end(),
+bool shows(std::span<const LandmarkSighting> image, const LandmarkSighting& line) {
+  return std::any_of(image.begin(), image.end(),
                      [&](const LandmarkSighting& seen) { return is_of_one_line(seen, line); });
 }
 
-double shown_share(std::span<const LandmarkSighting> picture, std::span<const LandmarkSighting> other) {
-  const auto shown = std::count_if(picture.begin(), picture.end(),
+double shown_share(std::span<const LandmarkSighting> image, std::span<const LandmarkSighting> other) {
+  const auto shown = std::count_if(image.begin(), image.end(),
                                    [&](const LandmarkSighting& line) { return shows(other, line); });
-  return static_cast<double>(shown) / static_cast<double>(picture.size());
+  return static_cast<double>(shown) / static_cast<double>(image.size());
 }
 
 void carry_sightings(std::vector<LandmarkSighting>& scene, const Pose2& T_now_before) {

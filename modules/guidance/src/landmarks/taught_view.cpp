@@ -22,7 +22,7 @@ void TaughtView::add(const Path& route) {
 }
 
 bool TaughtView::shows(const Vec2& p_map) {
-  index_.query(p_map, p_map, kFootFarthest_m, near_);
+  index_.query(p_map, p_map, kFloorPointFarthest_m, near_);
   return std::any_of(near_.begin(), near_.end(), [&](int place) {
     return shows_from(T_map_taught_[static_cast<std::size_t>(place)], p_map);
   });
@@ -30,7 +30,7 @@ bool TaughtView::shows(const Vec2& p_map) {
 
 bool TaughtView::shows_from(const Pose2& T_map_vehicle, const Vec2& p_map) const {
   const Vec2 p_vehicle = T_map_vehicle.inverse() * p_map;
-  return p_vehicle.norm() <= kFootFarthest_m && floor_.shows(p_vehicle);
+  return p_vehicle.norm() <= kFloorPointFarthest_m && floor_.shows(p_vehicle);
 }
 
 }  // namespace aisle

@@ -12,14 +12,14 @@ namespace aisle {
 namespace {
 
 constexpr double kFloorStep_m = 0.05;  // between points of an edge that are looked at
-constexpr double kNoWay_m = 0.005;     // a shorter way is none: the vehicle stands
+constexpr double kNoPath_m = 0.005;    // a shorter path is none: the vehicle stands
 
 }  // namespace
 
 void ObstacleGuardParams::describe(FieldList& fields) {
   fields.group("stripes", stripes);
   fields.group("memory", memory);
-  fields.group("pictures", pictures);
+  fields.group("images", images);
   fields.real("margin_m", margin_m, {0, 1}, "free floor wanted on either side of the vehicle");
   fields.real("gap_m", gap_m, {0.05, 3}, "left before an obstacle when the vehicle has stopped");
   fields.real("reach_m", reach_m, {0.5, 20}, "how far ahead of the front is looked at");
@@ -29,28 +29,28 @@ void ObstacleGuardParams::describe(FieldList& fields) {
   fields.real("reverse_speed_mps", reverse_speed_mps, {0.01, 1}, "at most, as nothing sees behind");
   fields.real("unlit_s", unlit_s, {0.1, 60}, "without any laser light in view the markers may have failed");
   fields.real("unlit_speed_mps", unlit_speed_mps, {0.01, 5}, "at most, while they may have");
-  fields.real("free_again_s", free_again_s, {0, 10}, "the way must have been free so long to go on");
-  fields.real("wait_max_s", wait_max_s, {0, 3600}, "then the way is reported as blocked");
+  fields.real("free_again_s", free_again_s, {0, 10}, "the path must have been free so long to go on");
+  fields.real("wait_max_s", wait_max_s, {0, 3600}, "then the path is reported as blocked");
 }
 
 ObstacleGuard::ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGuardParams& params,
                              const CameraDescription* camera)
     : vehicle_(vehicle), params_(params), memory_(params.memory) {
   if (camera == nullptr) return;
-  watch_.emplace(params.pictures, *camera);
+  watch_.emplace(params.images, *camera);
   if (vehicle.laser_markers) {
     stripe_.emplace(params.stripes, camera->intrinsics, camera->mount, camera->width_px, camera->height_px,
                     vehicle.laser_markers->height_m);
   }
 }
 
-const CameraPicture* ObstacleGuard::look(const Observation& observation) {
+const CameraImage* ObstacleGuard::look(const Observation& observation) {
   move(observation);
   p_vehicle_scanned_.clear();
   if (observation.scan && vehicle_.scanner) take_scan(*observation.scan);
-  const CameraPicture* picture = watch_ ? watch_->look(observation) : nullptr;
-  if (picture != nullptr && stripe_) read_stripe(*picture);
-  return picture;
+  const CameraImage* image = watch_ ? watch_->look(observation) : nullptr;
+  if (image != nullptr && stripe_) read_stripe(*image);
+  return image;
 }
 
 void ObstacleGuard::move(const Observation& observation) {
@@ -67,13 +67,13 @@ ObstacleGuard::StampedPose ObstacleGuard::taken_at(double stamp_s) const {
   return {stamp_s, nearest->T_odom_vehicle};
 }
 
-void ObstacleGuard::read_stripe(const CameraPicture& picture) {
-  sight_.taken = taken_at(picture.stamp_s);
-  stripe_->find(as_grey(*picture.image, grey_));
+void ObstacleGuard::read_stripe(const CameraImage& image) {
+  sight_.taken = taken_at(image.stamp_s);
+  stripe_->find(as_grey(*image.pixels, grey_));
   sight_.p_vehicle_lit.clear();
   stripe_->append_lit(sight_.p_vehicle_lit);
   sight_.is_new = true;
-  if (!lit_s_ || stripe_->sees_light()) lit_s_ = picture.stamp_s;
+  if (!lit_s_ || stripe_->sees_light()) lit_s_ = image.stamp_s;
 }
 
 void ObstacleGuard::take_scan(const RangeScan& scan) {
@@ -85,9 +85,9 @@ void ObstacleGuard::take_scan(const RangeScan& scan) {
   }
 }
 
-Guarded ObstacleGuard::allow(const Command& wished, const WayAhead& way) {
-  remember_what_is_on(way);
-  judge_floor(way);
+Guarded ObstacleGuard::allow(const Command& wished, const PathAhead& path) {
+  remember_what_is_on(path);
+  judge_floor(path);
   Guarded guarded{.command = limited(wished)};
   if (wished.speed_mps < 0) {
     waiting_from_s_.reset();
@@ -97,14 +97,14 @@ Guarded ObstacleGuard::allow(const Command& wished, const WayAhead& way) {
   if (watch_) {
     if (const auto trouble = watch_->trouble(now_.stamp_s)) return waiting(guarded, *trouble);
   }
-  guarded.free_ahead_m = free_ahead_m(way);
+  guarded.free_ahead_m = free_ahead_m(path);
   const double speed_mps = speed_before(guarded.free_ahead_m);
   if (wished.speed_mps > 0 && speed_mps <= 0)
     return waiting(guarded, fmt::format("obstacle ahead, {:.1f} m away", guarded.free_ahead_m));
   if (waiting_from_s_ && now_.stamp_s - free_from_s_ < params_.free_again_s) {
     guarded.command.speed_mps = 0;
     guarded.state = GuardState::kWaiting;
-    guarded.why = "the way has just become free";
+    guarded.why = "the path has just become free";
     return guarded;
   }
   waiting_from_s_.reset();
@@ -117,14 +117,14 @@ Guarded ObstacleGuard::allow(const Command& wished, const WayAhead& way) {
   return guarded;
 }
 
-void ObstacleGuard::remember_what_is_on(const WayAhead& way) {
+void ObstacleGuard::remember_what_is_on(const PathAhead& path) {
   if (!std::exchange(sight_.is_new, false)) return;
   const Pose2 T_now_taken = between(now_.T_odom_vehicle, sight_.taken.T_odom_vehicle);
-  p_vehicle_lit_on_way_ = sight_.p_vehicle_lit;
-  std::erase_if(p_vehicle_lit_on_way_, [&](const Vec2& p_vehicle) {
-    return !way_to(T_now_taken * p_vehicle, way, vehicle_.footprint, params_.margin_m);
+  p_vehicle_lit_on_path_ = sight_.p_vehicle_lit;
+  std::erase_if(p_vehicle_lit_on_path_, [&](const Vec2& p_vehicle) {
+    return !path_to(T_now_taken * p_vehicle, path, vehicle_.footprint, params_.margin_m);
   });
-  memory_.see(p_vehicle_lit_on_way_, *stripe_, sight_.taken.T_odom_vehicle, sight_.taken.stamp_s);
+  memory_.see(p_vehicle_lit_on_path_, *stripe_, sight_.taken.T_odom_vehicle, sight_.taken.stamp_s);
 }
 
 void ObstacleGuard::see_floor(std::span<const SensedSegment> edges) {
@@ -141,19 +141,20 @@ void ObstacleGuard::see_floor(std::span<const SensedSegment> edges) {
 }
 
 /// Keeps those ends of the floor that are on the way within reach.
-void ObstacleGuard::judge_floor(const WayAhead& way) {
+void ObstacleGuard::judge_floor(const PathAhead& path) {
   if (!std::exchange(floor_.is_new, false)) return;
   std::erase_if(floor_.p_vehicle_end, [&](const Vec2& p_vehicle) {
-    const auto way_m = way_to(p_vehicle, way, vehicle_.footprint, params_.margin_m);
-    return !way_m || *way_m > params_.reach_m;
+    const auto path_m = path_to(p_vehicle, path, vehicle_.footprint, params_.margin_m);
+    return !path_m || *path_m > params_.reach_m;
   });
   floor_.sightings = floor_.p_vehicle_end.empty() ? 0 : floor_.sightings + 1;
 }
 
-double ObstacleGuard::free_ahead_m(const WayAhead& way) {
+double ObstacleGuard::free_ahead_m(const PathAhead& path) {
   double free_m = params_.reach_m;
   const auto shorten = [&](const Vec2& p_vehicle) {
-    free_m = std::min(free_m, way_to(p_vehicle, way, vehicle_.footprint, params_.margin_m).value_or(free_m));
+    free_m =
+        std::min(free_m, path_to(p_vehicle, path, vehicle_.footprint, params_.margin_m).value_or(free_m));
   };
   for (const Vec2& p_vehicle : memory_.places(now_.T_odom_vehicle)) shorten(p_vehicle);
   for (const Vec2& p_vehicle : p_vehicle_scanned_) shorten(p_vehicle);
@@ -164,14 +165,14 @@ double ObstacleGuard::free_ahead_m(const WayAhead& way) {
   return free_m;
 }
 
-/// The greatest speed from which the vehicle stops in time: v t + v^2 / (2 a) = way.
+/// The greatest speed from which the vehicle stops in time: v t + v^2 / (2 a) = path.
 double ObstacleGuard::speed_before(double free_m) const {
   if (!stripe_ && !vehicle_.scanner && !floor_.is_used) return vehicle_.limits.speed_max_mps;
-  const double way_m = free_m - params_.gap_m;
-  if (way_m < kNoWay_m) return 0;
+  const double path_m = free_m - params_.gap_m;
+  if (path_m < kNoPath_m) return 0;
   const double a = params_.deceleration_share * vehicle_.limits.deceleration_max_mps2;
   const double at = a * params_.reaction_s;
-  return std::sqrt(at * at + 2 * a * way_m) - at;
+  return std::sqrt(at * at + 2 * a * path_m) - at;
 }
 
 Command ObstacleGuard::limited(const Command& wished) const {

@@ -10,11 +10,11 @@ void CornerBackingParams::describe(FieldList& fields) {
   fields.angle("steering_deg", steering_rad, {0, 60}, "the wheels' turn, away from where it turns off next");
   fields.real("speed_mps", speed_mps, {0.02, 1}, "on the way back");
   fields.real("least_share", least_share, {0, 1},
-              "of the way that was backed at teaching, before the corner counts");
+              "of the path that was backed at teaching, before the corner counts");
   fields.real("most_share", most_share, {0.1, 5},
               "of that way; then it turns off by the way that was taught");
-  fields.real("agree_m", agree_m, {0.01, 2}, "by which pictures of the corner may differ");
-  fields.count("pictures", pictures, {1, 100}, "in succession must show the corner");
+  fields.real("agree_m", agree_m, {0.01, 2}, "by which images of the corner may differ");
+  fields.count("images", images, {1, 100}, "in succession must show the corner");
 }
 
 CornerBacking::CornerBacking(const CornerBackingParams& params, const RouteViewParams& view,
@@ -30,22 +30,22 @@ void CornerBacking::begin(TurningClass next, double taught_m, const Pose2& T_odo
   taught_m_ = taught_m;
   T_odom_begin_ = T_odom_vehicle;
   p_odom_corner_.reset();
-  pictures_ = 0;
+  images_ = 0;
 }
 
 void CornerBacking::look(const Observation& observation, const Pose2& T_odom_vehicle) {
-  const CameraPicture* picture = present_picture(observation, camera_.name, vehicle_.cycle_s);
-  if (picture == nullptr || backed_m(T_odom_vehicle) < params_.least_share * taught_m_) return;
-  const RouteSight& sight = view_.look(*picture->image);
+  const CameraImage* image = present_image(observation, camera_.name, vehicle_.cycle_s);
+  if (image == nullptr || backed_m(T_odom_vehicle) < params_.least_share * taught_m_) return;
+  const RouteSight& sight = view_.look(*image->pixels);
   const auto p_vehicle_corner = find_route_corner(
       sight.p_vehicle_edges, camera_.mount.p_vehicle_camera.head<2>(), side_, params_.corner);
   if (!p_vehicle_corner) {
-    pictures_ = 0;
+    images_ = 0;
     return;
   }
   const Vec2 p_odom = T_odom_vehicle * *p_vehicle_corner;
   const bool agrees = p_odom_corner_ && (p_odom - *p_odom_corner_).norm() <= params_.agree_m;
-  pictures_ = agrees ? pictures_ + 1 : 1;
+  images_ = agrees ? images_ + 1 : 1;
   p_odom_corner_ = p_odom;
 }
 

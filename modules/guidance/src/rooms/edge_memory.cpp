@@ -6,7 +6,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kSeenAside_m = 0.25;  // so far off, what was seen from far may be
+constexpr double kSeenLateral_m = 0.25;  // so far off, what was seen from far may be
 constexpr double kLookKept_s = 5;
 
 }  // namespace
@@ -14,7 +14,7 @@ constexpr double kLookKept_s = 5;
 /// Also where the view did not reach before: feet are larger than a point.
 bool EdgeMemory::is_beside_any(const std::vector<Edge>& edges, const Vec2& p_odom) {
   return std::any_of(edges.begin(), edges.end(),
-                     [&](const Edge& edge) { return (edge.p_odom - p_odom).norm() < kSeenAside_m; });
+                     [&](const Edge& edge) { return (edge.p_odom - p_odom).norm() < kSeenLateral_m; });
 }
 
 void EdgeMemory::take(const RouteView& view, const RouteSight& sight, const Pose2& T_odom_vehicle,
@@ -22,11 +22,11 @@ void EdgeMemory::take(const RouteView& view, const RouteSight& sight, const Pose
   forget_gone(view, sight, T_odom_vehicle);
   seen_.clear();
   come_.clear();
-  const auto see = [&](const std::vector<Vec2>& p_vehicle_edges, bool is_foot) {
+  const auto see = [&](const std::vector<Vec2>& p_vehicle_edges, bool is_floor_edge) {
     for (const Vec2& p_vehicle : p_vehicle_edges) {
       const Vec2 p_odom = T_odom_vehicle * p_vehicle;
       const bool has_come = was_free(view, p_odom, stamp_s) && !has_stood_at(p_odom, stamp_s);
-      seen_.push_back({p_odom, p_vehicle.norm(), is_foot, stamp_s, stamp_s, has_come});
+      seen_.push_back({p_odom, p_vehicle.norm(), is_floor_edge, stamp_s, stamp_s, has_come});
       if (has_come) come_.push_back(seen_.back());
     }
   };
@@ -74,7 +74,7 @@ bool EdgeMemory::has_stood_at(const Vec2& p_odom, double stamp_s) const {
   constexpr double kStood_s = 1;
   return std::any_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
     return !edge.has_come && stamp_s - edge.first_s > kStood_s &&
-           (edge.p_odom - p_odom).norm() < kSeenAside_m;
+           (edge.p_odom - p_odom).norm() < kSeenLateral_m;
   });
 }
 
@@ -93,11 +93,12 @@ void EdgeMemory::take(const Edge& seen) {
   constexpr double kNearer = 0.7;
   const auto apart_m = [&](const Edge& edge) { return (edge.p_odom - seen.p_odom).norm(); };
   std::erase_if(edges_, [&](const Edge& edge) {
-    return seen.is_foot && apart_m(edge) < kSeenAside_m && seen.seen_from_m < kNearer * edge.seen_from_m;
+    return seen.is_floor_edge && apart_m(edge) < kSeenLateral_m &&
+           seen.seen_from_m < kNearer * edge.seen_from_m;
   });
   bool is_known = false;
   for (Edge& edge : edges_) {
-    if (apart_m(edge) >= kSame_m || edge.is_foot != seen.is_foot) continue;
+    if (apart_m(edge) >= kSame_m || edge.is_floor_edge != seen.is_floor_edge) continue;
     edge.last_s = seen.last_s;
     edge.has_come = edge.has_come && seen.has_come;
     is_known = true;
@@ -140,7 +141,7 @@ std::vector<SeenEdge> EdgeMemory::seen_around(const Pose2& T_odom_vehicle) const
   std::vector<SeenEdge> seen;
   seen.reserve(edges_.size());
   for (const Edge& edge : edges_)
-    if (edge.is_foot) seen.push_back({T_vehicle_odom * edge.p_odom, edge.seen_from_m});
+    if (edge.is_floor_edge) seen.push_back({T_vehicle_odom * edge.p_odom, edge.seen_from_m});
   return seen;
 }
 

@@ -89,11 +89,11 @@ void EdgePlaceParams::describe(FieldList& fields) {
   fields.real("moved_m", moved_m, {0.001, 1}, "by which a thing 1 m long may have been moved since");
   fields.real("set_down_m", set_down_m, {0.01, 2}, "deviation of the place where the vehicle is set down");
   fields.angle("set_down_deg", set_down_rad, {0.5, 60}, "and of its heading there");
-  fields.real("drift_m", drift_m, {0.001, 1}, "how far the odometry is trusted against one picture");
+  fields.real("drift_m", drift_m, {0.001, 1}, "how far the odometry is trusted against one image");
   fields.angle("drift_deg", drift_rad, {0.05, 30}, "and its heading");
   fields.count("points_min", points_min, {3, 10'000}, "fewer edges say nothing");
   fields.real("fitting_min", fitting_min, {0, 1}, "share of the edges that must be where they were taught");
-  fields.real("gain", gain, {0, 1}, "how much one picture corrects the pose; 0: the odometry alone counts");
+  fields.real("gain", gain, {0, 1}, "how much one image corrects the pose; 0: the odometry alone counts");
 }
 
 EdgePlace::EdgePlace(const EdgePlaceParams& params, const std::vector<RouteEdge>& taught)
@@ -107,7 +107,7 @@ void EdgePlace::take(std::span<const SeenEdge> seen, const Pose2& T_odom_vehicle
   if (seen.size() < static_cast<std::size_t>(params_.points_min)) return;
   const Pose2 T_map_expected = T_map_odom_ * T_odom_vehicle;
   come_to(T_odom_vehicle, along_m);
-  // What the first pictures show is to be doubted: after many the odometry is trusted against each.
+  // What the first images show is to be doubted: after many the odometry is trusted against each.
   const double share = 1.0 / std::max(1, fits_);
   const double sigma_m = std::max(params_.drift_m, share * params_.set_down_m);
   const double sigma_rad = std::max(params_.drift_rad, share * params_.set_down_rad);

@@ -16,13 +16,14 @@ void FrameBackingParams::describe(FieldList& fields) {
   fields.group("steering", steering);
   fields.group("speed", speed);
   fields.real("turn_from_m", turn_from_m, {0, 10}, "before where it would stand forwards it turns about");
-  fields.real("run_up_m", run_up_m, {0.1, 5}, "way that it backs straight into the frame");
+  fields.real("run_up_m", run_up_m, {0.1, 5}, "path that it backs straight into the frame");
   fields.real("run_up_min_m", run_up_min_m, {0.05, 5},
               "with less, where there is no room to turn, it gives up");
   fields.real("look_s", look_s, {0.1, 60}, "for which it looks at the frame's near side");
-  fields.real("wait_s", wait_s, {0, 100}, "for what is in the way, before it looks for another way");
-  fields.count("plans_max", plans_max, {1, 100}, "ways about that it looks for, then it gives up");
-  fields.real("aside_max_m", aside_max_m, {0.001, 1}, "farther aside it drives out and tries again");
+  fields.real("wait_s", wait_s, {0, 100}, "for what is in the path, before it looks for another path");
+  fields.count("plans_max", plans_max, {1, 100}, "paths about that it looks for, then it gives up");
+  fields.real("lateral_max_m", lateral_max_m, {0.001, 1},
+              "farther off laterally it drives out and tries again");
   fields.angle("turned_max_deg", turned_max_rad, {0.1, 45}, "turned more, it tries again");
   fields.count("tries_max", tries_max, {1, 100}, "then it stays as it stands");
 }
@@ -108,30 +109,30 @@ double FrameBacking::deeper_m() const {
              : std::max(0.0, to_line_m - kOffLine_m);
 }
 
-void FrameBacking::search_way() {
+void FrameBacking::search_path() {
   const Pose2 T_floor_vehicle = T_floor_odom_ * T_odom_vehicle_;
   const Pose2 T_floor_begin = T_floor_odom_ * T_odom_parked() * Pose2{run_up_m_, 0, 0};
-  search_.look_for_way_to(T_floor_begin, T_floor_vehicle,
-                          [p = T_floor_vehicle.position()](const Vec2& q) { return (q - p).norm(); });
+  search_.look_for_path_to(T_floor_begin, T_floor_vehicle,
+                           [p = T_floor_vehicle.position()](const Vec2& q) { return (q - p).norm(); });
 }
 
 /// While the vehicle stands, a portion in each cycle.
 Decision FrameBacking::search() {
   constexpr int kPortion = 400;
   constexpr double kShorter = 0.6;
-  Decision searching{.state = "searching", .why = "a way to turn about"};
+  Decision searching{.state = "searching", .why = "a path to turn about"};
   if (search_.state() == CarSearch::State::kIdle) {
     free_under(vehicle_.footprint, T_floor_odom_ * T_odom_vehicle_, floor_);
     for (int i = 0; i * floor_.cell_m() < run_up_m_; ++i)
       free_under(vehicle_.footprint, T_floor_odom_ * T_odom_parked() * Pose2{i * floor_.cell_m(), 0, 0},
                  floor_);
     clearance_.update(floor_, floor_.known());
-    search_way();
+    search_path();
     return searching;
   }
   switch (search_.advance(floor_, clearance_, kPortion)) {
     case CarSearch::State::kFound:
-      if (const Path way = search_.path(); !way.empty()) driver_.take(way);
+      if (const Path path = search_.path(); !path.empty()) driver_.take(path);
       state_ = State::kTurning;
       return searching;
     case CarSearch::State::kNone:
@@ -139,8 +140,8 @@ Decision FrameBacking::search() {
       if (run_up_m_ < params_.run_up_min_m)
         return {.status = NavigatorStatus::kFailed,
                 .state = "no room",
-                .why = "found no way to turn about before the frame"};
-      search_way();
+                .why = "found no path to turn about before the frame"};
+      search_path();
       return searching;
     case CarSearch::State::kIdle:
     case CarSearch::State::kSearching:
@@ -150,13 +151,13 @@ Decision FrameBacking::search() {
 }
 
 Decision FrameBacking::turn(double stamp_s) {
-  const WayDriver::Step step =
+  const PathDriver::Step step =
       driver_.drive(floor_, clearance_, search_.room(), T_floor_odom_ * T_odom_vehicle_, steering_rad_);
-  if (step.state == WayDriver::State::kArrived || step.state == WayDriver::State::kNoWay) {
+  if (step.state == PathDriver::State::kArrived || step.state == PathDriver::State::kNoPath) {
     state_ = State::kBackingIn;
     return back_in(stamp_s);
   }
-  if (step.state != WayDriver::State::kBlocked) {
+  if (step.state != PathDriver::State::kBlocked) {
     is_held_up_ = false;
     return {.command = step.command,
             .state = "turning about",
@@ -164,7 +165,7 @@ Decision FrameBacking::turn(double stamp_s) {
   }
   if (!std::exchange(is_held_up_, true)) since_s_ = stamp_s;
   if (stamp_s - since_s_ > params_.wait_s) state_ = State::kBlocked;
-  return {.command = step.command, .state = "waiting", .why = "something is in the way to turn about"};
+  return {.command = step.command, .state = "waiting", .why = "something is in the path to turn about"};
 }
 
 Decision FrameBacking::blocked() {
@@ -182,12 +183,12 @@ Decision FrameBacking::drive_to(double ahead_of_parked_m, const char* state) con
   const double direction = left_m < 0 ? -1 : 1;
   const double speed_mps = std::clamp(std::sqrt(2 * params_.speed.deceleration_mps2 * std::abs(left_m)),
                                       params_.speed.speed_min_mps, params_.speed.speed_mps);
-  const double way_m = std::abs(left_m) + 2 * kBeyond_m;
-  const Path path({{T_odom_parked() * Pose2{off.x - direction * kBeyond_m, 0, 0}, {direction * way_m, 0}}});
-  const PathPoint point = path.nearest(T_odom_vehicle_.position(), 0, way_m);
+  const double path_m = std::abs(left_m) + 2 * kBeyond_m;
+  const Path path({{T_odom_parked() * Pose2{off.x - direction * kBeyond_m, 0, 0}, {direction * path_m, 0}}});
+  const PathPoint point = path.nearest(T_odom_vehicle_.position(), 0, path_m);
   return {.command = follower_.follow(path, point, T_odom_vehicle_, speed_mps, steering_rad_),
           .state = state,
-          .why = fmt::format("{:.2f} m to go, {:.3f} m aside", std::abs(left_m), off.y)};
+          .why = fmt::format("{:.2f} m to go, {:.3f} m to the side", std::abs(left_m), off.y)};
 }
 
 Decision FrameBacking::back_in(double stamp_s) {
@@ -200,10 +201,11 @@ Decision FrameBacking::back_in(double stamp_s) {
 
 Decision FrameBacking::look_back(double stamp_s) {
   const Pose2 off = FrameBacking::off();
-  const std::string why = fmt::format("{:.3f} m aside, {:.2f} degrees turned", off.y, to_degrees(off.theta));
+  const std::string why =
+      fmt::format("{:.3f} m to the side, {:.2f} degrees turned", off.y, to_degrees(off.theta));
   if (stamp_s - since_s_ < params_.look_s) return {.state = "looking", .why = why};
   const bool is_good =
-      std::abs(off.y) <= params_.aside_max_m && std::abs(off.theta) <= params_.turned_max_rad;
+      std::abs(off.y) <= params_.lateral_max_m && std::abs(off.theta) <= params_.turned_max_rad;
   const bool stays = is_good || tries_ >= params_.tries_max;
   if (!stays) ++tries_;
   state_ = stays ? State::kComingForward : State::kLeaving;
@@ -215,7 +217,7 @@ Decision FrameBacking::come_forward() {
   const Pose2 off = FrameBacking::off();
   return {.status = NavigatorStatus::kDone,
           .state = "parked",
-          .why = fmt::format("{:.3f} m aside, {:.2f} degrees turned", off.y, to_degrees(off.theta))};
+          .why = fmt::format("{:.3f} m to the side, {:.2f} degrees turned", off.y, to_degrees(off.theta))};
 }
 
 Decision FrameBacking::leave() {

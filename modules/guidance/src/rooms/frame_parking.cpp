@@ -17,16 +17,17 @@ void FrameParkingParams::describe(FieldList& fields) {
   fields.real("speed_min_mps", speed_min_mps, {0.005, 0.5}, "at its end");
   fields.real("deceleration_mps2", deceleration_mps2, {0.005, 2}, "towards its end");
   fields.real("reverse_speed_mps", reverse_speed_mps, {0.02, 1}, "out of it, for another try");
-  fields.real("gain", gain, {0.01, 1}, "how much one picture corrects where the frame is");
-  fields.real("aside_max_m", aside_max_m, {0.001, 1}, "farther aside the vehicle tries again");
+  fields.real("gain", gain, {0.01, 1}, "how much one image corrects where the frame is");
+  fields.real("lateral_max_m", lateral_max_m, {0.001, 1}, "farther off laterally the vehicle tries again");
   fields.angle("turned_max_deg", turned_max_rad, {0.1, 45}, "turned more, it tries again");
-  fields.real("askew_m", askew_m, {0.001, 1}, "farther aside after the last try it has not parked");
-  fields.angle("askew_deg", askew_rad, {0.1, 45}, "turned more then, it has not parked");
+  fields.real("misaligned_m", misaligned_m, {0.001, 1},
+              "farther off laterally after the last try it has not parked");
+  fields.angle("yaw_error_deg", yaw_error_rad, {0.1, 45}, "turned more then, it has not parked");
   fields.real("judged_m", judged_m, {0, 5}, "so far before the end a hopeless approach is given up");
-  fields.real("hopeless_m", hopeless_m, {0.001, 1}, "so far aside there is hopeless");
-  fields.real("back_off_m", back_off_m, {0.2, 10}, "way back before it tries again");
+  fields.real("hopeless_m", hopeless_m, {0.001, 1}, "so farther off laterally there is hopeless");
+  fields.real("back_off_m", back_off_m, {0.2, 10}, "path back before it tries again");
   fields.count("tries_max", tries_max, {1, 100}, "then it stays as it stands");
-  fields.real("unseen_max_m", unseen_max_m, {0.1, 10}, "way without seeing the frame");
+  fields.real("unseen_max_m", unseen_max_m, {0.1, 10}, "path without seeing the frame");
   fields.real("tracked_m", tracked_m, {0.05, 5}, "what lies farther from where it was first seen is none");
 }
 
@@ -42,10 +43,10 @@ void FrameParking::look(const Observation& observation, const Pose2& T_odom_vehi
   for (const char* name : {kFirstCamera, kThirdCamera, kSecondCamera}) {
     const CameraDescription* camera = vehicle_.camera(name);
     if (camera == nullptr) continue;
-    const CameraPicture* picture = present_picture(observation, name, vehicle_.cycle_s);
-    if (picture == nullptr) continue;
+    const CameraImage* image = present_image(observation, name, vehicle_.cycle_s);
+    if (image == nullptr) continue;
     const auto points =
-        painted_line_points(*picture->image, CameraModel(camera->intrinsics), camera->mount, params_.frame);
+        painted_line_points(*image->pixels, CameraModel(camera->intrinsics), camera->mount, params_.frame);
     const auto fit =
         T_odom_frame_ ? track_frame(points, size_m_, between(T_odom_vehicle, *T_odom_frame_), params_.frame)
                       : find_frame(points, size_m_, wrap_angle(T_odom_expected.theta - T_odom_vehicle.theta),
@@ -96,25 +97,26 @@ Decision FrameParking::approach() {
   const PathPoint point = path.nearest(T_odom_vehicle_.position(), 0, kRunUp_m);
   return {.command = follower_.follow(path, point, T_odom_vehicle_, speed_mps, steering_rad_),
           .state = "parking",
-          .why = fmt::format("{:.2f} m to go, {:.3f} m aside", left_m, off.y)};
+          .why = fmt::format("{:.2f} m to go, {:.3f} m to the side", left_m, off.y)};
 }
 
 /// Ends, or backs off for another try.
 Decision FrameParking::settle() {
   const Pose2 off = FrameParking::off();
-  const auto is_within = [&](double aside_m, double turned_rad) {
-    return std::abs(off.y) <= aside_m && std::abs(off.theta) <= turned_rad;
+  const auto is_within = [&](double lateral_m, double turned_rad) {
+    return std::abs(off.y) <= lateral_m && std::abs(off.theta) <= turned_rad;
   };
-  const bool is_good = is_within(params_.aside_max_m, params_.turned_max_rad);
+  const bool is_good = is_within(params_.lateral_max_m, params_.turned_max_rad);
   if (!is_good && tries_ < params_.tries_max) {
     ++tries_;
     is_backing_ = true;
     return {.state = "backing off"};
   }
-  const std::string why = fmt::format("{:.3f} m aside, {:.2f} degrees turned", off.y, to_degrees(off.theta));
-  if (is_good || is_within(params_.askew_m, params_.askew_rad))
+  const std::string why =
+      fmt::format("{:.3f} m to the side, {:.2f} degrees turned", off.y, to_degrees(off.theta));
+  if (is_good || is_within(params_.misaligned_m, params_.yaw_error_rad))
     return {.status = NavigatorStatus::kDone, .state = "parked", .why = why};
-  return {.status = NavigatorStatus::kFailed, .state = "askew", .why = "not parked: it stands " + why};
+  return {.status = NavigatorStatus::kFailed, .state = "misaligned", .why = "not parked: it stands " + why};
 }
 
 Decision FrameParking::back_off() {
@@ -122,9 +124,9 @@ Decision FrameParking::back_off() {
     is_backing_ = false;
     return {.state = "parking"};
   }
-  const double way_m = params_.back_off_m + 1;
-  const Path path({{T_odom_parked(), {-way_m, 0}}});
-  const PathPoint point = path.nearest(T_odom_vehicle_.position(), 0, way_m);
+  const double path_m = params_.back_off_m + 1;
+  const Path path({{T_odom_parked(), {-path_m, 0}}});
+  const PathPoint point = path.nearest(T_odom_vehicle_.position(), 0, path_m);
   return {.command = follower_.follow(path, point, T_odom_vehicle_, params_.reverse_speed_mps, steering_rad_),
           .state = "backing off"};
 }

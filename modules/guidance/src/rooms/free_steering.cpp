@@ -10,7 +10,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kWayStep_m = 0.1;
+constexpr double kPathStep_m = 0.1;
 
 /// What stands around the vehicle, the nearest first.
 struct Obstacle {
@@ -29,33 +29,33 @@ std::vector<Obstacle> nearest_first(std::span<const Vec2> p_vehicle) {
 
 /// From the footprint, where it is after some way, to what stands nearest to it there.
 double nearest_m(const Footprint& footprint, std::span<const Obstacle> obstacles, const Pose2& T_now_then,
-                 double way_m) {
+                 double path_m) {
   constexpr double kFar_m = 10;
   const double radius_m = std::hypot(std::max(footprint.front_m, footprint.rear_m), footprint.width_m / 2);
   const Pose2 T_then_now = T_now_then.inverse();
   const double c = std::cos(T_then_now.theta), s = std::sin(T_then_now.theta);
   double least_m = kFar_m;
   for (const auto& [p, from_m] : obstacles) {
-    if (from_m - way_m - radius_m >= least_m) break;  // nor does any that stands farther off come nearer
+    if (from_m - path_m - radius_m >= least_m) break;  // nor does any that stands farther off come nearer
     const Vec2 p_then(c * p.x() - s * p.y() + T_then_now.x, s * p.x() + c * p.y() + T_then_now.y);
     least_m = std::min(least_m, off_footprint_m(footprint, p_then));
   }
   return least_m;
 }
 
-SteeringChoice free_way_among(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                              std::span<const Obstacle> obstacles, double steering_rad, int direction) {
+SteeringChoice free_path_among(const VehicleDescription& vehicle, const FreeSteeringParams& params,
+                               std::span<const Obstacle> obstacles, double steering_rad, int direction) {
   const double turn_per_m = std::tan(steering_rad) / vehicle.front_steered.wheelbase_m;
   const double now_m = nearest_m(vehicle.footprint, obstacles, {}, 0);
   SteeringChoice choice{.steering_rad = steering_rad, .free_m = 0, .clearance_m = now_m};
-  const int steps = static_cast<int>(std::lround(params.reach_m / kWayStep_m));
+  const int steps = static_cast<int>(std::lround(params.reach_m / kPathStep_m));
   for (int step = 1; step <= steps; ++step) {
-    const double way_m = step * kWayStep_m;
-    const Pose2 T_now_then = end_pose({direction * way_m, direction * way_m * turn_per_m});
-    const double off_m = nearest_m(vehicle.footprint, obstacles, T_now_then, way_m);
+    const double path_m = step * kPathStep_m;
+    const Pose2 T_now_then = end_pose({direction * path_m, direction * path_m * turn_per_m});
+    const double off_m = nearest_m(vehicle.footprint, obstacles, T_now_then, path_m);
     // What is too near already may be left behind.
     if (off_m < std::min(params.margin_m, now_m - 0.001)) break;
-    choice.free_m = way_m;
+    choice.free_m = path_m;
     choice.clearance_m = std::min(choice.clearance_m, off_m);
   }
   return choice;
@@ -64,33 +64,33 @@ SteeringChoice free_way_among(const VehicleDescription& vehicle, const FreeSteer
 }  // namespace
 
 void FreeSteeringParams::describe(FieldList& fields) {
-  fields.real("reach_m", reach_m, {0.2, 10}, "way over which a steering angle is judged");
+  fields.real("reach_m", reach_m, {0.2, 10}, "path over which a steering angle is judged");
   fields.real("margin_m", margin_m, {0, 1}, "nearer to what stands there the vehicle does not go");
   fields.real("comfort_m", comfort_m, {0.01, 2}, "it tries to keep so far off");
   fields.angle("step_deg", step_rad, {0.5, 20}, "between steering angles that are tried");
-  fields.angle("wish_deg", wish_rad, {1, 90}, "so far off the wished angle costs 1");
+  fields.angle("requested_deg", requested_rad, {1, 90}, "so far off the wished angle costs 1");
   fields.real("clearance_weight", clearance_weight, {0, 100}, "cost of coming as near as the margin");
   fields.real("reach_weight", reach_weight, {0, 100}, "cost of leading nowhere");
 }
 
-SteeringChoice free_way(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                        std::span<const Vec2> p_vehicle, double steering_rad, int direction) {
-  return free_way_among(vehicle, params, nearest_first(p_vehicle), steering_rad, direction);
+SteeringChoice free_path(const VehicleDescription& vehicle, const FreeSteeringParams& params,
+                         std::span<const Vec2> p_vehicle, double steering_rad, int direction) {
+  return free_path_among(vehicle, params, nearest_first(p_vehicle), steering_rad, direction);
 }
 
 SteeringChoice choose_steering(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                               std::span<const Vec2> p_vehicle, double wish_rad, int direction) {
+                               std::span<const Vec2> p_vehicle, double requested_rad, int direction) {
   const std::vector<Obstacle> obstacles = nearest_first(p_vehicle);
   const double max_rad = vehicle.limits.steering_max_rad;
-  const double wished_rad = std::clamp(wish_rad, -max_rad, max_rad);
+  const double wished_rad = std::clamp(requested_rad, -max_rad, max_rad);
   const int steps = static_cast<int>(2 * max_rad / params.step_rad);
   SteeringChoice best;
   double least = 0;
   for (int i = -1; i <= steps; ++i) {
     const double steering_rad = i < 0 ? wished_rad : std::min(-max_rad + i * params.step_rad, max_rad);
-    const SteeringChoice choice = free_way_among(vehicle, params, obstacles, steering_rad, direction);
+    const SteeringChoice choice = free_path_among(vehicle, params, obstacles, steering_rad, direction);
     const double cost =
-        square((steering_rad - wished_rad) / params.wish_rad) +
+        square((steering_rad - wished_rad) / params.requested_rad) +
         params.clearance_weight * square(std::clamp(1 - choice.clearance_m / params.comfort_m, 0.0, 1.0)) +
         params.reach_weight * square(1 - choice.free_m / params.reach_m);
     if (i >= 0 && cost >= least) continue;

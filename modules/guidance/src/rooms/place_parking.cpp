@@ -21,14 +21,15 @@ Path driven_backwards(const Path& path) {
 
 void PlaceParkingParams::describe(FieldList& fields) {
   fields.group("steering", steering);
-  fields.real("aside_m", aside_m, {0.005, 1}, "farther aside of the taught place it tries again");
+  fields.real("lateral_m", lateral_m, {0.005, 1}, "farther off laterally of the taught place it tries again");
   fields.angle("turned_deg", turned_rad, {0.1, 45}, "turned more, it tries again");
-  fields.real("aside_max_m", aside_max_m, {0.005, 1}, "farther aside after the last try it has not parked");
-  fields.angle("turned_max_deg", turned_max_rad, {0.1, 90}, "likewise turned more");
+  fields.real("lateral_max_m", lateral_max_m, {0.005, 1},
+              "farther off laterally after the last try it has not parked");
+  fields.angle("turned_max_deg", turned_max_rad, {0.1, 90}, "the same turned more");
   fields.real("taken_max_m", taken_max_m, {0, 1},
-              "so far aside it may stand where something else stands at its place");
-  fields.real("back_off_m", back_off_m, {0.2, 5}, "way back before it tries again");
-  fields.real("back_off_min_m", back_off_min_m, {0, 5}, "with less way free behind it goes no farther back");
+              "so farther off laterally it may stand where something else stands at its place");
+  fields.real("back_off_m", back_off_m, {0.2, 5}, "path back before it tries again");
+  fields.real("back_off_min_m", back_off_min_m, {0, 5}, "with less path free behind it goes no farther back");
   fields.real("reverse_speed_mps", reverse_speed_mps, {0.02, 1}, "on the way back");
   fields.count("tries_max", tries_max, {1, 100}, "then it stays as it stands");
 }
@@ -47,25 +48,25 @@ double PlaceParking::steering_rad(const PathPoint& point, const Pose2& T_map_veh
 
 Decision PlaceParking::settle(const Pose2& T_map_vehicle, bool is_taken) {
   const Pose2 off = between(path_.pieces().back().end(), T_map_vehicle);
-  const auto is_within = [&](double aside_m, double turned_rad) {
-    return std::abs(off.y) <= aside_m && std::abs(off.theta) <= turned_rad;
+  const auto is_within = [&](double lateral_m, double turned_rad) {
+    return std::abs(off.y) <= lateral_m && std::abs(off.theta) <= turned_rad;
   };
-  const std::string why =
-      fmt::format("{:.2f} m aside, {:.1f} degrees turned", std::abs(off.y), std::abs(to_degrees(off.theta)));
-  if (is_within(params_.aside_m, params_.turned_rad))
+  const std::string why = fmt::format("{:.2f} m to the side, {:.1f} degrees turned", std::abs(off.y),
+                                      std::abs(to_degrees(off.theta)));
+  if (is_within(params_.lateral_m, params_.turned_rad))
     return {.status = NavigatorStatus::kDone, .state = "parked", .why = why};
   if (tries_ < params_.tries_max) {
     ++tries_;
     back_from_ = T_map_vehicle;
     return {.state = "backing off", .why = why};
   }
-  if (is_within(params_.aside_max_m, params_.turned_max_rad))
+  if (is_within(params_.lateral_max_m, params_.turned_max_rad))
     return {.status = NavigatorStatus::kDone, .state = "parked", .why = why};
   if (is_taken && is_within(params_.taken_max_m, params_.turned_max_rad))
     return {.status = NavigatorStatus::kDone,
             .state = "parked",
             .why = why + ", as near as what stands there now lets it"};
-  return {.status = NavigatorStatus::kFailed, .state = "askew", .why = "not parked: it stands " + why};
+  return {.status = NavigatorStatus::kFailed, .state = "misaligned", .why = "not parked: it stands " + why};
 }
 
 Command PlaceParking::back_off(const Pose2& T_map_vehicle, double steering_now_rad) const {
@@ -73,7 +74,7 @@ Command PlaceParking::back_off(const Pose2& T_map_vehicle, double steering_now_r
   return follower_.follow(path_back_, point, T_map_vehicle, params_.reverse_speed_mps, steering_now_rad);
 }
 
-void PlaceParking::judge_way_back(const Pose2& T_map_vehicle, double free_m) {
+void PlaceParking::judge_path_back(const Pose2& T_map_vehicle, double free_m) {
   const double backed_m = (T_map_vehicle.position() - back_from_->position()).norm();
   if (backed_m >= params_.back_off_m || free_m <= params_.back_off_min_m) back_from_.reset();
 }

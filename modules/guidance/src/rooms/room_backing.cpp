@@ -27,7 +27,7 @@ void RoomNavigator::learn_floor_behind() {
   p_map_limit_ = limit_of_known(floor);
 }
 
-/// What is known to stand there, by today's pictures and by teaching, and where nothing is known.
+/// What is known to stand there, by today's images and by teaching, and where nothing is known.
 std::vector<Vec2> RoomNavigator::standing_behind() const {
   std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
   const Pose2 T_vehicle_map = pose().inverse();
@@ -37,22 +37,22 @@ std::vector<Vec2> RoomNavigator::standing_behind() const {
   return around;
 }
 
-SteeringChoice RoomNavigator::choose_steering_behind(double wish_rad) const {
+SteeringChoice RoomNavigator::choose_steering_behind(double requested_rad) const {
   FreeSteeringParams steering = params_.steering;
   steering.comfort_m = params_.end_comfort_m;
-  return choose_steering(vehicle_, steering, standing_behind(), wish_rad, -1);
+  return choose_steering(vehicle_, steering, standing_behind(), requested_rad, -1);
 }
 
 void RoomNavigator::begin_to_back_off() {
   T_odom_stopped_ = T_odom_vehicle_;
   learn_floor_behind();
-  way_back_ = choose_way_back();
+  path_back_ = choose_path_back();
   state_ = State::kBackingOff;
 }
 
-/// Of the ways back, the one that leads nearest to the taught way.
-SteeringChoice RoomNavigator::choose_way_back() const {
-  constexpr double kAsideWeight_per_m = 1, kTurnedWeight_per_rad = 1, kShortWeight_per_m = 4;
+/// Of the return path, the one that leads nearest to the taught path.
+SteeringChoice RoomNavigator::choose_path_back() const {
+  constexpr double kLateralWeight_per_m = 1, kTurnedWeight_per_rad = 1, kShortWeight_per_m = 4;
   const double max_rad = vehicle_.limits.steering_max_rad;
   const int steps = static_cast<int>(max_rad / params_.steering.step_rad);
   const std::vector<Vec2> around = standing_behind();
@@ -60,32 +60,32 @@ SteeringChoice RoomNavigator::choose_way_back() const {
   double least = -1;
   for (int i = -steps; i <= steps; ++i) {
     const double steering_rad = i * params_.steering.step_rad;
-    const SteeringChoice way = free_way(vehicle_, params_.steering, around, steering_rad, -1);
-    const double back_m = std::min(params_.back_off_m, way.free_m);
+    const SteeringChoice choice = free_path(vehicle_, params_.steering, around, steering_rad, -1);
+    const double back_m = std::min(params_.back_off_m, choice.free_m);
     const double turn_rad = -back_m * std::tan(steering_rad) / vehicle_.front_steered.wheelbase_m;
     const Pose2 T_map_then = pose() * end_pose({-back_m, turn_rad});
     const double along_m = progress_.point().along_m;
     const PathPoint there = route_.path.nearest(T_map_then.position(), along_m - 2 * params_.back_off_m,
                                                 along_m + params_.back_off_m);
     const double cost =
-        kAsideWeight_per_m * std::abs(there.aside_m) +
+        kLateralWeight_per_m * std::abs(there.lateral_m) +
         kTurnedWeight_per_rad * std::abs(wrap_angle(T_map_then.theta - there.T_map_path.theta)) +
         kShortWeight_per_m * (params_.back_off_m - back_m);
     if (least >= 0 && cost >= least) continue;
     least = cost;
-    best = way;
+    best = choice;
   }
   return best;
 }
 
 Decision RoomNavigator::back_off(double now_s) {
   const double backed_m = (T_odom_vehicle_.position() - T_odom_stopped_.position()).norm();
-  if (backed_m >= std::min(params_.back_off_m, way_back_.free_m - params_.stop_free_m)) {
+  if (backed_m >= std::min(params_.back_off_m, path_back_.free_m - params_.stop_free_m)) {
     state_ = State::kFollowing;
     stopped_s_ = now_s;
     return {.state = "backing off"};
   }
-  return {.command = {.speed_mps = -params_.parking_speed_mps, .steering_rad = way_back_.steering_rad},
+  return {.command = {.speed_mps = -params_.parking_speed_mps, .steering_rad = path_back_.steering_rad},
           .state = "backing off"};
 }
 

@@ -43,7 +43,7 @@ std::size_t leg_begin(const Path& path, std::size_t piece) {
 void RoomNavigatorParams::describe(FieldList& fields) {
   fields.group("view", view);
   fields.group("steering", steering);
-  fields.group("pictures", pictures);
+  fields.group("images", images);
   fields.group("corner_backing", corner_backing);
   fields.group("frame", frame);
   fields.group("frame_backing", frame_backing);
@@ -53,18 +53,18 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("speed_mps", speed_mps, {0.02, 2}, "between turnings");
   fields.real("turning_speed_mps", turning_speed_mps, {0.02, 2}, "in turnings");
   fields.real("parking_speed_mps", parking_speed_mps, {0.02, 2}, "near the end");
-  fields.real("look_ahead_m", look_ahead_m, {0.2, 5}, "the point of the taught way that it steers to");
+  fields.real("look_ahead_m", look_ahead_m, {0.2, 5}, "the point of the taught path that it steers to");
   fields.real("middle_share", middle_share, {0, 1},
-              "how much the route's middle counts against the taught way; 1: as published");
-  fields.real("turning_middle_share", turning_middle_share, {0, 1}, "likewise in turnings");
+              "how much the route's middle counts against the taught path; 1: as published");
+  fields.real("turning_middle_share", turning_middle_share, {0, 1}, "the same in turnings");
   fields.real("place_from_m", place_from_m, {0, 1000}, "before the end the edges tell where it is");
-  fields.real("taught_alone_m", taught_alone_m, {0, 20}, "before the end the taught way counts alone");
+  fields.real("taught_alone_m", taught_alone_m, {0, 20}, "before the end the taught path counts alone");
   fields.real("end_comfort_m", end_comfort_m, {0.01, 2}, "there it tries to keep only so far off");
   fields.angle("avoid_deg", avoid_rad, {0, 60}, "the wheels' turn away from what stands too near");
   fields.flag("avoid_as_published", avoid_as_published, "by the three check regions, before all else");
   fields.real("dead_end_share", dead_end_share, {0, 1}, "of the view is route: less is a dead end");
   fields.real("dead_end_gap_m", dead_end_gap_m, {0, 3}, "from there it goes on until so near");
-  fields.count("dead_end_pictures", dead_end_pictures, {1, 100}, "in succession must show it");
+  fields.count("dead_end_images", dead_end_images, {1, 100}, "in succession must show it");
   fields.real("dead_end_beyond_m", dead_end_beyond_m, {0, 3}, "so far beyond the taught one it gives up");
   fields.real("frame_within_m", frame_within_m, {0.5, 20}, "before the route's end it looks for the frame");
   fields.real("frame_astray_m", frame_astray_m, {0.05, 20},
@@ -74,14 +74,14 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("brightness_gain", brightness_gain, {0, 1},
               "how fast the learned brightness follows the light");
   fields.real("hidden_max_m", hidden_max_m, {0, 10},
-              "way that it goes on by memory while what stands before it hides the route");
-  fields.real("stop_free_m", stop_free_m, {0.01, 2}, "with less way free it stops");
-  fields.real("wait_s", wait_s, {0, 100}, "for what is in the way to go");
-  fields.real("back_off_m", back_off_m, {0.05, 5}, "way back before it tries again");
+              "path that it goes on by memory while what stands before it hides the route");
+  fields.real("stop_free_m", stop_free_m, {0.01, 2}, "with less path free it stops");
+  fields.real("wait_s", wait_s, {0, 100}, "for what is in the path to go");
+  fields.real("back_off_m", back_off_m, {0.05, 5}, "path back before it tries again");
   fields.count("back_offs_max", back_offs_max, {0, 100}, "at one place, then it gives up");
   fields.real("pattern_share_max", pattern_share_max, {0, 1},
-              "of the taught way: with more edges on it the floor is said to have a pattern");
-  fields.real("blind_max_s", blind_max_s, {0.5, 1000}, "without a good picture it gives up");
+              "of the taught path: with more edges on it the floor is said to have a pattern");
+  fields.real("blind_max_s", blind_max_s, {0.5, 1000}, "without a good image it gives up");
 }
 
 RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle,
@@ -90,7 +90,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       vehicle_(vehicle),
       route_(room_route(std::move(route))),
       view_(first_view(params, vehicle)),
-      watch_(params.pictures, room_camera(vehicle, kFirstCamera)),
+      watch_(params.images, room_camera(vehicle, kFirstCamera)),
       edges_(kReach_m),
       place_(params.place, route_.room->edges),
       progress_(route_.path, from_m),
@@ -99,7 +99,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       brightness_(route_.room->brightness),
       T_odom_seen_(T_odom_vehicle_),
       taught_place_(params.taught_place, vehicle, route_.path),
-      pattern_share_(share_with_edges_on_way(route_.path, route_.room->edges, vehicle.footprint)) {
+      pattern_share_(share_with_edges_on_path(route_.path, route_.room->edges, vehicle.footprint)) {
   if (backs_between_turnings(route_))
     corner_backing_ = std::make_unique<CornerBacking>(params.corner_backing, params.view, vehicle);
   if (route_.room->parking != ParkingStrategy::kFrame) return;
@@ -122,14 +122,14 @@ Decision RoomNavigator::step(const Observation& observation) {
     const bool is_lasting = observation.stamp_s - *stopped_s_ > params_.blind_max_s;
     return {.status = is_lasting ? NavigatorStatus::kFailed : NavigatorStatus::kGoing,
             .state = "blind",
-            .why = trouble.value_or("no picture yet")};
+            .why = trouble.value_or("no image yet")};
   }
   if (frame_ && left_m() < params_.frame_within_m) look_for_frame(observation);
   if (state_ == State::kParkingInFrame) return park_in_frame(observation.stamp_s);
   if (state_ == State::kBackingIntoFrame) return back_into_frame(observation.stamp_s);
   if (state_ == State::kBackingOff) return back_off(observation.stamp_s);
   if (state_ == State::kLeavingPlace) return leave_place();
-  if (state_ == State::kFollowing && is_on_way_back()) begin_way_back();
+  if (state_ == State::kFollowing && is_on_way_back()) begin_path_back();
   if (state_ == State::kBackingBetweenTurnings) {
     corner_backing_->look(observation, T_odom_vehicle_);
     return back_between_turnings();
@@ -138,13 +138,13 @@ Decision RoomNavigator::step(const Observation& observation) {
 }
 
 void RoomNavigator::look(const Observation& observation) {
-  const CameraPicture* picture = watch_.look(observation);
-  if (picture == nullptr) return;
-  const RouteSight& sight = view_.look(*picture->image);
-  stop_views_.take(*picture->image, left_to_end_m());
-  is_strange_ = !is_route_bright_as_learned();
-  dead_end_pictures_ = is_at_dead_end() ? dead_end_pictures_ + 1 : 0;
-  if (is_strange_) return;
+  const CameraImage* image = watch_.look(observation);
+  if (image == nullptr) return;
+  const RouteSight& sight = view_.look(*image->pixels);
+  stop_views_.take(*image->pixels, left_to_end_m());
+  is_unmatched_ = !is_route_bright_as_learned();
+  dead_end_images_ = is_at_dead_end() ? dead_end_images_ + 1 : 0;
+  if (is_unmatched_) return;
   T_odom_seen_ = T_odom_vehicle_;
   // The learned brightness follows slow change of light (METHODS 9).
   brightness_.grey += params_.brightness_gain * (sight.patch_grey - brightness_.grey);
@@ -158,16 +158,16 @@ bool RoomNavigator::is_route_bright_as_learned() const {
 }
 
 /// What stands before the vehicle and is known hides the route, as in a narrow turning: that tells nothing of
-/// the light, and where the way leads is remembered.
-bool RoomNavigator::knows_way_ahead() const {
-  if (!is_strange_) return true;
+/// the light, and where the path leads is remembered.
+bool RoomNavigator::knows_path_ahead() const {
+  if (!is_unmatched_) return true;
   const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
   const bool is_hidden =
       std::any_of(around.begin(), around.end(), [&](const Vec2& p) { return view_.is_before_patch_end(p); });
   return is_hidden && between(T_odom_seen_, T_odom_vehicle_).position().norm() < params_.hidden_max_m;
 }
 
-/// Where the vehicle comes to the end of its way, or was set down before it, is known roughly; what is seen
+/// Where the vehicle comes to the end of its path, or was set down before it, is known roughly; what is seen
 /// there may tell better. On the way there what stands otherwise than at teaching does more harm.
 void RoomNavigator::find_place() {
   place_.come_to(T_odom_vehicle_, progress_.point().along_m);
@@ -192,7 +192,7 @@ double RoomNavigator::steering_to(const Vec2& p_vehicle) const {
 std::optional<double> RoomNavigator::avoiding_rad() const {
   const RouteChecks& checks = sight()->checks;
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
-  if (!params_.avoid_as_published || is_turning || is_strange_) return std::nullopt;
+  if (!params_.avoid_as_published || is_turning || is_unmatched_) return std::nullopt;
   if (checks.left && !checks.right) return -params_.avoid_rad;
   if (checks.right && !checks.left) return params_.avoid_rad;
   if (checks.ahead) return checks.left_share > checks.right_share ? params_.avoid_rad : -params_.avoid_rad;
@@ -209,13 +209,13 @@ double RoomNavigator::wished_steering_rad() const {
   }
   const double along_m = progress_.point().along_m;
   const RoomTurning* turning = turning_at(route_.room->turnings, along_m);
-  const BlotOut blot = turning != nullptr ? blot_out(*turning, along_m) : BlotOut{};
+  const MaskOut mask = turning != nullptr ? mask_out(*turning, along_m) : MaskOut{};
   const double ahead_m = along_m + params_.look_ahead_m;
   const double leg_end_m = route_.path.leg_end_m(progress_.point().piece);
   const double beyond_m = std::max(0.0, ahead_m - leg_end_m);
   const Vec2 p_map_ahead = route_.path.at(std::min(ahead_m, leg_end_m)).T_map_path * Vec2(beyond_m, 0);
   const double taught_rad = steering_to(pose().inverse() * p_map_ahead);
-  const auto middle = is_strange_ ? std::nullopt : view_.middle(*sight(), blot.left, blot.right);
+  const auto middle = is_unmatched_ ? std::nullopt : view_.middle(*sight(), mask.left, mask.right);
   if (!middle) return taught_rad;
   const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
   const double share = turns ? params_.turning_middle_share : params_.middle_share;
@@ -227,21 +227,21 @@ Decision RoomNavigator::follow(double now_s) {
   const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
   const bool is_near_end = left_m() < 1;
   const auto avoiding = is_near_end ? std::nullopt : avoiding_rad();
-  const double wish_rad = avoiding.value_or(wished_steering_rad());
+  const double requested_rad = avoiding.value_or(wished_steering_rad());
   FreeSteeringParams steering = params_.steering;
   if (keeps_to_taught_end()) steering.comfort_m = params_.end_comfort_m;
-  const SteeringChoice choice = choose_steering(vehicle_, steering, around, wish_rad);
-  const bool is_blocked = !knows_way_ahead() || choice.free_m < params_.stop_free_m;
-  if (is_blocked && has_way_back_next()) {
-    begin_way_back();
+  const SteeringChoice choice = choose_steering(vehicle_, steering, around, requested_rad);
+  const bool is_blocked = !knows_path_ahead() || choice.free_m < params_.stop_free_m;
+  if (is_blocked && has_path_back_next()) {
+    begin_path_back();
     return {.state = "backing"};
   }
   if (is_blocked) return blocked(now_s);
   stopped_s_.reset();
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
-  const double speed_mps = is_near_end || is_strange_ ? params_.parking_speed_mps
-                           : is_turning               ? params_.turning_speed_mps
-                                                      : params_.speed_mps;
+  const double speed_mps = is_near_end || is_unmatched_ ? params_.parking_speed_mps
+                           : is_turning                 ? params_.turning_speed_mps
+                                                        : params_.speed_mps;
   return drive(choice, speed_mps, avoiding ? "avoiding" : is_turning ? "turning" : "following");
 }
 
@@ -258,15 +258,15 @@ std::string RoomNavigator::why_blocked() const {
   return pattern_share_ > params_.pattern_share_max
              ? fmt::format(
                    "cannot tell the floor's pattern from what stands on it, as on {:.0f} % of the "
-                   "taught way",
+                   "taught path",
                    100 * pattern_share_)
-             : "found no way past what is there";
+             : "found no path past what is there";
 }
 
-/// Whoever stands in the way may go; what stays is passed on another way.
+/// Whoever stands in the path may go; what stays is passed on another path.
 Decision RoomNavigator::blocked(double now_s) {
   if (!stopped_s_) stopped_s_ = now_s;
-  if (now_s - *stopped_s_ < params_.wait_s) return {.state = "waiting", .why = "something is in the way"};
+  if (now_s - *stopped_s_ < params_.wait_s) return {.state = "waiting", .why = "something is in the path"};
   const double along_m = progress_.point().along_m;
   if (along_m > back_offs_at_m_ + 2 * params_.back_off_m) back_offs_ = 0;
   back_offs_at_m_ = along_m;

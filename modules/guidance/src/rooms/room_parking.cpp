@@ -1,4 +1,4 @@
-/// How RoomNavigator comes to stand at the end of its way.
+/// How RoomNavigator comes to stand at the end of its path.
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ Pose2 RoomNavigator::T_map_taught_frame() const {
   return route_.path.pieces().back().end() * Pose2{(footprint.front_m - footprint.rear_m) / 2, 0, 0};
 }
 
-/// The taught end lies in the frame, whatever the edges say of the way to it.
+/// The taught end lies in the frame, whatever the edges say of the path to it.
 Pose2 RoomNavigator::T_map_odom_by_frame() const {
   constexpr double kAgree_m = 0.2;
   const Pose2 T_map_frame = T_map_taught_frame();
@@ -82,9 +82,9 @@ void RoomNavigator::forget_frame_lines() {
 Decision RoomNavigator::unless_obstructed(Decision decision, double now_s) {
   if (decision.status != NavigatorStatus::kGoing || decision.command.speed_mps == 0) return decision;
   const int direction = decision.command.speed_mps > 0 ? 1 : -1;
-  const SteeringChoice way = free_way(vehicle_, params_.steering, edges_.around(T_odom_vehicle_),
-                                      decision.command.steering_rad, direction);
-  if (way.free_m >= params_.stop_free_m) {
+  const SteeringChoice choice = free_path(vehicle_, params_.steering, edges_.around(T_odom_vehicle_),
+                                          decision.command.steering_rad, direction);
+  if (choice.free_m >= params_.stop_free_m) {
     stopped_s_.reset();
     return decision;
   }
@@ -92,15 +92,15 @@ Decision RoomNavigator::unless_obstructed(Decision decision, double now_s) {
   const bool is_lasting = now_s - *stopped_s_ > params_.blind_max_s;
   return {.status = is_lasting ? NavigatorStatus::kFailed : NavigatorStatus::kGoing,
           .state = "waiting",
-          .why = "something is in the way to the frame"};
+          .why = "something is in the path to the frame"};
 }
 
 /// For another try at the taught place.
 Decision RoomNavigator::leave_place() {
   Command command = taught_place_.back_off(pose(), steering_rad_);
-  const SteeringChoice way = choose_steering_behind(command.steering_rad);
-  command.steering_rad = way.steering_rad;
-  taught_place_.judge_way_back(pose(), way.free_m);
+  const SteeringChoice choice = choose_steering_behind(command.steering_rad);
+  command.steering_rad = choice.steering_rad;
+  taught_place_.judge_path_back(pose(), choice.free_m);
   if (taught_place_.is_backing()) return {.command = command, .state = "backing off"};
   state_ = State::kFollowing;
   return {.state = "backing off"};
@@ -120,7 +120,7 @@ double RoomNavigator::gap_ahead_m() const {
 bool RoomNavigator::is_at_dead_end() const {
   constexpr double kNearEnd_m = 1;
   return left_m() < kNearEnd_m && sight()->share < params_.dead_end_share &&
-         (is_strange_ || gap_ahead_m() < params_.dead_end_gap_m);
+         (is_unmatched_ || gap_ahead_m() < params_.dead_end_gap_m);
 }
 
 /// Where the view has opened again, what ended the route is taken for route.
@@ -138,7 +138,7 @@ bool RoomNavigator::is_place_taken() const {
   });
 }
 
-/// Way to the end of the route as the last leg leads on.
+/// Path to the end of the route as the last leg leads on.
 double RoomNavigator::left_to_end_m() const {
   const double straight_m = between(pose(), route_.path.pieces().back().end()).x;
   constexpr double kLastLeg_m = 1;
@@ -161,7 +161,7 @@ std::optional<Decision> RoomNavigator::arrived() {
                              .why = "not confirmed: neither edges nor views are as they were taught"};
   switch (route_.room->parking) {
     case ParkingStrategy::kDeadEnd:
-      if (dead_end_pictures_ >= params_.dead_end_pictures) return done;
+      if (dead_end_images_ >= params_.dead_end_images) return done;
       if (is_beyond_dead_end())
         return Decision{.status = NavigatorStatus::kFailed,
                         .state = "no dead end",

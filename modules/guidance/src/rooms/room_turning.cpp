@@ -26,15 +26,15 @@ bool RoomNavigator::is_on_way_back() const {
   return is_backwards(route_.path.pieces()[progress_.point().piece]);
 }
 
-/// What stands just before the end of the way into a turning need not be passed.
-bool RoomNavigator::has_way_back_next() const {
+/// What stands just before the end of the path into a turning need not be passed.
+bool RoomNavigator::has_path_back_next() const {
   constexpr double kNearEnough_m = 0.5;
   const std::size_t piece = progress_.point().piece, next = route_.path.leg_end(piece);
   return next < route_.path.pieces().size() && is_backwards(route_.path.pieces()[next]) &&
          route_.path.leg_end_m(piece) - progress_.point().along_m < kNearEnough_m;
 }
 
-void RoomNavigator::begin_way_back() {
+void RoomNavigator::begin_path_back() {
   if (!is_on_way_back())
     progress_ = PathProgress(route_.path, route_.path.leg_end_m(progress_.point().piece));
   back_to_m_ = route_.path.leg_end_m(progress_.point().piece);
@@ -53,19 +53,20 @@ std::optional<bool> RoomNavigator::has_seen_corner() const {
 }
 
 Decision RoomNavigator::back_between_turnings() {
-  const double wish_rad = backs_to_corner_ ? corner_backing_->wished_steering_rad()
-                                           : reversing_steering_rad(vehicle_, route_.path, progress_.point(),
-                                                                    pose(), kLateBendAhead_m, steering_rad_);
-  const SteeringChoice way = choose_steering_behind(wish_rad);
+  const double requested_rad = backs_to_corner_
+                                   ? corner_backing_->wished_steering_rad()
+                                   : reversing_steering_rad(vehicle_, route_.path, progress_.point(), pose(),
+                                                            kLateBendAhead_m, steering_rad_);
+  const SteeringChoice choice = choose_steering_behind(requested_rad);
   const bool is_far_enough = backs_to_corner_ ? corner_backing_->is_done(T_odom_vehicle_) : !is_on_way_back();
-  if (is_far_enough || way.free_m < params_.stop_free_m) {
+  if (is_far_enough || choice.free_m < params_.stop_free_m) {
     const bool is_by_corner = backs_to_corner_ && corner_backing_->has_seen_corner();
     progress_ = PathProgress(route_.path, std::max(progress_.point().along_m, back_to_m_));
     state_ = State::kFollowing;
     return {.state = "backing",
             .why = is_by_corner ? "sees the corner of the route" : "as far as it was taught"};
   }
-  return {.command = {.speed_mps = -params_.corner_backing.speed_mps, .steering_rad = way.steering_rad},
+  return {.command = {.speed_mps = -params_.corner_backing.speed_mps, .steering_rad = choice.steering_rad},
           .state = "backing",
           .why = backs_to_corner_ ? "until the corner of the route is seen" : "as it was taught"};
 }

@@ -31,11 +31,11 @@ void free_up_to(const RouteEdge& edge, const Path& path, const Footprint& footpr
 
 /// What the lower edge of the first camera's view passed over, out to the first edge of the route.
 void free_before(const Footprint& footprint, const Pose2& T_map_vehicle, FloorGrid& floor) {
-  constexpr double kAside_m = 0.7;
+  constexpr double kLateral_m = 0.7;
   const double ahead_m = footprint.front_m + kSeenBeforeBumper_m;
   for (const double side : {-1.0, 1.0}) {
     const double step_m = kFloorStep * floor.cell_m();
-    for (int i = 0; i * step_m < kAside_m; ++i) {
+    for (int i = 0; i * step_m < kLateral_m; ++i) {
       const FloorCell cell = floor.cell_at(T_map_vehicle * Vec2(ahead_m, side * i * step_m));
       if (floor.at(cell) == Floor::kOccupied) break;
       floor.set(cell, Floor::kFree);
@@ -79,7 +79,7 @@ void free_under(const Footprint& footprint, const Pose2& T_floor_vehicle, FloorG
 
 FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const Footprint& footprint,
                       const Vec2& p_map_place, double reach_m) {
-  constexpr double kWayStep_m = 0.05;
+  constexpr double kPathStep_m = 0.05;
   const auto is_near = [&](const Vec2& p_map) { return (p_map - p_map_place).norm() < reach_m; };
   FloorGrid floor;
   const auto put_edges = [&] {
@@ -88,7 +88,7 @@ FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const 
     }
   };
   put_edges();
-  step_through(0, path.length_m(), kWayStep_m, [&](double along_m) {
+  step_through(0, path.length_m(), kPathStep_m, [&](double along_m) {
     const Pose2 T_map_vehicle = path.at(along_m).T_map_path;
     if (!is_near(T_map_vehicle.position())) return;
     free_before(footprint, T_map_vehicle, floor);
@@ -102,16 +102,16 @@ FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const 
   return floor;
 }
 
-double share_with_edges_on_way(const Path& path, std::span<const RouteEdge> edges,
-                               const Footprint& footprint) {
-  constexpr double kStretch_m = 0.5;
-  constexpr double kInset_m = 0.05;  // what stands just beside the way may be seen so far on it
-  std::vector<char> has_edge(static_cast<std::size_t>(path.length_m() / kStretch_m) + 1, 0);
+double share_with_edges_on_path(const Path& path, std::span<const RouteEdge> edges,
+                                const Footprint& footprint) {
+  constexpr double kPathSegment_m = 0.5;
+  constexpr double kInset_m = 0.05;  // what stands just beside the path may be seen so far on it
+  std::vector<char> has_edge(static_cast<std::size_t>(path.length_m() / kPathSegment_m) + 1, 0);
   for (const RouteEdge& edge : edges) {
     const PathPoint there = path.nearest(edge.p_map, edge.along_m, path.length_m());
     const double off_m = (edge.p_map - there.T_map_path.position()).norm();
     if (off_m < footprint.width_m / 2 - kInset_m)
-      has_edge[static_cast<std::size_t>(there.along_m / kStretch_m)] = 1;
+      has_edge[static_cast<std::size_t>(there.along_m / kPathSegment_m)] = 1;
   }
   return static_cast<double>(std::count(has_edge.begin(), has_edge.end(), 1)) /
          static_cast<double>(has_edge.size());

@@ -32,9 +32,9 @@ void StopViewParams::describe(FieldList& fields) {
   fields.real("within_m", within_m, {0, 20}, "before the end views are looked for");
   fields.real("rival_m", rival_m, {0, 10}, "views from so far apart are of different places");
   fields.real("rival_factor", rival_factor, {1, 100}, "by which the best view must be more alike than those");
-  fields.count("confirmations", confirmations, {1, 100}, "pictures in succession that must agree");
+  fields.count("confirmations", confirmations, {1, 100}, "images in succession that must agree");
   fields.real("agree_m", agree_m, {0.001, 5}, "how well");
-  fields.real("gain", gain, {0.01, 1}, "how much one picture corrects the way that is left");
+  fields.real("gain", gain, {0.01, 1}, "how much one image corrects the path that is left");
 }
 
 StopViewMatcher::StopViewMatcher(const StopViewParams& params, const std::vector<StopView>& views)
@@ -42,16 +42,16 @@ StopViewMatcher::StopViewMatcher(const StopViewParams& params, const std::vector
   for (const StopView& view : views) {
     left_m_.push_back(view.left_m);
     extremes_.push_back(view.seen.brightness);
-    // A way that an earlier version learned has no columns.
+    // A path that an earlier version learned has no columns.
     if (view.seen.columns.bytes.empty()) params_.by_extremes = true;
   }
   if (params_.by_extremes) return;
   for (const StopView& view : views) curves_.emplace_back(params_.columns, view.seen.columns);
 }
 
-void StopViewMatcher::take(const Image& picture, double left_m) {
+void StopViewMatcher::take(const Image& image, double left_m) {
   if (left_m_.empty() || left_m > params_.within_m) return;
-  const auto seen_left_m = match(picture);
+  const auto seen_left_m = match(image);
   if (!seen_left_m) return shifts_m_.clear();
   shifts_m_.push_back(*seen_left_m - left_m);
   if (shifts_m_.size() > static_cast<std::size_t>(params_.confirmations)) shifts_m_.pop_front();
@@ -63,14 +63,14 @@ void StopViewMatcher::take(const Image& picture, double left_m) {
   shift_m_ = shift_m_ ? *shift_m_ + params_.gain * (mean_m - *shift_m_) : mean_m;
 }
 
-/// The way that is left by the learned view that is most alike, if it matches and no other place's does
+/// The path that is left by the learned view that is most alike, if it matches and no other place's does
 /// nearly as well.
-std::optional<double> StopViewMatcher::match(const Image& picture) {
-  return params_.by_extremes ? match_extremes(picture) : match_curves(picture);
+std::optional<double> StopViewMatcher::match(const Image& image) {
+  return params_.by_extremes ? match_extremes(image) : match_curves(image);
 }
 
-std::optional<double> StopViewMatcher::match_curves(const Image& picture) {
-  const ViewCurves seen(params_.columns, column_view(picture));
+std::optional<double> StopViewMatcher::match_curves(const Image& image) {
+  const ViewCurves seen(params_.columns, column_view(image));
   std::transform(curves_.begin(), curves_.end(), unlike_.begin(),
                  [&](const ViewCurves& view) { return view.unlikeness(seen); });
   const auto found = recognise_view(unlike_, left_m_, params_.rival_m);
@@ -78,8 +78,8 @@ std::optional<double> StopViewMatcher::match_curves(const Image& picture) {
   return left_m_[found->view];
 }
 
-std::optional<double> StopViewMatcher::match_extremes(const Image& picture) {
-  const BrightnessView seen = brightness_view(picture);
+std::optional<double> StopViewMatcher::match_extremes(const Image& image) {
+  const BrightnessView seen = brightness_view(image);
   std::transform(extremes_.begin(), extremes_.end(), unlike_.begin(),
                  [&](const BrightnessView& view) { return mean_off(seen, view); });
   const auto found = recognise_view(unlike_, left_m_, params_.rival_m);

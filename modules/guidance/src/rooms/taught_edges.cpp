@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRasterCell_m = 0.05, kHalfWidth_m = 10;
 constexpr int kRasterCells = 400;    // along a side
-constexpr double kNearEnough_m = 1;  // the raster is kept for so much way
+constexpr double kNearEnough_m = 1;  // the raster is kept for so much distance
 
 /// Across the line through points that lie on one; else zero.
 Vec2 normal_of(const std::vector<Vec2>& points) {

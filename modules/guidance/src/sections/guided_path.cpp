@@ -7,19 +7,19 @@ namespace aisle {
 namespace {
 
 constexpr double kCornerMin = 0.9;     // sine of the angle at which base lines meet in a corner
-constexpr double kBeyondMin_m = 0.12;  // a wall across the way cannot be nearer to where the vehicle turns
+constexpr double kBeyondMin_m = 0.12;  // a wall across the path cannot be nearer to where the vehicle turns
 
-void append(GuidedPath& way, std::vector<PathPiece>& pieces, const PathPiece& piece,
+void append(GuidedPath& guided, std::vector<PathPiece>& pieces, const PathPiece& piece,
             const SectionGuide& guide) {
   pieces.push_back(piece);
-  way.guides.push_back(guide);
+  guided.guides.push_back(guide);
 }
 
 /// How far beyond a piece's end it meets a line beside another piece; negative: before its end.
-double meeting_m(const PathPiece& piece, const PathPiece& other, double aside_m) {
+double meeting_m(const PathPiece& piece, const PathPiece& other, double lateral_m) {
   const Pose2 T_end_other = between(piece.end(), other.T_map_start);
   const Vec2 along = unit(T_end_other.theta);
-  const Vec2 p_end_line = T_end_other.position() + aside_m * left_normal(along);
+  const Vec2 p_end_line = T_end_other.position() + lateral_m * left_normal(along);
   return cross(p_end_line, along) / along.y();
 }
 
@@ -41,20 +41,20 @@ void add_corner(SectionGuide& guide, const PathPiece& piece, const SectionGuide&
 
 /// @param is_straight  whether a piece is a straight section
 template <class IsStraight>
-void add_corners(GuidedPath& way, IsStraight is_straight) {
-  const auto& pieces = way.path.pieces();
+void add_corners(GuidedPath& guided, IsStraight is_straight) {
+  const auto& pieces = guided.path.pieces();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (!is_straight(i)) continue;
     std::size_t next = i + 1;
     while (next < pieces.size() && !is_straight(next)) ++next;
-    if (next < pieces.size() && way.guides[next].follows)
-      add_corner(way.guides[i], pieces[i], way.guides[next], pieces[next]);
+    if (next < pieces.size() && guided.guides[next].follows)
+      add_corner(guided.guides[i], pieces[i], guided.guides[next], pieces[next]);
   }
 }
 
 }  // namespace
 
-GuidedPath guided_path(const SectionList& sections, const Pose2& T_map_start, SectionTrip trip) {
+GuidedPath guided_path(const SectionList& sections, const Pose2& T_map_start, SectionRun run) {
   std::vector<std::size_t> piece_sections;
   const Path there = path_of(sections, T_map_start, &piece_sections);
   const auto guide_of = [&](std::size_t piece) {
@@ -66,31 +66,31 @@ GuidedPath guided_path(const SectionList& sections, const Pose2& T_map_start, Se
                         .left_m = section.left_m,
                         .ahead_m = section.ahead_m};
   };
-  GuidedPath way{.path = {}, .guides = {}, .comes_home = trip == SectionTrip::kThereAndBack};
+  GuidedPath guided{.path = {}, .guides = {}, .comes_home = run == SectionRun::kThereAndBack};
   std::vector<PathPiece> pieces;
-  if (trip != SectionTrip::kBack) {
+  if (run != SectionRun::kBack) {
     for (std::size_t i = 0; i < piece_sections.size(); ++i)
-      append(way, pieces, there.pieces()[i], guide_of(i));
+      append(guided, pieces, there.pieces()[i], guide_of(i));
   }
   const auto turn_about = [&](std::size_t section) {
-    append(way, pieces, {pieces.back().end(), {0, kPi}}, {.section = section});
+    append(guided, pieces, {pieces.back().end(), {0, kPi}}, {.section = section});
   };
-  if (way.comes_home) turn_about(sections.size() - 1);
-  if (trip != SectionTrip::kThere) {
+  if (guided.comes_home) turn_about(sections.size() - 1);
+  if (run != SectionRun::kThere) {
     const Path back = there.reversed();
     for (std::size_t i = 0; i < back.pieces().size(); ++i) {
       SectionGuide guide = guide_of(back.pieces().size() - 1 - i);
       std::swap(guide.right_m, guide.left_m);
       guide.ahead_m.reset();
-      append(way, pieces, back.pieces()[i], guide);
+      append(guided, pieces, back.pieces()[i], guide);
     }
   }
-  if (way.comes_home) turn_about(0);
-  way.path = Path(std::move(pieces));
-  add_corners(way, [&](std::size_t i) {
-    return sections[way.guides[i].section].is_straight() && !way.path.pieces()[i].is_on_the_spot();
+  if (guided.comes_home) turn_about(0);
+  guided.path = Path(std::move(pieces));
+  add_corners(guided, [&](std::size_t i) {
+    return sections[guided.guides[i].section].is_straight() && !guided.path.pieces()[i].is_on_the_spot();
   });
-  return way;
+  return guided;
 }
 
 }  // namespace aisle

@@ -17,15 +17,15 @@ constexpr double kUsual_m = 0.05;  // of base lines that are what they are taken
 
 void SectionLocaliserParams::describe(FieldList& fields) {
   fields.real("start_sigma_m", start_sigma_m, {0.001, 2},
-              "how far from the way's start the vehicle may stand");
+              "how far from the path's start the vehicle may stand");
   fields.angle("start_sigma_deg", start_sigma_rad, {0.1, 45}, "how far it may be turned there");
   fields.real("wall_sigma_m", wall_sigma_m, {0.001, 1}, "how steadily a base line keeps its distance");
   fields.real("wall_gate_m", wall_gate_m, {0.01, 2},
               "a base line farther from where it should be is another");
-  fields.real("length_gate_m", length_gate_m, {0.01, 5}, "likewise a wall ahead, and the end of a base line");
+  fields.real("length_gate_m", length_gate_m, {0.01, 5}, "the same a wall ahead, and the end of a base line");
   fields.real("length_reach_m", length_reach_m, {0.2, 20}, "a wall ahead that is farther away is not used");
   fields.real("repeat_inflation", repeat_inflation, {1, 100},
-              "pictures in a row are not independent: their variances count so many times");
+              "images in a row are not independent: their variances count so many times");
   fields.flag("heading_by_walls", heading_by_walls, "floor edges at right angles correct the heading");
   fields.flag("left_base_line", left_base_line, "is followed as well as the right one");
   fields.flag("length_by_wall_ahead", length_by_wall_ahead, "the wall ahead corrects a section's length");
@@ -33,27 +33,27 @@ void SectionLocaliserParams::describe(FieldList& fields) {
               "the end of the base line before a turn corrects a section's length");
 }
 
-/// Wheels keep their size: by what scale they counted the way out, they count the way home.
+/// Wheels keep their size: by what scale they counted the path out, they count the path home.
 SectionLocaliser::SectionLocaliser(const SectionLocaliserParams& params, const VehicleDescription& vehicle,
-                                   const GuidedPath& way)
+                                   const GuidedPath& guided)
     : params_(params),
-      way_(&way),
-      filter_(vehicle, about(way.path.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad),
+      guided_(&guided),
+      filter_(vehicle, about(guided.path.at(0).T_map_path, params.start_sigma_m, params.start_sigma_rad),
               {0, PoseFilter::kForgotten_per_m, PoseFilter::kForgotten_per_m}) {}
 
 void SectionLocaliser::correct(std::span<const SensedSegment> edges, std::size_t piece) {
   is_guided_ = false;
   if (params_.heading_by_walls) correct_heading(edges);
-  if (way_->path.pieces()[piece].is_on_the_spot()) return;
+  if (guided_->path.pieces()[piece].is_on_the_spot()) return;
   find_walls_beside(edges, here(piece).T_piece_vehicle, beside_);
-  if (way_->guides[piece].follows) correct_distance(here(piece));
+  if (guided_->guides[piece].follows) correct_distance(here(piece));
   if (params_.length_by_wall_ahead) correct_by_wall_ahead(here(piece), edges);
   if (params_.length_by_line_end) correct_by_line_end(here(piece));
 }
 
 SectionLocaliser::Here SectionLocaliser::here(std::size_t piece) const {
-  const PathPiece& present = way_->path.pieces()[piece];
-  return {present, way_->guides[piece], between(present.T_map_start, filter_.pose())};
+  const PathPiece& present = guided_->path.pieces()[piece];
+  return {present, guided_->guides[piece], between(present.T_map_start, filter_.pose())};
 }
 
 /// Every edge lies along an axis.
@@ -71,14 +71,14 @@ void SectionLocaliser::correct_heading(std::span<const SensedSegment> edges) {
 /// together nothing is left of that.
 void SectionLocaliser::correct_distance(const Here& here) {
   double off_m = 0, ahead_m = 0, weights = 0, nod_m = 0;
-  const auto add = [&](double aside_m) {
-    const WallBeside* wall = wall_at(aside_m);
-    if (wall == nullptr || wall->from_m > here.piece.way_m()) return;
+  const auto add = [&](double lateral_m) {
+    const WallBeside* wall = wall_at(lateral_m);
+    if (wall == nullptr || wall->from_m > here.piece.path_m()) return;
     const double weight = 1 / wall->sigma_m;
-    off_m += weight * (aside_m - wall->aside_m);
+    off_m += weight * (lateral_m - wall->lateral_m);
     ahead_m += weight * rotate(here.T_piece_vehicle.theta, wall->p_vehicle).x();
     weights += weight;
-    nod_m += aside_m < 0 ? -1 : 1;
+    nod_m += lateral_m < 0 ? -1 : 1;
   };
   if (here.guide.right_m) add(-*here.guide.right_m);
   if (here.guide.left_m && params_.left_base_line) add(*here.guide.left_m);
@@ -91,11 +91,11 @@ void SectionLocaliser::correct_distance(const Here& here) {
 }
 
 /// The base line nearest to where one should be; nullptr: none is near.
-const WallBeside* SectionLocaliser::wall_at(double aside_m) const {
+const WallBeside* SectionLocaliser::wall_at(double lateral_m) const {
   const WallBeside* nearest = nullptr;
   double least_m = params_.wall_gate_m;
   for (const WallBeside& wall : beside_) {
-    const double off_m = std::abs(wall.aside_m - aside_m);
+    const double off_m = std::abs(wall.lateral_m - lateral_m);
     if (off_m >= least_m) continue;
     least_m = off_m;
     nearest = &wall;
@@ -105,7 +105,7 @@ const WallBeside* SectionLocaliser::wall_at(double aside_m) const {
 
 void SectionLocaliser::correct_by_wall_ahead(const Here& here, std::span<const SensedSegment> edges) {
   if (!here.guide.ahead_m) return;
-  const double expected_m = here.piece.way_m() + *here.guide.ahead_m;
+  const double expected_m = here.piece.path_m() + *here.guide.ahead_m;
   find_walls_across(edges, here.T_piece_vehicle, across_);
   const WallAcross* nearest = nullptr;
   double least_m = params_.length_gate_m;
@@ -125,17 +125,17 @@ void SectionLocaliser::correct_by_wall_ahead(const Here& here, std::span<const S
 
 /// L03 section 4.3, where the base line disappears, which tells how far it is to the turn.
 void SectionLocaliser::correct_by_line_end(const Here& here) {
-  const auto aside_m = here.guide.turns_right ? here.guide.right_m : here.guide.left_m;
-  if (!here.guide.line_ends_m || !aside_m) return;
+  const auto lateral_m = here.guide.turns_right ? here.guide.right_m : here.guide.left_m;
+  if (!here.guide.line_ends_m || !lateral_m) return;
   const double side = here.guide.turns_right ? -1 : 1;
-  const double expected_m = here.piece.way_m() - *here.guide.line_ends_m;
+  const double expected_m = here.piece.path_m() - *here.guide.line_ends_m;
   for (const WallBeside& wall : beside_) {
     const double off_m = expected_m - wall.to_m;
     if (std::abs(off_m) > params_.length_gate_m ||
-        std::abs(wall.aside_m - side * *aside_m) > params_.wall_gate_m)
+        std::abs(wall.lateral_m - side * *lateral_m) > params_.wall_gate_m)
       continue;
-    const Vec2 p_vehicle = here.T_piece_vehicle.inverse() * Vec2(wall.to_m, wall.aside_m);
-    const double sigma_m = kEndDirection_rad * p_vehicle.squaredNorm() / std::abs(wall.aside_m);
+    const Vec2 p_vehicle = here.T_piece_vehicle.inverse() * Vec2(wall.to_m, wall.lateral_m);
+    const double sigma_m = kEndDirection_rad * p_vehicle.squaredNorm() / std::abs(wall.lateral_m);
     if (sigma_m > kEndSigmaMax_m) continue;
     const Vec2 along = unit(here.piece.T_map_start.theta);
     const double left_m = rotate(here.T_piece_vehicle.theta, p_vehicle).y();
@@ -145,7 +145,7 @@ void SectionLocaliser::correct_by_line_end(const Here& here) {
   }
 }
 
-double SectionLocaliser::aside_sigma_m(double heading_rad) const {
+double SectionLocaliser::lateral_sigma_m(double heading_rad) const {
   const Vec2 left = left_normal(unit(heading_rad));
   return sigma_of({left.x(), left.y(), 0});
 }

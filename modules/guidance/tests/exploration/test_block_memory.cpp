@@ -33,7 +33,7 @@ TEST(BlockMemory, CountsHowOftenOnEndItWasStoppedOnOneSpot) {
   EXPECT_FALSE(blocks.was_at(kStopped));
 }
 
-TEST(BlockMemory, ShutsTheDirectionUntilThereIsNoOtherWay) {
+TEST(BlockMemory, ShutsTheDirectionUntilThereIsNoOtherPath) {
   BlockMemory blocks;
   EXPECT_EQ(blocks.shut_direction(), 0);
   blocks.note(kStopped, -1);

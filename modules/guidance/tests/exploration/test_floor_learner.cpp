@@ -15,11 +15,11 @@ namespace {
 constexpr std::size_t kBeams = 181;
 constexpr double kThinRadius_m = 0.02;
 
-/// The cart stands in a room of 8 m by 8 m, its laser in the middle. Among thin things, told as the laser
+/// The cart stands in a room of 8 m by 8 m, its laser in the middle. Among thin things, given as the laser
 /// sees them.
 class StandingCart {
  public:
-  StandingCart() : learner_({}, scanning_cart(), scanner_slices(scanning_cart())) {}
+  StandingCart() : learner_({}, scanning_cart(), scanner_scans(scanning_cart())) {}
 
   FloorLearner::News look(const std::vector<Vec2>& thin_things) {
     Observation observation{.stamp_s = stamp_s_ += 0.1};
@@ -28,8 +28,8 @@ class StandingCart {
       const Vec2 along = unit(kFan.beam_angle(beam));
       double range_m = 4 / along.cwiseAbs().maxCoeff();
       for (const Vec2& p_laser : thin_things) {
-        const bool is_struck = std::abs(left_normal(along).dot(p_laser)) < kThinRadius_m;
-        if (is_struck && along.dot(p_laser) > 0) range_m = std::min(range_m, along.dot(p_laser));
+        const bool is_hit = std::abs(left_normal(along).dot(p_laser)) < kThinRadius_m;
+        if (is_hit && along.dot(p_laser) > 0) range_m = std::min(range_m, along.dot(p_laser));
       }
       ranges_m[beam] = static_cast<float>(range_m);
     }
@@ -69,7 +69,7 @@ TEST(FloorLearner, WhileItStandsOneLookInManyCyclesIsEnough) {
   EXPECT_EQ(cart.at(kThin), Floor::kFree);
 }
 
-TEST(FloorLearner, WhatIsStruckWhereTheFloorShowsNothingIsNotPassedOver) {
+TEST(FloorLearner, WhatIsHitWhereTheFloorShowsNothingIsNotPassedOver) {
   StandingCart cart;
   cart.look({});
   EXPECT_EQ(cart.look({kThin}), FloorLearner::News::kFloor);

@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-class WaysHome : public testing::Test {
+class PathsHome : public testing::Test {
  protected:
   Path found() {
     EXPECT_EQ(search_.advance(known_.floor, known_.clearance, 200000), CarSearch::State::kFound);
@@ -20,31 +20,31 @@ class WaysHome : public testing::Test {
   Pose2 T_map_home_{2.5, 1.5, 0};
 };
 
-TEST_F(WaysHome, EndExactlyThereAfterAStraightMetre) {
+TEST_F(PathsHome, EndExactlyThereAfterAStraightMetre) {
   for (const double from_x_m : {0.5, 6.5}) {
     home_search_.look_for(known_.floor, known_.clearance, T_map_home_, {from_x_m, 1.2, 0});
-    const Path way = found();
+    const Path path = found();
     EXPECT_TRUE(home_search_.leads_home());
-    ASSERT_FALSE(way.empty());
-    const Pose2 off = between(T_map_home_, way.pieces().back().end());
+    ASSERT_FALSE(path.empty());
+    const Pose2 off = between(T_map_home_, path.pieces().back().end());
     EXPECT_LT(off.position().norm(), 1e-6);
     EXPECT_NEAR(off.theta, 0, 1e-6);
-    EXPECT_NEAR(way.pieces().back().arc.length_m, from_x_m < T_map_home_.x ? 1 : -1, 0.3);
-    EXPECT_NEAR(way.pieces().back().arc.turn_rad, 0, 1e-9);
+    EXPECT_NEAR(path.pieces().back().arc.length_m, from_x_m < T_map_home_.x ? 1 : -1, 0.3);
+    EXPECT_NEAR(path.pieces().back().arc.turn_rad, 0, 1e-9);
   }
 }
 
-TEST_F(WaysHome, NearHomeIsNotHome) {
+TEST_F(PathsHome, NearHomeIsNotHome) {
   home_search_.look_for_near(known_.floor, known_.clearance, T_map_home_, {7, 1.5, 0});
-  const Path way = found();
+  const Path path = found();
   EXPECT_FALSE(home_search_.leads_home());
-  ASSERT_FALSE(way.empty());
-  const Pose2 off = between(T_map_home_, way.pieces().back().end());
+  ASSERT_FALSE(path.empty());
+  const Pose2 off = between(T_map_home_, path.pieces().back().end());
   EXPECT_LT(off.position().norm(), HomeSearch::kNear_m);
-  EXPECT_FALSE(stands_at_home(T_map_home_, way.pieces().back().end()));
+  EXPECT_FALSE(stands_at_home(T_map_home_, path.pieces().back().end()));
 }
 
-TEST_F(WaysHome, AStageOfAFarWayDoesNotLeadHomeYet) {
+TEST_F(PathsHome, AStageOfAFarPathDoesNotLeadHomeYet) {
   known_ = KnownFloor{{Vec2(0, 0), Vec2(40, 3)}};
   home_search_.look_for(known_.floor, known_.clearance, T_map_home_, {37, 1.5, kPi});
   found();

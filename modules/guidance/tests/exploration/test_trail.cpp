@@ -27,10 +27,10 @@ class OnATrail : public testing::Test {
     }
   }
 
-  void go_back(const Path& way, double way_m) {
-    for (double along_m = 0; along_m < way_m; along_m += kTrailStep_m)
-      trail_.go_back(way.at(along_m).T_map_path);
-    trail_.go_back(way.at(way_m).T_map_path);
+  void go_back(const Path& path, double path_m) {
+    for (double along_m = 0; along_m < path_m; along_m += kTrailStep_m)
+      trail_.go_back(path.at(along_m).T_map_path);
+    trail_.go_back(path.at(path_m).T_map_path);
   }
 
   double off_trail_m(const Vec2& p_map) const {
@@ -43,15 +43,15 @@ class OnATrail : public testing::Test {
   std::vector<Pose2> T_map_driven_{{1, 2, 0.3}};
 };
 
-TEST_F(OnATrail, WithoutOneThereIsNoWayBack) {
-  EXPECT_TRUE(trail_.way_back({1, 2, 0.3}, 3, everywhere).empty());
+TEST_F(OnATrail, WithoutOneThereIsNoPathBack) {
+  EXPECT_TRUE(trail_.path_back({1, 2, 0.3}, 3, everywhere).empty());
 }
 
-TEST_F(OnATrail, TheWayBackIsWhatWasDrivenTheOtherWayRound) {
+TEST_F(OnATrail, ThePathBackIsWhatWasDrivenTheOtherPathRound) {
   drive({2, 0});
   drive({1.5, 1.2});
   drive({-1, 0.8});
-  const Path back = trail_.way_back(T_map_driven_.back(), 100, everywhere);
+  const Path back = trail_.path_back(T_map_driven_.back(), 100, everywhere);
   EXPECT_NEAR(back.length_m(), 4.5, 0.1);
   for (double along_m = 0; along_m < back.length_m(); along_m += 0.1)
     EXPECT_LT(off_trail_m(back.at(along_m).T_map_path.position()), 0.04) << along_m;
@@ -62,43 +62,43 @@ TEST_F(OnATrail, TheWayBackIsWhatWasDrivenTheOtherWayRound) {
   EXPECT_LT(back.pieces().back().arc.length_m, 0);
 }
 
-TEST_F(OnATrail, ItIsGoneBackInStretchesAndForgotten) {
+TEST_F(OnATrail, ItIsGoneBackInPathSegmentsAndForgotten) {
   drive({3, 0});
   drive({2, -1.5});
-  const Path stretch = trail_.way_back(T_map_driven_.back(), 2, everywhere);
-  EXPECT_NEAR(stretch.length_m(), 2, 0.21);
-  go_back(stretch, stretch.length_m());
-  const Pose2 T_map_there = stretch.pieces().back().end();
-  EXPECT_NEAR(trail_.way_back(T_map_there, 100, everywhere).length_m(), 5 - stretch.length_m(), 0.15);
+  const Path path_segment = trail_.path_back(T_map_driven_.back(), 2, everywhere);
+  EXPECT_NEAR(path_segment.length_m(), 2, 0.21);
+  go_back(path_segment, path_segment.length_m());
+  const Pose2 T_map_there = path_segment.pieces().back().end();
+  EXPECT_NEAR(trail_.path_back(T_map_there, 100, everywhere).length_m(), 5 - path_segment.length_m(), 0.15);
 }
 
 TEST_F(OnATrail, ItIsGoneBackToWhereThereIsRoom) {
   drive({6, 0});
   const Vec2 p_map_start = T_map_driven_.front().position();
   const auto is_roomy = [&](const Pose2& T_map) { return (T_map.position() - p_map_start).norm() < 2; };
-  const Path back = trail_.way_back(T_map_driven_.back(), 1, is_roomy);
+  const Path back = trail_.path_back(T_map_driven_.back(), 1, is_roomy);
   EXPECT_NEAR(back.length_m(), 4, 0.25);
 }
 
-TEST_F(OnATrail, OnFromHalfWayItLeadsBackToTheStart) {
+TEST_F(OnATrail, OnFromHalfPathItLeadsBackToTheStart) {
   drive({3, 0});
-  const Path back = trail_.way_back(T_map_driven_.back(), 100, everywhere);
+  const Path back = trail_.path_back(T_map_driven_.back(), 100, everywhere);
   go_back(back, 1.5);
   T_map_driven_.push_back(back.at(1.5).T_map_path);
   drive({1, 0.9});
-  const Path home = trail_.way_back(T_map_driven_.back(), 100, everywhere);
+  const Path home = trail_.path_back(T_map_driven_.back(), 100, everywhere);
   EXPECT_NEAR(home.length_m(), 2.5, 0.1);
   EXPECT_LT((home.pieces().back().end().position() - T_map_driven_.front().position()).norm(), 0.06);
 }
 
-TEST_F(OnATrail, LiesWhereItsSlicesLieWhenAPlaceWasRecognised) {
+TEST_F(OnATrail, LiesWhereItsScansLieWhenAPlaceWasRecognised) {
   drive({2, 0.4});
-  const Pose2 T_anew_map{0.5, -0.3, 0.1};
-  std::vector<Pose2> T_anew_driven;
-  for (const Pose2& T : T_map_driven_) T_anew_driven.push_back(T_anew_map * T);
-  trail_.lay_anew(T_anew_driven);
-  const Path back = trail_.way_back(T_anew_driven.back(), 100, everywhere);
-  EXPECT_LT((back.pieces().back().end().position() - T_anew_driven.front().position()).norm(), 0.06);
+  const Pose2 T_again_map{0.5, -0.3, 0.1};
+  std::vector<Pose2> T_again_driven;
+  for (const Pose2& T : T_map_driven_) T_again_driven.push_back(T_again_map * T);
+  trail_.lay_again(T_again_driven);
+  const Path back = trail_.path_back(T_again_driven.back(), 100, everywhere);
+  EXPECT_LT((back.pieces().back().end().position() - T_again_driven.front().position()).norm(), 0.06);
 }
 
 }  // namespace

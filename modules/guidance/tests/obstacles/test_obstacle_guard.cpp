@@ -24,9 +24,9 @@ Observation scanned(double stamp_s, double range_m) {
 }
 
 /// Straight on.
-WayAhead straight() {
+PathAhead straight() {
   const Path path({{Pose2{}, {10, 0}}});
-  return way_ahead(path, path.at(0), {}, ObstacleGuardParams{}.reach_m);
+  return path_ahead(path, path.at(0), {}, ObstacleGuardParams{}.reach_m);
 }
 
 const Command kAhead{.speed_mps = 0.8};
@@ -56,16 +56,16 @@ TEST(ObstacleGuard, StopsAtTheGapHoweverTheVehicleBrakes) {
   ObstacleGuard guard(scanner_cart(), params, nullptr);
   double range_m = 6, speed_mps = 1, before_mps = 1;
   for (double stamp_s = 0.1; stamp_s < 20; stamp_s += 0.1) {
-    const double told_mps = guarded(guard, scanned(stamp_s, range_m)).command.speed_mps;
+    const double reported_mps = guarded(guard, scanned(stamp_s, range_m)).command.speed_mps;
     speed_mps = std::clamp(before_mps, speed_mps - 0.1, speed_mps + 0.05);  // a cycle late
-    before_mps = told_mps;
+    before_mps = reported_mps;
     range_m -= 0.1 * speed_mps;
   }
   EXPECT_EQ(speed_mps, 0);
   EXPECT_NEAR(range_m - 1, params.gap_m, 0.1);
 }
 
-TEST(ObstacleGuard, StopsWhereTheFloorEndsOnTheWayOnceTwoPicturesShowIt) {
+TEST(ObstacleGuard, StopsWhereTheFloorEndsOnThePathOnceTwoImagesShowIt) {
   VehicleDescription blind = scanner_cart();
   blind.scanner.reset();
   const auto wall_at = [](double ahead_m, double right_m, double left_m) {
@@ -81,7 +81,7 @@ TEST(ObstacleGuard, StopsWhereTheFloorEndsOnTheWayOnceTwoPicturesShowIt) {
   };
   EXPECT_EQ(speed_mps(wall_at(1.5, 1, 1)), 0.8);
   EXPECT_EQ(speed_mps(wall_at(1.5, 1, 1)), 0);
-  EXPECT_EQ(speed_mps(wall_at(1.5, -0.5, 1)), 0);  // the first free picture is not trusted
+  EXPECT_EQ(speed_mps(wall_at(1.5, -0.5, 1)), 0);  // the first free image is not trusted
 }
 
 TEST(ObstacleGuard, WaitsGoesOnWhenItIsFreeForAMomentAndReportsAfterAWhile) {
@@ -113,23 +113,23 @@ VehicleDescription marker_cart() {
 Observation shown(double stamp_s, double taken_s, int level) {
   auto image = std::make_shared<Image>(640, 480);
   std::fill(image->bytes.begin(), image->bytes.end(), static_cast<std::uint8_t>(level));
-  image->bytes[0] = static_cast<std::uint8_t>(std::lround(10 * taken_s));  // no two pictures are the same
-  return {.stamp_s = stamp_s, .pictures = {{"front", taken_s, image}}, .odometry = FrontSteeredMotion{}};
+  image->bytes[0] = static_cast<std::uint8_t>(std::lround(10 * taken_s));  // no two images are the same
+  return {.stamp_s = stamp_s, .images = {{"front", taken_s, image}}, .odometry = FrontSteeredMotion{}};
 }
 
-/// The same with laser light across the whole picture, on something at a distance ahead of base_link.
+/// The same with laser light across the whole image, on something at a distance ahead of base_link.
 Observation lit(double stamp_s, double ahead_m) {
   Observation observation = shown(stamp_s, stamp_s, 120);
-  Image image = *observation.pictures[0].image;
+  Image image = *observation.images[0].pixels;
   const CameraDescription camera = marker_cart().cameras[0];
   const Vec3 p_camera = camera.mount.to_camera({ahead_m, 0, marker_cart().laser_markers->height_m});
   const int row = static_cast<int>(std::lround(CameraModel(camera.intrinsics).project(p_camera)->y()));
   std::fill(image.row(row), image.row(row + 1), static_cast<std::uint8_t>(220));
-  observation.pictures[0].image = std::make_shared<Image>(image);
+  observation.images[0].pixels = std::make_shared<Image>(image);
   return observation;
 }
 
-TEST(ObstacleGuard, StopsForLaserLightInItsWayOnceItHasBeenSeenTwice) {
+TEST(ObstacleGuard, StopsForLaserLightInItsPathOnceItHasBeenSeenTwice) {
   const VehicleDescription vehicle = marker_cart();
   ObstacleGuard guard(vehicle, {}, &vehicle.cameras[0]);
   EXPECT_EQ(guarded(guard, shown(0.1, 0.1, 120)).command, kAhead);
@@ -165,7 +165,7 @@ TEST(ObstacleGuard, GoesSlowlyWhereNoLaserLightIsInView) {
   EXPECT_EQ(guarded(guard, lit(3.1, 8)).command, kAhead);
 }
 
-/// What the guard says after a second of good pictures and another of the ones given.
+/// What the guard says after a second of good images and another of the ones given.
 template <class Bad>
 std::string why_after(const Bad& bad) {
   VehicleDescription vehicle = marker_cart();
@@ -186,7 +186,7 @@ std::string why_after(const Bad& bad) {
 TEST(ObstacleGuard, StopsForACameraThatShowsNothingNewAndSaysWhy) {
   const auto frozen = [](double now_s) {
     Observation observation = shown(now_s, 1.1, 120);
-    observation.pictures[0].stamp_s = now_s;
+    observation.images[0].stamp_s = now_s;
     return observation;
   };
   EXPECT_EQ(why_after(frozen), "camera front is frozen");
@@ -196,15 +196,15 @@ TEST(ObstacleGuard, StopsForACameraThatShowsNothingNewAndSaysWhy) {
   const auto silent = [](double now_s) {
     return Observation{.stamp_s = now_s, .odometry = FrontSteeredMotion{}};
   };
-  EXPECT_EQ(why_after(silent), "camera front sends no pictures");
+  EXPECT_EQ(why_after(silent), "camera front sends no images");
 }
 
-TEST(ObstacleGuard, TrustsNoPictureThatIsTheOneBeforeAgain) {
+TEST(ObstacleGuard, TrustsNoImageThatIsTheOneBeforeAgain) {
   const VehicleDescription vehicle = marker_cart();
   ObstacleGuard guard(vehicle, {}, &vehicle.cameras[0]);
   EXPECT_NE(guard.look(shown(0.1, 0.1, 120)), nullptr);
   Observation again = shown(0.2, 0.1, 120);
-  again.pictures[0].stamp_s = 0.2;
+  again.images[0].stamp_s = 0.2;
   EXPECT_EQ(guard.look(again), nullptr);
   EXPECT_NE(guard.look(shown(0.3, 0.3, 120)), nullptr);
 }

@@ -40,7 +40,7 @@ Observation seen_from(const VehicleDescription& vehicle, const Pose2& T_world_ve
   }
   Observation observation;
   observation.stamp_s = stamp_s;
-  observation.pictures = {{camera.name, stamp_s, image}};
+  observation.images = {{camera.name, stamp_s, image}};
   return observation;
 }
 
@@ -66,7 +66,7 @@ DrivenBack back_until_done(TurningClass next) {
 TEST(CornerBacking, EndsWhereTheCornerComesIntoView) {
   const DrivenBack left = back_until_done(TurningClass::kLeft);
   EXPECT_TRUE(left.has_seen_corner);
-  EXPECT_NEAR(left.end_x_m, 0.35, 0.15) << "0.7 m aside, it is in view from 1 m before it";
+  EXPECT_NEAR(left.end_x_m, 0.35, 0.15) << "0.7 m to the side, it is in view from 1 m before it";
 }
 
 TEST(CornerBacking, GoesHardlyFartherThanAtTeachingWhereNoCornerIs) {

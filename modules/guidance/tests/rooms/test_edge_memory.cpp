@@ -44,7 +44,7 @@ TEST(EdgeMemory, WhatIsSeenFromNearerTakesThePlaceOfWhatWasSeenFromFar) {
   EXPECT_EQ(memory.seen_around({}).size(), 2U) << "what is seen from farther takes no place";
 }
 
-TEST(EdgeMemory, WhatTheViewCutsOffStandsThereButIsNoFoot) {
+TEST(EdgeMemory, WhatTheViewCutsOffStandsThereButIsNoFloorPoint) {
   EdgeMemory memory(4);
   memory.take(eye(), sight_of({{3, 0.4}}, {{1.5, 0.4}}), {}, 0);
   EXPECT_EQ(memory.around({}).size(), 2U);
@@ -66,7 +66,7 @@ RouteSight free_but_for(const std::vector<Vec2>& edges) {
   return sight;
 }
 
-constexpr double kPicture_s = 0.2;
+constexpr double kImage_s = 0.2;
 const Pose2 kLooksAway{0, 0, 2};
 
 /// What stays in memory after the view has turned away for some time.
@@ -78,8 +78,8 @@ std::size_t remembered_after(EdgeMemory& memory, double stamp_s, double away_s) 
 TEST(EdgeMemory, WhoCameAndWentOnOutOfViewIsForgottenAfterAWhile) {
   EdgeMemory memory(4);
   double now_s = 0;
-  for (; now_s < 2; now_s += kPicture_s) memory.take(eye(), free_but_for({}), {}, now_s);
-  for (double y = 0.6; y > -0.9; y -= 0.2, now_s += kPicture_s)
+  for (; now_s < 2; now_s += kImage_s) memory.take(eye(), free_but_for({}), {}, now_s);
+  for (double y = 0.6; y > -0.9; y -= 0.2, now_s += kImage_s)
     memory.take(eye(), free_but_for({{2, y}}), {}, now_s);
   EXPECT_EQ(remembered_after(memory, now_s, 2), 1U);
   EXPECT_EQ(remembered_after(memory, now_s, 10), 0U);
@@ -88,8 +88,8 @@ TEST(EdgeMemory, WhoCameAndWentOnOutOfViewIsForgottenAfterAWhile) {
 TEST(EdgeMemory, WhatStandsThereIsNotForgottenThoughItWasNotSeenFromTheFirst) {
   EdgeMemory memory(4);
   double now_s = 0;
-  for (; now_s < 2; now_s += kPicture_s) memory.take(eye(), free_but_for({}), {}, now_s);
-  for (; now_s < 3; now_s += kPicture_s) memory.take(eye(), free_but_for({{2, -0.6}}), {}, now_s);
+  for (; now_s < 2; now_s += kImage_s) memory.take(eye(), free_but_for({}), {}, now_s);
+  for (; now_s < 3; now_s += kImage_s) memory.take(eye(), free_but_for({{2, -0.6}}), {}, now_s);
   EXPECT_EQ(remembered_after(memory, now_s, 30), 1U);
 }
 
@@ -97,8 +97,8 @@ TEST(EdgeMemory, WhatStoodWhereSomebodyWentByIsNotForgotten) {
   EdgeMemory memory(4);
   const Vec2 standing(2, -0.8);
   double now_s = 0;
-  for (; now_s < 2; now_s += kPicture_s) memory.take(eye(), free_but_for({standing}), {}, now_s);
-  for (double y = 0.6; y > -0.5; y -= 0.2, now_s += kPicture_s)
+  for (; now_s < 2; now_s += kImage_s) memory.take(eye(), free_but_for({standing}), {}, now_s);
+  for (double y = 0.6; y > -0.5; y -= 0.2, now_s += kImage_s)
     memory.take(eye(), free_but_for({{2, y}, standing}), {}, now_s);
   memory.take(eye(), free_but_for({standing}), {}, now_s);
   ASSERT_EQ(remembered_after(memory, now_s, 30), 1U);

@@ -8,8 +8,8 @@
 namespace aisle {
 namespace {
 
-/// Along the sides of a way 2 m wide and 6 m long that ends before a wall, with a box in its left side.
-std::vector<Vec2> furnished_way() {
+/// Along the sides of a path 2 m wide and 6 m long that ends before a wall, with a box in its left side.
+std::vector<Vec2> furnished_path() {
   constexpr double kApart_m = 0.05;
   std::vector<Vec2> points;
   for (int i = 0; i < 120; ++i) {
@@ -49,7 +49,7 @@ RC_GTEST_PROP(EdgePlace, FindsWhereTheVehicleWasSetDown, ()) {
   const auto share = [] { return *rc::gen::inRange(-100, 101) / 100.0; };
   const Pose2 T_map_vehicle{1.5 + 0.5 * share(), 0.4 * share(), 15 * kDegree * share()};
   const Pose2 T_odom_vehicle{1.5, 0, 0};
-  const auto points = furnished_way();
+  const auto points = furnished_path();
   EdgePlace place({}, taught(points));
   place.take(seen(points, T_map_vehicle), T_odom_vehicle, 1.5);
   RC_ASSERT(place.is_sure());
@@ -58,7 +58,7 @@ RC_GTEST_PROP(EdgePlace, FindsWhereTheVehicleWasSetDown, ()) {
 }
 
 TEST(EdgePlace, FollowsWhatTheOdometryLoses) {
-  const auto points = furnished_way();
+  const auto points = furnished_path();
   EdgePlace place({}, taught(points));
   Pose2 T_map_vehicle{0.5, 0, 0}, T_odom_vehicle = T_map_vehicle;
   for (int i = 0; i < 60; ++i) {
@@ -69,9 +69,9 @@ TEST(EdgePlace, FollowsWhatTheOdometryLoses) {
   EXPECT_LT(off_m(place, T_map_vehicle, T_odom_vehicle), 0.05);
 }
 
-/// Before a wall across the way the pictures show that wall alone: it says nothing of where along it one is.
+/// Before a wall across the path the images show that wall alone: it says nothing of where along it one is.
 TEST(EdgePlace, WhatWasSeenBesideTellsWhereALineAheadDoesNot) {
-  const auto points = furnished_way();
+  const auto points = furnished_path();
   EdgePlace place({}, taught(points));
   Pose2 T_map_vehicle{3, 0, 0}, T_odom_vehicle = T_map_vehicle;
   for (int i = 0; i < 40; ++i) {
@@ -88,7 +88,7 @@ TEST(EdgePlace, WhatWasSeenBesideTellsWhereALineAheadDoesNot) {
 }
 
 TEST(EdgePlace, AMovedBoxCountsLittle) {
-  const auto points = furnished_way();
+  const auto points = furnished_path();
   auto moved = points;
   for (Vec2& p : moved)
     if (p.x() >= 2 && p.x() <= 3 && p.y() > 0) p += Vec2(0.2, -0.15);
@@ -100,7 +100,7 @@ TEST(EdgePlace, AMovedBoxCountsLittle) {
 
 /// Many points of a thing before the vehicle say no more than few of others behind it.
 TEST(EdgePlace, AMovedBoxThatFillsTheViewCountsNoMoreThanItsLength) {
-  const auto points = furnished_way();
+  const auto points = furnished_path();
   auto moved = points;
   for (Vec2& p : moved)
     if (p.x() >= 2 && p.x() <= 3 && p.y() > 0) p += Vec2(0.15, -0.15);
@@ -122,9 +122,9 @@ TEST(EdgePlace, AMovedBoxThatFillsTheViewCountsNoMoreThanItsLength) {
   EXPECT_GT(off_after({.moved_m = 0.001}), 0.05) << "as if nothing could have been moved";
 }
 
-/// The first picture misleads, as where it shows little.
-TEST(EdgePlace, WhatTheFirstPictureShowedWronglyIsSoonMadeUpFor) {
-  const auto points = furnished_way();
+/// The first image misleads, as where it shows little.
+TEST(EdgePlace, WhatTheFirstImageShowedWronglyIsSoonMadeUpFor) {
+  const auto points = furnished_path();
   const Pose2 T_map_vehicle{1.5, 0, 0}, T_map_wrong{1.55, 0.12, 2 * kDegree};
   EdgePlace place({}, taught(points));
   place.take(seen(points, T_map_wrong), T_map_vehicle, T_map_vehicle.x);
@@ -134,7 +134,7 @@ TEST(EdgePlace, WhatTheFirstPictureShowedWronglyIsSoonMadeUpFor) {
 }
 
 TEST(EdgePlace, WhatLooksOtherwiseOrTooLittleSaysNothing) {
-  const auto points = furnished_way();
+  const auto points = furnished_path();
   EdgePlace place({}, taught(points));
   place.take(std::vector<SeenEdge>(5, SeenEdge{Vec2(2, 0), 2}), {}, 0);
   EXPECT_FALSE(place.is_sure());

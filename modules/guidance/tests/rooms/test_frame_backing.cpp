@@ -57,7 +57,7 @@ TEST(FrameBacking, TurnsAboutAndStandsInTheFrameBackwards) {
   EXPECT_EQ(vehicle.backing.tries(), 1);
 }
 
-TEST(FrameBacking, DrivesOutAndInAgainWhereItStandsAskew) {
+TEST(FrameBacking, DrivesOutAndInAgainWhereItStandsMisaligned) {
   BackedVehicle vehicle(KnownFloor{{Vec2(0, 0), Vec2(7, 4)}});
   vehicle.run_until("looking");
   const Pose2 seen{0.01, 0.04, 1.5 * kDegree};
@@ -87,7 +87,7 @@ TEST(FrameBacking, WhereItCannotTurnItSaysSo) {
   EXPECT_EQ(decision.state, "no room");
 }
 
-TEST(FrameBacking, AsksForAnotherWayWhereSomethingStaysInItsWay) {
+TEST(FrameBacking, AsksForAnotherPathWhereSomethingStaysInItsPath) {
   BackedVehicle vehicle(KnownFloor{{Vec2(0, 0), Vec2(7, 4)}});
   vehicle.run_until("turning about");
   std::vector<SeenEdge> around;

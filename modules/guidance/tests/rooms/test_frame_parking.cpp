@@ -42,7 +42,7 @@ Observation sight_of_frame(const CameraDescription& camera) {
   }
   Observation observation;
   observation.stamp_s = 0.1;
-  observation.pictures.push_back({camera.name, observation.stamp_s, image});
+  observation.images.push_back({camera.name, observation.stamp_s, image});
   return observation;
 }
 
@@ -64,14 +64,14 @@ TEST(FrameParking, DoesNotFollowWhatLooksLikeItAwayFromWhereItWasFirstSeen) {
   const double tracked_m = FrameParkingParams{}.tracked_m;
   const Observation sight = sight_of_frame(vehicle.cameras.front());
   FrameParking parking({}, vehicle, kFrame_m);
-  // It goes on with the vehicle, 5 cm a picture, as a pattern or a lamp's light would.
+  // It goes on with the vehicle, 5 cm an image, as a pattern or a lamp's light would.
   for (int i = 0; i < 40; ++i) parking.look(sight, {0.05 * i, 0, 0}, kFrameAhead, 1);
   ASSERT_TRUE(parking.sees_frame());
   EXPECT_LT(between(kFrameAhead, *parking.frame()).position().norm(), tracked_m + 0.05);
 }
 
-/// At the end of its last try, so far aside of the frame's middle.
-Decision end_of_last_try(double aside_m) {
+/// At the end of its last try, so farther off laterally of the frame's middle.
+Decision end_of_last_try(double lateral_m) {
   const VehicleDescription vehicle = frame_cart();
   FrameParkingParams params;
   params.tries_max = 1;
@@ -79,14 +79,14 @@ Decision end_of_last_try(double aside_m) {
   FrameParking parking(params, vehicle, kFrame_m);
   parking.look(sight_of_frame(vehicle.cameras.front()), {}, kFrameAhead, 1);
   const double ahead_m = (vehicle.footprint.front_m - vehicle.footprint.rear_m) / 2;
-  parking.look({}, {kFrameAhead.x - ahead_m, aside_m, 0}, kFrameAhead, 1);
+  parking.look({}, {kFrameAhead.x - ahead_m, lateral_m, 0}, kFrameAhead, 1);
   return parking.step();
 }
 
-TEST(FrameParking, HasNotParkedIfItStandsAskewAfterTheLastTry) {
+TEST(FrameParking, HasNotParkedIfItStandsMisalignedAfterTheLastTry) {
   EXPECT_EQ(end_of_last_try(0.03).status, NavigatorStatus::kDone);
   EXPECT_EQ(end_of_last_try(0.08).status, NavigatorStatus::kFailed);
-  EXPECT_EQ(end_of_last_try(0.08).state, "askew");
+  EXPECT_EQ(end_of_last_try(0.08).state, "misaligned");
 }
 
 }  // namespace

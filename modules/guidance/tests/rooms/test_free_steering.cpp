@@ -19,38 +19,38 @@ std::vector<Vec2> wall(const Vec2& from, const Vec2& to) {
   return points;
 }
 
-TEST(FreeSteering, TheWishIsFollowedWhereNothingStands) {
+TEST(FreeSteering, TheRequestIsFollowedWhereNothingStands) {
   const SteeringChoice choice = choose_steering(cart(), {}, {}, 0.2);
   EXPECT_NEAR(choice.steering_rad, 0.2, 1e-12);
   EXPECT_DOUBLE_EQ(choice.free_m, FreeSteeringParams{}.reach_m);
 }
 
-TEST(FreeSteering, TheFreeWayEndsAMarginBeforeAWall) {
+TEST(FreeSteering, TheFreePathEndsAMarginBeforeAWall) {
   const auto ahead = wall({1.75, -1}, {1.75, 1});
-  const SteeringChoice straight = free_way(cart(), {}, ahead, 0, 1);
+  const SteeringChoice straight = free_path(cart(), {}, ahead, 0, 1);
   EXPECT_NEAR(straight.free_m, 0.7, 0.06);  // 0.95 of the vehicle, 0.06 of margin
 }
 
-TEST(FreeSteering, TurnsAsideOfWhatStandsAheadOnOneSide) {
+TEST(FreeSteering, TurnsLateralOfWhatStandsAheadOnOneSide) {
   const auto left = wall({1.9, 0.1}, {1.9, 0.8});
   EXPECT_LT(choose_steering(cart(), {}, left, 0).steering_rad, -2 * kDegree);
 }
 
 TEST(FreeSteering, WhatIsTooNearAlreadyMayBeLeftBehind) {
   const std::vector<Vec2> beside = {{0.3, 0.33}};
-  EXPECT_GT(free_way(cart(), {}, beside, 0, 1).free_m, 1);
-  EXPECT_LT(free_way(cart(), {}, beside, 30 * kDegree, 1).free_m, 0.5);
+  EXPECT_GT(free_path(cart(), {}, beside, 0, 1).free_m, 1);
+  EXPECT_LT(free_path(cart(), {}, beside, 30 * kDegree, 1).free_m, 0.5);
 }
 
 TEST(FreeSteering, BackwardsItLooksBehind) {
   const auto behind = wall({-0.75, -1}, {-0.75, 1});
-  EXPECT_NEAR(free_way(cart(), {}, behind, 0, -1).free_m, 0.4, 0.06);
-  EXPECT_DOUBLE_EQ(free_way(cart(), {}, behind, 0, 1).free_m, FreeSteeringParams{}.reach_m);
+  EXPECT_NEAR(free_path(cart(), {}, behind, 0, -1).free_m, 0.4, 0.06);
+  EXPECT_DOUBLE_EQ(free_path(cart(), {}, behind, 0, 1).free_m, FreeSteeringParams{}.reach_m);
 }
 
 TEST(FreeSteering, BackwardsItKeepsOffWhatItsFrontWouldSwingTo) {
   const auto beside = wall({0.3, -0.4}, {0.95, -0.4});
-  EXPECT_LT(free_way(cart(), {}, beside, 0.3, -1).free_m, 0.15) << "the front goes to the right";
+  EXPECT_LT(free_path(cart(), {}, beside, 0.3, -1).free_m, 0.15) << "the front goes to the right";
   const SteeringChoice choice = choose_steering(cart(), {.comfort_m = 0.1}, beside, 0.3, -1);
   EXPECT_LT(choice.steering_rad, 0.1);
   EXPECT_GT(choice.free_m, 1);
@@ -63,12 +63,12 @@ RC_GTEST_PROP(FreeSteering, NoPointIsOverlooked, ()) {
   const double steering_rad = within(70);
   const int direction = *rc::gen::element(-1, 1);
   const SteeringChoice choice =
-      free_way(cart(), {.reach_m = 1.5, .margin_m = 0}, points, steering_rad, direction);
+      free_path(cart(), {.reach_m = 1.5, .margin_m = 0}, points, steering_rad, direction);
   double nearest_m = 10;
   for (int step = 0; step * 0.1 < choice.free_m + 0.05; ++step) {
-    const double way_m = direction * step * 0.1;
-    const double turn_rad = way_m * std::tan(steering_rad) / cart().front_steered.wheelbase_m;
-    const Pose2 T_then_now = end_pose({way_m, turn_rad}).inverse();
+    const double path_m = direction * step * 0.1;
+    const double turn_rad = path_m * std::tan(steering_rad) / cart().front_steered.wheelbase_m;
+    const Pose2 T_then_now = end_pose({path_m, turn_rad}).inverse();
     for (const Vec2& p : points)
       nearest_m = std::min(nearest_m, off_footprint_m(cart().footprint, T_then_now * p));
   }

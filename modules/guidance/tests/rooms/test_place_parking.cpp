@@ -27,7 +27,7 @@ TEST(PlaceParking, WhoStandsWellHasParked) {
   EXPECT_EQ(place.tries(), 1);
 }
 
-TEST(PlaceParking, WhoStandsAskewBacksOffAndStandsBetterThen) {
+TEST(PlaceParking, WhoStandsMisalignedBacksOffAndStandsBetterThen) {
   PlaceParking place = parking();
   const Path path(std::vector{PathPiece{{}, {4, 0}}});
   Pose2 T_map_vehicle = kEnd * Pose2{0, 0.15, -6 * kDegree};
@@ -39,7 +39,7 @@ TEST(PlaceParking, WhoStandsAskewBacksOffAndStandsBetterThen) {
     EXPECT_LT(command.speed_mps, 0);
     steering_rad = command.steering_rad;
     T_map_vehicle = moved(T_map_vehicle, command.speed_mps, steering_rad);
-    place.judge_way_back(T_map_vehicle, 1.5);
+    place.judge_path_back(T_map_vehicle, 1.5);
   }
   ASSERT_FALSE(place.is_backing());
   EXPECT_LT(T_map_vehicle.x, 2.6);
@@ -56,9 +56,9 @@ TEST(PlaceParking, WhoStandsAskewBacksOffAndStandsBetterThen) {
 TEST(PlaceParking, WithSomethingBehindItGoesNoFartherBack) {
   PlaceParking place = parking();
   place.settle(kEnd * Pose2{0, 0.2, 0}, false);
-  place.judge_way_back(kEnd * Pose2{-0.3, 0.2, 0}, 1);
+  place.judge_path_back(kEnd * Pose2{-0.3, 0.2, 0}, 1);
   EXPECT_TRUE(place.is_backing());
-  place.judge_way_back(kEnd * Pose2{-0.4, 0.2, 0}, 0.05);
+  place.judge_path_back(kEnd * Pose2{-0.4, 0.2, 0}, 0.05);
   EXPECT_FALSE(place.is_backing());
 }
 
@@ -68,9 +68,9 @@ TEST(PlaceParking, AfterTheLastTryItSaysWhetherItHasParked) {
     return place.settle(kEnd * off, is_taken);
   };
   EXPECT_EQ(last({0, 0.08, 4 * kDegree}).status, NavigatorStatus::kDone);
-  const Decision aside = last({0, 0.2, 0});
-  EXPECT_EQ(aside.status, NavigatorStatus::kFailed);
-  EXPECT_EQ(aside.why, "not parked: it stands 0.20 m aside, 0.0 degrees turned");
+  const Decision lateral = last({0, 0.2, 0});
+  EXPECT_EQ(lateral.status, NavigatorStatus::kFailed);
+  EXPECT_EQ(lateral.why, "not parked: it stands 0.20 m to the side, 0.0 degrees turned");
   EXPECT_EQ(last({0, 0, -20 * kDegree}).status, NavigatorStatus::kFailed);
   EXPECT_EQ(last({0, 0.2, 0}, true).status, NavigatorStatus::kDone);
   EXPECT_EQ(last({0, 0.4, 0}, true).status, NavigatorStatus::kFailed);

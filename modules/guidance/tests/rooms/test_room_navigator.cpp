@@ -17,7 +17,7 @@ namespace {
 using testing::AnyOf;
 using testing::HasSubstr;
 
-constexpr double kRoomCycle_s = 0.1, kFloorGrey = 165, kWallGrey = 60, kWayLength_m = 2.5;
+constexpr double kRoomCycle_s = 0.1, kFloorGrey = 165, kWallGrey = 60, kPathLength_m = 2.5;
 
 VehicleDescription room_cart() {
   VehicleDescription vehicle;
@@ -46,7 +46,7 @@ Route straight_route() {
   RoomRoute room;
   room.brightness.grey = kFloorGrey;
   return {.name = "straight",
-          .path = Path(std::vector{PathPiece{{}, {kWayLength_m, 0}}}),
+          .path = Path(std::vector{PathPiece{{}, {kPathLength_m, 0}}}),
           .start_view = {},
           .sections = {},
           .room = room};
@@ -55,11 +55,11 @@ Route straight_route() {
 constexpr double kLegIn_m = 6, kLegBack_m = 2.4;
 
 /// Straight in, straight back and in again, where a turning to the right begins.
-/// @param side_m  so far aside edges were seen on both sides; 0: none
-Route route_with_way_back(double side_m) {
+/// @param side_m  so farther off laterally edges were seen on both sides; 0: none
+Route route_with_path_back(double side_m) {
   Route route = straight_route();
   const Pose2 T_map_in{kLegIn_m, 0, 0}, T_map_back{kLegIn_m - kLegBack_m, 0, 0};
-  route.path = Path({{{}, {kLegIn_m, 0}}, {T_map_in, {-kLegBack_m, 0}}, {T_map_back, {kWayLength_m, 0}}});
+  route.path = Path({{{}, {kLegIn_m, 0}}, {T_map_in, {-kLegBack_m, 0}}, {T_map_back, {kPathLength_m, 0}}});
   constexpr int kRight = 5;
   const double begin_m = kLegIn_m + kLegBack_m;
   route.room->turnings = {{.number = kRight, .start_m = begin_m, .end_m = begin_m + 1}};
@@ -70,7 +70,7 @@ Route route_with_way_back(double side_m) {
   return route;
 }
 
-/// A bright floor, and a dark wall across the way; others beside it.
+/// A bright floor, and a dark wall across the path; others beside it.
 class DrivenRoom {
  public:
   explicit DrivenRoom(double wall_m, Route route = straight_route(), double from_m = 0, double side_m = 50)
@@ -94,12 +94,12 @@ class DrivenRoom {
   Decision step(double light = 1) {
     Observation observation;
     observation.stamp_s = ++cycles_ * kRoomCycle_s;
-    const double way_m = kRoomCycle_s * decision_.command.speed_mps;
-    const FrontSteeredMotion motion{way_m, decision_.command.steering_rad};
+    const double path_m = kRoomCycle_s * decision_.command.speed_mps;
+    const FrontSteeredMotion motion{path_m, decision_.command.steering_rad};
     T_world_vehicle_ = T_world_vehicle_ * drive(vehicle_.front_steered, motion);
     observation.odometry = motion;
     for (std::size_t i = 0; i < vehicle_.cameras.size(); ++i)
-      observation.pictures.push_back({vehicle_.cameras[i].name, observation.stamp_s, picture(i, light)});
+      observation.images.push_back({vehicle_.cameras[i].name, observation.stamp_s, image(i, light)});
     return decision_ = navigator_.step(observation);
   }
 
@@ -108,7 +108,7 @@ class DrivenRoom {
 
  private:
   /// No two are quite the same, or the camera would be taken for frozen.
-  std::shared_ptr<const Image> picture(std::size_t number, double light) const {
+  std::shared_ptr<const Image> image(std::size_t number, double light) const {
     const CameraDescription& camera = vehicle_.cameras[number];
     auto image = std::make_shared<Image>(camera.width_px, camera.height_px);
     for (std::size_t i = 0; i < p_vehicle_[number].size(); ++i) {
@@ -130,14 +130,14 @@ class DrivenRoom {
 };
 
 TEST(RoomNavigator, GoesOnByMemoryWhereWhatItHasSeenHidesTheRoute) {
-  DrivenRoom room(kWayLength_m + 1.3);
+  DrivenRoom room(kPathLength_m + 1.3);
   Decision decision;
   for (int i = 0; i < 200 && decision.status == NavigatorStatus::kGoing; ++i) {
     decision = room.step();
     EXPECT_THAT(decision.state, AnyOf("following", "avoiding", "parked")) << room.T_world_vehicle().x;
   }
   EXPECT_EQ(decision.status, NavigatorStatus::kDone);
-  EXPECT_NEAR(room.T_world_vehicle().x, kWayLength_m, 0.05);
+  EXPECT_NEAR(room.T_world_vehicle().x, kPathLength_m, 0.05);
 }
 
 TEST(RoomNavigator, WaitsWhereTheLightChangesAndNothingIsKnownToStand) {
@@ -169,12 +169,12 @@ TEST(RoomNavigator, DoesNotBackOverFloorThatItDoesNotKnow) {
   }
   EXPECT_TRUE(has_backed_off);
   EXPECT_EQ(decision.state, "blocked");
-  EXPECT_EQ(decision.why, "found no way past what is there");
+  EXPECT_EQ(decision.why, "found no path past what is there");
 }
 
 TEST(RoomNavigator, SaysThatItCannotTellAPatternOnTheFloorFromWhatStandsThere) {
   Route route = straight_route();
-  for (double x = 0.5; x < kWayLength_m; x += 0.4) route.room->edges.push_back({0, Vec2(x, 0.1)});
+  for (double x = 0.5; x < kPathLength_m; x += 0.4) route.room->edges.push_back({0, Vec2(x, 0.1)});
   DrivenRoom room(1.6, std::move(route), 0, 0.6);
   Decision decision;
   for (int i = 0; i < 1000 && decision.status == NavigatorStatus::kGoing; ++i) decision = room.step();
@@ -189,34 +189,34 @@ TEST(RoomNavigator, DoesNotLookForADeadEndFarBeyondTheTaughtOne) {
   Decision decision;
   for (int i = 0; i < 400 && decision.status == NavigatorStatus::kGoing; ++i) decision = room.step();
   EXPECT_EQ(decision.state, "no dead end");
-  EXPECT_LT(room.T_world_vehicle().x, kWayLength_m + 0.3);
+  EXPECT_LT(room.T_world_vehicle().x, kPathLength_m + 0.3);
 }
 
 /// What the footprint's rear corners pass over while the vehicle backs between turnings.
-struct WayBack {
-  double aside_m = 0;
+struct PathBack {
+  double lateral_m = 0;
   double back_m = 0;
 };
 
-WayBack way_back_between_turnings(double side_m) {
-  DrivenRoom room(20, route_with_way_back(side_m), kLegIn_m);
-  WayBack way;
+PathBack path_back_between_turnings(double side_m) {
+  DrivenRoom room(20, route_with_path_back(side_m), kLegIn_m);
+  PathBack driven;
   for (int i = 0; i < 400; ++i) {
-    if (room.step().state != "backing" && way.back_m > 0) return way;
+    if (room.step().state != "backing" && driven.back_m > 0) return driven;
     for (const double y : {-0.3, 0.3})
-      way.aside_m = std::max(way.aside_m, std::abs((room.T_world_vehicle() * Vec2(-0.25, y)).y()));
-    way.back_m = kLegIn_m - room.T_world_vehicle().x;
+      driven.lateral_m = std::max(driven.lateral_m, std::abs((room.T_world_vehicle() * Vec2(-0.25, y)).y()));
+    driven.back_m = kLegIn_m - room.T_world_vehicle().x;
   }
   return {};
 }
 
 TEST(RoomNavigator, BacksBetweenTurningsOnKnownFloorOnly) {
-  const WayBack narrow = way_back_between_turnings(0);
+  const PathBack narrow = path_back_between_turnings(0);
   EXPECT_GT(narrow.back_m, 1);
-  EXPECT_LT(narrow.aside_m, 0.7) << "at teaching, the floor was in view so far aside";
-  const WayBack wide = way_back_between_turnings(1.5);
+  EXPECT_LT(narrow.lateral_m, 0.7) << "at teaching, the floor was in view so farther off laterally";
+  const PathBack wide = path_back_between_turnings(1.5);
   EXPECT_GT(wide.back_m, kLegBack_m);
-  EXPECT_GT(wide.aside_m, 1);
+  EXPECT_GT(wide.lateral_m, 1);
 }
 
 }  // namespace

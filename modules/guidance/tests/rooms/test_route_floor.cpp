@@ -34,11 +34,11 @@ TEST(RouteFloor, EndsFarFromThePlace) {
   EXPECT_EQ(floor_beside_wall(1).at(Vec2(1, 0)), Floor::kUnknown);
 }
 
-TEST(RouteFloor, TellsOnWhichShareOfTheWayEdgesWereSeenWhereTheVehicleThenDrove) {
-  const Path way(std::vector{PathPiece{{}, {4.9, 0}}});
+TEST(RouteFloor, TellsOnWhichShareOfThePathEdgesWereSeenWhereTheVehicleThenDrove) {
+  const Path path(std::vector{PathPiece{{}, {4.9, 0}}});
   const std::vector<RouteEdge> edges = {{0, {1.2, 0.1}}, {0, {1.3, -0.2}}, {0, {2.2, 0}},
                                         {0, {3, 0.28}},  {0, {4, 1}},      {0, {6, 0}}};
-  EXPECT_NEAR(share_with_edges_on_way(way, edges, kFootprint), 0.2, 1e-9);
+  EXPECT_NEAR(share_with_edges_on_path(path, edges, kFootprint), 0.2, 1e-9);
 }
 
 TEST(RouteFloor, EndsAtCellsOfWhichNothingIsKnown) {

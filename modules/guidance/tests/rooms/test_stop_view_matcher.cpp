@@ -11,7 +11,8 @@
 namespace aisle {
 namespace {
 
-/// What is seen with so much way left: a bright and a dark strip that wander apart as the place comes near.
+/// What is seen with so much distance left: a bright and a dark strip that wander apart as the place comes
+/// near.
 Image view_from(double left_m) {
   Image image(320, 100);
   std::fill(image.bytes.begin(), image.bytes.end(), std::uint8_t{100});
@@ -42,7 +43,7 @@ void drive_up_to(StopViewMatcher& matcher) {
   }
 }
 
-TEST(StopViewMatcher, CorrectsTheWayThatIsLeft) {
+TEST(StopViewMatcher, CorrectsThePathThatIsLeft) {
   for (const bool by_extremes : {false, true}) {
     StopViewMatcher matcher({.by_extremes = by_extremes}, taught());
     drive_up_to(matcher);

@@ -7,8 +7,8 @@
 namespace aisle {
 namespace {
 
-/// A corridor 1.2 m wide along x, whose right base line ends at x = 4.3 m; a wall across it at 5.5 m. The way
-/// turns right at 5 m.
+/// A corridor 1.2 m wide along x, whose right base line ends at x = 4.3 m; a wall across it at 5.5 m. The
+/// path turns right at 5 m.
 const SectionList kSections = {
     {.kind = Section::Kind::kHybrid, .length_m = 5, .right_m = 0.5, .left_m = 0.7, .ahead_m = 0.5},
     {.kind = Section::Kind::kTurn, .turn_rad = -kPi / 2},
@@ -36,9 +36,9 @@ VehicleDescription two_wheels() {
 /// Where a vehicle believes that it is that drives to x = 4 m, while its wheels count a tenth of a metre too
 /// little and it is set down 4 cm to the left, when it has looked at the walls there.
 Vec2 believed(const std::vector<Segment2>& walls, const SectionLocaliserParams& params = {}) {
-  const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
+  const GuidedPath path = guided_path(kSections, {}, SectionRun::kThere);
   const VehicleDescription vehicle = two_wheels();
-  SectionLocaliser localiser(params, vehicle, way);
+  SectionLocaliser localiser(params, vehicle, path);
   const int steps = static_cast<int>(std::lround(3.9 / vehicle.differential.step_length_m() / 100));
   for (int i = 0; i < 100; ++i) localiser.predict(WheelSteps{steps, steps});
   const Pose2 T_map_vehicle{4, 0.04, 0};
@@ -48,21 +48,21 @@ Vec2 believed(const std::vector<Segment2>& walls, const SectionLocaliserParams& 
   return localiser.pose().position();
 }
 
-TEST(SectionLocaliser, BaseLinesBesideTellHowFarAside) {
+TEST(SectionLocaliser, BaseLinesBesideTellHowFarLateral) {
   for (const Segment2& wall : {kRight, kLeft}) EXPECT_NEAR(believed({wall}).y(), 0.04, 0.01);
   EXPECT_NEAR(believed({kLeft}, {.left_base_line = false}).y(), 0, 1e-6);
 }
 
-TEST(SectionLocaliser, FindsItsBaseLinesAgainFromBesideItsWay) {
-  const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
-  SectionLocaliser localiser({}, two_wheels(), way);
-  constexpr double kAside_m = 0.3;
+TEST(SectionLocaliser, FindsItsBaseLinesAgainFromBesideItsPath) {
+  const GuidedPath path = guided_path(kSections, {}, SectionRun::kThere);
+  SectionLocaliser localiser({}, two_wheels(), path);
+  constexpr double kLateral_m = 0.3;
   for (int i = 0; i < 60; ++i) {
     localiser.predict(WheelSteps{22, 22});
-    const Pose2 T_map_vehicle{localiser.pose().x, kAside_m, 0};
+    const Pose2 T_map_vehicle{localiser.pose().x, kLateral_m, 0};
     localiser.correct(std::vector{seen_from(T_map_vehicle, kRight), seen_from(T_map_vehicle, kLeft)}, 0);
   }
-  EXPECT_NEAR(localiser.pose().y, kAside_m, 0.05);
+  EXPECT_NEAR(localiser.pose().y, kLateral_m, 0.05);
 }
 
 TEST(SectionLocaliser, TheWallAheadTellsHowFarAlong) {
@@ -70,12 +70,12 @@ TEST(SectionLocaliser, TheWallAheadTellsHowFarAlong) {
   EXPECT_NEAR(believed({kEndWall}, {.length_by_wall_ahead = false}).x(), 3.9, 0.02);
 }
 
-TEST(SectionLocaliser, AfterALongWayAWallThatIsFarFromWhereItWasDueIsStillTheOneMeant) {
+TEST(SectionLocaliser, AfterALongPathAWallThatIsFarFromWhereItWasDueIsStillTheOneMeant) {
   const SectionList sections = {
       {.kind = Section::Kind::kFollow, .length_m = 40, .right_m = 0.5, .left_m = 0.7, .ahead_m = 0.5}};
-  const GuidedPath way = guided_path(sections, {}, SectionTrip::kThere);
+  const GuidedPath path = guided_path(sections, {}, SectionRun::kThere);
   const VehicleDescription vehicle = two_wheels();
-  SectionLocaliser localiser({}, vehicle, way);
+  SectionLocaliser localiser({}, vehicle, path);
   while (localiser.pose().x < 38.75) localiser.predict(WheelSteps{20, 20});
   const Segment2 wall{{40.5, -0.5}, {40.5, 0.7}};
   for (int i = 0; i < 3; ++i) localiser.correct(std::vector{seen_from({39, 0, 0}, wall)}, 0);
@@ -89,9 +89,9 @@ TEST(SectionLocaliser, TheEndOfTheBaseLineTellsHowFarAlong) {
 }
 
 TEST(SectionLocaliser, AWallAheadWithARecessTurnsItLittle) {
-  const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
+  const GuidedPath path = guided_path(kSections, {}, SectionRun::kThere);
   const VehicleDescription vehicle = two_wheels();
-  SectionLocaliser localiser({}, vehicle, way);
+  SectionLocaliser localiser({}, vehicle, path);
   const auto see = [&](const std::vector<Segment2>& walls) {
     std::vector<SensedSegment> edges;
     for (const Segment2& wall : walls) edges.push_back(seen_from({}, wall));
@@ -106,12 +106,12 @@ TEST(SectionLocaliser, AWallAheadWithARecessTurnsItLittle) {
 }
 
 /// Out to a wall across, by wheels that count too little, and home again by the same wheels.
-TEST(SectionLocaliser, ComesHomeByTheScaleOfItsWayOut) {
+TEST(SectionLocaliser, ComesHomeByTheScaleOfItsPathOut) {
   constexpr double kOff_m = 0.04, kCounted = 0.99, kTurn_m = 4.5;
-  const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
+  const GuidedPath path = guided_path(kSections, {}, SectionRun::kThere);
   const VehicleDescription vehicle = two_wheels();
   const double step_m = 20 * vehicle.differential.step_length_m();
-  SectionLocaliser localiser({}, vehicle, way);
+  SectionLocaliser localiser({}, vehicle, path);
   double x_m = kOff_m;
   for (; x_m < kTurn_m; x_m += step_m / kCounted) localiser.predict(WheelSteps{20, 20});
   for (int i = 0; i < 20; ++i) localiser.correct(std::vector{seen_from({x_m, 0, 0}, kEndWall)}, 0);
@@ -121,8 +121,8 @@ TEST(SectionLocaliser, ComesHomeByTheScaleOfItsWayOut) {
 }
 
 TEST(SectionLocaliser, WhatIsSeenLaterTellsHowItWasHeadedAtFirst) {
-  const GuidedPath way = guided_path(kSections, {}, SectionTrip::kThere);
-  SectionLocaliser localiser({}, two_wheels(), way);
+  const GuidedPath path = guided_path(kSections, {}, SectionRun::kThere);
+  SectionLocaliser localiser({}, two_wheels(), path);
   constexpr double kSetDown_rad = 4 * kDegree;
   for (int i = 0; i < 10; ++i) localiser.predict(WheelSteps{22, 22});
   std::vector<SensedSegment> edges;
@@ -132,7 +132,7 @@ TEST(SectionLocaliser, WhatIsSeenLaterTellsHowItWasHeadedAtFirst) {
   EXPECT_NEAR(localiser.start_pose().theta / kDegree, kSetDown_rad / kDegree, 1);
 }
 
-TEST(SectionLocaliser, WhatStandsElsewhereIsNoWallOfTheWay) {
+TEST(SectionLocaliser, WhatStandsElsewhereIsNoWallOfThePath) {
   const Segment2 other{{4.7, -0.5}, {4.7, 0.7}};
   EXPECT_NEAR(believed({other}).x(), 3.9, 0.02);
 }

@@ -12,11 +12,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kAskew_rad = 2.5 * kDegree, kBeside_m = 0.04;
-constexpr double kBlind_m = 0.8;  // from where on, on its way home, a vehicle sees no wall any more
+constexpr double kYawErrorRad = 2.5 * kDegree, kBeside_m = 0.04;
+constexpr double kBlind_m = 0.8;  // from where on, on its path home, a vehicle sees no wall any more
 const Vec3 kLeastCorner{-0.5, -0.6, 0}, kGreatestCorner{4, 0.6, 2.5};  // of a corridor along x
 
-/// The end where the way begins is as bright as the floor: nobody sees where it stands.
+/// The end where the path begins is as bright as the floor: nobody sees where it stands.
 /// @return brightness of the side that a ray from within the corridor meets
 double brightness_seen(const Vec3& eye, const Vec3& ray) {
   const std::array kEndsSidesFloor = {ray.x() < 0 ? 120.0 : 170.0, 200.0, 120.0};
@@ -43,7 +43,7 @@ VehicleDescription two_wheels_and_a_camera() {
   return vehicle;
 }
 
-/// A vehicle in the corridor that does what it is told, and sees and counts without an error, but for wheels
+/// A vehicle in the corridor that does what it is given, and sees and counts without an error, but for wheels
 /// that slip where it sees no wall.
 class CorridorDrive {
  public:
@@ -70,12 +70,12 @@ class CorridorDrive {
   Observation observation(const WheelSteps& steps) const {
     const double stamp_s = cycle_ * vehicle_.cycle_s;
     return {.stamp_s = stamp_s,
-            .pictures = {{vehicle_.cameras.front().name, stamp_s, std::make_shared<Image>(picture())}},
+            .images = {{vehicle_.cameras.front().name, stamp_s, std::make_shared<Image>(image())}},
             .odometry = steps};
   }
 
   /// Its brightness flickers, or it would be taken for frozen.
-  Image picture() const {
+  Image image() const {
     const CameraDescription& camera = vehicle_.cameras.front();
     const CameraIntrinsics& lens = camera.intrinsics;
     const Vec2 p_camera = T_world_vehicle_ * Vec2(camera.mount.p_vehicle_camera.head<2>());
@@ -108,33 +108,33 @@ class CorridorDrive {
   int cycle_ = 0;
 };
 
-/// Where a vehicle ends that is set down beside the beginning of its way and askew.
-std::optional<Pose2> end_of(SectionTrip trip, double slip_rad_per_m = 0) {
+/// Where a vehicle ends that is set down beside the beginning of its path and misaligned.
+std::optional<Pose2> end_of(SectionRun run, double slip_rad_per_m = 0) {
   const SectionList sections = {
       {.kind = Section::Kind::kFollow, .length_m = 2, .right_m = 0.6, .left_m = 0.6}};
   const VehicleDescription vehicle = two_wheels_and_a_camera();
   SectionNavigator navigator({.speed = {.speed_mps = 0.3}}, vehicle, "front", sections,
-                             guided_path(sections, {}, trip));
-  CorridorDrive drive(vehicle, {0, kBeside_m, kAskew_rad}, slip_rad_per_m);
+                             guided_path(sections, {}, run));
+  CorridorDrive drive(vehicle, {0, kBeside_m, kYawErrorRad}, slip_rad_per_m);
   if (!drive.drive(navigator)) return std::nullopt;
   return drive.T_world_vehicle();
 }
 
 TEST(SectionNavigator, ComesHomeAsItWasSetDown) {
-  const auto end = end_of(SectionTrip::kThereAndBack);
+  const auto end = end_of(SectionRun::kThereAndBack);
   ASSERT_TRUE(end);
-  EXPECT_NEAR((end->theta - kAskew_rad) / kDegree, 0, 1);
+  EXPECT_NEAR((end->theta - kYawErrorRad) / kDegree, 0, 1);
   EXPECT_NEAR(end->y, kBeside_m, 0.015);
 }
 
 TEST(SectionNavigator, HomeAgainItTurnsAboutAndSeesThatItsWheelsSlipped) {
-  const auto end = end_of(SectionTrip::kThereAndBack, 4 * kDegree);
+  const auto end = end_of(SectionRun::kThereAndBack, 4 * kDegree);
   ASSERT_TRUE(end);
-  EXPECT_NEAR((end->theta - kAskew_rad) / kDegree, 0, 1);
+  EXPECT_NEAR((end->theta - kYawErrorRad) / kDegree, 0, 1);
 }
 
-TEST(SectionNavigator, EndsAsTheWayEnds) {
-  const auto end = end_of(SectionTrip::kThere);
+TEST(SectionNavigator, EndsAsThePathEnds) {
+  const auto end = end_of(SectionRun::kThere);
   ASSERT_TRUE(end);
   EXPECT_NEAR(end->theta / kDegree, 0, 1);
   EXPECT_NEAR(end->y, 0, 0.015);

@@ -95,7 +95,7 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance_m
   return kept;
 }
 
-/// Twice the median clearance, away from both of its crossings where there is such a stretch.
+/// Twice the median clearance, away from both of its crossings where there is such a segment.
 double width_of(const RidgeGraph::Edge& edge, const RidgeGraph& graph) {
   std::vector<double> clearances_m;
   for (std::size_t i = 0; i < edge.points.size(); ++i) {

@@ -114,9 +114,9 @@ std::size_t RidgeGraph::degree(std::size_t node) const {
 }
 
 void RidgeGraph::join_edges_at(std::size_t node) {
-  const auto touches = [&](const Edge& edge) { return edge.from == node || edge.to == node; };
-  const auto first = std::find_if(edges.begin(), edges.end(), touches);
-  const auto second = first == edges.end() ? first : std::find_if(first + 1, edges.end(), touches);
+  const auto contacts = [&](const Edge& edge) { return edge.from == node || edge.to == node; };
+  const auto first = std::find_if(edges.begin(), edges.end(), contacts);
+  const auto second = first == edges.end() ? first : std::find_if(first + 1, edges.end(), contacts);
   if (second == edges.end()) return;
   const auto turn = [](Edge& edge) {
     std::swap(edge.from, edge.to);

@@ -83,11 +83,11 @@ bool is_ridge(const ClearFloor& floor, std::size_t cell, double slope_max) {
   const int column = floor.column_of(cell), row = floor.row_of(cell);
   for (int y = -kSlopeReach_cells; y <= kSlopeReach_cells; ++y) {
     for (int x = -kSlopeReach_cells; x <= kSlopeReach_cells; ++x) {
-      const double way_cells = std::hypot(x, y);
-      if (way_cells < kSlopeReach_cells - 0.5 || way_cells > kSlopeReach_cells + 0.5) continue;
+      const double path_cells = std::hypot(x, y);
+      if (path_cells < kSlopeReach_cells - 0.5 || path_cells > kSlopeReach_cells + 0.5) continue;
       if (column + x < 0 || row + y < 0 || column + x >= floor.columns() || row + y >= floor.rows()) continue;
       const double rise_m = floor.clearance_m(floor.cell_at(column + x, row + y)) - floor.clearance_m(cell);
-      if (rise_m > slope_max * way_cells * floor.cell_m()) return false;
+      if (rise_m > slope_max * path_cells * floor.cell_m()) return false;
     }
   }
   return true;

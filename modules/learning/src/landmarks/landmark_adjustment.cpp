@@ -19,7 +19,7 @@ constexpr double kCauchy = 2;         // standard deviations at which a sighting
 constexpr double kKeyframe_m = 0.05;  // poses closer than this to the one before move with it
 constexpr double kKeyframe_rad = 0.01;
 constexpr double kLeastMotionSigma = 1e-4;    // of a motion [m, rad]
-constexpr double kLeastKnownSigma_m = 0.002;  // of a landmark that earlier trips know
+constexpr double kLeastKnownSigma_m = 0.002;  // of a landmark that earlier runs know
 constexpr int kIterationsMax = 25;
 constexpr double kLoopHuber = 3;
 
@@ -75,13 +75,13 @@ Mat2 positive_part(const Mat2& m) {
 
 /// What is seen behind an edge, or taken now for one line of a door's frame and now for another, wanders with
 /// the place from where it is seen.
-std::vector<Mat2> unexplained_spread(const TripEvidence& trip, const std::vector<Pose2>& T_map_vehicle,
+std::vector<Mat2> unexplained_spread(const RunEvidence& run, const std::vector<Pose2>& T_map_vehicle,
                                      const std::vector<double>& tilts,
                                      const std::vector<Landmark>& landmarks) {
   std::vector<Mat2> spread(landmarks.size(), Mat2::Zero());
   std::vector<int> count(landmarks.size(), 0);
-  for (const LandmarkObservation& seen : trip.observations) {
-    const LandmarkSighting& sighting = trip.cycles[seen.cycle].sightings[seen.sighting];
+  for (const LandmarkObservation& seen : run.observations) {
+    const LandmarkSighting& sighting = run.cycles[seen.cycle].sightings[seen.sighting];
     const Pose2& T = T_map_vehicle[seen.cycle];
     const Vec2 off =
         T * Vec2(sighting.p_vehicle - sighting.by_tilt * tilts[seen.cycle]) - landmarks[seen.landmark].p_map;
@@ -95,25 +95,25 @@ std::vector<Mat2> unexplained_spread(const TripEvidence& trip, const std::vector
   return spread;
 }
 
-/// The unknowns of a trip: its keyframes, each picture's tilt, the walls' directions, what is steadily wrong
+/// The unknowns of a run: its keyframes, each image's tilt, the walls' directions, what is steadily wrong
 /// with the odometry, and where the landmarks are; and what is to agree.
 class Adjustment {
  public:
-  Adjustment(const TripEvidence& trip, std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks)
-      : trip_(trip),
+  Adjustment(const RunEvidence& run, std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks)
+      : run_(run),
         T_map_vehicle_(T_map_vehicle),
         landmarks_(landmarks),
         keyframes_(choose_keyframes(T_map_vehicle)),
-        tilts_(trip.cycles.size(), 0.0),
+        tilts_(run.cycles.size(), 0.0),
         information_(landmarks.size(), Mat2::Zero()) {
     for (const std::size_t cycle : keyframes_.cycles) {
       const Pose2& T = T_map_vehicle[cycle];
       keys_.push_back({T.x, T.y, T.theta});
     }
-    for (std::size_t i = 0; i < trip.cycles.size(); ++i)
+    for (std::size_t i = 0; i < run.cycles.size(); ++i)
       T_key_cycle_.push_back(
           between(T_map_vehicle[keyframes_.cycles[keyframes_.of_cycle[i]]], T_map_vehicle[i]));
-    for (const WallObservation& seen : trip.walls) {
+    for (const WallObservation& seen : run.walls) {
       while (walls_rad_.size() <= static_cast<std::size_t>(seen.walls))
         walls_rad_.push_back(T_map_vehicle[seen.cycle].theta - seen.against_walls.heading_rad);
     }
@@ -122,16 +122,16 @@ class Adjustment {
   void add_odometry(const VehicleDescription& vehicle) {
     const auto& cycles = keyframes_.cycles;
     for (std::size_t k = 1; k < keys_.size(); ++k) {
-      add<OdometryError, 3, 3, 3, 3>(odometry_error(trip_.cycles, cycles[k - 1], cycles[k], vehicle), nullptr,
+      add<OdometryError, 3, 3, 3, 3>(odometry_error(run_.cycles, cycles[k - 1], cycles[k], vehicle), nullptr,
                                      keys_[k - 1].data(), keys_[k].data(), steady_.data());
     }
     if (keys_.size() < 2) return;
-    if (trip_.known.empty()) problem_.SetParameterBlockConstant(keys_.front().data());
+    if (run_.known.empty()) problem_.SetParameterBlockConstant(keys_.front().data());
     add<NearZero<3>, 3, 3>({}, nullptr, steady_.data());
   }
 
   void add_loops() {
-    for (const LandmarkLoop& loop : trip_.loops) {
+    for (const LandmarkLoop& loop : run_.loops) {
       const Pose2 T_a_b =
           T_key_cycle_[loop.earlier_cycle] * loop.T_earlier_later * T_key_cycle_[loop.later_cycle].inverse();
       add<LoopError, 3, 3, 3>({T_a_b}, new ceres::HuberLoss(kLoopHuber), key_of(loop.earlier_cycle),
@@ -140,17 +140,17 @@ class Adjustment {
   }
 
   void add_known() {
-    for (std::size_t i = 0; i < trip_.known.size(); ++i) {
-      const Mat2 covariance = trip_.known[i].covariance + square(kLeastKnownSigma_m) * Mat2::Identity();
-      add<KnownError, 2, 2>({trip_.known[i].p_map, root_information(covariance)},
+    for (std::size_t i = 0; i < run_.known.size(); ++i) {
+      const Mat2 covariance = run_.known[i].covariance + square(kLeastKnownSigma_m) * Mat2::Identity();
+      add<KnownError, 2, 2>({run_.known[i].p_map, root_information(covariance)},
                             new ceres::CauchyLoss(kCauchy), landmarks_[i].p_map.data());
       information_[i] = covariance.inverse();
     }
   }
 
   void add_sightings() {
-    for (const LandmarkObservation& seen : trip_.observations) {
-      const LandmarkSighting& sighting = trip_.cycles[seen.cycle].sightings[seen.sighting];
+    for (const LandmarkObservation& seen : run_.observations) {
+      const LandmarkSighting& sighting = run_.cycles[seen.cycle].sightings[seen.sighting];
       add<SightingError, 2, 3, 1, 2>(
           {T_key_cycle_[seen.cycle], sighting, root_information(sighting.own_covariance())},
           new ceres::CauchyLoss(kCauchy), key_of(seen.cycle), &tilts_[seen.cycle],
@@ -165,7 +165,7 @@ class Adjustment {
   }
 
   void add_walls() {
-    for (const WallObservation& seen : trip_.walls) {
+    for (const WallObservation& seen : run_.walls) {
       add<WallError, 1, 3, 1>({T_key_cycle_[seen.cycle].theta, seen.against_walls},
                               new ceres::CauchyLoss(kCauchy), key_of(seen.cycle),
                               &walls_rad_[static_cast<std::size_t>(seen.walls)]);
@@ -200,13 +200,13 @@ class Adjustment {
 
   double* key_of(std::size_t cycle) { return keys_[keyframes_.of_cycle[cycle]].data(); }
 
-  const TripEvidence& trip_;
+  const RunEvidence& run_;
   std::vector<Pose2>& T_map_vehicle_;
   std::vector<Landmark>& landmarks_;
   Keyframes keyframes_;
   std::vector<std::array<double, 3>> keys_;  ///< the keyframes' poses
   std::vector<Pose2> T_key_cycle_;           ///< of each cycle against its keyframe
-  std::vector<double> tilts_;                ///< of each cycle's picture, in standard deviations
+  std::vector<double> tilts_;                ///< of each cycle's image, in standard deviations
   std::vector<double> walls_rad_;
   std::array<double, 3> steady_{};  ///< errors of the odometry, in standard deviations
   std::vector<Mat2> information_;   ///< of each landmark
@@ -215,16 +215,16 @@ class Adjustment {
 
 }  // namespace
 
-std::vector<Mat2> adjust_landmarks(const TripEvidence& trip, const VehicleDescription& vehicle,
+std::vector<Mat2> adjust_landmarks(const RunEvidence& run, const VehicleDescription& vehicle,
                                    std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks) {
-  Adjustment adjustment(trip, T_map_vehicle, landmarks);
+  Adjustment adjustment(run, T_map_vehicle, landmarks);
   adjustment.add_odometry(vehicle);
   adjustment.add_loops();
   adjustment.add_known();
   adjustment.add_sightings();
   adjustment.add_walls();
   adjustment.solve();
-  return unexplained_spread(trip, T_map_vehicle, adjustment.tilts(), landmarks);
+  return unexplained_spread(run, T_map_vehicle, adjustment.tilts(), landmarks);
 }
 
 }  // namespace aisle

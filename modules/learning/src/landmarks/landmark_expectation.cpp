@@ -52,38 +52,38 @@ std::vector<int> sure_landmarks(const LandmarkMap& map, const Vec2& p_map_vehicl
 }  // namespace
 
 std::vector<ExpectedLandmark> expected_landmarks(const LandmarkMap& map, const UncertainPose2& T_map_believed,
-                                                 std::span<const LandmarkSighting> picture,
+                                                 std::span<const LandmarkSighting> image,
                                                  double landmark_sigma_m) {
   const Pose2& T_map_vehicle = T_map_believed.mean;
-  const LandmarkView view(picture);
+  const LandmarkView view(image);
   std::vector<ExpectedLandmark> expected;
   for (const int i : sure_landmarks(map, T_map_vehicle.position(), view.far_m())) {
     const Landmark& landmark = map[static_cast<std::size_t>(i)];
     if (!view.expects(landmark, T_map_vehicle)) continue;
     const BelievedSight sight = sight_of(landmark, T_map_believed, landmark_sigma_m);
     const auto shows_it = [&](const LandmarkSighting& seen) { return sight.is_shown_by(seen); };
-    expected.push_back({i, std::any_of(picture.begin(), picture.end(), shows_it)});
+    expected.push_back({i, std::any_of(image.begin(), image.end(), shows_it)});
   }
   return expected;
 }
 
 std::size_t known_sightings(const LandmarkMap& map, const UncertainPose2& T_map_believed,
-                            std::span<const LandmarkSighting> picture, double landmark_sigma_m) {
+                            std::span<const LandmarkSighting> image, double landmark_sigma_m) {
   std::vector<BelievedSight> sights;
   for (const int i :
-       sure_landmarks(map, T_map_believed.mean.position(), LandmarkView(picture).far_m() + kBeyond_m))
+       sure_landmarks(map, T_map_believed.mean.position(), LandmarkView(image).far_m() + kBeyond_m))
     sights.push_back(sight_of(map[static_cast<std::size_t>(i)], T_map_believed, landmark_sigma_m));
   const auto is_known = [&](const LandmarkSighting& seen) {
     return std::any_of(sights.begin(), sights.end(),
                        [&](const BelievedSight& sight) { return sight.is_shown_by(seen); });
   };
-  return static_cast<std::size_t>(std::count_if(picture.begin(), picture.end(), is_known));
+  return static_cast<std::size_t>(std::count_if(image.begin(), image.end(), is_known));
 }
 
-std::size_t landmarks_in_picture(const LandmarkMap& map, const Pose2& T_map_vehicle,
-                                 const FloorInPicture& floor) {
+std::size_t landmarks_in_image(const LandmarkMap& map, const Pose2& T_map_vehicle,
+                               const FloorInImage& floor) {
   const Pose2 T_vehicle_map = T_map_vehicle.inverse();
-  const std::vector<int> near = sure_landmarks(map, T_map_vehicle.position(), kFootFarthest_m);
+  const std::vector<int> near = sure_landmarks(map, T_map_vehicle.position(), kFloorPointFarthest_m);
   return static_cast<std::size_t>(std::count_if(near.begin(), near.end(), [&](int i) {
     const Landmark& landmark = map[static_cast<std::size_t>(i)];
     return floor.shows(T_vehicle_map * landmark.p_map) &&

@@ -28,7 +28,7 @@ void LandmarkLearningParams::describe(FieldList& fields) {
   fields.real("merge_m", merge_m, {0.01, 1}, "landmarks closer than this are one");
   fields.real("weight_min", weight_min, {0, 1}, "Ts: landmarks less sure than this share of the mean go");
   fields.count("sightings_min", sightings_min, {1, 100},
-               "landmarks seen in fewer pictures of the first trip go");
+               "landmarks seen in fewer images of the first run go");
   fields.flag("forget", forget, "landmarks that are no longer seen lose their weight");
   fields.flag("adjust", adjust, "move all poses and landmarks together until they agree best");
 }

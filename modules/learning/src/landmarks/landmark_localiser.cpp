@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSureWeight = 0.5;              // landmarks of this weight are there
 constexpr int kContradictingMin = 2;             // so many of them out of sight contradict the map
-constexpr double kStanding_m = 0.01;             // pictures from so near each other have the same errors ...
+constexpr double kStanding_m = 0.01;             // images from so near each other have the same errors ...
 constexpr double kStanding_rad = 0.2 * kDegree;  // ... unless the vehicle has turned so far
 constexpr double kByChanceMax = 3 * LandmarkLocaliser::kPairEvidence;  // three pairs, however near
 constexpr double kFarSurer = 0.5;  // deviations against the heading's, of walls that tell it before landmarks
@@ -38,7 +38,7 @@ void LandmarkLocaliserParams::describe(FieldList& fields) {
               "a few pairs that are farther off what the odometry foretold, root mean square, are by chance");
   fields.real("landmark_sigma_m", landmark_sigma_m, {0, 1}, "least error of a landmark's place");
   fields.real("repeat_inflation", repeat_inflation, {1, 100},
-              "pictures in a row are not independent: their variances count so many times");
+              "images in a row are not independent: their variances count so many times");
   fields.real("matched_share_min", matched_share_min, {0, 1},
               "with less of the sightings matched there is no match");
   fields.count("pairs_min", pairs_min, {1, 20}, "fewer sightings than this make no match");
@@ -153,8 +153,8 @@ bool LandmarkLocaliser::is_believable(const Pose2& T_map_guess) const {
              square(params_.together_sigmas) * static_cast<double>(points_.size());
 }
 
-/// The variances of the n-th picture from one place count n^2 times: all of them together tell less than two
-/// pictures from two places.
+/// The variances of the n-th image from one place count n^2 times: all of them together tell less than two
+/// images from two places.
 void LandmarkLocaliser::take_in(const Pose2& T_map_guess) {
   if (taken_in_here_ == 0) since_here_m_ = since_here_rad_ = 0;
   ++taken_in_here_;

@@ -10,27 +10,27 @@
 namespace aisle {
 namespace {
 
-constexpr double kStep_m = 1;          // of way, from one stretch that is tried to the next
-constexpr double kStretch_m = 3;       // of way before and after its middle, whose landmarks are a stretch
-constexpr double kOwnPass_m = 12;      // landmarks seen within this way are the stretch's own
+constexpr double kStep_m = 1;          // of path, from one segment that is tried to the next
+constexpr double kPathSegment_m = 3;   // of path before and after its middle, whose landmarks are a segment
+constexpr double kOwnPass_m = 12;      // landmarks seen within this path are the segment's own
 constexpr double kReachMin_m = 0.3;    // displacements that are tried ...
-constexpr double kReachPer_m = 0.015;  // ... and more with each metre of way in between
+constexpr double kReachPer_m = 0.015;  // ... and more with each metre of path in between
 constexpr double kReachMax_m = 1.5;
 constexpr double kLoopTurnMin_rad = 2 * kDegree;
 constexpr double kLoopTurnPer_m = 0.08 * kDegree;
 constexpr double kLoopTurnMax_rad = 10 * kDegree;
 constexpr double kPair_m = 0.15;  // landmarks as near as this are one
 constexpr std::size_t kPairsMin = 6;
-constexpr double kPairedShareMin = 0.5;  // of the stretch's landmarks where the earlier pass saw some
+constexpr double kPairedShareMin = 0.5;  // of the segment's landmarks where the earlier pass saw some
 constexpr double kRivalShareMax = 0.75;
-constexpr double kLoopAgreed_m = 0.15;  // what two stretches in a row say of the same loop
+constexpr double kLoopAgreed_m = 0.15;  // what two segments in a row say of the same loop
 constexpr double kLoopAgreed_rad = 1.5 * kDegree;
 
-/// Some of a trip's landmarks.
+/// Some of a run's landmarks.
 using Selection = std::vector<std::size_t>;
 
 struct Fit {
-  Pose2 displacement;  ///< carries the stretch's landmarks onto the earlier
+  Pose2 displacement;  ///< carries the segment's landmarks onto the earlier
                        ///< ones, in `map`
   std::vector<PointPair> pairs;
   double paired_share = 0;
@@ -38,13 +38,13 @@ struct Fit {
 
 class LoopFinder {
  public:
-  LoopFinder(std::span<const TripLandmark> landmarks, std::span<const Pose2> T_map_vehicle,
+  LoopFinder(std::span<const RunLandmark> landmarks, std::span<const Pose2> T_map_vehicle,
              const LandmarkLocaliserParams& params)
       : landmarks_(landmarks), T_map_vehicle_(T_map_vehicle), mwght_(params.mwght) {
     for (std::size_t i = 0; i < T_map_vehicle.size(); ++i) {
       const double step_m =
           i == 0 ? 0 : (T_map_vehicle[i].position() - T_map_vehicle[i - 1].position()).norm();
-      way_m_.push_back(i == 0 ? 0 : way_m_.back() + step_m);
+      travelled_m_.push_back(i == 0 ? 0 : travelled_m_.back() + step_m);
     }
   }
 
@@ -52,11 +52,11 @@ class LoopFinder {
     std::vector<LandmarkLoop> loops;
     std::vector<LandmarkLoop> before, now;
     double next_m = 0;
-    for (std::size_t cycle = 0; cycle < way_m_.size(); ++cycle) {
-      if (way_m_[cycle] < next_m) continue;
-      next_m = way_m_[cycle] + kStep_m;
+    for (std::size_t cycle = 0; cycle < travelled_m_.size(); ++cycle) {
+      if (travelled_m_[cycle] < next_m) continue;
+      next_m = travelled_m_[cycle] + kStep_m;
       now.clear();
-      try_stretch(cycle, now);
+      try_path_segment(cycle, now);
       for (const LandmarkLoop& loop : now) {
         if (std::any_of(before.begin(), before.end(),
                         [&](const LandmarkLoop& other) { return agree(loop, other); }))
@@ -68,8 +68,8 @@ class LoopFinder {
   }
 
  private:
-  void try_stretch(std::size_t cycle, std::vector<LandmarkLoop>& loops) {
-    const Selection fresh = stretch(cycle);
+  void try_path_segment(std::size_t cycle, std::vector<LandmarkLoop>& loops) {
+    const Selection fresh = path_segment(cycle);
     if (fresh.size() < kPairsMin) return;
     for (const Selection& pass : earlier_passes(cycle, fresh)) {
       if (pass.size() < kPairsMin) continue;
@@ -77,11 +77,11 @@ class LoopFinder {
     }
   }
 
-  Selection stretch(std::size_t cycle) const {
+  Selection path_segment(std::size_t cycle) const {
     Selection chosen;
     for (std::size_t i = 0; i < landmarks_.size(); ++i) {
-      if (way_m_[landmarks_[i].last_cycle] > way_m_[cycle] - kStretch_m &&
-          way_m_[landmarks_[i].first_cycle] < way_m_[cycle] + kStretch_m)
+      if (travelled_m_[landmarks_[i].last_cycle] > travelled_m_[cycle] - kPathSegment_m &&
+          travelled_m_[landmarks_[i].first_cycle] < travelled_m_[cycle] + kPathSegment_m)
         chosen.push_back(i);
     }
     return chosen;
@@ -91,7 +91,7 @@ class LoopFinder {
     return std::min(kReachMin_m + kReachPer_m * between_m, kReachMax_m);
   }
 
-  /// Landmarks near the stretch's that were seen well before, those of each
+  /// Landmarks near the segment's that were seen well before, those of each
   /// pass by themselves.
   std::vector<Selection> earlier_passes(std::size_t cycle, const Selection& fresh) const {
     Vec2 low = landmarks_[fresh.front()].landmark.p_map, high = low;
@@ -101,7 +101,7 @@ class LoopFinder {
     }
     Selection old;
     for (std::size_t i = 0; i < landmarks_.size(); ++i) {
-      const double between_m = way_m_[cycle] - way_m_[landmarks_[i].last_cycle];
+      const double between_m = travelled_m_[cycle] - travelled_m_[landmarks_[i].last_cycle];
       const Vec2 margin = Vec2::Constant(reach_m(between_m)), p = landmarks_[i].landmark.p_map;
       if (between_m >= kOwnPass_m && (p - low + margin).minCoeff() >= 0 &&
           (high + margin - p).minCoeff() >= 0)
@@ -110,15 +110,16 @@ class LoopFinder {
     std::sort(old.begin(), old.end(), [&](std::size_t a, std::size_t b) { return seen_m(a) < seen_m(b); });
     std::vector<Selection> passes;
     for (const std::size_t i : old) {
-      if (passes.empty() || seen_m(i) - seen_m(passes.back().back()) > kStretch_m) passes.emplace_back();
+      if (passes.empty() || seen_m(i) - seen_m(passes.back().back()) > kPathSegment_m) passes.emplace_back();
       passes.back().push_back(i);
     }
     return passes;
   }
 
-  /// The way at which a landmark was seen, in the middle.
+  /// The path at which a landmark was seen, in the middle.
   double seen_m(std::size_t landmark) const {
-    return (way_m_[landmarks_[landmark].first_cycle] + way_m_[landmarks_[landmark].last_cycle]) / 2;
+    return (travelled_m_[landmarks_[landmark].first_cycle] + travelled_m_[landmarks_[landmark].last_cycle]) /
+           2;
   }
 
   std::optional<Fit> fit_onto(std::size_t cycle, const Selection& fresh, const Selection& pass) {
@@ -129,7 +130,7 @@ class LoopFinder {
         points.push_back({T_map_here.inverse() * landmarks_[i].landmark.p_map, 1});
       return points;
     };
-    const double between_m = way_m_[cycle] - seen_m(pass.back());
+    const double between_m = travelled_m_[cycle] - seen_m(pass.back());
     const double half_m = reach_m(between_m);
     const auto match = mwght_.match(
         seen_from_here(pass), seen_from_here(fresh),
@@ -185,12 +186,12 @@ class LoopFinder {
   }
 
   LandmarkLoop loop_of(std::size_t cycle, const Selection& pass, const Fit& fit) const {
-    const TripLandmark& middle = landmarks_[pass[pass.size() / 2]];
+    const RunLandmark& middle = landmarks_[pass[pass.size() / 2]];
     const std::size_t earlier = (middle.first_cycle + middle.last_cycle) / 2;
     return {earlier, cycle, between(T_map_vehicle_[earlier], fit.displacement * T_map_vehicle_[cycle])};
   }
 
-  /// Whether two loops move the trip in the same way.
+  /// Whether two loops move the run in the same way.
   bool agree(const LandmarkLoop& a, const LandmarkLoop& b) const {
     const auto correction = [&](const LandmarkLoop& loop) {
       return T_map_vehicle_[loop.earlier_cycle] * loop.T_earlier_later *
@@ -206,15 +207,15 @@ class LoopFinder {
 
   static double count(const Fit& fit) { return static_cast<double>(fit.pairs.size()); }
 
-  std::span<const TripLandmark> landmarks_;
+  std::span<const RunLandmark> landmarks_;
   std::span<const Pose2> T_map_vehicle_;
   Mwght mwght_;
-  std::vector<double> way_m_;  ///< to each cycle
+  std::vector<double> travelled_m_;  ///< to each cycle
 };
 
 }  // namespace
 
-std::vector<LandmarkLoop> find_landmark_loops(std::span<const TripLandmark> landmarks,
+std::vector<LandmarkLoop> find_landmark_loops(std::span<const RunLandmark> landmarks,
                                               std::span<const Pose2> T_map_vehicle,
                                               const LandmarkLocaliserParams& params) {
   return LoopFinder(landmarks, T_map_vehicle, params).find();

@@ -3,7 +3,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kNearSigma_m = 0.02;  // poses of the trip while sightings are paired with its landmarks
+constexpr double kNearSigma_m = 0.02;  // poses of the run while sightings are paired with its landmarks
 constexpr double kNearSigma_rad = 0.005;
 
 }  // namespace
@@ -12,7 +12,7 @@ std::vector<LandmarkObservation> observe_landmarks(std::span<const LandmarkCycle
                                                    const VehicleDescription& vehicle,
                                                    const LandmarkLocaliserParams& params,
                                                    std::span<const Pose2> T_map_vehicle,
-                                                   std::span<const TripLandmark> landmarks) {
+                                                   std::span<const RunLandmark> landmarks) {
   LandmarkLocaliser localiser(params, vehicle, {});
   PresentLandmarks present(landmarks);
   std::vector<LandmarkObservation> all;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aisle/learning/landmarks/landmark_learning.hpp"
-#include "landmarks/trip_landmarks.hpp"
+#include "landmarks/run_landmarks.hpp"
 
 namespace aisle {
 
@@ -16,11 +16,11 @@ struct LandmarkObservation {
   std::size_t landmark = 0;
 };
 
-/// Which sighting of a trip shows which landmark, where its poses are known to a few centimetres.
+/// Which sighting of a run shows which landmark, where its poses are known to a few centimetres.
 std::vector<LandmarkObservation> observe_landmarks(std::span<const LandmarkCycle> cycles,
                                                    const VehicleDescription& vehicle,
                                                    const LandmarkLocaliserParams& params,
                                                    std::span<const Pose2> T_map_vehicle,
-                                                   std::span<const TripLandmark> landmarks);
+                                                   std::span<const RunLandmark> landmarks);
 
 }  // namespace aisle

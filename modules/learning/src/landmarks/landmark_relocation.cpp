@@ -11,8 +11,8 @@ namespace aisle {
 namespace {
 
 constexpr std::size_t kPromisingMax = 64;  // places whose pairs are looked at
-constexpr std::size_t kJudgedPerPicture = 4;
-constexpr std::size_t kBestMax = 4;    // that are compared picture after picture
+constexpr std::size_t kJudgedPerImage = 4;
+constexpr std::size_t kBestMax = 4;    // that are compared image after image
 constexpr double kRoughSigma_m = 0.1;  // of a displacement, before its pairs settle it
 constexpr double kRoughSigma_rad = 2 * kDegree;
 constexpr double kSettledSigma_m = 0.05;  // ... and after
@@ -22,7 +22,7 @@ constexpr double kMostlyKnown = 0.7;  // of what is seen; a place where less is 
 constexpr double kMoreDistinct = 3;   // ... must be so much more distinct
 constexpr double kSamePlace_m = 0.3;
 constexpr double kSamePlace_rad = 5 * kDegree;
-constexpr double kSamePairs_m = 0.5;  // likewise, by the same pairs of sightings and landmarks
+constexpr double kSamePairs_m = 0.5;  // the same, by the same pairs of sightings and landmarks
 constexpr double kSamePairs_rad = 12 * kDegree;
 
 bool are_near(const Pose2& a, const Pose2& b, double near_m, double near_rad) {
@@ -32,7 +32,7 @@ bool are_near(const Pose2& a, const Pose2& b, double near_m, double near_rad) {
 
 }  // namespace
 
-/// Pairs that leave some direction open, as lines of one wall do, fit from here to a little aside.
+/// Pairs that leave some direction open, as lines of one wall do, fit from here to a little to the side.
 bool LandmarkRelocator::is_same_place(const Candidate& a, const Candidate& b) {
   const bool by_same_pairs = !a.pairs.empty() && a.pairs == b.pairs;
   return by_same_pairs ? are_near(a.T_map_vehicle, b.T_map_vehicle, kSamePairs_m, kSamePairs_rad)
@@ -43,7 +43,7 @@ void LandmarkRelocationParams::describe(FieldList& fields) {
   fields.real("apart_m", apart_m, {0.1, 5}, "between places that are tried");
   fields.real("window_m", window_m, {0.1, 3}, "displacements up to this are tried around each");
   fields.angle("window_deg", window_rad, {1, 90}, "turns up to this are tried around each");
-  fields.count("places_per_picture", places_per_picture, {1, 10000}, "so many places are tried in a cycle");
+  fields.count("places_per_image", places_per_image, {1, 10000}, "so many places are tried in a cycle");
   fields.real("distinct_evidence", distinct_evidence, {0, 1000},
               "a place must be more likely than any other by this (logarithm of the ratio), by three times "
               "this where less than 0.7 of what is seen is known");
@@ -53,7 +53,7 @@ void LandmarkRelocationParams::describe(FieldList& fields) {
               "by which a sighting of nothing that is known there makes a place less likely");
   fields.real("matched_share_min", matched_share_min, {0, 1}, "so much of what is seen must be known there");
   fields.count("pairs_min", pairs_min, {1, 100}, "so many sightings must be known there");
-  fields.count("agreeing_pictures", agreeing_pictures, {1, 100}, "so many in a row must say the same");
+  fields.count("agreeing_images", agreeing_images, {1, 100}, "so many in a row must say the same");
 }
 
 LandmarkRelocator::LandmarkRelocator(const LandmarkRelocationParams& params,
@@ -73,8 +73,8 @@ void LandmarkRelocator::start() {
   begin_round();
 }
 
-/// What was best so far is judged anew among what is promising now: places are tried along the ways only, and
-/// the vehicle may have turned aside from them since.
+/// What was best so far is judged again among what is promising now: places are tried along the paths only,
+/// and the vehicle may have turned to the side from them since.
 void LandmarkRelocator::begin_round() {
   tried_ = 0;
   judged_ = 0;
@@ -93,8 +93,8 @@ void LandmarkRelocator::predict(const OdometryReading& reading) {
 }
 
 std::optional<Pose2> LandmarkRelocator::look(const LandmarkMap& map,
-                                             std::span<const LandmarkSighting> picture) {
-  surroundings_.add(picture);
+                                             std::span<const LandmarkSighting> image) {
+  surroundings_.add(image);
   const std::vector<LandmarkSighting>& seen = surroundings_.seen();
   if (seen.size() < static_cast<std::size_t>(params_.pairs_min)) {
     ++rounds_;
@@ -106,17 +106,17 @@ std::optional<Pose2> LandmarkRelocator::look(const LandmarkMap& map,
     begin_round();
     return std::nullopt;
   }
-  if (++agreed_ >= params_.agreeing_pictures) return candidates_.front().T_map_vehicle;
+  if (++agreed_ >= params_.agreeing_images) return candidates_.front().T_map_vehicle;
   for (Candidate& candidate : candidates_) judge(candidate, map, seen);
   keep_best();
   return std::nullopt;
 }
 
-/// @return whether all were tried with the pictures before this one
+/// @return whether all were tried with the images before this one
 bool LandmarkRelocator::try_places(const LandmarkMap& map, std::span<const LandmarkSighting> seen) {
   if (tried_ == T_map_tried_.size()) return true;
   const std::size_t end =
-      std::min(tried_ + static_cast<std::size_t>(params_.places_per_picture), T_map_tried_.size());
+      std::min(tried_ + static_cast<std::size_t>(params_.places_per_image), T_map_tried_.size());
   while (tried_ < end) try_place(map, T_map_tried_[tried_++], seen);
   if (tried_ == T_map_tried_.size()) keep_promising();
   return false;
@@ -130,10 +130,10 @@ void LandmarkRelocator::keep_promising() {
   former_.clear();
 }
 
-/// @return whether all were judged with the pictures before this one
+/// @return whether all were judged with the images before this one
 bool LandmarkRelocator::judge_candidates(const LandmarkMap& map, std::span<const LandmarkSighting> seen) {
   if (judged_ == candidates_.size()) return true;
-  const std::size_t end = std::min(judged_ + kJudgedPerPicture, candidates_.size());
+  const std::size_t end = std::min(judged_ + kJudgedPerImage, candidates_.size());
   while (judged_ < end) judge(candidates_[judged_++], map, seen);
   if (judged_ == candidates_.size()) keep_best();
   return false;
@@ -170,7 +170,7 @@ int LandmarkRelocator::missed_landmarks(const LandmarkMap& map, const Candidate&
     const UncertainPose2 there =
         about(T_map_begin * look.T_begin_vehicle, kSettledSigma_m, kSettledSigma_rad);
     for (const ExpectedLandmark& landmark :
-         expected_landmarks(map, there, look.picture, matching_.landmark_sigma_m)) {
+         expected_landmarks(map, there, look.image, matching_.landmark_sigma_m)) {
       Tally& tally = expected[landmark.landmark];
       ++tally.looks;
       tally.is_seen = tally.is_seen || landmark.is_seen;

@@ -1,5 +1,5 @@
 #pragma once
-/// What the adjustment of a trip weighs against each other: each term in standard deviations.
+/// What the adjustment of a run weighs against each other: each term in standard deviations.
 
 #include <algorithm>
 #include <array>
@@ -77,9 +77,9 @@ struct LoopError {
   }
 };
 
-/// A landmark as seen from a keyframe whose picture's tilt is off by so many standard deviations.
+/// A landmark as seen from a keyframe whose image's tilt is off by so many standard deviations.
 struct SightingError {
-  Pose2 T_key_vehicle;  ///< where the picture was taken, seen from its keyframe
+  Pose2 T_key_vehicle;  ///< where the image was taken, seen from its keyframe
   LandmarkSighting sighting;
   Mat2 root_information;
 
@@ -98,7 +98,7 @@ struct SightingError {
   }
 };
 
-/// A landmark against its place as earlier trips know it.
+/// A landmark against its place as earlier runs know it.
 struct KnownError {
   Vec2 p_map;
   Mat2 root_information;

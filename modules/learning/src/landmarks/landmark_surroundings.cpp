@@ -21,16 +21,16 @@ void LandmarkSurroundings::start() {
   localiser_.place(about({}, kBeginSigma, kBeginSigma));
 }
 
-void LandmarkSurroundings::add(std::span<const LandmarkSighting> picture) {
-  if (localiser_.correct(learner_.map(), picture) != LandmarkMatch::kAmbiguous)
-    learner_.merge(picture, localiser_.pose());
-  keep_look(picture);
+void LandmarkSurroundings::add(std::span<const LandmarkSighting> image) {
+  if (localiser_.correct(learner_.map(), image) != LandmarkMatch::kAmbiguous)
+    learner_.merge(image, localiser_.pose());
+  keep_look(image);
 }
 
-void LandmarkSurroundings::keep_look(std::span<const LandmarkSighting> picture) {
+void LandmarkSurroundings::keep_look(std::span<const LandmarkSighting> image) {
   const Vec2 p_begin = T_begin_vehicle().position();
   if (!looks_.empty() && (looks_.back().T_begin_vehicle.position() - p_begin).norm() < kLookApart_m) return;
-  looks_.push_back({T_begin_vehicle(), {picture.begin(), picture.end()}});
+  looks_.push_back({T_begin_vehicle(), {image.begin(), image.end()}});
   if (looks_.size() > kLooksMax) looks_.pop_front();
 }
 

@@ -12,10 +12,10 @@ namespace aisle {
 bool is_known_from_behind(const Landmark& landmark, const Vec2& p_map_vehicle);
 
 /// Whether a landmark was seen from about this side and distance before: from nearer, a line may lie above
-/// the picture, or be as bright on both its sides.
+/// the image, or be as bright on both its sides.
 bool was_seen_from_about(const Landmark& landmark, const Vec2& p_map_vehicle);
 
-/// The part of the surroundings in which landmarks were seen in a picture: where one was seen, another that
+/// The part of the surroundings in which landmarks were seen in an image: where one was seen, another that
 /// is nearer and between the outermost ones could have been seen, too.
 class LandmarkView {
  public:

@@ -12,7 +12,7 @@ namespace {
 struct EdgeCell {
   Vec2 sum = Vec2::Zero();
   int points = 0;
-  int pictures = 0;
+  int images = 0;
   double last_along_m = -1;
   double seen_from_m = 0;  ///< the least distance
 
@@ -46,13 +46,13 @@ std::vector<RouteEdge> lasting_edges(std::span<const RoomCycle> cycles,
       cell.seen_from_m = cell.points == 0 ? off_m : std::min(cell.seen_from_m, off_m);
       ++cell.points;
       // A vehicle that stands still sees nothing new.
-      if (along_m > cell.last_along_m) ++cell.pictures;
+      if (along_m > cell.last_along_m) ++cell.images;
       cell.last_along_m = along_m;
     }
   }
   std::vector<EdgeCell> lasting;
   for (const auto& [place, cell] : cells)
-    if (cell.pictures >= params.edge_sightings) lasting.push_back(cell);
+    if (cell.images >= params.edge_sightings) lasting.push_back(cell);
   std::vector<RouteEdge> edges;
   for (const EdgeCell& cell : lasting)
     if (!is_superseded(cell, lasting)) edges.push_back({cell.last_along_m, cell.middle()});

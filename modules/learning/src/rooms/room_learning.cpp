@@ -19,10 +19,10 @@ void RoomLearningParams::describe(FieldList& fields) {
   fields.group("frame", frame);
   fields.real("frame_from_m", frame_from_m, {0, 20}, "the parking frame is measured so far from the end");
   fields.real("frame_to_m", frame_to_m, {0, 20}, "up to so far");
-  fields.real("views_m", views_m, {0, 20}, "views are learned on so much way before a taught place");
+  fields.real("views_m", views_m, {0, 20}, "views are learned on so much distance before a taught place");
   fields.real("edge_apart_m", edge_apart_m, {0.01, 1}, "nearer edges of the route are one");
   fields.real("edge_within_m", edge_within_m, {0.5, 20}, "farther ones are not learned");
-  fields.count("edge_sightings", edge_sightings, {1, 1000}, "pictures that must show an edge");
+  fields.count("edge_sightings", edge_sightings, {1, 1000}, "images that must show an edge");
 }
 
 namespace {
@@ -54,7 +54,7 @@ class MarkReader {
         } else if (const auto parking = parking_of(mark.label)) {
           room_.parking = *parking;
         } else {
-          wrong(fmt::format("'{}' is no way to park; there are {}", mark.label,
+          wrong(fmt::format("'{}' is no path to park; there are {}", mark.label,
                             fmt::join(kParkingWords, ", ")));
         }
         return;
@@ -84,13 +84,13 @@ class MarkReader {
   Problems problems_;
 };
 
-/// The frame's size as the pictures from a good distance show it.
+/// The frame's size as the images from a good distance show it.
 std::optional<Vec2> frame_size(std::span<const RoomCycle> cycles, std::span<const Pose2> T_route_vehicle,
                                const RoomLearningParams& params) {
-  constexpr std::size_t kPicturesMin = 2, kPicturesMax = 9;
+  constexpr std::size_t kImagesMin = 2, kImagesMax = 9;
   const Pose2& T_route_end = T_route_vehicle.back();
   std::vector<double> along_m, across_m;
-  for (std::size_t i = 0; i < cycles.size() && along_m.size() < kPicturesMax; ++i) {
+  for (std::size_t i = 0; i < cycles.size() && along_m.size() < kImagesMax; ++i) {
     const Pose2 T_vehicle_end = between(T_route_vehicle[i], T_route_end);
     const double left_m = T_vehicle_end.position().norm();
     if (left_m < params.frame_from_m || left_m > params.frame_to_m || cycles[i].p_vehicle_painted.empty())
@@ -100,7 +100,7 @@ std::optional<Vec2> frame_size(std::span<const RoomCycle> cycles, std::span<cons
     along_m.push_back(fit->size_m.x());
     across_m.push_back(fit->size_m.y());
   }
-  if (along_m.size() < kPicturesMin) return std::nullopt;
+  if (along_m.size() < kImagesMin) return std::nullopt;
   return Vec2(median(std::move(along_m)), median(std::move(across_m)));
 }
 
@@ -114,14 +114,14 @@ std::vector<StopView> views_before_end(std::span<const RoomCycle> cycles,
   return views;
 }
 
-bool ends_way(const RoomCycle& cycle) {
+bool ends_path(const RoomCycle& cycle) {
   return std::any_of(cycle.marks.begin(), cycle.marks.end(),
                      [](const Mark& mark) { return mark.kind == Mark::Kind::kStop; });
 }
 
 /// Up to where the person said that it ends.
-std::size_t cycles_of_way(std::span<const RoomCycle> cycles) {
-  const auto end = std::find_if(cycles.begin(), cycles.end(), ends_way);
+std::size_t cycles_of_path(std::span<const RoomCycle> cycles) {
+  const auto end = std::find_if(cycles.begin(), cycles.end(), ends_path);
   return static_cast<std::size_t>(end - cycles.begin()) + (end == cycles.end() ? 0 : 1);
 }
 
@@ -133,47 +133,48 @@ std::vector<Pose2> poses_by_odometry(std::span<const RoomCycle> cycles, const Ve
   return T_route_vehicle;
 }
 
-/// From the places of its pattern where those were driven, else from the way to it.
+/// From the places of its pattern where those were driven, else from the path to it.
 std::vector<StopView> views_of_place(std::span<const RoomCycle> cycles,
-                                     std::span<const Pose2> T_route_vehicle, std::size_t way,
+                                     std::span<const Pose2> T_route_vehicle, std::size_t path_cycles,
                                      const RoomLearningParams& params) {
-  auto views = pattern_views(cycles.subspan(way), T_route_vehicle.subspan(way), T_route_vehicle[way - 1]);
+  auto views = pattern_views(cycles.subspan(path_cycles), T_route_vehicle.subspan(path_cycles),
+                             T_route_vehicle[path_cycles - 1]);
   if (!views.empty()) return views;
-  return views_before_end(cycles.first(way), T_route_vehicle.first(way), params.views_m);
+  return views_before_end(cycles.first(path_cycles), T_route_vehicle.first(path_cycles), params.views_m);
 }
 
 }  // namespace
 
 Result<LearnedRoute> learn_room_route(std::span<const RoomCycle> cycles, const VehicleDescription& vehicle,
                                       const RoomLearningParams& params) {
-  constexpr double kWayMin_m = 0.3;
+  constexpr double kPathMin_m = 0.3;
   LearnedRoute learned{.route = {}, .T_route_vehicle = poses_by_odometry(cycles, vehicle)};
-  const std::size_t way = cycles_of_way(cycles);
-  const auto on_way = cycles.first(way);
-  const auto T_route_on_way = std::span<const Pose2>(learned.T_route_vehicle).first(way);
+  const std::size_t path_cycles = cycles_of_path(cycles);
+  const auto on_path = cycles.first(path_cycles);
+  const auto T_route_on_path = std::span<const Pose2>(learned.T_route_vehicle).first(path_cycles);
   RoomRoute room;
   MarkReader marks(room);
   double along_m = 0;
   std::optional<RouteBrightness> patch;
-  for (const RoomCycle& cycle : on_way) {
+  for (const RoomCycle& cycle : on_path) {
     along_m += odometry_step(vehicle, cycle.odometry).position().norm();
     if (!patch) patch = cycle.patch;
     for (const Mark& mark : cycle.marks) marks.read(mark, along_m);
   }
   Problems problems = marks.take();
-  if (!patch) problems.push_back({{}, "has no pictures of the camera top"});
-  if (along_m < kWayMin_m) problems.push_back({{}, "the vehicle stood still all the time"});
+  if (!patch) problems.push_back({{}, "has no images of the camera top"});
+  if (along_m < kPathMin_m) problems.push_back({{}, "the vehicle stood still all the time"});
   if (!problems.empty()) return problems;
   room.brightness = *patch;
   if (room.parking == ParkingStrategy::kFrame) {
-    const auto size_m = frame_size(on_way, T_route_on_way, params);
+    const auto size_m = frame_size(on_path, T_route_on_path, params);
     if (!size_m) return Problem{{}, "shows no parking frame before its end"};
     room.frame_size_m = *size_m;
   }
   if (room.parking == ParkingStrategy::kView)
-    room.views = views_of_place(cycles, learned.T_route_vehicle, way, params);
-  room.edges = lasting_edges(on_way, T_route_on_way, params);
-  learned.route.path = fit_path(T_route_on_way, params.path);
+    room.views = views_of_place(cycles, learned.T_route_vehicle, path_cycles, params);
+  room.edges = lasting_edges(on_path, T_route_on_path, params);
+  learned.route.path = fit_path(T_route_on_path, params.path);
   learned.route.room = std::move(room);
   return learned;
 }

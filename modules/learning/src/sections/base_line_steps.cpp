@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kSpan_m = 0.5;  // of the stretch, for which one distance stands
+constexpr double kSpan_m = 0.5;  // of the segment, for which one distance stands
 constexpr std::size_t kSpansMost = 200;
 constexpr std::size_t kPartMin = 6;  // spans between two steps
 constexpr double kStepMin_m = 0.08;  // smaller ones are none
@@ -23,9 +23,9 @@ constexpr double kNearest_m = 0.12, kFarthest_m = 3;
 /// The distances of the base line on one side, span by span; nullopt: none was seen.
 using SideProfile = std::vector<std::optional<double>>;
 
-class StretchProfile {
+class PathSegmentProfile {
  public:
-  explicit StretchProfile(double length_m)
+  explicit PathSegmentProfile(double length_m)
       : spans_(std::clamp<std::size_t>(static_cast<std::size_t>(length_m / kSpan_m), 1, kSpansMost)),
         span_m_(length_m / static_cast<double>(spans_)),
         seen_m_{Seen(spans_), Seen(spans_)} {}
@@ -33,9 +33,9 @@ class StretchProfile {
   std::size_t spans() const { return spans_; }
   double along_m(std::size_t span) const { return span_m_ * static_cast<double>(span); }
 
-  void add(const StretchView& view) {
-    find_walls_beside(view.edges, view.T_stretch_vehicle, beside_);
-    const double here_m = view.T_stretch_vehicle.x;
+  void add(const PathSegmentView& view) {
+    find_walls_beside(view.edges, view.T_path_segment_vehicle, beside_);
+    const double here_m = view.T_path_segment_vehicle.x;
     const auto first =
         static_cast<std::size_t>(std::clamp(here_m / span_m_, 0.0, static_cast<double>(spans_)));
     for (std::size_t span = first; span < spans_ && along_m(span) < here_m + kLookedAt_m; ++span) {
@@ -59,7 +59,7 @@ class StretchProfile {
   std::optional<double> nearest_m(std::size_t span, bool is_left) const {
     std::optional<double> nearest;
     for (const WallBeside& wall : beside_) {
-      const double distance_m = is_left ? wall.aside_m : -wall.aside_m;
+      const double distance_m = is_left ? wall.lateral_m : -wall.lateral_m;
       if (distance_m < kNearest_m || distance_m > kFarthest_m) continue;
       if (wall.from_m > along_m(span) || wall.to_m < along_m(span + 1)) continue;
       if (!nearest || distance_m < *nearest) nearest = distance_m;
@@ -90,7 +90,7 @@ double sum_off_m(const SideProfile& profile, std::size_t first, std::size_t end)
   return sum_m;
 }
 
-/// The best of all ways to part the spans: that of the least sum of what is off and of the steps' price.
+/// The best of all paths to part the spans: that of the least sum of what is off and of the steps' price.
 /// @return the first span of each part but the first
 std::vector<std::size_t> best_parting(const SideProfile& right, const SideProfile& left) {
   const std::size_t spans = right.size();
@@ -112,16 +112,16 @@ std::vector<std::size_t> best_parting(const SideProfile& right, const SideProfil
   return parts;
 }
 
-bool steps_aside(const SideProfile& profile, std::size_t first, std::size_t step, std::size_t end) {
+bool steps_lateral(const SideProfile& profile, std::size_t first, std::size_t step, std::size_t end) {
   const auto before_m = usual_m(profile, first, step), after_m = usual_m(profile, step, end);
   return before_m && after_m && std::abs(*after_m - *before_m) >= kStepMin_m;
 }
 
 }  // namespace
 
-std::vector<double> base_line_steps_m(double length_m, std::span<const StretchView> views) {
-  StretchProfile profile(length_m);
-  for (const StretchView& view : views) profile.add(view);
+std::vector<double> base_line_steps_m(double length_m, std::span<const PathSegmentView> views) {
+  PathSegmentProfile profile(length_m);
+  for (const PathSegmentView& view : views) profile.add(view);
   const SideProfile right = profile.side(false), left = profile.side(true);
   std::vector<std::size_t> bounds = best_parting(right, left);
   bounds.push_back(profile.spans());
@@ -129,7 +129,7 @@ std::vector<double> base_line_steps_m(double length_m, std::span<const StretchVi
   std::size_t first = 0;
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
     const std::size_t step = bounds[i], end = bounds[i + 1];
-    if (!steps_aside(right, first, step, end) && !steps_aside(left, first, step, end)) continue;
+    if (!steps_lateral(right, first, step, end) && !steps_lateral(left, first, step, end)) continue;
     steps_m.push_back(profile.along_m(step));
     first = step;
   }

@@ -8,15 +8,15 @@
 
 namespace aisle {
 
-/// What a vehicle sees on its way along a straight stretch, in one cycle.
-struct StretchView {
-  Pose2 T_stretch_vehicle;
+/// What a vehicle sees on its path along a straight segment, in one cycle.
+struct PathSegmentView {
+  Pose2 T_path_segment_vehicle;
   std::span<const SensedSegment> edges;  ///< in base_link
 };
 
-/// Where, along a straight stretch, a base line beside it steps aside for good, as the corridor gets wider or
-/// narrower there. Doors, recesses and furniture are too short for that. In ascending order; not near the
-/// ends.
-std::vector<double> base_line_steps_m(double length_m, std::span<const StretchView> views);
+/// Where, along a straight segment, a base line beside it steps to the side for good, as the corridor gets
+/// wider or narrower there. Doors, recesses and furniture are too short for that. In ascending order; not
+/// near the ends.
+std::vector<double> base_line_steps_m(double length_m, std::span<const PathSegmentView> views);
 
 }  // namespace aisle

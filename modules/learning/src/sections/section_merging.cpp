@@ -43,18 +43,18 @@ std::vector<std::size_t> most_alike(std::span<const DrivenList> drives) {
 
 /// The middle of what the drives tell; nullopt if none does.
 template <typename Tell>
-std::optional<double> middle_told(const std::vector<DrivenList>& drives, Tell&& tell) {
-  std::vector<double> told;
+std::optional<double> median_reported(const std::vector<DrivenList>& drives, Tell&& tell) {
+  std::vector<double> reported;
   for (const DrivenList& drive : drives) {
-    if (const std::optional<double> value = tell(drive)) told.push_back(*value);
+    if (const std::optional<double> value = tell(drive)) reported.push_back(*value);
   }
-  if (told.empty()) return std::nullopt;
-  return middle_of(std::move(told));
+  if (reported.empty()) return std::nullopt;
+  return middle_of(std::move(reported));
 }
 
 Section merged_section(const std::vector<DrivenList>& drives, std::size_t i) {
   const auto middle = [&](auto Section::*member) {
-    return middle_told(
+    return median_reported(
         drives, [&](const DrivenList& drive) -> std::optional<double> { return drive.sections[i].*member; });
   };
   Section section = drives.front().sections[i];
@@ -80,7 +80,7 @@ MergedDrives merge_drives(std::span<const DrivenList> drives) {
                            return a.unseen.length_m < b.unseen.length_m;
                          })->unseen;
   merged.driven.corridor_width_m =
-      middle_told(alike, [](const DrivenList& drive) { return drive.corridor_width_m; });
+      median_reported(alike, [](const DrivenList& drive) { return drive.corridor_width_m; });
   return merged;
 }
 

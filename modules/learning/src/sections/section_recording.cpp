@@ -10,7 +10,7 @@
 #include "aisle/learning/sections/walls_beside.hpp"
 #include "aisle/learning/walls/wall_heading.hpp"
 #include "sections/base_line_steps.hpp"
-#include "sections/way_settling.hpp"
+#include "sections/path_settling.hpp"
 
 namespace aisle {
 
@@ -19,7 +19,7 @@ void SectionLearningParams::describe(FieldList& fields) {
                "t_a: two left turns that sum to a quarter turn so nearly are a corner");
   fields.angle("crossing_deg", crossing_rad, {0.1, 45}, "t_b: a turn that is so nearly a quarter turn");
   fields.real("crossing_m", crossing_m, {0.01, 2},
-              "t_c: by which a way across may miss the corridor's width");
+              "t_c: by which a path across may miss the corridor's width");
   fields.real("corner_max_m", corner_max_m, {0.1, 10}, "farther apart two left turns are two corners");
   fields.angle("turn_min_deg", turn_min_rad, {1, 45}, "less is wander");
   fields.real("unseen_max_m", unseen_max_m, {0.5, 1000},
@@ -31,13 +31,13 @@ namespace {
 
 constexpr double kStartSigma_rad = 5 * kDegree;  // against the wall beside which a drive begins
 constexpr double kKnownEdge_rad = 3 * kDegree;   // of an edge's direction
-constexpr double kParallel_rad = 6 * kDegree;    // a stretch that is nearly so was meant to be
+constexpr double kParallel_rad = 6 * kDegree;    // a segment that is nearly so was meant to be
 constexpr double kOnAxis_rad = 1e-6;             // of what was laid there
-constexpr double kWayPoints_m = 0.05;
+constexpr double kPathPoints_m = 0.05;
 constexpr double kTurnsOnTheSpot_rad = 8 * kDegree;  // more than a correction of the heading while it stands
 constexpr double kTurnRadiusMax_m = 2.5;             // what bends less is drift of the odometry, or wander
 constexpr double kStraightMin_m = 0.1;               // shorter lines between turns belong to them
-constexpr double kRoundMin_rad = 2.3;  // a greater turn to either side goes round: two turns, a way between
+constexpr double kRoundMin_rad = 2.3;  // a greater turn to either side goes round: two turns, a path between
 constexpr double kMeetingMin = 0.2;    // sine of the angle at which lines still meet somewhere
 constexpr double kOnRun_m = 0.3, kOnRun_rad = 20 * kDegree;  // so near a line a vehicle drives along it
 constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
@@ -65,26 +65,26 @@ std::vector<double> followed_headings(std::span<const SectionCycle> cycles,
   return headings_rad;
 }
 
-std::vector<Pose2> way_points(const std::vector<Pose2>& poses) {
+std::vector<Pose2> waypoints(const std::vector<Pose2>& poses) {
   std::vector<Pose2> points;
   for (const Pose2& T : poses) {
-    if (points.empty() || (T.position() - points.back().position()).norm() >= kWayPoints_m ||
+    if (points.empty() || (T.position() - points.back().position()).norm() >= kPathPoints_m ||
         std::abs(wrap_angle(T.theta - points.back().theta)) > kTurnsOnTheSpot_rad)
       points.push_back(T);
   }
   return points;
 }
 
-/// A straight stretch of the way.
+/// A straight path segment.
 struct Run {
   Pose2 T_route_start;
   double length_m = 0;                      ///< backwards: negative
-  double along_from_m = 0, along_to_m = 0;  ///< of the whole way
+  double along_from_m = 0, along_to_m = 0;  ///< of the whole path
 
   Vec2 end() const { return T_route_start * Vec2(length_m, 0); }
 };
 
-/// The path's straight stretches; what bends less than a turn is one stretch, laid from its first to its last
+/// The path's straight segments; what bends less than a turn is one segment, laid from its first to its last
 /// point.
 std::vector<Run> straight_runs(const Path& path, double turn_min_rad) {
   std::vector<Run> runs;
@@ -105,14 +105,14 @@ std::vector<Run> straight_runs(const Path& path, double turn_min_rad) {
     const double sign = piece.arc.length_m < 0 ? -1 : 1;
     run.T_route_start.theta = heading_of(sign * chord);
     run.length_m = sign * chord.norm();
-    run.along_to_m = path.start_m(i) + piece.way_m();
+    run.along_to_m = path.start_m(i) + piece.path_m();
     is_open = true;
   }
   std::erase_if(runs, [](const Run& run) { return std::abs(run.length_m) < kStraightMin_m; });
   return runs;
 }
 
-/// Lays a stretch that runs nearly along the axes exactly so, through its middle: a hand wanders, walls do
+/// Lays a segment that runs nearly along the axes exactly so, through its middle: a hand wanders, walls do
 /// not.
 void lay_parallel(Run& run) {
   const double off_rad = wrap_quarter_turn(run.T_route_start.theta);
@@ -129,7 +129,7 @@ bool goes_anywhere(const std::vector<Pose2>& T_route_vehicle) {
 
 std::vector<Run> runs_of(const std::vector<Pose2>& T_route_vehicle, const SectionLearningParams& params) {
   std::vector<Run> runs =
-      straight_runs(fit_path(way_points(T_route_vehicle), params.path), params.turn_min_rad);
+      straight_runs(fit_path(waypoints(T_route_vehicle), params.path), params.turn_min_rad);
   for (Run& run : runs) lay_parallel(run);
   return runs;
 }
@@ -139,11 +139,11 @@ bool is_on(const Run& run, const Pose2& T_run_vehicle) {
          std::abs(T_run_vehicle.theta) < kOnRun_rad;
 }
 
-/// The parts of a stretch, beside each of which the base lines keep their distances.
+/// The parts of a segment, beside each of which the base lines keep their distances.
 std::vector<Run> parts_of(const Run& run, std::span<const SectionCycle> cycles,
                           const std::vector<Pose2>& T_route_vehicle) {
   if (run.length_m < 0) return {run};
-  std::vector<StretchView> views;
+  std::vector<PathSegmentView> views;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
     const Pose2 T_run_vehicle = between(run.T_route_start, T_route_vehicle[i]);
     if (is_on(run, T_run_vehicle)) views.push_back({T_run_vehicle, cycles[i].floor_edges});
@@ -160,9 +160,9 @@ std::vector<Run> parts_of(const Run& run, std::span<const SectionCycle> cycles,
 }
 
 /// Those of the runs that lie along the axes, and the cycles from first to last that are on each.
-std::vector<DrivenStretch> stretches_of(const std::vector<Run>& runs,
-                                        const std::vector<Pose2>& T_route_vehicle) {
-  std::vector<DrivenStretch> stretches;
+std::vector<DrivenPathSegment> path_segments_of(const std::vector<Run>& runs,
+                                                const std::vector<Pose2>& T_route_vehicle) {
+  std::vector<DrivenPathSegment> path_segments;
   std::size_t i = 0;
   for (const Run& run : runs) {
     if (run.length_m < 0 || std::abs(wrap_quarter_turn(run.T_route_start.theta)) > kOnAxis_rad) continue;
@@ -174,27 +174,27 @@ std::vector<DrivenStretch> stretches_of(const std::vector<Run>& runs,
     if (first == T_route_vehicle.size()) continue;
     for (i = first; i < T_route_vehicle.size() && is_on_run(i); ++i) {
     }
-    stretches.push_back({first, i, run.T_route_start.theta});
+    path_segments.push_back({first, i, run.T_route_start.theta});
   }
-  return stretches;
+  return path_segments;
 }
 
-/// The way that was driven, settled first by what directions were seen, then by the walls beside its straight
-/// stretches, too.
-std::vector<Pose2> way_of(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
-                          const SectionLearningParams& params) {
-  std::vector<Pose2> T_route_vehicle = settled_way(cycles, vehicle, followed_headings(cycles, vehicle), {});
+/// The path that was driven, settled first by what directions were seen, then by the walls beside its
+/// straight segments, too.
+std::vector<Pose2> path_of(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
+                           const SectionLearningParams& params) {
+  std::vector<Pose2> T_route_vehicle = settled_path(cycles, vehicle, followed_headings(cycles, vehicle), {});
   if (!goes_anywhere(T_route_vehicle)) return T_route_vehicle;
   std::vector<Run> parts;
   for (const Run& run : runs_of(T_route_vehicle, params)) {
     const std::vector<Run> of_run = parts_of(run, cycles, T_route_vehicle);
     parts.insert(parts.end(), of_run.begin(), of_run.end());
   }
-  const auto stretches = stretches_of(parts, T_route_vehicle);
+  const auto path_segments = path_segments_of(parts, T_route_vehicle);
   std::vector<double> headings_rad;
   headings_rad.reserve(T_route_vehicle.size());
   for (const Pose2& T : T_route_vehicle) headings_rad.push_back(T.theta);
-  return settled_way(cycles, vehicle, std::move(headings_rad), stretches);
+  return settled_path(cycles, vehicle, std::move(headings_rad), path_segments);
 }
 
 double rounded_turn_rad(double turn_rad, double quarter_rad) {
@@ -212,7 +212,7 @@ void append_turn(SectionList& list, double turn_rad) {
   if (turn_rad != 0) list.push_back({.kind = Section::Kind::kTurn, .turn_rad = turn_rad});
 }
 
-/// Leads two stretches to the corner where their lines meet.
+/// Leads two segments to the corner where their lines meet.
 void lead_to_corner(Run& before, Run& after, const Vec2& gap, double turn_rad) {
   if (std::abs(std::sin(turn_rad)) < kMeetingMin) {
     before.length_m += gap.x();
@@ -224,7 +224,7 @@ void lead_to_corner(Run& before, Run& after, const Vec2& gap, double turn_rad) {
   after.length_m += back_m;
 }
 
-/// What lies between two stretches: one turn at their corner, or two with a way between.
+/// What lies between two segments: one turn at their corner, or two with a path between.
 SectionList joint(Run& before, Run& after, const SectionLearningParams& params) {
   const double turn_rad = wrap_angle(after.T_route_start.theta - before.T_route_start.theta);
   const Vec2 gap = rotate(-before.T_route_start.theta, after.T_route_start.position() - before.end());
@@ -236,14 +236,14 @@ SectionList joint(Run& before, Run& after, const SectionLearningParams& params) 
     append_turn(list, round_turn(turn_rad));
     return list;
   }
-  const double way_rad = heading_of(gap);
-  append_turn(list, round_turn(way_rad));
+  const double path_rad = heading_of(gap);
+  append_turn(list, round_turn(path_rad));
   list.push_back(straight(gap.norm()));
-  append_turn(list, round_turn(wrap_angle(turn_rad - way_rad)));
+  append_turn(list, round_turn(wrap_angle(turn_rad - path_rad)));
   return list;
 }
 
-/// Distances of the base lines beside a stretch, one a cycle that shows them.
+/// Distances of the base lines beside a segment, one a cycle that shows them.
 struct DistancesBeside {
   struct Distance {
     std::size_t cycle = 0;
@@ -253,14 +253,14 @@ struct DistancesBeside {
   std::vector<double> ahead_m;
 };
 
-/// From a stretch's end to the nearest wall across it; nullopt: none is seen from near.
+/// From a segment's end to the nearest wall across it; nullopt: none is seen from near.
 std::optional<double> distance_ahead(const Run& run, const Pose2& T_run_vehicle,
                                      const std::vector<WallAcross>& across) {
   std::optional<double> nearest_m;
   for (const WallAcross& wall : across) {
     const double ahead_m = wall.along_m - run.length_m;
     const bool is_ahead = ahead_m > kBesideMin_m && wall.along_m - T_run_vehicle.x < kAcrossNear_m;
-    if (!is_ahead || wall.from_m > kWayWidth_m || wall.to_m < -kWayWidth_m) continue;
+    if (!is_ahead || wall.from_m > kPathWidth_m || wall.to_m < -kPathWidth_m) continue;
     if (!nearest_m || ahead_m < *nearest_m) nearest_m = ahead_m;
   }
   return nearest_m;
@@ -280,9 +280,9 @@ DistancesBeside distances_beside(const Run& run, std::span<const SectionCycle> c
     find_walls_beside(cycles[i].floor_edges, T_run_vehicle, beside);
     double right_m = kBesideMax_m, left_m = kBesideMax_m;
     for (const WallBeside& wall : beside) {
-      if (wall.from_m > run.length_m || std::abs(wall.aside_m) < kBesideMin_m) continue;
-      double& nearest_m = wall.aside_m < 0 ? right_m : left_m;
-      nearest_m = std::min(nearest_m, std::abs(wall.aside_m));
+      if (wall.from_m > run.length_m || std::abs(wall.lateral_m) < kBesideMin_m) continue;
+      double& nearest_m = wall.lateral_m < 0 ? right_m : left_m;
+      nearest_m = std::min(nearest_m, std::abs(wall.lateral_m));
     }
     if (right_m < kBesideMax_m) distances.right.push_back({i, right_m});
     if (left_m < kBesideMax_m) distances.left.push_back({i, left_m});
@@ -307,9 +307,10 @@ std::optional<double> usual(const std::vector<DistancesBeside::Distance>& seen, 
   return usual_m;
 }
 
-/// The longest way on which no base line was seen.
-UnseenStretch longest_unseen(const std::vector<bool>& is_seen, const std::vector<Pose2>& T_route_vehicle) {
-  UnseenStretch longest;
+/// The longest path on which no base line was seen.
+UnseenPathSegment longest_unseen(const std::vector<bool>& is_seen,
+                                 const std::vector<Pose2>& T_route_vehicle) {
+  UnseenPathSegment longest;
   double along_m = 0, seen_at_m = 0;
   for (std::size_t i = 0; i < is_seen.size(); ++i) {
     if (i > 0) along_m += (T_route_vehicle[i].position() - T_route_vehicle[i - 1].position()).norm();
@@ -334,11 +335,11 @@ void append_follow(SectionList& list, const Run& run, std::span<const SectionCyc
   }
 }
 
-/// Where the first stretch begins: on its line, unless that lies farther off than a hand wanders. Then the
-/// odometry has bent the way, and it begins where the vehicle stood.
+/// Where the first segment begins: on its line, unless that lies farther off than a hand wanders. Then the
+/// odometry has bent the path, and it begins where the vehicle stood.
 Pose2 beginning(const Run& first, const Pose2& T_route_vehicle) {
-  const double aside_m = between(first.T_route_start, T_route_vehicle).y;
-  return std::abs(aside_m) < kOnRun_m ? first.T_route_start : first.T_route_start * Pose2{0, aside_m, 0};
+  const double lateral_m = between(first.T_route_start, T_route_vehicle).y;
+  return std::abs(lateral_m) < kOnRun_m ? first.T_route_start : first.T_route_start * Pose2{0, lateral_m, 0};
 }
 
 }  // namespace
@@ -346,7 +347,7 @@ Pose2 beginning(const Run& first, const Pose2& T_route_vehicle) {
 DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
                         const SectionLearningParams& params) {
   DrivenList driven{
-      .sections = {}, .corridor_width_m = {}, .T_route_vehicle = way_of(cycles, vehicle, params)};
+      .sections = {}, .corridor_width_m = {}, .T_route_vehicle = path_of(cycles, vehicle, params)};
   if (!goes_anywhere(driven.T_route_vehicle)) return driven;
   std::vector<Run> runs = runs_of(driven.T_route_vehicle, params);
   std::vector<SectionList> joints;

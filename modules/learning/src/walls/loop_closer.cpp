@@ -15,7 +15,7 @@ constexpr std::size_t kTriesMax = 8;
 constexpr std::size_t kNeighbours = 3;  // submaps in a row show much the same
 constexpr double kSeenAround_m = 4;     // walls within this of a keyframe are known well
 constexpr double kNeighbourhood_m = 4;  // two submaps overlap if their anchors are so near
-constexpr double kOwnWay_m = 8;         // old walls seen within this way are not old
+constexpr double kOwnPath_m = 8;        // old walls seen within this path are not old
 constexpr double kObservable_m = 1;     // matched wall needed to fix an axis ...
 constexpr double kSmallReach_m = 0.8;   // ... unless the search was this small
 constexpr double kLoopEdge_m = 0.5;     // length of a closed loop in the graph's distances
@@ -46,10 +46,10 @@ Mat3 constraint_information(const Mat3& fit_information, double older_heading_ra
 }  // namespace
 
 void LoopParams::describe(FieldList& fields) {
-  fields.real("submap_m", submap_m, {1, 50}, "way that makes one submap");
-  fields.real("way_apart_m", way_apart_m, {1, 1000}, "two submaps nearer by way are no loop");
+  fields.real("submap_m", submap_m, {1, 50}, "path that makes one submap");
+  fields.real("path_apart_m", path_apart_m, {1, 1000}, "two submaps nearer by path are no loop");
   fields.real("reach_floor_m", reach_floor_m, {0.05, 10}, "search around the expected place, at least");
-  fields.real("reach_per_m", reach_per_m, {0, 1}, "more search per metre of way between the two");
+  fields.real("reach_per_m", reach_per_m, {0, 1}, "more search per metre of path between the two");
   fields.real("reach_max_m", reach_max_m, {0.1, 50}, "but no more than this");
   fields.real("score_min", score_min, {0, 1}, "share of the wall length that must lie on old walls");
   fields.real("rival_share_max", rival_share_max, {0, 1},
@@ -64,7 +64,7 @@ bool LoopCloser::add(Submap submap, std::span<const Keyframe> keyframes, bool or
   loops_of_submap_.emplace_back();
   const std::size_t newest = submaps_.size() - 1;
   graph_.add_node(newest == 0 ? submaps_.front().T_track_anchor
-                              : graph_.pose(newest - 1) * way_to(newest, keyframes));
+                              : graph_.pose(newest - 1) * path_to(newest, keyframes));
   if (orthogonal) {
     graph_.add_heading_prior(newest, submaps_.back().T_track_anchor.theta, kOrthogonalSigma_rad);
   }
@@ -101,20 +101,20 @@ bool LoopCloser::is_closed(std::size_t submap, std::size_t other) const {
   });
 }
 
-void LoopCloser::restate_ways(double odometry_factor, std::span<const Keyframe> keyframes) {
+void LoopCloser::restate_paths(double odometry_factor, std::span<const Keyframe> keyframes) {
   if (odometry_factor == odometry_factor_) return;
   odometry_factor_ = odometry_factor;
-  for (std::size_t i = 1; i < submaps_.size(); ++i) graph_.set_odometry(i - 1, way_to(i, keyframes));
+  for (std::size_t i = 1; i < submaps_.size(); ++i) graph_.set_odometry(i - 1, path_to(i, keyframes));
   if (submaps_.size() > 1) graph_.optimise();
 }
 
 /// From the submap before.
-Pose2 LoopCloser::way_to(std::size_t submap, std::span<const Keyframe> keyframes) const {
-  return way_between(keyframes[submaps_[submap - 1].anchor_keyframe],
-                     keyframes[submaps_[submap].anchor_keyframe], odometry_factor_);
+Pose2 LoopCloser::path_to(std::size_t submap, std::span<const Keyframe> keyframes) const {
+  return relative_pose(keyframes[submaps_[submap - 1].anchor_keyframe],
+                       keyframes[submaps_[submap].anchor_keyframe], odometry_factor_);
 }
 
-/// The way between two anchors: each step is known by odometry and, across them, by the walls.
+/// The path between two anchors: each step is known by odometry and, across them, by the walls.
 void LoopCloser::connect_to_previous(std::span<const Keyframe> keyframes, bool orthogonal) {
   const std::size_t newer = submaps_.size() - 1;
   const Submap& from = submaps_[newer - 1];
@@ -135,13 +135,13 @@ void LoopCloser::connect_to_previous(std::span<const Keyframe> keyframes, bool o
   const Mat2 local =
       rotation.topLeftCorner<2, 2>() * covariance * rotation.topLeftCorner<2, 2>().transpose() +
       kStepFloor_m2 * Mat2::Identity();
-  PoseConstraint constraint{newer - 1, newer, way_to(newer, keyframes), Mat3::Zero()};
+  PoseConstraint constraint{newer - 1, newer, path_to(newer, keyframes), Mat3::Zero()};
   constraint.information.topLeftCorner<2, 2>() = local.inverse();
   constraint.information(2, 2) = 1 / square(orthogonal ? kOrthogonalSigma_rad : kFreeHeadingSigma_rad);
   graph_.add_odometry(constraint);
 }
 
-/// Length of the shortest way through the graph from a submap: Dijkstra over ways and closed loops.
+/// Length of the shortest path through the graph from a submap: Dijkstra over paths and closed loops.
 std::vector<double> LoopCloser::distances_from(std::size_t submap) const {
   std::vector<double> distance(submaps_.size(), 1e18);
   using Reached = std::pair<double, std::size_t>;
@@ -167,7 +167,7 @@ std::vector<LoopCloser::Candidate> LoopCloser::candidates(std::size_t submap) co
   const std::vector<double> distances = distances_from(submap);
   std::vector<std::pair<double, Candidate>> found;
   for (std::size_t i = 0; i < submap; ++i) {
-    if (submaps_[submap].path_m - submaps_[i].path_m < params_.way_apart_m) continue;
+    if (submaps_[submap].path_m - submaps_[i].path_m < params_.path_apart_m) continue;
     const double reach_m =
         std::min(params_.reach_max_m, params_.reach_floor_m + params_.reach_per_m * distances[i]);
     const double apart_m = (graph_.pose(i).position() - graph_.pose(submap).position()).norm();
@@ -188,7 +188,7 @@ bool LoopCloser::try_to_close(std::size_t submap, const Candidate& candidate,
   KnownArea known;
   for (std::size_t i = first; i <= candidate.submap + 1 && i + 2 <= submap; ++i) {
     const Submap& old = submaps_[i];
-    if (submaps_[submap].path_m - old.path_m < kOwnWay_m) continue;
+    if (submaps_[submap].path_m - old.path_m < kOwnPath_m) continue;
     const Pose2 T_map_track = graph_.pose(i) * old.T_track_anchor.inverse();
     place_walls(old, graph_.pose(i), old_walls);
     for (std::size_t k = old.first_keyframe; k <= old.last_keyframe; ++k) {

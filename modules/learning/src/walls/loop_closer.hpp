@@ -30,8 +30,8 @@ class LoopCloser {
   /// graph.
   void finish(std::span<const Keyframe> keyframes);
 
-  /// The wheels' ways are longer by this factor, as known now: all submaps are laid anew.
-  void restate_ways(double odometry_factor, std::span<const Keyframe> keyframes);
+  /// The wheels' distances are longer by this factor, as known now: all submaps are laid again.
+  void restate_paths(double odometry_factor, std::span<const Keyframe> keyframes);
   double odometry_factor() const { return odometry_factor_; }
 
   const std::vector<Submap>& submaps() const { return submaps_; }
@@ -50,7 +50,7 @@ class LoopCloser {
     bool taken = false;
   };
 
-  Pose2 way_to(std::size_t submap, std::span<const Keyframe> keyframes) const;
+  Pose2 path_to(std::size_t submap, std::span<const Keyframe> keyframes) const;
   void connect_to_previous(std::span<const Keyframe> keyframes, bool orthogonal);
   bool close_loops(std::size_t submap, std::span<const Keyframe> keyframes);
   std::vector<double> distances_from(std::size_t submap) const;

@@ -161,7 +161,7 @@ void MapParams::describe(FieldList& fields) {
                "rounds of adjusting keyframes and walls together");
   fields.real("drawn_length_m", drawn_length_m, {0, 10}, "shorter walls are not written");
   fields.count("drawn_sightings", drawn_sightings, {1, 1000},
-               "walls seen on fewer legs of half a metre of way are not written");
+               "walls seen on fewer legs of half a metre of path are not written");
 }
 
 MapResult build_map(const LaserLog& log, const MapParams& params, std::optional<double> odometry_delay_s,

@@ -19,7 +19,7 @@ void MotionNoise::describe(FieldList& fields) {
   fields.real("distance_m_per_sqrt_m", distance_m_per_sqrt_m, {0.001, 1},
               "deviation of the distance after 1 m");
   fields.real("distance_scale", distance_scale, {0, 0.1},
-              "share by which all ways may be counted wrong, learned on the way; 0: none is");
+              "share by which all paths may be counted wrong, learned on the way; 0: none is");
   fields.real("rotation_rad_per_sqrt_m", rotation_rad_per_sqrt_m, {0.001, 1},
               "deviation of the heading after 1 m");
   fields.real("rotation_rad_per_sqrt_rad", rotation_rad_per_sqrt_rad, {0, 1},

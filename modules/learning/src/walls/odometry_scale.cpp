@@ -30,27 +30,27 @@ void OdometryScale::correct(const Mat3& prior, const Vec3& correction, const Mat
   with_pose_ = posterior * gain;
 }
 
-Vec2 OdometryScale::refer_to(const CountedWay& seen, Mat3& pose_covariance) {
+Vec2 OdometryScale::refer_to(const CountedPath& seen, Mat3& pose_covariance) {
   if (variance_ == 0) return Vec2::Zero();
-  Vec2 moves_m = way_there_.off_m(factor_) - seen.off_m(factor_);
+  Vec2 moves_m = path_there_.off_m(factor_) - seen.off_m(factor_);
   Vec3 between = Vec3::Zero();
-  between.head<2>() = way_there_.by_factor - seen.by_factor;
+  between.head<2>() = path_there_.by_factor - seen.by_factor;
   pose_covariance += with_pose_ * between.transpose() + between * with_pose_.transpose() +
                      variance_ * between * between.transpose();
   with_pose_ += variance_ * between;
-  way_there_ = seen;
+  path_there_ = seen;
   return moves_m;
 }
 
 void OdometryScale::forget_pose() {
-  way_there_ = way();
+  path_there_ = path();
   with_pose_.setZero();
 }
 
-CountedWay OdometryScale::way() const {
-  if (variance_ == 0) return way_there_;
+CountedPath OdometryScale::path() const {
+  if (variance_ == 0) return path_there_;
   const Vec2 on = with_pose_.head<2>() / variance_;
-  return {way_there_.by_factor + on, way_there_.counted_m + factor_ * on};
+  return {path_there_.by_factor + on, path_there_.counted_m + factor_ * on};
 }
 
 }  // namespace aisle

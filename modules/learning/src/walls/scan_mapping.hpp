@@ -29,7 +29,7 @@ class ScanMapping {
   /// Of all scans, as known now.
   std::vector<Pose2> T_map_sensor_of_all() const;
 
-  /// Where an earlier scan lies on the walls of the last stretch of way, near a guess, if it fits them.
+  /// Where an earlier scan lies on the walls of the last path segment, near a guess, if it fits them.
   std::optional<Pose2> lay_again(std::size_t scan, const Pose2& T_map_guess);
 
   /// Looks for loops once more, now that every scan is in.

@@ -28,11 +28,11 @@ constexpr double kGuessSigma_m = 0.05;  // ... but seldom does
 constexpr double kGuessSigma_rad = 1 * kDegree;
 constexpr double kLaidAgainShare = 0.5;  // of the seen length must fit
 constexpr int kAgreeingScans = 3;        // say where the sensor is, before that is believed
-constexpr double kAgreeingWay_m = 0.3;   // and over so long a way: from one place they are one scan
+constexpr double kAgreeingPath_m = 0.3;  // and over so long a path: from one place they are one scan
 constexpr double kAgreeing_m = 0.15;     // so near each other
 constexpr double kAgreeing_rad = 5 * kDegree;
 constexpr double kNoWall_per_m2 = 1;  // information across, where no wall tells of it
-constexpr double kAcross = 0.7;       // of the way: cosine between it and the normal
+constexpr double kAcross = 0.7;       // of the path: cosine between it and the normal
 constexpr double kRelocatedPoseSigma_m = 0.05;
 constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
 
@@ -42,22 +42,22 @@ void TrackerParams::describe(FieldList& fields) {
   fields.group("motion", motion);
   fields.real("gate_m", gate_m, {0.02, 2}, "a segment farther from a wall is not matched with it");
   fields.real("same_wall_m", same_wall_m, {0.01, 1}, "a segment farther across than this is another wall");
-  fields.real("window_m", window_m, {2, 500}, "walls not seen for so long a way are left to loop closing");
+  fields.real("window_m", window_m, {2, 500}, "walls not seen for so long a path are left to loop closing");
   fields.real("unconfirmed_m", unconfirmed_m, {0, 500}, "a wall seen only once is forgotten after this way");
-  fields.real("keyframe_m", keyframe_m, {0.02, 5}, "a scan is learned after so long a way");
+  fields.real("keyframe_m", keyframe_m, {0.02, 5}, "a scan is learned after so long a path");
   fields.angle("keyframe_deg", keyframe_rad, {1, 90}, "or after so much turning");
   fields.real("lost_share", lost_share, {0, 1},
-              "with less of the seen length fitting the walls the pose is looked for anew");
+              "with less of the seen length fitting the walls the pose is looked for again");
   fields.real("relocation_reach_m", relocation_reach_m, {0.1, 10},
               "how far from the predicted pose it is looked for");
   fields.flag("may_count_backwards", may_count_backwards, "the wheels, driving forwards, for a while");
 }
 
-Pose2 way_between(const Keyframe& from, const Keyframe& to, double odometry_factor) {
-  const Pose2 way = between(from.T_track_sensor, to.T_track_sensor);
-  const Vec2 off_m = to.way.off_m(odometry_factor) - from.way.off_m(odometry_factor);
+Pose2 relative_pose(const Keyframe& from, const Keyframe& to, double odometry_factor) {
+  const Pose2 path = between(from.T_track_sensor, to.T_track_sensor);
+  const Vec2 off_m = to.path.off_m(odometry_factor) - from.path.off_m(odometry_factor);
   const Vec2 turned_m = rotate(-from.T_track_sensor.theta, off_m);
-  return {way.x + turned_m.x(), way.y + turned_m.y(), way.theta};
+  return {path.x + turned_m.x(), path.y + turned_m.y(), path.theta};
 }
 
 ScanTracker::ScanTracker(const TrackerParams& params)
@@ -134,9 +134,9 @@ void ScanTracker::correct_heading(std::span<const SensedSegment> segments) {
 }
 
 Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
-  const auto [alignment, way_to_walls, is_as_counted] = explain_motion(segments);
+  const auto [alignment, path_to_walls, is_as_counted] = explain_motion(segments);
   if (is_as_counted && alignment.fitting_share() >= params_.lost_share) {
-    correct_pose(alignment, way_to_walls);
+    correct_pose(alignment, path_to_walls);
   } else {
     const Mat3 information = T_track_sensor_.covariance.inverse() + alignment.wall_information;
     T_track_sensor_ = {alignment.T_map_sensor, information.inverse()};
@@ -147,12 +147,12 @@ Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
 
 /// By how much the walls move the sensor, beyond what was to be expected of where they were laid, tells of
 /// the wheels' scale.
-void ScanTracker::correct_pose(const Alignment& alignment, const CountedWay& way_to_walls) {
+void ScanTracker::correct_pose(const Alignment& alignment, const CountedPath& path_to_walls) {
   auto& [pose, covariance] = T_track_sensor_;
   const Mat3& information = alignment.wall_information;
   const Vec3 pull = (covariance.inverse() + information) * change_between(pose, alignment.T_map_sensor);
   Vec3 expected = Vec3::Zero();
-  expected.head<2>() = scale_.refer_to(way_to_walls, covariance);
+  expected.head<2>() = scale_.refer_to(path_to_walls, covariance);
   const Mat3 prior = covariance;
   covariance = (prior.inverse() + information).inverse();
   const Vec3 correction = covariance * (pull - information * expected);
@@ -163,18 +163,18 @@ void ScanTracker::correct_pose(const Alignment& alignment, const CountedWay& way
 /// To what the latest alignment lies on: in each direction as the walls that tell of it. A wall that the
 /// vehicle drives along is none of them: it moves away and nearer by little, and by a heading that is off
 /// more.
-CountedWay ScanTracker::way_to_walls() const {
-  const CountedWay to_sensor = scale_.way();
+CountedPath ScanTracker::path_to_walls() const {
+  const CountedPath to_sensor = scale_.path();
   const Vec2 ahead = rotate(T_track_last_.theta, motion_.position()).stableNormalized();
   Mat2 information = kNoWall_per_m2 * Mat2::Identity();
-  CountedWay pull{information * to_sensor.by_factor, information * to_sensor.counted_m};
+  CountedPath pull{information * to_sensor.by_factor, information * to_sensor.counted_m};
   for (const WallConstraint& constraint : aligner_.constraints()) {
     const bool lies_across = std::abs(constraint.normal.dot(ahead)) > kAcross;
-    const CountedWay& way = lies_across ? ways_[constraint.wall] : to_sensor;
-    const Mat2 told = constraint.weight * constraint.normal * constraint.normal.transpose();
-    information += told;
-    pull.by_factor += told * way.by_factor;
-    pull.counted_m += told * way.counted_m;
+    const CountedPath& path = lies_across ? paths_[constraint.wall] : to_sensor;
+    const Mat2 reported = constraint.weight * constraint.normal * constraint.normal.transpose();
+    information += reported;
+    pull.by_factor += reported * path.by_factor;
+    pull.counted_m += reported * path.counted_m;
   }
   const Mat2 covariance = information.inverse();
   return {covariance * pull.by_factor, covariance * pull.counted_m};
@@ -211,7 +211,7 @@ ScanTracker::Explanation ScanTracker::lay_from(std::span<const SensedSegment> se
       T_track_sensor_.covariance.inverse()};
   const Alignment alignment =
       aligner_.align(segments, walls_, window_, prior, params_.gate_m, kAlignmentIterations);
-  return {alignment, way_to_walls(), motion_m == motion_.position()};
+  return {alignment, path_to_walls(), motion_m == motion_.position()};
 }
 
 /// One scan may lie well on walls where the sensor is not: a row of desks, one desk on. So several scans in a
@@ -235,7 +235,7 @@ bool ScanTracker::confirm_suspicion(const Pose2& T_sensor_found) {
   T_sensor_suspected_ = T_sensor_found;
   suspected_scans_ = is_same ? suspected_scans_ + 1 : 1;
   if (suspected_scans_ == 1) suspected_since_m_ = path_m_;
-  if (suspected_scans_ < kAgreeingScans || path_m_ - suspected_since_m_ < kAgreeingWay_m) return false;
+  if (suspected_scans_ < kAgreeingScans || path_m_ - suspected_since_m_ < kAgreeingPath_m) return false;
   suspected_scans_ = 0;
   return true;
 }
@@ -248,12 +248,12 @@ bool ScanTracker::keyframe_is_due() const {
 }
 
 void ScanTracker::learn(std::span<const SensedSegment> segments, const Mat3& wall_information) {
-  keyframes_.push_back({scan_, T_track_sensor_.mean, path_m_, wall_information, relocated_, scale_.way()});
+  keyframes_.push_back({scan_, T_track_sensor_.mean, path_m_, wall_information, relocated_, scale_.path()});
   relocated_ = false;
   for (const SensedSegment& s : segments) {
     absorb(PlacedSegment(s, T_track_sensor_.mean), path_m_, update_, walls_, window_);
   }
-  ways_.resize(walls_.size(), scale_.way());
+  paths_.resize(walls_.size(), scale_.path());
   std::erase_if(window_, [&](int index) {
     const WallEstimate& wall = walls_[static_cast<std::size_t>(index)];
     const double unseen_m = path_m_ - wall.last_seen_m;

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// The walls of a few metres of way as one rigid piece, held at its middle keyframe.
+/// The walls of a few metres of path as one rigid piece, held at its middle keyframe.
 struct Submap {
   std::size_t first_keyframe = 0;
   std::size_t last_keyframe = 0;

@@ -57,7 +57,7 @@ SubmapFit fit_submap(std::span<const WallEstimate> fresh, const WallPattern& old
                      double reach_m);
 
 /// Turns of the new walls that bring many of them onto the headings of old ones, besides no turn at all:
-/// where no axes hold the heading, a long way may have turned it by degrees.
+/// where no axes hold the heading, a long path may have turned it by degrees.
 std::vector<double> likely_turns(std::span<const WallEstimate> fresh, std::span<const WallEstimate> old);
 
 /// The submap's pose refined wall against wall from a good guess.

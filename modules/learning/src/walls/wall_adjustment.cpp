@@ -142,7 +142,7 @@ double WallAdjustment::solve(bool first_of_round) {
 void WallAdjustment::add_motions() {
   Eigen::VectorXd& gradient = solver_->gradient;
   for (std::size_t k = 0; k + 1 < keyframes_.size(); ++k) {
-    const Pose2 tracked = way_between(keyframes_[k], keyframes_[k + 1], odometry_factor_);
+    const Pose2 tracked = relative_pose(keyframes_[k], keyframes_[k + 1], odometry_factor_);
     const Pose2 present = between(T_map_sensor_[k], T_map_sensor_[k + 1]);
     Mat3 covariance = motion_.covariance(tracked);
     if (keyframes_[k + 1].relocated) covariance.diagonal().array() += kRelocatedVariance;

@@ -47,7 +47,7 @@ class WallAdjustment {
   std::span<const Keyframe> keyframes_;
   std::vector<Pose2> T_map_sensor_;
   MotionNoise motion_;
-  double odometry_factor_;  ///< by which the wheels' ways are longer than counted
+  double odometry_factor_;  ///< by which the wheels' distances are longer than counted
   WallUpdateParams update_;
   double oblique_sigma_m_ =
       0.02;  ///< oblique things are often furniture or doors; 0 where no wall has an axis

@@ -15,15 +15,15 @@ namespace {
 constexpr double kShareMin = 0.6;                // of edges along two axes: others are no corridor's
 constexpr double kFirstSigma_rad = 1 * kDegree;  // of a first look
 constexpr double kLeastSigma_rad = 0.15 * kDegree;
-constexpr double kBends_rad = 0.1 * kDegree;  // in a metre of way, of map and walls
+constexpr double kBends_rad = 0.1 * kDegree;  // in a metre of path, of map and walls
 constexpr double kBelieved = 3;               // standard deviations
 constexpr double kUsual_rad = 1 * kDegree;    // of walls that are the ones that are known
-constexpr int kUnlikeMax = 30;                // pictures in a row in which walls run otherwise
-constexpr double kTellsAnew_m = 0.3;  // of way: pictures that are taken on it have the same errors ...
-constexpr double kTellsAnew_rad = 10 * kDegree;  // ... as have those on such a turn
-constexpr double kStanding = 0.003;              // of either
+constexpr int kUnlikeMax = 30;                // images in a row in which walls run otherwise
+constexpr double kTellsAgain_m = 0.3;         // of path: images that are taken on it have the same errors ...
+constexpr double kTellsAgain_rad = 10 * kDegree;  // ... as have those on such a turn
+constexpr double kStanding = 0.003;               // of either
 
-/// Edges that lie askew (open doors, furniture) count the less the more.
+/// Edges that lie misaligned (open doors, furniture) count the less the more.
 std::optional<HeadingMeasurement> heading_near(std::span<const SensedSegment> edges, double foretold_rad,
                                                double foretold_sigma_rad) {
   double information = 0, turn_rad = 0;
@@ -49,16 +49,16 @@ void WallCompass::start(const std::optional<WallDirection>& walls) {
   starts_ = 1;
 }
 
-void WallCompass::move(double way_m, double turn_rad) {
-  variance_ += square(kBends_rad) * way_m;
-  anew_ += way_m / kTellsAnew_m + std::abs(turn_rad) / kTellsAnew_rad;
+void WallCompass::move(double path_m, double turn_rad) {
+  variance_ += square(kBends_rad) * path_m;
+  again_ += path_m / kTellsAgain_m + std::abs(turn_rad) / kTellsAgain_rad;
 }
 
 void WallCompass::look(std::span<const SensedSegment> edges, double heading_rad, double sigma_rad) {
   heading_variance_ = square(sigma_rad);
   against_walls_.reset();
-  if (anew_ < kStanding) return;
-  const double information_share = std::min(1.0, std::exchange(anew_, 0));
+  if (again_ < kStanding) return;
+  const double information_share = std::min(1.0, std::exchange(again_, 0));
   if (starts_ == 0 || unlike_ > kUnlikeMax) {
     const auto seen = dominant_direction(edges);
     if (!seen || seen->share < kShareMin) return;

@@ -24,9 +24,9 @@ constexpr double kBeamPiece_m = 3;
 constexpr double kBehind_m = 0.25;  // a beam that goes on for so long has passed the wall
 constexpr double kGrazing = 0.2;    // sine below which a beam says nothing about where it passes
 constexpr double kVehicleHalf_m = 0.2;
-constexpr double kLeg_m = 0.5;  // on so short a way nothing new is seen
+constexpr double kLeg_m = 0.5;  // on so short a path nothing new is seen
 
-/// How often something was seen, counted once on each leg of the way.
+/// How often something was seen, counted once on each leg of the path.
 struct LegCount {
   int count = 0;
   int last_leg = -1;
@@ -62,15 +62,15 @@ struct Stroke {
   void see(const Interval& span, int leg) {
     for (std::size_t b = bin(span.min); b <= bin(span.max); ++b) hits[b].add(leg);
   }
-  /// Where a straight way crosses the wall [m along it].
+  /// Where a straight path crosses the wall [m along it].
   std::optional<double> crossing(const Vec2& from, const Vec2& to) const {
-    const Vec2 way = to - from;
-    const double length_m = way.norm();
-    const double sine = wall.normal.dot(way) / length_m;
+    const Vec2 path = to - from;
+    const double length_m = path.norm();
+    const double sine = wall.normal.dot(path) / length_m;
     if (!(std::abs(sine) > kGrazing)) return std::nullopt;
     const double until_m = -wall.offset_of(from) / sine;
     if (until_m < 0 || until_m > length_m) return std::nullopt;
-    return wall.along.dot(from + way * (until_m / length_m) - wall.anchor);
+    return wall.along.dot(from + path * (until_m / length_m) - wall.anchor);
   }
   void see_through(const Vec2& from, const Vec2& to, int leg) {
     const auto at_m = crossing(from, to);

@@ -22,7 +22,7 @@ constexpr double kBothSigma_rad = 0.7 * kDegree;
 constexpr double kOneSigma_rad = 1.5 * kDegree;
 constexpr double kEdgeMin_m = 0.3;             // a shorter one has no direction
 constexpr double kSteady_rad = 0.7 * kDegree;  // of an edge's direction, whoever looks
-constexpr double kAskew_rad = 1.5 * kDegree;
+constexpr double kYawErrorRad = 1.5 * kDegree;
 constexpr double kKnown_rad = 3 * kDegree;  // seen worse, a direction is as often a door's, a shadow's ...
 constexpr double kLongEdge_m = 1.5;         // ... unless the edge is so long
 
@@ -62,7 +62,7 @@ std::optional<AxisMisfit> misfit_to_axis(const SensedSegment& edge, double headi
   if (edge.length_m < kLongEdge_m && edge.sigma_heading_rad > kKnown_rad) return std::nullopt;
   return AxisMisfit{.off_rad = off_axis_rad(edge, heading_rad),
                     .sigma_rad = std::hypot(edge.sigma_heading_rad, kSteady_rad),
-                    .usual_rad = std::hypot(edge.sigma_heading_rad, kAskew_rad)};
+                    .usual_rad = std::hypot(edge.sigma_heading_rad, kYawErrorRad)};
 }
 
 std::optional<HeadingMeasurement> heading_from_walls(std::span<const SensedSegment> segments,

@@ -44,7 +44,7 @@ TEST(CorridorTracing, OneCorridorHasTwoEndsAndItsWidth) {
   EXPECT_LT((graph.nodes[1].p_map - Vec2(19, 0)).norm(), 0.2);
 }
 
-TEST(CorridorTracing, ARoomOnlyIsAPlaceOrOneShortStretch) {
+TEST(CorridorTracing, ARoomOnlyIsAPlaceOrOneShortPathSegment) {
   FloorGrid floor;
   add_room(floor, {0, 0}, {3, 3});
   const CorridorGraph graph = traced(floor, {1, 1});
@@ -65,7 +65,7 @@ TEST(CorridorTracing, ACrossHasOneCrossingWithFourCorridors) {
   EXPECT_LT((crossing->p_map - Vec2(9.8, 0)).norm(), 0.3);
 }
 
-TEST(CorridorTracing, TwoBranchesAShortWayApartAreTwoCrossings) {
+TEST(CorridorTracing, TwoBranchesAShortPathApartAreTwoCrossings) {
   FloorGrid floor;
   add_room(floor, {0, -1}, {20, 1});
   add_room(floor, {6, 0}, {8, 8});
@@ -144,7 +144,8 @@ RoughComb any_comb(Random& random) {
   return comb;
 }
 
-RC_GTEST_PROP(CorridorTracing, ARoughCombHasACrossingForEveryBranchWhicheverWayItLies, (std::uint64_t seed)) {
+RC_GTEST_PROP(CorridorTracing, ARoughCombHasACrossingForEveryBranchWhicheverPathItLies,
+              (std::uint64_t seed)) {
   Random random(seed);
   const RoughComb comb = any_comb(random);
   const CorridorGraph graph = traced(comb.floor, comb.p_map_start);

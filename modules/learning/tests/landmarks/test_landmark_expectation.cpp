@@ -4,7 +4,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/learning/landmarks/landmark_expectation.hpp"
-#include "corridor_trip.hpp"
+#include "corridor_run.hpp"
 
 namespace aisle {
 namespace {
@@ -15,7 +15,7 @@ struct LandmarkExpectation {
   int expected = 0, seen = 0;
 };
 
-/// What a vehicle that believes to be at (5, 0) makes of the picture that it sees from `truth`.
+/// What a vehicle that believes to be at (5, 0) makes of the image that it sees from `truth`.
 LandmarkExpectation expectation_from(const Pose2& truth, const SightNoise& noise, double believed_sigma_m) {
   Random random(2);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
@@ -39,13 +39,13 @@ TEST(LandmarkExpectation, LinesOnSureLandmarksAreKnown) {
   LandmarkMap map;
   map.add({.p_map = {5, 0.6}});
   map.add({.p_map = {2.5, -0.6}, .weight = 0.4});
-  const std::vector<LandmarkSighting> picture{
-      sighting_of({5.01, 0.61}, false, {}), sighting_of({5, 0.6}, true, {}), sighting_of({5, 1.2}, false, {}),
-      sighting_of({2.5, -0.6}, false, {})};
-  EXPECT_EQ(known_sightings(map, about({0, 0, 0}, 0.01, 0.1 * kDegree), picture, kPlaceSigma_m), 1);
+  const std::vector<LandmarkSighting> image{sighting_of({5.01, 0.61}, false, {}),
+                                            sighting_of({5, 0.6}, true, {}), sighting_of({5, 1.2}, false, {}),
+                                            sighting_of({2.5, -0.6}, false, {})};
+  EXPECT_EQ(known_sightings(map, about({0, 0, 0}, 0.01, 0.1 * kDegree), image, kPlaceSigma_m), 1);
 }
 
-TEST(LandmarkExpectation, InThePictureAreThoseThatWereSeenFromHereAndAreBeforeTheCamera) {
+TEST(LandmarkExpectation, InTheImageAreThoseThatWereSeenFromHereAndAreBeforeTheCamera) {
   LandmarkMap map;
   const auto add = [&map](const Vec2& p_map, double seen_far_m) {
     map.add({.p_map = p_map, .seen_from = {-1, 0}, .seen_far_m = seen_far_m});
@@ -56,9 +56,9 @@ TEST(LandmarkExpectation, InThePictureAreThoseThatWereSeenFromHereAndAreBeforeTh
   add({-3, 0}, 6);
   CameraDescription camera;
   camera.mount = {.p_vehicle_camera = {0.85, 0, 1}, .tilt_rad = 14 * kDegree};
-  EXPECT_EQ(landmarks_in_picture(map, {}, FloorInPicture(camera)), 1);
-  EXPECT_EQ(landmarks_in_picture(map, {1.5, 0, 0}, FloorInPicture(camera)), 2) << "nearer to the second";
-  EXPECT_EQ(landmarks_in_picture(map, {8, 0, kPi}, FloorInPicture(camera)), 0) << "from behind";
+  EXPECT_EQ(landmarks_in_image(map, {}, FloorInImage(camera)), 1);
+  EXPECT_EQ(landmarks_in_image(map, {1.5, 0, 0}, FloorInImage(camera)), 2) << "nearer to the second";
+  EXPECT_EQ(landmarks_in_image(map, {8, 0, kPi}, FloorInImage(camera)), 0) << "from behind";
 }
 
 TEST(LandmarkExpectation, WhatElseIsSeenDoesNotCount) {
@@ -77,11 +77,11 @@ TEST(LandmarkExpectation, ElsewhereHardlyAnythingIsSeen) {
 TEST(LandmarkExpectation, WhatWasOnlySeenFromAfarOrFromNearByIsNotExpectedAtAnotherDistance) {
   const LandmarkSighting behind = sighting_of({6, 0}, false, {}), left = sighting_of({2, 2}, false, {}),
                          right = sighting_of({2, -2}, false, {});
-  const std::vector<LandmarkSighting> picture{left, behind, right};
+  const std::vector<LandmarkSighting> image{left, behind, right};
   const auto is_expected = [&](double near_m, double far_m) {
     LandmarkMap map;
     map.add({.p_map = {4, 0.5}, .seen_from = {-1, 0}, .seen_near_m = near_m, .seen_far_m = far_m});
-    return !expected_landmarks(map, about({0, 0, 0}, 0.01, 0.1 * kDegree), picture, kPlaceSigma_m).empty();
+    return !expected_landmarks(map, about({0, 0, 0}, 0.01, 0.1 * kDegree), image, kPlaceSigma_m).empty();
   };
   EXPECT_TRUE(is_expected(2, 5));
   EXPECT_FALSE(is_expected(4.5, 7)) << "only seen from afar";
@@ -89,9 +89,9 @@ TEST(LandmarkExpectation, WhatWasOnlySeenFromAfarOrFromNearByIsNotExpectedAtAnot
 }
 
 TEST(LandmarkExpectation, AnUnsurePoseExcusesWhatIsOff) {
-  const Pose2 aside{5, 0.2, 0};
-  EXPECT_LE(expectation_from(aside, {.unseen = 0}, 0.01).seen, 1);
-  const LandmarkExpectation unsure = expectation_from(aside, {.unseen = 0}, 0.2);
+  const Pose2 lateral{5, 0.2, 0};
+  EXPECT_LE(expectation_from(lateral, {.unseen = 0}, 0.01).seen, 1);
+  const LandmarkExpectation unsure = expectation_from(lateral, {.unseen = 0}, 0.2);
   EXPECT_GE(unsure.seen, unsure.expected * 3 / 4);
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "corridor_trip.hpp"
-#include "landmarks/trip_walls.hpp"
+#include "corridor_run.hpp"
+#include "landmarks/run_walls.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -112,31 +112,31 @@ TEST(LandmarkLearner, LinesOfOtherPolarityAndLinesFarApartStayApart) {
   EXPECT_EQ(learner.map().size(), 3U);
 }
 
-TEST(LearnLandmarks, AnExactTripMakesTheExactMap) {
+TEST(LearnLandmarks, AnExactRunMakesTheExactMap) {
   Random random(1);
   const std::vector<CorridorLine> lines = corridor_lines(8, random);
-  CorridorTrip trip;
+  CorridorRun run;
   for (int i = 0; i < 60; ++i) {
     const Pose2 truth{0.1 * i, 0, 0};
-    trip.cycles.push_back({.stamp_s = 0.2 * i,
-                           .odometry = FrontSteeredMotion{i == 0 ? 0 : 0.1, 0},
-                           .sightings = sightings_from(lines, truth, {})});
-    trip.T_map_vehicle.push_back(truth);
+    run.cycles.push_back({.stamp_s = 0.2 * i,
+                          .odometry = FrontSteeredMotion{i == 0 ? 0 : 0.1, 0},
+                          .sightings = sightings_from(lines, truth, {})});
+    run.T_map_vehicle.push_back(truth);
   }
-  const LearnedTrip learned = learn_landmarks(trip.cycles, corridor_cart(), {});
-  EXPECT_LT(position_rmse_m(learned.T_map_vehicle, trip.T_map_vehicle), 1e-4);
+  const LearnedRun learned = learn_landmarks(run.cycles, corridor_cart(), {});
+  EXPECT_LT(position_rmse_m(learned.T_map_vehicle, run.T_map_vehicle), 1e-4);
   for (const CorridorLine& line : lines) {
     if (line.p_map.x() < 1.2) continue;
     EXPECT_TRUE(is_known(learned.map, line, 1e-3)) << line.p_map.transpose();
   }
 }
 
-TEST(LearnLandmarks, LearnsTheLinesOfACorridorFromANoisyTrip) {
+TEST(LearnLandmarks, LearnsTheLinesOfACorridorFromANoisyRun) {
   Random random(2);
   const std::vector<CorridorLine> lines = corridor_lines(14, random);
-  const CorridorTrip trip = corridor_trip(lines, 12, {}, random);
-  const LearnedTrip learned = learn_landmarks(trip.cycles, corridor_cart(), {});
-  ASSERT_EQ(learned.T_map_vehicle.size(), trip.cycles.size());
+  const CorridorRun run = corridor_run(lines, 12, {}, random);
+  const LearnedRun learned = learn_landmarks(run.cycles, corridor_cart(), {});
+  ASSERT_EQ(learned.T_map_vehicle.size(), run.cycles.size());
   EXPECT_THAT(learned.T_map_vehicle.front(), PoseNear(Pose2{}, 1e-3, 1e-3));
   EXPECT_THAT(static_cast<double>(learned.map.size()), DoubleNear(static_cast<double>(lines.size()), 4));
   int known = 0;
@@ -144,46 +144,46 @@ TEST(LearnLandmarks, LearnsTheLinesOfACorridorFromANoisyTrip) {
   EXPECT_GE(known, static_cast<int>(lines.size()) * 9 / 10);
 }
 
-TEST(LearnLandmarks, MovingAllPosesAndLandmarksTogetherMakesTheTripBetter) {
+TEST(LearnLandmarks, MovingAllPosesAndLandmarksTogetherMakesTheRunBetter) {
   double plain_m = 0, adjusted_m = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     Random random(seed);
     const std::vector<CorridorLine> lines = corridor_lines(14, random);
-    const CorridorTrip trip = corridor_trip(lines, 12, {}, random);
+    const CorridorRun run = corridor_run(lines, 12, {}, random);
     LandmarkLearningParams params;
-    adjusted_m += position_rmse_m(learn_landmarks(trip.cycles, corridor_cart(), params).T_map_vehicle,
-                                  trip.T_map_vehicle);
+    adjusted_m += position_rmse_m(learn_landmarks(run.cycles, corridor_cart(), params).T_map_vehicle,
+                                  run.T_map_vehicle);
     params.adjust = false;
-    plain_m += position_rmse_m(learn_landmarks(trip.cycles, corridor_cart(), params).T_map_vehicle,
-                               trip.T_map_vehicle);
+    plain_m += position_rmse_m(learn_landmarks(run.cycles, corridor_cart(), params).T_map_vehicle,
+                               run.T_map_vehicle);
   }
   EXPECT_LT(adjusted_m, 0.8 * plain_m);
 }
 
 /// Drives 12 m along the bare walls of a corridor, which from 4 m on runs `bend_rad` to the left, with wheels
 /// that slip where no line is seen: half a degree a metre.
-CorridorTrip trip_along_bare_walls(double bend_rad) {
+CorridorRun run_along_bare_walls(double bend_rad) {
   constexpr double kStep_m = 0.04, kBend_m = 4, kSlipPer_m = 0.5 * kDegree;
   Random random(3);
   const std::vector<CorridorLine> lines = corridor_lines(5, random);
-  CorridorTrip trip;
+  CorridorRun run;
   Pose2 T_map_vehicle;
-  for (double way_m = 0; way_m < 12; way_m += kStep_m) {
-    const double turn_rad = std::abs(way_m - kBend_m) < 0.4 ? bend_rad * kStep_m / 0.8 : 0;
+  for (double path_m = 0; path_m < 12; path_m += kStep_m) {
+    const double turn_rad = std::abs(path_m - kBend_m) < 0.4 ? bend_rad * kStep_m / 0.8 : 0;
     const double wheelbase_m = corridor_cart().front_steered.wheelbase_m;
-    const double slip_per_m = way_m > 5 ? kSlipPer_m : 0;
+    const double slip_per_m = path_m > 5 ? kSlipPer_m : 0;
     const double steering_rad = std::atan(wheelbase_m * (turn_rad / kStep_m + slip_per_m));
-    LandmarkCycle cycle{.stamp_s = way_m / 0.4,
+    LandmarkCycle cycle{.stamp_s = path_m / 0.4,
                         .odometry = FrontSteeredMotion{kStep_m / std::cos(steering_rad), steering_rad},
                         .sightings = {},
                         .floor_edges = {}};
-    if (way_m == 0) {
+    if (path_m == 0) {
       cycle.odometry = FrontSteeredMotion{0, 0};
     } else {
       T_map_vehicle = T_map_vehicle * end_pose({kStep_m, turn_rad});
     }
     cycle.sightings = sightings_from(lines, T_map_vehicle, {}, &random);
-    const double walls_rad = way_m < kBend_m ? 0 : bend_rad;
+    const double walls_rad = path_m < kBend_m ? 0 : bend_rad;
     for (const double along_rad : {walls_rad, walls_rad + kPi}) {
       SensedSegment edge;
       edge.heading_rad = wrap_angle(along_rad - T_map_vehicle.theta + random.normal(0.3 * kDegree));
@@ -191,15 +191,15 @@ CorridorTrip trip_along_bare_walls(double bend_rad) {
       edge.sigma_heading_rad = 0.3 * kDegree;
       cycle.floor_edges.push_back(edge);
     }
-    trip.cycles.push_back(std::move(cycle));
-    trip.T_map_vehicle.push_back(T_map_vehicle);
+    run.cycles.push_back(std::move(cycle));
+    run.T_map_vehicle.push_back(T_map_vehicle);
   }
-  return trip;
+  return run;
 }
 
-double end_error_m(const CorridorTrip& trip, const LandmarkLearningParams& params) {
-  const LearnedTrip learned = learn_landmarks(trip.cycles, corridor_cart(), params);
-  return (learned.T_map_vehicle.back().position() - trip.T_map_vehicle.back().position()).norm();
+double end_error_m(const CorridorRun& run, const LandmarkLearningParams& params) {
+  const LearnedRun learned = learn_landmarks(run.cycles, corridor_cart(), params);
+  return (learned.T_map_vehicle.back().position() - run.T_map_vehicle.back().position()).norm();
 }
 
 LandmarkLearningParams without_walls() {
@@ -209,33 +209,33 @@ LandmarkLearningParams without_walls() {
 }
 
 TEST(LearnLandmarks, WhereNoLineIsSeenTheWallsKeepTheMapStraight) {
-  const CorridorTrip trip = trip_along_bare_walls(0);
-  EXPECT_LT(end_error_m(trip, {}), 0.06);
-  EXPECT_GT(end_error_m(trip, without_walls()), 0.15);
+  const CorridorRun run = run_along_bare_walls(0);
+  EXPECT_LT(end_error_m(run, {}), 0.06);
+  EXPECT_GT(end_error_m(run, without_walls()), 0.15);
 }
 
 TEST(LearnLandmarks, AnObliqueCorridorIsNotTakenForAStraightOne) {
-  const CorridorTrip trip = trip_along_bare_walls(30 * kDegree);
-  EXPECT_LT(end_error_m(trip, {}), end_error_m(trip, without_walls()));
+  const CorridorRun run = run_along_bare_walls(30 * kDegree);
+  EXPECT_LT(end_error_m(run, {}), end_error_m(run, without_walls()));
 }
 
 /// The first pose is the map's origin, so the corridor runs as it is driven into.
-TEST(LearnLandmarks, SaysWhichWayWallsRunAllAlong) {
+TEST(LearnLandmarks, SaysWhichPathWallsRunAllAlong) {
   constexpr double kOblique_rad = 30 * kDegree;
-  const CorridorTrip trip = trip_along_bare_walls(kOblique_rad);
-  const LearnedTrip learned = learn_landmarks(trip.cycles, corridor_cart(), {});
+  const CorridorRun run = run_along_bare_walls(kOblique_rad);
+  const LearnedRun learned = learn_landmarks(run.cycles, corridor_cart(), {});
   const auto first = walls_around(learned.wall_directions, {0, 0}, 0.1);
   ASSERT_TRUE(first);
   EXPECT_NEAR(first->direction_rad, 0, 0.3 * kDegree);
   EXPECT_LT(first->sigma_rad, 0.5 * kDegree);
-  const auto last = walls_around(learned.wall_directions, trip.T_map_vehicle.back().position(), 2);
+  const auto last = walls_around(learned.wall_directions, run.T_map_vehicle.back().position(), 2);
   ASSERT_TRUE(last);
   EXPECT_NEAR(last->direction_rad, kOblique_rad, 1.5 * kDegree);
   EXPECT_GT(learned.wall_directions.size(), 4U);
   EXPECT_LT(learned.wall_directions.size(), 10U);
 }
 
-TEST(WallDirections, AStretchWhoseWallsHardlyTellADirectionHasNone) {
+TEST(WallDirections, APathSegmentWhoseWallsHardlyTellADirectionHasNone) {
   const std::vector<Pose2> T_map_vehicle{{0, 0, 0.1}, {5, 0, 0.1}};
   const std::vector<WallObservation> seen{{0, 0, {0.1, 50 * kDegree}}, {1, 0, {0.1, 1 * kDegree}}};
   const std::vector<WallDirection> directions = wall_directions(seen, T_map_vehicle);
@@ -244,10 +244,10 @@ TEST(WallDirections, AStretchWhoseWallsHardlyTellADirectionHasNone) {
   EXPECT_NEAR(directions[0].direction_rad, 0, 1e-12);
 }
 
-TEST(LearnLandmarks, AnEmptyTripAndABlindOneLearnNothing) {
+TEST(LearnLandmarks, AnEmptyRunAndABlindOneLearnNothing) {
   EXPECT_TRUE(learn_landmarks({}, corridor_cart(), {}).map.empty());
   std::vector<LandmarkCycle> blind(5);
-  const LearnedTrip learned = learn_landmarks(blind, corridor_cart(), {});
+  const LearnedRun learned = learn_landmarks(blind, corridor_cart(), {});
   EXPECT_TRUE(learned.map.empty());
   EXPECT_EQ(learned.T_map_vehicle.size(), 5U);
 }
@@ -262,7 +262,7 @@ class RefineLandmarks : public testing::Test {
     noise_.clutter = 0.6;
     std::vector<CorridorLine> before = lines_;
     before.push_back(gone_);
-    const CorridorTrip taught = corridor_trip(before, 12, noise_, random_);
+    const CorridorRun taught = corridor_run(before, 12, noise_, random_);
     LandmarkLearningParams credulous;
     credulous.sightings_min = 1;
     map_ = learn_landmarks(taught.cycles, corridor_cart(), credulous).map;
@@ -270,11 +270,11 @@ class RefineLandmarks : public testing::Test {
     now_.push_back(new_);
   }
 
-  void refine(int trips) {
-    for (int i = 0; i < trips; ++i) {
-      const CorridorTrip trip = corridor_trip(now_, 12, noise_, random_);
+  void refine(int runs) {
+    for (int i = 0; i < runs; ++i) {
+      const CorridorRun run = corridor_run(now_, 12, noise_, random_);
       const RefinedLandmarks refined =
-          refine_landmarks(map_, trip.cycles, corridor_cart(), about({}, 0.1, 2 * kDegree), {});
+          refine_landmarks(map_, run.cycles, corridor_cart(), about({}, 0.1, 2 * kDegree), {});
       matched_share_ = refined.matched_share;
       map_ = refined.map;
     }
@@ -321,13 +321,13 @@ TEST_F(RefineLandmarks, AVanishedLineGoesAndANewOneComes) {
   EXPECT_TRUE(is_known(map_, new_, 0.15));
 }
 
-TEST_F(RefineLandmarks, OfATripThroughAnotherBuildingLessThanHalfMatches) {
+TEST_F(RefineLandmarks, OfARunThroughAnotherBuildingLessThanHalfMatches) {
   now_ = corridor_lines(14, random_);
   refine(1);
   EXPECT_LT(matched_share_, 0.5);
 }
 
-TEST_F(RefineLandmarks, CountsTheTripsOnWhichALandmarkWasSeen) {
+TEST_F(RefineLandmarks, CountsTheRunsOnWhichALandmarkWasSeen) {
   refine(2);
   const auto passes = [](const Landmark& a, const Landmark& b) { return a.passes < b.passes; };
   EXPECT_EQ(std::max_element(map_.all().begin(), map_.all().end(), passes)->passes, 3);
@@ -351,16 +351,16 @@ double map_error_m(const LandmarkMap& map, const std::vector<CorridorLine>& line
   return std::sqrt(sum_m2 / std::max(known, 1));
 }
 
-// Mean of six corridors: 1.02 cm after the first trip, 0.91 cm after three more.
-TEST(RefineLandmarksTogether, TripsMakeTheMapBetter) {
+// Mean of six corridors: 1.02 cm after the first run, 0.91 cm after three more.
+TEST(RefineLandmarksTogether, RunsMakeTheMapBetter) {
   double once_m = 0, refined_m = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     Random random(seed);
     const std::vector<CorridorLine> lines = corridor_lines(14, random);
-    LandmarkMap map = learn_landmarks(corridor_trip(lines, 12, {}, random).cycles, corridor_cart(), {}).map;
+    LandmarkMap map = learn_landmarks(corridor_run(lines, 12, {}, random).cycles, corridor_cart(), {}).map;
     once_m += map_error_m(map, lines);
-    for (int trip = 0; trip < 3; ++trip)
-      map = refine_landmarks(map, corridor_trip(lines, 12, {}, random).cycles, corridor_cart(),
+    for (int run = 0; run < 3; ++run)
+      map = refine_landmarks(map, corridor_run(lines, 12, {}, random).cycles, corridor_cart(),
                              about({}, 0.1, 2 * kDegree), {})
                 .map;
     refined_m += map_error_m(map, lines);
@@ -368,22 +368,22 @@ TEST(RefineLandmarksTogether, TripsMakeTheMapBetter) {
   EXPECT_LT(refined_m, once_m);
 }
 
-/// How surely a line is known that is learned from a trip along a corridor.
+/// How surely a line is known that is learned from a run along a corridor.
 /// @param wander_per_m  how far the line goes along the wall with each metre that the vehicle does, as the
 /// foot
 ///                      of an edge behind which a door's leaf stands
 double sigma_of_line_m(double wander_per_m) {
   Random random(4);
-  CorridorTrip trip = corridor_trip(corridor_lines(14, random), 12, {}, random);
+  CorridorRun run = corridor_run(corridor_lines(14, random), 12, {}, random);
   const Vec2 p_map_line{7, 1.6};
-  for (std::size_t i = 0; i < trip.cycles.size(); ++i) {
-    const Pose2& T_map_vehicle = trip.T_map_vehicle[i];
+  for (std::size_t i = 0; i < run.cycles.size(); ++i) {
+    const Pose2& T_map_vehicle = run.T_map_vehicle[i];
     const Vec2 p_map = p_map_line + Vec2(wander_per_m * (T_map_vehicle.x - 4), 0);
     const Vec2 p_vehicle = T_map_vehicle.inverse() * p_map;
     if (p_vehicle.x() > kSightMin_m && p_vehicle.x() < kSightMax_m)
-      trip.cycles[i].sightings.push_back(sighting_of(p_vehicle, true, {}));
+      run.cycles[i].sightings.push_back(sighting_of(p_vehicle, true, {}));
   }
-  const LandmarkMap map = learn_landmarks(trip.cycles, corridor_cart(), {}).map;
+  const LandmarkMap map = learn_landmarks(run.cycles, corridor_cart(), {}).map;
   const auto nearest =
       std::min_element(map.all().begin(), map.all().end(), [&](const Landmark& a, const Landmark& b) {
         return (a.p_map - p_map_line).norm() < (b.p_map - p_map_line).norm();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "aisle/maps/cell_index.hpp"
-#include "corridor_trip.hpp"
+#include "corridor_run.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -46,7 +46,7 @@ TEST(LandmarkLocaliser, CorrectsAStartThatIsOff) {
   EXPECT_LT(std::sqrt(turned_rad2), 0.5 * kDegree);
 }
 
-/// A few lines at one distance are moved aside by a turn as they are by a step.
+/// A few lines at one distance are moved to the side by a turn as they are by a step.
 TEST(LandmarkLocaliser, WallsThatAreKnownWhereItStartsTellTheHeadingThatItsFirstLandmarksHardlyTell) {
   const std::vector<CorridorLine> lines{{{8, -0.5}, false}, {{8.1, 0.1}, true}, {{8, 0.6}, false}};
   const LandmarkMap map = map_of(lines);
@@ -135,7 +135,7 @@ TEST(LandmarkLocaliser, OneThingThatIsUniqueTellsLookAlikeDoorsApart) {
   EXPECT_THAT(localiser.pose(), PoseNear(truth, 0.02, 0.3 * kDegree));
 }
 
-TEST(LandmarkLocaliser, DoorsBeyondTheReachOfDoubtAreNoRivals) {
+TEST(LandmarkLocaliser, DoorsBeyondTheReachOfInconsistencyAreNoRivals) {
   const Pose2 truth{3.1, 0.02, 0};
   LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.1, 0.02, 0.5 * kDegree));
   const std::vector<LandmarkSighting> seen = sightings_from(lookalike_doors(-9, 40), truth, kNoise);
@@ -150,7 +150,7 @@ TEST(LandmarkLocaliser, WhatWasSeenFromThisSideCountsMoreThanWhatWasSeenFromTheO
   for (const CorridorLine& line : lines) {
     Landmark landmark{.p_map = line.p_map, .seen_from = {-1, 0}, .brighter_right = line.brighter_right};
     map.add(landmark);
-    landmark.p_map += Vec2(0.25, -0.15);  // the trip had drifted so far when it came back
+    landmark.p_map += Vec2(0.25, -0.15);  // the run had drifted so far when it came back
     landmark.weight = 2;
     landmark.seen_from = {1, 0};
     map.add(landmark);
@@ -161,7 +161,7 @@ TEST(LandmarkLocaliser, WhatWasSeenFromThisSideCountsMoreThanWhatWasSeenFromTheO
   EXPECT_THAT(localiser.pose(), PoseNear(truth, 0.03, 0.5 * kDegree));
 }
 
-TEST(LandmarkLocaliser, TwoLinesCloseTogetherAreToldApartByTheirBrighterSides) {
+TEST(LandmarkLocaliser, TwoLinesCloseTogetherAreReportedApartByTheirBrighterSides) {
   Random random(6);
   std::vector<CorridorLine> frames = corridor_lines(12, random);
   const std::size_t count = frames.size();
@@ -225,11 +225,11 @@ TEST(LandmarkLocaliser, UnknownThingsWhereKnownOnesCannotBeSeenContradictNothing
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   std::vector<CorridorLine> others = lines;
   for (CorridorLine& line : others) line.brighter_right = !line.brighter_right;
-  const Pose2 way_back{9, 0, kPi};  // the map knows the sides that are seen on the way there
-  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about(way_back, 0.05, 0.05, 1 * kDegree));
-  EXPECT_EQ(localiser.correct(map_of(lines), sightings_from(others, way_back, kNoise)),
+  const Pose2 path_back{9, 0, kPi};  // the map knows the sides that are seen on the way there
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about(path_back, 0.05, 0.05, 1 * kDegree));
+  EXPECT_EQ(localiser.correct(map_of(lines), sightings_from(others, path_back, kNoise)),
             LandmarkMatch::kNothing);
-  EXPECT_THAT(localiser.pose(), PoseNear(way_back, 0, 0));
+  EXPECT_THAT(localiser.pose(), PoseNear(path_back, 0, 0));
 }
 
 TEST(LandmarkLocaliser, NothingSeenAndNothingKnownSayNothing) {
@@ -268,7 +268,7 @@ double position_sigma_m(const LandmarkLocaliser& localiser) {
   return std::sqrt(localiser.covariance().topLeftCorner<2, 2>().trace());
 }
 
-TEST(LandmarkLocaliser, DoesNotBecomeSurerAndSurerByOnePictureSeenAgainAndAgain) {
+TEST(LandmarkLocaliser, DoesNotBecomeSurerAndSurerByOneImageSeenAgainAndAgain) {
   Random random(9);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   const LandmarkMap map = map_of(lines);
@@ -283,7 +283,7 @@ TEST(LandmarkLocaliser, DoesNotBecomeSurerAndSurerByOnePictureSeenAgainAndAgain)
   EXPECT_GT(position_sigma_m(localiser), 0.7 * at_first_m);
 }
 
-TEST(LandmarkLocaliser, BecomesSurerByThePicturesOnItsWay) {
+TEST(LandmarkLocaliser, BecomesSurerByTheImagesOnItsPath) {
   Random random(9);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   const LandmarkMap map = map_of(lines);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "corridor_trip.hpp"
+#include "corridor_run.hpp"
 
 namespace aisle {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr double kLong_m = 14, kBroad_m = 9;  // of the ring's middle line
 constexpr double kHalf_m = 1.1;               // of its corridors' width
 constexpr double kRadius_m = 1;
-constexpr SightNoise kPoor{.away_m = 0.05, .aside_m = 0.02, .unseen = 0.7};
+constexpr SightNoise kPoor{.away_m = 0.05, .lateral_m = 0.02, .unseen = 0.7};
 
 /// A corridor round a core, with lines on all its walls.
 struct Ring {
@@ -50,37 +50,37 @@ struct Ring {
   }
 };
 
-/// More than once round the ring, counted by wheels whose steering is off; the map begins where the trip
+/// More than once round the ring, counted by wheels whose steering is off; the map begins where the run
 /// does.
-CorridorTrip trip_round(const Ring& ring, const SightNoise& noise, Random& random) {
+CorridorRun trip_round(const Ring& ring, const SightNoise& noise, Random& random) {
   constexpr double kStep_m = 0.08, kTurnPer_m = 0.3 * kDegree;
   const double straight_m[] = {kLong_m - 2 * kRadius_m, kBroad_m - 2 * kRadius_m, kLong_m - 2 * kRadius_m,
                                kBroad_m - 2 * kRadius_m, kLong_m - 2 * kRadius_m};
-  CorridorTrip trip;
+  CorridorRun run;
   Pose2 T_ring_vehicle{kRadius_m, 0, 0};
-  const auto drive = [&](double way_m, double curvature_per_m) {
-    for (double m = 0; m < way_m; m += kStep_m) {
+  const auto drive = [&](double path_m, double curvature_per_m) {
+    for (double m = 0; m < path_m; m += kStep_m) {
       const double wheelbase_m = corridor_cart().front_steered.wheelbase_m;
       const double steering_rad = std::atan(wheelbase_m * (curvature_per_m + kTurnPer_m));
-      LandmarkCycle cycle{.stamp_s = 0.2 * static_cast<double>(trip.cycles.size()),
+      LandmarkCycle cycle{.stamp_s = 0.2 * static_cast<double>(run.cycles.size()),
                           .odometry = FrontSteeredMotion{kStep_m / std::cos(steering_rad), steering_rad},
                           .sightings = {},
                           .floor_edges = {}};
       T_ring_vehicle = T_ring_vehicle * end_pose({kStep_m, curvature_per_m * kStep_m});
       cycle.sightings =
           sightings_from(ring.seen_from(T_ring_vehicle.position()), T_ring_vehicle, noise, &random);
-      trip.cycles.push_back(std::move(cycle));
-      trip.T_map_vehicle.push_back(T_ring_vehicle);
+      run.cycles.push_back(std::move(cycle));
+      run.T_map_vehicle.push_back(T_ring_vehicle);
     }
   };
-  for (const double way_m : straight_m) {
-    drive(way_m, 0);
+  for (const double path_m : straight_m) {
+    drive(path_m, 0);
     drive(kRadius_m * kPi / 2, 1 / kRadius_m);
   }
-  return trip;
+  return run;
 }
 
-/// How differently a trip has it from the truth when it comes by a place again [m].
+/// How differently a run has it from the truth when it comes by a place again [m].
 double worst_return_m(const std::vector<Pose2>& thought, const std::vector<Pose2>& truth) {
   constexpr std::size_t kLater = 200;
   double worst_m = 0;
@@ -94,29 +94,29 @@ double worst_return_m(const std::vector<Pose2>& thought, const std::vector<Pose2
   return worst_m;
 }
 
-TEST(LandmarkLoops, ATripThatComesRoundAgainHasItsStartWhereItWas) {
+TEST(LandmarkLoops, ARunThatComesRoundAgainHasItsStartWhereItWas) {
   for (const std::uint64_t seed : {4U, 5U}) {
     Random random(seed);
     const Ring ring(random);
-    const CorridorTrip trip = trip_round(ring, kPoor, random);
+    const CorridorRun run = trip_round(ring, kPoor, random);
     LandmarkLearningParams params;
-    EXPECT_LT(worst_return_m(learn_landmarks(trip.cycles, corridor_cart(), params).T_map_vehicle,
-                             trip.T_map_vehicle),
-              0.05)
+    EXPECT_LT(
+        worst_return_m(learn_landmarks(run.cycles, corridor_cart(), params).T_map_vehicle, run.T_map_vehicle),
+        0.05)
         << seed;
     params.adjust = false;
-    EXPECT_GT(worst_return_m(learn_landmarks(trip.cycles, corridor_cart(), params).T_map_vehicle,
-                             trip.T_map_vehicle),
-              0.1)
-        << seed << ": the trip drifts too little to show anything";
+    EXPECT_GT(
+        worst_return_m(learn_landmarks(run.cycles, corridor_cart(), params).T_map_vehicle, run.T_map_vehicle),
+        0.1)
+        << seed << ": the run drifts too little to show anything";
   }
 }
 
 TEST(LandmarkLoops, APlaceThatWasPassedTwiceStandsInTheMapOnce) {
   Random random(4);
   const Ring ring(random);
-  const CorridorTrip trip = trip_round(ring, {}, random);
-  const LearnedTrip learned = learn_landmarks(trip.cycles, corridor_cart(), {});
+  const CorridorRun run = trip_round(ring, {}, random);
+  const LearnedRun learned = learn_landmarks(run.cycles, corridor_cart(), {});
   int doubles = 0;
   for (const Landmark& a : learned.map.all()) {
     for (const Landmark& b : learned.map.all()) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "aisle/learning/landmarks/landmark_relocation.hpp"
-#include "corridor_trip.hpp"
+#include "corridor_run.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -22,14 +22,14 @@ std::vector<Pose2> places(double length_m) {
   return tried;
 }
 
-/// What it makes of picture after picture from one place, within a few seconds.
+/// What it makes of image after image from one place, within a few seconds.
 std::optional<Pose2> look(LandmarkRelocator& relocator, const LandmarkMap& map,
                           const std::vector<CorridorLine>& lines, const Pose2& truth,
                           Random* random = nullptr) {
-  constexpr int kPictures = 40;
+  constexpr int kImages = 40;
   relocator.start();
   std::optional<Pose2> found;
-  for (int i = 0; i < kPictures && !found; ++i)
+  for (int i = 0; i < kImages && !found; ++i)
     found = relocator.look(map, sightings_from(lines, truth, kRelocationNoise, random));
   return found;
 }
@@ -103,8 +103,8 @@ TEST(LandmarkRelocation, ForgetsWhatItSawElsewhere) {
   }
 }
 
-// Two thousand places away from all landmarks cost next to nothing, but pictures pass until they were tried.
-TEST(LandmarkRelocation, TriesSoManyPlacesAPictureAndNoMore) {
+// Two thousand places away from all landmarks cost next to nothing, but images pass until they were tried.
+TEST(LandmarkRelocation, TriesSoManyPlacesAImageAndNoMore) {
   Random random(8);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
   const LandmarkMap map = map_of(lines);
@@ -112,19 +112,19 @@ TEST(LandmarkRelocation, TriesSoManyPlacesAPictureAndNoMore) {
   for (int i = 0; i < 2000; ++i) tried.push_back({100.0 + i, 0, 0});
   const LandmarkRelocationParams params;
   LandmarkRelocator relocator(params, {}, corridor_cart(), tried);
-  const std::size_t pictures_to_try_all =
-      (tried.size() - 1) / static_cast<std::size_t>(params.places_per_picture) + 1;
-  for (std::size_t i = 0; i < pictures_to_try_all; ++i)
+  const std::size_t images_to_try_all =
+      (tried.size() - 1) / static_cast<std::size_t>(params.places_per_image) + 1;
+  for (std::size_t i = 0; i < images_to_try_all; ++i)
     ASSERT_EQ(relocator.look(map, sightings_from(lines, {9, 0, 0}, kRelocationNoise)), std::nullopt) << i;
-  EXPECT_EQ(relocator.rounds(), 2) << "pictures until it had seen things often enough";
+  EXPECT_EQ(relocator.rounds(), 2) << "images until it had seen things often enough";
   std::optional<Pose2> found;
   for (int i = 0; i < 40 && !found; ++i)
     found = relocator.look(map, sightings_from(lines, {9, 0, 0}, kRelocationNoise));
   EXPECT_TRUE(found);
 }
 
-// Where one picture shows too little, a few metres of way show enough.
-TEST(LandmarkRelocation, FindsItselfOnTheWay) {
+// Where one image shows too little, a few metres of path show enough.
+TEST(LandmarkRelocation, FindsItselfOnThePath) {
   Random random(9);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
   const LandmarkMap map = map_of(lines);
@@ -144,9 +144,9 @@ TEST(LandmarkRelocation, FindsItselfOnTheWay) {
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
 
-/// What it makes of pictures on a way of some metres.
-std::optional<Pose2> look_on_the_way(LandmarkRelocator& relocator, const LandmarkMap& map,
-                                     const std::vector<CorridorLine>& lines, Pose2& truth) {
+/// What it makes of images on a path of some metres.
+std::optional<Pose2> look_on_the_path(LandmarkRelocator& relocator, const LandmarkMap& map,
+                                      const std::vector<CorridorLine>& lines, Pose2& truth) {
   constexpr double kStep_m = 0.03;
   Random random(9);
   relocator.start();
@@ -171,10 +171,10 @@ TEST(LandmarkRelocation, WhatIsMissedTellsPlacesApart) {
   const LandmarkMap map = map_of(lines);
   Pose2 truth{0.2, 0.1, 0.02};
   LandmarkRelocator blind({.missed_evidence = 0}, {}, corridor_cart(), places(26));
-  EXPECT_EQ(look_on_the_way(blind, map, lines, truth), std::nullopt);
+  EXPECT_EQ(look_on_the_path(blind, map, lines, truth), std::nullopt);
   truth = {0.2, 0.1, 0.02};
   LandmarkRelocator relocator({}, {}, corridor_cart(), places(26));
-  const auto found = look_on_the_way(relocator, map, lines, truth);
+  const auto found = look_on_the_path(relocator, map, lines, truth);
   ASSERT_TRUE(found);
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
@@ -201,7 +201,7 @@ TEST(LandmarkRelocation, WhatIsUnknownTellsPlacesApart) {
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
 
-/// What it makes of pictures that show so many lines, of which the map has only some.
+/// What it makes of images that show so many lines, of which the map has only some.
 std::optional<Pose2> look_where_some_are_unknown(const Pose2& truth, std::size_t shown, double known_share) {
   Random random(12);
   std::vector<CorridorLine> lines, known;
@@ -225,25 +225,26 @@ TEST(LandmarkRelocation, WhereManyThingsAreUnknownMuchMustBeKnown) {
 }
 
 // From a little more to the left, turned to the right, the lines of a wall ahead look much the same: that is
-// no other place to be told from the right one.
-TEST(LandmarkRelocation, OneWallSeenFromHereOrFromALittleAsideIsOnePlace) {
-  constexpr SightNoise kVague{.away_m = 0.05, .aside_m = 0.01, .unseen = 0};
+// no other place to be known from the right one.
+TEST(LandmarkRelocation, OneWallSeenFromHereOrFromALittleLateralIsOnePlace) {
+  constexpr SightNoise kVague{.away_m = 0.05, .lateral_m = 0.01, .unseen = 0};
   std::vector<CorridorLine> lines;
   for (const double y : {-0.7, -0.45, -0.1, 0.4, 0.6}) lines.push_back({{3.2, y}, lines.size() % 2 == 0});
   const Pose2 truth{0.4, 0, 0};
   std::vector<Pose2> tried;
-  for (const double aside_m : {-0.8, -0.4, 0.0, 0.4, 0.8}) tried.push_back({0.4, aside_m, -aside_m / 2.8});
+  for (const double lateral_m : {-0.8, -0.4, 0.0, 0.4, 0.8})
+    tried.push_back({0.4, lateral_m, -lateral_m / 2.8});
   LandmarkRelocator relocator({}, {}, corridor_cart(), tried);
   Random random(2);
-  const auto picture = sightings_from(lines, truth, kVague, &random);
+  const auto image = sightings_from(lines, truth, kVague, &random);
   std::optional<Pose2> found;
-  for (int i = 0; i < 40 && !found; ++i) found = relocator.look(map_of(lines), picture);
+  for (int i = 0; i < 40 && !found; ++i) found = relocator.look(map_of(lines), image);
   ASSERT_TRUE(found);
   EXPECT_THAT(*found, PoseNear(truth, 0.2, 4 * kDegree));
 }
 
 // Two places look alike until the vehicle turns into a side corridor, along which no place is tried.
-TEST(LandmarkRelocation, KeepsItsBestPlacesInMindWhenItTurnsAsideFromItsWays) {
+TEST(LandmarkRelocation, KeepsItsBestPlacesInMindWhenItTurnsLateralFromItsPaths) {
   constexpr double kApart_m = 16, kStep_m = 0.03, kSteering_rad = 0.5, kHalfView = 0.7;
   Random random(11);
   std::vector<CorridorLine> lines;
@@ -262,14 +263,14 @@ TEST(LandmarkRelocation, KeepsItsBestPlacesInMindWhenItTurnsAsideFromItsWays) {
                                     .steering_rad = i >= 60 && truth.theta < kPi / 2 ? kSteering_rad : 0};
     truth = truth * drive(corridor_cart().front_steered, motion);
     relocator.predict(motion);
-    std::vector<LandmarkSighting> picture = sightings_from(lines, truth, kRelocationNoise, &random);
-    std::erase_if(picture, [](const LandmarkSighting& seen) {
+    std::vector<LandmarkSighting> image = sightings_from(lines, truth, kRelocationNoise, &random);
+    std::erase_if(image, [](const LandmarkSighting& seen) {
       return std::abs(seen.p_vehicle.y()) > kHalfView * seen.p_vehicle.x();
     });
-    found = relocator.look(map, picture);
+    found = relocator.look(map, image);
   }
   ASSERT_TRUE(found);
-  EXPECT_GT(truth.theta, 60 * kDegree) << "else a place along the way would have been found";
+  EXPECT_GT(truth.theta, 60 * kDegree) << "else a place along the path would have been found";
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
 

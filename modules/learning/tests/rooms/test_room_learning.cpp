@@ -19,18 +19,18 @@ VehicleDescription room_cart() {
 
 /// Straight on, 1 cm a cycle.
 std::vector<RoomCycle> drive(int cycles) {
-  std::vector<RoomCycle> trip(static_cast<std::size_t>(cycles));
-  for (RoomCycle& cycle : trip) cycle.odometry = FrontSteeredMotion{.distance_m = 0.01};
-  trip.front().patch = RouteBrightness{150, 2};
-  return trip;
+  std::vector<RoomCycle> run(static_cast<std::size_t>(cycles));
+  for (RoomCycle& cycle : run) cycle.odometry = FrontSteeredMotion{.distance_m = 0.01};
+  run.front().patch = RouteBrightness{150, 2};
+  return run;
 }
 
 TEST(RoomLearning, MarksBecomeTurningsWithTheirDistances) {
-  auto trip = drive(500);
-  trip[99].marks = {{Mark::Kind::kTurningBegins, "5"}};
-  trip[299].marks = {{Mark::Kind::kTurningEnds, "5"}};
-  trip[499].marks = {{Mark::Kind::kStop, "dead-end"}};
-  const auto learned = learn_room_route(trip, room_cart(), {});
+  auto run = drive(500);
+  run[99].marks = {{Mark::Kind::kTurningBegins, "5"}};
+  run[299].marks = {{Mark::Kind::kTurningEnds, "5"}};
+  run[499].marks = {{Mark::Kind::kStop, "dead-end"}};
+  const auto learned = learn_room_route(run, room_cart(), {});
   ASSERT_TRUE(learned.ok()) << to_string(learned.problems());
   const RoomRoute& room = *learned->route.room;
   ASSERT_THAT(room.turnings, SizeIs(1));
@@ -44,21 +44,21 @@ TEST(RoomLearning, MarksBecomeTurningsWithTheirDistances) {
 }
 
 TEST(RoomLearning, MarksThatDoNotGoTogetherAreAllReported) {
-  auto trip = drive(100);
-  trip[10].marks = {{Mark::Kind::kTurningEnds, "5"}};
-  trip[20].marks = {{Mark::Kind::kTurningBegins, "14"}};
-  trip[30].marks = {{Mark::Kind::kTurningBegins, "3"}};
-  trip[90].marks = {{Mark::Kind::kStop, "garage"}};
-  const auto learned = learn_room_route(trip, room_cart(), {});
+  auto run = drive(100);
+  run[10].marks = {{Mark::Kind::kTurningEnds, "5"}};
+  run[20].marks = {{Mark::Kind::kTurningBegins, "14"}};
+  run[30].marks = {{Mark::Kind::kTurningBegins, "3"}};
+  run[90].marks = {{Mark::Kind::kStop, "garage"}};
+  const auto learned = learn_room_route(run, room_cart(), {});
   ASSERT_FALSE(learned.ok());
   const std::string all = to_string(learned.problems());
   EXPECT_THAT(all, HasSubstr("a turning ends that has not begun"));
   EXPECT_THAT(all, HasSubstr("'14' is no turning"));
   EXPECT_THAT(all, HasSubstr("turning 3 has no end"));
-  EXPECT_THAT(all, HasSubstr("'garage' is no way to park"));
+  EXPECT_THAT(all, HasSubstr("'garage' is no path to park"));
 }
 
-TEST(RoomLearning, NeedsAWayPicturesAndAFrame) {
+TEST(RoomLearning, NeedsAPathImagesAndAFrame) {
   auto still = drive(5);
   still.front().patch.reset();
   const auto none = learn_room_route(still, room_cart(), {});
@@ -69,7 +69,7 @@ TEST(RoomLearning, NeedsAWayPicturesAndAFrame) {
   EXPECT_FALSE(learn_room_route(no_frame, room_cart(), {}).ok());
 }
 
-/// Points on the sides of a frame of 1.64 m x 1.14 m straight ahead; of its first stretch alone, or all.
+/// Points on the sides of a frame of 1.64 m x 1.14 m straight ahead; of its first segment alone, or all.
 std::vector<Vec2> painted_ahead(double middle_m, double shown_m) {
   std::vector<Vec2> points;
   for (double x = 0; x < shown_m; x += 0.02) {
@@ -83,26 +83,26 @@ std::vector<Vec2> painted_ahead(double middle_m, double shown_m) {
 }
 
 TEST(RoomLearning, AFrameThatIsShownInPartAtFirstIsMeasuredWhenItIsShownWhole) {
-  auto trip = drive(400);
-  trip.back().marks = {{Mark::Kind::kStop, "frame"}};
+  auto run = drive(400);
+  run.back().marks = {{Mark::Kind::kStop, "frame"}};
   for (std::size_t i = 100; i < 250; ++i) {
     const double middle_m = 4.5 - 0.01 * static_cast<double>(i);
-    trip[i].p_vehicle_painted = painted_ahead(middle_m, i < 200 ? 0.4 : 1.64);
+    run[i].p_vehicle_painted = painted_ahead(middle_m, i < 200 ? 0.4 : 1.64);
   }
-  const auto learned = learn_room_route(trip, room_cart(), {});
+  const auto learned = learn_room_route(run, room_cart(), {});
   ASSERT_TRUE(learned.ok()) << to_string(learned.problems());
   EXPECT_NEAR(learned->route.room->frame_size_m.x(), 1.64, 0.03);
   EXPECT_NEAR(learned->route.room->frame_size_m.y(), 1.14, 0.03);
 }
 
-TEST(RoomLearning, EdgesThatSeveralPicturesShowAreKeptWhereTheyWereSeenLast) {
-  auto trip = drive(100);
-  for (std::size_t i = 0; i < trip.size(); ++i) {
+TEST(RoomLearning, EdgesThatSeveralImagesShowAreKeptWhereTheyWereSeenLast) {
+  auto run = drive(100);
+  for (std::size_t i = 0; i < run.size(); ++i) {
     const double x = 0.01 * static_cast<double>(i);  // odometry's first reading counts
-    if (i < 50) trip[i].p_vehicle_edges = {Vec2(2.01 - x, 0.51)};
+    if (i < 50) run[i].p_vehicle_edges = {Vec2(2.01 - x, 0.51)};
   }
-  trip[60].p_vehicle_edges = {Vec2(1, -0.5)};
-  const auto learned = learn_room_route(trip, room_cart(), {});
+  run[60].p_vehicle_edges = {Vec2(1, -0.5)};
+  const auto learned = learn_room_route(run, room_cart(), {});
   ASSERT_TRUE(learned.ok()) << to_string(learned.problems());
   const std::vector<RouteEdge>& edges = learned->route.room->edges;
   ASSERT_THAT(edges, SizeIs(1));
@@ -113,27 +113,27 @@ TEST(RoomLearning, EdgesThatSeveralPicturesShowAreKeptWhereTheyWereSeenLast) {
 
 /// Straight to a taught place, 1 m back and 1.3 m on, with a view of its own in each cycle.
 std::vector<RoomCycle> drive_about_place() {
-  auto trip = drive(430);
-  trip[199].marks = {{Mark::Kind::kStop, "view"}};
-  for (std::size_t i = 0; i < trip.size(); ++i) {
-    if (i >= 200 && i < 300) trip[i].odometry = FrontSteeredMotion{.distance_m = -0.01};
-    trip[i].view = PlaceView{.brightness = {0.001 * static_cast<double>(i)}, .columns = {}};
+  auto run = drive(430);
+  run[199].marks = {{Mark::Kind::kStop, "view"}};
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    if (i >= 200 && i < 300) run[i].odometry = FrontSteeredMotion{.distance_m = -0.01};
+    run[i].view = PlaceView{.brightness = {0.001 * static_cast<double>(i)}, .columns = {}};
   }
-  return trip;
+  return run;
 }
 
-TEST(RoomLearning, TheWayEndsAtTheStopMark) {
+TEST(RoomLearning, ThePathEndsAtTheStopMark) {
   const auto learned = learn_room_route(drive_about_place(), room_cart(), {});
   ASSERT_TRUE(learned.ok()) << to_string(learned.problems());
   EXPECT_NEAR(learned->route.path.length_m(), 1.99, 0.02);
   EXPECT_THAT(learned->T_route_vehicle, SizeIs(430));
 }
 
-TEST(RoomLearning, AFewViewsOfThePatternDoNotReplaceThoseOfTheWay) {
+TEST(RoomLearning, AFewViewsOfThePatternDoNotReplaceThoseOfThePath) {
   const auto learned = learn_room_route(drive_about_place(), room_cart(), {});
   ASSERT_TRUE(learned.ok());
   const std::vector<StopView>& views = learned->route.room->views;
-  EXPECT_THAT(views, SizeIs(testing::Ge(100U))) << "of the last metre of the way";
+  EXPECT_THAT(views, SizeIs(testing::Ge(100U))) << "of the last metre of the path";
   EXPECT_NEAR(views.back().left_m, 0, 1e-9);
 }
 
@@ -152,7 +152,7 @@ TEST(PatternViews, AreThoseFromThePlacesOfThePattern) {
   const auto views = pattern_views(cycles, T_route_vehicle, T_route_place);
   ASSERT_THAT(views, SizeIs(63));
   EXPECT_NEAR(views.front().left_m, 0.59, 1e-9) << "the first is wished 0.6 m before the place";
-  for (const StopView& view : views) EXPECT_EQ(view.seen.brightness.front(), 1) << "the nearest picture";
+  for (const StopView& view : views) EXPECT_EQ(view.seen.brightness.front(), 1) << "the nearest image";
 }
 
 }  // namespace

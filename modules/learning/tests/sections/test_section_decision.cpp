@@ -41,7 +41,7 @@ TEST(SectionDecision, RightTurnsAreNoCornersButEndHybridSections) {
               ElementsAre(Kind::kHybrid, Kind::kTurn, Kind::kFollow));
 }
 
-TEST(SectionDecision, AWayAcrossTheCorridorIsDeadReckoned) {
+TEST(SectionDecision, APathAcrossTheCorridorIsDeadReckoned) {
   // 0.4 m are kept from the right before and after, the corridor is 1.8 m wide: 1 m across
   const SectionList driven = {straight(5, 0.4), turn(90), straight(1.0), turn(90), straight(5, 0.4)};
   EXPECT_THAT(decided(driven, 1.8),

@@ -48,19 +48,19 @@ TEST(SectionMerging, OfTwoDrivesTheMeanCountsAndADistanceThatOnlyOneSawIsKept) {
 }
 
 TEST(SectionMerging, ADriveElsewhereIsLeftOut) {
-  const DrivenList way = drive({straight(5), turn(90), straight(3)});
+  const DrivenList path = drive({straight(5), turn(90), straight(3)});
   const DrivenList to_the_right = drive({straight(5), turn(-90), straight(3)});
   const DrivenList longer = drive({straight(9), turn(90), straight(3)});
   const DrivenList shorter_list = drive({straight(5)});
-  const MergedDrives merged = merge_drives(std::vector{to_the_right, way, longer, way, shorter_list});
-  EXPECT_EQ(merged.driven.sections, way.sections);
+  const MergedDrives merged = merge_drives(std::vector{to_the_right, path, longer, path, shorter_list});
+  EXPECT_EQ(merged.driven.sections, path.sections);
   EXPECT_THAT(merged.taken, ElementsAre(1U, 3U));
 }
 
 TEST(SectionMerging, OfTwoFormsTheEarlierDriveCounts) {
-  const DrivenList way = drive({straight(5)}), other = drive({straight(9)});
-  EXPECT_EQ(merge_drives(std::vector{way, other}).driven.sections, way.sections);
-  EXPECT_EQ(merge_drives(std::vector{other, way}).driven.sections, other.sections);
+  const DrivenList path = drive({straight(5)}), other = drive({straight(9)});
+  EXPECT_EQ(merge_drives(std::vector{path, other}).driven.sections, path.sections);
+  EXPECT_EQ(merge_drives(std::vector{other, path}).driven.sections, other.sections);
 }
 
 }  // namespace

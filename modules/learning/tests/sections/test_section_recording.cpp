@@ -21,7 +21,7 @@ VehicleDescription mini_vehicle() {
 class Drive {
  public:
   /// A wall along the drive's first direction, to its left (positive) or right.
-  void set_wall(double aside_m) { wall_m_ = aside_m; }
+  void set_wall(double lateral_m) { wall_m_ = lateral_m; }
 
   /// A wall across the drive's first direction, which is on the right once the vehicle has turned left; 0:
   /// none is seen.
@@ -30,8 +30,8 @@ class Drive {
   /// Turns, and the wheels do not count it.
   void slip(double turn_rad) { T_ = T_ * Pose2{0, 0, turn_rad}; }
 
-  /// From here on pictures show nothing but an edge that lies askew; 0: no more.
-  void set_askew(double askew_rad) { askew_rad_ = askew_rad; }
+  /// From here on images show nothing but an edge that lies misaligned; 0: no more.
+  void set_misaligned(double yaw_error_rad) { yaw_error_rad_ = yaw_error_rad; }
 
   /// From here on the floor's grain looks like edges, which lie turned the more the farther the drive goes;
   /// 0: no more.
@@ -65,13 +65,13 @@ class Drive {
     constexpr double kSeenFrom_m = 2.4;
     std::vector<SensedSegment> seen;
     if (wall_m_ != 0) {
-      const Vec2 near{T_.x + 0.5, wall_m_}, far = near + 2 * unit(askew_rad_);
+      const Vec2 near{T_.x + 0.5, wall_m_}, far = near + 2 * unit(yaw_error_rad_);
       seen.push_back(wall_m_ > 0 ? edge(far, near) : edge(near, far));
     }
     if (grain_rad_per_m_ != 0) {
       const double turned_rad = grain_rad_per_m_ * (T_.position() - grain_from_).norm();
-      for (const double aside_m : {-0.2, 0.2}) {
-        const Vec2 near = T_ * Vec2(3, aside_m);
+      for (const double lateral_m : {-0.2, 0.2}) {
+        const Vec2 near = T_ * Vec2(3, lateral_m);
         SensedSegment grain = edge(near, near + unit(T_.theta + turned_rad));
         grain.length_m = 1;
         grain.sigma_heading_rad = 5 * kDegree;
@@ -98,7 +98,7 @@ class Drive {
 
   VehicleDescription vehicle_ = mini_vehicle();
   Pose2 T_;
-  double wall_m_ = 0, across_m_ = 0, askew_rad_ = 0, grain_rad_per_m_ = 0;
+  double wall_m_ = 0, across_m_ = 0, yaw_error_rad_ = 0, grain_rad_per_m_ = 0;
   Vec2 grain_from_{0, 0};
   double left_m_ = 0, right_m_ = 0;
   int left_ = 0, right_ = 0;
@@ -153,13 +153,13 @@ TEST(SectionRecording, TheMeanDistanceOfABaseLineIsKept) {
   EXPECT_FALSE(list[0].left_m);
 }
 
-TEST(SectionRecording, AnEdgeThatLiesAskewDoesNotLeadTheWayAside) {
+TEST(SectionRecording, AnEdgeThatLiesMisalignedDoesNotLeadThePathLateral) {
   Drive drive;
   drive.set_wall(-0.45);
   drive.go(5);
-  drive.set_askew(5 * kDegree);
+  drive.set_misaligned(5 * kDegree);
   drive.go(0.3);
-  drive.set_askew(0);
+  drive.set_misaligned(0);
   drive.go(5);
   for (const Pose2& T : drive.recorded().T_route_vehicle) {
     EXPECT_LT(std::abs(T.y), 0.01);
@@ -167,7 +167,7 @@ TEST(SectionRecording, AnEdgeThatLiesAskewDoesNotLeadTheWayAside) {
   }
 }
 
-TEST(SectionRecording, TheFloorsGrainDoesNotTurnTheWay) {
+TEST(SectionRecording, TheFloorsGrainDoesNotTurnThePath) {
   Drive drive;
   drive.set_wall(-0.45);
   drive.go(2);
@@ -182,7 +182,7 @@ TEST(SectionRecording, TheFloorsGrainDoesNotTurnTheWay) {
   EXPECT_NEAR(driven.T_route_vehicle.back().y, 0, 0.1);
 }
 
-TEST(SectionRecording, TheWallAcrossOneStretchIsTheOneBesideTheNext) {
+TEST(SectionRecording, TheWallAcrossOnePathSegmentIsTheOneBesideTheNext) {
   constexpr double kSlip_rad = 4 * kDegree, kUnseen_m = 2.5;
   Drive drive;
   drive.set_wall_across(4);
@@ -198,7 +198,7 @@ TEST(SectionRecording, TheWallAcrossOneStretchIsTheOneBesideTheNext) {
   EXPECT_NEAR(drive.recorded().T_route_vehicle.back().x, x_m, 0.08);
 }
 
-TEST(SectionRecording, AWayThatOdometryBentBeginsWhereTheVehicleStood) {
+TEST(SectionRecording, APathThatOdometryBentBeginsWhereTheVehicleStood) {
   Drive drive;
   drive.go(20, -10 * kDegree);
   const DrivenList driven = drive.recorded();
@@ -224,7 +224,7 @@ TEST(SectionRecording, BackwardsStaysBackwards) {
   EXPECT_NEAR(list[1].length_m, 0.8, 0.05);
 }
 
-TEST(SectionRecording, EndsASectionWhereTheBaseLineStepsAside) {
+TEST(SectionRecording, EndsASectionWhereTheBaseLineStepsLateral) {
   Drive drive;
   drive.set_wall(-0.5);
   drive.go(9);
@@ -240,20 +240,20 @@ TEST(SectionRecording, EndsASectionWhereTheBaseLineStepsAside) {
 
 TEST(SectionRecording, TellsWhereNoBaseLineWasSeen) {
   Drive drive;
-  for (const auto& [length_m, aside_m] : {std::pair{4, -0.5}, {6, 0}, {5, -0.5}}) {
-    drive.set_wall(aside_m);
+  for (const auto& [length_m, lateral_m] : {std::pair{4, -0.5}, {6, 0}, {5, -0.5}}) {
+    drive.set_wall(lateral_m);
     drive.go(length_m);
   }
-  const UnseenStretch unseen = drive.recorded().unseen;
+  const UnseenPathSegment unseen = drive.recorded().unseen;
   EXPECT_NEAR(unseen.from_m, 4, 0.1);
   EXPECT_NEAR(unseen.length_m, 6, 0.1);
 }
 
 TEST(SectionRecording, GoesOnPastARecess) {
   Drive drive;
-  for (const double aside_m : {-0.5, -0.8, -0.5}) {
-    drive.set_wall(aside_m);
-    drive.go(aside_m < -0.6 ? 1.5 : 7);
+  for (const double lateral_m : {-0.5, -0.8, -0.5}) {
+    drive.set_wall(lateral_m);
+    drive.go(lateral_m < -0.6 ? 1.5 : 7);
   }
   const SectionList list = drive.recorded().sections;
   ASSERT_EQ(list.size(), 1U);

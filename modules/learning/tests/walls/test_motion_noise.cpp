@@ -11,7 +11,7 @@ Vec3 variances(const Pose2& step) {
   return MotionNoise{}.covariance(step).diagonal();
 }
 
-RC_GTEST_PROP(MotionNoise, NeverFallsWithTheWayOrTheTurn, (std::uint64_t seed)) {
+RC_GTEST_PROP(MotionNoise, NeverFallsWithThePathOrTheTurn, (std::uint64_t seed)) {
   Random random(seed);
   const Pose2 step{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-3, 3)};
   const double more = random.uniform(1, 3);

@@ -12,13 +12,13 @@ namespace {
 constexpr double kPeriod_s = 0.2;
 constexpr int kScans = 600;
 
-/// A vehicle that keeps turning this way and that, at up to 40 degrees a second.
+/// A vehicle that keeps turning this path and that, at up to 40 degrees a second.
 double heading_rad(double time_s) {
   return 0.9 * std::sin(0.7 * time_s) + 0.2 * std::sin(1.9 * time_s);
 }
 
-/// The log of such a trip, read scan by scan.
-struct Trip {
+/// The log of such a run, read scan by scan.
+struct DelayedRun {
   double delay_s = 0;
   double wheel_sigma_rad = 0;  ///< of each step
   double sight_sigma_rad = 0;  ///< of each scan's frame
@@ -47,26 +47,26 @@ struct Trip {
 TEST(OdometryDelay, IsFoundToATenthOfThePeriodLaterOrEarlier) {
   for (int tenths = -10; tenths <= 30; ++tenths) {
     const double delay_s = tenths * 0.1 * kPeriod_s;
-    EXPECT_NEAR((Trip{.delay_s = delay_s}.estimated_delay_s()), delay_s, 0.101 * kPeriod_s);
+    EXPECT_NEAR((DelayedRun{.delay_s = delay_s}.estimated_delay_s()), delay_s, 0.101 * kPeriod_s);
   }
 }
 
 TEST(OdometryDelay, IsFoundInSpiteOfNoise) {
   for (const double delay_s : {-0.16, -0.08, 0.13, 0.3, 0.5}) {
-    const Trip trip{.delay_s = delay_s, .wheel_sigma_rad = 0.3 * kDegree, .sight_sigma_rad = 0.3 * kDegree};
-    EXPECT_NEAR(trip.estimated_delay_s(), delay_s, 0.101 * kPeriod_s);
+    const DelayedRun run{.delay_s = delay_s, .wheel_sigma_rad = 0.3 * kDegree, .sight_sigma_rad = 0.3 * kDegree};
+    EXPECT_NEAR(run.estimated_delay_s(), delay_s, 0.101 * kPeriod_s);
   }
 }
 
 TEST(OdometryDelay, NoiseOfTheWheelsIsNoDelay) {
   for (const double sigma_rad : {0.1 * kDegree, 0.2 * kDegree, 0.4 * kDegree}) {
-    EXPECT_EQ((Trip{.wheel_sigma_rad = sigma_rad}.estimated_delay_s()), 0);
+    EXPECT_EQ((DelayedRun{.wheel_sigma_rad = sigma_rad}.estimated_delay_s()), 0);
   }
 }
 
 TEST(OdometryDelay, IsNoneUntilEnoughTurningWasSeen) {
-  EXPECT_EQ((Trip{.delay_s = 0.2, .scans = 15}.estimated_delay_s()), 0);
-  EXPECT_EQ((Trip{.delay_s = 0.2, .sees_walls = false}.estimated_delay_s()), 0);
+  EXPECT_EQ((DelayedRun{.delay_s = 0.2, .scans = 15}.estimated_delay_s()), 0);
+  EXPECT_EQ((DelayedRun{.delay_s = 0.2, .sees_walls = false}.estimated_delay_s()), 0);
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(OdometryScale, StaysOneWhereItIsKnownToBe) {
   EXPECT_EQ(scale.factor(), 1);
 }
 
-TEST(OdometryScale, APoseThatIsKnownAnewSaysNothingOfIt) {
+TEST(OdometryScale, APoseThatIsKnownAgainSaysNothingOfIt) {
   OdometryScale scale(0.05);
   Mat3 covariance = 0.001 * Mat3::Identity();
   scale.predict({}, {3, 0, 0}, covariance);
@@ -116,31 +116,31 @@ TEST(OdometryScale, TellsHowFarAPlaceIsByAFactorThatIsLearnedLater) {
   OdometryScale scale(0.02);
   Mat3 covariance = 1e-6 * Mat3::Identity();
   scale.predict({}, {10, 0, 0}, covariance);
-  EXPECT_NEAR(scale.way().off_m(1.01).x(), 0.1, 1e-9);
-  EXPECT_NEAR(scale.way().off_m(1).norm(), 0, 1e-9);
+  EXPECT_NEAR(scale.path().off_m(1.01).x(), 0.1, 1e-9);
+  EXPECT_NEAR(scale.path().off_m(1).norm(), 0, 1e-9);
 }
 
-TEST(OdometryScale, WhatIsSeenFirstAndThenAgainSaysNothingOfTheWayThere) {
+TEST(OdometryScale, WhatIsSeenFirstAndThenAgainSaysNothingOfThePathThere) {
   OdometryScale scale(0.02);
   Mat3 covariance = 1e-6 * Mat3::Identity();
   scale.predict({}, {10, 0, 0}, covariance);
-  const CountedWay first_seen = scale.way();
+  const CountedPath first_seen = scale.path();
   EXPECT_EQ(scale.refer_to(first_seen, covariance), Vec2(0, 0));
   const Mat3 seen = covariance;
   scale.correct(seen, Vec3::Zero(), 0.5 * seen);  // where it was
-  EXPECT_NEAR(scale.way().off_m(1.01).x(), 0.1, 1e-4);
+  EXPECT_NEAR(scale.path().off_m(1.01).x(), 0.1, 1e-4);
 
   scale.predict({10, 0, 0}, {1, 0, 0}, covariance);
   scale.correct(covariance, {0.01, 0, 0}, 1e-9 * Mat3::Identity());
   EXPECT_NEAR(scale.factor(), 1.01, 1e-3);  // 1 cm in 1 m, not in 11 m
-  EXPECT_NEAR(scale.way().off_m(1.01).x(), 0.1, 0.01);
+  EXPECT_NEAR(scale.path().off_m(1.01).x(), 0.1, 0.01);
 }
 
-TEST(OdometryScale, WhatWasSeenOnTheWayOutSaysNothingOnTheWayBack) {
+TEST(OdometryScale, WhatWasSeenOnThePathOutSaysNothingOnThePathBack) {
   OdometryScale scale(0.02);
   Mat3 covariance = 1e-6 * Mat3::Identity();
   scale.predict({}, {4, 0, 0}, covariance);
-  const CountedWay to_mark = scale.way();
+  const CountedPath to_mark = scale.path();
   scale.predict({4, 0, 0}, {6, 0, 0}, covariance);
   scale.predict({10, 0, kPi}, {6, 0, 0}, covariance);
   EXPECT_NEAR(scale.refer_to(to_mark, covariance).norm(), 0, 1e-12);
@@ -152,9 +152,9 @@ TEST(OdometryScale, WhatWasSeenOnTheWayOutSaysNothingOnTheWayBack) {
 TEST(OdometryScale, KnowsThatItComesBackElsewhereThanWhereItLaidTheStart) {
   OdometryScale scale(0.02);
   Mat3 covariance = 1e-6 * Mat3::Identity();
-  const CountedWay to_start = scale.way();
+  const CountedPath to_start = scale.path();
   scale.predict({}, {10, 0, 0}, covariance);
-  scale.refer_to(scale.way(), covariance);  // to what it sees first there; then it learns the factor by it
+  scale.refer_to(scale.path(), covariance);  // to what it sees first there; then it learns the factor by it
   scale.predict({10, 0, 0}, {1, 0, 0}, covariance);
   const Mat3 prior = covariance;
   covariance = 1e-9 * Mat3::Identity();
@@ -177,13 +177,13 @@ RC_GTEST_PROP(OdometryScale, WhatThePoseRefersToChangesNothingThatIsKnown, (std:
     covariance = (covariance.inverse() + any_information(random)).inverse();
     scale.correct(prior, Vec3::Constant(random.uniform(-0.01, 0.01)), covariance);
   }
-  const CountedWay there = scale.way();
-  const CountedWay elsewhere{{random.uniform(-9, 9), random.uniform(-9, 9)},
-                             {random.uniform(-9, 9), random.uniform(-9, 9)}};
+  const CountedPath there = scale.path();
+  const CountedPath elsewhere{{random.uniform(-9, 9), random.uniform(-9, 9)},
+                              {random.uniform(-9, 9), random.uniform(-9, 9)}};
   const Vec2 moved = scale.refer_to(elsewhere, covariance);
-  const Vec2 off_before = there.off_m(scale.factor()), off = scale.way().off_m(scale.factor());
+  const Vec2 off_before = there.off_m(scale.factor()), off = scale.path().off_m(scale.factor());
   RC_ASSERT((off + moved - off_before).norm() < 1e-9);
-  RC_ASSERT((scale.way().by_factor - there.by_factor).norm() < 1e-9);
+  RC_ASSERT((scale.path().by_factor - there.by_factor).norm() < 1e-9);
   RC_ASSERT(covariance.ldlt().isPositive());
 }
 

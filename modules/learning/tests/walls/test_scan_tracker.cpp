@@ -89,8 +89,8 @@ TEST(ScanTracker, LearnsTheWheelsScaleWhereTheEndIsInSightAndKeepsIt) {
     last = tracker.step(corridor_view({5 + i * kStep_m, 0.2, 0}, i < kStepsInSight), {counted_m, 0, 0}, true);
     if (i == 0) first = last;
   }
-  const double way_m = kSteps * kStep_m;
-  EXPECT_NEAR((last.position() - first.position()).norm(), way_m, 0.2);  // 0.9 by the wheels alone
+  const double path_m = kSteps * kStep_m;
+  EXPECT_NEAR((last.position() - first.position()).norm(), path_m, 0.2);  // 0.9 by the wheels alone
 }
 
 /// What is seen of a corridor of 20 m as far as 4 m from its middle at `x_m`.
@@ -136,27 +136,27 @@ TEST(ScanTracker, KnowsInTheEndHowFarItCameBeforeItKnewTheWheelsScale) {
   const Keyframe &first = tracker.keyframes().front(), &last = tracker.keyframes().back();
   EXPECT_NEAR(tracker.odometry_factor(), 1 / kTooLong, 0.005);
   EXPECT_GT(between(first.T_track_sensor, last.T_track_sensor).position().norm(), 0.1);
-  EXPECT_LT(way_between(first, last, tracker.odometry_factor()).position().norm(), 0.05);
+  EXPECT_LT(relative_pose(first, last, tracker.odometry_factor()).position().norm(), 0.05);
 }
 
-TEST(ScanTracker, CountsTheWayBackFromWhatItSawOnTheWayOut) {
+TEST(ScanTracker, CountsThePathBackFromWhatItSawOnThePathOut) {
   constexpr double kTooLong = 1.015;
   const ScanTracker tracker = out_and_back(kTooLong, near_view_with_pillar);
   const Keyframe &first = tracker.keyframes().front(), &last = tracker.keyframes().back();
   EXPECT_NEAR(tracker.odometry_factor(), 1 / kTooLong, 0.003);
-  EXPECT_LT(way_between(first, last, tracker.odometry_factor()).position().norm(), 0.02);
+  EXPECT_LT(relative_pose(first, last, tracker.odometry_factor()).position().norm(), 0.02);
 }
 
-/// A drive of 40 scans; from the 20th on some are taken from aside of where the odometry says. @return of
+/// A drive of 40 scans; from the 20th on some are taken from the side of where the odometry says. @return of
 /// each how far the tracker puts it from where it was taken
-std::vector<double> off_after_views_from_aside_m(const Pose2& aside, int views) {
+std::vector<double> off_after_views_from_lateral_m(const Pose2& lateral, int views) {
   ScanTracker tracker(TrackerParams{});
   std::vector<double> off_m;
   Pose2 T_room_track;
   for (int i = 0; i < 40; ++i) {
     const Pose2 T_room_sensor{-1.5 + 0.05 * i, -0.5, 0};
-    const bool is_aside = i >= 20 && i < 20 + views;
-    const Pose2 seen_from = is_aside ? T_room_sensor * aside : T_room_sensor;
+    const bool is_lateral = i >= 20 && i < 20 + views;
+    const Pose2 seen_from = is_lateral ? T_room_sensor * lateral : T_room_sensor;
     const Pose2 T_track_sensor = tracker.step(view_from(seen_from), {i > 0 ? 0.05 : 0.0, 0, 0}, true);
     if (i == 0) T_room_track = T_room_sensor * T_track_sensor.inverse();
     off_m.push_back(((T_room_track * T_track_sensor).position() - seen_from.position()).norm());
@@ -165,22 +165,22 @@ std::vector<double> off_after_views_from_aside_m(const Pose2& aside, int views) 
 }
 
 TEST(ScanTracker, FindsItselfWhereTheOdometryHasMissedAMotion) {
-  const std::vector<double> off_m = off_after_views_from_aside_m({0.5, 0.8, 0}, 20);
+  const std::vector<double> off_m = off_after_views_from_lateral_m({0.5, 0.8, 0}, 20);
   EXPECT_GT(off_m[20], 0.5);
   EXPECT_LT(off_m[28], 0.03) << "after 40 cm";
   EXPECT_LT(off_m.back(), 0.03);
 }
 
-TEST(ScanTracker, IsNotLedAsideByOneScanThatLiesWellElsewhere) {
-  const std::vector<double> off_m = off_after_views_from_aside_m({0.5, 0.8, 0}, 1);
+TEST(ScanTracker, IsNotLedLateralByOneScanThatLiesWellElsewhere) {
+  const std::vector<double> off_m = off_after_views_from_lateral_m({0.5, 0.8, 0}, 1);
   EXPECT_GT(off_m[20], 0.5) << "from where that scan was taken";
   for (std::size_t i = 21; i < off_m.size(); ++i) EXPECT_LT(off_m[i], 0.15) << i;
   EXPECT_LT(off_m.back(), 0.03);
 }
 
-TEST(ScanTracker, IsNotLedAsideByScansOfOnePlaceThatLieWellElsewhere) {
+TEST(ScanTracker, IsNotLedLateralByScansOfOnePlaceThatLieWellElsewhere) {
   const int views = 5;  // within 20 cm
-  const std::vector<double> off_m = off_after_views_from_aside_m({0.5, 0.8, 0}, views);
+  const std::vector<double> off_m = off_after_views_from_lateral_m({0.5, 0.8, 0}, views);
   for (std::size_t i = 20; i < 20 + views; ++i) EXPECT_GT(off_m[i], 0.5) << i;
   EXPECT_LT(off_m.back(), 0.03);
 }
@@ -208,7 +208,7 @@ TEST(ScanTracker, LaysAnEarlierScanOntoTheWallsAgain) {
   EXPECT_THAT(T_room_track * *first, PoseNear(drive.front(), 0.01, 0.003));
 }
 
-/// Of the way along a corridor an open door's leaf tells little: it may have been learned 10 cm off.
+/// Of the path along a corridor an open door's leaf tells little: it may have been learned 10 cm off.
 TEST(ScanTracker, LaysAnEarlierScanAlongACorridorWhereItWasThoughtToBe) {
   ScanTracker tracker(TrackerParams{});
   const auto view = [](double x_m, double leaf_x_m) {

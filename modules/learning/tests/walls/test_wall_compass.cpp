@@ -25,18 +25,18 @@ std::vector<SensedSegment> corridor(double walls_rad, double heading_rad) {
           edge(walls_rad - heading_rad + kPi / 2)};
 }
 
-/// Takes in a picture from so far on that its edges have other errors.
-void look_anew(WallCompass& compass, const std::vector<SensedSegment>& edges, double heading_rad,
-               double sigma_rad) {
+/// Takes in an image from so far on that its edges have other errors.
+void look_again(WallCompass& compass, const std::vector<SensedSegment>& edges, double heading_rad,
+                double sigma_rad) {
   compass.move(0.5, 0);
   compass.look(edges, heading_rad, sigma_rad);
 }
 
-/// A compass that saw so many pictures of such a corridor.
-WallCompass compass_in(double walls_rad, int pictures = 20) {
+/// A compass that saw so many images of such a corridor.
+WallCompass compass_in(double walls_rad, int images = 20) {
   WallCompass compass;
-  for (int i = 0; i < pictures; ++i) {
-    look_anew(compass, corridor(walls_rad, 0.3), 0.3, kSure_rad);
+  for (int i = 0; i < images; ++i) {
+    look_again(compass, corridor(walls_rad, 0.3), 0.3, kSure_rad);
     compass.learn(0.3, kSure_rad);
   }
   return compass;
@@ -46,7 +46,7 @@ TEST(WallCompass, TellsTheHeadingByWallsThatWereSeenWhereItWasKnown) {
   for (const double walls_rad : {-0.7, 0.0, 0.4, 3.1}) {
     WallCompass compass = compass_in(walls_rad);
     for (const double heading_rad : {0.3, 0.3 + kPi / 2, -3.0}) {
-      look_anew(compass, corridor(walls_rad, heading_rad), heading_rad + 3 * kDegree, kUnsure_rad);
+      look_again(compass, corridor(walls_rad, heading_rad), heading_rad + 3 * kDegree, kUnsure_rad);
       ASSERT_TRUE(compass.heading()) << walls_rad;
       EXPECT_NEAR(wrap_angle(compass.heading()->heading_rad - heading_rad), 0, 0.1 * kDegree) << walls_rad;
     }
@@ -55,27 +55,27 @@ TEST(WallCompass, TellsTheHeadingByWallsThatWereSeenWhereItWasKnown) {
 
 TEST(WallCompass, TellsNothingToWhomIsSurer) {
   WallCompass compass = compass_in(0);
-  look_anew(compass, corridor(0, 0), 0, kUnsure_rad);
+  look_again(compass, corridor(0, 0), 0, kUnsure_rad);
   EXPECT_TRUE(compass.heading());
-  look_anew(compass, corridor(0, 0), 0, 0.05 * kDegree);
+  look_again(compass, corridor(0, 0), 0, 0.05 * kDegree);
   EXPECT_FALSE(compass.heading());
-  look_anew(compass, {}, 0, kUnsure_rad);
+  look_again(compass, {}, 0, kUnsure_rad);
   EXPECT_FALSE(compass.heading()) << "no wall in view";
 }
 
-TEST(WallCompass, ALongWayMakesItLessSure) {
+TEST(WallCompass, ALongPathMakesItLessSure) {
   WallCompass compass = compass_in(0);
-  look_anew(compass, corridor(0, 0), 0, kUnsure_rad);
+  look_again(compass, corridor(0, 0), 0, kUnsure_rad);
   const double before_rad = compass.heading()->sigma_rad;
   compass.move(50, 0);
-  look_anew(compass, corridor(0, 0), 0, kUnsure_rad);
+  look_again(compass, corridor(0, 0), 0, kUnsure_rad);
   EXPECT_GT(compass.heading()->sigma_rad, before_rad);
 }
 
-TEST(WallCompass, PicturesInARowTellTheLessTheNearerTheyAre) {
-  const auto sigma_after_rad = [](double way_m, double turn_rad) {
+TEST(WallCompass, ImagesInARowTellTheLessTheNearerTheyAre) {
+  const auto sigma_after_rad = [](double path_m, double turn_rad) {
     WallCompass compass = compass_in(0);
-    compass.move(way_m, turn_rad);
+    compass.move(path_m, turn_rad);
     compass.look(corridor(0, 0), 0, kUnsure_rad);
     return compass.heading() ? compass.heading()->sigma_rad : kPi;
   };
@@ -88,7 +88,7 @@ TEST(WallCompass, AnOpenDoorHardlyTurnsIt) {
   WallCompass compass = compass_in(0);
   std::vector<SensedSegment> seen = corridor(0, 0);
   seen.push_back(edge(20 * kDegree));
-  look_anew(compass, seen, 0, kUnsure_rad);
+  look_again(compass, seen, 0, kUnsure_rad);
   ASSERT_TRUE(compass.heading());
   EXPECT_NEAR(compass.heading()->heading_rad, 0, 0.3 * kDegree);
 }
@@ -96,19 +96,19 @@ TEST(WallCompass, AnOpenDoorHardlyTurnsIt) {
 TEST(WallCompass, WallsThatRunOtherwiseForLongAreTakenForTheOnesAround) {
   constexpr double kOblique_rad = 30 * kDegree;
   WallCompass compass = compass_in(0);
-  look_anew(compass, corridor(kOblique_rad, 0), 0, kUnsure_rad);
+  look_again(compass, corridor(kOblique_rad, 0), 0, kUnsure_rad);
   EXPECT_FALSE(compass.heading()) << "these are no walls that it knows";
   for (int i = 0; i < 100; ++i) {
-    look_anew(compass, corridor(kOblique_rad, 0), 0, kSure_rad);
+    look_again(compass, corridor(kOblique_rad, 0), 0, kSure_rad);
     compass.learn(0, kSure_rad);
   }
   EXPECT_EQ(compass.starts(), 2);
-  look_anew(compass, corridor(kOblique_rad, 0), 1 * kDegree, kUnsure_rad);
+  look_again(compass, corridor(kOblique_rad, 0), 1 * kDegree, kUnsure_rad);
   ASSERT_TRUE(compass.heading());
   EXPECT_NEAR(compass.heading()->heading_rad, 0, 0.2 * kDegree);
 }
 
-TEST(WallCompass, WallsThatAreKnownFromTheStartTellTheHeadingInTheFirstPicture) {
+TEST(WallCompass, WallsThatAreKnownFromTheStartTellTheHeadingInTheFirstImage) {
   for (const double quarter_turns : {0, 1, 2, 3}) {
     const double heading_rad = wrap_angle(0.4 + quarter_turns * kPi / 2);
     WallCompass compass;

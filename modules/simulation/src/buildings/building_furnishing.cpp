@@ -21,8 +21,8 @@ class RoomFurnisher {
   RoomFurnisher(World& world, const Room& room, Random& random)
       : world_(world), room_(room), random_(random) {
     const Vec2 doorway = room.doorway.centre(), free_end = doorway + kFreeBehindDoor_m * room.inwards;
-    const Rectangle way{doorway.cwiseMin(free_end), doorway.cwiseMax(free_end)};
-    taken_.push_back(way.grown(kFreeBesideDoor_m));
+    const Rectangle path{doorway.cwiseMin(free_end), doorway.cwiseMax(free_end)};
+    taken_.push_back(path.grown(kFreeBesideDoor_m));
   }
 
   void furnish() {
@@ -118,7 +118,7 @@ void add_pillars(World& world, const Rectangle& hall, const BuildingLayout& layo
   const double spacing_m = centimetres_by_chance(random, 2.8, 4.5),
                diameter_m = centimetres_by_chance(random, 0.3, 0.6);
   const double brightness = random.uniform(0.4, 0.9);
-  const auto is_in_the_way = [&](const Vec2& p) {
+  const auto is_in_the_path = [&](const Vec2& p) {
     for (std::size_t i = 1; i < layout.tour.size(); ++i) {
       if (Segment2{layout.tour[i - 1], layout.tour[i]}.distance(p) < kFreeRoundTour_m + diameter_m / 2)
         return true;
@@ -126,7 +126,7 @@ void add_pillars(World& world, const Rectangle& hall, const BuildingLayout& layo
     return false;
   };
   for (const Vec2& p : spread_points(hall, spacing_m)) {
-    if (is_in_the_way(p)) continue;
+    if (is_in_the_path(p)) continue;
     world.furniture.push_back(
         {Furniture::Kind::kPillar, p, {diameter_m, diameter_m}, 0, world.ceiling_m, brightness});
   }

@@ -9,7 +9,7 @@ namespace aisle {
 /// Doors in the doorways: closed, or opened into their rooms so far that a vehicle gets through.
 void hang_doors(World& world, const BuildingLayout& layout, Random& random);
 
-/// Tables with chairs, cupboards and pillars in rooms, halls and alcoves; corridors and the ways through
+/// Tables with chairs, cupboards and pillars in rooms, halls and alcoves; corridors and the paths through
 /// doorways stay free.
 void furnish(World& world, const BuildingLayout& layout, Random& random);
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "aisle/core/parameters.hpp"
-#include "aisle/simulation/buildings/dressing.hpp"
+#include "aisle/simulation/buildings/decoration.hpp"
 #include "buildings/building_furnishing.hpp"
 #include "buildings/building_layout.hpp"
 
@@ -87,7 +87,7 @@ World random_building(const RandomBuildingRecipe& recipe, Random random) {
   choose_surfaces(world, random);
   const double brightness = random.uniform(0.5, 0.9);
   for (const Segment2& wall : walls_around(layout.floor())) {
-    world.walls.push_back({.foot = wall, .height_m = world.ceiling_m, .brightness = brightness});
+    world.walls.push_back({.floor_point = wall, .height_m = world.ceiling_m, .brightness = brightness});
   }
   hang_doors(world, layout, random);
   furnish(world, layout, random);

@@ -11,7 +11,7 @@ constexpr double kEntry_m = 4;        // before the crossing
 constexpr double kExit_m = 3;         // beyond it
 constexpr double kLaneApart_m = 2.6;  // of the two lanes of a turn about
 
-/// What a turning's crossing is open to, seen from who comes to it, and where the way leads.
+/// What a turning's crossing is open to, seen from who comes to it, and where the path leads.
 struct Crossing {
   bool ahead = false, left = false, right = false;
   Vec2 towards = Vec2::Zero();
@@ -70,12 +70,12 @@ class Course {
                                 .brightness = random_.uniform(0.12, 0.28)});
   }
 
-  World take(int number, std::vector<Vec2> way, const Vec2& at, double reach_m) {
-    return take(std::move(way),
+  World take(int number, std::vector<Vec2> path, const Vec2& at, double reach_m) {
+    return take(std::move(path),
                 {{.route = "way", .number = number, .at = at, .before_m = reach_m, .after_m = reach_m}});
   }
-  World take(std::vector<Vec2> way, std::vector<TaughtTurning> turnings) {
-    world_.routes = {{.name = "way", .parking = ParkingStrategy::kView, .way = std::move(way)}};
+  World take(std::vector<Vec2> path, std::vector<TaughtTurning> turnings) {
+    world_.routes = {{.name = "way", .parking = ParkingStrategy::kView, .path = std::move(path)}};
     world_.turnings = std::move(turnings);
     return std::move(world_);
   }
@@ -120,8 +120,8 @@ World turning_about(int number, double side, Course course) {
 /// @param side  1: to the right, -1: to the left
 World with_close_turnings(int first, int second, double side, Course course) {
   constexpr double kFirst_m = 1.2, kSecond_m = 1.4, kApart_m = 1.4;  // widths of the aisles, between middles
-  constexpr double kNearSide_m = 0.8, kFarSide_m = 2.2;  // sides of the aisle across, from its way
-  constexpr double kBeyond_m = 2.3, kBefore_m = 2.3;     // the second turning, where the way turns back
+  constexpr double kNearSide_m = 0.8, kFarSide_m = 2.2;  // sides of the aisle across, from its path
+  constexpr double kBeyond_m = 2.3, kBefore_m = 2.3;     // the second turning, where the path turns back
   constexpr double kTurning_m = 1.3;
   const double h = kHalf_m;
   const auto box = [&](const Vec2& a, const Vec2& b) {

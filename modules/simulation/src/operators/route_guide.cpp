@@ -7,23 +7,23 @@
 #include "aisle/core/angle.hpp"
 #include "aisle/maps/view_pattern.hpp"
 #include "aisle/simulation/obstacles.hpp"
-#include "operators/operator_way.hpp"
+#include "operators/operator_path.hpp"
 
 namespace aisle {
 namespace {
 
-World with_tour(World world, const TaughtWay& route, const std::vector<Vec2>& beyond) {
-  world.tour = route.way;
+World with_tour(World world, const WorldRoute& route, const std::vector<Vec2>& beyond) {
+  world.tour = route.path;
   world.tour.insert(world.tour.end(), beyond.begin(), beyond.end());
   return world;
 }
 
-/// Where the vehicle turns back that drives the lanes about the way's end: before and beyond each.
-std::vector<Vec2> turns_about_place(const World& world, const TaughtWay& route, const Footprint& footprint) {
-  constexpr double kRunUp_m = 1, kSpare_m = 0.05, kStep_m = 0.1;
-  Obstacles obstacles(world, with_room_to_spare(footprint, kSpare_m));
-  const Vec2& p = route.way.back();
-  const Pose2 T_world_place{p.x(), p.y(), heading_of(p - *(route.way.end() - 2))};
+/// Where the vehicle turns back that drives the lanes about the path's end: before and beyond each.
+std::vector<Vec2> turns_about_place(const World& world, const WorldRoute& route, const Footprint& footprint) {
+  constexpr double kRunUp_m = 1, kClearance_m = 0.05, kStep_m = 0.1;
+  Obstacles obstacles(world, with_room_to_clearance(footprint, kClearance_m));
+  const Vec2& p = route.path.back();
+  const Pose2 T_world_place{p.x(), p.y(), heading_of(p - *(route.path.end() - 2))};
   std::vector<Vec2> turns;
   for (const ViewLane& lane : view_pattern()) {
     const double begin_m = lane.along_m.front() - kRunUp_m, end_m = lane.along_m.back();
@@ -37,18 +37,18 @@ std::vector<Vec2> turns_about_place(const World& world, const TaughtWay& route, 
   return turns;
 }
 
-/// Way along a polyline to its point nearest to `p`, of those at most so far along.
-double along_way_m(const std::vector<Vec2>& way, const Vec2& p, double from_m, double to_m) {
+/// Path along a polyline to its point nearest to `p`, of those at most so far along.
+double along_path_m(const std::vector<Vec2>& path, const Vec2& p, double from_m, double to_m) {
   constexpr double kStep_m = 0.02;
   double best_m = from_m, least_m = -1, begin_m = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Vec2 step = way[i] - way[i - 1];
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vec2 step = path[i] - path[i - 1];
     const double length_m = step.norm();
     const int steps = static_cast<int>(length_m / kStep_m);
     for (int k = 0; k <= steps; ++k) {
       const double at_m = begin_m + k * kStep_m;
       if (at_m < from_m || at_m > to_m) continue;
-      const double off_m = (way[i - 1] + k * kStep_m / length_m * step - p).norm();
+      const double off_m = (path[i - 1] + k * kStep_m / length_m * step - p).norm();
       if (least_m >= 0 && off_m >= least_m) continue;
       least_m = off_m;
       best_m = at_m;
@@ -58,22 +58,22 @@ double along_way_m(const std::vector<Vec2>& way, const Vec2& p, double from_m, d
   return best_m;
 }
 
-double length_of_way_m(const std::vector<Vec2>& way) {
+double length_of_path_m(const std::vector<Vec2>& path) {
   double sum_m = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) sum_m += (way[i] - way[i - 1]).norm();
+  for (std::size_t i = 1; i < path.size(); ++i) sum_m += (path[i] - path[i - 1]).norm();
   return sum_m;
 }
 
 /// Along a polyline, the first point after `from_m` where it turns back, or its end.
-double next_turning_back_m(const std::vector<Vec2>& way, double from_m) {
+double next_turning_back_m(const std::vector<Vec2>& path, double from_m) {
   constexpr double kTurnsBack_rad = 120 * kDegree;
   double along_m = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Vec2 step = way[i] - way[i - 1];
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vec2 step = path[i] - path[i - 1];
     along_m += step.norm();
     const bool turns_back =
-        i + 1 == way.size() ||
-        std::abs(wrap_angle(heading_of(way[i + 1] - way[i]) - heading_of(step))) > kTurnsBack_rad;
+        i + 1 == path.size() ||
+        std::abs(wrap_angle(heading_of(path[i + 1] - path[i]) - heading_of(step))) > kTurnsBack_rad;
     if (turns_back && along_m > from_m) return along_m;
   }
   return along_m;
@@ -81,18 +81,18 @@ double next_turning_back_m(const std::vector<Vec2>& way, double from_m) {
 
 }  // namespace
 
-const TaughtWay* route_of(const World& world, const std::string& name) {
+const WorldRoute* route_of(const World& world, const std::string& name) {
   const auto route = std::find_if(world.routes.begin(), world.routes.end(),
-                                  [&](const TaughtWay& candidate) { return candidate.name == name; });
+                                  [&](const WorldRoute& candidate) { return candidate.name == name; });
   return route == world.routes.end() ? nullptr : &*route;
 }
 
-Pose2 start_of(const TaughtWay& route) {
-  const Vec2& p = route.way.front();
-  return {p.x(), p.y(), heading_of(route.way[1] - p)};
+Pose2 start_of(const WorldRoute& route) {
+  const Vec2& p = route.path.front();
+  return {p.x(), p.y(), heading_of(route.path[1] - p)};
 }
 
-RouteGuide::RouteGuide(const World& world, const TaughtWay& route, const VehicleDescription& vehicle,
+RouteGuide::RouteGuide(const World& world, const WorldRoute& route, const VehicleDescription& vehicle,
                        const ScriptedOperatorParams& params, std::uint64_t seed, ShownViews views)
     : route_(route),
       about_place_(views == ShownViews::kPattern ? turns_about_place(world, route, vehicle.footprint)
@@ -100,7 +100,7 @@ RouteGuide::RouteGuide(const World& world, const TaughtWay& route, const Vehicle
       driver_(with_tour(world, route, about_place_), vehicle, params, seed) {
   for (const TaughtTurning& turning : world.turnings) {
     if (turning.route != route.name) continue;
-    const double at_m = along_way_m(route.way, turning.at, 0, length_of_way_m(route.way));
+    const double at_m = along_path_m(route.path, turning.at, 0, length_of_path_m(route.path));
     const std::string number = std::to_string(turning.number);
     marks_.push_back({at_m - turning.before_m, {Mark::Kind::kTurningBegins, number}});
     marks_.push_back({at_m + turning.after_m, {Mark::Kind::kTurningEnds, number}});
@@ -113,18 +113,18 @@ OperatorInput RouteGuide::look(const OperatorView& view) {
   constexpr double kAhead_m = 0.6, kTurnedBack_m = 0.12;
   const bool is_at_end = driver_.legs_left() == about_place_.size();
   OperatorInput input = driver_.look(view);
-  const double back_m = next_turning_back_m(route_.way, along_m_);
+  const double back_m = next_turning_back_m(route_.path, along_m_);
   const double to_m =
       along_m_ < back_m - kTurnedBack_m ? std::min(back_m, along_m_ + kAhead_m) : along_m_ + kAhead_m;
-  along_m_ = along_way_m(route_.way, view.T_world_vehicle.position(), along_m_, to_m);
+  along_m_ = along_path_m(route_.path, view.T_world_vehicle.position(), along_m_, to_m);
   while (!marks_.empty() && (marks_.front().along_m <= along_m_ || is_at_end)) {
     input.marks.insert(input.marks.begin(), marks_.front().mark);
     marks_.erase(marks_.begin());
   }
   std::erase_if(input.marks, [](const Mark& mark) { return mark.kind == Mark::Kind::kStop; });
-  if (is_at_end && !std::exchange(has_shown_way_, true))
+  if (is_at_end && !std::exchange(has_shown_path_, true))
     input.marks.push_back({Mark::Kind::kStop, std::string(parking_word(route_.parking))});
-  input.gives_up = input.gives_up && !has_shown_way_;
+  input.gives_up = input.gives_up && !has_shown_path_;
   return input;
 }
 

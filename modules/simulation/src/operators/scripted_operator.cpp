@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "aisle/core/angle.hpp"
-#include "operators/operator_way.hpp"
+#include "operators/operator_path.hpp"
 
 namespace aisle {
 namespace {
@@ -23,12 +23,12 @@ constexpr double kBraking_mps2 = 0.15;
 constexpr double kKeptFree_m = 0.1;
 constexpr double kAtWall_m = 0.15;
 constexpr double kStuck_s = 1.5;    ///< without getting on
-constexpr double kBackOff_m = 0.8;  ///< of the way
+constexpr double kBackOff_m = 0.8;  ///< of the path
 constexpr double kBackedOff_m = 0.1;
 constexpr double kSlowlyAgain = 0.5;  ///< of the usual speed
-constexpr double kBackingSpare_m = 0.01;
+constexpr double kBackingClearance_m = 0.01;
 constexpr std::array kLikedRooms_m = {0.12, 0.1, 0.08, 0.06, 0.04, 0.02};
-constexpr double kLookedAt_m = 0.7;  ///< of the way
+constexpr double kLookedAt_m = 0.7;  ///< of the path
 constexpr double kTriedStep_rad = 2 * kDegree;
 constexpr int kTriedSteps = 10;
 constexpr double kTurnsOnTheSpot_rad = 40 * kDegree;
@@ -60,14 +60,14 @@ Pose2 pose_along(const std::vector<Vec2>& points, double along_m) {
 }  // namespace
 
 void ScriptedOperatorParams::describe(FieldList& fields) {
-  fields.real("speed_mps", speed_mps, {0.02, 5}, "on a straight stretch");
+  fields.real("speed_mps", speed_mps, {0.02, 5}, "on a straight segment");
   fields.real("look_ahead_m", look_ahead_m, {0.1, 5}, "where on the route the vehicle is steered to");
   fields.real("reaction_s", reaction_s, {0, 2}, "how late what is seen is acted on");
-  fields.real("wander_m", wander_m, {0, 1}, "standard deviation aside of the route");
+  fields.real("wander_m", wander_m, {0, 1}, "standard deviation beside the route");
   fields.real("wander_time_s", wander_time_s, {0.5, 100}, "over which the wander comes and goes");
   fields.real("speed_wander", speed_wander, {0, 0.5}, "standard deviation of the speed, as a share");
   fields.real("place_radius_m", place_radius_m, {0.05, 5}, "how near a place is passed to be named");
-  fields.real("patience_s", patience_s, {1, 1000}, "how long to wait before what is in the way");
+  fields.real("timeout_s", timeout_s, {1, 1000}, "how long to wait before what is in the path");
 }
 
 ScriptedOperator::ScriptedOperator(const World& world, const VehicleDescription& vehicle,
@@ -76,19 +76,19 @@ ScriptedOperator::ScriptedOperator(const World& world, const VehicleDescription&
       params_(params),
       random_(seed),
       places_(world.places),
-      walls_(world, with_room_to_spare(vehicle.footprint, kAtWall_m)) {
+      walls_(world, with_room_to_clearance(vehicle.footprint, kAtWall_m)) {
   add_legs(world);
   if (vehicle.is_differential) return;
   for (const double room_m : kLikedRooms_m)
-    liked_room_.emplace_back(world, with_room_to_spare(vehicle.footprint, room_m));
+    liked_room_.emplace_back(world, with_room_to_clearance(vehicle.footprint, room_m));
 }
 
 void ScriptedOperator::add_legs(const World& world) {
   std::vector<Vec2> route = world.tour;
   route.erase(std::unique(route.begin(), route.end()), route.end());
   if (route.size() < 2) throw std::invalid_argument("a route needs two different points");
-  Obstacles obstacles(world, with_room_to_spare(vehicle_.footprint, kBackingSpare_m));
-  OperatorWay way(world, vehicle_);
+  Obstacles obstacles(world, with_room_to_clearance(vehicle_.footprint, kBackingClearance_m));
+  OperatorPath path(world, vehicle_);
   legs_.push_back({.points = {route[0], route[1]}});
   for (std::size_t i = 2; i < route.size(); ++i) {
     const Vec2 corner = route[i - 1];
@@ -97,7 +97,7 @@ void ScriptedOperator::add_legs(const World& world) {
     if (turn_rad > kTurnsBack_rad) {
       legs_.push_back({.points = {corner}, .in_reverse = !vehicle_.is_differential && !was_in_reverse});
     } else if (was_in_reverse && turn_rad > kBacksRound_rad) {
-      if (const auto place = place_to_back_to(legs_.back(), route[i], way, obstacles)) {
+      if (const auto place = place_to_back_to(legs_.back(), route[i], path, obstacles)) {
         legs_.back().points.push_back(*place);
         legs_.push_back({.points = {*place}});
       }
@@ -105,7 +105,7 @@ void ScriptedOperator::add_legs(const World& world) {
     legs_.back().points.push_back(route[i]);
   }
   for (Leg& leg : legs_) {
-    leg.points = way.drivable(leg.points, leg.in_reverse);
+    leg.points = path.drivable(leg.points, leg.in_reverse);
     leg.length_m = length_of(leg.points);
   }
 }
@@ -113,15 +113,15 @@ void ScriptedOperator::add_legs(const World& world) {
 /// Beyond the corner at the leg's end as seen from `next`: who has backed there goes forwards to `next`.
 /// @return nullopt if there is no room
 std::optional<Vec2> ScriptedOperator::place_to_back_to(const Leg& leg, const Vec2& next,
-                                                       OperatorWay& to_drive, Obstacles& obstacles) const {
+                                                       OperatorPath& to_drive, Obstacles& obstacles) const {
   constexpr double kStep_m = 0.1;
   const Vec2 corner = leg.points.back();
   const double beyond_m = 2 * turning_radius_m(vehicle_);
   const Vec2 place = corner - beyond_m * (next - corner).normalized();
-  const std::vector<Vec2> way = to_drive.drivable({leg.points.end()[-2], corner, place}, true);
-  const double way_m = length_of(way);
-  for (int step = 0; step * kStep_m < way_m; ++step) {
-    Pose2 T_world_vehicle = pose_along(way, step * kStep_m);
+  const std::vector<Vec2> path = to_drive.drivable({leg.points.end()[-2], corner, place}, true);
+  const double path_m = length_of(path);
+  for (int step = 0; step * kStep_m < path_m; ++step) {
+    Pose2 T_world_vehicle = pose_along(path, step * kStep_m);
     T_world_vehicle.theta = wrap_angle(T_world_vehicle.theta + kPi);
     if (obstacles.touch(T_world_vehicle)) return std::nullopt;
   }
@@ -138,12 +138,12 @@ double ScriptedOperator::share_done() const {
   return done_m / all_m;
 }
 
-/// Ornstein-Uhlenbeck; aside follows its pull smoothly, as hands do.
+/// Ornstein-Uhlenbeck; to the side follows its pull smoothly, as hands do.
 void ScriptedOperator::wander(double time_s) {
   const double fade = time_s / params_.wander_time_s;
-  pull_aside_ += -fade * pull_aside_ + random_.normal(std::sqrt(2 * fade));
+  pull_lateral_ += -fade * pull_lateral_ + random_.normal(std::sqrt(2 * fade));
   pull_speed_ += -fade * pull_speed_ + random_.normal(std::sqrt(2 * fade));
-  aside_ += std::min(1.0, 3 * fade) * (pull_aside_ - aside_);
+  lateral_ += std::min(1.0, 3 * fade) * (pull_lateral_ - lateral_);
 }
 
 OperatorView ScriptedOperator::seen_a_moment_ago(const OperatorView& view) {
@@ -175,8 +175,8 @@ Vec2 ScriptedOperator::target() const {
   const Leg& leg = legs_[leg_];
   const Pose2 T_world_target = pose_along(leg.points, along_m_ + params_.look_ahead_m);
   const double care = leg.in_reverse ? kCareInReverse : 1;
-  const double aside_m = care * params_.wander_m * std::clamp(aside_, -2.0, 2.0);
-  return T_world_target * Vec2(0, aside_m);
+  const double lateral_m = care * params_.wander_m * std::clamp(lateral_, -2.0, 2.0);
+  return T_world_target * Vec2(0, lateral_m);
 }
 
 /// The arc through the target that starts along the vehicle, forwards or backwards.
@@ -193,20 +193,20 @@ Command ScriptedOperator::towards(const Vec2& p_vehicle_target, double speed_mps
 
 /// Steered as near to what is wished as leaves all the room about the vehicle that there can be, at most as
 /// much as a person likes.
-Command ScriptedOperator::clear_of_walls(const Pose2& T_world_vehicle, const Command& wish) {
-  if (wish.speed_mps == 0) return wish;
-  const double way_m = std::copysign(kLookedAt_m, wish.speed_mps);
+Command ScriptedOperator::clear_of_walls(const Pose2& T_world_vehicle, const Command& requested) {
+  if (requested.speed_mps == 0) return requested;
+  const double path_m = std::copysign(kLookedAt_m, requested.speed_mps);
   const double max_rad = vehicle_.limits.steering_max_rad;
   for (Obstacles& walls : liked_room_) {
     for (int i = 0; i <= 2 * kTriedSteps; ++i) {
       const int steps = (i + 1) / 2, off = i % 2 == 0 ? -steps : steps;
-      const double tried_rad = std::clamp(wish.steering_rad + off * kTriedStep_rad, -max_rad, max_rad);
-      const double turn_rad = way_m * std::tan(tried_rad) / vehicle_.front_steered.wheelbase_m;
-      if (walls.free_share(T_world_vehicle, {way_m, turn_rad}) == 1)
-        return {.speed_mps = wish.speed_mps, .steering_rad = tried_rad};
+      const double tried_rad = std::clamp(requested.steering_rad + off * kTriedStep_rad, -max_rad, max_rad);
+      const double turn_rad = path_m * std::tan(tried_rad) / vehicle_.front_steered.wheelbase_m;
+      if (walls.free_share(T_world_vehicle, {path_m, turn_rad}) == 1)
+        return {.speed_mps = requested.speed_mps, .steering_rad = tried_rad};
     }
   }
-  return wish;
+  return requested;
 }
 
 double ScriptedOperator::wished_speed_mps(const OperatorView& view) const {
@@ -220,8 +220,8 @@ double ScriptedOperator::wished_speed_mps(const OperatorView& view) const {
 /// Such that it stops before what it sees that way; negative in reverse.
 double ScriptedOperator::cautious_speed_mps(const OperatorView& view, double speed_mps,
                                             bool in_reverse) const {
-  const bool looks_that_way = in_reverse ? view.speed_mps < 0 : view.speed_mps >= 0;
-  if (looks_that_way) {
+  const bool looks_that_path = in_reverse ? view.speed_mps < 0 : view.speed_mps >= 0;
+  if (looks_that_path) {
     const double free_m = std::max(0.0, view.free_ahead_m - kKeptFree_m);
     speed_mps = std::min(speed_mps, std::sqrt(2 * kBraking_mps2 * free_m));
     if (speed_mps < kSlowest_mps) return 0;
@@ -239,7 +239,7 @@ bool ScriptedOperator::is_stuck_at_wall(const OperatorView& view) {
          walls_.touch(view.T_world_vehicle);
 }
 
-/// Along the way that it came, until it is there or the way back is blocked, too.
+/// Along the path that it came, until it is there or the return path is blocked, too.
 Command ScriptedOperator::back_off(const OperatorView& view) {
   const Leg& leg = legs_[leg_];
   const Vec2 p_vehicle_back =
@@ -263,44 +263,44 @@ std::vector<Mark> ScriptedOperator::passed_places(const Pose2& T_world_vehicle) 
   return marks;
 }
 
-bool ScriptedOperator::is_out_of_patience(double now_s) {
+bool ScriptedOperator::has_timed_out(double now_s) {
   constexpr double kGotOn_m = 0.1;
   if (leg_ != leg_before_ || along_m_ > along_before_m_ + kGotOn_m) {
     leg_before_ = leg_;
     along_before_m_ = along_m_;
     got_on_s_ = now_s;
   }
-  return now_s - got_on_s_ > params_.patience_s;
+  return now_s - got_on_s_ > params_.timeout_s;
 }
 
 OperatorInput ScriptedOperator::look(const OperatorView& view) {
   wander(view.stamp_s - std::exchange(stamp_s_, view.stamp_s));
   const OperatorView seen = seen_a_moment_ago(view);
   OperatorInput input{.marks = passed_places(view.T_world_vehicle)};
-  if (has_arrived() || is_out_of_patience(view.stamp_s)) {
+  if (has_arrived() || has_timed_out(view.stamp_s)) {
     if (has_arrived()) input.marks.push_back({Mark::Kind::kStop, ""});
     input.quit = true;
     input.gives_up = !has_arrived();
     return input;
   }
   if (backs_to_m_) {
-    input.wish = clear_of_walls(view.T_world_vehicle, back_off(view));
+    input.requested = clear_of_walls(view.T_world_vehicle, back_off(view));
     return input;
   }
   follow(seen.T_world_vehicle.position());
-  Command wish = clear_of_walls(view.T_world_vehicle,
-                                towards(seen.T_world_vehicle.inverse() * target(), wished_speed_mps(view)));
-  // Where the way on is blocked just before a leg's end, that is near enough.
+  Command requested = clear_of_walls(
+      view.T_world_vehicle, towards(seen.T_world_vehicle.inverse() * target(), wished_speed_mps(view)));
+  // Where the path on is blocked just before a leg's end, that is near enough.
   const double left_m = legs_[leg_].length_m - along_m_;
-  const bool stands = wish.speed_mps == 0 && wish.turn_rate_rad_s == 0;
+  const bool stands = requested.speed_mps == 0 && requested.turn_rate_rad_s == 0;
   if (left_m < (stands ? kLegEndBlocked_m : kLegEnd_m)) {
     ++leg_;
     along_m_ = 0;
-    wish = {.steering_rad = wish.steering_rad};
+    requested = {.steering_rad = requested.steering_rad};
   } else if (stands && is_stuck_at_wall(view)) {
     backs_to_m_ = std::max(0.0, along_m_ - kBackOff_m);
   }
-  input.wish = wish;
+  input.requested = requested;
   return input;
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kTourStep_s = 0.02;
 
-/// One trip at the fixed step: pose i is the one at i * kTourStep_s.
-struct Trip {
+/// One run at the fixed step: pose i is the one at i * kTourStep_s.
+struct Run {
   std::vector<Pose2> T_world_vehicle;
   std::vector<Pose2> T_odom_vehicle;
 
@@ -33,16 +33,16 @@ Arc counted_by_wheels(const Arc& driven, const OdometryNoiseParams& noise, Rando
               random.normal(noise.rotation_sigma_rad) * root_rad};
 }
 
-Trip drive(const World& world, const TourParams& params, Random& random, Progress& progress) {
+Run drive(const World& world, const TourParams& params, Random& random, Progress& progress) {
   TourDriver driver(world.tour, params.driver);
-  Trip trip{{driver.pose()}, {Pose2{}}};
+  Run run{{driver.pose()}, {Pose2{}}};
   while (!driver.has_arrived()) {
-    progress.report("driving", driver.way_points_passed(), driver.way_points());
+    progress.report("driving", driver.path_points_passed(), driver.waypoints());
     const Arc counted = counted_by_wheels(driver.step(kTourStep_s), params.odometry, random);
-    trip.T_world_vehicle.push_back(driver.pose());
-    trip.T_odom_vehicle.push_back(trip.T_odom_vehicle.back() * end_pose(counted));
+    run.T_world_vehicle.push_back(driver.pose());
+    run.T_odom_vehicle.push_back(run.T_odom_vehicle.back() * end_pose(counted));
   }
-  return trip;
+  return run;
 }
 
 }  // namespace
@@ -51,18 +51,17 @@ TourRecording record_tour(const World& world, const TourParams& params, std::uin
                           Progress& progress) {
   Random random(seed);
   Random scanner_random(random.bits());
-  const Trip trip = drive(world, params, random, progress);
+  const Run run = drive(world, params, random, progress);
   const RangeScanner scanner(world, params.scanner);
 
   TourRecording recording;
   recording.log.laser = scanner.description();
-  const auto last = static_cast<std::size_t>(trip.duration_s() / params.scan_period_s);
+  const auto last = static_cast<std::size_t>(run.duration_s() / params.scan_period_s);
   for (std::size_t i = 0; i <= last; ++i) {
     const double time_s = static_cast<double>(i) * params.scan_period_s;
-    const Pose2 T_world_vehicle = pose_at(trip.T_world_vehicle, time_s);
+    const Pose2 T_world_vehicle = pose_at(run.T_world_vehicle, time_s);
     recording.T_world_vehicle.push_back(T_world_vehicle);
-    recording.log.odometry.push_back(
-        {time_s, pose_at(trip.T_odom_vehicle, time_s + params.odometry_delay_s)});
+    recording.log.odometry.push_back({time_s, pose_at(run.T_odom_vehicle, time_s + params.odometry_delay_s)});
     recording.log.scans.push_back({time_s, time_s, scanner.scan(T_world_vehicle, scanner_random), i + 1});
     progress.report("scanning", i + 1, last + 1);
   }

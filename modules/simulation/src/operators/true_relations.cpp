@@ -8,21 +8,21 @@ namespace aisle {
 namespace {
 
 constexpr double kSpacing_m = 1;
-constexpr double kNear_m = 1;    ///< a revisit comes at least this near
-constexpr double kFarWay_m = 8;  ///< ... after at least this long a way
+constexpr double kNear_m = 1;     ///< a revisit comes at least this near
+constexpr double kFarPath_m = 8;  ///< ... after at least this long a path
 
-/// A scan that stands for its metre of the way.
+/// A scan that stands for its metre of the path.
 struct Milestone {
   std::size_t scan = 0;
-  double way_m = 0;
+  double path_m = 0;
 };
 
 std::vector<Milestone> milestones(std::span<const Pose2> poses) {
   std::vector<Milestone> found;
-  double way_m = 0;
+  double path_m = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (i > 0) way_m += (poses[i].position() - poses[i - 1].position()).norm();
-    if (found.empty() || way_m >= found.back().way_m + kSpacing_m) found.push_back({i, way_m});
+    if (i > 0) path_m += (poses[i].position() - poses[i - 1].position()).norm();
+    if (found.empty() || path_m >= found.back().path_m + kSpacing_m) found.push_back({i, path_m});
   }
   return found;
 }
@@ -41,7 +41,7 @@ std::vector<PoseRelation> true_relations(std::span<const Pose2> T_world_vehicle,
     for (std::size_t b = a + 1; b < stones.size(); ++b) {
       const Vec2 apart =
           T_world_vehicle[stones[b].scan].position() - T_world_vehicle[stones[a].scan].position();
-      if (stones[b].way_m - stones[a].way_m >= kFarWay_m && apart.norm() <= kNear_m) revisits.push_back(b);
+      if (stones[b].path_m - stones[a].path_m >= kFarPath_m && apart.norm() <= kNear_m) revisits.push_back(b);
     }
     if (!revisits.empty()) relate(stones[a], stones[revisits[random.index(revisits.size())]]);
   }

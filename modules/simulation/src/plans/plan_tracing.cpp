@@ -8,17 +8,17 @@
 #include "aisle/geometry/dominant_direction.hpp"
 #include "plans/cell_outlines.hpp"
 #include "plans/side_moments.hpp"
-#include "plans/straight_stretches.hpp"
+#include "plans/straight_edges.hpp"
 #include "plans/wall_polygon.hpp"
 
 namespace aisle {
 namespace {
 
-constexpr double kCornerBlurMax = 1.5;  ///< cells at either end of a long stretch that do not count
+constexpr double kCornerBlurMax = 1.5;  ///< cells at either end of a long segment that do not count
 constexpr double kToleranceMin = 0.5;   ///< cells
 constexpr double kSmallShape = 16;      ///< tolerances: a smaller one keeps its shape by a smaller tolerance
 constexpr double kTinyShape = 4;        ///< cells: what is smaller keeps every corner
-constexpr double kLongStretch = 8;      ///< cells
+constexpr double kLongPathSegment = 8;  ///< cells
 constexpr std::size_t kDirectionPieces = 1000;  ///< the longest, to find the dominant direction
 constexpr double kSameDirection_rad = 4 * kDegree;
 constexpr double kDominantShareMin = 0.3;
@@ -37,88 +37,88 @@ double larger_side(const Outline& outline) {
   return (max - min).maxCoeff();
 }
 
-std::vector<Stretch> every_run(const Outline& outline) {
-  std::vector<Stretch> runs;
+std::vector<PathSegment> every_run(const Outline& outline) {
+  std::vector<PathSegment> runs;
   for (std::size_t corner = 0; corner < outline.size(); ++corner) runs.push_back({corner, corner + 1});
   return runs;
 }
 
-/// One outline with the stretches that it was cut into.
+/// One outline with the segments that it was cut into.
 class CutOutline {
  public:
   CutOutline(Outline outline, double tolerance)
       : outline_(std::move(outline)),
         tolerance_(std::clamp(larger_side(outline_) / kSmallShape, kToleranceMin, tolerance)),
-        stretches_(larger_side(outline_) < kTinyShape ? every_run(outline_)
-                                                      : straight_stretches(outline_, tolerance_)),
+        path_segments_(larger_side(outline_) < kTinyShape ? every_run(outline_)
+                                                          : straight_edges(outline_, tolerance_)),
         moments_(outline_) {}
 
-  std::span<const Stretch> stretches() const { return stretches_; }
+  std::span<const PathSegment> path_segments() const { return path_segments_; }
 
   Vec2 corner(std::size_t at) const { return point_of(outline_[at % outline_.size()]); }
 
-  /// Joins neighbouring stretches that one line fits as well.
+  /// Joins neighbouring segments that one line fits as well.
   void join(std::span<const double> frames_rad) {
     if (larger_side(outline_) < kTinyShape) return;
-    std::vector<Stretch> joined;
-    for (const Stretch& stretch : stretches_) {
+    std::vector<PathSegment> joined;
+    for (const PathSegment& path_segment : path_segments_) {
       if (!joined.empty() &&
-          are_one({joined.back().first, stretch.last}, joined.back(), stretch, frames_rad)) {
-        joined.back().last = stretch.last;
+          are_one({joined.back().first, path_segment.last}, joined.back(), path_segment, frames_rad)) {
+        joined.back().last = path_segment.last;
       } else {
-        joined.push_back(stretch);
+        joined.push_back(path_segment);
       }
     }
-    stretches_ = std::move(joined);
+    path_segments_ = std::move(joined);
   }
 
-  /// Where the stretch goes, on the line that fits it best; towards its end.
-  StraightPiece free_fit(const Stretch& stretch) const {
-    const Moments moments = moments_.between(stretch.first, stretch.last);
-    const Vec2 ahead = corner(stretch.last) - corner(stretch.first);
+  /// Where the segment goes, on the line that fits it best; towards its end.
+  StraightPiece free_fit(const PathSegment& path_segment) const {
+    const Moments moments = moments_.between(path_segment.first, path_segment.last);
+    const Vec2 ahead = corner(path_segment.last) - corner(path_segment.first);
     const Vec2 direction = moments.direction();
-    return piece(stretch, moments.mean(), direction.dot(ahead) < 0 ? Vec2(-direction) : direction);
+    return piece(path_segment, moments.mean(), direction.dot(ahead) < 0 ? Vec2(-direction) : direction);
   }
 
   /// The same parallel to one of the axes of a frame; if none is within the tolerance, the best fit.
-  StraightPiece fit(const Stretch& stretch, std::span<const double> frames_rad) const {
-    if (larger_side(outline_) < kTinyShape) return exact_run(stretch);
-    StraightPiece best = free_fit(stretch);
+  StraightPiece fit(const PathSegment& path_segment, std::span<const double> frames_rad) const {
+    if (larger_side(outline_) < kTinyShape) return exact_run(path_segment);
+    StraightPiece best = free_fit(path_segment);
     for (const double frame_rad : frames_rad) {
       const double heading = std::atan2(best.along.y(), best.along.x());
       const double off = wrap_quarter_turn(heading - frame_rad);
       if (std::abs(off) > kPi / 8) continue;
       const Vec2 along = unit(std::round((heading - off) / kDegree * 1e9) * kDegree / 1e9);
-      if (const auto offset = offset_within_tolerance(stretch, along)) {
-        return piece(stretch, *offset * left_normal(along), along);
+      if (const auto offset = offset_within_tolerance(path_segment, along)) {
+        return piece(path_segment, *offset * left_normal(along), along);
       }
     }
     return best;
   }
 
  private:
-  bool are_one(const Stretch& both, const Stretch& a, const Stretch& b,
+  bool are_one(const PathSegment& both, const PathSegment& a, const PathSegment& b,
                std::span<const double> frames_rad) const {
     if (fit(a, frames_rad).along.dot(fit(b, frames_rad).along) < std::cos(kSameDirection_rad)) return false;
     return offset_within_tolerance(both, fit(both, frames_rad).along).has_value();
   }
 
-  StraightPiece exact_run(const Stretch& run) const {
+  StraightPiece exact_run(const PathSegment& run) const {
     return piece(run, corner(run.first), (corner(run.last) - corner(run.first)).normalized());
   }
 
-  StraightPiece piece(const Stretch& stretch, const Vec2& on_line, const Vec2& along) const {
-    return {on_line, along, corner(stretch.first), corner(stretch.last)};
+  StraightPiece piece(const PathSegment& path_segment, const Vec2& on_line, const Vec2& along) const {
+    return {on_line, along, corner(path_segment.first), corner(path_segment.last)};
   }
 
-  /// Calls with the middle of every side of the stretch that runs along the direction rather than across it;
+  /// Calls with the middle of every side of the segment that runs along the direction rather than across it;
   /// sides next to a corner belong to neither wall.
   template <class Use>
-  void for_sides_along(const Stretch& stretch, const Vec2& along, Use use) const {
-    const Vec2 first = corner(stretch.first), last = corner(stretch.last);
-    const double blur = (last - first).norm() > kLongStretch ? kCornerBlurMax : 0;
+  void for_sides_along(const PathSegment& path_segment, const Vec2& along, Use use) const {
+    const Vec2 first = corner(path_segment.first), last = corner(path_segment.last);
+    const double blur = (last - first).norm() > kLongPathSegment ? kCornerBlurMax : 0;
     const double from = first.dot(along) + blur, to = last.dot(along) - blur;
-    for (std::size_t run = stretch.first; run < stretch.last; ++run) {
+    for (std::size_t run = path_segment.first; run < path_segment.last; ++run) {
       const Vec2 start = corner(run), end = corner(run + 1);
       const double length = (end - start).norm();
       const Vec2 step = (end - start) / length;
@@ -130,9 +130,9 @@ class CutOutline {
     }
   }
 
-  std::optional<double> offset_within_tolerance(const Stretch& stretch, const Vec2& along) const {
+  std::optional<double> offset_within_tolerance(const PathSegment& path_segment, const Vec2& along) const {
     std::vector<double> offsets;
-    for_sides_along(stretch, along,
+    for_sides_along(path_segment, along,
                     [&](const Vec2& side) { offsets.push_back(side.dot(left_normal(along))); });
     if (offsets.empty()) return std::nullopt;
     const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
@@ -146,7 +146,7 @@ class CutOutline {
 
   Outline outline_;
   double tolerance_;
-  std::vector<Stretch> stretches_;
+  std::vector<PathSegment> path_segments_;
   SideMoments moments_;
 };
 
@@ -154,8 +154,8 @@ class CutOutline {
 std::vector<double> frames_of(const std::vector<CutOutline>& outlines) {
   std::vector<SensedSegment> pieces;
   for (const CutOutline& outline : outlines) {
-    for (const Stretch& stretch : outline.stretches()) {
-      const StraightPiece piece = outline.free_fit(stretch);
+    for (const PathSegment& path_segment : outline.path_segments()) {
+      const StraightPiece piece = outline.free_fit(path_segment);
       pieces.push_back({.heading_rad = std::atan2(piece.along.y(), piece.along.x()),
                         .length_m = (piece.last - piece.first).norm()});
     }
@@ -186,7 +186,8 @@ std::vector<Segment2> trace_plan(const FloorPlan& plan, const PlanTracingParams&
   for (CutOutline& outline : outlines) {
     outline.join(frames_rad);
     std::vector<StraightPiece> pieces;
-    for (const Stretch& stretch : outline.stretches()) pieces.push_back(outline.fit(stretch, frames_rad));
+    for (const PathSegment& path_segment : outline.path_segments())
+      pieces.push_back(outline.fit(path_segment, frames_rad));
     for (const Segment2& side : closed_polygon(std::move(pieces))) {
       walls.push_back({plan.T_world_plan * Vec2(plan.cell_m * side.start),
                        plan.T_world_plan * Vec2(plan.cell_m * side.end)});

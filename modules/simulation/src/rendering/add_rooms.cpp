@@ -21,37 +21,38 @@ Doorway doorway_of(const Door& door) {
           door.wall_depth_m / 2 + kOnTheWall_m};
 }
 
-/// The stretch of the segment, as shares of its length, that lies in the doorway.
-Interval inside(const Segment2& foot, const Doorway& doorway) {
-  const Vec2 start = doorway.T_leaf_world * foot.start, end = doorway.T_leaf_world * foot.end;
-  Interval stretch{0, 1};
+/// The segment of the segment, as shares of its length, that lies in the doorway.
+Interval inside(const Segment2& floor_point, const Doorway& doorway) {
+  const Vec2 start = doorway.T_leaf_world * floor_point.start, end = doorway.T_leaf_world * floor_point.end;
+  Interval path_segment{0, 1};
   const auto clip = [&](double at_start, double at_end, double min, double max) {
     const double growth = at_end - at_start;
     if (std::abs(growth) < 1e-9) {
-      if (at_start < min || at_start > max) stretch = {1, 0};
+      if (at_start < min || at_start > max) path_segment = {1, 0};
       return;
     }
     const double a = (min - at_start) / growth, b = (max - at_start) / growth;
-    stretch.min = std::max(stretch.min, std::min(a, b));
-    stretch.max = std::min(stretch.max, std::max(a, b));
+    path_segment.min = std::max(path_segment.min, std::min(a, b));
+    path_segment.max = std::min(path_segment.max, std::max(a, b));
   };
   clip(start.x(), end.x(), doorway.begin_m, doorway.end_m);
   clip(start.y(), end.y(), -doorway.half_depth_m, doorway.half_depth_m);
-  return stretch;
+  return path_segment;
 }
 
 /// What is left of the segment when everything inside doorways is taken away.
-std::vector<Segment2> outside_doorways(const Segment2& foot, const std::vector<Doorway>& doorways) {
+std::vector<Segment2> outside_doorways(const Segment2& floor_point, const std::vector<Doorway>& doorways) {
   std::vector<Interval> cuts;
   for (const Doorway& doorway : doorways) {
-    const Interval cut = inside(foot, doorway);
+    const Interval cut = inside(floor_point, doorway);
     if (cut.min < cut.max) cuts.push_back(cut);
   }
   std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.min < b.min; });
   std::vector<Segment2> left;
   const auto add = [&](double from, double to) {
-    const Vec2 way = foot.end - foot.start;
-    if ((to - from) * way.norm() > 1e-3) left.push_back({foot.start + from * way, foot.start + to * way});
+    const Vec2 path = floor_point.end - floor_point.start;
+    if ((to - from) * path.norm() > 1e-3)
+      left.push_back({floor_point.start + from * path, floor_point.start + to * path});
   };
   double from = 0;
   for (const Interval& cut : cuts) {
@@ -63,10 +64,10 @@ std::vector<Segment2> outside_doorways(const Segment2& foot, const std::vector<D
 }
 
 /// A board on both sides of a wall; a little longer than the wall, so that boards meet in corners.
-Prism skirting_board(const Segment2& foot, double height_m) {
-  const Vec2 way = foot.end - foot.start, middle = (foot.start + foot.end) / 2;
-  return box({middle.x(), middle.y(), std::atan2(way.y(), way.x())},
-             {way.norm() + 2 * kSkirtingDepth_m, 2 * kSkirtingDepth_m}, 0, height_m);
+Prism skirting_board(const Segment2& floor_point, double height_m) {
+  const Vec2 path = floor_point.end - floor_point.start, middle = (floor_point.start + floor_point.end) / 2;
+  return box({middle.x(), middle.y(), std::atan2(path.y(), path.x())},
+             {path.norm() + 2 * kSkirtingDepth_m, 2 * kSkirtingDepth_m}, 0, height_m);
 }
 
 /// One material for all walls of a brightness.
@@ -94,8 +95,8 @@ Extent extent_of(const World& world) {
     extent.max = extent.max.cwiseMax(p);
   };
   for (const WallFace& wall : world.walls) {
-    take(wall.foot.start);
-    take(wall.foot.end);
+    take(wall.floor_point.start);
+    take(wall.floor_point.end);
   }
   for (const Furniture& piece : world.furniture) take(piece.centre);
   for (const Door& door : world.doors) take(door.hinge);
@@ -122,16 +123,16 @@ void add_rooms(const World& world, Materials& materials, Panels& panels) {
   for (const Door& door : world.doors) doorways.push_back(doorway_of(door));
   const int skirting = materials.paint(world.skirting_brightness);
   for (const WallFace& wall : world.walls) {
-    const Vec2 way = wall.foot.end - wall.foot.start;
-    panels.push_back({.corner = {wall.foot.start.x(), wall.foot.start.y(), 0},
-                      .along = {way.x(), way.y(), 0},
+    const Vec2 path = wall.floor_point.end - wall.floor_point.start;
+    panels.push_back({.corner = {wall.floor_point.start.x(), wall.floor_point.start.y(), 0},
+                      .along = {path.x(), path.y(), 0},
                       .up = {0, 0, wall.height_m},
                       .material = wall_materials[wall.brightness],
                       .is_two_sided = true});
     const double board_m = std::min(world.skirting_height_m, wall.height_m);
     if (board_m <= 0) continue;
-    for (const Segment2& foot : outside_doorways(wall.foot, doorways)) {
-      add_prism(skirting_board(foot, board_m), skirting, panels);
+    for (const Segment2& floor_point : outside_doorways(wall.floor_point, doorways)) {
+      add_prism(skirting_board(floor_point, board_m), skirting, panels);
     }
   }
 }

@@ -39,12 +39,12 @@ std::vector<PixelOffset> sample_offsets(int count) {
 void find_seen(std::span<const Candidate> candidates, const LensTable::Block& block,
                std::span<const PixelOffset> samples, std::span<Hits> seen) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const float aside_x = block.x_by_u * samples[i].u + block.x_by_v * samples[i].v,
-                aside_y = block.y_by_u * samples[i].u + block.y_by_v * samples[i].v;
+    const float lateral_x = block.x_by_u * samples[i].u + block.x_by_v * samples[i].v,
+                lateral_y = block.y_by_u * samples[i].u + block.y_by_v * samples[i].v;
     Floats x, y;
     for (int k = 0; k < kLanes; ++k) {
-      x.at[k] = block.x.at[k] + aside_x;
-      y.at[k] = block.y.at[k] + aside_y;
+      x.at[k] = block.x.at[k] + lateral_x;
+      y.at[k] = block.y.at[k] + lateral_y;
     }
     find_seen(candidates, x, y, seen[i]);
   }
@@ -182,10 +182,10 @@ void Exposure::add_stripe(const Surface& surface, const RayPacket& rays, const F
   constexpr float kReach_m = 0.2f;  ///< above and below the light plane, for the widest profile
   if (surface.bottom > laser_.projector[2] + kReach_m || surface.top < laser_.projector[2]) return;
   Floats stripe;
-  WayPacket ways;
-  if (!shade_stripe(surface, laser_, rays, on_surface, stripe, ways)) return;
+  PathPacket paths;
+  if (!shade_stripe(surface, laser_, rays, on_surface, stripe, paths)) return;
   Flags blocked{};
-  scene_.find_blocked(ways, blocked);
+  scene_.find_blocked(paths, blocked);
   for (int k = 0; k < kLanes; ++k) radiance.at[k] += blocked.at[k] != 0 ? 0 : stripe.at[k];
 }
 

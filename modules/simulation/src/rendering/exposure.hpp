@@ -19,7 +19,7 @@ struct CollectedLight {
   std::vector<Floats> mirrored;  ///< share of a view's light that the floor mirrors; none: it is dull
 };
 
-/// One picture in the making: collects the light of the views that it is exposed to, one after the other.
+/// One image in the making: collects the light of the views that it is exposed to, one after the other.
 /// Each view is divided into ever narrower beams until a beam sees only one panel or is a block of pixels.
 /// Where a block sees one panel, one ray a pixel is shaded, as patterns are filtered by what a pixel sees of
 /// them; where panels meet, samples of a pixel say how much it sees of each. A polished floor shows what the

@@ -13,11 +13,11 @@ struct Bounds {
   static constexpr float kFar = std::numeric_limits<float>::max();
   float left = kFar, right = -kFar, top = kFar, bottom = -kFar;
 
-  void add(float x, float y, float aside_x, float aside_y) {
-    left = std::min(left, x - aside_x);
-    right = std::max(right, x + aside_x);
-    top = std::min(top, y - aside_y);
-    bottom = std::max(bottom, y + aside_y);
+  void add(float x, float y, float lateral_x, float lateral_y) {
+    left = std::min(left, x - lateral_x);
+    right = std::max(right, x + lateral_x);
+    top = std::min(top, y - lateral_y);
+    bottom = std::max(bottom, y + lateral_y);
   }
 
   void add(const SlopeBox& box) {

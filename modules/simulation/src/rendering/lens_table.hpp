@@ -15,7 +15,7 @@ struct SlopeBox {
   bool is_empty() const { return half_x < 0; }
 };
 
-/// A square of 2^level x 2^level blocks of a picture; a block is a packet of pixels.
+/// A square of 2^level x 2^level blocks of an image; a block is a packet of pixels.
 struct Square {
   int level = 0;
   int column = 0, row = 0;  ///< among the squares of its level
@@ -23,7 +23,7 @@ struct Square {
 
 /// Where each pixel of a camera looks, computed once. Slopes (x, y) stand for the ray (x, y, 1).
 struct LensTable {
-  /// A packet of pixels; those beyond the picture's border look as the last ones before it.
+  /// A packet of pixels; those beyond the image's border look as the last ones before it.
   struct Block {
     Floats x, y;          ///< slopes of the pixels' middles
     Floats transmission;  ///< share of the light that the lens lets through; 0: no ray at all
@@ -40,7 +40,7 @@ struct LensTable {
     return static_cast<std::size_t>(row * blocks_wide + column);
   }
 
-  /// The one square that holds the whole picture.
+  /// The one square that holds the whole image.
   Square whole() const { return {static_cast<int>(levels_.size()) - 1, 0, 0}; }
   /// What all pixels of a square see, from edge to edge.
   const SlopeBox& beam(const Square& square) const {

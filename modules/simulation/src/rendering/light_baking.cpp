@@ -86,7 +86,7 @@ class Baker {
     Random random(seed_ ^ (texel * 0x9e3779b97f4a7c15u));
     Light light{openness(side.normal, p_scene, random.uniform()), 0};
     if (light.from_everywhere < kBuried) return light;
-    WayPacket ways{};
+    PathPacket paths{};
     Floats strengths{};
     int lanes = 0;
     for (const LampPlace& lamp : lamps_) {
@@ -98,18 +98,18 @@ class Baker {
                           (fraction(0.570 * k + shift_across) - 0.5) * step_up;
         const Vec3 to =
             lamp.centre + (2 * along - 1) * lamp.half_length + (2 * across - 1) * lamp.half_width - from;
-        set(ways, lanes, from, to);
+        set(paths, lanes, from, to);
         strengths.at[lanes] = strength(lamp, side.normal, to);
-        ways.asked.at[lanes] = strengths.at[lanes] > 0 ? -1 : 0;
+        paths.asked.at[lanes] = strengths.at[lanes] > 0 ? -1 : 0;
       }
       if (lanes == kLanes) {
-        light.from_lamps += unblocked(ways, strengths);
+        light.from_lamps += unblocked(paths, strengths);
         strengths = {};
-        ways = {};
+        paths = {};
         lanes = 0;
       }
     }
-    if (lanes > 0) light.from_lamps += unblocked(ways, strengths);
+    if (lanes > 0) light.from_lamps += unblocked(paths, strengths);
     return light;
   }
 
@@ -122,22 +122,22 @@ class Baker {
     const Vec3 one = normal.unitOrthogonal(), other = normal.cross(one);
     const Vec2 turned = unit(2 * kPi * turn);
     const Vec3 side = turned.x() * one + turned.y() * other, across = turned.x() * other - turned.y() * one;
-    WayPacket ways;
+    PathPacket paths;
     for (int k = 0; k < kLanes; ++k) {
       const Vec3& d = spread.directions[static_cast<std::size_t>(k)];
-      set(ways, k, p, kOpen_m * (d.x() * side + d.y() * across + d.z() * normal));
+      set(paths, k, p, kOpen_m * (d.x() * side + d.y() * across + d.z() * normal));
     }
     Floats shares;
-    scene_.free_shares(ways, shares);
+    scene_.free_shares(paths, shares);
     float sum = 0;
     for (const float share : shares.at) sum += std::sqrt(share);
     return sum / kLanes;
   }
 
   static bool reaches(const LampPlace& lamp, const Vec3& normal, const Vec3& p) {
-    const Vec3 way = lamp.centre - p;
+    const Vec3 path = lamp.centre - p;
     const double behind_m = lamp.half_length.norm() + lamp.half_width.norm();
-    return way.z() > 0 && way.squaredNorm() < kLampReach_m * kLampReach_m && normal.dot(way) > -behind_m;
+    return path.z() > 0 && path.squaredNorm() < kLampReach_m * kLampReach_m && normal.dot(path) > -behind_m;
   }
 
   /// What one of the rays to a lamp brings if nothing blocks it; nothing from beyond the lamp's reach.
@@ -148,22 +148,22 @@ class Baker {
     return static_cast<float>(lamp.strength * fading * falling * facing / (squared * squared) / kRaysPerLamp);
   }
 
-  float unblocked(const WayPacket& ways, const Floats& strengths) const {
+  float unblocked(const PathPacket& paths, const Floats& strengths) const {
     Flags blocked{};
-    scene_.find_blocked(ways, blocked);
+    scene_.find_blocked(paths, blocked);
     float sum = 0;
     for (int k = 0; k < kLanes; ++k) sum += blocked.at[k] != 0 ? 0.0f : strengths.at[k];
     return sum;
   }
 
-  static void set(WayPacket& ways, int k, const Vec3& from, const Vec3& way) {
-    ways.from_x.at[k] = static_cast<float>(from.x());
-    ways.from_y.at[k] = static_cast<float>(from.y());
-    ways.from_z.at[k] = static_cast<float>(from.z());
-    ways.x.at[k] = static_cast<float>(way.x());
-    ways.y.at[k] = static_cast<float>(way.y());
-    ways.z.at[k] = static_cast<float>(way.z());
-    ways.asked.at[k] = -1;
+  static void set(PathPacket& paths, int k, const Vec3& from, const Vec3& path) {
+    paths.from_x.at[k] = static_cast<float>(from.x());
+    paths.from_y.at[k] = static_cast<float>(from.y());
+    paths.from_z.at[k] = static_cast<float>(from.z());
+    paths.x.at[k] = static_cast<float>(path.x());
+    paths.y.at[k] = static_cast<float>(path.y());
+    paths.z.at[k] = static_cast<float>(path.z());
+    paths.asked.at[k] = -1;
   }
 
   const RayScene& scene_;

@@ -1,6 +1,6 @@
 #include "rendering/materials.hpp"
 
-#include "rendering/pictures.hpp"
+#include "rendering/images.hpp"
 
 namespace aisle {
 namespace {
@@ -81,7 +81,7 @@ int Materials::ceiling(double brightness) {
               .joints = {kPanel_m, kPanel_m, 0.012f, 0.35f, 0.02f}});
 }
 
-int Materials::print(std::vector<int>& prints, Texture::Picture (*draw)(std::uint64_t), int different) {
+int Materials::print(std::vector<int>& prints, Texture::Image (*draw)(std::uint64_t), int different) {
   const std::size_t hung = &prints == &posters_ ? posters_hung_++ : boards_hung_++;
   if (static_cast<int>(prints.size()) < different) {
     const auto texture = static_cast<int>(textures_.size());

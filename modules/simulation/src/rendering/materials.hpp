@@ -29,7 +29,7 @@ class Materials {
 
  private:
   int add(const Material& material);
-  int print(std::vector<int>& prints, Texture::Picture (*draw)(std::uint64_t), int different);
+  int print(std::vector<int>& prints, Texture::Image (*draw)(std::uint64_t), int different);
 
   std::uint64_t seed_;
   std::vector<Material> all_;

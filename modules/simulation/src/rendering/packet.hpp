@@ -29,8 +29,8 @@ struct RayPacket {
   std::array<float, 3> by_column{}, by_row{};  ///< change of the direction from a pixel to the next
 };
 
-/// Ways from points, in the scene's frame, that may be blocked.
-struct WayPacket {
+/// Paths from points, in the scene's frame, that may be blocked.
+struct PathPacket {
   Floats from_x, from_y, from_z;
   Floats x, y, z;  ///< to the other end
   Flags asked;

@@ -17,11 +17,11 @@ class RayScene {
   /// The number of the first panel on each ray.
   void first_hits(const RayPacket& rays, Hits& hits) const;
 
-  /// Sets `blocked` where a panel stands between both ends of a way that is asked for.
-  void find_blocked(const WayPacket& ways, Flags& blocked) const;
+  /// Sets `blocked` where a panel stands between both ends of a path that is asked for.
+  void find_blocked(const PathPacket& paths, Flags& blocked) const;
 
-  /// How far it is to the first panel along sixteen ways [lengths of the way]; 1: none on the way.
-  void free_shares(const WayPacket& ways, Floats& shares) const;
+  /// How far it is to the first panel along sixteen paths [lengths of the path]; 1: none on the way.
+  void free_shares(const PathPacket& paths, Floats& shares) const;
 
  private:
   struct Embree;

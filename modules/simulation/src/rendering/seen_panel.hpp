@@ -51,7 +51,7 @@ struct Coverage {
   Floats u, v;   ///< middle of those samples, from the pixel's middle [px]
 };
 
-/// @param seen  what each sample sees, as told by `find_seen`
+/// @param seen  what each sample sees, as given by `find_seen`
 /// @return whether any sample of any pixel sees the candidate
 bool find_coverage(std::uint32_t candidate, std::span<const Hits> seen, std::span<const PixelOffset> samples,
                    Coverage& coverage);

@@ -29,7 +29,7 @@ AISLE_INLINE float normal(std::uint32_t bits) {
 
 }  // namespace
 
-SensorResponse::SensorResponse(double noise_sigma, double gamma, std::uint64_t seed, std::uint64_t picture) {
+SensorResponse::SensorResponse(double noise_sigma, double gamma, std::uint64_t seed, std::uint64_t image) {
   for (int i = 0; i < kCurveSteps + 2; ++i) {
     const double root = static_cast<double>(i) / kCurveSteps;
     grey_by_root_[static_cast<std::size_t>(i)] = static_cast<float>(255 * std::pow(root, 2 / gamma));
@@ -39,7 +39,7 @@ SensorResponse::SensorResponse(double noise_sigma, double gamma, std::uint64_t s
   const double mid_variance = std::pow(noise_sigma / greys_per_light, 2);
   light_variance_ = static_cast<float>((1 - kReadingShare) * mid_variance / mid_light);
   reading_variance_ = static_cast<float>(kReadingShare * mid_variance);
-  Random random(seed ^ (picture * 0x9e3779b97f4a7c15u));
+  Random random(seed ^ (image * 0x9e3779b97f4a7c15u));
   for (std::uint32_t& key : key_) key = static_cast<std::uint32_t>(random.bits() >> 32);
 }
 

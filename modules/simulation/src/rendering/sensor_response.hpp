@@ -13,7 +13,7 @@ using Greys = std::array<std::uint8_t, kLanes>;
 class SensorResponse {
  public:
   /// @param gamma  of the curve; 1: linear
-  SensorResponse(double noise_sigma, double gamma, std::uint64_t seed, std::uint64_t picture);
+  SensorResponse(double noise_sigma, double gamma, std::uint64_t seed, std::uint64_t image);
 
   /// @param light  of a block's pixels; 1: just not overexposed
   /// @param block  its number: noise is drawn by it

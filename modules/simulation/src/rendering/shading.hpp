@@ -36,9 +36,9 @@ void shade(const Surface& surface, const ShadingTables& tables, const LightLevel
 void find_mirrored(float gloss, const RayPacket& rays, Floats& mirrored);
 
 /// The laser stripe as far as nothing blocks the light plane: the light of the lanes on the surface, and the
-/// way to the projector in `ways`, which asks where there is any.
-/// @return whether there is any; if not, nothing is said of light and ways
+/// path to the projector in `paths`, which asks where there is any.
+/// @return whether there is any; if not, nothing is said of light and paths
 bool shade_stripe(const Surface& surface, const LaserPlane& laser, const RayPacket& rays,
-                  const Flags& on_surface, Floats& stripe, WayPacket& ways);
+                  const Flags& on_surface, Floats& stripe, PathPacket& paths);
 
 }  // namespace aisle

@@ -27,7 +27,7 @@ struct Joints {
   float variation = 0;  ///< how much one tile may differ from another
 };
 
-/// Pattern coordinates (u, v) are metres, or shares of the piece where a picture fills it.
+/// Pattern coordinates (u, v) are metres, or shares of the piece where an image fills it.
 struct Material {
   float brightness = 0.5f;
   PatternLayer detail;

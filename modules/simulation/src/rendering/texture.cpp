@@ -7,28 +7,28 @@ namespace aisle {
 namespace {
 
 /// Pairs of columns become one.
-Texture::Picture half_as_wide(const Texture::Picture& picture) {
-  Texture::Picture half(picture.size() / 2);
-  for (std::size_t i = 0; i < half.size(); ++i) half[i] = (picture[2 * i] + picture[2 * i + 1]) / 2;
+Texture::Image half_as_wide(const Texture::Image& image) {
+  Texture::Image half(image.size() / 2);
+  for (std::size_t i = 0; i < half.size(); ++i) half[i] = (image[2 * i] + image[2 * i + 1]) / 2;
   return half;
 }
 
 /// Pairs of rows become one.
-Texture::Picture half_as_high(const Texture::Picture& picture, std::size_t width) {
-  Texture::Picture half(picture.size() / 2);
+Texture::Image half_as_high(const Texture::Image& image, std::size_t width) {
+  Texture::Image half(image.size() / 2);
   for (std::size_t i = 0; i < half.size(); ++i) {
     const std::size_t upper = i / width * 2 * width + i % width;
-    half[i] = (picture[upper] + picture[upper + width]) / 2;
+    half[i] = (image[upper] + image[upper + width]) / 2;
   }
   return half;
 }
 
 }  // namespace
 
-Texture::Texture(const Picture& picture) : store_(std::size_t{4} * kSide * kSide) {
-  Picture high = picture;
+Texture::Texture(const Image& image) : store_(std::size_t{4} * kSide * kSide) {
+  Image high = image;
   for (int level_y = 0; level_y < kLevels; ++level_y) {
-    Picture wide = high;
+    Image wide = high;
     for (int level_x = 0; level_x < kLevels; ++level_x) {
       keep(wide, level_x, level_y);
       if (level_x + 1 < kLevels) wide = half_as_wide(wide);
@@ -37,10 +37,10 @@ Texture::Texture(const Picture& picture) : store_(std::size_t{4} * kSide * kSide
   }
 }
 
-void Texture::keep(const Picture& picture, int level_x, int level_y) {
+void Texture::keep(const Image& image, int level_x, int level_y) {
   const int width = kSide >> level_x, height = kSide >> level_y;
   const auto byte = [&](int x, int y) {
-    const float value = picture[static_cast<std::size_t>(y % height * width + x % width)];
+    const float value = image[static_cast<std::size_t>(y % height * width + x % width)];
     return static_cast<std::uint32_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
   };
   for (int y = 0; y < height; ++y) {

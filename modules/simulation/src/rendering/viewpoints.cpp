@@ -14,21 +14,21 @@ constexpr double kSmear_px = 1.5;  ///< between one viewpoint and the next
 
 CameraMount shaken(CameraMount mount, const CameraSensorParams& params, const CameraMoment& moment,
                    std::uint64_t seed) {
-  Random random(seed ^ ~(moment.picture * 0x9e3779b97f4a7c15u));
+  Random random(seed ^ ~(moment.image * 0x9e3779b97f4a7c15u));
   const double speed = std::abs(moment.speed_mps);
   mount.tilt_rad += random.normal(params.shake_pitch_rad * speed);
   mount.roll_rad += random.normal(params.shake_roll_rad * speed);
   return mount;
 }
 
-/// How far the picture of the floor, or of a wall near by, moves during the exposure [px].
+/// How far the image of the floor, or of a wall near by, moves during the exposure [px].
 double smear_px(const CameraDescription& camera, const CameraSensorParams& params,
                 const CameraMoment& moment) {
   constexpr double kWall_m = 2;
   const double turn_px = std::abs(moment.turn_rate_rad_s) * camera.intrinsics.fx_px;
   const double near_m = std::min(kWall_m, 2 * camera.mount.p_vehicle_camera.z());
-  const double way_px = std::abs(moment.speed_mps) * camera.intrinsics.fy_px / (2 * near_m);
-  return (turn_px + way_px) * params.exposure_time_s;
+  const double path_px = std::abs(moment.speed_mps) * camera.intrinsics.fy_px / (2 * near_m);
+  return (turn_px + path_px) * params.exposure_time_s;
 }
 
 }  // namespace

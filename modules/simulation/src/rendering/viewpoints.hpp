@@ -17,7 +17,7 @@ struct Viewpoint {
 Viewpoint mirrored_in_floor(const Viewpoint& view);
 
 /// The viewpoints of one exposure, in the order of time: several if what moves is smeared over more than a
-/// pixel. Shake is drawn by the seed and the picture's number.
+/// pixel. Shake is drawn by the seed and the image's number.
 std::vector<Viewpoint> viewpoints(const CameraDescription& camera, const CameraSensorParams& params,
                                   const CameraMoment& moment, std::uint64_t seed, const SceneFrame& frame);
 

@@ -4,21 +4,21 @@
 
 namespace aisle {
 
-void CameraFeed::take(CameraPicture picture, const CameraTrouble& trouble) {
+void CameraFeed::take(CameraImage image, const CameraTrouble& trouble) {
   if (trouble.frozen && last_good_) {
-    picture.image = last_good_;
+    image.pixels = last_good_;
   } else {
-    last_good_ = picture.image;
+    last_good_ = image.pixels;
   }
   if (trouble.dropped) return;
-  const double due_s = picture.stamp_s + trouble.delay_s;
-  underway_.push_back({due_s, std::move(picture)});
+  const double due_s = image.stamp_s + trouble.delay_s;
+  underway_.push_back({due_s, std::move(image)});
 }
 
-std::optional<CameraPicture> CameraFeed::deliver(double now_s) {
-  std::optional<CameraPicture> arrived;
+std::optional<CameraImage> CameraFeed::deliver(double now_s) {
+  std::optional<CameraImage> arrived;
   while (!underway_.empty() && underway_.front().due_s <= now_s) {
-    arrived = std::move(underway_.front().picture);
+    arrived = std::move(underway_.front().image);
     underway_.pop_front();
   }
   return arrived;

@@ -44,7 +44,7 @@ Image CameraSensor::take(const RenderedWorld& world, const CameraMoment& moment)
   for (const Viewpoint& view : views) {
     exposure.add(view, (params_.rays_per_pixel + count - 1) / count, 1 / static_cast<float>(count));
   }
-  const SensorResponse response(params_.noise_sigma, params_.gamma, seed_, moment.picture);
+  const SensorResponse response(params_.noise_sigma, params_.gamma, seed_, moment.image);
   return exposure.develop(response, params_.exposure);
 }
 

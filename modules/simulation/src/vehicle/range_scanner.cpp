@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "aisle/simulation/slice.hpp"
+#include "aisle/simulation/cross_section.hpp"
 
 namespace aisle {
 
@@ -18,7 +18,7 @@ void RangeSensorParams::describe(FieldList& fields) {
 }
 
 RangeScanner::RangeScanner(const World& world, const RangeScannerParams& params)
-    : params_(params), walls_(slice(world, params.sensor.height_m)) {}
+    : params_(params), walls_(cross_section(world, params.sensor.height_m)) {}
 
 std::vector<float> RangeScanner::scan(const Pose2& T_world_vehicle, Random& random,
                                       std::span<const Segment2> movers) const {

@@ -52,7 +52,7 @@ SimulatedVehicle::SimulatedVehicle(const World& world, const VehicleModel& model
       obstacles_(world, model.description.footprint),
       bodies_(world.people) {
   if (!options.T_world_start.is_finite()) throw std::invalid_argument("a start pose must be finite");
-  if (options.takes_pictures && !model.description.cameras.empty()) {
+  if (options.takes_images && !model.description.cameras.empty()) {
     eyes_ = std::make_unique<VehicleEyes>(world, model, seeds_);
   }
   truth_.T_world_vehicle = options.T_world_start;
@@ -65,7 +65,7 @@ std::optional<Observation> SimulatedVehicle::sense() {
   for (long i = 0; i < steps; ++i) step(model_.description.cycle_s / static_cast<double>(steps));
 
   Observation observation{.stamp_s = truth_.stamp_s};
-  if (eyes_) observation.pictures = eyes_->deliver(truth_.stamp_s);
+  if (eyes_) observation.images = eyes_->deliver(truth_.stamp_s);
   observation.odometry = odometry_.read();
   observation.scan = scan();
   observation.bumper_pressed = T_world_contact_.has_value();
@@ -91,7 +91,7 @@ void SimulatedVehicle::step(double time_s) {
   play_.advance(truth_.stamp_s, truth_.T_world_vehicle.position());
   bodies_.step(truth_.stamp_s, time_s, play_, model_.description.footprint, truth_.T_world_vehicle);
   obstacles_.set_movers(bodies_.outlines());
-  lift_if_told();
+  lift_if_due();
   drive(time_s);
   if (eyes_) {
     eyes_->look(truth_.stamp_s,
@@ -105,19 +105,20 @@ void SimulatedVehicle::step(double time_s) {
 void SimulatedVehicle::drive(double time_s) {
   const WheelErrors& errors = model_.simulated.odometry;
   const Travel travel = dynamics_.step(commanded(), time_s);
-  Arc way = arc_of(model_.description, travel, errors.steering_bias_rad + play_.steering_bias_rad());
-  way.turn_rad += slip_random_.normal(errors.heading_slip_rad_per_sqrt_m) * std::sqrt(std::abs(way.length_m));
-  move(travel, way, time_s);
+  Arc path = arc_of(model_.description, travel, errors.steering_bias_rad + play_.steering_bias_rad());
+  path.turn_rad +=
+      slip_random_.normal(errors.heading_slip_rad_per_sqrt_m) * std::sqrt(std::abs(path.length_m));
+  move(travel, path, time_s);
 }
 
-void SimulatedVehicle::move(const Travel& travel, const Arc& way, double time_s) {
-  const bool stands = way.length_m == 0 && way.turn_rad == 0;
-  const double free = stands ? 1 : obstacles_.free_share(truth_.T_world_vehicle, way);
-  const Arc driven{free * way.length_m, free * way.turn_rad};
+void SimulatedVehicle::move(const Travel& travel, const Arc& path, double time_s) {
+  const bool stands = path.length_m == 0 && path.turn_rad == 0;
+  const double free = stands ? 1 : obstacles_.free_share(truth_.T_world_vehicle, path);
+  const Arc driven{free * path.length_m, free * path.turn_rad};
   truth_.T_world_vehicle = truth_.T_world_vehicle * end_pose(driven);
   truth_.speed_mps = driven.length_m / time_s;
   truth_.turn_rate_rad_s = driven.turn_rad / time_s;
-  truth_.way_m += std::abs(driven.length_m);
+  truth_.path_m += std::abs(driven.length_m);
   odometry_.count(free * travel, play_.spin());
   feel_bumper(free);
 }
@@ -137,7 +138,7 @@ void SimulatedVehicle::feel_bumper(double free_share) {
 }
 
 /// The wheels do not turn meanwhile. Nobody puts a vehicle down where something is.
-void SimulatedVehicle::lift_if_told() {
+void SimulatedVehicle::lift_if_due() {
   for (std::size_t event = 0; event < play_.size(); ++event) {
     const auto* lifted = std::get_if<Lifted>(&play_.fault(event));
     if (lifted == nullptr || !play_.is_on(event) || lifts_done_.contains(event)) continue;

@@ -21,7 +21,7 @@ VehicleEyes::VehicleEyes(const World& world, const VehicleModel& model, Random& 
   }
 }
 
-/// Picture k is due at k periods, the first after one.
+/// Image k is due at k periods, the first after one.
 bool VehicleEyes::Eye::is_due(double now_s) const {
   constexpr double kSlack_s = 1e-6;
   return now_s + kSlack_s >= static_cast<double>(taken + 1) * camera.period_s;
@@ -29,14 +29,14 @@ bool VehicleEyes::Eye::is_due(double now_s) const {
 
 void VehicleEyes::Eye::take(double now_s, CameraMoment moment, const RenderedWorld& world,
                             const CameraTrouble& trouble) {
-  moment.picture = taken++;
+  moment.image = taken++;
   if (trouble.dark) {
     moment.light = 0;
     moment.laser_on = false;
   }
   feed.take({.camera = camera.name,
              .stamp_s = now_s,
-             .image = std::make_shared<const Image>(sensor.take(world, moment))},
+             .pixels = std::make_shared<const Image>(sensor.take(world, moment))},
             trouble);
 }
 
@@ -55,12 +55,12 @@ void VehicleEyes::look(double now_s, const CameraMoment& moment, std::span<const
   }
 }
 
-std::vector<CameraPicture> VehicleEyes::deliver(double now_s) {
-  std::vector<CameraPicture> pictures;
+std::vector<CameraImage> VehicleEyes::deliver(double now_s) {
+  std::vector<CameraImage> images;
   for (Eye& eye : eyes_) {
-    if (auto picture = eye.feed.deliver(now_s)) pictures.push_back(std::move(*picture));
+    if (auto image = eye.feed.deliver(now_s)) images.push_back(std::move(*image));
   }
-  return pictures;
+  return images;
 }
 
 }  // namespace aisle

@@ -13,19 +13,19 @@
 
 namespace aisle {
 
-/// All cameras of a simulated vehicle, each taking pictures at its own period.
+/// All cameras of a simulated vehicle, each taking images at its own period.
 class VehicleEyes {
  public:
   /// @param seeds  one is drawn for each camera
   VehicleEyes(const World& world, const VehicleModel& model, Random& seeds);
 
-  /// Takes the pictures that are due; their stamp is `now_s`.
+  /// Takes the images that are due; their stamp is `now_s`.
   /// @param moment  where the vehicle is and how it moves; light and laser are filled in here
   void look(double now_s, const CameraMoment& moment, std::span<const MovingBody> bodies,
             const ScenarioPlay& play);
 
   /// What has arrived since the last call.
-  std::vector<CameraPicture> deliver(double now_s);
+  std::vector<CameraImage> deliver(double now_s);
 
  private:
   struct Eye {

@@ -32,22 +32,22 @@ WheelOdometry::WheelOdometry(const VehicleDescription& vehicle, const WheelError
     : vehicle_(vehicle), errors_(errors), random_(random) {}
 
 /// Draws the same count of random numbers whatever happens.
-double WheelOdometry::wheel_way_m(double way_m, double scale, double spin) {
-  const double slip_m = random_.normal(errors_.distance_slip_m_per_sqrt_m) * std::sqrt(std::abs(way_m));
-  return way_m * (1 + scale) * (1 + spin) + slip_m;
+double WheelOdometry::wheel_path_m(double path_m, double scale, double spin) {
+  const double slip_m = random_.normal(errors_.distance_slip_m_per_sqrt_m) * std::sqrt(std::abs(path_m));
+  return path_m * (1 + scale) * (1 + spin) + slip_m;
 }
 
 void WheelOdometry::count(const Travel& travel, double spin) {
   if (vehicle_.is_differential) {
     const double half_turn_m = travel.turn_rad * vehicle_.differential.wheel_separation_m / 2;
     const double half_difference = errors_.wheel_difference / 2;
-    left_m_ += wheel_way_m(travel.distance_m - half_turn_m, errors_.distance_scale - half_difference, spin);
-    right_m_ += wheel_way_m(travel.distance_m + half_turn_m, errors_.distance_scale + half_difference, spin);
+    left_m_ += wheel_path_m(travel.distance_m - half_turn_m, errors_.distance_scale - half_difference, spin);
+    right_m_ += wheel_path_m(travel.distance_m + half_turn_m, errors_.distance_scale + half_difference, spin);
     return;
   }
-  distance_m_ += wheel_way_m(travel.distance_m, errors_.distance_scale, spin);
-  steering_by_way_ += travel.steering_rad * std::abs(travel.distance_m);
-  way_m_ += std::abs(travel.distance_m);
+  distance_m_ += wheel_path_m(travel.distance_m, errors_.distance_scale, spin);
+  steering_by_path_ += travel.steering_rad * std::abs(travel.distance_m);
+  travelled_m_ += std::abs(travel.distance_m);
   steering_rad_ = travel.steering_rad;
 }
 
@@ -57,10 +57,10 @@ OdometryReading WheelOdometry::read() {
 }
 
 FrontSteeredMotion WheelOdometry::read_motion() {
-  const double steering_rad = way_m_ > 0 ? steering_by_way_ / way_m_ : steering_rad_;
+  const double steering_rad = travelled_m_ > 0 ? steering_by_path_ / travelled_m_ : steering_rad_;
   const double counted_m = to_quantum(distance_m_, errors_.distance_quantum_m);
   const double new_m = counted_m - std::exchange(distance_read_m_, counted_m);
-  steering_by_way_ = way_m_ = 0;
+  steering_by_path_ = travelled_m_ = 0;
   return {new_m, to_quantum(steering_rad, errors_.steering_quantum_rad)};
 }
 

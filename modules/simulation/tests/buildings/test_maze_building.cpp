@@ -3,7 +3,7 @@
 
 #include "aisle/exploration/maze_generator.hpp"
 #include "aisle/simulation/buildings/maze_building.hpp"
-#include "aisle/simulation/ways/round_trip.hpp"
+#include "aisle/simulation/paths/round_trip.hpp"
 #include "plan_raster.hpp"
 
 namespace aisle {
@@ -14,7 +14,9 @@ constexpr MazeBuildingParams kParams{.corridor_width_m = 1.8, .wall_thickness_m 
 double area_m2(const World& world) {
   double area = 0;
   for (const WallFace& wall : world.walls) {
-    area += (wall.foot.start.x() * wall.foot.end.y() - wall.foot.start.y() * wall.foot.end.x()) / 2;
+    area += (wall.floor_point.start.x() * wall.floor_point.end.y() -
+             wall.floor_point.start.y() * wall.floor_point.end.x()) /
+            2;
   }
   return area;
 }
@@ -63,18 +65,18 @@ RC_GTEST_PROP(MazeBuilding, ATourComesIntoEveryCell, ()) {
   const GridWorld maze = generate_maze(recipe, Random(*rc::gen::arbitrary<std::uint32_t>()));
   World world = build_maze(maze, kParams);
   SilentProgress silent;
-  const auto trip = plan_round_trip(world, {}, silent);
-  RC_ASSERT(trip.has_value());
-  RC_ASSERT((trip->tour.front() - world.start->position()).norm() < 0.05);
-  RC_ASSERT(trip->tour.front() == trip->tour.back());
+  const auto run = plan_round_trip(world, {}, silent);
+  RC_ASSERT(run.has_value());
+  RC_ASSERT((run->tour.front() - world.start->position()).norm() < 0.05);
+  RC_ASSERT(run->tour.front() == run->tour.back());
   for (std::size_t cell = 0; cell < maze.size(); ++cell) {
     if (!reachable_cells(maze, maze.start)[cell]) continue;
     const Vec2 centre = Vec2(maze.cell(cell).x * 2.0 + 0.9, maze.cell(cell).y * 2.0 + 0.9);
     double nearest_m = 1e9;
-    for (std::size_t i = 1; i < trip->tour.size(); ++i) {
-      const Vec2 start = trip->tour[i - 1], way = trip->tour[i] - start;
-      const double share = std::clamp((centre - start).dot(way) / way.squaredNorm(), 0.0, 1.0);
-      nearest_m = std::min(nearest_m, (start + share * way - centre).norm());
+    for (std::size_t i = 1; i < run->tour.size(); ++i) {
+      const Vec2 start = run->tour[i - 1], path = run->tour[i] - start;
+      const double share = std::clamp((centre - start).dot(path) / path.squaredNorm(), 0.0, 1.0);
+      nearest_m = std::min(nearest_m, (start + share * path - centre).norm());
     }
     RC_ASSERT(nearest_m < 2.3);
   }

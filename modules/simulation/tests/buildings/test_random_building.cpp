@@ -3,12 +3,12 @@
 #include <set>
 
 #include "aisle/simulation/buildings/random_building.hpp"
-#include "aisle/simulation/slice.hpp"
-#include "aisle/simulation/ways/clearance_grid.hpp"
+#include "aisle/simulation/cross_section.hpp"
+#include "aisle/simulation/paths/clearance_grid.hpp"
 #include "buildings/building_layout.hpp"
 #include "driven_tour.hpp"
+#include "paths/drivable_area.hpp"
 #include "plan_raster.hpp"
-#include "ways/drivable_area.hpp"
 
 namespace aisle {
 namespace {
@@ -51,10 +51,10 @@ TEST_P(RandomBuilding, WallsAreClosedOutlinesWithoutDegenerateOrOverlappingPiece
     const World world = building(seed);
     std::set<std::tuple<long, long>> corners;
     for (std::size_t i = 0; i < world.walls.size(); ++i) {
-      const Segment2& wall = world.walls[i].foot;
-      const Vec2 way = (wall.end - wall.start).cwiseAbs();
-      EXPECT_LT(way.minCoeff(), 1e-9) << seed;
-      EXPECT_GT(way.maxCoeff(), 0.015) << seed << " " << wall.start.transpose();
+      const Segment2& wall = world.walls[i].floor_point;
+      const Vec2 path = (wall.end - wall.start).cwiseAbs();
+      EXPECT_LT(path.minCoeff(), 1e-9) << seed;
+      EXPECT_GT(path.maxCoeff(), 0.015) << seed << " " << wall.start.transpose();
       const auto corner = std::tuple(std::lround(wall.start.x() * 1000), std::lround(wall.start.y() * 1000));
       EXPECT_TRUE(corners.insert(corner).second)
           << seed << ": two outlines touch at " << wall.start.transpose();
@@ -82,8 +82,8 @@ TEST_P(RandomBuilding, SeedsGiveDifferentBuildingsAndEachTheSameAgain) {
     ASSERT_EQ(once.walls.size(), again.walls.size());
     double length_m = 0;
     for (std::size_t i = 0; i < once.walls.size(); ++i) {
-      ASSERT_EQ(once.walls[i].foot.start, again.walls[i].foot.start);
-      length_m += once.walls[i].foot.length();
+      ASSERT_EQ(once.walls[i].floor_point.start, again.walls[i].floor_point.start);
+      length_m += once.walls[i].floor_point.length();
     }
     ASSERT_EQ(once.posters.size(), again.posters.size());
     ASSERT_EQ(once.lamps.size(), again.lamps.size());

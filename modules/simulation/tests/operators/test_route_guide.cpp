@@ -16,7 +16,7 @@ namespace {
 /// An L of two legs in the open, with one turning.
 World open_floor() {
   World world;
-  world.routes = {{.name = "way", .parking = ParkingStrategy::kDeadEnd, .way = {{0, 0}, {4, 0}, {4, 4}}}};
+  world.routes = {{.name = "way", .parking = ParkingStrategy::kDeadEnd, .path = {{0, 0}, {4, 0}, {4, 4}}}};
   world.turnings = {{.route = "way", .number = 1, .at = {4, 0}, .before_m = 1.5, .after_m = 1},
                     {.route = "other", .number = 2, .at = {1, 0}}};
   return world;
@@ -32,8 +32,8 @@ struct GuidedDrive {
 GuidedDrive driven_with_marks(const World& world, ShownViews views = ShownViews::kTrail) {
   const VehicleModel model;
   RouteGuide person(world, world.routes.front(), model.description, {}, 1, views);
-  SimulatedVehicle vehicle(
-      world, model, {}, {.T_world_start = start_of(world.routes.front()), .takes_pictures = false}, &person);
+  SimulatedVehicle vehicle(world, model, {},
+                           {.T_world_start = start_of(world.routes.front()), .takes_images = false}, &person);
   HandDriver driver({});
   GuidedDrive drive;
   for (int cycle = 0; cycle < 10'000; ++cycle) {
@@ -66,7 +66,7 @@ TEST(RouteGuide, SaysWhereTurningsBeginAndEndAndHowToPark) {
 
 TEST(RouteGuide, BetweenCloseTurningsItBacksAfterTheEndOfTheFirst) {
   World world;
-  world.routes = {{.name = "way", .way = {{0, 0}, {4, 0}, {1, 0}, {3, 0}, {3, 4}}}};
+  world.routes = {{.name = "way", .path = {{0, 0}, {4, 0}, {1, 0}, {3, 0}, {3, 4}}}};
   world.turnings = {{.route = "way", .number = 4, .at = {2, 0}, .before_m = 1, .after_m = 2},
                     {.route = "way", .number = 7, .at = {3, 0.3}, .before_m = 2.3, .after_m = 1}};
   const auto driven = driven_with_marks(world);
@@ -89,9 +89,9 @@ double nearest_m(const std::vector<Pose2>& driven, const Pose2& T_world_wished) 
 
 TEST(RouteGuide, ShowsViewsFromAboutATaughtPlace) {
   World world;
-  world.routes = {{.name = "way", .parking = ParkingStrategy::kView, .way = {{0, 0}, {4, 0}}}};
+  world.routes = {{.name = "way", .parking = ParkingStrategy::kView, .path = {{0, 0}, {4, 0}}}};
   const GuidedDrive driven = driven_with_marks(world, ShownViews::kPattern);
-  ASSERT_EQ(driven.marks, std::vector(1, Mark{Mark::Kind::kStop, "view"})) << "the way ends before them";
+  ASSERT_EQ(driven.marks, std::vector(1, Mark{Mark::Kind::kStop, "view"})) << "the path ends before them";
   const Pose2 T_world_place{driven.places.front().x(), driven.places.front().y(), 0};
   int passed = 0;
   for (const ViewLane& lane : view_pattern())
@@ -102,7 +102,7 @@ TEST(RouteGuide, ShowsViewsFromAboutATaughtPlace) {
 
 TEST(RouteGuide, LeavesOutLanesWithoutRoom) {
   World world;
-  world.routes = {{.name = "way", .parking = ParkingStrategy::kView, .way = {{0, 0}, {4, 0}}}};
+  world.routes = {{.name = "way", .parking = ParkingStrategy::kView, .path = {{0, 0}, {4, 0}}}};
   world.furniture = {{.centre = {3, -0.6}, .size = {4, 0.3}, .height_m = 1}};  // 15 cm beside the vehicle
   const GuidedDrive driven = driven_with_marks(world, ShownViews::kPattern);
   double right_m = 0, left_m = 0;
@@ -117,7 +117,7 @@ TEST(RouteGuide, LeavesOutLanesWithoutRoom) {
 TEST(RouteGuide, RoutesAreFoundByName) {
   const World world = open_floor();
   EXPECT_EQ(route_of(world, "way"), world.routes.data());
-  EXPECT_EQ(route_of(world, "no way"), nullptr);
+  EXPECT_EQ(route_of(world, "no path"), nullptr);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "aisle/simulation/operators/scripted_operator.hpp"
 #include "aisle/simulation/vehicle/simulated_vehicle.hpp"
-#include "operators/operator_way.hpp"
+#include "operators/operator_path.hpp"
 #include "pose_matchers.hpp"
 
 namespace aisle {
@@ -30,7 +30,8 @@ World corner() {
   World world{.name = "corner"};
   const std::vector<Vec2> line = {{-2, -1.2}, {11.2, -1.2}, {11.2, 10}, {8.8, 10},
                                   {8.8, 1.2}, {-2, 1.2},    {-2, -1.2}};
-  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.foot = {line[i - 1], line[i]}});
+  for (std::size_t i = 1; i < line.size(); ++i)
+    world.walls.push_back({.floor_point = {line[i - 1], line[i]}});
   world.tour = {{0, 0}, {10, 0}, {10, 8}};
   world.places = {{"door", {5, 0.2, 0}}, {"yard", {50, 50, 0}}};
   return world;
@@ -48,7 +49,8 @@ World narrow_tee(double from_x, double to_x, double half_width) {
                                   {-0.6, half_width},
                                   {from_x, half_width},
                                   {from_x, -half_width}};
-  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.foot = {line[i - 1], line[i]}});
+  for (std::size_t i = 1; i < line.size(); ++i)
+    world.walls.push_back({.floor_point = {line[i - 1], line[i]}});
   world.tour = {{-3, 0}, {0, 0}, {0, 7}};
   return world;
 }
@@ -64,7 +66,7 @@ struct Drive {
   SimulatedTruth end;
   std::vector<Mark> marks;
   bool came_near = false;    ///< within 3 cm of a wall
-  double largest_off_m = 0;  ///< of the first 8 m of the first corridor, aside of the route
+  double largest_off_m = 0;  ///< of the first 8 m of the first corridor, beside the route
   bool arrived = false;
   bool gave_up = false;
 };
@@ -73,9 +75,9 @@ Drive drive(const World& world, const VehicleModel& model, std::uint64_t seed,
             const Scenario& scenario = {}) {
   ScriptedOperator person(world, model.description, {}, seed);
   SimulatedVehicle vehicle(world, model, scenario,
-                           {.seed = seed, .T_world_start = *start_pose(world), .takes_pictures = false},
+                           {.seed = seed, .T_world_start = *start_pose(world), .takes_images = false},
                            &person);
-  Obstacles near_walls(world, with_room_to_spare(model.description.footprint, 0.03));
+  Obstacles near_walls(world, with_room_to_clearance(model.description.footprint, 0.03));
   Drive drive;
   for (int i = 0; i < 6000; ++i) {
     const Observation observation = *vehicle.sense();
@@ -87,7 +89,7 @@ Drive drive(const World& world, const VehicleModel& model, std::uint64_t seed,
     }
     drive.gave_up = input.gives_up;
     if (input.quit) break;
-    vehicle.act(input.wish.value_or(Command{}));
+    vehicle.act(input.requested.value_or(Command{}));
   }
   drive.end = vehicle.truth();
   drive.arrived = person.has_arrived();
@@ -98,9 +100,9 @@ class ScriptedOperatorTest : public testing::TestWithParam<bool> {
  protected:
   void expect_to_get_through(const World& world) const {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-      const Drive trip = drive(world, model, seed);
-      EXPECT_TRUE(trip.arrived) << seed;
-      EXPECT_EQ(trip.end.collisions, 0U) << seed;
+      const Drive run = drive(world, model, seed);
+      EXPECT_TRUE(run.arrived) << seed;
+      EXPECT_EQ(run.end.collisions, 0U) << seed;
     }
   }
 
@@ -109,10 +111,10 @@ class ScriptedOperatorTest : public testing::TestWithParam<bool> {
 
 TEST_P(ScriptedOperatorTest, DrivesRoundACornerToTheEndOfTheRoute) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const Drive trip = drive(corner(), model, seed);
-    EXPECT_TRUE(trip.arrived) << seed;
-    EXPECT_EQ(trip.end.collisions, 0U) << seed;
-    EXPECT_THAT(trip.end.T_world_vehicle, PoseNear(Pose2{10, 8, kPi / 2}, 0.3, 0.2)) << seed;
+    const Drive run = drive(corner(), model, seed);
+    EXPECT_TRUE(run.arrived) << seed;
+    EXPECT_EQ(run.end.collisions, 0U) << seed;
+    EXPECT_THAT(run.end.T_world_vehicle, PoseNear(Pose2{10, 8, kPi / 2}, 0.3, 0.2)) << seed;
   }
 }
 
@@ -133,24 +135,25 @@ TEST_P(ScriptedOperatorTest, NamesThePlacesThatItPassesAndTheEnd) {
 TEST_P(ScriptedOperatorTest, ComesBackWhereTheRouteTurnsBack) {
   World world = corner();
   world.tour = {{0, 0}, {6, 0}, {1, 0}};
-  const Drive trip = drive(world, model, 4);
-  EXPECT_TRUE(trip.arrived);
-  EXPECT_EQ(trip.end.collisions, 0U);
+  const Drive run = drive(world, model, 4);
+  EXPECT_TRUE(run.arrived);
+  EXPECT_EQ(run.end.collisions, 0U);
   const double heading_rad = model.description.is_differential ? kPi : 0;
-  EXPECT_THAT(trip.end.T_world_vehicle, PoseNear(Pose2{1, 0, heading_rad}, 0.3, 0.3));
+  EXPECT_THAT(run.end.T_world_vehicle, PoseNear(Pose2{1, 0, heading_rad}, 0.3, 0.3));
 }
 
-TEST_P(ScriptedOperatorTest, WhereTheWayBackTurnsOffItBacksRoundTheCornerAndGoesOnForwards) {
+TEST_P(ScriptedOperatorTest, WhereThePathBackTurnsOffItBacksRoundTheCornerAndGoesOnForwards) {
   // Into the side corridor, a bit back out of it, and on along the first one.
   World world{.name = "tee"};
   const std::vector<Vec2> line = {{-8, -1.2}, {12, -1.2},  {12, 1.2}, {1.2, 1.2}, {1.2, 9},
                                   {-1.2, 9},  {-1.2, 1.2}, {-8, 1.2}, {-8, -1.2}};
-  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.foot = {line[i - 1], line[i]}});
+  for (std::size_t i = 1; i < line.size(); ++i)
+    world.walls.push_back({.floor_point = {line[i - 1], line[i]}});
   world.tour = {{-6, 0}, {0, 0}, {0, 6}, {0, 0}, {9, 0}};
-  const Drive trip = drive(world, model, 6);
-  EXPECT_TRUE(trip.arrived);
-  EXPECT_EQ(trip.end.collisions, 0U);
-  EXPECT_THAT(trip.end.T_world_vehicle, PoseNear(Pose2{9, 0, 0}, 0.3, 0.3));
+  const Drive run = drive(world, model, 6);
+  EXPECT_TRUE(run.arrived);
+  EXPECT_EQ(run.end.collisions, 0U);
+  EXPECT_THAT(run.end.T_world_vehicle, PoseNear(Pose2{9, 0, 0}, 0.3, 0.3));
 }
 
 TEST_P(ScriptedOperatorTest, TurnsIntoANarrowCorridorSoThatTheOuterFrontCornerGetsThrough) {
@@ -159,9 +162,9 @@ TEST_P(ScriptedOperatorTest, TurnsIntoANarrowCorridorSoThatTheOuterFrontCornerGe
 
 TEST_P(ScriptedOperatorTest, SteersClearOfTheCornersOfANarrowCorridorForwardsAndBackwards) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Drive trip = drive(narrow_dead_end(), model, seed);
-    EXPECT_TRUE(trip.arrived) << seed;
-    EXPECT_FALSE(trip.came_near) << seed;
+    const Drive run = drive(narrow_dead_end(), model, seed);
+    EXPECT_TRUE(run.arrived) << seed;
+    EXPECT_FALSE(run.came_near) << seed;
   }
 }
 
@@ -172,10 +175,10 @@ TEST_P(ScriptedOperatorTest, BacksOffFromAWallThatItCameTooNearToAndComesAgain) 
 
 TEST_P(ScriptedOperatorTest, GivesUpBeforeABoxThatStays) {
   const Scenario blocked{.events = {{.fault = BlockingBox{.T_world_box = {6, 0, 0}, .size = {0.5, 2.3}}}}};
-  const Drive trip = drive(corner(), model, 5, blocked);
-  EXPECT_FALSE(trip.arrived);
-  EXPECT_TRUE(trip.gave_up);
-  EXPECT_EQ(trip.end.collisions, 0U);
+  const Drive run = drive(corner(), model, 5, blocked);
+  EXPECT_FALSE(run.arrived);
+  EXPECT_TRUE(run.gave_up);
+  EXPECT_EQ(run.end.collisions, 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Vehicles, ScriptedOperatorTest, testing::Bool(),

@@ -10,21 +10,21 @@ namespace {
 
 constexpr std::size_t kBlocked = 3, kFree = 5, kNotAsked = 7;
 
-/// Ways along x from 1 m before a panel across x = 0, and one that nobody asks for and that is no number.
-WayPacket ways_to_a_panel() {
-  WayPacket ways;
-  for (Floats* all : {&ways.from_x, &ways.from_y, &ways.from_z, &ways.x, &ways.y, &ways.z})
+/// Paths along x from 1 m before a panel across x = 0, and one that nobody asks for and that is no number.
+PathPacket paths_to_a_panel() {
+  PathPacket paths;
+  for (Floats* all : {&paths.from_x, &paths.from_y, &paths.from_z, &paths.x, &paths.y, &paths.z})
     std::fill(std::begin(all->at), std::end(all->at), std::numeric_limits<float>::quiet_NaN());
-  std::fill(std::begin(ways.asked.at), std::end(ways.asked.at), 0);
+  std::fill(std::begin(paths.asked.at), std::end(paths.asked.at), 0);
   for (const std::size_t k : {kBlocked, kFree}) {
-    ways.from_x.at[k] = -1;
-    ways.from_y.at[k] = ways.y.at[k] = ways.z.at[k] = 0;
-    ways.from_z.at[k] = 0.5f;
-    ways.asked.at[k] = -1;
+    paths.from_x.at[k] = -1;
+    paths.from_y.at[k] = paths.y.at[k] = paths.z.at[k] = 0;
+    paths.from_z.at[k] = 0.5f;
+    paths.asked.at[k] = -1;
   }
-  ways.x.at[kBlocked] = 4;
-  ways.x.at[kFree] = 0.5f;
-  return ways;
+  paths.x.at[kBlocked] = 4;
+  paths.x.at[kFree] = 0.5f;
+  return paths;
 }
 
 RayScene scene_with_a_panel() {
@@ -32,17 +32,17 @@ RayScene scene_with_a_panel() {
   return {std::vector{panel}, SceneFrame{}};
 }
 
-TEST(RayScene, TellsWhichWaysAreBlockedAmongSuchAsAreNoNumber) {
+TEST(RayScene, TellsWhichPathsAreBlockedAmongSuchAsAreNoNumber) {
   Flags blocked{};
-  scene_with_a_panel().find_blocked(ways_to_a_panel(), blocked);
+  scene_with_a_panel().find_blocked(paths_to_a_panel(), blocked);
   EXPECT_EQ(blocked.at[kBlocked], -1);
   EXPECT_EQ(blocked.at[kFree], 0);
   EXPECT_EQ(blocked.at[kNotAsked], 0);
 }
 
-TEST(RayScene, TellsHowFarWaysAreFreeAmongSuchAsAreNoNumber) {
+TEST(RayScene, TellsHowFarPathsAreFreeAmongSuchAsAreNoNumber) {
   Floats shares{};
-  scene_with_a_panel().free_shares(ways_to_a_panel(), shares);
+  scene_with_a_panel().free_shares(paths_to_a_panel(), shares);
   EXPECT_FLOAT_EQ(shares.at[kBlocked], 0.25f);
   EXPECT_FLOAT_EQ(shares.at[kFree], 1);
   EXPECT_FLOAT_EQ(shares.at[kNotAsked], 1);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPrecision_px = 0.1;
 
-/// Looks askew through a bent lens.
+/// Looks misaligned through a bent lens.
 CameraDescription ordinary_camera() {
   CameraDescription camera;
   camera.width_px = 322;  // no multiple of a packet's side
@@ -39,7 +39,7 @@ CameraSensorParams without_faults() {
   return params;
 }
 
-Image picture_of(const World& world, const CameraMoment& moment = {}) {
+Image image_of(const World& world, const CameraMoment& moment = {}) {
   return CameraSensor(ordinary_camera(), without_faults(), 1).take(RenderedWorld(world), moment);
 }
 
@@ -114,7 +114,7 @@ TEST(CameraSensor, SeesAPaperOnTheFloorWhereTheLensModelProjectsIt) {
     const Vec2 size{0.12, 0.09};
     world.papers = {{.centre = centre, .length_m = size.x(), .width_m = size.y()}};
     const Spot expected = projected_rectangle(centre, size);
-    const Spot seen = bright_spot(picture_of(world), expected.centre, 14);
+    const Spot seen = bright_spot(image_of(world), expected.centre, 14);
     EXPECT_LT((seen.centre - expected.centre).norm(), kPrecision_px) << centre.transpose();
     EXPECT_NEAR(seen.share_of_pixels / expected.share_of_pixels, 1, 0.06) << centre.transpose();
   }
@@ -151,7 +151,7 @@ Vec2 saddle_near(const Image& image, const Vec2& guess) {
 void expect_corners_where_projected(const CalibrationBoard& board) {
   World world = dark_floor();
   world.boards = {board};
-  const Image image = picture_of(world);
+  const Image image = image_of(world);
   double squares = 0, worst = 0;
   for (int row = 0; row < board.rows; ++row) {
     for (int column = 0; column < board.columns; ++column) {
@@ -184,7 +184,7 @@ TEST(CameraSensor, SeesTheCornersOfAChessboardOnTheFloorWhereTheLensModelProject
 World wall_ahead(double height_m) {
   World world = dark_floor();
   world.skirting_height_m = 0;
-  world.walls = {{.foot = {{3, -5}, {3, 5}}, .height_m = height_m, .brightness = 0.3}};
+  world.walls = {{.floor_point = {{3, -5}, {3, 5}}, .height_m = height_m, .brightness = 0.3}};
   return world;
 }
 
@@ -211,14 +211,14 @@ std::optional<double> stripe_row(const Image& image, const Vec2& near) {
 }
 
 TEST(CameraSensor, TheLaserStripeRunsAtItsHeightOverTheWall) {
-  const Image image = picture_of(wall_ahead(2.7), with_laser());
+  const Image image = image_of(wall_ahead(2.7), with_laser());
   for (double y = -1.5; y <= 1.5; y += 0.25) {
     const Vec2 expected = projected({3, y, 0.4});
     const auto row = stripe_row(image, expected);
     ASSERT_TRUE(row) << y;
     // The wanted row is the stripe's in this very column.
-    const Vec2 aside = projected({3, y + 0.1, 0.4});
-    const double slope = (aside.y() - expected.y()) / (aside.x() - expected.x());
+    const Vec2 lateral = projected({3, y + 0.1, 0.4});
+    const double slope = (lateral.y() - expected.y()) / (lateral.x() - expected.x());
     const double wanted = expected.y() + slope * (std::round(expected.x()) - expected.x());
     EXPECT_NEAR(*row, wanted, 2 * kPrecision_px) << y;
   }
@@ -235,9 +235,9 @@ Vec3 mirrored_at(const Vec3& p_vehicle) {
 TEST(CameraSensor, APolishedFloorMirrorsTheWallBehindIt) {
   World world = wall_ahead(2.7);
   world.walls[0].brightness = 1;
-  const Image dull = picture_of(world);
+  const Image dull = image_of(world);
   world.floor.gloss = 0.8;
-  const Image polished = picture_of(world);
+  const Image polished = image_of(world);
   for (const Vec3& on_wall : {Vec3(3, 0.3, 0.3), Vec3(3, -0.4, 0.5), Vec3(3, 1, 0.8)}) {
     const Vec3 on_floor = mirrored_at(on_wall);
     const Vec3 ray = on_floor - ordinary_camera().mount.p_vehicle_camera;
@@ -252,7 +252,7 @@ TEST(CameraSensor, APolishedFloorMirrorsTheWallBehindIt) {
 TEST(CameraSensor, APolishedFloorMirrorsTheStripe) {
   World world = wall_ahead(2.7);
   world.floor.gloss = 1;
-  const Image dark = picture_of(world), lit = picture_of(world, with_laser());
+  const Image dark = image_of(world), lit = image_of(world, with_laser());
   const Vec2 mirrored = projected(mirrored_at({3, 0.2, 0.4}));
   const auto brighter_at = [&](double below_px) {
     const Vec2 pixel = mirrored + Vec2(0, below_px);
@@ -267,13 +267,13 @@ TEST(CameraSensor, PaperOnAPolishedFloorMirrorsNothing) {
   World world = wall_ahead(2.7);
   world.papers = {{.centre = {2, 0}}};
   const Vec2 on_paper = projected({2, 0, 0});
-  const double dull = grey_at(picture_of(world), on_paper);
+  const double dull = grey_at(image_of(world), on_paper);
   world.floor.gloss = 1;
-  EXPECT_EQ(grey_at(picture_of(world), on_paper), dull);
+  EXPECT_EQ(grey_at(image_of(world), on_paper), dull);
 }
 
 TEST(CameraSensor, AWallLowerThanTheLightPlaneHasNoStripe) {
-  const Image image = picture_of(wall_ahead(0.2), with_laser());
+  const Image image = image_of(wall_ahead(0.2), with_laser());
   const Vec2 above = projected({3, 0.2, 0.4});
   EXPECT_FALSE(stripe_row(image, above));
 }
@@ -281,7 +281,7 @@ TEST(CameraSensor, AWallLowerThanTheLightPlaneHasNoStripe) {
 TEST(CameraSensor, ABoxTakesTheStripeFromTheWallBehindIt) {
   World world = wall_ahead(2.7);
   world.furniture = {{.centre = {1.6, 0.5}, .size = {0.2, 0.2}, .height_m = 0.42, .brightness = 0.3}};
-  const Image image = picture_of(world, with_laser());
+  const Image image = image_of(world, with_laser());
   // From the projector at x = 0.6 the box's shadow on the wall is around y = 1.2; the camera sees over the
   // box.
   EXPECT_FALSE(stripe_row(image, projected({3, 1.2, 0.4})));
@@ -295,14 +295,14 @@ TEST(CameraSensor, UnderATableItIsDarkerThanBesideIt) {
   world.lamps = {{.centre = {2, 0}}};
   world.furniture = {
       {.kind = Furniture::Kind::kTable, .centre = {2.2, 0.6}, .size = {0.5, 0.8}, .height_m = 0.7}};
-  const Image image = picture_of(world);
+  const Image image = image_of(world);
   EXPECT_LT(grey_at(image, projected({2.0, 0.75, 0})) + 20, grey_at(image, projected({2.0, -0.75, 0})));
 }
 
 TEST(CameraSensor, WhatIsOnTheLeftIsOnTheLeft) {
   World world = wall_ahead(2.7);
   world.furniture = {{.centre = {2, 0.7}, .size = {0.3, 0.3}, .height_m = 1, .brightness = 1}};
-  const Image image = picture_of(world);
+  const Image image = image_of(world);
   EXPECT_GT(grey_at(image, {70, 130}), grey_at(image, {250, 130}) + 50);
 }
 
@@ -324,22 +324,22 @@ CameraMoment driving() {
   moment.speed_mps = 0.5;
   moment.turn_rate_rad_s = 0.5;
   moment.laser_on = true;
-  moment.picture = 7;
+  moment.image = 7;
   return moment;
 }
 
-TEST(CameraSensor, TakesTheSamePictureWhateverTheNumberOfThreads) {
-  const auto picture = [](std::size_t threads) {
+TEST(CameraSensor, TakesTheSameImageWhateverTheNumberOfThreads) {
+  const auto image = [](std::size_t threads) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     RenderedWorld world(office_corridor(2));
     const std::vector<MovingBody> bodies = {{MovingBody::Kind::kPerson, {4, -0.3, 3}, {0.3, 0.5}}};
     world.place(bodies);
     return CameraSensor(ordinary_camera(), {}, 1).take(world, driving());
   };
-  EXPECT_EQ(picture(1), picture(2));
+  EXPECT_EQ(image(1), image(2));
 }
 
-TEST(CameraSensor, TakesTheSamePictureWhateverWasTakenBefore) {
+TEST(CameraSensor, TakesTheSameImageWhateverWasTakenBefore) {
   const RenderedWorld bright(office_corridor(2)), other(wall_ahead(2.7));
   CameraSensor sensor(ordinary_camera(), {}, 1);
   const Image first = sensor.take(bright, driving());
@@ -347,7 +347,7 @@ TEST(CameraSensor, TakesTheSamePictureWhateverWasTakenBefore) {
   EXPECT_EQ(sensor.take(bright, driving()), first);
 }
 
-TEST(CameraSensor, NoiseIsAsStrongAsItsParameterAndAnotherInEachPicture) {
+TEST(CameraSensor, NoiseIsAsStrongAsItsParameterAndAnotherInEachImage) {
   World world = dark_floor();
   world.floor.brightness = 0.25;  // mid grey
   CameraSensorParams params = without_faults();
@@ -358,7 +358,7 @@ TEST(CameraSensor, NoiseIsAsStrongAsItsParameterAndAnotherInEachPicture) {
   CameraSensor noisy(ordinary_camera(), params, 1);
   CameraMoment moment;
   const Image first = noisy.take(rendered, moment);
-  moment.picture = 1;
+  moment.image = 1;
   EXPECT_NE(first, noisy.take(rendered, moment));
   double squares = 0;
   int count = 0;
@@ -374,9 +374,9 @@ TEST(CameraSensor, LampsThatAreOffLeaveTheLightFromEverywhere) {
   for (double x = 0; x < 4; x += 1) world.lamps.push_back({.centre = {x, 0}});
   CameraMoment moment;
   const Vec2 place = projected({2, 0, 0});
-  const double lit = grey_at(picture_of(world, moment), place);
+  const double lit = grey_at(image_of(world, moment), place);
   moment.lamps_on = false;
-  const double unlit = grey_at(picture_of(world, moment), place);
+  const double unlit = grey_at(image_of(world, moment), place);
   EXPECT_NEAR(unlit / lit, world.ambient_light, 0.1);
 }
 

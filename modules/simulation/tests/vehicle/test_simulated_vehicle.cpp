@@ -15,9 +15,9 @@ using testing::Lt;
 
 World hall() {
   World world{.name = "hall"};
-  for (const Segment2& foot : {Segment2{{20, -5}, {20, 5}}, Segment2{{20, 5}, {-5, 5}},
-                               Segment2{{-5, 5}, {-5, -5}}, Segment2{{-5, -5}, {20, -5}}}) {
-    world.walls.push_back({.foot = foot});
+  for (const Segment2& floor_point : {Segment2{{20, -5}, {20, 5}}, Segment2{{20, 5}, {-5, 5}},
+                                      Segment2{{-5, 5}, {-5, -5}}, Segment2{{-5, -5}, {20, -5}}}) {
+    world.walls.push_back({.floor_point = floor_point});
   }
   return world;
 }
@@ -35,25 +35,25 @@ VehicleModel with_scanner(VehicleModel model) {
   return model;
 }
 
-/// Everything of a trip that can be compared.
-struct Trip {
+/// Everything of a run that can be compared.
+struct Run {
   std::vector<Observation> observations;
   std::vector<SimulatedTruth> truths;
 };
 
-Trip drive(const World& world, const VehicleModel& model, const Scenario& scenario, const Command& command,
-           double time_s, std::uint64_t seed = 1) {
-  SimulatedVehicle vehicle(world, model, scenario, {.seed = seed, .takes_pictures = false});
-  Trip trip;
+Run drive(const World& world, const VehicleModel& model, const Scenario& scenario, const Command& command,
+          double time_s, std::uint64_t seed = 1) {
+  SimulatedVehicle vehicle(world, model, scenario, {.seed = seed, .takes_images = false});
+  Run run;
   while (vehicle.truth().stamp_s < time_s - 1e-9) {
     vehicle.act(command);
-    trip.observations.push_back(*vehicle.sense());
-    trip.truths.push_back(vehicle.truth());
+    run.observations.push_back(*vehicle.sense());
+    run.truths.push_back(vehicle.truth());
   }
-  return trip;
+  return run;
 }
 
-Trip drive(const Scenario& scenario, const Command& command = {.speed_mps = 0.5}, double time_s = 10) {
+Run drive(const Scenario& scenario, const Command& command = {.speed_mps = 0.5}, double time_s = 10) {
   return drive(hall(), with_scanner(cart(WheelErrors{})), scenario, command, time_s);
 }
 
@@ -61,29 +61,29 @@ double distance_m(const Observation& observation) {
   return std::get<FrontSteeredMotion>(observation.odometry).distance_m;
 }
 
-void expect_same_truth(const Trip& a, const Trip& b) {
+void expect_same_truth(const Run& a, const Run& b) {
   ASSERT_EQ(a.truths.size(), b.truths.size());
   for (std::size_t i = 0; i < a.truths.size(); ++i) {
     EXPECT_THAT(a.truths[i].T_world_vehicle, PoseNear(b.truths[i].T_world_vehicle, 0, 0));
   }
 }
 
-void expect_same_scans(const Trip& a, const Trip& b) {
+void expect_same_scans(const Run& a, const Run& b) {
   ASSERT_EQ(a.observations.size(), b.observations.size());
   for (std::size_t i = 0; i < a.observations.size(); ++i) {
     EXPECT_EQ(a.observations[i].scan->ranges_m, b.observations[i].scan->ranges_m) << i;
   }
 }
 
-void expect_same_odometry(const Trip& a, const Trip& b) {
+void expect_same_odometry(const Run& a, const Run& b) {
   ASSERT_EQ(a.observations.size(), b.observations.size());
   for (std::size_t i = 0; i < a.observations.size(); ++i) {
     EXPECT_EQ(distance_m(a.observations[i]), distance_m(b.observations[i])) << i;
   }
 }
 
-TEST(SimulatedVehicle, StandsUntilItIsTold) {
-  SimulatedVehicle vehicle(hall(), cart(), {}, {.takes_pictures = false});
+TEST(SimulatedVehicle, StandsUntilItIsReported) {
+  SimulatedVehicle vehicle(hall(), cart(), {}, {.takes_images = false});
   for (int i = 0; i < 5; ++i) (void)vehicle.sense();
   EXPECT_THAT(vehicle.truth().T_world_vehicle, PoseNear(Pose2{}, 0, 0));
   EXPECT_NEAR(vehicle.truth().stamp_s, 0.5, 1e-12);
@@ -91,19 +91,19 @@ TEST(SimulatedVehicle, StandsUntilItIsTold) {
 
 TEST(SimulatedVehicle, PerfectOdometryAddsUpToTheTruth) {
   const VehicleModel model = cart();
-  SimulatedVehicle vehicle(hall(), model, {}, {.takes_pictures = false});
+  SimulatedVehicle vehicle(hall(), model, {}, {.takes_images = false});
   Pose2 T_start_counted;
   for (int i = 0; i < 100; ++i) {
     vehicle.act({.speed_mps = 0.6, .steering_rad = 0.5 * std::sin(0.05 * i)});
     const auto motion = std::get<FrontSteeredMotion>(vehicle.sense()->odometry);
     T_start_counted = T_start_counted * aisle::drive(model.description.front_steered, motion);
   }
-  EXPECT_GT(vehicle.truth().way_m, 4);
+  EXPECT_GT(vehicle.truth().path_m, 4);
   EXPECT_THAT(T_start_counted, PoseNear(vehicle.truth().T_world_vehicle, 0.005, 0.001));
 }
 
 TEST(SimulatedVehicle, StopsWhenCommandsStayAway) {
-  SimulatedVehicle vehicle(hall(), cart(), {}, {.takes_pictures = false});
+  SimulatedVehicle vehicle(hall(), cart(), {}, {.takes_images = false});
   for (int i = 0; i < 30; ++i) {
     vehicle.act({.speed_mps = 0.5});
     (void)vehicle.sense();
@@ -115,26 +115,26 @@ TEST(SimulatedVehicle, StopsWhenCommandsStayAway) {
   EXPECT_EQ(vehicle.truth().speed_mps, 0);
 }
 
-TEST(SimulatedVehicle, HoldsItsLimitsOfSpeedAndSteeringWhateverItIsTold) {
+TEST(SimulatedVehicle, HoldsItsLimitsOfSpeedAndSteeringWhateverItIsReported) {
   VehicleModel model = cart();
   model.description.limits.speed_max_mps = 0.4;
   model.description.limits.reverse_speed_max_mps = 0.2;
   model.description.limits.steering_max_rad = 0.3;
   for (const double wild : {9.0, -9.0}) {
-    const Trip trip = drive(hall(), model, {}, {.speed_mps = wild, .steering_rad = wild}, 8);
-    for (const SimulatedTruth& truth : trip.truths) {
+    const Run run = drive(hall(), model, {}, {.speed_mps = wild, .steering_rad = wild}, 8);
+    for (const SimulatedTruth& truth : run.truths) {
       EXPECT_LE(truth.speed_mps, 0.4 + 1e-9);
       EXPECT_GE(truth.speed_mps, -0.2 - 1e-9);
       EXPECT_LE(std::abs(truth.turn_rate_rad_s), 0.4 * std::sin(0.3) / 0.75 + 1e-9);
     }
-    EXPECT_GT(trip.truths.back().way_m, 1);
+    EXPECT_GT(run.truths.back().path_m, 1);
   }
 }
 
 TEST(SimulatedVehicle, ACommandThatIsNoNumberMeansStop) {
   const double nan = std::nan("");
   for (const Command& senseless : {Command{nan, 0, 0}, Command{0.3, nan, 0}, Command{0.3, 0, nan}}) {
-    SimulatedVehicle vehicle(hall(), cart(), {}, {.takes_pictures = false});
+    SimulatedVehicle vehicle(hall(), cart(), {}, {.takes_images = false});
     for (int i = 0; i < 20; ++i) {
       vehicle.act({.speed_mps = 0.3});
       (void)vehicle.sense();
@@ -149,18 +149,18 @@ TEST(SimulatedVehicle, ACommandThatIsNoNumberMeansStop) {
 }
 
 TEST(SimulatedVehicle, AWallStopsItAndCountsOnce) {
-  const Trip trip = drive(hall(), cart(), {}, {.speed_mps = 1}, 30);
-  const SimulatedTruth& end = trip.truths.back();
+  const Run run = drive(hall(), cart(), {}, {.speed_mps = 1}, 30);
+  const SimulatedTruth& end = run.truths.back();
   EXPECT_NEAR(end.T_world_vehicle.x, 19, 1e-3);  // its front is 1 m ahead
   EXPECT_LT(end.T_world_vehicle.x, 19);
   EXPECT_EQ(end.collisions, 1U);
   EXPECT_EQ(end.speed_mps, 0);
-  EXPECT_TRUE(trip.observations.back().bumper_pressed);
-  EXPECT_FALSE(trip.observations.front().bumper_pressed);
+  EXPECT_TRUE(run.observations.back().bumper_pressed);
+  EXPECT_FALSE(run.observations.front().bumper_pressed);
 }
 
 TEST(SimulatedVehicle, BacksAwayFromAWall) {
-  SimulatedVehicle vehicle(hall(), cart(), {}, {.T_world_start = {18.9, 0, 0}, .takes_pictures = false});
+  SimulatedVehicle vehicle(hall(), cart(), {}, {.T_world_start = {18.9, 0, 0}, .takes_images = false});
   const auto drive_for = [&](double speed_mps, int cycles) {
     std::optional<Observation> last;
     for (int i = 0; i < cycles; ++i) {
@@ -177,7 +177,7 @@ TEST(SimulatedVehicle, BacksAwayFromAWall) {
 
 TEST(SimulatedVehicle, CannotBeDrivenThroughAWallByAnyCommands) {
   Random random(5);
-  SimulatedVehicle vehicle(hall(), cart(), {}, {.takes_pictures = false});
+  SimulatedVehicle vehicle(hall(), cart(), {}, {.takes_images = false});
   for (int i = 0; i < 3000; ++i) {
     if (i % 20 == 0) {
       vehicle.act({.speed_mps = random.uniform(-1, 1), .steering_rad = random.uniform(-0.7, 0.7)});
@@ -196,16 +196,16 @@ TEST(SimulatedVehicle, WaitingPeopleAreSeenByTheScanner) {
   world.people.push_back({.path = {{5, 0}, {5, 1}}, .start_s = 100, .height_m = 0.2});  // below the scanner
   VehicleModel model = with_scanner(cart());
   model.simulated.scanner.noise_sigma_m = model.simulated.scanner.dropped_share = 0;
-  const Trip trip = drive(world, model, {}, {}, 0.1);
-  EXPECT_NEAR(trip.observations[0].scan->ranges_m[90], 20, 0.02);
-  EXPECT_NEAR(trip.observations[0].scan->ranges_m[90 - 31], std::hypot(5, 3) - 0.25, 0.03);
+  const Run run = drive(world, model, {}, {}, 0.1);
+  EXPECT_NEAR(run.observations[0].scan->ranges_m[90], 20, 0.02);
+  EXPECT_NEAR(run.observations[0].scan->ranges_m[90 - 31], std::hypot(5, 3) - 0.25, 0.03);
 }
 
-TEST(SimulatedVehicle, SameSeedSameTripAndAnotherSeedAnother) {
+TEST(SimulatedVehicle, SameSeedSameRunAndAnotherSeedAnother) {
   const VehicleModel model = with_scanner(cart(WheelErrors{}));
   const Command command{.speed_mps = 0.5, .steering_rad = 0.05};
-  const Trip a = drive(hall(), model, {}, command, 5), b = drive(hall(), model, {}, command, 5),
-             other = drive(hall(), model, {}, command, 5, 2);
+  const Run a = drive(hall(), model, {}, command, 5), b = drive(hall(), model, {}, command, 5),
+            other = drive(hall(), model, {}, command, 5, 2);
   expect_same_truth(a, b);
   expect_same_scans(a, b);
   expect_same_odometry(a, b);
@@ -216,15 +216,15 @@ TEST(SimulatedVehicle, SameSeedSameTripAndAnotherSeedAnother) {
 TEST(SimulatedVehicle, TheSteeringsBiasIsInTheTruthButNotInTheReading) {
   VehicleModel model = cart();
   model.simulated.odometry.steering_bias_rad = 2 * kDegree;
-  const Trip trip = drive(hall(), model, {}, {.speed_mps = 0.5}, 10);
-  EXPECT_NEAR(std::get<FrontSteeredMotion>(trip.observations.back().odometry).steering_rad, 0, 1e-12);
-  const double way_m = trip.truths.back().way_m / std::cos(2 * kDegree);
-  EXPECT_NEAR(trip.truths.back().T_world_vehicle.theta, way_m * std::sin(2 * kDegree) / 0.75, 1e-6);
+  const Run run = drive(hall(), model, {}, {.speed_mps = 0.5}, 10);
+  EXPECT_NEAR(std::get<FrontSteeredMotion>(run.observations.back().odometry).steering_rad, 0, 1e-12);
+  const double path_m = run.truths.back().path_m / std::cos(2 * kDegree);
+  EXPECT_NEAR(run.truths.back().T_world_vehicle.theta, path_m * std::sin(2 * kDegree) / 0.75, 1e-6);
 }
 
 TEST(Faults, ASlipBurstIsCountedButNotDriven) {
-  const Trip usual = drive({});
-  const Trip slips = drive({.events = {{.fault = SlipBurst{.spin = 1}, .from_s = 5.05, .duration_s = 2}}});
+  const Run usual = drive({});
+  const Run slips = drive({.events = {{.fault = SlipBurst{.spin = 1}, .from_s = 5.05, .duration_s = 2}}});
   expect_same_truth(usual, slips);
   expect_same_scans(usual, slips);
   double usual_m = 0, slips_m = 0;
@@ -236,8 +236,8 @@ TEST(Faults, ASlipBurstIsCountedButNotDriven) {
 }
 
 TEST(Faults, ASteeringBiasTurnsTheVehicleFromThenOn) {
-  const Trip usual = drive({});
-  const Trip biased = drive({.events = {{.fault = SteeringBias{3 * kDegree}, .from_s = 5}}});
+  const Run usual = drive({});
+  const Run biased = drive({.events = {{.fault = SteeringBias{3 * kDegree}, .from_s = 5}}});
   EXPECT_THAT(biased.truths[45].T_world_vehicle, PoseNear(usual.truths[45].T_world_vehicle, 0, 0));
   const double turned_rad =
       biased.truths.back().T_world_vehicle.theta - usual.truths.back().T_world_vehicle.theta;
@@ -246,9 +246,9 @@ TEST(Faults, ASteeringBiasTurnsTheVehicleFromThenOn) {
   expect_same_odometry(usual, biased);
 }
 
-TEST(Faults, ABoxBlocksTheWayAndIsSeen) {
-  const Trip usual = drive({});
-  const Trip blocked = drive({.events = {{.fault = BlockingBox{.T_world_box = {4, 0, 0}}, .from_s = 2}}});
+TEST(Faults, ABoxBlocksThePathAndIsSeen) {
+  const Run usual = drive({});
+  const Run blocked = drive({.events = {{.fault = BlockingBox{.T_world_box = {4, 0, 0}}, .from_s = 2}}});
   EXPECT_NEAR(blocked.truths.back().T_world_vehicle.x, 4 - 0.25 - 1, 0.01);
   EXPECT_EQ(blocked.truths.back().collisions, 1U);
   EXPECT_LT(blocked.observations[25].scan->ranges_m[90], 4);
@@ -259,14 +259,14 @@ TEST(Faults, ABoxBlocksTheWayAndIsSeen) {
 TEST(Faults, APersonCrossesAndIsNotRunOverWhileStanding) {
   const Scenario crossing{
       .events = {{.fault = CrossingPerson{{.path = {{0.5, 2}, {0.5, -2}}}}, .from_s = 1}}};
-  const Trip trip = drive(crossing, {});
-  EXPECT_EQ(trip.truths.back().collisions, 0U);
-  EXPECT_NEAR(trip.observations[30].scan->ranges_m[144], 0.61, 0.03);
+  const Run run = drive(crossing, {});
+  EXPECT_EQ(run.truths.back().collisions, 0U);
+  EXPECT_NEAR(run.observations[30].scan->ranges_m[144], 0.61, 0.03);
 }
 
-TEST(Faults, ALiftedVehicleIsElsewhereAndItsWheelsHaveNotTurned) {
-  const Trip usual = drive({});
-  const Trip lifted = drive({.events = {{.fault = Lifted{{5, 3, kPi}}, .from_s = 5}}});
+TEST(Faults, AKidnappedVehicleIsElsewhereAndItsWheelsHaveNotTurned) {
+  const Run usual = drive({});
+  const Run lifted = drive({.events = {{.fault = Lifted{{5, 3, kPi}}, .from_s = 5}}});
   EXPECT_THAT(lifted.truths[48].T_world_vehicle, PoseNear(usual.truths[48].T_world_vehicle, 0, 0));
   EXPECT_THAT(lifted.truths[49].T_world_vehicle, PoseNear(Pose2{5, 3, kPi}, 0.01, 0.01));
   EXPECT_LT(distance_m(lifted.observations[49]), 0.06);
@@ -274,12 +274,12 @@ TEST(Faults, ALiftedVehicleIsElsewhereAndItsWheelsHaveNotTurned) {
 }
 
 TEST(Faults, FaultsOfCamerasLeaveEverythingElseAsItIs) {
-  const Trip usual = drive({});
+  const Run usual = drive({});
   for (const Fault& fault : {Fault{CameraFault{}}, Fault{LaserOff{}}, Fault{LightChange{}}}) {
-    const Trip trip = drive({.events = {{.fault = fault}}});
-    expect_same_truth(usual, trip);
-    expect_same_scans(usual, trip);
-    expect_same_odometry(usual, trip);
+    const Run run = drive({.events = {{.fault = fault}}});
+    expect_same_truth(usual, run);
+    expect_same_scans(usual, run);
+    expect_same_odometry(usual, run);
   }
 }
 

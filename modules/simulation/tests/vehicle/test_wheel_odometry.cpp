@@ -22,7 +22,7 @@ TEST(WheelOdometry, PerfectWheelsCountWhatIsDriven) {
   EXPECT_EQ(motion_of(odometry).distance_m, 0);
 }
 
-TEST(WheelOdometry, TheSteeringIsAveragedOverTheWay) {
+TEST(WheelOdometry, TheSteeringIsAveragedOverThePath) {
   WheelOdometry odometry(front_steered(), kPerfectWheels, Random(1));
   odometry.count({.distance_m = 0.01, .steering_rad = 0});
   odometry.count({.distance_m = 0.03, .steering_rad = 0.4});
@@ -65,7 +65,7 @@ TEST(WheelOdometry, RoundingLosesNothing) {
   EXPECT_NEAR(sum_m, 3.3, 0.006);
 }
 
-TEST(WheelOdometry, StepsAddUpToTheWayOfTheWheels) {
+TEST(WheelOdometry, StepsAddUpToThePathOfTheWheels) {
   WheelOdometry odometry(two_wheeled(), kPerfectWheels, Random(1));
   Pose2 T_start_true, T_start_counted;
   for (int i = 0; i < 500; ++i) {
@@ -81,11 +81,11 @@ TEST(WheelOdometry, SlipSpreadsAsItSays) {
   WheelErrors errors = kPerfectWheels;
   errors.distance_slip_m_per_sqrt_m = 0.02;
   double squares_m2 = 0;
-  constexpr int kTrips = 500;
-  for (int trip = 0; trip < kTrips; ++trip) {
-    WheelOdometry odometry(front_steered(), errors, Random(static_cast<std::uint64_t>(trip)));
+  constexpr int kRuns = 500;
+  for (int run = 0; run < kRuns; ++run) {
+    WheelOdometry odometry(front_steered(), errors, Random(static_cast<std::uint64_t>(run)));
     for (int i = 0; i < 100; ++i) odometry.count({.distance_m = 0.04});
-    squares_m2 += std::pow(motion_of(odometry).distance_m - 4, 2) / kTrips;
+    squares_m2 += std::pow(motion_of(odometry).distance_m - 4, 2) / kRuns;
   }
   EXPECT_NEAR(std::sqrt(squares_m2), 0.04, 0.004);
 }

@@ -5,19 +5,19 @@
 
 #include "floor/floor_cells.hpp"
 #include "floor/side_view.hpp"
-#include "floor/wall_foot_refinement.hpp"
-#include "floor/wall_foot_search.hpp"
+#include "floor/wall_floor_edge_refinement.hpp"
+#include "floor/wall_floor_edge_search.hpp"
 #include "lines/oblique_segments.hpp"
 #include "lines/vanishing_point.hpp"
-#include "working_picture.hpp"
+#include "working_image.hpp"
 
 namespace aisle {
 
 void BaseLineParams::describe(FieldList& fields) {
-  fields.count("width_max_px", width_max_px, {64, 4096}, "wider pictures are shrunk to this");
+  fields.count("width_max_px", width_max_px, {64, 4096}, "wider images are shrunk to this");
   fields.real("score_min", score_min, {0, 10}, "a line less supported is none");
-  fields.real("foot_share", foot_share, {0, 0.5},
-              "a foot is no farther than this from its base line, as a share of the height");
+  fields.real("floor_point_share", floor_point_share, {0, 0.5},
+              "a floor point is no farther than this from its base line, as a share of the height");
   fields.real("standing_share_min", standing_share_min, {0, 1},
               "shortest vertical line that remains without its reflection, as a share of the height");
 }
@@ -25,26 +25,26 @@ void BaseLineParams::describe(FieldList& fields) {
 namespace {
 
 constexpr double kFarEnd = 0.06;      // a line is drawn to this share of the width before the vanishing point
-constexpr int kSmallestView_px = 32;  // pictures smaller than this show no corridor
+constexpr int kSmallestView_px = 32;  // images smaller than this show no corridor
 
 }  // namespace
 
 class BaseLineDetector::Work {
  public:
   Work(const BaseLineParams& params, const std::optional<CameraModel>& camera)
-      : params_(params), picture_(params.width_max_px, camera) {}
+      : params_(params), image_(params.width_max_px, camera) {}
 
   BaseLines detect(const Image& grey, std::span<const VerticalLine> verticals) {
-    picture_.look_at(grey);
+    image_.look_at(grey);
     BaseLines lines;
-    if (picture_.width_px() < kSmallestView_px || picture_.height_px() < kSmallestView_px) return lines;
-    segment_finder_.find(picture_.grey(), segments_);
-    const auto point_px = point_finder_.find(segments_, picture_.width_px(), picture_.height_px());
+    if (image_.width_px() < kSmallestView_px || image_.height_px() < kSmallestView_px) return lines;
+    segment_finder_.find(image_.grey(), segments_);
+    const auto point_px = point_finder_.find(segments_, image_.width_px(), image_.height_px());
     if (!point_px) return lines;
-    lines.vanishing_point_px = picture_.given(*point_px);
-    floor_.find(picture_.grey());
-    lines.left = base_line({picture_.grey(), true}, *point_px, verticals);
-    lines.right = base_line({picture_.grey(), false}, *point_px, verticals);
+    lines.vanishing_point_px = image_.given(*point_px);
+    floor_.find(image_.grey());
+    lines.left = base_line({image_.grey(), true}, *point_px, verticals);
+    lines.right = base_line({image_.grey(), false}, *point_px, verticals);
     return lines;
   }
 
@@ -55,21 +55,21 @@ class BaseLineDetector::Work {
     turn_verticals(view, verticals);
     const Vec2 side_point_px = view.turned(point_px);
     const SideScene scene{view, side_point_px, side_verticals_, floor_};
-    auto foot = search_.find(scene, side_segments_, params_.score_min);
-    if (!foot) return std::nullopt;
-    refinement_.refine(view, far_px(*foot, side_point_px), border_px(*foot), *foot);
-    return as_seen(*foot, view, side_point_px);
+    auto floor_point = search_.find(scene, side_segments_, params_.score_min);
+    if (!floor_point) return std::nullopt;
+    refinement_.refine(view, far_px(*floor_point, side_point_px), border_px(*floor_point), *floor_point);
+    return as_seen(*floor_point, view, side_point_px);
   }
 
   /// Along the line, from its point: where it begins ...
-  double far_px(const WallFoot& foot, const Vec2& point_px) const {
-    return std::min(foot.from_px,
-                    foot.direction.dot(point_px - foot.point_px) + kFarEnd * picture_.width_px());
+  double far_px(const WallFloorEdge& floor_point, const Vec2& point_px) const {
+    return std::min(floor_point.from_px,
+                    floor_point.direction.dot(point_px - floor_point.point_px) + kFarEnd * image_.width_px());
   }
-  /// ... and where it leaves the picture.
-  double border_px(const WallFoot& foot) const {
-    return std::min((picture_.width_px() - 1 - foot.point_px.x()) / foot.direction.x(),
-                    (picture_.height_px() - 1 - foot.point_px.y()) / foot.direction.y());
+  /// ... and where it leaves the image.
+  double border_px(const WallFloorEdge& floor_point) const {
+    return std::min((image_.width_px() - 1 - floor_point.point_px.x()) / floor_point.direction.x(),
+                    (image_.height_px() - 1 - floor_point.point_px.y()) / floor_point.direction.y());
   }
 
   void turn_segments(const SideView& view) {
@@ -85,7 +85,7 @@ class BaseLineDetector::Work {
   void turn_verticals(const SideView& view, std::span<const VerticalLine> verticals) {
     side_verticals_.clear();
     for (const VerticalLine& line : verticals) {
-      const auto top_px = picture_.working(line.top_px), bottom_px = picture_.working(line.bottom_px);
+      const auto top_px = image_.working(line.top_px), bottom_px = image_.working(line.bottom_px);
       if (!top_px || !bottom_px) continue;
       const double length = (bottom_px->y() - top_px->y()) / (0.3 * view.height_px());
       const double weight = std::min(1.0, length) * std::min(1.0, std::abs(line.contrast) / 25);
@@ -97,25 +97,25 @@ class BaseLineDetector::Work {
         });
   }
 
-  BaseLine as_seen(const WallFoot& foot, const SideView& view, const Vec2& point_px) const {
-    const double from_px = far_px(foot, point_px), to_px = border_px(foot);
-    const int pieces = picture_.bends_lines() ? 8 : 1;
+  BaseLine as_seen(const WallFloorEdge& floor_point, const SideView& view, const Vec2& point_px) const {
+    const double from_px = far_px(floor_point, point_px), to_px = border_px(floor_point);
+    const int pieces = image_.bends_lines() ? 8 : 1;
     BaseLine line;
     for (int i = 0; i <= pieces; ++i) {
       const double along_px = from_px + (to_px - from_px) * i / pieces;
-      const auto seen_px = picture_.given(view.turned(foot.point_px + along_px * foot.direction));
+      const auto seen_px = image_.given(view.turned(floor_point.point_px + along_px * floor_point.direction));
       if (seen_px) line.push_back(*seen_px);
     }
     return line;
   }
 
   BaseLineParams params_;
-  WorkingPicture picture_;
+  WorkingImage image_;
   ObliqueSegmentFinder segment_finder_;
   VanishingPointFinder point_finder_;
   FloorCells floor_;
-  WallFootSearch search_;
-  WallFootRefinement refinement_;
+  WallFloorEdgeSearch search_;
+  WallFloorEdgeRefinement refinement_;
   std::vector<EdgeSegment> segments_;
   std::vector<EdgeSegment> side_segments_;
   std::vector<SideVertical> side_verticals_;

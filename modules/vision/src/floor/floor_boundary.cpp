@@ -146,7 +146,7 @@ void FloorBoundary::weigh(int column) {
   }
 }
 
-/// The cheapest way to each row of a column from the column before.
+/// The cheapest path to each row of a column from the column before.
 void FloorBoundary::cross_to_next(int column) {
   std::int16_t* from = &froms_[index(column, 0)];
   const float* costs = costs_.data();

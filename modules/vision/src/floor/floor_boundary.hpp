@@ -25,7 +25,7 @@ class FloorBoundary {
 
   /// From now on the step that was found there counts as none, as the floor goes on beyond it.
   void strike_out(const LevelView& view, const BoundaryPoint& point);
-  /// Looks again in the view of the last `find`, past what was struck out since.
+  /// Looks again in the view of the last `find`, past what was hit out since.
   const std::vector<BoundaryPoint>& find_again(const LevelView& view);
 
  private:
@@ -56,8 +56,8 @@ class FloorBoundary {
   int cheapest_row_ = 0;             ///< of costs_
   std::vector<int> sums_;            ///< of a column's brightness above a row
   std::vector<float> steps_;         ///< of each column and row; > 0: brighter above
-  std::vector<float> costs_;         ///< of the best way to each row of a column
-  std::vector<float> crossed_;       ///< the same, after the way to the next column
+  std::vector<float> costs_;         ///< of the best path to each row of a column
+  std::vector<float> crossed_;       ///< the same, after the path to the next column
   std::vector<std::int16_t> froms_;  ///< for each column and row, the row in the column before
   std::vector<int> path_;
   std::vector<BoundaryPoint> points_;

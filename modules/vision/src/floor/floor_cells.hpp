@@ -10,7 +10,7 @@ class FloorCells {
  public:
   void find(const Image& grey) { growth_.grow(grey); }
 
-  /// Whether a point of a side view, which must be in the picture, is in a cell of floor.
+  /// Whether a point of a side view, which must be in the image, is in a cell of floor.
   bool contain(const SideView& view, const Vec2& point_px) const;
   int cell_px() const { return growth_.grid().cell_px; }
 

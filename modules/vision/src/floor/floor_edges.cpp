@@ -23,7 +23,7 @@ void FloorEdgeParams::describe(FieldList& fields) {
   fields.count("looks_past", looks_past, {0, 20},
                "times that it looks beyond what is no edge of the floor, such as joints and texture");
   fields.real("board_height_m", board_height_m, {0, 0.3},
-              "highest skirting board whose foot is looked for beneath its upper edge; 0: none is");
+              "highest skirting board whose floor point is looked for beneath its upper edge; 0: none is");
   fields.group("noise", noise);
 }
 
@@ -122,21 +122,21 @@ class FloorEdgeDetector::Work {
     return leads_on(line.first_column) || leads_on(line.last_column);
   }
 
-  /// Unless it cannot be told where on the floor it lies.
+  /// Unless it cannot be given where on the floor it lies.
   void add_edge(const FloorLine& line) {
-    const FloorLine foot = settled_line(view_, foot_beneath(view_, line, board_).value_or(line));
+    const FloorLine edge_point = settled_line(view_, floor_point_beneath(view_, line, board_).value_or(line));
     FloorEdge edge;
     SensedSegment& seen = edge.on_floor;
-    seen.segment = segment_of(foot);
+    seen.segment = segment_of(edge_point);
     seen.length_m = seen.segment.length();
     seen.heading_rad = seen.segment.heading();
-    seen.centroid = point_of(foot, foot.middle());
+    seen.centroid = point_of(edge_point, edge_point.middle());
     const auto start_px = pixel_of(seen.segment.start), end_px = pixel_of(seen.segment.end);
     if (!start_px || !end_px) return;
     edge.start_px = *start_px;
     edge.end_px = *end_px;
-    edge.contrast = foot.contrast;
-    if (set_deviations(foot, edge)) edges_.push_back(edge);
+    edge.contrast = edge_point.contrast;
+    if (set_deviations(edge_point, edge)) edges_.push_back(edge);
   }
 
   bool leads_past_lens(const FloorLine& line) const {

@@ -21,11 +21,12 @@ struct FloorLine {
 };
 
 /// Fits straight lines to the points of a boundary, the longest first; what lies off them is left out. A line
-/// ends where the boundary bends or steps aside, as before a door's recess, by however little if it is clear.
+/// ends where the boundary bends or steps to the side, as before a door's recess, by however little if it is
+/// clear.
 class FloorLineFitter {
  public:
   /// From left to right; valid until the next call.
-  /// @param rows_per_column  how many rows are as long as the way from column to column
+  /// @param rows_per_column  how many rows are as long as the path from column to column
   const std::vector<FloorLine>& fit(const std::vector<BoundaryPoint>& points, double rows_per_column);
 
  private:

@@ -9,12 +9,12 @@ namespace aisle {
 
 namespace {
 
-constexpr double kNominalHeight_px = 480;  // a row is about one pixel of a picture this high
+constexpr double kNominalHeight_px = 480;  // a row is about one pixel of an image this high
 constexpr double kSteepest = 3;            // downwards per ahead
 constexpr double kWidest = 1.5;            // to the side per ahead
 constexpr double kLeastAhead = 0.1;        // of a unit vector
 constexpr int kRowsMax = 1000;
-constexpr int kMeasured = 40;  // points of a picture's width that its field of view is measured by
+constexpr int kMeasured = 40;  // points of an image's width that its field of view is measured by
 
 Mat3 level_axes(const Vec3& ahead) {
   const Vec2 heading = ahead.head<2>().normalized();
@@ -36,7 +36,7 @@ LevelView::LevelView(const CameraModel& camera, const CameraMount& mount, int co
       distance_max_m_(distance_max_m) {}
 
 void LevelView::look_at(const Image& grey) {
-  if (grey.channels != 1) throw std::invalid_argument("LevelView: a grey picture has one channel");
+  if (grey.channels != 1) throw std::invalid_argument("LevelView: a grey image has one channel");
   if (grey.width_px != width_px_ || grey.height_px != height_px_) prepare(grey.width_px, grey.height_px);
   auto out = grey_.begin();
   for (const Sample& sample : samples_) {

@@ -11,7 +11,7 @@ namespace aisle {
 
 /// The floor as a level camera without distortion would see it from the same place: what is vertical in the
 /// building is one column, what is straight is straight. Rows are counted downwards from a row just beneath
-/// the horizon; few columns are sampled, each of them densely. Keeps its buffers between pictures.
+/// the horizon; few columns are sampled, each of them densely. Keeps its buffers between images.
 class LevelView {
  public:
   struct Rows {
@@ -23,12 +23,12 @@ class LevelView {
   /// @param distance_max_m  the first row is this far away
   LevelView(const CameraModel& camera, const CameraMount& mount, int columns, double distance_max_m);
 
-  /// Samples a picture. @throws std::invalid_argument unless it has one channel
+  /// Samples an image. @throws std::invalid_argument unless it has one channel
   void look_at(const Image& grey);
 
   int columns() const { return static_cast<int>(seen_.size()); }
   int rows() const { return rows_; }
-  /// The rows of a column that the picture shows.
+  /// The rows of a column that the image shows.
   Rows seen(int column) const { return seen_[static_cast<std::size_t>(column)]; }
   /// Brightness of a column from row 0 downwards; only the rows seen.
   const std::uint8_t* column(int column) const {
@@ -63,7 +63,7 @@ class LevelView {
   Mat3 R_vehicle_level_;  ///< its columns: right, down, ahead
   int columns_given_;
   double distance_max_m_;
-  int width_px_ = 0, height_px_ = 0;  ///< of the pictures that the samples are for
+  int width_px_ = 0, height_px_ = 0;  ///< of the images that the samples are for
   int rows_ = 0;
   double first_slope_ = 0, slope_per_column_ = 1;  ///< to the right per ahead
   double rows_above_ = 0, slope_per_row_ = 1;      ///< downwards per ahead

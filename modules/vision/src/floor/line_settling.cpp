@@ -13,28 +13,28 @@
 namespace aisle {
 namespace {
 
-constexpr double kStep_rows = 0.25;                 // from one foot that is tried to the next
+constexpr double kStep_rows = 0.25;                 // from one floor point that is tried to the next
 constexpr int kStepsAbove = 12, kStepsBeneath = 5;  // so far from the line they are
-constexpr int kFeet = kStepsAbove + kStepsBeneath + 1;
+constexpr int kFloorPoints = kStepsAbove + kStepsBeneath + 1;
 constexpr double kSample_rows = 0.5;  // of a profile across a line
 constexpr double kAbove_rows = 2.5;   // of it: less than is seen of a skirting board
 constexpr int kSamples = 19;
 constexpr double kEdgeBlur_rows = 1;                     // to either side of a sharp edge
 constexpr std::array<double, 2> kShadows_rows = {2, 8};  // in which the shadow before a wall fades
 constexpr double kWallUneven = 1;  // usual change of a wall's brightness, in noise of a sample a row
-constexpr double kRidge = 1e-6;    // keeps apart what cannot be told apart
+constexpr double kRidge = 1e-6;    // keeps apart what cannot be distinguished
 constexpr int kLineParts = 4;      // of a line, whose profiles are taken each by itself
 constexpr int kPartColumns = 6;    // at least
 constexpr double kTurn_rows = 0.2,
                  kTurnByDepth = 0.06;  // by which the line's ends are usually off each other
 constexpr double kNoiseVariance = 1;   // of a column's profile, at least
-constexpr int kRounds = 3;             // as a foot farther up comes into view
+constexpr int kRounds = 3;             // as a floor point farther up comes into view
 constexpr double kSettled_rows = 0.3;
 
 constexpr int kLevels = 5;
 using Levels = Eigen::Matrix<double, kLevels, 1>;
 using Profile = Eigen::Matrix<double, kSamples, 1>;
-using Misfits = std::array<double, kFeet>;
+using Misfits = std::array<double, kFloorPoints>;
 
 /// The mean over the blur of an edge.
 template <class Function>
@@ -45,9 +45,9 @@ double blurred(Function function, double x_rows) {
   return sum / kPoints;
 }
 
-/// What the brightness is at x rows beneath a foot is a sum of levels, each times one of these: of the wall
-/// and its change upwards, what the floor at its foot has more, and what light it gains with the distance
-/// from it.
+/// What the brightness is at x rows beneath a floor point is a sum of levels, each times one of these: of the
+/// wall and its change upwards, what the floor at its floor point has more, and what light it gains with the
+/// distance from it.
 Levels shares_at(double x_rows) {
   const auto gained = [&](double shadow_rows) {
     return blurred([&](double x) { return x > 0 ? 1 - std::exp(-x / shadow_rows) : 0; }, x_rows);
@@ -58,31 +58,34 @@ Levels shares_at(double x_rows) {
   return shares;
 }
 
-/// What a foot explains of a profile: the length of the profile's projection.
+/// What a floor point explains of a profile: the length of the profile's projection.
 using Explanation = Eigen::Matrix<double, kLevels, kSamples>;
 
-Explanation explanation_of(double foot_rows) {
+Explanation explanation_of(double floor_point_rows) {
   Explanation shares;
-  for (int i = 0; i < kSamples; ++i) shares.col(i) = shares_at(i * kSample_rows - kAbove_rows - foot_rows);
+  for (int i = 0; i < kSamples; ++i)
+    shares.col(i) = shares_at(i * kSample_rows - kAbove_rows - floor_point_rows);
   Eigen::Matrix<double, kLevels, kLevels> normal = shares * shares.transpose();
   normal.diagonal().array() += kRidge;
   normal(1, 1) += 1 / square(kWallUneven);
   return normal.llt().matrixL().solve(shares);
 }
 
-double foot_rows(double index) {
+double floor_point_rows(double index) {
   return (index - kStepsAbove) * kStep_rows;
 }
 
-std::array<Explanation, kFeet> all_explanations() {
-  std::array<Explanation, kFeet> explanations;
-  for (int i = 0; i < kFeet; ++i) explanations[static_cast<std::size_t>(i)] = explanation_of(foot_rows(i));
+std::array<Explanation, kFloorPoints> all_explanations() {
+  std::array<Explanation, kFloorPoints> explanations;
+  for (int i = 0; i < kFloorPoints; ++i)
+    explanations[static_cast<std::size_t>(i)] = explanation_of(floor_point_rows(i));
   return explanations;
 }
 
-/// How badly each foot explains the mean profile of some columns; all alike where none shows all of it.
+/// How badly each floor point explains the mean profile of some columns; all alike where none shows all of
+/// it.
 Misfits misfits_of(const LevelView& view, const FloorLine& line, int first, int end) {
-  static const std::array<Explanation, kFeet> explanations = all_explanations();
+  static const std::array<Explanation, kFloorPoints> explanations = all_explanations();
   Profile profile = Profile::Zero();
   int columns = 0;
   for (int column = first; column < end; ++column) {
@@ -98,12 +101,12 @@ Misfits misfits_of(const LevelView& view, const FloorLine& line, int first, int 
   }
   Misfits misfits{};
   if (columns == 0) return misfits;
-  for (std::size_t i = 0; i < kFeet; ++i)
+  for (std::size_t i = 0; i < kFloorPoints; ++i)
     misfits[i] = (profile.squaredNorm() - (explanations[i] * profile).squaredNorm()) / columns;
   return misfits;
 }
 
-/// How far beneath a line its foot is at its first and its last column.
+/// How far beneath a line its floor point is at its first and its last column.
 struct Ends {
   double first_rows = 0, last_rows = 0;
 };
@@ -129,8 +132,8 @@ class PartMisfits {
     const double variance = std::max(kNoiseVariance, least_ / (count_ * (kSamples - kLevels)));
     double least = std::numeric_limits<double>::infinity();
     int best_first = 0, best_last = 0;
-    for (int first = 0; first < kFeet; ++first) {
-      for (int last = 0; last < kFeet; ++last) {
+    for (int first = 0; first < kFloorPoints; ++first) {
+      for (int last = 0; last < kFloorPoints; ++last) {
         const double turn = (last - first) * kStep_rows / turn_usual_;
         const double cost = sum(first, last) + variance * square(turn);
         if (cost >= least) continue;
@@ -140,23 +143,24 @@ class PartMisfits {
       }
     }
     const double off = between_steps(best_first, best_last);
-    return {foot_rows(best_first + off), foot_rows(best_last + off)};
+    return {floor_point_rows(best_first + off), floor_point_rows(best_last + off)};
   }
 
  private:
   double sum(int first, int last) const {
     double sum = 0;
     for (int part = 0; part < count_; ++part) {
-      const double foot = first + (last - first) * (part + 0.5) / count_;
-      const auto below = std::min(static_cast<std::size_t>(foot), std::size_t{kFeet - 2});
+      const double floor_point = first + (last - first) * (part + 0.5) / count_;
+      const auto below = std::min(static_cast<std::size_t>(floor_point), std::size_t{kFloorPoints - 2});
       const Misfits& misfits = parts_[static_cast<std::size_t>(part)];
-      sum += misfits[below] + (foot - static_cast<double>(below)) * (misfits[below + 1] - misfits[below]);
+      sum +=
+          misfits[below] + (floor_point - static_cast<double>(below)) * (misfits[below + 1] - misfits[below]);
     }
     return sum;
   }
 
   double between_steps(int first, int last) const {
-    if (std::min(first, last) == 0 || std::max(first, last) == kFeet - 1) return 0;
+    if (std::min(first, last) == 0 || std::max(first, last) == kFloorPoints - 1) return 0;
     const double before = sum(first - 1, last - 1), here = sum(first, last), after = sum(first + 1, last + 1);
     const double bend = before - 2 * here + after;
     return bend > 0 ? std::clamp(0.5 * (before - after) / bend, -1.0, 1.0) : 0;

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// A picture as it is, or mirrored: the left wall of a corridor is looked for as the right wall of its mirror
+/// An image as it is, or mirrored: the left wall of a corridor is looked for as the right wall of its mirror
 /// image.
 class SideView {
  public:
@@ -18,7 +18,7 @@ class SideView {
   int height_px() const { return grey_->height_px; }
   bool mirrored() const { return mirrored_; }
 
-  /// From the picture to this view and back.
+  /// From the image to this view and back.
   Vec2 turned(const Vec2& point_px) const {
     return mirrored_ ? Vec2(grey_->width_px - 1 - point_px.x(), point_px.y()) : point_px;
   }
@@ -26,11 +26,11 @@ class SideView {
   bool contains(int u, int v) const { return u >= 0 && v >= 0 && u < width_px() && v < height_px(); }
   int at(int u, int v) const { return grey_->row(v)[mirrored_ ? grey_->width_px - 1 - u : u]; }
 
-  /// Whether the pixel nearest to a point is in the picture.
+  /// Whether the pixel nearest to a point is in the image.
   bool contains(const Vec2& point_px) const { return contains(nearest(point_px.x()), nearest(point_px.y())); }
 
   /// By how much the pixel nearest to one point is brighter than the one nearest to another; none if one of
-  /// them is beside the picture.
+  /// them is beside the image.
   std::optional<int> step(const Vec2& from_px, const Vec2& to_px) const {
     if (!contains(from_px) || !contains(to_px)) return std::nullopt;
     return at(nearest(to_px.x()), nearest(to_px.y())) - at(nearest(from_px.x()), nearest(from_px.y()));

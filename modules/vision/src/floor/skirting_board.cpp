@@ -16,10 +16,10 @@ constexpr int kBinsMost = kHighestBin + 2 * kReachMost;  // above a line, and as
 constexpr double kHighest = 0.8;                         // of the camera's height
 constexpr double kBoardLeast_m = 0.03;                   // lower boards are none
 constexpr int kSettleBins = 3;  // in which a step's steepest place is; of one far beneath the upper edge ...
-constexpr int kSettlePart = 6;  // ... in such a part of the way to it, for its blur may be clear only lower
+constexpr int kSettlePart = 6;  // ... in such a part of the path to it, for its blur may be clear only lower
 constexpr std::size_t kParts = 4;        // of a line
 constexpr double kPartContrast = 0.5;    // share of the least contrast that each part must show
-constexpr double kSeenColumnsMin = 0.5;  // share of the line's columns in which its foot can be seen
+constexpr double kSeenColumnsMin = 0.5;  // share of the line's columns in which its floor point can be seen
 
 /// Bins of depth, each as much deeper than the one before as a share of its depth: whatever runs along a wall
 /// at one height is in one bin in every column.
@@ -40,7 +40,8 @@ class DepthBins {
   int count() const { return count_; }
   /// A bin's middle as a share of the line's depth.
   double share(int bin) const { return shares_[static_cast<std::size_t>(bin + count_)]; }
-  /// The bin in which a height is seen above a foot; positive: the foot beneath an upper edge of that height.
+  /// The bin in which a height is seen above a floor point; positive: the floor point beneath an upper edge
+  /// of that height.
   int bin_of(double height_m) const { return static_cast<int>(std::lround(log_depth(height_m) / size_)); }
 
  private:
@@ -185,41 +186,42 @@ LineProfiles profiles_of(const LevelView& view, const FloorLine& line, const Dep
 
 /// The bin of the clearest step beneath the line at a board's height, if it is clear, clearer than all above
 /// it, and there in every part of the line.
-std::optional<int> foot_bin(const LineProfiles& profiles, const DepthBins& bins, double contrast_min) {
+std::optional<int> floor_point_bin(const LineProfiles& profiles, const DepthBins& bins, double contrast_min) {
   const BandProfile& whole = profiles.whole;
   const int highest = bins.bin_of(kBoardLeast_m), lowest = bins.bin_of(bins.height_max_m());
-  const int foot = whole.clearest(highest, lowest + whole.reach());  // a blurred step is clear a little lower
-  const double contrast = whole.step(foot);
+  const int floor_point =
+      whole.clearest(highest, lowest + whole.reach());  // a blurred step is clear a little lower
+  const double contrast = whole.step(floor_point);
   const BandProfile lasting = whole.without_thin_lights();
   const double above = lasting.step(lasting.clearest(-lowest, -highest));
   if (std::abs(contrast) < contrast_min || std::abs(above) > std::abs(contrast) ||
-      whole.count(foot) < kSeenColumnsMin * profiles.columns)
+      whole.count(floor_point) < kSeenColumnsMin * profiles.columns)
     return std::nullopt;
   const bool is_everywhere =
       std::all_of(profiles.parts.begin(), profiles.parts.end(), [&](const BandProfile& part) {
-        return part.count(foot) == 0 ||
-               std::copysign(1.0, contrast) * part.step(foot) > kPartContrast * contrast_min;
+        return part.count(floor_point) == 0 ||
+               std::copysign(1.0, contrast) * part.step(floor_point) > kPartContrast * contrast_min;
       });
   if (!is_everywhere) return std::nullopt;
-  return foot;
+  return floor_point;
 }
 
 }  // namespace
 
-std::optional<FloorLine> foot_beneath(const LevelView& view, const FloorLine& line,
-                                      const SkirtingBoardParams& params) {
+std::optional<FloorLine> floor_point_beneath(const LevelView& view, const FloorLine& line,
+                                             const SkirtingBoardParams& params) {
   const DepthBins bins(params);
   if (bins.height_max_m() <= kBoardLeast_m || line.contrast < 0) return std::nullopt;
   const LineProfiles profiles = profiles_of(view, line, bins);
-  const auto foot = foot_bin(profiles, bins, params.contrast_min);
-  if (!foot) return std::nullopt;
-  const double ratio = std::exp(profiles.whole.settled(*foot) * bins.size());
+  const auto floor_point = floor_point_bin(profiles, bins, params.contrast_min);
+  if (!floor_point) return std::nullopt;
+  const double ratio = std::exp(profiles.whole.settled(*floor_point) * bins.size());
   FloorLine lower = line;
   lower.row_middle = ratio * view.depth(line.row_middle) - view.depth(0);
   lower.slope *= ratio;
   lower.sigma_row *= ratio;
   lower.sigma_slope *= ratio;
-  lower.contrast = profiles.whole.step(*foot);
+  lower.contrast = profiles.whole.step(*floor_point);
   return lower;
 }
 

@@ -22,7 +22,7 @@ constexpr std::array<Step, 2> kBothSteps{Step::kBrighter, Step::kDarker};
 /// The steps across the columns in one band of rows, found in the sums of its rows.
 class EdgeBand {
  public:
-  /// The picture must be at least 7 pixels wide, `rows` at most 64.
+  /// The image must be at least 7 pixels wide, `rows` at most 64.
   void find(const Image& grey, int first_row, int rows, float contrast_min);
 
   const std::vector<EdgePoint>& edges(Step step) const { return edges_[static_cast<std::size_t>(step)]; }

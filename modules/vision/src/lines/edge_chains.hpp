@@ -26,7 +26,7 @@ struct LinkParams {
 /// (least squares over its last points); older chains choose first.
 class EdgeLinker {
  public:
-  /// Replaces the chains by those of a picture, the short ones dropped.
+  /// Replaces the chains by those of an image, the short ones dropped.
   void link(const Image& grey, const LinkParams& params);
 
   const std::vector<EdgeChain>& chains() const { return chains_; }

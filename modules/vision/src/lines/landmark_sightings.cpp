@@ -15,7 +15,7 @@ namespace {
 constexpr double kBeyondEnd_rad = 1 * kDegree;  // by which an edge may fall short of a line on it
 constexpr double kLeaningSlack_px = 1.5;        // of a short line's direction
 constexpr double kSameWall = 0.03;              // of the distance, between two edges that meet
-constexpr double kCutShare = 0.01;      // of the height: a line cut by the picture's border shows no end
+constexpr double kCutShare = 0.01;      // of the height: a line cut by the image's border shows no end
 constexpr double kCornerSide_m = 0.25;  // shortest edge that makes a corner
 constexpr double kCornerSine = 0.5;     // of the angle between the two
 constexpr double kCornerGap_m = 0.02;   // between an edge's end and the corner ...
@@ -38,10 +38,11 @@ void LandmarkSightingParams::describe(FieldList& fields) {
   fields.group("noise", noise);
   fields.real("relief_m", relief_m, {0, 1}, "by which door frames and posters stand proud of their wall");
   fields.real("edge_m", edge_m, {0, 1}, "by which an edge is not sharp or not vertical");
-  fields.real("distance_max_m", distance_max_m, {1, 50}, "feet farther away are not used");
+  fields.real("distance_max_m", distance_max_m, {1, 50}, "floor points farther away are not used");
   fields.angle("leaning_max_deg", leaning_max_rad, {0, 45}, "off the vertical");
   fields.real("board_height_m", board_height_m, {0, 1}, "highest skirting board that lines end on");
-  fields.real("foot_px", foot_px, {0, 100}, "from the end of a line to the edge of the floor it stands on");
+  fields.real("floor_point_px", floor_point_px, {0, 100},
+              "from the end of a line to the edge of the floor it stands on");
   fields.flag("corners", corners, "use the corners of the floor's edges");
   fields.flag("hanging", hanging, "use lines that end above the floor, such as a poster's edges");
 }
@@ -64,10 +65,10 @@ const std::vector<LandmarkSighting>& LandmarkDetector::detect(const Image& grey)
   for (VerticalLine& line : lines_) {
     if (!is_upright(line)) continue;
     meet_edges(line);
-    const auto foot = foot_of(grey, line);
-    if (!foot) continue;
-    line.foot = true;
-    auto sighting = sighting_at(*foot);
+    const auto floor_point = floor_point_of(grey, line);
+    if (!floor_point) continue;
+    line.floor_point = true;
+    auto sighting = sighting_at(*floor_point);
     if (!sighting) continue;
     sighting->brighter_right = line.contrast > 0;
     sightings_.push_back(*sighting);
@@ -77,23 +78,23 @@ const std::vector<LandmarkSighting>& LandmarkDetector::detect(const Image& grey)
   return sightings_;
 }
 
-/// Where nearer feet are seen, far ones do not count.
+/// Where nearer floor points are seen, far ones do not count.
 void LandmarkDetector::leave_out_far() {
   const auto is_far = [](const LandmarkSighting& seen) { return seen.p_vehicle.norm() > kFar_m; };
   if (std::all_of(sightings_.begin(), sightings_.end(), is_far)) return;
   std::erase_if(sightings_, is_far);
 }
 
-std::optional<LandmarkSighting> LandmarkDetector::sighting_at(const Meeting& foot) const {
-  const auto point = floor_.uncertain_point(foot.pixel_px, params_.noise);
-  const auto tilted_point = floor_tilted_.point(foot.pixel_px);
+std::optional<LandmarkSighting> LandmarkDetector::sighting_at(const Meeting& floor_point) const {
+  const auto point = floor_.uncertain_point(floor_point.pixel_px, params_.noise);
+  const auto tilted_point = floor_tilted_.point(floor_point.pixel_px);
   if (!point || !tilted_point || point->mean.norm() > params_.distance_max_m) return std::nullopt;
   const Vec2 sight = (point->mean - mount_.p_vehicle_camera.head<2>()).normalized();
   return LandmarkSighting{.p_vehicle = point->mean,
                           .covariance = point->covariance + square(params_.edge_m) * Mat2::Identity() +
-                                        square(foot.sigma_m) * sight * sight.transpose(),
+                                        square(floor_point.sigma_m) * sight * sight.transpose(),
                           .by_tilt = *tilted_point - point->mean,
-                          .foot_px = foot.pixel_px};
+                          .floor_point_px = floor_point.pixel_px};
 }
 
 /// Of edges that meet where no line was seen to stand.
@@ -112,7 +113,7 @@ void LandmarkDetector::add_corners() {
     }
   }
   std::sort(sightings_.begin(), sightings_.end(), [](const LandmarkSighting& a, const LandmarkSighting& b) {
-    return a.foot_px.x() < b.foot_px.x();
+    return a.floor_point_px.x() < b.floor_point_px.x();
   });
 }
 
@@ -147,7 +148,7 @@ std::optional<Vec2> LandmarkDetector::azimuth(const Vec2& pixel_px) const {
   return (R_vehicle_camera_ * ray->direction).head<2>().normalized();
 }
 
-/// Of the line's azimuth with the edges, the nearest first. A distorted picture shows the line bowed: only
+/// Of the line's azimuth with the edges, the nearest first. A distorted image shows the line bowed: only
 /// its ends are known to lie on it.
 void LandmarkDetector::meet_edges(const VerticalLine& line) {
   meetings_.clear();
@@ -174,13 +175,13 @@ void LandmarkDetector::meet_edges(const VerticalLine& line) {
             [](const Meeting& a, const Meeting& b) { return a.distance_m < b.distance_m; });
 }
 
-/// The lower edge of a poster on a wall whose foot is not seen looks like an edge of the floor far away:
-/// lines end at both its ends.
+/// The lower edge of a poster on a wall whose floor point is not seen looks like an edge of the floor far
+/// away: lines end at both its ends.
 bool LandmarkDetector::may_hang(const FloorEdge& edge) const {
   const auto is_end_of_a_line = [&](const Vec2& p_vehicle) {
     const auto pixel_px = camera_.project(mount_.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));
     return pixel_px && std::any_of(lines_.begin(), lines_.end(), [&](const VerticalLine& line) {
-             return (line.bottom_px - *pixel_px).norm() < 2 * params_.foot_px;
+             return (line.bottom_px - *pixel_px).norm() < 2 * params_.floor_point_px;
            });
   };
   const Segment2& segment = edge.on_floor.segment;
@@ -188,28 +189,28 @@ bool LandmarkDetector::may_hang(const FloorEdge& edge) const {
          is_end_of_a_line(segment.end);
 }
 
-std::optional<LandmarkDetector::Meeting> LandmarkDetector::foot_of(const Image& grey,
-                                                                   const VerticalLine& line) const {
+std::optional<LandmarkDetector::Meeting> LandmarkDetector::floor_point_of(const Image& grey,
+                                                                          const VerticalLine& line) const {
   if (line.bottom_px.y() > (1 - kCutShare) * grey.height_px) return std::nullopt;
-  if (auto standing = standing_foot(grey, line)) return standing;
-  return hanging_foot(line);
+  if (auto standing = standing_floor_point(grey, line)) return standing;
+  return hanging_floor_point(line);
 }
 
 /// The line ends on an edge or its skirting board, or fades where it meets the edge.
-std::optional<LandmarkDetector::Meeting> LandmarkDetector::standing_foot(const Image& grey,
-                                                                         const VerticalLine& line) const {
+std::optional<LandmarkDetector::Meeting> LandmarkDetector::standing_floor_point(
+    const Image& grey, const VerticalLine& line) const {
   for (const Meeting& meeting : meetings_) {
     const double beneath_px = line.bottom_px.y() - meeting.pixel_px.y();
-    if (line.top_px.y() > meeting.pixel_px.y() - params_.foot_px) continue;
-    if (beneath_px < -params_.foot_px) {
+    if (line.top_px.y() > meeting.pixel_px.y() - params_.floor_point_px) continue;
+    if (beneath_px < -params_.floor_point_px) {
       if (height_m(line.bottom_px, meeting.distance_m) < params_.board_height_m) return meeting;
       continue;
     }
-    if (beneath_px < params_.foot_px || stands_proud(line, meeting)) return meeting;
+    if (beneath_px < params_.floor_point_px || stands_proud(line, meeting)) return meeting;
     const double above =
-        contrast_between(grey, line, line.top_px.y(), meeting.pixel_px.y() - params_.foot_px);
+        contrast_between(grey, line, line.top_px.y(), meeting.pixel_px.y() - params_.floor_point_px);
     const double beneath =
-        contrast_between(grey, line, meeting.pixel_px.y() + params_.foot_px, line.bottom_px.y());
+        contrast_between(grey, line, meeting.pixel_px.y() + params_.floor_point_px, line.bottom_px.y());
     if (beneath < kFadedBeneath * above) return meeting;
   }
   return std::nullopt;
@@ -224,7 +225,8 @@ bool LandmarkDetector::stands_proud(const VerticalLine& line, const Meeting& mee
 }
 
 /// The line ends above the one edge in its direction.
-std::optional<LandmarkDetector::Meeting> LandmarkDetector::hanging_foot(const VerticalLine& line) const {
+std::optional<LandmarkDetector::Meeting> LandmarkDetector::hanging_floor_point(
+    const VerticalLine& line) const {
   if (!params_.hanging || meetings_.empty()) return std::nullopt;
   const Meeting& nearest = meetings_.front();
   if (meetings_.back().distance_m > (1 + kSameWall) * nearest.distance_m) return std::nullopt;

@@ -31,13 +31,13 @@ LineLook look_of(const Image& grey, const VerticalLine& line) {
   return {column_px / grey.width_px - 0.5, slope, tone_beside(grey, line, -1), tone_beside(grey, line, 1)};
 }
 
-/// How the camera moved between two pictures.
+/// How the camera moved between two images.
 struct Motion {
   double end_before = 0;  ///< column of the corridor's end
   double end_now = 0;
   double approach = 0;
 
-  /// @return beyond the picture for what was passed by
+  /// @return beyond the image for what was passed by
   double expected(double column) const {
     const double x = column - end_before;
     const double nearer = 1 - approach * std::abs(x);
@@ -45,13 +45,13 @@ struct Motion {
   }
 };
 
-/// The lines of two pictures, paired in order.
+/// The lines of two images, paired in order.
 struct Pairing {
   double worth = 0;  // sum of their likenesses, less the price of the motion
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
 };
 
-/// Which lines of one picture are which of the next.
+/// Which lines of one image are which of the next.
 class Comparison {
  public:
   Comparison(const std::vector<LineLook>& before, const std::vector<LineLook>& now,
@@ -113,8 +113,8 @@ double Comparison::compare(const Motion& motion) {
   double best = 0;
   for (const Candidate& candidate : candidates_) {
     const double expected = motion.expected(before_[candidate.before].column);
-    const double aside = squared_share(now_[candidate.now].column - expected, params_.gate);
-    if (aside >= candidate.like) continue;
+    const double lateral = squared_share(now_[candidate.now].column - expected, params_.gate);
+    if (lateral >= candidate.like) continue;
     Link link{candidate.before, candidate.now, 0, links_.size()};
     for (std::size_t k = 0; k < links_.size(); ++k) {
       const Link& left = links_[k];
@@ -122,7 +122,7 @@ double Comparison::compare(const Motion& motion) {
       link.worth = left.worth;
       link.left = k;
     }
-    link.worth += candidate.like - aside;
+    link.worth += candidate.like - lateral;
     best = std::max(best, link.worth);
     links_.push_back(link);
   }
@@ -182,9 +182,9 @@ Pairing Comparison::best_pairing(const std::vector<Motion>& motions) {
 void LineFollowerParams::describe(FieldList& fields) {
   fields.real("gate", gate, {0.001, 1},
               "how far from where it is expected a line may be, share of the width");
-  fields.real("turn_max", turn_max, {0, 0.5}, "how far the corridor's end may be from the picture's middle");
+  fields.real("turn_max", turn_max, {0, 0.5}, "how far the corridor's end may be from the image's middle");
   fields.real("approach_max", approach_max, {0, 100},
-              "forward motion between two pictures: x goes to x / (1 - it x)");
+              "forward motion between two images: x goes to x / (1 - it x)");
   fields.real("slope_gate", slope_gate, {0.001, 10}, "change of a line's slope");
   fields.real("tone_gate", tone_gate, {0.1, 255}, "change of the grey level beside a line");
   fields.real("likeness_min", likeness_min, {0, 1000},

@@ -16,7 +16,7 @@ constexpr double kStraight_px = 0.9;
 constexpr double kGapMax_px = 8;
 constexpr double kSegmentFillMin = 0.7;
 constexpr double kLengthMin_px = 9;
-constexpr int kHalvedFrom_px = 500;  // wide; smaller pictures are looked at as they are
+constexpr int kHalvedFrom_px = 500;  // wide; smaller images are looked at as they are
 constexpr int kSmallestSearched_px = 16;
 
 }  // namespace
@@ -51,9 +51,9 @@ void ObliqueSegmentFinder::halve(const Image& grey) {
   }
 }
 
-void ObliqueSegmentFinder::add_segments(const Image& picture, bool transposed,
+void ObliqueSegmentFinder::add_segments(const Image& image, bool transposed,
                                         std::vector<EdgeSegment>& segments) {
-  linker_.link(picture, {kBandRows, kContrastMin, kStray_px, kSlopeMax, kSlopeMax});
+  linker_.link(image, {kBandRows, kContrastMin, kStray_px, kSlopeMax, kSlopeMax});
   PieceParams piece;
   piece.band_rows = kBandRows;
   piece.straight_px = kStraight_px;

@@ -9,7 +9,7 @@
 
 namespace aisle {
 
-/// A straight edge in a picture.
+/// A straight edge in an image.
 struct EdgeSegment {
   Vec2 left_px = Vec2::Zero(), right_px = Vec2::Zero();  ///< its ends; left.x <= right.x
   double contrast = 0;                                   ///< brightness beneath it less that above it
@@ -20,15 +20,15 @@ struct EdgeSegment {
 };
 
 /// Finds straight edges of all directions but the vertical and the horizontal: steep ones as upright lines of
-/// the halved picture, flat ones as upright lines of the same picture with rows and columns exchanged.
+/// the halved image, flat ones as upright lines of the same image with rows and columns exchanged.
 class ObliqueSegmentFinder {
  public:
-  /// Replaces `segments` by those of a picture.
+  /// Replaces `segments` by those of an image.
   void find(const Image& grey, std::vector<EdgeSegment>& segments);
 
  private:
   void halve(const Image& grey);
-  void add_segments(const Image& picture, bool transposed, std::vector<EdgeSegment>& segments);
+  void add_segments(const Image& image, bool transposed, std::vector<EdgeSegment>& segments);
 
   int shrink_ = 2;
   Image small_;

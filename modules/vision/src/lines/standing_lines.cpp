@@ -8,11 +8,11 @@ namespace aisle {
 
 namespace {
 
-// Shares of the picture's height.
+// Shares of the image's height.
 constexpr double kOnFloor = 0.015;    // a line that begins this far beneath the base line lies on the floor
 constexpr double kBeneath = 0.03;     // a line that reaches this far beneath it may be its own reflection
 constexpr double kBeyondEnd = 0.04;   // beneath the far ends of both base lines there is floor between them
-constexpr double kBorder = 0.01;      // a line cut by the picture's border shows no lower end
+constexpr double kBorder = 0.01;      // a line cut by the image's border shows no lower end
 constexpr double kFaded = 0.6;        // share of its contrast that a line loses at the floor to end there
 constexpr double kBoardDepth = 0.25;  // what ends lower stands on the floor: share of the camera's height
 
@@ -60,18 +60,18 @@ std::optional<VerticalLine> without_reflection(const Image& grey, const BaseLine
 
 /// The line with its lower end moved onto the base line, if it ends on that or on the skirting board above
 /// it.
-std::optional<VerticalLine> with_foot(const BaseLines& base_lines, const BaseLineParams& params,
-                                      VerticalLine line, int height_px) {
+std::optional<VerticalLine> with_floor_point(const BaseLines& base_lines, const BaseLineParams& params,
+                                             VerticalLine line, int height_px) {
   if (line.bottom_px.y() > (1 - kBorder) * height_px) return std::nullopt;
   const auto v_px = v_on_any(base_lines, line.bottom_px.x());
   if (!v_px) return std::nullopt;
-  const double tolerance_px = params.foot_share * height_px;
+  const double tolerance_px = params.floor_point_share * height_px;
   const double depth_px = base_lines.vanishing_point_px ? *v_px - base_lines.vanishing_point_px->y() : 0;
   const double above_px = *v_px - line.bottom_px.y();
   if (above_px < -tolerance_px || above_px > std::max(tolerance_px, kBoardDepth * depth_px))
     return std::nullopt;
   line.bottom_px = {u_at(line, *v_px), *v_px};
-  line.foot = true;
+  line.floor_point = true;
   return line;
 }
 
@@ -83,7 +83,7 @@ void stand_on_floor(const Image& grey, const BaseLines& base_lines, const BaseLi
   for (const VerticalLine& line : verticals) {
     auto standing = without_reflection(grey, base_lines, params, line);
     if (!standing) continue;
-    verticals[kept++] = with_foot(base_lines, params, *standing, grey.height_px).value_or(*standing);
+    verticals[kept++] = with_floor_point(base_lines, params, *standing, grey.height_px).value_or(*standing);
   }
   verticals.resize(kept);
 }

@@ -15,7 +15,7 @@ struct PieceParams {
   double slope_max = 0.33;
   double gap_max_px = 58;    ///< between collinear pieces that are one line
   double fade_share = 0.45;  ///< ends of less than this share of the line's contrast are cut
-  double width_share = 1;    ///< of the working picture, of 640 px
+  double width_share = 1;    ///< of the working image, of 640 px
 };
 
 /// Cuts chains of steps where they bend, joins the pieces that continue each other, and trims ends that fade.

@@ -4,7 +4,7 @@
 
 namespace aisle {
 
-/// A near-vertical line of the working picture: u = u_at(v) from v_top to v_bottom.
+/// A near-vertical line of the working image: u = u_at(v) from v_top to v_bottom.
 struct UprightLine {
   Step step = Step::kBrighter;
   double v_top_px = 0, v_bottom_px = 0;

@@ -9,7 +9,7 @@
 namespace aisle {
 
 /// The corridor's vanishing point: where most oblique segments point to, by length, with those that fall and
-/// those that rise to the right both taking part; rather near the middle of the picture than far from it.
+/// those that rise to the right both taking part; rather near the middle of the image than far from it.
 /// @return nullopt if too little points to any one place
 class VanishingPointFinder {
  public:

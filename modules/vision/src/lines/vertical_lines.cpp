@@ -9,12 +9,12 @@
 #include "lines/edge_chains.hpp"
 #include "lines/straight_pieces.hpp"
 #include "lines/vertical_tilt.hpp"
-#include "working_picture.hpp"
+#include "working_image.hpp"
 
 namespace aisle {
 
 void VerticalLineParams::describe(FieldList& fields) {
-  fields.count("width_max_px", width_max_px, {64, 4096}, "wider pictures are shrunk to this");
+  fields.count("width_max_px", width_max_px, {64, 4096}, "wider images are shrunk to this");
   fields.count("bands", bands, {20, 1000}, "of rows, in each of which a line is one step of brightness");
   fields.real("contrast_min", contrast_min, {0.5, 100}, "grey levels of the faintest step");
   fields.real("stray_px", stray_px, {0.3, 10}, "from band to band a line strays no farther from its course");
@@ -27,9 +27,9 @@ void VerticalLineParams::describe(FieldList& fields) {
   fields.real("length_share_min", length_share_min, {0.02, 1}, "shortest line, as a share of the height");
   fields.real("fill_min", fill_min, {0, 1}, "least share of a line on which its step is seen");
   fields.real("score_min", score_min, {0, 1},
-              "of length, contrast and fill, each at most 1, and less in faint pictures");
+              "of length, contrast and fill, each at most 1, and less in faint images");
   fields.real("usual_score_min", usual_score_min, {0, 1},
-              "a picture's good lines count as no fainter than this, when its others are judged by them");
+              "an image's good lines count as no fainter than this, when its others are judged by them");
   fields.real("apart_px", apart_px, {0, 50}, "of lines closer than this the stronger remains");
 }
 
@@ -46,22 +46,22 @@ constexpr double kContrastCounted = 40;  // more contrast makes no line stronger
 constexpr double kLongShare = 0.3;       // of the height: so long a line has most of the score for length
 constexpr double kContrastClear = 20;    // grey levels: so clear a line has most of the score for contrast
 constexpr double kEyeLevelTop = 0.3, kEyeLevelBottom = 0.6;  // of the height: there the horizon is expected
-constexpr std::ptrdiff_t kBestLines = 2, kGoodLines = 6;     // of a picture, by which its others are judged
+constexpr std::ptrdiff_t kBestLines = 2, kGoodLines = 6;     // of an image, by which its others are judged
 constexpr double kOffEyeLevel = 0.7;  // score of a line wholly above or below: lamp, bottle, gap in the floor
-constexpr int kSmallest_px = 16;      // pictures smaller than this show no lines
+constexpr int kSmallest_px = 16;      // images smaller than this show no lines
 
 }  // namespace
 
 class VerticalLineDetector::Work {
  public:
   Work(const VerticalLineParams& params, const std::optional<CameraModel>& camera)
-      : params_(params), picture_(params.width_max_px, camera) {}
+      : params_(params), image_(params.width_max_px, camera) {}
 
   const std::vector<VerticalLine>& detect(const Image& grey) {
     verticals_.clear();
-    picture_.look_at(grey);
-    if (picture_.width_px() < kSmallest_px || picture_.height_px() < kSmallest_px) return verticals_;
-    linker_.link(picture_.grey(), link_params());
+    image_.look_at(grey);
+    if (image_.width_px() < kSmallest_px || image_.height_px() < kSmallest_px) return verticals_;
+    linker_.link(image_.grey(), link_params());
     cutter_.cut(linker_, piece_params(), lines_);
     keep_leaning_alike();
     keep_strong();
@@ -74,9 +74,9 @@ class VerticalLineDetector::Work {
   }
 
  private:
-  /// Of the working picture, of the width that lengths in the parameters are given for.
-  double width_share() const { return picture_.width_px() / kNominalWidth_px; }
-  int height_px() const { return picture_.height_px(); }
+  /// Of the working image, of the width that lengths in the parameters are given for.
+  double width_share() const { return image_.width_px() / kNominalWidth_px; }
+  int height_px() const { return image_.height_px(); }
   int band_rows() const {
     return std::clamp(static_cast<int>(std::lround(1.0 * height_px() / params_.bands)), 2, 32);
   }
@@ -106,9 +106,9 @@ class VerticalLineDetector::Work {
     const auto short_one = std::find_if(lines_.begin(), lines_.end(), [this](const UprightLine& line) {
       return line.length_px() < kTiltShareMin * height_px();
     });
-    const VerticalTilt tilt = estimate_tilt({lines_.begin(), short_one}, picture_.width_px());
+    const VerticalTilt tilt = estimate_tilt({lines_.begin(), short_one}, image_.width_px());
     std::erase_if(lines_, [&](const UprightLine& line) {
-      const double off = std::abs(line.slope - tilt.slope_at(line.u_middle_px, picture_.width_px()));
+      const double off = std::abs(line.slope - tilt.slope_at(line.u_middle_px, image_.width_px()));
       return off > params_.tilt_deviation_max + kSlopeSlack_px / line.length_px();
     });
   }
@@ -123,7 +123,7 @@ class VerticalLineDetector::Work {
     });
   }
 
-  /// Of a picture's good lines, the very best left out: faint pictures have faint ones.
+  /// Of an image's good lines, the very best left out: faint images have faint ones.
   double usual_score() const {
     const auto first = scores_.begin() + std::min(kBestLines, std::ssize(scores_));
     const auto last = scores_.begin() + std::min(kBestLines + kGoodLines, std::ssize(scores_));
@@ -172,15 +172,15 @@ class VerticalLineDetector::Work {
   }
 
   void report(const UprightLine& line) {
-    const auto top_px = picture_.given({line.u_at(line.v_top_px), line.v_top_px});
-    const auto bottom_px = picture_.given({line.u_at(line.v_bottom_px), line.v_bottom_px});
+    const auto top_px = image_.given({line.u_at(line.v_top_px), line.v_top_px});
+    const auto bottom_px = image_.given({line.u_at(line.v_bottom_px), line.v_bottom_px});
     if (!top_px || !bottom_px) return;
     const double sign = line.step == Step::kBrighter ? 1 : -1;
     verticals_.push_back({*top_px, *bottom_px, sign * line.contrast, false});
   }
 
   VerticalLineParams params_;
-  WorkingPicture picture_;
+  WorkingImage image_;
   EdgeLinker linker_;
   PieceCutter cutter_;
   std::vector<UprightLine> lines_;

@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// How vertical lines lean across a picture, as far as a camera tilted or rolled a little makes them: the
+/// How vertical lines lean across an image, as far as a camera tilted or rolled a little makes them: the
 /// slope du/dv grows linearly with u. That is one vanishing point, far above or below.
 struct VerticalTilt {
   double at_centre = 0;  ///< slope in the middle column

@@ -33,9 +33,9 @@ std::array<double, 2> extremes(const Image& grey, int u0, int v0, int u1, int v1
 
 }  // namespace
 
-std::array<double, 8> brightness_view(const Image& picture) {
-  if (picture.bytes.empty()) throw std::invalid_argument("a view needs a picture");
-  const Image grey = to_grey(picture);
+std::array<double, 8> brightness_view(const Image& image) {
+  if (image.bytes.empty()) throw std::invalid_argument("a view needs an image");
+  const Image grey = to_grey(image);
   const int w = grey.width_px, h = grey.height_px;
   const auto upper = extremes(grey, 0, 0, w, h / 2), lower = extremes(grey, 0, h / 2, w, h),
              left = extremes(grey, 0, 0, w / 2, h), right = extremes(grey, w / 2, 0, w, h);

@@ -18,19 +18,19 @@ constexpr int kApproaches = 6;
 
 }  // namespace
 
-Image column_view(const Image& picture) {
-  return shrunk(to_grey(picture), kViewColumns, kViewBands);
+Image column_view(const Image& image) {
+  return shrunk(to_grey(image), kViewColumns, kViewBands);
 }
 
 void ColumnViewParams::describe(FieldList& fields) {
-  fields.real("aside_max", aside_max, {0, 0.4},
+  fields.real("lateral_max", lateral_max, {0, 0.4},
               "by which a view may be shifted to either side, share of its width");
   fields.real("approach_max", approach_max, {0, 100},
-              "way ahead between two views: what is x from the corridor's end goes to x / (1 - it x)");
+              "path ahead between two views: what is x from the corridor's end goes to x / (1 - it x)");
 }
 
 ViewCurves::ViewCurves(const ColumnViewParams& params, const Image& view)
-    : aside_max_(static_cast<int>(std::lround(params.aside_max * kViewColumns))) {
+    : lateral_max_(static_cast<int>(std::lround(params.lateral_max * kViewColumns))) {
   std::array<Columns, kViewBands> tones;
   for (int band = 0; band < kViewBands; ++band) {
     Columns& tone = tones[static_cast<std::size_t>(band)];
@@ -66,9 +66,9 @@ void ViewCurves::add_approached(const std::array<Columns, kViewBands>& tones, do
   }
 }
 
-/// Of the columns that both have if `b` is shifted by `aside` to the left.
-double ViewCurves::correlation(const Curves& a, const Curves& b, int aside) {
-  const int from = std::max(0, -aside), to = std::min(kViewColumns, kViewColumns - aside);
+/// Of the columns that both have if `b` is shifted by `lateral` to the left.
+double ViewCurves::correlation(const Curves& a, const Curves& b, int lateral) {
+  const int from = std::max(0, -lateral), to = std::min(kViewColumns, kViewColumns - lateral);
   const double columns = to - from;
   const auto within = [&](const Sums& sums, int shift) {
     return sums[static_cast<std::size_t>(to + shift)] - sums[static_cast<std::size_t>(from + shift)];
@@ -76,11 +76,11 @@ double ViewCurves::correlation(const Curves& a, const Curves& b, int aside) {
   double both = 0, of_a = 0, of_b = 0;
   for (std::size_t band = 0; band < kViewBands; ++band) {
     const double product = Tones(a.tone[band].data() + from, to - from)
-                               .dot(Tones(b.tone[band].data() + from + aside, to - from));
-    const double sum_a = within(a.sum[band], 0), sum_b = within(b.sum[band], aside);
+                               .dot(Tones(b.tone[band].data() + from + lateral, to - from));
+    const double sum_a = within(a.sum[band], 0), sum_b = within(b.sum[band], lateral);
     both += product - sum_a * sum_b / columns;
     of_a += within(a.squares[band], 0) - sum_a * sum_a / columns;
-    of_b += within(b.squares[band], aside) - sum_b * sum_b / columns;
+    of_b += within(b.squares[band], lateral) - sum_b * sum_b / columns;
   }
   const double noise = kViewBands * columns * kNoise * kNoise;
   return both / std::sqrt((of_a + noise) * (of_b + noise));
@@ -88,8 +88,8 @@ double ViewCurves::correlation(const Curves& a, const Curves& b, int aside) {
 
 double ViewCurves::best_correlation(const Curves& curves, const Curves& seen) const {
   double best = -1;
-  for (int aside = -aside_max_; aside <= aside_max_; ++aside)
-    best = std::max(best, correlation(curves, seen, aside));
+  for (int lateral = -lateral_max_; lateral <= lateral_max_; ++lateral)
+    best = std::max(best, correlation(curves, seen, lateral));
   return best;
 }
 

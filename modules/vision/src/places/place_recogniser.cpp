@@ -6,7 +6,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kLightTone = 128;  ///< of all pictures, as their lines are compared
+constexpr double kLightTone = 128;  ///< of all images, as their lines are compared
 
 /// What nine in ten parts of a view are darker than: walls, whatever stands before them.
 double light_tone(Image view) {
@@ -21,31 +21,30 @@ void PlaceParams::describe(FieldList& fields) {
   fields.group("columns", columns);
   fields.group("verticals", verticals);
   fields.group("lines", lines);
-  fields.real("unlike_max", unlike_max, {0, 1}, "from the most alike taught picture; 0: just alike");
+  fields.real("unlike_max", unlike_max, {0, 1}, "from the most alike taught image; 0: just alike");
   fields.count("rival_apart", rival_apart, {0, 1000},
-               "taught pictures up to so far apart in order may show one place");
+               "taught images up to so far apart in order may show one place");
   fields.real("rival_factor", rival_factor, {1, 100}, "by which all others must be more unlike");
-  fields.count("ahead_max", ahead_max, {1, 1000},
-               "taught pictures from one of a drive's pictures to the next");
+  fields.count("ahead_max", ahead_max, {1, 1000}, "taught images from one of a drive's images to the next");
 }
 
 PlaceRecogniser::PlaceRecogniser(const PlaceParams& params) : params_(params), verticals_(params.verticals) {}
 
-void PlaceRecogniser::teach(const Image& picture) {
+void PlaceRecogniser::teach(const Image& image) {
   order_.push_back(static_cast<double>(taught_.size()));
-  taught_.push_back(look_at(picture));
+  taught_.push_back(look_at(image));
 }
 
-std::optional<ViewRecognition> PlaceRecogniser::recognise(const Image& picture) {
-  const Look seen = look_at(picture);
+std::optional<ViewRecognition> PlaceRecogniser::recognise(const Image& image) {
+  const Look seen = look_at(image);
   unlike_.resize(taught_.size());
   std::transform(taught_.begin(), taught_.end(), unlike_.begin(),
                  [&](const Look& taught) { return unlikeness(taught, seen); });
   return recognise_view(unlike_, order_, params_.rival_apart);
 }
 
-PlaceRecogniser::Look PlaceRecogniser::look_at(const Image& picture) {
-  const Image grey = to_grey(picture), view = column_view(grey);
+PlaceRecogniser::Look PlaceRecogniser::look_at(const Image& image) {
+  const Image grey = to_grey(image), view = column_view(grey);
   Look look{ViewCurves(params_.columns, view), line_looks(grey, verticals_.detect(grey))};
   const double exposure = kLightTone / light_tone(view);
   for (LineLook& line : look.lines) {

@@ -32,24 +32,24 @@ CellLook look_of(const int* sums, int channels, int count) {
 
 }  // namespace
 
-void CellGrid::take(const Image& picture, int about_columns) {
-  cell_px = std::max(1, (picture.width_px + about_columns / 2) / about_columns);
-  columns = (picture.width_px + cell_px - 1) / cell_px;
-  rows = (picture.height_px + cell_px - 1) / cell_px;
+void CellGrid::take(const Image& image, int about_columns) {
+  cell_px = std::max(1, (image.width_px + about_columns / 2) / about_columns);
+  columns = (image.width_px + cell_px - 1) / cell_px;
+  rows = (image.height_px + cell_px - 1) / cell_px;
   looks.clear();
   looks.reserve(index(rows, 0));
   for (int row = 0; row < rows; ++row) {
-    sums_.assign(static_cast<std::size_t>(columns * picture.channels), 0);
-    const int top = row * cell_px, bottom = std::min(top + cell_px, picture.height_px);
+    sums_.assign(static_cast<std::size_t>(columns * image.channels), 0);
+    const int top = row * cell_px, bottom = std::min(top + cell_px, image.height_px);
     for (int v = top; v < bottom; ++v) {
-      if (picture.channels == 1)
-        add_row<1>(picture.row(v), *this, picture.width_px, sums_);
+      if (image.channels == 1)
+        add_row<1>(image.row(v), *this, image.width_px, sums_);
       else
-        add_row<3>(picture.row(v), *this, picture.width_px, sums_);
+        add_row<3>(image.row(v), *this, image.width_px, sums_);
     }
     for (int column = 0; column < columns; ++column) {
-      const int width = std::min(cell_px, picture.width_px - column * cell_px);
-      looks.push_back(look_of(&sums_[static_cast<std::size_t>(column * picture.channels)], picture.channels,
+      const int width = std::min(cell_px, image.width_px - column * cell_px);
+      looks.push_back(look_of(&sums_[static_cast<std::size_t>(column * image.channels)], image.channels,
                               width * (bottom - top)));
     }
   }

@@ -7,8 +7,8 @@
 
 namespace aisle {
 
-/// What a small square of a picture looks like, in sixteenths of a grey level on the tone scale
-/// 255 sqrt(g / 255). A grey picture has no colour.
+/// What a small square of an image looks like, in sixteenths of a grey level on the tone scale
+/// 255 sqrt(g / 255). A grey image has no colour.
 struct CellLook {
   int brightness = 0;
   int red_green = 0;    ///< red less green
@@ -17,8 +17,8 @@ struct CellLook {
 
 constexpr int kLookUnit = 16;  ///< of a CellLook, in a grey level
 
-/// A picture cut into square cells. Cells of the last row and column may be cut off. Keeps its memory from
-/// picture to picture.
+/// An image cut into square cells. Cells of the last row and column may be cut off. Keeps its memory from
+/// image to image.
 struct CellGrid {
   int cell_px = 1;
   int columns = 0;
@@ -26,7 +26,7 @@ struct CellGrid {
   std::vector<CellLook> looks;  ///< row by row: the mean look of each cell
 
   /// @param about_columns  cells in a row
-  void take(const Image& picture, int about_columns);
+  void take(const Image& image, int about_columns);
 
   std::size_t index(int row, int column) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +

@@ -184,7 +184,7 @@ void PaintedFrameParams::describe(FieldList& fields) {
   fields.real("line_m", line_m, {0.01, 0.5}, "how wide it is, about");
   fields.real("range_m", range_m, {0.5, 50}, "farther lines are not looked at");
   fields.angle("heading_reach_deg", heading_reach_rad, {1, 90},
-               "how far the frame may be turned against the way");
+               "how far the frame may be turned against the path");
   fields.real("near_line_m", near_line_m, {0.005, 0.5}, "points so near a side lie on it");
   fields.real("covered_share", covered_share, {0.1, 1}, "of a side has points on it, or it is not seen");
 }

@@ -6,7 +6,7 @@
 namespace aisle {
 namespace {
 
-/// Grey levels along a row or a column of a picture.
+/// Grey levels along a row or a column of an image.
 class GreyLine {
  public:
   GreyLine(const std::uint8_t* first, std::ptrdiff_t step, int count)

@@ -21,9 +21,9 @@ Cost cost_of(double grey_levels) {
 
 }  // namespace
 
-void RegionGrowth::grow(const Image& picture) {
+void RegionGrowth::grow(const Image& image) {
   const int columns = grid_.columns, rows = grid_.rows;
-  grid_.take(picture, params_.columns);
+  grid_.take(image, params_.columns);
   if (grid_.columns != columns || grid_.rows != rows) expect();
   steps_.take(grid_, params_.colour_weight, quiet_step());
   floor_ = expected_floor_;
@@ -31,16 +31,16 @@ void RegionGrowth::grow(const Image& picture) {
   // Never where the floor goes on without a step.
   rest_ = expected_rest_;
   for (std::size_t i = 0; i < rest_.size(); ++i)
-    if (floor_[i] <= params_.alike_cost * kLookUnit) rest_[i] = kNoWay;
+    if (floor_[i] <= params_.alike_cost * kLookUnit) rest_[i] = kNoPath;
   steps_.spread(rest_);
-  find_strange();
+  find_unmatched();
   is_floor_.resize(floor_.size());
   for (std::size_t i = 0; i < floor_.size(); ++i)
-    is_floor_[i] = static_cast<char>(floor_[i] < rest_[i] && is_strange_[i] == 0);
+    is_floor_[i] = static_cast<char>(floor_[i] < rest_[i] && is_unmatched_[i] == 0);
   connect();
 }
 
-/// What tells floor from the rest by the place in the picture alone.
+/// What tells floor from the rest by the place in the image alone.
 void RegionGrowth::expect() {
   find_patch();
   expected_floor_.resize(grid_.looks.size());
@@ -62,7 +62,7 @@ void RegionGrowth::find_patch() {
   patch_ = {grid_.rows - rows, grid_.rows, first, grid_.columns - first};
 }
 
-/// The route's look (L96 section 2.2), of a patch of the picture itself.
+/// The route's look (L96 section 2.2), of a patch of the image itself.
 CellLook RegionGrowth::patch_look() {
   const auto median_of = [&](int CellLook::*part) {
     looks_.clear();
@@ -82,33 +82,33 @@ Cost RegionGrowth::quiet_step() {
 }
 
 /// 0 in the middle, 1 at the sides.
-double RegionGrowth::aside(int column) const {
+double RegionGrowth::lateral(int column) const {
   return std::abs(2 * column + 1 - grid_.columns) / static_cast<double>(grid_.columns);
 }
 
 /// Nothing near the lowest middle; `floor_cost` at the horizon above it and in the lower corners.
 double RegionGrowth::expected_floor(int row, int column) const {
   const double horizon_rows = (1 - params_.horizon_share) * grid_.rows;
-  const double way = (grid_.rows - 1 - row) / horizon_rows + aside(column) - params_.near_reach;
-  if (way <= 0 || patch_.contains(row, column)) return 0;
-  return params_.floor_cost * std::pow(way, kDecline);
+  const double path = (grid_.rows - 1 - row) / horizon_rows + lateral(column) - params_.near_reach;
+  if (path <= 0 || patch_.contains(row, column)) return 0;
+  return params_.floor_cost * std::pow(path, kDecline);
 }
 
 /// Nothing in the upper part, more and more below.
 double RegionGrowth::expected_rest(int row, int column) const {
-  const double below = (row + 0.5) / grid_.rows - params_.far_share - params_.side_share * aside(column);
+  const double below = (row + 0.5) / grid_.rows - params_.far_share - params_.side_share * lateral(column);
   return params_.rest_cost * std::max(0.0, below);
 }
 
 /// Of another colour than the route. Gloss and shadow only make its colour paler.
-void RegionGrowth::find_strange() {
+void RegionGrowth::find_unmatched() {
   const Vec2 route = colour_of(patch_look());
-  const double limit = params_.strange_colour * kLookUnit;
-  is_strange_.resize(grid_.looks.size());
-  for (std::size_t i = 0; i < is_strange_.size(); ++i) {
+  const double limit = params_.unmatched_colour * kLookUnit;
+  is_unmatched_.resize(grid_.looks.size());
+  for (std::size_t i = 0; i < is_unmatched_.size(); ++i) {
     const Vec2 colour = colour_of(grid_.looks[i]);
     const double paleness = std::clamp(colour.dot(route) / std::max(route.squaredNorm(), 1.0), 0.0, 1.0);
-    is_strange_[i] = static_cast<char>((colour - paleness * route).norm() > limit);
+    is_unmatched_[i] = static_cast<char>((colour - paleness * route).norm() > limit);
   }
 }
 

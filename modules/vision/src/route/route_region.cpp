@@ -7,24 +7,24 @@
 namespace aisle {
 
 void RegionParams::describe(FieldList& fields) {
-  fields.count("columns", columns, {16, 1024}, "cells that the picture is looked at in, from left to right");
+  fields.count("columns", columns, {16, 1024}, "cells that the image is looked at in, from left to right");
   fields.real("quiet_step", quiet_step, {0, 50}, "between neighbouring cells: no edge but noise and drift");
   fields.real("texture_factor", texture_factor, {0, 10},
               "nor is this many times the step usual on the floor in front");
   fields.real("texture_max", texture_max, {0, 100}, "but larger steps than this are always edges");
   fields.real("colour_weight", colour_weight, {0, 20}, "of a step of colour against one of brightness");
-  fields.real("strange_colour", strange_colour, {5, 500},
+  fields.real("unmatched_colour", unmatched_colour, {5, 500},
               "off the colour of the floor in front: an obstacle");
   fields.real("horizon_share", horizon_share, {0, 0.9},
               "where the horizon is expected, of the height from the top");
   fields.real("near_reach", near_reach, {0.01, 1},
-              "of the way from the lowest middle to the horizon: surely floor");
+              "of the path from the lowest middle to the horizon: surely floor");
   fields.real("floor_cost", floor_cost, {0, 2000}, "of taking a place at the horizon for floor, unconnected");
   fields.real("far_share", far_share, {0, 1}, "of the height, from the top: not floor unless it looks alike");
   fields.real("side_share", side_share, {0, 1}, "by how much lower that reaches at the sides");
-  fields.real("rest_cost", rest_cost, {0, 2000}, "of taking a place a picture's height lower for no floor");
+  fields.real("rest_cost", rest_cost, {0, 2000}, "of taking a place an image's height lower for no floor");
   fields.real("alike_cost", alike_cost, {0, 500},
-              "of the way from the lowest middle: less is floor, wherever");
+              "of the path from the lowest middle: less is floor, wherever");
 }
 
 namespace {
@@ -61,19 +61,19 @@ RouteRegionFinder::~RouteRegionFinder() = default;
 RouteRegionFinder::RouteRegionFinder(RouteRegionFinder&&) noexcept = default;
 RouteRegionFinder& RouteRegionFinder::operator=(RouteRegionFinder&&) noexcept = default;
 
-void RouteRegionFinder::find(const Image& picture, Image& mask) {
-  mask.width_px = picture.width_px;
-  mask.height_px = picture.height_px;
+void RouteRegionFinder::find(const Image& image, Image& mask) {
+  mask.width_px = image.width_px;
+  mask.height_px = image.height_px;
   mask.channels = 1;
   mask.bytes.resize(mask.row_bytes() * mask.rows());
   if (mask.bytes.empty()) return;
-  growth_->grow(picture);
+  growth_->grow(image);
   paint(*growth_, mask);
 }
 
-RouteRegion find_route_region(const Image& picture, const RegionParams& params) {
+RouteRegion find_route_region(const Image& image, const RegionParams& params) {
   RouteRegion region;
-  RouteRegionFinder(params).find(picture, region.mask);
+  RouteRegionFinder(params).find(image, region.mask);
   if (region.mask.bytes.empty()) return region;
   const auto count = std::count(region.mask.bytes.begin(), region.mask.bytes.end(), std::uint8_t{255});
   region.share = static_cast<double>(count) / static_cast<double>(region.mask.bytes.size());

@@ -11,12 +11,13 @@ constexpr int kEdgeColumns = 80;
 constexpr int kPatchesInHeight = 6;
 constexpr double kDarkShare = 0.65;  // of the patch's grey level: what is darker is no route
 
-constexpr int kFootNearest_px = 3, kFootFarthest_px = 7;  // from a foot, the rows that are compared
-constexpr double kFootStepMin = 0.05;                     // of the floor's grey level, between them
-constexpr double kThingLength_m = 0.5;                    // of longer ones each piece shows its foot
-constexpr double kThingGap_m = 0.15;                      // between neighbouring places of one
-constexpr double kLeavesView_m = 0.15;  // so near to the lower edge the light on it leaves the picture ...
-constexpr std::size_t kEndPoints = 5;   // ... by the direction that so many places tell
+constexpr int kFloorPointNearest_px = 3,
+              kFloorPointFarthest_px = 7;    // from a floor point, the rows that are compared
+constexpr double kFloorPointStepMin = 0.05;  // of the floor's grey level, between them
+constexpr double kThingLength_m = 0.5;       // of longer ones each piece shows its floor point
+constexpr double kThingGap_m = 0.15;         // between neighbouring places of one
+constexpr double kLeavesView_m = 0.15;       // so near to the lower edge the light on it leaves the image ...
+constexpr std::size_t kEndPoints = 5;        // ... by the direction that so many places tell
 
 /// How many of the first places, from right to left, are of one thing.
 std::size_t points_of_one_thing(std::span<const Vec2> p_vehicle_lit) {
@@ -37,12 +38,12 @@ double route_share(const Image& mask, int begin, int end) {
 }
 
 /// L96 section 2.2: the square patch before the vehicle.
-void measure_patch(const Image& picture, RouteSight& sight) {
-  const int side = picture.height_px / kPatchesInHeight, u0 = (picture.width_px - side) / 2;
+void measure_patch(const Image& image, RouteSight& sight) {
+  const int side = image.height_px / kPatchesInHeight, u0 = (image.width_px - side) / 2;
   double sum = 0, squares = 0;
-  for (int v = picture.height_px - side; v < picture.height_px; ++v) {
+  for (int v = image.height_px - side; v < image.height_px; ++v) {
     for (int u = u0; u < u0 + side; ++u) {
-      const double grey = picture.row(v)[static_cast<std::ptrdiff_t>(u) * picture.channels];
+      const double grey = image.row(v)[static_cast<std::ptrdiff_t>(u) * image.channels];
       sum += grey;
       squares += grey * grey;
     }
@@ -53,12 +54,12 @@ void measure_patch(const Image& picture, RouteSight& sight) {
 }
 
 /// L96 section 2.2: what stands alone amid the route is known by its grey level.
-void take_out_dark(const Image& picture, RouteSight& sight) {
+void take_out_dark(const Image& image, RouteSight& sight) {
   const double least = kDarkShare * sight.patch_grey;
-  for (int v = 0; v < picture.height_px; ++v) {
+  for (int v = 0; v < image.height_px; ++v) {
     std::uint8_t* route = sight.mask.row(v);
-    for (int u = 0; u < picture.width_px; ++u)
-      if (picture.row(v)[static_cast<std::ptrdiff_t>(u) * picture.channels] < least) route[u] = 0;
+    for (int u = 0; u < image.width_px; ++u)
+      if (image.row(v)[static_cast<std::ptrdiff_t>(u) * image.channels] < least) route[u] = 0;
   }
 }
 
@@ -121,14 +122,14 @@ int RouteView::row_at(double ahead_m) const {
 }
 
 RouteView::FloorPatch RouteView::patch_of(double ahead_from_m, double ahead_to_m,
-                                          const Interval& aside_m) const {
+                                          const Interval& lateral_m) const {
   constexpr double kGrid_m = 0.02;
   FloorPatch patch;
   const int rows = static_cast<int>((ahead_to_m - ahead_from_m) / kGrid_m);
-  const int columns = static_cast<int>(aside_m.length() / kGrid_m);
+  const int columns = static_cast<int>(lateral_m.length() / kGrid_m);
   for (int i = 0; i <= rows; ++i) {
     for (int k = 0; k <= columns; ++k) {
-      const auto pixel = pixel_of({ahead_from_m + i * kGrid_m, aside_m.min + k * kGrid_m});
+      const auto pixel = pixel_of({ahead_from_m + i * kGrid_m, lateral_m.min + k * kGrid_m});
       if (!pixel) continue;
       patch.push_back(static_cast<std::size_t>(std::lround(pixel->y())) *
                           static_cast<std::size_t>(width_px_) +
@@ -144,13 +145,13 @@ bool RouteView::is_occupied(const Image& mask, const FloorPatch& patch) const {
   return static_cast<double>(route) < params_.check_share * static_cast<double>(patch.size());
 }
 
-const RouteSight& RouteView::look(const Image& picture) {
+const RouteSight& RouteView::look(const Image& image) {
   if (!sight_) sight_.emplace();
   RouteSight& sight = *sight_;
-  regions_.find(picture, sight.mask);
-  measure_patch(picture, sight);
-  take_out_dark(picture, sight);
-  if (stripe_) take_out_lit(picture, sight.mask);
+  regions_.find(image, sight.mask);
+  measure_patch(image, sight);
+  take_out_dark(image, sight);
+  if (stripe_) take_out_lit(image, sight.mask);
   sight.share = route_share(sight.mask, 0, width_px_);
   sight.checks = {.ahead = is_occupied(sight.mask, ahead_),
                   .left = is_occupied(sight.mask, left_),
@@ -161,26 +162,26 @@ const RouteSight& RouteView::look(const Image& picture) {
   return sight;
 }
 
-/// Things whose foot is below the stripe hide the floor behind them. What has no foot there is no such thing:
-/// a line painted on the floor farther away looks like the stripe.
-void RouteView::take_out_lit(const Image& picture, Image& mask) {
-  find_lit_pieces(as_grey(picture, grey_));
+/// Things whose floor point is below the stripe hide the floor behind them. What has no floor point there is
+/// no such thing: a line painted on the floor farther away looks like the stripe.
+void RouteView::take_out_lit(const Image& image, Image& mask) {
+  find_lit_pieces(as_grey(image, grey_));
   for (std::size_t i = 0; i < lit_pieces_.size(); ++i) {
     const LitPiece& piece = lit_pieces_[i];
-    if (!piece.has_foot.value_or(false)) continue;
+    if (!piece.has_floor_point.value_or(false)) continue;
     const std::span<const Vec2> p_vehicle = piece.p_vehicle;
     for (std::size_t k = 0; k + 1 < p_vehicle.size(); ++k)
       take_out_above(p_vehicle[k], p_vehicle[k + 1], mask);
     const bool goes_on_left = i + 1 < lit_pieces_.size() && lit_pieces_[i + 1].goes_on;
     const std::size_t end = p_vehicle.size() - 1, inwards = std::min(kEndPoints, end);
     if (!piece.goes_on && leaves_view(p_vehicle[inwards], p_vehicle.front()))
-      take_out_columns(foot_column(p_vehicle.front()), width_px_, mask);
+      take_out_columns(floor_point_column(p_vehicle.front()), width_px_, mask);
     if (!goes_on_left && leaves_view(p_vehicle[end - inwards], p_vehicle.back()))
-      take_out_columns(0, foot_column(p_vehicle.back()), mask);
+      take_out_columns(0, floor_point_column(p_vehicle.back()), mask);
   }
 }
 
-/// What reaches out of view at its foot is of one thing with the piece beside it.
+/// What reaches out of view at its floor point is of one thing with the piece beside it.
 void RouteView::find_lit_pieces(const Image& grey) {
   stripe_->find(grey);
   p_vehicle_lit_.clear();
@@ -189,11 +190,11 @@ void RouteView::find_lit_pieces(const Image& grey) {
   for (std::span<const Vec2> rest(p_vehicle_lit_); !rest.empty();) {
     const std::span<const Vec2> piece = rest.first(points_of_one_thing(rest));
     const bool goes_on = !lit_pieces_.empty() && &lit_pieces_.back().p_vehicle.back() == piece.data();
-    if (piece.size() > 1) lit_pieces_.push_back({piece, goes_on, has_foot(grey, piece)});
+    if (piece.size() > 1) lit_pieces_.push_back({piece, goes_on, has_floor_point(grey, piece)});
     rest = rest.subspan(std::max<std::size_t>(1, piece.size() - 1));
   }
   const auto learn_from = [](LitPiece& piece, const LitPiece& beside) {
-    if (!piece.has_foot) piece.has_foot = beside.has_foot;
+    if (!piece.has_floor_point) piece.has_floor_point = beside.has_floor_point;
   };
   for (std::size_t i = 1; i < lit_pieces_.size(); ++i)
     if (lit_pieces_[i].goes_on) learn_from(lit_pieces_[i], lit_pieces_[i - 1]);
@@ -203,35 +204,38 @@ void RouteView::find_lit_pieces(const Image& grey) {
 
 /// Whether it is brighter or darker right above the places where a thing is lit than right below them;
 /// nullopt: they are out of view.
-std::optional<bool> RouteView::has_foot(const Image& grey, std::span<const Vec2> p_vehicle_thing) const {
+std::optional<bool> RouteView::has_floor_point(const Image& grey,
+                                               std::span<const Vec2> p_vehicle_thing) const {
   double above = 0, below = 0;
   for (const Vec2& p_vehicle : p_vehicle_thing) {
-    const auto foot = pixel_of(p_vehicle);
-    if (!foot) continue;
-    const auto u = static_cast<int>(std::lround(foot->x())), v = static_cast<int>(std::lround(foot->y()));
-    if (v < kFootFarthest_px || v + kFootFarthest_px >= height_px_) continue;
-    for (int i = kFootNearest_px; i <= kFootFarthest_px; ++i) {
+    const auto floor_point = pixel_of(p_vehicle);
+    if (!floor_point) continue;
+    const auto u = static_cast<int>(std::lround(floor_point->x())),
+               v = static_cast<int>(std::lround(floor_point->y()));
+    if (v < kFloorPointFarthest_px || v + kFloorPointFarthest_px >= height_px_) continue;
+    for (int i = kFloorPointNearest_px; i <= kFloorPointFarthest_px; ++i) {
       above += grey.row(v - i)[u];
       below += grey.row(v + i)[u];
     }
   }
   if (below == 0) return std::nullopt;
-  return std::abs(above - below) > kFootStepMin * below;
+  return std::abs(above - below) > kFloorPointStepMin * below;
 }
 
-/// Whether the light on a thing goes on below the picture's lower edge: what is beside is of the thing, or
+/// Whether the light on a thing goes on below the image's lower edge: what is beside is of the thing, or
 /// behind it.
 bool RouteView::leaves_view(const Vec2& p_vehicle_inwards, const Vec2& p_vehicle_end) const {
-  const Vec2 way = p_vehicle_end - p_vehicle_inwards;
-  if (way.isZero()) return false;
-  const auto pixel = projected(p_vehicle_end + kLeavesView_m * way.normalized(), stripe_height_m_);
+  const Vec2 path = p_vehicle_end - p_vehicle_inwards;
+  if (path.isZero()) return false;
+  const auto pixel = projected(p_vehicle_end + kLeavesView_m * path.normalized(), stripe_height_m_);
   return pixel && pixel->y() > height_px_ - 1;
 }
 
-/// In which column the foot of a lit place is, be it below the view.
-int RouteView::foot_column(const Vec2& p_vehicle) const {
-  const auto foot = projected(p_vehicle, 0);
-  return foot ? std::clamp(static_cast<int>(std::lround(foot->x())), 0, width_px_) : width_px_ / 2;
+/// In which column the floor point of a lit place is, be it below the view.
+int RouteView::floor_point_column(const Vec2& p_vehicle) const {
+  const auto floor_point = projected(p_vehicle, 0);
+  return floor_point ? std::clamp(static_cast<int>(std::lround(floor_point->x())), 0, width_px_)
+                     : width_px_ / 2;
 }
 
 void RouteView::take_out_columns(int begin, int end, Image& mask) const {
@@ -252,8 +256,8 @@ void RouteView::take_out_above(const Vec2& p_vehicle_right, const Vec2& p_vehicl
   }
 }
 
-/// In each of many columns, the lowest pixel that is not route: the foot of what stands there, unless the
-/// view does not reach down to it.
+/// In each of many columns, the lowest pixel that is not route: the floor point of what stands there, unless
+/// the view does not reach down to it.
 void RouteView::find_edges(RouteSight& sight) const {
   sight.p_vehicle_edges.clear();
   sight.p_vehicle_cut_off.clear();
@@ -278,9 +282,9 @@ bool RouteView::is_before_patch_end(const Vec2& p_vehicle) const {
          std::abs(p_vehicle.y()) < std::abs(p_vehicle_patch_.y());
 }
 
-std::optional<Vec2> RouteView::middle(const RouteSight& sight, double blot_left, double blot_right) const {
-  const int left = static_cast<int>(blot_left * width_px_);
-  const int right = width_px_ - static_cast<int>(blot_right * width_px_);
+std::optional<Vec2> RouteView::middle(const RouteSight& sight, double mask_left, double mask_right) const {
+  const int left = static_cast<int>(mask_left * width_px_);
+  const int right = width_px_ - static_cast<int>(mask_right * width_px_);
   const auto middle = find_route_middle(sight.mask, far_row_, near_row_, left, right);
   if (!middle) return std::nullopt;
   return floor_.point(Vec2(middle->mean_px.x(), (far_row_ + near_row_) / 2.0));

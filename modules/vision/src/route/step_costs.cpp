@@ -49,8 +49,8 @@ Cost StepCosts::texture_of(const CellGrid& grid, const CellBlock& block, double 
 void StepCosts::take(const CellGrid& grid, double colour_weight, Cost quiet_step) {
   columns_ = grid.columns;
   rows_ = grid.rows;
-  right_.assign(grid.looks.size(), kNoWay);
-  down_.assign(grid.looks.size(), kNoWay);
+  right_.assign(grid.looks.size(), kNoPath);
+  down_.assign(grid.looks.size(), kNoPath);
   const auto step = [&](const CellLook& a, const CellLook& b) {
     return 1 + std::max(0, difference(a, b, colour_weight) - quiet_step);
   };

@@ -14,15 +14,15 @@ namespace aisle {
 void StripeParams::describe(FieldList& fields) {
   fields.real("contrast_min", contrast_min, {1, 255},
               "grey levels by which a stripe outshines its surroundings");
-  fields.real("noise_factor", noise_factor, {1, 20}, "and by how many times the picture's median contrast");
+  fields.real("noise_factor", noise_factor, {1, 20}, "and by how many times the image's median contrast");
   fields.real("white_share", white_share, {0, 1}, "how much less white light counts than coloured light");
   fields.real("width_max_share", width_max_share, {0.005, 0.2},
-              "of the picture's height: wider ones are lamps");
+              "of the image's height: wider ones are lamps");
   fields.real("gradient_min", gradient_min, {0, 1}, "steepest step of each flank, as a share of the peak");
   fields.real("slope_max", slope_max, {0, 5}, "rows a column: steeper ones are no stripes");
-  fields.real("gap_max_share", gap_max_share, {0, 0.2}, "of the picture's width: longer gaps break a stripe");
+  fields.real("gap_max_share", gap_max_share, {0, 0.2}, "of the image's width: longer gaps break a stripe");
   fields.real("length_min_share", length_min_share, {0.005, 1},
-              "of the picture's width: shorter ones are dropped");
+              "of the image's width: shorter ones are dropped");
   fields.real("faint_share", faint_share, {0, 1},
               "of a stripe's contrast: fainter ones in its columns are mirrored");
   fields.real("corner_px", corner_px, {0.2, 20}, "a stripe bent by more than this has a corner");
@@ -30,7 +30,7 @@ void StripeParams::describe(FieldList& fields) {
 
 namespace {
 
-constexpr int kWidthMin_px = 7;         // of the widest stripe, in small pictures
+constexpr int kWidthMin_px = 7;         // of the widest stripe, in small images
 constexpr double kStripeFillMin = 0.7;  // share of a stripe's columns where it is seen
 
 int median_brightness(const Image& image) {
@@ -70,20 +70,20 @@ LaserStripe stripe_of(const PeakChain& chain, double corner_px) {
 
 }  // namespace
 
-std::vector<LaserStripe> find_laser_stripes(const Image& picture, const StripeParams& params) {
-  if (picture.bytes.empty()) return {};
+std::vector<LaserStripe> find_laser_stripes(const Image& image, const StripeParams& params) {
+  if (image.bytes.empty()) return {};
   const int width_max_px =
-      std::max(kWidthMin_px, static_cast<int>(std::lround(params.width_max_share * picture.height_px)));
-  const Image contrast = stripe_contrast(picture, width_max_px + 1, params.white_share);
+      std::max(kWidthMin_px, static_cast<int>(std::lround(params.width_max_share * image.height_px)));
+  const Image contrast = stripe_contrast(image, width_max_px + 1, params.white_share);
   const double contrast_min =
       std::max(params.contrast_min, params.noise_factor * median_brightness(contrast));
 
   const auto peaks = find_stripe_peaks(
       contrast, {static_cast<int>(std::ceil(contrast_min)), width_max_px, params.gradient_min});
-  const int gap_max_px = static_cast<int>(std::lround(params.gap_max_share * picture.width_px));
+  const int gap_max_px = static_cast<int>(std::lround(params.gap_max_share * image.width_px));
   std::vector<PeakChain> chains = link_stripe_peaks(peaks, {gap_max_px, params.slope_max});
 
-  const double length_min_px = std::max(2.0, params.length_min_share * picture.width_px);
+  const double length_min_px = std::max(2.0, params.length_min_share * image.width_px);
   std::erase_if(chains, [&](const PeakChain& chain) { return !is_long(chain, length_min_px); });
   std::vector<LaserStripe> stripes;
   for (const PeakChain& chain : chains)

@@ -59,9 +59,9 @@ std::pair<Image, Image> channel_bounds(const Image& colour) {
 
 }  // namespace
 
-Image stripe_contrast(const Image& picture, int width_px, double white_share) {
-  if (picture.channels == 1) return top_hat(picture, width_px);
-  const auto [strongest, weakest] = channel_bounds(picture);
+Image stripe_contrast(const Image& image, int width_px, double white_share) {
+  if (image.channels == 1) return top_hat(image, width_px);
+  const auto [strongest, weakest] = channel_bounds(image);
   Image contrast = top_hat(strongest, width_px);
   const Image white = top_hat(weakest, width_px);
   const int white_256 = static_cast<int>(white_share * 256);

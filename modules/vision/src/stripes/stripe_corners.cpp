@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-constexpr std::size_t kFewest = 4;  // points of a segment that can be told from noise
+constexpr std::size_t kFewest = 4;  // points of a segment that can be known from noise
 
 /// The indices where a polyline is split, its ends included.
 class Splitter {

@@ -11,23 +11,23 @@ namespace aisle {
 namespace {
 
 constexpr double kStep_rad = 0.25 * kDegree;
-constexpr double kPictureEdge_px = 4;    // lenses are poor there
-constexpr double kNearest_m = 0.1;       // from below the lens
-constexpr double kProbe_m = 0.01;        // over which a beam's scale in the picture is measured
-constexpr double kBlur_px = 1.5;         // of the lens, to either side of a stripe
-constexpr double kFlank = 1.6;           // half the thickness and room beside it
-constexpr std::size_t kAsideFlanks = 2;  // so many flanks before and behind it nothing is as bright
-constexpr double kLinkFloor_px = 2;      // from beam to beam, beyond what the steepness explains
-constexpr std::size_t kGapBeams = 1;     // that a stripe may leave out
-constexpr double kNearEdge_m = 0.15;     // a stripe that ends so near to the picture's lower edge leaves it
-constexpr double kFaint = 3;             // times the least contrast: a stripe that may go on unseen ...
-constexpr int kEndBeams = 6;             // ... when it is so faint on one of so many beams at its end
-constexpr int kWallBeams = 24;           // that tell where a wall goes on
-constexpr double kWallStep = 0.1;        // of the range, from beam to beam
-constexpr double kSlopeKept = 0.7;       // of a stripe's slope, from beam to beam
-constexpr double kThinnest_px = 2;       // laser light far away
-constexpr std::size_t kUsualStep = 7;    // samples from one to the next that tells the usual contrast
-constexpr double kBefore_m = 0.15;       // so far before what is lit a place is free
+constexpr double kImageEdge_px = 4;        // lenses are poor there
+constexpr double kNearest_m = 0.1;         // from below the lens
+constexpr double kProbe_m = 0.01;          // over which a beam's scale in the image is measured
+constexpr double kBlur_px = 1.5;           // of the lens, to either side of a stripe
+constexpr double kFlank = 1.6;             // half the thickness and room beside it
+constexpr std::size_t kLateralFlanks = 2;  // so many flanks before and behind it nothing is as bright
+constexpr double kLinkFloor_px = 2;        // from beam to beam, beyond what the steepness explains
+constexpr std::size_t kGapBeams = 1;       // that a stripe may leave out
+constexpr double kNearEdge_m = 0.15;       // a stripe that ends so near to the image's lower edge leaves it
+constexpr double kFaint = 3;               // times the least contrast: a stripe that may go on unseen ...
+constexpr int kEndBeams = 6;               // ... when it is so faint on one of so many beams at its end
+constexpr int kWallBeams = 24;             // that tell where a wall goes on
+constexpr double kWallStep = 0.1;          // of the range, from beam to beam
+constexpr double kSlopeKept = 0.7;         // of a stripe's slope, from beam to beam
+constexpr double kThinnest_px = 2;         // laser light far away
+constexpr std::size_t kUsualStep = 7;      // samples from one to the next that tells the usual contrast
+constexpr double kBefore_m = 0.15;         // so far before what is lit a place is free
 
 std::uint8_t level_difference(int a, int b) {
   return static_cast<std::uint8_t>(std::abs(a - b));
@@ -36,13 +36,13 @@ std::uint8_t level_difference(int a, int b) {
 }  // namespace
 
 void StripeFanParams::describe(FieldList& fields) {
-  fields.real("wide_m", wide_m, {0.2, 20}, "at this range the outermost beams are still in the picture");
+  fields.real("wide_m", wide_m, {0.2, 20}, "at this range the outermost beams are still in the image");
   fields.real("sure_reach_m", sure_reach_m, {0.5, 20},
-              "so far light is seen on all that does not stand flat to its way");
+              "so far light is seen on all that does not stand flat to its path");
   fields.real("light_reach_m", light_reach_m, {0.5, 20}, "so far any wall shows that the markers are on");
   fields.real("contrast_min", contrast_min, {1, 200},
               "by which a stripe outshines what lies before and behind it, in grey levels");
-  fields.real("noise_factor", noise_factor, {1, 50}, "and by how many times the picture's usual contrast");
+  fields.real("noise_factor", noise_factor, {1, 50}, "and by how many times the image's usual contrast");
   fields.real("beam_m", beam_m, {0.001, 0.05}, "thickness of the light");
   fields.real("steepness_max", steepness_max, {0.5, 10}, "rows a column of the steepest stripe");
   fields.real("width_min_m", width_min_m, {0, 1}, "of the narrowest thing");
@@ -68,7 +68,7 @@ StripeFan::StripeFan(const StripeFanParams& params, const CameraIntrinsics& intr
   if (samples_.empty()) throw std::invalid_argument("the camera sees no laser light within reach");
 }
 
-/// As wide as the picture is for what stands a few metres away, even to both sides.
+/// As wide as the image is for what stands a few metres away, even to both sides.
 void StripeFan::lay_beams(const CameraModel& camera, const CameraMount& mount, double height_m) {
   const auto is_seen = [&](int beam) {
     const Vec2 p_vehicle =
@@ -86,8 +86,8 @@ void StripeFan::lay_beams(const CameraModel& camera, const CameraMount& mount, d
 }
 
 bool StripeFan::is_inside(const Vec2& pixel) const {
-  return pixel.x() >= kPictureEdge_px && pixel.y() >= kPictureEdge_px &&
-         pixel.x() < width_px_ - 1 - kPictureEdge_px && pixel.y() < height_px_ - 1 - kPictureEdge_px;
+  return pixel.x() >= kImageEdge_px && pixel.y() >= kImageEdge_px &&
+         pixel.x() < width_px_ - 1 - kImageEdge_px && pixel.y() < height_px_ - 1 - kImageEdge_px;
 }
 
 /// Outwards from below the lens, a sample a pixel.
@@ -135,20 +135,20 @@ std::uint8_t StripeFan::flank_at(double away_m) const {
   return static_cast<std::uint8_t>(std::clamp(std::lround(flank_px), 3L, 40L));
 }
 
-const std::vector<StripeFan::Beam>& StripeFan::find(const Image& picture) {
-  if (picture.channels != 1 || picture.width_px != width_px_ || picture.height_px != height_px_)
-    throw std::invalid_argument("the picture must be grey and of the camera's size");
-  read(picture);
+const std::vector<StripeFan::Beam>& StripeFan::find(const Image& image) {
+  if (image.channels != 1 || image.width_px != width_px_ || image.height_px != height_px_)
+    throw std::invalid_argument("the image must be grey and of the camera's size");
+  read(image);
   find_peaks();
   link_peaks();
   choose_nearest();
-  doubt_beyond_ends();
+  mark_uncertain_beyond_ends();
   return beams_;
 }
 
-void StripeFan::read(const Image& picture) {
-  const std::uint8_t* bytes = picture.bytes.data();
-  const std::size_t below = picture.row_bytes();
+void StripeFan::read(const Image& image) {
+  const std::uint8_t* bytes = image.bytes.data();
+  const std::size_t below = image.row_bytes();
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     const Sample& sample = samples_[i];
     const std::uint8_t* at = bytes + sample.first_byte;
@@ -181,19 +181,19 @@ void StripeFan::find_peaks() {
       if (i + flank >= curve.end) break;
       const std::int16_t* here = &levels_[i];
       if (here[0] < here[-1] || here[0] <= here[1]) continue;
-      const int aside = std::max(*(here - flank), *(here + flank));
-      if (here[0] - aside < contrast_min_) continue;
-      const int contrast = here[0] - brightest_aside(curve, i);
+      const int lateral = std::max(*(here - flank), *(here + flank));
+      if (here[0] - lateral < contrast_min_) continue;
+      const int contrast = here[0] - brightest_lateral(curve, i);
       if (contrast >= contrast_min_) add_peak(beam, i, contrast);
     }
   }
 }
 
 /// Before and behind a stripe that is there.
-int StripeFan::brightest_aside(const Curve& curve, std::size_t i) const {
+int StripeFan::brightest_lateral(const Curve& curve, std::size_t i) const {
   const std::size_t flank = samples_[i].flank;
-  const std::size_t first = i - std::min(i - curve.first, kAsideFlanks * flank);
-  const std::size_t end = std::min(i + kAsideFlanks * flank + 1, curve.end);
+  const std::size_t first = i - std::min(i - curve.first, kLateralFlanks * flank);
+  const std::size_t end = std::min(i + kLateralFlanks * flank + 1, curve.end);
   const auto level = [&](std::size_t k) { return levels_.begin() + static_cast<std::ptrdiff_t>(k); };
   return std::max(*std::max_element(level(first), level(i - flank + 1)),
                   *std::max_element(level(i + flank), level(end)));
@@ -283,7 +283,7 @@ bool StripeFan::outshines_grain(std::size_t c) const {
     if (peaks_[p].chain != c) continue;
     const std::size_t i = peaks_[p].sample, flank = samples_[i].flank;
     const Curve& curve = curves_[peaks_[p].beam];
-    for (std::size_t k = flank; k < kAsideFlanks * flank; ++k) {
+    for (std::size_t k = flank; k < kLateralFlanks * flank; ++k) {
       if (i >= curve.first + k + flank) before.add(level_difference(levels_[i - k], levels_[i - k - flank]));
       if (i + k + flank < curve.end) behind.add(level_difference(levels_[i + k], levels_[i + k + flank]));
     }
@@ -314,21 +314,22 @@ void StripeFan::choose_nearest() {
                             [&](const Chain& chain) { return chain.beams >= params_.lit_beams_min; });
 }
 
-/// A wall goes on where its stripe is too faint to be seen, or below the picture.
-void StripeFan::doubt_beyond_ends() {
+/// A wall goes on where its stripe is too faint to be seen, or below the image.
+void StripeFan::mark_uncertain_beyond_ends() {
   const int beams = static_cast<int>(beams_.size());
   for (int beam = 0; beam < beams; ++beam) {
     if (beams_[static_cast<std::size_t>(beam)].range_m == 0) continue;
-    if (beam + 1 < beams && beams_[static_cast<std::size_t>(beam) + 1].range_m == 0) doubt_beyond(beam, 1);
-    if (beam > 0 && beams_[static_cast<std::size_t>(beam) - 1].range_m == 0) doubt_beyond(beam, -1);
+    if (beam + 1 < beams && beams_[static_cast<std::size_t>(beam) + 1].range_m == 0)
+      mark_uncertain_beyond(beam, 1);
+    if (beam > 0 && beams_[static_cast<std::size_t>(beam) - 1].range_m == 0) mark_uncertain_beyond(beam, -1);
   }
 }
 
 /// The beams that strike nothing as far as they cross the straight line on which the stripe goes on.
-void StripeFan::doubt_beyond(int end, int outwards) {
+void StripeFan::mark_uncertain_beyond(int end, int outwards) {
   const int beams = beams_of_wall(end, -outwards);
   if (beams < params_.beams_min || !goes_on_unseen(end, -outwards, beams)) return;
-  const Vec2 p_end = struck(end), along = p_end - struck(end - outwards * (beams - 1));
+  const Vec2 p_end = hit(end), along = p_end - hit(end - outwards * (beams - 1));
   for (int k = end + outwards; k >= 0 && k < static_cast<int>(beams_.size()); k += outwards) {
     Beam& beam = beams_[static_cast<std::size_t>(k)];
     const Vec2 towards = unit(first_angle_rad_ + k * kStep_rad);
@@ -338,7 +339,7 @@ void StripeFan::doubt_beyond(int end, int outwards) {
   }
 }
 
-/// The stripe is faint at its end, or the picture ends there.
+/// The stripe is faint at its end, or the image ends there.
 bool StripeFan::goes_on_unseen(int end, int inwards, int beams) const {
   const Beam& last = beams_[static_cast<std::size_t>(end)];
   if (last.range_m < last.near_m + kNearEdge_m) return true;
@@ -361,14 +362,14 @@ int StripeFan::beams_of_wall(int end, int inwards) const {
   return beams;
 }
 
-Vec2 StripeFan::struck(int beam) const {
+Vec2 StripeFan::hit(int beam) const {
   return beams_[static_cast<std::size_t>(beam)].range_m * unit(first_angle_rad_ + beam * kStep_rad);
 }
 
 void StripeFan::append_lit(std::vector<Vec2>& p_vehicle_lit) const {
   for (std::size_t beam = 0; beam < beams_.size(); ++beam) {
     if (beams_[beam].range_m > 0 && beams_[beam].range_m <= params_.sure_reach_m)
-      p_vehicle_lit.push_back(T_vehicle_fan_ * struck(static_cast<int>(beam)));
+      p_vehicle_lit.push_back(T_vehicle_fan_ * hit(static_cast<int>(beam)));
   }
 }
 

@@ -6,7 +6,7 @@
 namespace aisle {
 namespace {
 
-/// One column of a picture.
+/// One column of an image.
 struct Column {
   const Image& image;
   int u;
@@ -15,7 +15,7 @@ struct Column {
   int height() const { return image.height_px; }
 };
 
-constexpr double kFootShare = 0.15;  // of the peak: what is fainter may be the surroundings
+constexpr double kFloorPointShare = 0.15;  // of the peak: what is fainter may be the surroundings
 
 /// The steepest step between neighbouring rows of [first, last], downwards (+1) or upwards (-1).
 int steepest(const Column& column, int first, int last, int sign) {
@@ -24,17 +24,18 @@ int steepest(const Column& column, int first, int last, int sign) {
   return best;
 }
 
-/// Centre of what stands above the foot, over the rows around the peak down to where it ends or rises again.
+/// Centre of what stands above the floor point, over the rows around the peak down to where it ends or rises
+/// again.
 double centre_row(const Column& column, int peak_row) {
-  const double foot = kFootShare * column[peak_row];
+  const double floor_point = kFloorPointShare * column[peak_row];
   double weights = 0, moment = 0;
   const auto add = [&](int v) {
-    const double weight = column[v] - foot;
+    const double weight = column[v] - floor_point;
     weights += weight;
     moment += weight * (v - peak_row);
   };
   const auto goes_on = [&](int v, int from) {
-    return v >= 0 && v < column.height() && column[v] > foot &&
+    return v >= 0 && v < column.height() && column[v] > floor_point &&
            (column[v] <= column[from] || 2 * column[v] > column[peak_row]);
   };
   add(peak_row);

@@ -47,7 +47,7 @@ void expect_base_lines(const DrawnCorridor& corridor, const BaseLines& lines, do
 
 TEST(BaseLines, AreTheLowerEdgesOfTheSkirtingBoardsOfACorridor) {
   const DrawnCorridor corridor;
-  const auto lines = look_at(corridor.picture()).base_lines;
+  const auto lines = look_at(corridor.image()).base_lines;
   expect_base_lines(corridor, lines, 1.5);
   ASSERT_TRUE(lines.vanishing_point_px);
   EXPECT_LT((*lines.vanishing_point_px - Vec2(319.5, 239.5)).norm(), 5);
@@ -56,14 +56,14 @@ TEST(BaseLines, AreTheLowerEdgesOfTheSkirtingBoardsOfACorridor) {
 TEST(BaseLines, AreFoundWithoutSkirtingBoards) {
   DrawnCorridor corridor;
   corridor.skirting_m = 0;
-  expect_base_lines(corridor, look_at(corridor.picture()).base_lines, 1.5);
+  expect_base_lines(corridor, look_at(corridor.image()).base_lines, 1.5);
 }
 
 TEST(BaseLines, OfLowSkirtingBoardsAreAsSharp) {
   for (const double skirting_m : {0.03, 0.05, 0.07}) {
     DrawnCorridor corridor;
     corridor.skirting_m = skirting_m;
-    expect_base_lines(corridor, look_at(corridor.picture()).base_lines, 1);
+    expect_base_lines(corridor, look_at(corridor.image()).base_lines, 1);
   }
 }
 
@@ -71,17 +71,17 @@ TEST(BaseLines, AreFoundByATiltedAndRolledCamera) {
   DrawnCorridor corridor;
   corridor.down_rad = 6 * kDegree;
   corridor.roll_rad = 4 * kDegree;
-  expect_base_lines(corridor, look_at(corridor.picture()).base_lines, 2);
+  expect_base_lines(corridor, look_at(corridor.image()).base_lines, 2);
 }
 
 TEST(BaseLines, AreNotTakenForTheirReflectionsInAShinyFloor) {
   DrawnCorridor corridor;
   corridor.shine = 0.3;
-  expect_base_lines(corridor, look_at(corridor.picture()).base_lines, 2);
+  expect_base_lines(corridor, look_at(corridor.image()).base_lines, 2);
 }
 
-TEST(BaseLines, OfAMirroredPictureAreMirrored) {
-  const Image image = DrawnCorridor().picture();
+TEST(BaseLines, OfAMirroredImageAreMirrored) {
+  const Image image = DrawnCorridor().image();
   const auto lines = look_at(image).base_lines, turned = look_at(mirrored(image)).base_lines;
   ASSERT_TRUE(lines.left && lines.right && turned.left && turned.right);
   const auto expect_mirrored = [](const BaseLine& a, const BaseLine& b) {
@@ -92,9 +92,9 @@ TEST(BaseLines, OfAMirroredPictureAreMirrored) {
   expect_mirrored(*lines.right, *turned.left);
 }
 
-TEST(BaseLines, DoNotMoveWithTheBrightnessOfThePicture) {
+TEST(BaseLines, DoNotMoveWithTheBrightnessOfTheImage) {
   const DrawnCorridor corridor;
-  Image image = corridor.picture();
+  Image image = corridor.image();
   for (auto& byte : image.bytes) byte = static_cast<std::uint8_t>(0.7 * byte + 20);
   expect_base_lines(corridor, look_at(image).base_lines, 1.5);
 }
@@ -104,7 +104,7 @@ TEST(BaseLines, BendWithAKnownLens) {
   corridor.camera = {260, 260, 159.5, 119.5, -0.2};
   corridor.width_px = 320;
   corridor.height_px = 240;
-  const auto lines = look_at(corridor.picture(), CameraModel(corridor.camera)).base_lines;
+  const auto lines = look_at(corridor.image(), CameraModel(corridor.camera)).base_lines;
   expect_base_lines(corridor, lines, 1.5);
   EXPECT_GT(lines.right->size(), 2U);
 }
@@ -113,18 +113,18 @@ TEST(BaseLines, DoorFramesStandOnThemAndTheirReflectionsDoNotCount) {
   for (const double shine : {0.0, 0.3}) {
     DrawnCorridor corridor;
     corridor.shine = shine;
-    const auto verticals = look_at(corridor.picture()).verticals;
+    const auto verticals = look_at(corridor.image()).verticals;
     for (const double z_m : {3.0, 3.9, 5.6}) {
-      const Vec2 foot_px = corridor.pixel({corridor.right_m, corridor.height_m, z_m});
+      const Vec2 floor_point_px = corridor.pixel({corridor.right_m, corridor.height_m, z_m});
       const bool stands = std::any_of(verticals.begin(), verticals.end(), [&](const VerticalLine& line) {
-        return line.foot && (line.bottom_px - foot_px).norm() < 2;
+        return line.floor_point && (line.bottom_px - floor_point_px).norm() < 2;
       });
       EXPECT_TRUE(stands) << "door edge at " << z_m << " m, shine " << shine;
     }
   }
 }
 
-TEST(BaseLines, FlatNoisyAndTinyPicturesHaveNone) {
+TEST(BaseLines, FlatNoisyAndTinyImagesHaveNone) {
   const auto expect_none = [](const Image& image) {
     const auto lines = look_at(image).base_lines;
     EXPECT_FALSE(lines.left || lines.right);
@@ -141,7 +141,7 @@ TEST(BaseLines, FlatNoisyAndTinyPicturesHaveNone) {
   expect_none(noise);
 }
 
-TEST(BaseLines, APictureMustHaveOneChannel) {
+TEST(BaseLines, AImageMustHaveOneChannel) {
   EXPECT_THROW(BaseLineDetector().detect(Image(64, 64, 3), {}), std::invalid_argument);
 }
 

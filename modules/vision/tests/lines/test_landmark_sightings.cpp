@@ -24,7 +24,7 @@ DrawnRoom room_with(const DrawnPanel& panel) {
 }
 
 Vec2 on_wall(const DrawnRoom& room, double along_m) {
-  return room.walls[0].foot.start + along_m * unit(room.walls[0].foot.heading());
+  return room.walls[0].floor_point.start + along_m * unit(room.walls[0].floor_point.heading());
 }
 
 void expect_sides_of_panel(const std::vector<LandmarkSighting>& sightings, const DrawnRoom& room) {
@@ -49,7 +49,7 @@ TEST(LandmarkSightings, APosterHangsOnTheWallThatStandsBeneathIt) {
   EXPECT_THAT(sightings_of(room, standing_only), IsEmpty());
 }
 
-// Short lines above eye level are all that a picture of a near wall shows.
+// Short lines above eye level are all that an image of a near wall shows.
 TEST(LandmarkSightings, FaintNoticesOnANearWallCountWhereNothingElseIsSeen) {
   DrawnRoom room{.walls = {wall_ahead(1.3, 0)}};
   for (const double from_m : {19.4, 19.9, 20.4})
@@ -60,17 +60,18 @@ TEST(LandmarkSightings, FaintNoticesOnANearWallCountWhereNothingElseIsSeen) {
   EXPECT_THAT(sightings_of(room, as_if_clear), IsEmpty());
 }
 
-// A distorted picture shows a door at the side bowed by several pixels: one of them is 3 cm on the wall.
+// A distorted image shows a door at the side bowed by several pixels: one of them is 3 cm on the wall.
 TEST(LandmarkSightings, ADoorAtTheSideStandsWhereItIsThoughTheLensBowsIt) {
-  const double aside_m = 1.05;
+  const double lateral_m = 1.05;
   for (const double to_left : {1.0, -1.0}) {
-    DrawnRoom room{.walls = {wall_ahead(aside_m, to_left * kPi / 2)}};
+    DrawnRoom room{.walls = {wall_ahead(lateral_m, to_left * kPi / 2)}};
     const DrawnWall& wall = room.walls[0];
     const double from_camera_m = 2.2, width_m = 0.9;
-    const Vec2 along = unit(wall.foot.heading());
-    const Vec2 p_near = drawn_mount().p_vehicle_camera.head<2>() + Vec2(from_camera_m, to_left * aside_m);
+    const Vec2 along = unit(wall.floor_point.heading());
+    const Vec2 p_near = drawn_mount().p_vehicle_camera.head<2>() + Vec2(from_camera_m, to_left * lateral_m);
     const Vec2 p_far = p_near + Vec2(width_m, 0);
-    const double near_m = along.dot(p_near - wall.foot.start), far_m = along.dot(p_far - wall.foot.start);
+    const double near_m = along.dot(p_near - wall.floor_point.start),
+                 far_m = along.dot(p_far - wall.floor_point.start);
     room.panels = {{.from_m = std::min(near_m, far_m), .to_m = std::max(near_m, far_m), .top_m = 2.1}};
     const auto sightings = sightings_of(room);
     ASSERT_THAT(sightings, SizeIs(2));

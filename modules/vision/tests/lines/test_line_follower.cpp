@@ -16,7 +16,7 @@ struct Stripes {
   std::vector<int> columns_px;
   std::vector<int> tones;
 
-  Image picture() const {
+  Image image() const {
     Image grey(400, 300);
     for (int v = 0; v < grey.height_px; ++v) {
       for (int u = 0; u < grey.width_px; ++u) {
@@ -39,7 +39,7 @@ struct Stripes {
 };
 
 std::vector<int> follow(LineFollower& follower, const Stripes& scene) {
-  return follower.follow(scene.picture(), scene.lines());
+  return follower.follow(scene.image(), scene.lines());
 }
 
 const Stripes kCorridor = {{80, 120, 170, 230, 300}, {200, 60, 180, 90, 150, 40}};
@@ -84,7 +84,7 @@ TEST(LineFollower, NothingIsFollowedIntoAnotherPlace) {
   EXPECT_THAT(follow(follower, elsewhere), Each(Ge(5)));
 }
 
-TEST(LineFollower, AnEmptyPictureIsBridgedByNothing) {
+TEST(LineFollower, AnEmptyImageIsBridgedByNothing) {
   LineFollower follower;
   follow(follower, kCorridor);
   EXPECT_TRUE(follow(follower, {{}, {100}}).empty());
@@ -92,10 +92,10 @@ TEST(LineFollower, AnEmptyPictureIsBridgedByNothing) {
 }
 
 std::vector<LineLook> looks(const Stripes& scene) {
-  return line_looks(scene.picture(), scene.lines());
+  return line_looks(scene.image(), scene.lines());
 }
 
-TEST(LinesLikeness, IsOneForTheSameLinesAndTheSameBothWays) {
+TEST(LinesLikeness, IsOneForTheSameLinesAndTheSameBothPaths) {
   const auto lines = looks(kCorridor), others = looks({{60, 200, 330}, {90, 180, 60, 200}});
   EXPECT_DOUBLE_EQ(lines_likeness(lines, lines, {}), 1);
   EXPECT_DOUBLE_EQ(lines_likeness(lines, others, {}), lines_likeness(others, lines, {}));

@@ -25,7 +25,7 @@ double u_at(const VerticalLine& line, double v_px) {
 }
 
 /// Dark to the left of a line, bright to its right, between two rows; grey above and beneath.
-Image step_picture(int width_px, int height_px, const Vec2& top_px, const Vec2& bottom_px) {
+Image step_image(int width_px, int height_px, const Vec2& top_px, const Vec2& bottom_px) {
   return drawn(width_px, height_px, 8, [&](const Vec2& p) {
     if (p.y() < top_px.y() || p.y() > bottom_px.y()) return 110.0;
     const double share = (p.y() - top_px.y()) / (bottom_px.y() - top_px.y());
@@ -36,7 +36,7 @@ Image step_picture(int width_px, int height_px, const Vec2& top_px, const Vec2& 
 TEST(VerticalLines, AStepIsFoundToATwentiethOfAPixelWhereverInAPixelItIs) {
   for (const double part_px : {0.0, 0.1, 0.25, 0.4, 0.5, 0.75, 0.9}) {
     const double u_px = 100 + part_px;
-    const auto lines = lines_of(step_picture(320, 240, {u_px, 48}, {u_px, 200}));
+    const auto lines = lines_of(step_image(320, 240, {u_px, 48}, {u_px, 200}));
     ASSERT_THAT(lines, SizeIs(1)) << part_px;
     EXPECT_NEAR(lines[0].top_px.x(), u_px, 0.05);
     EXPECT_NEAR(lines[0].bottom_px.x(), u_px, 0.05);
@@ -48,7 +48,7 @@ TEST(VerticalLines, AStepIsFoundToATwentiethOfAPixelWhereverInAPixelItIs) {
 
 TEST(VerticalLines, ALeaningLineIsFoundAllAlongToATenthOfAPixel) {
   const Vec2 top_px(200.3, 60), bottom_px(217.8, 400);
-  const auto lines = lines_of(step_picture(640, 480, top_px, bottom_px));
+  const auto lines = lines_of(step_image(640, 480, top_px, bottom_px));
   ASSERT_THAT(lines, SizeIs(1));
   for (const double share : {0.05, 0.5, 0.95}) {
     const Vec2 p = top_px + share * (bottom_px - top_px);
@@ -56,8 +56,8 @@ TEST(VerticalLines, ALeaningLineIsFoundAllAlongToATenthOfAPixel) {
   }
 }
 
-TEST(VerticalLines, InAWidePictureTheyAreInItsOwnPixels) {
-  const auto lines = lines_of(step_picture(1000, 750, {400.4, 100}, {400.4, 600}));
+TEST(VerticalLines, InAWideImageTheyAreInItsOwnPixels) {
+  const auto lines = lines_of(step_image(1000, 750, {400.4, 100}, {400.4, 600}));
   ASSERT_THAT(lines, SizeIs(1));
   EXPECT_NEAR(u_at(lines[0], 350), 400.4, 0.15);
   EXPECT_NEAR(lines[0].top_px.y(), 100, 6);
@@ -65,13 +65,13 @@ TEST(VerticalLines, InAWidePictureTheyAreInItsOwnPixels) {
 }
 
 TEST(VerticalLines, TheSignOfTheContrastTellsTheBrighterSide) {
-  const Image bright_right = step_picture(320, 240, {100, 48}, {100, 200});
+  const Image bright_right = step_image(320, 240, {100, 48}, {100, 200});
   EXPECT_GT(lines_of(bright_right).at(0).contrast, 0);
   EXPECT_LT(lines_of(mirrored(bright_right)).at(0).contrast, 0);
 }
 
 TEST(VerticalLines, AnInterruptedLineIsOneLine) {
-  Image image = step_picture(640, 480, {300.5, 80}, {300.5, 420});
+  Image image = step_image(640, 480, {300.5, 80}, {300.5, 420});
   for (int v = 200; v < 230; ++v) std::fill(image.row(v) + 280, image.row(v) + 320, std::uint8_t{110});
   const auto lines = lines_of(image);
   ASSERT_THAT(lines, SizeIs(1));
@@ -79,14 +79,14 @@ TEST(VerticalLines, AnInterruptedLineIsOneLine) {
 }
 
 TEST(VerticalLines, ADiagonalIsNone) {
-  EXPECT_THAT(lines_of(step_picture(640, 480, {200, 60}, {400, 420})), IsEmpty());
+  EXPECT_THAT(lines_of(step_image(640, 480, {200, 60}, {400, 420})), IsEmpty());
 }
 
 TEST(VerticalLines, ATiltedAndRolledCameraSeesTheDoorsOfACorridor) {
   DrawnCorridor corridor;
   corridor.down_rad = 8 * kDegree;
   corridor.roll_rad = 5 * kDegree;
-  const auto lines = lines_of(corridor.picture());
+  const auto lines = lines_of(corridor.image());
   for (const double z_m : {3.0, 3.9, 5.6}) {
     const Vec2 middle_px = corridor.pixel({0.9, 0, z_m});
     const bool found = std::any_of(lines.begin(), lines.end(), [&](const VerticalLine& line) {
@@ -101,7 +101,7 @@ TEST(VerticalLines, AKnownLensIsUndone) {
   corridor.camera = {260, 260, 159.5, 119.5, -0.25};
   corridor.width_px = 320;
   corridor.height_px = 240;
-  const Image image = corridor.picture();
+  const Image image = corridor.image();
   VerticalLineDetector detector({}, CameraModel(corridor.camera));
   const auto& lines = detector.detect(image);
   const Vec2 middle_px = corridor.pixel({0.9, 0.2, 3.0}), low_px = corridor.pixel({0.9, 0.9, 3.0});
@@ -113,7 +113,7 @@ TEST(VerticalLines, AKnownLensIsUndone) {
   EXPECT_NEAR(u_at(*line, middle_px.y()), middle_px.x(), 4) << "the chord of an arc";
 }
 
-TEST(VerticalLines, FlatNoisyAndTinyPicturesHaveNone) {
+TEST(VerticalLines, FlatNoisyAndTinyImagesHaveNone) {
   EXPECT_THAT(lines_of(Image()), IsEmpty());
   EXPECT_THAT(lines_of(Image(640, 480)), IsEmpty());
   for (const int size : {1, 2, 7, 17}) EXPECT_THAT(lines_of(Image(size, size)), IsEmpty());
@@ -129,12 +129,12 @@ TEST(VerticalLines, FlatNoisyAndTinyPicturesHaveNone) {
   }
 }
 
-TEST(VerticalLines, APictureMustHaveOneChannel) {
+TEST(VerticalLines, AImageMustHaveOneChannel) {
   EXPECT_THROW(lines_of(Image(64, 64, 3)), std::invalid_argument);
 }
 
-TEST(VerticalLines, ADetectorGivesTheSameAfterOtherPictures) {
-  const Image image = DrawnCorridor().picture(2);
+TEST(VerticalLines, ADetectorGivesTheSameAfterOtherImages) {
+  const Image image = DrawnCorridor().image(2);
   VerticalLineDetector detector;
   const auto first = detector.detect(image);
   detector.detect(Image(100, 900));
@@ -158,7 +158,7 @@ Image random_bars(Random& random) {
   return image;
 }
 
-RC_GTEST_PROP(VerticalLines, MirroringThePictureMirrorsThem, (std::uint64_t seed)) {
+RC_GTEST_PROP(VerticalLines, MirroringTheImageMirrorsThem, (std::uint64_t seed)) {
   Random random(seed);
   const Image image = random_bars(random);
   const auto lines = lines_of(image);
@@ -171,7 +171,7 @@ RC_GTEST_PROP(VerticalLines, MirroringThePictureMirrorsThem, (std::uint64_t seed
   }
 }
 
-RC_GTEST_PROP(VerticalLines, BrightnessAndContrastOfThePictureDoNotMoveThem, (std::uint64_t seed)) {
+RC_GTEST_PROP(VerticalLines, BrightnessAndContrastOfTheImageDoNotMoveThem, (std::uint64_t seed)) {
   Random random(seed);
   const Image image = random_bars(random);
   Image other = image;

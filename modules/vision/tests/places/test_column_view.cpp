@@ -12,36 +12,36 @@ namespace aisle {
 namespace {
 
 /// Bright and dark columns as wide as one of a view, of tones that only chance knows.
-Image any_picture(std::uint64_t seed) {
+Image any_image(std::uint64_t seed) {
   Random random(seed);
-  Image picture(kViewColumns, 2 * kViewBands);
-  for (std::uint8_t& grey : picture.bytes) grey = static_cast<std::uint8_t>(60 + random.index(120));
-  return picture;
+  Image image(kViewColumns, 2 * kViewBands);
+  for (std::uint8_t& grey : image.bytes) grey = static_cast<std::uint8_t>(60 + random.index(120));
+  return image;
 }
 
 /// What is seen of it with another heading: so many columns farther left, the last ones repeated.
-Image shifted(const Image& picture, int columns) {
-  Image seen = picture;
+Image shifted(const Image& image, int columns) {
+  Image seen = image;
   for (int v = 0; v < seen.height_px; ++v) {
     for (int u = 0; u < seen.width_px; ++u)
-      seen.row(v)[u] = picture.row(v)[std::clamp(u + columns, 0, picture.width_px - 1)];
+      seen.row(v)[u] = image.row(v)[std::clamp(u + columns, 0, image.width_px - 1)];
   }
   return seen;
 }
 
-Image dimmed(Image picture) {
-  for (std::uint8_t& grey : picture.bytes) grey = static_cast<std::uint8_t>(grey * 7 / 10);
-  return picture;
+Image dimmed(Image image) {
+  for (std::uint8_t& grey : image.bytes) grey = static_cast<std::uint8_t>(grey * 7 / 10);
+  return image;
 }
 
 /// From nearer to the corridor's end in the middle: what was at x / (1 + a |x|) is now at x.
-Image approached(const Image& picture, double approach) {
-  Image seen = picture;
+Image approached(const Image& image, double approach) {
+  Image seen = image;
   for (int v = 0; v < seen.height_px; ++v) {
     for (int u = 0; u < seen.width_px; ++u) {
       const double x = (u + 0.5) / seen.width_px - 0.5;
       const double before = x / (1 + approach * std::abs(x));
-      seen.row(v)[u] = picture.row(v)[static_cast<int>((before + 0.5) * picture.width_px)];
+      seen.row(v)[u] = image.row(v)[static_cast<int>((before + 0.5) * image.width_px)];
     }
   }
   return seen;
@@ -52,9 +52,9 @@ double unlikeness(const Image& a, const Image& b, const ColumnViewParams& params
 }
 
 TEST(ColumnView, HasARowForEachBandAndAPixelForEachColumn) {
-  Image picture(2 * kViewColumns, 2 * kViewBands);
-  picture.row(0)[0] = 100;
-  const Image view = column_view(picture);
+  Image image(2 * kViewColumns, 2 * kViewBands);
+  image.row(0)[0] = 100;
+  const Image view = column_view(image);
   EXPECT_EQ(view.width_px, kViewColumns);
   EXPECT_EQ(view.height_px, kViewBands);
   EXPECT_EQ(view.row(0)[0], 25);
@@ -62,43 +62,43 @@ TEST(ColumnView, HasARowForEachBandAndAPixelForEachColumn) {
 }
 
 TEST(ViewCurves, OtherLightAndAnotherHeadingLeaveAPlaceAlike) {
-  const Image picture = any_picture(1);
-  EXPECT_NEAR(unlikeness(picture, picture, {}), 0, 0.01);
-  EXPECT_LT(unlikeness(picture, dimmed(picture), {}), 0.02);
-  EXPECT_LT(unlikeness(picture, shifted(picture, 9), {}), 0.02);
-  EXPECT_GT(unlikeness(picture, shifted(picture, 9), {.aside_max = 0.02}), 0.5);
-  EXPECT_GT(unlikeness(picture, any_picture(2), {}), 0.5);
+  const Image image = any_image(1);
+  EXPECT_NEAR(unlikeness(image, image, {}), 0, 0.01);
+  EXPECT_LT(unlikeness(image, dimmed(image), {}), 0.02);
+  EXPECT_LT(unlikeness(image, shifted(image, 9), {}), 0.02);
+  EXPECT_GT(unlikeness(image, shifted(image, 9), {.lateral_max = 0.02}), 0.5);
+  EXPECT_GT(unlikeness(image, any_image(2), {}), 0.5);
 }
 
 TEST(ViewCurves, TheSamePlaceIsAlikeFromNearerWhicheverIsSeenFirst) {
-  const ColumnViewParams params{.aside_max = 0.05, .approach_max = 2};
-  const Image far = any_picture(3), near = approached(far, 2);
+  const ColumnViewParams params{.lateral_max = 0.05, .approach_max = 2};
+  const Image far = any_image(3), near = approached(far, 2);
   EXPECT_LT(unlikeness(far, near, params), 0.2);
-  EXPECT_GT(unlikeness(far, near, {.aside_max = 0.05}), 0.5);
+  EXPECT_GT(unlikeness(far, near, {.lateral_max = 0.05}), 0.5);
   EXPECT_DOUBLE_EQ(unlikeness(far, near, params), unlikeness(near, far, params));
 }
 
 TEST(ViewCurves, WhereNothingIsSeenNothingIsAlike) {
   const Image bare(kViewColumns, kViewBands);
-  EXPECT_NEAR(unlikeness(bare, any_picture(4), {}), 1, 0.1);
+  EXPECT_NEAR(unlikeness(bare, any_image(4), {}), 1, 0.1);
   EXPECT_NEAR(unlikeness(bare, bare, {}), 1, 1e-6);
 }
 
 /// One minus the correlation, word by word, for each shift.
-double plain_unlikeness(const Image& a, const Image& b, int aside_max) {
+double plain_unlikeness(const Image& a, const Image& b, int lateral_max) {
   double best = -1;
-  for (int aside = -aside_max; aside <= aside_max; ++aside) {
+  for (int lateral = -lateral_max; lateral <= lateral_max; ++lateral) {
     double both = 0, of_a = 0, of_b = 0;
-    const int from = std::max(0, -aside), to = std::min(kViewColumns, kViewColumns - aside);
+    const int from = std::max(0, -lateral), to = std::min(kViewColumns, kViewColumns - lateral);
     for (int band = 0; band < kViewBands; ++band) {
       const auto tone = [&](const Image& view, int u) { return std::log(view.row(band)[u] + 10.0); };
       double mean_a = 0, mean_b = 0;
       for (int u = from; u < to; ++u) {
         mean_a += tone(a, u) / (to - from);
-        mean_b += tone(b, u + aside) / (to - from);
+        mean_b += tone(b, u + lateral) / (to - from);
       }
       for (int u = from; u < to; ++u) {
-        const double off_a = tone(a, u) - mean_a, off_b = tone(b, u + aside) - mean_b;
+        const double off_a = tone(a, u) - mean_a, off_b = tone(b, u + lateral) - mean_b;
         both += off_a * off_b;
         of_a += off_a * off_a;
         of_b += off_b * off_b;
@@ -110,8 +110,8 @@ double plain_unlikeness(const Image& a, const Image& b, int aside_max) {
 }
 
 RC_GTEST_PROP(ViewCurves, AreComparedAsTheDefinitionSays, (std::uint64_t seed)) {
-  const ColumnViewParams params{.aside_max = 0.1};
-  const Image a = column_view(any_picture(seed)), b = column_view(shifted(any_picture(seed + seed % 2), 5));
+  const ColumnViewParams params{.lateral_max = 0.1};
+  const Image a = column_view(any_image(seed)), b = column_view(shifted(any_image(seed + seed % 2), 5));
   const double unlike = ViewCurves(params, a).unlikeness(ViewCurves(params, b));
   RC_ASSERT(std::abs(unlike - plain_unlikeness(a, b, 13)) < 0.005);
 }

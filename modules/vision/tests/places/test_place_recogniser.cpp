@@ -8,18 +8,18 @@
 namespace aisle {
 namespace {
 
-/// A corridor's picture: doors between these columns, darker than the walls, above a bright floor.
+/// A corridor's image: doors between these columns, darker than the walls, above a bright floor.
 Image corridor(const std::vector<std::array<int, 2>>& doors, int wall_grey = 180) {
-  Image picture(400, 300);
-  for (int v = 0; v < picture.height_px; ++v) {
-    for (int u = 0; u < picture.width_px; ++u) picture.row(v)[u] = static_cast<std::uint8_t>(wall_grey);
+  Image image(400, 300);
+  for (int v = 0; v < image.height_px; ++v) {
+    for (int u = 0; u < image.width_px; ++u) image.row(v)[u] = static_cast<std::uint8_t>(wall_grey);
   }
   for (const auto& [left, right] : doors) {
     for (int v = 40; v < 260; ++v) {
-      for (int u = left; u < right; ++u) picture.row(v)[u] = static_cast<std::uint8_t>(wall_grey / 3);
+      for (int u = left; u < right; ++u) image.row(v)[u] = static_cast<std::uint8_t>(wall_grey / 3);
     }
   }
-  return picture;
+  return image;
 }
 
 const std::vector<std::vector<std::array<int, 2>>> kPlaces = {

@@ -32,7 +32,7 @@ TEST(ViewRecognition, OfNoViewsNoneIsRecognised) {
   EXPECT_FALSE(recognise_view({}, {}, 1));
 }
 
-TEST(ViewRecognition, ThreePicturesThatGoOnAlongTheWayConfirmEachOther) {
+TEST(ViewRecognition, ThreeImagesThatGoOnAlongThePathConfirmEachOther) {
   const std::array<std::size_t, 9> views = {4, 5, 7, 1, 6, 6, 6, 12, 13};
   EXPECT_THAT(confirmed_in_succession(views, 3),
               testing::ElementsAre(true, true, true, false, false, false, false, false, false))

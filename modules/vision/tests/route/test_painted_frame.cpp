@@ -67,14 +67,14 @@ TEST(PaintedFrame, ASideWithACornerTellsWhereItIsAndASideAloneDoesNot) {
   EXPECT_LT(std::abs(off.theta), 0.5 * kDegree);
 }
 
-TEST(PaintedFrame, APictureShowsItsSizeAndPlace) {
+TEST(PaintedFrame, AImageShowsItsSizeAndPlace) {
   const Pose2 T_vehicle_frame{2.75, 0.1, 8 * kDegree};
-  const Image picture = seen_floor([&](const Vec2& p_vehicle) {
+  const Image image = seen_floor([&](const Vec2& p_vehicle) {
     const Vec2 p = T_vehicle_frame.inverse() * p_vehicle;
     const double off_m = (p.cwiseAbs() - kSize_m / 2).maxCoeff();
     return std::abs(off_m) < 0.03 ? 210.0 : 160.0;
   });
-  const auto points = painted_line_points(picture, floor_lens(), floor_mount(), {});
+  const auto points = painted_line_points(image, floor_lens(), floor_mount(), {});
   const auto fit = find_frame_and_size(points, 0, {});
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->size_m.x(), kSize_m.x(), 0.02);
@@ -85,8 +85,8 @@ TEST(PaintedFrame, APictureShowsItsSizeAndPlace) {
 }
 
 TEST(PaintedFrame, APlainFloorHasNone) {
-  const Image picture = seen_floor([](const Vec2&) { return 160.0; });
-  EXPECT_FALSE(find_frame(painted_line_points(picture, floor_lens(), floor_mount(), {}), kSize_m, 0, {}));
+  const Image image = seen_floor([](const Vec2&) { return 160.0; });
+  EXPECT_FALSE(find_frame(painted_line_points(image, floor_lens(), floor_mount(), {}), kSize_m, 0, {}));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 const Vec2 kEye(0.9, 0);
 
 /// Where a fan of rays from the camera first meets what stands there, from the left to the right.
-std::vector<Vec2> edges_of(const std::vector<Segment2>& feet) {
+std::vector<Vec2> edges_of(const std::vector<Segment2>& floor_points) {
   constexpr double kHalfView_rad = 36 * kDegree;
   constexpr int kRays = 80;
   std::vector<Vec2> edges;
@@ -23,8 +23,8 @@ std::vector<Vec2> edges_of(const std::vector<Segment2>& feet) {
     const double angle_rad = kHalfView_rad * (1 - 2.0 * i / (kRays - 1));
     const Vec2 ray = unit(angle_rad);
     double nearest_m = 6;
-    for (const Segment2& foot : feet) {
-      const Vec2 along = foot.end - foot.start, off = foot.start - kEye;
+    for (const Segment2& floor_point : floor_points) {
+      const Vec2 along = floor_point.end - floor_point.start, off = floor_point.start - kEye;
       const double cross = ray.x() * along.y() - ray.y() * along.x();
       if (std::abs(cross) < 1e-9) continue;
       const double away_m = (off.x() * along.y() - off.y() * along.x()) / cross;
@@ -45,9 +45,11 @@ std::vector<Segment2> branch_to_the_left(double corner_m) {
           {{0, -0.7}, {8, -0.7}}};
 }
 
-std::vector<Segment2> mirrored(std::vector<Segment2> feet) {
-  for (Segment2& foot : feet) foot = {{foot.start.x(), -foot.start.y()}, {foot.end.x(), -foot.end.y()}};
-  return feet;
+std::vector<Segment2> mirrored(std::vector<Segment2> floor_points) {
+  for (Segment2& floor_point : floor_points)
+    floor_point = {{floor_point.start.x(), -floor_point.start.y()},
+                   {floor_point.end.x(), -floor_point.end.y()}};
+  return floor_points;
 }
 
 TEST(RouteCorner, LiesWhereWhatStandsBesideTheRouteEnds) {

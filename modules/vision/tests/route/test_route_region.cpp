@@ -51,11 +51,11 @@ TEST(RouteRegion, IsTheFloorOfACorridorInGreyAndInColour) {
   EXPECT_GE(overlap(find_route_region(corridor({140, 120, 90}, {90, 110, 150}))), 0.97);
 }
 
-TEST(RouteRegion, IsTheWholePictureWhereThereIsOnlyFloor) {
+TEST(RouteRegion, IsTheWholeImageWhereThereIsOnlyFloor) {
   EXPECT_EQ(find_route_region(corridor({120}, {120}, 1)).share, 1);
 }
 
-TEST(RouteRegion, EmptyAndTinyPicturesAreNoTrouble) {
+TEST(RouteRegion, EmptyAndTinyImagesAreNoTrouble) {
   EXPECT_EQ(find_route_region({}).mask, Image());
   for (const int size : {1, 2, 5, 33}) {
     const RouteRegion region = find_route_region(Image(size, size, 3));
@@ -64,13 +64,13 @@ TEST(RouteRegion, EmptyAndTinyPicturesAreNoTrouble) {
   }
 }
 
-TEST(RouteRegion, DoesNotDependOnThePicturesBefore) {
+TEST(RouteRegion, DoesNotDependOnTheImagesBefore) {
   RouteRegionFinder finder;
   Image mask;
-  for (const Image& picture : {corridor({150}, {90}, 1), corridor({140, 120, 90}, {90, 110, 150}),
-                               Image(33, 20, 3), corridor({90}, {150}, 1)}) {
-    finder.find(picture, mask);
-    EXPECT_EQ(mask, find_route_region(picture).mask);
+  for (const Image& image : {corridor({150}, {90}, 1), corridor({140, 120, 90}, {90, 110, 150}),
+                             Image(33, 20, 3), corridor({90}, {150}, 1)}) {
+    finder.find(image, mask);
+    EXPECT_EQ(mask, find_route_region(image).mask);
   }
 }
 
@@ -85,7 +85,7 @@ TEST(RouteMiddle, IsHalfwayBetweenTheMiddlesOfTwoScanLines) {
   EXPECT_EQ(middle->near_px, Vec2(6.5, 9));
   EXPECT_EQ(middle->mean_px, Vec2(4.75, 6));
   EXPECT_FALSE(find_route_middle(mask, 5, 9).has_value());
-  EXPECT_EQ(find_route_middle(mask, 3, 9, 4, 10)->far_px, Vec2(4, 3)) << "columns before 4 are blotted out";
+  EXPECT_EQ(find_route_middle(mask, 3, 9, 4, 10)->far_px, Vec2(4, 3)) << "columns before 4 are masked";
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ TEST(LaserStripes, NoiseIsNoStripe) {
   EXPECT_THAT(find_laser_stripes(draw({.stripe = 0, .noise = 40})), IsEmpty());
 }
 
-TEST(LaserStripes, AMirroredPictureHasMirroredStripes) {
+TEST(LaserStripes, AMirroredImageHasMirroredStripes) {
   const Scene scene{.row = [](double u) { return 80.3 + 0.15 * u; }, .first = 60, .last = 250};
   Scene mirrored = scene;
   mirrored.row = [&](double u) { return scene.row(kWidth - 1 - u); };
@@ -153,7 +153,7 @@ TEST(LaserStripes, AMirroredPictureHasMirroredStripes) {
   }
 }
 
-TEST(LaserStripes, EmptyFlatAndTinyPicturesHaveNone) {
+TEST(LaserStripes, EmptyFlatAndTinyImagesHaveNone) {
   EXPECT_THAT(find_laser_stripes({}), IsEmpty());
   for (const int size : {1, 2, 3, 8, 50}) {
     for (const int channels : {1, 3}) EXPECT_THAT(find_laser_stripes(Image(size, size, channels)), IsEmpty());

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// What is known of one camera. The intrinsics hold for pictures of the stated size only.
+/// What is known of one camera. The intrinsics hold for images of the stated size only.
 struct CameraCalibration {
   std::string camera_name = "camera";
   int width_px = 0;   ///< 0: not stated

@@ -33,9 +33,9 @@ struct BoardOnFloor {
   std::vector<Vec2> p_vehicle_corners(const Chessboard& board) const;
 };
 
-/// The inner corners in a picture, to a fraction of a pixel, in the order of Chessboard::p_board_corners: the
+/// The inner corners in an image, to a fraction of a pixel, in the order of Chessboard::p_board_corners: the
 /// square before the first one is black. A board without one orientation may be found turned half round.
 /// @return nullopt unless the whole board is in view
-std::optional<std::vector<Vec2>> find_chessboard(const Image& picture, const Chessboard& board);
+std::optional<std::vector<Vec2>> find_chessboard(const Image& image, const Chessboard& board);
 
 }  // namespace aisle

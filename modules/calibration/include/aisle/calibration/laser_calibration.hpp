@@ -24,7 +24,7 @@ TargetPlane wall_ahead(double distance_m);
 /// the camera.
 TargetPlane plane_seen(const CameraMount& mount, const Vec3& p_camera, const Vec3& normal_camera);
 
-/// What one picture shows of the stripe.
+/// What one image shows of the stripe.
 struct StripeView {
   TargetPlane target;
   std::vector<Vec2> points_px;  ///< of the stripe; a minority may be something else
@@ -38,7 +38,7 @@ struct LaserCalibration {
   double slope_ahead = 0, slope_left = 0;
   double slope_ahead_deviation = 0, slope_left_deviation = 0;  ///< 0: not seen, the slope is taken as 0
   double rms_m = 0;                                            ///< of the points that fit, about the plane
-  double rms_px = 0;                                           ///< the same, as rows of the pictures
+  double rms_px = 0;                                           ///< the same, as rows of the images
   std::size_t points = 0;                                      ///< that fit
   std::size_t points_seen = 0;                                 ///< that meet their targets
   CalibrationVerdict verdict;

@@ -12,7 +12,7 @@
 
 namespace aisle {
 
-/// A picture in which the board was found.
+/// An image in which the board was found.
 struct BoardView {
   std::string name;
   std::vector<Vec2> corners_px;  ///< as find_chessboard gives them
@@ -39,14 +39,14 @@ struct LensCalibration {
   CameraIntrinsics deviations;  ///< standard deviation of each value
   double rms_px = 0;
   std::vector<CalibratedView> views;
-  double coverage = 0;          ///< share of the picture's cells, 8 x 6, that held a corner
+  double coverage = 0;          ///< share of the image's cells, 8 x 6, that held a corner
   double largest_turn_rad = 0;  ///< between the directions that two views saw the board face
   CalibrationVerdict verdict;
 };
 
 inline constexpr std::size_t kLensViewsMin = 3;
 
-/// @param views  of pictures of the same size; at least kLensViewsMin, each with all corners, or it throws
+/// @param views  of images of the same size; at least kLensViewsMin, each with all corners, or it throws
 ///               std::invalid_argument
 /// @return nullopt if the views determine no lens at all, as when all are the same
 std::optional<LensCalibration> calibrate_lens(std::span<const BoardView> views, const Chessboard& board,

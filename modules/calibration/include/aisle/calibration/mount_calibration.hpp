@@ -1,5 +1,5 @@
 #pragma once
-/// How a camera sits on the vehicle, from points of the floor whose places in base_link and in the picture
+/// How a camera sits on the vehicle, from points of the floor whose places in base_link and in the image
 /// are known: corners of a chessboard that lies there, or marks.
 
 #include <optional>

@@ -7,16 +7,16 @@
 #include "aisle/commands/outcome.hpp"
 #include "aisle/simulation/buildings/maze_building.hpp"
 #include "aisle/simulation/buildings/random_building.hpp"
+#include "aisle/simulation/paths/round_trip.hpp"
 #include "aisle/simulation/plans/plan_tracing.hpp"
-#include "aisle/simulation/ways/round_trip.hpp"
 
 namespace aisle {
 
 enum class PlanKind {
-  kAny,        ///< told from the file's content and name
+  kAny,        ///< known from the file's content and name
   kSegments,   ///< wall-segment text
-  kPicture,    ///< PBM, PGM, PNG: dark is wall
-  kMapServer,  ///< map_server's YAML with its picture
+  kImage,      ///< PBM, PGM, PNG: dark is wall
+  kMapServer,  ///< map_server's YAML with its image
   kMaze,       ///< cells with walls on their sides, in any of the maze formats
 };
 
@@ -27,7 +27,7 @@ struct ConvertOptions {
   PlanTracingParams tracing;
   double speck_m = 0.1;  ///< what is left out of a plan of cells, see clean_plan()
   MazeBuildingParams maze;
-  RoundTripParams trip;
+  RoundTripParams run;
   std::optional<std::uint64_t> seed;  ///< of a random building
   RandomBuildingRecipe recipe;
   bool dress = false;  ///< doors, lamps and posters for a plan; random buildings have them

@@ -33,13 +33,13 @@ struct DriveOptions {
   std::string world;  ///< as all three: a file or the name of a shipped one
   std::string vehicle = "alv";
   std::string scenario;                ///< empty: nothing goes wrong
-  std::string camera;                  ///< the only one that takes pictures; empty: all do
-  std::string route;                   ///< what the session calls the way that is driven; may be empty
+  std::string camera;                  ///< the only one that takes images; empty: all do
+  std::string route;                   ///< what the session calls the path that is driven; may be empty
   std::optional<Pose2> T_world_start;  ///< else the world's
   std::uint64_t seed = 1;
   std::filesystem::path out;  ///< of the session; empty: none is kept
   bool force = false;
-  bool takes_pictures = true;
+  bool takes_images = true;
   ParameterSources parameters;
 
   /// Makes the person at the keys; null: a person follows the world's tour by itself.

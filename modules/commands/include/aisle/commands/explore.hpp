@@ -25,8 +25,8 @@ struct ExploreOptions {
   bool compares = false;               ///< drive by nearest frontier, too
   std::uint64_t seed = 1;
   std::filesystem::path out;      ///< empty: nothing is kept
-  std::filesystem::path session;  ///< the trip is recorded there; empty: it is not
-  std::filesystem::path resumed;  ///< a recorded trip that was interrupted, to go on with; empty: none
+  std::filesystem::path session;  ///< the run is recorded there; empty: it is not
+  std::filesystem::path resumed;  ///< a recorded run that was interrupted, to go on with; empty: none
   bool force = false;
   ParameterSources parameters;
 };

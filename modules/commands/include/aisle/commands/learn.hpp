@@ -17,8 +17,8 @@ struct LearnOptions {
   ParameterSources parameters;
 };
 
-/// `aisle learn SESSION...`: a building with the route and what it is driven by, from a trip that was
-/// taught; of sections also from several trips along one way.
+/// `aisle learn SESSION...`: a building with the route and what it is driven by, from a run that was
+/// taught; of sections also from several runs along one way.
 Result<Outcome> run_learn(const LearnOptions& options, Console& console);
 
 /// Every parameter of `aisle learn` with its default.

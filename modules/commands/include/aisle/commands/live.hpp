@@ -33,9 +33,9 @@ struct LiveOptions {
   std::uint64_t seed = 1;
 };
 
-/// `aisle live WORLD`: a simulated vehicle in real time, idle until it is told over the live server what to
+/// `aisle live WORLD`: a simulated vehicle in real time, idle until it is given over the live server what to
 /// do. Goes on until it is interrupted.
-/// @param announce  is told the server's address once it listens
+/// @param announce  is given the server's address once it listens
 Result<Outcome> run_live(const LiveOptions& options, Console& console,
                          const std::function<void(const std::string&)>& announce);
 

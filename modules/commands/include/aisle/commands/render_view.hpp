@@ -25,7 +25,7 @@ struct RenderViewOptions {
   ParameterSources parameters;
 };
 
-/// `aisle sim render WORLD`: the picture that a vehicle's camera takes at a place.
+/// `aisle sim render WORLD`: the image that a vehicle's camera takes at a place.
 Result<Outcome> run_render_view(const RenderViewOptions& options, Console& console);
 
 /// Every parameter of `aisle sim render` with its default; a vehicle file may say otherwise.

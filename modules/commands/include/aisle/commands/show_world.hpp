@@ -11,7 +11,7 @@ struct ShowWorldOptions {
   std::filesystem::path world;
   std::optional<std::filesystem::path> svg;
   std::optional<std::filesystem::path> png;
-  bool force = false;  ///< replace pictures that are there already
+  bool force = false;  ///< replace images that are there already
 };
 
 /// `aisle sim show WORLD`: draws a world's plan and says what is in it and where a vehicle can get.

@@ -23,12 +23,12 @@ struct TrialOptions {
   std::string vehicle;                                 ///< empty: the method's own: alv, or mini for sections
   std::string scenario;                                ///< empty: nothing goes wrong
   ParkingStrategy strategy = ParkingStrategy::kFrame;  ///< park
-  int teachings = 1;                                   ///< of the way before it is driven alone (sections)
-  int refinements = 0;  ///< trips after the first, each taken in before the next
+  int teachings = 1;                                   ///< of the path before it is driven alone (sections)
+  int refinements = 0;  ///< runs after the first, each taken in before the next
   std::optional<double> speed_mps;
   bool in_reverse = false;
   bool close = false;                ///< turnings: two that are too close for the vehicle
-  std::optional<double> lift_m;      ///< somewhere on its way the vehicle is put so much farther on or back
+  std::optional<double> lift_m;      ///< somewhere on its path the vehicle is put so much farther on or back
   std::optional<BuildingKind> kind;  ///< of buildings by chance; none: all in turn
   double noise_scale = 1;            ///< of the odometry's errors (explore)
   ParameterSources parameters;

@@ -1,5 +1,5 @@
 #pragma once
-/// Ways to drive: straight lines and circular arcs, one after the other (C98 section III-B: "either a
+/// Paths to drive: straight lines and circular arcs, one after the other (C98 section III-B: "either a
 /// straight line or a circular segment").
 
 #include <cstddef>
@@ -15,27 +15,27 @@ struct PathPiece {
   Pose2 T_map_start;
   Arc arc;  ///< as base_link drives it
 
-  double way_m() const { return arc.length_m < 0 ? -arc.length_m : arc.length_m; }
+  double path_m() const { return arc.length_m < 0 ? -arc.length_m : arc.length_m; }
   bool is_on_the_spot() const { return arc.length_m == 0; }
   /// Left positive; 0 for a turn on the spot.
   double curvature_per_m() const { return is_on_the_spot() ? 0 : arc.turn_rad / arc.length_m; }
 
-  /// base_link after so much way along the piece, 0 .. way_m(). On the spot: as at its start.
+  /// base_link after so much distance along the piece, 0 .. path_m(). On the spot: as at its start.
   Pose2 at(double from_start_m) const;
   Pose2 end() const { return T_map_start * end_pose(arc); }
 
-  /// The way from the piece's start to its point nearest to `p_map`, among those from `from_m` to `to_m`
-  /// (0 .. way_m()); the first of equally near ones.
+  /// The path from the piece's start to its point nearest to `p_map`, among those from `from_m` to `to_m`
+  /// (0 .. path_m()); the first of equally near ones.
   double nearest(const Vec2& p_map, double from_m, double to_m) const;
 };
 
 /// A point on a path.
 struct PathPoint {
   std::size_t piece = 0;
-  double along_m = 0;          ///< way from the path's start, always growing, also backwards
+  double along_m = 0;          ///< path from the path's start, always growing, also backwards
   Pose2 T_map_path;            ///< base_link there
   double curvature_per_m = 0;  ///< left positive
-  double aside_m = 0;          ///< how far the asked point is to the left of it
+  double lateral_m = 0;        ///< how far the asked point is to the left of it
 };
 
 class Path {
@@ -48,7 +48,7 @@ class Path {
   const std::vector<PathPiece>& pieces() const { return pieces_; }
   double length_m() const { return length_m_; }
   bool empty() const { return pieces_.empty(); }
-  /// Way from the path's start to the start of a piece.
+  /// Path from the path's start to the start of a piece.
   double start_m(std::size_t piece) const { return starts_m_[piece]; }
 
   /// @param along_m  0 .. length_m(), else the nearer end. Where two pieces meet, the later one's start.
@@ -69,7 +69,7 @@ class Path {
   /// @return index of the piece after it
   std::size_t leg_end(std::size_t piece) const;
 
-  /// The way from the path's start to the end of that leg.
+  /// The path from the path's start to the end of that leg.
   double leg_end_m(std::size_t piece) const;
 
   /// Its first `along_m`, at least 1 mm of it. The path must not be empty.

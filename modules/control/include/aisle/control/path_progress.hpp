@@ -18,7 +18,7 @@ class PathProgress {
 
   /// Goes on from elsewhere, for a vehicle that was lost: from the nearest place of a pass of the path within
   /// `off_max_m` that points as the vehicle does. Where it passes by more than once, it is the pass to which
-  /// there is the least way from where the vehicle was.
+  /// there is the least path from where the vehicle was.
   /// @return whether there is one; else nothing changes
   bool find(const Pose2& T_map_vehicle, double off_max_m);
 

@@ -16,7 +16,7 @@ namespace aisle {
 
 /// Tuned on a cart of 0.75 m wheelbase at 0.3 to 1 m/s (docs/driving.md).
 struct SteeringParams {
-  double look_ahead_m = 0.2;              ///< S, the way over which a steering angle is judged
+  double look_ahead_m = 0.2;              ///< S, the path over which a steering angle is judged
   double look_ahead_s = 0.4;              ///< as much more at speed
   double bend_ahead_m = 0;                ///< front-steered, reversing: the wheels turn so far before a bend
   double bend_ahead_s = 0.67;             ///< as much more at speed

@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// A picture: rows from the top, each pixel its channels in turn. Pixel (0, 0) is the CENTRE of the top-left
+/// An image: rows from the top, each pixel its channels in turn. Pixel (0, 0) is the CENTRE of the top-left
 /// pixel, u to the right, v down.
 struct Image {
   int width_px = 0;
@@ -28,12 +28,12 @@ struct Image {
   friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// The picture in grey (ITU-R BT.601 weights, rounded); a grey picture as it is.
+/// The image in grey (ITU-R BT.601 weights, rounded); a grey image as it is.
 Image to_grey(const Image& image);
 /// The same without a copy of what is grey already. @return `image` or `converted`
 const Image& as_grey(const Image& image, Image& converted);
 
-/// The picture in another size, at least 1 x 1, each pixel the mean of those it covers.
+/// The image in another size, at least 1 x 1, each pixel the mean of those it covers.
 /// @param image  not empty
 Image shrunk(const Image& image, int width_px, int height_px);
 

@@ -21,8 +21,8 @@ class Random {
 
  private:
   std::uint64_t state_[4];
-  double spare_normal_ = 0;
-  bool has_spare_ = false;
+  double clearance_normal_ = 0;
+  bool has_relaxed_clearance_ = false;
 };
 
 }  // namespace aisle

@@ -8,14 +8,14 @@
 
 #include "aisle/exploration/corridor_rules.hpp"
 #include "aisle/exploration/exploration_record.hpp"
-#include "aisle/exploration/nooks.hpp"
+#include "aisle/exploration/pockets.hpp"
 
 namespace aisle {
 
 enum class ExploringOrder {
   kPublished,    ///< C99: last seen, first taken; back from crossing to crossing
   kRecommended,  ///< what the present path leads to first, then what is near, or far from home
-  kNearest,      ///< the yardstick: always what is nearest
+  kNearest,      ///< the baseline: always what is nearest
 };
 
 inline constexpr ExploringOrder kExploringOrders[] = {ExploringOrder::kPublished,
@@ -25,12 +25,12 @@ std::string_view name_of(ExploringOrder order);
 std::optional<ExploringOrder> exploring_order(std::string_view name);
 
 struct ExplorerParams {
-  GateParams gates;
-  NookParams nooks;
+  FrontierParams frontiers;
+  PocketParams pockets;
   double home_weight = 0.8;      ///< how much a path that is far from home is preferred
-  double leftover_m2 = 1;        ///< less floor behind a gate is a leftover ...
+  double leftover_m2 = 1;        ///< less floor behind a frontier is a leftover ...
   double leftover_bonus_m = 4;   ///< ... which is taken before what is so much nearer
-  double same_gate_m = 0.3;      ///< a gate so near to an old one continues it
+  double same_frontier_m = 0.3;  ///< a frontier so near to an old one continues it
   double crossing_near_m = 0.5;  ///< published order: so near to a crossing the vehicle is back at it
 
   void describe(FieldList& fields);
@@ -39,13 +39,13 @@ struct ExplorerParams {
 /// Where to go next.
 struct ExploringTarget {
   enum class Kind {
-    kPath,      ///< look behind `gate`
+    kPath,      ///< look behind `frontier`
     kCrossing,  ///< back to `T_map_back`
     kHome,      ///< everything is explored
   };
   Kind kind = Kind::kHome;
   std::size_t path = 0;
-  Gate gate;
+  Frontier frontier;
   Pose2 T_map_back;
 };
 
@@ -62,11 +62,11 @@ class BuildingExplorer {
 
   /// The vehicle does not get back to the crossing: it goes on from where it stands.
   void pass_crossing_by();
-  /// The vehicle cannot look behind this path's gate: it counts as seen from outside.
+  /// The vehicle cannot look behind this path's frontier: it counts as seen from outside.
   void give_up(std::size_t path, std::size_t cycle);
   /// The vehicle has spent its time on this path: it is left undone.
   void abandon(std::size_t path, std::size_t cycle);
-  /// All that waits is left undone, but for far nooks: those were not worth a way before either.
+  /// All that waits is left undone, but for far pockets: those were not worth a path before either.
   void abandon_all(std::size_t cycle);
   /// Behind a path that was left there may be more than leftovers.
   bool has_left_floor() const;
@@ -78,8 +78,8 @@ class BuildingExplorer {
   const TransducerRun& transducer() const { return run_; }
   const std::vector<PathEvent>& events() const { return events_; }
   const std::vector<TransducerStep>& steps() const { return steps_; }
-  /// Gates of the latest decision.
-  const std::vector<Gate>& gates() const { return gates_; }
+  /// Frontiers of the latest decision.
+  const std::vector<Frontier>& frontiers() const { return frontiers_; }
   std::size_t paths_waiting() const;
   std::size_t paths_abandoned() const;
 
@@ -90,21 +90,21 @@ class BuildingExplorer {
     Bearing bearing = Bearing::kForward;
     PathState state = PathState::kWaiting;
     bool on_stack = false;
-    bool has_gate = true;
+    bool has_frontier = true;
     int chances = 1;                 ///< to be tried again after it was left ...
     Vec2 p_map_left = Vec2::Zero();  ///< ... when the vehicle stood here ...
     double free_m2_left = 0;         ///< ... and so much free floor was known
-    Gate gate;
+    Frontier frontier;
   };
   /// What a symbol of the stack stands for.
   struct Waiting {
     std::size_t path = 0;  ///< of an explore symbol
-    Pose2 T_map_crossing;  ///< of a way back
+    Pose2 T_map_crossing;  ///< of a return path
   };
 
-  void match_gates(const FloorGrid& floor, const Pose2& T_map_vehicle);
-  std::optional<std::size_t> continued_by(const FloorGrid& floor, const Gate& gate) const;
-  std::size_t add_path(Gate gate, const Pose2& T_map_vehicle);
+  void match_frontiers(const FloorGrid& floor, const Pose2& T_map_vehicle);
+  std::optional<std::size_t> continued_by(const FloorGrid& floor, const Frontier& frontier) const;
+  std::size_t add_path(Frontier frontier, const Pose2& T_map_vehicle);
   std::optional<ExploringTarget> go_on(const Pose2& T_map_vehicle);
   ExploringTarget take_from_stack(const Pose2& T_map_vehicle);
   std::optional<std::size_t> best_child() const;
@@ -116,9 +116,9 @@ class BuildingExplorer {
   void note(PathEvent::Kind kind, std::size_t path);
   void leave(std::size_t path, PathState state, PathEvent::Kind kind, std::size_t cycle);
   bool resume_left();
-  bool leave_far_nooks();
+  bool leave_far_pockets();
   bool is_left_with_floor(const SeenPath& path) const {
-    return is_left(path) && path.has_gate && path.gate.behind_m2 >= params_.leftover_m2;
+    return is_left(path) && path.has_frontier && path.frontier.behind_m2 >= params_.leftover_m2;
   }
   static bool is_open(const SeenPath& path) {
     return path.state == PathState::kWaiting || path.state == PathState::kActive;
@@ -134,11 +134,11 @@ class BuildingExplorer {
   std::vector<Waiting> stack_;  ///< beside the transducer's, without its start symbol
   std::optional<std::size_t> active_;
   std::optional<Pose2> T_map_going_back_;
-  Pose2 T_map_decided_;  ///< where the yardstick chose last
+  Pose2 T_map_decided_;  ///< where the baseline chose last
   Vec2 p_map_vehicle_ = Vec2::Zero();
   double free_m2_ = 0;
   bool is_going_home_ = false;
-  std::vector<Gate> gates_;
+  std::vector<Frontier> frontiers_;
   std::vector<PathEvent> events_;
   std::vector<TransducerStep> steps_;
   CellMarks marks_;

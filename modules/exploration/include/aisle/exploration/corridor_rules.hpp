@@ -13,12 +13,12 @@ inline constexpr Bearing kBearings[] = {Bearing::kForward, Bearing::kLeft, Beari
 
 enum class CorridorState : Symbol { kExploring, kRetreating, kFinal };
 
-/// Stack symbols: the start symbol, a path to explore, the way back to a crossing.
+/// Stack symbols: the start symbol, a path to explore, the return path to a crossing.
 inline constexpr Symbol kCorridorStackStart = 0;
 constexpr Symbol explore_symbol(Bearing bearing) {
   return static_cast<Symbol>(1 + static_cast<Symbol>(bearing));
 }
-inline constexpr Symbol kWayBackSymbol = 4;
+inline constexpr Symbol kPathBackSymbol = 4;
 
 /// C99's seven operations.
 enum class CorridorOutput : Symbol {
@@ -31,16 +31,16 @@ enum class CorridorOutput : Symbol {
   kStop
 };
 
-/// Inputs. The paper's crossing is presented path by path: first the way back, then every path that is left
-/// for later.
+/// Inputs. The paper's crossing is presented path by path: first the return path, then every path that is
+/// left for later.
 namespace corridor_input {
-constexpr Symbol one_way(Bearing bearing) {
+constexpr Symbol one_direction(Bearing bearing) {
   return static_cast<Symbol>(bearing);
 }
 constexpr Symbol crossing(Bearing bearing) {
   return static_cast<Symbol>(3 + static_cast<Symbol>(bearing));
 }
-inline constexpr Symbol kCrossingWayBack = 6;
+inline constexpr Symbol kCrossingPathBack = 6;
 inline constexpr Symbol kEnd = 7;
 inline constexpr Symbol kExplored = 8;      ///< the vehicle stands before nothing new
 inline constexpr Symbol kClosed = 9;        ///< beyond the paper: what waits on top of the stack is explored

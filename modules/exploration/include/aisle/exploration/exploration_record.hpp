@@ -35,20 +35,20 @@ struct TransducerStep {
   std::size_t stack = 0;  ///< symbols on the stack
 };
 
-/// How much was known after so much way.
+/// How much was known after so much distance.
 struct CoverageMark {
-  double way_m = 0;
+  double path_m = 0;
   double free_m2 = 0;
 };
 
 struct ExplorationRecord {
   std::vector<PathEvent> paths;
   std::vector<TransducerStep> steps;
-  std::vector<CoverageMark> coverage;  ///< every half metre of way
+  std::vector<CoverageMark> coverage;  ///< every half metre of path
   std::vector<Pose2> T_map_vehicle;    ///< one a cycle, as known at the end
   std::size_t paths_waiting = 0;       ///< pushed, and neither explored nor given up
   std::size_t paths_abandoned = 0;     ///< left undone
-  double way_m = 0;                    ///< driven, forwards and backwards, by the vehicle's own account
+  double path_m = 0;                   ///< driven, forwards and backwards, by the vehicle's own account
   bool came_home = false;
   std::string ended_because;  ///< "explored" or why not
 

@@ -41,7 +41,7 @@ enum class KeepMoves { kNo, kYes };
 Exploration explore(const GridWorld& world, Cell start, const GridRules& rules, Progress& progress,
                     KeepMoves keep = KeepMoves::kNo);
 
-/// The yardstick: always to the nearest cell that was seen but not visited, by known ways; at last to the
+/// The baseline: always to the nearest cell that was seen but not visited, by known paths; at last to the
 /// start. The same sensor. There is no stack: max_stack is 0.
 Exploration explore_nearest_first(const GridWorld& world, Cell start, Progress& progress,
                                   KeepMoves keep = KeepMoves::kNo);

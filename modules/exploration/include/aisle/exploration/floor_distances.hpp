@@ -19,17 +19,17 @@ class FloorDistances {
   void measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m, double room_m,
                double leeway_m);
 
-  /// [m]; kUnreached where no way is known.
+  /// [m]; kUnreached where no path is known.
   float to(FloorCell cell) const {
     const std::int32_t tenths = room_.contains(cell) ? tenths_[index(cell)] : kShut;
     return tenths == kShut || tenths == kFar ? kUnreached : static_cast<float>(tenths) * 0.1F * cell_m_;
   }
-  /// To the nearest cell about a place from which there is a way.
+  /// To the nearest cell about a place from which there is a path.
   float near(const FloorGrid& floor, const Vec2& p_map, double within_m) const;
 
  private:
   static constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
-  /// Too little room: nearer than anything, so that no way leads there.
+  /// Too little room: nearer than anything, so that no path leads there.
   static constexpr std::int32_t kShut = -1;
   static constexpr std::size_t kBuckets = 16;
 

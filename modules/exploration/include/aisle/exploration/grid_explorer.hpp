@@ -6,7 +6,7 @@
 
 #include "aisle/exploration/grid_rules.hpp"
 #include "aisle/exploration/home_distances.hpp"
-#include "aisle/exploration/known_ways.hpp"
+#include "aisle/exploration/known_paths.hpp"
 
 namespace aisle {
 
@@ -17,7 +17,7 @@ class GridExplorer {
   using Watcher = std::function<void(const TransducerRule&)>;
 
   /// @param width, height  room for the map; the rules make no use of them
-  /// @param watcher  told of every rule that fires, also of those that move nothing; may be empty
+  /// @param watcher  given of every rule that fires, also of those that move nothing; may be empty
   GridExplorer(const GridRules& rules, int width, int height, Cell start, Watcher watcher = {});
 
   /// One learning cycle: what the vehicle sees of its own cell -> the side to which it shall move;
@@ -46,7 +46,7 @@ class GridExplorer {
   Side parent(std::size_t cell) const { return static_cast<Side>(notes_[cell] >> 2 & 3); }
 
   void learn(Sides open);
-  void close_ways_to_visited(Sides open);
+  void close_paths_to_visited(Sides open);
   Symbol encode(Sides open);
   Symbol encode_start(Sides open);
   Symbol encode_fresh(Sides open);
@@ -54,7 +54,7 @@ class GridExplorer {
   Symbol encode_homing(Sides open);
   bool top_is_stale() const;
   Symbol encode_move(Side next);
-  void find_way(std::size_t goal);
+  void find_path(std::size_t goal);
   void look_for_detour(std::size_t goal);
   std::optional<Side> unexplored_side(std::size_t cell) const;
 
@@ -69,11 +69,11 @@ class GridExplorer {
   Symbol last_input_ = 0;
   const TransducerRule* last_rule_ = nullptr;
 
-  // kHoming and kRoaming: where each symbol of the stack was pushed; the rest of the present way, its next
+  // kHoming and kRoaming: where each symbol of the stack was pushed; the rest of the present path, its next
   // move last.
   std::vector<std::uint32_t> places_;
-  KnownWays ways_;
-  std::vector<Side> way_;
+  KnownPaths paths_;
+  std::vector<Side> path_;
 
   /// kRoaming: where to leave the order of the stack, and by which side.
   struct Detour {

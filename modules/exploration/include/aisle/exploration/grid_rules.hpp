@@ -1,6 +1,6 @@
 #pragma once
 /// The rules by which a vehicle explores a world of cells: C97's navigation transducer and what follows from
-/// the same super rules with more false walls. docs/exploration.md explains them with pictures.
+/// the same super rules with more false walls. docs/exploration.md explains them with images.
 
 #include <optional>
 #include <string_view>
@@ -13,9 +13,9 @@ namespace aisle {
 
 enum class GridRuleSet {
   kPublished,  ///< C97 as it stands
-  kShortcut,   ///< a way found walked from its other end is not walked again: no edge more than twice
-  kCells,      ///< no way to a cell that was visited is walked: 2 (C - 1) moves for C reachable cells
-  kHoming,     ///< as kCells, but retreats by the shortest known way: at most 2 (C - 1) moves
+  kShortcut,   ///< a path found walked from its other end is not walked again: no edge more than twice
+  kCells,      ///< no path to a cell that was visited is walked: 2 (C - 1) moves for C reachable cells
+  kHoming,     ///< as kCells, but retreats by the shortest known path: at most 2 (C - 1) moves
   kRoaming,    ///< as kHoming, but what is near, or far from home, is explored before the stack's top
 };
 
@@ -51,21 +51,21 @@ constexpr Side side_of(Symbol stack_symbol) {
 
 /// What an input symbol stands for (C97 Figure 3).
 enum class GridInputKind : std::uint8_t {
-  kOneWay,         ///< G1 - G12
-  kCrossing,       ///< G13 - G28
-  kEnding,         ///< G29 - G32
-  kExplored,       ///< G33 - G36; with false walls on further sides: beyond the paper
-  kOneWayStart,    ///< G37 - G40
-  kMultiWayStart,  ///< G41 - G51
-  kDeadStart,      ///< G52
-  kClosed,         ///< beyond the paper: nothing that waits on top of the stack is of use any more
-  kDetour,         ///< beyond the paper: a path that waits below the top of the stack is taken first
+  kOneDirection,       ///< G1 - G12
+  kCrossing,           ///< G13 - G28
+  kEnding,             ///< G29 - G32
+  kExplored,           ///< G33 - G36; with false walls on further sides: beyond the paper
+  kOneDirectionStart,  ///< G37 - G40
+  kMultiPathStart,     ///< G41 - G51
+  kDeadStart,          ///< G52
+  kClosed,             ///< beyond the paper: nothing that waits on top of the stack is of use any more
+  kDetour,             ///< beyond the paper: a path that waits below the top of the stack is taken first
 };
 
 struct GridInput {
   GridInputKind kind = GridInputKind::kDeadStart;
   std::optional<Side> came_from;  ///< a false wall stands there; none in the start condition
-  Sides open = kNoSides;          ///< as the preprocessing unit presents it; of explored cells: not told
+  Sides open = kNoSides;          ///< as the preprocessing unit presents it; of explored cells: not given
   Sides false_walls = kNoSides;   ///< of explored cells: further sides that need not be walked
 };
 
@@ -82,7 +82,7 @@ struct GridRules {
   Symbol closed_input = 0;
   std::array<Symbol, 4> detour_input{};  ///< [side to take]
 
-  bool by_shortest_ways() const { return set == GridRuleSet::kHoming || set == GridRuleSet::kRoaming; }
+  bool by_shortest_paths() const { return set == GridRuleSet::kHoming || set == GridRuleSet::kRoaming; }
 };
 
 /// Made once, then shared.

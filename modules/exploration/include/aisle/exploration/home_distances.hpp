@@ -8,8 +8,8 @@
 
 namespace aisle {
 
-/// How far each visited cell is from the start by known ways, kept up to date while cells are added. In large
-/// worlds a new short cut is not followed to all that it brings nearer: distances may then be too long.
+/// How far each visited cell is from the start by known paths, kept up to date while cells are added. In
+/// large worlds a new short cut is not followed to all that it brings nearer: distances may then be too long.
 class HomeDistances {
  public:
   HomeDistances(std::size_t cells, std::size_t start);

@@ -11,7 +11,7 @@
 namespace aisle {
 
 enum class MazeKind {
-  kPerfect,  ///< a tree: one way between any two cells
+  kPerfect,  ///< a tree: one path between any two cells
   kBraided,  ///< a perfect maze with a share of its dead ends opened, which makes loops
   kRooms,    ///< a perfect maze with rectangular rooms cleared in it
   kSpiral,   ///< one corridor winding to the middle

@@ -11,7 +11,7 @@ namespace aisle {
 
 struct CameraIntrinsics {
   double fx_px = 500, fy_px = 500;  ///< focal lengths; > 0
-  double cx_px = 320, cy_px = 240;  ///< where the optical axis meets the picture
+  double cx_px = 320, cy_px = 240;  ///< where the optical axis meets the image
   double k1 = 0, k2 = 0;            ///< radial distortion
   double p1 = 0, p2 = 0;            ///< tangential distortion
   double k3 = 0;                    ///< radial again, in OpenCV's order
@@ -29,8 +29,8 @@ class CameraModel {
   explicit CameraModel(const CameraIntrinsics& intrinsics);
 
   /// The pixel that sees a point.
-  /// @return nullopt if the point is not in front of the camera, or so far aside that the distortion
-  /// polynomial
+  /// @return nullopt if the point is not in front of the camera, or so farther off laterally that the
+  /// distortion polynomial
   ///         folds back (84 degrees off the axis without distortion): there it describes no lens any more
   std::optional<Vec2> project(const Vec3& p_camera) const;
 

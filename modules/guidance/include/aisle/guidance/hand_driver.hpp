@@ -13,13 +13,13 @@ struct HandDriverParams {
   double reverse_speed_max_mps = 0.2;
   double steering_max_rad = 35 * kDegree;
   double turn_rate_max_rad_s = 45 * kDegree;
-  double wish_age_max_s = 0.5;
+  double request_age_max_s = 0.5;
 
   void describe(FieldList& fields);
 };
 
-/// Drives as the person at the controls wishes, within limits, and stops when wishes stay away (dead man). A
-/// pressed bumper ends the drive, and so does the person; who gives up has failed.
+/// Drives as the person at the controls requests, within limits, and stops when requests stay away (dead
+/// man). A pressed bumper ends the drive, and so does the person; who gives up has failed.
 class HandDriver final : public Navigator {
  public:
   explicit HandDriver(const HandDriverParams& params) : params_(params) {}
@@ -27,11 +27,11 @@ class HandDriver final : public Navigator {
   Decision step(const Observation& observation) override;
 
  private:
-  Command limited(const Command& wish) const;
+  Command limited(const Command& requested) const;
 
   HandDriverParams params_;
-  Command wish_;
-  std::optional<double> wish_stamp_s_;
+  Command requested_;
+  std::optional<double> request_stamp_s_;
 };
 
 }  // namespace aisle

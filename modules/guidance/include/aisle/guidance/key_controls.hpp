@@ -56,7 +56,7 @@ class KeyControls {
 };
 
 /// The keys in what a terminal sends: arrows, q, space; d 1 to 13 and Enter: a turning begins; e: it ends; p,
-/// a name and Enter: a place; x: the way ends here. Esc takes back what was begun.
+/// a name and Enter: a place; x: the path ends here. Esc takes back what was begun.
 class TerminalKeys {
  public:
   /// @param bytes  whatever arrived since the last call; sequences may be cut anywhere

@@ -17,7 +17,7 @@ class MissionRecord {
   virtual ~MissionRecord() = default;
 
   /// Keeps an observation.
-  /// @return the observation as the record will give it back (pictures may lose by their compression): the
+  /// @return the observation as the record will give it back (images may lose by their compression): the
   ///         navigator sees that one, so that a replay sees exactly the same
   virtual Result<Observation> keep(Observation observation) = 0;
 
@@ -34,7 +34,7 @@ struct MissionEnd {
 };
 
 /// Drives until the navigator is done or has failed, or the vehicle senses nothing any more. Whatever ends
-/// it, the vehicle is told to stop; a record that fails ends the mission, and its problems are returned.
+/// it, the vehicle is given to stop; a record that fails ends the mission, and its problems are returned.
 /// `Interrupted` (from `progress`) is passed on after the stop.
 Result<MissionEnd> run_mission(Vehicle& vehicle, Navigator& navigator, MissionRecord& record,
                                Progress& progress);

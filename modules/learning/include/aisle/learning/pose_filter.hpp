@@ -15,12 +15,12 @@ struct SeenPoint {
   Vec2 p_vehicle = Vec2::Zero();
   Mat2 covariance = Mat2::Zero();  ///< of the two together, along the vehicle's axes, `by_tilt` excepted
   Vec2 by_tilt =
-      Vec2::Zero();  ///< what a standard deviation of the picture's common tilt error does to p_vehicle
+      Vec2::Zero();  ///< what a standard deviation of the image's common tilt error does to p_vehicle
 };
 
-/// A Gaussian estimate of the pose together with what is steadily wrong with the odometry: the scale of ways,
-/// the scale of turns, and a turn that comes with every metre (a steering wheel off its zero). Such errors
-/// add up in the pose by themselves; seen landmarks correct both.
+/// A Gaussian estimate of the pose together with what is steadily wrong with the odometry: the scale of
+/// paths, the scale of turns, and a turn that comes with every metre (a steering wheel off its zero). Such
+/// errors add up in the pose by themselves; seen landmarks correct both.
 class PoseFilter {
  public:
   static constexpr double kForgotten_per_m = 0.01;  ///< where nothing else is known of the wheels
@@ -32,7 +32,7 @@ class PoseFilter {
 
   void predict(const OdometryReading& reading);
 
-  /// Takes in the points of one picture, all at once: the most probable pose by Gauss-Newton, points that
+  /// Takes in the points of one image, all at once: the most probable pose by Gauss-Newton, points that
   /// stand out having less weight (Huber). `guess` is where the search begins.
   void update(std::span<const SeenPoint> points, const Pose2& guess);
 
@@ -62,7 +62,7 @@ class PoseFilter {
   using Mat36 = Eigen::Matrix<double, 3, 6>;
   using Vec7 = Eigen::Matrix<double, 7, 1>;
   using Mat7 = Eigen::Matrix<double, 7, 7>;
-  /// The most probable change of (x, y, theta, odometry errors) against the prediction, and the picture's
+  /// The most probable change of (x, y, theta, odometry errors) against the prediction, and the image's
   /// tilt error in standard deviations.
   struct Fit {
     Vec7 change = Vec7::Zero();
@@ -76,7 +76,7 @@ class PoseFilter {
   Vec3 forgotten_per_m_;
   Vec3 steady_variances_ = Vec3::Zero();  ///< of the odometry errors, before anything was seen
   Pose2 T_map_vehicle_;
-  Vec3 odometry_errors_ = Vec3::Zero();  ///< way scale, turn scale, turn per metre [1/m]
+  Vec3 odometry_errors_ = Vec3::Zero();  ///< path scale, turn scale, turn per metre [1/m]
   Mat6 covariance_ = Mat6::Zero();       ///< of (x, y, theta, odometry errors)
   Pose2 T_map_first_;
   Mat36 first_with_state_ = Mat36::Zero();  ///< covariance of the first pose with the present state

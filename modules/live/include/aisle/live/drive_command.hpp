@@ -27,7 +27,7 @@ class DriveInbox {
  public:
   explicit DriveInbox(const Clock& clock) : clock_(clock) {}
 
-  /// A new lease: what waits is not heard any more, and sequences start anew.
+  /// A new lease: what waits is not heard any more, and sequences start again.
   void begin_lease();
 
   /// @return false: its sequence is not greater than all before

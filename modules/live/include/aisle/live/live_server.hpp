@@ -42,7 +42,7 @@ class LiveServer final : public MessageSink {
   std::uint16_t port() const;
   /// "http://127.0.0.1:8765/"
   std::string url() const;
-  /// Others than this machine can be connected, and what they are told is not encrypted.
+  /// Others than this machine can be connected, and what they are reported is not encrypted.
   bool can_be_overheard() const;
 
   /// Sends a message to who has subscribed to its topic; from one thread at a time.

@@ -33,7 +33,7 @@ class ServiceCall {
   Answer answer_;
 };
 
-/// Calls on their way from the server's thread to the one that answers them.
+/// Calls on their path from the server's thread to the one that answers them.
 class ServiceMailbox {
  public:
   static constexpr std::size_t kCallsMax = 64;

@@ -12,7 +12,7 @@ namespace aisle {
 
 struct Barrier {
   enum class Kind {
-    kKeepOut,  ///< somebody wishes it
+    kKeepOut,  ///< somebody requests it
     kGlass     ///< a pane stands there, which sensors do not see
   };
 

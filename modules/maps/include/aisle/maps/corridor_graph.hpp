@@ -25,13 +25,13 @@ struct CorridorNode {
 std::string_view name_of(CorridorNode::Kind kind);
 
 struct Corridor {
-  std::size_t from = 0;   ///< node where its way starts
-  std::size_t to = 0;     ///< node where it ends; the same as `from`: it leads round
-  std::vector<Vec2> way;  ///< along its middle, in `map`, from node to node; at least two points
-  double width_m = 0;     ///< between its walls, in the middle of all that is measured along it
+  std::size_t from = 0;    ///< node where its path starts
+  std::size_t to = 0;      ///< node where it ends; the same as `from`: it leads round
+  std::vector<Vec2> path;  ///< along its middle, in `map`, from node to node; at least two points
+  double width_m = 0;      ///< between its walls, in the middle of all that is measured along it
 
   double length_m() const;
-  /// The point after so much way, 0 .. length_m(), else the nearer end.
+  /// The point after so much distance, 0 .. length_m(), else the nearer end.
   Vec2 at(double along_m) const;
 };
 
@@ -40,7 +40,7 @@ struct CorridorPlace {
   std::size_t corridor = 0;
   double along_m = 0;  ///< from the corridor's start
   Vec2 p_map = Vec2::Zero();
-  double aside_m = 0;  ///< from there to the point that was asked for
+  double lateral_m = 0;  ///< from there to the point that was asked for
 };
 
 struct CorridorGraph {

@@ -13,10 +13,10 @@ namespace aisle {
 
 /// How much room there is on a floor, kept up to date while the floor is learned: from the middle of each
 /// cell to the nearest edge of a cell that is not known to be free, and to the nearest that is occupied. With
-/// legs told, what lies between them counts as occupied; so does always what lies under a barrier.
+/// legs given, what lies between them counts as occupied; so does always what lies under a barrier.
 class FloorClearance {
  public:
-  /// @param far_m  larger distances are not told apart
+  /// @param far_m  larger distances are not distinguished
   explicit FloorClearance(double far_m = 1) : far_m_(far_m) {}
   explicit FloorClearance(const LegParams& legs, double far_m = 1) : far_m_(far_m), legs_(legs) {}
 

@@ -62,16 +62,16 @@ class FloorGrid {
   }
   Floor at(const Vec2& p_map) const { return at(cell_at(p_map)); }
 
-  /// A view passed through the cell / struck something in it.
+  /// A view passed through the cell / hit something in it.
   /// @return whether the cell is something else now
   bool see_free(FloorCell cell);
   bool see_occupied(FloorCell cell);
-  /// Nothing was struck there, though something thin may have been missed: what was struck before still
+  /// Nothing was hit there, though something thin may have been missed: what was hit before still
   /// stands, and one view that strikes something there tells better.
   /// @return whether the cell is something else now
   bool seem_free(FloorCell cell);
   /// The vehicle stands on the cell: nothing is there, however high above the floor. Held until something is
-  /// struck in it; a cell that is occupied counts as one that a view passed through.
+  /// hit in it; a cell that is occupied counts as one that a view passed through.
   /// @return whether the cell is something else now, or was not stood on before
   bool stand_on(FloorCell cell);
   bool was_stood_on(FloorCell cell) const {

@@ -14,8 +14,8 @@ struct Landmark {
   Mat2 covariance = Mat2::Zero();  ///< of its place, as far as the sightings tell
   double mass = 0;                 ///< sum of the confidence weights of its sightings (C98 eq. (16), (17))
   double weight = 1;               ///< confidence: 1 is the map's mean, more is surer (C98 eq. (18))
-  int sightings = 0;               ///< pictures in which it was seen
-  int passes = 0;                  ///< trips on which it was seen
+  int sightings = 0;               ///< images in which it was seen
+  int passes = 0;                  ///< runs on which it was seen
   Vec2 seen_from = Vec2::Zero();   ///< unit vector, in `map`: towards where it was seen from; zero: unknown
   double seen_near_m = 0;          ///< the least distance that it was seen from ...
   double seen_far_m = std::numeric_limits<double>::infinity();  ///< ... and the greatest; infinite: unknown
@@ -36,7 +36,7 @@ class LandmarkMap {
   void replace(std::size_t index, const Landmark& landmark);
   /// Leaves a gap (weight 0) that `within` does not find.
   void remove(std::size_t index) { landmarks_[index].weight = 0; }
-  /// Everything anew; indices change.
+  /// Everything again; indices change.
   void assign(std::vector<Landmark> landmarks);
 
   /// Replaces `indices` by those of all landmarks within a distance of a point, in ascending order.

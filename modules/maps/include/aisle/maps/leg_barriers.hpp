@@ -21,8 +21,8 @@ struct LegParams {
   void describe(FieldList& fields);
 };
 
-/// A slice at one height shows the legs of tables and chairs, not their tops. Small things that stand in
-/// groups are taken for legs, and what lies between them for closed; so is the way in between a wall and
+/// A scan at one height shows the legs of tables and chairs, not their tops. Small things that stand in
+/// groups are taken for legs, and what lies between them for closed; so is the path in between a wall and
 /// two legs before it, where a table stands with its back to the wall, and from one such leg to the other,
 /// be it a small thing or hidden by floor not seen yet. What stands at a wall may be a speck of it: it is a
 /// leg only right before the wall, standing two cells out of it where it hangs together with it, or at the
@@ -69,7 +69,8 @@ class LegBarriers {
   std::span<const Thing> things_about(const FloorGrid& floor, const Vec2& p_map, double within_m) const;
   bool is_leg(const FloorGrid& floor, const Vec2& p_map) const;
   bool is_thing(const FloorGrid& floor, const Vec2& p_map) const;
-  FloorBox close_anew(const FloorGrid& floor, std::span<const FloorBox> boxes, std::vector<FloorCell> opened);
+  FloorBox close_again(const FloorGrid& floor, std::span<const FloorBox> boxes,
+                       std::vector<FloorCell> opened);
   std::vector<FloorCell> cells_closed_by(const FloorGrid& floor, std::size_t first) const;
   bool fill_recess(const FloorGrid& floor, const Thing& a, const Thing& b) const;
   bool may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const;

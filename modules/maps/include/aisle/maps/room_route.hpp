@@ -1,5 +1,5 @@
 #pragma once
-/// What L96 learns of a way through a room, beside the way itself.
+/// What L96 learns of a path through a room, beside the path itself.
 
 #include <array>
 #include <optional>
@@ -28,17 +28,17 @@ struct RoomTurning {
 };
 
 /// How much of a view's left and right is not looked at, as shares of its width.
-struct BlotOut {
+struct MaskOut {
   double left = 0;
   double right = 0;
 
-  friend bool operator==(const BlotOut&, const BlotOut&) = default;
+  friend bool operator==(const MaskOut&, const MaskOut&) = default;
 };
 
-/// L96 Figs. 8 and 9: a left or right turning blots out half of the view on its first three quarters and a
+/// L96 Figs. 8 and 9: a left or right turning mask half of the view on its first three quarters and a
 /// quarter on the rest, a crossing that is passed the quarters on the sides of its branches.
 /// @param along_m  within the turning
-BlotOut blot_out(const RoomTurning& turning, double along_m);
+MaskOut mask_out(const RoomTurning& turning, double along_m);
 
 /// The turning that a place on the route lies in; nullptr: none.
 const RoomTurning* turning_at(const std::vector<RoomTurning>& turnings, double along_m);
@@ -66,7 +66,7 @@ std::optional<ParkingStrategy> parking_of(std::string_view word);
 /// 2), as shares of the part's width: upper max, upper min, lower max, ...
 using BrightnessView = std::array<double, 8>;
 
-/// What is kept of a picture to know the place again.
+/// What is kept of an image to know the place again.
 struct PlaceView {
   BrightnessView brightness{};
   Image columns;  ///< how bright its columns are in bands of its rows: vision's `column_view`; may be empty
@@ -74,11 +74,11 @@ struct PlaceView {
 
 /// The view from a place about the end of a route.
 struct StopView {
-  double left_m = 0;  ///< way to the end; negative: beyond it
+  double left_m = 0;  ///< path to the end; negative: beyond it
   PlaceView seen;
 };
 
-/// A point where the route was seen to end when the way was taught: the foot of what stood there.
+/// A point where the route was seen to end when the path was taught: the foot of what stood there.
 struct RouteEdge {
   double along_m = 0;         ///< where on the route the vehicle was when it last saw it
   Vec2 p_map = Vec2::Zero();  ///< in the frame of the route's path
@@ -88,9 +88,9 @@ struct RoomRoute {
   RouteBrightness brightness;
   std::vector<RoomTurning> turnings;  ///< in order; they may overlap
   ParkingStrategy parking = ParkingStrategy::kView;
-  Vec2 frame_size_m = Vec2::Zero();  ///< kFrame: of the painted rectangle, outer, along the way and across
-  std::vector<StopView> views;       ///< kView: on the last stretch of the way, or about its end
-  std::vector<RouteEdge> edges;      ///< none: the way is driven by odometry and by the route's middle alone
+  Vec2 frame_size_m = Vec2::Zero();  ///< kFrame: of the painted rectangle, outer, along the path and across
+  std::vector<StopView> views;       ///< kView: on the last path segment, or about its end
+  std::vector<RouteEdge> edges;      ///< none: the path is driven by odometry and by the route's middle alone
 };
 
 }  // namespace aisle

@@ -17,7 +17,7 @@ struct StartSighting {
   bool brighter_right = false;  ///< the right side of the line is the brighter one
 };
 
-/// A way that was taught.
+/// A path that was taught.
 struct Route {
   std::string name;                       ///< unique in its building
   Path path;                              ///< in `map`, base_link; as driven, smoothed

@@ -1,5 +1,5 @@
 #pragma once
-/// A taught way as a list of sections, each with its own way to be driven (L03 sections 3 and 4).
+/// A taught path as a list of sections, each with its own path to be driven (L03 sections 3 and 4).
 
 #include <optional>
 #include <vector>
@@ -16,7 +16,7 @@ inline constexpr double kTurnQuantum_rad = 2.5 * kDegree;
 struct Section {
   enum class Kind {
     kFollow,  ///< a: straight on along a base line
-    kHybrid,  ///< h: likewise until it leaves the view, then by odometry to where a right turn follows
+    kHybrid,  ///< h: the same until it leaves the view, then by odometry to where a right turn follows
     kDead,    ///< d: straight across a corridor, where nothing can be followed
     kCurve,   ///< c: round a left corner on a parabola
     kTurn,    ///< l, r: on the spot
@@ -28,7 +28,7 @@ struct Section {
   Vec2 p_start_end = Vec2::Zero();  ///< kCurve: P2 as seen from P1, x ahead, y left; both > 0
   std::optional<double> right_m;    ///< kFollow, kHybrid: mean distance to the right base line
   std::optional<double> left_m;     ///< and to the left one
-  std::optional<double> ahead_m;    ///< kFollow, kHybrid: from its end to the wall across the way
+  std::optional<double> ahead_m;    ///< kFollow, kHybrid: from its end to the wall across the path
 
   bool is_straight() const { return kind != Kind::kCurve && kind != Kind::kTurn; }
   friend bool operator==(const Section&, const Section&) = default;
@@ -41,7 +41,7 @@ using SectionList = std::vector<Section>;
 /// turn quantum, the first that the curve comes to. Without the start, with the end.
 std::vector<Vec2> curve_vertices(const Vec2& p_start_end);
 
-/// The way of a list: straight lines and turns on the spot; a curve turns to its parabola's direction, goes
+/// The path of a list: straight lines and turns on the spot; a curve turns to its parabola's direction, goes
 /// through the vertices on arcs, and ends a quarter turn left of how it began.
 /// @param piece_sections  if not null: of which section each piece of the path is
 Path path_of(const SectionList& sections, const Pose2& T_map_start,

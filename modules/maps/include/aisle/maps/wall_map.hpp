@@ -12,7 +12,7 @@ struct Wall {
   bool is_orthogonal = false;  ///< lies exactly on the map's axes; else oblique, with a direction of its own
   WallEnd start = WallEnd::kUnknown;
   WallEnd end = WallEnd::kUnknown;
-  int sightings = 0;   ///< on how many legs of half a metre of way the wall was seen
+  int sightings = 0;   ///< on how many legs of half a metre of path the wall was seen
   double sigma_m = 0;  ///< standard deviation of its position across itself
 };
 

@@ -82,7 +82,7 @@ class Mwght {
   std::optional<MwghtAnswer> match(std::span<const WeightedPoint> learned,
                                    std::span<const WeightedPoint> seen, const MwghtWindow& window);
 
-  /// The published way: every vote into every cell. For comparison.
+  /// The published path: every vote into every cell. For comparison.
   std::optional<MwghtAnswer> match_exhaustively(std::span<const WeightedPoint> learned,
                                                 std::span<const WeightedPoint> seen,
                                                 const MwghtWindow& window);

@@ -52,7 +52,7 @@ struct WallConstraint {
 /// Finds the pose at which the sensed segments lie best on the walls: Gauss-Newton on each segment's offset
 /// from its wall, n.(R c + t) - rho, and heading difference, both with a Cauchy weight, and on the prior.
 /// A wall that may run like most of the matched ones, as far as its heading is known, tells nothing about the
-/// way along them. Walls are found anew in the first iterations, within a gate that narrows to half.
+/// path along them. Walls are found again in the first iterations, within a gate that narrows to half.
 /// O(iterations * segments * candidates); no allocation once warm.
 class PoseAligner {
  public:

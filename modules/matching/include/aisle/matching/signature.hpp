@@ -28,7 +28,7 @@ struct MarkedSegment {
   double end_weight = 0;
 };
 
-/// Whether symbols of walls that face opposite ways, and the two ends of a wall, support each other.
+/// Whether symbols of walls that face opposite paths, and the two ends of a wall, support each other.
 enum class SymbolKinds {
   kOne,       ///< they do: the published form
   kByFacing,  ///< they do not

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// Which way a wall runs, with its free side on the left. The two sides of one wall run opposite ways, so
+/// Which way a wall runs, with its free side on the left. The two sides of one wall run opposite paths, so
 /// they are never taken for each other.
 enum class Facing { kEast, kNorth, kWest, kSouth, kOblique };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How an exploration went, over the way that was driven. SVG documents; same record, same bytes.
+/// How an exploration went, over the path that was driven. SVG documents; same record, same bytes.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// Floor that was known after so much way.
+/// Floor that was known after so much distance.
 std::string coverage_svg(const ExplorationRecord& record);
 
 /// The transducer's states one after the other, and below them how many paths waited on its stack.

@@ -17,7 +17,7 @@ struct LandmarkPicture {
   const LandmarkMap& landmarks;
   std::span<const Route> routes = {};  ///< planned: grey lines with a ring where they start
   std::span<const std::vector<Pose2>> driven =
-      {};                                     ///< base_link trip by trip: black squares at equal distances
+      {};                                     ///< base_link run by run: black squares at equal distances
   std::span<const Vec2> seen = {};            ///< feet of lines as they were seen: little spots; far ones
                                               ///< beyond all the rest are left out
   std::span<const Segment2> true_walls = {};  ///< of a simulated world; the legend says so

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "aisle/formats/pictures/map_server.hpp"
+#include "aisle/formats/images/map_server.hpp"
 #include "aisle/maps/wall_map.hpp"
 #include "aisle/vehicle/laser_log.hpp"
 

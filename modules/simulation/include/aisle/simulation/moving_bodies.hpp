@@ -17,7 +17,7 @@ namespace aisle {
 /// A body's edges on the floor, its outside on their left.
 std::vector<Segment2> outline(const MovingBody& body);
 
-/// Walks there and back along a path; waits while the vehicle is in the way, and turns back when it stays.
+/// Walks there and back along a path; waits while the vehicle is in the path, and turns back when it stays.
 class Walker {
  public:
   explicit Walker(Person person);
@@ -28,12 +28,12 @@ class Walker {
                                  const Pose2& T_world_vehicle);
 
  private:
-  Pose2 pose_after(double way_m) const;
+  Pose2 pose_after(double path_m) const;
   void turn_back();
 
   Person person_;
   double path_m_ = 0;
-  double way_m_ = 0;  ///< walked so far, there and back
+  double travelled_m_ = 0;  ///< walked so far, there and back
   double waited_s_ = 0;
   bool is_there_ = false;
 };

@@ -15,7 +15,7 @@ namespace aisle {
 double distance_to(const Footprint& footprint, const Vec2& p_vehicle);
 
 /// Whether a segment, given in the vehicle's frame, touches its footprint.
-bool touches(const Footprint& footprint, const Segment2& in_vehicle);
+bool contacts(const Footprint& footprint, const Segment2& in_vehicle);
 
 /// What a vehicle may run into.
 class Obstacles {
@@ -28,9 +28,9 @@ class Obstacles {
 
   bool touch(const Pose2& T_world_vehicle);
 
-  /// How much of the way is free before the vehicle touches something, to a fraction of a millimetre; 1: all
+  /// How much of the path is free before the vehicle touches something, to a fraction of a millimetre; 1: all
   /// of it. From a pose that touches, nothing is.
-  double free_share(const Pose2& T_world_vehicle, const Arc& way);
+  double free_share(const Pose2& T_world_vehicle, const Arc& path);
 
  private:
   void gather_near(const Vec2& p_world);

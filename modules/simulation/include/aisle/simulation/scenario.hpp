@@ -1,5 +1,5 @@
 #pragma once
-/// What goes wrong on a simulated trip, and when.
+/// What goes wrong on a simulated run, and when.
 
 #include <limits>
 #include <optional>
@@ -13,10 +13,10 @@
 
 namespace aisle {
 
-/// Something is wrong with a camera, or with the way of its pictures.
+/// Something is wrong with a camera, or with the path of its images.
 struct CameraFault {
   enum class Kind {
-    kFrozen,   ///< delivers its last picture again and again, with new stamps
+    kFrozen,   ///< delivers its last image again and again, with new stamps
     kDark,     ///< sees no light, as under a lens cap
     kDropped,  ///< delivers nothing
     kLate,     ///< delivers what it took some time ago, with the stamps of then
@@ -28,7 +28,7 @@ struct CameraFault {
 
 /// The wheels turn farther than the vehicle goes.
 struct SlipBurst {
-  double spin = 1;  ///< share of the way counted too much
+  double spin = 1;  ///< share of the path counted too much
 };
 
 /// The front wheels stand this much farther left than the steering encoder says, all of a sudden.
@@ -36,7 +36,7 @@ struct SteeringBias {
   double bias_rad = 3 * kDegree;
 };
 
-/// A box stands in the way.
+/// A box stands in the path.
 struct BlockingBox {
   Pose2 T_world_box;
   Vec2 size = Vec2(0.5, 0.5);  ///< along its x and y

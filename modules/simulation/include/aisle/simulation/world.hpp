@@ -17,7 +17,7 @@ namespace aisle {
 /// A thin piece of wall that stands on the floor, opaque from both sides; the free side is on the left where
 /// there is only one. A real wall has two faces and is two of these.
 struct WallFace {
-  Segment2 foot;
+  Segment2 floor_point;
   double height_m = 2.7;
   double brightness = 0.75;
 };
@@ -115,16 +115,16 @@ struct NamedPlace {
   Pose2 T_world_place;
 };
 
-/// A way that a person shows the vehicle, and how it is to park there (L96).
-struct TaughtWay {
+/// A path that a person shows the vehicle, and how it is to park there (L96).
+struct WorldRoute {
   std::string name;
   ParkingStrategy parking = ParkingStrategy::kView;
-  std::vector<Vec2> way;  ///< at least two different points; base_link drives from one to the next
+  std::vector<Vec2> path;  ///< at least two different points; base_link drives from one to the next
 };
 
-/// A turning on a taught way (METHODS 9).
+/// A turning on a taught path (METHODS 9).
 struct TaughtTurning {
-  std::string route;       ///< of a TaughtWay
+  std::string route;       ///< of a WorldRoute
   int number = 1;          ///< 1 to 13
   Vec2 at = Vec2::Zero();  ///< the crossing's middle
   double before_m = 1.3;   ///< it begins so far before that point
@@ -146,9 +146,9 @@ struct World {
   std::vector<CalibrationBoard> boards;
   std::vector<Person> people;
   std::vector<NamedPlace> places;
-  std::vector<TaughtWay> routes;
+  std::vector<WorldRoute> routes;
   std::vector<TaughtTurning> turnings;
-  std::vector<Vec2> tour;      ///< way points that a vehicle drives in this order; may be empty
+  std::vector<Vec2> tour;      ///< waypoint that a vehicle drives in this order; may be empty
   std::optional<Pose2> start;  ///< where a vehicle is set down; else at the tour's start, facing along it
 
   FloorCovering floor;

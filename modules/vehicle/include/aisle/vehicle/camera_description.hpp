@@ -9,12 +9,12 @@ namespace aisle {
 
 /// A camera as the vehicle knows it: its calibration. What the lens really does is the simulator's business.
 struct CameraDescription {
-  std::string name = "front";  ///< its pictures are the topic /camera/<name>/image_raw
+  std::string name = "front";  ///< its images are the topic /camera/<name>/image_raw
   int width_px = 640;
   int height_px = 480;
   CameraIntrinsics intrinsics;
   CameraMount mount;
-  double period_s = 0.1;  ///< from one picture to the next
+  double period_s = 0.1;  ///< from one image to the next
 
   void describe(FieldList& fields);
 };

@@ -38,7 +38,7 @@ struct OdometrySample {
   Pose2 T_odom_vehicle;
 };
 
-/// What a vehicle with a laser scanner recorded on one trip, in the order of recording.
+/// What a vehicle with a laser scanner recorded on one run, in the order of recording.
 struct LaserLog {
   LaserScanner laser;
   std::vector<LaserScan> scans;

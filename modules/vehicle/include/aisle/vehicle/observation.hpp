@@ -14,11 +14,11 @@
 
 namespace aisle {
 
-/// One camera's picture. A camera that has delivered nothing new in a cycle is absent from it.
-struct CameraPicture {
+/// One camera's image. A camera that has delivered nothing new in a cycle is absent from it.
+struct CameraImage {
   std::string camera;  ///< CameraDescription::name
   double stamp_s = 0;  ///< middle of the exposure
-  std::shared_ptr<const Image> image;
+  std::shared_ptr<const Image> pixels;
 };
 
 /// One turn of a 2-D range scanner; its angles are VehicleDescription::scanner.
@@ -36,7 +36,7 @@ struct Mark {
     kTurningBegins,  ///< label: the turning's number, 1 to 13 (METHODS 9)
     kTurningEnds,    ///< label: as above
     kPlace,          ///< label: the place's name
-    kStop,           ///< the way ends here
+    kStop,           ///< the path ends here
   };
   Kind kind = Kind::kPlace;
   std::string label;
@@ -46,23 +46,22 @@ struct Mark {
 
 /// What the person at the controls did since the last cycle.
 struct OperatorInput {
-  std::optional<Command> wish;  ///< how to drive from now on; absent: nothing was pressed
+  std::optional<Command> requested;  ///< how to drive from now on; absent: nothing was pressed
   std::vector<Mark> marks;
   bool quit = false;
-  bool gives_up = false;  ///< quits because there is no getting where the way leads
+  bool gives_up = false;  ///< quits because there is no getting where the path leads
 };
 
 struct Observation {
   double stamp_s = 0;  ///< end of the cycle; strictly increasing
-  std::vector<CameraPicture> pictures;
+  std::vector<CameraImage> images;
   OdometryReading odometry;
   std::optional<RangeScan> scan;
   OperatorInput operator_input;
   bool bumper_pressed = false;  ///< the vehicle touches something and has stopped by itself
 };
 
-/// What a camera saw at the end of the cycle; null if nothing came, or only a picture from an earlier cycle.
-const CameraPicture* present_picture(const Observation& observation, const std::string& camera,
-                                     double cycle_s);
+/// What a camera saw at the end of the cycle; null if nothing came, or only an image from an earlier cycle.
+const CameraImage* present_image(const Observation& observation, const std::string& camera, double cycle_s);
 
 }  // namespace aisle

@@ -32,7 +32,7 @@ inline double off_footprint_m(const Footprint& footprint, const Vec2& p_vehicle)
   return std::max(along_m, across_m);
 }
 
-/// What the vehicle can do and will not exceed, whatever it is told.
+/// What the vehicle can do and will not exceed, whatever it is given.
 struct DriveLimits {
   double speed_max_mps = 1.0;
   double reverse_speed_max_mps = 0.5;

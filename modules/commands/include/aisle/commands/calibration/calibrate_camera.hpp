@@ -18,8 +18,8 @@ struct CalibrateCameraOptions {
   bool force = false;
 };
 
-/// `aisle calibrate camera IMAGES`: a camera's lens from pictures of a chessboard. A poor result is a failed
-/// mission, with its figures; too few pictures with a board are bad input.
+/// `aisle calibrate camera IMAGES`: a camera's lens from images of a chessboard. A poor result is a failed
+/// mission, with its figures; too few images with a board are bad input.
 Result<Outcome> run_calibrate_camera(const CalibrateCameraOptions& options, Console& console);
 
 }  // namespace aisle

@@ -12,7 +12,7 @@ namespace aisle {
 struct CalibrateFloorOptions {
   std::filesystem::path camera;               ///< calibration of the lens
   std::vector<std::filesystem::path> images;  ///< each with a board on the floor
-  std::vector<BoardOnFloor> boards_at;        ///< one for each picture
+  std::vector<BoardOnFloor> boards_at;        ///< one for each image
   Chessboard board;
   std::optional<std::filesystem::path> marks;  ///< besides or instead
   std::filesystem::path out;                   ///< empty: figures only

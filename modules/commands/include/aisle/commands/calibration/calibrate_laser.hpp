@@ -11,7 +11,7 @@ namespace aisle {
 struct CalibrateLaserOptions {
   std::filesystem::path camera;               ///< calibration of lens and mount
   std::vector<std::filesystem::path> images;  ///< each with the laser's stripe on something flat
-  std::vector<double> walls_at_m;  ///< distance of the wall ahead, one for each picture; none: a chessboard
+  std::vector<double> walls_at_m;  ///< distance of the wall ahead, one for each image; none: a chessboard
                                    ///< on the wall tells where it is
   Chessboard board;
   std::filesystem::path out;  ///< empty: figures only

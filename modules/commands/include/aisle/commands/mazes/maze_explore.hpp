@@ -23,9 +23,9 @@ struct MazeExploreOptions {
   GridRuleSet rules = GridRuleSet::kPublished;
   std::optional<Cell> start;  ///< none: what each file says
   bool compare = false;       ///< with the other rule sets, nearest frontier, and what no walk can undercut
-  std::optional<std::filesystem::path> svg;  ///< a picture of the run; for one maze
+  std::optional<std::filesystem::path> svg;  ///< an image of the run; for one maze
   std::optional<std::filesystem::path> gif;  ///< the same, moving
-  bool force = false;                        ///< replace pictures that are there already
+  bool force = false;                        ///< replace images that are there already
   std::optional<Terminal> watch;             ///< for one maze
 };
 

@@ -16,8 +16,8 @@ struct MazeMmsOptions {
 };
 
 /// `aisle maze mms`: the explorer as a mouse of the mms simulator. It explores everything, comes back, then
-/// drives the shortest known way to the middle; pressing the simulator's reset button begins it all anew. Not
-/// ok if a move ended at a wall or the middle cannot be reached. A simulator that goes away, or answers
+/// drives the shortest known path to the middle; pressing the simulator's reset button begins it all again.
+/// Not ok if a move ended at a wall or the middle cannot be reached. A simulator that goes away, or answers
 /// nonsense, is a problem.
 Result<Outcome> run_maze_mms(const MazeMmsOptions& options, Console& console);
 

@@ -16,7 +16,7 @@ std::string section_text(const Section& section);
 /// Reads such a line; problems have no place.
 Result<Section> parse_section(std::string_view line);
 
-/// What cannot be driven in this order: no way at all, a hybrid section that no right turn follows, a way
+/// What cannot be driven in this order: no path at all, a hybrid section that no right turn follows, a path
 /// across without turns at both ends, turns that follow each other.
 struct SectionFault {
   std::size_t section = 0;

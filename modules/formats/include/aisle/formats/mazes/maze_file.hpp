@@ -13,7 +13,7 @@
 namespace aisle {
 
 enum class MazeFormat {
-  kText,    ///< a picture in text: 2 H + 1 lines of 4 W + 1 characters
+  kText,    ///< an image in text: 2 H + 1 lines of 4 W + 1 characters
   kNumber,  ///< mms' "num": a line "x y north east south west" for each cell
   kBinary,  ///< .maz: one byte a cell
   kBitmap,  ///< PBM: white pixels are cells, black ones solid
@@ -26,14 +26,14 @@ struct MazeFile {
       false;  ///< false: the file tells none; `world.start` is then the bottom left cell that is free
 };
 
-/// Plain or gzip; the format is told from the content. Whatever is wrong is a problem with line and column;
+/// Plain or gzip; the format is known from the content. Whatever is wrong is a problem with line and column;
 /// after 20 problems the rest is only counted.
 Result<MazeFile> read_maze(const std::filesystem::path& path);
 
 /// The same from memory; `name` stands for the file in problems.
 Result<MazeFile> parse_maze(std::string_view bytes, const std::string& name);
 
-/// The world as a picture in text, with its start and goals; reading it gives the same world.
+/// The world as an image in text, with its start and goals; reading it gives the same world.
 std::string maze_text(const GridWorld& world);
 
 }  // namespace aisle

@@ -14,7 +14,7 @@ namespace aisle {
 const SessionTopic& pose_topic();
 std::string pose_cdr(ros::Stamp_ns stamp, const UncertainPose2& T_map_vehicle);
 
-/// /plan, nav_msgs/Path: a pose every 0.1 m of way.
+/// /plan, nav_msgs/Path: a pose every 0.1 m of path.
 const SessionTopic& plan_topic();
 std::string plan_cdr(ros::Stamp_ns stamp, const Path& path);
 

@@ -17,7 +17,7 @@ struct SessionOrigin {
   bool simulated = false;
   std::string building = {};  ///< what the navigator knew, as the text of a building file; empty: nothing
   std::string route = {};     ///< of that building, which it drove; empty: none
-  bool in_reverse = false;    ///< the route's way back
+  bool in_reverse = false;    ///< the route's return path
 
   friend bool operator==(const SessionOrigin&, const SessionOrigin&) = default;
 };

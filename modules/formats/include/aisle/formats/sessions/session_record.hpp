@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "aisle/formats/pictures/picture_coding.hpp"
+#include "aisle/formats/images/image_coding.hpp"
 #include "aisle/formats/sessions/message_sink.hpp"
 #include "aisle/formats/sessions/session_origin.hpp"
 #include "aisle/formats/sessions/session_writer.hpp"
@@ -23,11 +23,11 @@ class SessionRecord final : public MissionRecord {
   /// `directory` and `force` as in SessionWriter::create.
   static Result<SessionRecord> create(const std::filesystem::path& directory, bool force,
                                       const VehicleDescription& vehicle, const SessionOrigin& origin,
-                                      const PictureCoding& coding = {});
+                                      const ImageCoding& coding = {});
 
   /// Keeps nothing: everything only goes to `watcher`, who must outlive it.
   static Result<SessionRecord> shown(MessageSink& watcher, const VehicleDescription& vehicle,
-                                     const SessionOrigin& origin, const PictureCoding& coding = {});
+                                     const SessionOrigin& origin, const ImageCoding& coding = {});
 
   /// From now on `watcher` is shown what is kept, but never the truth; must outlive the record.
   void show_to(MessageSink& watcher) { watcher_ = &watcher; }
@@ -38,7 +38,7 @@ class SessionRecord final : public MissionRecord {
   const VehicleDescription& vehicle() const { return vehicle_; }
 
   /// @throws std::invalid_argument if the stamp is not later than the last one by a nanosecond, any stamp is
-  ///         not within 0 to 2^31 s, or a picture has no image
+  ///         not within 0 to 2^31 s, or an image has no image
   Result<Observation> keep(Observation observation) override;
 
   /// @throws std::logic_error before the first observation
@@ -52,7 +52,7 @@ class SessionRecord final : public MissionRecord {
 
  private:
   SessionRecord(std::optional<SessionWriter> writer, VehicleDescription vehicle, std::string vehicle_text,
-                SessionOrigin origin, const PictureCoding& coding);
+                SessionOrigin origin, const ImageCoding& coding);
 
   Problems write_head(ros::Stamp_ns stamp);
   Problems write(ros::Stamp_ns stamp, std::span<const RecordedMessage> messages);
@@ -63,7 +63,7 @@ class SessionRecord final : public MissionRecord {
   VehicleDescription vehicle_;
   std::string vehicle_text_;
   SessionOrigin origin_;
-  PictureCoding coding_;
+  ImageCoding coding_;
   bool has_head_ = false;
   std::optional<ros::Stamp_ns> last_stamp_;
   Pose2 T_odom_vehicle_;

@@ -9,8 +9,8 @@
 
 namespace aisle {
 
-/// The picture of a trip that may lie beside its session, and is replaced with it.
-inline constexpr std::string_view kDrivenPicture = "driven.svg";
+/// The image of a run that may lie beside its session, and is replaced with it.
+inline constexpr std::string_view kDrivenImage = "driven.svg";
 
 /// A session while it is recorded: a ROS 2 bag in rosbag2's SQLite layout, docs/formats/session.md.
 ///

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenarios as files: what goes wrong on a simulated trip. docs/formats/scenario.md specifies the format.
+/// Scenarios as files: what goes wrong on a simulated run. docs/formats/scenario.md specifies the format.
 
 #include <filesystem>
 #include <string>

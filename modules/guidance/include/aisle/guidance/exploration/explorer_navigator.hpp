@@ -8,11 +8,11 @@
 #include "aisle/exploration/building_explorer.hpp"
 #include "aisle/guidance/exploration/block_memory.hpp"
 #include "aisle/guidance/exploration/floor_learner.hpp"
-#include "aisle/guidance/exploration/patience.hpp"
+#include "aisle/guidance/exploration/retry_budget.hpp"
 #include "aisle/guidance/exploration/target_search.hpp"
 #include "aisle/guidance/exploration/trail.hpp"
 #include "aisle/guidance/navigator.hpp"
-#include "aisle/guidance/ways/way_driver.hpp"
+#include "aisle/guidance/paths/path_driver.hpp"
 
 namespace aisle {
 
@@ -24,22 +24,22 @@ struct ExplorerNavigatorParams {
   SpeedParams speed{.speed_mps = 0.4};
   double look_s = 1;         ///< standing, before it starts
   double look_from_m = 2.5;  ///< so near it drives to what it wants to see
-  double join_m = 0.6;       ///< so far ahead a new way joins the old one
-  PatienceParams patience;
+  double join_m = 0.6;       ///< so far ahead a new path joins the old one
+  RetryBudgetParams retry_budget;
   double time_max_s = 14400;  ///< then it gives up, wherever it is
   int expansions = 2000;      ///< of the search, a cycle
-  double stuck_s = 120;       ///< without any way for so long it gives up
+  double stuck_s = 120;       ///< without any path for so long it gives up
 
   void describe(FieldList& fields);
 };
 
 /// Looks, learns the floor and its own place on it, sees where paths lead on, chooses one by C99's
-/// transducer, searches a way along known free floor to where it can be seen into, and drives it; home when
+/// transducer, searches a path along known free floor to where it can be seen into, and drives it; home when
 /// nothing waits any more.
 class ExplorerNavigator final : public Navigator {
  public:
   ExplorerNavigator(const ExplorerNavigatorParams& params, const VehicleDescription& vehicle,
-                    ExploringOrder order, std::unique_ptr<SliceSensor> sensor);
+                    ExploringOrder order, std::unique_ptr<ScanSource> sensor);
 
   Decision step(const Observation& observation) override;
 
@@ -50,7 +50,7 @@ class ExplorerNavigator final : public Navigator {
   ExplorationRecord record() const;
 
  private:
-  bool touches_anew(const Observation& observation);
+  bool contacts_again(const Observation& observation);
   Decision back_off(const Observation& observation);
   void note_touch();
   void keep_trail(FloorLearner::News news);
@@ -62,26 +62,26 @@ class ExplorerNavigator final : public Navigator {
   bool may_end_at_home(const Pose2& T_map_from) const;
   void keep_off_what_blocks();
   void search_on();
-  void search_way();
+  void search_path();
   bool was_worth_it() const;
-  void find_no_way();
+  void find_no_path();
   bool is_shut_in() const;
   bool is_target_shut_off() const;
   bool retreat();
-  void despair(const std::string& why);
-  void hitch();
+  void give_up_mission(const std::string& why);
+  void count_failure();
   void leave_path();
   void give_path_up();
   void watch_learning(const ExploringTarget& target);
-  void lose_patience();
+  void check_retry_budget();
   Decision wait_for_floor();
   void begin_on_new_floor();
-  void take_way();
+  void take_path();
   void arrive();
-  void shorten_way(double ahead_m);
-  void drop_way();
-  void check_way();
-  bool is_lost_for_ways();
+  void shorten_path(double ahead_m);
+  void drop_path();
+  void check_path();
+  bool is_lost_for_paths();
   std::string what_was_explored() const;
   Decision drive(const Observation& observation);
   void be_blocked(int direction);
@@ -95,37 +95,38 @@ class ExplorerNavigator final : public Navigator {
   BuildingExplorer explorer_;
   StagedSearch search_;
   TargetSearch target_search_;
-  WayDriver driver_;
-  Patience patience_;
+  PathDriver driver_;
+  RetryBudget retry_budget_;
   Trail trail_;
   bool is_look_due_ = false;        ///< floor was learned since the latest look around
   bool is_choice_due_ = false;      ///< that showed where paths lead on: by it the next choice is made
   bool is_turn_of_search_ = false;  ///< it was made in the latest cycle
   std::optional<ExploringTarget> target_;
-  std::optional<ExploringTarget> former_;  ///< the latest, also after its way was dropped
+  std::optional<ExploringTarget> former_;  ///< the latest, also after its path was dropped
   BlockMemory blocks_;
   int driven_direction_ = 0;  ///< forwards (1) or backwards (-1), in the latest cycle that drove
   bool is_touching_ = false;
   bool is_touch_due_ = false;  ///< to be noted, as soon as the vehicle stands
-  int touches_ = 0;
-  Vec2 p_map_searched_ = Vec2::Zero();  ///< the gate that the latest search was for
+  int contacts_ = 0;
+  Vec2 p_map_searched_ = Vec2::Zero();  ///< the frontier that the latest search was for
   double searched_m2_ = 0;              ///< of floor, when that search began
   bool is_search_due_ = false;
-  bool is_stage_ = false;         ///< the way ends before what it leads to
-  bool stands_first_ = false;     ///< the search that is due begins where the vehicle comes to stand
-  bool ends_at_home_ = false;     ///< the way does
-  bool is_out_of_reach_ = false;  ///< every pose was tried: none shows the target, unless it squeezes
-  TargetTries tries_;             ///< for this target
-  bool is_retreating_ = false;    ///< its way is the trail back
-  int despairs_ = 0;              ///< retreats as nothing else was left
-  bool is_wedged_ = false;        ///< no way leads out of where the vehicle stands
+  bool is_stage_ = false;      ///< the path ends before what it leads to
+  bool stands_first_ = false;  ///< the search that is due begins where the vehicle comes to stand
+  bool ends_at_home_ = false;  ///< the path does
+  bool is_out_of_reach_ =
+      false;           ///< every pose was tried: none shows the target, unless it relaxes its clearance
+  TargetTries tries_;  ///< for this target
+  bool is_retreating_ = false;  ///< its path is the trail back
+  int despairs_ = 0;            ///< retreats as nothing else was left
+  bool is_wedged_ = false;      ///< no path leads out of where the vehicle stands
   std::size_t arrived_cycle_ = 0;
   std::size_t cycle_ = 0;
   std::optional<double> begun_s_;
   double stamp_s_ = 0;
   double moved_s_ = 0;
-  double learned_m2_ = 0;     ///< of floor, when patience was renewed for it
-  double learned_way_m_ = 0;  ///< driven until then
+  double learned_m2_ = 0;      ///< of floor, when retry budget was renewed for it
+  double learned_path_m_ = 0;  ///< driven until then
   std::vector<CoverageMark> coverage_;
   std::string ended_because_;
   bool came_home_ = false;

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "aisle/guidance/exploration/slice_sensor.hpp"
+#include "aisle/guidance/exploration/scan_source.hpp"
 #include "aisle/guidance/navigator.hpp"
-#include "aisle/guidance/ways/staged_search.hpp"
-#include "aisle/guidance/ways/way_driver.hpp"
+#include "aisle/guidance/paths/path_driver.hpp"
+#include "aisle/guidance/paths/staged_search.hpp"
 #include "aisle/learning/walls/wall_localiser.hpp"
 #include "aisle/maps/building.hpp"
 #include "aisle/maps/floor_view.hpp"
@@ -38,8 +38,8 @@ struct GuideNavigatorParams {
 };
 
 /// Knows where it is by the building's walls, plans on the floor as it was learned and as it is seen now, and
-/// drives to one place after the other. What stands in its way is gone round, if need be through other
-/// corridors, and so are the building's barriers; where no way is left it waits, and gives up in the end.
+/// drives to one place after the other. What stands in its path is gone round, if need be through other
+/// corridors, and so are the building's barriers; where no path is left it waits, and gives up in the end.
 class GuideNavigator final : public Navigator {
  public:
   /// @param building       with walls and floor; must outlive the navigator
@@ -47,14 +47,14 @@ class GuideNavigator final : public Navigator {
   /// @param p_map_places   to drive to, in order
   GuideNavigator(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
                  const Building& building, const Pose2& T_map_start, std::vector<Vec2> p_map_places,
-                 std::unique_ptr<SliceSensor> sensor);
+                 std::unique_ptr<ScanSource> sensor);
 
   Decision step(const Observation& observation) override;
 
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
   const WallLocaliser& localiser() const { return localiser_; }
   std::size_t places_reached() const { return next_; }
-  /// How often a way was left because something had come into it.
+  /// How often a path was left because something had come into it.
   std::size_t ways_closed() const { return ways_closed_; }
   /// What it drives along; empty while it stands.
   const Path& path() const { return driver_.path(); }
@@ -64,26 +64,26 @@ class GuideNavigator final : public Navigator {
  private:
   void locate(const Observation& observation);
   void look_at_floor(double stamp_s);
-  void check_way();
+  void check_path();
   void begin_search();
-  void search_way(double stamp_s);
+  void search_path(double stamp_s);
   bool is_at_place(const Pose2& T_map_vehicle) const;
-  void drop_way();
+  void drop_path();
   Decision drive(const Observation& observation);
   std::string why_failed(const Observation& observation);
 
   GuideNavigatorParams params_;
   VehicleDescription vehicle_;
-  std::unique_ptr<SliceSensor> sensor_;
+  std::unique_ptr<ScanSource> sensor_;
   WallLocaliser localiser_;
   bool has_barriers_;
   FloorGrid floor_;
   FloorClearance clearance_;
   StagedSearch search_;
-  WayDriver driver_;
+  PathDriver driver_;
   std::vector<Vec2> p_map_places_;
   std::size_t next_ = 0;  ///< of the places
-  SliceView view_;
+  ScanView view_;
   Pose2 T_scan_vehicle_;  ///< since the latest scan, by odometry
   Pose2 T_map_vehicle_;
   Pose2 T_map_looked_;
@@ -93,8 +93,8 @@ class GuideNavigator final : public Navigator {
   double hopeful_s_ = 0;                      ///< when it last got on
   Vec2 p_map_hopeful_ = Vec2::Constant(1e9);  ///< where that was
   double searched_s_ = 0;
-  int blocked_direction_ = 0;  ///< in which the vehicle could just not go on: forwards 1, backwards -1
-  bool squeezes_ = false;      ///< through less room, as the search before found no way
+  int blocked_direction_ = 0;       ///< in which the vehicle could just not go on: forwards 1, backwards -1
+  bool relaxes_clearance_ = false;  ///< through less room, as the search before found no path
   std::size_t ways_closed_ = 0;
 };
 

@@ -1,25 +1,25 @@
 #pragma once
 
-#include "aisle/guidance/ways/staged_search.hpp"
+#include "aisle/guidance/paths/staged_search.hpp"
 
 namespace aisle {
 
-/// Ways to where a vehicle began, on which it comes to stand as it stood: straight at the end, where there is
-/// room for it.
+/// Paths to where a vehicle began, on which it comes to stand as it stood: straight at the end, where there
+/// is room for it.
 class HomeSearch {
  public:
   static constexpr double kNear_m = 1.5;  ///< near home, and ...
   static constexpr double kNear_rad = 30 * kDegree;
 
-  /// @param search  by which ways are searched; must outlive this
+  /// @param search  by which paths are searched; must outlive this
   explicit HomeSearch(StagedSearch& search) : search_(search) {}
   HomeSearch(const HomeSearch&) = delete;
   HomeSearch& operator=(const HomeSearch&) = delete;
 
-  /// Begins to look for a way that ends exactly at home, or for the next stage of it.
+  /// Begins to look for a path that ends exactly at home, or for the next stage of it.
   void look_for(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_home,
                 const Pose2& T_map_from);
-  /// Begins to look for a way that ends near home.
+  /// Begins to look for a path that ends near home.
   void look_for_near(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_home,
                      const Pose2& T_map_from);
 
@@ -34,7 +34,7 @@ class HomeSearch {
 
   StagedSearch& search_;
   Pose2 T_map_home_;
-  Arc run_in_;  ///< with which the way ends
+  Arc run_in_;  ///< with which the path ends
   bool is_exact_ = false;
 };
 

@@ -10,14 +10,14 @@
 #include "aisle/control/speed.hpp"
 #include "aisle/control/steering.hpp"
 #include "aisle/guidance/exploration/explorer_navigator.hpp"
-#include "aisle/guidance/landmarks/continuity_watch.hpp"
-#include "aisle/guidance/landmarks/expectation_watch.hpp"
-#include "aisle/guidance/landmarks/place_doubt.hpp"
-#include "aisle/guidance/landmarks/recognition_watch.hpp"
-#include "aisle/guidance/landmarks/scene_watch.hpp"
-#include "aisle/guidance/landmarks/strange_watch.hpp"
-#include "aisle/guidance/landmarks/stripe_watch.hpp"
-#include "aisle/guidance/landmarks/way_to_route.hpp"
+#include "aisle/guidance/landmarks/continuity_monitor.hpp"
+#include "aisle/guidance/landmarks/expectation_monitor.hpp"
+#include "aisle/guidance/landmarks/path_to_route.hpp"
+#include "aisle/guidance/landmarks/place_consistency.hpp"
+#include "aisle/guidance/landmarks/recognition_monitor.hpp"
+#include "aisle/guidance/landmarks/scene_monitor.hpp"
+#include "aisle/guidance/landmarks/stripe_monitor.hpp"
+#include "aisle/guidance/landmarks/unmatched_monitor.hpp"
 #include "aisle/guidance/navigator.hpp"
 #include "aisle/guidance/obstacles/obstacle_guard.hpp"
 #include "aisle/learning/landmarks/landmark_localiser.hpp"
@@ -42,8 +42,8 @@ struct LandmarkNavigatorParams {
   double lost_m = 0.35;
   double lost_rad = 6 * kDegree;
   double unmatched_max_s = 1.5;
-  int strange_sightings_min = 3;
-  double strange_max_m = 3;
+  int unmatched_sightings_min = 3;
+  double unmatched_max_m = 3;
   double search_speed_mps = 0.2;
   double search_max_m = 30;
   double give_up_s = 30;
@@ -56,10 +56,10 @@ struct LandmarkNavigatorParams {
 struct LandmarkFix {
   UncertainPose2 T_map_vehicle;
   bool is_sure = false;  ///< not lost, and not looking for itself
-  bool is_lost = false;  ///< or on its way back onto its route
+  bool is_lost = false;  ///< or on the return path onto its route
 };
 
-/// Looks where it stands at the route's start, then drives the route, its pose corrected by every picture
+/// Looks where it stands at the route's start, then drives the route, its pose corrected by every image
 /// that fits the map; goes on by odometry where none does, the slower the less sure it is. If it sees other
 /// things than a moment ago it stops and looks whether it is still where it believes to be. Lost (it is not,
 /// or is too unsure, or sees other things than are known here) it stops and looks for itself along all
@@ -69,14 +69,14 @@ struct LandmarkFix {
 class LandmarkNavigator final : public Navigator {
  public:
   /// @param building  with landmarks and their camera, which the vehicle has; must outlive the navigator
-  /// @param route     of the building, or its way back (Path::reversed)
+  /// @param route     of the building, or its return path (Path::reversed)
   LandmarkNavigator(const LandmarkNavigatorParams& params, const VehicleDescription& vehicle,
                     const Building& building, const Path& route);
 
   Decision step(const Observation& observation) override;
 
   LandmarkFix fix() const;
-  /// What the last picture showed and which landmarks that was.
+  /// What the last image showed and which landmarks that was.
   const std::vector<LandmarkSighting>& sightings() const { return sightings_; }
   const std::vector<VerticalLine>& lines() const { return detector_.lines(); }
   const std::vector<Vec2>& p_vehicle_lit() const { return guard_.p_vehicle_lit(); }
@@ -92,7 +92,7 @@ class LandmarkNavigator final : public Navigator {
   void begin(State state);
   void go_on(State state);
   Decision look_around(double stamp_s);
-  Decision doubt();
+  Decision check_consistency();
   Decision find_itself(const Observation& observation);
   bool may_search() const;
   Decision search(const Observation& observation);
@@ -106,36 +106,36 @@ class LandmarkNavigator final : public Navigator {
   const Building* building_;
   Path path_;
   std::string camera_;
-  FloorInPicture floor_in_picture_;
+  FloorInImage floor_in_image_;
   LandmarkDetector detector_;
   LandmarkLocaliser localiser_;
-  PlaceDoubt doubt_;
+  PlaceConsistency consistency_;
   LandmarkRelocator relocator_;
   PathFollower follower_;
   PathProgress progress_;
   ObstacleGuard guard_;
-  StrangeWatch strangeness_;
-  SceneWatch scenes_;
-  StripeWatch stripes_;
-  ContinuityWatch continuity_;
-  ExpectationWatch expectations_;
-  RecognitionWatch recognition_;
+  UnmatchedMonitor unmatched_;
+  SceneMonitor scenes_;
+  StripeMonitor stripes_;
+  ContinuityMonitor continuity_;
+  ExpectationMonitor expectations_;
+  RecognitionMonitor recognition_;
   std::vector<LandmarkSighting> sightings_;
   std::vector<SensedSegment> edges_on_floor_;
   State state_ = State::kLooking;
-  State interrupted_ = State::kFollowing;  ///< by the last doubt
+  State interrupted_ = State::kFollowing;  ///< by the last inconsistency
   std::string why_lost_;
-  bool was_lifted_ = false;  ///< perhaps: everything looks other than a moment ago
-  bool has_jumped_ = false;  ///< likewise: walls stand elsewhere, or all lines are gone or new
-  bool has_looked_ = false;  ///< this cycle has a picture
+  bool was_kidnapped_ = false;  ///< perhaps: everything looks other than a moment ago
+  bool has_jumped_ = false;     ///< the same: walls stand elsewhere, or all lines are gone or new
+  bool has_looked_ = false;     ///< this cycle has an image
   std::unique_ptr<ExplorerNavigator> explorer_;  ///< of the floor around, while it is lost
-  std::unique_ptr<WayToRoute> way_to_route_;     ///< that it takes once it has found itself beside it
+  std::unique_ptr<PathToRoute> path_to_route_;   ///< that it takes once it has found itself beside it
   double searched_m_ = 0;                        ///< driven since it was lost
   double searched_s_ = 0;                        ///< when it was lost, or drove since then
   LandmarkMatch match_ = LandmarkMatch::kNothing;
   std::optional<double> state_since_s_;
   double stamp_s_ = 0;
-  double matched_stamp_s_ = 0;  ///< of the latest picture that fitted, or that showed nothing
+  double matched_stamp_s_ = 0;  ///< of the latest image that fitted, or that showed nothing
 };
 
 }  // namespace aisle

@@ -7,28 +7,30 @@
 
 namespace aisle {
 
-/// How far the vehicle has moved since a picture, by its odometry: farther on or round, other things come
-/// into view by themselves, and no other picture tells anything beside that one.
+/// How far the vehicle has moved since an image, by its odometry: farther on or round, other things come
+/// into view by themselves, and no other image tells anything beside that one.
 class MotionSince {
  public:
-  /// The picture is taken now.
+  /// The image is taken now.
   void start() { *this = {}; }
 
   void move(const Pose2& T_before_now) {
-    way_m_ += T_before_now.position().norm();
+    travelled_m_ += T_before_now.position().norm();
     turn_rad_ += T_before_now.theta;
     T_then_now_ = T_then_now_ * T_before_now;
   }
 
   const Pose2& T_then_now() const { return T_then_now_; }
 
-  bool is_comparable() const { return way_m_ < kComparedWay_m && std::abs(turn_rad_) < kComparedTurn_rad; }
+  bool is_comparable() const {
+    return travelled_m_ < kComparedPath_m && std::abs(turn_rad_) < kComparedTurn_rad;
+  }
 
  private:
-  static constexpr double kComparedWay_m = 0.5;
+  static constexpr double kComparedPath_m = 0.5;
   static constexpr double kComparedTurn_rad = 10 * kDegree;
 
-  double way_m_ = 0;
+  double travelled_m_ = 0;
   double turn_rad_ = 0;
   Pose2 T_then_now_;
 };

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "aisle/geometry/sensed_segment.hpp"
+#include "aisle/guidance/image_monitor.hpp"
 #include "aisle/guidance/obstacles/obstacle_memory.hpp"
-#include "aisle/guidance/obstacles/way_ahead.hpp"
-#include "aisle/guidance/picture_watch.hpp"
+#include "aisle/guidance/obstacles/path_ahead.hpp"
 #include "aisle/vehicle/observation.hpp"
 #include "aisle/vehicle/vehicle_description.hpp"
 #include "aisle/vision/stripes/stripe_fan.hpp"
@@ -20,7 +20,7 @@ namespace aisle {
 struct ObstacleGuardParams {
   StripeFanParams stripes;
   ObstacleMemoryParams memory;
-  PictureWatchParams pictures;
+  ImageMonitorParams images;
   double margin_m = 0.02;
   double gap_m = 0.8;
   double reach_m = 2.3;
@@ -37,21 +37,21 @@ struct ObstacleGuardParams {
 
 enum class GuardState {
   kFree,     ///< the wished command, or slower because something is ahead
-  kWaiting,  ///< stands until the way is free or the camera is back
+  kWaiting,  ///< stands until the path is free or the camera is back
   kBlocked,  ///< has waited too long: the navigator should give up or turn back
 };
 
 struct Guarded {
   Command command;
   GuardState state = GuardState::kFree;
-  std::string why;          ///< one line for people; empty while nothing is in the way
+  std::string why;          ///< one line for people; empty while nothing is in the path
   double free_ahead_m = 0;  ///< that the vehicle can go; at most `reach_m`
 };
 
 /// Stands between a navigator and the vehicle: lets the vehicle go only as fast as it can stop before the
 /// first thing that stands where its footprint will be, and only while its camera shows what is there. It
 /// sees things by the laser markers' stripe, by the range scanner, and by the floor's edges where a navigator
-/// finds them; a vehicle with none of these is only kept from driving without pictures. Nothing sees behind:
+/// finds them; a vehicle with none of these is only kept from driving without images. Nothing sees behind:
 /// reversing is slow.
 class ObstacleGuard {
  public:
@@ -63,62 +63,62 @@ class ObstacleGuard {
   bool sees_obstacles() const { return stripe_ || vehicle_.scanner; }
 
   /// Once a cycle, before `allow`.
-  /// @return the camera's picture if it has come in time, is not the one before again, and shows something
-  const CameraPicture* look(const Observation& observation);
+  /// @return the camera's image if it has come in time, is not the one before again, and shows something
+  const CameraImage* look(const Observation& observation);
 
-  /// Where the last picture shows laser light [vehicle frame], on the way or not.
+  /// Where the last image shows laser light [vehicle frame], on the way or not.
   const std::vector<Vec2>& p_vehicle_lit() const { return sight_.p_vehicle_lit; }
 
-  /// Takes in where the floor ends in the picture that `look` has just returned. A thing that is seen so
-  /// counts from the second picture in a row on, and as long as it is in view: `gap_m` must leave it there.
+  /// Takes in where the floor ends in the image that `look` has just returned. A thing that is seen so
+  /// counts from the second image in a row on, and as long as it is in view: `gap_m` must leave it there.
   void see_floor(std::span<const SensedSegment> edges);
 
-  /// What the vehicle may do of what a navigator wishes.
-  /// @param way  where `wished` leads to; forwards
-  Guarded allow(const Command& wished, const WayAhead& way);
+  /// What the vehicle may do of what a navigator requests.
+  /// @param path  where `wished` leads to; forwards
+  Guarded allow(const Command& wished, const PathAhead& path);
 
  private:
   struct StampedPose {
     double stamp_s = 0;
     Pose2 T_odom_vehicle;
   };
-  /// What the last picture shows of laser light.
+  /// What the last image shows of laser light.
   struct Sight {
     StampedPose taken;
     std::vector<Vec2> p_vehicle_lit;
     bool is_new = false;
   };
-  /// What the last picture shows of the floor's end.
+  /// What the last image shows of the floor's end.
   struct FloorSight {
     StampedPose taken;
     std::vector<Vec2> p_vehicle_end;
-    int sightings = 0;  ///< pictures in a row that show it on the way
+    int sightings = 0;  ///< images in a row that show it on the way
     bool is_new = false;
     bool is_used = false;  ///< at all
   };
 
   void move(const Observation& observation);
   StampedPose taken_at(double stamp_s) const;
-  void read_stripe(const CameraPicture& picture);
+  void read_stripe(const CameraImage& image);
   void take_scan(const RangeScan& scan);
-  void remember_what_is_on(const WayAhead& way);
-  void judge_floor(const WayAhead& way);
-  double free_ahead_m(const WayAhead& way);
+  void remember_what_is_on(const PathAhead& path);
+  void judge_floor(const PathAhead& path);
+  double free_ahead_m(const PathAhead& path);
   double speed_before(double free_m) const;
   Command limited(const Command& wished) const;
   Guarded waiting(Guarded guarded, const std::string& why);
 
   VehicleDescription vehicle_;
   ObstacleGuardParams params_;
-  std::optional<PictureWatch> watch_;
+  std::optional<ImageMonitor> watch_;
   std::optional<StripeFan> stripe_;
-  Image grey_;  ///< of coloured pictures
+  Image grey_;  ///< of coloured images
   ObstacleMemory memory_;
   std::array<StampedPose, 16> poses_;
   std::size_t moves_ = 0;
   StampedPose now_;
   Sight sight_;
-  std::vector<Vec2> p_vehicle_lit_on_way_;
+  std::vector<Vec2> p_vehicle_lit_on_path_;
   std::vector<Vec2> p_vehicle_scanned_;
   FloorSight floor_;
   std::optional<double> lit_s_;  ///< when laser light was seen last

@@ -16,15 +16,15 @@ struct ObstacleMemoryParams {
   void describe(FieldList& fields);
 };
 
-/// What stood in the way in the last pictures and may stand there still, in the odometry's frame. A place is
-/// forgotten when a few pictures show it free, or when it has not been in view for a while: what the vehicle
+/// What stood in the path in the last images and may stand there still, in the odometry's frame. A place is
+/// forgotten when a few images show it free, or when it has not been in view for a while: what the vehicle
 /// has come too near to see is not taken for gone at once. No allocation: at most 256 places.
 class ObstacleMemory {
  public:
   explicit ObstacleMemory(const ObstacleMemoryParams& params);
 
-  /// Takes in what one picture shows in the way.
-  /// @param stripe          that has read the picture
+  /// Takes in what one image shows in the path.
+  /// @param stripe          that has read the image
   /// @param T_odom_vehicle  where the vehicle was when it was taken
   void see(const std::vector<Vec2>& p_vehicle_lit, const StripeFan& stripe, const Pose2& T_odom_vehicle,
            double stamp_s);

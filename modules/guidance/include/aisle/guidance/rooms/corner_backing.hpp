@@ -18,15 +18,15 @@ struct CornerBackingParams {
   double least_share = 0.5;
   double most_share = 1.3;
   double agree_m = 0.15;
-  int pictures = 3;
+  int images = 3;
 
   void describe(FieldList& fields);
 };
 
 /// Backs between two turnings that are too close for the vehicle, with its wheels turned to the right before
 /// a left turning and to the left before any other, until the third camera shows the corner of the route
-/// round which the second turning leads (L96 section 3.3). Beyond the paper, several pictures in succession
-/// must show the corner at one place, not before the vehicle has backed a good part of the way that was
+/// round which the second turning leads (L96 section 3.3). Beyond the paper, several images in succession
+/// must show the corner at one place, not before the vehicle has backed a good part of the path that was
 /// backed at teaching; and it goes back hardly farther than that.
 class CornerBacking {
  public:
@@ -36,7 +36,7 @@ class CornerBacking {
 
   /// The vehicle stands where it begins to back.
   /// @param next  the second turning's
-  /// @param taught_m  way that was backed there at teaching
+  /// @param taught_m  path that was backed there at teaching
   void begin(TurningClass next, double taught_m, const Pose2& T_odom_vehicle);
   void look(const Observation& observation, const Pose2& T_odom_vehicle);
 
@@ -44,7 +44,7 @@ class CornerBacking {
   double wished_steering_rad() const;
   /// It has come far enough back.
   bool is_done(const Pose2& T_odom_vehicle) const;
-  bool has_seen_corner() const { return pictures_ >= params_.pictures; }
+  bool has_seen_corner() const { return images_ >= params_.images; }
   const std::optional<Vec2>& p_odom_corner() const { return p_odom_corner_; }
 
  private:
@@ -57,8 +57,8 @@ class CornerBacking {
   RouteSide side_ = RouteSide::kLeft;
   double taught_m_ = 0;
   Pose2 T_odom_begin_;
-  std::optional<Vec2> p_odom_corner_;  ///< where the latest picture showed it
-  int pictures_ = 0;                   ///< in succession that showed it there
+  std::optional<Vec2> p_odom_corner_;  ///< where the latest image showed it
+  int images_ = 0;                     ///< in succession that showed it there
 };
 
 }  // namespace aisle

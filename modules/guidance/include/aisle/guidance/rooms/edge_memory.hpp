@@ -21,7 +21,7 @@ class EdgeMemory {
   /// @param reach_m  farther points are forgotten
   explicit EdgeMemory(double reach_m) : reach_m_(reach_m) {}
 
-  /// Takes in what a picture shows: edges come, and those where there is route now go.
+  /// Takes in what an image shows: edges come, and those where there is route now go.
   void take(const RouteView& view, const RouteSight& sight, const Pose2& T_odom_vehicle, double stamp_s);
   /// Forgets what lies in a rectangle: known not to stand there.
   void clear(const Pose2& T_odom_middle, const Vec2& size);
@@ -35,11 +35,11 @@ class EdgeMemory {
   struct Edge {
     Vec2 p_odom = Vec2::Zero();
     double seen_from_m = 0;
-    bool is_foot = true;
+    bool is_floor_edge = true;
     double first_s = 0, last_s = 0;  ///< when it was seen
     bool has_come = false;           ///< where the route was seen to be free
   };
-  /// A picture of some seconds ago.
+  /// An image of some seconds ago.
   struct Look {
     double stamp_s = 0;
     Pose2 T_odom_vehicle;
@@ -59,7 +59,7 @@ class EdgeMemory {
   std::vector<Edge> edges_;
   std::vector<Look> looks_;
   std::vector<Edge> gone_;         ///< had come, and the route was seen there again
-  std::vector<Edge> seen_, come_;  ///< by the latest picture; kept for their memory
+  std::vector<Edge> seen_, come_;  ///< by the latest image; kept for their memory
 };
 
 }  // namespace aisle

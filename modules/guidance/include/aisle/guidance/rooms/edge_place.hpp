@@ -29,17 +29,17 @@ struct EdgePlaceParams {
 
 /// Tells by the edges of the route, as far as they are where they were taught, where the vehicle is: what was
 /// seen of them on the last metres is laid onto them, at first from all poses about the one at which the
-/// vehicle was set down, then from where the odometry expects them. One picture alone may show a single line,
+/// vehicle was set down, then from where the odometry expects them. One image alone may show a single line,
 /// along which it could be anywhere. Things may have been moved since: each of their sides may stand off by
 /// itself, at a cost that grows with its length, so that what is seen from near has no more say than what is
 /// seen from far, and what stands otherwise than the rest counts little. The expected pose is trusted the
-/// more, the more pictures it rests on: what the first ones showed wrongly is soon made up for.
+/// more, the more images it rests on: what the first ones showed wrongly is soon made up for.
 class EdgePlace {
  public:
   /// @param taught  may be empty: then `map` stays `odom`
   EdgePlace(const EdgePlaceParams& params, const std::vector<RouteEdge>& taught);
 
-  /// Looks up the edges of the way about there, for `taught` and `take`.
+  /// Looks up the edges of the path about there, for `taught` and `take`.
   void come_to(const Pose2& T_odom_vehicle, double along_m);
   /// Takes in the edges that have been seen around the vehicle.
   /// @param along_m  about where on the route the vehicle is
@@ -56,7 +56,7 @@ class EdgePlace {
     double fitting_share = 0;  ///< of the points that lie on edges
   };
 
-  /// One picture row is the more floor, the farther away it is.
+  /// One image row is the more floor, the farther away it is.
   double variance_m2(const SeenEdge& seen) const;
   Pose2 most_alike(std::span<const SeenEdge> seen, const Pose2& T_map_expected) const;
   Fit refined(std::span<const SeenEdge> seen, const Pose2& T_map_begin, const Pose2& T_map_expected,
@@ -65,7 +65,7 @@ class EdgePlace {
   EdgePlaceParams params_;
   TaughtEdges taught_;
   Pose2 T_map_odom_;
-  int fits_ = 0;  ///< pictures that its pose rests on
+  int fits_ = 0;  ///< images that its pose rests on
 };
 
 }  // namespace aisle

@@ -6,9 +6,9 @@
 #include "aisle/control/speed.hpp"
 #include "aisle/control/steering.hpp"
 #include "aisle/guidance/navigator.hpp"
+#include "aisle/guidance/paths/car_search.hpp"
+#include "aisle/guidance/paths/path_driver.hpp"
 #include "aisle/guidance/rooms/edge_memory.hpp"
-#include "aisle/guidance/ways/car_search.hpp"
-#include "aisle/guidance/ways/way_driver.hpp"
 
 namespace aisle {
 
@@ -23,7 +23,7 @@ struct FrameBackingParams {
   double look_s = 1.5;
   double wait_s = 5;
   int plans_max = 4;
-  double aside_max_m = 0.012;
+  double lateral_max_m = 0.012;
   double turned_max_rad = 1 * kDegree;
   int tries_max = 3;
 
@@ -33,10 +33,10 @@ struct FrameBackingParams {
 /// Turns a front-steered vehicle about before a painted frame that it has seen, on floor that is known to be
 /// free, and drives it backwards into the frame. No camera looks back: while it turns, odometry carries the
 /// frame. Before it comes to stand it backs up to the frame's far side, from where its cameras show the near
-/// side ahead of it; if it stands askew, it drives out and backs in again.
+/// side ahead of it; if it stands misaligned, it drives out and backs in again.
 class FrameBacking {
  public:
-  /// @param size_m  of the frame, along the way in and across
+  /// @param size_m  of the frame, along the path in and across
   FrameBacking(const FrameBackingParams& params, const VehicleDescription& vehicle, const Vec2& size_m);
 
   /// @param floor  in a frame of its own, which stays where it is against `odom`
@@ -45,10 +45,10 @@ class FrameBacking {
   /// Takes in what was seen to stand on the floor since, but for what seems to be under the vehicle.
   void see(std::span<const SeenEdge> edges, const Pose2& T_odom_vehicle);
 
-  /// @param T_odom_frame  x along the way in, as it is known now
+  /// @param T_odom_frame  x along the path in, as it is known now
   Decision step(double stamp_s, const Pose2& T_odom_vehicle, const Pose2& T_odom_frame, double steering_rad);
 
-  /// Something has stayed in its way: it is to begin again, with the floor as it is known now.
+  /// Something has stayed in its path: it is to begin again, with the floor as it is known now.
   bool wants_floor() const { return state_ == State::kBlocked; }
   /// It is led by the floor, and keeps off what stands there.
   bool keeps_to_floor() const { return state_ == State::kSearching || state_ == State::kTurning; }
@@ -70,7 +70,7 @@ class FrameBacking {
   Pose2 T_odom_parked() const;
   Pose2 off() const;
   double deeper_m() const;
-  void search_way();
+  void search_path();
   Decision search();
   Decision turn(double stamp_s);
   Decision blocked();
@@ -84,7 +84,7 @@ class FrameBacking {
   VehicleDescription vehicle_;
   Vec2 size_m_;
   CarSearch search_;
-  WayDriver driver_;
+  PathDriver driver_;
   PathFollower follower_;
   FloorGrid floor_;
   FloorClearance clearance_;

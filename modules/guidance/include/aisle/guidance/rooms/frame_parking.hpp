@@ -20,10 +20,10 @@ struct FrameParkingParams {
   double deceleration_mps2 = 0.05;
   double reverse_speed_mps = 0.15;
   double gain = 0.3;
-  double aside_max_m = 0.012;
+  double lateral_max_m = 0.012;
   double turned_max_rad = 1 * kDegree;
-  double askew_m = 0.05;
-  double askew_rad = 3 * kDegree;
+  double misaligned_m = 0.05;
+  double yaw_error_rad = 3 * kDegree;
   double judged_m = 0.35;
   double hopeless_m = 0.06;
   double back_off_m = 1.8;
@@ -36,15 +36,15 @@ struct FrameParkingParams {
 
 /// Drives a front-steered vehicle into a painted square frame (L96 section 3.4): along the line through the
 /// middles of its near and far side, which the second camera shows from far and the first from near. Beyond
-/// the paper, the frame's pose is carried on by odometry and corrected by each picture; a vehicle that would
-/// come to stand askew backs off and tries again, and says after the last try if it did not park.
+/// the paper, the frame's pose is carried on by odometry and corrected by each image; a vehicle that would
+/// come to stand misaligned backs off and tries again, and says after the last try if it did not park.
 class FrameParking {
  public:
-  /// @param size_m  between the middles of the frame's lines, along the way in and across
+  /// @param size_m  between the middles of the frame's lines, along the path in and across
   FrameParking(const FrameParkingParams& params, const VehicleDescription& vehicle, const Vec2& size_m);
 
-  /// Looks for the frame in every picture of the cycle.
-  /// @param T_odom_expected  where the frame should be, x along the way in
+  /// Looks for the frame in every image of the cycle.
+  /// @param T_odom_expected  where the frame should be, x along the path in
   /// @param astray_m         what is first seen farther from there is something else
   void look(const Observation& observation, const Pose2& T_odom_vehicle, const Pose2& T_odom_expected,
             double astray_m);
@@ -73,7 +73,7 @@ class FrameParking {
   std::optional<Pose2> T_odom_frame_;
   Pose2 T_odom_found_;  ///< the frame as it was first seen
   double steering_rad_ = 0;
-  double unseen_m_ = 0;  ///< way since the frame was seen
+  double unseen_m_ = 0;  ///< path since the frame was seen
   bool is_backing_ = false;
   int tries_ = 1;
 };

@@ -12,7 +12,7 @@ struct FreeSteeringParams {
   double margin_m = 0.06;
   double comfort_m = 0.3;
   double step_rad = 2 * kDegree;
-  double wish_rad = 20 * kDegree;
+  double requested_rad = 20 * kDegree;
   double clearance_weight = 3;
   double reach_weight = 4;
 
@@ -22,19 +22,19 @@ struct FreeSteeringParams {
 /// How the wheels should be held, and what that leads to.
 struct SteeringChoice {
   double steering_rad = 0;
-  double free_m = 0;  ///< way of base_link until something comes nearer than the margin; at most the reach
+  double free_m = 0;  ///< path of base_link until something comes nearer than the margin; at most the reach
   double clearance_m = 0;  ///< to what comes nearest on that way
 };
 
 /// How far a front-steered vehicle gets with its wheels held at an angle.
 /// @param p_vehicle  what stands around it, in base_link
 /// @param direction  1: forwards, -1: backwards
-SteeringChoice free_way(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                        std::span<const Vec2> p_vehicle, double steering_rad, int direction);
+SteeringChoice free_path(const VehicleDescription& vehicle, const FreeSteeringParams& params,
+                         std::span<const Vec2> p_vehicle, double steering_rad, int direction);
 
 /// The steering angle next to the wished one that leads far and keeps its distance from what stands around.
 /// @param direction  1: forwards, -1: backwards
 SteeringChoice choose_steering(const VehicleDescription& vehicle, const FreeSteeringParams& params,
-                               std::span<const Vec2> p_vehicle, double wish_rad, int direction = 1);
+                               std::span<const Vec2> p_vehicle, double requested_rad, int direction = 1);
 
 }  // namespace aisle

@@ -11,9 +11,9 @@ namespace aisle {
 
 struct PlaceParkingParams {
   SteeringParams steering{.look_ahead_m = 0.25};
-  double aside_m = 0.05;
+  double lateral_m = 0.05;
   double turned_rad = 1.5 * kDegree;
-  double aside_max_m = 0.1;
+  double lateral_max_m = 0.1;
   double turned_max_rad = 5 * kDegree;
   double taken_max_m = 0.3;
   double back_off_m = 1.5;
@@ -25,8 +25,8 @@ struct PlaceParkingParams {
 };
 
 /// Comes to stand at the end of a path as it was taught, by where the vehicle is known to be: one that came
-/// to stand askew backs off along the path and comes anew. After the last try it says whether it stands well
-/// enough: beside what has been put there, it may stand farther aside.
+/// to stand misaligned backs off along the path and comes again. After the last try it says whether it stands
+/// well enough: beside what has been put there, it may stand farther off laterally.
 class PlaceParking {
  public:
   /// @param path  not empty
@@ -44,8 +44,8 @@ class PlaceParking {
   /// Backwards along the path.
   Command back_off(const Pose2& T_map_vehicle, double steering_now_rad) const;
   /// Ends backing off once it has gone far enough, or can go no farther.
-  /// @param free_m  way that is free behind it
-  void judge_way_back(const Pose2& T_map_vehicle, double free_m);
+  /// @param free_m  path that is free behind it
+  void judge_path_back(const Pose2& T_map_vehicle, double free_m);
 
   int tries() const { return tries_; }
 

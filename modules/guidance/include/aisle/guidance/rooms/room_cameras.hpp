@@ -30,7 +30,7 @@ inline std::optional<double> stripe_height_m(const VehicleDescription& vehicle) 
   return is_above ? std::optional(height_m) : std::nullopt;
 }
 
-/// Whether the way was taught with backing between turnings.
+/// Whether the path was taught with backing between turnings.
 inline bool backs_between_turnings(const Route& route) {
   const std::vector<PathPiece>& pieces = route.path.pieces();
   return std::any_of(pieces.begin(), pieces.end(), [](const PathPiece& p) { return p.arc.length_m < 0; });

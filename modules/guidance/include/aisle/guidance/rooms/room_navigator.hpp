@@ -1,5 +1,5 @@
 #pragma once
-/// Drives a taught way through a room: L96 Algorithm 5.
+/// Drives a taught path through a room: L96 Algorithm 5.
 
 #include <memory>
 #include <optional>
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "aisle/control/path_progress.hpp"
+#include "aisle/guidance/image_monitor.hpp"
 #include "aisle/guidance/navigator.hpp"
-#include "aisle/guidance/picture_watch.hpp"
 #include "aisle/guidance/rooms/corner_backing.hpp"
 #include "aisle/guidance/rooms/edge_memory.hpp"
 #include "aisle/guidance/rooms/edge_place.hpp"
@@ -26,7 +26,7 @@ namespace aisle {
 struct RoomNavigatorParams {
   RouteViewParams view;
   FreeSteeringParams steering;
-  PictureWatchParams pictures;
+  ImageMonitorParams images;
   CornerBackingParams corner_backing;
   FrameParkingParams frame;
   FrameBackingParams frame_backing;
@@ -46,7 +46,7 @@ struct RoomNavigatorParams {
   bool avoid_as_published = true;
   double dead_end_share = 1.0 / 3;
   double dead_end_gap_m = 0.4;
-  int dead_end_pictures = 3;
+  int dead_end_images = 3;
   double dead_end_beyond_m = 0.3;
   double frame_within_m = 3.5;
   double frame_astray_m = 1;
@@ -63,11 +63,11 @@ struct RoomNavigatorParams {
   void describe(FieldList& fields);
 };
 
-/// Keeps to the middle of the route as the first camera sees it, where the way that was taught goes; in a
-/// turning, to the middle of what is not blotted out. Turns away from what stands too near, waits before what
-/// blocks the way, backs off towards the taught way and tries again. Between two close turnings it backs as
+/// Keeps to the middle of the route as the first camera sees it, where the path that was taught goes; in a
+/// turning, to the middle of what is not masked. Turns away from what stands too near, waits before what
+/// blocks the path, backs off towards the taught path and tries again. Between two close turnings it backs as
 /// it was taught, until it sees the corner of the route. At the end it parks as the route says.
-/// `middle_share` is how much the route's middle counts against the way taught, carried on by odometry: 1 is
+/// `middle_share` is how much the route's middle counts against the path taught, carried on by odometry: 1 is
 /// as published.
 class RoomNavigator final : public Navigator {
  public:
@@ -87,7 +87,7 @@ class RoomNavigator final : public Navigator {
   const EdgeMemory& edges() const { return edges_; }
   /// Whether what is there has shown that it is its place; of a taught place alone it may stay open.
   bool has_confirmed_place() const;
-  /// On its last way back between turnings it has seen the corner of the route; nullopt: there was none.
+  /// On its last path back between turnings it has seen the corner of the route; nullopt: there was none.
   std::optional<bool> has_seen_corner() const;
   /// How often it has driven up to its place.
   int parking_tries() const;
@@ -106,7 +106,7 @@ class RoomNavigator final : public Navigator {
 
   void look(const Observation& observation);
   bool is_route_bright_as_learned() const;
-  bool knows_way_ahead() const;
+  bool knows_path_ahead() const;
   void find_place();
   Decision follow(double now_s);
   Decision park_in_frame(double now_s);
@@ -122,16 +122,16 @@ class RoomNavigator final : public Navigator {
   Decision blocked(double now_s);
   std::string why_blocked() const;
   bool is_on_way_back() const;
-  bool has_way_back_next() const;
-  void begin_way_back();
+  bool has_path_back_next() const;
+  void begin_path_back();
   Decision back_between_turnings();
   void remember_driven();
   void learn_floor_behind();
   std::vector<Vec2> standing_behind() const;
-  SteeringChoice choose_steering_behind(double wish_rad) const;
+  SteeringChoice choose_steering_behind(double requested_rad) const;
   Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
   double wished_steering_rad() const;
-  /// Near a taught end, at a place that is known: the taught way counts alone.
+  /// Near a taught end, at a place that is known: the taught path counts alone.
   bool keeps_to_taught_end() const;
   std::optional<double> avoiding_rad() const;
   double steering_to(const Vec2& p_vehicle) const;
@@ -141,7 +141,7 @@ class RoomNavigator final : public Navigator {
   bool is_at_dead_end() const;
   bool is_beyond_dead_end() const;
   void begin_to_back_off();
-  SteeringChoice choose_way_back() const;
+  SteeringChoice choose_path_back() const;
   std::optional<Decision> arrived();
   double left_m() const { return route_.path.length_m() - progress_.point().along_m; }
   double left_to_end_m() const;
@@ -150,30 +150,30 @@ class RoomNavigator final : public Navigator {
   VehicleDescription vehicle_;
   Route route_;
   RouteView view_;
-  PictureWatch watch_;
+  ImageMonitor watch_;
   EdgeMemory edges_;
   EdgePlace place_;
   PathProgress progress_;
   std::unique_ptr<FrameParking> frame_;
   std::unique_ptr<FrameBacking> frame_backing_;
-  std::unique_ptr<CornerBacking> corner_backing_;  ///< of a route with ways back between turnings
+  std::unique_ptr<CornerBacking> corner_backing_;  ///< of a route with paths back between turnings
   bool backs_to_corner_ = false;                   ///< else as it was taught
-  double back_to_m_ = 0;                           ///< along the route, the end of such a way
+  double back_to_m_ = 0;                           ///< along the route, the end of such a path
   StopViewMatcher stop_views_;
   Pose2 T_odom_vehicle_;
   RouteBrightness brightness_;
-  bool is_strange_ = false;  ///< what is before the vehicle does not look like the route
-  Pose2 T_odom_seen_;        ///< where it last did
+  bool is_unmatched_ = false;  ///< what is before the vehicle does not look like the route
+  Pose2 T_odom_seen_;          ///< where it last did
   State state_ = State::kFollowing;
-  int dead_end_pictures_ = 0;  ///< in succession that showed one
+  int dead_end_images_ = 0;  ///< in succession that showed one
   std::optional<double> stopped_s_;
   Pose2 T_odom_stopped_;
   PlaceParking taught_place_;
-  double pattern_share_;  ///< of the taught way, where the floor's pattern looked like obstacles
+  double pattern_share_;  ///< of the taught path, where the floor's pattern looked like obstacles
   double steering_rad_ = 0;
   std::vector<Pose2> T_odom_driven_;  ///< today, about where it is
   std::vector<Vec2> p_map_limit_;     ///< of the floor that is known, where it backs
-  SteeringChoice way_back_;
+  SteeringChoice path_back_;
   int back_offs_ = 0;  ///< about one place
   double back_offs_at_m_ = 0;
 };

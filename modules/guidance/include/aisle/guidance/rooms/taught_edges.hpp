@@ -7,8 +7,9 @@
 
 namespace aisle {
 
-/// The edges of a route as they were taught, found by place: those that belong to a stretch of the way, so
-/// that ways that come back to where they were, after the odometry has drifted, do not show two rooms in one.
+/// The edges of a route as they were taught, found by place: those that belong to a path segment, so
+/// that paths that come back to where they were, after the odometry has drifted, do not show two rooms in
+/// one.
 class TaughtEdges {
  public:
   struct Edge {
@@ -31,7 +32,7 @@ class TaughtEdges {
   /// About how long each side is, by its number.
   const std::vector<double>& side_lengths_m() const { return side_lengths_m_; }
 
-  /// Those of the stretch that lie within a distance.
+  /// Those of the segment that lie within a distance.
   std::vector<Vec2> around(const Vec2& p_map, double within_m) const;
 
  private:
@@ -46,7 +47,7 @@ class TaughtEdges {
   Vec2 p_map_low_ = Vec2::Zero();
   std::vector<std::int32_t> nearest_;  ///< for each cell, an edge's number or -1
   std::vector<float> off_m_;
-  std::size_t first_ = 0, end_ = 0;  ///< of the stretch
+  std::size_t first_ = 0, end_ = 0;  ///< of the segment
 };
 
 }  // namespace aisle

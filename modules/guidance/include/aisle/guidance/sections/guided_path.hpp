@@ -1,5 +1,5 @@
 #pragma once
-/// The way of a list of sections, and what each piece of it is driven by.
+/// The path of a list of sections, and what each piece of it is driven by.
 
 #include <optional>
 #include <vector>
@@ -27,11 +27,11 @@ struct GuidedPath {
   bool comes_home = false;           ///< it ends as it begins
 };
 
-enum class SectionTrip { kThere, kBack, kThereAndBack };
+enum class SectionRun { kThere, kBack, kThereAndBack };
 
-/// The way of a list; back, the vehicle turned about, right and left change places. Home again it turns about
-/// once more, and looks along the way as it did at first. Where two sections that follow base lines meet at a
-/// corner, the base lines of the one are the wall across the other and the end of its base line.
-GuidedPath guided_path(const SectionList& sections, const Pose2& T_map_start, SectionTrip trip);
+/// The path of a list; back, the vehicle turned about, right and left change places. Home again it turns
+/// about once more, and looks along the path as it did at first. Where two sections that follow base lines
+/// meet at a corner, the base lines of the one are the wall across the other and the end of its base line.
+GuidedPath guided_path(const SectionList& sections, const Pose2& T_map_start, SectionRun run);
 
 }  // namespace aisle

@@ -29,28 +29,28 @@ struct SectionLocaliserParams {
 };
 
 /// Odometry, corrected by the floor's edges: the distances of the base lines beside a section say how far
-/// aside the vehicle is; the wall across its end (and, if wanted, where the base line inside of the next turn
-/// ends) how far along; walls at right angles, everywhere, its heading.
+/// to the side the vehicle is; the wall across its end (and, if wanted, where the base line inside of the
+/// next turn ends) how far along; walls at right angles, everywhere, its heading.
 class SectionLocaliser {
  public:
-  /// @param way  must outlive it; not empty
+  /// @param path  must outlive it; not empty
   SectionLocaliser(const SectionLocaliserParams& params, const VehicleDescription& vehicle,
-                   const GuidedPath& way);
+                   const GuidedPath& guided);
 
   void predict(const OdometryReading& reading) { filter_.predict(reading); }
 
-  /// Takes in what one picture shows.
+  /// Takes in what one image shows.
   /// @param edges  in base_link
-  /// @param piece  of the way, on which the vehicle is
+  /// @param piece  of the path, on which the vehicle is
   void correct(std::span<const SensedSegment> edges, std::size_t piece);
 
-  /// Whether a base line beside the way has just been taken in.
+  /// Whether a base line beside the path has just been taken in.
   bool is_guided() const { return is_guided_; }
   const Pose2& pose() const { return filter_.pose(); }
   /// Where the vehicle was set down, by all that was seen since then.
   const Pose2& start_pose() const { return filter_.first_pose(); }
-  /// How sure it is how far aside it is of a way with this heading.
-  double aside_sigma_m(double heading_rad) const;
+  /// How sure it is how farther off laterally it is of a path with this heading.
+  double lateral_sigma_m(double heading_rad) const;
 
  private:
   /// The piece that the vehicle is on.
@@ -65,15 +65,15 @@ class SectionLocaliser {
   void correct_distance(const Here& here);
   void correct_by_wall_ahead(const Here& here, std::span<const SensedSegment> edges);
   void correct_by_line_end(const Here& here);
-  const WallBeside* wall_at(double aside_m) const;
-  /// Of what changes with the pose as told.
+  const WallBeside* wall_at(double lateral_m) const;
+  /// Of what changes with the pose as given.
   double sigma_of(const Vec3& by_pose) const;
   double distrust(double off_m, const Vec3& by_pose) const;
   double inflated(double sigma_m) const;
   double heading_variance() const { return filter_.covariance()(2, 2); }
 
   SectionLocaliserParams params_;
-  const GuidedPath* way_;
+  const GuidedPath* guided_;
   PoseFilter filter_;
   std::vector<WallBeside> beside_;
   std::vector<WallAcross> across_;

@@ -1,5 +1,5 @@
 #pragma once
-/// Drives a list of sections, each in its own way: L03 section 4.
+/// Drives a list of sections, each in its own path: L03 section 4.
 
 #include <optional>
 #include <string>
@@ -30,33 +30,33 @@ struct SectionNavigatorParams {
   void describe(FieldList& fields);
 };
 
-/// Keeps to the way as its localiser says where it is, and waits before what stands on the floor ahead. At
+/// Keeps to the path as its localiser says where it is, and waits before what stands on the floor ahead. At
 /// the end it turns on the spot until it is headed as it should be, also by a last look. Home again, it
 /// stands where it was set down and as it was headed there, as far as all that it saw tells, and not where
-/// the list begins. Too unsure how far aside of its way it is, kept waiting for too long, or with the bumper
-/// pressed, it gives up, and says where in the list.
+/// the list begins. Too unsure how farther off laterally of its path it is, kept waiting for too long, or
+/// with the bumper pressed, it gives up, and says where in the list.
 class SectionNavigator final : public Navigator {
  public:
   /// @param camera  the vehicle's, that looks along the corridor
   /// @throws std::invalid_argument if the vehicle has none of that name, or the path is empty
   SectionNavigator(const SectionNavigatorParams& params, const VehicleDescription& vehicle,
-                   const std::string& camera, SectionList sections, GuidedPath way);
+                   const std::string& camera, SectionList sections, GuidedPath guided);
   SectionNavigator(const SectionNavigator&) = delete;
   SectionNavigator& operator=(const SectionNavigator&) = delete;
 
   Decision step(const Observation& observation) override;
 
   const Pose2& pose() const { return localiser_.pose(); }
-  const Path& path() const { return way_.path; }
-  bool comes_home() const { return way_.comes_home; }
-  const SectionGuide& guide() const { return way_.guides[progress_.point().piece]; }
+  const Path& path() const { return guided_.path; }
+  bool comes_home() const { return guided_.comes_home; }
+  const SectionGuide& guide() const { return guided_.guides[progress_.point().piece]; }
   const PathPoint& point() const { return progress_.point(); }
-  /// Where the floor ends in the last picture.
+  /// Where the floor ends in the last image.
   const std::vector<FloorEdge>& edges() const { return edges_; }
 
  private:
   void locate(const Observation& observation);
-  Pose2 pose_on_way() const;
+  Pose2 pose_on_path() const;
   Decision take_last_heading(double stamp_s);
   Decision guarded(Decision decision);
   std::string place() const;
@@ -66,7 +66,7 @@ class SectionNavigator final : public Navigator {
   VehicleDescription vehicle_;
   std::string camera_;
   SectionList sections_;
-  GuidedPath way_;
+  GuidedPath guided_;
   FloorEdgeDetector detector_;
   SectionLocaliser localiser_;
   PathFollower follower_;
@@ -76,7 +76,7 @@ class SectionNavigator final : public Navigator {
   std::vector<SensedSegment> edges_on_floor_;
   bool is_guided_ = false;  ///< in this cycle
   std::optional<double> begun_s_;
-  std::optional<double> headed_s_;  ///< since then it is headed as the way ends
+  std::optional<double> headed_s_;  ///< since then it is headed as the path ends
 };
 
 }  // namespace aisle

@@ -1,5 +1,5 @@
 #pragma once
-/// Learning landmarks on a trip: C98 Algorithm 2 (the first trip) and Algorithm 4 (every later one).
+/// Learning landmarks on a run: C98 Algorithm 2 (the first run) and Algorithm 4 (every later one).
 
 #include <span>
 #include <vector>
@@ -20,12 +20,12 @@ struct LandmarkLearningParams {
   void describe(FieldList& fields);
 };
 
-/// One cycle of a trip, as far as learning looks at it.
+/// One cycle of a run, as far as learning looks at it.
 struct LandmarkCycle {
   double stamp_s = 0;
   OdometryReading odometry;                 ///< since the cycle before
-  std::vector<LandmarkSighting> sightings;  ///< of its picture, if it has one
-  std::vector<SensedSegment> floor_edges;   ///< likewise, in base_link
+  std::vector<LandmarkSighting> sightings;  ///< of its image, if it has one
+  std::vector<SensedSegment> floor_edges;   ///< the same, in base_link
 };
 
 /// Two landmarks as one at their weighted centroid (C98 eq. (17)), with the covariance of the surer one.
@@ -38,11 +38,11 @@ class LandmarkLearner {
   explicit LandmarkLearner(const LandmarkLearningParams& params, LandmarkMap map = {})
       : params_(params), map_(std::move(map)) {}
 
-  /// Merges what one picture shows from a pose. @return for each sighting the landmark that it went into
+  /// Merges what one image shows from a pose. @return for each sighting the landmark that it went into
   std::vector<std::size_t> merge(std::span<const LandmarkSighting> sightings, const Pose2& T_map_vehicle);
 
   /// Takes a landmark out of what is matched and merged with from now on.
-  void set_aside(std::size_t index) { map_.remove(index); }
+  void drop(std::size_t index) { map_.remove(index); }
 
   const LandmarkMap& map() const { return map_; }
 
@@ -55,27 +55,27 @@ class LandmarkLearner {
 /// landmark nearest to the start (the primary one) gets the greatest weight.
 void settle_weights(std::vector<Landmark>& landmarks, const Vec2& p_map_start, double weight_min);
 
-/// A trip as it was learned.
-struct LearnedTrip {
+/// A run as it was learned.
+struct LearnedRun {
   LandmarkMap map;
   std::vector<WallDirection> wall_directions;  ///< in the order in which they were come by
   std::vector<Pose2> T_map_vehicle;            ///< at the end of every cycle; the first is the map's origin
 };
 
-/// Algorithm 2: the map of a building from one trip. With `adjust`, all poses and landmarks are then moved
-/// together until sightings and odometry agree best, and where the trip came by a place again its landmarks
+/// Algorithm 2: the map of a building from one run. With `adjust`, all poses and landmarks are then moved
+/// together until sightings and odometry agree best, and where the run came by a place again its landmarks
 /// are laid upon the earlier ones.
-LearnedTrip learn_landmarks(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
-                            const LandmarkLearningParams& params);
+LearnedRun learn_landmarks(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
+                           const LandmarkLearningParams& params);
 
-/// A map after another trip through its building.
+/// A map after another run through its building.
 struct RefinedLandmarks {
   LandmarkMap map;
   std::vector<Pose2> T_map_vehicle;  ///< at the end of every cycle
-  double matched_share = 0;          ///< of the pictures with sightings
+  double matched_share = 0;          ///< of the images with sightings
 };
 
-/// Algorithm 4. Landmarks that should have been seen on the trip and were not lose most of their mass, and go
+/// Algorithm 4. Landmarks that should have been seen on the run and were not lose most of their mass, and go
 /// in time.
 RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const LandmarkCycle> cycles,
                                   const VehicleDescription& vehicle, const UncertainPose2& T_map_start,

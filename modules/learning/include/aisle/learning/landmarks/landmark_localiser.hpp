@@ -1,6 +1,6 @@
 #pragma once
 /// Where the vehicle is among known landmarks: C98 Algorithm 2 steps 9-13 and Algorithm 3 steps 6-9, one
-/// picture after the other.
+/// image after the other.
 
 #include <cmath>
 #include <optional>
@@ -36,12 +36,12 @@ struct LandmarkLocaliserParams {
   void describe(FieldList& fields);
 };
 
-/// What one picture said about the pose.
+/// What one image said about the pose.
 enum class LandmarkMatch {
   kMatched,    ///< the pose was corrected
   kAmbiguous,  ///< two displacements with other pairs fit about as well; the pose goes on by odometry
-  kUnmatched,  ///< other landmarks were seen than those that should be; likewise
-  kNothing,    ///< nothing was seen, or nothing that is known; likewise
+  kUnmatched,  ///< other landmarks were seen than those that should be; the same
+  kNothing,    ///< nothing was seen, or nothing that is known; the same
 };
 
 /// A sighting and the landmark that it was taken for.
@@ -61,9 +61,9 @@ class LandmarkLocaliser {
 
   /// Finds the displacement of what is seen against what is known within the window that the pose's
   /// uncertainty leaves open (MWGHT), pairs sightings with landmarks there, and lets the filter take the
-  /// pairs in. Costs the same whatever the size of the map. The second picture from one place has the errors
+  /// pairs in. Costs the same whatever the size of the map. The second image from one place has the errors
   /// of the first: a vehicle that stands does not become surer and surer.
-  /// @param floor_edges  of the same picture, in base_link. A match tells which way these run on the map;
+  /// @param floor_edges  of the same image, in base_link. A match tells which way these run on the map;
   ///                     where nothing known is seen, or the heading is far less sure, they tell it.
   LandmarkMatch correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
                         std::span<const SensedSegment> floor_edges = {});
@@ -76,11 +76,11 @@ class LandmarkLocaliser {
 
   const Pose2& pose() const { return filter_.pose(); }
   Mat3 covariance() const { return filter_.covariance(); }
-  const std::vector<LandmarkPair>& pairs() const { return pairs_; }  ///< of the last picture
-  double matched_share() const { return matched_share_; }            ///< of the last picture's weights
+  const std::vector<LandmarkPair>& pairs() const { return pairs_; }  ///< of the last image
+  double matched_share() const { return matched_share_; }            ///< of the last image's weights
   /// The same with each pair counted by how nearly the two lie upon each other, 0 .. matched_share.
   double agreement() const { return agreement_; }
-  /// How much more likely the last picture is here than among unknown things (logarithm of the ratio): each
+  /// How much more likely the last image is here than among unknown things (logarithm of the ratio): each
   /// pair adds kPairEvidence less half its squared distance in standard deviations, and never less than 0.
   double evidence() const { return evidence_; }
   static constexpr double kPairEvidence = 3;
@@ -101,12 +101,12 @@ class LandmarkLocaliser {
   PoseFilter filter_;
   WallCompass compass_;
   Mwght mwght_;
-  LandmarkPatterns patterns_;  ///< of the last picture, in base_link as predicted
+  LandmarkPatterns patterns_;  ///< of the last image, in base_link as predicted
   std::vector<LandmarkPair> pairs_, first_pairs_;
   std::vector<SeenPoint> points_;
   std::vector<char> taken_;
-  int taken_in_here_ = 0;      ///< pictures that corrected the pose since the vehicle came to this place
-  double since_here_m_ = 0;    ///< way since the first of them ...
+  int taken_in_here_ = 0;      ///< images that corrected the pose since the vehicle came to this place
+  double since_here_m_ = 0;    ///< path since the first of them ...
   double since_here_rad_ = 0;  ///< ... and how far it has turned
   double matched_share_ = 0;
   double agreement_ = 0;

@@ -14,22 +14,22 @@ struct LandmarkRelocationParams {
   double apart_m = 0.8;   ///< between places that are tried
   double window_m = 0.7;  ///< around each
   double window_rad = 15 * kDegree;
-  int places_per_picture = 16;
+  int places_per_image = 16;
   double distinct_evidence = 8;
   double missed_evidence = 2.5;
   double unknown_evidence = 1;
   double matched_share_min = 0.5;
   int pairs_min = 5;
-  int agreeing_pictures = 4;
+  int agreeing_images = 4;
 
   void describe(FieldList& fields);
 };
 
-/// Where on its ways the vehicle may be: for one that has lost itself. It compares what it has seen since
-/// then, from where it stands or slowly drives, with all places that it knows: some with each picture, so
-/// that a picture costs the same however large the building. Then the promising ones are looked at more
+/// Where on its paths the vehicle may be: for one that has lost itself. It compares what it has seen since
+/// then, from where it stands or slowly drives, with all places that it knows: some with each image, so
+/// that an image costs the same however large the building. Then the promising ones are looked at more
 /// closely, pair by pair and by what should have been seen on the way there, and the best must stay the best
-/// for several pictures.
+/// for several images.
 class LandmarkRelocator {
  public:
   /// @param T_map_tried  where vehicles drive: poses not much farther apart than `apart_m`, either way round
@@ -42,10 +42,10 @@ class LandmarkRelocator {
   /// The vehicle has gone on.
   void predict(const OdometryReading& reading);
 
-  /// Takes in one more picture.
+  /// Takes in one more image.
   /// @return where the vehicle is; nullopt unless one place fits clearly better than any other, and well, for
-  ///         several pictures in a row: look-alike doors are not guessed at
-  std::optional<Pose2> look(const LandmarkMap& map, std::span<const LandmarkSighting> picture);
+  ///         several images in a row: look-alike doors are not guessed at
+  std::optional<Pose2> look(const LandmarkMap& map, std::span<const LandmarkSighting> image);
 
   /// How often it has come to no answer since the start: all places were tried, or there was too little to
   /// try them with.
@@ -80,7 +80,7 @@ class LandmarkRelocator {
   int rounds_ = 0;
   std::size_t tried_ = 0;   ///< places, in this round
   std::size_t judged_ = 0;  ///< candidates, of those that are promising
-  int agreed_ = 0;          ///< pictures in which the best stayed the best
+  int agreed_ = 0;          ///< images in which the best stayed the best
   std::vector<Candidate> candidates_;
   std::vector<Candidate> former_;  ///< best ones of the round before, to be judged in this one, too
   LandmarkPatterns patterns_;      ///< at one place

@@ -14,15 +14,15 @@
 
 namespace aisle {
 
-/// What one cycle of the drive told.
+/// What one cycle of the drive given.
 struct RoomCycle {
   double stamp_s = 0;
   OdometryReading odometry;
   std::vector<Mark> marks;
-  std::optional<RouteBrightness> patch;  ///< before the vehicle, in the first camera's picture
-  std::vector<Vec2> p_vehicle_painted;   ///< on painted lines, in the same picture
-  std::optional<PlaceView> view;         ///< of the same picture
-  std::vector<Vec2> p_vehicle_edges;     ///< where the route ends, in the same picture
+  std::optional<RouteBrightness> patch;  ///< before the vehicle, in the first camera's image
+  std::vector<Vec2> p_vehicle_painted;   ///< on painted lines, in the same image
+  std::optional<PlaceView> view;         ///< of the same image
+  std::vector<Vec2> p_vehicle_edges;     ///< where the route ends, in the same image
 };
 
 struct RoomLearningParams {
@@ -45,7 +45,7 @@ struct LearnedRoute {
 
 /// The stop mark's label says how to park: frame, dead-end or view. What was driven after it shows a taught
 /// place from about it (maps/view_pattern.hpp).
-/// Problems, without a place: no way, no picture, a turning that does not end, no word for parking, no frame
+/// Problems, without a place: no path, no image, a turning that does not end, no word for parking, no frame
 /// to be seen.
 Result<LearnedRoute> learn_room_route(std::span<const RoomCycle> cycles, const VehicleDescription& vehicle,
                                       const RoomLearningParams& params);

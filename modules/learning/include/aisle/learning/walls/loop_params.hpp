@@ -5,10 +5,10 @@
 namespace aisle {
 
 struct LoopParams {
-  double submap_m = 4;            ///< way that makes one submap
-  double way_apart_m = 12;        ///< two submaps nearer by way are no loop
+  double submap_m = 4;            ///< path that makes one submap
+  double path_apart_m = 12;       ///< two submaps nearer by path are no loop
   double reach_floor_m = 0.4;     ///< search around the expected place ...
-  double reach_per_m = 0.01;      ///< ... plus this much per metre of way between the two ...
+  double reach_per_m = 0.01;      ///< ... plus this much per metre of path between the two ...
   double reach_max_m = 8;         ///< ... but no more
   double score_min = 0.5;         ///< share of the wall length that must lie on old walls
   double rival_share_max = 0.85;  ///< a different place that fits better than this share: ambiguous

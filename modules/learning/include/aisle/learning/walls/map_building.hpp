@@ -22,7 +22,7 @@ struct MapParams {
       0.3;  ///< scans whose walls give a heading; fewer: the building has no dominant direction
   int adjustment_rounds = 4;
   double drawn_length_m = 0.5;  ///< shorter walls are learned but not drawn
-  int drawn_sightings = 3;      ///< nor are walls seen on fewer legs of half a metre of way
+  int drawn_sightings = 3;      ///< nor are walls seen on fewer legs of half a metre of path
 
   void describe(FieldList& fields);
 };

@@ -9,7 +9,7 @@ namespace aisle {
 /// How far odometry may be off over one step, whatever the vehicle.
 struct MotionNoise {
   double distance_m_per_sqrt_m = 0.05;
-  double distance_scale = 0;  ///< share by which all ways may be counted wrong, learned on the way; 0: none
+  double distance_scale = 0;  ///< share by which all paths may be counted wrong, learned on the way; 0: none
   double rotation_rad_per_sqrt_m = 0.06;
   double rotation_rad_per_sqrt_rad = 0.03;
   double rotation_share = 0.15;   ///< of the step's own rotation

@@ -4,8 +4,8 @@
 
 namespace aisle {
 
-/// A place in `track` that the vehicle came to, as far as nothing but its wheels told how far that was.
-struct CountedWay {
+/// A place in `track` that the vehicle came to, as far as nothing but its wheels given how far that was.
+struct CountedPath {
   Vec2 by_factor = Vec2::Zero();  ///< the place moves by this for each unit of the scale's factor [m]
   Vec2 counted_m = Vec2::Zero();  ///< how much of that it was moved by already, by the factors of the time
 
@@ -13,7 +13,7 @@ struct CountedWay {
   Vec2 off_m(double factor) const { return factor * by_factor - counted_m; }
 };
 
-/// By how much the way that the wheels count is too short or too long: the same share on the whole trip, as a
+/// By how much the path that the wheels count is too short or too long: the same share on the whole run, as a
 /// tyre's radius is. Learned as a fourth unknown of the pose's Kalman filter: what corrects the pose says of
 /// the scale what their covariance says.
 class OdometryScale {
@@ -21,7 +21,7 @@ class OdometryScale {
   /// @param sigma  how far the factor may be off before anything was seen; 0: it is 1 and stays so
   explicit OdometryScale(double sigma) : variance_(sigma * sigma) {}
 
-  /// The way of one step, as far as the scale is known.
+  /// The path of one step, as far as the scale is known.
   Pose2 true_step(const Pose2& counted) const {
     return {factor_ * counted.x, factor_ * counted.y, counted.theta};
   }
@@ -34,23 +34,23 @@ class OdometryScale {
   void correct(const Mat3& prior, const Vec3& correction, const Mat3& posterior);
 
   /// From now on the pose, its covariance and what corrects it are meant as seen from something that stands
-  /// where the vehicle came by such a way: wheels' ways that both have in common say nothing of how they lie
-  /// to each other. What is known of the two, and way(), stay the same.
+  /// where the vehicle came by such a path: wheels' distances that both have in common say nothing of how
+  /// they lie to each other. What is known of the two, and path(), stay the same.
   /// @return how far the pose moves by that in `track`, where what is seen stands as it was laid [m]
-  Vec2 refer_to(const CountedWay& seen, Mat3& pose_covariance);
+  Vec2 refer_to(const CountedPath& seen, Mat3& pose_covariance);
 
-  /// The pose is known anew: how it came there says nothing.
+  /// The pose is known again: how it came there says nothing.
   void forget_pose();
 
   double factor() const { return factor_; }
   /// To the pose. Nothing, where the scale is known to be 1.
-  CountedWay way() const;
+  CountedPath path() const;
 
  private:
   double factor_ = 1;
   double variance_;
   Vec3 with_pose_ = Vec3::Zero();  ///< covariance of the pose, as seen from there, and the factor
-  CountedWay way_there_;           ///< to what the pose is seen from
+  CountedPath path_there_;         ///< to what the pose is seen from
 };
 
 }  // namespace aisle

@@ -11,7 +11,7 @@
 namespace aisle {
 
 /// Knows where the vehicle is while it drives through a building for the first time: every scan is laid onto
-/// the walls that the scans before it showed, and where a place is recognised the way since then is
+/// the walls that the scans before it showed, and where a place is recognised the path since then is
 /// corrected.
 class OnlineMapping {
  public:

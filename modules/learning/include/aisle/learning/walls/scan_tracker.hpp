@@ -16,11 +16,11 @@ struct TrackerParams {
   MotionNoise motion;
   double gate_m = 0.25;       ///< a segment farther from a wall is not matched with it
   double same_wall_m = 0.12;  ///< a segment farther across than this is another wall
-  double window_m = 20;       ///< walls not seen for so long a way are left to loop closing
+  double window_m = 20;       ///< walls not seen for so long a path are left to loop closing
   double unconfirmed_m = 3;   ///< a wall seen once only is forgotten after this way
   double keyframe_m = 0.25;
   double keyframe_rad = 8 * kDegree;
-  double lost_share = 0.55;  ///< less of the seen length fits than this: look for the pose anew
+  double lost_share = 0.55;  ///< less of the seen length fits than this: look for the pose again
   double relocation_reach_m = 1.2;
   bool may_count_backwards = true;  ///< the wheels, driving forwards, for a while: in some logs they do
 
@@ -34,13 +34,14 @@ struct Keyframe {
   double path_m = 0;
   Mat3 wall_information = Mat3::Zero();  ///< how well the walls fixed its pose
   bool relocated = false;                ///< the motion into it is a guess: it was lost before
-  CountedWay way;                        ///< in `track`
+  CountedPath path;                      ///< in `track`
 };
 
-/// From one keyframe to another as tracked, but with the wheels' ways longer by this factor than they count.
-Pose2 way_between(const Keyframe& from, const Keyframe& to, double odometry_factor);
+/// From one keyframe to another as tracked, but with the wheels' distances longer by this factor than they
+/// count.
+Pose2 relative_pose(const Keyframe& from, const Keyframe& to, double odometry_factor);
 
-/// Follows the sensor from scan to scan against the walls of the last stretch of way: odometry predicts, the
+/// Follows the sensor from scan to scan against the walls of the last path segment: odometry predicts, the
 /// walls' orthogonality corrects the heading, then the scan is laid onto the walls. The frame `track` never
 /// jumps except where the tracker had been lost; it drifts as slowly as the walls allow. A step costs
 /// O(segments * walls in the window).
@@ -52,7 +53,7 @@ class ScanTracker {
   /// the pose in `track`. With `orthogonal` false the building has no dominant direction: no wall is an axis.
   Pose2 step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal);
 
-  /// Where an earlier scan lies best on the walls of the last stretch of way, near a guess; nothing where too
+  /// Where an earlier scan lies best on the walls of the last path segment, near a guess; nothing where too
   /// little of it fits them.
   std::optional<Pose2> lay_again(std::span<const SensedSegment> segments, const Pose2& T_track_guess);
 
@@ -67,7 +68,7 @@ class ScanTracker {
  private:
   struct Explanation {
     Alignment alignment;
-    CountedWay way;             ///< to the walls that it lies on
+    CountedPath path;           ///< to the walls that it lies on
     bool is_as_counted = true;  ///< the vehicle moved as its wheels say
   };
 
@@ -77,8 +78,8 @@ class ScanTracker {
   Alignment lay_onto_walls(std::span<const SensedSegment> segments);
   Explanation explain_motion(std::span<const SensedSegment> segments);
   Explanation lay_from(std::span<const SensedSegment> segments, const Vec2& motion_m);
-  CountedWay way_to_walls() const;
-  void correct_pose(const Alignment& alignment, const CountedWay& way_to_walls);
+  CountedPath path_to_walls() const;
+  void correct_pose(const Alignment& alignment, const CountedPath& path_to_walls);
   bool relocate(std::span<const SensedSegment> segments);
   bool confirm_suspicion(const Pose2& T_sensor_found);
   bool keyframe_is_due() const;
@@ -92,7 +93,7 @@ class ScanTracker {
   Pose2 motion_;        ///< since then, by odometry
   OdometryScale scale_;
   std::vector<WallEstimate> walls_;
-  std::vector<CountedWay> ways_;  ///< to each wall, as it was seen first
+  std::vector<CountedPath> paths_;  ///< to each wall, as it was seen first
   std::vector<int> window_;
   std::vector<Keyframe> keyframes_;
   std::size_t scan_ = 0;
@@ -101,7 +102,7 @@ class ScanTracker {
   Pose2 T_sensor_suspected_;       ///< where the latest scans fit better ...
   double suspected_since_m_ = 0;   ///< ... since this way ...
   int suspected_scans_ = 0;        ///< ... so many in a row
-  bool counts_backwards_ = false;  ///< the odometry counts the way with the wrong sign
+  bool counts_backwards_ = false;  ///< the odometry counts the path with the wrong sign
   bool relocated_ = false;
   bool orthogonal_ = true;
 };

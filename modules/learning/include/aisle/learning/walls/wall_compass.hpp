@@ -16,24 +16,24 @@ class WallCompass {
   void start(const std::optional<WallDirection>& walls = {});
 
   /// The vehicle drove so far and turned: walls and map are not quite straight.
-  void move(double way_m, double turn_rad);
+  void move(double path_m, double turn_rad);
 
-  /// Compares the edges of the floor (base_link) in one picture with the walls that are known. Walls that run
-  /// otherwise for long become those that are known. Pictures from near each other show the same edges with
+  /// Compares the edges of the floor (base_link) in one image with the walls that are known. Walls that run
+  /// otherwise for long become those that are known. Images from near each other show the same edges with
   /// the same errors: the less the vehicle has moved since the last one, the less this one tells, and nothing
   /// if it stands.
-  /// @param heading_rad  of the vehicle on the map, as far as known without this picture's edges
+  /// @param heading_rad  of the vehicle on the map, as far as known without this image's edges
   void look(std::span<const SensedSegment> edges, double heading_rad, double sigma_rad);
 
-  /// The vehicle's heading against the walls by the last picture, near the heading that was given less their
+  /// The vehicle's heading against the walls by the last image, near the heading that was given less their
   /// direction; nullopt where none was seen that runs as known.
   const std::optional<HeadingMeasurement>& against_walls() const { return against_walls_; }
 
-  /// The vehicle's heading on the map by the last picture; nullopt likewise, and where the heading that was
+  /// The vehicle's heading on the map by the last image; nullopt the same, and where the heading that was
   /// given is surer than the walls' direction.
   std::optional<HeadingMeasurement> heading() const;
 
-  /// Takes this heading, of the last picture, for true, as far as it is sure.
+  /// Takes this heading, of the last image, for true, as far as it is sure.
   void learn(double heading_rad, double sigma_rad);
 
   double walls_rad() const { return walls_rad_; }  ///< in the map
@@ -42,9 +42,9 @@ class WallCompass {
  private:
   double walls_rad_ = 0, variance_ = 0;
   int starts_ = 0;               ///< 0: none is known
-  int unlike_ = 0;               ///< pictures since walls last ran as known
-  double anew_ = 1;              ///< how much of the next picture's errors are new ones: 0 .. 1
-  double heading_variance_ = 0;  ///< as given with the last picture
+  int unlike_ = 0;               ///< images since walls last ran as known
+  double again_ = 1;             ///< how much of the next image's errors are new ones: 0 .. 1
+  double heading_variance_ = 0;  ///< as given with the last image
   std::optional<HeadingMeasurement> against_walls_;
 };
 

@@ -11,12 +11,12 @@ struct OperatorView {
   Pose2 T_world_vehicle;
   double speed_mps = 0;  ///< of base_link, forwards
   double turn_rate_rad_s = 0;
-  /// Way that is free when it goes on as it does, with some room kept beside people; kSeenAhead_m if all is.
+  /// Path that is free when it goes on as it does, with some room kept beside people; kSeenAhead_m if all is.
   double free_ahead_m = 0;
   bool bumper_pressed = false;
 };
 
-/// How far an operator looks ahead along the vehicle's way.
+/// How far an operator looks ahead along the vehicle's path.
 inline constexpr double kSeenAhead_m = 2;
 
 /// Drives a simulated vehicle by hand.

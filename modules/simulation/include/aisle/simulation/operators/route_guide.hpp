@@ -9,12 +9,12 @@
 namespace aisle {
 
 /// The route of a world by its name; nullptr: there is none.
-const TaughtWay* route_of(const World& world, const std::string& name);
+const WorldRoute* route_of(const World& world, const std::string& name);
 
 /// Where a vehicle stands that is to be shown a route: at its start, facing along it.
-Pose2 start_of(const TaughtWay& route);
+Pose2 start_of(const WorldRoute& route);
 
-/// What a person shows of a taught place, beside the way to it.
+/// What a person shows of a taught place, beside the path to it.
 enum class ShownViews {
   kTrail,   ///< nothing more
   kPattern  ///< views from about it, as L96 Algorithm 3 asks for
@@ -27,11 +27,11 @@ enum class ShownViews {
 class RouteGuide final : public Operator {
  public:
   /// @param route  of the world
-  RouteGuide(const World& world, const TaughtWay& route, const VehicleDescription& vehicle,
+  RouteGuide(const World& world, const WorldRoute& route, const VehicleDescription& vehicle,
              const ScriptedOperatorParams& params, std::uint64_t seed, ShownViews views = ShownViews::kTrail);
 
   OperatorInput look(const OperatorView& view) override;
-  bool has_arrived() const { return has_shown_way_; }
+  bool has_arrived() const { return has_shown_path_; }
 
  private:
   struct TurningMark {
@@ -39,10 +39,10 @@ class RouteGuide final : public Operator {
     Mark mark;
   };
 
-  TaughtWay route_;
-  std::vector<Vec2> about_place_;  ///< where it turns back, after the way
+  WorldRoute route_;
+  std::vector<Vec2> about_place_;  ///< where it turns back, after the path
   ScriptedOperator driver_;
-  bool has_shown_way_ = false;
+  bool has_shown_path_ = false;
   std::vector<TurningMark> marks_;  ///< not yet made, in order
   double along_m_ = 0;
 };

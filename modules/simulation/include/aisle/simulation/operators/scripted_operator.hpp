@@ -14,24 +14,24 @@
 
 namespace aisle {
 
-class OperatorWay;
+class OperatorPath;
 
 /// How a person drives who knows where to go.
 struct ScriptedOperatorParams {
   double speed_mps = 0.3;
   double look_ahead_m = 0.7;
   double reaction_s = 0.2;
-  double wander_m = 0.05;      ///< standard deviation, aside of the route
+  double wander_m = 0.05;      ///< standard deviation, beside the route
   double wander_time_s = 5;    ///< over which it comes and goes
   double speed_wander = 0.08;  ///< standard deviation, as a share
   double place_radius_m = 0.5;
-  double patience_s = 15;
+  double timeout_s = 15;
 
   void describe(FieldList& fields);
 };
 
 /// Follows a world's tour by sight, not quite straight and not quite evenly; names the places that it passes;
-/// waits before what is in the way, and gives up when it stays there; in bends steers clear of walls as far
+/// waits before what is in the path, and gives up when it stays there; in bends steers clear of walls as far
 /// as there is room, and backs off where it came too near to one all the same. Where the tour turns back, a
 /// differential vehicle turns round; a front-steered one goes on in reverse, until it can back round a corner
 /// such that it stands the right way to go on forwards.
@@ -44,13 +44,13 @@ class ScriptedOperator final : public Operator {
   OperatorInput look(const OperatorView& view) override;
 
   bool has_arrived() const { return leg_ == legs_.size(); }
-  /// Stretches without turning back that are not yet driven to their end.
+  /// Segments without turning back that are not yet driven to their end.
   std::size_t legs_left() const { return legs_.size() - leg_; }
   /// Length of the route that lies behind, as a share of all of it.
   double share_done() const;
 
  private:
-  /// A stretch of the route that is driven without turning back.
+  /// A segment of the route that is driven without turning back.
   struct Leg {
     std::vector<Vec2> points;
     double length_m = 0;
@@ -58,21 +58,21 @@ class ScriptedOperator final : public Operator {
   };
 
   void add_legs(const World& world);
-  std::optional<Vec2> place_to_back_to(const Leg& leg, const Vec2& next, OperatorWay& way,
+  std::optional<Vec2> place_to_back_to(const Leg& leg, const Vec2& next, OperatorPath& path,
                                        Obstacles& obstacles) const;
   void wander(double time_s);
   OperatorView seen_a_moment_ago(const OperatorView& view);
   void follow(const Vec2& p_world);
   Vec2 target() const;
   Command towards(const Vec2& p_vehicle_target, double speed_mps) const;
-  Command clear_of_walls(const Pose2& T_world_vehicle, const Command& wish);
+  Command clear_of_walls(const Pose2& T_world_vehicle, const Command& requested);
   double wished_speed_mps(const OperatorView& view) const;
   double cautious_speed_mps(const OperatorView& view, double speed_mps, bool in_reverse) const;
   bool comes_again() const;
   bool is_stuck_at_wall(const OperatorView& view);
   Command back_off(const OperatorView& view);
   std::vector<Mark> passed_places(const Pose2& T_world_vehicle);
-  bool is_out_of_patience(double now_s);
+  bool has_timed_out(double now_s);
 
   VehicleDescription vehicle_;
   ScriptedOperatorParams params_;
@@ -83,10 +83,10 @@ class ScriptedOperator final : public Operator {
   std::vector<Obstacles> liked_room_;  ///< front-steered: with ever less room around it
   std::deque<OperatorView> views_;
   std::size_t leg_ = 0;
-  double along_m_ = 0;                                  ///< of the present leg
-  std::optional<double> backs_to_m_;                    ///< along it, while backing off from a wall
-  double pull_aside_ = 0, aside_ = 0, pull_speed_ = 0;  ///< wander, in standard deviations
-  std::size_t leg_before_ = 0;                          ///< where it last got on
+  double along_m_ = 0;                                      ///< of the present leg
+  std::optional<double> backs_to_m_;                        ///< along it, while backing off from a wall
+  double pull_lateral_ = 0, lateral_ = 0, pull_speed_ = 0;  ///< wander, in standard deviations
+  std::size_t leg_before_ = 0;                              ///< where it last got on
   double along_before_m_ = 0;
   double got_on_s_ = 0;
   double stamp_s_ = 0;

@@ -17,24 +17,24 @@ struct TourDriverParams {
   double look_ahead_m = 0.5;
 
   void describe(FieldList& fields) {
-    fields.real("speed_max_mps", speed_max_mps, {0.01, 0.5}, "speed on a straight stretch");
+    fields.real("speed_max_mps", speed_max_mps, {0.01, 0.5}, "speed on a straight segment");
     fields.real("acceleration_max_mps2", acceleration_max_mps2, {0.05, 5}, "change of speed");
     fields.angle("turn_rate_max_deg_s", turn_rate_max_rad_s, {5, 180}, "turning on the spot and in corners");
     fields.real("look_ahead_m", look_ahead_m, {0.1, 2}, "how much of each corner is cut to a smooth turn");
   }
 };
 
-/// Follows the way points behind a carrot that runs ahead of the vehicle: corners come out rounded, and where
+/// Follows the waypoint behind a carrot that runs ahead of the vehicle: corners come out rounded, and where
 /// the tour turns back on itself the vehicle turns round in little space.
 class TourDriver {
  public:
-  /// Starts at the first of at least two different way points, facing the next.
+  /// Starts at the first of at least two different waypoint, facing the next.
   TourDriver(std::vector<Vec2> tour, const TourDriverParams& params);
 
   bool has_arrived() const;
-  /// Way points that lie behind; those that follow each other at one place are one.
-  std::size_t way_points_passed() const { return next_ - 1; }
-  std::size_t way_points() const { return tour_.size(); }
+  /// Waypoint that lie behind; those that follow each other at one place are one.
+  std::size_t path_points_passed() const { return next_ - 1; }
+  std::size_t waypoints() const { return tour_.size(); }
   /// The true pose in `world`.
   const Pose2& pose() const { return T_world_vehicle_; }
 
@@ -46,7 +46,7 @@ class TourDriver {
 
   TourDriverParams params_;
   std::vector<Vec2> tour_;
-  std::size_t next_ = 1;  ///< the way point that the carrot runs to
+  std::size_t next_ = 1;  ///< the waypoint that the carrot runs to
   Vec2 carrot_;
   Pose2 T_world_vehicle_;
   double speed_mps_ = 0;

@@ -13,7 +13,7 @@
 
 namespace aisle {
 
-/// What the wheels count wrong. The defaults are an ordinary indoor robot: some percent of the way, and
+/// What the wheels count wrong. The defaults are an ordinary indoor robot: some percent of the path, and
 /// several degrees in ten metres.
 struct OdometryNoiseParams {
   double distance_error = 0.025;
@@ -59,7 +59,7 @@ struct TourRecording {
   std::vector<Pose2> T_world_vehicle;  ///< the true pose at each scan
 };
 
-/// Drives the world's tour (at least two different way points) once. The same arguments give the same bytes.
+/// Drives the world's tour (at least two different waypoint) once. The same arguments give the same bytes.
 TourRecording record_tour(const World& world, const TourParams& params, std::uint64_t seed,
                           Progress& progress);
 

@@ -9,7 +9,7 @@
 
 namespace aisle {
 
-/// What an estimated trajectory is scored against: for every metre of the way one relation to the scan a
+/// What an estimated trajectory is scored against: for every metre of the path one relation to the scan a
 /// metre farther on, and, where the vehicle came near that place again at another time, one to a scan drawn
 /// from that later visit.
 std::vector<PoseRelation> true_relations(std::span<const Pose2> T_world_vehicle, Random& random);

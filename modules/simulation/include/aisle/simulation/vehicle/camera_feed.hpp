@@ -9,19 +9,19 @@
 
 namespace aisle {
 
-/// The way of one camera's pictures to the vehicle, and what may happen to them there.
+/// The path of one camera's images to the vehicle, and what may happen to them there.
 class CameraFeed {
  public:
-  /// A picture was taken. Dark pictures are the camera's business: `trouble.dark` is not looked at.
-  void take(CameraPicture picture, const CameraTrouble& trouble);
+  /// An image was taken. Dark images are the camera's business: `trouble.dark` is not looked at.
+  void take(CameraImage image, const CameraTrouble& trouble);
 
-  /// The newest picture that has arrived since the last call, if any; older ones are lost.
-  std::optional<CameraPicture> deliver(double now_s);
+  /// The newest image that has arrived since the last call, if any; older ones are lost.
+  std::optional<CameraImage> deliver(double now_s);
 
  private:
   struct Underway {
     double due_s = 0;
-    CameraPicture picture;
+    CameraImage image;
   };
 
   std::deque<Underway> underway_;  ///< none overtakes another

@@ -16,7 +16,7 @@ namespace aisle {
 struct LensTable;
 struct CollectedLight;
 
-/// Something upright that is not at its place for ever: a person, a box that blocks the way.
+/// Something upright that is not at its place for ever: a person, a box that blocks the path.
 struct MovingBody {
   enum class Kind { kPerson, kBox };
   Kind kind = Kind::kBox;
@@ -58,7 +58,7 @@ struct CameraSensorParams {
   void describe(FieldList& fields);
 };
 
-/// Where the vehicle is when a picture is taken, and how it moves meanwhile.
+/// Where the vehicle is when an image is taken, and how it moves meanwhile.
 struct CameraMoment {
   Pose2 T_world_vehicle;  ///< in the middle of the exposure
   double speed_mps = 0;   ///< of base_link, forwards
@@ -68,10 +68,10 @@ struct CameraMoment {
   bool laser_on = false;  ///< the vehicle's laser markers
   double laser_height_m = 0.3;
   double laser_ahead_m = 0.6;  ///< the projector, ahead of base_link; it shines to all sides ahead of it
-  std::uint64_t picture = 0;   ///< its number: noise and shake are drawn by it and the seed, in no order
+  std::uint64_t image = 0;     ///< its number: noise and shake are drawn by it and the seed, in no order
 };
 
-/// Takes pictures. Rays go through the lens model, so known points land where CameraModel::project says.
+/// Takes images. Rays go through the lens model, so known points land where CameraModel::project says.
 /// The same arguments give the same bytes, whatever the number of threads and what was taken before.
 class CameraSensor {
  public:
@@ -88,7 +88,7 @@ class CameraSensor {
   CameraSensorParams params_;
   std::uint64_t seed_;
   std::unique_ptr<const LensTable> lens_;
-  std::unique_ptr<CollectedLight> light_;  ///< of the picture in the making; kept, as new memory takes long
+  std::unique_ptr<CollectedLight> light_;  ///< of the image in the making; kept, as new memory takes long
 };
 
 }  // namespace aisle

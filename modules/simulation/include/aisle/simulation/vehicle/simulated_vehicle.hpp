@@ -27,7 +27,7 @@ class VehicleEyes;
 struct SimulationOptions {
   std::uint64_t seed = 1;  ///< of all noise
   Pose2 T_world_start;
-  bool takes_pictures = true;
+  bool takes_images = true;
 };
 
 /// What really happened so far: for evaluation and for looking on, never for the vehicle.
@@ -36,7 +36,7 @@ struct SimulatedTruth {
   Pose2 T_world_vehicle;
   double speed_mps = 0;  ///< of base_link, forwards
   double turn_rate_rad_s = 0;
-  double way_m = 0;            ///< that base_link has gone, forwards and backwards
+  double path_m = 0;           ///< that base_link has gone, forwards and backwards
   std::size_t collisions = 0;  ///< how often it has driven against something
 };
 
@@ -63,9 +63,9 @@ class SimulatedVehicle final : public Vehicle {
  private:
   void step(double time_s);
   void drive(double time_s);
-  void move(const Travel& travel, const Arc& way, double time_s);
+  void move(const Travel& travel, const Arc& path, double time_s);
   void feel_bumper(double free_share);
-  void lift_if_told();
+  void lift_if_due();
   Command commanded() const;
   std::optional<RangeScan> scan();
   OperatorView view();

@@ -13,7 +13,7 @@ struct Travel {
   double turn_rad = 0;      ///< differential
 };
 
-/// The way of base_link.
+/// The path of base_link.
 /// @param steering_bias_rad  front-steered: how far left of what the encoder sees the wheels really stand
 Arc arc_of(const VehicleDescription& vehicle, const Travel& travel, double steering_bias_rad = 0);
 
@@ -25,7 +25,7 @@ class VehicleDynamics {
  public:
   explicit VehicleDynamics(const VehicleDescription& vehicle) : vehicle_(vehicle) {}
 
-  /// Speed and steering change evenly within the step, so that its way is exact.
+  /// Speed and steering change evenly within the step, so that its path is exact.
   Travel step(const Command& wanted, double time_s);
 
   /// Stands at once, as against a wall. The steering stays.

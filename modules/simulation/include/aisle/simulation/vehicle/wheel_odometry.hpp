@@ -25,12 +25,12 @@ struct WheelErrors {
 /// Wheels and steering that do exactly what they should, and are read exactly.
 inline constexpr WheelErrors kPerfectWheels{0, 0, 0, 0, 0, 0, 0};
 
-/// Counts a vehicle's way as its encoders do: with errors, in whole quanta, nothing lost between readings.
+/// Counts a vehicle's path as its encoders do: with errors, in whole quanta, nothing lost between readings.
 class WheelOdometry {
  public:
   WheelOdometry(const VehicleDescription& vehicle, const WheelErrors& errors, Random random);
 
-  /// @param spin  share of the way by which the wheels have turned too far
+  /// @param spin  share of the path by which the wheels have turned too far
   void count(const Travel& travel, double spin = 0);
 
   /// What was counted since the last reading.
@@ -39,15 +39,15 @@ class WheelOdometry {
  private:
   FrontSteeredMotion read_motion();
   WheelSteps read_steps();
-  double wheel_way_m(double way_m, double scale, double spin);
+  double wheel_path_m(double path_m, double scale, double spin);
 
   VehicleDescription vehicle_;
   WheelErrors errors_;
   Random random_;
-  // Front-steered: way of the front; the steering is averaged over it.
+  // Front-steered: path of the front; the steering is averaged over it.
   double distance_m_ = 0, distance_read_m_ = 0;
-  double steering_by_way_ = 0, way_m_ = 0, steering_rad_ = 0;
-  // Differential: ways of the wheels, and their steps as read.
+  double steering_by_path_ = 0, travelled_m_ = 0, steering_rad_ = 0;
+  // Differential: paths of the wheels, and their steps as read.
   double left_m_ = 0, right_m_ = 0;
   long left_read_ = 0, right_read_ = 0;
 };

@@ -14,18 +14,18 @@
 
 namespace aisle {
 
-/// Lengths in px hold for the picture that is looked at, which is shrunk to `width_max_px`; a narrower
-/// picture is looked at as it is and they shrink with it.
+/// Lengths in px hold for the image that is looked at, which is shrunk to `width_max_px`; a narrower
+/// image is looked at as it is and they shrink with it.
 struct BaseLineParams {
   int width_max_px = 640;
   double score_min = 0.11;
-  double foot_share = 0.03;
+  double floor_point_share = 0.03;
   double standing_share_min = 0.16;
 
   void describe(FieldList& fields);
 };
 
-/// (u, v) in the picture as given, from far to near; two points, more where lens distortion bends the line.
+/// (u, v) in the image as given, from far to near; two points, more where lens distortion bends the line.
 using BaseLine = std::vector<Vec2>;
 
 struct BaseLines {
@@ -36,7 +36,7 @@ struct BaseLines {
 
 /// Finds the lines between floor and wall to the left and right: edges towards the corridor's vanishing
 /// point, on which vertical lines end, beneath which the route region lies and above which it does not. A
-/// picture of 640 x 480 takes about 2 ms.
+/// image of 640 x 480 takes about 2 ms.
 class BaseLineDetector {
  public:
   /// @param camera  if given, lines are fitted where its distortion is undone; they are reported as seen
@@ -45,9 +45,9 @@ class BaseLineDetector {
   BaseLineDetector(BaseLineDetector&&) noexcept;
   ~BaseLineDetector();
 
-  /// @param verticals  of the same picture, as VerticalLineDetector finds them; the more, the surer the
+  /// @param verticals  of the same image, as VerticalLineDetector finds them; the more, the surer the
   /// answer
-  /// @throws std::invalid_argument unless the picture has one channel
+  /// @throws std::invalid_argument unless the image has one channel
   BaseLines detect(const Image& grey, std::span<const VerticalLine> verticals);
 
  private:
@@ -57,8 +57,8 @@ class BaseLineDetector {
 
 /// Ends vertical lines at the floor: those that only lie on it (reflections) are dropped, those that fade
 /// beneath their base line end there, and those whose lower end is on it or on its skirting board are brought
-/// to it and get their foot.
-/// @param grey, verticals  the picture and its lines; both as given to and returned by the detectors
+/// to it and get their floor point.
+/// @param grey, verticals  the image and its lines; both as given to and returned by the detectors
 void stand_on_floor(const Image& grey, const BaseLines& base_lines, const BaseLineParams& params,
                     std::vector<VerticalLine>& verticals);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Where walls, doors and furniture meet the floor, whichever way they run, as seen by a camera whose place
+/// Where walls, doors and furniture meet the floor, whichever path they run, as seen by a camera whose place
 /// on the vehicle is known.
 
 #include <memory>
@@ -27,16 +27,16 @@ struct FloorEdgeParams {
 /// A straight edge of the floor.
 struct FloorEdge {
   SensedSegment on_floor;        ///< in base_link; the camera lies on its left
-  Vec2 start_px = Vec2::Zero();  ///< of the segment, (u, v) in the picture
+  Vec2 start_px = Vec2::Zero();  ///< of the segment, (u, v) in the image
   Vec2 end_px = Vec2::Zero();
   double contrast = 0;  ///< brightness beyond the edge less that of the floor [grey levels]
 };
 
 /// Finds the lowest lasting step of brightness in every direction, and the straight lines along it. Joints
 /// between tiles are no edges of the floor, as it goes on beyond them alike. Where the upper edge of a
-/// skirting board is clearer than its foot, the foot is taken that runs beneath it; where the floor lies in
-/// the shadow of what stands on it, the foot and not where the shadow begins. No allocation once warm; a
-/// picture of 640 x 480 takes about a millisecond.
+/// skirting board is clearer than its floor point, the floor point is taken that runs beneath it; where the
+/// floor lies in the shadow of what stands on it, the floor point and not where the shadow begins. No
+/// allocation once warm; an image of 640 x 480 takes about a millisecond.
 class FloorEdgeDetector {
  public:
   FloorEdgeDetector(const FloorEdgeParams& params, const CameraIntrinsics& intrinsics,
@@ -44,8 +44,8 @@ class FloorEdgeDetector {
   FloorEdgeDetector(FloorEdgeDetector&&) noexcept;
   ~FloorEdgeDetector();
 
-  /// The edges of one picture from left to right; valid until the next call.
-  /// @throws std::invalid_argument unless the picture has one channel
+  /// The edges of one image from left to right; valid until the next call.
+  /// @throws std::invalid_argument unless the image has one channel
   const std::vector<FloorEdge>& detect(const Image& grey);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// C98's local features: where the vertical lines of a picture stand on the floor, as the vehicle sees it.
+/// C98's local features: where the vertical lines of an image stand on the floor, as the vehicle sees it.
 
 #include <optional>
 #include <vector>
@@ -21,7 +21,7 @@ struct LandmarkSightingParams {
   double distance_max_m = 12;
   double leaning_max_rad = 2 * kDegree;
   double board_height_m = 0.16;
-  double foot_px = 4;
+  double floor_point_px = 4;
   bool hanging = true;   ///< lines that end above the floor count too, see LandmarkDetector
   bool corners = false;  ///< where two edges of the floor meet counts too, even if no line is seen there
 
@@ -30,32 +30,33 @@ struct LandmarkSightingParams {
 
 /// A vertical line that stands on the floor.
 struct LandmarkSighting {
-  Vec2 p_vehicle = Vec2::Zero();   ///< its foot, in base_link
-  Mat2 covariance = Mat2::Zero();  ///< of the foot; long along the line of sight
-  Vec2 by_tilt = Vec2::Zero();     ///< the part of that which all sightings of one picture share: how far the
-                                   ///< foot goes when the tilt is off by a standard deviation [m]
-  Vec2 foot_px = Vec2::Zero();     ///< in the picture
-  bool brighter_right = false;     ///< the right side of the line is the brighter one; a corner: false
+  Vec2 p_vehicle = Vec2::Zero();   ///< its floor point, in base_link
+  Mat2 covariance = Mat2::Zero();  ///< of the floor point; long along the line of sight
+  Vec2 by_tilt = Vec2::Zero();     ///< the part of that which all sightings of one image share: how far the
+                                   ///< floor point goes when the tilt is off by a standard deviation [m]
+  Vec2 floor_point_px = Vec2::Zero();  ///< in the image
+  bool brighter_right = false;         ///< the right side of the line is the brighter one; a corner: false
 
-  /// What its picture's other sightings do not share.
+  /// What its image's other sightings do not share.
   Mat2 own_covariance() const { return covariance - by_tilt * by_tilt.transpose(); }
 };
 
-/// Picture -> vertical lines -> edges of the floor -> feet. A line that ends on an edge of the floor, or on
-/// the skirting board above it, has its foot there. One that ends higher (a poster's edge) hangs on the wall
-/// that stands on that edge: its foot is where its azimuth meets the edge, if there is but one. One that goes
-/// on beneath the edge stands nearer, where no edge was seen, and has none; its reflection in the floor does
-/// not count. Feet beyond 7 m count where no nearer one is seen. No allocation once warm.
+/// Image -> vertical lines -> edges of the floor -> floor points. A line that ends on an edge of the floor,
+/// or on the skirting board above it, has its floor point there. One that ends higher (a poster's edge) hangs
+/// on the wall that stands on that edge: its floor point is where its azimuth meets the edge, if there is but
+/// one. One that goes on beneath the edge stands nearer, where no edge was seen, and has none; its reflection
+/// in the floor does not count. Floor points beyond 7 m count where no nearer one is seen. No allocation once
+/// warm.
 class LandmarkDetector {
  public:
   LandmarkDetector(const LandmarkSightingParams& params, const CameraIntrinsics& intrinsics,
                    const CameraMount& mount);
 
   /// From left to right; valid until the next call.
-  /// @throws std::invalid_argument unless the picture has one channel
+  /// @throws std::invalid_argument unless the image has one channel
   const std::vector<LandmarkSighting>& detect(const Image& grey);
 
-  /// What the last picture showed, for drawings; their feet as the sightings have them.
+  /// What the last image showed, for drawings; their floor points as the sightings have them.
   const std::vector<VerticalLine>& lines() const { return lines_; }
   const std::vector<FloorEdge>& floor_edges() const { return *floor_edges_; }
 
@@ -75,11 +76,11 @@ class LandmarkDetector {
   std::optional<Vec2> azimuth(const Vec2& pixel_px) const;
   void meet_edges(const VerticalLine& line);
   bool may_hang(const FloorEdge& edge) const;
-  std::optional<LandmarkSighting> sighting_at(const Meeting& foot) const;
-  std::optional<Meeting> foot_of(const Image& grey, const VerticalLine& line) const;
-  std::optional<Meeting> standing_foot(const Image& grey, const VerticalLine& line) const;
+  std::optional<LandmarkSighting> sighting_at(const Meeting& floor_point) const;
+  std::optional<Meeting> floor_point_of(const Image& grey, const VerticalLine& line) const;
+  std::optional<Meeting> standing_floor_point(const Image& grey, const VerticalLine& line) const;
   bool stands_proud(const VerticalLine& line, const Meeting& meeting) const;
-  std::optional<Meeting> hanging_foot(const VerticalLine& line) const;
+  std::optional<Meeting> hanging_floor_point(const VerticalLine& line) const;
   double height_m(const Vec2& pixel_px, double distance_m) const;
 
   LandmarkSightingParams params_;

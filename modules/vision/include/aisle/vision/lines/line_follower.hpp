@@ -8,11 +8,11 @@
 
 namespace aisle {
 
-/// Columns and distances are shares of the picture's width.
+/// Columns and distances are shares of the image's width.
 struct LineFollowerParams {
   double gate = 0.035;        ///< from where a line was expected
   double turn_max = 0.3;      ///< how far the corridor's end may be from the middle
-  double approach_max = 8;    ///< between two pictures: what is at distance x from the corridor's end goes
+  double approach_max = 8;    ///< between two images: what is at distance x from the corridor's end goes
                               ///< to x / (1 - approach x), as points of a side wall do
   double slope_gate = 0.15;   ///< change of a line's slope
   double tone_gate = 45;      ///< change of the grey level on either side
@@ -24,7 +24,7 @@ struct LineFollowerParams {
 
 /// A line as it is recognised.
 struct LineLook {
-  double column = 0;  ///< half-way down the picture; 0 is the middle of the width
+  double column = 0;  ///< half-path down the image; 0 is the middle of the width
   double slope = 0;   ///< columns to the right for each row down
   double tone_left = 0;
   double tone_right = 0;
@@ -32,29 +32,29 @@ struct LineLook {
   bool brighter_right() const { return tone_right > tone_left; }
 };
 
-/// @param lines  of this picture, from left to right
+/// @param lines  of this image, from left to right
 std::vector<LineLook> line_looks(const Image& grey, const std::vector<VerticalLine>& lines);
 
-/// How alike the lines of two pictures are, whichever of the two is ahead, if the camera moved between them
+/// How alike the lines of two images are, whichever of the two is ahead, if the camera moved between them
 /// as makes them most alike: 1 the same lines, less where lines of either have no like in the other, at least
-/// 0; two pictures without lines are alike. O(motions x lines of each).
+/// 0; two images without lines are alike. O(motions x lines of each).
 double lines_likeness(const std::vector<LineLook>& a, const std::vector<LineLook>& b,
                       const LineFollowerParams& params);
 
-/// Follows vertical lines through the pictures of one drive along a corridor, which may be metres apart: of
+/// Follows vertical lines through the images of one drive along a corridor, which may be metres apart: of
 /// all turns and approaches the one under which most lines find their like (by column, slope, polarity and
 /// the tones on both sides), in the same order from left to right.
 class LineFollower {
  public:
   explicit LineFollower(const LineFollowerParams& params = {}) : params_(params) {}
 
-  /// @param lines  of this picture, from left to right
-  /// @return for each the number of the same line in the picture before, or one never given yet, from 0
+  /// @param lines  of this image, from left to right
+  /// @return for each the number of the same line in the image before, or one never given yet, from 0
   std::vector<int> follow(const Image& grey, const std::vector<VerticalLine>& lines);
 
  private:
   LineFollowerParams params_;
-  std::vector<LineLook> looks_;  // of the picture before
+  std::vector<LineLook> looks_;  // of the image before
   std::vector<int> numbers_;
   int next_number_ = 0;
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// Edges of door frames, corners, pillars, posters: the lines of a picture that are vertical in the building.
+/// Edges of door frames, corners, pillars, posters: the lines of an image that are vertical in the building.
 
 #include <memory>
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace aisle {
 
-/// Lengths in px hold for the picture that is looked at, which is shrunk to `width_max_px`; a narrower
-/// picture is looked at as it is and they shrink with it.
+/// Lengths in px hold for the image that is looked at, which is shrunk to `width_max_px`; a narrower
+/// image is looked at as it is and they shrink with it.
 struct VerticalLineParams {
   int width_max_px = 640;
   int bands = 120;
@@ -34,15 +34,15 @@ struct VerticalLineParams {
 };
 
 struct VerticalLine {
-  Vec2 top_px = Vec2::Zero();     ///< (u, v) in the picture as given, sub-pixel
+  Vec2 top_px = Vec2::Zero();     ///< (u, v) in the image as given, sub-pixel
   Vec2 bottom_px = Vec2::Zero();  ///< below the top: greater v
-  double contrast = 0;  ///< mean step across the line [grey levels]; > 0: the right side is brighter
-  bool foot = false;    ///< the lower end stands on a base line, see base_lines.hpp
+  double contrast = 0;       ///< mean step across the line [grey levels]; > 0: the right side is brighter
+  bool floor_point = false;  ///< the lower end stands on a base line, see base_lines.hpp
 };
 
 /// Finds near-vertical lines (C98's landmarks): horizontal steps in bands of rows, linked downwards, cut
 /// where they bend; of those, the ones that agree with one vertical vanishing point. Tilt and roll of the
-/// camera may be up to about 15 degrees. No allocation once warm; a picture of 640 x 480 takes about a
+/// camera may be up to about 15 degrees. No allocation once warm; an image of 640 x 480 takes about a
 /// millisecond.
 class VerticalLineDetector {
  public:
@@ -52,8 +52,8 @@ class VerticalLineDetector {
   VerticalLineDetector(VerticalLineDetector&&) noexcept;
   ~VerticalLineDetector();
 
-  /// The lines of one picture from left to right, feet not yet decided; valid until the next call.
-  /// @throws std::invalid_argument unless the picture has one channel
+  /// The lines of one image from left to right, floor points not yet decided; valid until the next call.
+  /// @throws std::invalid_argument unless the image has one channel
   const std::vector<VerticalLine>& detect(const Image& grey);
 
  private:

@@ -10,15 +10,15 @@ namespace aisle {
 
 inline constexpr int kViewColumns = 128, kViewBands = 4;
 
-/// How bright a picture's columns are in four bands of its rows, the upper first: `kViewColumns` x
+/// How bright an image's columns are in four bands of its rows, the upper first: `kViewColumns` x
 /// `kViewBands` pixels, grey. The published views (`brightness_view.hpp`) keep of such curves only where they
 /// are highest and lowest.
-/// @param picture  not empty
-Image column_view(const Image& picture);
+/// @param image  not empty
+Image column_view(const Image& image);
 
-/// How two views may differ that are of one place. Columns are shares of the picture's width.
+/// How two views may differ that are of one place. Columns are shares of the image's width.
 struct ColumnViewParams {
-  double aside_max = 0.08;
+  double lateral_max = 0.08;
   double approach_max = 0;
 
   void describe(FieldList& fields);
@@ -47,11 +47,11 @@ class ViewCurves {
   };
 
   void add_approached(const std::array<Columns, kViewBands>& tones, double end, double approach);
-  static double correlation(const Curves& a, const Curves& b, int aside);
+  static double correlation(const Curves& a, const Curves& b, int lateral);
   double best_correlation(const Curves& curves, const Curves& seen) const;
 
   std::vector<Curves> approached_;  ///< the first from its place
-  int aside_max_;                   ///< columns
+  int lateral_max_;                 ///< columns
 };
 
 }  // namespace aisle

@@ -14,7 +14,7 @@
 namespace aisle {
 
 struct PlaceParams {
-  ColumnViewParams columns{.aside_max = 0.2, .approach_max = 2.7};
+  ColumnViewParams columns{.lateral_max = 0.2, .approach_max = 2.7};
   VerticalLineParams verticals;
   LineFollowerParams lines;
   double unlike_max = 0.7;
@@ -25,24 +25,24 @@ struct PlaceParams {
   void describe(FieldList& fields);
 };
 
-/// Knows places again that were taught by a picture each, from some metres away, too, and without odometry.
+/// Knows places again that were taught by an image each, from some metres away, too, and without odometry.
 /// Both must agree: the curves of columns' brightness are alike wherever lamps hang in a row, the lines that
 /// stand wherever doors do.
 class PlaceRecogniser {
  public:
   explicit PlaceRecogniser(const PlaceParams& params);
 
-  /// The next place along the way.
-  void teach(const Image& picture);
+  /// The next place along the path.
+  void teach(const Image& image);
 
-  /// Which place it was taken at; rivals are those that are not its neighbours along the way. Some 20 ms for
+  /// Which place it was taken at; rivals are those that are not its neighbours along the path. Some 20 ms for
   /// each taught place.
   /// @return nullopt if none was taught
-  std::optional<ViewRecognition> recognise(const Image& picture);
+  std::optional<ViewRecognition> recognise(const Image& image);
   bool is_sure(const ViewRecognition& recognition) const {
     return recognition.is_sure(params_.unlike_max, params_.rival_factor);
   }
-  /// Of the most alike places of a drive's pictures, in order: which of them those beside them confirm.
+  /// Of the most alike places of a drive's images, in order: which of them those beside them confirm.
   std::vector<bool> confirmed(std::span<const std::size_t> places) const {
     return confirmed_in_succession(places, static_cast<std::size_t>(params_.ahead_max));
   }
@@ -53,14 +53,14 @@ class PlaceRecogniser {
     std::vector<LineLook> lines;
   };
 
-  Look look_at(const Image& picture);
+  Look look_at(const Image& image);
   double unlikeness(const Look& a, const Look& b) const;
 
   PlaceParams params_;
   VerticalLineDetector verticals_;
   std::vector<Look> taught_;
   std::vector<double> order_;   // of the same
-  std::vector<double> unlike_;  // the same, to the latest picture
+  std::vector<double> unlike_;  // the same, to the latest image
 };
 
 }  // namespace aisle

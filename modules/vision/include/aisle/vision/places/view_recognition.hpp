@@ -21,15 +21,15 @@ struct ViewRecognition {
 };
 
 /// @param unlike   how unlike each taught view is
-/// @param along    where each was taken, along the way
+/// @param along    where each was taken, along the path
 /// @param apart    views that are farther apart are of different places
 /// @return nullopt if there is none
 std::optional<ViewRecognition> recognise_view(std::span<const double> unlike, std::span<const double> along,
                                               double apart);
 
-/// Which pictures of one drive are confirmed by those beside them: of three in succession the most alike
-/// views go on along the way, at most `ahead_max` from each to the next.
-/// @param views  of the pictures in order, by their places along the way
+/// Which images of one drive are confirmed by those beside them: of three in succession the most alike
+/// views go on along the path, at most `ahead_max` from each to the next.
+/// @param views  of the images in order, by their places along the path
 std::vector<bool> confirmed_in_succession(std::span<const std::size_t> views, std::size_t ahead_max);
 
 }  // namespace aisle

@@ -22,14 +22,14 @@ struct PaintedFrameParams {
   void describe(FieldList& fields);
 };
 
-/// Middles of bright lines on the floor, across the rows and columns of a picture, in base_link.
+/// Middles of bright lines on the floor, across the rows and columns of an image, in base_link.
 std::vector<Vec2> painted_line_points(const Image& grey, const CameraModel& camera, const CameraMount& mount,
                                       const PaintedFrameParams& params);
 
 /// A rectangle as it was found.
 struct FrameFit {
-  Pose2 T_vehicle_frame;       ///< its middle, x along the way in
-  Vec2 size_m = Vec2::Zero();  ///< between its lines' middles, along the way in and across
+  Pose2 T_vehicle_frame;       ///< its middle, x along the path in
+  Vec2 size_m = Vec2::Zero();  ///< between its lines' middles, along the path in and across
   double rms_m = 0;            ///< of the points on its lines
   int sides = 0;               ///< of the four, that are covered with points
   /// Corners in base_link: far left, far right, near right, near left.

@@ -1,5 +1,5 @@
 #pragma once
-/// The part of a picture that the vehicle can drive on: the floor as far as it looks like the floor in front.
+/// The part of an image that the vehicle can drive on: the floor as far as it looks like the floor in front.
 
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@ struct RegionParams {
   double texture_factor = 1.5;
   double texture_max = 12;
   double colour_weight = 2;
-  double strange_colour = 80;
+  double unmatched_colour = 80;
   double horizon_share = 0.45;
   double near_reach = 0.12;
   double floor_cost = 160;
@@ -31,18 +31,18 @@ struct RegionParams {
 
 /// Where the route is.
 struct RouteRegion {
-  Image mask;        ///< as large as the picture: 255 on the route, else 0
-  double share = 0;  ///< of the picture's pixels
+  Image mask;        ///< as large as the image: 255 on the route, else 0
+  double share = 0;  ///< of the image's pixels
 };
 
-/// Grows the route region of pictures from below (L96 sections 2.2 and 3.1). The picture's lowest middle is
+/// Grows the route region of images from below (L96 sections 2.2 and 3.1). The image's lowest middle is
 /// taken for floor. Beyond the paper, brightness may drift slowly over the floor, and the region stops at
 /// edges: each place belongs to the floor, growing from below, or to the rest, growing from above, whichever
 /// reaches it over the lesser steps of brightness and colour. Both may also start elsewhere, at a cost that
 /// grows with the distance from where they are expected, so that reflections and tiles do not stop them.
-/// Colour pictures are used in colour: what has quite another colour than the floor in front is not floor.
+/// Colour images are used in colour: what has quite another colour than the floor in front is not floor.
 /// Neither intrinsics nor the horizon need be known; the camera stands upright and looks about level or down.
-/// Memory is kept from picture to picture.
+/// Memory is kept from image to image.
 class RouteRegionFinder {
  public:
   explicit RouteRegionFinder(const RegionParams& params = {});
@@ -50,15 +50,15 @@ class RouteRegionFinder {
   RouteRegionFinder(RouteRegionFinder&&) noexcept;
   RouteRegionFinder& operator=(RouteRegionFinder&&) noexcept;
 
-  /// @param mask  becomes as large as the picture: 255 on one connected region, else 0
-  void find(const Image& picture, Image& mask);
+  /// @param mask  becomes as large as the image: 255 on one connected region, else 0
+  void find(const Image& image, Image& mask);
 
  private:
   std::unique_ptr<class RegionGrowth> growth_;
 };
 
-/// Of a single picture.
-RouteRegion find_route_region(const Image& picture, const RegionParams& params = {});
+/// Of a single image.
+RouteRegion find_route_region(const Image& image, const RegionParams& params = {});
 
 /// The middle of the route as L96 Algorithm 4 finds it.
 struct RouteMiddle {
@@ -70,7 +70,7 @@ struct RouteMiddle {
 /// @param far_row, near_row  the scan lines; rows of the mask
 /// @return nullopt unless both lines meet the region
 std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row);
-/// The same between two columns; the rest is blotted out.
+/// The same between two columns; the rest is masked.
 std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row, int begin_column,
                                              int end_column);
 

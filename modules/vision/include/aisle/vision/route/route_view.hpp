@@ -36,8 +36,8 @@ struct RouteChecks {
 
 /// One look at the route.
 struct RouteSight {
-  Image mask;             ///< 255 on the route, as large as the picture
-  double share = 0;       ///< route area, of the picture
+  Image mask;             ///< 255 on the route, as large as the image
+  double share = 0;       ///< route area, of the image
   double patch_grey = 0;  ///< mean of the patch before the vehicle (L96 section 2.2)
   double patch_deviation = 0;
   RouteChecks checks;
@@ -55,15 +55,15 @@ class RouteView {
   RouteView(const RouteViewParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
             int width_px, int height_px, double width_m, std::optional<double> stripe_height_m = {});
 
-  /// @return the sight of this picture, until the next
-  const RouteSight& look(const Image& picture);
-  /// The latest; nullopt: there was no picture.
+  /// @return the sight of this image, until the next
+  const RouteSight& look(const Image& image);
+  /// The latest; nullopt: there was no image.
   const std::optional<RouteSight>& sight() const { return sight_; }
 
   /// B' of L96 Algorithm 4: the middle of the two scan lines' middles, on the floor. What lies beside the
-  /// view's edges by these shares of its width is blotted out.
+  /// view's edges by these shares of its width is masked.
   /// @return nullopt unless the region meets both lines
-  std::optional<Vec2> middle(const RouteSight& sight, double blot_left, double blot_right) const;
+  std::optional<Vec2> middle(const RouteSight& sight, double mask_left, double mask_right) const;
 
   /// Of the two scan lines.
   int far_row() const { return far_row_; }
@@ -82,20 +82,20 @@ class RouteView {
   using FloorPatch = std::vector<std::size_t>;  ///< pixels, as offsets into a mask
   /// Of what the markers' stripe lights.
   struct LitPiece {
-    std::span<const Vec2> p_vehicle;  ///< from right to left
-    bool goes_on = false;             ///< from the piece before: both have one point
-    std::optional<bool> has_foot;     ///< nullopt: it is out of view
+    std::span<const Vec2> p_vehicle;      ///< from right to left
+    bool goes_on = false;                 ///< from the piece before: both have one point
+    std::optional<bool> has_floor_point;  ///< nullopt: it is out of view
   };
 
   std::optional<Vec2> projected(const Vec2& p_vehicle, double height_m) const;
-  FloorPatch patch_of(double ahead_from_m, double ahead_to_m, const Interval& aside_m) const;
+  FloorPatch patch_of(double ahead_from_m, double ahead_to_m, const Interval& lateral_m) const;
   bool is_occupied(const Image& mask, const FloorPatch& patch) const;
   void find_edges(RouteSight& sight) const;
-  void take_out_lit(const Image& picture, Image& mask);
+  void take_out_lit(const Image& image, Image& mask);
   void find_lit_pieces(const Image& grey);
-  std::optional<bool> has_foot(const Image& grey, std::span<const Vec2> p_vehicle_thing) const;
+  std::optional<bool> has_floor_point(const Image& grey, std::span<const Vec2> p_vehicle_thing) const;
   bool leaves_view(const Vec2& p_vehicle_inwards, const Vec2& p_vehicle_end) const;
-  int foot_column(const Vec2& p_vehicle) const;
+  int floor_point_column(const Vec2& p_vehicle) const;
   void take_out_columns(int begin, int end, Image& mask) const;
   void take_out_above(const Vec2& p_vehicle_right, const Vec2& p_vehicle_left, Image& mask) const;
   int row_at(double ahead_m) const;

@@ -30,12 +30,12 @@ struct LaserStripe {
   std::vector<Vec2> corners_px;  ///< where its straight segments meet, its two ends included: at least two
 };
 
-/// Extracts stripes from single pictures (C99 section 3.1): high brightness and high gradient, linked to
-/// polylines that are split into straight segments at corners. The signal of a colour picture is its
-/// strongest channel, of which white light counts less than coloured light; a grey picture's is its grey.
+/// Extracts stripes from single images (C99 section 3.1): high brightness and high gradient, linked to
+/// polylines that are split into straight segments at corners. The signal of a colour image is its
+/// strongest channel, of which white light counts less than coloured light; a grey image's is its grey.
 /// Brightness is measured against the surroundings in the same column, so that lamps and bright walls,
 /// which are wider than a stripe, do not count. A stripe may slope up to `slope_max`.
-/// @return from the left to the right; empty where there is no stripe, or no picture
-std::vector<LaserStripe> find_laser_stripes(const Image& picture, const StripeParams& params = {});
+/// @return from the left to the right; empty where there is no stripe, or no image
+std::vector<LaserStripe> find_laser_stripes(const Image& image, const StripeParams& params = {});
 
 }  // namespace aisle

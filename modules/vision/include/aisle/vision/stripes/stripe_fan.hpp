@@ -14,11 +14,11 @@
 namespace aisle {
 
 struct StripeFanParams {
-  double wide_m = 2.5;       ///< at this range the outermost beams are still in the picture
-  double sure_reach_m = 4;   ///< so far light is seen on all that does not stand flat to its way
+  double wide_m = 2.5;       ///< at this range the outermost beams are still in the image
+  double sure_reach_m = 4;   ///< so far light is seen on all that does not stand flat to its path
   double light_reach_m = 8;  ///< so far any wall shows that the markers are on
   double contrast_min = 8;   ///< by which a stripe outshines what lies before and behind it [grey levels] ...
-  double noise_factor = 4;   ///< ... and by how many times the picture's usual contrast
+  double noise_factor = 4;   ///< ... and by how many times the image's usual contrast
   double beam_m = 0.006;     ///< thickness of the light
   double steepness_max = 2.5;   ///< rows a column of the steepest stripe
   double width_min_m = 0.025;   ///< of the narrowest thing ...
@@ -29,7 +29,7 @@ struct StripeFanParams {
   void describe(FieldList& fields);
 };
 
-/// Beams from below the lens over the light plane, each a curve in the picture on which every pixel belongs
+/// Beams from below the lens over the light plane, each a curve in the image on which every pixel belongs
 /// to one distance. Where a thing stands in the light plane, the curve crosses a thin line that outshines
 /// what lies before and behind it, and the beams beside it do so at about the same place.
 class StripeFan {
@@ -39,7 +39,7 @@ class StripeFan {
     float range_m = 0;         ///< from below the lens to what is lit; 0: nothing is, within reach
     float near_m = 0;          ///< from here on light on the beam is seen ...
     float far_m = 0;           ///< ... up to here
-    bool may_be_shut = false;  ///< nothing is lit, but a stripe fades out or leaves the picture towards it
+    bool may_be_shut = false;  ///< nothing is lit, but a stripe fades out or leaves the image towards it
   };
 
   /// @param height_m  of the light plane above the floor
@@ -51,20 +51,20 @@ class StripeFan {
   /// as to the right.
   double first_angle_rad() const { return first_angle_rad_; }
   static double angle_step_rad();
-  /// How the beams lie in the picture, and what was found on them last.
+  /// How the beams lie in the image, and what was found on them last.
   const std::vector<Beam>& beams() const { return beams_; }
 
-  /// Reads one picture.
-  /// @throws std::invalid_argument unless the picture is grey and of the camera's size
-  const std::vector<Beam>& find(const Image& picture);
+  /// Reads one image.
+  /// @throws std::invalid_argument unless the image is grey and of the camera's size
+  const std::vector<Beam>& find(const Image& image);
 
-  /// Whether the last picture shows laser light at all, near or far.
+  /// Whether the last image shows laser light at all, near or far.
   bool sees_light() const { return sees_light_; }
 
-  /// Places within sure reach that the last picture shows lit [m, vehicle frame], from the right to the left.
+  /// Places within sure reach that the last image shows lit [m, vehicle frame], from the right to the left.
   void append_lit(std::vector<Vec2>& p_vehicle_lit) const;
 
-  /// Whether the last picture shows that nothing stands in the light plane at a place: the plane is in view
+  /// Whether the last image shows that nothing stands in the light plane at a place: the plane is in view
   /// there and beyond. What is out of view, out of sure reach or hidden is not known to be free.
   bool is_free(const Vec2& p_vehicle) const;
 
@@ -102,11 +102,11 @@ class StripeFan {
   void lay_beams(const CameraModel& camera, const CameraMount& mount, double height_m);
   void lay_curve(double angle_rad, const CameraModel& camera, const CameraMount& mount, double height_m);
   bool is_inside(const Vec2& pixel) const;
-  void read(const Image& picture);
+  void read(const Image& image);
   std::uint8_t flank_at(double away_m) const;
   int threshold() const;
   void find_peaks();
-  int brightest_aside(const Curve& curve, std::size_t i) const;
+  int brightest_lateral(const Curve& curve, std::size_t i) const;
   void add_peak(std::size_t beam, std::size_t i, int contrast);
   void link_peaks();
   const Peak* linked_before(const Peak& peak, std::size_t first) const;
@@ -114,11 +114,11 @@ class StripeFan {
   bool is_stripe(std::size_t c) const;
   bool outshines_grain(std::size_t c) const;
   void choose_nearest();
-  void doubt_beyond_ends();
-  void doubt_beyond(int end, int outwards);
+  void mark_uncertain_beyond_ends();
+  void mark_uncertain_beyond(int end, int outwards);
   bool goes_on_unseen(int end, int inwards, int beams) const;
   int beams_of_wall(int end, int inwards) const;
-  Vec2 struck(int beam) const;
+  Vec2 hit(int beam) const;
 
   StripeFanParams params_;
   Pose2 T_vehicle_fan_;  ///< below the lens, where the camera looks

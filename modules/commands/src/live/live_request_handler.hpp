@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+#include <vector>
+
+#include "aisle/core/result.hpp"
+#include "aisle/live/service_call.hpp"
+
+namespace aisle {
+
+/// The names of the services that LiveRequestHandler answers.
+std::vector<LiveService> handler_services(ServiceMailbox& calls);
+
+/// The session that `arguments` name.
+Result<std::filesystem::path> session_named(const std::filesystem::path& sessions,
+                                            const nlohmann::json& arguments);
+
+/// Answers what has nothing to do with the mission, on a thread of its own: sessions, buildings, mazes.
+class LiveRequestHandler {
+ public:
+  struct Folders {
+    std::filesystem::path sessions;  ///< empty: none
+    std::filesystem::path buildings;
+  };
+
+  /// @param calls  must outlive the request handler, which closes it
+  LiveRequestHandler(Folders folders, ServiceMailbox& calls);
+  ~LiveRequestHandler();
+  LiveRequestHandler(const LiveRequestHandler&) = delete;
+  LiveRequestHandler& operator=(const LiveRequestHandler&) = delete;
+
+ private:
+  Result<nlohmann::ordered_json> answer(const ServiceCall& call) const;
+
+  Folders folders_;
+  ServiceMailbox& calls_;
+  std::jthread thread_;
+};
+
+}  // namespace aisle

@@ -1,0 +1,173 @@
+#include "aisle/exploration/frontiers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "frontier_cells.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kCountedBehind_m2 = 2;  // more floor behind a frontier is not distinguished
+constexpr std::size_t kRimMax = 24;      // points that stand for a rim
+constexpr double kBesideCells = 1.5;     // between two that touch distances differ by less
+
+class FrontierFinder {
+ public:
+  FrontierFinder(const FloorGrid& floor, const FloorClearance& clearance, const FloorDistances& reached,
+                 const FrontierParams& params, CellMarks& marks)
+      : floor_(floor), clearance_(clearance), reached_(reached), params_(params), marks_(marks) {
+    marks_.assign(clearance.size(), kNothing);
+  }
+
+  std::vector<Frontier> find() {
+    std::vector<FloorCell> sills = mark_sills();
+    std::vector<Frontier> frontiers;
+    for (const FloorCell cell : sills) {
+      if (marks_[clearance_.index(cell)] != kFrontierCells) continue;
+      Frontier frontier = gather(cell);
+      measure_behind(frontier);
+      if (frontier.behind_m2 >= params_.area_min_m2 && !frontier.rim.empty())
+        frontiers.push_back(std::move(frontier));
+    }
+    return frontiers;
+  }
+
+ private:
+  enum Mark : std::uint8_t { kNothing, kFrontierCells, kTaken, kCounted };
+
+  bool is_sure(FloorCell cell) const { return clearance_.to_doubtful_m(cell) >= params_.room_m; }
+  bool may_be_floor(FloorCell cell) const {
+    return clearance_.to_occupied_m(cell) >= params_.room_m + params_.uncertain_m;
+  }
+  bool is_doubtful(FloorCell cell) const {
+    return clearance_.room().contains(cell) && may_be_floor(cell) && !is_sure(cell);
+  }
+
+  template <class Visit>
+  static void for_neighbours(FloorCell cell, int reach, Visit visit) {
+    for (int y = -reach; y <= reach; ++y) {
+      for (int x = -reach; x <= reach; ++x) {
+        if (x != 0 || y != 0) visit(FloorCell{cell.x + x, cell.y + y});
+      }
+    }
+  }
+
+  std::vector<FloorCell> mark_sills() {
+    std::vector<FloorCell> sills;
+    const double sure_m = params_.room_m, beside_uncertain_m = sure_m + kBesideCells * floor_.cell_m();
+    clearance_.for_cells(floor_.known(), [&](FloorCell cell, std::size_t index) {
+      const double room_m = clearance_.to_doubtful_m(index);
+      if (room_m < sure_m || room_m >= beside_uncertain_m) return;
+      if (!may_be_floor(cell) || reached_.to(cell) == FloorDistances::kUnreached) return;
+      bool borders = false;
+      for_neighbours(cell, 1, [&](FloorCell next) { borders = borders || is_doubtful(next); });
+      if (!borders) return;
+      marks_[index] = kFrontierCells;
+      sills.push_back(cell);
+    });
+    return sills;
+  }
+
+  Frontier gather(FloorCell first) {
+    const int gap = static_cast<int>(params_.cluster_gap_m / floor_.cell_m());
+    Frontier frontier;
+    frontier.frontier_cells.push_back(first);
+    marks_[clearance_.index(first)] = kTaken;
+    for (std::size_t i = 0; i < frontier.frontier_cells.size(); ++i) {
+      for_neighbours(FloorCell(frontier.frontier_cells[i]), gap, [&](FloorCell next) {
+        if (!clearance_.room().contains(next) || marks_[clearance_.index(next)] != kFrontierCells) return;
+        marks_[clearance_.index(next)] = kTaken;
+        frontier.frontier_cells.push_back(next);
+      });
+    }
+    measure_frontier_cells(floor_, frontier);
+    frontier.path_m = FloorDistances::kUnreached;
+    for (const FloorCell cell : frontier.frontier_cells)
+      frontier.path_m = std::min<double>(frontier.path_m, reached_.to(cell));
+    return frontier;
+  }
+
+  /// Walks over the doubtful floor behind the frontier cells, nearest first: its area and where the free
+  /// floor ends.
+  void measure_behind(Frontier& frontier) {
+    std::vector<FloorCell> behind;
+    const auto count = [&](FloorCell cell) {
+      if (!is_doubtful(cell) || marks_[clearance_.index(cell)] == kCounted) return;
+      marks_[clearance_.index(cell)] = kCounted;
+      behind.push_back(cell);
+    };
+    for (const FloorCell cell : frontier.frontier_cells) for_neighbours(cell, 1, count);
+    const double cell_m2 = floor_.cell_m() * floor_.cell_m();
+    const auto enough = static_cast<std::size_t>(kCountedBehind_m2 / cell_m2);
+    for (std::size_t i = 0; i < behind.size() && behind.size() < enough; ++i)
+      for_neighbours(FloorCell(behind[i]), 1, count);
+    frontier.behind_m2 = static_cast<double>(behind.size()) * cell_m2;
+    collect_rim(frontier, behind);
+    for (const FloorCell cell : behind) marks_[clearance_.index(cell)] = kNothing;
+  }
+
+  void collect_rim(Frontier& frontier, const std::vector<FloorCell>& behind) {
+    std::vector<FloorCell> rim;
+    const int reach = static_cast<int>(std::ceil(params_.room_m / floor_.cell_m()));
+    for (const FloorCell cell : behind) {
+      if (floor_.at(cell) == Floor::kUnknown) add_edge(cell, rim);
+    }
+    if (!rim.empty()) return thin_out(rim, frontier);
+    // the doubt lies beside floor that is free: what is unknown is within the vehicle's width of it
+    for (const FloorCell cell : behind) {
+      for_neighbours(cell, reach, [&](FloorCell next) {
+        if (floor_.at(next) == Floor::kUnknown) add_edge(next, rim);
+      });
+    }
+    thin_out(rim, frontier);
+  }
+
+  /// An unknown cell beside a free one lies on the rim.
+  void add_edge(FloorCell cell, std::vector<FloorCell>& rim) const {
+    bool borders = false;
+    for_neighbours(cell, 1, [&](FloorCell next) { borders = borders || floor_.at(next) == Floor::kFree; });
+    if (borders) rim.push_back(cell);
+  }
+
+  void thin_out(const std::vector<FloorCell>& rim, Frontier& frontier) const {
+    const std::size_t every = rim.size() / kRimMax + 1;
+    for (std::size_t i = every / 2; i < rim.size(); i += every) frontier.rim.push_back(floor_.centre(rim[i]));
+    if (frontier.rim.empty() && !rim.empty()) frontier.rim.push_back(floor_.centre(rim.front()));
+  }
+
+  const FloorGrid& floor_;
+  const FloorClearance& clearance_;
+  const FloorDistances& reached_;
+  const FrontierParams& params_;
+  CellMarks& marks_;
+};
+
+}  // namespace
+
+void FrontierParams::describe(FieldList& fields) {
+  fields.real("room_m", room_m, {0.05, 2},
+              "from the vehicle's middle line to anything that is not free floor");
+  fields.real("uncertain_m", uncertain_m, {0.02, 0.5},
+              "where so much more is free of things there may be floor");
+  fields.real("area_min_m2", area_min_m2, {0.01, 5}, "less floor behind a frontier is no path");
+  fields.real("cluster_gap_m", cluster_gap_m, {0.05, 1},
+              "pieces of a frontier so near to each other are one");
+}
+
+Frontier with_cells_halved(Frontier frontier) {
+  const auto halved = [](FloorCell cell) { return FloorCell{2 * cell.x, 2 * cell.y}; };
+  for (FloorCell& cell : frontier.frontier_cells) cell = halved(cell);
+  frontier.box = {halved(frontier.box.low), halved(frontier.box.end)};
+  frontier.stand = halved(frontier.stand);
+  return frontier;
+}
+
+std::vector<Frontier> find_frontiers(const FloorGrid& floor, const FloorClearance& clearance,
+                                     const FloorDistances& reached, const FrontierParams& params,
+                                     CellMarks& marks) {
+  return FrontierFinder(floor, clearance, reached, params, marks).find();
+}
+
+}  // namespace aisle

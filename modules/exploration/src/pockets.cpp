@@ -1,0 +1,198 @@
+#include "aisle/exploration/pockets.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "aisle/core/angle.hpp"
+#include "frontier_cells.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr int kDarkCells = 3;                 // behind the edge all is unknown
+constexpr double kBesideUnknownCells = 0.75;  // there is less room beside the unknown
+constexpr double kBeyondFrontier_m = 0.3;     // so far into the unknown a frontier leads for sure
+constexpr std::size_t kLooksMax = 6;          // points of a rim from which lines of sight are tried ...
+constexpr int kSights = 96;                   // ... in so many directions: doors may be hardly open
+constexpr std::size_t kPocketRimMax = 24;     // points that stand for a rim
+constexpr double kSightMin_m = 0.8;           // the vehicle's middle does not come nearer
+constexpr double kStrideMax_m = 0.2;          // along a line of sight, over free floor
+constexpr std::array<FloorCell, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
+/// So many of a row of things, evenly spread over it.
+std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
+  const std::size_t every = count / most + 1;
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = (count - 1) % every / 2; i < count; i += every) chosen.push_back(i);
+  return chosen;
+}
+
+class PocketFinder {
+ public:
+  PocketFinder(const FloorGrid& floor, const FloorClearance& clearance, const FloorDistances& reached,
+               const FrontierParams& frontier_params, const PocketParams& params, CellMarks& marks)
+      : floor_(floor),
+        clearance_(clearance),
+        reached_(reached),
+        frontier_params_(frontier_params),
+        params_(params),
+        marks_(marks) {
+    marks_.assign(clearance.size(), kNothing);
+  }
+
+  std::vector<Frontier> find(std::span<const Frontier> frontiers) {
+    for (const Frontier& frontier : frontiers) mark_led_to(frontier);
+    std::vector<FloorCell> edges = mark_edges();
+    const auto cells_min = static_cast<std::size_t>(std::lround(params_.edge_min_m / floor_.cell_m()));
+    std::vector<Frontier> pockets;
+    for (const FloorCell cell : edges) {
+      if (marks_[clearance_.index(cell)] != kEdge) continue;
+      Frontier pocket = gather(cell);
+      if (pocket.frontier_cells.size() >= cells_min && find_stand(pocket))
+        pockets.push_back(std::move(pocket));
+    }
+    return pockets;
+  }
+
+ private:
+  enum Mark : std::uint8_t { kNothing, kLedTo, kEdge, kTaken };
+
+  bool may_be_floor(FloorCell cell) const {
+    return clearance_.to_occupied_m(cell) >= frontier_params_.room_m + frontier_params_.uncertain_m;
+  }
+
+  /// What may be floor behind a frontier, along the edge of what is known.
+  void mark_led_to(const Frontier& frontier) {
+    struct LedTo {
+      FloorCell cell;
+      int beyond;  ///< cells from the last free one
+    };
+    const int beyond_max = static_cast<int>(kBeyondFrontier_m / floor_.cell_m());
+    std::vector<LedTo> steps;
+    for (const FloorCell cell : frontier.frontier_cells) steps.push_back({cell, 0});
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      for (const FloorCell path : kBeside) {
+        const FloorCell next{steps[i].cell.x + path.x, steps[i].cell.y + path.y};
+        if (!clearance_.room().contains(next) || marks_[clearance_.index(next)] == kLedTo) continue;
+        const bool is_sure = clearance_.to_doubtful_m(next) >= frontier_params_.room_m;
+        if (is_sure || !may_be_floor(next)) continue;
+        const int beyond = floor_.at(next) == Floor::kFree ? 0 : steps[i].beyond + 1;
+        if (beyond > beyond_max) continue;
+        marks_[clearance_.index(next)] = kLedTo;
+        steps.push_back({next, beyond});
+      }
+    }
+  }
+
+  /// The first cell of the dark behind a free one, into one of the four directions. No farther in: lines of
+  /// sight along an edge that was the limit of sight pass into the dark at small angles.
+  std::optional<FloorCell> dark_beside(FloorCell cell) const {
+    for (const FloorCell path : kBeside) {
+      bool is_dark = true;
+      for (int i = 1; i <= kDarkCells && is_dark; ++i)
+        is_dark = floor_.at(FloorCell{cell.x + i * path.x, cell.y + i * path.y}) == Floor::kUnknown;
+      if (is_dark) return FloorCell{cell.x + path.x, cell.y + path.y};
+    }
+    return std::nullopt;
+  }
+
+  bool is_led_to(FloorCell cell) const {
+    const int reach = static_cast<int>(frontier_params_.room_m / floor_.cell_m());
+    for (int y = -reach; y <= reach; y += 2) {
+      for (int x = -reach; x <= reach; x += 2) {
+        const FloorCell near{cell.x + x, cell.y + y};
+        if (clearance_.room().contains(near) && marks_[clearance_.index(near)] == kLedTo) return true;
+      }
+    }
+    return false;
+  }
+
+  std::vector<FloorCell> mark_edges() {
+    std::vector<FloorCell> edges;
+    const double beside_unknown_m = kBesideUnknownCells * floor_.cell_m();
+    clearance_.for_cells(floor_.known(), [&](FloorCell cell, std::size_t index) {
+      if (clearance_.to_doubtful_m(index) > beside_unknown_m) return;
+      if (floor_.at(cell) == Floor::kFree && dark_beside(cell) && !is_led_to(cell)) edges.push_back(cell);
+    });
+    for (const FloorCell cell : edges) marks_[clearance_.index(cell)] = kEdge;
+    return edges;
+  }
+
+  Frontier gather(FloorCell first) {
+    Frontier pocket;
+    pocket.is_pocket = true;
+    pocket.frontier_cells.push_back(first);
+    marks_[clearance_.index(first)] = kTaken;
+    for (std::size_t i = 0; i < pocket.frontier_cells.size(); ++i) {
+      const FloorCell cell = pocket.frontier_cells[i];
+      for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
+        for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
+          const std::size_t next = clearance_.index({x, y});
+          if (marks_[next] != kEdge) continue;
+          marks_[next] = kTaken;
+          pocket.frontier_cells.push_back({x, y});
+        }
+      }
+    }
+    measure_frontier_cells(floor_, pocket);
+    pocket.behind_m2 = static_cast<double>(kDarkCells) * static_cast<double>(pocket.frontier_cells.size()) *
+                       floor_.cell_m() * floor_.cell_m();
+    for (const std::size_t i : spread(pocket.frontier_cells.size(), kPocketRimMax))
+      pocket.rim.push_back(floor_.centre(*dark_beside(pocket.frontier_cells[i])));
+    return pocket;
+  }
+
+  /// The place nearest to the vehicle that has a line of sight to some of the rim.
+  bool find_stand(Frontier& pocket) const {
+    pocket.path_m = FloorDistances::kUnreached;
+    for (const std::size_t i : spread(pocket.rim.size(), kLooksMax)) {
+      for (int k = 0; k < kSights; ++k) look_back(pocket.rim[i], unit(2 * kPi * k / kSights), pocket);
+    }
+    return pocket.path_m < FloorDistances::kUnreached;
+  }
+
+  void look_back(const Vec2& p_map, const Vec2& direction, Frontier& pocket) const {
+    for (double along_m = 0; along_m < params_.reach_m;) {
+      const FloorCell cell = floor_.cell_at(Vec2(p_map + along_m * direction));
+      const Floor kind = floor_.at(cell);
+      if (kind == Floor::kOccupied || (kind == Floor::kUnknown && along_m > Frontier::kPocketDepth_m)) return;
+      if (along_m >= kSightMin_m && reached_.to(cell) < pocket.path_m) {
+        pocket.path_m = reached_.to(cell);
+        pocket.stand = cell;
+      }
+      along_m += std::clamp(clearance_.to_doubtful_m(cell) - floor_.cell_m(), floor_.cell_m(), kStrideMax_m);
+    }
+  }
+
+  const FloorGrid& floor_;
+  const FloorClearance& clearance_;
+  const FloorDistances& reached_;
+  const FrontierParams& frontier_params_;
+  const PocketParams& params_;
+  CellMarks& marks_;
+};
+
+}  // namespace
+
+void PocketParams::describe(FieldList& fields) {
+  fields.real("edge_min_m", edge_min_m, {0.1, 100}, "a pocket's edge is at least so long");
+  fields.real("reach_m", reach_m, {1, 20}, "from so far a pocket is looked into, at most");
+  fields.real("path_max_m", path_max_m, {0, 1000},
+              "a pocket farther away waits until the vehicle comes by; 0: none matters");
+  fields.real("path_max_m_per_m2", path_max_m_per_m2, {0, 1e6},
+              "the same by what it hides along its edge; the greater holds");
+  fields.real("again_m2", again_m2, {0, 1e6},
+              "what hides so much along its edge is looked into once more, from elsewhere or knowing more");
+}
+
+std::vector<Frontier> find_pockets(const FloorGrid& floor, const FloorClearance& clearance,
+                                   const FloorDistances& reached, std::span<const Frontier> frontiers,
+                                   const FrontierParams& frontier_params, const PocketParams& params,
+                                   CellMarks& marks) {
+  return PocketFinder(floor, clearance, reached, frontier_params, params, marks).find(frontiers);
+}
+
+}  // namespace aisle

@@ -1,0 +1,31 @@
+#pragma once
+/// Floor plans as images: what is dark is wall. docs/formats/plan.md says what is read.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "aisle/core/image.hpp"
+#include "aisle/core/result.hpp"
+#include "aisle/simulation/plans/floor_plan.hpp"
+
+namespace aisle {
+
+/// Which grey values are free: by map_server's rule, in shares of black.
+struct PlanThresholds {
+  double free_below = 0.196;  ///< the rest is solid: walls, and what nobody has seen
+  bool negate = false;        ///< white is occupied
+};
+
+/// The plan that a grey image shows, row 0 at the top; its lower left corner is the origin of `world`.
+FloorPlan floor_plan(const Image& grey, double cell_m, const PlanThresholds& thresholds = {});
+
+/// PBM, PGM or what read_image() takes, known from its first bytes. At most 8192 columns or rows.
+/// @param cell_m  side of a pixel
+Result<FloorPlan> read_plan_image(const std::filesystem::path& path, double cell_m);
+
+/// The same from memory; `name` stands for the file in problems.
+Result<FloorPlan> parse_plan_image(std::string_view bytes, const std::string& name, double cell_m,
+                                   const PlanThresholds& thresholds = {});
+
+}  // namespace aisle

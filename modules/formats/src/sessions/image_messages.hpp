@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "aisle/formats/images/image_coding.hpp"
+#include "aisle/vehicle/camera_description.hpp"
+#include "aisle/vehicle/observation.hpp"
+#include "sessions/session_topics.hpp"
+
+namespace aisle {
+
+/// The frame of a camera's images: camera_optical of docs/frames.md.
+std::string camera_frame(const std::string& camera);
+
+/// @throws std::invalid_argument if there is no image
+RecordedMessage image_message(const CameraImage& image, const ImageCoding& coding);
+
+/// The calibration for viewers, stamped like the image.
+RecordedMessage camera_info_message(const CameraDescription& camera, double stamp_s);
+
+/// The camera whose images a topic has; nullopt for other topics.
+std::optional<std::string> camera_of(const std::string& topic);
+
+Result<CameraImage> image_of(const RecordedMessage& message, const std::string& camera,
+                             const std::string& file);
+
+}  // namespace aisle

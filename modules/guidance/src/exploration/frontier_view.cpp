@@ -1,0 +1,64 @@
+#include "aisle/guidance/exploration/frontier_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aisle {
+namespace {
+
+constexpr double kFanEdge_rad = 3 * kDegree;  // nothing is expected to be seen so near to the fan's edge
+constexpr double kClearanceCells = 1.5;       // before a rim's point, where the unknown begins
+constexpr double kCornerCells = 1;  // so much less is free about a point than about its cell's middle
+
+/// Nothing stands, and nothing is unknown, between two places; of a pocket's rim, what lies just before it
+/// may be unknown.
+bool is_clear(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from, const Vec2& path,
+              double length_m, bool is_pocket) {
+  const Vec2 along = path / length_m;
+  const double step_m = floor.cell_m() / 2;
+  const double known_m = length_m - (is_pocket ? Frontier::kPocketDepth_m : kClearanceCells * floor.cell_m());
+  const int steps = static_cast<int>(std::ceil((is_pocket ? length_m : known_m) / step_m));
+  for (int i = 0; i < steps;) {
+    const double passed_m = i * step_m;
+    const FloorCell cell = floor.cell_at(from + passed_m * along);
+    const double free_m = clearance.to_doubtful_m(cell);
+    if (free_m <= 0) {
+      const Floor kind = floor.at(cell);
+      if (kind == Floor::kOccupied || (kind == Floor::kUnknown && passed_m < known_m)) return false;
+    }
+    i += std::max(1, static_cast<int>((free_m - kCornerCells * floor.cell_m()) / step_m));
+  }
+  return true;
+}
+
+/// No nearer than the beam there begins to look.
+bool shows_beam(const FrontierLook& look, const Pose2& T_map_fan, const Vec2& towards, double distance_m) {
+  if (look.near_m.empty()) return true;
+  const double angle_rad = wrap_angle(heading_of(towards) - T_map_fan.theta);
+  const auto beam =
+      static_cast<std::size_t>((angle_rad - look.fan.first_angle_rad) / look.fan.angle_step_rad);
+  return beam >= look.near_m.size() || distance_m >= look.near_m[beam];
+}
+
+}  // namespace
+
+bool sees_rim(const FrontierLook& look, const FloorGrid& floor, const FloorClearance& clearance,
+              const Pose2& T_map_vehicle, const Frontier& frontier, std::size_t enough) {
+  const Pose2 T_map_fan = T_map_vehicle * look.fan.T_vehicle_laser;
+  const Vec2 ahead = unit(T_map_fan.theta);
+  const double cosine_least = std::cos(look.fan.first_angle_rad + kFanEdge_rad);
+  std::size_t seen = 0, left = frontier.rim.size();
+  for (const Vec2& p_map : frontier.rim) {
+    if (seen + left-- < enough) return false;
+    const Vec2 towards = p_map - T_map_fan.position();
+    const double distance_m = towards.norm();
+    const bool is_in_fan = ahead.dot(towards) >= cosine_least * distance_m;
+    if (distance_m > look.reach_m || !is_in_fan || !shows_beam(look, T_map_fan, towards, distance_m))
+      continue;
+    if (!is_clear(floor, clearance, T_map_fan.position(), towards, distance_m, frontier.is_pocket)) continue;
+    if (++seen >= enough) return true;
+  }
+  return false;
+}
+
+}  // namespace aisle

@@ -1,0 +1,60 @@
+#include "aisle/guidance/image_monitor.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace aisle {
+namespace {
+
+/// Of a coarse grid of the image's bytes.
+double mean_level(const Image& image) {
+  constexpr std::size_t kStep = 13;
+  long total = 0, count = 0;
+  for (std::size_t i = 0; i < image.bytes.size(); i += kStep, ++count) total += image.bytes[i];
+  return static_cast<double>(total) / static_cast<double>(std::max(count, 1L));
+}
+
+}  // namespace
+
+void ImageMonitorParams::describe(FieldList& fields) {
+  fields.real("age_max_s", age_max_s, {0.05, 5}, "without an image that shows something new: stop");
+  fields.real("dark_level", dark_level, {0, 100}, "mean grey level below which an image is black");
+  fields.real("bright_level", bright_level, {150, 256}, "mean grey level above which it is washed out");
+}
+
+ImageMonitor::ImageMonitor(const ImageMonitorParams& params, const CameraDescription& camera)
+    : params_(params), camera_(camera) {}
+
+const CameraImage* ImageMonitor::look(const Observation& observation) {
+  const auto found = std::find_if(observation.images.begin(), observation.images.end(),
+                                  [&](const CameraImage& image) { return image.camera == camera_.name; });
+  if (found == observation.images.end() || !found->pixels) {
+    if (good_stamp_s_ && observation.stamp_s - *good_stamp_s_ > camera_.period_s) what_ = "sends no images";
+    return nullptr;
+  }
+  if (const char* fault = fault_of(*found, observation.stamp_s)) {
+    what_ = fault;
+    return nullptr;
+  }
+  good_stamp_s_ = found->stamp_s;
+  return &*found;
+}
+
+/// Null if there is none.
+const char* ImageMonitor::fault_of(const CameraImage& image, double now_s) {
+  if (now_s - image.stamp_s > params_.age_max_s) return "is late";
+  if (image.pixels->width_px != camera_.width_px || image.pixels->height_px != camera_.height_px)
+    return "sends images of another size";
+  const std::shared_ptr<const Image> before = std::exchange(last_, image.pixels);
+  if (before && *before == *image.pixels) return "is frozen";
+  const double level = mean_level(*image.pixels);
+  if (level < params_.dark_level) return "sees no light";
+  return level > params_.bright_level ? "is dazzled" : nullptr;
+}
+
+std::optional<std::string> ImageMonitor::trouble(double now_s) const {
+  if (good_stamp_s_ && now_s - *good_stamp_s_ <= params_.age_max_s) return std::nullopt;
+  return "camera " + camera_.name + " " + what_;
+}
+
+}  // namespace aisle

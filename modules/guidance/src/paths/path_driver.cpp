@@ -1,0 +1,121 @@
+#include "aisle/guidance/paths/path_driver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/control/reversing.hpp"
+#include "aisle/guidance/paths/driving_care.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kWatchMargin_m = 0.02;  // around the footprint
+constexpr double kCreeping_mps = 0.04;   // where it could not stop in time at the speed of its path
+constexpr double kBendAhead_m = 0.05;
+constexpr double kWheelsOff_rad = 25 * kDegree;
+constexpr double kWheelsOffAtFirst_rad = 4 * kDegree;  // at the start of a leg
+constexpr double kWheelsTurned_rad = 1 * kDegree;
+
+SteeringParams turning_late(SteeringParams steering) {
+  steering.bend_ahead_m = kLateBendAhead_m;
+  steering.bend_ahead_s = 0;
+  return steering;
+}
+
+}  // namespace
+
+PathDriver::PathDriver(const VehicleDescription& vehicle, const SteeringParams& steering,
+                       const SpeedParams& speed)
+    : vehicle_(vehicle),
+      speed_(speed),
+      watch_(vehicle.footprint, kWatchMargin_m),
+      braking_(vehicle, kWatchMargin_m),
+      follower_(vehicle, turning_late(steering)) {}
+
+void PathDriver::take(const Path& path) {
+  if (!has_path()) leg_begun_ = 0;
+  const double along_m = has_path() ? progress_->point().along_m : 0;
+  path_ = path_.followed_by(path);
+  progress_.emplace(path_, along_m);
+}
+
+void PathDriver::take_trail(const Path& path) {
+  drop();
+  take(path);
+  is_on_trail_ = true;
+}
+
+void PathDriver::shorten(double ahead_m) {
+  const PathPoint point = progress_->point();
+  path_ = path_.up_to(std::min(point.along_m + ahead_m, path_.leg_end_m(point.piece)));
+  progress_.emplace(path_, std::min(point.along_m, path_.length_m()));
+}
+
+void PathDriver::drop() {
+  progress_.reset();
+  path_ = {};
+  is_on_trail_ = false;
+}
+
+double PathDriver::free_m(const FloorGrid& floor, const FloorClearance& clearance,
+                          const Pose2& T_map_vehicle) const {
+  if (!has_path()) return 0;
+  if (is_on_trail_) return left_m();
+  return watch_.free_path_m(floor, clearance, path_, progress_->point().along_m,
+                            watch_.relaxed_clearance(floor, clearance, T_map_vehicle));
+}
+
+PathDriver::Step PathDriver::drive(const FloorGrid& floor, const FloorClearance& clearance,
+                                   const FootprintClearance& room, const Pose2& T_map_vehicle,
+                                   double steering_rad) {
+  const Command standing{.steering_rad = steering_rad};
+  if (!has_path()) return {State::kNoPath, standing};
+  const PathPoint& point = progress_->advance(T_map_vehicle);
+  if (progress_->has_arrived()) return {State::kArrived, standing};
+  const double care = driving_care(vehicle_, room, floor, clearance, path_, point.along_m, steering_rad);
+  const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, speed_);
+  const Command command = follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_rad);
+  if (const auto wheels_rad = wheels_to_turn_rad(point, command.steering_rad, steering_rad))
+    return {State::kTurningWheels, {.steering_rad = *wheels_rad}};
+  const int direction = command.speed_mps > 0 ? 1 : -1;
+  if (is_free(floor, clearance, T_map_vehicle, command, steering_rad))
+    return {State::kDriving, command, direction};
+  Command creeping = command;
+  creeping.speed_mps = std::clamp(command.speed_mps, -kCreeping_mps, kCreeping_mps);
+  if (is_free(floor, clearance, T_map_vehicle, creeping, steering_rad))
+    return {State::kDriving, creeping, direction};
+  const bool is_for_wheels = std::abs(command.steering_rad - steering_rad) > kWheelsTurned_rad &&
+                             is_free(floor, clearance, T_map_vehicle, command, command.steering_rad);
+  if (is_for_wheels) return {State::kTurningWheels, {.steering_rad = command.steering_rad}, direction};
+  return {State::kBlocked, standing, direction};
+}
+
+bool PathDriver::is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
+                         const Command& command, double steering_rad) const {
+  return is_on_trail_ ? braking_.is_free_on_trail(floor, clearance, T_map_vehicle, command, steering_rad)
+                      : braking_.is_free(floor, clearance, T_map_vehicle, command, steering_rad);
+}
+
+/// Where the path bends otherwise than the wheels stand, they turn before the vehicle goes on; but not where
+/// they stand as they do because the vehicle makes good what it is off the path.
+std::optional<double> PathDriver::wheels_to_turn_rad(const PathPoint& point, double followed_rad,
+                                                     double steering_rad) {
+  if (vehicle_.is_differential) return std::nullopt;
+  const std::size_t leg_end = path_.leg_end(point.piece);
+  const PathPoint ahead =
+      path_.at(std::min(point.along_m + kBendAhead_m, path_.leg_end_m(point.piece) - 1e-6));
+  const double bent_rad = std::atan(ahead.curvature_per_m * vehicle_.front_steered.wheelbase_m);
+  const double wanted_rad =
+      std::clamp(bent_rad, -vehicle_.limits.steering_max_rad, vehicle_.limits.steering_max_rad);
+  const bool is_under_path = leg_end == leg_begun_;
+  const double off_rad = std::abs(wanted_rad - steering_rad);
+  if (is_under_path) {
+    const bool makes_good = std::abs(followed_rad - steering_rad) < kWheelsOff_rad / 2;
+    return off_rad >= kWheelsOff_rad && !makes_good ? std::optional(wanted_rad) : std::nullopt;
+  }
+  if (off_rad >= kWheelsOffAtFirst_rad) return wanted_rad;
+  leg_begun_ = leg_end;
+  return std::nullopt;
+}
+
+}  // namespace aisle

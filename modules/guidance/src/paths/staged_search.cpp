@@ -1,0 +1,137 @@
+#include "aisle/guidance/paths/staged_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace aisle {
+namespace {
+
+constexpr double kLeeway_m = 1;          // about a place, where there may be less room than elsewhere
+constexpr double kBeside_m = 0.5;        // so near to the vehicle there is room for a disc
+constexpr double kOffKnownFloor_m = 2;   // how much farther places seem from which no path is known
+constexpr double kStageClearance = 1.5;  // in stages: what is a little farther than one is searched at once
+constexpr int kSoonExpansions = 30000;   // paths that are found later are searched from their ends first
+
+bool found_none_at_all(const CarSearch& search) {
+  return search.state() == CarSearch::State::kNone && search.has_tried_all();
+}
+
+}  // namespace
+
+StagedSearch::StagedSearch(const CarSearchParams& params, const VehicleDescription& vehicle)
+    : params_(params),
+      half_width_m_(vehicle.footprint.width_m / 2),
+      search_(params, vehicle),
+      from_ends_(params, vehicle) {}
+
+double StagedSearch::left_m(const Guide& guide, const Vec2& p_map) const {
+  const float left = guide.distances.to(floor_->cell_at(p_map));
+  return std::isfinite(left) ? left : (p_map - guide.p_map_place).norm() + kOffKnownFloor_m;
+}
+
+/// How far it is to a place: with the room that the search keeps, or else with as little as the vehicle is
+/// wide.
+double StagedSearch::measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map_from,
+                             const Vec2& p_map_place, Guide& guide) const {
+  guide.p_map_place = p_map_place;
+  float path_m = FloorDistances::kUnreached;
+  for (const double room_m : {half_width_m_ + params_.margin_m, half_width_m_}) {
+    guide.distances.measure(floor, clearance, p_map_place, room_m, kLeeway_m);
+    path_m = guide.distances.near(floor, p_map_from, kBeside_m);
+    if (std::isfinite(path_m)) break;
+  }
+  return path_m;
+}
+
+void StagedSearch::begin(const FloorGrid& floor, const Pose2& T_map_vehicle) {
+  floor_ = &floor;
+  T_map_vehicle_ = T_map_vehicle;
+  is_stage_ = ends_are_shut_off_ = false;
+  from_ends_.stop();
+}
+
+void StagedSearch::look_for(const FloorGrid& floor, const FloorClearance& clearance,
+                            const Pose2& T_map_vehicle, const Vec2& p_map_place, double about_m,
+                            CarSearch::IsGoal is_goal) {
+  begin(floor, T_map_vehicle);
+  is_goal_ = std::move(is_goal);
+  const double left_now_m = measure(floor, clearance, T_map_vehicle.position(), p_map_place, to_place_);
+  const bool is_far = std::isfinite(left_now_m) && left_now_m > kStageClearance * params_.stage_m + about_m;
+  const double stage_end_m = is_far ? left_now_m - params_.stage_m : -1;
+  search_.look_for(
+      T_map_vehicle,
+      [this, stage_end_m](const Pose2& T_map) {
+        const bool is_there = is_goal_(T_map);
+        is_stage_ = !is_there && to_place_.distances.to(floor_->cell_at(T_map.position())) <= stage_end_m;
+        return is_there || is_stage_;
+      },
+      [this, about_m](const Vec2& p_map) { return std::max(0.0, left_m(to_place_, p_map) - about_m); });
+}
+
+void StagedSearch::search_from_ends_too(const FloorBox& places) {
+  to_vehicle_.reset();
+  from_ends_.look_for_path_to_any(is_goal_, places, T_map_vehicle_,
+                                  [this](const Vec2& p_map) { return left_m(*to_vehicle_, p_map); });
+}
+
+void StagedSearch::look_for_path_to(const FloorGrid& floor, const FloorClearance& clearance,
+                                    const Pose2& T_map_goal, const Pose2& T_map_vehicle) {
+  begin(floor, T_map_vehicle);
+  const double left_now_m =
+      measure(floor, clearance, T_map_vehicle.position(), T_map_goal.position(), to_place_);
+  if (std::isfinite(left_now_m) && left_now_m > kStageClearance * params_.stage_m) {
+    return look_for(floor, clearance, T_map_vehicle, T_map_goal.position(), 0,
+                    [](const Pose2&) { return false; });
+  }
+  measure(floor, clearance, T_map_goal.position(), T_map_vehicle.position(), to_place_);
+  search_.look_for_path_to(T_map_goal, T_map_vehicle,
+                           [this](const Vec2& p_map) { return left_m(to_place_, p_map); });
+}
+
+void StagedSearch::keep_to(const std::function<bool(const Pose2&)>& is_free) {
+  search_.keep_to(is_free);
+  from_ends_.keep_to(is_free);
+}
+
+void StagedSearch::forbid_first(int direction) {
+  search_.forbid_first(direction);
+  from_ends_.forbid_first(direction);
+}
+
+void StagedSearch::relax_clearance() {
+  search_.relax_clearance();
+  from_ends_.relax_clearance();
+}
+
+bool StagedSearch::is_turn_of_ends() const {
+  return from_ends_.state() == CarSearch::State::kSearching &&
+         search_.state() == CarSearch::State::kSearching && search_.expansions() >= kSoonExpansions;
+}
+
+/// Poses that both searches came upon, though neither found a path, say that there may be one.
+CarSearch::State StagedSearch::advance(const FloorGrid& floor, const FloorClearance& clearance,
+                                       int expansions) {
+  if (!is_turn_of_ends()) {
+    search_.advance(floor, clearance, expansions);
+    return state();
+  }
+  if (!to_vehicle_)
+    measure(floor, clearance, to_place_.p_map_place, T_map_vehicle_.position(), to_vehicle_.emplace(Guide{}));
+  from_ends_.advance(floor, clearance, expansions);
+  ends_are_shut_off_ = found_none_at_all(from_ends_) && !from_ends_.meets(search_);
+  return state();
+}
+
+void StagedSearch::stop() {
+  search_.stop();
+  from_ends_.stop();
+}
+
+CarSearch::State StagedSearch::state() const {
+  if (search_.state() != CarSearch::State::kSearching) return search_.state();
+  if (is_found_from_ends()) return CarSearch::State::kFound;
+  return ends_are_shut_off_ ? CarSearch::State::kNone : CarSearch::State::kSearching;
+}
+
+}  // namespace aisle

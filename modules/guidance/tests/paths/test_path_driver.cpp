@@ -1,0 +1,120 @@
+#include "aisle/guidance/paths/path_driver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "known_floor.hpp"
+
+namespace aisle {
+namespace {
+
+constexpr double kDriveCycle_s = 0.1;
+
+Path path_of(const std::vector<Arc>& arcs, Pose2 T_map_start) {
+  std::vector<PathPiece> pieces;
+  for (const Arc& arc : arcs) {
+    pieces.push_back({T_map_start, arc});
+    T_map_start = pieces.back().end();
+  }
+  return Path(std::move(pieces));
+}
+
+/// A cart that does at once as it is given.
+class PathDriving : public testing::Test {
+ protected:
+  PathDriver::Step cycle() {
+    const PathDriver::Step step =
+        driver_.drive(hall_.floor, hall_.clearance, room_, T_map_vehicle_, steering_rad_);
+    steering_rad_ = step.command.steering_rad;
+    T_map_vehicle_ =
+        T_map_vehicle_ * drive(cart().front_steered,
+                               FrontSteeredMotion{kDriveCycle_s * step.command.speed_mps, steering_rad_});
+    return step;
+  }
+
+  /// Until the vehicle does something else than drive, at most a minute.
+  PathDriver::State drive_on() {
+    PathDriver::State state = PathDriver::State::kDriving;
+    for (int i = 0;
+         i < 600 && (state == PathDriver::State::kDriving || state == PathDriver::State::kTurningWheels); ++i)
+      state = cycle().state;
+    return state;
+  }
+
+  KnownFloor hall_{{Vec2(0, 0), Vec2(12, 8)}};
+  FootprintClearance room_{cart().footprint, 0.05};
+  PathDriver driver_{cart(), {}, {}};
+  Pose2 T_map_vehicle_{2, 4, 0};
+  double steering_rad_ = 0;
+};
+
+TEST_F(PathDriving, WithoutAPathItStandsAsItStood) {
+  steering_rad_ = 0.2;
+  const PathDriver::Step step = cycle();
+  EXPECT_EQ(step.state, PathDriver::State::kNoPath);
+  EXPECT_EQ(step.command, (Command{.steering_rad = 0.2}));
+}
+
+TEST_F(PathDriving, ArrivesWhereThePathEndsThereAndBack) {
+  const Path taken = path_of({{3, 0}, {2, 1}, {-2, 0.5}}, T_map_vehicle_);
+  driver_.take(taken);
+  EXPECT_EQ(drive_on(), PathDriver::State::kArrived);
+  EXPECT_LT((T_map_vehicle_.position() - taken.pieces().back().end().position()).norm(), 0.08);
+}
+
+TEST_F(PathDriving, APathThatGoesOnIsDrivenThroughWithoutAStop) {
+  driver_.take(path_of({{2, 0}}, T_map_vehicle_));
+  while (driver_.left_m() > 1) ASSERT_EQ(cycle().state, PathDriver::State::kDriving);
+  driver_.take(path_of({{3, 0}}, driver_.path().pieces().back().end()));
+  while (driver_.left_m() > 1) ASSERT_GT(cycle().command.speed_mps, 0.1);
+  EXPECT_GT(T_map_vehicle_.x, 5.5);
+}
+
+TEST_F(PathDriving, IsBlockedBeforeFloorThatIsUnknown) {
+  driver_.take(path_of({{12, 0}}, T_map_vehicle_));
+  EXPECT_NEAR(driver_.free_m(hall_.floor, hall_.clearance, T_map_vehicle_), 9, 0.2);
+  EXPECT_EQ(drive_on(), PathDriver::State::kBlocked);
+  EXPECT_LT(T_map_vehicle_.x + cart().footprint.front_m, 12);
+  EXPECT_GT(T_map_vehicle_.x, 10);
+}
+
+TEST_F(PathDriving, IsBlockedByWhatIsSeenNow) {
+  std::vector<float> ranges_m(181, 20);
+  ranges_m[90] = 0.1F;
+  driver_.take(path_of({{4, 0}}, T_map_vehicle_));
+  driver_.see(kFan, ranges_m);
+  const PathDriver::Step step = cycle();
+  EXPECT_EQ(step.state, PathDriver::State::kBlocked);
+  EXPECT_EQ(step.direction, 1);
+  EXPECT_EQ(step.command.speed_mps, 0);
+}
+
+TEST_F(PathDriving, WheelsTurnBeforeALegThatBends) {
+  driver_.take(path_of({{3, 2}}, T_map_vehicle_));
+  const PathDriver::Step step = cycle();
+  EXPECT_EQ(step.state, PathDriver::State::kTurningWheels);
+  EXPECT_EQ(step.command.speed_mps, 0);
+  EXPECT_GT(step.command.steering_rad, 10 * kDegree);
+  EXPECT_EQ(cycle().state, PathDriver::State::kDriving);
+}
+
+TEST_F(PathDriving, ABendSharperThanTheWheelsTurnDoesNotHoldItUp) {
+  const double steering_max_rad = cart().limits.steering_max_rad;
+  const double bend_per_m = 1.3 * std::tan(steering_max_rad) / cart().front_steered.wheelbase_m;
+  driver_.take(path_of({{-0.5, -0.5 * bend_per_m}}, T_map_vehicle_));
+  steering_rad_ = steering_max_rad;
+  EXPECT_EQ(cycle().state, PathDriver::State::kDriving);
+}
+
+TEST_F(PathDriving, AShortenedPathEndsThere) {
+  driver_.take(path_of({{6, 0}}, T_map_vehicle_));
+  driver_.shorten(2);
+  EXPECT_DOUBLE_EQ(driver_.left_m(), 2);
+  EXPECT_EQ(drive_on(), PathDriver::State::kArrived);
+  EXPECT_NEAR(T_map_vehicle_.x, 4, 0.08);
+}
+
+}  // namespace
+}  // namespace aisle

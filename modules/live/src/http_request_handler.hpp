@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "aisle/live/live_folders.hpp"
+
+namespace aisle {
+
+struct HttpQuestion {
+  std::string_view method;
+  std::string_view target;
+  std::string_view body;
+  bool knows_token = false;
+  bool has_lease = false;
+};
+
+struct HttpReply {
+  unsigned status = 200;
+  std::string media_type = "application/json";
+  std::string body;
+  std::optional<std::filesystem::path> file = {};  ///< is the body, if there is one
+};
+
+/// A reply that says what is wrong.
+HttpReply http_problem(unsigned status, const std::string& what);
+
+/// Answers what is asked over HTTP; knows nothing of sockets.
+class HttpRequestHandler {
+ public:
+  static constexpr std::size_t kBuildingBytesMax = std::size_t{16} << 20;
+
+  HttpRequestHandler(LiveFolders folders, std::string version);
+
+  /// Whether the request may bring a body of a building's size.
+  static bool brings_building(std::string_view method, std::string_view target);
+
+  HttpReply answer(const HttpQuestion& question) const;
+
+ private:
+  HttpReply page(std::string_view path) const;
+  HttpReply sessions(std::string_view path) const;
+  HttpReply buildings(const HttpQuestion& question, std::string_view path) const;
+  HttpReply keep_building(const HttpQuestion& question, std::string_view name) const;
+
+  LiveFolders folders_;
+  std::string version_;
+};
+
+}  // namespace aisle

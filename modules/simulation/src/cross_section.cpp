@@ -1,0 +1,58 @@
+#include "aisle/simulation/cross_section.hpp"
+
+#include "prism.hpp"
+
+namespace aisle {
+namespace {
+
+/// Heights between which something is looked for [m].
+struct Layer {
+  double bottom_m = 0;
+  double top_m = 0;
+
+  bool contacts(double bottom, double top) const { return bottom <= top_m && top >= bottom_m; }
+};
+
+class Outlines {
+ public:
+  explicit Outlines(Layer layer) : layer_(layer) {}
+
+  void add(const WallFace& wall) {
+    if (layer_.contacts(0, wall.height_m)) segments_.push_back(wall.floor_point);
+  }
+
+  void add(const Prism& prism) {
+    if (!layer_.contacts(prism.bottom_m, prism.top_m)) return;
+    for (std::size_t i = 0; i < prism.outline.size(); ++i) {
+      segments_.push_back({prism.outline[i], prism.outline[(i + 1) % prism.outline.size()]});
+    }
+  }
+
+  std::vector<Segment2> take() && { return std::move(segments_); }
+
+ private:
+  Layer layer_;
+  std::vector<Segment2> segments_;
+};
+
+std::vector<Segment2> outlines(const World& world, Layer layer) {
+  Outlines outlines(layer);
+  for (const WallFace& wall : world.walls) outlines.add(wall);
+  for (const Door& door : world.doors) outlines.add(leaf_of(door));
+  for (const Furniture& piece : world.furniture) {
+    for (const Prism& part : parts_of(piece)) outlines.add(part);
+  }
+  return std::move(outlines).take();
+}
+
+}  // namespace
+
+std::vector<Segment2> cross_section(const World& world, double height_m) {
+  return outlines(world, {height_m, height_m});
+}
+
+std::vector<Segment2> obstacles_below(const World& world, double height_m) {
+  return outlines(world, {0, height_m});
+}
+
+}  // namespace aisle

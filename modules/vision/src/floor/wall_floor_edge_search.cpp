@@ -1,0 +1,216 @@
+#include "floor/wall_floor_edge_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aisle/core/angle.hpp"
+#include "aisle/core/square.hpp"
+#include "aisle/geometry/principal_direction.hpp"
+
+namespace aisle {
+
+namespace {
+
+// Shares are of the image's width unless they say height.
+constexpr double kFlattest_rad = 8 * kDegree, kSteepest_rad = 78 * kDegree;
+constexpr double kMissAngle = 0.09;  // sine of the angle by which a segment may miss the vanishing point
+constexpr double kMissPerLength_px = 1.2;  // more for short segments
+constexpr double kMissNear = 0.01;         // and more near the vanishing point
+constexpr double kRayLengthMin = 0.02;
+constexpr double kSeedLengthMin = 0.05;
+constexpr double kSeedFloorPointWeightMin = 0.3;
+constexpr double kFloorPointSeedLength_px = 12;
+constexpr double kTrustedLength = 0.25;  // a seed this long tells its direction itself
+constexpr double kFirstTolerance = 0.008, kTolerance = 0.005;
+constexpr double kFloorPointToleranceRatio = 1.5;  // how much more floor points may miss a line than rays
+constexpr double kFloorPointWeight = 0.024;        // of a vertical line, as length of a ray
+constexpr double kLowerBorder_px = 5;              // a vertical line that ends here is cut by the border
+constexpr int kFits = 2;
+constexpr double kPastPointMax = 0.05;  // how far a wall's floor point passes the vanishing point
+constexpr int kBoards = 2;              // a board may stand on another
+constexpr double kOtherEdge = 0.6;      // support of a board's lower edge, of that of the upper one
+constexpr double kFreeFloor = 0.43;     // share of a board's lower edge beneath which other edges may come
+constexpr double kLikeScore = 0.7;
+constexpr double kBoardMin = 0.004;      // height of a board, as seen ...
+constexpr double kBoardDepthMax = 1.25;  // ... and at most: a fifth of the camera's height
+constexpr double kDepthLateral = 0.3;    // where heights are compared
+
+bool is_possible(const SideScene& scene, const WallFloorEdge& floor_point) {
+  const double angle = std::atan2(floor_point.direction.y(), floor_point.direction.x());
+  if (angle < kFlattest_rad || angle > kSteepest_rad) return false;
+  const double past_px =
+      std::abs(cross(floor_point.direction, scene.vanishing_point_px - floor_point.point_px));
+  return past_px <= kPastPointMax * scene.view.width_px();
+}
+
+/// How far beneath the vanishing point a line is in a column to the right of it.
+double depth_px(const SideScene& scene, const WallFloorEdge& floor_point) {
+  return floor_point.v_at(scene.vanishing_point_px.x() + kDepthLateral * scene.view.width_px()) -
+         scene.vanishing_point_px.y();
+}
+
+/// Whether `floor_point` may be the lower edge of the board whose upper edge is `upper`.
+bool is_lower_edge(const SideScene& scene, const WallFloorEdge& floor_point, const WallFloorEdge& upper) {
+  if (!floor_point.has_clear_sign()) return false;
+  const bool opposite_step = floor_point.support() > kOtherEdge * upper.support() &&
+                             floor_point.followed < kFreeFloor && floor_point.sign * upper.sign < 0;
+  if (floor_point.score() < kLikeScore * upper.score() && !opposite_step) return false;
+  const double depth = depth_px(scene, floor_point), upper_depth = depth_px(scene, upper);
+  return depth > upper_depth + kBoardMin * scene.view.width_px() && depth < kBoardDepthMax * upper_depth;
+}
+
+}  // namespace
+
+/// Of weighted points, for a line through them.
+struct WallFloorEdgeSearch::Scatter {
+  double weight = 0;
+  Vec2 sum = Vec2::Zero();
+  Mat2 products = Mat2::Zero();
+
+  void add(const Vec2& point_px, double w) {
+    weight += w;
+    sum += w * point_px;
+    products += w * point_px * point_px.transpose();
+  }
+
+  /// Through the points' middle, and along them where they lie apart.
+  void lay(WallFloorEdge& floor_point) const {
+    const Vec2 mean_px = sum / weight;
+    const Mat2 spread = products / weight - mean_px * mean_px.transpose();
+    floor_point.point_px = mean_px;
+    if (spread.trace() <= 1) return;
+    const Vec2 along = principal_direction(spread);
+    floor_point.direction = along.dot(floor_point.direction) < 0 ? Vec2(-along) : along;
+  }
+};
+
+std::optional<WallFloorEdge> WallFloorEdgeSearch::find(const SideScene& scene,
+                                                       std::span<const EdgeSegment> segments,
+                                                       double score_min) {
+  gather_rays(scene, segments);
+  gather_seeds(scene);
+  floor_points_.clear();
+  for (const Seed& seed : seeds_) {
+    auto floor_point = fitted(scene, seed);
+    if (!floor_point || !is_possible(scene, *floor_point)) continue;
+    weigh(scene, *floor_point);
+    floor_points_.push_back(*floor_point);
+  }
+  const WallFloorEdge* best = lowest_of_like_score(scene, score_min);
+  if (best == nullptr) return std::nullopt;
+  return *best;
+}
+
+void WallFloorEdgeSearch::gather_rays(const SideScene& scene, std::span<const EdgeSegment> segments) {
+  const double width_px = scene.view.width_px(), height_px = scene.view.height_px();
+  rays_.clear();
+  for (const EdgeSegment& segment : segments) {
+    const Vec2 from_px = segment.middle_px() - scene.vanishing_point_px;
+    if (from_px.x() < 0.02 * width_px || from_px.y() < 0.015 * height_px) continue;
+    const double length_px = segment.length_px();
+    if (length_px < kRayLengthMin * width_px) continue;
+    const double angle = std::atan2(from_px.y(), from_px.x());
+    if (angle < kFlattest_rad || angle > kSteepest_rad) continue;
+    const double miss = std::abs(cross(from_px, segment.direction())) / from_px.norm();
+    if (miss > kMissAngle + kMissPerLength_px / length_px + kMissNear * width_px / from_px.norm()) continue;
+    rays_.push_back(segment);
+  }
+}
+
+/// Long rays, and rays to the lower ends of vertical lines: where doors hide the wall's floor point, only
+/// these.
+void WallFloorEdgeSearch::gather_seeds(const SideScene& scene) {
+  const double width_px = scene.view.width_px(), height_px = scene.view.height_px();
+  seeds_.clear();
+  for (const EdgeSegment& ray : rays_) {
+    if (ray.length_px() < kSeedLengthMin * width_px) continue;
+    seeds_.push_back({ray.middle_px(), ray.direction(), ray.length_px()});
+  }
+  for (const SideVertical& vertical : scene.verticals) {
+    const Vec2 from_px = vertical.bottom_px - scene.vanishing_point_px;
+    if (vertical.weight < kSeedFloorPointWeightMin || vertical.bottom_px.y() > height_px - kLowerBorder_px)
+      continue;
+    if (from_px.x() < 0.03 * width_px || from_px.y() < 0.06 * height_px) continue;
+    seeds_.push_back({vertical.bottom_px, from_px.normalized(), kFloorPointSeedLength_px});
+  }
+}
+
+/// The line through the seed, drawn to the rays and floor points near it.
+std::optional<WallFloorEdge> WallFloorEdgeSearch::fitted(const SideScene& scene, const Seed& seed) {
+  const double width_px = scene.view.width_px();
+  const double trust = std::min(1.0, seed.length_px / (kTrustedLength * width_px));
+  const Vec2 from_vanishing_point = (seed.point_px - scene.vanishing_point_px).normalized();
+  WallFloorEdge floor_point;
+  floor_point.point_px = seed.point_px;
+  floor_point.direction = (trust * seed.direction + (1 - trust) * from_vanishing_point).normalized();
+  for (int fit = 0; fit < kFits; ++fit) {
+    const Scatter near = take_near(scene, floor_point, (fit == 0 ? kFirstTolerance : kTolerance) * width_px);
+    if (near.weight <= 0) return std::nullopt;
+    near.lay(floor_point);
+  }
+  take_near(scene, floor_point, kTolerance * width_px);
+  if (near_px_.empty()) return std::nullopt;
+  cover(width_px, floor_point);
+  return floor_point;
+}
+
+/// The rays and floor points on a line; of the rays also where they lie on it (`near_px_`).
+WallFloorEdgeSearch::Scatter WallFloorEdgeSearch::take_near(const SideScene& scene,
+                                                            const WallFloorEdge& floor_point,
+                                                            double tolerance_px) {
+  const double width_px = scene.view.width_px(), height_px = scene.view.height_px();
+  const auto off_px = [&](const Vec2& point_px) {
+    return std::abs(cross(floor_point.direction, point_px - floor_point.point_px));
+  };
+  const auto along_px = [&](const Vec2& point_px) {
+    return floor_point.direction.dot(point_px - floor_point.point_px);
+  };
+  Scatter scatter;
+  near_px_.clear();
+  for (const EdgeSegment& ray : rays_) {
+    if (off_px(ray.left_px) > tolerance_px || off_px(ray.right_px) > tolerance_px) continue;
+    for (const Vec2& point_px : {ray.left_px, ray.middle_px(), ray.right_px})
+      scatter.add(point_px, ray.length_px());
+    near_px_.emplace_back(along_px(ray.left_px), along_px(ray.right_px));
+  }
+  for (const SideVertical& vertical : scene.verticals) {
+    if (off_px(vertical.bottom_px) > kFloorPointToleranceRatio * tolerance_px) continue;
+    if (vertical.bottom_px.y() > height_px - kLowerBorder_px) continue;
+    scatter.add(vertical.bottom_px, kFloorPointWeight * width_px * vertical.weight);
+  }
+  return scatter;
+}
+
+/// Notes where rays are seen on a line, each length of it once.
+void WallFloorEdgeSearch::cover(double width_px, WallFloorEdge& floor_point) {
+  std::sort(near_px_.begin(), near_px_.end());
+  double covered_px = 0, end_px = near_px_.front().first;
+  for (const auto& [from_px, to_px] : near_px_) {
+    covered_px += std::max(0.0, to_px - std::max(from_px, end_px));
+    end_px = std::max(end_px, to_px);
+  }
+  floor_point.from_px = near_px_.front().first;
+  floor_point.to_px = end_px;
+  floor_point.covered = covered_px / width_px;
+}
+
+/// A skirting board has two edges; the lower one is at the floor.
+const WallFloorEdge* WallFloorEdgeSearch::lowest_of_like_score(const SideScene& scene,
+                                                               double score_min) const {
+  const auto better = [](const WallFloorEdge& a, const WallFloorEdge& b) { return a.score() < b.score(); };
+  const auto best_at = std::max_element(floor_points_.begin(), floor_points_.end(), better);
+  if (best_at == floor_points_.end() || best_at->score() < score_min) return nullptr;
+  const WallFloorEdge* best = &*best_at;
+  for (int board = 0; board < kBoards; ++board) {
+    const WallFloorEdge* lowest = best;
+    for (const WallFloorEdge& floor_point : floor_points_) {
+      if (!is_lower_edge(scene, floor_point, *best)) continue;
+      if (lowest == best || depth_px(scene, floor_point) > depth_px(scene, *lowest)) lowest = &floor_point;
+    }
+    if (lowest == best) break;
+    best = lowest;
+  }
+  return best;
+}
+
+}  // namespace aisle
