@@ -86,7 +86,7 @@ TEST(BuildingCorridors, BadCorridorsNameTheirKeys) {
   EXPECT_THAT(building_problems(corridors_with("\"from\": 1", "\"from\": 4")),
               HasSubstr("corridors.corridors[0].from: is not a whole number from 0 to 3"));
   EXPECT_THAT(building_problems(corridors_with("[[0.5, 0], [4, 0]]", "[[0.5, 0]]")),
-              HasSubstr("corridors.corridors[0].way_m: has less than two points"));
+              HasSubstr("corridors.corridors[0].path_m: has less than two points"));
   EXPECT_THAT(building_problems(corridors_with("[[0.5, 0], [4, 0]]", "[[0.5, 0], [4, 1]]")),
               HasSubstr("corridors.corridors[0].path_m: does not lead from the place of `from`"));
   EXPECT_THAT(building_problems(corridors_with("\"length_m\": 6.25", "\"length_m\": 7")),
