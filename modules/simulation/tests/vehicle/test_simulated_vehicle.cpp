@@ -36,15 +36,15 @@ VehicleModel with_scanner(VehicleModel model) {
 }
 
 /// Everything of a run that can be compared.
-struct Run {
+struct SimulatedRun {
   std::vector<Observation> observations;
   std::vector<SimulatedTruth> truths;
 };
 
-Run drive(const World& world, const VehicleModel& model, const Scenario& scenario, const Command& command,
-          double time_s, std::uint64_t seed = 1) {
+SimulatedRun drive(const World& world, const VehicleModel& model, const Scenario& scenario,
+                   const Command& command, double time_s, std::uint64_t seed = 1) {
   SimulatedVehicle vehicle(world, model, scenario, {.seed = seed, .takes_images = false});
-  Run run;
+  SimulatedRun run;
   while (vehicle.truth().stamp_s < time_s - 1e-9) {
     vehicle.act(command);
     run.observations.push_back(*vehicle.sense());
@@ -53,7 +53,8 @@ Run drive(const World& world, const VehicleModel& model, const Scenario& scenari
   return run;
 }
 
-Run drive(const Scenario& scenario, const Command& command = {.speed_mps = 0.5}, double time_s = 10) {
+SimulatedRun drive(const Scenario& scenario, const Command& command = {.speed_mps = 0.5},
+                   double time_s = 10) {
   return drive(hall(), with_scanner(cart(WheelErrors{})), scenario, command, time_s);
 }
 
@@ -61,21 +62,21 @@ double distance_m(const Observation& observation) {
   return std::get<FrontSteeredMotion>(observation.odometry).distance_m;
 }
 
-void expect_same_truth(const Run& a, const Run& b) {
+void expect_same_truth(const SimulatedRun& a, const SimulatedRun& b) {
   ASSERT_EQ(a.truths.size(), b.truths.size());
   for (std::size_t i = 0; i < a.truths.size(); ++i) {
     EXPECT_THAT(a.truths[i].T_world_vehicle, PoseNear(b.truths[i].T_world_vehicle, 0, 0));
   }
 }
 
-void expect_same_scans(const Run& a, const Run& b) {
+void expect_same_scans(const SimulatedRun& a, const SimulatedRun& b) {
   ASSERT_EQ(a.observations.size(), b.observations.size());
   for (std::size_t i = 0; i < a.observations.size(); ++i) {
     EXPECT_EQ(a.observations[i].scan->ranges_m, b.observations[i].scan->ranges_m) << i;
   }
 }
 
-void expect_same_odometry(const Run& a, const Run& b) {
+void expect_same_odometry(const SimulatedRun& a, const SimulatedRun& b) {
   ASSERT_EQ(a.observations.size(), b.observations.size());
   for (std::size_t i = 0; i < a.observations.size(); ++i) {
     EXPECT_EQ(distance_m(a.observations[i]), distance_m(b.observations[i])) << i;
@@ -121,7 +122,7 @@ TEST(SimulatedVehicle, HoldsItsLimitsOfSpeedAndSteeringWhateverItIsReported) {
   model.description.limits.reverse_speed_max_mps = 0.2;
   model.description.limits.steering_max_rad = 0.3;
   for (const double wild : {9.0, -9.0}) {
-    const Run run = drive(hall(), model, {}, {.speed_mps = wild, .steering_rad = wild}, 8);
+    const SimulatedRun run = drive(hall(), model, {}, {.speed_mps = wild, .steering_rad = wild}, 8);
     for (const SimulatedTruth& truth : run.truths) {
       EXPECT_LE(truth.speed_mps, 0.4 + 1e-9);
       EXPECT_GE(truth.speed_mps, -0.2 - 1e-9);
@@ -149,7 +150,7 @@ TEST(SimulatedVehicle, ACommandThatIsNoNumberMeansStop) {
 }
 
 TEST(SimulatedVehicle, AWallStopsItAndCountsOnce) {
-  const Run run = drive(hall(), cart(), {}, {.speed_mps = 1}, 30);
+  const SimulatedRun run = drive(hall(), cart(), {}, {.speed_mps = 1}, 30);
   const SimulatedTruth& end = run.truths.back();
   EXPECT_NEAR(end.T_world_vehicle.x, 19, 1e-3);  // its front is 1 m ahead
   EXPECT_LT(end.T_world_vehicle.x, 19);
@@ -196,7 +197,7 @@ TEST(SimulatedVehicle, WaitingPeopleAreSeenByTheScanner) {
   world.people.push_back({.path = {{5, 0}, {5, 1}}, .start_s = 100, .height_m = 0.2});  // below the scanner
   VehicleModel model = with_scanner(cart());
   model.simulated.scanner.noise_sigma_m = model.simulated.scanner.dropped_share = 0;
-  const Run run = drive(world, model, {}, {}, 0.1);
+  const SimulatedRun run = drive(world, model, {}, {}, 0.1);
   EXPECT_NEAR(run.observations[0].scan->ranges_m[90], 20, 0.02);
   EXPECT_NEAR(run.observations[0].scan->ranges_m[90 - 31], std::hypot(5, 3) - 0.25, 0.03);
 }
@@ -204,8 +205,8 @@ TEST(SimulatedVehicle, WaitingPeopleAreSeenByTheScanner) {
 TEST(SimulatedVehicle, SameSeedSameRunAndAnotherSeedAnother) {
   const VehicleModel model = with_scanner(cart(WheelErrors{}));
   const Command command{.speed_mps = 0.5, .steering_rad = 0.05};
-  const Run a = drive(hall(), model, {}, command, 5), b = drive(hall(), model, {}, command, 5),
-            other = drive(hall(), model, {}, command, 5, 2);
+  const SimulatedRun a = drive(hall(), model, {}, command, 5), b = drive(hall(), model, {}, command, 5),
+                     other = drive(hall(), model, {}, command, 5, 2);
   expect_same_truth(a, b);
   expect_same_scans(a, b);
   expect_same_odometry(a, b);
@@ -216,15 +217,16 @@ TEST(SimulatedVehicle, SameSeedSameRunAndAnotherSeedAnother) {
 TEST(SimulatedVehicle, TheSteeringsBiasIsInTheTruthButNotInTheReading) {
   VehicleModel model = cart();
   model.simulated.odometry.steering_bias_rad = 2 * kDegree;
-  const Run run = drive(hall(), model, {}, {.speed_mps = 0.5}, 10);
+  const SimulatedRun run = drive(hall(), model, {}, {.speed_mps = 0.5}, 10);
   EXPECT_NEAR(std::get<FrontSteeredMotion>(run.observations.back().odometry).steering_rad, 0, 1e-12);
   const double path_m = run.truths.back().path_m / std::cos(2 * kDegree);
   EXPECT_NEAR(run.truths.back().T_world_vehicle.theta, path_m * std::sin(2 * kDegree) / 0.75, 1e-6);
 }
 
 TEST(Faults, ASlipBurstIsCountedButNotDriven) {
-  const Run usual = drive({});
-  const Run slips = drive({.events = {{.fault = SlipBurst{.spin = 1}, .from_s = 5.05, .duration_s = 2}}});
+  const SimulatedRun usual = drive({});
+  const SimulatedRun slips =
+      drive({.events = {{.fault = SlipBurst{.spin = 1}, .from_s = 5.05, .duration_s = 2}}});
   expect_same_truth(usual, slips);
   expect_same_scans(usual, slips);
   double usual_m = 0, slips_m = 0;
@@ -236,8 +238,8 @@ TEST(Faults, ASlipBurstIsCountedButNotDriven) {
 }
 
 TEST(Faults, ASteeringBiasTurnsTheVehicleFromThenOn) {
-  const Run usual = drive({});
-  const Run biased = drive({.events = {{.fault = SteeringBias{3 * kDegree}, .from_s = 5}}});
+  const SimulatedRun usual = drive({});
+  const SimulatedRun biased = drive({.events = {{.fault = SteeringBias{3 * kDegree}, .from_s = 5}}});
   EXPECT_THAT(biased.truths[45].T_world_vehicle, PoseNear(usual.truths[45].T_world_vehicle, 0, 0));
   const double turned_rad =
       biased.truths.back().T_world_vehicle.theta - usual.truths.back().T_world_vehicle.theta;
@@ -247,8 +249,9 @@ TEST(Faults, ASteeringBiasTurnsTheVehicleFromThenOn) {
 }
 
 TEST(Faults, ABoxBlocksThePathAndIsSeen) {
-  const Run usual = drive({});
-  const Run blocked = drive({.events = {{.fault = BlockingBox{.T_world_box = {4, 0, 0}}, .from_s = 2}}});
+  const SimulatedRun usual = drive({});
+  const SimulatedRun blocked =
+      drive({.events = {{.fault = BlockingBox{.T_world_box = {4, 0, 0}}, .from_s = 2}}});
   EXPECT_NEAR(blocked.truths.back().T_world_vehicle.x, 4 - 0.25 - 1, 0.01);
   EXPECT_EQ(blocked.truths.back().collisions, 1U);
   EXPECT_LT(blocked.observations[25].scan->ranges_m[90], 4);
@@ -259,14 +262,14 @@ TEST(Faults, ABoxBlocksThePathAndIsSeen) {
 TEST(Faults, APersonCrossesAndIsNotRunOverWhileStanding) {
   const Scenario crossing{
       .events = {{.fault = CrossingPerson{{.path = {{0.5, 2}, {0.5, -2}}}}, .from_s = 1}}};
-  const Run run = drive(crossing, {});
+  const SimulatedRun run = drive(crossing, {});
   EXPECT_EQ(run.truths.back().collisions, 0U);
   EXPECT_NEAR(run.observations[30].scan->ranges_m[144], 0.61, 0.03);
 }
 
 TEST(Faults, AKidnappedVehicleIsElsewhereAndItsWheelsHaveNotTurned) {
-  const Run usual = drive({});
-  const Run lifted = drive({.events = {{.fault = Lifted{{5, 3, kPi}}, .from_s = 5}}});
+  const SimulatedRun usual = drive({});
+  const SimulatedRun lifted = drive({.events = {{.fault = Lifted{{5, 3, kPi}}, .from_s = 5}}});
   EXPECT_THAT(lifted.truths[48].T_world_vehicle, PoseNear(usual.truths[48].T_world_vehicle, 0, 0));
   EXPECT_THAT(lifted.truths[49].T_world_vehicle, PoseNear(Pose2{5, 3, kPi}, 0.01, 0.01));
   EXPECT_LT(distance_m(lifted.observations[49]), 0.06);
@@ -274,9 +277,9 @@ TEST(Faults, AKidnappedVehicleIsElsewhereAndItsWheelsHaveNotTurned) {
 }
 
 TEST(Faults, FaultsOfCamerasLeaveEverythingElseAsItIs) {
-  const Run usual = drive({});
+  const SimulatedRun usual = drive({});
   for (const Fault& fault : {Fault{CameraFault{}}, Fault{LaserOff{}}, Fault{LightChange{}}}) {
-    const Run run = drive({.events = {{.fault = fault}}});
+    const SimulatedRun run = drive({.events = {{.fault = fault}}});
     expect_same_truth(usual, run);
     expect_same_scans(usual, run);
     expect_same_odometry(usual, run);
