@@ -25,7 +25,7 @@ constexpr Font kPlaceFont{15, kNamedPlace, true};
 
 constexpr double kNode_px = 6;
 constexpr double kPlace_px = 5;
-constexpr double kPathTolerance_px = 0.3;
+constexpr double kTrailTolerance_px = 0.3;
 
 PictureContent content_of(const CorridorPicture& picture) {
   PictureContent content;
@@ -97,7 +97,7 @@ class CorridorDrawing {
   void draw_path(Canvas& canvas) const {
     std::vector<Vec2> points;
     for (const Pose2& T : picture_.path) points.push_back(scale_.to_paper(T.position()));
-    canvas.polyline(simplified(points, kPathTolerance_px), kDrivenPathPen);
+    canvas.polyline(simplified(points, kTrailTolerance_px), kDrivenPathPen);
   }
 
   void draw_corridors(Canvas& canvas) const {

@@ -44,8 +44,8 @@ class PlacesDetector final : public ImageDetector {
     detection.summary = fmt::format("{} {}", is_sure ? "taken at" : "unsure; most like", alike.name);
     places_.push_back(found.view);
     if (is_drawn) {
-      const std::array<TakenImage, 2> pair = {TakenImage{image, "is most like"},
-                                              TakenImage{alike.image, alike.name}};
+      const std::array<TakenPicture, 2> pair = {TakenPicture{image, "is most like"},
+                                                TakenPicture{alike.image, alike.name}};
       detection.overlay_png = picture_sheet_png(pair);
     }
     return detection;

@@ -17,7 +17,7 @@ struct JudgedExploration {
   Building building;  ///< as it was learned, with its floor
   ExplorationRecord record;
   std::vector<Pose2> T_map_vehicle;  ///< the path, in the learned map
-  LaserLog scans;           ///< what was seen on it, one a pose
+  LaserLog scans;                    ///< what was seen on it, one a pose
   SegmentParams segments;            ///< how walls were found in them
 };
 

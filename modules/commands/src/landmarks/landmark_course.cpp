@@ -33,7 +33,7 @@ class TaughtRunRecord final : public MissionRecord {
 }  // namespace
 
 void LandmarkCourseParams::describe(FieldList& fields) {
-  fields.group("learner", learned);
+  fields.group("learner", learner);
   fields.group("navigator", navigator);
   fields.group("person", person);
 }

@@ -15,7 +15,7 @@
 namespace aisle {
 
 struct LandmarkCourseParams {
-  LandmarkLearnerParams learned;
+  LandmarkLearnerParams learner;
   LandmarkNavigatorParams navigator;
   ScriptedOperatorParams person;
 

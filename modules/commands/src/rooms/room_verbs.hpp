@@ -27,7 +27,7 @@ struct RoomChange {
 };
 
 struct RoomTrialParams {
-  RoomLearnerParams learned;
+  RoomLearnerParams learner;
   bool view_pattern = false;
   RoomNavigatorParams navigator;
   RoomLook look;
@@ -35,7 +35,7 @@ struct RoomTrialParams {
   RoomChange park_change{.furniture_m = 0, .light_share = 0};
 
   void describe(FieldList& fields) {
-    fields.group("learner", learned);
+    fields.group("learner", learner);
     fields.flag("view_pattern", view_pattern, "the person shows the 63 views about a taught place");
     fields.group("navigator", navigator);
     fields.group("look", look);

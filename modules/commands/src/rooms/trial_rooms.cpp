@@ -115,7 +115,7 @@ Pose2 disturbed_start(const SimulationSetting& setting, const Pose2& T_world_sta
 }
 
 /// Those that end with a path to park, or all.
-std::vector<const WorldRoute*> paths_of(const World& world, std::optional<ParkingStrategy> parking) {
+std::vector<const WorldRoute*> routes_of(const World& world, std::optional<ParkingStrategy> parking) {
   std::vector<const WorldRoute*> routes;
   for (const WorldRoute& route : world.routes)
     if (!parking || route.parking == *parking) routes.push_back(&route);
@@ -136,7 +136,7 @@ Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialPar
                                  std::optional<ParkingStrategy> parking, Console& console,
                                  const Begin& begin) {
   RoomTrial trial;
-  TaughtRoutes routes(params, options.first_seed);
+  TaughtRoutes taught_routes(params, options.first_seed);
   const std::uint64_t seeds = options.last_seed - options.first_seed + 1;
   MissionCount within(console.progress, "missions", seeds);
   for (std::uint64_t i = 0; i < seeds; ++i) {
@@ -144,12 +144,12 @@ Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialPar
     const std::uint64_t seed = options.first_seed + i;
     const auto setting = room_setting(options, params.look, seed);
     if (!setting) return setting.problems();
-    const auto routes = paths_of(setting->world, parking);
+    const auto routes = routes_of(setting->world, parking);
     if (routes.empty())
       return Problem{{setting->world_file.string(), 0, "routes"},
                      fmt::format("none ends with parking: {}", parking_word(*parking))};
     const WorldRoute& route = *routes[seed % routes.size()];
-    const auto taught = routes.taught(*setting, route, seed, within);
+    const auto taught = taught_routes.taught(*setting, route, seed, within);
     if (!taught) {
       trial.not_taught.add(seed, to_string(taught.problems()), route.name);
       continue;
@@ -267,7 +267,7 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
   RoomTrial trial;
   Json shares = Json::object();
   MissionCount within(console.progress, "missions", courses.size() * seeds);
-  TaughtRoutes results(params, options.first_seed);
+  TaughtRoutes taught_routes(params, options.first_seed);
   for (const auto& [name, world] : courses) {
     SimulationSetting setting = *vehicle;
     setting.world = world;
@@ -276,7 +276,7 @@ Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialPa
     for (std::uint64_t i = 0; i < seeds; ++i) {
       within.begin(trial.missions + trial.not_taught.size());
       const std::uint64_t seed = options.first_seed + i;
-      const auto taught = results.taught(setting, world.routes.front(), seed, within);
+      const auto taught = taught_routes.taught(setting, world.routes.front(), seed, within);
       if (!taught) {
         trial.not_taught.add(seed, to_string(taught.problems()), setting.world.name);
         continue;

@@ -26,8 +26,8 @@ struct SectionMissionResult {
   double closing_error_rad = 0;
   ErrorFigure wall_distance_m;  ///< to the right base line against the learned one, while one was followed
   std::vector<double> cycle_s;  ///< processor time of each cycle, from image to command
-  std::vector<Pose2> T_map_driven;  ///< of each cycle, as the vehicle thought
-  std::vector<TakenImage> images;   ///< one from the middle of each longer straight section, if wanted
+  std::vector<Pose2> T_map_driven;   ///< of each cycle, as the vehicle thought
+  std::vector<TakenPicture> images;  ///< one from the middle of each longer straight section, if wanted
 };
 
 struct SectionMissionOptions {

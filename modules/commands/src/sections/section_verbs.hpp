@@ -15,11 +15,11 @@ Result<Outcome> navigate_by_sections(const NavigateOptions& options, const Secti
                                      Console& console);
 
 struct SectionTrialParams {
-  SectionLearnerParams learned;
+  SectionLearnerParams learner;
   SectionNavigatorParams navigator;
 
   void describe(FieldList& fields) {
-    fields.group("learner", learned);
+    fields.group("learner", learner);
     fields.group("navigator", navigator);
   }
 };

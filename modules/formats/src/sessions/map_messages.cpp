@@ -143,7 +143,7 @@ const SessionTopic& map_topic() {
 std::string map_cdr(ros::Stamp_ns stamp, const Building& building) {
   ros::MarkerArray array{{walls_of(building, stamp), landmarks_of(building, stamp)}};
   for (const Corridor& corridor : building.corridors.corridors)
-    add_line(array, marker(stamp, "graph", ros::Marker::kLineStrip, 0.05, kGraphColour), corridor.polyline);
+    add_line(array, marker(stamp, "graph", ros::Marker::kLineStrip, 0.05, kGraphColour), corridor.path);
   for (const Route& route : building.routes)
     add_line(array, marker(stamp, "routes", ros::Marker::kLineStrip, 0.05, kRouteColour),
              polyline_of(route.path));

@@ -34,7 +34,7 @@ void expect_same(const Observation& a, const Observation& b) {
   for (std::size_t i = 0; i < a.images.size(); ++i) {
     EXPECT_EQ(a.images[i].camera, b.images[i].camera);
     EXPECT_EQ(a.images[i].stamp_s, b.images[i].stamp_s);
-    EXPECT_TRUE(*a.images[i].image == *b.images[i].image) << "image " << i << " at " << a.stamp_s;
+    EXPECT_TRUE(*a.images[i].pixels == *b.images[i].pixels) << "image " << i << " at " << a.stamp_s;
   }
   ASSERT_EQ(a.scan.has_value(), b.scan.has_value());
   if (a.scan) {

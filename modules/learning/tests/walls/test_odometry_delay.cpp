@@ -53,7 +53,8 @@ TEST(OdometryDelay, IsFoundToATenthOfThePeriodLaterOrEarlier) {
 
 TEST(OdometryDelay, IsFoundInSpiteOfNoise) {
   for (const double delay_s : {-0.16, -0.08, 0.13, 0.3, 0.5}) {
-    const DelayedRun run{.delay_s = delay_s, .wheel_sigma_rad = 0.3 * kDegree, .sight_sigma_rad = 0.3 * kDegree};
+    const DelayedRun run{
+        .delay_s = delay_s, .wheel_sigma_rad = 0.3 * kDegree, .sight_sigma_rad = 0.3 * kDegree};
     EXPECT_NEAR(run.estimated_delay_s(), delay_s, 0.101 * kPeriod_s);
   }
 }

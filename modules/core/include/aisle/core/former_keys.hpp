@@ -1,5 +1,6 @@
 #pragma once
-/// Keys of parameter and world files as release 0.1 named them. They are still read; release 0.3 may drop them.
+/// Keys of parameter and world files as release 0.1 named them. They are still read; release 0.3 may drop
+/// them.
 
 #include <string>
 #include <string_view>
