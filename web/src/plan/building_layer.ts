@@ -38,8 +38,8 @@ export function building_layer(building: Building): Layer {
   return (context, view) => {
     floor?.(context, view);
     const graph = { colour: colour("graph"), width_px: 1.5, dash_px: [6, 4] };
-    for (const { way_m } of building.corridors?.corridors ?? []) {
-      draw_line(context, view, way_m.map(point_of), graph);
+    for (const { path_m } of building.corridors?.corridors ?? []) {
+      draw_line(context, view, path_m.map(point_of), graph);
     }
     draw_dots(
       context,

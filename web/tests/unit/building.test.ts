@@ -10,13 +10,13 @@ import {
   without_place,
 } from "../../src/building/building_edits";
 import { building_of } from "../../src/building/building_file";
-import type { Building } from "../../src/building/building_file";
+import type { Building, Pair } from "../../src/building/building_file";
 import { pack_row, unpack_row } from "../../src/building/floor_cells";
 import { UndoList } from "../../src/page/undo_list";
 
 const building: Building = {
   format: "aisle.building",
-  version: 1,
+  version: 3,
   walls: [
     { start_m: [0, 0], end_m: [4, 0] },
     { start_m: [4, 0], end_m: [4, 3] },
@@ -25,14 +25,31 @@ const building: Building = {
   floor: { cell_m: 0.5, low_cell: [-1, 0], rows: ["1#6.1#", "1#3.1#", "4-1."] },
 };
 
-test("Landmarks in a table are those in a list", () => {
+test("Landmarks are read from a table and from a list", () => {
   const landmarks = { columns: ["at_m", "seen_from_m"], rows: [[[2, 0.1], null]] };
   assert.deepEqual(building_of({ ...building, landmarks }), building);
-  assert.deepEqual(building_of(building), building);
-  assert.deepEqual(building_of({ format: "aisle.building", version: 2 }), {
-    format: "aisle.building",
-    version: 2,
-  });
+  assert.deepEqual(building_of({ ...building, version: 1 }), building);
+});
+
+test("A building without landmarks and corridors gets none", () => {
+  const { format, version } = building;
+  assert.deepEqual(building_of({ format, version: 2 }), { format, version });
+});
+
+test("The polyline of a corridor is read from version 3 and from the versions before it", () => {
+  const nodes = [{ kind: "end", at_m: [0.5, 0] as Pair }];
+  const others = { from: 0, to: 0, width_m: 2 };
+  const points: Pair[] = [
+    [0.5, 0],
+    [4, 0],
+  ];
+  const corridors = { nodes, corridors: [{ ...others, path_m: points }] };
+  const former = { nodes, corridors: [{ ...others, way_m: points }] };
+  const expected = { ...building, corridors };
+  assert.deepEqual(building_of(expected), expected);
+  for (const version of [1, 2]) {
+    assert.deepEqual(building_of({ ...building, version, corridors: former }), expected);
+  }
 });
 
 test("A row of the floor comes back as it was", () => {
