@@ -1,6 +1,6 @@
 /** Changes of a building: each makes a new one and leaves the old as it was. */
 
-import { distance, distance_to_piece } from "../plan/geometry";
+import { distance, distance_to_segment } from "../plan/geometry";
 import type { Point } from "../plan/geometry";
 import { point_of } from "../plan/building_geometry";
 import type { Barrier, Building, Pair } from "./building_file";
@@ -34,7 +34,7 @@ export interface Found {
 export function nearest_part(building: Building, at: Point, within_m: number): Found | undefined {
   const lines = (list: "walls" | "barriers") =>
     (building[list] ?? []).map(({ start_m, end_m }, index): Found => {
-      return { list, index, away_m: distance_to_piece(at, point_of(start_m), point_of(end_m)) };
+      return { list, index, away_m: distance_to_segment(at, point_of(start_m), point_of(end_m)) };
     });
   const landmarks = (building.landmarks ?? []).map(({ at_m }, index): Found => {
     return { list: "landmarks", index, away_m: distance(at, point_of(at_m)) };

@@ -43,16 +43,16 @@ export function with_line(
   change: (cell: FloorCell) => FloorCell,
 ): Floor {
   const rows = [...floor.rows];
-  const touched = new Map<number, FloorCell[]>();
+  const changed_rows = new Map<number, FloorCell[]>();
   for (const [column, row] of cells_along(floor.cell_m, from, to)) {
     const index = row - floor.low_cell[1];
     const place = column - floor.low_cell[0];
     if (index < 0 || index >= rows.length || place < 0) continue;
-    const cells = touched.get(index) ?? unpack_row(rows[index] ?? "");
-    touched.set(index, cells);
+    const cells = changed_rows.get(index) ?? unpack_row(rows[index] ?? "");
+    changed_rows.set(index, cells);
     while (cells.length <= place) cells.push("-");
     cells[place] = change(cells[place] ?? "-");
   }
-  for (const [index, cells] of touched) rows[index] = pack_row(cells);
+  for (const [index, cells] of changed_rows) rows[index] = pack_row(cells);
   return { ...floor, rows };
 }

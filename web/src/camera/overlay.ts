@@ -1,12 +1,12 @@
 import { colour } from "../page/theme";
 
-/** What the navigator saw in a picture: the JSON of /overlay/CAMERA, in pixels. */
+/** What the navigator saw in an image: the JSON of /overlay/CAMERA, in pixels. */
 export interface Overlay {
   stamp_s: number;
   lines: { kind: string; u0: number; v0: number; u1: number; v1: number }[];
 }
 
-/** An overlay this much older or newer than the picture is of another view. */
+/** An overlay this much older or newer than the image is of another view. */
 const same_view_s = 0.35;
 
 export function kinds_of({ lines }: Overlay): string[] {
@@ -24,10 +24,10 @@ export function colour_of(kind: string): string {
 export function draw_overlay(
   context: CanvasRenderingContext2D,
   { stamp_s, lines }: Overlay,
-  picture_s: number,
+  image_s: number,
   hidden: ReadonlySet<string>,
 ): void {
-  if (Math.abs(stamp_s - picture_s) > same_view_s) return;
+  if (Math.abs(stamp_s - image_s) > same_view_s) return;
   context.lineWidth = Math.max(1.5, context.canvas.width / 320);
   context.lineCap = "round";
   for (const { kind, u0, v0, u1, v1 } of lines) {

@@ -31,7 +31,7 @@ export class LiveConnection {
   /** The latest trouble that the server told of. */
   readonly trouble = new Signal("");
   /** When anything came last, by performance.now(). */
-  heard_ms = -Infinity;
+  last_message_ms = -Infinity;
 
   readonly #listeners = new Map<string, Set<Listener>>();
   readonly #published = new Map<string, string>();
@@ -119,7 +119,7 @@ export class LiveConnection {
     client.on("serviceCallResponse", ({ callId, data }) => this.#calls.answered(callId, data));
     client.on("serviceCallFailure", ({ callId, message }) => this.#calls.failed(callId, message));
     client.on("message", ({ subscriptionId, timestamp, data }) => {
-      this.heard_ms = performance.now();
+      this.last_message_ms = performance.now();
       this.#deliver(subscriptionId, timestamp, data);
     });
   }

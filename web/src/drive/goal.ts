@@ -1,6 +1,6 @@
-import type { BuildingShelf } from "../building/building_shelf";
+import type { BuildingStore } from "../building/building_store";
 import type { App } from "../page/app";
-import { button, element, say } from "../page/element";
+import { button, element, set_text } from "../page/element";
 import { colour } from "../page/theme";
 import { draw_dots } from "../plan/draw";
 import type { Point } from "../plan/geometry";
@@ -15,7 +15,7 @@ export class Goal {
 
   constructor(
     private readonly app: App,
-    private readonly shelf: BuildingShelf,
+    private readonly store: BuildingStore,
     private readonly changed: () => void,
   ) {
     this.element = element(
@@ -31,15 +31,15 @@ export class Goal {
   }
 
   pick(at: Point): void {
-    if (!this.shelf.is_shown.value || !this.shelf.building.value) {
-      this.app.notices.tell(
+    if (!this.store.is_shown.value || !this.store.building.value) {
+      this.app.notices.show(
         "To go to a place, choose “Go to a place” under Mission and click it in the building",
       );
       return;
     }
     this.#at = at;
     this.element.hidden = false;
-    say(this.#where, `x ${at.x.toFixed(2)} m, y ${at.y.toFixed(2)} m in ${this.shelf.chosen.value}`);
+    set_text(this.#where, `x ${at.x.toFixed(2)} m, y ${at.y.toFixed(2)} m in ${this.store.chosen.value}`);
     this.changed();
   }
 
@@ -51,7 +51,7 @@ export class Goal {
 
   async #send(): Promise<void> {
     if (!this.#at) return;
-    const request = { building: this.shelf.chosen.value, x_m: this.#at.x, y_m: this.#at.y };
+    const request = { building: this.store.chosen.value, x_m: this.#at.x, y_m: this.#at.y };
     if (await this.app.notices.attempt(this.app.lease.call("mission/go", request), "On the way"))
       this.forget();
   }

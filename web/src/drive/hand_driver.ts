@@ -1,8 +1,8 @@
 import type { Lease } from "../connection/lease";
 import type { LiveConnection } from "../connection/live_connection";
 import { Signal } from "../page/signal";
-import { command_of, is_wish, no_wish, strongest } from "./wish";
-import type { Wish } from "./wish";
+import { command_of, is_request, no_request, strongest } from "./drive_request";
+import type { DriveRequest } from "./drive_request";
 import { vehicle_shape } from "./vehicle_text";
 
 const topic = "/drive";
@@ -13,12 +13,12 @@ const command_every_ms = 50;
  * once and falls silent: the vehicle stops without commands.
  */
 export class HandDriver {
-  readonly wish = new Signal<Wish>(no_wish);
+  readonly request = new Signal<DriveRequest>(no_request);
   /** Share of the vehicle's greatest speed. */
   pace = 0.6;
   vehicle = vehicle_shape("");
 
-  readonly #sources = new Map<string, Wish>();
+  readonly #sources = new Map<string, DriveRequest>();
   #sequence = 0;
   #timer: ReturnType<typeof setInterval> | undefined;
 
@@ -34,17 +34,17 @@ export class HandDriver {
   }
 
   /** @param source who wishes it: the keys, the pad, the gamepad */
-  press(source: string, wish: Wish): void {
-    if (is_wish(wish)) this.#sources.set(source, wish);
+  press(source: string, request: DriveRequest): void {
+    if (is_request(request)) this.#sources.set(source, request);
     else this.#sources.delete(source);
-    this.wish.value = strongest([...this.#sources.values()]);
-    if (is_wish(this.wish.value)) this.#begin();
+    this.request.value = strongest([...this.#sources.values()]);
+    if (is_request(this.request.value)) this.#begin();
     else this.#end();
   }
 
   let_go(): void {
     this.#sources.clear();
-    this.wish.value = no_wish;
+    this.request.value = no_request;
     this.#end();
   }
 
@@ -65,7 +65,7 @@ export class HandDriver {
     const lease = this.lease.token.value;
     if (lease === undefined) return;
     this.#sequence += 1;
-    const command = command_of(this.wish.value, this.pace, this.vehicle);
+    const command = command_of(this.request.value, this.pace, this.vehicle);
     this.connection.publish(topic, { lease, sequence: this.#sequence, age_s: 0, ...command });
   }
 }

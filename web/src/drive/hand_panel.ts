@@ -1,5 +1,5 @@
 import type { App } from "../page/app";
-import { button, element, panel, say } from "../page/element";
+import { button, element, panel, set_text } from "../page/element";
 import { vehicle_shape } from "./vehicle_text";
 import { drive_pad } from "./pad";
 
@@ -12,7 +12,7 @@ export function hand_panel(app: App): HTMLElement {
     { class: "primary" },
   );
   const hint = element("p", { class: "about" });
-  const pad = drive_pad((wish) => driver.press("pad", wish));
+  const pad = drive_pad((request) => driver.press("pad", request));
   const pace = element("input", {
     type: "range",
     min: 0.1,
@@ -44,17 +44,20 @@ export function hand_panel(app: App): HTMLElement {
 
   const show = () => {
     const drives = lease.token.value !== undefined;
-    const heard = app.state.value?.driven_by_hand ?? false;
+    const accepts_commands = app.state.value?.driven_by_hand ?? false;
     const in_mission = app.state.value?.mode === "mission";
-    say(take, drives ? "Give the controls back" : "Take the controls");
+    set_text(take, drives ? "Give the controls back" : "Take the controls");
     take.classList.toggle("primary", !drives);
-    const silence = "The mission drives by itself; stop it to drive by hand.";
+    const refused = "The mission drives by itself; stop it to drive by hand.";
     const how =
       "Hold the arrow keys, drag on the pad or use a gamepad. Whatever is let go, the vehicle stops.";
-    say(hint, !drives ? "Whoever holds the controls drives; everybody watches." : heard ? how : silence);
-    pad.classList.toggle("off", !drives || !heard);
-    marks.disabled = !drives || !heard || !in_mission;
-    finish.disabled = !drives || !heard || !in_mission;
+    set_text(
+      hint,
+      !drives ? "Whoever holds the controls drives; everybody watches." : accepts_commands ? how : refused,
+    );
+    pad.classList.toggle("off", !drives || !accepts_commands);
+    marks.disabled = !drives || !accepts_commands || !in_mission;
+    finish.disabled = !drives || !accepts_commands || !in_mission;
   };
   lease.token.watch(show);
   app.state.watch(show);

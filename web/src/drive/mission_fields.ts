@@ -1,6 +1,6 @@
-import type { BuildingShelf } from "../building/building_shelf";
+import type { BuildingStore } from "../building/building_store";
 import { element } from "../page/element";
-import type { SessionShelf } from "../sessions/session_shelf";
+import type { SessionStore } from "../sessions/session_store";
 import { fresh_name } from "./mission_forms";
 import type { Field, MissionForm } from "./mission_forms";
 
@@ -19,8 +19,8 @@ export class MissionFields {
 
   constructor(
     form: MissionForm,
-    private readonly shelf: BuildingShelf,
-    private readonly sessions: SessionShelf,
+    private readonly store: BuildingStore,
+    private readonly sessions: SessionStore,
   ) {
     this.elements = form.fields.map((field) => this.#labelled(field));
     this.refill();
@@ -53,7 +53,7 @@ export class MissionFields {
     if (["building", "session", "route", "place", "method"].includes(field.kind)) {
       const list = element("select", {});
       if (field.kind === "building")
-        list.addEventListener("change", () => void this.shelf.choose(list.value));
+        list.addEventListener("change", () => void this.store.choose(list.value));
       return list;
     }
     const placeholder = field.is_needed ? "" : field.kind === "text" ? "as it comes" : "not kept";
@@ -62,7 +62,7 @@ export class MissionFields {
   }
 
   #refill_list(field: Field, list: HTMLSelectElement): void {
-    const kept = field.kind === "building" ? this.shelf.chosen.value : list.value;
+    const kept = field.kind === "building" ? this.store.chosen.value : list.value;
     const names = this.#names(field);
     const first = field.is_needed ? [] : [option("", "as it comes")];
     list.replaceChildren(...first, ...names.map((name) => option(name)));
@@ -70,8 +70,8 @@ export class MissionFields {
   }
 
   #names(field: Field): string[] {
-    const building = this.shelf.building.value;
-    if (field.kind === "building") return this.shelf.names.value;
+    const building = this.store.building.value;
+    if (field.kind === "building") return this.store.names.value;
     if (field.kind === "session") return this.sessions.sessions.value.map(({ name }) => name);
     if (field.kind === "route") return (building?.routes ?? []).map(({ name }) => name);
     if (field.kind === "place") return (building?.places ?? []).map(({ name }) => name);
@@ -79,7 +79,7 @@ export class MissionFields {
   }
 
   #proposed({ kind }: Field): string {
-    if (kind === "new_building") return fresh_name("building", this.shelf.names.value);
+    if (kind === "new_building") return fresh_name("building", this.store.names.value);
     if (kind === "new_session")
       return fresh_name(
         "lesson-",

@@ -1,6 +1,6 @@
 import { element } from "../page/element";
-import { no_wish } from "./wish";
-import type { Wish } from "./wish";
+import { no_request } from "./drive_request";
+import type { DriveRequest } from "./drive_request";
 
 const dead = 0.12;
 
@@ -10,7 +10,7 @@ function beyond_dead(value: number): number {
 }
 
 /** A round pad for a finger or the mouse: up is ahead, left is left. */
-export function drive_pad(tell: (wish: Wish) => void): HTMLElement {
+export function drive_pad(report: (request: DriveRequest) => void): HTMLElement {
   const knob = element("div", { class: "knob" });
   const pad = element(
     "div",
@@ -18,9 +18,9 @@ export function drive_pad(tell: (wish: Wish) => void): HTMLElement {
     knob,
   );
 
-  const show = (wish: Wish) => {
-    knob.style.transform = `translate(${-wish.left * 40}%, ${-wish.ahead * 40}%)`;
-    tell(wish);
+  const show = (request: DriveRequest) => {
+    knob.style.transform = `translate(${-request.left * 40}%, ${-request.ahead * 40}%)`;
+    report(request);
   };
   const move = (event: PointerEvent) => {
     const box = pad.getBoundingClientRect();
@@ -36,6 +36,6 @@ export function drive_pad(tell: (wish: Wish) => void): HTMLElement {
     if (pad.hasPointerCapture(event.pointerId)) move(event);
   });
   for (const end of ["pointerup", "pointercancel", "lostpointercapture"])
-    pad.addEventListener(end, () => show(no_wish));
+    pad.addEventListener(end, () => show(no_request));
   return pad;
 }

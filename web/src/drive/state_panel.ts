@@ -2,7 +2,7 @@ import { json_of } from "../connection/live_state";
 import type { LiveState } from "../connection/live_state";
 import type { PoseWithCovarianceStamped } from "../connection/messages";
 import type { App } from "../page/app";
-import { element, panel, say } from "../page/element";
+import { element, panel, set_text } from "../page/element";
 import { ellipse_of } from "../plan/geometry";
 
 interface Decision {
@@ -64,24 +64,30 @@ export function state_panel(app: App): HTMLElement {
   show_match(false);
 
   app.state.watch((state) => {
-    say(rows.task.value, state ? [state.mode, state.mission, state.task].filter(Boolean).join(" · ") : "–");
-    say(rows.clock.value, state ? progress_text(state) : "–");
+    set_text(
+      rows.task.value,
+      state ? [state.mode, state.mission, state.task].filter(Boolean).join(" · ") : "–",
+    );
+    set_text(rows.clock.value, state ? progress_text(state) : "–");
     last.hidden = !state?.last;
     if (!state?.last) return;
     const { mission, ok, text, problems } = state.last;
     last.dataset["ok"] = String(ok);
-    say(
+    set_text(
       last,
       `Last: ${mission} ${ok ? "done" : "not done"}. ${[text, ...problems].filter(Boolean).join("\n")}`,
     );
   });
   app.connection.listen("/decision", (message) => {
     const { command, state, why, status } = json_of<Decision>(message);
-    say(rows.state.value, status === "going" ? state : `${state} (${status})`);
-    say(rows.why.value, why === "" ? "–" : why);
+    set_text(rows.state.value, status === "going" ? state : `${state} (${status})`);
+    set_text(rows.why.value, why === "" ? "–" : why);
     const turn = command.turn_rate_rad_s !== 0 ? command.turn_rate_rad_s : command.steering_rad;
     const unit = command.turn_rate_rad_s !== 0 ? "°/s" : "°";
-    say(rows.command.value, `${command.speed_mps.toFixed(2)} m/s, ${(turn * degrees).toFixed(1)}${unit}`);
+    set_text(
+      rows.command.value,
+      `${command.speed_mps.toFixed(2)} m/s, ${(turn * degrees).toFixed(1)}${unit}`,
+    );
   });
   app.connection.listen("/pose", (message) => {
     const { pose, covariance } = (message as PoseWithCovarianceStamped).pose;
@@ -89,23 +95,24 @@ export function state_panel(app: App): HTMLElement {
     const heading = Math.sqrt(Math.max(0, covariance[35] ?? 0)) * degrees;
     const { x, y } = pose.position;
     const sure = a_m > 0 ? ` · σ ${(a_m * 100).toFixed(1)} cm, ${heading.toFixed(1)}°` : "";
-    say(rows.place.value, `${x.toFixed(2)}, ${y.toFixed(2)} m${sure}`);
+    set_text(rows.place.value, `${x.toFixed(2)}, ${y.toFixed(2)} m${sure}`);
   });
   app.connection.listen("/match", (message) => {
     const { quality, text } = json_of<Match>(message);
     show_match(true);
-    say(rows.match.value, `${Math.round(quality * 100)} % · ${text}`);
+    set_text(rows.match.value, `${Math.round(quality * 100)} % · ${text}`);
   });
   app.connection.listen("/transducer", (message) => {
     const { state, input, output, stack: symbols } = json_of<TransducerView>(message);
     transducer.hidden = false;
-    say(rule, `${state}: ${input} → ${output}`);
+    set_text(rule, `${state}: ${input} → ${output}`);
     stack.replaceChildren(...symbols.toReversed().map((symbol) => element("li", {}, symbol)));
   });
   app.connection.listen("/session", () => {
     transducer.hidden = true;
     show_match(false);
-    for (const { value } of [rows.state, rows.why, rows.command, rows.place, rows.match]) say(value, "–");
+    for (const { value } of [rows.state, rows.why, rows.command, rows.place, rows.match])
+      set_text(value, "–");
   });
 
   const list = element("dl", {}, ...Object.values(rows).flatMap(({ term, value }) => [term, value]));

@@ -6,10 +6,10 @@ import {
   draw_cursor,
   draw_grid,
   draw_known,
-  draw_mouse,
+  draw_vehicle,
   draw_start_and_goals,
   draw_walls,
-  draw_way,
+  draw_path,
   frame_of,
 } from "./maze_drawing";
 import { Maze, neighbour } from "./maze";
@@ -75,9 +75,9 @@ export class MazeCanvas {
     if (this.run && known) draw_known(context, frame, this.run, known);
     draw_grid(context, frame, this.maze);
     draw_start_and_goals(context, frame, this.maze);
-    if (known) draw_way(context, frame, known);
+    if (known) draw_path(context, frame, known);
     draw_walls(context, frame, this.maze, known);
-    if (known) draw_mouse(context, frame, known.at, this.run?.steps[this.count - 1]?.move ?? "");
+    if (known) draw_vehicle(context, frame, known.at, this.run?.steps[this.count - 1]?.move ?? "");
     if (document.activeElement === this.element) draw_cursor(context, frame, this.#cursor);
   }
 

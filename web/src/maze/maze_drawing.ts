@@ -1,7 +1,7 @@
 import { colour } from "../page/theme";
 import { neighbour, sides } from "./maze";
 import type { Cell, Maze, Side } from "./maze";
-import { waiting_cells } from "./maze_run";
+import { frontier_cells } from "./maze_run";
 import type { Known, MazeRun } from "./maze_run";
 
 /** Where the maze lies on its canvas: pixels a cell, and the lower left corner. */
@@ -100,15 +100,15 @@ export function draw_known(context: Context, frame: MazeFrame, run: MazeRun, kno
   for (const index of known.open.keys()) {
     fill_cell(context, frame, { x: index % run.width, y: Math.floor(index / run.width) }, visited);
   }
-  for (const cell of waiting_cells(run, known)) fill_cell(context, frame, cell, colour("waiting"));
+  for (const cell of frontier_cells(run, known)) fill_cell(context, frame, cell, colour("frontier"));
 }
 
-export function draw_way(context: Context, frame: MazeFrame, { way }: Known): void {
+export function draw_path(context: Context, frame: MazeFrame, { path }: Known): void {
   context.strokeStyle = colour("trail");
   context.lineWidth = Math.max(1.5, frame.cell_px / 16);
   context.lineJoin = "round";
   context.beginPath();
-  way.forEach((cell, index) => {
+  path.forEach((cell, index) => {
     if (index === 0) context.moveTo(...middle(frame, cell));
     else context.lineTo(...middle(frame, cell));
   });
@@ -116,7 +116,7 @@ export function draw_way(context: Context, frame: MazeFrame, { way }: Known): vo
 }
 
 /** The vehicle as an arrow towards where it moves next. */
-export function draw_mouse(context: Context, frame: MazeFrame, at: Cell, next: Side | ""): void {
+export function draw_vehicle(context: Context, frame: MazeFrame, at: Cell, next: Side | ""): void {
   const size = frame.cell_px * 0.32;
   context.save();
   context.translate(...middle(frame, at));

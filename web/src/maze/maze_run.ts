@@ -29,7 +29,7 @@ export interface Known {
   at: Cell;
   /** The open sides of every visited cell, by its number. */
   open: Map<number, string>;
-  way: Cell[];
+  path: Cell[];
   /** The side that the vehicle came in by; undefined at the start. */
   came_from: Side | undefined;
 }
@@ -41,29 +41,29 @@ export function cell_of([x, y]: [number, number]): Cell {
 /** @param count of cycles that have been, at least 1 */
 export function known_after(run: MazeRun, count: number): Known {
   const open = new Map<number, string>();
-  const way: Cell[] = [];
+  const path: Cell[] = [];
   for (const { cell, open: sides } of run.steps.slice(0, count)) {
     open.set(cell[1] * run.width + cell[0], sides);
-    way.push(cell_of(cell));
+    path.push(cell_of(cell));
   }
   const before = run.steps[count - 2]?.move;
   return {
-    at: way.at(-1) ?? cell_of(run.start),
+    at: path.at(-1) ?? cell_of(run.start),
     open,
-    way,
+    path,
     came_from: before ? opposite(before) : undefined,
   };
 }
 
 /** The sides that the preprocessing unit closed by a false wall. Of explored cells only where it came from is told. */
 export function false_walls(step: MazeStep, came_from: Side | undefined): Side[] {
-  const is_told = step.input_open !== "" || /ending|dead/.test(step.input_kind);
-  const shut = (side: Side) => (is_told ? !step.input_open.includes(side) : side === came_from);
+  const is_given = step.input_open !== "" || /ending|dead/.test(step.input_kind);
+  const shut = (side: Side) => (is_given ? !step.input_open.includes(side) : side === came_from);
   return ([...step.open] as Side[]).filter(shut);
 }
 
 /** Cells to which a visited one is open, and that were not visited. */
-export function waiting_cells(run: MazeRun, known: Known): Cell[] {
+export function frontier_cells(run: MazeRun, known: Known): Cell[] {
   const waiting = new Map<number, Cell>();
   for (const [index, open] of known.open) {
     const cell = { x: index % run.width, y: Math.floor(index / run.width) };

@@ -3,8 +3,8 @@
 import { Maze, max_size, sides } from "./maze";
 import type { Cell } from "./maze";
 
-const wall_across = /[-_=#]/;
-const wall_along = /[|!#]/;
+const horizontal_wall = /[-_=#]/;
+const vertical_wall = /[|!#]/;
 
 function check_size(width: number, height: number): void {
   if (width < 1 || height < 1) throw new Error("there is no cell in it");
@@ -23,8 +23,8 @@ function read_picture(text: string): Maze {
   for (const cell of maze.cells()) {
     const line = 2 * (height - 1 - cell.y) + 1;
     const column = 4 * cell.x + 2;
-    maze.set_wall(cell, "N", wall_across.test(at(line - 1, column)));
-    maze.set_wall(cell, "E", wall_along.test(at(line, column + 2)));
+    maze.set_wall(cell, "N", horizontal_wall.test(at(line - 1, column)));
+    maze.set_wall(cell, "E", vertical_wall.test(at(line, column + 2)));
     if (at(line, column) === "S") maze.start = cell;
     if (at(line, column) === "G") maze.goals.add(maze.index(cell));
   }
@@ -44,7 +44,7 @@ function read_numbers(text: string): Maze {
   const height = Math.max(...numbers.map(([, y]) => y)) + 1;
   check_size(width, height);
   if (numbers.length !== width * height)
-    throw new Error(`${width * height} cells are needed, ${numbers.length} are told`);
+    throw new Error(`${width * height} cells are needed, ${numbers.length} are given`);
   const maze = new Maze(width, height);
   for (const [x, y, ...walls] of numbers) {
     sides.forEach((side, index) => maze.set_wall({ x, y }, side, walls[index] === 1));

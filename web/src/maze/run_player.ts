@@ -1,4 +1,4 @@
-import { button, element, say } from "../page/element";
+import { button, element, set_text } from "../page/element";
 import { draw_input } from "./maze_drawing";
 import { false_walls, known_after } from "./maze_run";
 import type { MazeRun } from "./maze_run";
@@ -17,7 +17,7 @@ export class RunPlayer {
     width: input_px,
     height: input_px,
     role: "img",
-    class: "input-picture",
+    class: "input-drawing",
   });
   readonly #state = element("dd", {});
   readonly #symbol = element("dd", {});
@@ -72,7 +72,7 @@ export class RunPlayer {
       this.#stack,
       this.#figures,
     );
-    addEventListener("aisle-theme", () => this.#tell());
+    addEventListener("aisle-theme", () => this.#show_cycle());
   }
 
   load(run: MazeRun | undefined): void {
@@ -84,7 +84,7 @@ export class RunPlayer {
     this.#slider.max = String(run.steps.length);
     const { visited, reachable, moves, complete } = run.figures;
     const outcome = complete ? "Explored completely and home again" : "Not explored completely";
-    say(this.#figures, `${outcome}: ${visited} of ${reachable} cells, ${moves} moves.`);
+    set_text(this.#figures, `${outcome}: ${visited} of ${reachable} cells, ${moves} moves.`);
     this.go_to(1);
   }
 
@@ -92,21 +92,21 @@ export class RunPlayer {
     if (!this.#run) return;
     this.#count = Math.min(this.#run.steps.length, Math.max(1, count));
     this.#slider.value = String(this.#count);
-    this.#tell();
+    this.#show_cycle();
     this.show(this.#count);
   }
 
   play(): void {
     if (!this.#run) return;
     if (this.#count === this.#run.steps.length) this.go_to(1);
-    say(this.#play, "Pause");
+    set_text(this.#play, "Pause");
     this.#advance();
   }
 
   pause(): void {
     clearTimeout(this.#timer);
     this.#timer = undefined;
-    say(this.#play, "Run");
+    set_text(this.#play, "Run");
   }
 
   #toggle(): void {
@@ -125,14 +125,14 @@ export class RunPlayer {
     }, wait_ms);
   }
 
-  #tell(): void {
+  #show_cycle(): void {
     const step = this.#run?.steps[this.#count - 1];
     if (!this.#run || !step) return;
-    say(this.#position, `${this.#count} of ${this.#run.steps.length}`);
-    say(this.#state, step.state);
-    say(this.#symbol, `${step.input}, ${step.input_kind}`);
-    say(this.#move, directions[step.move]);
-    say(this.#rule, step.rule);
+    set_text(this.#position, `${this.#count} of ${this.#run.steps.length}`);
+    set_text(this.#state, step.state);
+    set_text(this.#symbol, `${step.input}, ${step.input_kind}`);
+    set_text(this.#move, directions[step.move]);
+    set_text(this.#rule, step.rule);
     this.#stack.replaceChildren(...step.stack.toReversed().map((symbol) => element("li", {}, symbol)));
     const context = this.#input.getContext("2d");
     if (context)

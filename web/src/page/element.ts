@@ -24,7 +24,7 @@ export function button(label: string, onclick: () => void, attributes: Attribute
 }
 
 /** Shows `text` and leaves the DOM alone where it says so already. */
-export function say(where: HTMLElement, text: string): void {
+export function set_text(where: HTMLElement, text: string): void {
   if (where.textContent !== text) where.textContent = text;
 }
 

@@ -6,7 +6,7 @@ const shown_ms = 8000;
 export class Notices {
   readonly element = element("div", { class: "notices", role: "status", "aria-live": "polite" });
 
-  tell(text: string, kind: "good" | "trouble" = "good"): void {
+  show(text: string, kind: "good" | "trouble" = "good"): void {
     const notice = element("p", { class: `notice ${kind}` }, text);
     const close = button("×", () => notice.remove(), { "aria-label": "Close this message" });
     notice.append(close);
@@ -19,10 +19,10 @@ export class Notices {
   async attempt(what: Promise<unknown>, done = ""): Promise<boolean> {
     try {
       await what;
-      if (done !== "") this.tell(done);
+      if (done !== "") this.show(done);
       return true;
     } catch (problem) {
-      this.tell(problem instanceof Error ? problem.message : String(problem), "trouble");
+      this.show(problem instanceof Error ? problem.message : String(problem), "trouble");
       return false;
     }
   }

@@ -1,7 +1,7 @@
 import type { Building, Floor } from "../building/building_file";
 import { colour } from "../page/theme";
 import { floor_runs, point_of, route_points } from "./building_geometry";
-import { barrier_stroke, draw_dots, draw_line, draw_name, draw_pieces } from "./draw";
+import { barrier_stroke, draw_dots, draw_line, draw_name, draw_segments } from "./draw";
 import type { Point } from "./geometry";
 import type { Layer } from "./plan_canvas";
 
@@ -53,7 +53,7 @@ export function building_layer(building: Building): Layer {
       point_of(start_m),
       point_of(end_m),
     ]);
-    draw_pieces(context, view, walls, { colour: colour("wall"), width_px: 2.5 });
+    draw_segments(context, view, walls, { colour: colour("wall"), width_px: 2.5 });
     draw_dots(
       context,
       view,

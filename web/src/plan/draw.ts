@@ -45,15 +45,15 @@ export function draw_line(context: Context, view: PlanView, points: readonly Poi
   context.stroke();
 }
 
-export function draw_pieces(
+export function draw_segments(
   context: Context,
   view: PlanView,
-  pieces: Iterable<[Point, Point]>,
+  segments: Iterable<[Point, Point]>,
   stroke: Stroke,
 ): void {
   apply(context, stroke);
   context.beginPath();
-  for (const piece of pieces) trace(context, view, piece);
+  for (const segment of segments) trace(context, view, segment);
   context.stroke();
 }
 

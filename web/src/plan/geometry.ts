@@ -28,10 +28,10 @@ export function distance(a: Point, b: Point): number {
 }
 
 /** From `p` to the nearest point of the piece from `a` to `b`. */
-export function distance_to_piece(p: Point, a: Point, b: Point): number {
+export function distance_to_segment(p: Point, a: Point, b: Point): number {
   const length2 = (b.x - a.x) ** 2 + (b.y - a.y) ** 2;
-  const along = length2 === 0 ? 0 : ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length2;
-  const t = Math.min(1, Math.max(0, along));
+  const share = length2 === 0 ? 0 : ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length2;
+  const t = Math.min(1, Math.max(0, share));
   return distance(p, { x: a.x + t * (b.x - a.x), y: a.y + t * (b.y - a.y) });
 }
 

@@ -30,8 +30,8 @@ function points_of(marker: Marker): Point[] {
 
 /** One marker as it is drawn. */
 export interface Mark {
-  room: string;
-  kind: "pieces" | "line" | "points" | "text";
+  namespace: string;
+  kind: "segments" | "line" | "points" | "text";
   points: Point[];
   text: string;
 }
@@ -40,13 +40,13 @@ function mark_of(marker: Marker): Mark {
   const { line_list, line_strip, text } = marker_type;
   const kind =
     marker.type === line_list
-      ? "pieces"
+      ? "segments"
       : marker.type === line_strip
         ? "line"
         : marker.type === text
           ? "text"
           : "points";
-  return { room: marker.ns, kind, points: points_of(marker), text: marker.text };
+  return { namespace: marker.ns, kind, points: points_of(marker), text: marker.text };
 }
 
 /** What the vehicle is believed to know and do now, kept from the topics of the connection. */

@@ -38,12 +38,12 @@ export class PlanView {
 
   fit({ low, high }: Bounds, margin_px = 32): void {
     this.middle = { x: (low.x + high.x) / 2, y: (low.y + high.y) / 2 };
-    const across = (size_px: number, size_m: number) =>
+    const scale_for = (size_px: number, size_m: number) =>
       Math.max(1, size_px - 2 * margin_px) / Math.max(1, size_m);
     this.scale_px_per_m = Math.min(
       200,
-      across(this.width_px, high.x - low.x),
-      across(this.height_px, high.y - low.y),
+      scale_for(this.width_px, high.x - low.x),
+      scale_for(this.height_px, high.y - low.y),
     );
   }
 }

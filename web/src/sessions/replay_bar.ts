@@ -1,5 +1,5 @@
 import type { App } from "../page/app";
-import { button, element, say, select } from "../page/element";
+import { button, element, set_text, select } from "../page/element";
 
 const rates = ["0.5", "1", "2", "5", "20"].map((value) => ({ value, label: `${value} x` }));
 
@@ -40,8 +40,8 @@ export function replay_bar(app: App): HTMLElement {
     bar.hidden = replay === undefined;
     none.hidden = replay !== undefined;
     if (!replay) return;
-    say(play, replay.playing ? "Pause" : "Play");
-    say(
+    set_text(play, replay.playing ? "Pause" : "Play");
+    set_text(
       clock,
       `${(replay.at_s - replay.from_s).toFixed(1)} of ${(replay.to_s - replay.from_s).toFixed(1)} s`,
     );

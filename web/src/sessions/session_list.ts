@@ -1,6 +1,6 @@
 import { button, element } from "../page/element";
 import { short_bytes, short_duration } from "./session_figures";
-import type { SessionEntry } from "./session_shelf";
+import type { SessionEntry } from "./session_store";
 
 function head(...columns: [string, boolean][]): HTMLElement {
   const cells = columns.map(([label, is_number]) =>

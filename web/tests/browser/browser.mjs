@@ -33,7 +33,7 @@ export async function open_page(browser, address, options = desktop) {
 }
 
 /** Keeps a picture where AISLE_PICTURES says so. */
-export async function keep_picture(page, name, options = {}) {
+export async function keep_screenshot(page, name, options = {}) {
   const directory = process.env.AISLE_PICTURES;
   if (!directory) return;
   mkdirSync(directory, { recursive: true });

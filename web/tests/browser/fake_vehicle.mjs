@@ -120,8 +120,8 @@ export class FakeVehicle {
         name,
       );
     }
-    this.#beat = setInterval(() => this.tell_state({}), 500);
-    this.tell_state({});
+    this.#beat = setInterval(() => this.send_state({}), 500);
+    this.send_state({});
     return `http://127.0.0.1:${this.#http.address().port}/`;
   }
 
@@ -139,19 +139,19 @@ export class FakeVehicle {
     clearInterval(this.#beat);
   }
 
-  tell_state(changes) {
+  send_state(changes) {
     Object.assign(this.state, changes);
     this.publish("/live/state", "std_msgs/String", { data: JSON.stringify(this.state) });
   }
 
   publish(topic, type, message, stamp_s = this.state.stamp_s) {
     if (!this.#channels.has(topic)) {
-      const [room, name] = type.split("/");
+      const [package_name, name] = type.split("/");
       const schema = schema_of(type);
       const id = this.#server.addChannel({
         topic,
         encoding: "cdr",
-        schemaName: `${room}/msg/${name}`,
+        schemaName: `${package_name}/msg/${name}`,
         schema,
         schemaEncoding: "ros2msg",
       });

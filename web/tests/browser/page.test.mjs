@@ -43,7 +43,7 @@ test("Says when what is seen has grown old", async () => {
 });
 
 test("Says who drives, and why the controls cannot be had", async () => {
-  vehicle.tell_state({ lease_held: true });
+  vehicle.send_state({ lease_held: true });
   await page.getByText("somebody else holds the controls").waitFor();
   vehicle.answers["lease/take"] = () => new Error("anna drives");
   await page.getByRole("button", { name: "Take the controls" }).click();
@@ -58,7 +58,7 @@ test("Arrow keys drive while they are held, and the last word is to stand", asyn
   await until(() => vehicle.drives.some(({ steering_rad }) => steering_rad > 0), "a curve to the left");
   await page.keyboard.up("ArrowUp");
   await page.keyboard.up("ArrowLeft");
-  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "standing");
+  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "a stop command");
   const sequences = vehicle.drives.map(({ sequence }) => sequence);
   assert.deepEqual(
     sequences,
@@ -108,7 +108,7 @@ test("The pad drives under the finger", async () => {
   await page.mouse.move(box.x + box.width / 2, box.y + 6);
   await until(() => vehicle.drives.some(({ speed_mps }) => speed_mps > 0), "driving ahead");
   await page.mouse.up();
-  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "standing");
+  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "a stop command");
 });
 
 test("A gamepad's left stick drives, and when it is let go the vehicle is told to stand", async () => {
@@ -124,16 +124,16 @@ test("A gamepad's left stick drives, and when it is let go the vehicle is told t
     "a curve to the left",
   );
   await page.evaluate(() => (window.stick.axes = [0.1, 0.1]));
-  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "standing");
+  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "a stop command");
 });
 
-test("Stop and Escape stop in every room and need no controls", async () => {
-  for (const room of ["Drive", "Maze", "Sessions", "Building"]) {
-    await page.getByRole("link", { name: room }).click();
+test("Stop and Escape stop in every tab and need no controls", async () => {
+  for (const tab of ["Drive", "Maze", "Sessions", "Building"]) {
+    await page.getByRole("link", { name: tab }).click();
     const before = called("mission/emergency_stop").length;
     await page.getByRole("button", { name: "Emergency stop" }).click();
     await page.keyboard.press("Escape");
-    await until(() => called("mission/emergency_stop").length === before + 2, `two stops in ${room}`);
+    await until(() => called("mission/emergency_stop").length === before + 2, `two stops in ${tab}`);
   }
   assert.equal(called("lease/take").length, 0);
 });
@@ -158,8 +158,8 @@ test("A click on the plan sends the vehicle there", async () => {
     version: 1,
     walls: [{ start_m: [0, 0], end_m: [10, 0] }],
   };
-  vehicle.tell_state({ mode: "work" });
-  vehicle.tell_state({ mode: "idle" });
+  vehicle.send_state({ mode: "work" });
+  vehicle.send_state({ mode: "idle" });
   await page.getByRole("combobox", { name: "Mission" }).selectOption("go");
   await until(
     async () =>
@@ -261,20 +261,20 @@ test("A maze that was drawn by keys is what is explored", async () => {
   assert.equal(called("maze/run")[0].request.maze, "o---o---o\n|   | S |\no---o---o\n");
 });
 
-test("Nothing hangs over the edge of a phone, in any room", async () => {
+test("Nothing hangs over the edge of a phone, in any tab", async () => {
   const small = await open_page(browser, address, phone);
-  for (const room of ["Drive", "Maze", "Sessions", "Building"]) {
-    await small.getByRole("link", { name: room }).click();
+  for (const tab of ["Drive", "Maze", "Sessions", "Building"]) {
+    await small.getByRole("link", { name: tab }).click();
     const width = await small.evaluate(() => document.documentElement.scrollWidth);
-    assert.ok(width <= 360, `${room} is ${width} px wide`);
+    assert.ok(width <= 360, `${tab} is ${width} px wide`);
     assert.ok(await small.getByRole("button", { name: "Emergency stop" }).isVisible());
   }
   await small.context().close();
 });
 
 test("Every control can be reached by the keyboard and has a name", async () => {
-  for (const room of ["drive", "maze", "sessions", "building"]) {
-    await page.goto(`${address}#${room}`);
+  for (const tab of ["drive", "maze", "sessions", "building"]) {
+    await page.goto(`${address}#${tab}`);
     const nameless = await page.evaluate(() =>
       [...document.querySelectorAll("button, input, select, canvas, a")]
         .filter((control) => control.checkVisibility())
@@ -284,7 +284,7 @@ test("Every control can be reached by the keyboard and has a name", async () => 
         })
         .map((control) => control.outerHTML),
     );
-    assert.deepEqual(nameless, [], room);
+    assert.deepEqual(nameless, [], tab);
   }
 });
 

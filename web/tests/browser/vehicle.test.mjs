@@ -5,12 +5,20 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 
-import { desktop, desktop_light, keep_picture, open_browser, open_page, phone, until } from "./browser.mjs";
+import {
+  desktop,
+  desktop_light,
+  keep_screenshot,
+  open_browser,
+  open_page,
+  phone,
+  until,
+} from "./browser.mjs";
 import { make_certificate } from "./certificate.mjs";
 import { Watcher, start_live } from "./watcher.mjs";
 
 /** How long the vehicle may take to obey, in its own time. */
-const obeys_within_s = 0.3;
+const reaction_max_s = 0.3;
 
 let browser, server, watcher, directory, page;
 
@@ -50,14 +58,14 @@ test("Shows the camera, the plan and the state of a vehicle that waits", async (
   await camera.waitFor();
   const first_s = Number(await camera.getAttribute("data-stamp-s"));
   await until(async () => Number(await camera.getAttribute("data-stamp-s")) > first_s, "a newer picture");
-  await keep_picture(page, "drive-dark");
+  await keep_screenshot(page, "drive-dark");
   for (const [name, options] of [
     ["drive-light", desktop_light],
     ["drive-phone", phone],
   ]) {
     const other = await open_page(browser, server.address, options);
     await other.locator(".camera-panel canvas[data-stamp-s]").waitFor();
-    await keep_picture(other, name);
+    await keep_screenshot(other, name);
     await other.context().close();
   }
 });
@@ -66,7 +74,7 @@ test("The stop button stops a vehicle that is driven", async () => {
   await drive_ahead();
   const pressed_s = watcher.now_s;
   await page.keyboard.press("Escape");
-  assert.ok((await watcher.told_to_stand_s(pressed_s)) <= pressed_s + obeys_within_s);
+  assert.ok((await watcher.stop_commanded_s(pressed_s)) <= pressed_s + reaction_max_s);
   await page.getByText("Emergency stop", { exact: true }).waitFor();
   await page.keyboard.up("ArrowUp");
   await page.getByRole("button", { name: "Release" }).click();
@@ -77,7 +85,7 @@ test("A vehicle whose page is closed stops", async () => {
   await drive_ahead();
   const closed_s = watcher.now_s;
   await page.close();
-  assert.ok((await watcher.told_to_stand_s(closed_s)) <= closed_s + obeys_within_s);
+  assert.ok((await watcher.stop_commanded_s(closed_s)) <= closed_s + reaction_max_s);
   await until(() => watcher.state?.lease_held === false, "the controls are free again");
 });
 
@@ -107,7 +115,7 @@ test("A maze is drawn, explored and shown to be explored completely", async () =
   }
   await page.getByRole("button", { name: "To the end" }).click();
   await page.getByText("q_fin").waitFor();
-  await keep_picture(page, "maze-dark");
+  await keep_screenshot(page, "maze-dark");
 });
 
 test("A route that is taught by keys is learned and driven", { timeout: 120000 }, async () => {
@@ -136,7 +144,7 @@ test("A route that is taught by keys is learned and driven", { timeout: 120000 }
   );
   assert.deepEqual([...kinds].sort(), ["foot", "stripe", "vertical line"]);
   assert.ok(JSON.parse(watcher.latest("/match").message.data).quality > 0.5);
-  await keep_picture(page, "driven-dark");
+  await keep_screenshot(page, "driven-dark");
 });
 
 test("What was recorded is listed, replayed and mended", async () => {
@@ -146,7 +154,7 @@ test("What was recorded is listed, replayed and mended", async () => {
   await page.getByRole("button", { name: "Replay", exact: true }).click();
   await page.getByText(/^[1-9]\.\d of \d/).waitFor();
   await page.locator(".sessions-replay canvas[data-stamp-s]").waitFor();
-  await keep_picture(page, "sessions-dark");
+  await keep_screenshot(page, "sessions-dark");
   await page.getByRole("button", { name: "End the replay" }).click();
   await page.getByText("l-corridor: waiting").waitFor();
 
@@ -158,7 +166,7 @@ test("What was recorded is listed, replayed and mended", async () => {
   await page.getByRole("button", { name: "Name it" }).click();
   await page.getByRole("button", { name: "Save as a new version" }).click();
   await page.getByText("Saved as building1-2").waitFor();
-  await keep_picture(page, "building-dark");
+  await keep_screenshot(page, "building-dark");
 });
 
 test("An unknown building is explored before one's eyes, to the end", { timeout: 150000 }, async () => {
@@ -173,7 +181,7 @@ test("An unknown building is explored before one's eyes, to the end", { timeout:
     "what the explorer knows",
   );
   await other.getByText("Last: explore done").waitFor({ timeout: 120000 });
-  await keep_picture(other, "explored-dark");
+  await keep_screenshot(other, "explored-dark");
   await other.context().close();
   everything.close();
   assert.equal(await fast.stop(), 130);

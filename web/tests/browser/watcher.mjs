@@ -46,7 +46,7 @@ export class Watcher {
   }
 
   /** The vehicle's time at which it was first told to stand after `from_s`. */
-  async told_to_stand_s(from_s) {
+  async stop_commanded_s(from_s) {
     const stands = ({ topic, stamp_s, message }) =>
       topic === "/cmd_vel" && stamp_s >= from_s && message.linear.x === 0 && message.angular.z === 0;
     await until(() => this.heard.some(stands), "a command to stand");

@@ -1,11 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { rgba_of } from "../../src/camera/picture";
+import { rgba_of } from "../../src/camera/image";
 import { fresh_name, mission_forms, start_request } from "../../src/drive/mission_forms";
 import { vehicle_shape } from "../../src/drive/vehicle_text";
-import { command_of, strongest } from "../../src/drive/wish";
-import { standing } from "../../src/page/standing";
+import { command_of, strongest } from "../../src/drive/drive_request";
+import { status_of } from "../../src/page/status";
 import { figure_lines, short_bytes, short_duration } from "../../src/sessions/session_figures";
 import type { LiveState } from "../../src/connection/live_state";
 import idle_state from "../idle_state.json";
@@ -65,14 +65,14 @@ const state = idle_state as LiveState;
 const facts = { connection: "connected" as const, silent_s: 0.2, state, drives_here: false };
 
 test("The standing line says when what is seen is not true now", () => {
-  assert.equal(standing(facts).lamp, "good");
-  assert.match(standing({ ...facts, silent_s: 4 }).text, /nothing heard for 4 s/);
-  assert.match(standing({ ...facts, connection: "lost" }).text, /Not connected/);
+  assert.equal(status_of(facts).lamp, "good");
+  assert.match(status_of({ ...facts, silent_s: 4 }).text, /nothing heard for 4 s/);
+  assert.match(status_of({ ...facts, connection: "lost" }).text, /Not connected/);
 });
 
 test("The standing line says who drives", () => {
-  assert.match(standing({ ...facts, drives_here: true }).text, /you hold the controls/);
-  assert.match(standing({ ...facts, state: { ...state, lease_held: true } }).text, /somebody else/);
+  assert.match(status_of({ ...facts, drives_here: true }).text, /you hold the controls/);
+  assert.match(status_of({ ...facts, state: { ...state, lease_held: true } }).text, /somebody else/);
 });
 
 test("Figures are lines with short numbers", () => {

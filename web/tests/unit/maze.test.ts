@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { Maze, neighbour, sides } from "../../src/maze/maze";
 import { cell_at, edge_at } from "../../src/maze/maze_picking";
-import { false_walls, known_after, waiting_cells } from "../../src/maze/maze_run";
+import { false_walls, known_after, frontier_cells } from "../../src/maze/maze_run";
 import type { MazeRun, MazeStep } from "../../src/maze/maze_run";
 import { maze_numbers, maze_picture, read_maze } from "../../src/maze/maze_text";
 import { random_maze } from "../../src/maze/random_maze";
@@ -44,7 +44,7 @@ test("Any maze comes back from its picture and from its numbers", () => {
 test("What is no maze says why", () => {
   assert.throws(() => read_maze("o---o\n|   |\n"), /odd number of lines/);
   assert.throws(() => read_maze("0 0 1 1\n"), /line 1/);
-  assert.throws(() => read_maze("0 0 1 1 1 1\n5 0 1 1 1 1\n"), /6 cells are needed, 2 are told/);
+  assert.throws(() => read_maze("0 0 1 1 1 1\n5 0 1 1 1 1\n"), /6 cells are needed, 2 are given/);
   assert.throws(() => read_maze(`o${"---o".repeat(65)}\n|\no${"---o".repeat(65)}\n`), /at most 64/);
 });
 
@@ -102,7 +102,7 @@ test("After two cycles the vehicle knows two cells and what they are open to", (
   const known = known_after(run, 2);
   assert.deepEqual(known.at, { x: 1, y: 0 });
   assert.equal(known.came_from, "W");
-  assert.deepEqual(waiting_cells(run, known), [{ x: 2, y: 0 }]);
+  assert.deepEqual(frontier_cells(run, known), [{ x: 2, y: 0 }]);
   assert.deepEqual(false_walls(run.steps[1] as MazeStep, known.came_from), ["W"]);
 });
 

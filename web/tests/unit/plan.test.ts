@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { floor_runs, route_points } from "../../src/plan/building_geometry";
-import { distance_to_piece, ellipse_of, heading_of, moved_by } from "../../src/plan/geometry";
+import { distance_to_segment, ellipse_of, heading_of, moved_by } from "../../src/plan/geometry";
 import { PlanView, round_length_m } from "../../src/plan/plan_view";
 
 const near = (a: number, b: number, within = 1e-9) =>
@@ -55,8 +55,8 @@ test("The ellipse of a covariance has its axes and direction", () => {
 });
 
 test("Beyond a piece's end its distance is that to the end", () => {
-  near(distance_to_piece({ x: 4, y: 4 }, { x: 0, y: 0 }, { x: 1, y: 0 }), 5);
-  near(distance_to_piece({ x: 0.5, y: 2 }, { x: 0, y: 0 }, { x: 1, y: 0 }), 2);
+  near(distance_to_segment({ x: 4, y: 4 }, { x: 0, y: 0 }, { x: 1, y: 0 }), 5);
+  near(distance_to_segment({ x: 0.5, y: 2 }, { x: 0, y: 0 }, { x: 1, y: 0 }), 2);
 });
 
 test("A route of a line, a quarter of a circle to the left and a turn on the spot ends where it should", () => {

@@ -6,7 +6,7 @@ import { building_of } from "./building_file";
 import type { Building, BuildingFile } from "./building_file";
 
 /** The buildings that the server keeps, and the one that is chosen. */
-export class BuildingShelf {
+export class BuildingStore {
   readonly names = new Signal<string[]>([]);
   readonly chosen = new Signal("");
   readonly building = new Signal<Building | undefined>(undefined);

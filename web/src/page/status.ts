@@ -4,7 +4,7 @@ import type { LiveState } from "../connection/live_state";
 /** The server speaks twice a second; this long without a word is too long. */
 const old_after_s = 1.6;
 
-export interface Standing {
+export interface Status {
   lamp: "good" | "busy" | "trouble";
   text: string;
 }
@@ -29,7 +29,7 @@ function driver(state: LiveState, drives_here: boolean): string {
 }
 
 /** One line: whether what is seen is true now, what goes on, and who may drive. */
-export function standing({ connection, silent_s, state, drives_here }: Facts): Standing {
+export function status_of({ connection, silent_s, state, drives_here }: Facts): Status {
   if (connection === "connecting") return { lamp: "busy", text: "Connecting" };
   if (connection === "lost") return { lamp: "trouble", text: "Not connected: trying again" };
   if (!state) return { lamp: "busy", text: "Connected, nothing heard yet" };

@@ -9,12 +9,12 @@ async function is_locked(): Promise<boolean> {
 }
 
 /** Asks for the token where the server wants one that the page's address does not bear. */
-export function token_gate(connection: LiveConnection): HTMLElement {
+export function token_form(connection: LiveConnection): HTMLElement {
   const token = element("input", { type: "password", required: true, autocomplete: "current-password" });
   const gate = element(
     "form",
     {
-      class: "panel token-gate",
+      class: "panel token-form",
       hidden: true,
       onsubmit: (event: SubmitEvent) => {
         event.preventDefault();

@@ -13,7 +13,7 @@ export interface SessionEntry {
 }
 
 /** The sessions that the server keeps. */
-export class SessionShelf {
+export class SessionStore {
   readonly sessions = new Signal<SessionEntry[]>([]);
 
   constructor(private readonly app: App) {

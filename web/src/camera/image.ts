@@ -1,6 +1,6 @@
 import type { CompressedImage, Header, Image } from "../connection/messages";
 
-export interface Picture {
+export interface CameraImage {
   source: CanvasImageSource;
   width: number;
   height: number;
@@ -11,7 +11,7 @@ function seconds({ stamp }: Header): number {
   return stamp.sec + stamp.nanosec / 1e9;
 }
 
-export async function decode_compressed({ header, format, data }: CompressedImage): Promise<Picture> {
+export async function decode_compressed({ header, format, data }: CompressedImage): Promise<CameraImage> {
   const type = format.includes("png") ? "image/png" : "image/jpeg";
   const source = await createImageBitmap(new Blob([data as Uint8Array<ArrayBuffer>], { type }));
   return { source, width: source.width, height: source.height, stamp_s: seconds(header) };
@@ -40,7 +40,7 @@ export function rgba_of({
   return rgba;
 }
 
-export async function decode_raw(image: Image): Promise<Picture> {
+export async function decode_raw(image: Image): Promise<CameraImage> {
   const { width, height, header } = image;
   const source = await createImageBitmap(new ImageData(rgba_of(image), width, height));
   return { source, width, height, stamp_s: seconds(header) };
