@@ -12,7 +12,7 @@ import { BuildingStore } from "./building_store";
 import { BuildingTools, tool_labels } from "./building_tools";
 import type { ToolName } from "./building_tools";
 
-/** What is in a building, in words. */
+/** The contents of a building in words. */
 function summary({ walls, landmarks, routes, places, barriers, floor }: Building): string {
   const count = (parts: unknown[] | undefined, one: string, many: string) =>
     parts?.length ? `${parts.length} ${parts.length === 1 ? one : many}` : "";
@@ -27,7 +27,7 @@ function summary({ walls, landmarks, routes, places, barriers, floor }: Building
   return known.join(", ") || "nothing yet";
 }
 
-/** Look at a building and mend it; what is saved is a new version. */
+/** Shows a building and edits it; saving makes a new version. */
 export function building_tab(app: App): Tab {
   const store = new BuildingStore(app);
   const canvas = new PlanCanvas("Plan of the building");
@@ -160,7 +160,7 @@ export function building_tab(app: App): Tab {
     { class: "tab building-tab" },
     panel("Plan", "building-plan", canvas.element),
     panel(
-      "Mend",
+      "Edit",
       "building-tools",
       building_list.field,
       about,

@@ -7,12 +7,12 @@ import type { Overlay } from "./overlay";
 import { decode_compressed, decode_raw } from "./image";
 import type { CameraImage } from "./image";
 
-/** Cameras that look ahead come first. */
+/** Cameras that look ahead are listed first. */
 const ahead = ["corridor", "front"];
 
 const topic_form = /^\/camera\/([^/]+)\/image_raw(\/compressed)?$/;
 
-/** A camera's newest image with what the navigator saw in it. */
+/** A camera's newest image, overlaid with what the navigator detected in it. */
 export class CameraView {
   readonly element: HTMLElement;
   readonly #canvas = element("canvas", { role: "img", "aria-label": "Camera image" });
@@ -25,7 +25,7 @@ export class CameraView {
   readonly #hidden = new Set<string>();
   readonly #known_kinds = new Set<string>();
   #camera = "";
-  /** A person chose it. */
+  /** The user chose the camera. */
   #is_picked = false;
   #ends: (() => void)[] = [];
   #image: CameraImage | undefined;
@@ -73,7 +73,7 @@ export class CameraView {
     ];
   }
 
-  /** Decodes one image at a time, and none where it cannot be seen; of those that come meanwhile the newest is kept. */
+  /** Decodes one image at a time, and none while hidden; of those that arrive meanwhile it keeps the newest. */
   #take(decode: () => Promise<CameraImage>): void {
     if (this.#canvas.offsetParent === null) return;
     this.#waiting = decode;

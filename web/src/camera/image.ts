@@ -17,7 +17,7 @@ export async function decode_compressed({ header, format, data }: CompressedImag
   return { source, width: source.width, height: source.height, stamp_s: seconds(header) };
 }
 
-/** Pixels as a canvas takes them, from `mono8` or `rgb8`. */
+/** RGBA pixels for a canvas, from `mono8` or `rgb8`. */
 export function rgba_of({
   width,
   height,
@@ -25,7 +25,7 @@ export function rgba_of({
   step,
   data,
 }: Omit<Image, "header">): Uint8ClampedArray<ArrayBuffer> {
-  if (encoding !== "mono8" && encoding !== "rgb8") throw new Error(`unknown pixels: ${encoding}`);
+  if (encoding !== "mono8" && encoding !== "rgb8") throw new Error(`unknown pixel format: ${encoding}`);
   const [size, green, blue] = encoding === "mono8" ? [1, 0, 0] : [3, 1, 2];
   const rgba = new Uint8ClampedArray(width * height * 4).fill(255);
   for (let v = 0; v < height; v += 1) {

@@ -1,19 +1,19 @@
 import { colour } from "../page/theme";
 
-/** What the navigator saw in an image: the JSON of /overlay/CAMERA, in pixels. */
+/** What the navigator detected in an image: the JSON of /overlay/CAMERA, in pixels. */
 export interface Overlay {
   stamp_s: number;
   lines: { kind: string; u0: number; v0: number; u1: number; v1: number }[];
 }
 
-/** An overlay this much older or newer than the image is of another view. */
+/** An overlay that differs more than this from the image's stamp belongs to another view. */
 const same_view_s = 0.35;
 
 export function kinds_of({ lines }: Overlay): string[] {
   return [...new Set(lines.map(({ kind }) => kind))];
 }
 
-/** Name of the colour that lines of a kind are drawn in. */
+/** Name of the colour for lines of a kind; `foot` marks a floor point. */
 export function colour_of(kind: string): string {
   const named = ["vertical", "foot", "stripe", "region", "base", "scan"].find((name) =>
     kind.startsWith(name),
@@ -34,7 +34,7 @@ export function draw_overlay(
     if (hidden.has(kind)) continue;
     context.strokeStyle = colour(colour_of(kind));
     context.beginPath();
-    // Whole numbers are pixel centres; a canvas counts from the corners.
+    // Integer coordinates are pixel centres; a canvas counts from pixel corners.
     context.moveTo(u0 + 0.5, v0 + 0.5);
     context.lineTo(u1 + 0.5, v1 + 0.5);
     context.stroke();

@@ -1,6 +1,6 @@
 import type { VehicleShape } from "./vehicle_text";
 
-/** What the person wants, each from -1 to 1: ahead, and to the left. */
+/** The requested motion, each component from -1 to 1: ahead, and to the left. */
 export interface DriveRequest {
   ahead: number;
   left: number;
@@ -18,7 +18,7 @@ export function is_request({ ahead, left }: DriveRequest): boolean {
   return ahead !== 0 || left !== 0;
 }
 
-/** Of all that is pressed: the strongest along each axis. */
+/** The strongest request along each axis. */
 export function strongest(requests: DriveRequest[]): DriveRequest {
   const stronger = (a: number, b: number) => (Math.abs(b) > Math.abs(a) ? b : a);
   return {
@@ -28,8 +28,9 @@ export function strongest(requests: DriveRequest[]): DriveRequest {
 }
 
 /**
- * @param pace share of the vehicle's greatest speed, 0 to 1. Reversing, a front-steered vehicle's wheels point where
- * the person steers; a differential one turns to that side seen from above.
+ * The driving command for a request. In reverse, a front-steered vehicle's wheels still point to the requested side; a
+ * differential vehicle turns to that side as seen from above.
+ * @param pace share of the vehicle's maximum speed, 0 to 1
  */
 export function command_of(request: DriveRequest, pace: number, vehicle: VehicleShape): DriveCommand {
   const speed = request.ahead < 0 ? vehicle.reverse_speed_max_mps : vehicle.speed_max_mps;

@@ -7,7 +7,7 @@ import { mission_panel } from "./mission_panel";
 import { plan_panel } from "./plan_panel";
 import { state_panel } from "./state_panel";
 
-/** Watch the vehicle, send it on missions, drive and teach it. */
+/** Watch the vehicle, start missions, drive by hand and teach routes. */
 export function drive_tab(app: App): Tab {
   const store = new BuildingStore(app);
   const tab = element(

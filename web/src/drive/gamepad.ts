@@ -1,17 +1,17 @@
 import { is_request, no_request } from "./drive_request";
 import type { DriveRequest } from "./drive_request";
 
-const dead = 0.15;
+const dead_zone = 0.15;
 
 function axis(value: number | undefined): number {
-  return value !== undefined && Math.abs(value) > dead ? value : 0;
+  return value !== undefined && Math.abs(value) > dead_zone ? value : 0;
 }
 
 function request_of(pad: Gamepad): DriveRequest {
   return { ahead: -axis(pad.axes[1]) + 0, left: -axis(pad.axes[0]) + 0 };
 }
 
-/** The left stick of any gamepad; polled only while one is there. */
+/** Reports the left stick of any gamepad; polls only while one is connected. */
 export function watch_gamepads(report: (request: DriveRequest) => void): void {
   let polling = false;
   let reported = no_request;

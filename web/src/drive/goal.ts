@@ -6,7 +6,7 @@ import { draw_dots } from "../plan/draw";
 import type { Point } from "../plan/geometry";
 import type { Layer } from "../plan/plan_canvas";
 
-/** A place of the chosen building that was clicked: asked about before the vehicle goes there. */
+/** A clicked point of the chosen building: the user confirms it before the vehicle drives there. */
 export class Goal {
   readonly element: HTMLElement;
   readonly layer: Layer;
@@ -23,7 +23,7 @@ export class Goal {
       { class: "goal-bar", hidden: true },
       this.#where,
       button("Go there", () => void this.#send(), { class: "primary" }),
-      button("Forget it", () => this.forget()),
+      button("Cancel", () => this.clear()),
     );
     this.layer = (context, view) => {
       if (this.#at) draw_dots(context, view, [this.#at], colour("path"), 7);
@@ -33,7 +33,7 @@ export class Goal {
   pick(at: Point): void {
     if (!this.store.is_shown.value || !this.store.building.value) {
       this.app.notices.show(
-        "To go to a place, choose “Go to a place” under Mission and click it in the building",
+        "To send the vehicle to a point, choose “Go to a place” under Mission and click the point in the building",
       );
       return;
     }
@@ -43,7 +43,7 @@ export class Goal {
     this.changed();
   }
 
-  forget(): void {
+  clear(): void {
     this.#at = undefined;
     this.element.hidden = true;
     this.changed();
@@ -53,6 +53,6 @@ export class Goal {
     if (!this.#at) return;
     const request = { building: this.store.chosen.value, x_m: this.#at.x, y_m: this.#at.y };
     if (await this.app.notices.attempt(this.app.lease.call("mission/go", request), "On the way"))
-      this.forget();
+      this.clear();
   }
 }

@@ -9,12 +9,12 @@ const topic = "/drive";
 const command_every_ms = 50;
 
 /**
- * Sends drive commands while anything is pressed and this page holds the lease. When all is released it says "stand"
- * once and falls silent: the vehicle stops without commands.
+ * Sends driving commands while a control is pressed and this page holds the lease. When all controls are released, it
+ * sends one stop command and then nothing: without commands the vehicle stops by itself.
  */
 export class HandDriver {
   readonly request = new Signal<DriveRequest>(no_request);
-  /** Share of the vehicle's greatest speed. */
+  /** Share of the vehicle's maximum speed, 0 to 1. */
   pace = 0.6;
   vehicle = vehicle_shape("");
 
@@ -29,11 +29,11 @@ export class HandDriver {
     connection.announce(topic, "aisle/Drive");
     lease.token.watch((token) => {
       this.#sequence = 0;
-      if (token === undefined) this.let_go();
+      if (token === undefined) this.release_all();
     });
   }
 
-  /** @param source who wishes it: the keys, the pad, the gamepad */
+  /** @param source the input device: the keys, the pad or the gamepad */
   press(source: string, request: DriveRequest): void {
     if (is_request(request)) this.#sources.set(source, request);
     else this.#sources.delete(source);
@@ -42,7 +42,7 @@ export class HandDriver {
     else this.#end();
   }
 
-  let_go(): void {
+  release_all(): void {
     this.#sources.clear();
     this.request.value = no_request;
     this.#end();

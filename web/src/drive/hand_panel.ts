@@ -3,7 +3,7 @@ import { button, element, panel, set_text } from "../page/element";
 import { vehicle_shape } from "./vehicle_text";
 import { drive_pad } from "./pad";
 
-/** Take the controls and drive; in a lesson, set marks. */
+/** Take the controls and drive; while teaching a route, set marks. */
 export function hand_panel(app: App): HTMLElement {
   const { driver, lease, notices } = app;
   const take = button(
@@ -38,7 +38,7 @@ export function hand_panel(app: App): HTMLElement {
     button("Place", () => mark("place", label.value.trim())()),
     button("Turning begins", () => mark("turning begins", label.value.trim())()),
     button("Turning ends", () => mark("turning ends", label.value.trim())()),
-    button("Way ends", () => mark("stop", "")()),
+    button("Route ends", () => mark("stop", "")()),
   );
   const finish = button("Finish", () => void notices.attempt(lease.call("mission/finish"), "Finished"));
 
@@ -48,12 +48,15 @@ export function hand_panel(app: App): HTMLElement {
     const in_mission = app.state.value?.mode === "mission";
     set_text(take, drives ? "Give the controls back" : "Take the controls");
     take.classList.toggle("primary", !drives);
-    const refused = "The mission drives by itself; stop it to drive by hand.";
-    const how =
-      "Hold the arrow keys, drag on the pad or use a gamepad. Whatever is let go, the vehicle stops.";
+    const refused = "The mission is driving. Stop it to drive by hand.";
+    const how = "Hold the arrow keys, drag on the pad or use a gamepad. The vehicle stops when you let go.";
     set_text(
       hint,
-      !drives ? "Whoever holds the controls drives; everybody watches." : accepts_commands ? how : refused,
+      !drives
+        ? "One client at a time holds the controls; all others can watch."
+        : accepts_commands
+          ? how
+          : refused,
     );
     pad.classList.toggle("off", !drives || !accepts_commands);
     marks.disabled = !drives || !accepts_commands || !in_mission;

@@ -8,7 +8,7 @@ const key_requests: Record<string, DriveRequest> = {
   ArrowRight: { ahead: 0, left: -1 },
 };
 
-/** A control that uses the arrow keys itself. */
+/** Whether the focused control uses the arrow keys itself. */
 function wants_arrows(target: EventTarget | null): boolean {
   return (
     target instanceof HTMLElement && target.matches("input, select, textarea, [role=slider], [data-arrows]")
@@ -16,8 +16,8 @@ function wants_arrows(target: EventTarget | null): boolean {
 }
 
 /**
- * Arrow keys, held: told as one wish.
- * @param active whether keys drive now; otherwise the page keeps them
+ * Reports the held arrow keys as one request.
+ * @param active whether the arrow keys drive now; if not, they keep their usual meaning in the page
  */
 export function watch_keys(active: () => boolean, report: (request: DriveRequest) => void): void {
   const held = new Set<string>();

@@ -6,7 +6,7 @@ import { mission_forms, start_request } from "./mission_forms";
 import type { MissionForm } from "./mission_forms";
 import { MissionFields } from "./mission_fields";
 
-/** Choose a mission, begin it, pause it, end it. */
+/** Choose, start, pause and stop a mission. */
 export function mission_panel(app: App, store: BuildingStore): HTMLElement {
   const sessions = new SessionStore(app);
   const about = element("p", { class: "about" });

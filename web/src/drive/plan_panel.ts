@@ -12,8 +12,8 @@ import type { Layer } from "../plan/plan_canvas";
 import { Goal } from "./goal";
 
 /**
- * The plan of what the vehicle knows and does; or, while a mission in it is being chosen, that of a building, where a
- * click picks a place to go to. The two are never mixed: a vehicle that waits does not know where in a building it is.
+ * The plan of the vehicle's map and motion. While a mission in a building is being chosen, the plan shows that building,
+ * and a click picks a goal. The two are never mixed: a waiting vehicle does not know its pose in the building.
  */
 export function plan_panel(app: App, store: BuildingStore): HTMLElement {
   const canvas = new PlanCanvas("Plan of the building and the vehicle");
@@ -46,13 +46,13 @@ export function plan_panel(app: App, store: BuildingStore): HTMLElement {
     building = chosen && building_layer(chosen);
     building_extent = chosen && bounds_of(building_points(chosen));
     building_toggle.hidden = chosen === undefined;
-    goal.forget();
+    goal.clear();
     canvas.refit();
     arrange();
   });
   store.is_shown.watch((shown) => {
     (building_toggle.firstElementChild as HTMLInputElement).checked = shown;
-    if (!shown) goal.forget();
+    if (!shown) goal.clear();
     canvas.refit();
     arrange();
   });

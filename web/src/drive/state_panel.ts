@@ -17,7 +17,7 @@ interface Match {
   text: string;
 }
 
-/** What the exploring navigator's transducer did last: the JSON of /transducer. */
+/** The last step of the exploring navigator's transducer: the JSON of /transducer. */
 interface TransducerView {
   state: string;
   input: string;
@@ -36,7 +36,7 @@ function progress_text(state: LiveState): string {
   return `${state.stamp_s.toFixed(1)} s`;
 }
 
-/** State and why, how sure the vehicle is of its place, what waits on the transducer's stack, how the last one ended. */
+/** State and reason, pose with its uncertainty, the transducer's stack, and how the last mission ended. */
 export function state_panel(app: App): HTMLElement {
   const rows = {
     task: row("Task"),
@@ -44,7 +44,7 @@ export function state_panel(app: App): HTMLElement {
     state: row("State"),
     why: row("Why"),
     command: row("Command"),
-    place: row("Place"),
+    pose: row("Pose"),
     match: row("Match"),
   };
   const stack = element("ol", { class: "stack", "aria-label": "Stack, top first" });
@@ -58,8 +58,8 @@ export function state_panel(app: App): HTMLElement {
   );
   const last = element("p", { class: "last", hidden: true });
 
-  const show_match = (is_said: boolean) => {
-    for (const part of Object.values(rows.match)) part.hidden = !is_said;
+  const show_match = (is_known: boolean) => {
+    for (const part of Object.values(rows.match)) part.hidden = !is_known;
   };
   show_match(false);
 
@@ -94,8 +94,8 @@ export function state_panel(app: App): HTMLElement {
     const { a_m } = ellipse_of(covariance[0] ?? 0, covariance[1] ?? 0, covariance[7] ?? 0);
     const heading = Math.sqrt(Math.max(0, covariance[35] ?? 0)) * degrees;
     const { x, y } = pose.position;
-    const sure = a_m > 0 ? ` · σ ${(a_m * 100).toFixed(1)} cm, ${heading.toFixed(1)}°` : "";
-    set_text(rows.place.value, `${x.toFixed(2)}, ${y.toFixed(2)} m${sure}`);
+    const sigma = a_m > 0 ? ` · σ ${(a_m * 100).toFixed(1)} cm, ${heading.toFixed(1)}°` : "";
+    set_text(rows.pose.value, `${x.toFixed(2)}, ${y.toFixed(2)} m${sigma}`);
   });
   app.connection.listen("/match", (message) => {
     const { quality, text } = json_of<Match>(message);
@@ -111,8 +111,7 @@ export function state_panel(app: App): HTMLElement {
   app.connection.listen("/session", () => {
     transducer.hidden = true;
     show_match(false);
-    for (const { value } of [rows.state, rows.why, rows.command, rows.place, rows.match])
-      set_text(value, "–");
+    for (const { value } of [rows.state, rows.why, rows.command, rows.pose, rows.match]) set_text(value, "–");
   });
 
   const list = element("dl", {}, ...Object.values(rows).flatMap(({ term, value }) => [term, value]));

@@ -22,12 +22,12 @@ export type MazeTool = "walls" | "start" | "goals";
 const key_sides: Record<string, Side> = { ArrowUp: "N", ArrowRight: "E", ArrowDown: "S", ArrowLeft: "W" };
 
 interface Actions {
-  /** A wall is to be put up or taken down. */
+  /** Add or remove a wall; `begins`: the first wall of a stroke. */
   wall(edge: Edge, is_closed: boolean, begins: boolean): void;
   pick(cell: Cell, tool: MazeTool): void;
 }
 
-/** The maze on a canvas: drawn on while it is edited, watched while it is explored. */
+/** The maze on a canvas: the user edits it there and watches how it is explored. */
 export class MazeCanvas {
   readonly element: HTMLCanvasElement;
   tool: MazeTool = "walls";
@@ -49,7 +49,7 @@ export class MazeCanvas {
     });
     this.element.setAttribute(
       "aria-label",
-      "Maze: arrow keys move, with Shift they put up or take down a wall, S sets the start, G a goal",
+      "Maze: arrow keys move the cursor, Shift and arrow keys add or remove a wall, S sets the start, G a goal",
     );
     this.element.addEventListener("pointerdown", (event) => this.#press(event));
     this.element.addEventListener("pointermove", (event) => this.#move(event));

@@ -4,7 +4,7 @@ import type { Cell, Maze, Side } from "./maze";
 import { frontier_cells } from "./maze_run";
 import type { Known, MazeRun } from "./maze_run";
 
-/** Where the maze lies on its canvas: pixels a cell, and the lower left corner. */
+/** Where the maze is on its canvas: pixels per cell, and the lower left corner. */
 export interface MazeFrame {
   cell_px: number;
   left_px: number;
@@ -63,7 +63,7 @@ export function draw_grid(context: Context, frame: MazeFrame, maze: Maze): void 
   }
 }
 
-/** @param known where the vehicle has been; walls that it has not seen are drawn faint */
+/** @param known what the vehicle has explored; walls that it has not seen are drawn faint */
 export function draw_walls(context: Context, frame: MazeFrame, maze: Maze, known?: Known): void {
   const seen = (cell: Cell, side: Side) =>
     !known || known.open.has(maze.index(cell)) || known.open.has(maze.index(neighbour(cell, side)));
@@ -115,7 +115,7 @@ export function draw_path(context: Context, frame: MazeFrame, { path }: Known): 
   context.stroke();
 }
 
-/** The vehicle as an arrow towards where it moves next. */
+/** The vehicle as an arrow in the direction of its next move. */
 export function draw_vehicle(context: Context, frame: MazeFrame, at: Cell, next: Side | ""): void {
   const size = frame.cell_px * 0.32;
   context.save();
@@ -141,7 +141,7 @@ export function draw_cursor(context: Context, frame: MazeFrame, { x, y }: Cell):
   context.strokeRect(u + 4, v + 4, frame.cell_px - 8, frame.cell_px - 8);
 }
 
-/** What the preprocessing unit makes of a cell: its walls, and dashed the false ones. */
+/** A cell as the preprocessing unit passes it on: its walls, with the false ones dashed. */
 export function draw_input(
   context: Context,
   size_px: number,

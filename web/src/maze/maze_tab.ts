@@ -24,7 +24,7 @@ const tools: { value: MazeTool; label: string }[] = [
   { value: "goals", label: "Goals" },
 ];
 
-/** Draw a maze, watch how it is explored, cycle by cycle. */
+/** Draw a maze and watch how it is explored, cycle by cycle. */
 export function maze_tab(app: App): Tab {
   const history = new UndoList<Maze>(random_maze(8, 8, 0.08, Math.random));
   const canvas = new MazeCanvas({

@@ -1,4 +1,4 @@
-/** Mazes as text: the picture and the `num` form of docs/formats/maze.md. */
+/** Mazes as text: the picture and the `num` format of docs/formats/maze.md. */
 
 import { Maze, max_size, sides } from "./maze";
 import type { Cell } from "./maze";
@@ -7,16 +7,16 @@ const horizontal_wall = /[-_=#]/;
 const vertical_wall = /[|!#]/;
 
 function check_size(width: number, height: number): void {
-  if (width < 1 || height < 1) throw new Error("there is no cell in it");
+  if (width < 1 || height < 1) throw new Error("the maze has no cells");
   if (width > max_size || height > max_size)
-    throw new Error(`at most ${max_size} x ${max_size} cells can be shown here`);
+    throw new Error(`at most ${max_size} x ${max_size} cells can be shown`);
 }
 
 function read_picture(text: string): Maze {
   const lines = text.replace(/\r/g, "").trimEnd().split("\n");
   const width = Math.round((Math.max(...lines.map((line) => line.length)) - 1) / 4);
   const height = (lines.length - 1) / 2;
-  if (!Number.isInteger(height)) throw new Error(`line ${lines.length}: an odd number of lines is needed`);
+  if (!Number.isInteger(height)) throw new Error(`line ${lines.length}: the number of lines must be odd`);
   check_size(width, height);
   const maze = new Maze(width, height);
   const at = (line: number, column: number) => lines[line]?.[column] ?? " ";
@@ -36,7 +36,7 @@ function read_numbers(text: string): Maze {
   const numbers = rows.map((row, index) => {
     const values = row.split(/\s+/).map(Number);
     if (values.length !== 6 || values.some((value) => !Number.isInteger(value) || value < 0)) {
-      throw new Error(`line ${index + 1}: x y north east south west are needed`);
+      throw new Error(`line ${index + 1}: must be: x y north east south west`);
     }
     return values as [number, number, number, number, number, number];
   });
@@ -52,7 +52,7 @@ function read_numbers(text: string): Maze {
   return maze;
 }
 
-/** @throws Error with the line that cannot be read */
+/** @throws Error that names the line that cannot be read */
 export function read_maze(text: string): Maze {
   return /^\s*\d/.test(text) ? read_numbers(text) : read_picture(text);
 }

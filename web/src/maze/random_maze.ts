@@ -2,8 +2,8 @@ import { Maze, neighbour, sides } from "./maze";
 import type { Cell } from "./maze";
 
 /**
- * A maze in which every cell can be reached: a random depth-first walk takes walls down, and some more besides.
- * @param loops share of the walls left that are taken down as well
+ * A maze in which every cell is reachable: a random depth-first walk removes walls.
+ * @param loops share of the remaining walls that are removed as well, which makes loops
  * @param random as Math.random
  */
 export function random_maze(width: number, height: number, loops: number, random: () => number): Maze {

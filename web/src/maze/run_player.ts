@@ -29,7 +29,7 @@ export class RunPlayer {
   #count = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param show told how many cycles are to be seen */
+  /** @param show called with the number of cycles to show */
   constructor(private readonly show: (count: number) => void) {
     this.#play = button("Run", () => this.#toggle());
     this.#slider.addEventListener("input", () => {
@@ -48,7 +48,7 @@ export class RunPlayer {
         { class: "buttons" },
         this.#play,
         button("Back", step(-1), { "aria-label": "One step back" }),
-        button("Step", step(1), { "aria-label": "One step on" }),
+        button("Step", step(1), { "aria-label": "One step forward" }),
         button("To the end", step(Infinity)),
       ),
       element("label", { class: "field" }, element("span", {}, "Speed"), this.#speed),
@@ -83,7 +83,7 @@ export class RunPlayer {
     if (!run) return;
     this.#slider.max = String(run.steps.length);
     const { visited, reachable, moves, complete } = run.figures;
-    const outcome = complete ? "Explored completely and home again" : "Not explored completely";
+    const outcome = complete ? "Explored completely, back at the start" : "Not explored completely";
     set_text(this.#figures, `${outcome}: ${visited} of ${reachable} cells, ${moves} moves.`);
     this.go_to(1);
   }
@@ -114,7 +114,7 @@ export class RunPlayer {
     else this.pause();
   }
 
-  /** From one cycle a second to some hundreds: several at once where the screen is slower. */
+  /** From one to some hundred cycles per second: several per frame if the screen is slower. */
   #advance(): void {
     const cycles_per_s = 10 ** (Number(this.#speed.value) / 40);
     const wait_ms = Math.max(16, 1000 / cycles_per_s);

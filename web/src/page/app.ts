@@ -15,7 +15,7 @@ export interface App {
   lease: Lease;
   driver: HandDriver;
   notices: Notices;
-  /** The tab that is shown. */
+  /** Name of the tab that is shown. */
   tab: Signal<string>;
 }
 
@@ -26,7 +26,7 @@ export interface Tab {
   element: HTMLElement;
 }
 
-/** @param address of the page; a token in it opens the server's doors */
+/** @param address of the page, with the access token if the server needs one */
 export function make_app(address: URL, notices: Notices): App {
   const socket = new URL(address);
   socket.protocol = address.protocol === "https:" ? "wss:" : "ws:";
@@ -47,7 +47,7 @@ export function make_app(address: URL, notices: Notices): App {
     app.driver.press("gamepad", app.tab.value === "drive" ? request : { ahead: 0, left: 0 }),
   );
   app.tab.watch((tab) => {
-    if (tab !== "drive") app.driver.let_go();
+    if (tab !== "drive") app.driver.release_all();
   });
   return app;
 }

@@ -14,7 +14,7 @@ function tab_bar(app: App, tabs: Tab[]): HTMLElement {
   return element("nav", { "aria-label": "Tabs" }, ...links);
 }
 
-/** Connected or not, old data, who drives: always in sight. */
+/** Connection, age of the data, who drives: always visible. */
 function status_line(app: App): HTMLElement {
   const text = element("span", {});
   const line = element(
@@ -54,7 +54,7 @@ function theme_button(): HTMLElement {
   return made;
 }
 
-/** The one control that needs no lease and is in every tab. */
+/** The only control that needs no lease; visible in every tab. */
 function emergency_stop(app: App): HTMLElement {
   const stop = () => void app.notices.attempt(app.connection.call("mission/emergency_stop"));
   const stop_button = button("STOP", stop, { class: "emergency", title: "Emergency stop (Escape)" });

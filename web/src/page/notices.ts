@@ -2,7 +2,7 @@ import { button, element } from "./element";
 
 const shown_ms = 8000;
 
-/** Short messages at the edge of the page, read out by screen readers. */
+/** Short messages at the edge of the page; screen readers read them out. */
 export class Notices {
   readonly element = element("div", { class: "notices", role: "status", "aria-live": "polite" });
 
@@ -15,10 +15,10 @@ export class Notices {
     setTimeout(() => notice.remove(), shown_ms);
   }
 
-  /** Does it and tells why it could not be done. */
-  async attempt(what: Promise<unknown>, done = ""): Promise<boolean> {
+  /** Waits for the action and shows the reason if it fails. @returns whether it succeeded */
+  async attempt(action: Promise<unknown>, done = ""): Promise<boolean> {
     try {
-      await what;
+      await action;
       if (done !== "") this.show(done);
       return true;
     } catch (problem) {

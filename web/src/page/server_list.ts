@@ -1,9 +1,9 @@
 import type { App } from "./app";
 
-/** A list that cannot be had now is asked for again at the next change. */
+/** A request that fails is repeated at the next change. */
 const ignore = (): void => undefined;
 
-/** Asks for a list of what the server keeps whenever that may have changed, and when its tab is entered. */
+/** Refreshes a list from the server whenever it may have changed, and when its tab is opened. */
 export function keep_fresh(app: App, tab: string, refresh: () => Promise<void>): void {
   const ask = () => void refresh().catch(ignore);
   let mode: string | undefined;

@@ -5,7 +5,7 @@ import { barrier_stroke, draw_dots, draw_line, draw_name, draw_segments } from "
 import type { Point } from "./geometry";
 import type { Layer } from "./plan_canvas";
 
-/** Rows overlap by this share of a cell, so that nothing shines through between them. */
+/** Rows overlap by this share of a cell, so that no gaps show between them. */
 const overlap = 0.06;
 
 function cells_path(floor: Floor, is_free: boolean): Path2D {
@@ -16,7 +16,7 @@ function cells_path(floor: Floor, is_free: boolean): Path2D {
   return path;
 }
 
-/** The floor, traced once in the map's metres: free cells first, so that what is blocked stays in sight. */
+/** The floor, traced once in map coordinates [m]: free cells first, so that occupied cells stay visible. */
 export function floor_layer(floor: Floor): Layer {
   const [free, blocked] = [cells_path(floor, true), cells_path(floor, false)];
   return (context, view) => {

@@ -1,4 +1,4 @@
-/** How the live plan is drawn: each layer by the name under which it is switched on and off. */
+/** The layers of the live plan, by the names under which they are switched on and off. */
 
 import type { Floor } from "../building/building_file";
 import { colour } from "../page/theme";
@@ -48,7 +48,7 @@ function marks_layer(plan: LivePlan, wanted: (namespace: string) => boolean): La
   };
 }
 
-/** Traced anew only when another floor is known. */
+/** Traces the floor again only when it has changed. */
 function known_floor_layer(plan: LivePlan): Layer {
   let traced: Floor | undefined;
   let layer: Layer | undefined;

@@ -9,14 +9,18 @@ function head(...columns: [string, boolean][]): HTMLElement {
   return element("thead", {}, element("tr", {}, ...cells));
 }
 
-/** All sessions as a table; a press on a name chooses one. */
+/** All sessions as a table; a click on a name chooses one. */
 export function session_table(
   sessions: readonly SessionEntry[],
   chosen: string,
   choose: (name: string) => void,
 ): HTMLElement {
   if (sessions.length === 0) {
-    return element("p", { class: "about" }, "No sessions yet: give a drive or a lesson a name to record it.");
+    return element(
+      "p",
+      { class: "about" },
+      "No sessions yet: give a drive or a taught run a name to record it.",
+    );
   }
   const rows = sessions.map((session) =>
     element(

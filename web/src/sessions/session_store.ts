@@ -12,7 +12,7 @@ export interface SessionEntry {
   route: string;
 }
 
-/** The sessions that the server keeps. */
+/** The sessions stored on the server. */
 export class SessionStore {
   readonly sessions = new Signal<SessionEntry[]>([]);
 

@@ -27,7 +27,7 @@ function plan_of(app: App): HTMLElement {
   return canvas.element;
 }
 
-/** What was recorded: figures, download, and replay on the same topics as a drive. */
+/** Recorded sessions: figures, download, and replay on the same topics as a drive. */
 export function sessions_tab(app: App): Tab {
   const store = new SessionStore(app);
   const chosen = new Signal("");
@@ -69,7 +69,7 @@ export function sessions_tab(app: App): Tab {
       "Replay",
       "sessions-replay",
       replay_bar(app),
-      element("div", { class: "seen" }, new CameraView(app.connection).element, plan_of(app)),
+      element("div", { class: "replay-views" }, new CameraView(app.connection).element, plan_of(app)),
     ),
     panel("Figures and files", "sessions-figures", none, about),
   );

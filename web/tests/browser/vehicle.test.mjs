@@ -1,4 +1,4 @@
-// The page in a real browser, with a simulated vehicle behind it: `aisle live`.
+// The page in a real browser, connected to a simulated vehicle: `aisle live`.
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -17,7 +17,7 @@ import {
 import { make_certificate } from "./certificate.mjs";
 import { Watcher, start_live } from "./watcher.mjs";
 
-/** How long the vehicle may take to obey, in its own time. */
+/** The vehicle's maximum reaction time, by its own clock. */
 const reaction_max_s = 0.3;
 
 let browser, server, watcher, directory, page;
@@ -53,11 +53,11 @@ async function drive_ahead() {
 
 const mission = () => page.getByRole("combobox", { name: "Mission" });
 
-test("Shows the camera, the plan and the state of a vehicle that waits", async () => {
+test("Shows the camera, the plan and the state of a waiting vehicle", async () => {
   const camera = page.locator(".camera-panel canvas[data-stamp-s]");
   await camera.waitFor();
   const first_s = Number(await camera.getAttribute("data-stamp-s"));
-  await until(async () => Number(await camera.getAttribute("data-stamp-s")) > first_s, "a newer picture");
+  await until(async () => Number(await camera.getAttribute("data-stamp-s")) > first_s, "a newer image");
   await keep_screenshot(page, "drive-dark");
   for (const [name, options] of [
     ["drive-light", desktop_light],
@@ -70,7 +70,7 @@ test("Shows the camera, the plan and the state of a vehicle that waits", async (
   }
 });
 
-test("The stop button stops a vehicle that is driven", async () => {
+test("The emergency stop stops a vehicle that is driven by hand", async () => {
   await drive_ahead();
   const pressed_s = watcher.now_s;
   await page.keyboard.press("Escape");
@@ -81,7 +81,7 @@ test("The stop button stops a vehicle that is driven", async () => {
   await page.getByText("l-corridor: waiting").waitFor();
 });
 
-test("A vehicle whose page is closed stops", async () => {
+test("The vehicle stops when its page is closed", async () => {
   await drive_ahead();
   const closed_s = watcher.now_s;
   await page.close();
@@ -89,7 +89,7 @@ test("A vehicle whose page is closed stops", async () => {
   await until(() => watcher.state?.lease_held === false, "the controls are free again");
 });
 
-test("Two pages: one drives, the other sees that somebody does", async () => {
+test("Of two pages one drives, and the other shows that somebody drives", async () => {
   await page.getByRole("button", { name: "Take the controls" }).click();
   await page.getByText("you hold the controls").waitFor();
   const other = await open_page(browser, server.address, desktop);
@@ -99,7 +99,7 @@ test("Two pages: one drives, the other sees that somebody does", async () => {
   await other.context().close();
 });
 
-test("A maze is drawn, explored and shown to be explored completely", async () => {
+test("A maze is drawn, and its exploration is shown to be complete", async () => {
   await page.getByRole("link", { name: "Maze" }).click();
   await page.getByLabel("Width").fill("6");
   await page.getByLabel("Height").fill("5");
@@ -111,21 +111,21 @@ test("A maze is drawn, explored and shown to be explored completely", async () =
   for (const rules of ["published", "homing"]) {
     await page.getByLabel("Rules").selectOption(rules);
     await page.getByRole("button", { name: "Explore" }).click();
-    await page.getByText("Explored completely and home again: 30 of 30 cells").waitFor();
+    await page.getByText("Explored completely, back at the start: 30 of 30 cells").waitFor();
   }
   await page.getByRole("button", { name: "To the end" }).click();
   await page.getByText("q_fin").waitFor();
   await keep_screenshot(page, "maze-dark");
 });
 
-test("A route that is taught by keys is learned and driven", { timeout: 120000 }, async () => {
+test("A route taught with the arrow keys is learned and driven", { timeout: 120000 }, async () => {
   await mission().selectOption("teach");
-  await page.getByRole("button", { name: "Begin the lesson" }).click();
+  await page.getByRole("button", { name: "Start teaching" }).click();
   await page.getByText("l-corridor: teach").waitFor();
   await page.keyboard.down("ArrowUp");
   await until(() => (watcher.latest("/odom")?.message.pose.pose.position.x ?? 0) > 2, "two metres", 60000);
   await page.keyboard.up("ArrowUp");
-  await page.getByRole("button", { name: "Way ends" }).click();
+  await page.getByRole("button", { name: "Route ends" }).click();
   await page.getByText("Marked: stop").waitFor();
   await page.getByRole("button", { name: "Finish" }).click();
   await page.getByText("Last: teach done").waitFor();
@@ -138,7 +138,7 @@ test("A route that is taught by keys is learned and driven", { timeout: 120000 }
   await page.getByRole("button", { name: "Drive the route" }).click();
   await page.getByText("l-corridor: navigate").waitFor();
   await page.getByText("Last: navigate done").waitFor({ timeout: 90000 });
-  const drawn = watcher.heard.filter(({ topic }) => topic === "/overlay/corridor");
+  const drawn = watcher.received.filter(({ topic }) => topic === "/overlay/corridor");
   const kinds = new Set(
     drawn.flatMap(({ message }) => JSON.parse(message.data).lines.map(({ kind }) => kind)),
   );
@@ -147,10 +147,10 @@ test("A route that is taught by keys is learned and driven", { timeout: 120000 }
   await keep_screenshot(page, "driven-dark");
 });
 
-test("What was recorded is listed, replayed and mended", async () => {
+test("A session is listed and replayed, and its building is edited", async () => {
   await page.getByRole("link", { name: "Sessions" }).click();
-  await page.getByRole("button", { name: "lesson-1" }).click();
-  await page.getByRole("link", { name: "lesson-1_0.db3" }).waitFor();
+  await page.getByRole("button", { name: "taught-1" }).click();
+  await page.getByRole("link", { name: "taught-1_0.db3" }).waitFor();
   await page.getByRole("button", { name: "Replay", exact: true }).click();
   await page.getByText(/^[1-9]\.\d of \d/).waitFor();
   await page.locator(".sessions-replay canvas[data-stamp-s]").waitFor();
@@ -169,17 +169,14 @@ test("What was recorded is listed, replayed and mended", async () => {
   await keep_screenshot(page, "building-dark");
 });
 
-test("An unknown building is explored before one's eyes, to the end", { timeout: 150000 }, async () => {
+test("The exploration of an unknown building is shown to its end", { timeout: 150000 }, async () => {
   const fast = await start_live("l-corridor", join(directory, "fast"), "--rate", "0");
   const everything = new Watcher(fast.address);
   const other = await open_page(browser, fast.address);
   await other.getByRole("combobox", { name: "Mission" }).selectOption("explore");
   await other.getByRole("button", { name: "Explore" }).click();
   await other.getByText("l-corridor: explore").waitFor();
-  await until(
-    () => everything.latest("/transducer") && everything.latest("/floor"),
-    "what the explorer knows",
-  );
+  await until(() => everything.latest("/transducer") && everything.latest("/floor"), "the explorer's map");
   await other.getByText("Last: explore done").waitFor({ timeout: 120000 });
   await keep_screenshot(other, "explored-dark");
   await other.context().close();
@@ -187,7 +184,7 @@ test("An unknown building is explored before one's eyes, to the end", { timeout:
   assert.equal(await fast.stop(), 130);
 });
 
-test("Over https the page talks wss, and who has no token is asked for it", async () => {
+test("Over https the page uses wss, and it asks for a missing token", async () => {
   const token = join(directory, "token");
   writeFileSync(token, "0123456789abcdef\n");
   const { certificate, key } = make_certificate(directory);

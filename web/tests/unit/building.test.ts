@@ -52,17 +52,17 @@ test("The polyline of a corridor is read from version 3 and from the versions be
   }
 });
 
-test("A row of the floor comes back as it was", () => {
+test("Packing an unpacked floor row gives the same row", () => {
   for (const row of ["5#", "1#3.1#", "1#1.2-1#", "", "4-1."]) assert.equal(pack_row(unpack_row(row)), row);
 });
 
-test("A line that goes beyond the known floor is cut there", () => {
+test("A line is clipped to the known floor", () => {
   const made = with_cleared(building, { x: -0.25, y: -5 }, { x: -0.25, y: 9 });
   assert.deepEqual(made.floor?.rows, ["7.1#", "4.1#", "4-1."]);
   assert.deepEqual(building.floor?.rows[0], "1#6.1#");
 });
 
-test("Keep-out lines and glass are lines of their own, to the millimetre", () => {
+test("Keep-out lines and glass are stored apart from walls, to the millimetre", () => {
   const made = with_barrier(building, "keep_out", { x: 1, y: 1 }, { x: 2.0004, y: 1 });
   const both = with_barrier(made, "glass", { x: 0, y: 0 }, { x: 0, y: 3 });
   assert.deepEqual(both.barriers, [
@@ -73,12 +73,12 @@ test("Keep-out lines and glass are lines of their own, to the millimetre", () =>
   assert.equal(building.barriers, undefined);
 });
 
-test("Clearing frees what is blocked and invents no floor", () => {
+test("Clearing frees occupied cells and leaves unknown cells unknown", () => {
   const made = with_cleared(building, { x: -0.25, y: 0.25 }, { x: -0.25, y: 1.25 });
   assert.deepEqual(made.floor?.rows, ["7.1#", "4.1#", "4-1."]);
 });
 
-test("A place has a name of its own", () => {
+test("Every place needs a unique name", () => {
   const made = with_place(building, "desk", { x: 1, y: 2 }, 90);
   assert.deepEqual(made.places, [{ name: "desk", at_m: [1, 2], heading_deg: 90 }]);
   assert.throws(() => with_place(made, "desk", { x: 0, y: 0 }, 0), /already/);
@@ -86,7 +86,7 @@ test("A place has a name of its own", () => {
   assert.deepEqual(without_place(made, "desk").places, []);
 });
 
-test("What lies nearest is deleted, and only when it is near", () => {
+test("The nearest part is found, if it is near enough", () => {
   const landmark = nearest_part(building, { x: 2, y: 0.08 }, 0.3);
   assert.equal(landmark?.list, "landmarks");
   const drawn = with_barrier(building, "glass", { x: 0, y: 2 }, { x: 3, y: 2 });
@@ -99,7 +99,7 @@ test("What lies nearest is deleted, and only when it is near", () => {
   assert.equal(nearest_part(building, { x: 2, y: 2 }, 0.3), undefined);
 });
 
-test("Undo goes back a stroke, redo on, and a new stroke forgets what was undone", () => {
+test("Undo takes back a stroke, redo restores it, and a new stroke drops what was undone", () => {
   const history = new UndoList("a");
   history.put("b");
   history.put("bb", false);

@@ -5,7 +5,7 @@ import { building_of } from "../../src/building/building_file";
 import type { BuildingFile, Pair } from "../../src/building/building_file";
 import { PlanView } from "../../src/plan/plan_view";
 
-// What the page asks the browser for when it looks up a colour.
+// The browser's functions that looking up a colour uses.
 Object.assign(globalThis, {
   document: { documentElement: {} },
   getComputedStyle: () => ({ getPropertyValue: () => "black" }),
@@ -13,7 +13,7 @@ Object.assign(globalThis, {
 });
 const { building_layer } = await import("../../src/plan/building_layer");
 
-/** The points that a layer draws lines through, in pixels. */
+/** The points of the lines that the building's layer draws, in pixels. */
 function line_points(file: BuildingFile): [number, number][] {
   const points: [number, number][] = [];
   const add = (x: number, y: number) => points.push([x, y]);
@@ -31,7 +31,7 @@ function line_points(file: BuildingFile): [number, number][] {
   return points;
 }
 
-test("Corridors of version 3 and of former versions are drawn alike", () => {
+test("Corridors of all file versions are drawn the same", () => {
   const points: Pair[] = [
     [0, 0],
     [4, 0],
