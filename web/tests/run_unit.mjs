@@ -1,4 +1,4 @@
-// Bundles the unit tests and runs them: Node itself knows no TypeScript.
+// Bundles the unit tests and runs them: Node does not run TypeScript.
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";

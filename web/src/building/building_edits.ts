@@ -1,6 +1,6 @@
-/** Changes of a building: each makes a new one and leaves the old as it was. */
+/** Edits of a building: each returns a new building and leaves the old one unchanged. */
 
-import { distance, distance_to_piece } from "../plan/geometry";
+import { distance, distance_to_segment } from "../plan/geometry";
 import type { Point } from "../plan/geometry";
 import { point_of } from "../plan/building_geometry";
 import type { Barrier, Building, Pair } from "./building_file";
@@ -24,41 +24,41 @@ export function without_place(building: Building, name: string): Building {
   return { ...building, places: (building.places ?? []).filter((place) => place.name !== name) };
 }
 
-/** What lies nearest to a point: a part of the building by its number in its list. */
-export interface Found {
+/** The part of the building nearest to a point, by its index in its list. */
+export interface FoundPart {
   list: "walls" | "landmarks" | "barriers";
   index: number;
-  away_m: number;
+  distance_m: number;
 }
 
-export function nearest_part(building: Building, at: Point, within_m: number): Found | undefined {
+export function nearest_part(building: Building, at: Point, within_m: number): FoundPart | undefined {
   const lines = (list: "walls" | "barriers") =>
-    (building[list] ?? []).map(({ start_m, end_m }, index): Found => {
-      return { list, index, away_m: distance_to_piece(at, point_of(start_m), point_of(end_m)) };
+    (building[list] ?? []).map(({ start_m, end_m }, index): FoundPart => {
+      return { list, index, distance_m: distance_to_segment(at, point_of(start_m), point_of(end_m)) };
     });
-  const landmarks = (building.landmarks ?? []).map(({ at_m }, index): Found => {
-    return { list: "landmarks", index, away_m: distance(at, point_of(at_m)) };
+  const landmarks = (building.landmarks ?? []).map(({ at_m }, index): FoundPart => {
+    return { list: "landmarks", index, distance_m: distance(at, point_of(at_m)) };
   });
   const near = [...landmarks, ...lines("barriers"), ...lines("walls")].filter(
-    ({ away_m }) => away_m <= within_m,
+    ({ distance_m }) => distance_m <= within_m,
   );
-  return near.reduce<Found | undefined>(
-    (best, part) => (best === undefined || part.away_m < best.away_m ? part : best),
+  return near.reduce<FoundPart | undefined>(
+    (best, part) => (best === undefined || part.distance_m < best.distance_m ? part : best),
     undefined,
   );
 }
 
-export function without_part(building: Building, { list, index }: Found): Building {
+export function without_part(building: Building, { list, index }: FoundPart): Building {
   return { ...building, [list]: (building[list] ?? []).filter((_, at) => at !== index) };
 }
 
-/** A line that the vehicle never crosses: because somebody wishes it, or because a pane of glass stands there. */
+/** Adds a line that the vehicle never crosses: an operator's keep-out line, or a pane of glass. */
 export function with_barrier(building: Building, kind: Barrier["kind"], from: Point, to: Point): Building {
   const barrier = { kind, start_m: pair(from), end_m: pair(to) };
   return { ...building, barriers: [...(building.barriers ?? []), barrier] };
 }
 
-/** Floor that is free after all along a line: what stood there was not there. @throws Error without a floor */
+/** Marks occupied floor along a line as free, where an obstacle is false. @throws Error without a floor */
 export function with_cleared(building: Building, from: Point, to: Point): Building {
   if (!building.floor) throw new Error("this building has no floor to clear");
   const free = with_line(building.floor, from, to, (cell) => (cell === "#" ? "." : cell));

@@ -1,4 +1,4 @@
-/** A building file as docs/formats/building.md tells: the parts that the page shows and mends. */
+/** The parts of a building file (docs/formats/building.md) that the page shows and edits. */
 
 export type Pair = [number, number];
 
@@ -18,7 +18,7 @@ export interface Landmark {
   at_m: Pair;
 }
 
-/** A list of objects as a file may have it: their keys once, then the values of each. */
+/** A list of objects in its compact form: the keys once, then a row of values for each object. */
 interface Table {
   columns: string[];
   rows: unknown[][];
@@ -47,6 +47,15 @@ export interface Floor {
   rows: string[];
 }
 
+export interface CorridorNode {
+  kind: string;
+  at_m: Pair;
+}
+
+export interface Corridor {
+  path_m: Pair[];
+}
+
 export interface Building {
   format: string;
   version: number;
@@ -54,26 +63,41 @@ export interface Building {
   walls?: Wall[];
   landmarks?: Landmark[];
   routes?: Route[];
-  corridors?: { nodes: { kind: string; at_m: Pair }[]; corridors: { way_m: Pair[] }[] };
+  corridors?: { nodes: CorridorNode[]; corridors: Corridor[] };
   places?: Place[];
   barriers?: Barrier[];
   floor?: Floor;
 }
 
-/** A building as it stands in its file. */
-export type BuildingFile = Omit<Building, "landmarks"> & { landmarks?: Landmark[] | Table };
+/** Versions 1 and 2 name a corridor's polyline `way_m`. */
+type FileCorridor = Corridor | { way_m: Pair[] };
 
-export function building_of({ landmarks, ...parts }: BuildingFile): Building {
-  if (landmarks === undefined) return parts;
-  return {
-    ...parts,
-    landmarks: Array.isArray(landmarks) ? landmarks : (objects_of(landmarks) as Landmark[]),
-  };
+/** A building as its file has it, of version 1, 2 or 3. */
+export type BuildingFile = Omit<Building, "landmarks" | "corridors"> & {
+  landmarks?: Landmark[] | Table;
+  corridors?: { nodes: CorridorNode[]; corridors: FileCorridor[] };
+};
+
+/** The version that the page works with and saves. */
+const building_version = 3;
+
+/** The building of a file; an older version is converted to version 3. */
+export function building_of({ landmarks, corridors, ...parts }: BuildingFile): Building {
+  const building: Building = { ...parts, version: Math.max(parts.version, building_version) };
+  if (landmarks) building.landmarks = Array.isArray(landmarks) ? landmarks : landmarks_of(landmarks);
+  if (corridors) building.corridors = { ...corridors, corridors: corridors.corridors.map(corridor_of) };
+  return building;
 }
 
-/** What is null in a row its object has no key for. */
-function objects_of({ columns, rows }: Table): object[] {
+function corridor_of(corridor: FileCorridor): Corridor {
+  if (!("way_m" in corridor)) return corridor;
+  const { way_m, ...others } = corridor;
+  return { ...others, path_m: way_m };
+}
+
+/** A null in a row means that the object does not have this key. */
+function landmarks_of({ columns, rows }: Table): Landmark[] {
   return rows.map((row) =>
     Object.fromEntries(columns.map((key, at) => [key, row[at]]).filter(([, value]) => value !== null)),
-  );
+  ) as Landmark[];
 }

@@ -8,23 +8,31 @@ import type { Building } from "./building_file";
 export type ToolName = "look" | "place" | "delete" | "keep_out" | "glass" | "clear";
 
 export const tool_labels: { value: ToolName; label: string; hint: string }[] = [
-  { value: "look", label: "Look", hint: "Drag to move the plan, turn the wheel or pinch to zoom." },
-  { value: "place", label: "Name a place", hint: "Click where it is, then name it." },
-  { value: "delete", label: "Delete", hint: "Click what is not there: a wall, a landmark or a drawn line." },
-  { value: "keep_out", label: "Keep-out line", hint: "Drag a line: the vehicle does not drive over it." },
+  { value: "look", label: "Look", hint: "Drag to move the plan, scroll or pinch to zoom." },
+  { value: "place", label: "Name a place", hint: "Click its position, then name it." },
+  {
+    value: "delete",
+    label: "Delete",
+    hint: "Click what is not really there: a wall, a landmark or a drawn line.",
+  },
+  { value: "keep_out", label: "Keep-out line", hint: "Drag a line: the vehicle does not cross it." },
   {
     value: "glass",
     label: "Glass",
-    hint: "Drag along a pane that sensors do not see: the vehicle keeps from it.",
+    hint: "Drag along a pane that the sensors do not see: the vehicle does not drive into it.",
   },
-  { value: "clear", label: "Clear the floor", hint: "Drag over blocked floor that is free." },
+  {
+    value: "clear",
+    label: "Clear the floor",
+    hint: "Drag over floor that is marked as occupied but is free.",
+  },
 ];
 
 const near_px = 12;
 
 interface Editing {
   building(): Building | undefined;
-  /** Puts the next version in its place; what it throws is told to the person. */
+  /** Applies the change as a new version; an error that it throws is shown as a notice. */
   edit(change: (building: Building) => Building): void;
   pick_place(at: Point): void;
 }
@@ -37,10 +45,10 @@ const line_edits: Record<"keep_out" | "glass" | "clear", LineEdit> = {
   clear: with_cleared,
 };
 
-/** What a press on the plan does with each tool, and the line that is being drawn. */
+/** What clicks and drags on the plan do with each tool, and the line being drawn. */
 export class BuildingTools {
   readonly layer: Layer;
-  /** Where a place is about to be named. */
+  /** Position of the place that is about to be named. */
   place: Point | undefined;
   #line: [Point, Point] | undefined;
 

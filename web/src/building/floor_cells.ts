@@ -1,4 +1,4 @@
-/** The rows of a floor as docs/formats/building.md packs them: runs like `12-40.3#`. */
+/** Floor rows are run-length encoded as in docs/formats/building.md: `12-40.3#`. */
 
 import type { Point } from "../plan/geometry";
 import type { Floor } from "./building_file";
@@ -22,7 +22,7 @@ export function pack_row(cells: readonly FloorCell[]): string {
   return runs.map(({ cell, count }) => `${count}${cell}`).join("");
 }
 
-/** Every cell that a line passes, as [column, row] of the map. */
+/** Cells that a line passes through, as [column, row] of the map. */
 export function cells_along(cell_m: number, from: Point, to: Point): [number, number][] {
   const steps = Math.max(1, Math.ceil((Math.hypot(to.x - from.x, to.y - from.y) / cell_m) * 4));
   const passed = new Map<string, [number, number]>();
@@ -35,7 +35,7 @@ export function cells_along(cell_m: number, from: Point, to: Point): [number, nu
   return [...passed.values()];
 }
 
-/** The floor with the cells along a line changed; a line that leaves the known rows and columns is cut there. */
+/** The floor with the cells along a line changed; rows outside the floor stay unknown. */
 export function with_line(
   floor: Floor,
   from: Point,
@@ -43,16 +43,16 @@ export function with_line(
   change: (cell: FloorCell) => FloorCell,
 ): Floor {
   const rows = [...floor.rows];
-  const touched = new Map<number, FloorCell[]>();
+  const changed_rows = new Map<number, FloorCell[]>();
   for (const [column, row] of cells_along(floor.cell_m, from, to)) {
     const index = row - floor.low_cell[1];
     const place = column - floor.low_cell[0];
     if (index < 0 || index >= rows.length || place < 0) continue;
-    const cells = touched.get(index) ?? unpack_row(rows[index] ?? "");
-    touched.set(index, cells);
+    const cells = changed_rows.get(index) ?? unpack_row(rows[index] ?? "");
+    changed_rows.set(index, cells);
     while (cells.length <= place) cells.push("-");
     cells[place] = change(cells[place] ?? "-");
   }
-  for (const [index, cells] of touched) rows[index] = pack_row(cells);
+  for (const [index, cells] of changed_rows) rows[index] = pack_row(cells);
   return { ...floor, rows };
 }

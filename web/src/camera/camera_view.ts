@@ -1,22 +1,22 @@
 import type { LiveConnection } from "../connection/live_connection";
 import { json_of } from "../connection/live_state";
 import type { CompressedImage, Image } from "../connection/messages";
-import { element, say, select, tick } from "../page/element";
+import { element, set_text, select, tick } from "../page/element";
 import { colour_of, draw_overlay, kinds_of } from "./overlay";
 import type { Overlay } from "./overlay";
-import { decode_compressed, decode_raw } from "./picture";
-import type { Picture } from "./picture";
+import { decode_compressed, decode_raw } from "./image";
+import type { CameraImage } from "./image";
 
-/** Cameras that look ahead come first. */
+/** Cameras that look ahead are listed first. */
 const ahead = ["corridor", "front"];
 
 const topic_form = /^\/camera\/([^/]+)\/image_raw(\/compressed)?$/;
 
-/** A camera's newest picture with what the navigator saw in it. */
+/** A camera's newest image, overlaid with what the navigator detected in it. */
 export class CameraView {
   readonly element: HTMLElement;
-  readonly #canvas = element("canvas", { role: "img", "aria-label": "Camera picture" });
-  readonly #empty = element("p", { class: "empty" }, "No picture yet");
+  readonly #canvas = element("canvas", { role: "img", "aria-label": "Camera image" });
+  readonly #empty = element("p", { class: "empty" }, "No image yet");
   readonly #toggles = element("div", { class: "toggles", role: "group", "aria-label": "Overlays" });
   readonly #chooser = select("Camera", [], (name) => {
     this.#is_picked = true;
@@ -25,20 +25,20 @@ export class CameraView {
   readonly #hidden = new Set<string>();
   readonly #known_kinds = new Set<string>();
   #camera = "";
-  /** A person chose it. */
+  /** The user chose the camera. */
   #is_picked = false;
   #ends: (() => void)[] = [];
-  #picture: Picture | undefined;
+  #image: CameraImage | undefined;
   #overlay: Overlay | undefined;
   #is_decoding = false;
-  #waiting: (() => Promise<Picture>) | undefined;
+  #waiting: (() => Promise<CameraImage>) | undefined;
 
   constructor(private readonly connection: LiveConnection) {
     this.#chooser.field.hidden = true;
     this.element = element(
       "div",
       { class: "camera" },
-      element("div", { class: "camera-picture" }, this.#canvas, this.#empty),
+      element("div", { class: "camera-image" }, this.#canvas, this.#empty),
       element("div", { class: "camera-bar" }, this.#chooser.field, this.#toggles),
     );
     connection.channels.watch(() => this.#offer_cameras());
@@ -60,7 +60,7 @@ export class CameraView {
     if (name === this.#camera) return;
     for (const end of this.#ends) end();
     this.#camera = name;
-    this.#picture = undefined;
+    this.#image = undefined;
     this.#overlay = undefined;
     this.#ends = [
       this.connection.listen(`/camera/${name}/image_raw/compressed`, (message) =>
@@ -73,8 +73,8 @@ export class CameraView {
     ];
   }
 
-  /** Decodes one picture at a time, and none where it cannot be seen; of those that come meanwhile the newest is kept. */
-  #take(decode: () => Promise<Picture>): void {
+  /** Decodes one image at a time, and none while hidden; of those that arrive meanwhile it keeps the newest. */
+  #take(decode: () => Promise<CameraImage>): void {
     if (this.#canvas.offsetParent === null) return;
     this.#waiting = decode;
     if (!this.#is_decoding) void this.#decode_waiting();
@@ -86,10 +86,10 @@ export class CameraView {
       const decode = this.#waiting;
       this.#waiting = undefined;
       try {
-        this.#picture = await decode();
+        this.#image = await decode();
         this.#draw();
       } catch {
-        say(this.#empty, "A picture could not be read");
+        set_text(this.#empty, "An image could not be read");
         this.#empty.hidden = false;
       }
     }
@@ -117,8 +117,8 @@ export class CameraView {
 
   #draw(): void {
     const context = this.#canvas.getContext("2d");
-    if (!context || !this.#picture) return;
-    const { width, height, source, stamp_s } = this.#picture;
+    if (!context || !this.#image) return;
+    const { width, height, source, stamp_s } = this.#image;
     if (this.#canvas.width !== width) this.#canvas.width = width;
     if (this.#canvas.height !== height) this.#canvas.height = height;
     context.drawImage(source, 0, 0);

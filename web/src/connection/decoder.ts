@@ -4,7 +4,7 @@ import type { Channel } from "@foxglove/ws-protocol";
 
 export type Decode = (data: ArrayBufferView) => unknown;
 
-/** Reads the messages of a channel by the schema that the server advertised for it. */
+/** Decodes a channel's messages by the schema that the server advertised. */
 export function decoder_of(channel: Channel): Decode {
   if (channel.encoding === "json") {
     const text = new TextDecoder();

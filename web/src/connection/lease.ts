@@ -4,11 +4,11 @@ import { Signal } from "../page/signal";
 const renew_every_ms = 1000;
 
 /**
- * The right to drive, which one client at a time holds. Renewed until it is given back or the connection ends; one that
- * ran out while the page was held up is taken again where nobody else has it.
+ * The right to drive, held by one client at a time. It is renewed until it is released or the connection ends. If it
+ * expired while the page was suspended, it is taken again unless another client has it.
  */
 export class Lease {
-  /** The token; undefined: not held here. */
+  /** The lease's token; undefined: this page does not hold the lease. */
   readonly token = new Signal<string | undefined>(undefined);
   #taking: Promise<string> | undefined;
 
@@ -17,7 +17,7 @@ export class Lease {
     setInterval(() => void this.#renew(), renew_every_ms);
   }
 
-  /** @returns the token; rejects where somebody else drives */
+  /** @returns the token; rejects while another client holds the lease */
   take(): Promise<string> {
     if (this.token.value !== undefined) return Promise.resolve(this.token.value);
     this.#taking ??= this.connection
@@ -33,7 +33,7 @@ export class Lease {
     if (lease !== undefined) await this.connection.call("lease/release", { lease });
   }
 
-  /** Calls a service that only who drives may call; takes the lease where nobody has it. */
+  /** Calls a service that needs the lease; takes the lease first if it is free. */
   async call<Response = unknown>(service: string, request: object = {}): Promise<Response> {
     const lease = await this.take();
     return this.connection.call<Response>(service, { ...request, lease });

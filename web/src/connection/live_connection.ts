@@ -20,18 +20,18 @@ interface Subscription {
 }
 
 /**
- * The connection to the vehicle's program: topics by name, services, and what is published from here. It connects
- * again by itself; listeners and publications outlive the connection.
+ * The connection to the vehicle's program: topics by name, services, and published messages. It reconnects by itself;
+ * listeners and publications survive that.
  */
 export class LiveConnection {
   readonly state = new Signal<ConnectionState>("connecting");
-  /** Counts up whenever the server offers other topics. */
+  /** Incremented whenever the set of advertised topics changes. */
   readonly channels = new Signal(0);
   readonly services = new Signal<ReadonlySet<string>>(new Set());
-  /** The latest trouble that the server told of. */
+  /** The latest warning or error reported by the server. */
   readonly trouble = new Signal("");
-  /** When anything came last, by performance.now(). */
-  heard_ms = -Infinity;
+  /** Time of the last message, by performance.now(); -Infinity: none yet. */
+  last_message_ms = -Infinity;
 
   readonly #listeners = new Map<string, Set<Listener>>();
   readonly #published = new Map<string, string>();
@@ -48,7 +48,7 @@ export class LiveConnection {
     this.#connect();
   }
 
-  /** @returns how to end it */
+  /** @returns a function that removes the listener */
   listen(topic: string, listener: Listener): () => void {
     const listeners = this.#listeners.get(topic) ?? new Set();
     this.#listeners.set(topic, listeners.add(listener));
@@ -59,7 +59,7 @@ export class LiveConnection {
     };
   }
 
-  /** Topics that the server offers now. */
+  /** The channels that are advertised now. */
   topics(): Channel[] {
     return [...this.#channels.values()];
   }
@@ -67,7 +67,7 @@ export class LiveConnection {
   /** Calls a service with a JSON request; rejects with the server's reason. */
   call<Response = unknown>(name: string, request: object = {}): Promise<Response> {
     const service = this.#services.get(name);
-    if (!this.#client || !service) return Promise.reject(new Error(this.#why_not(name)));
+    if (!this.#client || !service) return Promise.reject(new Error(this.#refusal(name)));
     const { id, answer } = this.#calls.begin();
     const data = new TextEncoder().encode(JSON.stringify(request));
     this.#client.sendServiceCallRequest({ serviceId: service.id, callId: id, encoding: "json", data });
@@ -87,8 +87,8 @@ export class LiveConnection {
     }
   }
 
-  #why_not(service: string): string {
-    return this.#client ? `this server cannot do ${service}` : "not connected to the vehicle";
+  #refusal(service: string): string {
+    return this.#client ? `this server does not offer ${service}` : "not connected to the vehicle";
   }
 
   #connect(): void {
@@ -106,8 +106,8 @@ export class LiveConnection {
     client.on("status", ({ level, message }) => {
       if (level >= 1) this.trouble.value = message;
     });
-    client.on("advertise", (channels) => this.#offered(channels));
-    client.on("unadvertise", (ids) => this.#withdrawn(ids));
+    client.on("advertise", (channels) => this.#advertised(channels));
+    client.on("unadvertise", (ids) => this.#unadvertised(ids));
     client.on("advertiseServices", (services) => {
       for (const service of services) this.#services.set(service.name, service);
       this.services.value = new Set(this.#services.keys());
@@ -119,7 +119,7 @@ export class LiveConnection {
     client.on("serviceCallResponse", ({ callId, data }) => this.#calls.answered(callId, data));
     client.on("serviceCallFailure", ({ callId, message }) => this.#calls.failed(callId, message));
     client.on("message", ({ subscriptionId, timestamp, data }) => {
-      this.heard_ms = performance.now();
+      this.last_message_ms = performance.now();
       this.#deliver(subscriptionId, timestamp, data);
     });
   }
@@ -139,7 +139,7 @@ export class LiveConnection {
     setTimeout(() => this.#connect(), wait_ms);
   }
 
-  #offered(channels: Channel[]): void {
+  #advertised(channels: Channel[]): void {
     for (const channel of channels) {
       this.#channels.set(channel.id, channel);
       this.#subscribe_to(channel.topic);
@@ -147,7 +147,7 @@ export class LiveConnection {
     this.channels.value += 1;
   }
 
-  #withdrawn(ids: number[]): void {
+  #unadvertised(ids: number[]): void {
     for (const id of ids) {
       const topic = this.#channels.get(id)?.topic;
       this.#channels.delete(id);

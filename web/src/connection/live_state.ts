@@ -21,7 +21,7 @@ export interface LiveState {
   replay?: { session: string; from_s: number; to_s: number; at_s: number; playing: boolean; rate: number };
 }
 
-/** std_msgs/String, which carries the texts of docs/formats/session.md and docs/live.md. */
+/** std_msgs/String, which carries the JSON texts of docs/formats/session.md and docs/live.md. */
 interface StringMessage {
   data: string;
 }
@@ -30,7 +30,7 @@ export function json_of<T>(message: unknown): T {
   return JSON.parse((message as StringMessage).data) as T;
 }
 
-/** The server's state; undefined while there is no connection. */
+/** The server's state; undefined while not connected. */
 export function follow_state(connection: LiveConnection): Signal<LiveState | undefined> {
   const state = new Signal<LiveState | undefined>(undefined);
   connection.listen("/live/state", (message) => (state.value = json_of<LiveState>(message)));

@@ -1,4 +1,4 @@
-/** The parts of ROS 2 messages that the page reads, as their schemas name them. */
+/** The fields of ROS 2 messages that the page reads. */
 
 export interface Vector3 {
   x: number;
@@ -22,7 +22,7 @@ export interface Header {
 
 export interface PoseWithCovarianceStamped {
   header: Header;
-  /** Row by row over x, y, z and three rotations. */
+  /** Row-major, 6 x 6: x, y, z and the rotations about x, y, z. */
   pose: { pose: RosPose; covariance: ArrayLike<number> };
 }
 

@@ -1,4 +1,4 @@
-/** Service calls that wait for their answers. */
+/** Service calls waiting for their responses. */
 export class PendingCalls {
   readonly #waiting = new Map<number, { resolve: (answer: unknown) => void; reject: (why: Error) => void }>();
   #next = 1;
@@ -9,14 +9,14 @@ export class PendingCalls {
     return { id, answer };
   }
 
-  /** @param data the answer as JSON; none stands for an answer that says nothing */
+  /** @param data the response as JSON; no bytes: an empty response */
   answered(id: number, data: ArrayBufferView): void {
     const call = this.#take(id);
     const text = new TextDecoder().decode(data);
     try {
       call?.resolve(text === "" ? {} : JSON.parse(text));
     } catch {
-      call?.reject(new Error("the answer could not be read"));
+      call?.reject(new Error("the response could not be read"));
     }
   }
 

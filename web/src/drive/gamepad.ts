@@ -1,24 +1,24 @@
-import { is_wish, no_wish } from "./wish";
-import type { Wish } from "./wish";
+import { is_request, no_request } from "./drive_request";
+import type { DriveRequest } from "./drive_request";
 
-const dead = 0.15;
+const dead_zone = 0.15;
 
 function axis(value: number | undefined): number {
-  return value !== undefined && Math.abs(value) > dead ? value : 0;
+  return value !== undefined && Math.abs(value) > dead_zone ? value : 0;
 }
 
-function wish_of(pad: Gamepad): Wish {
+function request_of(pad: Gamepad): DriveRequest {
   return { ahead: -axis(pad.axes[1]) + 0, left: -axis(pad.axes[0]) + 0 };
 }
 
-/** The left stick of any gamepad; polled only while one is there. */
-export function watch_gamepads(tell: (wish: Wish) => void): void {
+/** Reports the left stick of any gamepad; polls only while one is connected. */
+export function watch_gamepads(report: (request: DriveRequest) => void): void {
   let polling = false;
-  let told = no_wish;
+  let reported = no_request;
   const poll = () => {
     const pads = navigator.getGamepads().filter((pad) => pad !== null);
-    const wish = pads.map(wish_of).find(is_wish) ?? no_wish;
-    if (wish.ahead !== told.ahead || wish.left !== told.left) tell((told = wish));
+    const request = pads.map(request_of).find(is_request) ?? no_request;
+    if (request.ahead !== reported.ahead || request.left !== reported.left) report((reported = request));
     polling = pads.length > 0;
     if (polling) requestAnimationFrame(poll);
   };

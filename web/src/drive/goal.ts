@@ -1,12 +1,12 @@
-import type { BuildingShelf } from "../building/building_shelf";
+import type { BuildingStore } from "../building/building_store";
 import type { App } from "../page/app";
-import { button, element, say } from "../page/element";
+import { button, element, set_text } from "../page/element";
 import { colour } from "../page/theme";
 import { draw_dots } from "../plan/draw";
 import type { Point } from "../plan/geometry";
 import type { Layer } from "../plan/plan_canvas";
 
-/** A place of the chosen building that was clicked: asked about before the vehicle goes there. */
+/** A clicked point of the chosen building: the user confirms it before the vehicle drives there. */
 export class Goal {
   readonly element: HTMLElement;
   readonly layer: Layer;
@@ -15,7 +15,7 @@ export class Goal {
 
   constructor(
     private readonly app: App,
-    private readonly shelf: BuildingShelf,
+    private readonly store: BuildingStore,
     private readonly changed: () => void,
   ) {
     this.element = element(
@@ -23,7 +23,7 @@ export class Goal {
       { class: "goal-bar", hidden: true },
       this.#where,
       button("Go there", () => void this.#send(), { class: "primary" }),
-      button("Forget it", () => this.forget()),
+      button("Cancel", () => this.clear()),
     );
     this.layer = (context, view) => {
       if (this.#at) draw_dots(context, view, [this.#at], colour("path"), 7);
@@ -31,19 +31,19 @@ export class Goal {
   }
 
   pick(at: Point): void {
-    if (!this.shelf.is_shown.value || !this.shelf.building.value) {
-      this.app.notices.tell(
-        "To go to a place, choose “Go to a place” under Mission and click it in the building",
+    if (!this.store.is_shown.value || !this.store.building.value) {
+      this.app.notices.show(
+        "To send the vehicle to a point, choose “Go to a place” under Mission and click the point in the building",
       );
       return;
     }
     this.#at = at;
     this.element.hidden = false;
-    say(this.#where, `x ${at.x.toFixed(2)} m, y ${at.y.toFixed(2)} m in ${this.shelf.chosen.value}`);
+    set_text(this.#where, `x ${at.x.toFixed(2)} m, y ${at.y.toFixed(2)} m in ${this.store.chosen.value}`);
     this.changed();
   }
 
-  forget(): void {
+  clear(): void {
     this.#at = undefined;
     this.element.hidden = true;
     this.changed();
@@ -51,8 +51,8 @@ export class Goal {
 
   async #send(): Promise<void> {
     if (!this.#at) return;
-    const request = { building: this.shelf.chosen.value, x_m: this.#at.x, y_m: this.#at.y };
+    const request = { building: this.store.chosen.value, x_m: this.#at.x, y_m: this.#at.y };
     if (await this.app.notices.attempt(this.app.lease.call("mission/go", request), "On the way"))
-      this.forget();
+      this.clear();
   }
 }

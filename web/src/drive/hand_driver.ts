@@ -1,24 +1,24 @@
 import type { Lease } from "../connection/lease";
 import type { LiveConnection } from "../connection/live_connection";
 import { Signal } from "../page/signal";
-import { command_of, is_wish, no_wish, strongest } from "./wish";
-import type { Wish } from "./wish";
+import { command_of, is_request, no_request, strongest } from "./drive_request";
+import type { DriveRequest } from "./drive_request";
 import { vehicle_shape } from "./vehicle_text";
 
 const topic = "/drive";
 const command_every_ms = 50;
 
 /**
- * Sends drive commands while anything is pressed and this page holds the lease. When all is released it says "stand"
- * once and falls silent: the vehicle stops without commands.
+ * Sends driving commands while a control is pressed and this page holds the lease. When all controls are released, it
+ * sends one stop command and then nothing: without commands the vehicle stops by itself.
  */
 export class HandDriver {
-  readonly wish = new Signal<Wish>(no_wish);
-  /** Share of the vehicle's greatest speed. */
+  readonly request = new Signal<DriveRequest>(no_request);
+  /** Share of the vehicle's maximum speed, 0 to 1. */
   pace = 0.6;
   vehicle = vehicle_shape("");
 
-  readonly #sources = new Map<string, Wish>();
+  readonly #sources = new Map<string, DriveRequest>();
   #sequence = 0;
   #timer: ReturnType<typeof setInterval> | undefined;
 
@@ -29,22 +29,22 @@ export class HandDriver {
     connection.announce(topic, "aisle/Drive");
     lease.token.watch((token) => {
       this.#sequence = 0;
-      if (token === undefined) this.let_go();
+      if (token === undefined) this.release_all();
     });
   }
 
-  /** @param source who wishes it: the keys, the pad, the gamepad */
-  press(source: string, wish: Wish): void {
-    if (is_wish(wish)) this.#sources.set(source, wish);
+  /** @param source the input device: the keys, the pad or the gamepad */
+  press(source: string, request: DriveRequest): void {
+    if (is_request(request)) this.#sources.set(source, request);
     else this.#sources.delete(source);
-    this.wish.value = strongest([...this.#sources.values()]);
-    if (is_wish(this.wish.value)) this.#begin();
+    this.request.value = strongest([...this.#sources.values()]);
+    if (is_request(this.request.value)) this.#begin();
     else this.#end();
   }
 
-  let_go(): void {
+  release_all(): void {
     this.#sources.clear();
-    this.wish.value = no_wish;
+    this.request.value = no_request;
     this.#end();
   }
 
@@ -65,7 +65,7 @@ export class HandDriver {
     const lease = this.lease.token.value;
     if (lease === undefined) return;
     this.#sequence += 1;
-    const command = command_of(this.wish.value, this.pace, this.vehicle);
+    const command = command_of(this.request.value, this.pace, this.vehicle);
     this.connection.publish(topic, { lease, sequence: this.#sequence, age_s: 0, ...command });
   }
 }

@@ -1,9 +1,9 @@
 import type { App } from "../page/app";
-import { button, element, panel, say } from "../page/element";
+import { button, element, panel, set_text } from "../page/element";
 import { vehicle_shape } from "./vehicle_text";
 import { drive_pad } from "./pad";
 
-/** Take the controls and drive; in a lesson, set marks. */
+/** Take the controls and drive; while teaching a route, set marks. */
 export function hand_panel(app: App): HTMLElement {
   const { driver, lease, notices } = app;
   const take = button(
@@ -12,7 +12,7 @@ export function hand_panel(app: App): HTMLElement {
     { class: "primary" },
   );
   const hint = element("p", { class: "about" });
-  const pad = drive_pad((wish) => driver.press("pad", wish));
+  const pad = drive_pad((request) => driver.press("pad", request));
   const pace = element("input", {
     type: "range",
     min: 0.1,
@@ -38,23 +38,29 @@ export function hand_panel(app: App): HTMLElement {
     button("Place", () => mark("place", label.value.trim())()),
     button("Turning begins", () => mark("turning begins", label.value.trim())()),
     button("Turning ends", () => mark("turning ends", label.value.trim())()),
-    button("Way ends", () => mark("stop", "")()),
+    button("Route ends", () => mark("stop", "")()),
   );
   const finish = button("Finish", () => void notices.attempt(lease.call("mission/finish"), "Finished"));
 
   const show = () => {
     const drives = lease.token.value !== undefined;
-    const heard = app.state.value?.driven_by_hand ?? false;
+    const accepts_commands = app.state.value?.driven_by_hand ?? false;
     const in_mission = app.state.value?.mode === "mission";
-    say(take, drives ? "Give the controls back" : "Take the controls");
+    set_text(take, drives ? "Give the controls back" : "Take the controls");
     take.classList.toggle("primary", !drives);
-    const silence = "The mission drives by itself; stop it to drive by hand.";
-    const how =
-      "Hold the arrow keys, drag on the pad or use a gamepad. Whatever is let go, the vehicle stops.";
-    say(hint, !drives ? "Whoever holds the controls drives; everybody watches." : heard ? how : silence);
-    pad.classList.toggle("off", !drives || !heard);
-    marks.disabled = !drives || !heard || !in_mission;
-    finish.disabled = !drives || !heard || !in_mission;
+    const refused = "The mission is driving. Stop it to drive by hand.";
+    const how = "Hold the arrow keys, drag on the pad or use a gamepad. The vehicle stops when you let go.";
+    set_text(
+      hint,
+      !drives
+        ? "One client at a time holds the controls; all others can watch."
+        : accepts_commands
+          ? how
+          : refused,
+    );
+    pad.classList.toggle("off", !drives || !accepts_commands);
+    marks.disabled = !drives || !accepts_commands || !in_mission;
+    finish.disabled = !drives || !accepts_commands || !in_mission;
   };
   lease.token.watch(show);
   app.state.watch(show);

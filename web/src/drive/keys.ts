@@ -1,14 +1,14 @@
-import { no_wish, strongest } from "./wish";
-import type { Wish } from "./wish";
+import { no_request, strongest } from "./drive_request";
+import type { DriveRequest } from "./drive_request";
 
-const wishes: Record<string, Wish> = {
+const key_requests: Record<string, DriveRequest> = {
   ArrowUp: { ahead: 1, left: 0 },
   ArrowDown: { ahead: -1, left: 0 },
   ArrowLeft: { ahead: 0, left: 1 },
   ArrowRight: { ahead: 0, left: -1 },
 };
 
-/** A control that uses the arrow keys itself. */
+/** Whether the focused control uses the arrow keys itself. */
 function wants_arrows(target: EventTarget | null): boolean {
   return (
     target instanceof HTMLElement && target.matches("input, select, textarea, [role=slider], [data-arrows]")
@@ -16,19 +16,19 @@ function wants_arrows(target: EventTarget | null): boolean {
 }
 
 /**
- * Arrow keys, held: told as one wish.
- * @param active whether keys drive now; otherwise the page keeps them
+ * Reports the held arrow keys as one request.
+ * @param active whether the arrow keys drive now; if not, they keep their usual meaning in the page
  */
-export function watch_keys(active: () => boolean, tell: (wish: Wish) => void): void {
+export function watch_keys(active: () => boolean, report: (request: DriveRequest) => void): void {
   const held = new Set<string>();
-  const changed = () => tell(strongest([...held].map((key) => wishes[key] ?? no_wish)));
+  const changed = () => report(strongest([...held].map((key) => key_requests[key] ?? no_request)));
   const release_all = () => {
     held.clear();
     changed();
   };
 
   addEventListener("keydown", (event) => {
-    if (!(event.key in wishes) || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (!(event.key in key_requests) || event.ctrlKey || event.altKey || event.metaKey) return;
     if (!active() || wants_arrows(event.target)) return;
     event.preventDefault();
     held.add(event.key);

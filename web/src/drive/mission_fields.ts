@@ -1,6 +1,6 @@
-import type { BuildingShelf } from "../building/building_shelf";
+import type { BuildingStore } from "../building/building_store";
 import { element } from "../page/element";
-import type { SessionShelf } from "../sessions/session_shelf";
+import type { SessionStore } from "../sessions/session_store";
 import { fresh_name } from "./mission_forms";
 import type { Field, MissionForm } from "./mission_forms";
 
@@ -12,15 +12,15 @@ function option(value: string, label = value): HTMLOptionElement {
   return element("option", { value }, label);
 }
 
-/** The fields of one mission's form; lists follow what the server keeps. */
+/** The fields of one mission's form; their lists show what is stored on the server. */
 export class MissionFields {
   readonly elements: HTMLElement[];
   readonly #inputs = new Map<Field, Input>();
 
   constructor(
     form: MissionForm,
-    private readonly shelf: BuildingShelf,
-    private readonly sessions: SessionShelf,
+    private readonly buildings: BuildingStore,
+    private readonly sessions: SessionStore,
   ) {
     this.elements = form.fields.map((field) => this.#labelled(field));
     this.refill();
@@ -53,25 +53,25 @@ export class MissionFields {
     if (["building", "session", "route", "place", "method"].includes(field.kind)) {
       const list = element("select", {});
       if (field.kind === "building")
-        list.addEventListener("change", () => void this.shelf.choose(list.value));
+        list.addEventListener("change", () => void this.buildings.choose(list.value));
       return list;
     }
-    const placeholder = field.is_needed ? "" : field.kind === "text" ? "as it comes" : "not kept";
+    const placeholder = field.is_needed ? "" : field.kind === "text" ? "default" : "not saved";
     const pattern = field.kind === "text" ? undefined : name_pattern;
     return element("input", { type: "text", placeholder, pattern, autocomplete: "off", spellcheck: "false" });
   }
 
   #refill_list(field: Field, list: HTMLSelectElement): void {
-    const kept = field.kind === "building" ? this.shelf.chosen.value : list.value;
+    const selected = field.kind === "building" ? this.buildings.chosen.value : list.value;
     const names = this.#names(field);
-    const first = field.is_needed ? [] : [option("", "as it comes")];
+    const first = field.is_needed ? [] : [option("", "default")];
     list.replaceChildren(...first, ...names.map((name) => option(name)));
-    if (names.includes(kept)) list.value = kept;
+    if (names.includes(selected)) list.value = selected;
   }
 
   #names(field: Field): string[] {
-    const building = this.shelf.building.value;
-    if (field.kind === "building") return this.shelf.names.value;
+    const building = this.buildings.building.value;
+    if (field.kind === "building") return this.buildings.names.value;
     if (field.kind === "session") return this.sessions.sessions.value.map(({ name }) => name);
     if (field.kind === "route") return (building?.routes ?? []).map(({ name }) => name);
     if (field.kind === "place") return (building?.places ?? []).map(({ name }) => name);
@@ -79,10 +79,10 @@ export class MissionFields {
   }
 
   #proposed({ kind }: Field): string {
-    if (kind === "new_building") return fresh_name("building", this.shelf.names.value);
+    if (kind === "new_building") return fresh_name("building", this.buildings.names.value);
     if (kind === "new_session")
       return fresh_name(
-        "lesson-",
+        "taught-",
         this.sessions.sessions.value.map(({ name }) => name),
       );
     return "";

@@ -1,4 +1,4 @@
-/** What each mission asks for: the table of docs/live.md. */
+/** The fields of each mission: the table of docs/live.md. */
 
 export type FieldKind =
   "new_session" | "session" | "new_building" | "building" | "route" | "place" | "text" | "yes" | "method";
@@ -28,7 +28,7 @@ export const mission_forms: MissionForm[] = [
     mission: "explore",
     label: "Explore",
     begin: "Explore",
-    about: "The vehicle explores the building alone and comes home.",
+    about: "The vehicle explores the building by itself and returns to the start.",
     fields: [{ key: "building", label: "Learn as", kind: "new_building" }],
   },
   {
@@ -41,22 +41,22 @@ export const mission_forms: MissionForm[] = [
   {
     mission: "teach",
     label: "Teach",
-    begin: "Begin the lesson",
-    about: "Drive the way once by hand; then learn it.",
+    begin: "Start teaching",
+    about: "Drive the route once by hand; then learn it.",
     fields: [
-      { key: "session", label: "Lesson", kind: "new_session", is_needed: true },
+      { key: "session", label: "Taught run", kind: "new_session", is_needed: true },
       { key: "route", label: "Route", kind: "text" },
       { key: "method", label: "Method", kind: "method", choices: methods },
-      { key: "scripted", label: "A simulated person drives", kind: "yes" },
+      { key: "scripted", label: "A simulated driver drives", kind: "yes" },
     ],
   },
   {
     mission: "learn",
     label: "Learn",
     begin: "Learn",
-    about: "Makes a building of a lesson.",
+    about: "Builds a map with the route from a taught run.",
     fields: [
-      { key: "session", label: "Lesson", kind: "session", is_needed: true },
+      { key: "session", label: "Taught run", kind: "session", is_needed: true },
       { key: "building", label: "Learn as", kind: "new_building", is_needed: true },
       { key: "method", label: "Method", kind: "method", choices: methods },
     ],
@@ -65,11 +65,11 @@ export const mission_forms: MissionForm[] = [
     mission: "navigate",
     label: "Navigate",
     begin: "Drive the route",
-    about: "The vehicle drives a route that it was taught.",
+    about: "The vehicle drives a taught route.",
     fields: [
       building,
       { key: "route", label: "Route", kind: "route" },
-      { key: "reverse", label: "Back, from the end", kind: "yes" },
+      { key: "reverse", label: "In reverse, from the end to the start", kind: "yes" },
       keep_session,
     ],
   },
@@ -77,26 +77,26 @@ export const mission_forms: MissionForm[] = [
     mission: "go",
     label: "Go to a place",
     begin: "Go",
-    about: "To a place of the building, or click one on the plan.",
+    about: "Drives to a place of the building. You can also click a point on the plan.",
     fields: [building, { key: "place", label: "Place", kind: "place", is_needed: true }, keep_session],
   },
   {
     mission: "patrol",
     label: "Patrol",
     begin: "Patrol",
-    about: "Through all places of the building.",
+    about: "Drives to all places of the building in turn.",
     fields: [building, { key: "rounds", label: "Rounds", kind: "text" }, keep_session],
   },
   {
     mission: "park",
     label: "Park",
     begin: "Park",
-    about: "Comes to stand exactly at a place.",
+    about: "Parks precisely at a place.",
     fields: [building, { key: "place", label: "Place", kind: "place", is_needed: true }, keep_session],
   },
 ];
 
-/** The request of `mission/start` from what was filled in; what is empty is left out. */
+/** The request of `mission/start` from the filled-in values; empty fields are left out. */
 export function start_request(
   form: MissionForm,
   values: Record<string, string | boolean>,
@@ -110,7 +110,7 @@ export function start_request(
   return request;
 }
 
-/** A name that is not there yet, such as `lesson-2`. A building's has no dash: what follows one counts versions. */
+/** An unused name, such as `taught-2`. Names of buildings get no dash: the number after a dash is the version. */
 export function fresh_name(stem: string, taken: readonly string[]): string {
   for (let number = 1; ; number += 1) {
     const name = `${stem}${number}`;

@@ -1,26 +1,26 @@
-import type { BuildingShelf } from "../building/building_shelf";
+import type { BuildingStore } from "../building/building_store";
 import type { App } from "../page/app";
-import { button, element, panel, say, select } from "../page/element";
-import { SessionShelf } from "../sessions/session_shelf";
+import { button, element, panel, set_text, select } from "../page/element";
+import { SessionStore } from "../sessions/session_store";
 import { mission_forms, start_request } from "./mission_forms";
 import type { MissionForm } from "./mission_forms";
 import { MissionFields } from "./mission_fields";
 
-/** Choose a mission, begin it, pause it, end it. */
-export function mission_panel(app: App, shelf: BuildingShelf): HTMLElement {
-  const sessions = new SessionShelf(app);
+/** Choose, start, pause and stop a mission. */
+export function mission_panel(app: App, store: BuildingStore): HTMLElement {
+  const sessions = new SessionStore(app);
   const about = element("p", { class: "about" });
   const place = element("div", { class: "fields" });
   let form = mission_forms[0] as MissionForm;
-  let fields = new MissionFields(form, shelf, sessions);
+  let fields = new MissionFields(form, store, sessions);
 
   const choose = (mission: string) => {
     form = mission_forms.find((candidate) => candidate.mission === mission) ?? form;
-    fields = new MissionFields(form, shelf, sessions);
-    say(about, form.about);
-    say(start, form.begin);
+    fields = new MissionFields(form, store, sessions);
+    set_text(about, form.about);
+    set_text(start, form.begin);
     place.replaceChildren(...fields.elements);
-    shelf.is_shown.value = form.fields.some(({ kind }) => kind === "building");
+    store.is_shown.value = form.fields.some(({ kind }) => kind === "building");
   };
   const chooser = select(
     "Mission",
@@ -42,13 +42,13 @@ export function mission_panel(app: App, shelf: BuildingShelf): HTMLElement {
     start.disabled = !state || state.mode !== "idle";
     pause.disabled = !is_running;
     stop.disabled = !state || state.mode === "idle";
-    say(pause, state?.paused ? "Resume" : "Pause");
+    set_text(pause, state?.paused ? "Resume" : "Pause");
   });
   const refill = () => {
     fields.refill();
   };
-  shelf.names.watch(refill);
-  shelf.building.watch(refill);
+  store.names.watch(refill);
+  store.building.watch(refill);
   sessions.sessions.watch(refill);
   choose(form.mission);
 

@@ -1,16 +1,16 @@
 import { element } from "../page/element";
-import { no_wish } from "./wish";
-import type { Wish } from "./wish";
+import { no_request } from "./drive_request";
+import type { DriveRequest } from "./drive_request";
 
-const dead = 0.12;
+const dead_zone = 0.12;
 
-function beyond_dead(value: number): number {
-  const size = Math.min(1, Math.max(0, (Math.abs(value) - dead) / (1 - dead)));
+function beyond_dead_zone(value: number): number {
+  const size = Math.min(1, Math.max(0, (Math.abs(value) - dead_zone) / (1 - dead_zone)));
   return Math.sign(value) * size;
 }
 
-/** A round pad for a finger or the mouse: up is ahead, left is left. */
-export function drive_pad(tell: (wish: Wish) => void): HTMLElement {
+/** A round pad for a finger or the mouse: up drives ahead, left steers left. */
+export function drive_pad(report: (request: DriveRequest) => void): HTMLElement {
   const knob = element("div", { class: "knob" });
   const pad = element(
     "div",
@@ -18,15 +18,15 @@ export function drive_pad(tell: (wish: Wish) => void): HTMLElement {
     knob,
   );
 
-  const show = (wish: Wish) => {
-    knob.style.transform = `translate(${-wish.left * 40}%, ${-wish.ahead * 40}%)`;
-    tell(wish);
+  const show = (request: DriveRequest) => {
+    knob.style.transform = `translate(${-request.left * 40}%, ${-request.ahead * 40}%)`;
+    report(request);
   };
   const move = (event: PointerEvent) => {
     const box = pad.getBoundingClientRect();
     const right = ((event.clientX - box.left) / box.width) * 2 - 1;
     const down = ((event.clientY - box.top) / box.height) * 2 - 1;
-    show({ ahead: beyond_dead(-down), left: beyond_dead(-right) });
+    show({ ahead: beyond_dead_zone(-down), left: beyond_dead_zone(-right) });
   };
   pad.addEventListener("pointerdown", (event) => {
     pad.setPointerCapture(event.pointerId);
@@ -36,6 +36,6 @@ export function drive_pad(tell: (wish: Wish) => void): HTMLElement {
     if (pad.hasPointerCapture(event.pointerId)) move(event);
   });
   for (const end of ["pointerup", "pointercancel", "lostpointercapture"])
-    pad.addEventListener(end, () => show(no_wish));
+    pad.addEventListener(end, () => show(no_request));
   return pad;
 }

@@ -1,4 +1,4 @@
-import type { BuildingShelf } from "../building/building_shelf";
+import type { BuildingStore } from "../building/building_store";
 import type { App } from "../page/app";
 import { element, panel, tick } from "../page/element";
 import { building_points } from "../plan/building_geometry";
@@ -12,19 +12,19 @@ import type { Layer } from "../plan/plan_canvas";
 import { Goal } from "./goal";
 
 /**
- * The plan of what the vehicle knows and does; or, while a mission in it is being chosen, that of a building, where a
- * click picks a place to go to. The two are never mixed: a vehicle that waits does not know where in a building it is.
+ * The plan of the vehicle's map and motion. While a mission in a building is being chosen, the plan shows that building,
+ * and a click picks a goal. The two are never mixed: a waiting vehicle does not know its pose in the building.
  */
-export function plan_panel(app: App, shelf: BuildingShelf): HTMLElement {
+export function plan_panel(app: App, store: BuildingStore): HTMLElement {
   const canvas = new PlanCanvas("Plan of the building and the vehicle");
   const plan = new LivePlan(app.connection, () => canvas.redraw());
-  const goal = new Goal(app, shelf, () => canvas.redraw());
+  const goal = new Goal(app, store, () => canvas.redraw());
   const layers = live_layers(plan);
   const hidden = new Set<string>();
   let building: Layer | undefined;
   let building_extent: Bounds | undefined;
 
-  const is_building = () => shelf.is_shown.value && building !== undefined;
+  const is_building = () => store.is_shown.value && building !== undefined;
   const arrange = () => {
     const live = Object.entries(layers).flatMap(([name, layer]) => (hidden.has(name) ? [] : [layer]));
     canvas.layers = is_building() && building ? [building, goal.layer] : live;
@@ -41,23 +41,23 @@ export function plan_panel(app: App, shelf: BuildingShelf): HTMLElement {
       arrange();
     }),
   );
-  const building_toggle = tick("chosen building", false, (shown) => (shelf.is_shown.value = shown));
-  shelf.building.watch((chosen) => {
+  const building_toggle = tick("chosen building", false, (shown) => (store.is_shown.value = shown));
+  store.building.watch((chosen) => {
     building = chosen && building_layer(chosen);
     building_extent = chosen && bounds_of(building_points(chosen));
     building_toggle.hidden = chosen === undefined;
-    goal.forget();
+    goal.clear();
     canvas.refit();
     arrange();
   });
-  shelf.is_shown.watch((shown) => {
+  store.is_shown.watch((shown) => {
     (building_toggle.firstElementChild as HTMLInputElement).checked = shown;
-    if (!shown) goal.forget();
+    if (!shown) goal.clear();
     canvas.refit();
     arrange();
   });
   app.state.watch((state) => {
-    if (state && state.mode !== "idle") shelf.is_shown.value = false;
+    if (state && state.mode !== "idle") store.is_shown.value = false;
   });
 
   return panel(

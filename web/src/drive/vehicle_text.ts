@@ -1,4 +1,4 @@
-/** What the page must know of the vehicle, from the text of its file (docs/formats/vehicle.md). */
+/** What the page needs to know about the vehicle, from the text of its file (docs/formats/vehicle.md). */
 export interface VehicleShape {
   is_differential: boolean;
   speed_max_mps: number;
@@ -12,11 +12,11 @@ export interface VehicleShape {
 
 const radians = Math.PI / 180;
 
-/** The first value of `key` in the text; a key's name stands once there, whatever section it is in. */
-function number_at(text: string, key: string, otherwise: number): number {
+/** The value of `key`, whatever its section; each of these keys occurs once in the text. */
+function number_at(text: string, key: string, fallback: number): number {
   const found = new RegExp(`^\\s*${key}:\\s*([-+.\\deE]+)\\s*$`, "m").exec(text);
   const value = Number(found?.[1]);
-  return found && Number.isFinite(value) ? value : otherwise;
+  return found && Number.isFinite(value) ? value : fallback;
 }
 
 export function vehicle_shape(text: string): VehicleShape {

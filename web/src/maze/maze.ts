@@ -29,7 +29,7 @@ export function opposite(side: Side): Side {
 export class Maze {
   start: Cell = { x: 0, y: 0 };
   readonly goals = new Set<number>();
-  /** A bit for each side of each cell that has a wall; both cells of an edge know of it. */
+  /** One bit for each side of a cell that has a wall; set in both cells of an edge. */
   readonly #walls: Uint8Array;
 
   constructor(
@@ -66,7 +66,7 @@ export class Maze {
     return ((this.#walls[this.index(cell)] ?? 0) & (1 << sides.indexOf(side))) !== 0;
   }
 
-  /** Puts up or takes down the wall between two cells; the outer walls stay. */
+  /** Adds or removes the wall between two cells; the outer walls cannot be changed. */
   set_wall(cell: Cell, side: Side, is_closed: boolean): void {
     const beyond = neighbour(cell, side);
     if (!this.contains(cell) || !this.contains(beyond)) return;

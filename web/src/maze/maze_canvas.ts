@@ -6,10 +6,10 @@ import {
   draw_cursor,
   draw_grid,
   draw_known,
-  draw_mouse,
+  draw_vehicle,
   draw_start_and_goals,
   draw_walls,
-  draw_way,
+  draw_path,
   frame_of,
 } from "./maze_drawing";
 import { Maze, neighbour } from "./maze";
@@ -22,12 +22,12 @@ export type MazeTool = "walls" | "start" | "goals";
 const key_sides: Record<string, Side> = { ArrowUp: "N", ArrowRight: "E", ArrowDown: "S", ArrowLeft: "W" };
 
 interface Actions {
-  /** A wall is to be put up or taken down. */
+  /** Add or remove a wall; `begins`: the first wall of a stroke. */
   wall(edge: Edge, is_closed: boolean, begins: boolean): void;
   pick(cell: Cell, tool: MazeTool): void;
 }
 
-/** The maze on a canvas: drawn on while it is edited, watched while it is explored. */
+/** The maze on a canvas: the user edits it there and watches how it is explored. */
 export class MazeCanvas {
   readonly element: HTMLCanvasElement;
   tool: MazeTool = "walls";
@@ -49,7 +49,7 @@ export class MazeCanvas {
     });
     this.element.setAttribute(
       "aria-label",
-      "Maze: arrow keys move, with Shift they put up or take down a wall, S sets the start, G a goal",
+      "Maze: arrow keys move the cursor, Shift and arrow keys add or remove a wall, S sets the start, G a goal",
     );
     this.element.addEventListener("pointerdown", (event) => this.#press(event));
     this.element.addEventListener("pointermove", (event) => this.#move(event));
@@ -75,9 +75,9 @@ export class MazeCanvas {
     if (this.run && known) draw_known(context, frame, this.run, known);
     draw_grid(context, frame, this.maze);
     draw_start_and_goals(context, frame, this.maze);
-    if (known) draw_way(context, frame, known);
+    if (known) draw_path(context, frame, known);
     draw_walls(context, frame, this.maze, known);
-    if (known) draw_mouse(context, frame, known.at, this.run?.steps[this.count - 1]?.move ?? "");
+    if (known) draw_vehicle(context, frame, known.at, this.run?.steps[this.count - 1]?.move ?? "");
     if (document.activeElement === this.element) draw_cursor(context, frame, this.#cursor);
   }
 

@@ -1,10 +1,10 @@
 import { colour } from "../page/theme";
 import { neighbour, sides } from "./maze";
 import type { Cell, Maze, Side } from "./maze";
-import { waiting_cells } from "./maze_run";
+import { frontier_cells } from "./maze_run";
 import type { Known, MazeRun } from "./maze_run";
 
-/** Where the maze lies on its canvas: pixels a cell, and the lower left corner. */
+/** Where the maze is on its canvas: pixels per cell, and the lower left corner. */
 export interface MazeFrame {
   cell_px: number;
   left_px: number;
@@ -63,7 +63,7 @@ export function draw_grid(context: Context, frame: MazeFrame, maze: Maze): void 
   }
 }
 
-/** @param known where the vehicle has been; walls that it has not seen are drawn faint */
+/** @param known what the vehicle has explored; walls that it has not seen are drawn faint */
 export function draw_walls(context: Context, frame: MazeFrame, maze: Maze, known?: Known): void {
   const seen = (cell: Cell, side: Side) =>
     !known || known.open.has(maze.index(cell)) || known.open.has(maze.index(neighbour(cell, side)));
@@ -100,23 +100,23 @@ export function draw_known(context: Context, frame: MazeFrame, run: MazeRun, kno
   for (const index of known.open.keys()) {
     fill_cell(context, frame, { x: index % run.width, y: Math.floor(index / run.width) }, visited);
   }
-  for (const cell of waiting_cells(run, known)) fill_cell(context, frame, cell, colour("waiting"));
+  for (const cell of frontier_cells(run, known)) fill_cell(context, frame, cell, colour("frontier"));
 }
 
-export function draw_way(context: Context, frame: MazeFrame, { way }: Known): void {
+export function draw_path(context: Context, frame: MazeFrame, { path }: Known): void {
   context.strokeStyle = colour("trail");
   context.lineWidth = Math.max(1.5, frame.cell_px / 16);
   context.lineJoin = "round";
   context.beginPath();
-  way.forEach((cell, index) => {
+  path.forEach((cell, index) => {
     if (index === 0) context.moveTo(...middle(frame, cell));
     else context.lineTo(...middle(frame, cell));
   });
   context.stroke();
 }
 
-/** The vehicle as an arrow towards where it moves next. */
-export function draw_mouse(context: Context, frame: MazeFrame, at: Cell, next: Side | ""): void {
+/** The vehicle as an arrow in the direction of its next move. */
+export function draw_vehicle(context: Context, frame: MazeFrame, at: Cell, next: Side | ""): void {
   const size = frame.cell_px * 0.32;
   context.save();
   context.translate(...middle(frame, at));
@@ -141,7 +141,7 @@ export function draw_cursor(context: Context, frame: MazeFrame, { x, y }: Cell):
   context.strokeRect(u + 4, v + 4, frame.cell_px - 8, frame.cell_px - 8);
 }
 
-/** What the preprocessing unit makes of a cell: its walls, and dashed the false ones. */
+/** A cell as the preprocessing unit passes it on: its walls, with the false ones dashed. */
 export function draw_input(
   context: Context,
   size_px: number,

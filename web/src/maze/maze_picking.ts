@@ -6,8 +6,8 @@ export interface Edge {
   side: Side;
 }
 
-/** How near to an edge a press counts, as a share of a cell. */
-const near = 0.34;
+/** A click within this distance of an edge picks it, as a share of a cell. */
+const pick_distance = 0.34;
 
 export function cell_at(maze: Maze, frame: MazeFrame, u_px: number, v_px: number): Cell | undefined {
   const x = Math.floor((u_px - frame.left_px) / frame.cell_px);
@@ -28,5 +28,5 @@ export function edge_at(maze: Maze, frame: MazeFrame, u_px: number, v_px: number
     ["W", right],
   ];
   const [side, away] = distances.reduce((best, candidate) => (candidate[1] < best[1] ? candidate : best));
-  return away < near ? { cell, side } : undefined;
+  return away < pick_distance ? { cell, side } : undefined;
 }

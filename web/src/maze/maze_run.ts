@@ -1,12 +1,12 @@
 import { neighbour, opposite } from "./maze";
 import type { Cell, Side } from "./maze";
 
-/** One learning cycle, as the service maze/run tells it. */
+/** One learning cycle in the response of the service maze/run. */
 export interface MazeStep {
   cell: [number, number];
   open: string;
   input: string;
-  /** What the preprocessing unit made of the cell, and the sides that it left open. */
+  /** How the preprocessing unit classified the cell, and the sides that it left open. */
   input_kind: string;
   input_open: string;
   rule: string;
@@ -24,13 +24,13 @@ export interface MazeRun {
   figures: { reachable: number; visited: number; moves: number; complete: boolean };
 }
 
-/** What is known after a number of cycles. */
+/** What the vehicle knows after a number of cycles. */
 export interface Known {
   at: Cell;
-  /** The open sides of every visited cell, by its number. */
+  /** The open sides of every visited cell, by the cell's index. */
   open: Map<number, string>;
-  way: Cell[];
-  /** The side that the vehicle came in by; undefined at the start. */
+  path: Cell[];
+  /** The side through which the vehicle entered the cell; undefined at the start. */
   came_from: Side | undefined;
 }
 
@@ -38,40 +38,40 @@ export function cell_of([x, y]: [number, number]): Cell {
   return { x, y };
 }
 
-/** @param count of cycles that have been, at least 1 */
+/** @param count of cycles so far, at least 1 */
 export function known_after(run: MazeRun, count: number): Known {
   const open = new Map<number, string>();
-  const way: Cell[] = [];
+  const path: Cell[] = [];
   for (const { cell, open: sides } of run.steps.slice(0, count)) {
     open.set(cell[1] * run.width + cell[0], sides);
-    way.push(cell_of(cell));
+    path.push(cell_of(cell));
   }
   const before = run.steps[count - 2]?.move;
   return {
-    at: way.at(-1) ?? cell_of(run.start),
+    at: path.at(-1) ?? cell_of(run.start),
     open,
-    way,
+    path,
     came_from: before ? opposite(before) : undefined,
   };
 }
 
-/** The sides that the preprocessing unit closed by a false wall. Of explored cells only where it came from is told. */
+/** The sides closed by a false wall of the preprocessing unit; in explored cells that is the side of entry. */
 export function false_walls(step: MazeStep, came_from: Side | undefined): Side[] {
-  const is_told = step.input_open !== "" || /ending|dead/.test(step.input_kind);
-  const shut = (side: Side) => (is_told ? !step.input_open.includes(side) : side === came_from);
-  return ([...step.open] as Side[]).filter(shut);
+  const is_given = step.input_open !== "" || /ending|dead/.test(step.input_kind);
+  const is_closed = (side: Side) => (is_given ? !step.input_open.includes(side) : side === came_from);
+  return ([...step.open] as Side[]).filter(is_closed);
 }
 
-/** Cells to which a visited one is open, and that were not visited. */
-export function waiting_cells(run: MazeRun, known: Known): Cell[] {
-  const waiting = new Map<number, Cell>();
+/** Unvisited cells that are open to a visited one. */
+export function frontier_cells(run: MazeRun, known: Known): Cell[] {
+  const frontier = new Map<number, Cell>();
   for (const [index, open] of known.open) {
     const cell = { x: index % run.width, y: Math.floor(index / run.width) };
     for (const side of open as Iterable<Side>) {
       const beyond = neighbour(cell, side);
       const number = beyond.y * run.width + beyond.x;
-      if (!known.open.has(number)) waiting.set(number, beyond);
+      if (!known.open.has(number)) frontier.set(number, beyond);
     }
   }
-  return [...waiting.values()];
+  return [...frontier.values()];
 }

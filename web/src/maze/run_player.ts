@@ -1,4 +1,4 @@
-import { button, element, say } from "../page/element";
+import { button, element, set_text } from "../page/element";
 import { draw_input } from "./maze_drawing";
 import { false_walls, known_after } from "./maze_run";
 import type { MazeRun } from "./maze_run";
@@ -17,7 +17,7 @@ export class RunPlayer {
     width: input_px,
     height: input_px,
     role: "img",
-    class: "input-picture",
+    class: "input-drawing",
   });
   readonly #state = element("dd", {});
   readonly #symbol = element("dd", {});
@@ -29,7 +29,7 @@ export class RunPlayer {
   #count = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param show told how many cycles are to be seen */
+  /** @param show called with the number of cycles to show */
   constructor(private readonly show: (count: number) => void) {
     this.#play = button("Run", () => this.#toggle());
     this.#slider.addEventListener("input", () => {
@@ -48,7 +48,7 @@ export class RunPlayer {
         { class: "buttons" },
         this.#play,
         button("Back", step(-1), { "aria-label": "One step back" }),
-        button("Step", step(1), { "aria-label": "One step on" }),
+        button("Step", step(1), { "aria-label": "One step forward" }),
         button("To the end", step(Infinity)),
       ),
       element("label", { class: "field" }, element("span", {}, "Speed"), this.#speed),
@@ -72,7 +72,7 @@ export class RunPlayer {
       this.#stack,
       this.#figures,
     );
-    addEventListener("aisle-theme", () => this.#tell());
+    addEventListener("aisle-theme", () => this.#show_cycle());
   }
 
   load(run: MazeRun | undefined): void {
@@ -83,8 +83,8 @@ export class RunPlayer {
     if (!run) return;
     this.#slider.max = String(run.steps.length);
     const { visited, reachable, moves, complete } = run.figures;
-    const outcome = complete ? "Explored completely and home again" : "Not explored completely";
-    say(this.#figures, `${outcome}: ${visited} of ${reachable} cells, ${moves} moves.`);
+    const outcome = complete ? "Explored completely, back at the start" : "Not explored completely";
+    set_text(this.#figures, `${outcome}: ${visited} of ${reachable} cells, ${moves} moves.`);
     this.go_to(1);
   }
 
@@ -92,21 +92,21 @@ export class RunPlayer {
     if (!this.#run) return;
     this.#count = Math.min(this.#run.steps.length, Math.max(1, count));
     this.#slider.value = String(this.#count);
-    this.#tell();
+    this.#show_cycle();
     this.show(this.#count);
   }
 
   play(): void {
     if (!this.#run) return;
     if (this.#count === this.#run.steps.length) this.go_to(1);
-    say(this.#play, "Pause");
+    set_text(this.#play, "Pause");
     this.#advance();
   }
 
   pause(): void {
     clearTimeout(this.#timer);
     this.#timer = undefined;
-    say(this.#play, "Run");
+    set_text(this.#play, "Run");
   }
 
   #toggle(): void {
@@ -114,7 +114,7 @@ export class RunPlayer {
     else this.pause();
   }
 
-  /** From one cycle a second to some hundreds: several at once where the screen is slower. */
+  /** From one to some hundred cycles per second: several per frame if the screen is slower. */
   #advance(): void {
     const cycles_per_s = 10 ** (Number(this.#speed.value) / 40);
     const wait_ms = Math.max(16, 1000 / cycles_per_s);
@@ -125,14 +125,14 @@ export class RunPlayer {
     }, wait_ms);
   }
 
-  #tell(): void {
+  #show_cycle(): void {
     const step = this.#run?.steps[this.#count - 1];
     if (!this.#run || !step) return;
-    say(this.#position, `${this.#count} of ${this.#run.steps.length}`);
-    say(this.#state, step.state);
-    say(this.#symbol, `${step.input}, ${step.input_kind}`);
-    say(this.#move, directions[step.move]);
-    say(this.#rule, step.rule);
+    set_text(this.#position, `${this.#count} of ${this.#run.steps.length}`);
+    set_text(this.#state, step.state);
+    set_text(this.#symbol, `${step.input}, ${step.input_kind}`);
+    set_text(this.#move, directions[step.move]);
+    set_text(this.#rule, step.rule);
     this.#stack.replaceChildren(...step.stack.toReversed().map((symbol) => element("li", {}, symbol)));
     const context = this.#input.getContext("2d");
     if (context)

@@ -8,25 +8,25 @@ import { watch_keys } from "../drive/keys";
 import type { Notices } from "./notices";
 import { Signal } from "./signal";
 
-/** What all rooms share. */
+/** What all tabs share. */
 export interface App {
   connection: LiveConnection;
   state: Signal<LiveState | undefined>;
   lease: Lease;
   driver: HandDriver;
   notices: Notices;
-  /** The room that is shown. */
-  room: Signal<string>;
+  /** Name of the tab that is shown. */
+  tab: Signal<string>;
 }
 
-/** One room of the page. */
-export interface Room {
+/** One tab of the page. */
+export interface Tab {
   name: string;
   title: string;
   element: HTMLElement;
 }
 
-/** @param address of the page; a token in it opens the server's doors */
+/** @param address of the page, with the access token if the server needs one */
 export function make_app(address: URL, notices: Notices): App {
   const socket = new URL(address);
   socket.protocol = address.protocol === "https:" ? "wss:" : "ws:";
@@ -39,15 +39,15 @@ export function make_app(address: URL, notices: Notices): App {
     notices,
     state: follow_state(connection),
     driver: new HandDriver(connection, lease),
-    room: new Signal("drive"),
+    tab: new Signal("drive"),
   };
-  const keys_drive = () => app.room.value === "drive" && lease.token.value !== undefined;
-  watch_keys(keys_drive, (wish) => app.driver.press("keys", wish));
-  watch_gamepads((wish) =>
-    app.driver.press("gamepad", app.room.value === "drive" ? wish : { ahead: 0, left: 0 }),
+  const keys_drive = () => app.tab.value === "drive" && lease.token.value !== undefined;
+  watch_keys(keys_drive, (request) => app.driver.press("keys", request));
+  watch_gamepads((request) =>
+    app.driver.press("gamepad", app.tab.value === "drive" ? request : { ahead: 0, left: 0 }),
   );
-  app.room.watch((room) => {
-    if (room !== "drive") app.driver.let_go();
+  app.tab.watch((tab) => {
+    if (tab !== "drive") app.driver.release_all();
   });
   return app;
 }

@@ -18,14 +18,14 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-/** A button that says what it does and cannot submit anything. */
+/** A labelled button that does not submit a form. */
 export function button(label: string, onclick: () => void, attributes: Attributes = {}): HTMLButtonElement {
   return element("button", { type: "button", onclick, ...attributes }, label);
 }
 
-/** Shows `text` and leaves the DOM alone where it says so already. */
-export function say(where: HTMLElement, text: string): void {
-  if (where.textContent !== text) where.textContent = text;
+/** Sets the text; leaves the DOM alone if it is already the same. */
+export function set_text(target: HTMLElement, text: string): void {
+  if (target.textContent !== text) target.textContent = text;
 }
 
 export interface Choice {
@@ -33,7 +33,7 @@ export interface Choice {
   label: string;
 }
 
-/** A labelled list to choose from. */
+/** A labelled drop-down list. */
 export function select(label: string, choices: Choice[], onchange: (value: string) => void) {
   const list = element(
     "select",
@@ -43,7 +43,7 @@ export function select(label: string, choices: Choice[], onchange: (value: strin
   return { field: element("label", { class: "field" }, element("span", {}, label), list), list };
 }
 
-/** A labelled box to tick. */
+/** A labelled check box. */
 export function tick(
   label: string,
   checked: boolean,

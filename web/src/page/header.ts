@@ -1,33 +1,38 @@
-import type { App, Room } from "./app";
-import { button, element, say } from "./element";
-import { standing } from "./standing";
+import type { App, Tab } from "./app";
+import { button, element, set_text } from "./element";
+import { status_of } from "./status";
 import { present_theme, toggle_theme } from "./theme";
 
-function rooms_bar(app: App, rooms: Room[]): HTMLElement {
-  const links = rooms.map(({ name, title }) => element("a", { href: `#${name}` }, title));
-  app.room.watch((shown) => {
+function tab_bar(app: App, tabs: Tab[]): HTMLElement {
+  const links = tabs.map(({ name, title }) => element("a", { href: `#${name}` }, title));
+  app.tab.watch((shown) => {
     links.forEach((link, index) => {
-      if (rooms[index]?.name === shown) link.setAttribute("aria-current", "page");
+      if (tabs[index]?.name === shown) link.setAttribute("aria-current", "page");
       else link.removeAttribute("aria-current");
     });
   });
-  return element("nav", { "aria-label": "Rooms" }, ...links);
+  return element("nav", { "aria-label": "Tabs" }, ...links);
 }
 
-/** Connected or not, old data, who drives: always in sight. */
-function standing_line(app: App): HTMLElement {
+/** Connection, age of the data, who drives: always visible. */
+function status_line(app: App): HTMLElement {
   const text = element("span", {});
-  const line = element("p", { class: "standing", role: "status" }, element("span", { class: "lamp" }), text);
+  const line = element(
+    "p",
+    { class: "status-line", role: "status" },
+    element("span", { class: "lamp" }),
+    text,
+  );
   const show = () => {
-    const { lamp, text: said } = standing({
+    const { lamp, text: status_text } = status_of({
       connection: app.connection.state.value,
-      silent_s: (performance.now() - app.connection.heard_ms) / 1000,
+      silent_s: (performance.now() - app.connection.last_message_ms) / 1000,
       state: app.state.value,
       drives_here: app.lease.token.value !== undefined,
     });
     line.dataset["lamp"] = lamp;
     document.documentElement.dataset["lamp"] = lamp;
-    say(text, said);
+    set_text(text, status_text);
   };
   app.connection.state.watch(show);
   app.state.watch(show);
@@ -42,14 +47,14 @@ function theme_button(): HTMLElement {
     const other = present_theme() === "dark" ? "light" : "dark";
     made.setAttribute("aria-label", `Switch to ${other} colours`);
     made.title = made.getAttribute("aria-label") ?? "";
-    say(made, other === "dark" ? "☾" : "☀");
+    set_text(made, other === "dark" ? "☾" : "☀");
   };
   addEventListener("aisle-theme", show);
   show();
   return made;
 }
 
-/** The one control that needs no lease and is in every room. */
+/** The only control that needs no lease; visible in every tab. */
 function emergency_stop(app: App): HTMLElement {
   const stop = () => void app.notices.attempt(app.connection.call("mission/emergency_stop"));
   const stop_button = button("STOP", stop, { class: "emergency", title: "Emergency stop (Escape)" });
@@ -69,19 +74,19 @@ function emergency_stop(app: App): HTMLElement {
   app.state.watch((state) => {
     const stopped = state?.emergency ?? false;
     stop_button.classList.toggle("stopped", stopped);
-    say(stop_button, stopped ? "STOPPED" : "STOP");
+    set_text(stop_button, stopped ? "STOPPED" : "STOP");
     release.hidden = !stopped;
   });
   return element("div", { class: "stopper" }, release, stop_button);
 }
 
-export function header(app: App, rooms: Room[]): HTMLElement {
+export function header(app: App, tabs: Tab[]): HTMLElement {
   return element(
     "header",
     {},
     element("strong", { class: "brand" }, "aisle"),
-    rooms_bar(app, rooms),
-    standing_line(app),
+    tab_bar(app, tabs),
+    status_line(app),
     theme_button(),
     emergency_stop(app),
   );

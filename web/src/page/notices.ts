@@ -2,11 +2,11 @@ import { button, element } from "./element";
 
 const shown_ms = 8000;
 
-/** Short messages at the edge of the page, read out by screen readers. */
+/** Short messages at the edge of the page; screen readers read them out. */
 export class Notices {
   readonly element = element("div", { class: "notices", role: "status", "aria-live": "polite" });
 
-  tell(text: string, kind: "good" | "trouble" = "good"): void {
+  show(text: string, kind: "good" | "trouble" = "good"): void {
     const notice = element("p", { class: `notice ${kind}` }, text);
     const close = button("×", () => notice.remove(), { "aria-label": "Close this message" });
     notice.append(close);
@@ -15,14 +15,14 @@ export class Notices {
     setTimeout(() => notice.remove(), shown_ms);
   }
 
-  /** Does it and tells why it could not be done. */
-  async attempt(what: Promise<unknown>, done = ""): Promise<boolean> {
+  /** Waits for the action and shows the reason if it fails. @returns whether it succeeded */
+  async attempt(action: Promise<unknown>, done = ""): Promise<boolean> {
     try {
-      await what;
-      if (done !== "") this.tell(done);
+      await action;
+      if (done !== "") this.show(done);
       return true;
     } catch (problem) {
-      this.tell(problem instanceof Error ? problem.message : String(problem), "trouble");
+      this.show(problem instanceof Error ? problem.message : String(problem), "trouble");
       return false;
     }
   }

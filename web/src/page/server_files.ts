@@ -1,6 +1,6 @@
-/** Files that the server keeps, over HTTP. */
+/** Files stored on the server, over HTTP. */
 
-/** The address of a file; where the page was opened with a token, it bears it as well. */
+/** The address of a file, with the access token of the page's own address if it has one. */
 export function file_address(path: string): string {
   const address = new URL(path, new URL(".", location.href));
   const token = new URL(location.href).searchParams.get("token");
@@ -30,7 +30,7 @@ export async function post_text<T>(path: string, text: string, lease: string): P
   return (await response.json()) as T;
 }
 
-/** Hands a text made here to the browser as a download. */
+/** Offers a text to the user as a download. */
 export function download_text(name: string, text: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));

@@ -1,10 +1,10 @@
 import type { App } from "./app";
 
-/** A list that cannot be had now is asked for again at the next change. */
+/** A request that fails is repeated at the next change. */
 const ignore = (): void => undefined;
 
-/** Asks for a list of what the server keeps whenever that may have changed, and when its room is entered. */
-export function keep_fresh(app: App, room: string, refresh: () => Promise<void>): void {
+/** Refreshes a list from the server whenever it may have changed, and when its tab is opened. */
+export function keep_fresh(app: App, tab: string, refresh: () => Promise<void>): void {
   const ask = () => void refresh().catch(ignore);
   let mode: string | undefined;
   app.state.watch((state) => {
@@ -12,7 +12,7 @@ export function keep_fresh(app: App, room: string, refresh: () => Promise<void>)
     mode = state?.mode;
   });
   app.connection.services.watch(ask);
-  app.room.watch((entered) => {
-    if (entered === room) ask();
+  app.tab.watch((entered) => {
+    if (entered === tab) ask();
   });
 }

@@ -1,6 +1,6 @@
 /**
- * What is drawn on a canvas, in CSS pixels: anew at most once a frame, when that is asked for and when its size or the
- * colours of the page change.
+ * A canvas drawn in CSS pixels: redrawn at most once a frame, on request and when its size or the colours of the page
+ * change.
  */
 export class Sheet {
   width_px = 1;

@@ -1,4 +1,4 @@
-/** A value that tells its listeners when it changes. */
+/** A value that notifies its listeners when it changes. */
 export class Signal<T> {
   readonly #listeners = new Set<(value: T) => void>();
   #value: T;
@@ -17,7 +17,7 @@ export class Signal<T> {
     for (const listener of this.#listeners) listener(value);
   }
 
-  /** Tells the listener the present value and every later one. @returns how to end that */
+  /** Calls the listener with the present value and every later one. @returns a function that removes the listener */
   watch(listener: (value: T) => void): () => void {
     this.#listeners.add(listener);
     listener(this.#value);

@@ -1,12 +1,12 @@
-/** Dark or light: as the system says, until the person here says otherwise. */
+/** Dark or light: the system's setting until the user chooses. */
 
 type Theme = "dark" | "light";
 
-const kept = "aisle.theme";
+const storage_key = "aisle.theme";
 const system_prefers_dark = matchMedia("(prefers-color-scheme: dark)");
 
 function chosen(): Theme | undefined {
-  const value = localStorage.getItem(kept);
+  const value = localStorage.getItem(storage_key);
   return value === "dark" || value === "light" ? value : undefined;
 }
 
@@ -20,7 +20,7 @@ function show(): void {
 }
 
 export function toggle_theme(): void {
-  localStorage.setItem(kept, present_theme() === "dark" ? "light" : "dark");
+  localStorage.setItem(storage_key, present_theme() === "dark" ? "light" : "dark");
   show();
 }
 
@@ -29,7 +29,7 @@ export function follow_theme(): void {
   show();
 }
 
-/** The style sheet's colour of that name, for drawing on a canvas. */
+/** The style sheet's colour with this name, for drawing on a canvas. */
 export function colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }

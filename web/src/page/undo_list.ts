@@ -1,4 +1,4 @@
-/** Versions of a thing, oldest first, and which one is present. */
+/** The versions of a value, oldest first, and the present one. */
 export class UndoList<T> {
   #versions: T[];
   #at = 0;
@@ -19,7 +19,7 @@ export class UndoList<T> {
     return this.#at + 1 < this.#versions.length;
   }
 
-  /** @param begins false: the stroke of before goes on, and is undone together with it */
+  /** @param begins false: continues the last stroke; undo removes both together */
   put(version: T, begins = true): void {
     if (begins) this.#at += 1;
     this.#versions.splice(this.#at, Infinity, version);

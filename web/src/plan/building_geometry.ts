@@ -1,4 +1,4 @@
-/** A building file as points of the plan. */
+/** The parts of a building as points of the plan. */
 
 import type { Building, Floor, Pair, Route } from "../building/building_file";
 import { moved_by } from "./geometry";
@@ -10,7 +10,7 @@ export function point_of([x, y]: Pair): Point {
   return { x, y };
 }
 
-/** Where `base_link` drives along a route. */
+/** The path of `base_link` along a route. */
 export function route_points({ start, pieces = [] }: Route): Point[] {
   if (!start) return [];
   let pose: Pose = { ...point_of(start.at_m), heading_rad: ((start.heading_deg ?? 0) * Math.PI) / 180 };
@@ -35,7 +35,7 @@ export interface FloorRun {
   is_free: boolean;
 }
 
-/** The known cells of a floor as bars of one row each. */
+/** The known cells of a floor as runs, each within one row. */
 export function floor_runs({ cell_m, low_cell, rows }: Floor): FloorRun[] {
   const runs: FloorRun[] = [];
   rows.forEach((row, index) => {
@@ -50,7 +50,7 @@ export function floor_runs({ cell_m, low_cell, rows }: Floor): FloorRun[] {
   return runs;
 }
 
-/** What the known floor reaches to. */
+/** The end points of all runs of the known floor. */
 export function* floor_points(floor: Floor): Iterable<Point> {
   for (const { low, length_m } of floor_runs(floor)) {
     yield low;

@@ -1,11 +1,11 @@
 import type { Building, Floor } from "../building/building_file";
 import { colour } from "../page/theme";
 import { floor_runs, point_of, route_points } from "./building_geometry";
-import { barrier_stroke, draw_dots, draw_line, draw_name, draw_pieces } from "./draw";
+import { barrier_stroke, draw_dots, draw_line, draw_name, draw_segments } from "./draw";
 import type { Point } from "./geometry";
 import type { Layer } from "./plan_canvas";
 
-/** Rows overlap by this share of a cell, so that nothing shines through between them. */
+/** Rows overlap by this share of a cell, so that no gaps show between them. */
 const overlap = 0.06;
 
 function cells_path(floor: Floor, is_free: boolean): Path2D {
@@ -16,7 +16,7 @@ function cells_path(floor: Floor, is_free: boolean): Path2D {
   return path;
 }
 
-/** The floor, traced once in the map's metres: free cells first, so that what is blocked stays in sight. */
+/** The floor, traced once in map coordinates [m]: free cells first, so that occupied cells stay visible. */
 export function floor_layer(floor: Floor): Layer {
   const [free, blocked] = [cells_path(floor, true), cells_path(floor, false)];
   return (context, view) => {
@@ -38,8 +38,8 @@ export function building_layer(building: Building): Layer {
   return (context, view) => {
     floor?.(context, view);
     const graph = { colour: colour("graph"), width_px: 1.5, dash_px: [6, 4] };
-    for (const { way_m } of building.corridors?.corridors ?? []) {
-      draw_line(context, view, way_m.map(point_of), graph);
+    for (const { path_m } of building.corridors?.corridors ?? []) {
+      draw_line(context, view, path_m.map(point_of), graph);
     }
     draw_dots(
       context,
@@ -53,7 +53,7 @@ export function building_layer(building: Building): Layer {
       point_of(start_m),
       point_of(end_m),
     ]);
-    draw_pieces(context, view, walls, { colour: colour("wall"), width_px: 2.5 });
+    draw_segments(context, view, walls, { colour: colour("wall"), width_px: 2.5 });
     draw_dots(
       context,
       view,

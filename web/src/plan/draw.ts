@@ -1,4 +1,4 @@
-/** Strokes and marks on a plan, in the map's metres. */
+/** Draws lines, dots and names on a plan, in map coordinates [m]. */
 
 import { colour } from "../page/theme";
 import { moved_by } from "./geometry";
@@ -14,7 +14,7 @@ export interface Stroke {
   dash_px?: number[];
 }
 
-/** How a line that is never crossed is drawn; `kind` as in a building file. */
+/** The stroke of a barrier; `kind` as in a building file. */
 export function barrier_stroke(kind: string): Stroke {
   return kind === "glass"
     ? { colour: colour("glass"), width_px: 4 }
@@ -45,15 +45,15 @@ export function draw_line(context: Context, view: PlanView, points: readonly Poi
   context.stroke();
 }
 
-export function draw_pieces(
+export function draw_segments(
   context: Context,
   view: PlanView,
-  pieces: Iterable<[Point, Point]>,
+  segments: Iterable<[Point, Point]>,
   stroke: Stroke,
 ): void {
   apply(context, stroke);
   context.beginPath();
-  for (const piece of pieces) trace(context, view, piece);
+  for (const segment of segments) trace(context, view, segment);
   context.stroke();
 }
 
@@ -74,7 +74,7 @@ export function draw_dots(
   context.fill();
 }
 
-/** A name beside a point, legible over anything. */
+/** A name beside a point, legible on any background. */
 export function draw_name(context: Context, view: PlanView, at: Point, name: string): void {
   const { x, y } = view.to_screen(at);
   context.font = "12px system-ui, sans-serif";
@@ -88,7 +88,7 @@ export function draw_name(context: Context, view: PlanView, at: Point, name: str
   context.fillText(name, x + 8, y - 8);
 }
 
-/** The traced outline in the vehicle's colour, and a breath of it within. */
+/** Strokes the traced outline in the vehicle's colour and fills it faintly. */
 function draw_tinted(context: Context, { opacity, width_px }: { opacity: number; width_px: number }): void {
   context.globalAlpha = opacity;
   context.fillStyle = colour("accent");
@@ -113,7 +113,7 @@ export function draw_ellipse(context: Context, view: PlanView, at: Point, ellips
   draw_tinted(context, { opacity: 0.2, width_px: 1 });
 }
 
-/** The vehicle from above: its outline and, however small it is, an arrow that can be seen. */
+/** The vehicle from above: its outline, and an arrow that stays visible however small the scale is. */
 export function draw_vehicle(
   context: Context,
   view: PlanView,
@@ -144,7 +144,7 @@ export function draw_vehicle(
   context.fill();
 }
 
-/** A bar of a round length in the lower left corner. */
+/** The scale bar, of a round length, in the lower left corner. */
 export function draw_scale(context: Context, view: PlanView): void {
   const length_m = round_length_m(view.scale_px_per_m, 90);
   const length_px = length_m * view.scale_px_per_m;

@@ -1,4 +1,4 @@
-/** A point of the map [m], x and y as in docs/frames.md. */
+/** A point in the map frame [m], see docs/frames.md. */
 export interface Point {
   x: number;
   y: number;
@@ -27,11 +27,11 @@ export function distance(a: Point, b: Point): number {
   return Math.hypot(a.x - b.x, a.y - b.y);
 }
 
-/** From `p` to the nearest point of the piece from `a` to `b`. */
-export function distance_to_piece(p: Point, a: Point, b: Point): number {
+/** Distance from `p` to the segment from `a` to `b`. */
+export function distance_to_segment(p: Point, a: Point, b: Point): number {
   const length2 = (b.x - a.x) ** 2 + (b.y - a.y) ** 2;
-  const along = length2 === 0 ? 0 : ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length2;
-  const t = Math.min(1, Math.max(0, along));
+  const share = length2 === 0 ? 0 : ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length2;
+  const t = Math.min(1, Math.max(0, share));
   return distance(p, { x: a.x + t * (b.x - a.x), y: a.y + t * (b.y - a.y) });
 }
 
@@ -48,14 +48,14 @@ export function bounds_of(points: Iterable<Point>): Bounds | undefined {
 }
 
 export interface Ellipse {
-  /** Half axes [m], the longer one first. */
+  /** Semi-axes [m], the longer one first. */
   a_m: number;
   b_m: number;
-  /** Direction of the longer one. */
+  /** Direction of the longer axis. */
   heading_rad: number;
 }
 
-/** The ellipse of one standard deviation of a covariance [[xx, xy], [xy, yy]] in m^2. */
+/** The 1-sigma ellipse of a covariance [[xx, xy], [xy, yy]] in m^2. */
 export function ellipse_of(xx: number, xy: number, yy: number): Ellipse {
   const middle = (xx + yy) / 2;
   const half = Math.hypot((xx - yy) / 2, xy);

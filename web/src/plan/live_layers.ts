@@ -1,4 +1,4 @@
-/** How the live plan is drawn: each layer by the name under which it is switched on and off. */
+/** The layers of the live plan, by the names under which they are switched on and off. */
 
 import type { Floor } from "../building/building_file";
 import { colour } from "../page/theme";
@@ -9,7 +9,7 @@ import {
   draw_ellipse,
   draw_line,
   draw_name,
-  draw_pieces,
+  draw_segments,
   draw_vehicle,
 } from "./draw";
 import type { Stroke } from "./draw";
@@ -25,30 +25,30 @@ function pairs(points: Point[]): [Point, Point][] {
   return made;
 }
 
-function stroke_of(room: string): Stroke {
-  if (room === "walls") return { colour: colour("wall"), width_px: 2.5 };
-  if (room === "keep_out" || room === "glass") return barrier_stroke(room);
-  if (room === "graph") return { colour: colour("graph"), width_px: 1.5, dash_px: [6, 4] };
+function stroke_of(namespace: string): Stroke {
+  if (namespace === "walls") return { colour: colour("wall"), width_px: 2.5 };
+  if (namespace === "keep_out" || namespace === "glass") return barrier_stroke(namespace);
+  if (namespace === "graph") return { colour: colour("graph"), width_px: 1.5, dash_px: [6, 4] };
   return { colour: colour("muted"), width_px: 1.5 };
 }
 
 function draw_mark(mark: Mark, ...[context, view]: Parameters<Layer>): void {
-  const stroke = stroke_of(mark.room);
-  const dot = mark.room === "landmarks" ? colour("landmark") : stroke.colour;
-  if (mark.kind === "pieces") draw_pieces(context, view, pairs(mark.points), stroke);
+  const stroke = stroke_of(mark.namespace);
+  const dot = mark.namespace === "landmarks" ? colour("landmark") : stroke.colour;
+  if (mark.kind === "segments") draw_segments(context, view, pairs(mark.points), stroke);
   else if (mark.kind === "line") draw_line(context, view, mark.points, stroke);
   else if (mark.kind === "points")
-    draw_dots(context, view, mark.points, dot, mark.room === "landmarks" ? 2.5 : 4);
+    draw_dots(context, view, mark.points, dot, mark.namespace === "landmarks" ? 2.5 : 4);
   else for (const at of mark.points) draw_name(context, view, at, mark.text);
 }
 
-function marks_layer(plan: LivePlan, wanted: (room: string) => boolean): Layer {
+function marks_layer(plan: LivePlan, wanted: (namespace: string) => boolean): Layer {
   return (context, view) => {
-    for (const mark of plan.marks.values()) if (wanted(mark.room)) draw_mark(mark, context, view);
+    for (const mark of plan.marks.values()) if (wanted(mark.namespace)) draw_mark(mark, context, view);
   };
 }
 
-/** Traced anew only when another floor is known. */
+/** Traces the floor again only when it has changed. */
 function known_floor_layer(plan: LivePlan): Layer {
   let traced: Floor | undefined;
   let layer: Layer | undefined;
@@ -64,9 +64,9 @@ function known_floor_layer(plan: LivePlan): Layer {
 export function live_layers(plan: LivePlan): Record<string, Layer> {
   return {
     floor: known_floor_layer(plan),
-    walls: marks_layer(plan, (room) => !["landmarks", "graph", "places"].includes(room)),
-    landmarks: marks_layer(plan, (room) => room === "landmarks"),
-    graph: marks_layer(plan, (room) => room === "graph" || room === "places"),
+    walls: marks_layer(plan, (namespace) => !["landmarks", "graph", "places"].includes(namespace)),
+    landmarks: marks_layer(plan, (namespace) => namespace === "landmarks"),
+    graph: marks_layer(plan, (namespace) => namespace === "graph" || namespace === "places"),
     scan: (context, view) => draw_dots(context, view, plan.scan, colour("scan"), 1.5),
     trail: (context, view) =>
       draw_line(context, view, plan.trail, { colour: colour("trail"), width_px: 1.5 }),

@@ -28,10 +28,10 @@ function points_of(marker: Marker): Point[] {
   return marker.points.length > 0 ? marker.points.map((point) => moved_by(pose, point)) : [pose];
 }
 
-/** One marker as it is drawn. */
+/** One marker in the form in which it is drawn. */
 export interface Mark {
-  room: string;
-  kind: "pieces" | "line" | "points" | "text";
+  namespace: string;
+  kind: "segments" | "line" | "points" | "text";
   points: Point[];
   text: string;
 }
@@ -40,16 +40,16 @@ function mark_of(marker: Marker): Mark {
   const { line_list, line_strip, text } = marker_type;
   const kind =
     marker.type === line_list
-      ? "pieces"
+      ? "segments"
       : marker.type === line_strip
         ? "line"
         : marker.type === text
           ? "text"
           : "points";
-  return { room: marker.ns, kind, points: points_of(marker), text: marker.text };
+  return { namespace: marker.ns, kind, points: points_of(marker), text: marker.text };
 }
 
-/** What the vehicle is believed to know and do now, kept from the topics of the connection. */
+/** The vehicle's map, pose, path and scan as received from the topics of the connection. */
 export class LivePlan {
   marks = new Map<string, Mark>();
   path: Point[] = [];
@@ -57,7 +57,7 @@ export class LivePlan {
   scan: Point[] = [];
   floor: Floor | undefined;
   shape = vehicle_shape("");
-  /** In `map` where the navigator knows it, else in `odom`. */
+  /** In the frame `map` if the navigator localises in it, else in `odom`. */
   pose: Pose | undefined;
   ellipse: Ellipse | undefined;
   heading_sigma_rad = 0;
@@ -85,11 +85,11 @@ export class LivePlan {
     listen<Path>("/plan", ({ poses }) => (this.path = poses.map(({ pose }) => pose_of(pose))));
     listen<unknown>("/floor", (message) => (this.floor = json_of<Floor>(message)));
     listen<LaserScan>("/scan", (scan) => this.#take_scan(scan));
-    listen<TFMessage>("/tf_static", ({ transforms }) => this.#take_mounting(transforms));
+    listen<TFMessage>("/tf_static", ({ transforms }) => this.#take_mounts(transforms));
     listen<{ data: string }>("/vehicle_description", ({ data }) => (this.shape = vehicle_shape(data)));
   }
 
-  /** Everything that has a place in the plan. */
+  /** All points that the plan should show. */
   *points(): Iterable<Point> {
     if (this.floor) yield* floor_points(this.floor);
     for (const { points } of this.marks.values()) yield* points;
@@ -101,20 +101,20 @@ export class LivePlan {
     }
   }
 
-  /** A mission begins: what was driven, planned and known before is gone. */
+  /** A mission begins: clears the trail, the path and the map of the previous one. */
   #begin(): void {
-    this.#forget_drive();
+    this.#clear_drive();
     this.marks.clear();
     this.floor = undefined;
   }
 
-  /** A replay may go back in time. */
+  /** Clears the drive when the stamps go back in time, as a replay may. */
   #keep_time(stamp_ns: bigint): void {
-    if (stamp_ns < this.#stamp_ns) this.#forget_drive();
+    if (stamp_ns < this.#stamp_ns) this.#clear_drive();
     this.#stamp_ns = stamp_ns;
   }
 
-  #forget_drive(): void {
+  #clear_drive(): void {
     this.trail = [];
     this.path = [];
     this.scan = [];
@@ -147,7 +147,7 @@ export class LivePlan {
     }
   }
 
-  #take_mounting(transforms: TFMessage["transforms"]): void {
+  #take_mounts(transforms: TFMessage["transforms"]): void {
     const laser = transforms.find(({ child_frame_id }) => child_frame_id === "laser");
     if (!laser) return;
     const { translation, rotation } = laser.transform;
@@ -161,8 +161,8 @@ export class LivePlan {
       const range_m = ranges[beam] ?? 0;
       if (range_m <= 0 || range_m >= range_max) continue;
       const heading = angle_min + beam * angle_increment;
-      const seen = { x: range_m * Math.cos(heading), y: range_m * Math.sin(heading) };
-      points.push(moved_by(this.pose, moved_by(this.#laser, seen)));
+      const p_laser = { x: range_m * Math.cos(heading), y: range_m * Math.sin(heading) };
+      points.push(moved_by(this.pose, moved_by(this.#laser, p_laser)));
     }
     this.scan = points;
   }

@@ -7,21 +7,21 @@ import { watch_pointers } from "./pointers";
 
 export type Layer = (context: CanvasRenderingContext2D, view: PlanView) => void;
 
-/** What a press on the plan does, in the map's metres; without `drag` a drag moves the plan. */
+/** What clicks and drags on the plan do, in map coordinates [m]; without `drag`, a drag moves the plan. */
 export interface PlanTool {
   click?(at: Point): void;
   drag?(from: Point, to: Point, ended: boolean): void;
 }
 
-/** A plan to look at: layers drawn one over the other, moved by mouse, fingers and keys. */
+/** A plan of several layers; mouse, touch and keys move and zoom it. */
 export class PlanCanvas {
   readonly view = new PlanView();
   readonly element: HTMLElement;
   tool: PlanTool = {};
   layers: Layer[] = [];
-  /** What to show as a whole; undefined: nothing yet. */
+  /** The area to fit into the canvas; undefined: nothing yet. */
   extent: () => Bounds | undefined = () => undefined;
-  /** What stays in the middle while the plan follows; undefined: nothing to follow. */
+  /** The point that stays in the middle while the plan follows the vehicle; undefined: nothing to follow. */
   followed: () => Point | undefined = () => undefined;
 
   readonly #canvas: HTMLCanvasElement;
@@ -64,7 +64,7 @@ export class PlanCanvas {
     this.#sheet.redraw();
   }
 
-  /** Shows the whole extent again, as at first. */
+  /** Fits the whole extent into the canvas again. */
   refit(): void {
     this.#is_moved = false;
     this.redraw();

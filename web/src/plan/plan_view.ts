@@ -1,6 +1,6 @@
 import type { Bounds, Point } from "./geometry";
 
-/** Where the map lies on the screen: x to the right, y up, `scale` pixels a metre. */
+/** The transform from the map to the screen: x to the right, y up, `scale_px_per_m` pixels per metre. */
 export class PlanView {
   middle: Point = { x: 0, y: 0 };
   scale_px_per_m = 40;
@@ -28,7 +28,7 @@ export class PlanView {
     };
   }
 
-  /** What lies under `at` on the screen stays there. */
+  /** Zooms about the screen position `at`, which stays fixed. */
   zoom(factor: number, at: Point): void {
     const fixed = this.to_map(at);
     this.scale_px_per_m = Math.min(2000, Math.max(0.5, this.scale_px_per_m * factor));
@@ -38,17 +38,17 @@ export class PlanView {
 
   fit({ low, high }: Bounds, margin_px = 32): void {
     this.middle = { x: (low.x + high.x) / 2, y: (low.y + high.y) / 2 };
-    const across = (size_px: number, size_m: number) =>
+    const scale_for = (size_px: number, size_m: number) =>
       Math.max(1, size_px - 2 * margin_px) / Math.max(1, size_m);
     this.scale_px_per_m = Math.min(
       200,
-      across(this.width_px, high.x - low.x),
-      across(this.height_px, high.y - low.y),
+      scale_for(this.width_px, high.x - low.x),
+      scale_for(this.height_px, high.y - low.y),
     );
   }
 }
 
-/** A round length that takes about `wanted_px` on the screen: 1, 2 or 5 times a power of ten [m]. */
+/** A round length of at most `wanted_px` on the screen: 1, 2 or 5 times a power of ten [m]. */
 export function round_length_m(scale_px_per_m: number, wanted_px: number): number {
   const wanted_m = wanted_px / scale_px_per_m;
   const power = 10 ** Math.floor(Math.log10(wanted_m));

@@ -3,12 +3,12 @@ import type { Point } from "./geometry";
 
 const click_within_px = 6;
 
-/** What fingers and the mouse do on a canvas, in its pixels. */
+/** Gestures of mouse and touch on a canvas, in its pixels. */
 export interface PointerActions {
   pan(right: number, down: number): void;
   zoom(factor: number, at: Point): void;
   click(at: Point): void;
-  /** @returns false: the drag is not wanted and pans */
+  /** @returns false: the drag is not handled, so it pans */
   drag(from: Point, to: Point, ended: boolean): boolean;
 }
 

@@ -1,9 +1,9 @@
 import type { App } from "../page/app";
-import { button, element, say, select } from "../page/element";
+import { button, element, set_text, select } from "../page/element";
 
 const rates = ["0.5", "1", "2", "5", "20"].map((value) => ({ value, label: `${value} x` }));
 
-/** Play, pause, scrub and end the replay that runs. */
+/** Controls of the running replay: play, pause, seek, rate, end. */
 export function replay_bar(app: App): HTMLElement {
   const ask = (service: string, request: object = {}) =>
     void app.notices.attempt(app.lease.call(service, request));
@@ -34,14 +34,14 @@ export function replay_bar(app: App): HTMLElement {
     rate.field,
     button("End the replay", () => ask("replay/stop")),
   );
-  const none = element("p", { class: "about" }, "No replay: the vehicle as it is now.");
+  const none = element("p", { class: "about" }, "No replay is running: this shows the vehicle as it is now.");
   app.state.watch((state) => {
     const replay = state?.mode === "replay" ? state.replay : undefined;
     bar.hidden = replay === undefined;
     none.hidden = replay !== undefined;
     if (!replay) return;
-    say(play, replay.playing ? "Pause" : "Play");
-    say(
+    set_text(play, replay.playing ? "Pause" : "Play");
+    set_text(
       clock,
       `${(replay.at_s - replay.from_s).toFixed(1)} of ${(replay.to_s - replay.from_s).toFixed(1)} s`,
     );

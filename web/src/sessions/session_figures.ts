@@ -1,4 +1,4 @@
-/** Figures as lines to read: nested keys joined, numbers shortened. */
+/** Figures as lines of text: nested keys are joined, numbers shortened. */
 export function figure_lines(figures: unknown, stem = ""): [string, string][] {
   if (Array.isArray(figures)) {
     return figures.flatMap((value, index) => figure_lines(value, `${stem} ${index + 1}`.trim()));

@@ -1,6 +1,6 @@
 import { button, element } from "../page/element";
 import { short_bytes, short_duration } from "./session_figures";
-import type { SessionEntry } from "./session_shelf";
+import type { SessionEntry } from "./session_store";
 
 function head(...columns: [string, boolean][]): HTMLElement {
   const cells = columns.map(([label, is_number]) =>
@@ -9,14 +9,18 @@ function head(...columns: [string, boolean][]): HTMLElement {
   return element("thead", {}, element("tr", {}, ...cells));
 }
 
-/** All sessions as a table; a press on a name chooses one. */
+/** All sessions as a table; a click on a name chooses one. */
 export function session_table(
   sessions: readonly SessionEntry[],
   chosen: string,
   choose: (name: string) => void,
 ): HTMLElement {
   if (sessions.length === 0) {
-    return element("p", { class: "about" }, "No sessions yet: give a drive or a lesson a name to record it.");
+    return element(
+      "p",
+      { class: "about" },
+      "No sessions yet: give a drive or a taught run a name to record it.",
+    );
   }
   const rows = sessions.map((session) =>
     element(

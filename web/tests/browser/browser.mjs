@@ -1,4 +1,4 @@
-// A real browser for the tests: pages that report their own errors, and pictures of them.
+// A real browser for the tests: pages that report their own errors, and screenshots.
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
@@ -21,7 +21,7 @@ export function open_browser() {
   });
 }
 
-/** A page of its own; what goes wrong in it is collected in `page.errors`. */
+/** Opens a page in a context of its own; its errors are collected in `page.errors`. */
 export async function open_page(browser, address, options = desktop) {
   const context = await browser.newContext(options);
   const page = await context.newPage();
@@ -32,19 +32,19 @@ export async function open_page(browser, address, options = desktop) {
   return page;
 }
 
-/** Keeps a picture where AISLE_PICTURES says so. */
-export async function keep_picture(page, name, options = {}) {
+/** Saves a screenshot in the directory AISLE_PICTURES, if that is set. */
+export async function keep_screenshot(page, name, options = {}) {
   const directory = process.env.AISLE_PICTURES;
   if (!directory) return;
   mkdirSync(directory, { recursive: true });
   await page.screenshot({ path: join(directory, `${name}.png`), ...options });
 }
 
-/** Waits until `condition` is true of what the test itself can see. */
+/** Polls `condition` in the test's own process until it is true. @throws Error at the time-out */
 export async function until(condition, what, timeout_ms = 15000) {
   const end_ms = performance.now() + timeout_ms;
   while (!(await condition())) {
-    if (performance.now() > end_ms) throw new Error(`waited in vain: ${what}`);
+    if (performance.now() > end_ms) throw new Error(`timed out waiting for: ${what}`);
     await new Promise((resolve) => setTimeout(resolve, 10));
   }
 }

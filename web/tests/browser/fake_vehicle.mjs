@@ -1,5 +1,5 @@
-// A server that speaks the live protocol without a vehicle: it says what a test wants said, and remembers what it was
-// told. For what a real vehicle cannot be made to do at will: somebody else drives, data grow old, the network breaks.
+// A server that speaks the live protocol without a vehicle: it sends what a test wants and records what it receives. It
+// stages what a simulated vehicle cannot do on demand: another client drives, data grow old, the network fails.
 import { createServer } from "node:http";
 import { readFileSync } from "node:fs";
 import { extname, join } from "node:path";
@@ -11,10 +11,10 @@ import { WebSocketServer } from "ws";
 
 const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css" };
 
-/** What /live/state says of a vehicle that waits. */
+/** /live/state of a waiting vehicle. */
 const idle_state = JSON.parse(readFileSync(new URL("../idle_state.json", import.meta.url), "utf8"));
 
-/** A type's schema with all that it is made of, as a session carries it. */
+/** The schema of a type with the types that it contains, as in a session. */
 function schema_of(type) {
   const needed = new Map();
   const add = (name) => {
@@ -38,7 +38,7 @@ export class FakeVehicle {
   drives = [];
   calls = [];
   answers = {};
-  /** Files by their path, as JSON; and what was posted, which becomes NAME-2. */
+  /** Files by path, as JSON. A posted building is stored as NAME-2. */
   files = {};
   posts = [];
   state = { ...idle_state };
@@ -52,7 +52,7 @@ export class FakeVehicle {
   constructor(page_directory) {
     this.#http = createServer((request, response) => {
       const path = new URL(request.url, "http://localhost").pathname;
-      if (request.method === "POST") this.#keep(path, request, response);
+      if (request.method === "POST") this.#store(path, request, response);
       else if (path in this.files) response.writeHead(200).end(JSON.stringify(this.files[path]));
       else this.#serve(join(page_directory, path === "/" ? "index.html" : path), response);
     });
@@ -69,7 +69,7 @@ export class FakeVehicle {
     }
   }
 
-  async #keep(path, request, response) {
+  async #store(path, request, response) {
     const parts = await request.toArray();
     const body = JSON.parse(Buffer.concat(parts).toString());
     this.posts.push({ path, lease: request.headers["x-aisle-lease"], body });
@@ -120,8 +120,8 @@ export class FakeVehicle {
         name,
       );
     }
-    this.#beat = setInterval(() => this.tell_state({}), 500);
-    this.tell_state({});
+    this.#beat = setInterval(() => this.send_state({}), 500);
+    this.send_state({});
     return `http://127.0.0.1:${this.#http.address().port}/`;
   }
 
@@ -134,24 +134,24 @@ export class FakeVehicle {
     await new Promise((resolve) => this.#http.close(resolve));
   }
 
-  /** Nothing is said any more, but the connection stays. */
-  fall_silent() {
+  /** Stops sending, but keeps the connection. */
+  stop_sending() {
     clearInterval(this.#beat);
   }
 
-  tell_state(changes) {
+  send_state(changes) {
     Object.assign(this.state, changes);
     this.publish("/live/state", "std_msgs/String", { data: JSON.stringify(this.state) });
   }
 
   publish(topic, type, message, stamp_s = this.state.stamp_s) {
     if (!this.#channels.has(topic)) {
-      const [room, name] = type.split("/");
+      const [package_name, name] = type.split("/");
       const schema = schema_of(type);
       const id = this.#server.addChannel({
         topic,
         encoding: "cdr",
-        schemaName: `${room}/msg/${name}`,
+        schemaName: `${package_name}/msg/${name}`,
         schema,
         schemaEncoding: "ros2msg",
       });

@@ -1,5 +1,5 @@
-// Measures the page: its size, its first load, and how long a picture takes from the program's server to the screen,
-// 640 x 480 at 30 a second on loopback, and what the server takes of a core for it. Prints one JSON object.
+// Measures the page: its size, its first load, the delay of an image from the program's server to the screen (640 x 480
+// at 30 images/s on loopback), and the server's share of a core. Prints one JSON object.
 //   LIVE_PICTURES=build/release/bin/live_images npm run measure
 import { spawn } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
@@ -24,8 +24,8 @@ function median(values) {
   return [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 }
 
-/** Notes, for every picture that is drawn, how old it is in the frame in which it is seen. */
-function note_delays() {
+/** Records the age of every drawn image at the frame in which it appears. */
+function record_delays() {
   window.delays_ms = [];
   const canvas = document.querySelector(".camera-panel canvas");
   const drawn = () => {
@@ -36,22 +36,22 @@ function note_delays() {
 }
 
 const browser = await open_browser();
-const pictures = spawn(process.env.LIVE_PICTURES, [page_directory, String(duration_s)]);
-let said = "";
+const server = spawn(process.env.LIVE_PICTURES, [page_directory, String(duration_s)]);
+let log = "";
 let measured = "";
-pictures.stderr.on("data", (data) => (said += data));
-pictures.stdout.on("data", (data) => (measured += data));
-await until(() => /live: (\S+)/.test(said), "the server's address");
+server.stderr.on("data", (data) => (log += data));
+server.stdout.on("data", (data) => (measured += data));
+await until(() => /live: (\S+)/.test(log), "the server's address");
 
-const page = await open_page(browser, /live: (\S+)/.exec(said)[1]);
-await page.evaluate(note_delays);
+const page = await open_page(browser, /live: (\S+)/.exec(log)[1]);
+await page.evaluate(record_delays);
 const first_load_ms = await page.evaluate(
   () => performance.getEntriesByName("first-contentful-paint")[0]?.startTime,
 );
-await until(() => page.evaluate(() => window.delays_ms.length > 60), "pictures");
-await page.evaluate(() => (window.delays_ms = [])); // the first ones came while the page was still loading
+await until(() => page.evaluate(() => window.delays_ms.length > 60), "images");
+await page.evaluate(() => (window.delays_ms = [])); // the first ones arrived while the page was still loading
 let delays_ms = [];
-while (pictures.exitCode === null) {
+while (server.exitCode === null) {
   delays_ms = await page.evaluate(() => window.delays_ms);
   await new Promise((resolve) => setTimeout(resolve, 500));
 }

@@ -1,4 +1,4 @@
-// The page in a real browser, with a server that says what each test needs.
+// The page in a real browser, with a fake server that sends what each test needs.
 import assert from "node:assert/strict";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 
@@ -28,7 +28,7 @@ afterEach(async () => {
 
 const called = (name) => vehicle.calls.filter((call) => call.name === name);
 
-test("Says when the connection is lost, and connects again by itself", async () => {
+test("Shows a lost connection, and reconnects by itself", async () => {
   const port = Number(new URL(address).port);
   await vehicle.stop();
   await page.getByText("Not connected").waitFor();
@@ -37,20 +37,20 @@ test("Says when the connection is lost, and connects again by itself", async () 
   await page.getByText("l-corridor: waiting").waitFor();
 });
 
-test("Says when what is seen has grown old", async () => {
-  vehicle.fall_silent();
+test("Shows when the data are old", async () => {
+  vehicle.stop_sending();
   await page.getByText("Old data").waitFor();
 });
 
-test("Says who drives, and why the controls cannot be had", async () => {
-  vehicle.tell_state({ lease_held: true });
+test("Shows who drives, and why the controls are refused", async () => {
+  vehicle.send_state({ lease_held: true });
   await page.getByText("somebody else holds the controls").waitFor();
   vehicle.answers["lease/take"] = () => new Error("anna drives");
   await page.getByRole("button", { name: "Take the controls" }).click();
   await page.getByText("anna drives").waitFor();
 });
 
-test("Arrow keys drive while they are held, and the last word is to stand", async () => {
+test("Arrow keys drive while held, and the last command is a stop", async () => {
   await page.getByRole("button", { name: "Take the controls" }).click();
   await page.getByText("you hold the controls").waitFor();
   await page.keyboard.down("ArrowUp");
@@ -58,7 +58,7 @@ test("Arrow keys drive while they are held, and the last word is to stand", asyn
   await until(() => vehicle.drives.some(({ steering_rad }) => steering_rad > 0), "a curve to the left");
   await page.keyboard.up("ArrowUp");
   await page.keyboard.up("ArrowLeft");
-  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "standing");
+  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "a stop command");
   const sequences = vehicle.drives.map(({ sequence }) => sequence);
   assert.deepEqual(
     sequences,
@@ -68,7 +68,7 @@ test("Arrow keys drive while they are held, and the last word is to stand", asyn
   assert.ok(vehicle.drives.every(({ lease }) => lease === "token"));
 });
 
-test("Controls that ran out are taken again where they are free, and what was held drives no more", async () => {
+test("An expired lease is taken again if it is free, and keys that are still held no longer drive", async () => {
   await page.getByRole("button", { name: "Take the controls" }).click();
   await page.getByText("you hold the controls").waitFor();
   await page.keyboard.down("ArrowUp");
@@ -91,14 +91,14 @@ test("Controls that ran out are taken again where they are free, and what was he
   await page.getByText("nobody holds the controls").waitFor();
 });
 
-test("Without the controls the arrow keys say nothing", async () => {
+test("Without the lease the arrow keys send nothing", async () => {
   await page.keyboard.press("ArrowUp");
   await page.getByRole("button", { name: "Emergency stop" }).click();
   await until(() => called("mission/emergency_stop").length === 1, "the call that comes after the key");
   assert.deepEqual(vehicle.drives, []);
 });
 
-test("The pad drives under the finger", async () => {
+test("The pad drives while it is dragged", async () => {
   await page.getByRole("button", { name: "Take the controls" }).click();
   await page.getByText("you hold the controls").waitFor();
   const pad = page.getByRole("application", { name: /Drive pad/ });
@@ -108,10 +108,10 @@ test("The pad drives under the finger", async () => {
   await page.mouse.move(box.x + box.width / 2, box.y + 6);
   await until(() => vehicle.drives.some(({ speed_mps }) => speed_mps > 0), "driving ahead");
   await page.mouse.up();
-  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "standing");
+  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "a stop command");
 });
 
-test("A gamepad's left stick drives, and when it is let go the vehicle is told to stand", async () => {
+test("A gamepad's left stick drives, and releasing it sends a stop", async () => {
   await page.getByRole("button", { name: "Take the controls" }).click();
   await page.getByText("you hold the controls").waitFor();
   await page.evaluate(() => {
@@ -124,42 +124,42 @@ test("A gamepad's left stick drives, and when it is let go the vehicle is told t
     "a curve to the left",
   );
   await page.evaluate(() => (window.stick.axes = [0.1, 0.1]));
-  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "standing");
+  await until(() => vehicle.drives.at(-1)?.speed_mps === 0, "a stop command");
 });
 
-test("Stop and Escape stop in every room and need no controls", async () => {
-  for (const room of ["Drive", "Maze", "Sessions", "Building"]) {
-    await page.getByRole("link", { name: room }).click();
+test("The stop button and Escape work in every tab without the lease", async () => {
+  for (const tab of ["Drive", "Maze", "Sessions", "Building"]) {
+    await page.getByRole("link", { name: tab }).click();
     const before = called("mission/emergency_stop").length;
     await page.getByRole("button", { name: "Emergency stop" }).click();
     await page.keyboard.press("Escape");
-    await until(() => called("mission/emergency_stop").length === before + 2, `two stops in ${room}`);
+    await until(() => called("mission/emergency_stop").length === before + 2, `two stops in ${tab}`);
   }
   assert.equal(called("lease/take").length, 0);
 });
 
-test("A mission is begun with what was filled in", async () => {
+test("A mission starts with the filled-in fields", async () => {
   await page.getByRole("combobox", { name: "Mission" }).selectOption("teach");
   await page.getByRole("textbox", { name: "Route" }).fill("desk to lift");
-  await page.getByRole("button", { name: "Begin the lesson" }).click();
+  await page.getByRole("button", { name: "Start teaching" }).click();
   await until(() => called("mission/start").length === 1, "the mission's start");
   assert.deepEqual(called("mission/start")[0].request, {
     mission: "teach",
-    session: "lesson-1",
+    session: "taught-1",
     route: "desk to lift",
     lease: "token",
   });
 });
 
-test("A click on the plan sends the vehicle there", async () => {
+test("A click on the plan sends the vehicle to that point", async () => {
   vehicle.answers["buildings/list"] = () => ({ buildings: [{ name: "floor" }] });
   vehicle.files["/buildings/floor.json"] = {
     format: "aisle.building",
     version: 1,
     walls: [{ start_m: [0, 0], end_m: [10, 0] }],
   };
-  vehicle.tell_state({ mode: "work" });
-  vehicle.tell_state({ mode: "idle" });
+  vehicle.send_state({ mode: "work" });
+  vehicle.send_state({ mode: "idle" });
   await page.getByRole("combobox", { name: "Mission" }).selectOption("go");
   await until(
     async () =>
@@ -175,7 +175,7 @@ test("A click on the plan sends the vehicle there", async () => {
   assert.ok(Math.abs(x_m - 5) < 0.2 && Math.abs(y_m) < 0.2, `${x_m}, ${y_m}`);
 });
 
-test("A mended building is saved with its place, its keep-out line and without the false wall", async () => {
+test("An edited building is saved with its new place and keep-out line, and without the false wall", async () => {
   vehicle.answers["buildings/list"] = () => ({ buildings: [{ name: "floor" }] });
   vehicle.files["/buildings/floor.json"] = {
     format: "aisle.building",
@@ -218,7 +218,7 @@ test("A mended building is saved with its place, its keep-out line and without t
   assert.ok(start_m[0] < end_m[0] && Math.abs(start_m[1] - end_m[1]) < 0.01);
 });
 
-test("The floor that an explorer knows is drawn in the plan", async () => {
+test("The explorer's floor is drawn in the plan", async () => {
   const plan = page.getByRole("img", { name: /Plan of the building and/ });
   const colours = () =>
     plan.evaluate((canvas) => {
@@ -231,7 +231,7 @@ test("The floor that an explorer knows is drawn in the plan", async () => {
   await until(async () => (await colours()) >= before + 2, "free and blocked floor");
 });
 
-test("How well what is seen fits the map is said, and what is seen is drawn over the picture", async () => {
+test("The match quality is shown, and detected lines are drawn over the image", async () => {
   const match = { stamp_s: 1, quality: 0.834, text: "41 of 52 lines" };
   vehicle.publish("/match", "std_msgs/String", { data: JSON.stringify(match) });
   await page.getByText("83 % · 41 of 52 lines").waitFor();
@@ -246,7 +246,7 @@ test("How well what is seen fits the map is said, and what is seen is drawn over
     await page.locator(".camera-panel").getByLabel(kind).waitFor();
 });
 
-test("A maze that was drawn by keys is what is explored", async () => {
+test("A maze drawn with the keyboard is sent to be explored", async () => {
   vehicle.answers["maze/run"] = () => new Error("no engine here");
   await page.getByRole("link", { name: "Maze" }).click();
   await page.getByLabel("Width").fill("2");
@@ -261,20 +261,20 @@ test("A maze that was drawn by keys is what is explored", async () => {
   assert.equal(called("maze/run")[0].request.maze, "o---o---o\n|   | S |\no---o---o\n");
 });
 
-test("Nothing hangs over the edge of a phone, in any room", async () => {
+test("No tab is wider than the screen of a phone", async () => {
   const small = await open_page(browser, address, phone);
-  for (const room of ["Drive", "Maze", "Sessions", "Building"]) {
-    await small.getByRole("link", { name: room }).click();
+  for (const tab of ["Drive", "Maze", "Sessions", "Building"]) {
+    await small.getByRole("link", { name: tab }).click();
     const width = await small.evaluate(() => document.documentElement.scrollWidth);
-    assert.ok(width <= 360, `${room} is ${width} px wide`);
+    assert.ok(width <= 360, `${tab} is ${width} px wide`);
     assert.ok(await small.getByRole("button", { name: "Emergency stop" }).isVisible());
   }
   await small.context().close();
 });
 
-test("Every control can be reached by the keyboard and has a name", async () => {
-  for (const room of ["drive", "maze", "sessions", "building"]) {
-    await page.goto(`${address}#${room}`);
+test("Every control is reachable by keyboard and has a name", async () => {
+  for (const tab of ["drive", "maze", "sessions", "building"]) {
+    await page.goto(`${address}#${tab}`);
     const nameless = await page.evaluate(() =>
       [...document.querySelectorAll("button, input, select, canvas, a")]
         .filter((control) => control.checkVisibility())
@@ -284,11 +284,11 @@ test("Every control can be reached by the keyboard and has a name", async () => 
         })
         .map((control) => control.outerHTML),
     );
-    assert.deepEqual(nameless, [], room);
+    assert.deepEqual(nameless, [], tab);
   }
 });
 
-test("Colours follow the system until they are chosen", async () => {
+test("Colours follow the system until the user chooses", async () => {
   const light = await open_page(browser, address, desktop_light);
   const theme = () => light.evaluate(() => document.documentElement.dataset.theme);
   assert.equal(await theme(), "light");

@@ -1,16 +1,24 @@
-// The page in a real browser, with a simulated vehicle behind it: `aisle live`.
+// The page in a real browser, connected to a simulated vehicle: `aisle live`.
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before, beforeEach, test } from "node:test";
 
-import { desktop, desktop_light, keep_picture, open_browser, open_page, phone, until } from "./browser.mjs";
+import {
+  desktop,
+  desktop_light,
+  keep_screenshot,
+  open_browser,
+  open_page,
+  phone,
+  until,
+} from "./browser.mjs";
 import { make_certificate } from "./certificate.mjs";
 import { Watcher, start_live } from "./watcher.mjs";
 
-/** How long the vehicle may take to obey, in its own time. */
-const obeys_within_s = 0.3;
+/** The vehicle's maximum reaction time, by its own clock. */
+const reaction_max_s = 0.3;
 
 let browser, server, watcher, directory, page;
 
@@ -45,43 +53,43 @@ async function drive_ahead() {
 
 const mission = () => page.getByRole("combobox", { name: "Mission" });
 
-test("Shows the camera, the plan and the state of a vehicle that waits", async () => {
+test("Shows the camera, the plan and the state of a waiting vehicle", async () => {
   const camera = page.locator(".camera-panel canvas[data-stamp-s]");
   await camera.waitFor();
   const first_s = Number(await camera.getAttribute("data-stamp-s"));
-  await until(async () => Number(await camera.getAttribute("data-stamp-s")) > first_s, "a newer picture");
-  await keep_picture(page, "drive-dark");
+  await until(async () => Number(await camera.getAttribute("data-stamp-s")) > first_s, "a newer image");
+  await keep_screenshot(page, "drive-dark");
   for (const [name, options] of [
     ["drive-light", desktop_light],
     ["drive-phone", phone],
   ]) {
     const other = await open_page(browser, server.address, options);
     await other.locator(".camera-panel canvas[data-stamp-s]").waitFor();
-    await keep_picture(other, name);
+    await keep_screenshot(other, name);
     await other.context().close();
   }
 });
 
-test("The stop button stops a vehicle that is driven", async () => {
+test("The emergency stop stops a vehicle that is driven by hand", async () => {
   await drive_ahead();
   const pressed_s = watcher.now_s;
   await page.keyboard.press("Escape");
-  assert.ok((await watcher.told_to_stand_s(pressed_s)) <= pressed_s + obeys_within_s);
+  assert.ok((await watcher.stop_commanded_s(pressed_s)) <= pressed_s + reaction_max_s);
   await page.getByText("Emergency stop", { exact: true }).waitFor();
   await page.keyboard.up("ArrowUp");
   await page.getByRole("button", { name: "Release" }).click();
   await page.getByText("l-corridor: waiting").waitFor();
 });
 
-test("A vehicle whose page is closed stops", async () => {
+test("The vehicle stops when its page is closed", async () => {
   await drive_ahead();
   const closed_s = watcher.now_s;
   await page.close();
-  assert.ok((await watcher.told_to_stand_s(closed_s)) <= closed_s + obeys_within_s);
+  assert.ok((await watcher.stop_commanded_s(closed_s)) <= closed_s + reaction_max_s);
   await until(() => watcher.state?.lease_held === false, "the controls are free again");
 });
 
-test("Two pages: one drives, the other sees that somebody does", async () => {
+test("Of two pages one drives, and the other shows that somebody drives", async () => {
   await page.getByRole("button", { name: "Take the controls" }).click();
   await page.getByText("you hold the controls").waitFor();
   const other = await open_page(browser, server.address, desktop);
@@ -91,7 +99,7 @@ test("Two pages: one drives, the other sees that somebody does", async () => {
   await other.context().close();
 });
 
-test("A maze is drawn, explored and shown to be explored completely", async () => {
+test("A maze is drawn, and its exploration is shown to be complete", async () => {
   await page.getByRole("link", { name: "Maze" }).click();
   await page.getByLabel("Width").fill("6");
   await page.getByLabel("Height").fill("5");
@@ -103,21 +111,21 @@ test("A maze is drawn, explored and shown to be explored completely", async () =
   for (const rules of ["published", "homing"]) {
     await page.getByLabel("Rules").selectOption(rules);
     await page.getByRole("button", { name: "Explore" }).click();
-    await page.getByText("Explored completely and home again: 30 of 30 cells").waitFor();
+    await page.getByText("Explored completely, back at the start: 30 of 30 cells").waitFor();
   }
   await page.getByRole("button", { name: "To the end" }).click();
   await page.getByText("q_fin").waitFor();
-  await keep_picture(page, "maze-dark");
+  await keep_screenshot(page, "maze-dark");
 });
 
-test("A route that is taught by keys is learned and driven", { timeout: 120000 }, async () => {
+test("A route taught with the arrow keys is learned and driven", { timeout: 120000 }, async () => {
   await mission().selectOption("teach");
-  await page.getByRole("button", { name: "Begin the lesson" }).click();
+  await page.getByRole("button", { name: "Start teaching" }).click();
   await page.getByText("l-corridor: teach").waitFor();
   await page.keyboard.down("ArrowUp");
   await until(() => (watcher.latest("/odom")?.message.pose.pose.position.x ?? 0) > 2, "two metres", 60000);
   await page.keyboard.up("ArrowUp");
-  await page.getByRole("button", { name: "Way ends" }).click();
+  await page.getByRole("button", { name: "Route ends" }).click();
   await page.getByText("Marked: stop").waitFor();
   await page.getByRole("button", { name: "Finish" }).click();
   await page.getByText("Last: teach done").waitFor();
@@ -130,23 +138,23 @@ test("A route that is taught by keys is learned and driven", { timeout: 120000 }
   await page.getByRole("button", { name: "Drive the route" }).click();
   await page.getByText("l-corridor: navigate").waitFor();
   await page.getByText("Last: navigate done").waitFor({ timeout: 90000 });
-  const drawn = watcher.heard.filter(({ topic }) => topic === "/overlay/corridor");
+  const drawn = watcher.received.filter(({ topic }) => topic === "/overlay/corridor");
   const kinds = new Set(
     drawn.flatMap(({ message }) => JSON.parse(message.data).lines.map(({ kind }) => kind)),
   );
   assert.deepEqual([...kinds].sort(), ["foot", "stripe", "vertical line"]);
   assert.ok(JSON.parse(watcher.latest("/match").message.data).quality > 0.5);
-  await keep_picture(page, "driven-dark");
+  await keep_screenshot(page, "driven-dark");
 });
 
-test("What was recorded is listed, replayed and mended", async () => {
+test("A session is listed and replayed, and its building is edited", async () => {
   await page.getByRole("link", { name: "Sessions" }).click();
-  await page.getByRole("button", { name: "lesson-1" }).click();
-  await page.getByRole("link", { name: "lesson-1_0.db3" }).waitFor();
+  await page.getByRole("button", { name: "taught-1" }).click();
+  await page.getByRole("link", { name: "taught-1_0.db3" }).waitFor();
   await page.getByRole("button", { name: "Replay", exact: true }).click();
   await page.getByText(/^[1-9]\.\d of \d/).waitFor();
   await page.locator(".sessions-replay canvas[data-stamp-s]").waitFor();
-  await keep_picture(page, "sessions-dark");
+  await keep_screenshot(page, "sessions-dark");
   await page.getByRole("button", { name: "End the replay" }).click();
   await page.getByText("l-corridor: waiting").waitFor();
 
@@ -158,28 +166,25 @@ test("What was recorded is listed, replayed and mended", async () => {
   await page.getByRole("button", { name: "Name it" }).click();
   await page.getByRole("button", { name: "Save as a new version" }).click();
   await page.getByText("Saved as building1-2").waitFor();
-  await keep_picture(page, "building-dark");
+  await keep_screenshot(page, "building-dark");
 });
 
-test("An unknown building is explored before one's eyes, to the end", { timeout: 150000 }, async () => {
+test("The exploration of an unknown building is shown to its end", { timeout: 150000 }, async () => {
   const fast = await start_live("l-corridor", join(directory, "fast"), "--rate", "0");
   const everything = new Watcher(fast.address);
   const other = await open_page(browser, fast.address);
   await other.getByRole("combobox", { name: "Mission" }).selectOption("explore");
   await other.getByRole("button", { name: "Explore" }).click();
   await other.getByText("l-corridor: explore").waitFor();
-  await until(
-    () => everything.latest("/transducer") && everything.latest("/floor"),
-    "what the explorer knows",
-  );
+  await until(() => everything.latest("/transducer") && everything.latest("/floor"), "the explorer's map");
   await other.getByText("Last: explore done").waitFor({ timeout: 120000 });
-  await keep_picture(other, "explored-dark");
+  await keep_screenshot(other, "explored-dark");
   await other.context().close();
   everything.close();
   assert.equal(await fast.stop(), 130);
 });
 
-test("Over https the page talks wss, and who has no token is asked for it", async () => {
+test("Over https the page uses wss, and it asks for a missing token", async () => {
   const token = join(directory, "token");
   writeFileSync(token, "0123456789abcdef\n");
   const { certificate, key } = make_certificate(directory);

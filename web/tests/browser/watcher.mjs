@@ -1,4 +1,4 @@
-// A client of its own that watches what the vehicle does, beside the page that is tested.
+// An independent client that watches the vehicle while the page is tested.
 import { spawn } from "node:child_process";
 import { parse } from "@foxglove/rosmsg";
 import { MessageReader } from "@foxglove/rosmsg2-serialization";
@@ -8,13 +8,13 @@ import { WebSocket } from "ws";
 import { until } from "./browser.mjs";
 
 export class Watcher {
-  /** All messages of the watched topics: {topic, stamp_s, message}. */
-  heard = [];
+  /** All received messages of the watched topics: {topic, stamp_s, message}. */
+  received = [];
   now_s = 0;
   state;
   #socket;
 
-  /** @param topics  that are watched; without it all */
+  /** @param topics to watch; undefined: all */
   constructor(address, topics) {
     this.#socket = new WebSocket(address.replace("http", "ws"), ["foxglove.sdk.v1"]);
     const client = new protocol.FoxgloveClient({ ws: this.#socket });
@@ -30,27 +30,27 @@ export class Watcher {
     });
     client.on("message", ({ subscriptionId, timestamp, data }) => {
       const { topic, reader } = readers.get(subscriptionId);
-      const heard = { topic, stamp_s: Number(timestamp) / 1e9, message: reader.readMessage(data) };
-      if (topic === "/live/state") this.state = JSON.parse(heard.message.data);
-      else this.heard.push(heard);
+      const received = { topic, stamp_s: Number(timestamp) / 1e9, message: reader.readMessage(data) };
+      if (topic === "/live/state") this.state = JSON.parse(received.message.data);
+      else this.received.push(received);
     });
     client.on("time", ({ timestamp }) => (this.now_s = Number(timestamp) / 1e9));
   }
 
   latest(topic) {
-    return this.heard.findLast((heard) => heard.topic === topic);
+    return this.received.findLast((received) => received.topic === topic);
   }
 
   speed_mps() {
     return this.latest("/cmd_vel")?.message.linear.x ?? 0;
   }
 
-  /** The vehicle's time at which it was first told to stand after `from_s`. */
-  async told_to_stand_s(from_s) {
-    const stands = ({ topic, stamp_s, message }) =>
+  /** The vehicle's time of the first stop command from `from_s` on. */
+  async stop_commanded_s(from_s) {
+    const is_stop = ({ topic, stamp_s, message }) =>
       topic === "/cmd_vel" && stamp_s >= from_s && message.linear.x === 0 && message.angular.z === 0;
-    await until(() => this.heard.some(stands), "a command to stand");
-    return this.heard.find(stands).stamp_s;
+    await until(() => this.received.some(is_stop), "a stop command");
+    return this.received.find(is_stop).stamp_s;
   }
 
   close() {
@@ -58,15 +58,15 @@ export class Watcher {
   }
 }
 
-/** Starts `aisle live WORLD` on any free port. @returns {address, stop} */
+/** Starts `aisle live WORLD` on a free port. @returns {address, stop} */
 export async function start_live(world, directory, ...options) {
   const program = process.env.AISLE;
   const process_of = spawn(program, ["live", world, "--port", "0", "--out", directory, ...options]);
-  let said = "";
-  process_of.stderr.on("data", (data) => (said += data));
-  await until(() => /live: (\S+)/.test(said) || process_of.exitCode !== null, "the server's address");
-  const address = /live: (\S+)/.exec(said)?.[1];
-  if (!address) throw new Error(`aisle live ended: ${said}`);
+  let log = "";
+  process_of.stderr.on("data", (data) => (log += data));
+  await until(() => /live: (\S+)/.test(log) || process_of.exitCode !== null, "the server's address");
+  const address = /live: (\S+)/.exec(log)?.[1];
+  if (!address) throw new Error(`aisle live ended: ${log}`);
   const stop = async () => {
     process_of.kill("SIGINT");
     await until(() => process_of.exitCode !== null || process_of.signalCode !== null, "the server's end");

@@ -10,13 +10,13 @@ import {
   without_place,
 } from "../../src/building/building_edits";
 import { building_of } from "../../src/building/building_file";
-import type { Building } from "../../src/building/building_file";
+import type { Building, Pair } from "../../src/building/building_file";
 import { pack_row, unpack_row } from "../../src/building/floor_cells";
 import { UndoList } from "../../src/page/undo_list";
 
 const building: Building = {
   format: "aisle.building",
-  version: 1,
+  version: 3,
   walls: [
     { start_m: [0, 0], end_m: [4, 0] },
     { start_m: [4, 0], end_m: [4, 3] },
@@ -25,27 +25,44 @@ const building: Building = {
   floor: { cell_m: 0.5, low_cell: [-1, 0], rows: ["1#6.1#", "1#3.1#", "4-1."] },
 };
 
-test("Landmarks in a table are those in a list", () => {
+test("Landmarks are read from a table and from a list", () => {
   const landmarks = { columns: ["at_m", "seen_from_m"], rows: [[[2, 0.1], null]] };
   assert.deepEqual(building_of({ ...building, landmarks }), building);
-  assert.deepEqual(building_of(building), building);
-  assert.deepEqual(building_of({ format: "aisle.building", version: 2 }), {
-    format: "aisle.building",
-    version: 2,
-  });
+  assert.deepEqual(building_of({ ...building, version: 1 }), building);
 });
 
-test("A row of the floor comes back as it was", () => {
+test("A building without landmarks and corridors gets none", () => {
+  const { format, version } = building;
+  assert.deepEqual(building_of({ format, version: 2 }), { format, version });
+});
+
+test("The polyline of a corridor is read from version 3 and from the versions before it", () => {
+  const nodes = [{ kind: "end", at_m: [0.5, 0] as Pair }];
+  const others = { from: 0, to: 0, width_m: 2 };
+  const points: Pair[] = [
+    [0.5, 0],
+    [4, 0],
+  ];
+  const corridors = { nodes, corridors: [{ ...others, path_m: points }] };
+  const former = { nodes, corridors: [{ ...others, way_m: points }] };
+  const expected = { ...building, corridors };
+  assert.deepEqual(building_of(expected), expected);
+  for (const version of [1, 2]) {
+    assert.deepEqual(building_of({ ...building, version, corridors: former }), expected);
+  }
+});
+
+test("Packing an unpacked floor row gives the same row", () => {
   for (const row of ["5#", "1#3.1#", "1#1.2-1#", "", "4-1."]) assert.equal(pack_row(unpack_row(row)), row);
 });
 
-test("A line that goes beyond the known floor is cut there", () => {
+test("A line is clipped to the known floor", () => {
   const made = with_cleared(building, { x: -0.25, y: -5 }, { x: -0.25, y: 9 });
   assert.deepEqual(made.floor?.rows, ["7.1#", "4.1#", "4-1."]);
   assert.deepEqual(building.floor?.rows[0], "1#6.1#");
 });
 
-test("Keep-out lines and glass are lines of their own, to the millimetre", () => {
+test("Keep-out lines and glass are stored apart from walls, to the millimetre", () => {
   const made = with_barrier(building, "keep_out", { x: 1, y: 1 }, { x: 2.0004, y: 1 });
   const both = with_barrier(made, "glass", { x: 0, y: 0 }, { x: 0, y: 3 });
   assert.deepEqual(both.barriers, [
@@ -56,12 +73,12 @@ test("Keep-out lines and glass are lines of their own, to the millimetre", () =>
   assert.equal(building.barriers, undefined);
 });
 
-test("Clearing frees what is blocked and invents no floor", () => {
+test("Clearing frees occupied cells and leaves unknown cells unknown", () => {
   const made = with_cleared(building, { x: -0.25, y: 0.25 }, { x: -0.25, y: 1.25 });
   assert.deepEqual(made.floor?.rows, ["7.1#", "4.1#", "4-1."]);
 });
 
-test("A place has a name of its own", () => {
+test("Every place needs a unique name", () => {
   const made = with_place(building, "desk", { x: 1, y: 2 }, 90);
   assert.deepEqual(made.places, [{ name: "desk", at_m: [1, 2], heading_deg: 90 }]);
   assert.throws(() => with_place(made, "desk", { x: 0, y: 0 }, 0), /already/);
@@ -69,7 +86,7 @@ test("A place has a name of its own", () => {
   assert.deepEqual(without_place(made, "desk").places, []);
 });
 
-test("What lies nearest is deleted, and only when it is near", () => {
+test("The nearest part is found, if it is near enough", () => {
   const landmark = nearest_part(building, { x: 2, y: 0.08 }, 0.3);
   assert.equal(landmark?.list, "landmarks");
   const drawn = with_barrier(building, "glass", { x: 0, y: 2 }, { x: 3, y: 2 });
@@ -82,7 +99,7 @@ test("What lies nearest is deleted, and only when it is near", () => {
   assert.equal(nearest_part(building, { x: 2, y: 2 }, 0.3), undefined);
 });
 
-test("Undo goes back a stroke, redo on, and a new stroke forgets what was undone", () => {
+test("Undo takes back a stroke, redo restores it, and a new stroke drops what was undone", () => {
   const history = new UndoList("a");
   history.put("b");
   history.put("bb", false);

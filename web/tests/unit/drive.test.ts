@@ -1,11 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { rgba_of } from "../../src/camera/picture";
+import { rgba_of } from "../../src/camera/image";
 import { fresh_name, mission_forms, start_request } from "../../src/drive/mission_forms";
 import { vehicle_shape } from "../../src/drive/vehicle_text";
-import { command_of, strongest } from "../../src/drive/wish";
-import { standing } from "../../src/page/standing";
+import { command_of, strongest } from "../../src/drive/drive_request";
+import { status_of } from "../../src/page/status";
 import { figure_lines, short_bytes, short_duration } from "../../src/sessions/session_figures";
 import type { LiveState } from "../../src/connection/live_state";
 import idle_state from "../idle_state.json";
@@ -17,7 +17,7 @@ const front_steered = vehicle_shape(
   "is_differential: false\nlimits:\n  speed_max_mps: 0.5\n  reverse_speed_max_mps: 0.3\n  steering_max_deg: 40\n",
 );
 
-test("The vehicle's limits are read from its text", () => {
+test("The vehicle's limits are read from the text of its file", () => {
   assert.equal(differential.is_differential, true);
   assert.equal(differential.speed_max_mps, 0.3);
   assert.equal(front_steered.reverse_speed_max_mps, 0.3);
@@ -29,11 +29,11 @@ test("Left is positive for both kinds of vehicle", () => {
   assert.ok(command_of({ ahead: 1, left: 1 }, 0.5, front_steered).steering_rad > 0);
 });
 
-test("Reversing keeps to its own limit", () => {
+test("Reversing has its own speed limit", () => {
   assert.equal(command_of({ ahead: -1, left: 0 }, 1, front_steered).speed_mps, -0.3);
 });
 
-test("Two arrow keys make a curve", () => {
+test("Two arrow keys together drive a curve", () => {
   assert.deepEqual(
     strongest([
       { ahead: 1, left: 0 },
@@ -43,18 +43,18 @@ test("Two arrow keys make a curve", () => {
   );
 });
 
-test("What is left empty is not asked for", () => {
+test("Empty fields are not in the request", () => {
   const teach = mission_forms.find(({ mission }) => mission === "teach");
   assert.ok(teach);
-  const request = start_request(teach, { session: "lesson-1", route: "", method: "", scripted: false });
-  assert.deepEqual(request, { mission: "teach", session: "lesson-1" });
+  const request = start_request(teach, { session: "taught-1", route: "", method: "", scripted: false });
+  assert.deepEqual(request, { mission: "teach", session: "taught-1" });
 });
 
-test("A proposed name is not there yet", () => {
-  assert.equal(fresh_name("lesson-", ["lesson-1", "lesson-2"]), "lesson-3");
+test("A proposed name is unused", () => {
+  assert.equal(fresh_name("taught-", ["taught-1", "taught-2"]), "taught-3");
 });
 
-test("Grey and coloured pixels become what a canvas takes, row by row", () => {
+test("Grey and colour images become RGBA pixels, row by row", () => {
   const grey = { width: 2, height: 1, encoding: "mono8", step: 4, data: Uint8Array.of(7, 9, 0, 0) };
   assert.deepEqual([...rgba_of({ ...grey, width: 2 } as never)], [7, 7, 7, 255, 9, 9, 9, 255]);
   const colour = { width: 1, height: 2, encoding: "rgb8", step: 3, data: Uint8Array.of(1, 2, 3, 4, 5, 6) };
@@ -62,22 +62,22 @@ test("Grey and coloured pixels become what a canvas takes, row by row", () => {
 });
 
 const state = idle_state as LiveState;
-const facts = { connection: "connected" as const, silent_s: 0.2, state, drives_here: false };
+const input = { connection: "connected" as const, silent_s: 0.2, state, drives_here: false };
 
-test("The standing line says when what is seen is not true now", () => {
-  assert.equal(standing(facts).lamp, "good");
-  assert.match(standing({ ...facts, silent_s: 4 }).text, /nothing heard for 4 s/);
-  assert.match(standing({ ...facts, connection: "lost" }).text, /Not connected/);
+test("The status line says when the shown data are old", () => {
+  assert.equal(status_of(input).lamp, "good");
+  assert.match(status_of({ ...input, silent_s: 4 }).text, /no message for 4 s/);
+  assert.match(status_of({ ...input, connection: "lost" }).text, /Not connected/);
 });
 
-test("The standing line says who drives", () => {
-  assert.match(standing({ ...facts, drives_here: true }).text, /you hold the controls/);
-  assert.match(standing({ ...facts, state: { ...state, lease_held: true } }).text, /somebody else/);
+test("The status line says who drives", () => {
+  assert.match(status_of({ ...input, drives_here: true }).text, /you hold the controls/);
+  assert.match(status_of({ ...input, state: { ...state, lease_held: true } }).text, /somebody else/);
 });
 
-test("Figures are lines with short numbers", () => {
-  assert.deepEqual(figure_lines({ way_m: 12.3456789, topics: [{ name: "/odom" }] }), [
-    ["way_m", "12.346"],
+test("Figures are shown as lines with rounded numbers", () => {
+  assert.deepEqual(figure_lines({ path_m: 12.3456789, topics: [{ name: "/odom" }] }), [
+    ["path_m", "12.346"],
     ["topics 1 name", "/odom"],
   ]);
   assert.equal(short_bytes(1234567), "1.23 MB");

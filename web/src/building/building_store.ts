@@ -5,12 +5,12 @@ import { Signal } from "../page/signal";
 import { building_of } from "./building_file";
 import type { Building, BuildingFile } from "./building_file";
 
-/** The buildings that the server keeps, and the one that is chosen. */
-export class BuildingShelf {
+/** The buildings stored on the server, and the chosen one. */
+export class BuildingStore {
   readonly names = new Signal<string[]>([]);
   readonly chosen = new Signal("");
   readonly building = new Signal<Building | undefined>(undefined);
-  /** Whether plans show the chosen building in the place of what the vehicle knows. */
+  /** Whether plans show the chosen building instead of the vehicle's map. */
   readonly is_shown = new Signal(false);
 
   constructor(private readonly app: App) {

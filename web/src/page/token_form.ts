@@ -2,19 +2,19 @@ import type { LiveConnection } from "../connection/live_connection";
 import { element } from "./element";
 import { file_address } from "./server_files";
 
-/** Whether the server answers, and lets nobody in without another token than this page's address bears. */
+/** Whether the server answers but refuses the token in the page's address, or the lack of one. */
 async function is_locked(): Promise<boolean> {
   const response = await fetch(file_address("sessions/"), { cache: "no-store" }).catch(() => undefined);
   return response?.status === 401;
 }
 
-/** Asks for the token where the server wants one that the page's address does not bear. */
-export function token_gate(connection: LiveConnection): HTMLElement {
+/** Asks for the access token if the server needs one and the page's address has none or a wrong one. */
+export function token_form(connection: LiveConnection): HTMLElement {
   const token = element("input", { type: "password", required: true, autocomplete: "current-password" });
-  const gate = element(
+  const form = element(
     "form",
     {
-      class: "panel token-gate",
+      class: "panel token-form",
       hidden: true,
       onsubmit: (event: SubmitEvent) => {
         event.preventDefault();
@@ -27,8 +27,8 @@ export function token_gate(connection: LiveConnection): HTMLElement {
     element("button", { type: "submit", class: "primary" }, "Enter"),
   );
   connection.state.watch((state) => {
-    if (state === "connected") gate.hidden = true;
-    if (state === "lost") void is_locked().then((locked) => (gate.hidden = !locked));
+    if (state === "connected") form.hidden = true;
+    if (state === "lost") void is_locked().then((locked) => (form.hidden = !locked));
   });
-  return gate;
+  return form;
 }

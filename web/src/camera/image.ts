@@ -1,6 +1,6 @@
 import type { CompressedImage, Header, Image } from "../connection/messages";
 
-export interface Picture {
+export interface CameraImage {
   source: CanvasImageSource;
   width: number;
   height: number;
@@ -11,13 +11,13 @@ function seconds({ stamp }: Header): number {
   return stamp.sec + stamp.nanosec / 1e9;
 }
 
-export async function decode_compressed({ header, format, data }: CompressedImage): Promise<Picture> {
+export async function decode_compressed({ header, format, data }: CompressedImage): Promise<CameraImage> {
   const type = format.includes("png") ? "image/png" : "image/jpeg";
   const source = await createImageBitmap(new Blob([data as Uint8Array<ArrayBuffer>], { type }));
   return { source, width: source.width, height: source.height, stamp_s: seconds(header) };
 }
 
-/** Pixels as a canvas takes them, from `mono8` or `rgb8`. */
+/** RGBA pixels for a canvas, from `mono8` or `rgb8`. */
 export function rgba_of({
   width,
   height,
@@ -25,7 +25,7 @@ export function rgba_of({
   step,
   data,
 }: Omit<Image, "header">): Uint8ClampedArray<ArrayBuffer> {
-  if (encoding !== "mono8" && encoding !== "rgb8") throw new Error(`unknown pixels: ${encoding}`);
+  if (encoding !== "mono8" && encoding !== "rgb8") throw new Error(`unknown pixel format: ${encoding}`);
   const [size, green, blue] = encoding === "mono8" ? [1, 0, 0] : [3, 1, 2];
   const rgba = new Uint8ClampedArray(width * height * 4).fill(255);
   for (let v = 0; v < height; v += 1) {
@@ -40,7 +40,7 @@ export function rgba_of({
   return rgba;
 }
 
-export async function decode_raw(image: Image): Promise<Picture> {
+export async function decode_raw(image: Image): Promise<CameraImage> {
   const { width, height, header } = image;
   const source = await createImageBitmap(new ImageData(rgba_of(image), width, height));
   return { source, width, height, stamp_s: seconds(header) };

@@ -1,5 +1,5 @@
 import { CameraView } from "../camera/camera_view";
-import type { App, Room } from "../page/app";
+import type { App, Tab } from "../page/app";
 import { button, element, panel } from "../page/element";
 import { file_address } from "../page/server_files";
 import { Signal } from "../page/signal";
@@ -10,7 +10,7 @@ import { PlanCanvas } from "../plan/plan_canvas";
 import { replay_bar } from "./replay_bar";
 import { figure_lines } from "./session_figures";
 import { session_table } from "./session_list";
-import { SessionShelf } from "./session_shelf";
+import { SessionStore } from "./session_store";
 
 function download_links(name: string): HTMLElement {
   const link = (file: string) =>
@@ -27,9 +27,9 @@ function plan_of(app: App): HTMLElement {
   return canvas.element;
 }
 
-/** What was recorded: figures, download, and replay on the same topics as a drive. */
-export function sessions_room(app: App): Room {
-  const shelf = new SessionShelf(app);
+/** Recorded sessions: figures, download, and replay on the same topics as a drive. */
+export function sessions_tab(app: App): Tab {
+  const store = new SessionStore(app);
   const chosen = new Signal("");
   const table = element("div", {});
   const figures = element("dl", { class: "figures" });
@@ -37,7 +37,7 @@ export function sessions_room(app: App): Room {
   const none = element("p", { class: "about" }, "Choose a session.");
 
   const show_table = () =>
-    table.replaceChildren(session_table(shelf.sessions.value, chosen.value, (name) => (chosen.value = name)));
+    table.replaceChildren(session_table(store.sessions.value, chosen.value, (name) => (chosen.value = name)));
   const show_figures = async (name: string) => {
     const asked = app.connection.call("sessions/info", { session: name });
     if (!(await app.notices.attempt(asked)) || chosen.value !== name) return;
@@ -59,19 +59,19 @@ export function sessions_room(app: App): Room {
     about.replaceChildren(element("div", { class: "buttons" }, replay(name)), download_links(name), figures);
     void show_figures(name);
   });
-  shelf.sessions.watch(show_table);
+  store.sessions.watch(show_table);
 
-  const room = element(
+  const tab = element(
     "div",
-    { class: "room sessions-room" },
+    { class: "tab sessions-tab" },
     panel("Sessions", "sessions-list", table),
     panel(
       "Replay",
       "sessions-replay",
       replay_bar(app),
-      element("div", { class: "seen" }, new CameraView(app.connection).element, plan_of(app)),
+      element("div", { class: "replay-views" }, new CameraView(app.connection).element, plan_of(app)),
     ),
     panel("Figures and files", "sessions-figures", none, about),
   );
-  return { name: "sessions", title: "Sessions", element: room };
+  return { name: "sessions", title: "Sessions", element: tab };
 }

@@ -12,8 +12,8 @@ export interface SessionEntry {
   route: string;
 }
 
-/** The sessions that the server keeps. */
-export class SessionShelf {
+/** The sessions stored on the server. */
+export class SessionStore {
   readonly sessions = new Signal<SessionEntry[]>([]);
 
   constructor(private readonly app: App) {

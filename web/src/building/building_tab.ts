@@ -1,5 +1,5 @@
-import type { App, Room } from "../page/app";
-import { button, element, panel, say, select } from "../page/element";
+import type { App, Tab } from "../page/app";
+import { button, element, panel, set_text, select } from "../page/element";
 import { post_text } from "../page/server_files";
 import { UndoList } from "../page/undo_list";
 import { building_points } from "../plan/building_geometry";
@@ -8,11 +8,11 @@ import { bounds_of } from "../plan/geometry";
 import { PlanCanvas } from "../plan/plan_canvas";
 import { with_place, without_place } from "./building_edits";
 import type { Building } from "./building_file";
-import { BuildingShelf } from "./building_shelf";
+import { BuildingStore } from "./building_store";
 import { BuildingTools, tool_labels } from "./building_tools";
 import type { ToolName } from "./building_tools";
 
-/** What is in a building, in words. */
+/** The contents of a building in words. */
 function summary({ walls, landmarks, routes, places, barriers, floor }: Building): string {
   const count = (parts: unknown[] | undefined, one: string, many: string) =>
     parts?.length ? `${parts.length} ${parts.length === 1 ? one : many}` : "";
@@ -27,9 +27,9 @@ function summary({ walls, landmarks, routes, places, barriers, floor }: Building
   return known.join(", ") || "nothing yet";
 }
 
-/** Look at a building and mend it; what is saved is a new version. */
-export function building_room(app: App): Room {
-  const shelf = new BuildingShelf(app);
+/** Shows a building and edits it; saving makes a new version. */
+export function building_tab(app: App): Tab {
+  const store = new BuildingStore(app);
   const canvas = new PlanCanvas("Plan of the building");
   canvas.hide_follow();
   let history: UndoList<Building> | undefined;
@@ -47,7 +47,7 @@ export function building_room(app: App): Room {
     try {
       history.put(change(history.present));
     } catch (problem) {
-      app.notices.tell((problem as Error).message, "trouble");
+      app.notices.show((problem as Error).message, "trouble");
       return false;
     }
     show();
@@ -89,13 +89,13 @@ export function building_room(app: App): Room {
   );
   const places = element("ul", { class: "places" });
 
-  const building_list = select("Building", [], (chosen) => void app.notices.attempt(shelf.choose(chosen)));
+  const building_list = select("Building", [], (chosen) => void app.notices.attempt(store.choose(chosen)));
   const tool_list = select("Tool", tool_labels, (tool) => {
     naming.hidden = true;
     tools.choose(tool as ToolName);
-    say(hint, tool_labels.find(({ value }) => value === tool)?.hint ?? "");
+    set_text(hint, tool_labels.find(({ value }) => value === tool)?.hint ?? "");
   });
-  say(hint, tool_labels[0]?.hint ?? "");
+  set_text(hint, tool_labels[0]?.hint ?? "");
   const undo = button("Undo", () => {
     history?.undo();
     show();
@@ -104,19 +104,19 @@ export function building_room(app: App): Room {
     history?.redo();
     show();
   });
-  const save = button("Save as a new version", () => void store(), { class: "primary" });
-  const store = async () => {
+  const save = button("Save as a new version", () => void save_version(), { class: "primary" });
+  const save_version = async () => {
     if (!history) return;
     const text = JSON.stringify(history.present);
     const stored = app.lease
       .take()
       .then((lease) =>
-        post_text<{ building: string }>(`buildings/${encodeURIComponent(shelf.chosen.value)}`, text, lease),
+        post_text<{ building: string }>(`buildings/${encodeURIComponent(store.chosen.value)}`, text, lease),
       );
     if (!(await app.notices.attempt(stored))) return;
     const { building } = await stored;
-    app.notices.tell(`Saved as ${building}`);
-    await app.notices.attempt(shelf.refresh().then(() => shelf.choose(building)));
+    app.notices.show(`Saved as ${building}`);
+    await app.notices.attempt(store.refresh().then(() => store.choose(building)));
   };
 
   const show = () => {
@@ -127,7 +127,10 @@ export function building_room(app: App): Room {
     undo.disabled = !history?.can_undo;
     redo.disabled = !history?.can_redo;
     save.disabled = !history?.can_undo;
-    say(about, building ? summary(building) : "No building yet: explore one, or teach and learn a route.");
+    set_text(
+      about,
+      building ? summary(building) : "No building yet: explore one, or teach and learn a route.",
+    );
     places.replaceChildren(...(building?.places ?? []).map((place) => place_line(place.name)));
     canvas.redraw();
   };
@@ -141,23 +144,23 @@ export function building_room(app: App): Room {
       }),
     );
 
-  shelf.names.watch((names) => {
+  store.names.watch((names) => {
     building_list.list.replaceChildren(...names.map((value) => element("option", { value }, value)));
-    building_list.list.value = shelf.chosen.value;
+    building_list.list.value = store.chosen.value;
   });
-  shelf.chosen.watch((chosen) => (building_list.list.value = chosen));
-  shelf.building.watch((building) => {
+  store.chosen.watch((chosen) => (building_list.list.value = chosen));
+  store.building.watch((building) => {
     history = building && new UndoList(building);
     canvas.refit();
     show();
   });
 
-  const room = element(
+  const tab = element(
     "div",
-    { class: "room building-room" },
+    { class: "tab building-tab" },
     panel("Plan", "building-plan", canvas.element),
     panel(
-      "Mend",
+      "Edit",
       "building-tools",
       building_list.field,
       about,
@@ -169,5 +172,5 @@ export function building_room(app: App): Room {
       places,
     ),
   );
-  return { name: "building", title: "Building", element: room };
+  return { name: "building", title: "Building", element: tab };
 }

@@ -1,4 +1,4 @@
-import type { App, Room } from "../page/app";
+import type { App, Tab } from "../page/app";
 import { button, element, panel, select } from "../page/element";
 import { UndoList } from "../page/undo_list";
 import { download_text } from "../page/server_files";
@@ -24,8 +24,8 @@ const tools: { value: MazeTool; label: string }[] = [
   { value: "goals", label: "Goals" },
 ];
 
-/** Draw a maze, watch how it is explored, cycle by cycle. */
-export function maze_room(app: App): Room {
+/** Draw a maze and watch how it is explored, cycle by cycle. */
+export function maze_tab(app: App): Tab {
   const history = new UndoList<Maze>(random_maze(8, 8, 0.08, Math.random));
   const canvas = new MazeCanvas({
     wall: ({ cell, side }, is_closed, begins) =>
@@ -106,9 +106,9 @@ export function maze_room(app: App): Room {
   const tool = select("Draw", tools, (value) => (canvas.tool = value as MazeTool));
   const rule_list = select("Rules", rule_sets, (value) => (rules = value));
 
-  const room = element(
+  const tab = element(
     "div",
-    { class: "room maze-room" },
+    { class: "tab maze-tab" },
     panel("Maze", "maze-panel", canvas.element),
     panel(
       "Draw",
@@ -145,5 +145,5 @@ export function maze_room(app: App): Room {
     ),
   );
   show();
-  return { name: "maze", title: "Maze", element: room };
+  return { name: "maze", title: "Maze", element: tab };
 }

@@ -1,15 +1,15 @@
 import type { ConnectionState } from "../connection/live_connection";
 import type { LiveState } from "../connection/live_state";
 
-/** The server speaks twice a second; this long without a word is too long. */
+/** The server sends its state twice a second; data are old after this time without a message. */
 const old_after_s = 1.6;
 
-export interface Standing {
+export interface Status {
   lamp: "good" | "busy" | "trouble";
   text: string;
 }
 
-interface Facts {
+interface StatusInput {
   connection: ConnectionState;
   silent_s: number;
   state: LiveState | undefined;
@@ -28,13 +28,13 @@ function driver(state: LiveState, drives_here: boolean): string {
   return state.lease_held ? "somebody else holds the controls" : "nobody holds the controls";
 }
 
-/** One line: whether what is seen is true now, what goes on, and who may drive. */
-export function standing({ connection, silent_s, state, drives_here }: Facts): Standing {
+/** One line: whether the shown data are current, what the vehicle is doing, and who may drive. */
+export function status_of({ connection, silent_s, state, drives_here }: StatusInput): Status {
   if (connection === "connecting") return { lamp: "busy", text: "Connecting" };
-  if (connection === "lost") return { lamp: "trouble", text: "Not connected: trying again" };
-  if (!state) return { lamp: "busy", text: "Connected, nothing heard yet" };
+  if (connection === "lost") return { lamp: "trouble", text: "Not connected: reconnecting" };
+  if (!state) return { lamp: "busy", text: "Connected, no state received yet" };
   if (silent_s > old_after_s)
-    return { lamp: "trouble", text: `Old data: nothing heard for ${silent_s.toFixed(0)} s` };
+    return { lamp: "trouble", text: `Old data: no message for ${silent_s.toFixed(0)} s` };
   if (state.emergency) return { lamp: "trouble", text: "Emergency stop" };
   return { lamp: "good", text: `${state.world}: ${doing(state)}; ${driver(state, drives_here)}` };
 }
