@@ -83,7 +83,7 @@ std::optional<TimedKey> parse_line(std::string_view line, std::string& what) {
       std::find_if(kWords.begin(), kWords.end(), [&](const KeyWord& key) { return key.word == word; });
   if (known == kWords.end()) {
     what = fmt::format(
-        "'{}' is none of up, down, left, right, stop, quit, turning, turning-ends, place, path-ends",
+        "'{}' is none of up, down, left, right, stop, quit, turning, turning-ends, place, route-ends",
         printable(word));
     return std::nullopt;
   }

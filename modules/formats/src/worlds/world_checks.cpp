@@ -125,7 +125,7 @@ class Checks {
     };
     if (!world_.tour.empty()) check("tour", world_.tour);
     for (std::size_t i = 0; i < world_.routes.size(); ++i) {
-      check(fmt::format("routes[{}].way", i), world_.routes[i].path);
+      check(fmt::format("routes[{}].path", i), world_.routes[i].path);
     }
     for (std::size_t i = 0; i < world_.people.size(); ++i) {
       check(fmt::format("people[{}].path", i), world_.people[i].path);
