@@ -1,5 +1,5 @@
 #pragma once
-/// Keys with their times, for driving by hand without hands. docs/formats/keys.md specifies the format.
+/// Key presses with their times: they replace the keyboard when driving by hand. See docs/formats/keys.md.
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,5 @@
 #pragma once
-/// Marks on the floor for `aisle calibrate floor`, "u v x y" a line. docs/formats/floor_marks.md specifies
-/// it.
+/// Marks on the floor for `aisle calibrate floor`, one "u v x y" per line; see docs/formats/floor_marks.md.
 
 #include <filesystem>
 #include <string>
