@@ -27,20 +27,20 @@ constexpr Names kDistortionNames = {
     "distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs", "D", "D1"};
 constexpr Names kRmsNames = {"rms", "avg_reprojection_error", "Avg_Reprojection_Error"};
 
-/// OpenCV heads its files with "%YAML:1.0", which is no directive of YAML. The line stays, as a comment.
+/// OpenCV's files start with "%YAML:1.0", which is not a YAML directive. The line becomes a comment.
 std::string without_opencv_head(std::string_view text) {
   std::string yaml(text);
   if (yaml.starts_with("%YAML:")) yaml[0] = '#';
   return yaml;
 }
 
-/// A value and the key that it was found under.
+/// A value and the key under which it was found.
 struct Entry {
   std::string key;
   YAML::Node node;
 };
 
-/// Reads one document; collects problems instead of stopping at the first.
+/// Reads one document; collects all problems instead of stopping at the first.
 class CalibrationReader {
  public:
   explicit CalibrationReader(const std::string& file) : file_(file), problems_(file) {}
@@ -102,7 +102,7 @@ void CalibrationReader::read_document(const YAML::Node& document) {
   }
 }
 
-/// What another lens model would say, before its numbers are taken for ours.
+/// Refuses another lens model before its numbers are taken for plumb_bob's.
 void CalibrationReader::read_model(const YAML::Node& document) {
   if (const auto model = first_of(document, {"distortion_model"})) {
     static constexpr std::array kKnown = {"plumb_bob", "rational_polynomial", "none", ""};
@@ -204,7 +204,7 @@ std::optional<Entry> CalibrationReader::first_of(const YAML::Node& document, Nam
   return std::nullopt;
 }
 
-/// The numbers of a matrix, {rows, cols, data} or a plain list; empty if it cannot be read.
+/// The numbers of a matrix, {rows, cols, data} or a plain list; empty if unreadable.
 std::vector<double> CalibrationReader::numbers(const Entry& entry, double limit) {
   constexpr std::size_t kNumbersMax = 16;
   const YAML::Node list = entry.node.IsMap() ? entry.node["data"] : entry.node;

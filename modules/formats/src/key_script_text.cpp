@@ -48,7 +48,7 @@ bool is_turning(std::string_view label) {
   return number && *number >= 1 && *number <= kTurnings && *number == std::floor(*number);
 }
 
-/// What is wrong with the label of a mark; empty: nothing.
+/// What is wrong with the label of a mark; empty if nothing.
 std::string label_problem(const Mark& mark) {
   switch (mark.kind) {
     case Mark::Kind::kStop:
@@ -64,7 +64,7 @@ std::string label_problem(const Mark& mark) {
   return "";
 }
 
-/// One line; nullopt and a problem in `what` if it cannot be read.
+/// Reads one line; nullopt with the problem in `what` if it is unreadable.
 std::optional<TimedKey> parse_line(std::string_view line, std::string& what) {
   FieldReader fields(line);
   const std::string_view times = fields.word(), word = fields.word();

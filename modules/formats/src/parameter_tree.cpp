@@ -5,7 +5,7 @@
 namespace aisle {
 namespace {
 
-/// Aliases may make a small file stand for an endless tree; no parameter file is larger than this.
+/// Aliases can make a small file expand into an endless tree; no parameter file is nested this deeply.
 constexpr std::size_t kMaxDepth = 16;
 constexpr std::size_t kMaxEntries = 10000;
 

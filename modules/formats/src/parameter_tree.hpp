@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-/// Walks through YAML trees of nested or dotted keys and assigns their leaves to fields.
+/// Walks a YAML tree of nested or dotted keys and assigns its leaves to fields.
 class ParameterTree {
  public:
   /// @param name  stands for the file in problems

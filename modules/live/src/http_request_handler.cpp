@@ -34,7 +34,7 @@ HttpReply file_reply(const fs::path& folder, std::string_view path) {
   return {.media_type = media_type(*file), .body = {}, .file = *file};
 }
 
-/// The names of what a folder holds, sorted.
+/// The names of a folder's entries, sorted.
 template <class Name>
 OrderedJson names_in(const fs::path& folder, Name name_of) {
   std::vector<std::string> names;

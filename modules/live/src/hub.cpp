@@ -59,7 +59,7 @@ void Hub::Client::say(StatusLevel level, const std::string& message) const {
   send_text(status_frame(level, message));
 }
 
-/// Takes what a client sent, by its kind.
+/// Handles a client's messages by type.
 struct Hub::Reception {
   Hub& hub;
   ClientId id;

@@ -38,7 +38,7 @@ Result<asio::ip::address> address_of(const LiveServerOptions& options) {
   return address;
 }
 
-/// Nothing where none is wanted.
+/// An empty result if no encryption is requested.
 Result<Tls> tls_of(const LiveServerOptions& options) {
   if (!options.tls.are_given()) return Tls();
   auto context = tls_context(options.tls);
@@ -48,7 +48,7 @@ Result<Tls> tls_of(const LiveServerOptions& options) {
 
 }  // namespace
 
-/// The sockets, the thread that serves them, and what comes in from the mission's thread.
+/// The sockets, the thread that serves them, and the messages from the mission's thread.
 class LiveServer::Engine {
  public:
   Engine(LiveServerOptions options, const asio::ip::address& address, Tls tls,
@@ -61,7 +61,7 @@ class LiveServer::Engine {
              [this](std::function<void()> work) { asio::post(io_, std::move(work)); }),
         server_context_{.hub = hub_,
                         .authenticator = Authenticator(address.is_loopback(), options_.token),
-                        .desk = HttpRequestHandler(options_.folders, options_.version)},
+                        .request_handler = HttpRequestHandler(options_.folders, options_.version)},
         acceptor_(io_) {}
 
   ~Engine() {
@@ -100,7 +100,7 @@ class LiveServer::Engine {
   ServerContext server_context_;
   Outbox outbox_;
   std::atomic<bool> lease_is_held_ = false;
-  asio::io_context io_{1};  // with the connections in it: they use all of the above to their end
+  asio::io_context io_{1};  // owns the connections, which use all members above until their end
   Tcp::acceptor acceptor_;
   std::thread thread_;
 };

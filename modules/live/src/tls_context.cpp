@@ -31,7 +31,7 @@ Problems use_certificate(ssl::context& context, const TlsFiles& files) {
   return {{{files.certificate.string()}, "holds no certificate in PEM form: " + error.message()}};
 }
 
-/// After the certificate, to which it must belong.
+/// Call after loading the certificate: the key must match it.
 Problems use_key(ssl::context& context, const TlsFiles& files) {
   const auto pem = read_whole_file(files.key, kPemBytesMax);
   if (!pem) return pem.problems();

@@ -13,8 +13,8 @@
 
 namespace aisle::net {
 
-/// A connection that has not shown yet that it speaks TLS. Who speaks plain HTTP is given so; all others that
-/// make no sense are dropped.
+/// A new connection before its TLS handshake. A client that speaks plain HTTP gets an error reply; anything
+/// else that is not TLS is dropped.
 class TlsDoor : public std::enable_shared_from_this<TlsDoor> {
  public:
   TlsDoor(PlainStream stream, boost::asio::ssl::context& tls, ServerContext& server_context)

@@ -37,15 +37,15 @@ class RequestHandler : public testing::Test {
   void write(const std::string& name, const std::string& text) const { std::ofstream(root / name) << text; }
 
   HttpReply get(std::string_view target) const {
-    return desk.answer({.method = "GET", .target = target, .knows_token = true});
+    return handler.answer({.method = "GET", .target = target, .knows_token = true});
   }
   HttpReply post(std::string_view target, std::string_view body, bool has_lease = true) const {
-    return desk.answer(
+    return handler.answer(
         {.method = "POST", .target = target, .body = body, .knows_token = true, .has_lease = has_lease});
   }
 
-  const fs::path root = fs::temp_directory_path() / ("aisle-desk-" + std::to_string(getpid()));
-  const HttpRequestHandler desk{{root / "web", root / "sessions", root / "buildings"}, "1.2"};
+  const fs::path root = fs::temp_directory_path() / ("aisle-handler-" + std::to_string(getpid()));
+  const HttpRequestHandler handler{{root / "web", root / "sessions", root / "buildings"}, "1.2"};
 };
 
 TEST_F(RequestHandler, ServesThePage) {
@@ -82,10 +82,10 @@ TEST_F(RequestHandler, ListsSessionsAndBuildings) {
 }
 
 TEST_F(RequestHandler, AsksForTheTokenBeforeItShowsWhatWasRecorded) {
-  EXPECT_EQ(desk.answer({.method = "GET", .target = "/sessions/"}).status, 401);
-  EXPECT_EQ(desk.answer({.method = "GET", .target = "/buildings/lab.json"}).status, 401);
-  EXPECT_EQ(desk.answer({.method = "POST", .target = "/buildings/lab", .has_lease = true}).status, 401);
-  EXPECT_EQ(desk.answer({.method = "GET", .target = "/healthz"}).status, 200);
+  EXPECT_EQ(handler.answer({.method = "GET", .target = "/sessions/"}).status, 401);
+  EXPECT_EQ(handler.answer({.method = "GET", .target = "/buildings/lab.json"}).status, 401);
+  EXPECT_EQ(handler.answer({.method = "POST", .target = "/buildings/lab", .has_lease = true}).status, 401);
+  EXPECT_EQ(handler.answer({.method = "GET", .target = "/healthz"}).status, 200);
 }
 
 TEST_F(RequestHandler, KeepsBuildingsAsNewVersions) {
@@ -109,10 +109,10 @@ TEST_F(RequestHandler, KeepsNoBuildingThatCannotBeRead) {
 }
 
 TEST_F(RequestHandler, HasNoOtherMethods) {
-  EXPECT_EQ(desk.answer({.method = "DELETE", .target = "/buildings/lab.json", .knows_token = true}).status,
+  EXPECT_EQ(handler.answer({.method = "DELETE", .target = "/buildings/lab.json", .knows_token = true}).status,
             405);
   EXPECT_EQ(post("/sessions/trip", "x").status, 405);
-  EXPECT_EQ(desk.answer({.method = "HEAD", .target = "/healthz"}).status, 200);
+  EXPECT_EQ(handler.answer({.method = "HEAD", .target = "/healthz"}).status, 200);
 }
 
 TEST(WebAddress, PlainNames) {

@@ -31,7 +31,7 @@ void draw_on(cairo_surface_t* surface, const Drawing& draw) {
   require(cairo_status(cairo.get()));
 }
 
-/// Cairo numbers its surfaces through the life of the program; one number makes the bytes depend on the
+/// Cairo numbers its surfaces over the life of the program. A fixed number makes the bytes depend on the
 /// picture alone.
 std::string with_fixed_ids(std::string svg) {
   const std::string mark = "id=\"surface";
@@ -42,7 +42,7 @@ std::string with_fixed_ids(std::string svg) {
   return svg;
 }
 
-/// Cairo refuses text that is not UTF-8, and with it everything that is drawn afterwards.
+/// Cairo refuses text that is not UTF-8, and everything drawn after it.
 bool is_readable(const std::string& text) {
   const Surface scratch(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);
   const Context cairo(cairo_create(scratch.get()), cairo_destroy);

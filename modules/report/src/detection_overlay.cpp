@@ -14,14 +14,14 @@ constexpr Color kRed{1, 0.15, 0.1};
 constexpr Color kCyan{0, 0.9, 1};
 constexpr Color kOrange{1, 0.55, 0};
 constexpr Color kMagenta{1, 0.2, 0.9};
-constexpr std::uint8_t kRegionTint = 110;  // of 255: how much of the picture the region's green covers
+constexpr std::uint8_t kRegionTint = 110;  // of 255: how strongly the region's green covers the image
 
-/// A point of a picture on the canvas, whose origin is a pixel's corner.
+/// A point of an image on the canvas, whose origin is a pixel's corner.
 Vec2 on_canvas(const Vec2& pixel) {
   return pixel + Vec2(0.5, 0.5);
 }
 
-/// The unit of line widths and dots: a VGA picture's lines are 2 px wide.
+/// The unit of line widths and dots: 2 px in a VGA image.
 double stroke_px(const Image& picture) {
   return std::max(1.0, std::max(picture.width_px, picture.height_px) / 320.0);
 }

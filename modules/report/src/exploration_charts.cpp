@@ -26,7 +26,7 @@ constexpr std::array<Color, 6> kStateColors = {{{0.30, 0.62, 0.87},
 constexpr Font kAxisFont{15, kQuietInk};
 constexpr Font kChartTitleFont{17, kInk, true};
 
-/// Values over the path, laid out between the margins.
+/// Axes of values over the driven distance, laid out between the margins.
 struct Axes {
   double path_m = 1;
   double value_max = 1;
@@ -39,7 +39,7 @@ struct Axes {
   }
 };
 
-/// Lines at round values, and what they stand for.
+/// Lines at round values, with their labels.
 void draw_axes(Canvas& canvas, const Axes& axes, const std::string& title, const std::string& unit) {
   const double value_step = round_length(std::max(axes.value_max / 3, 1e-9));
   for (int i = 0; i * value_step <= axes.value_max; ++i) {
@@ -68,7 +68,7 @@ void draw_area(Canvas& canvas, const Axes& axes, const std::vector<Vec2>& curve)
   canvas.polyline(curve, {kCurve, 2.5});
 }
 
-/// The path up to each cycle.
+/// The driven distance up to each cycle.
 std::vector<double> paths_m(const std::vector<Pose2>& poses) {
   std::vector<double> paths(poses.size(), 0.0);
   for (std::size_t i = 1; i < poses.size(); ++i)
@@ -76,7 +76,7 @@ std::vector<double> paths_m(const std::vector<Pose2>& poses) {
   return paths;
 }
 
-/// A step of the transducer, as long as it lasted.
+/// A state of the transducer over the distance that it lasted.
 struct PathSegment {
   const TransducerStep* step = nullptr;
   double from_m = 0, to_m = 0;
@@ -109,7 +109,7 @@ Color color_of(const std::vector<std::string>& states, const std::string& state)
   return kStateColors[static_cast<std::size_t>(place) % kStateColors.size()];
 }
 
-/// A band of colours, one a state, named from left to right in the line above it.
+/// A band of colours, one per state, with the states' names from left to right above it.
 void draw_states(Canvas& canvas, const Axes& axes, const std::vector<PathSegment>& path_segments,
                  const std::vector<std::string>& states) {
   constexpr double kBandTop_px = 34, kBandBottom_px = 62;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSheetWidth_px = 1800;
 constexpr int kPictureGap_px = 6;
-constexpr std::size_t kTrailPictures = 4;  ///< how far back a trail goes
+constexpr std::size_t kTrailPictures = 4;  ///< how many images back a trail goes
 constexpr Color kAlone{0.75, 0.78, 0.82, 0.8};
 constexpr Color kBehindNumber{0, 0, 0, 0.65};
 
@@ -22,7 +22,7 @@ std::size_t columns_for(std::size_t pictures) {
   return std::max(side, std::min<std::size_t>(pictures, 3));
 }
 
-/// Hues a golden section apart: numbers that follow each other look least alike.
+/// Hues a golden section apart: consecutive numbers look least alike.
 Color color_of(int number) {
   constexpr double kGolden = 0.618033988749895, kFirst = 0.55;
   const double hue = std::fmod(kFirst + kGolden * number, 1.0);
@@ -99,7 +99,7 @@ void FollowedLinesSheet::Sheet::draw(Canvas& canvas, std::size_t i) const {
   draw_numbers(canvas, i);
 }
 
-/// From the line's middle to where it was in the pictures before, as long as it was there without a gap.
+/// From the line's midpoint through its positions in the images before, back to the first gap.
 void FollowedLinesSheet::Sheet::draw_trail(Canvas& canvas, std::size_t i, std::size_t line) const {
   const int number = cells_[i].numbers[line];
   std::vector<Vec2> trail = {corner_of(i) + middle_of(cells_[i].lines[line])};
@@ -114,7 +114,7 @@ void FollowedLinesSheet::Sheet::draw_trail(Canvas& canvas, std::size_t i, std::s
   for (const Vec2& p : trail) canvas.disc(p, 1.75 * stroke_px_, color_of(number));
 }
 
-/// At the lines' lower ends, from left to right; one that would cover another is left out.
+/// At the lines' lower ends, from left to right; a number that would cover another is left out.
 void FollowedLinesSheet::Sheet::draw_numbers(Canvas& canvas, std::size_t i) const {
   const Cell& cell = cells_[i];
   const double size_px = std::max(9.0, step_px_.x() / 28);

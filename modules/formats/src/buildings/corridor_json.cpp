@@ -30,7 +30,7 @@ std::string node_json(const CorridorNode& node) {
                      point_json(node.p_map, kMillimetreDecimals));
 }
 
-/// Its length is that of the path as it is written.
+/// The length is that of the path as it is written, with its points rounded.
 std::string corridor_json(const Corridor& corridor) {
   constexpr double kPerMetre = 1000;
   std::vector<std::string> points;

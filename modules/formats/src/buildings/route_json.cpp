@@ -15,7 +15,7 @@
 namespace aisle {
 namespace {
 
-// Roundings add up along a route: ten thousand pieces of 0.1 m must still end within a millimetre.
+// Rounding errors add up along a route: ten thousand pieces of 0.1 m must still end within a millimetre.
 constexpr int kPathDecimals_m = 7;
 constexpr int kPathDecimals_deg = 8;
 
@@ -23,7 +23,7 @@ constexpr std::size_t kRoutesMax = 1000;
 constexpr std::size_t kPiecesMax = 100'000;
 constexpr std::size_t kSectionsMax = 10'000;
 constexpr std::size_t kStartViewMax = 10'000;
-constexpr double kPieceLengthMin_m = 0.001;  // of one of them, so that a route leads somewhere
+constexpr double kPieceLengthMin_m = 0.001;  // of at least one piece, so that a route leads somewhere
 constexpr double kRouteLengthMax_m = 100'000;
 constexpr double kTurnMax_deg = 3600;
 
@@ -37,7 +37,7 @@ std::string heading_text(double heading_rad) {
   return text == "180" ? "-180" : text;
 }
 
-/// Empty for a piece that is too short to be written.
+/// Empty if the piece is too short to be written.
 std::string piece_json(const Arc& arc) {
   const std::string length_m = decimals(arc.length_m, kPathDecimals_m);
   const std::string turn_deg = decimals(to_degrees(arc.turn_rad), kPathDecimals_deg);
@@ -121,7 +121,7 @@ Path read_path(const Pose2& T_map_start, const JsonValue& value) {
   return path;
 }
 
-/// Appends the section that a text says. @return whether it says one
+/// Appends the section that a text describes. @return false if it describes none
 bool read_section(const JsonValue& text, SectionList& sections) {
   std::string line;
   text.read(line);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kYamlBytesMax = 1 << 20;
 
-/// Reads one YAML file; collects problems instead of stopping at the first.
+/// Reads one YAML file; collects all problems instead of stopping at the first.
 class MapYamlReader {
  public:
   explicit MapYamlReader(const std::string& file) : file_(file), problems_(file) {}

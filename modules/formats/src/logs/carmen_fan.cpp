@@ -6,7 +6,7 @@
 namespace aisle {
 namespace {
 
-/// The step of the scanners that are known by their number of readings.
+/// The angle step of scanners that are recognised by their number of readings.
 std::optional<double> known_step_deg(std::size_t beams) {
   switch (beams) {
     case 180:
@@ -36,7 +36,7 @@ BeamFan flaser_fan(std::size_t beams, std::optional<double> resolution_deg) {
   if (!step_deg) step_deg = resolution_deg;
   if (!step_deg && beams >= 300 && beams < 540) step_deg = 0.5;
   if (!step_deg) return {-90 * kDegree, 180 * kDegree / static_cast<double>(beams - 1)};
-  const std::size_t ahead = beams / 2;  // of an even number, the last beam to the left is missing
+  const std::size_t ahead = beams / 2;  // with an even number, the last beam to the left is missing
   return {-static_cast<double>(ahead) * *step_deg * kDegree, *step_deg * kDegree};
 }
 

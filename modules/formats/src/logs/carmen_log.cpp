@@ -19,8 +19,8 @@ namespace {
 
 enum class ScanKind { kFlaser, kRawLaser, kRobotLaser };
 
-/// Where the laser sits according to the two poses of each scan, as long as all scans agree about it. (They
-/// do not where the laser's pose was corrected afterwards, or the two were not read at the same time.)
+/// The laser's mounting according to the two poses of each scan, as long as all scans agree. (They disagree
+/// where the laser's pose was corrected afterwards, or the two were not read at the same time.)
 class RecordedMounting {
  public:
   void add(const Pose2& T_odom_vehicle, const Pose2& T_odom_laser) {
@@ -92,7 +92,7 @@ class CarmenParser {
   std::vector<std::string> warnings_;
 
   long line_ = 0;
-  std::optional<ScanKind> kind_;  ///< of the first scan; other kinds show the same scans again
+  std::optional<ScanKind> kind_;  ///< of the first scan; other kinds repeat the same scans
   LaserLog log_;
   std::optional<BeamFan> fan_;
   double announced_range_max_m_ = 0;
@@ -243,7 +243,7 @@ void CarmenParser::check_unit() {
 }
 
 void CarmenParser::check_leaps() {
-  constexpr double kLeap_m = 20;  // no vehicle drives so far from one line to the next
+  constexpr double kLeap_m = 20;  // no vehicle drives that far from one line to the next
   std::size_t count = 0, first = 0;
   double first_m = 0;
   for (std::size_t i = 1; i < log_.odometry.size(); ++i) {

@@ -32,8 +32,9 @@ StampFields read_stamp(FieldReader& fields) {
   return stamp;
 }
 
-/// What RAWLASER1 and ROBOTLASER1 begin with: laser_type start_angle field_of_view angular_resolution
-/// maximum_range accuracy remission_mode num_readings [readings] num_remissions [remissions]
+/// The fields with which RAWLASER1 and ROBOTLASER1 begin: laser_type start_angle field_of_view
+/// angular_resolution maximum_range accuracy remission_mode num_readings [readings] num_remissions
+/// [remissions]
 ScanMessage read_laser_head(FieldReader& fields, double metres_per_unit) {
   ScanMessage scan;
   skip_numbers(fields, 1, "laser type");

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 
-/// Control characters that no text has.
+/// Whether there are control characters that a text cannot contain.
 bool is_binary(std::string_view bytes) {
   return std::any_of(bytes.begin(), bytes.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);

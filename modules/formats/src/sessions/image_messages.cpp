@@ -41,7 +41,7 @@ ros::CompressedImage compressed(const Image& image, const ImageCoding& coding) {
   return {.header = {}, .format = is_jpeg ? "jpeg" : "png", .data = {bytes.begin(), bytes.end()}};
 }
 
-/// How many channels the image has, if it is one that is read.
+/// The number of channels of a supported encoding.
 std::optional<int> channels_of(const std::string& encoding) {
   if (encoding == "mono8") return 1;
   if (encoding == "rgb8" || encoding == "bgr8") return 3;

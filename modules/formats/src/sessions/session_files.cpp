@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::size_t kMetadataMax_bytes = std::size_t{16} << 20;
 
-/// The journal of a recording is gone once it was closed.
+/// Closing a recording removes its journal, so a journal means that it was killed.
 bool was_killed(const fs::path& database) {
   std::error_code error;
   return fs::exists(database.string() + "-wal", error);
 }
 
-/// SQLite fills up a last page that is cut off; here it is a problem.
+/// SQLite silently pads a truncated last page; here it is a problem.
 Problems check_length(const sqlite::Database& database) {
   if (was_killed(database.path())) return {};  // the rest may be in the journal
   auto pages = database.prepare("SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()");
@@ -35,7 +35,7 @@ Problems check_length(const sqlite::Database& database) {
            fmt::format("is cut off: it has {} of {} bytes", bytes, pages->integer(0))}};
 }
 
-/// What a session consists of, killed or not, and its image.
+/// The files of a session, killed or not, and its picture.
 bool belongs_to_session(const fs::path& file) {
   const std::string name = file.filename().string();
   return name == kDrivenImage || name == kMetadataName || name == std::string(kMetadataName) + ".part" ||
@@ -150,7 +150,7 @@ Result<sqlite::Database> open_session(const fs::path& directory) {
     return Problem{{path.string()}, "is missing, though metadata.yaml names it"};
   Result<sqlite::Database> database = sqlite::Database::open(path);
   if (!database) return database;
-  if (was_killed(path)) (void)finish_session(directory, *database);  // where it fails, read what there is
+  if (was_killed(path)) (void)finish_session(directory, *database);  // if that fails, read what there is
   if (Problems problems = check_length(*database); !problems.empty()) return problems;
   return database;
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMetadataVersion = 5;
 
-/// Text in double quotes; JSON's escapes are among YAML's.
+/// Text in double quotes; YAML understands all of JSON's escapes.
 std::string json_quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }

@@ -24,7 +24,7 @@ inline constexpr const char* kDecisionTopic = "/decision";
 inline constexpr const char* kCommandTopic = "/cmd_vel";
 inline constexpr const char* kTruePoseTopic = "/truth/pose";
 
-/// A message as it stands in a session.
+/// A message as stored in a session.
 struct RecordedMessage {
   SessionTopic topic;
   std::string cdr;
@@ -40,7 +40,7 @@ RecordedMessage latched(std::string topic, const Message& message) {
   return {{std::move(topic), Message::kType, true}, cdr_bytes(message)};
 }
 
-/// The message, or a problem that names topic and type.
+/// The decoded message, or a problem that names topic and type.
 template <class Message>
 Result<Message> decoded(const RecordedMessage& message, const std::string& file) {
   if (message.topic.type != Message::kType) {

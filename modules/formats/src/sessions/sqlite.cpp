@@ -5,7 +5,7 @@
 namespace aisle::sqlite {
 namespace {
 
-/// No message of a session is larger: an image of 8192 x 8192 pixels in colour fits.
+/// The largest message of a session: a colour image of 8192 x 8192 pixels fits.
 constexpr int kValueMax_bytes = 256 << 20;
 
 }  // namespace
@@ -14,7 +14,7 @@ Result<Database> Database::open(const std::filesystem::path& path, int flags, co
   Database database;
   database.path_ = path;
   sqlite3* handle = nullptr;
-  // An absolute path, because SQLite takes names that begin with "file:" apart.
+  // An absolute path, because SQLite treats names that begin with "file:" as URIs.
   const std::string absolute = std::filesystem::absolute(path).string();
   const int code = sqlite3_open_v2(absolute.c_str(), &handle, flags, nullptr);
   database.handle_.reset(handle);

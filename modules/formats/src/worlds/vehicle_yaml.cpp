@@ -36,7 +36,7 @@ FieldList described_fields(VehicleDescription& vehicle) {
   return fields;
 }
 
-/// Every field of the file. The model must have all its parts already.
+/// All fields of the file. The model must already have all its parts.
 FieldList all_fields(VehicleModel& vehicle) {
   FieldList fields = described_fields(vehicle.description);
   fields.group("simulated.odometry", vehicle.simulated.odometry);
@@ -87,7 +87,7 @@ class VehicleReader {
   }
 
   void read_camera_names(const YAML::Node& cameras) {
-    if (!cameras.IsMap()) return;  // said when the fields are read
+    if (!cameras.IsMap()) return;  // reported when the fields are read
     if (cameras.size() > kCamerasMax) {
       return problem(cameras, "cameras", fmt::format("are more than {}", kCamerasMax));
     }

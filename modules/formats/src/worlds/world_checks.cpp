@@ -13,12 +13,12 @@
 namespace aisle {
 namespace {
 
-/// The smallest vehicle; a larger one finds out by itself where it cannot stand.
+/// Radius of the smallest vehicle; a larger one checks its own clearance.
 constexpr double kVehicleRadius_m = 0.1;
 constexpr double kVehicleHeight_m = 0.5;
 constexpr double kOnTheWall_m = 0.03;
 
-/// A point of the file and the key where it stands.
+/// A point of the file and its key.
 struct Spot {
   std::string key;
   Vec2 p_world = Vec2::Zero();
@@ -34,12 +34,12 @@ bool is_inside(const Vec2& p_world, const Furniture& piece) {
       return p_piece.norm() < piece.size.x() / 2;
     case Furniture::Kind::kTable:
     case Furniture::Kind::kChair:
-      return false;  // stands on legs
+      return false;  // has free space between its legs
   }
   return false;
 }
 
-/// Spots by their x, so that a wall asks only those beside it.
+/// Spots sorted by x, so that a wall looks only at those near it.
 class Spots {
  public:
   explicit Spots(std::vector<Spot> spots) : spots_(std::move(spots)) {
@@ -47,7 +47,7 @@ class Spots {
               [](const Spot& a, const Spot& b) { return a.p_world.x() < b.p_world.x(); });
   }
 
-  /// visit(spot) for those whose x is in the range.
+  /// Calls visit(spot) for those whose x is in the range.
   template <class Visit>
   void for_each_between(double low_m, double high_m, const Visit& visit) const {
     auto spot = std::lower_bound(spots_.begin(), spots_.end(), low_m,
@@ -55,7 +55,7 @@ class Spots {
     for (; spot != spots_.end() && spot->p_world.x() <= high_m; ++spot) visit(*spot);
   }
 
-  /// visit(spot) for those at most so far from the segment.
+  /// Calls visit(spot) for those within a distance of the segment.
   template <class Visit>
   void for_each_near(const Segment2& segment, double reach_m, const Visit& visit) const {
     const auto [low_m, high_m] = std::minmax(segment.start.x(), segment.end.x());
@@ -86,7 +86,7 @@ class Checks {
     problems_.push_back({{.key = std::move(key)}, std::move(what)});
   }
 
-  /// A place and a parking frame are both where a vehicle may be sent by name.
+  /// A vehicle can be sent by name to a place or a parking frame, so their names must differ.
   void check_names() {
     std::map<std::string, std::string> first_with;
     const auto check = [&](const char* list, const auto& things) {

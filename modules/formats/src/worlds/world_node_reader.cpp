@@ -185,7 +185,7 @@ void WorldNodeReader::problem(const std::string& key, std::string what) {
   problems_.add(line_of(key), key, std::move(what));
 }
 
-/// Of the key, else of what it is part of.
+/// The line of the key, else of the nearest key that contains it.
 long WorldNodeReader::line_of(std::string key) const {
   while (lines_.count(key) == 0) {
     const std::size_t end = key.find_last_of(".[");

@@ -63,7 +63,7 @@ std::vector<WorldNodeReader::Section> WorldReader::sections() {
       {"format", [this](const YAML::Node& node) { expect(node, "format", "aisle.world"); }, true},
       {"version", [this](const YAML::Node& node) { expect(node, "version", "1"); }, true},
       {"walls", [this](const YAML::Node& node) { read_walls(node); }, true},
-      // the older name of furniture
+      // the former name of furniture
       {"boxes", [this](const YAML::Node& node) { read_list(node, "boxes", world_.furniture, kThingsMax); }},
       {"floor", [this](const YAML::Node& node) { nodes_.read_map(node, "floor", fields_of(world_.floor)); }},
       {"start", [this](const YAML::Node& node) {
@@ -89,7 +89,7 @@ void WorldReader::read_walls(const YAML::Node& node) {
   }
 }
 
-/// A wall as all others are is its line alone.
+/// A wall with default values is written as its line alone.
 void WorldReader::read_wall(const YAML::Node& node, const std::string& key) {
   const std::size_t problems_before = nodes_.problem_count();
   WallLine wall;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kPointsInALine = 6;
 
-/// Millimetres, thousandths of a degree or of what else is counted.
+/// Rounded to a thousandth of the unit: millimetres, millidegrees.
 std::string rounded(double value) {
   return fmt::format("{}", std::round(value * 1000) / 1000 + 0.0);  // + 0.0: never "-0"
 }
@@ -51,7 +51,7 @@ std::string value_text(const WorldField& field, std::string_view indent) {
   return std::string(word.words[word.index()]);
 }
 
-/// "key: value" of everything that is needed or not as it is by itself.
+/// "key: value" of every field that is required or differs from its default.
 template <class Thing>
 std::vector<std::string> entries(Thing thing, std::string_view indent) {
   Thing plain;
@@ -78,7 +78,7 @@ std::string list_text(std::string_view key, const std::vector<Thing>& things) {
   return text;
 }
 
-/// Wall faces that follow each other and are alike become one line.
+/// Consecutive wall faces with equal properties become one line.
 std::vector<WallLine> wall_lines(const World& world) {
   std::vector<WallLine> lines;
   for (const WallFace& wall : world.walls) {
