@@ -62,7 +62,7 @@ TEST_F(Sections, WhatCannotBeDrivenIsRefusedWithItsPlace) {
   };
   const ProgramRun unknown = navigate(building(R"("a 3", "q 2")"));
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("building.json: routes[0].sections[1]: 'q' is no section"));
+  EXPECT_THAT(unknown.err, HasSubstr("building.json: routes[0].sections[1]: 'q' is not a section"));
   EXPECT_EQ(navigate(building(R"("h 3", "l 36", "a 2")")).exit_code, 2);
   EXPECT_EQ(navigate(building(R"("a 3")"), {"--route", "other"}).exit_code, 2);
   EXPECT_EQ(navigate(building(R"("a 3")"), {"--vehicle", "alv"}).exit_code, 2);

@@ -109,12 +109,12 @@ void CalibrationReader::read_model(const YAML::Node& document) {
     const std::string name = model->node.IsScalar() ? model->node.Scalar() : "no single value";
     if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end()) {
       problem(model->node, model->key,
-              fmt::format("'{}' is not the lens model that is known here, plumb_bob", printable(name)));
+              fmt::format("'{}' is not plumb_bob, the only supported lens model", printable(name)));
     }
   }
   if (const auto fisheye = first_of(document, {"fisheye_model"})) {
     if (number(*fisheye, {0, 1}).value_or(0) != 0) {
-      problem(fisheye->node, fisheye->key, "a fisheye lens is not known here, only plumb_bob");
+      problem(fisheye->node, fisheye->key, "a fisheye lens is not supported, only plumb_bob");
     }
   }
 }
@@ -145,7 +145,7 @@ void CalibrationReader::read_matrix(const Entry& entry) {
     return;
   }
   if (m[0] <= 0 || m[4] <= 0) problem(entry.node, entry.key, "the focal lengths are not positive");
-  if (m[1] != 0) problem(entry.node, entry.key, "skew is not known here: the second number must be 0");
+  if (m[1] != 0) problem(entry.node, entry.key, "skew is not supported: the second number must be 0");
   if (m[3] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1) {
     problem(entry.node, entry.key, "is not [fx, 0, cx, 0, fy, cy, 0, 0, 1]");
   }
@@ -157,7 +157,7 @@ void CalibrationReader::read_distortion(const Entry& entry) {
   std::vector<double> d = numbers(entry, kCoefficientMax);
   if (d.size() > 5 && std::any_of(d.begin() + 5, d.end(), [](double v) { return v != 0; })) {
     problem(entry.node, entry.key,
-            fmt::format("has {} coefficients; only k1, k2, p1, p2, k3 are known here", d.size()));
+            fmt::format("has {} coefficients; only k1, k2, p1, p2, k3 are supported", d.size()));
   }
   d.resize(5);
   CameraIntrinsics& lens = calibration_.intrinsics;
@@ -209,7 +209,7 @@ std::vector<double> CalibrationReader::numbers(const Entry& entry, double limit)
   constexpr std::size_t kNumbersMax = 16;
   const YAML::Node list = entry.node.IsMap() ? entry.node["data"] : entry.node;
   if (!list || !list.IsSequence() || list.size() > kNumbersMax) {
-    problem(entry.node, entry.key, fmt::format("holds no list of at most {} numbers", kNumbersMax));
+    problem(entry.node, entry.key, fmt::format("is not a list of at most {} numbers", kNumbersMax));
     return {};
   }
   std::vector<double> read;

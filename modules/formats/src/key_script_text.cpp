@@ -52,7 +52,7 @@ bool is_turning(std::string_view label) {
 std::string label_problem(const Mark& mark) {
   switch (mark.kind) {
     case Mark::Kind::kStop:
-      return mark.label.empty() ? "" : fmt::format("'{}' is too much", printable(mark.label));
+      return mark.label.empty() ? "" : fmt::format("'{}' is unexpected", printable(mark.label));
     case Mark::Kind::kPlace:
       return mark.label.empty() || mark.label.size() > kLabelMax
                  ? fmt::format("a place needs a name of at most {} characters", kLabelMax)
@@ -76,7 +76,7 @@ std::optional<TimedKey> parse_line(std::string_view line, std::string& what) {
   const auto from_s = time_s(times.substr(0, dash));
   const auto to_s = dash == std::string_view::npos ? from_s : time_s(times.substr(dash + 1));
   if (!from_s || !to_s || *to_s < *from_s) {
-    what = fmt::format("'{}' is no time FROM or FROM-TO in seconds", printable(times));
+    what = fmt::format("'{}' is not a time FROM or FROM-TO in seconds", printable(times));
     return std::nullopt;
   }
   const auto known =
@@ -92,7 +92,7 @@ std::optional<TimedKey> parse_line(std::string_view line, std::string& what) {
   if (timed.key.kind == Key::Kind::kMark) {
     what = label_problem(timed.key.mark);
   } else if (!label.empty()) {
-    what = fmt::format("'{}' is too much", printable(label));
+    what = fmt::format("'{}' is unexpected", printable(label));
   }
   if (!what.empty()) return std::nullopt;
   return timed;

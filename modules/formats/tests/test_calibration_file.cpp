@@ -95,9 +95,8 @@ TEST(CalibrationFile, ARealFileOfOpenCvsIsRead) {
 }
 
 TEST(CalibrationFile, OtherLensesAreRefusedWithTheirLine) {
-  EXPECT_EQ(
-      calibration_problems(calibration_with("distortion_model: equidistant")),
-      "camera.yaml:3: distortion_model: 'equidistant' is not the lens model that is known here, plumb_bob");
+  EXPECT_EQ(calibration_problems(calibration_with("distortion_model: equidistant")),
+            "camera.yaml:3: distortion_model: 'equidistant' is not plumb_bob, the only supported lens model");
   EXPECT_THAT(calibration_problems(calibration_with("fisheye_model: 1")),
               HasSubstr("camera.yaml:3: fisheye_model: a fisheye lens"));
   EXPECT_THAT(calibration_problems(calibration_with("D: [0, 0, 0, 0, 0, 0.1, 0, 0]")),

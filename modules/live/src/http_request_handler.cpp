@@ -102,7 +102,7 @@ HttpReply HttpRequestHandler::buildings(const HttpQuestion& question, std::strin
 }
 
 HttpReply HttpRequestHandler::keep_building(const HttpQuestion& question, std::string_view name) const {
-  if (!question.has_lease) return http_problem(403, "needs the lease of who drives, as X-Aisle-Lease");
+  if (!question.has_lease) return http_problem(403, "needs the driver's lease, as X-Aisle-Lease");
   if (folders_.buildings.empty())
     return http_problem(404, "the server was started without a folder of buildings");
   const auto kept = keep_building_version(folders_.buildings, name, question.body);

@@ -30,7 +30,7 @@ Result<asio::ip::address> address_of(const LiveServerOptions& options) {
   boost::system::error_code error;
   const auto address = asio::ip::make_address(options.address, error);
   if (error)
-    return Problem{{"--listen"}, fmt::format("'{}' is no address such as 192.168.1.5", options.address)};
+    return Problem{{"--listen"}, fmt::format("'{}' is not an address such as 192.168.1.5", options.address)};
   if (!options.token.empty() && options.token.size() < kTokenMin)
     return Problem{{"--token-file"}, fmt::format("the token must have at least {} characters", kTokenMin)};
   if (!address.is_loopback() && options.token.empty())

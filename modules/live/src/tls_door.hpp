@@ -48,7 +48,7 @@ class TlsDoor : public std::enable_shared_from_this<TlsDoor> {
   }
 
   void refuse() {
-    const HttpReply reply = http_problem(400, "only https and wss are spoken here");
+    const HttpReply reply = http_problem(400, "this server only accepts https and wss");
     refusal_.result(reply.status);
     refusal_.set(http::field::content_type, reply.media_type);
     refusal_.body() = reply.body;

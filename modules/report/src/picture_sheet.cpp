@@ -16,7 +16,7 @@ constexpr double kTitleHeight_px = 17;
 }  // namespace
 
 std::string picture_sheet_png(std::span<const TakenPicture> pictures) {
-  if (pictures.empty()) throw std::invalid_argument("a sheet of no pictures");
+  if (pictures.empty()) throw std::invalid_argument("a sheet needs at least one picture");
   int width_px = 0, height_px = 0;
   for (const TakenPicture& taken : pictures) {
     width_px = std::max(width_px, taken.picture.width_px + kBetweenPictures_px);

@@ -88,7 +88,7 @@ std::vector<std::vector<Run>> read_rows(const JsonValue& value) {
     width_cells = std::max(width_cells, cells_in(rows.back()));
   }
   if (rows.size() * static_cast<std::size_t>(width_cells) <= kFloorCellsMax) return rows;
-  value.wrong(fmt::format("are more than {} cells together", kFloorCellsMax));
+  value.wrong(fmt::format("are more than {} cells in total", kFloorCellsMax));
   return {};
 }
 

@@ -115,9 +115,9 @@ Path read_path(const Pose2& T_map_start, const JsonValue& value) {
     pieces.push_back({pieces.empty() ? T_map_start : pieces.back().end(), read_piece(value.element(i))});
   }
   Path path(std::move(pieces));
-  if (!leads_somewhere(path)) value.wrong("have no piece of a millimetre's length or more");
+  if (!leads_somewhere(path)) value.wrong("have no piece of a millimetre or more");
   if (path.length_m() > kRouteLengthMax_m)
-    value.wrong(fmt::format("are longer than {:g} m together", kRouteLengthMax_m));
+    value.wrong(fmt::format("are longer than {:g} m in total", kRouteLengthMax_m));
   return path;
 }
 
@@ -175,7 +175,8 @@ Route read_route(const JsonValue& value) {
   if (const auto sections = value.find("sections")) {
     route.sections = read_sections(*sections);
     if (!route.sections.empty()) route.path = path_of(route.sections, T_map_start);
-    if (const auto pieces = value.find("pieces")) pieces->wrong("stand beside sections, which are the path");
+    if (const auto pieces = value.find("pieces"))
+      pieces->wrong("cannot be combined with sections, which already give the path");
   } else if (const auto pieces = value.require("pieces")) {
     route.path = read_path(T_map_start, *pieces);
   }

@@ -34,7 +34,7 @@ class MapYamlReader {
  private:
   void read_document(const YAML::Node& document) {
     if (!document.IsMap())
-      return problems_.add(1, "is no map: expected the keys image, resolution and origin");
+      return problems_.add(1, "is not a map: expected the keys image, resolution and origin");
     for (const char* key : {"image", "resolution", "origin"}) {
       if (!document[key]) problems_.add(1, key, "is missing");
     }

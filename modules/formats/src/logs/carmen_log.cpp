@@ -131,7 +131,7 @@ Result<CarmenLog> CarmenParser::parse(std::string_view text) {
   check_unit();
   check_leaps();
   if (unknown_count_ > 0) {
-    warn(first_unknown_line_, fmt::format("'{}' is no message of CARMEN; {} such lines were skipped",
+    warn(first_unknown_line_, fmt::format("'{}' is not a CARMEN message; {} such lines were skipped",
                                           first_unknown_, unknown_count_));
   }
   return CarmenLog{std::move(log_), std::move(warnings_)};
@@ -187,7 +187,7 @@ void CarmenParser::check_like_first(FieldReader& fields, const ScanMessage& scan
   if (fan_ && (std::abs(scan.fan->first_angle_rad - fan_->first_angle_rad) > kSameAngle_rad ||
                std::abs(scan.fan->angle_step_rad - fan_->angle_step_rad) > kSameAngle_rad)) {
     fields.fail(
-        fmt::format("has other beam angles than the first scan (line {})", scan_stamps_.front().line));
+        fmt::format("has different beam angles from the first scan (line {})", scan_stamps_.front().line));
   }
 }
 
@@ -225,7 +225,7 @@ void CarmenParser::settle_clock() {
   if (repair.places == 0) return;
   warn(repair.first_line,
        fmt::format(
-           "stamps go back, leap or stand still at {} places, first here; scans are taken in file order{}",
+           "stamps go back, jump or stand still at {} places, first here; scans are taken in file order{}",
            repair.places,
            repair.by_nominal_step ? fmt::format(", {} s from one line to the next", kNominalStep_s) : ""));
 }
@@ -255,7 +255,7 @@ void CarmenParser::check_leaps() {
   }
   if (count == 0) return;
   warn(odometry_stamps_[first].line,
-       fmt::format("the odometry leaps by {:.0f} m from the pose before; {} such leaps in the log", first_m,
+       fmt::format("the odometry jumps by {:.0f} m from the pose before; {} such jumps in the log", first_m,
                    count));
 }
 

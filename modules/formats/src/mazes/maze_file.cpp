@@ -68,7 +68,7 @@ Result<MazeFile> parse_maze(std::string_view bytes, const std::string& name) {
     case MazeFormat::kBitmap:
       return parse_bitmap(bytes, name);
   }
-  return Problem{{name}, "is no maze"};
+  return Problem{{name}, "is not a maze"};
 }
 
 Result<MazeFile> read_maze(const std::filesystem::path& path) {

@@ -30,7 +30,7 @@ template <class Value, std::size_t count>
 std::string word_of(const Words<Value, count>& words, Value value) {
   for (const auto& [known, word] : words)
     if (known == value) return std::string(word);
-  throw std::invalid_argument(fmt::format("{} is no value of its kind", static_cast<int>(value)));
+  throw std::invalid_argument(fmt::format("{} is not a value of its enumeration", static_cast<int>(value)));
 }
 
 template <class Value, std::size_t count>

@@ -71,7 +71,7 @@ Result<OperatorInput> operator_of(const RecordedMessage& message, const std::str
   const auto text = decoded<ros::String>(message, file);
   if (!text) return text.problems();
   auto input = parse_operator(text->data);
-  if (!input) return Problem{{file, 0, kOperatorTopic}, "has a message that is no operator input"};
+  if (!input) return Problem{{file, 0, kOperatorTopic}, "has a message that is not operator input"};
   return *std::move(input);
 }
 

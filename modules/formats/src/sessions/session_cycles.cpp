@@ -25,7 +25,7 @@ Result<std::string> head_text(const SessionReader& reader, const char* topic) {
   const std::string file = reader.database().string();
   const auto bytes = reader.first_of(topic);
   if (!bytes) return bytes.problems();
-  if (!bytes->has_value()) return Problem{{file, 0, topic}, "is missing: this bag is no session of aisle's"};
+  if (!bytes->has_value()) return Problem{{file, 0, topic}, "is missing: this bag is not an aisle session"};
   auto text = decoded<ros::String>({{topic, ros::String::kType, true}, **bytes}, file);
   if (!text) return text.problems();
   return std::move(text->data);
@@ -39,7 +39,7 @@ Result<std::optional<Decision>> decision_of(const std::vector<RecordedMessage>& 
     const auto text = decoded<ros::String>(message, file);
     if (!text) return text.problems();
     decision = parse_decision(text->data);
-    if (!decision) return Problem{{file, 0, kDecisionTopic}, "has a message that is no decision"};
+    if (!decision) return Problem{{file, 0, kDecisionTopic}, "has a message that is not a decision"};
   }
   return decision;
 }

@@ -56,7 +56,7 @@ Result<std::vector<fs::path>> files_in(const fs::path& directory) {
 Problems remove_files(const fs::path& directory, const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
     if (!belongs_to_session(file) || fs::is_directory(file))
-      return {{{file.string()}, "is no part of a session, so " + directory.string() + " is not replaced"}};
+      return {{{file.string()}, "is not part of a session, so " + directory.string() + " is not replaced"}};
   }
   for (const fs::path& file : files) {
     std::error_code error;
@@ -87,7 +87,7 @@ Problems prepare_directory(const fs::path& directory, bool force) {
   const auto files = files_in(directory);
   if (!files) return files.problems();
   if (files->empty()) return {};
-  if (!force) return {{{directory.string()}, "is not empty; --force replaces a session that is there"}};
+  if (!force) return {{{directory.string()}, "is not empty; --force replaces an existing session"}};
   return remove_files(directory, *files);
 }
 
@@ -140,7 +140,7 @@ Result<sqlite::Database> open_session(const fs::path& directory) {
   if (!fs::is_directory(directory))
     return Problem{{directory.string()}, "is a file; a session is a directory with metadata.yaml in it"};
   if (!fs::exists(metadata))
-    return Problem{{directory.string()}, "has no metadata.yaml, so it is no session"};
+    return Problem{{directory.string()}, "has no metadata.yaml, so it is not a session"};
   const auto yaml = read_whole_file(metadata, kMetadataMax_bytes);
   if (!yaml) return yaml.problems();
   const auto name = parse_database_name(*yaml, metadata.string());

@@ -48,7 +48,8 @@ Result<Message> decoded(const RecordedMessage& message, const std::string& file)
                    "has messages of type " + message.topic.type + " instead of " + Message::kType};
   }
   std::optional<Message> value = parse_cdr<Message>(message.cdr);
-  if (!value) return Problem{{file, 0, message.topic.name}, std::string("holds no CDR of ") + Message::kType};
+  if (!value)
+    return Problem{{file, 0, message.topic.name}, std::string("contains no CDR of ") + Message::kType};
   return *std::move(value);
 }
 

@@ -43,7 +43,7 @@ Problems Database::run(const char* sql) const {
 Result<Statement> Database::prepare(const char* sql) const {
   sqlite3_stmt* handle = nullptr;
   if (sqlite3_prepare_v2(handle_.get(), sql, -1, &handle, nullptr) != SQLITE_OK)
-    return failure("is no session's database");
+    return failure("is not a session database");
   return Statement(*this, handle);
 }
 

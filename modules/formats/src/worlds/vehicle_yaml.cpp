@@ -95,9 +95,9 @@ class VehicleReader {
       const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "";
       const std::string key = "cameras." + printable(name);
       if (!is_topic_word(name)) {
-        problem(entry.first, key, "is no name of a camera: a letter, then letters, digits and _");
+        problem(entry.first, key, "is not a camera name: a letter, then letters, digits and _");
       } else if (!is_new(name)) {
-        problem(entry.first, key, "stands there twice");
+        problem(entry.first, key, "is given twice");
       } else {
         vehicle_.description.cameras.push_back({.name = name});
       }

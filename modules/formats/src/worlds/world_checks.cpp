@@ -149,8 +149,7 @@ class Checks {
     std::map<std::string, std::string> why;
     for (const Segment2& obstacle : obstacles_below(world_, kVehicleHeight_m)) {
       spots.for_each_near(obstacle, kVehicleRadius_m, [&](const Spot& spot) {
-        why.emplace(spot.key,
-                    fmt::format("is nearer than {:g} m to something that stands there", kVehicleRadius_m));
+        why.emplace(spot.key, fmt::format("is closer than {:g} m to an obstacle", kVehicleRadius_m));
       });
     }
     for (const Furniture& piece : world_.furniture) {
@@ -180,7 +179,7 @@ class Checks {
         if (across < kOblique) hanging_free.erase(poster);
       });
     }
-    for (const auto& [key, poster] : hanging_free) add(key, "hangs on no wall");
+    for (const auto& [key, poster] : hanging_free) add(key, "does not hang on a wall");
   }
 
   const World& world_;

@@ -78,7 +78,7 @@ std::vector<WorldNodeReader::Section> WorldReader::sections() {
 
 void WorldReader::expect(const YAML::Node& node, const std::string& key, std::string_view value) {
   if (!node.IsScalar() || node.Scalar() != value) {
-    nodes_.problem(node, key, fmt::format("is not {}, the only one so far", value));
+    nodes_.problem(node, key, fmt::format("is not {}, the only one supported", value));
   }
 }
 
@@ -110,9 +110,8 @@ void WorldReader::add_faces(const YAML::Node& node, const std::string& key, cons
   for (std::size_t i = 1; i < wall.line.size(); ++i) {
     const Vec2 &start = wall.line[i - 1], &end = wall.line[i];
     if (start == end) {
-      nodes_.problem(
-          node, key,
-          fmt::format("the point [{:g}, {:g}] stands there twice in succession", end.x(), end.y()));
+      nodes_.problem(node, key,
+                     fmt::format("the point [{:g}, {:g}] is given twice in a row", end.x(), end.y()));
     }
     world_.walls.push_back({{start, end}, wall.height_m, wall.brightness});
   }

@@ -147,9 +147,9 @@ TEST(BuildingJson, OtherFormatsAndVersionsAreRefused) {
   EXPECT_THAT(building_problems("{}"), HasSubstr("b.json: format: is not \"aisle.building\""));
   EXPECT_THAT(building_problems(R"({"format": "aisle.world", "version": 1})"), HasSubstr("format: is not"));
   EXPECT_THAT(building_problems(R"({"format": "aisle.building"})"), HasSubstr("version: is missing"));
-  EXPECT_THAT(building_problems(R"({"format": "aisle.building", "version": 3})"),
-              HasSubstr("version: 3 is unknown here; this program reads versions 1 to 2"));
-  EXPECT_THAT(building_problems("[]"), HasSubstr("b.json: is no JSON object"));
+  EXPECT_THAT(building_problems(R"({"format": "aisle.building", "version": 4})"),
+              HasSubstr("version: 4 is unknown; this program reads versions 1 to 3"));
+  EXPECT_THAT(building_problems("[]"), HasSubstr("b.json: is not a JSON object"));
 }
 
 TEST(BuildingJson, MalformedJsonNamesItsLine) {

@@ -159,13 +159,13 @@ TEST(CarmenLog, StampsThatGoBackAreMendedAndTheScansStayInFileOrder) {
   EXPECT_THAT(stamps, ElementsAre(100, 100.5, 101, 3, 3.5, 9000, 9000.5));
   EXPECT_THAT(times, ElementsAre(100, 100.5, 101, 101.5, 102, 102.5, 103));
   EXPECT_THAT(carmen.warnings,
-              ElementsAre("trip.clf:4: stamps go back, leap or stand still at 2 places, first here; "
+              ElementsAre("trip.clf:4: stamps go back, jump or stand still at 2 places, first here; "
                           "scans are taken in file order"));
 }
 
 TEST(CarmenLog, AClockThatNeverGoesIsWarnedOfWithTheStepThatIsTaken) {
   EXPECT_THAT(parsed(flaser(7) + flaser(7) + flaser(7) + flaser(7)).warnings,
-              ElementsAre("trip.clf:3: stamps go back, leap or stand still at 2 places, first here; "
+              ElementsAre("trip.clf:3: stamps go back, jump or stand still at 2 places, first here; "
                           "scans are taken in file order, 0.1 s from one line to the next"));
 }
 
@@ -173,14 +173,14 @@ TEST(CarmenLog, OdometryThatLeapsIsWarnedOfOnceWithItsPlace) {
   const auto at = [](double x_m, double stamp_s) { return odom(x_m, stamp_s) + rawlaser(stamp_s); };
   EXPECT_THAT(
       parsed(at(0, 1) + at(19, 2) + at(40, 3) + at(41, 4) + at(0, 5)).warnings,
-      ElementsAre("trip.clf:5: the odometry leaps by 21 m from the pose before; 2 such leaps in the log"));
+      ElementsAre("trip.clf:5: the odometry jumps by 21 m from the pose before; 2 such jumps in the log"));
   EXPECT_THAT(parsed(at(0, 1) + at(19, 2) + at(38, 3)).warnings, IsEmpty());
 }
 
 TEST(CarmenLog, OtherMessagesAreSkippedAndUnknownOnesCounted) {
   EXPECT_THAT(parsed("SYNC tag 1 host 1\nNMEA-GGA 1\nRLASER 1 5\n" + flaser(1)).warnings, IsEmpty());
   EXPECT_THAT(parsed("HELLO\n" + flaser(1) + "WORLD 3\n").warnings,
-              ElementsAre("trip.clf:1: 'HELLO' is no message of CARMEN; 2 such lines were skipped"));
+              ElementsAre("trip.clf:1: 'HELLO' is not a CARMEN message; 2 such lines were skipped"));
 }
 
 TEST(CarmenLog, LineEndsOfOtherSystemsAndNoneAtAllAreFine) {

@@ -217,7 +217,7 @@ TEST(SessionWriter, NeverRemovesWhatIsNoSession) {
   const SessionPlace place;
   record_sample(place / "drive", 3);
   std::ofstream(place / "drive/thesis.txt") << "years of work";
-  EXPECT_THAT(refusal(place / "drive", true), HasSubstr("thesis.txt: is no part of a session"));
+  EXPECT_THAT(refusal(place / "drive", true), HasSubstr("thesis.txt: is not part of a session"));
   EXPECT_TRUE(fs::exists(place / "drive/drive_0.db3"));
 }
 
