@@ -1,6 +1,6 @@
-/// Shows images of 640 x 480 pixels, 30 a second, to the page in a browser; their stamps are the wall
-/// clock's, so that the page knows how old one is when it is drawn. Says what the server's thread took of a
-/// core.
+/// Sends 30 images of 640 x 480 pixels per second to the page in a browser. Their stamps are wall-clock time,
+/// so that the page knows an image's age when it draws it. Prints the share of a core that the server's
+/// thread used.
 ///   live_images PAGE-DIRECTORY SECONDS
 /// web/tests/browser/measure.mjs runs it.
 
@@ -28,7 +28,7 @@ double cpu_s(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Of all threads but this one.
+/// Processor time of all threads but this one.
 double other_cpu_s() {
   return cpu_s(CLOCK_PROCESS_CPUTIME_ID) - cpu_s(CLOCK_THREAD_CPUTIME_ID);
 }

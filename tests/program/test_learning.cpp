@@ -1,4 +1,4 @@
-/// The whole path of a route by landmarks: taught, learned, driven alone, refined.
+/// The life of a landmark route: taught, learned, driven autonomously, refined.
 
 #include <gmock/gmock.h>
 
@@ -21,7 +21,7 @@ class Learning : public Workplace {
   }
 };
 
-/// The figures of the localisation and the tracking that every shipped world is to be driven with.
+/// The localisation and tracking figures that every shipped world must reach.
 void expect_precise(const nlohmann::json& localisation, const nlohmann::json& tracking) {
   EXPECT_LE(localisation["across_rmse_m"], 0.02);
   EXPECT_LE(localisation["along_rmse_m"], 0.05);
@@ -87,7 +87,7 @@ TEST_F(Learning, ATrialIsAWholeMissionWithItsStatistics) {
   expect_precise(figures["runs"][0]["localisation"], figures["runs"][0]["tracking"]);
 }
 
-TEST_F(Learning, ThePathBackIsDrivenByWhatWasTaughtInOneDirection) {
+TEST_F(Learning, TheReturnPathIsDrivenFromARunTaughtInOneDirection) {
   file("keys.txt", "0-14 up\n");
   run({"teach", "l-corridor", "--keys", at("keys.txt"), "--route", "main", "--out", at("taught")});
   run({"learn", at("taught"), "--out", at("learned")});

@@ -16,7 +16,7 @@ namespace {
 using testing::Not;
 using testing::StartsWith;
 
-/// The program while it serves; ended by the test as by Ctrl-C.
+/// The program while it serves; the test ends it as Ctrl-C would.
 class LiveProgram : public Workplace {
  protected:
   void start(Arguments arguments) {

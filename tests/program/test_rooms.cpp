@@ -1,4 +1,4 @@
-/// A path through a furnished room, shown once, learned, and parked at by the vehicle alone.
+/// A path through a furnished room: shown once, learned, and driven autonomously until parked.
 
 #include <gmock/gmock.h>
 
@@ -87,7 +87,7 @@ TEST_F(Rooms, APathThatCannotBeTaughtLeavesTheOthersOfATrial) {
   }
 }
 
-TEST_F(Rooms, WithoutAnyTaughtRunATrialIsNotWell) {
+TEST_F(Rooms, ATrialWithoutAnyTaughtRunFails) {
   const std::string room = kRoom;
   const std::string no_frame =
       room.substr(0, room.find("parking_frames:")) + room.substr(room.find("start:"));

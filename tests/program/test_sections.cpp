@@ -1,4 +1,4 @@
-/// A path taught once to the mini-vehicle, learned as sections, driven there and back.
+/// A path taught to the mini-vehicle once, learned as sections, driven there and back.
 
 #include <gmock/gmock.h>
 
@@ -27,7 +27,7 @@ TEST_F(Sections, APathThatWasDrivenOnceIsDrivenThereAndBack) {
   const auto learned = run_well({"learn", at("taught"), "--method", "sections", "--out", at("learned")});
   std::string letters;
   for (const auto& section : learned["figures"]["sections"]) letters += section.get<std::string>().front();
-  EXPECT_EQ(letters, "achrhra");  // left, right, right: as the corridors lie
+  EXPECT_EQ(letters, "achrhra");  // left, right, right, as the corridors turn
   const auto twice = run_well({"learn", at("taught"), at("taught"), "--method", "sections"})["figures"];
   EXPECT_EQ(twice["teachings"], 2);
   EXPECT_EQ(twice["sections"], learned["figures"]["sections"]);
@@ -72,7 +72,7 @@ TEST_F(Sections, WhatCannotBeDrivenIsRefusedWithItsPlace) {
   EXPECT_THAT(blocked.out, HasSubstr("in section 2 of 2"));
 }
 
-TEST_F(Sections, WhatStandsOnTheFloorAheadIsWaitedFor) {
+TEST_F(Sections, AnObstacleOnTheFloorAheadIsWaitedFor) {
   file("building.json",
        R"({"format": "aisle.building", "version": 1, "routes": [{"name": "way", )"
        R"("start": {"at_m": [0, 0], "heading_deg": 0}, "sections": ["a 3.2 right 0.55"]}]})");
@@ -88,7 +88,7 @@ TEST_F(Sections, WhatStandsOnTheFloorAheadIsWaitedFor) {
   EXPECT_THAT(figures["why"].get<std::string>(), HasSubstr("obstacle ahead"));
   EXPECT_THAT(figures["why"].get<std::string>(), HasSubstr("in section 1 of 1"));
   EXPECT_EQ(figures["collisions"], 0);
-  EXPECT_NEAR(figures["distance_m"], 2.4 - 0.6 - 0.11 - 0.25, 0.1);  // the front a gap before the box
+  EXPECT_NEAR(figures["distance_m"], 2.4 - 0.6 - 0.11 - 0.25, 0.1);  // the front stops a gap before the box
 
   const ProgramRun crossed = drive("mini-person-crossing");
   EXPECT_EQ(crossed.exit_code, 0) << crossed.out << crossed.err;

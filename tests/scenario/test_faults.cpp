@@ -1,5 +1,5 @@
-/// Everything that a shipped scenario lets go wrong while a learned route is driven alone: the vehicle
-/// arrives, or ends with a reason, and never against something. Simulated.
+/// All faults of the shipped scenarios while a learned route is driven autonomously: the vehicle arrives, or
+/// ends the mission with a reason, and never hits anything. Simulated.
 
 #include <gmock/gmock.h>
 
@@ -64,7 +64,7 @@ TEST_F(Faults, TheVehicleArrivesAlthoughItsCameraFailsForAWhile) {
     expect_arrival(scenario);
 }
 
-TEST_F(Faults, TheVehicleArrivesThroughChangesOfLightAndWithoutItsMarkers) {
+TEST_F(Faults, TheVehicleArrivesThroughChangesOfLightAndWithoutItsLineLasers) {
   for (const char* scenario : {"light-change", "laser-off"}) expect_arrival(scenario);
 }
 
@@ -72,7 +72,7 @@ TEST_F(Faults, NeitherSlipNorSteeringErrorsDriveTheVehicleAgainstAnything) {
   for (const char* scenario : {"slip-burst", "steering-bias"}) expect_arrival_or_a_reason(scenario);
 }
 
-TEST_F(Faults, ABlockedCorridorEndsTheMissionBeforeTheVehicleContactsAnything) {
+TEST_F(Faults, ABlockedCorridorEndsTheMissionBeforeTheVehicleHitsAnything) {
   const ProgramRun run = drive("blocked-corridor", {"--out", at("trip")});
   EXPECT_EQ(run.exit_code, 1) << run.err;
   const auto figures = run.json()["figures"];
@@ -87,7 +87,7 @@ TEST_F(Faults, ABlockedCorridorEndsTheMissionBeforeTheVehicleContactsAnything) {
   EXPECT_EQ(replayed["compared"], replayed["cycles"]);
 }
 
-TEST_F(Faults, APersonWhoCrossesIsWaitedFor) {
+TEST_F(Faults, ACrossingPersonIsWaitedFor) {
   expect_arrival("person-crossing");
 }
 

@@ -20,7 +20,7 @@ std::string calibration_problems(const std::string& text) {
   return calibration.ok() ? "none" : to_string(calibration.problems());
 }
 
-/// A readable file, with `line` after its first two lines.
+/// A valid file, with `line` after its first two lines.
 std::string calibration_with(const std::string& line) {
   return "image_width: 640\nimage_height: 480\n" + line + "\nK: [500, 0, 320, 0, 500, 240, 0, 0, 1]\n";
 }

@@ -98,7 +98,7 @@ TEST_F(RequestHandler, KeepsBuildingsAsNewVersions) {
   EXPECT_EQ(old.str(), kBuilding);
 }
 
-TEST_F(RequestHandler, KeepsNoBuildingThatCannotBeRead) {
+TEST_F(RequestHandler, RefusesBuildingsThatCannotBeRead) {
   const HttpReply reply = post("/buildings/lab", R"({"format": "aisle.building", "version": 1, "wall": 3})");
   EXPECT_EQ(reply.status, 422);
   EXPECT_THAT(reply.body, HasSubstr("wall"));

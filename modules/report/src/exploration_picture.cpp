@@ -95,8 +95,10 @@ class ExplorationDrawing {
 
   void draw_legend(Canvas& canvas) const {
     Legend legend(canvas, scale_);
-    legend.add("left undone", 2 * kFrontier_px, [&](const Vec2& p) { canvas.disc(p, kFrontier_px, kUndone); });
-    legend.add("corner given up", 2 * kFrontier_px, [&](const Vec2& p) { canvas.disc(p, kFrontier_px, kGivenUp); });
+    legend.add("left undone", 2 * kFrontier_px,
+               [&](const Vec2& p) { canvas.disc(p, kFrontier_px, kUndone); });
+    legend.add("corner given up", 2 * kFrontier_px,
+               [&](const Vec2& p) { canvas.disc(p, kFrontier_px, kGivenUp); });
     legend.add("path left for later", 2 * kFrontier_px, [&](const Vec2& p) {
       canvas.ring(p, kFrontier_px, {kPushed, 2});
     });

@@ -25,7 +25,7 @@ TEST(ExplorationCharts, DrawWithTheirAxes) {
   EXPECT_NE(transducer_svg(there_and_back()), transducer_svg({}));
 }
 
-TEST(ExplorationCharts, ARunThatNeverWasIsDrawnEmpty) {
+TEST(ExplorationCharts, AnEmptyRecordIsDrawnEmpty) {
   EXPECT_THAT(coverage_svg({}), HasSubstr("</svg>"));
   EXPECT_THAT(transducer_svg({}), HasSubstr("</svg>"));
 }

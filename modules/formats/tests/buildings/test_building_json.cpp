@@ -17,7 +17,7 @@ using testing::SizeIs;
 const std::filesystem::path kGoldenWalls = kGolden / "building.v3.json";
 const std::filesystem::path kGoldenRoutes = kGolden / "building_routes.v3.json";
 
-/// A building of version 1 with these further members.
+/// A building of version 1 with these additional members.
 std::string building_with(const std::string& members) {
   return R"({"format": "aisle.building", "version": 1, )" + members + "}";
 }
@@ -63,7 +63,7 @@ TEST(BuildingJson, WritesTheGoldenFilesAsTheyStand) {
   EXPECT_EQ(building_json(*read_building(kGoldenRoutes)), *read_whole_file(kGoldenRoutes));
 }
 
-TEST(BuildingJson, WhatFormerVersionsSayIsWrittenAsVersion3) {
+TEST(BuildingJson, FilesOfFormerVersionsAreWrittenAsVersion3) {
   for (const std::string former :
        {"building.v1", "building.v2", "building_routes.v1", "building_routes.v2", "building_corridors.v2"}) {
     const auto building = read_building(kGolden / (former + ".json"));

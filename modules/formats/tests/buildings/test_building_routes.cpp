@@ -17,7 +17,7 @@ std::string routes_with(const std::string& passage, const std::string& other) {
   return golden_building("building_routes.v1.json", passage, other);
 }
 
-/// A straight-looking route of 1 km whose every piece is rounded the same way.
+/// A nearly straight route of 1 km in which every piece is rounded in the same direction.
 Path long_path(const Arc& arc) {
   std::vector<PathPiece> pieces;
   Pose2 T_map_piece{1, 2, 0.3};

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Three readings straight right, ahead and left; standing at (1, 2).
+/// Three readings straight right, ahead and left, taken at (1, 2).
 std::string flaser(double stamp_s, const std::string& ranges = "1.5 2 3") {
   return "FLASER 3 " + ranges + " 1 2 0.5 1 2 0.5 " + std::to_string(stamp_s) + " host 0.1\n";
 }
@@ -62,7 +62,7 @@ TEST(CarmenLog, FlaserBeamsRunFromTheRightToTheLeft) {
   EXPECT_NEAR(flaser_scanner(541).beam_angle(0), -135 * kDegree, 1e-12);
 }
 
-TEST(CarmenLog, TheResolutionParameterSpeaksWhereTheCountDoesNot) {
+TEST(CarmenLog, TheResolutionParameterDecidesWhereTheCountIsAmbiguous) {
   const LaserLog log = parsed(flaser(1) + "PARAM laser_front_laser_resolution 10 nohost 0\n").log;
   EXPECT_NEAR(log.laser.angle_step_rad, 10 * kDegree, 1e-12);
   EXPECT_NEAR(log.laser.beam_angle(1), 0, 1e-12);
@@ -163,13 +163,13 @@ TEST(CarmenLog, StampsThatGoBackAreMendedAndTheScansStayInFileOrder) {
                           "scans are taken in file order"));
 }
 
-TEST(CarmenLog, AClockThatNeverGoesIsWarnedOfWithTheStepThatIsTaken) {
+TEST(CarmenLog, AStoppedClockIsWarnedOfWithTheStepThatIsTaken) {
   EXPECT_THAT(parsed(flaser(7) + flaser(7) + flaser(7) + flaser(7)).warnings,
               ElementsAre("trip.clf:3: stamps go back, jump or stand still at 2 places, first here; "
                           "scans are taken in file order, 0.1 s from one line to the next"));
 }
 
-TEST(CarmenLog, OdometryThatLeapsIsWarnedOfOnceWithItsPlace) {
+TEST(CarmenLog, OdometryThatJumpsIsWarnedOfOnceWithItsPlace) {
   const auto at = [](double x_m, double stamp_s) { return odom(x_m, stamp_s) + rawlaser(stamp_s); };
   EXPECT_THAT(
       parsed(at(0, 1) + at(19, 2) + at(40, 3) + at(41, 4) + at(0, 5)).warnings,

@@ -25,7 +25,7 @@ std::string read(const fs::path& path) {
   return *read_whole_file(path);
 }
 
-/// Reads a session in every path that there is; returns the first problem, "" if there is none.
+/// Reads a session in every way that there is; returns the first problem, "" if there is none.
 std::string trouble_with(const fs::path& directory) {
   if (const auto summary = summarise_session(directory); !summary) return to_string(summary.problems());
   auto cycles = SessionCycles::open(directory);
@@ -86,7 +86,7 @@ std::string metadata_with(const std::string& storage, const std::string& compres
          "\n  compression_format: \"" + compression + "\"\n  relative_file_paths: " + files + "\n";
 }
 
-TEST_F(DamagedSession, BagsOfOtherLayoutsAreReportedWhatWouldBeRead) {
+TEST_F(DamagedSession, BagsOfOtherLayoutsNameTheLayoutThatIsRead) {
   const auto trouble = [&](const std::string& metadata) {
     write(place / "drive/metadata.yaml", metadata);
     return trouble_with(place / "drive");
@@ -106,7 +106,7 @@ TEST_F(DamagedSession, BagsOfOtherLayoutsAreReportedWhatWouldBeRead) {
   EXPECT_THAT(trouble(""), HasSubstr("this is not a bag's metadata"));
 }
 
-TEST(SessionReader, SaysWhatIsNoSession) {
+TEST(SessionReader, SaysWhatIsNotASession) {
   const SessionPlace place;
   EXPECT_THAT(trouble_with(place / "none"), HasSubstr("none: no such session"));
   write(place / "file", "x");

@@ -38,7 +38,7 @@ TEST(VehicleYaml, AFileWithoutFieldsIsTheDefaultVehicle) {
   EXPECT_EQ(vehicle->description.front_steered.wheelbase_m, FrontSteered{}.wheelbase_m);
 }
 
-TEST(VehicleYaml, PartsComeIntoBeingByTheirKeys) {
+TEST(VehicleYaml, PartsAreCreatedByTheirKeys) {
   const auto vehicle = parse_vehicle(
       "format: aisle.vehicle\nversion: 1\nscanner: {}\nlaser_markers: {height_m: 0.4}\n"
       "cameras: {left: {pan_deg: 90}, ahead: {}}\nsimulated: {cameras: {left: {noise_sigma: 4}}}\n",
@@ -94,7 +94,7 @@ TEST(VehicleYaml, WrittenVehiclesReadAsTheyWere) {
   }
 }
 
-TEST(VehicleYaml, TheDescriptionAloneTellsNothingOfTheTruth) {
+TEST(VehicleYaml, TheDescriptionAloneDoesNotContainTheTruth) {
   EXPECT_THAT(vehicle_yaml(shipped("alv.yaml").description), testing::Not(HasSubstr("simulated")));
 }
 

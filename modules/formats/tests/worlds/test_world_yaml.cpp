@@ -40,7 +40,7 @@ TEST(WorldYaml, ReadsWallsBoxesAndTour) {
   EXPECT_THAT(world->tour[1], PointNear(Vec2(2.5, 0.5), 1e-12));
 }
 
-TEST(WorldYaml, ReadsAllThatAWorldCanHold) {
+TEST(WorldYaml, ReadsEverythingAWorldCanContain) {
   const Result<World> world = parse_world(
       std::string(kWorldHead) +
           "ceiling_m: 3\n"
@@ -215,7 +215,7 @@ TEST(WorldYaml, TextsAreOneLine) {
               HasSubstr("name: is not a line of UTF-8 text"));
 }
 
-TEST(WorldYaml, NamesTheLineOfWhatCannotBe) {
+TEST(WorldYaml, NamesTheLineOfEveryContradiction) {
   EXPECT_EQ(world_problems(std::string(kWorldHead) + "ceiling_m: 2\n"
                                                      "walls:\n"
                                                      "  - [[0, 0], [9, 0]]\n"

@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-/// Draws what fields may hold, on the writer's grid of thousandths.
+/// Draws random values that fields may have, on the writer's grid of thousandths.
 class FieldDrawer {
  public:
   explicit FieldDrawer(Random& random) : random_(random) {}
@@ -53,7 +53,7 @@ class FieldDrawer {
   Random& random_;
 };
 
-/// Vehicles stand far from everything that could be in their path.
+/// Vehicles stand far from every possible obstacle.
 constexpr double kLateral_m = 500;
 
 /// A wall for the poster to hang on.
