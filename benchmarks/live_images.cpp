@@ -38,7 +38,7 @@ double wall_s() {
   return std::chrono::duration<double>(since).count();
 }
 
-Problems show_pictures(LiveServer& server, double duration_s) {
+Problems send_images(LiveServer& server, double duration_s) {
   auto record = SessionRecord::shown(server, watched_vehicle(), {});
   if (!record) return record.problems();
   const auto image = watched_image();
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
   fmt::print(stderr, "live: {}\n", (*server)->url());
   std::fflush(stderr);
   while (duration_s > 0 && (*server)->clients() == 0) std::this_thread::sleep_for(kPeriod);
-  const Problems problems = show_pictures(**server, duration_s);
+  const Problems problems = send_images(**server, duration_s);
   if (!problems.empty()) fmt::print(stderr, "{}\n", to_string(problems));
   return problems.empty() ? 0 : 1;
 }

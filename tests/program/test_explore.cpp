@@ -21,9 +21,9 @@ start: {at: [1.2, 1.1], heading_deg: 0}
 
 TEST_F(Explore, ARunIsReplayedDecisionByDecisionAndContinuedOnlyByTheSameExplorer) {
   const ProgramRun whole =
-      run_aisle({"explore", "l-corridor", "--session", at("trip"), "--set", "time_max_s=60", "--json"});
+      run_aisle({"explore", "l-corridor", "--session", at("run"), "--set", "time_max_s=60", "--json"});
   EXPECT_EQ(whole.exit_code, 1) << whole.err;
-  ASSERT_EQ(run_aisle({"cut", at("trip"), "--from", "0", "--to", "55", "--out", at("part")}).exit_code, 0);
+  ASSERT_EQ(run_aisle({"cut", at("run"), "--from", "0", "--to", "55", "--out", at("part")}).exit_code, 0);
   EXPECT_EQ(run_aisle({"replay", at("part"), "--json"}).json()["figures"]["different"], 0);
 
   const ProgramRun other = run_aisle({"explore", "l-corridor", "--resume", at("part"), "--json"});
@@ -34,8 +34,8 @@ TEST_F(Explore, ARunIsReplayedDecisionByDecisionAndContinuedOnlyByTheSameExplore
 }
 
 TEST_F(Explore, WhatWasLearnedBeforeTheInterruptionIsKnownAfterIt) {
-  ASSERT_EQ(run_aisle({"explore", "l-corridor", "--session", at("trip"), "--json"}).exit_code, 0);
-  ASSERT_EQ(run_aisle({"cut", at("trip"), "--from", "0", "--to", "90", "--out", at("part")}).exit_code, 0);
+  ASSERT_EQ(run_aisle({"explore", "l-corridor", "--session", at("run"), "--json"}).exit_code, 0);
+  ASSERT_EQ(run_aisle({"cut", at("run"), "--from", "0", "--to", "90", "--out", at("part")}).exit_code, 0);
   const ProgramRun resumed =
       run_aisle({"explore", "l-corridor", "--resume", at("part"), "--out", at("out"), "--json"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;

@@ -46,7 +46,7 @@ TEST_F(Learning, ARouteIsTaughtOnceLearnedDrivenAloneReplayedAndRefined) {
               ElementsAre("building.json", "landmarks.svg", "trip.tum", "trip_truth.tum"));
 
   const std::string building = at("learned/building.json");
-  const auto driven = run({"navigate", building, "--world", "l-corridor", "--out", at("trip")});
+  const auto driven = run({"navigate", building, "--world", "l-corridor", "--out", at("run")});
   EXPECT_TRUE(std::filesystem::exists(driven["files"]["driven_svg"].get<std::string>()));
   const auto driven = driven["figures"];
   EXPECT_EQ(driven["arrived"], true);
@@ -59,13 +59,13 @@ TEST_F(Learning, ARouteIsTaughtOnceLearnedDrivenAloneReplayedAndRefined) {
   EXPECT_TRUE(driven["cycle_ms"].contains("median") && driven["cycle_ms"].contains("p99"));
   expect_precise(driven["localisation"], driven["tracking"]);
 
-  const auto replayed = run({"replay", at("trip")})["figures"];
+  const auto replayed = run({"replay", at("run")})["figures"];
   EXPECT_EQ(replayed["navigator"], "landmarks");
   EXPECT_EQ(replayed["different"], 0);
   EXPECT_EQ(replayed["compared"], replayed["cycles"]);
   EXPECT_GT(replayed["compared"], 300);
 
-  const auto refined = run({"refine", building, at("trip"), "--out", at("refined")})["figures"];
+  const auto refined = run({"refine", building, at("run"), "--out", at("refined")})["figures"];
   EXPECT_EQ(refined["landmarks_before"], learned["landmarks"]);
   EXPECT_GT(refined["trips"][0]["matched_share"], 0.9);
   EXPECT_GE(refined["landmarks"], 20);

@@ -35,14 +35,14 @@ TEST_F(Sections, APathThatWasDrivenOnceIsDrivenThereAndBack) {
               ElementsAre("building.json", "sections.svg", "trip.tum", "trip_truth.tum"));
 
   const auto driven = run_well({"navigate", at("learned/building.json"), "--method", "sections", "--world",
-                                "mini-corridor", "--and-back", "--out", at("trip")})["figures"];
+                                "mini-corridor", "--and-back", "--out", at("run")})["figures"];
   EXPECT_EQ(driven["arrived"], true);
   EXPECT_EQ(driven["collisions"], 0);
   EXPECT_LT(driven["closing_error_m"], 0.1);
   EXPECT_LT(driven["closing_error_deg"], 3);
   EXPECT_LT(driven["wall_distance_rmse_m"], 0.02);
 
-  const auto replayed = run_well({"replay", at("trip")})["figures"];
+  const auto replayed = run_well({"replay", at("run")})["figures"];
   EXPECT_EQ(replayed["navigator"], "sections");
   EXPECT_EQ(replayed["different"], 0);
   EXPECT_GT(replayed["compared"], 3000);
@@ -50,7 +50,7 @@ TEST_F(Sections, APathThatWasDrivenOnceIsDrivenThereAndBack) {
 
 TEST_F(Sections, WhatCannotBeDrivenIsRefusedWithItsPlace) {
   const auto building = [](const std::string& sections) {
-    return R"({"format": "aisle.building", "version": 1, "routes": [{"name": "way", )"
+    return R"({"format": "aisle.building", "version": 1, "routes": [{"name": "route", )"
            R"("start": {"at_m": [0, 0], "heading_deg": 0}, "sections": [)" +
            sections + "]}]}";
   };
@@ -74,7 +74,7 @@ TEST_F(Sections, WhatCannotBeDrivenIsRefusedWithItsPlace) {
 
 TEST_F(Sections, AnObstacleOnTheFloorAheadIsWaitedFor) {
   file("building.json",
-       R"({"format": "aisle.building", "version": 1, "routes": [{"name": "way", )"
+       R"({"format": "aisle.building", "version": 1, "routes": [{"name": "route", )"
        R"("start": {"at_m": [0, 0], "heading_deg": 0}, "sections": ["a 3.2 right 0.55"]}]})");
   const auto drive = [&](const std::string& scenario) {
     return run_aisle({"navigate", at("building.json"), "--method", "sections", "--world", "mini-corridor",

@@ -73,7 +73,7 @@ TEST_F(Faults, NeitherSlipNorSteeringErrorsDriveTheVehicleAgainstAnything) {
 }
 
 TEST_F(Faults, ABlockedCorridorEndsTheMissionBeforeTheVehicleHitsAnything) {
-  const ProgramRun run = drive("blocked-corridor", {"--out", at("trip")});
+  const ProgramRun run = drive("blocked-corridor", {"--out", at("run")});
   EXPECT_EQ(run.exit_code, 1) << run.err;
   const auto figures = run.json()["figures"];
   EXPECT_EQ(figures["state"], "blocked");
@@ -82,7 +82,7 @@ TEST_F(Faults, ABlockedCorridorEndsTheMissionBeforeTheVehicleHitsAnything) {
   EXPECT_NEAR(figures["distance_m"], 16 - 0.3 - 0.8 - 0.95 - 4,
               0.2);  // from x = 4 m until 0.8 m before the box
 
-  const auto replayed = run_aisle({"replay", at("trip"), "--json"}).json()["figures"];
+  const auto replayed = run_aisle({"replay", at("run"), "--json"}).json()["figures"];
   EXPECT_EQ(replayed["different"], 0);
   EXPECT_EQ(replayed["compared"], replayed["cycles"]);
 }

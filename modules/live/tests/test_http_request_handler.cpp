@@ -21,14 +21,14 @@ class RequestHandler : public testing::Test {
  protected:
   RequestHandler() {
     fs::create_directories(root / "web/assets");
-    fs::create_directories(root / "sessions/trip");
+    fs::create_directories(root / "sessions/run");
     fs::create_directories(root / "sessions/no-session");
     fs::create_directories(root / "buildings");
     write("secret.txt", "secret");
     write("web/index.html", "<html>");
     write("web/assets/a.js", "1");
     write("web/.hidden", "hidden");
-    write("sessions/trip/metadata.yaml", "x");
+    write("sessions/run/metadata.yaml", "x");
     write("buildings/lab.json", kBuilding);
     fs::create_symlink(root / "secret.txt", root / "web/link.txt");
   }
@@ -67,7 +67,7 @@ TEST_F(RequestHandler, ShowsNothingOutsideItsFolders) {
   for (const char* target :
        {"/../secret.txt", "/%2e%2e/secret.txt", "/assets/../../secret.txt", "/assets/..%2f..%2fsecret.txt",
         "/.hidden", "/link.txt", "/sessions/../secret.txt", "/sessions/%2e%2e/secret.txt", "/buildings/..",
-        "/buildings//etc/passwd", "/sessions/trip/%00", "/%zz", "/%2", "//etc/passwd", "/assets\\a.js"}) {
+        "/buildings//etc/passwd", "/sessions/run/%00", "/%zz", "/%2", "//etc/passwd", "/assets\\a.js"}) {
     const HttpReply reply = get(target);
     EXPECT_EQ(reply.status, 404) << target;
     EXPECT_FALSE(reply.file) << target;
@@ -75,9 +75,9 @@ TEST_F(RequestHandler, ShowsNothingOutsideItsFolders) {
 }
 
 TEST_F(RequestHandler, ListsSessionsAndBuildings) {
-  EXPECT_EQ(get("/sessions/").body, R"({"sessions":["trip"]})");
+  EXPECT_EQ(get("/sessions/").body, R"({"sessions":["run"]})");
   EXPECT_EQ(get("/buildings/").body, R"({"buildings":["lab"]})");
-  EXPECT_EQ(get("/sessions/trip/metadata.yaml").file->filename(), "metadata.yaml");
+  EXPECT_EQ(get("/sessions/run/metadata.yaml").file->filename(), "metadata.yaml");
   EXPECT_EQ(get("/buildings/lab.json").media_type, "application/json");
 }
 
@@ -111,7 +111,7 @@ TEST_F(RequestHandler, RefusesBuildingsThatCannotBeRead) {
 TEST_F(RequestHandler, HasNoOtherMethods) {
   EXPECT_EQ(handler.answer({.method = "DELETE", .target = "/buildings/lab.json", .knows_token = true}).status,
             405);
-  EXPECT_EQ(post("/sessions/trip", "x").status, 405);
+  EXPECT_EQ(post("/sessions/run", "x").status, 405);
   EXPECT_EQ(handler.answer({.method = "HEAD", .target = "/healthz"}).status, 200);
 }
 

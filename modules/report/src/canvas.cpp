@@ -85,17 +85,17 @@ void Canvas::fill(const Color& color) {
   cairo_paint(cairo_);
 }
 
-void Canvas::picture(const Image& picture, const Vec2& corner) {
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width_px, picture.height_px),
+void Canvas::image(const Image& image, const Vec2& corner) {
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width_px, image.height_px),
                         cairo_surface_destroy);
   require(cairo_surface_status(surface.get()));
   const int stride = cairo_image_surface_get_stride(surface.get());
   unsigned char* const pixels = cairo_image_surface_get_data(surface.get());
-  const std::size_t last = picture.channels == 3 ? 2 : 0;
-  for (int v = 0; v < picture.height_px; ++v) {
+  const std::size_t last = image.channels == 3 ? 2 : 0;
+  for (int v = 0; v < image.height_px; ++v) {
     auto* row = reinterpret_cast<std::uint32_t*>(pixels + std::ptrdiff_t{v} * stride);
-    const std::uint8_t* from = picture.row(v);
-    for (int u = 0; u < picture.width_px; ++u, from += picture.channels)
+    const std::uint8_t* from = image.row(v);
+    for (int u = 0; u < image.width_px; ++u, from += image.channels)
       row[u] = std::uint32_t{from[0]} << 16U | std::uint32_t{from[last / 2]} << 8U | from[last];
   }
   cairo_surface_mark_dirty(surface.get());

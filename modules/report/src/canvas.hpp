@@ -38,7 +38,7 @@ class Canvas {
 
   void fill(const Color& color);
   /// An image at its own size.
-  void picture(const Image& picture, const Vec2& corner = Vec2::Zero());
+  void image(const Image& image, const Vec2& corner = Vec2::Zero());
   void line(const Vec2& start, const Vec2& end, const Pen& pen);
   void polyline(const std::vector<Vec2>& points, const Pen& pen);
   /// All lines as one shape: a transparent pen gets no darker where they cross.

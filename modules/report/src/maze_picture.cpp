@@ -125,31 +125,31 @@ class MazeDrawing {
         canvas.polyline(line, {run_.exploring[i] ? kRetreating : kExploring, width_px});
         line.erase(line.begin(), line.end() - 1);
       }
-      if (i == 0) line.push_back(lateral(at, run_.moves[i]));
+      if (i == 0) line.push_back(on_lane(at, run_.moves[i]));
       at = neighbour(at, run_.moves[i]);
     }
     if (line.empty()) return;
-    line.push_back(lateral(at, run_.moves.back()));
+    line.push_back(on_lane(at, run_.moves.back()));
     canvas.polyline(line, {run_.exploring.back() ? kExploring : kRetreating, width_px});
   }
 
   static Vec2 to_the_right(Side heading) {
-    constexpr double kLateral = 0.13;
+    constexpr double kOffset = 0.13;
     const Cell step = neighbour({0, 0}, heading);
-    return {kLateral * step.y, -kLateral * step.x};
+    return {kOffset * step.y, -kOffset * step.x};
   }
 
-  Vec2 lateral(Cell cell, Side heading) const {
+  Vec2 on_lane(Cell cell, Side heading) const {
     const Vec2 offset = to_the_right(heading);
     return on_paper(0, cell, 0.5 + offset.x(), 0.5 + offset.y());
   }
 
   /// The corner between the lane on which the vehicle arrives and the one on which it leaves.
   void add_turn(std::vector<Vec2>& line, Cell cell, Side in, Side out) const {
-    if (in == out) return line.push_back(lateral(cell, in));
+    if (in == out) return line.push_back(on_lane(cell, in));
     if (in == opposite(out)) {
-      line.push_back(lateral(cell, in));
-      return line.push_back(lateral(cell, out));
+      line.push_back(on_lane(cell, in));
+      return line.push_back(on_lane(cell, out));
     }
     const Vec2 offset = to_the_right(in) + to_the_right(out);
     line.push_back(on_paper(0, cell, 0.5 + offset.x(), 0.5 + offset.y()));

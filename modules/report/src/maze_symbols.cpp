@@ -59,10 +59,10 @@ void draw_move(Canvas& canvas, const Vec2& corner, Side side) {
   const auto [start, end] = ends_of(side);
   const Vec2 entry = corner + 0.5 * (start + end);
   const Vec2 inward = (corner + Vec2(kCell_px / 2, kCell_px / 2) - entry).normalized();
-  const Vec2 lateral(-inward.y(), inward.x());
+  const Vec2 sideways(-inward.y(), inward.x());
   const Vec2 tip = entry + 13 * inward;
   canvas.line(entry - 11 * inward, tip, {kMove, 2});
-  canvas.polyline({tip - 5 * inward + 4 * lateral, tip, tip - 5 * inward - 4 * lateral}, {kMove, 2});
+  canvas.polyline({tip - 5 * inward + 4 * sideways, tip, tip - 5 * inward - 4 * sideways}, {kMove, 2});
 }
 
 /// Produced by the preprocessing unit wherever the vehicle is, regardless of the real walls.

@@ -49,9 +49,9 @@ class CellCanvas {
   void draw(const Vec2& from, const Vec2& to, std::uint8_t value) {
     const Vec2 a = (from - image_.origin_m) / image_.resolution_m,
                b = (to - image_.origin_m) / image_.resolution_m;
-    const Vec2 path = b - a;
-    const auto steps = static_cast<int>(std::ceil(std::max(std::abs(path.x()), std::abs(path.y())))) + 1;
-    const Vec2 step = path / steps;
+    const Vec2 offset = b - a;
+    const auto steps = static_cast<int>(std::ceil(std::max(std::abs(offset.x()), std::abs(offset.y())))) + 1;
+    const Vec2 step = offset / steps;
     Vec2 at = a;
     for (int i = 0; i <= steps; ++i, at += step) {
       const auto column = static_cast<int>(at.x()), row = image_.height - 1 - static_cast<int>(at.y());

@@ -48,11 +48,11 @@ class RecordingProcess {
     process_ = ::fork();
     if (process_ == 0) record(directory, ends[1]);
     ::close(ends[1]);
-    reported_ = ends[0];
+    stamp_pipe_ = ends[0];
   }
   RecordingProcess(const RecordingProcess&) = delete;
   RecordingProcess& operator=(const RecordingProcess&) = delete;
-  ~RecordingProcess() { ::close(reported_); }
+  ~RecordingProcess() { ::close(stamp_pipe_); }
 
   /// Waits for that many messages, then kills the process; returns the stamp of the last message that it
   /// wrote.
@@ -67,19 +67,19 @@ class RecordingProcess {
   }
 
  private:
-  bool next(ros::Stamp_ns& stamp) const { return ::read(reported_, &stamp, sizeof stamp) == sizeof stamp; }
+  bool next(ros::Stamp_ns& stamp) const { return ::read(stamp_pipe_, &stamp, sizeof stamp) == sizeof stamp; }
 
-  [[noreturn]] static void record(const fs::path& directory, int tell) {
+  [[noreturn]] static void record(const fs::path& directory, int stamp_pipe) {
     auto writer = SessionWriter::create(directory, false);
     for (ros::Stamp_ns stamp = kPeriod_ns; writer.ok(); stamp += kPeriod_ns) {
       if (!writer->write(kTopic, stamp, payload(stamp)).empty()) break;
-      if (::write(tell, &stamp, sizeof stamp) != sizeof stamp) break;
+      if (::write(stamp_pipe, &stamp, sizeof stamp) != sizeof stamp) break;
     }
     ::_exit(1);
   }
 
   pid_t process_ = 0;
-  int reported_ = 0;
+  int stamp_pipe_ = 0;
 };
 
 TEST(KilledSession, OpensAndMissesLessThanItsLastSecond) {

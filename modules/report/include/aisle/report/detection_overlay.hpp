@@ -14,17 +14,17 @@
 namespace aisle {
 
 /// Lines cyan, floor points red. @return a PNG file
-std::string verticals_overlay_png(const Image& picture, std::span<const VerticalLine> verticals);
+std::string verticals_overlay_png(const Image& image, std::span<const VerticalLine> verticals);
 
 /// The right line orange, the left one magenta, a yellow ring at the vanishing point. @return a PNG file
-std::string base_lines_overlay_png(const Image& picture, const BaseLines& lines);
+std::string base_lines_overlay_png(const Image& image, const BaseLines& lines);
 
 /// Stripes green with yellow rings at their corners. @return a PNG file
-std::string stripes_overlay_png(const Image& picture, std::span<const LaserStripe> stripes);
+std::string stripes_overlay_png(const Image& image, std::span<const LaserStripe> stripes);
 
 /// The region green, its outline brighter; the scan lines' midpoints A and C yellow and their mean B red.
 /// @return a PNG file
-std::string region_overlay_png(const Image& picture, const RouteRegion& region,
+std::string region_overlay_png(const Image& image, const RouteRegion& region,
                                const std::optional<RouteMiddle>& middle);
 
 }  // namespace aisle

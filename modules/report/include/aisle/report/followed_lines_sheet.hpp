@@ -14,11 +14,11 @@ namespace aisle {
 /// thin and grey.
 class FollowedLinesSheet {
  public:
-  /// @param pictures  how many images there will be, at least 1
-  explicit FollowedLinesSheet(std::size_t pictures);
+  /// @param images  how many images there will be, at least 1
+  explicit FollowedLinesSheet(std::size_t images);
 
   /// @param numbers  of `lines`, from 0; equal numbers mean the same line
-  void add(const Image& picture, const std::vector<VerticalLine>& lines, const std::vector<int>& numbers);
+  void add(const Image& image, const std::vector<VerticalLine>& lines, const std::vector<int>& numbers);
 
   /// Needs at least one image. @return a PNG file, at most 1800 px wide
   std::string png() const;
@@ -26,7 +26,7 @@ class FollowedLinesSheet {
  private:
   class Sheet;
   struct Cell {
-    Image picture;                    // in the size in which it is drawn
+    Image image;                      // in the size in which it is drawn
     std::vector<VerticalLine> lines;  // in that size's pixels, from its corner
     std::vector<int> numbers;
   };
