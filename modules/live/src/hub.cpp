@@ -88,7 +88,7 @@ struct Hub::Reception {
   void operator()(const UnofferedRequest& request) const {
     client.say(StatusLevel::kWarning, fmt::format("'{}' is not offered", request.op.substr(0, 64)));
   }
-  void operator()(const ClientMessage& message) const { hub.hear(client, message); }
+  void operator()(const ClientMessage& message) const { hub.receive_message(client, message); }
   void operator()(const ServiceRequest& request) const { hub.call(id, client, request); }
 };
 
@@ -167,7 +167,7 @@ void Hub::advertise(Client& client, ClientChannel channel) {
   }
 }
 
-void Hub::hear(Client& client, const ClientMessage& message) {
+void Hub::receive_message(Client& client, const ClientMessage& message) {
   if (!client.channels.contains(message.channel)) {
     client.say(StatusLevel::kError, fmt::format("there is no channel {} of yours", message.channel));
     return;

@@ -66,7 +66,7 @@ class Hub {
   std::uint32_t channel_id(const SessionTopic& topic);
   void subscribe(Client& client, const Subscription& wanted);
   void advertise(Client& client, ClientChannel channel);
-  void hear(Client& client, const ClientMessage& message);
+  void receive_message(Client& client, const ClientMessage& message);
   void call(ClientId id, Client& client, const ServiceRequest& request);
   void call_mailbox(ClientId id, const ServiceRequest& request, const LiveService& service,
                     nlohmann::json arguments);

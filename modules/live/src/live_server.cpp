@@ -14,7 +14,7 @@
 #include "outbox.hpp"
 #include "server_context.hpp"
 #include "tls_context.hpp"
-#include "tls_door.hpp"
+#include "tls_handshake.hpp"
 
 namespace aisle {
 namespace {
@@ -134,7 +134,7 @@ void LiveServer::Engine::admit(Tcp::socket socket) {
   boost::system::error_code ignored;
   socket.set_option(Tcp::no_delay(true), ignored);
   net::PlainStream stream(std::move(socket));
-  if (tls_) return std::make_shared<net::TlsDoor>(std::move(stream), *tls_, server_context_)->open();
+  if (tls_) return std::make_shared<net::TlsHandshake>(std::move(stream), *tls_, server_context_)->start();
   std::make_shared<net::HttpConnection<net::PlainStream>>(std::move(stream), server_context_,
                                                           Counted(server_context_.connections))
       ->read();

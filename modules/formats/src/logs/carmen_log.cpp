@@ -94,7 +94,7 @@ class CarmenParser {
   long line_ = 0;
   std::optional<ScanKind> kind_;  ///< of the first scan; other kinds repeat the same scans
   LaserLog log_;
-  std::optional<BeamFan> fan_;
+  std::optional<BeamAngles> beam_angles_;
   double announced_range_max_m_ = 0;
   CarmenParams params_;
   RecordedMounting mounting_;
@@ -156,7 +156,7 @@ void CarmenParser::take(FieldReader& fields, ScanKind kind) {
   if (fields.ok()) check_like_first(fields, scan);
   if (!fields.ok()) return;
   if (log_.scans.empty()) {
-    fan_ = scan.fan;
+    beam_angles_ = scan.angles;
     announced_range_max_m_ = scan.maximum_range_m;
     if (scan.T_odom_vehicle) forget_odometry();
   }
@@ -184,8 +184,9 @@ void CarmenParser::check_like_first(FieldReader& fields, const ScanMessage& scan
                             scan_stamps_.front().line, beams));
   }
   constexpr double kSameAngle_rad = 1e-4;
-  if (fan_ && (std::abs(scan.fan->first_angle_rad - fan_->first_angle_rad) > kSameAngle_rad ||
-               std::abs(scan.fan->angle_step_rad - fan_->angle_step_rad) > kSameAngle_rad)) {
+  if (beam_angles_ &&
+      (std::abs(scan.angles->first_angle_rad - beam_angles_->first_angle_rad) > kSameAngle_rad ||
+       std::abs(scan.angles->angle_step_rad - beam_angles_->angle_step_rad) > kSameAngle_rad)) {
     fields.fail(
         fmt::format("has different beam angles from the first scan (line {})", scan_stamps_.front().line));
   }
@@ -210,9 +211,10 @@ void CarmenParser::forget_odometry() {
 
 void CarmenParser::settle_scanner() {
   LaserScanner& laser = log_.laser;
-  const BeamFan fan = fan_.value_or(flaser_fan(log_.scans.front().ranges_m.size(), params_.resolution_deg));
-  laser.first_angle_rad = fan.first_angle_rad;
-  laser.angle_step_rad = fan.angle_step_rad;
+  const BeamAngles angles =
+      beam_angles_.value_or(flaser_beam_angles(log_.scans.front().ranges_m.size(), params_.resolution_deg));
+  laser.first_angle_rad = angles.first_angle_rad;
+  laser.angle_step_rad = angles.angle_step_rad;
   laser.range_max_m = find_range_max_m(log_.scans, params_.maximum_range_m.value_or(announced_range_max_m_));
   std::optional<Pose2> T_vehicle_laser = options_.T_vehicle_laser;
   if (!T_vehicle_laser) T_vehicle_laser = params_.mounting();

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "field_reader.hpp"
-#include "logs/carmen_fan.hpp"
+#include "logs/carmen_beam_angles.hpp"
 
 namespace aisle {
 
@@ -18,7 +18,7 @@ struct StampFields {
 
 struct ScanMessage {
   std::vector<float> ranges_m;        ///< as recorded; infinite ones are 0
-  std::optional<BeamFan> fan;         ///< absent if the message does not give it (FLASER)
+  std::optional<BeamAngles> angles;   ///< absent if the message does not give it (FLASER)
   double maximum_range_m = 0;         ///< 0: not given
   std::optional<Pose2> T_odom_laser;  ///< absent if the message has no poses (RAWLASER1)
   std::optional<Pose2> T_odom_vehicle;

@@ -1,4 +1,4 @@
-#include "logs/carmen_fan.hpp"
+#include "logs/carmen_beam_angles.hpp"
 
 #include "aisle/core/angle.hpp"
 #include "aisle/formats/logs/carmen_log.hpp"
@@ -31,7 +31,7 @@ std::optional<double> known_step_deg(std::size_t beams) {
 
 }  // namespace
 
-BeamFan flaser_fan(std::size_t beams, std::optional<double> resolution_deg) {
+BeamAngles flaser_beam_angles(std::size_t beams, std::optional<double> resolution_deg) {
   std::optional<double> step_deg = known_step_deg(beams);
   if (!step_deg) step_deg = resolution_deg;
   if (!step_deg && beams >= 300 && beams < 540) step_deg = 0.5;
@@ -41,10 +41,10 @@ BeamFan flaser_fan(std::size_t beams, std::optional<double> resolution_deg) {
 }
 
 LaserScanner flaser_scanner(std::size_t beams) {
-  const BeamFan fan = flaser_fan(beams, std::nullopt);
+  const BeamAngles angles = flaser_beam_angles(beams, std::nullopt);
   LaserScanner laser;
-  laser.first_angle_rad = fan.first_angle_rad;
-  laser.angle_step_rad = fan.angle_step_rad;
+  laser.first_angle_rad = angles.first_angle_rad;
+  laser.angle_step_rad = angles.angle_step_rad;
   return laser;
 }
 
