@@ -89,10 +89,10 @@ class Checks {
   /// A vehicle can be sent by name to a place or a parking frame, so their names must differ.
   void check_names() {
     std::map<std::string, std::string> first_with;
-    const auto check = [&](const char* list, const auto& things) {
-      for (std::size_t i = 0; i < things.size(); ++i) {
+    const auto check = [&](const char* list, const auto& objects) {
+      for (std::size_t i = 0; i < objects.size(); ++i) {
         const std::string key = fmt::format("{}[{}]", list, i);
-        const auto [first, is_new] = first_with.emplace(things[i].name, key);
+        const auto [first, is_new] = first_with.emplace(objects[i].name, key);
         if (!is_new) add(key + ".name", fmt::format("is the name of {} too", first->second));
       }
     };

@@ -70,23 +70,23 @@ WorldFields fields_of(Pose2& pose);
 /// The single values of a world: name, tour, ceiling, skirting, light.
 WorldFields fields_of(World& world);
 
-inline constexpr std::size_t kThingsMax = 50'000;
+inline constexpr std::size_t kObjectsMax = 50'000;
 
-/// The lists of a world and the maximum length of each: visit(key, things, most).
+/// The lists of a world and the maximum length of each: visit(key, objects, most).
 template <class SomeWorld, class Visit>
 void for_each_list(SomeWorld& world, const Visit& visit) {
   constexpr std::size_t kFew = 1'000, kPeopleMax = 200;
-  visit("doors", world.doors, kThingsMax);
-  visit("posters", world.posters, kThingsMax);
-  visit("lamps", world.lamps, kThingsMax);
-  visit("papers", world.papers, kThingsMax);
-  visit("furniture", world.furniture, kThingsMax);
+  visit("doors", world.doors, kObjectsMax);
+  visit("posters", world.posters, kObjectsMax);
+  visit("lamps", world.lamps, kObjectsMax);
+  visit("papers", world.papers, kObjectsMax);
+  visit("furniture", world.furniture, kObjectsMax);
   visit("parking_frames", world.parking_frames, kFew);
   visit("boards", world.boards, kFew);
   visit("people", world.people, kPeopleMax);
   visit("places", world.places, kFew);
   visit("routes", world.routes, kFew);
-  visit("turnings", world.turnings, kThingsMax);
+  visit("turnings", world.turnings, kObjectsMax);
 }
 
 }  // namespace aisle

@@ -52,10 +52,10 @@ std::string value_text(const WorldField& field, std::string_view indent) {
 }
 
 /// "key: value" of every field that is required or differs from its default.
-template <class Thing>
-std::vector<std::string> entries(Thing thing, std::string_view indent) {
-  Thing plain;
-  const WorldFields fields = fields_of(thing), plain_fields = fields_of(plain);
+template <class Object>
+std::vector<std::string> entries(Object object, std::string_view indent) {
+  Object plain;
+  const WorldFields fields = fields_of(object), plain_fields = fields_of(plain);
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::string value = value_text(fields[i], indent);
@@ -65,16 +65,16 @@ std::vector<std::string> entries(Thing thing, std::string_view indent) {
   return texts;
 }
 
-template <class Thing>
-std::string map_text(const Thing& thing) {
-  return fmt::format("{{{}}}", fmt::join(entries(thing, "     "), ", "));
+template <class Object>
+std::string map_text(const Object& object) {
+  return fmt::format("{{{}}}", fmt::join(entries(object, "     "), ", "));
 }
 
-template <class Thing>
-std::string list_text(std::string_view key, const std::vector<Thing>& things) {
-  if (things.empty()) return {};
+template <class Object>
+std::string list_text(std::string_view key, const std::vector<Object>& objects) {
+  if (objects.empty()) return {};
   std::string text = fmt::format("{}:\n", key);
-  for (const Thing& thing : things) text += fmt::format("  - {}\n", map_text(thing));
+  for (const Object& object : objects) text += fmt::format("  - {}\n", map_text(object));
   return text;
 }
 
@@ -112,7 +112,7 @@ std::string world_yaml(const World& world) {
   if (world.start) text += fmt::format("start: {}\n", map_text(*world.start));
   text += walls_text(world);
   for_each_list(world,
-                [&](const char* key, const auto& things, std::size_t) { text += list_text(key, things); });
+                [&](const char* key, const auto& objects, std::size_t) { text += list_text(key, objects); });
   return text;
 }
 

@@ -45,11 +45,11 @@ std::string row_of(const WorldField& field) {
   return fmt::format("| `{}` |{}|{}|", field.key, cell(standard), cell(range));
 }
 
-template <class Thing>
+template <class Object>
 void expect_described(const std::string& heading) {
   const std::string text = chapter(heading);
-  Thing thing;
-  for (const WorldField& field : fields_of(thing)) EXPECT_THAT(text, HasSubstr(row_of(field))) << heading;
+  Object object;
+  for (const WorldField& field : fields_of(object)) EXPECT_THAT(text, HasSubstr(row_of(field))) << heading;
 }
 
 TEST(WorldDocument, DescribesEveryKeyWithItsDefaultAndRange) {
@@ -57,8 +57,8 @@ TEST(WorldDocument, DescribesEveryKeyWithItsDefaultAndRange) {
   expect_described<Pose2>("### `start`");
   expect_described<FloorCovering>("### `floor`");
   World world;
-  for_each_list(world, [](const std::string& key, auto& things, std::size_t) {
-    expect_described<typename std::decay_t<decltype(things)>::value_type>("### `" + key + "`");
+  for_each_list(world, [](const std::string& key, auto& objects, std::size_t) {
+    expect_described<typename std::decay_t<decltype(objects)>::value_type>("### `" + key + "`");
   });
 }
 

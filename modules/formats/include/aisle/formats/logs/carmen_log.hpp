@@ -21,8 +21,7 @@ struct CarmenOptions {
 
 struct CarmenLog {
   LaserLog log;
-  std::vector<std::string>
-      warnings;  ///< what looks wrong but could be repaired or ignored; one sentence each
+  std::vector<std::string> warnings;  ///< what looks wrong but is usable; one sentence each
 };
 
 /// The scans of one scanner in file order, with the odometry. Plain or gzip. Anything unreadable (no scans, a

@@ -22,8 +22,7 @@ enum class MazeFormat {
 struct MazeFile {
   GridWorld world;
   MazeFormat format = MazeFormat::kText;
-  bool has_start =
-      false;  ///< false: the file names no start; `world.start` is then the bottom left free cell
+  bool has_start = false;  ///< false: none in the file; `world.start` is the bottom left free cell
 };
 
 /// Plain or gzip; the format is recognised from the content. Every problem has its line and column; after 20
