@@ -16,7 +16,7 @@ namespace aisle {
 /// ignored.
 Result<CameraCalibration> read_calibration(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<CameraCalibration> parse_calibration(std::string_view text, const std::string& name);
 
 /// The text that OpenCV's FileStorage reads.

@@ -10,7 +10,7 @@
 
 namespace aisle {
 
-/// Reads "FROM[-TO] KEY [LABEL]" lines; `name` stands for the file in problems.
+/// Reads "FROM[-TO] KEY [LABEL]" lines; `name` is the file name in problems.
 Result<std::vector<TimedKey>> parse_key_script(std::string_view text, const std::string& name);
 
 }  // namespace aisle

@@ -14,7 +14,7 @@ namespace aisle {
 /// Empty on success.
 Problems read_parameters(const std::filesystem::path& path, FieldList& fields);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Problems parse_parameters(std::string_view text, const std::string& name, FieldList& fields);
 
 /// All fields with their current values, each below a comment with its meaning and range. Reading the text

@@ -20,7 +20,7 @@ std::string building_json(const Building& building);
 /// problem with its key path ("walls[3].start_m"). Plain or gzip.
 Result<Building> read_building(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<Building> parse_building(std::string_view text, const std::string& name);
 
 }  // namespace aisle

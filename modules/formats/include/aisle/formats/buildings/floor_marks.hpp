@@ -14,7 +14,7 @@ namespace aisle {
 /// All problems of the file are reported together, each with its line.
 Result<std::vector<FloorMark>> read_floor_marks(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<std::vector<FloorMark>> parse_floor_marks(std::string_view text, const std::string& name);
 
 }  // namespace aisle

@@ -15,7 +15,7 @@ namespace aisle {
 /// columns or rows is a problem.
 Result<Image> read_image(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<Image> parse_image(std::string_view bytes, const std::string& name);
 
 /// The image as a PNG file.

@@ -39,7 +39,7 @@ struct MapServerYaml {
   PlanThresholds thresholds;
 };
 
-/// Reports every problem with its line and key; ignores unknown keys. `name` stands for the file in problems.
+/// Reports every problem with its line and key; ignores unknown keys. `name` is the file name in problems.
 Result<MapServerYaml> parse_map_server_yaml(const std::string& text, const std::string& name);
 
 /// Reads the YAML file and the image that it names; the plan's frame `world` is the map's frame. Unknown

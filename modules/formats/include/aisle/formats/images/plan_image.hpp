@@ -24,7 +24,7 @@ FloorPlan floor_plan(const Image& grey, double cell_m, const PlanThresholds& thr
 /// @param cell_m  side of a pixel
 Result<FloorPlan> read_plan_image(const std::filesystem::path& path, double cell_m);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<FloorPlan> parse_plan_image(std::string_view bytes, const std::string& name, double cell_m,
                                    const PlanThresholds& thresholds = {});
 

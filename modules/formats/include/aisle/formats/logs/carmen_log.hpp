@@ -29,7 +29,7 @@ struct CarmenLog {
 /// line number; after 20 problems the rest is only counted.
 Result<CarmenLog> read_carmen_log(const std::filesystem::path& path, const CarmenOptions& options = {});
 
-/// The same from memory; `name` stands for the file in problems and warnings.
+/// The same from memory; `name` is the file name in problems and warnings.
 Result<CarmenLog> parse_carmen_log(std::string_view text, const std::string& name,
                                    const CarmenOptions& options = {});
 

@@ -17,7 +17,7 @@ namespace aisle {
 /// number.
 Result<std::vector<PoseRelation>> read_relations(const std::filesystem::path& path, const LaserLog& log);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<std::vector<PoseRelation>> parse_relations(std::string_view text, const std::string& name,
                                                   const LaserLog& log);
 

@@ -24,7 +24,7 @@ std::string tum_text(std::span<const double> stamps_s, std::span<const Pose2> T_
 /// The trajectory in the x-y plane: z is dropped, the heading is the quaternion's yaw. Plain or gzip.
 Result<Trajectory> read_tum(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<Trajectory> parse_tum(std::string_view text, const std::string& name);
 
 }  // namespace aisle

@@ -29,7 +29,7 @@ struct MazeFile {
 /// problems the rest is only counted.
 Result<MazeFile> read_maze(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<MazeFile> parse_maze(std::string_view bytes, const std::string& name);
 
 /// The world drawn in text, with its start and goals; reading it gives the same world.

@@ -25,7 +25,7 @@ struct SessionOrigin {
 /// As the JSON of the topic /session.
 std::string session_origin_json(const SessionOrigin& origin);
 
-/// `name` stands for the file in problems.
+/// `name` is the file name in problems.
 Result<SessionOrigin> parse_session_origin(std::string_view text, const std::string& name);
 
 }  // namespace aisle

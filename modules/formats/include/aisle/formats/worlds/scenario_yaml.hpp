@@ -12,7 +12,7 @@ namespace aisle {
 /// Reads a scenario file; all problems are reported together, each with its line and key.
 Result<Scenario> read_scenario(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<Scenario> parse_scenario(const std::string& text, const std::string& name);
 
 }  // namespace aisle

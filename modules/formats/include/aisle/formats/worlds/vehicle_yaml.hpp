@@ -14,7 +14,7 @@ namespace aisle {
 /// part `simulated` gets the defaults of that part.
 Result<VehicleModel> read_vehicle(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<VehicleModel> parse_vehicle(const std::string& text, const std::string& name);
 
 /// What the vehicle knows about itself, as the text of a vehicle file without the part `simulated`.

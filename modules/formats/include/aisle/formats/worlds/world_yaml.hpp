@@ -13,7 +13,7 @@ namespace aisle {
 /// Reads a world file; all problems are reported together, each with its line and key.
 Result<World> read_world(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<World> parse_world(const std::string& text, const std::string& name);
 
 /// The world as the text of a world file. Consecutive walls that join become polylines; coordinates are
