@@ -13,7 +13,7 @@ namespace aisle {
 std::string decision_text(const Decision& decision);
 std::string operator_text(const OperatorInput& input);
 
-/// @return nullopt if the text is not a decision
+/// @return nullopt if the text is not a decision, or not operator input
 std::optional<Decision> parse_decision(const std::string& text);
 std::optional<OperatorInput> parse_operator(const std::string& text);
 
