@@ -1,6 +1,6 @@
-/// Laser stripes and the route region of an image of 640 x 480, against what OpenCV has for the same
-/// purpose: blurring, a vertical derivative and the strongest row of each column for stripes; the watershed
-/// from a floor marker and a wall marker for the region. The counter `share_of_baseline` is the ratio of the
+/// Laser stripes and free-space segmentation of a 640 x 480 image, compared with OpenCV's means for the same
+/// purpose: for stripes blurring, a vertical derivative and the strongest row of each column; for the region
+/// the watershed from a floor marker and a wall marker. The counter `share_of_baseline` is the ratio of the
 /// times in the same run.
 
 #include <benchmark/benchmark.h>

@@ -1,7 +1,7 @@
-/// Near-vertical lines and base lines of images 640 wide against OpenCV's line finders on one core: the
-/// line segment detector, and Canny edges with the probabilistic Hough transform. The image is a drawn
-/// corridor with noise; with AISLE_DATA the images of real corridors there as well. The counter
-/// `times_segment_detector` is the ratio of frames to OpenCV's detector on the same images.
+/// Near-vertical lines and base lines in images 640 pixels wide, compared with OpenCV's line detectors on one
+/// core: the line segment detector, and Canny edges with the probabilistic Hough transform. The image is a
+/// drawn corridor with noise; with AISLE_DATA, also the images of real corridors there. The counter
+/// `times_segment_detector` is the ratio of frame rates to OpenCV's detector on the same images.
 
 #include <benchmark/benchmark.h>
 
@@ -82,7 +82,7 @@ double seconds_by_segment_detector(bool real) {
   return known = passed_s / frames;
 }
 
-/// Runs `detect(index)` over the images and counts frames and the ratio to OpenCV's segment detector.
+/// Runs `detect(index)` over the images; counts frames and the ratio to OpenCV's segment detector.
 template <class Detect>
 void over_images(benchmark::State& state, const Detect& detect) {
   cv::setNumThreads(1);

@@ -1,6 +1,6 @@
-/// One image in maps of a hundred to a million landmarks: where the vehicle is (LandmarkLocaliser), and
-/// where it may be when it is lost (LandmarkRelocator). Both are to cost the same in any building;
-/// `times_small` is the median against that of the smallest map in the same run.
+/// One image in maps of a hundred to a million landmarks: localisation (LandmarkLocaliser) and relocalisation
+/// after kidnapping (LandmarkRelocator). Both should cost the same in any building; `times_small` is the
+/// ratio of the median to that of the smallest map in the same run.
 
 #include <benchmark/benchmark.h>
 
@@ -19,7 +19,7 @@ namespace {
 constexpr double kCorridor_m = 25, kApart_m = 6, kTried_m = 0.8;
 constexpr int kImages = 200;
 
-/// Corridors side by side, until there are so many landmarks.
+/// Corridors side by side, with as many landmarks as asked for.
 struct ManyCorridors {
   LandmarkMap map;
   std::vector<CorridorLine> lines;  ///< of the corridor in the middle
@@ -54,7 +54,7 @@ double thread_cpu_now_s() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Medians of the smallest maps, by what was measured.
+/// Medians of the smallest maps, by the quantity that was measured.
 std::map<std::string, double>& smallest_s() {
   static std::map<std::string, double> medians;
   return medians;

@@ -1,5 +1,5 @@
-/// What it costs a mission's cycle to be watched: recorded for nobody, and shown to ten clients, one of which
-/// reads nothing. Processor time of the mission's thread alone.
+/// What it costs a mission's cycle to have viewers: recorded for nobody, and shown to ten clients, one of
+/// which reads nothing. Processor time of the mission's thread alone.
 
 #include <benchmark/benchmark.h>
 
@@ -32,7 +32,7 @@ double thread_cpu_s() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// A client that reads all that comes, on a thread of its own.
+/// A client that reads everything it gets, on its own thread.
 std::jthread reading_client(std::uint16_t port) {
   return std::jthread([port](const std::stop_token& stop) {
     LiveClient client(port);
@@ -82,7 +82,7 @@ void for_ten_clients_one_stalled(benchmark::State& state) {
   auto server = LiveServer::open({.port = 0}, {});
   if (!server) return state.SkipWithError("no server");
   Cycles cycles(**server);
-  cycles.drive_one();  // the channels are known
+  cycles.drive_one();  // now the channels are known
   LiveClient stalled((*server)->port());
   stalled.subscribe_to_all();
   std::vector<std::jthread> clients;

@@ -1,6 +1,6 @@
-/// Shows images of 640 x 480 pixels, 30 a second, to the page in a browser; their stamps are the wall
-/// clock's, so that the page knows how old one is when it is drawn. Says what the server's thread took of a
-/// core.
+/// Sends 30 images of 640 x 480 pixels per second to the page in a browser. Their stamps are wall-clock time,
+/// so that the page knows an image's age when it draws it. Prints the share of a core that the server's
+/// thread used.
 ///   live_images PAGE-DIRECTORY SECONDS
 /// web/tests/browser/measure.mjs runs it.
 
@@ -28,7 +28,7 @@ double cpu_s(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Of all threads but this one.
+/// Processor time of all threads but this one.
 double other_cpu_s() {
   return cpu_s(CLOCK_PROCESS_CPUTIME_ID) - cpu_s(CLOCK_THREAD_CPUTIME_ID);
 }
@@ -38,7 +38,7 @@ double wall_s() {
   return std::chrono::duration<double>(since).count();
 }
 
-Problems show_pictures(LiveServer& server, double duration_s) {
+Problems send_images(LiveServer& server, double duration_s) {
   auto record = SessionRecord::shown(server, watched_vehicle(), {});
   if (!record) return record.problems();
   const auto image = watched_image();
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
   fmt::print(stderr, "live: {}\n", (*server)->url());
   std::fflush(stderr);
   while (duration_s > 0 && (*server)->clients() == 0) std::this_thread::sleep_for(kPeriod);
-  const Problems problems = show_pictures(**server, duration_s);
+  const Problems problems = send_images(**server, duration_s);
   if (!problems.empty()) fmt::print(stderr, "{}\n", to_string(problems));
   return problems.empty() ? 0 : 1;
 }

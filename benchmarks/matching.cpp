@@ -1,7 +1,7 @@
-/// One view against a window of the map: the signature match of C99 Algorithm 2 as aisle computes it, against
-/// the same algorithm cell by cell and against exhaustive 2-D correlation of the same segments. All three
-/// search the same displacements of +-0.4 m in steps of 2 cm. The counter `times_signature` is the ratio to
-/// the first.
+/// One view matched against a window of the map: aisle's signature match of C99 Algorithm 2, compared with
+/// the same algorithm cell by cell and with exhaustive 2-D correlation of the same segments. All three search
+/// the same displacements of +-0.4 m in steps of 2 cm. The counter `times_signature` is the ratio to the
+/// first.
 
 #include <benchmark/benchmark.h>
 
@@ -18,7 +18,7 @@ namespace {
 constexpr SignatureParams kParams;
 constexpr int kHalf = 20;
 
-/// The inner walls of six by six rooms of about 4 m, and a view of six of the rooms.
+/// The inner walls of six by six rooms of about 4 m, and a view of six of them.
 struct Scene {
   std::vector<Segment2> window;
   std::vector<Segment2> view;
@@ -61,7 +61,7 @@ Vec2 match_by_signatures(const Scene& scene, SignatureCorrelator& correlator) {
   return displacement;
 }
 
-/// Steps 1 to 6 of the algorithm on arrays of cells, as printed.
+/// Steps 1 to 6 of the algorithm as printed, on arrays of cells.
 Vec2 match_cell_by_cell(const Scene& scene) {
   constexpr int kCells = 2000;
   const auto blurred = [](const Signature& signature) {
@@ -95,7 +95,7 @@ Vec2 match_cell_by_cell(const Scene& scene) {
   return displacement;
 }
 
-/// How much of the view lies on the window's walls, for every displacement in the plane.
+/// The length of the view that lies on the window's walls, for every displacement in the plane.
 Vec2 match_exhaustively(const Scene& scene) {
   Vec2 displacement = Vec2::Zero();
   double best = -1;

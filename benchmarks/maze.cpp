@@ -1,4 +1,5 @@
-/// What a move through the transducer's table costs against a hand-written depth-first step, in one run.
+/// The cost of a move through the transducer's table, compared with a hand-written depth-first step in the
+/// same run.
 
 #include <benchmark/benchmark.h>
 
@@ -12,7 +13,7 @@
 namespace aisle {
 namespace {
 
-/// So many different worlds that the processor does not learn their turns by heart.
+/// Enough different worlds that branch prediction cannot learn their turns.
 std::vector<GridWorld> worlds_of(int size) {
   std::vector<GridWorld> worlds;
   const std::uint64_t count = std::max(1, (1 << 20) / (size * size) / 4);
@@ -90,7 +91,7 @@ void BM_Transducer(benchmark::State& state, GridRuleSet set) {
   compare(state, [set](const GridWorld& world) { return transducer_moves(world, set); });
 }
 
-/// Cells on a side of the world.
+/// Cells per side of the world.
 void sizes(benchmark::internal::Benchmark* benchmark) {
   benchmark->Arg(16)->Arg(256)->Unit(benchmark::kMillisecond);
 }

@@ -1,6 +1,6 @@
-/// The generalized Hough transform of C98 by branch and bound against the published voting, in the same run
-/// and with the same answer: on simulated corridors of door frames with clutter. The counter `times_faster`
-/// is the ratio of the mean times; `same_answers` must be 1.
+/// The generalised Hough transform of C98 by branch and bound, compared with the published voting in the same
+/// run and with the same answer: on simulated corridors of door frames with clutter. The counter
+/// `times_faster` is the ratio of the mean times; `same_answers` must be 1.
 
 #include <benchmark/benchmark.h>
 
@@ -27,12 +27,12 @@ Case wide() {
   return {{.cell_m = 0.01}, {1, 1, 5 * kDegree}, {.learned = 60, .seen = 30, .off = {0.8, 0.3, 4 * kDegree}}};
 }
 
-/// From one image to the next.
+/// Tracking from one image to the next.
 Case driving() {
   return {{}, {0.25, 0.25, 2 * kDegree}, {.learned = 45, .seen = 15, .off = {0.15, 0.08, 1 * kDegree}}};
 }
 
-/// Lost: 4 m x 4 m x 40 degrees among 100 learned points.
+/// Relocalisation: 4 m x 4 m x 40 degrees among 100 learned points.
 Case lost() {
   return {{}, {2, 2, 20 * kDegree}, {.learned = 100, .seen = 25, .off = {1.6, 0.4, 15 * kDegree}}};
 }
@@ -44,7 +44,7 @@ std::vector<CorridorPoints> corridors(const CorridorSight& sight) {
   return all;
 }
 
-/// The greatest H by Algorithm 1 as printed, angle by angle.
+/// The largest H by Algorithm 1 as printed, angle by angle.
 double vote_as_printed(const Case& tried, const CorridorPoints& points) {
   const MwghtParams& params = tried.params;
   const auto half = [](double size, double step) { return static_cast<int>(size / step + 1e-9); };

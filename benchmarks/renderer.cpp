@@ -1,6 +1,6 @@
-/// Images of 640 x 480 pixels of an office corridor with lamps, soft shadows and laser stripe, against the
-/// ray tracer's primary rays alone (one a pixel, nothing shaded) in the same scene and run. The argument is
-/// the number of threads; `of_raw` compares the rate at which finished pixels come with the raw rate.
+/// 640 x 480 images of an office corridor with lamps, soft shadows and a laser stripe, compared with the ray
+/// tracer's primary rays alone (one per pixel, no shading) in the same scene and run. The argument is the
+/// number of threads; `of_raw` is the ratio of the rate of finished pixels to the raw rate.
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
@@ -47,7 +47,7 @@ double pixels_per_image() {
   return static_cast<double>(camera().width_px) * camera().height_px;
 }
 
-/// Primary rays of the last raw run a second, by the number of threads.
+/// Primary rays per second of the last raw run, by number of threads.
 double& raw_rays_per_s(std::int64_t threads) {
   static double rates[3] = {};
   return rates[threads];

@@ -1,5 +1,5 @@
-/// What recording a session costs: processor time for each second of driving, one camera at 10 Hz with
-/// 640 x 480 images, against encoding the same images and nothing else.
+/// The cost of recording a session: processor time per second of driving, one camera at 10 Hz with 640 x 480
+/// images, compared with encoding the same images and nothing else.
 
 #include <benchmark/benchmark.h>
 
@@ -21,9 +21,9 @@ namespace {
 constexpr int kWidth_px = 640;
 constexpr int kHeight_px = 480;
 constexpr double kPeriod_s = 0.1;
-constexpr int kImages = 20;  // different ones, taken in turn
+constexpr int kImages = 20;  // distinct images, used in turn
 
-/// A corridor of sorts: floor tiles and walls running to a vanishing point, shading, pixel noise.
+/// A simple corridor: floor tiles and walls running to a vanishing point, shading, pixel noise.
 Image corridor(int channels, Random& random) {
   Image image(kWidth_px, kHeight_px, channels);
   const double vanishing_u = 320 + random.uniform(-60, 60);
@@ -61,7 +61,7 @@ double process_cpu_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Records while the benchmark runs, a cycle an iteration.
+/// Records while the benchmark runs, one cycle per iteration.
 void record(benchmark::State& state, const ImageCoding& coding, int channels) {
   const auto all = images(channels);
   const auto directory = std::filesystem::temp_directory_path() / "aisle-benchmark-session";
@@ -85,8 +85,8 @@ void record(benchmark::State& state, const ImageCoding& coding, int channels) {
   std::filesystem::remove_all(directory);
 }
 
-/// The baseline: the images as JPEG and back, which any recording of compressed images that shows the
-/// navigator what it keeps must do.
+/// The baseline: the images to JPEG and back. Any recording of compressed images must do this, if the
+/// navigator is to see what is stored.
 void BM_EncodeAndDecodeOnly(benchmark::State& state, int channels) {
   const auto all = images(channels);
   std::size_t cycles = 0;
@@ -108,7 +108,7 @@ void BM_RecordPng(benchmark::State& state, int channels) {
   record(state, {ImageCoding::Kind::kPng}, channels);
 }
 
-// 6000 cycles are the ten minutes of the figure.
+// 6000 cycles are ten minutes of driving.
 BENCHMARK_CAPTURE(BM_EncodeAndDecodeOnly, grey, 1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_RecordJpeg, grey, 1)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_EncodeAndDecodeOnly, colour, 3)->Unit(benchmark::kMillisecond);

@@ -1,4 +1,4 @@
-/// Detectors on real images, which are no part of the repository. Each test prints its figures.
+/// Detectors on real images, which are not part of the repository. Each test prints its figures.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -83,7 +83,7 @@ TEST(RealImages, ACoveredPlaceIsNoRoute) {
     const int left = std::stoi(box[2]), top = std::stoi(box[3]), right = std::stoi(box[4]);
     const int bottom = std::stoi(box[5]);
     const Image mask = find_route_region(read(folder / box[1].str())).mask;
-    // A cone fills its box's middle third from a quarter of its height to its foot.
+    // A cone fills the middle third of its box from a quarter of the height down to the floor.
     int covered = 0, all = 0;
     for (int v = top + (bottom - top) / 4; v < std::min(bottom - 4, mask.height_px); ++v) {
       for (int u = left + (right - left) / 3; u < std::min(right - (right - left) / 3, mask.width_px); ++u) {
@@ -99,7 +99,7 @@ TEST(RealImages, ACoveredPlaceIsNoRoute) {
   EXPECT_LE(worst, 0.1);
 }
 
-/// The middle of what a row of a mask shows; nullopt: nothing.
+/// The middle of a mask's row; nullopt if the row is empty.
 std::optional<double> middle_of(const Image& mask, int row) {
   const std::uint8_t* begin = mask.row(row);
   const std::uint8_t* end = begin + mask.width_px;
@@ -178,22 +178,22 @@ TEST(RealImages, AStripesRowTellsTheDistance) {
   EXPECT_LE(rms_px, 1.0);
 }
 
-/// How far the places where columns are brightest and darkest are off at most (L96 section 3.5).
+/// The largest error of the columns where the image is brightest and darkest (L96 section 3.5).
 double most_off(const std::array<double, 8>& a, const std::array<double, 8>& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
   return most;
 }
 
-/// Of images in order, every second one taught and the others recognised.
+/// Of consecutive images, every second one is taught and the others are recognised.
 struct PlaceCount {
   int images = 0;
-  int alike_as_published = 0;  ///< most like one of their neighbours by the published views
-  int alike = 0;               ///< most like one of their neighbours
-  int sure = 0;                ///< and sure to be there
-  int wrong = 0;               ///< sure to be more than three images away
-  int confirmed = 0;           ///< most like a neighbour, and sure or confirmed by the images beside it
-  int confirmed_wrong = 0;     ///< confirmed to be more than three images away
+  int alike_as_published = 0;  ///< most similar to one of their neighbours, by the published views
+  int alike = 0;               ///< most similar to one of their neighbours
+  int sure = 0;                ///< and certain to be there
+  int wrong = 0;               ///< certain, but more than three images away
+  int confirmed = 0;        ///< most similar to a neighbour, and certain or confirmed by the images beside it
+  int confirmed_wrong = 0;  ///< confirmed, but more than three images away
 };
 
 PlaceCount recognise_every_second(const std::vector<Image>& drive) {
@@ -239,7 +239,7 @@ void print(const char* of, const PlaceCount& count) {
       count.confirmed_wrong);
 }
 
-TEST(RealImages, PlacesOfACorridorAreKnownAgainFromMetresAway) {
+TEST(RealImages, PlacesOfACorridorAreRecognisedFromMetresAway) {
   const fs::path folder = images("rtabmap_corridor_2laps");
   AISLE_NEEDS(folder);
   std::vector<Image> lap;
@@ -254,7 +254,7 @@ TEST(RealImages, PlacesOfACorridorAreKnownAgainFromMetresAway) {
   EXPECT_EQ(count.confirmed_wrong, 0);
 }
 
-TEST(RealImages, PlacesOfAnOfficeAreKnownAgain) {
+TEST(RealImages, PlacesOfAnOfficeAreRecognised) {
   const fs::path folder = images("pepper_office");
   AISLE_NEEDS(folder);
   std::vector<Image> drive;

@@ -12,7 +12,7 @@
 namespace aisle {
 namespace {
 
-/// Labelled by hand in the data: where the floor meets a wall, near and far [px].
+/// Labelled by hand in the data: the wall-floor edge, near and far [px].
 struct Labelled {
   const char* image;
   bool right;
@@ -42,9 +42,9 @@ TEST_P(RealBaseLines, LieWithinFourPixelsOfTheLabelsOfTheFloor) {
   }
 }
 
-/// A right base line marked by hand: where it is seen, from far to near.
+/// A right base line marked by hand: its visible points, from far to near.
 struct MarkedLine {
-  std::string image;  ///< beneath the images of the data
+  std::string image;  ///< relative to the images of the data
   std::vector<Vec2> points_px;
 
   /// Mean distance of points spread evenly along it from a line.

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr double kDrivenTourMax_m = 400;  ///< longer ones take too long to drive
 constexpr double kVehicleHalf_m = 0.3;
 constexpr double kGridError_m = 0.08;
-/// Real doors may be 0.7 m wide: who drives through them cuts no corners.
+/// Real doors may be 0.7 m wide, so the driver cuts no corners.
 constexpr double kLookAhead_m = 0.15;
 
 std::vector<fs::path> files_in(const fs::path& folder) {
@@ -32,14 +32,14 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-/// Written and read again, as a user gets it.
+/// Written and read back, as a user gets it.
 World written(const World& world) {
   auto again = parse_world(world_yaml(world), world.name);
   EXPECT_TRUE(again.ok()) << world.name << to_string(again.ok() ? Problems{} : again.problems());
   return again.ok() ? *again : World{};
 }
 
-/// Gives the world a start and a tour and checks them.
+/// Gives the world a start and a tour and checks both.
 void expect_drivable(World world) {
   SilentProgress silent;
   const auto run = plan_round_trip(world, {}, silent);

@@ -3,7 +3,7 @@
 
 using namespace aisle;
 
-/// What was read can be written in either layout and says the same there.
+/// What is read can be written in either layout, and reads back the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto read = parse_calibration(fuzz_text(bytes, size), "input");
   if (!read) return 0;

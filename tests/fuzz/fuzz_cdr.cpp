@@ -5,7 +5,7 @@ using namespace aisle;
 
 namespace {
 
-/// What is read is written as something that reads the same: the bytes once written stay as they are.
+/// What is read is written as something that reads the same: once written, the bytes stay as they are.
 template <class Message>
 void read_and_write(std::string_view bytes) {
   const auto message = parse_cdr<Message>(bytes);

@@ -10,7 +10,7 @@ inline std::string_view fuzz_text(const std::uint8_t* bytes, std::size_t size) {
   return {reinterpret_cast<const char*>(bytes), size};
 }
 
-/// Ends the run as a crash: a reader broke its promise.
+/// Ends the run as a crash, because a reader broke its promise.
 inline void require(bool promise) {
   if (!promise) __builtin_trap();
 }

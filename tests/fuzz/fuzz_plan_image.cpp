@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const std::string_view text = fuzz_text(bytes, size);
   const bool is_netpbm = text.size() > 1 && text[0] == 'P' &&
                          (text[1] == '1' || text[1] == '2' || text[1] == '4' || text[1] == '5');
-  if (!is_netpbm) return 0;  // other images are the image library's affair
+  if (!is_netpbm) return 0;  // other images are decoded by OpenCV
   auto plan = parse_plan_image(text, "input", 0.05);
   if (!plan.ok()) {
     require(!plan.problems().empty());

@@ -12,7 +12,7 @@ using namespace aisle;
 
 namespace {
 
-/// A session whose database is to be any bytes; in memory where there is such a place.
+/// A session whose database is the fuzzer's input; in a memory file system if there is one.
 std::filesystem::path make_session() {
   const std::filesystem::path memory = "/dev/shm";
   std::error_code error;

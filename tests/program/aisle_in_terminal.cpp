@@ -17,7 +17,8 @@
 namespace aisle {
 namespace {
 
-/// A whole status line every tenth of a second is usual; nothing for so long means that none comes any more.
+/// Normally a complete status line comes every tenth of a second; after this time without one, none will
+/// come.
 constexpr int kTimeout_ms = 20'000;
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace aisle {
 
-/// The program in a terminal of its own, as where a person sits at the keys. The destructor ends it.
+/// The program in its own terminal, as if a person sat at the keys. The destructor ends it.
 class AisleInTerminal {
  public:
   explicit AisleInTerminal(const Arguments& arguments);
@@ -18,22 +18,22 @@ class AisleInTerminal {
   AisleInTerminal& operator=(const AisleInTerminal&) = delete;
   ~AisleInTerminal();
 
-  /// What a person types.
+  /// Types these keys.
   void type(std::string_view keys) const;
 
   /// Waits for what the program prints next.
-  /// @return empty: it has ended
+  /// @return empty if it has ended
   std::string next_words() const;
 
   /// Waits for the program's end.
-  /// @return its exit code; -1: killed by a signal
+  /// @return its exit code, or -1 if it was killed by a signal
   int wait();
 
   termios settings() const;
 
  private:
-  int keyboard_ = -1;  ///< the side of the terminal where the person is
-  int screen_ = -1;    ///< its other side, kept open so that it outlives the program
+  int keyboard_ = -1;  ///< the person's side of the terminal
+  int screen_ = -1;    ///< the other side, kept open so that it outlives the program
   pid_t process_ = 0;
 };
 

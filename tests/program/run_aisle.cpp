@@ -13,7 +13,7 @@
 namespace aisle {
 namespace {
 
-/// A file without a name takes what the program prints: it never fills up, as a pipe would.
+/// A file without a name takes the program's output, because a pipe could fill up.
 int make_sink(const char* name) {
   const int sink = memfd_create(name, MFD_CLOEXEC);
   if (sink < 0) throw std::runtime_error("no memory file");

@@ -12,17 +12,17 @@ namespace aisle {
 
 using Arguments = std::vector<std::string>;
 
-/// How a run of the program ended.
+/// The result of a run of the program.
 struct ProgramRun {
-  int exit_code = -1;  ///< -1: killed by a signal
+  int exit_code = -1;  ///< -1 if killed by a signal
   std::string out;     ///< standard output
   std::string err;     ///< standard error
 
-  /// The one JSON object on standard output; throws where there is anything else.
+  /// The one JSON object on standard output; throws if there is anything else.
   nlohmann::json json() const { return nlohmann::json::parse(out); }
 };
 
-/// The program at work. The destructor waits for its end.
+/// The program while it runs. The destructor waits for its end.
 class RunningAisle {
  public:
   explicit RunningAisle(const Arguments& arguments);
@@ -31,7 +31,7 @@ class RunningAisle {
   ~RunningAisle();
 
   void signal(int number) const;
-  /// What it has said on standard error by now.
+  /// Its standard error so far.
   std::string error_so_far() const;
   ProgramRun wait();
 

@@ -4,7 +4,7 @@
 
 namespace aisle {
 
-/// A workplace with the keys of a drive of three seconds, and paths to drive them.
+/// A workplace with the keys of a drive of three seconds, and the commands to drive them.
 class WorkplaceWithKeys : public Workplace {
  protected:
   void SetUp() override { file("keys.txt", "0-2 up\n1 place lobby\n2-2.5 left\n"); }

@@ -13,7 +13,7 @@ using testing::IsEmpty;
 
 class BadInput : public WorkplaceWithLog {
  protected:
-  /// Maps `log`; whatever comes of it, nothing may be left behind.
+  /// Maps `log`; whatever the outcome, nothing may be left behind.
   ProgramRun map(const std::string& log, const Arguments& options = {}) const {
     Arguments arguments = {"map", log, "--out", at("out"), "--json"};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -22,7 +22,8 @@ class BadInput : public WorkplaceWithLog {
     return run;
   }
 
-  /// Maps the log with the hundredth scan's line changed; `place` is where the program should find it.
+  /// Maps the log with the line of its hundredth scan changed; the program should report the problem at
+  /// `place`.
   ProgramRun map_with_bad_scan(const std::function<std::string(std::string)>& change) {
     std::vector<std::string> lines = log_lines();
     const std::size_t bad = scan_lines(lines).at(99);
@@ -52,7 +53,7 @@ TEST_F(BadInput, BinaryDataIsRefused) {
   EXPECT_THAT(map(file("binary.log", bytes)), IsRefused("is binary data"));
 }
 
-TEST_F(BadInput, TheImageOfAMapIsRefused) {
+TEST_F(BadInput, APictureOfAMapIsRefused) {
   ASSERT_EQ(run_aisle({"map", log(), "--out", at("before")}).exit_code, 0);
   EXPECT_THAT(map(at("before/map.png")), IsRefused(at("before/map.png")));
 }

@@ -1,5 +1,5 @@
-/// What learning verbs refuse, and how: one line a problem that names the file and the key, and nothing left
-/// behind.
+/// What the learning verbs refuse, and how: one line per problem that names the file and the key, and no
+/// files left behind.
 
 #include <gmock/gmock.h>
 

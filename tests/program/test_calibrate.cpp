@@ -11,7 +11,7 @@ using testing::HasSubstr;
 /// A lens of 500 px, 640 x 480, without distortion.
 constexpr const char* kLens = "image_width: 640\nimage_height: 480\nK: [500, 0, 320, 0, 500, 240, 0, 0, 1]\n";
 
-/// The same on a vehicle: 1 m above the floor over base_link, level.
+/// The same on a vehicle: 1 m above the floor at base_link, level.
 const std::string kMounted =
     std::string(kLens) + "vehicle_mount: {x_m: 0, y_m: 0, z_m: 1, tilt_deg: 0, pan_deg: 0, roll_deg: 0}\n";
 

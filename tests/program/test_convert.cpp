@@ -25,7 +25,7 @@ class Convert : public Workplace {
   }
 };
 
-TEST_F(Convert, AImageBecomesAWorldThatCanBeDriven) {
+TEST_F(Convert, AnImageBecomesAWorldThatCanBeDriven) {
   const auto result = convert({file("room.pbm", room_pbm(100, 60))}, "room.yaml").json();
   EXPECT_EQ(result["verb"], "convert");
   EXPECT_EQ(result["figures"]["walls"], 4);
@@ -51,7 +51,7 @@ TEST_F(Convert, AMazeBecomesCorridorsOfTheWidthAskedFor) {
   EXPECT_THAT(read_bytes(at("maze.yaml")), HasSubstr("goal"));
 }
 
-TEST_F(Convert, WallSegmentsAreReportedFromTheirContent) {
+TEST_F(Convert, WallSegmentsAreRecognisedByTheirContent) {
   const std::string plan = file("floor.txt", "# a square\n0 0 4 0 W\n4 0 4 4 W\n4 4 0 4 W\n0 4 0 0 W\n");
   EXPECT_EQ(convert({plan}, "floor.yaml").json()["figures"]["walls"], 4);
 }
@@ -66,7 +66,7 @@ TEST_F(Convert, ARandomBuildingIsTheSameForTheSameSeed) {
   }
 }
 
-TEST_F(Convert, ADressedPlanHasDoorsAndLamps) {
+TEST_F(Convert, ADecoratedPlanHasDoorsAndLamps) {
   const auto result = convert({file("room.pbm", room_pbm(200, 60)), "--dress"}, "room.yaml").json();
   EXPECT_GT(result["figures"]["doors"], 1);
   EXPECT_GT(result["figures"]["lamps"], 0);

@@ -11,7 +11,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A dark grey wall with a bright stripe in row 20 over a brighter floor that begins in row 60, as PGM.
+/// A dark grey wall with a bright stripe in row 20 above a brighter floor that begins in row 60, as PGM.
 std::string image_file(int width = 120, int height = 90) {
   std::string bytes = "P5 " + std::to_string(width) + " " + std::to_string(height) + " 255\n";
   for (int v = 0; v < height; ++v)
@@ -21,7 +21,7 @@ std::string image_file(int width = 120, int height = 90) {
   return bytes;
 }
 
-/// Width and height as a PNG file tells them.
+/// Width and height from the header of a PNG file.
 std::pair<int, int> size_of_png(const std::string& path) {
   const std::string bytes = read_bytes(path);
   if (!bytes.starts_with("\x89PNG") || bytes.size() < 24) return {0, 0};
@@ -87,7 +87,7 @@ TEST_F(Detect, ADoorsEdgesAreVerticalLines) {
   EXPECT_TRUE(lines[0]["foot"].is_boolean());
 }
 
-/// A corridor's end of three tones whose lines are at these columns, as PGM.
+/// The end of a corridor in three tones with lines at these columns, as PGM.
 std::string image_with_lines(int first, int second, int third) {
   std::string bytes = "P5 320 240 255\n";
   for (int v = 0; v < 240; ++v) {
@@ -192,7 +192,7 @@ std::string door_file(int from, int to, int wall_grey) {
   return bytes;
 }
 
-TEST_F(Detect, TaughtPlacesAreKnownAgainInOtherLight) {
+TEST_F(Detect, TaughtPlacesAreRecognisedInOtherLight) {
   std::filesystem::create_directory(at("lap"));
   file("lap/2.pgm", door_file(30, 90, 180));
   file("lap/10.pgm", door_file(200, 290, 180));

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// What is started meanwhile runs on one processor, and so with one thread of the ray tracer's pool.
+/// While this lives, programs start on one processor, and so with one thread in the ray tracer's pool.
 class OnOneProcessor {
  public:
   OnOneProcessor() {

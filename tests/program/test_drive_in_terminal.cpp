@@ -17,7 +17,7 @@ constexpr const char* kUp = "\x1b[A";
 constexpr const char* kLeft = "\x1b[D";
 constexpr const char* kCtrlC = "\x03";
 
-/// A person at the terminal's keys, who looks at the status line.
+/// A person at the terminal's keys who watches the status line.
 class DriveInTerminal : public Workplace {
  protected:
   void SetUp() override {
@@ -27,7 +27,7 @@ class DriveInTerminal : public Workplace {
     until([](double) { return true; });
   }
 
-  /// Presses `keys` again and again until the status line tells a speed that `is_enough`.
+  /// Presses `keys` repeatedly until the status line shows a speed that `is_enough`.
   void until(const std::function<bool(double speed_mps)>& is_enough, std::string_view keys = "") {
     static const std::regex status(R"((\d+\.\d) s +(-?\d+\.\d\d) m/s)");
     while (true) {
@@ -40,7 +40,7 @@ class DriveInTerminal : public Workplace {
     }
   }
 
-  /// The program's end, its last words included.
+  /// Waits for the program's end, including its last output.
   int wait() {
     for (std::string words; !(words = person_at_->next_words()).empty();) screen_ += words;
     return person_at_->wait();

@@ -19,11 +19,11 @@ lamps:
 start: {at: [1.2, 1.1], heading_deg: 0}
 )";
 
-TEST_F(Explore, ARunIsReplayedDecisionByDecisionAndGoneOnWithOnlyByTheSameExplorer) {
+TEST_F(Explore, ARunIsReplayedDecisionByDecisionAndContinuedOnlyByTheSameExplorer) {
   const ProgramRun whole =
-      run_aisle({"explore", "l-corridor", "--session", at("trip"), "--set", "time_max_s=60", "--json"});
+      run_aisle({"explore", "l-corridor", "--session", at("run"), "--set", "time_max_s=60", "--json"});
   EXPECT_EQ(whole.exit_code, 1) << whole.err;
-  ASSERT_EQ(run_aisle({"cut", at("trip"), "--from", "0", "--to", "55", "--out", at("part")}).exit_code, 0);
+  ASSERT_EQ(run_aisle({"cut", at("run"), "--from", "0", "--to", "55", "--out", at("part")}).exit_code, 0);
   EXPECT_EQ(run_aisle({"replay", at("part"), "--json"}).json()["figures"]["different"], 0);
 
   const ProgramRun other = run_aisle({"explore", "l-corridor", "--resume", at("part"), "--json"});
@@ -34,8 +34,8 @@ TEST_F(Explore, ARunIsReplayedDecisionByDecisionAndGoneOnWithOnlyByTheSameExplor
 }
 
 TEST_F(Explore, WhatWasLearnedBeforeTheInterruptionIsKnownAfterIt) {
-  ASSERT_EQ(run_aisle({"explore", "l-corridor", "--session", at("trip"), "--json"}).exit_code, 0);
-  ASSERT_EQ(run_aisle({"cut", at("trip"), "--from", "0", "--to", "90", "--out", at("part")}).exit_code, 0);
+  ASSERT_EQ(run_aisle({"explore", "l-corridor", "--session", at("run"), "--json"}).exit_code, 0);
+  ASSERT_EQ(run_aisle({"cut", at("run"), "--from", "0", "--to", "90", "--out", at("part")}).exit_code, 0);
   const ProgramRun resumed =
       run_aisle({"explore", "l-corridor", "--resume", at("part"), "--out", at("out"), "--json"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
@@ -64,7 +64,7 @@ TEST_F(Explore, ACameraThatSeesLaserMarkersShowsABuildingAsWell) {
   EXPECT_LE(figures["home_error_deg"], 2);
 }
 
-TEST_F(Explore, ATrialExploresByTheSensorThatItIsReported) {
+TEST_F(Explore, ATrialExploresByTheSensorThatItIsGiven) {
   const std::string world = file("dead-ends.yaml", kDeadEnds);
   const std::vector<std::string> briefly = {"--sensor", "markers", "--set", "time_max_s=20", "--json"};
   const auto run_briefly = [&](std::vector<std::string> arguments) {
@@ -99,9 +99,9 @@ TEST_F(Explore, ATrialCountsWhatIsCompleteAndWhatHasACertificate) {
   EXPECT_EQ(too_brief["certificate_share"], 0);
 }
 
-/// At a half-open door a search found paths out, and each was blocked where it began, for as long as it had
-/// retry budget.
-TEST_F(Explore, AVehicleThatIsBlockedOnEveryPathOutGoesBackAsItCame) {
+/// At a half-open door the search found paths out, but each was blocked at its start until the retry budget
+/// was spent.
+TEST_F(Explore, AVehicleThatIsBlockedOnEveryPathOutBacktracks) {
   const ProgramRun run = run_aisle({"explore", "alcoves", "--order", "nearest-frontier", "--json"});
   const auto figures = run.json()["figures"];
   EXPECT_EQ(figures["came_home"], true) << figures["ended_because"];
@@ -121,7 +121,7 @@ TEST_F(Explore, APlanIsExploredLikeTheWorldThatIsMadeOfIt) {
     EXPECT_EQ(of_plan[figure], of_world[figure]) << figure;
 }
 
-TEST_F(Explore, InWhatWasExploredTheVehicleFindsItsPath) {
+TEST_F(Explore, TheVehicleNavigatesInAnExploredBuilding) {
   ASSERT_EQ(run_aisle({"explore", "l-corridor", "--out", at("out"), "--json"}).exit_code, 0);
   const ProgramRun round =
       run_aisle({"patrol", at("out") + "/building.json", "--world", "l-corridor", "--json"});

@@ -14,8 +14,8 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// The program reads its input from a pipe. Opening the pipe succeeds once the program waits at its other
-/// end; the signal comes before the input does, so it always comes during the work.
+/// The program reads its input from a pipe. Opening the pipe succeeds once the program waits at the other
+/// end; the signal is sent before the input, so it always arrives during the work.
 class Interrupt : public WorkplaceWithLog {
  protected:
   void SetUp() override {

@@ -1,4 +1,4 @@
-/// The whole path of a route by landmarks: taught, learned, driven alone, refined.
+/// The life of a landmark route: taught, learned, driven autonomously, refined.
 
 #include <gmock/gmock.h>
 
@@ -21,7 +21,7 @@ class Learning : public Workplace {
   }
 };
 
-/// The figures of the localisation and the tracking that every shipped world is to be driven with.
+/// The localisation and tracking figures that every shipped world must reach.
 void expect_precise(const nlohmann::json& localisation, const nlohmann::json& tracking) {
   EXPECT_LE(localisation["across_rmse_m"], 0.02);
   EXPECT_LE(localisation["along_rmse_m"], 0.05);
@@ -46,7 +46,7 @@ TEST_F(Learning, ARouteIsTaughtOnceLearnedDrivenAloneReplayedAndRefined) {
               ElementsAre("building.json", "landmarks.svg", "trip.tum", "trip_truth.tum"));
 
   const std::string building = at("learned/building.json");
-  const auto driven = run({"navigate", building, "--world", "l-corridor", "--out", at("trip")});
+  const auto driven = run({"navigate", building, "--world", "l-corridor", "--out", at("run")});
   EXPECT_TRUE(std::filesystem::exists(driven["files"]["driven_svg"].get<std::string>()));
   const auto driven = driven["figures"];
   EXPECT_EQ(driven["arrived"], true);
@@ -59,13 +59,13 @@ TEST_F(Learning, ARouteIsTaughtOnceLearnedDrivenAloneReplayedAndRefined) {
   EXPECT_TRUE(driven["cycle_ms"].contains("median") && driven["cycle_ms"].contains("p99"));
   expect_precise(driven["localisation"], driven["tracking"]);
 
-  const auto replayed = run({"replay", at("trip")})["figures"];
+  const auto replayed = run({"replay", at("run")})["figures"];
   EXPECT_EQ(replayed["navigator"], "landmarks");
   EXPECT_EQ(replayed["different"], 0);
   EXPECT_EQ(replayed["compared"], replayed["cycles"]);
   EXPECT_GT(replayed["compared"], 300);
 
-  const auto refined = run({"refine", building, at("trip"), "--out", at("refined")})["figures"];
+  const auto refined = run({"refine", building, at("run"), "--out", at("refined")})["figures"];
   EXPECT_EQ(refined["landmarks_before"], learned["landmarks"]);
   EXPECT_GT(refined["trips"][0]["matched_share"], 0.9);
   EXPECT_GE(refined["landmarks"], 20);
@@ -87,7 +87,7 @@ TEST_F(Learning, ATrialIsAWholeMissionWithItsStatistics) {
   expect_precise(figures["runs"][0]["localisation"], figures["runs"][0]["tracking"]);
 }
 
-TEST_F(Learning, ThePathBackIsDrivenByWhatWasTaughtInOneDirection) {
+TEST_F(Learning, TheReturnPathIsDrivenFromARunTaughtInOneDirection) {
   file("keys.txt", "0-14 up\n");
   run({"teach", "l-corridor", "--keys", at("keys.txt"), "--route", "main", "--out", at("taught")});
   run({"learn", at("taught"), "--out", at("learned")});

@@ -16,7 +16,7 @@ namespace {
 using testing::Not;
 using testing::StartsWith;
 
-/// The program while it serves; ended by the test as by Ctrl-C.
+/// The program while it serves; the test ends it as Ctrl-C would.
 class LiveProgram : public Workplace {
  protected:
   void start(Arguments arguments) {
@@ -138,9 +138,9 @@ TEST_F(LiveProgram, StopsInAnEmergencyWithoutALease) {
   };
   while (commanded_speed(driver) < 0.25) drive();
   bystander.call("mission/emergency_stop");
-  const std::uint64_t reported = driver.time_ns;
+  const std::uint64_t stopped_ns = driver.time_ns;
   while (commanded_speed(driver) > 0) drive();
-  EXPECT_LE(driver.time_ns - reported, 300'000'000U);
+  EXPECT_LE(driver.time_ns - stopped_ns, 300'000'000U);
   for (int i = 0; i < 20; ++i) drive();
   EXPECT_EQ(commanded_speed(driver), 0) << "until it is released";
   driver.call("mission/emergency_release", {{"lease", lease}});

@@ -11,7 +11,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// The names of all values of a JSON object, nested ones after their parents' names:
+/// The names of all values of a JSON object, nested ones prefixed with their parents' names:
 /// "online.rotation_deg.mean".
 void collect_keys(const nlohmann::ordered_json& json, const std::string& prefix, std::string& keys) {
   for (const auto& [key, value] : json.items()) {

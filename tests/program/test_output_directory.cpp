@@ -37,13 +37,13 @@ TEST_F(OutputDirectory, ForceReplacesResultsAndNothingElse) {
   EXPECT_EQ(read_bytes(at("out/notes.txt")), "notes of mine");
 }
 
-TEST_F(OutputDirectory, OtherFilesInItAreNoHindrance) {
+TEST_F(OutputDirectory, OtherFilesInItDoNotMatter) {
   fs::create_directory(at("out"));
   write_bytes(at("out/notes.txt"), "notes of mine");
   EXPECT_EQ(run_aisle({"map", log(), "--out", at("out")}).exit_code, 0);
 }
 
-TEST_F(OutputDirectory, GoesAgainWhereNoResultsCome) {
+TEST_F(OutputDirectory, IsRemovedAgainIfThereAreNoResults) {
   fs::create_directory(at("mine"));
   for (const std::string out : {"mine/made/out", "mine/made/out/"}) {
     EXPECT_EQ(run_aisle({"learn", at("no-session"), "--out", at(out)}).exit_code, 2);

@@ -1,4 +1,4 @@
-/// A path through a furnished room, shown once, learned, and parked at by the vehicle alone.
+/// A path through a furnished room: shown once, learned, and driven autonomously until parked.
 
 #include <gmock/gmock.h>
 
@@ -87,7 +87,7 @@ TEST_F(Rooms, APathThatCannotBeTaughtLeavesTheOthersOfATrial) {
   }
 }
 
-TEST_F(Rooms, WithoutAnyTaughtRunATrialIsNotWell) {
+TEST_F(Rooms, ATrialWithoutAnyTaughtRunFails) {
   const std::string room = kRoom;
   const std::string no_frame =
       room.substr(0, room.find("parking_frames:")) + room.substr(room.find("start:"));
@@ -110,21 +110,21 @@ TEST_F(Rooms, BetweenCloseTurningsTheVehicleBacksAndDrivesTheSecond) {
 TEST_F(Rooms, WhatCannotBeDrivenIsRefused) {
   const std::string world = file("room.yaml", kRoom);
   const std::string building = file("building.json", R"({"format": "aisle.building", "version": 1, "routes": [
-{"name": "way", "start": {"at_m": [0, 0], "heading_deg": 0}, "pieces": [{"length_m": 3}],
+{"name": "route", "start": {"at_m": [0, 0], "heading_deg": 0}, "pieces": [{"length_m": 3}],
  "room": {"brightness": {"grey": 160, "deviation": 2}, "parking": "view"}},
 {"name": "corridor", "start": {"at_m": [0, 0], "heading_deg": 0}, "pieces": [{"length_m": 3}]}]})");
-  const ProgramRun strategy = run_aisle({"park", building, "way", "--world", world, "--strategy", "frame"});
+  const ProgramRun strategy = run_aisle({"park", building, "route", "--world", world, "--strategy", "frame"});
   EXPECT_EQ(strategy.exit_code, 2);
   EXPECT_THAT(strategy.err, HasSubstr("was taught to end otherwise"));
-  const ProgramRun backwards = run_aisle({"park", building, "way", "--world", world, "--reverse"});
+  const ProgramRun backwards = run_aisle({"park", building, "route", "--world", world, "--reverse"});
   EXPECT_EQ(backwards.exit_code, 2);
   EXPECT_THAT(backwards.err, HasSubstr("does not end in a painted frame"));
   const ProgramRun corridor = run_aisle({"park", building, "corridor", "--world", world});
   EXPECT_EQ(corridor.exit_code, 2);
   EXPECT_THAT(corridor.err, HasSubstr("was not taught as a path through a room"));
   EXPECT_EQ(run_aisle({"park", building, "nowhere", "--world", world}).exit_code, 2);
-  EXPECT_EQ(run_aisle({"park", building, "way", "--world", world, "--vehicle", "mini"}).exit_code, 2);
-  EXPECT_EQ(run_aisle({"park", building, "way", "--world", world, "--start", "1,2"}).exit_code, 2);
+  EXPECT_EQ(run_aisle({"park", building, "route", "--world", world, "--vehicle", "mini"}).exit_code, 2);
+  EXPECT_EQ(run_aisle({"park", building, "route", "--world", world, "--start", "1,2"}).exit_code, 2);
   const ProgramRun unknown = run_aisle(
       {"teach", world, "--method", "route", "--route", "none", "--operator", "scripted", "--out", at("x")});
   EXPECT_EQ(unknown.exit_code, 2);

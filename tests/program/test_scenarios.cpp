@@ -10,7 +10,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A scripted person drives the cart while things go wrong.
+/// A scripted person drives the cart while faults occur.
 class Scenarios : public Workplace {
  protected:
   ProgramRun drive(const std::string& world, const std::string& scenario) const {
@@ -19,7 +19,7 @@ class Scenarios : public Workplace {
   }
 };
 
-TEST_F(Scenarios, ABlockedCorridorMakesThePersonGiveUpBeforeIt) {
+TEST_F(Scenarios, ABlockedCorridorMakesThePersonGiveUpInFrontOfIt) {
   const ProgramRun run = drive("crossings", "blocked-corridor");
   EXPECT_EQ(run.exit_code, 1) << run.err;
   const auto figures = run.json()["figures"];
@@ -28,7 +28,7 @@ TEST_F(Scenarios, ABlockedCorridorMakesThePersonGiveUpBeforeIt) {
   EXPECT_NEAR(figures["distance_m"], 16 - 0.3 - 0.95 - 4, 0.5);  // from x = 4 m until the front is at the box
 }
 
-TEST_F(Scenarios, APersonWhoCrossesIsWaitedFor) {
+TEST_F(Scenarios, ACrossingPersonIsWaitedFor) {
   const auto usual = drive("crossings", "laser-off").json()["figures"];
   const ProgramRun run = drive("crossings", "person-crossing");
   EXPECT_EQ(run.exit_code, 0) << run.err;

@@ -1,4 +1,4 @@
-/// A path taught once to the mini-vehicle, learned as sections, driven there and back.
+/// A path taught to the mini-vehicle once, learned as sections, driven there and back.
 
 #include <gmock/gmock.h>
 
@@ -27,7 +27,7 @@ TEST_F(Sections, APathThatWasDrivenOnceIsDrivenThereAndBack) {
   const auto learned = run_well({"learn", at("taught"), "--method", "sections", "--out", at("learned")});
   std::string letters;
   for (const auto& section : learned["figures"]["sections"]) letters += section.get<std::string>().front();
-  EXPECT_EQ(letters, "achrhra");  // left, right, right: as the corridors lie
+  EXPECT_EQ(letters, "achrhra");  // left, right, right, as the corridors turn
   const auto twice = run_well({"learn", at("taught"), at("taught"), "--method", "sections"})["figures"];
   EXPECT_EQ(twice["teachings"], 2);
   EXPECT_EQ(twice["sections"], learned["figures"]["sections"]);
@@ -35,14 +35,14 @@ TEST_F(Sections, APathThatWasDrivenOnceIsDrivenThereAndBack) {
               ElementsAre("building.json", "sections.svg", "trip.tum", "trip_truth.tum"));
 
   const auto driven = run_well({"navigate", at("learned/building.json"), "--method", "sections", "--world",
-                                "mini-corridor", "--and-back", "--out", at("trip")})["figures"];
+                                "mini-corridor", "--and-back", "--out", at("run")})["figures"];
   EXPECT_EQ(driven["arrived"], true);
   EXPECT_EQ(driven["collisions"], 0);
   EXPECT_LT(driven["closing_error_m"], 0.1);
   EXPECT_LT(driven["closing_error_deg"], 3);
   EXPECT_LT(driven["wall_distance_rmse_m"], 0.02);
 
-  const auto replayed = run_well({"replay", at("trip")})["figures"];
+  const auto replayed = run_well({"replay", at("run")})["figures"];
   EXPECT_EQ(replayed["navigator"], "sections");
   EXPECT_EQ(replayed["different"], 0);
   EXPECT_GT(replayed["compared"], 3000);
@@ -50,7 +50,7 @@ TEST_F(Sections, APathThatWasDrivenOnceIsDrivenThereAndBack) {
 
 TEST_F(Sections, WhatCannotBeDrivenIsRefusedWithItsPlace) {
   const auto building = [](const std::string& sections) {
-    return R"({"format": "aisle.building", "version": 1, "routes": [{"name": "way", )"
+    return R"({"format": "aisle.building", "version": 1, "routes": [{"name": "route", )"
            R"("start": {"at_m": [0, 0], "heading_deg": 0}, "sections": [)" +
            sections + "]}]}";
   };
@@ -62,7 +62,7 @@ TEST_F(Sections, WhatCannotBeDrivenIsRefusedWithItsPlace) {
   };
   const ProgramRun unknown = navigate(building(R"("a 3", "q 2")"));
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("building.json: routes[0].sections[1]: 'q' is no section"));
+  EXPECT_THAT(unknown.err, HasSubstr("building.json: routes[0].sections[1]: 'q' is not a section"));
   EXPECT_EQ(navigate(building(R"("h 3", "l 36", "a 2")")).exit_code, 2);
   EXPECT_EQ(navigate(building(R"("a 3")"), {"--route", "other"}).exit_code, 2);
   EXPECT_EQ(navigate(building(R"("a 3")"), {"--vehicle", "alv"}).exit_code, 2);
@@ -72,9 +72,9 @@ TEST_F(Sections, WhatCannotBeDrivenIsRefusedWithItsPlace) {
   EXPECT_THAT(blocked.out, HasSubstr("in section 2 of 2"));
 }
 
-TEST_F(Sections, WhatStandsOnTheFloorAheadIsWaitedFor) {
+TEST_F(Sections, AnObstacleOnTheFloorAheadIsWaitedFor) {
   file("building.json",
-       R"({"format": "aisle.building", "version": 1, "routes": [{"name": "way", )"
+       R"({"format": "aisle.building", "version": 1, "routes": [{"name": "route", )"
        R"("start": {"at_m": [0, 0], "heading_deg": 0}, "sections": ["a 3.2 right 0.55"]}]})");
   const auto drive = [&](const std::string& scenario) {
     return run_aisle({"navigate", at("building.json"), "--method", "sections", "--world", "mini-corridor",
@@ -88,7 +88,7 @@ TEST_F(Sections, WhatStandsOnTheFloorAheadIsWaitedFor) {
   EXPECT_THAT(figures["why"].get<std::string>(), HasSubstr("obstacle ahead"));
   EXPECT_THAT(figures["why"].get<std::string>(), HasSubstr("in section 1 of 1"));
   EXPECT_EQ(figures["collisions"], 0);
-  EXPECT_NEAR(figures["distance_m"], 2.4 - 0.6 - 0.11 - 0.25, 0.1);  // the front a gap before the box
+  EXPECT_NEAR(figures["distance_m"], 2.4 - 0.6 - 0.11 - 0.25, 0.1);  // the front stops a gap before the box
 
   const ProgramRun crossed = drive("mini-person-crossing");
   EXPECT_EQ(crossed.exit_code, 0) << crossed.out << crossed.err;

@@ -18,7 +18,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// The same session, but in one cycle it was decided to drive faster by the last bit.
+/// The same session, except that the command of one cycle is faster by the last bit.
 /// @param cycle  from 1
 void copy_with_another_decision(const std::string& session, const std::string& copy, int cycle) {
   auto reader = SessionReader::open(session);
@@ -42,7 +42,7 @@ void copy_with_another_decision(const std::string& session, const std::string& c
 
 class Session : public WorkplaceWithSession {
  protected:
-  /// The verbs that read a session.
+  /// All verbs that read a session.
   std::vector<Arguments> readers_of(const std::string& session) const {
     return {{"info", session, "--json"},
             {"replay", session, "--json"},

@@ -27,7 +27,7 @@ TEST_F(SimRender, TheSamePlaceAndSeedGiveTheSameImage) {
   EXPECT_FALSE(read_bytes(at("a.png")) == read_bytes(at("c.png")));
 }
 
-TEST_F(SimRender, RefusesToReplaceAImageUnlessForced) {
+TEST_F(SimRender, RefusesToReplaceAnImageUnlessForced) {
   render({"-o", at("a.png")});
   const ProgramRun refused = render({"-o", at("a.png")});
   EXPECT_EQ(refused.exit_code, 2);

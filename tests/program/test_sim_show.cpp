@@ -41,7 +41,7 @@ TEST_F(SimShow, WarnsOfWhatALargeVehicleCannotReach) {
   EXPECT_THAT(run.err, HasSubstr("the tour passes 0.20 m from an obstacle"));
 }
 
-TEST_F(SimShow, RefusesToReplaceAImageUnlessForced) {
+TEST_F(SimShow, RefusesToReplaceAPictureUnlessForced) {
   const std::string mine = file("plan.svg", "mine");
   EXPECT_THAT(run_aisle({"sim", "show", kLaboratory, "--svg", mine, "--png", at("plan.png"), "--json"}),
               IsRefused("plan.svg: exists already; --force replaces it"));

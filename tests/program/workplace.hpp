@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-/// A fresh directory for one test, removed with everything in it.
+/// A fresh directory for one test, removed with all its content.
 class TemporaryDirectory {
  public:
   TemporaryDirectory();
@@ -28,22 +28,22 @@ class TemporaryDirectory {
 std::string read_bytes(const std::filesystem::path& path);
 void write_bytes(const std::filesystem::path& path, std::string_view bytes);
 
-/// The names in a directory, sorted; none where there is no directory.
+/// The names in a directory, sorted; none if there is no such directory.
 std::vector<std::string> names_in(const std::filesystem::path& directory);
 
-/// Tests that start the program, each in a directory of its own.
+/// Tests that start the program, each in its own directory.
 class Workplace : public testing::Test {
  protected:
   std::string at(const std::string& name) const { return (directory_.path() / name).string(); }
 
-  /// A file of the test's own; returns its path.
+  /// Writes a file for the test; returns its path.
   std::string file(const std::string& name, std::string_view bytes) const;
 
  private:
   TemporaryDirectory directory_;
 };
 
-/// A workplace with a log that the simulator has recorded on the spot.
+/// A workplace with a log that the simulator records on the spot.
 class WorkplaceWithLog : public Workplace {
  protected:
   void SetUp() override;
@@ -54,17 +54,17 @@ class WorkplaceWithLog : public Workplace {
   /// The recorded log's lines, comments first.
   std::vector<std::string> log_lines() const;
 
-  /// A copy of the log with other lines; returns its path.
+  /// Writes a copy of the log with other lines; returns its path.
   std::string log_of(const std::string& name, const std::vector<std::string>& lines) const;
 };
 
 /// The line with its `index`-th field (from 0) replaced.
 std::string with_field(const std::string& line, std::size_t index, const std::string& value);
 
-/// The numbers of the lines that are scans.
+/// The line numbers of the scans.
 std::vector<std::size_t> scan_lines(const std::vector<std::string>& lines);
 
-/// Bad usage or bad input: exit code 2, one line that contains `what`, an empty result.
+/// Bad usage or bad input: exit code 2, one line that contains `what`, and no result.
 MATCHER_P(IsRefused, what, std::string("is refused with one line that says '") + what + "'") {
   *result_listener << "exit code " << arg.exit_code << ", stderr: " << arg.err << "stdout: " << arg.out;
   if (arg.exit_code != 2 || arg.err.find(what) == std::string::npos) return false;

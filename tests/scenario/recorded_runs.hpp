@@ -32,7 +32,7 @@ inline MapResult mapped_as_published(const LaserLog& log) {
   return build_published_map(log, SegmentParams{}, PublishedParams{}, 0, progress);
 }
 
-/// Mean error of a trajectory over the true relations of its run.
+/// Mean error of a trajectory over the true relative poses of its run.
 inline double error_m(const std::vector<Pose2>& T_map_vehicle, const TourRecording& run) {
   Random random(1);
   return relation_error(T_map_vehicle, true_relations(run.T_world_vehicle, random)).translation_m.mean;

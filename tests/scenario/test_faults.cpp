@@ -1,5 +1,5 @@
-/// Everything that a shipped scenario lets go wrong while a learned route is driven alone: the vehicle
-/// arrives, or ends with a reason, and never against something. Simulated.
+/// All faults of the shipped scenarios while a learned route is driven autonomously: the vehicle arrives, or
+/// ends the mission with a reason, and never hits anything. Simulated.
 
 #include <gmock/gmock.h>
 
@@ -64,7 +64,7 @@ TEST_F(Faults, TheVehicleArrivesAlthoughItsCameraFailsForAWhile) {
     expect_arrival(scenario);
 }
 
-TEST_F(Faults, TheVehicleArrivesThroughChangesOfLightAndWithoutItsMarkers) {
+TEST_F(Faults, TheVehicleArrivesThroughChangesOfLightAndWithoutItsLineLasers) {
   for (const char* scenario : {"light-change", "laser-off"}) expect_arrival(scenario);
 }
 
@@ -72,8 +72,8 @@ TEST_F(Faults, NeitherSlipNorSteeringErrorsDriveTheVehicleAgainstAnything) {
   for (const char* scenario : {"slip-burst", "steering-bias"}) expect_arrival_or_a_reason(scenario);
 }
 
-TEST_F(Faults, ABlockedCorridorEndsTheMissionBeforeTheVehicleContactsAnything) {
-  const ProgramRun run = drive("blocked-corridor", {"--out", at("trip")});
+TEST_F(Faults, ABlockedCorridorEndsTheMissionBeforeTheVehicleHitsAnything) {
+  const ProgramRun run = drive("blocked-corridor", {"--out", at("run")});
   EXPECT_EQ(run.exit_code, 1) << run.err;
   const auto figures = run.json()["figures"];
   EXPECT_EQ(figures["state"], "blocked");
@@ -82,12 +82,12 @@ TEST_F(Faults, ABlockedCorridorEndsTheMissionBeforeTheVehicleContactsAnything) {
   EXPECT_NEAR(figures["distance_m"], 16 - 0.3 - 0.8 - 0.95 - 4,
               0.2);  // from x = 4 m until 0.8 m before the box
 
-  const auto replayed = run_aisle({"replay", at("trip"), "--json"}).json()["figures"];
+  const auto replayed = run_aisle({"replay", at("run"), "--json"}).json()["figures"];
   EXPECT_EQ(replayed["different"], 0);
   EXPECT_EQ(replayed["compared"], replayed["cycles"]);
 }
 
-TEST_F(Faults, APersonWhoCrossesIsWaitedFor) {
+TEST_F(Faults, ACrossingPersonIsWaitedFor) {
   expect_arrival("person-crossing");
 }
 

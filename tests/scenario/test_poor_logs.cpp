@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-/// Logs that hardly tell anything: whatever is made of them, it must be numbers, one pose a scan.
+/// Logs with hardly any information: the result must still consist of finite numbers, with one pose per scan.
 class PoorLog : public testing::Test {
  protected:
   PoorLog() : log_(recorded("small-office").log) { keep_scans(100); }
@@ -72,7 +72,7 @@ TEST_F(PoorLog, OfAVehicleThatStands) {
   for (const Pose2& pose : poses) EXPECT_THAT(pose, PoseNear(poses.front(), 0.001, 0.001));
 }
 
-TEST_F(PoorLog, OfOdometryThatLeaps) {
+TEST_F(PoorLog, OfOdometryThatJumps) {
   for (std::size_t i = 0; i < log_.odometry.size(); ++i)
     log_.odometry[i].T_odom_vehicle.x += i % 2 == 0 ? 0 : 1e6;
   expect_finite_poses();

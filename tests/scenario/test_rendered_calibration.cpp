@@ -1,5 +1,5 @@
-/// Calibrations from images that the simulator's camera took, noise and lens distortion included, against
-/// what the camera really is.
+/// Calibrations from images of the simulated camera, including noise and lens distortion, compared with the
+/// camera's true parameters.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 namespace aisle {
 namespace {
 
-/// A plain room of 8 m x 6 m; the vehicle stands at (2, 3), and the wall ahead is `ahead_m` before it.
+/// A plain room of 8 m x 6 m; the vehicle stands at (2, 3), and the wall ahead is `ahead_m` away.
 World room(double ahead_m = 6) {
   const Vec2 a(0, 0), b(2 + ahead_m, 0), c(2 + ahead_m, 6), d(0, 6);
   World world;
@@ -75,7 +75,7 @@ class RenderedCalibration : public testing::TestWithParam<Case> {
     return true;
   }
 
-  /// Held half a metre or so before the camera, turned.
+  /// Held about half a metre before the camera, turned.
   CalibrationBoard held_board(Random& random) const {
     const CameraMount& mount = GetParam().mount;
     while (true) {

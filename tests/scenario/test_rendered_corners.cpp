@@ -1,4 +1,4 @@
-/// The corner of the route between two close turnings, in images that the simulator's camera took.
+/// The corner of the route between two close turnings, in images of the simulated camera.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ std::optional<Vec2> corner_seen(int first, int second, const Pose2& T_world_vehi
   return T_world_vehicle * *corner;
 }
 
-/// Of the aisle into which the second turning leads, on the near side.
+/// The corner of the aisle into which the second turning leads, on the near side.
 const Vec2 kCorner(0.7, -0.8);
 
 TEST(RenderedCorners, TheCornerOfASecondTurningToTheRightIsFound) {

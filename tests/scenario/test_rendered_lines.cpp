@@ -1,5 +1,5 @@
-/// Vertical lines and base lines of images that the simulator's camera took in a corridor with niches and
-/// doors, against where the projection puts the corners of the walls and the edges of the door frames.
+/// Vertical lines and base lines in images of the simulated camera in a corridor with niches and doors,
+/// compared with the projected corners of the walls and edges of the door frames.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ struct Niche {
 };
 constexpr Niche kRightNiches[] = {{3.2, 4.3}, {7.0, 8.4}};
 constexpr Niche kLeftNiches[] = {{4.0, 5.2}, {8.2, 9.4}};
-constexpr double kRightHinge_m = 5.2, kLeftHinge_m = 7.2;  // of the doors, where they begin and end
+constexpr double kRightHinge_m = 5.2, kLeftHinge_m = 7.2;  // x at which the doors begin and end
 
 void add_wall(World& world, const std::vector<Vec2>& points) {
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -62,11 +62,11 @@ CameraDescription camera() {
   return camera;
 }
 
-/// A true vertical line of the building, in the image.
+/// A true vertical line of the building, projected into the image.
 struct TrueLine {
   Vec2 floor_point_px = Vec2::Zero();
   Vec2 middle_px = Vec2::Zero();
-  bool is_corner = false;  ///< of the walls themselves, whose foot is a point
+  bool is_corner = false;  ///< of the walls themselves, whose floor point is exact
 };
 
 std::vector<TrueLine> true_lines(const Pose2& T_world_vehicle) {

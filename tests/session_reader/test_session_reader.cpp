@@ -29,7 +29,7 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
-/// Messages in the form in which dump.mjs prints them.
+/// Messages in the form that dump.mjs prints.
 struct ToJson {
   static json of(bool value) { return value; }
   static json of(const std::string& value) { return value; }
@@ -87,7 +87,7 @@ json decoded_by_us(const SessionReader::Message& message) {
                  ros::JointState, ros::PoseStamped, ros::Twist, ros::Odometry, ros::TFMessage>(message);
 }
 
-/// What the independent reader says, a line a message.
+/// The output of the independent reader, one message per line.
 std::vector<json> decoded_by_them(const fs::path& database) {
   const std::string command = "node " AISLE_READER "/dump.mjs '" + database.string() + "'";
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> output(popen(command.c_str(), "r"), pclose);

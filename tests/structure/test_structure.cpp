@@ -18,7 +18,7 @@ class Structure : public testing::Test {
   const Modules modules = read_modules(AISLE_MODULES_FILE);
 };
 
-/// What these lines include of aisle: each module with the line that does it.
+/// The aisle modules that these lines include, each with the line that includes it.
 std::vector<std::pair<std::string, SourceLine>> included_modules(const std::vector<SourceLine>& lines) {
   static const std::regex include(R"(^\s*#\s*include\s*["<]aisle/(\w+)/.*)");
   std::vector<std::pair<std::string, SourceLine>> found;
@@ -28,7 +28,7 @@ std::vector<std::pair<std::string, SourceLine>> included_modules(const std::vect
   return found;
 }
 
-/// Checks that the lines include only `module` itself and `allowed`; returns how many includes there were.
+/// Checks that the lines include only `module` itself and `allowed`; returns the number of includes.
 std::size_t check_includes(const std::vector<SourceLine>& lines, const std::string& module,
                            const std::set<std::string>& allowed) {
   const auto included = included_modules(lines);

@@ -1,6 +1,6 @@
 #pragma once
-/// Simulated feet of vertical lines along a corridor: door frames and other things on two walls, and what a
-/// vehicle in the middle sees of them, part unseen, part something else, with noise that grows with distance.
+/// Simulated floor points of vertical lines along a corridor: door frames and other objects on two walls, and
+/// the view of a vehicle in the middle, with missing points, clutter, and noise that grows with the distance.
 
 #include <vector>
 
@@ -10,21 +10,21 @@
 namespace aisle {
 
 struct CorridorPoints {
-  std::vector<WeightedPoint> learned;  ///< relative to where the vehicle is thought to be
+  std::vector<WeightedPoint> learned;  ///< relative to the vehicle's assumed pose
   std::vector<WeightedPoint> seen;
-  Pose2 truth;  ///< truth * seen falls upon learned
+  Pose2 truth;  ///< truth * seen coincides with learned
 };
 
 struct CorridorSight {
   int learned = 60;
   int seen = 30;
-  double clutter = 0.3;   ///< share of the seen that nobody learned
-  double noise_m = 0.02;  ///< of a coordinate, near
+  double clutter = 0.3;   ///< share of the seen points that nobody learned
+  double noise_m = 0.02;  ///< of a coordinate, near the vehicle
   double noise_per_m = 0.004;
-  Pose2 off;  ///< how wrong the vehicle is about its place, each within +-
+  Pose2 off;  ///< limits of the pose error, each within +-
 };
 
-/// Points on both walls from 1 m behind the vehicle on, in random order of growing distance.
+/// Points on both walls from 1 m behind the vehicle onwards, at random increasing distances.
 inline std::vector<WeightedPoint> corridor_walls(int count, Random& random) {
   std::vector<WeightedPoint> points;
   double along_m[2] = {-1, -0.6};

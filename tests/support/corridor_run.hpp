@@ -1,6 +1,6 @@
 #pragma once
-/// Simulated runs along a straight corridor as landmarks are learned from them: the feet of vertical lines
-/// on its two walls, what a vehicle that drives along its middle sees of them, and what its odometry says.
+/// Simulated runs along a straight corridor for learning landmarks: the floor points of vertical lines on its
+/// two walls, the view of a vehicle that drives along its middle, and its odometry.
 
 #include <cmath>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-/// The foot of a vertical line.
+/// The floor point of a vertical line.
 struct CorridorLine {
   Vec2 p_map = Vec2::Zero();
   bool brighter_right = false;
@@ -29,7 +29,7 @@ inline VehicleDescription corridor_cart() {
   return vehicle;
 }
 
-/// Lines on both walls, 0.35 to 1.2 m from each other on a wall.
+/// Lines on both walls, 0.35 to 1.2 m apart on each wall.
 inline std::vector<CorridorLine> corridor_lines(double length_m, Random& random) {
   std::vector<CorridorLine> lines;
   for (const double y : {1.1, -1.1}) {
@@ -42,10 +42,11 @@ inline std::vector<CorridorLine> corridor_lines(double length_m, Random& random)
 struct SightNoise {
   double away_m = 0.015;     ///< along the line of sight, at 1 m; grows with the square of the distance
   double lateral_m = 0.004;  ///< across it, at 1 m; grows with the distance
-  double tilt_m = 0.01;      ///< what the image's tilt error does to a foot at 3 m, along the line of sight
-  double unseen = 0.2;       ///< share of the lines that an image misses
-  double clutter = 0;        ///< wrong feet an image, on average below one
-  int grain = 0;             ///< further wrong feet, in every image
+  double tilt_m =
+      0.01;  ///< a floor point's error at 3 m due to the image's tilt error, along the line of sight
+  double unseen = 0.2;  ///< share of the lines missing in an image
+  double clutter = 0;   ///< wrong floor points per image, on average below one
+  int grain = 0;        ///< further wrong floor points, in every image
 };
 
 inline constexpr double kSightMin_m = 1, kSightMax_m = 5;
@@ -63,7 +64,7 @@ inline LandmarkSighting sighting_of(const Vec2& p_vehicle, bool brighter_right, 
           .brighter_right = brighter_right};
 }
 
-/// What one image shows. Without `random`: everything, exactly where it is.
+/// The view in one image. Without `random`: everything, exactly where it is.
 inline std::vector<LandmarkSighting> sightings_from(const std::vector<CorridorLine>& lines,
                                                     const Pose2& T_map_vehicle, const SightNoise& noise,
                                                     Random* random = nullptr) {
@@ -96,7 +97,7 @@ struct CorridorRun {
   std::vector<Pose2> T_map_vehicle;  ///< the truth
 };
 
-/// From a start straight on, an image every 8 cm.
+/// Straight on from a start, with an image every 8 cm.
 inline CorridorRun corridor_run(const std::vector<CorridorLine>& lines, double path_m,
                                 const SightNoise& noise, Random& random, Pose2 T_map_vehicle = {}) {
   constexpr double kStep_m = 0.08;
@@ -128,7 +129,7 @@ inline CorridorRun corridor_run(const std::vector<CorridorLine>& lines, double p
   return run;
 }
 
-/// The lines as a map that knows them all, exactly, from driving in the direction of x.
+/// The lines as a map that knows them all exactly, from driving in the direction of x.
 inline LandmarkMap map_of(const std::vector<CorridorLine>& lines) {
   LandmarkMap map;
   for (const CorridorLine& line : lines) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Images drawn from geometry, so that where their edges are is known exactly.
+/// Images drawn from geometry, so that the positions of their edges are known exactly.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-/// The image of a brightness given over the plane of the image, each pixel the mean over its area.
+/// The image of a brightness function over the image plane, each pixel the mean over its area.
 template <class Brightness>
 Image drawn(int width_px, int height_px, int samples, const Brightness& brightness) {
   Image image(width_px, height_px);
@@ -36,19 +36,19 @@ inline Image mirrored(const Image& image) {
   return out;
 }
 
-/// A straight corridor with doors in both walls, seen by a camera that stands in it. Metres, in a frame at
-/// the camera: x right, y down, z along the corridor.
+/// A straight corridor with doors in both walls, seen by a camera in it. Metres, in the camera's frame: x
+/// right, y down, z along the corridor.
 struct DrawnCorridor {
   double height_m = 1;  ///< of the camera
   double left_m = -1.1, right_m = 0.9, end_m = 14, ceiling_m = -1.6;
   double skirting_m = 0.1;
   double shine = 0;                   ///< share of the reflection in the brightness of the floor
-  double down_rad = 0, roll_rad = 0;  ///< how the camera is turned
+  double down_rad = 0, roll_rad = 0;  ///< orientation of the camera
   double first_door_m = 3, door_m = 0.9, door_step_m = 2.6;
   int width_px = 640, height_px = 480;
   CameraIntrinsics camera{500, 500, 319.5, 239.5};
 
-  /// Where a point of the corridor is seen.
+  /// The image point of a point of the corridor.
   Vec2 pixel(const Vec3& p_corridor) const {
     return CameraModel(camera).project(turn().transpose() * p_corridor).value();
   }

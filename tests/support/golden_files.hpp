@@ -1,5 +1,5 @@
 #pragma once
-/// Files as they must be written, and stay readable: `tests/golden`.
+/// Files that must be written exactly like this, and stay readable: `tests/golden`.
 
 #include <filesystem>
 

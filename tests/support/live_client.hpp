@@ -1,5 +1,5 @@
 #pragma once
-/// A small client of the live server, written against the protocol alone.
+/// A small client of the live server, written from the protocol's specification alone.
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
@@ -24,7 +24,7 @@ struct LiveHttpReply {
   std::string body;
 };
 
-/// One request on a connection of its own.
+/// One request on its own connection.
 inline LiveHttpReply live_http(std::uint16_t port, const std::string& method, const std::string& target,
                                const std::map<std::string, std::string>& headers = {},
                                const std::string& body = {}) {
@@ -68,7 +68,7 @@ class LiveClient {
     socket_.handshake("127.0.0.1:" + std::to_string(port), target);
   }
 
-  /// Takes whatever comes until `done`; throws after so long, or when the connection is closed.
+  /// Takes all messages until `done`; throws after the time-out, or when the connection is closed.
   void read_until(const std::function<bool()>& done,
                   std::chrono::seconds longest = std::chrono::seconds(30)) {
     const auto end = std::chrono::steady_clock::now() + longest;
@@ -103,7 +103,7 @@ class LiveClient {
     for (const auto& [id, topic] : topics) subscribe(id);
   }
 
-  /// The answer; throws with the reason where it is refused.
+  /// The answer; throws with the reason if the call is refused.
   nlohmann::json call(const std::string& service,
                       const nlohmann::json& arguments = nlohmann::json::object()) {
     read_until([&] { return services.contains(service); });

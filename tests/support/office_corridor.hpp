@@ -1,12 +1,12 @@
 #pragma once
-/// A corridor with everything in it that a camera may see, for tests and benchmarks of the renderer.
+/// A corridor with everything that a camera may see, for tests and benchmarks of the renderer.
 
 #include "aisle/simulation/world.hpp"
 
 namespace aisle {
 
-/// 30 m along x, 2 m wide, y from -1 to 1; every 3 m a door on the left (+y), and on the right set off by 1
-/// m.
+/// 30 m along x, 2 m wide, y from -1 to 1. A door every 3 m on the left (+y) and, offset by 1 m, on the
+/// right.
 inline World office_corridor(int doors_per_side = 9) {
   constexpr double kHalfWidth_m = 1, kPitch_m = 3, kWall_m = 0.12, kDoor_m = 0.9, kRoomDepth_m = 4;
   const double length_m = kPitch_m * (doors_per_side + 1);

@@ -10,8 +10,8 @@
 
 namespace aisle {
 
-/// The cells of `frame` whose middles lie in the floor that closed walls bound (even-odd rule); what the
-/// cells of `frame` hold does not matter.
+/// The cells of `frame` whose centres lie in the floor that closed walls enclose (even-odd rule). The content
+/// of `frame` does not matter.
 inline FloorPlan drawn_plan(std::span<const Segment2> walls, const FloorPlan& frame) {
   FloorPlan plan = frame;
   std::fill(plan.solid.begin(), plan.solid.end(), 1);
@@ -38,7 +38,7 @@ inline FloorPlan drawn_plan(std::span<const Segment2> walls, const FloorPlan& fr
   return plan;
 }
 
-/// Whether a cell has neighbours of both kinds, or the other kind, within so many cells.
+/// Whether a cell has neighbours of both kinds, or of the other kind, within so many cells.
 inline bool is_near_border(const FloorPlan& plan, int x, int y, int cells) {
   const bool solid = plan.is_solid(x, y);
   for (int v = y - cells; v <= y + cells; ++v) {
@@ -49,10 +49,10 @@ inline bool is_near_border(const FloorPlan& plan, int x, int y, int cells) {
   return false;
 }
 
-/// How well walls show a plan that they were traced from.
+/// How well walls reproduce the plan from which they were traced.
 struct Agreement {
   double all = 1;                ///< share of all cells
-  double away_from_borders = 1;  ///< share of the cells that are at least two cells from a border
+  double away_from_borders = 1;  ///< share of the cells at least two cells from a border
 };
 
 inline Agreement agreement(const FloorPlan& plan, std::span<const Segment2> walls) {

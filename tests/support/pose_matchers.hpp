@@ -1,5 +1,5 @@
 #pragma once
-/// Matchers that speak the domain: a failure prints metres and degrees.
+/// Matchers for poses: a failure prints metres and degrees.
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Recordings made by others, which are no part of the repository.
+/// Public recordings, which are not part of the repository.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// Where such data is: $AISLE_DATA, or beside the repository.
+/// The directory of such data: $AISLE_DATA, or next to the repository.
 inline std::filesystem::path real_data() {
   if (const char* set = std::getenv("AISLE_DATA")) return set;
   return std::filesystem::path(AISLE_SOURCE_DIR) / ".." / "shared" / "data";
@@ -16,7 +16,7 @@ inline std::filesystem::path real_data() {
 
 }  // namespace aisle
 
-/// Ends the test as skipped where `file` is absent.
+/// Skips the test if `file` is absent.
 #define AISLE_NEEDS(file)             \
   if (!std::filesystem::exists(file)) \
   GTEST_SKIP() << (file) << " is not here; AISLE_DATA may point to the data"

@@ -1,5 +1,5 @@
 #pragma once
-/// Certificates for tests: made on the spot, signed by themselves, good for an hour.
+/// Self-signed certificates for tests, generated on the spot and valid for an hour.
 
 #include <openssl/evp.h>
 #include <openssl/pem.h>

@@ -1,5 +1,5 @@
 #pragma once
-/// A vehicle of which only the images matter: for benchmarks of those who watch it.
+/// A vehicle that only matters for its images: for benchmarks of viewers.
 
 #include <memory>
 
@@ -11,7 +11,7 @@ namespace aisle {
 
 constexpr int kWatchedWidth_px = 640, kWatchedHeight_px = 480;
 
-/// With one camera, "front".
+/// A vehicle with one camera, "front".
 inline VehicleDescription watched_vehicle() {
   VehicleDescription vehicle;
   vehicle.name = "watched";
@@ -23,7 +23,7 @@ inline VehicleDescription watched_vehicle() {
   return vehicle;
 }
 
-/// Not too smooth, not too rough for a JPEG of a usual size.
+/// Texture that gives a JPEG of typical size.
 inline std::shared_ptr<const Image> watched_image() {
   auto image = std::make_shared<Image>(kWatchedWidth_px, kWatchedHeight_px);
   Random random(1);

@@ -27,20 +27,20 @@ constexpr Names kDistortionNames = {
     "distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs", "D", "D1"};
 constexpr Names kRmsNames = {"rms", "avg_reprojection_error", "Avg_Reprojection_Error"};
 
-/// OpenCV heads its files with "%YAML:1.0", which is no directive of YAML. The line stays, as a comment.
+/// OpenCV's files start with "%YAML:1.0", which is not a YAML directive. The line becomes a comment.
 std::string without_opencv_head(std::string_view text) {
   std::string yaml(text);
   if (yaml.starts_with("%YAML:")) yaml[0] = '#';
   return yaml;
 }
 
-/// A value and the key that it was found under.
+/// A value and the key under which it was found.
 struct Entry {
   std::string key;
   YAML::Node node;
 };
 
-/// Reads one document; collects problems instead of stopping at the first.
+/// Reads one document; collects all problems instead of stopping at the first.
 class CalibrationReader {
  public:
   explicit CalibrationReader(const std::string& file) : file_(file), problems_(file) {}
@@ -102,19 +102,19 @@ void CalibrationReader::read_document(const YAML::Node& document) {
   }
 }
 
-/// What another lens model would say, before its numbers are taken for ours.
+/// Refuses another lens model before its numbers are taken for plumb_bob's.
 void CalibrationReader::read_model(const YAML::Node& document) {
   if (const auto model = first_of(document, {"distortion_model"})) {
     static constexpr std::array kKnown = {"plumb_bob", "rational_polynomial", "none", ""};
     const std::string name = model->node.IsScalar() ? model->node.Scalar() : "no single value";
     if (std::find(kKnown.begin(), kKnown.end(), name) == kKnown.end()) {
       problem(model->node, model->key,
-              fmt::format("'{}' is not the lens model that is known here, plumb_bob", printable(name)));
+              fmt::format("'{}' is not plumb_bob, the only supported lens model", printable(name)));
     }
   }
   if (const auto fisheye = first_of(document, {"fisheye_model"})) {
     if (number(*fisheye, {0, 1}).value_or(0) != 0) {
-      problem(fisheye->node, fisheye->key, "a fisheye lens is not known here, only plumb_bob");
+      problem(fisheye->node, fisheye->key, "a fisheye lens is not supported, only plumb_bob");
     }
   }
 }
@@ -145,7 +145,7 @@ void CalibrationReader::read_matrix(const Entry& entry) {
     return;
   }
   if (m[0] <= 0 || m[4] <= 0) problem(entry.node, entry.key, "the focal lengths are not positive");
-  if (m[1] != 0) problem(entry.node, entry.key, "skew is not known here: the second number must be 0");
+  if (m[1] != 0) problem(entry.node, entry.key, "skew is not supported: the second number must be 0");
   if (m[3] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1) {
     problem(entry.node, entry.key, "is not [fx, 0, cx, 0, fy, cy, 0, 0, 1]");
   }
@@ -157,7 +157,7 @@ void CalibrationReader::read_distortion(const Entry& entry) {
   std::vector<double> d = numbers(entry, kCoefficientMax);
   if (d.size() > 5 && std::any_of(d.begin() + 5, d.end(), [](double v) { return v != 0; })) {
     problem(entry.node, entry.key,
-            fmt::format("has {} coefficients; only k1, k2, p1, p2, k3 are known here", d.size()));
+            fmt::format("has {} coefficients; only k1, k2, p1, p2, k3 are supported", d.size()));
   }
   d.resize(5);
   CameraIntrinsics& lens = calibration_.intrinsics;
@@ -204,12 +204,12 @@ std::optional<Entry> CalibrationReader::first_of(const YAML::Node& document, Nam
   return std::nullopt;
 }
 
-/// The numbers of a matrix, {rows, cols, data} or a plain list; empty if it cannot be read.
+/// The numbers of a matrix, {rows, cols, data} or a plain list; empty if unreadable.
 std::vector<double> CalibrationReader::numbers(const Entry& entry, double limit) {
   constexpr std::size_t kNumbersMax = 16;
   const YAML::Node list = entry.node.IsMap() ? entry.node["data"] : entry.node;
   if (!list || !list.IsSequence() || list.size() > kNumbersMax) {
-    problem(entry.node, entry.key, fmt::format("holds no list of at most {} numbers", kNumbersMax));
+    problem(entry.node, entry.key, fmt::format("is not a list of at most {} numbers", kNumbersMax));
     return {};
   }
   std::vector<double> read;

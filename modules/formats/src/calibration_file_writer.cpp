@@ -20,7 +20,7 @@ std::string distortion_data(const CameraIntrinsics& lens) {
   return fmt::format("[{}, {}, {}, {}, {}]", lens.k1, lens.k2, lens.p1, lens.p2, lens.k3);
 }
 
-/// What neither OpenCV nor ROS has a place for; both pass it over.
+/// Keys that neither OpenCV nor ROS defines; both ignore them.
 std::string own_keys(const CameraCalibration& c) {
   std::string text;
   if (c.rms_px) text += fmt::format("rms: {:.4g}\n", *c.rms_px);

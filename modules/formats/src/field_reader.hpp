@@ -9,32 +9,32 @@
 
 namespace aisle {
 
-/// The number that `text` is from its first to its last character; "nan" and "inf" are numbers.
+/// The number if `text` is exactly one, from its first to its last character; "nan" and "inf" are numbers.
 std::optional<double> parse_number(std::string_view text);
 
 /// Takes the first line off `text`, without its line end.
 std::string_view take_line(std::string_view& text);
 
-/// A field as it may be shown to people: short and printable.
+/// The field as it may be shown to people: short and printable.
 std::string printable(std::string_view field);
 
-/// The blank-separated fields of one line, from left to right. The first thing that is wrong sticks:
-/// everything read after it is 0 or empty, so that callers check once, at the end of the line.
+/// The blank-separated fields of one line, from left to right. The first failure is kept; everything read
+/// after it is 0 or empty. So callers check once, at the end of the line.
 class FieldReader {
  public:
   explicit FieldReader(std::string_view line) : rest_(line) {}
 
-  /// The next field; empty at the end of the line, which is no failure.
+  /// The next field; empty at the end of the line, which is not a failure.
   std::string_view word();
-  /// The next field as a number of at most this magnitude.
+  /// The next field as a number of magnitude `limit` or less.
   double number(const char* what, double limit);
-  /// A distance: not negative; infinity is 0, "nothing seen".
+  /// A distance: not negative; infinity becomes 0, "nothing seen".
   double distance(const char* what, double limit);
   /// A whole number from `min` to `max`.
   std::size_t count(const char* what, std::size_t min, std::size_t max);
   /// Three numbers: x and y in units of `scale` metres, heading.
   Pose2 pose(const char* what, double scale);
-  /// How many fields are left, if they are at most `max`; reads them.
+  /// Counts the remaining fields and reads them; fails if there are more than `max`.
   std::size_t remaining(std::size_t max);
 
   void fail(std::string what);

@@ -1,5 +1,5 @@
 #pragma once
-/// What files may hold at most. A larger file is refused before memory is taken for it.
+/// Limits on what a file may contain. A larger file is refused before memory is allocated for it.
 
 #include <cstddef>
 
@@ -9,8 +9,8 @@ inline constexpr std::size_t kSettingsBytesMax = 1 << 20;  ///< vehicles, scenar
 inline constexpr std::size_t kWorldBytesMax = 16 << 20;
 inline constexpr std::size_t kWorldWallsMax = 200'000;
 inline constexpr double kCoordinateMax_m = 10'000;
-inline constexpr std::size_t kPlanBytesMax = std::size_t{512} << 20;  ///< of an image that is a floor plan
+inline constexpr std::size_t kPlanBytesMax = std::size_t{512} << 20;  ///< of a floor plan's image
 inline constexpr int kImageSideMax_px = 16384;
-inline constexpr double kAnyNumber = 1e15;  ///< where only what is no number at all is wrong
+inline constexpr double kAnyNumber = 1e15;  ///< where any finite number is valid
 
 }  // namespace aisle

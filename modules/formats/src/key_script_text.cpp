@@ -48,11 +48,11 @@ bool is_turning(std::string_view label) {
   return number && *number >= 1 && *number <= kTurnings && *number == std::floor(*number);
 }
 
-/// What is wrong with the label of a mark; empty: nothing.
+/// What is wrong with the label of a mark; empty if nothing.
 std::string label_problem(const Mark& mark) {
   switch (mark.kind) {
     case Mark::Kind::kStop:
-      return mark.label.empty() ? "" : fmt::format("'{}' is too much", printable(mark.label));
+      return mark.label.empty() ? "" : fmt::format("'{}' is unexpected", printable(mark.label));
     case Mark::Kind::kPlace:
       return mark.label.empty() || mark.label.size() > kLabelMax
                  ? fmt::format("a place needs a name of at most {} characters", kLabelMax)
@@ -64,7 +64,7 @@ std::string label_problem(const Mark& mark) {
   return "";
 }
 
-/// One line; nullopt and a problem in `what` if it cannot be read.
+/// Reads one line; nullopt with the problem in `what` if it is unreadable.
 std::optional<TimedKey> parse_line(std::string_view line, std::string& what) {
   FieldReader fields(line);
   const std::string_view times = fields.word(), word = fields.word();
@@ -76,14 +76,14 @@ std::optional<TimedKey> parse_line(std::string_view line, std::string& what) {
   const auto from_s = time_s(times.substr(0, dash));
   const auto to_s = dash == std::string_view::npos ? from_s : time_s(times.substr(dash + 1));
   if (!from_s || !to_s || *to_s < *from_s) {
-    what = fmt::format("'{}' is no time FROM or FROM-TO in seconds", printable(times));
+    what = fmt::format("'{}' is not a time FROM or FROM-TO in seconds", printable(times));
     return std::nullopt;
   }
   const auto known =
       std::find_if(kWords.begin(), kWords.end(), [&](const KeyWord& key) { return key.word == word; });
   if (known == kWords.end()) {
     what = fmt::format(
-        "'{}' is none of up, down, left, right, stop, quit, turning, turning-ends, place, path-ends",
+        "'{}' is none of up, down, left, right, stop, quit, turning, turning-ends, place, route-ends",
         printable(word));
     return std::nullopt;
   }
@@ -92,7 +92,7 @@ std::optional<TimedKey> parse_line(std::string_view line, std::string& what) {
   if (timed.key.kind == Key::Kind::kMark) {
     what = label_problem(timed.key.mark);
   } else if (!label.empty()) {
-    what = fmt::format("'{}' is too much", printable(label));
+    what = fmt::format("'{}' is unexpected", printable(label));
   }
   if (!what.empty()) return std::nullopt;
   return timed;

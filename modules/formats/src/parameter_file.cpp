@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-/// A field and what is left of its key below the maps that are open already.
+/// A field and the rest of its key below the maps that are already open.
 struct NestedField {
   std::string_view key;
   const Field* field;

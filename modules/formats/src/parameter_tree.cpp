@@ -5,7 +5,7 @@
 namespace aisle {
 namespace {
 
-/// Aliases may make a small file stand for an endless tree; no parameter file is larger than this.
+/// Aliases can make a small file expand into an endless tree; no parameter file is nested this deeply.
 constexpr std::size_t kMaxDepth = 16;
 constexpr std::size_t kMaxEntries = 10000;
 
@@ -23,7 +23,7 @@ void ParameterTree::read_node(const std::string& key, const YAML::Node& node, lo
   if (node.IsMap()) return read_map(key, node, line, depth);
   if (node.IsScalar() && !key.empty()) return assign(key, node.Scalar(), line);
   if (key.empty()) return problems_.add(line, "the file is not a map of keys to values");
-  problems_.add(line, key, node.IsSequence() ? "a list is no value" : "has no value");
+  problems_.add(line, key, node.IsSequence() ? "a list is not a value" : "has no value");
 }
 
 void ParameterTree::read_map(const std::string& key, const YAML::Node& map, long line, std::size_t depth) {
@@ -32,7 +32,7 @@ void ParameterTree::read_map(const std::string& key, const YAML::Node& map, long
     const long entry_line = line_of(entry.first);
     if (++entries_ > kMaxEntries) return problems_.add(entry_line, key, "has too many entries");
     if (!entry.first.IsScalar()) {
-      problems_.add(entry_line, key, "has a key that is no text");
+      problems_.add(entry_line, key, "has a key that is not text");
       continue;
     }
     const std::string inner = key.empty() ? entry.first.Scalar() : key + "." + entry.first.Scalar();

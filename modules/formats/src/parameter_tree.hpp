@@ -11,10 +11,10 @@
 
 namespace aisle {
 
-/// Walks through YAML trees of nested or dotted keys and assigns their leaves to fields.
+/// Walks a YAML tree of nested or dotted keys and assigns its leaves to fields.
 class ParameterTree {
  public:
-  /// @param name  stands for the file in problems
+  /// @param name  the file name in problems
   ParameterTree(const std::string& name, FieldList& fields) : name_(name), fields_(fields), problems_(name) {}
 
   /// @param key  of the tree's root; empty: the root is the whole file

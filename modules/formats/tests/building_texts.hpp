@@ -10,13 +10,13 @@
 
 namespace aisle {
 
-/// What is wrong with a building's text; empty: nothing.
+/// The problems of a building's text; empty if there are none.
 inline std::string building_problems(const std::string& text) {
   const auto building = parse_building(text, "b.json");
   return building.ok() ? "" : to_string(building.problems());
 }
 
-/// A golden building, with one passage put in the place of another.
+/// A golden building with one passage replaced by another.
 inline std::string golden_building(const char* name, const std::string& passage = "",
                                    const std::string& other = "") {
   std::string text = *read_whole_file(kGolden / name);

@@ -35,7 +35,7 @@ inline Landmark any_landmark(Random& random) {
   return landmark;
 }
 
-/// The same, and where they were seen from.
+/// The same, with the positions from which they were seen.
 inline LandmarkMap with_views(const LandmarkMap& landmarks, Random& random) {
   LandmarkMap map;
   for (Landmark landmark : landmarks.all()) {

@@ -20,7 +20,7 @@ std::string calibration_problems(const std::string& text) {
   return calibration.ok() ? "none" : to_string(calibration.problems());
 }
 
-/// A readable file, with `line` after its first two lines.
+/// A valid file, with `line` after its first two lines.
 std::string calibration_with(const std::string& line) {
   return "image_width: 640\nimage_height: 480\n" + line + "\nK: [500, 0, 320, 0, 500, 240, 0, 0, 1]\n";
 }
@@ -95,9 +95,8 @@ TEST(CalibrationFile, ARealFileOfOpenCvsIsRead) {
 }
 
 TEST(CalibrationFile, OtherLensesAreRefusedWithTheirLine) {
-  EXPECT_EQ(
-      calibration_problems(calibration_with("distortion_model: equidistant")),
-      "camera.yaml:3: distortion_model: 'equidistant' is not the lens model that is known here, plumb_bob");
+  EXPECT_EQ(calibration_problems(calibration_with("distortion_model: equidistant")),
+            "camera.yaml:3: distortion_model: 'equidistant' is not plumb_bob, the only supported lens model");
   EXPECT_THAT(calibration_problems(calibration_with("fisheye_model: 1")),
               HasSubstr("camera.yaml:3: fisheye_model: a fisheye lens"));
   EXPECT_THAT(calibration_problems(calibration_with("D: [0, 0, 0, 0, 0, 0.1, 0, 0]")),

@@ -108,7 +108,7 @@ TEST(DocumentedExamples, TheVehicleIsRead) {
   EXPECT_DOUBLE_EQ(vehicle->simulated.odometry.distance_scale, 0.02);
 }
 
-/// Without the line's end.
+/// Without the line end.
 std::string example_line(const std::string& page, int index) {
   const std::string text = example(page, index);
   return text.substr(0, text.find('\n'));
@@ -129,7 +129,7 @@ TEST(DocumentedExamples, TheSessionsTextsAreReadAndWrittenAsTheyStand) {
   EXPECT_EQ(operator_text(*input), example_line("session.md", 3));
 }
 
-TEST(DocumentedExamples, ASessionOfALandmarkMissionHoldsABuilding) {
+TEST(DocumentedExamples, ASessionOfALandmarkMissionContainsABuilding) {
   const auto origin = parse_session_origin(example_line("session.md", 1), "session.md");
   ASSERT_TRUE(origin.ok()) << to_string(origin.problems());
   EXPECT_TRUE(parse_building(origin->building, "building").ok());

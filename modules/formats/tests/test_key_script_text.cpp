@@ -27,14 +27,14 @@ TEST(KeyScriptText, KeysAreReadWithTheirTimesAndLabels) {
 
 TEST(KeyScriptText, EveryProblemIsNamedWithItsLine) {
   EXPECT_EQ(problems_of("x up\n3-1 up\n1 jump\n1 turning 14\n1 place\n1 up now\n1-nan up\n"),
-            "keys.txt:1: 'x' is no time FROM or FROM-TO in seconds\n"
-            "keys.txt:2: '3-1' is no time FROM or FROM-TO in seconds\n"
+            "keys.txt:1: 'x' is not a time FROM or FROM-TO in seconds\n"
+            "keys.txt:2: '3-1' is not a time FROM or FROM-TO in seconds\n"
             "keys.txt:3: 'jump' is none of up, down, left, right, stop, quit, turning, turning-ends, place, "
             "route-ends\n"
             "keys.txt:4: a turning is a number from 1 to 13\n"
             "keys.txt:5: a place needs a name of at most 64 characters\n"
-            "keys.txt:6: 'now' is too much\n"
-            "keys.txt:7: '1-nan' is no time FROM or FROM-TO in seconds");
+            "keys.txt:6: 'now' is unexpected\n"
+            "keys.txt:7: '1-nan' is not a time FROM or FROM-TO in seconds");
   EXPECT_THAT(problems_of(""), HasSubstr("keys.txt: has no keys"));
 }
 

@@ -77,7 +77,7 @@ TEST(ParameterFile, EveryProblemIsReportedAtOnce) {
             "my.yaml:1: reach_m: 9 is outside 0 .. 5\n"
             "my.yaml:4: matching.window.tries: 'many' is not a number\n"
             "my.yaml:5: matching.window.trys: unknown key (nearest known key: matching.window.tries)\n"
-            "my.yaml:6: matching.opening_deg: a list is no value\n"
+            "my.yaml:6: matching.opening_deg: a list is not a value\n"
             "my.yaml:7: reach_m: is set twice, first on line 1\n"
             "my.yaml:8: matching.window.careful: has no value");
 }

@@ -5,22 +5,22 @@
 
 namespace aisle {
 
-/// What a request says about who sends it.
+/// What a request says about its sender.
 struct Caller {
   std::string_view host;           ///< the Host header
-  std::string_view origin;         ///< the Origin header; empty: none, no browser
+  std::string_view origin;         ///< the Origin header; empty: none, so not a browser
   std::string_view authorization;  ///< the Authorization header
   std::string_view target;         ///< the address without scheme and host
 };
 
-/// Who is let in.
+/// Decides which requests are accepted.
 class Authenticator {
  public:
-  /// @param is_local  only this machine is listened to
-  /// @param token     that callers must know; empty: none is asked for
+  /// @param is_local  only this machine can connect
+  /// @param token     that callers must present; empty: none is required
   Authenticator(bool is_local, std::string token);
 
-  /// No page of another site, and no name that was pointed at this machine.
+  /// Refuses pages of other sites, and foreign host names that were pointed at this machine (DNS rebinding).
   bool is_from_here(const Caller& caller) const;
   bool knows_token(const Caller& caller) const;
 

@@ -27,7 +27,7 @@ std::string_view without_version(std::string_view name) {
 
 Result<std::string> keep_building_version(const std::filesystem::path& folder, std::string_view name,
                                           std::string_view text) {
-  if (!is_plain_name(name)) return Problem{{std::string(name)}, "is no name of a building"};
+  if (!is_plain_name(name)) return Problem{{std::string(name)}, "is not a building name"};
   if (const auto building = parse_building(text, std::string(name)); !building) return building.problems();
   const std::string base(without_version(name));
   for (int version = 1; version <= kVersionsMax; ++version) {

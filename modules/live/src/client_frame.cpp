@@ -47,7 +47,7 @@ std::optional<ClientChannel> channel_in(const Json& value) {
   return ClientChannel{*id, std::move(*topic), std::move(*encoding)};
 }
 
-/// The elements of the list at `key`, all of them or nothing.
+/// The elements of the list at `key`; nullopt if any is malformed.
 template <class Element>
 std::optional<std::vector<Element>> list_at(const Json& object, const char* key,
                                             std::optional<Element> (*read)(const Json&)) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNumberMax = 1e6;
 
-/// The number at `key`, 0 where there is none; nullopt where something else stands.
+/// The number at `key`, 0 if there is none; nullopt if the value is not a number.
 std::optional<double> number_at(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end()) return 0;

@@ -15,7 +15,7 @@ namespace aisle::net {
 
 namespace http = beast::http;
 
-/// Requests of one connection, until it ends or one of them makes it a WebSocket.
+/// Handles the requests of one connection until it ends or becomes a WebSocket.
 template <class Stream>
 class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream>> {
  public:
@@ -47,7 +47,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
             .target = view(request.target())};
   }
 
-  /// Who may not come in is given so before anything more is read.
+  /// Refuses callers without access before reading any more.
   void on_header() {
     if (!server_context_.authenticator.is_from_here(caller()))
       return reply(http_problem(403, "a foreign Origin or Host"), false);
@@ -55,10 +55,10 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
     const HttpQuestion question = asked();
     if (HttpRequestHandler::brings_building(question.method, question.target)) {
       if (question.knows_token && question.has_lease) return read_body();
-      return reply(server_context_.desk.answer(question), false);
+      return reply(server_context_.request_handler.answer(question), false);
     }
     const bool has_body = parser_->chunked() || parser_->content_length().value_or(0) > 0;
-    reply(server_context_.desk.answer(question), !has_body && parser_->keep_alive());
+    reply(server_context_.request_handler.answer(question), !has_body && parser_->keep_alive());
   }
 
   void read_body() {
@@ -67,7 +67,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
                        if (error == http::error::body_limit)
                          return self->reply(http_problem(413, "more than 16 MiB"), false);
                        if (!error)
-                         self->reply(self->server_context_.desk.answer(self->asked()),
+                         self->reply(self->server_context_.request_handler.answer(self->asked()),
                                      self->parser_->keep_alive());
                      });
   }

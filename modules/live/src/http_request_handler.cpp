@@ -34,7 +34,7 @@ HttpReply file_reply(const fs::path& folder, std::string_view path) {
   return {.media_type = media_type(*file), .body = {}, .file = *file};
 }
 
-/// The names of what a folder holds, sorted.
+/// The names of a folder's entries, sorted.
 template <class Name>
 OrderedJson names_in(const fs::path& folder, Name name_of) {
   std::vector<std::string> names;
@@ -102,7 +102,7 @@ HttpReply HttpRequestHandler::buildings(const HttpQuestion& question, std::strin
 }
 
 HttpReply HttpRequestHandler::keep_building(const HttpQuestion& question, std::string_view name) const {
-  if (!question.has_lease) return http_problem(403, "needs the lease of who drives, as X-Aisle-Lease");
+  if (!question.has_lease) return http_problem(403, "needs the driver's lease, as X-Aisle-Lease");
   if (folders_.buildings.empty())
     return http_problem(404, "the server was started without a folder of buildings");
   const auto kept = keep_building_version(folders_.buildings, name, question.body);

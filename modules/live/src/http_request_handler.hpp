@@ -21,20 +21,20 @@ struct HttpReply {
   unsigned status = 200;
   std::string media_type = "application/json";
   std::string body;
-  std::optional<std::filesystem::path> file = {};  ///< is the body, if there is one
+  std::optional<std::filesystem::path> file = {};  ///< the body, if there is one
 };
 
-/// A reply that says what is wrong.
+/// A reply with an error message.
 HttpReply http_problem(unsigned status, const std::string& what);
 
-/// Answers what is asked over HTTP; knows nothing of sockets.
+/// Answers HTTP requests; does not use sockets.
 class HttpRequestHandler {
  public:
   static constexpr std::size_t kBuildingBytesMax = std::size_t{16} << 20;
 
   HttpRequestHandler(LiveFolders folders, std::string version);
 
-  /// Whether the request may bring a body of a building's size.
+  /// Whether the request may have a body as large as a building file.
   static bool brings_building(std::string_view method, std::string_view target);
 
   HttpReply answer(const HttpQuestion& question) const;

@@ -59,7 +59,7 @@ void Hub::Client::say(StatusLevel level, const std::string& message) const {
   send_text(status_frame(level, message));
 }
 
-/// Takes what a client sent, by its kind.
+/// Handles a client's messages by type.
 struct Hub::Reception {
   Hub& hub;
   ClientId id;
@@ -88,7 +88,7 @@ struct Hub::Reception {
   void operator()(const UnofferedRequest& request) const {
     client.say(StatusLevel::kWarning, fmt::format("'{}' is not offered", request.op.substr(0, 64)));
   }
-  void operator()(const ClientMessage& message) const { hub.hear(client, message); }
+  void operator()(const ClientMessage& message) const { hub.receive_message(client, message); }
   void operator()(const ServiceRequest& request) const { hub.call(id, client, request); }
 };
 
@@ -159,7 +159,7 @@ void Hub::subscribe(Client& client, const Subscription& wanted) {
 void Hub::advertise(Client& client, ClientChannel channel) {
   if (channel.topic != kDriveTopic || channel.encoding != "json") {
     client.say(StatusLevel::kWarning,
-               fmt::format("only the topic {} is heard, with the encoding json", kDriveTopic));
+               fmt::format("only the topic {} is accepted, with the encoding json", kDriveTopic));
   } else if (client.channels.size() >= kClientChannelsMax) {
     client.say(StatusLevel::kError, fmt::format("more than {} channels", kClientChannelsMax));
   } else {
@@ -167,7 +167,7 @@ void Hub::advertise(Client& client, ClientChannel channel) {
   }
 }
 
-void Hub::hear(Client& client, const ClientMessage& message) {
+void Hub::receive_message(Client& client, const ClientMessage& message) {
   if (!client.channels.contains(message.channel)) {
     client.say(StatusLevel::kError, fmt::format("there is no channel {} of yours", message.channel));
     return;
@@ -176,10 +176,11 @@ void Hub::hear(Client& client, const ClientMessage& message) {
   if (!command) {
     client.say(StatusLevel::kError, "a drive command needs lease, sequence and finite numbers");
   } else if (!lease_.renew(command->lease)) {
-    client.say(StatusLevel::kWarning, "the lease is not valid: the command is not heard");
+    client.say(StatusLevel::kWarning, "the lease is not valid: the command is ignored");
   } else if (!drive_.put(*command)) {
     client.say(StatusLevel::kWarning,
-               fmt::format("sequence {} was there before: not heard", command->sequence));
+               fmt::format("sequence {} is not larger than the last one: the command is ignored",
+                           command->sequence));
   }
 }
 
@@ -193,7 +194,7 @@ void Hub::call(ClientId id, Client& client, const ServiceRequest& request) {
   if (!arguments.is_object()) return fail("the arguments must be a JSON object");
   const LiveService& service = services_[request.service - 1];
   if (service.needs_lease && !lease_.renew(lease_in(arguments)))
-    return fail("needs the lease of who drives, which is missing or not valid any more");
+    return fail("needs the driver's lease, which is missing or no longer valid");
   if (service.mailbox == nullptr) return call_lease(id, request, arguments);
   call_mailbox(id, request, service, std::move(arguments));
 }
@@ -207,7 +208,7 @@ void Hub::call_mailbox(ClientId id, const ServiceRequest& request, const LiveSer
     });
   };
   if (!service.mailbox->put({service.name, std::move(arguments), reply}))
-    answer(id, request.service, request.call, false, "too much is asked at once");
+    answer(id, request.service, request.call, false, "too many requests at once");
 }
 
 void Hub::call_lease(ClientId id, const ServiceRequest& request, const nlohmann::json& arguments) {
@@ -217,7 +218,7 @@ void Hub::call_lease(ClientId id, const ServiceRequest& request, const nlohmann:
   };
   if (name == kTakeLease) {
     const auto token = lease_.take(id);
-    if (!token) return answer(id, request.service, request.call, false, "another one is driving");
+    if (!token) return answer(id, request.service, request.call, false, "another client is driving");
     drive_.begin_lease();
     return done({{"lease", *token}, {"valid_s", DriverLease::kValid_s}});
   }

@@ -25,21 +25,21 @@ class Hub {
   static constexpr std::size_t kSubscriptionsMax = 1000;
   static constexpr std::size_t kClientChannelsMax = 64;
 
-  /// The lease's own services come first.
+  /// The services of the lease come first.
   Hub(std::string name, std::string version, std::vector<LiveService> services, const Clock& clock,
       DriveInbox& drive, Post post);
 
-  /// A client is there, and is greeted.
+  /// Adds a client and greets it.
   void join(ClientId client, Send send);
   void leave(ClientId client);
 
-  /// @return false: garbage
+  /// @return false if the text is not a message of the protocol
   bool receive_text(ClientId client, std::string_view text);
   bool receive_bytes(ClientId client, std::string_view bytes);
 
   void publish(const SessionTopic& topic, ros::Stamp_ns stamp, std::shared_ptr<const std::string> cdr);
   void publish_time(ros::Stamp_ns stamp);
-  /// Who subscribes from now on gets no message of before.
+  /// Later subscribers get no message from before this call.
   void forget_latched();
 
   DriverLease& lease() { return lease_; }
@@ -66,7 +66,7 @@ class Hub {
   std::uint32_t channel_id(const SessionTopic& topic);
   void subscribe(Client& client, const Subscription& wanted);
   void advertise(Client& client, ClientChannel channel);
-  void hear(Client& client, const ClientMessage& message);
+  void receive_message(Client& client, const ClientMessage& message);
   void call(ClientId id, Client& client, const ServiceRequest& request);
   void call_mailbox(ClientId id, const ServiceRequest& request, const LiveService& service,
                     nlohmann::json arguments);

@@ -14,7 +14,7 @@ void append_little_endian(std::string& bytes, Number number) {
     bytes.push_back(static_cast<char>(number >> shift & 0xff));
 }
 
-/// Takes one thing after the other from the front; nullopt where too little is left.
+/// Reads one value after the other from the front; nullopt if too few bytes are left.
 class LittleEndianReader {
  public:
   explicit LittleEndianReader(std::string_view bytes) : rest_(bytes) {}

@@ -14,7 +14,7 @@
 #include "outbox.hpp"
 #include "server_context.hpp"
 #include "tls_context.hpp"
-#include "tls_door.hpp"
+#include "tls_handshake.hpp"
 
 namespace aisle {
 namespace {
@@ -30,7 +30,7 @@ Result<asio::ip::address> address_of(const LiveServerOptions& options) {
   boost::system::error_code error;
   const auto address = asio::ip::make_address(options.address, error);
   if (error)
-    return Problem{{"--listen"}, fmt::format("'{}' is no address such as 192.168.1.5", options.address)};
+    return Problem{{"--listen"}, fmt::format("'{}' is not an address such as 192.168.1.5", options.address)};
   if (!options.token.empty() && options.token.size() < kTokenMin)
     return Problem{{"--token-file"}, fmt::format("the token must have at least {} characters", kTokenMin)};
   if (!address.is_loopback() && options.token.empty())
@@ -38,7 +38,7 @@ Result<asio::ip::address> address_of(const LiveServerOptions& options) {
   return address;
 }
 
-/// Nothing where none is wanted.
+/// An empty result if no encryption is requested.
 Result<Tls> tls_of(const LiveServerOptions& options) {
   if (!options.tls.are_given()) return Tls();
   auto context = tls_context(options.tls);
@@ -48,7 +48,7 @@ Result<Tls> tls_of(const LiveServerOptions& options) {
 
 }  // namespace
 
-/// The sockets, the thread that serves them, and what comes in from the mission's thread.
+/// The sockets, the thread that serves them, and the messages from the mission's thread.
 class LiveServer::Engine {
  public:
   Engine(LiveServerOptions options, const asio::ip::address& address, Tls tls,
@@ -61,7 +61,7 @@ class LiveServer::Engine {
              [this](std::function<void()> work) { asio::post(io_, std::move(work)); }),
         server_context_{.hub = hub_,
                         .authenticator = Authenticator(address.is_loopback(), options_.token),
-                        .desk = HttpRequestHandler(options_.folders, options_.version)},
+                        .request_handler = HttpRequestHandler(options_.folders, options_.version)},
         acceptor_(io_) {}
 
   ~Engine() {
@@ -100,7 +100,7 @@ class LiveServer::Engine {
   ServerContext server_context_;
   Outbox outbox_;
   std::atomic<bool> lease_is_held_ = false;
-  asio::io_context io_{1};  // with the connections in it: they use all of the above to their end
+  asio::io_context io_{1};  // owns the connections, which use all members above until their end
   Tcp::acceptor acceptor_;
   std::thread thread_;
 };
@@ -134,7 +134,7 @@ void LiveServer::Engine::admit(Tcp::socket socket) {
   boost::system::error_code ignored;
   socket.set_option(Tcp::no_delay(true), ignored);
   net::PlainStream stream(std::move(socket));
-  if (tls_) return std::make_shared<net::TlsDoor>(std::move(stream), *tls_, server_context_)->open();
+  if (tls_) return std::make_shared<net::TlsHandshake>(std::move(stream), *tls_, server_context_)->start();
   std::make_shared<net::HttpConnection<net::PlainStream>>(std::move(stream), server_context_,
                                                           Counted(server_context_.connections))
       ->read();

@@ -4,7 +4,7 @@
 
 namespace aisle {
 
-/// Lets through so many messages a second on average, and as many at once.
+/// Limits the rate of messages: so many per second on average, and as many in one burst.
 class MessageRate {
  public:
   explicit MessageRate(double per_s) : per_s_(per_s), left_(per_s) {}

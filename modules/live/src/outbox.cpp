@@ -19,7 +19,7 @@ std::vector<Outbox::Item> Outbox::take() {
   return std::exchange(items_, {});
 }
 
-/// Where the server's thread is that far behind, what is not latched is lost.
+/// If the server's thread is that far behind, messages that are not latched are dropped.
 bool Outbox::push(Item item) {
   const std::lock_guard lock(mutex_);
   if (items_.size() >= kItemsMax && !item.topic.latched) return false;

@@ -11,19 +11,19 @@
 
 namespace aisle {
 
-/// Messages on their path from the mission's thread to the server's. Putting never waits for a client.
+/// Passes messages from the mission's thread to the server's. Putting never waits for a client.
 class Outbox {
  public:
   static constexpr std::size_t kItemsMax = 1024;
 
   struct Item {
-    SessionTopic topic;  ///< without a name: the time
+    SessionTopic topic;  ///< without a name: a message with the time
     ros::Stamp_ns stamp = 0;
     std::shared_ptr<const std::string> cdr;
   };
 
-  /// Messages that nobody could see are only put where they matter to who comes later.
-  /// @return whether take() is to be called: it was not since the last call that said so
+  /// Messages without a viewer are only put if later clients need them.
+  /// @return whether to call take(): true once until the next take()
   bool put(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr, bool somebody_looks);
   bool put_time(ros::Stamp_ns stamp);
 

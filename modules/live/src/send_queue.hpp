@@ -8,25 +8,25 @@
 
 namespace aisle {
 
-/// One WebSocket message on its path to a client: its head, then a body that many clients share.
+/// One WebSocket message to a client: its head, then a body that many clients share.
 struct OutFrame {
   std::string head;
-  std::shared_ptr<const std::string> body;  ///< null: the head is all
+  std::shared_ptr<const std::string> body;  ///< null: the message is the head alone
   bool is_text = false;
-  bool may_be_lost = false;  ///< a newer one will follow
+  bool may_be_lost = false;  ///< a newer message will replace it
 
   std::size_t bytes() const { return head.size() + (body ? body->size() : 0); }
 };
 
-/// What waits for one client. A client that is too slow loses the oldest messages that may be lost.
+/// The messages waiting for one client. If a client is too slow, its oldest droppable messages are dropped.
 class SendQueue {
  public:
   static constexpr std::size_t kFramesMax = 256;
   static constexpr std::size_t kBytesMax = 4 << 20;
 
-  /// @return false: even without all that may be lost too much is waiting
+  /// @return false if too much is waiting even without the droppable messages
   bool push(OutFrame frame);
-  /// The oldest; nullopt if nothing waits.
+  /// The oldest message; nullopt if none waits.
   std::optional<OutFrame> pop();
 
   std::size_t lost() const { return lost_; }

@@ -10,17 +10,17 @@
 
 namespace aisle {
 
-/// What all connections share; used by the server's thread alone, but for the counts.
+/// Shared by all connections. Only the counts may be used outside the server's thread.
 struct ServerContext {
   Hub& hub;
   Authenticator authenticator;
-  HttpRequestHandler desk;
+  HttpRequestHandler request_handler;
   ClientId last_client = 0;
   std::atomic<std::size_t> connections = 0;
   std::atomic<std::size_t> clients = 0;
 };
 
-/// Counts a thing as long as it lives.
+/// Counts an object while it lives.
 class Counted {
  public:
   explicit Counted(std::atomic<std::size_t>& count) : count_(&count) { ++*count_; }

@@ -12,7 +12,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 enum ServerOp : char { kMessageData = 1, kTime = 2, kServiceResponse = 3 };
 
-/// What clients wrote comes back in statuses: bytes that are no UTF-8 are replaced.
+/// Statuses quote what clients wrote, so invalid UTF-8 is replaced.
 std::string frame_text(const OrderedJson& json) {
   return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }

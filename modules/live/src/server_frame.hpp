@@ -1,5 +1,5 @@
 #pragma once
-/// What the server sends over the open Foxglove WebSocket protocol.
+/// Messages from the server in the open Foxglove WebSocket protocol.
 
 #include <cstdint>
 #include <span>
@@ -19,12 +19,12 @@ enum class StatusLevel { kInfo = 0, kWarning = 1, kError = 2 };
 
 std::string server_info_frame(const std::string& name, const std::string& version);
 std::string advertise_frame(std::span<const LiveChannel> channels);
-/// Services are numbered from 1 in their order.
+/// Services are numbered from 1 in this order.
 std::string advertise_services_frame(std::span<const std::string> names);
 std::string status_frame(StatusLevel level, const std::string& message);
 std::string service_failure_frame(std::uint32_t service, std::uint32_t call, const std::string& why);
 
-/// What stands before the message's own bytes.
+/// The header before the message's own bytes.
 std::string message_header(std::uint32_t subscription, ros::Stamp_ns stamp);
 std::string time_frame(ros::Stamp_ns stamp);
 std::string service_response_frame(std::uint32_t service, std::uint32_t call, std::string_view json);

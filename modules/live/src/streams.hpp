@@ -14,11 +14,11 @@ namespace beast = boost::beast;
 using PlainStream = beast::tcp_stream;
 using TlsStream = beast::ssl_stream<beast::tcp_stream>;
 
-/// So long what should come at once may take.
+/// Time-out of operations that should complete at once.
 inline constexpr std::chrono::seconds kShortTimeout{5};
 
-/// Nothing more is said on the stream.
-/// @param owner  kept until the other side knows
+/// Ends writing on the stream.
+/// @param owner  kept alive until the other side has noticed
 template <class Owner>
 void end_stream(PlainStream& stream, const Owner&) {
   beast::error_code ignored;

@@ -28,10 +28,10 @@ Problems use_certificate(ssl::context& context, const TlsFiles& files) {
   Error error;
   context.use_certificate_chain(boost::asio::buffer(*pem), error);
   if (!error) return {};
-  return {{{files.certificate.string()}, "holds no certificate in PEM form: " + error.message()}};
+  return {{{files.certificate.string()}, "contains no certificate in PEM form: " + error.message()}};
 }
 
-/// After the certificate, to which it must belong.
+/// Call after loading the certificate: the key must match it.
 Problems use_key(ssl::context& context, const TlsFiles& files) {
   const auto pem = read_whole_file(files.key, kPemBytesMax);
   if (!pem) return pem.problems();
@@ -45,7 +45,7 @@ Problems use_key(ssl::context& context, const TlsFiles& files) {
              fmt::format("does not belong to the certificate in {}", files.certificate.string())}};
   if (!error) return {};
   return {{{files.key.string()},
-           "holds no private key in PEM form, or one behind a pass phrase: " + error.message()}};
+           "contains no private key in PEM form, or one with a pass phrase: " + error.message()}};
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// What a server encrypts its connections by: TLS 1.2 or newer.
+/// The context that encrypts a server's connections: TLS 1.2 or newer.
 Result<boost::asio::ssl::context> tls_context(const TlsFiles& files);
 
 }  // namespace aisle

@@ -20,7 +20,7 @@ namespace aisle::net {
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 
-/// A client of the protocol: what it sends goes to the hub, what the hub sends waits in its queue.
+/// A client of the protocol: its messages go to the hub; the hub's messages wait in its queue.
 template <class Stream>
 class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnection<Stream>> {
  public:
@@ -82,7 +82,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   void send(OutFrame frame) {
     if (is_closing_) return;
     if (!queue_.push(std::move(frame))) {
-      is_closing_ = true;  // it reads nothing: no use to tell it
+      is_closing_ = true;  // it does not read, so a close frame would not reach it
       beast::get_lowest_layer(socket_).close();
       return;
     }
@@ -114,7 +114,7 @@ class WebSocketConnection : public std::enable_shared_from_this<WebSocketConnect
   SteadyClock clock_;
   MessageRate rate_{kMessages_per_s};
   SendQueue queue_;
-  std::optional<OutFrame> sent_;  ///< is being sent
+  std::optional<OutFrame> sent_;  ///< being sent
   ClientId id_ = 0;
   bool is_closing_ = false;
 };

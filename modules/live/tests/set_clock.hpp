@@ -4,7 +4,7 @@
 
 namespace aisle {
 
-/// Shows what it was set to.
+/// A clock that shows the time it was set to.
 class SetClock final : public Clock {
  public:
   double now_s() const override { return time_s; }

@@ -8,7 +8,7 @@ namespace {
 const Authenticator kLocal(true, "");
 const Authenticator kOpen(false, "a very secret word");
 
-TEST(Authenticator, LetsProgramsAndItsOwnPageIn) {
+TEST(Authenticator, AcceptsProgramsAndItsOwnPage) {
   EXPECT_TRUE(kLocal.is_from_here({.host = "127.0.0.1:8765"}));
   EXPECT_TRUE(kLocal.is_from_here({.host = "localhost:8765", .origin = "http://localhost:8765"}));
   EXPECT_TRUE(kLocal.is_from_here({.host = "[::1]:8765", .origin = "http://[::1]:8765"}));
@@ -21,12 +21,12 @@ TEST(Authenticator, RefusesPagesOfOtherSites) {
     EXPECT_FALSE(kLocal.is_from_here({.host = "localhost:8765", .origin = origin})) << origin;
 }
 
-TEST(Authenticator, RefusesNamesThatWerePointedHere) {
+TEST(Authenticator, RefusesForeignNamesThatPointHere) {
   EXPECT_FALSE(kLocal.is_from_here({.host = "evil.example:8765", .origin = "http://evil.example:8765"}));
   EXPECT_FALSE(kLocal.is_from_here({.host = ""}));
 }
 
-TEST(Authenticator, AsksForTheTokenWhereThereIsOne) {
+TEST(Authenticator, AsksForTheTokenIfThereIsOne) {
   EXPECT_TRUE(kLocal.knows_token({.target = "/"}));
   EXPECT_FALSE(kOpen.knows_token({.target = "/"}));
   EXPECT_FALSE(kOpen.knows_token({.target = "/?token=a+very+secret+word"}));

@@ -86,7 +86,7 @@ TEST_F(Inbox, GivesTheNewestOnce) {
   EXPECT_FALSE(inbox.take());
 }
 
-TEST_F(Inbox, DoesNotHearOldOrRepeatedSequences) {
+TEST_F(Inbox, IgnoresOldOrRepeatedSequences) {
   EXPECT_TRUE(inbox.put(command(5)));
   EXPECT_FALSE(inbox.put(command(5)));
   EXPECT_FALSE(inbox.put(command(4)));
@@ -101,7 +101,7 @@ TEST_F(Inbox, BeginsAgainWithEachLease) {
   EXPECT_TRUE(inbox.put(command(1)));
 }
 
-TEST_F(Inbox, CountsHowLongACommandLay) {
+TEST_F(Inbox, CountsHowLongACommandWaited) {
   inbox.put({.lease = "t", .sequence = 1, .age_s = 0.1, .command = {}});
   clock.time_s += 0.4;
   EXPECT_NEAR(inbox.take()->age_s, 0.5, 1e-9);

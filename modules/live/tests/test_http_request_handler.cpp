@@ -21,14 +21,14 @@ class RequestHandler : public testing::Test {
  protected:
   RequestHandler() {
     fs::create_directories(root / "web/assets");
-    fs::create_directories(root / "sessions/trip");
+    fs::create_directories(root / "sessions/run");
     fs::create_directories(root / "sessions/no-session");
     fs::create_directories(root / "buildings");
     write("secret.txt", "secret");
     write("web/index.html", "<html>");
     write("web/assets/a.js", "1");
     write("web/.hidden", "hidden");
-    write("sessions/trip/metadata.yaml", "x");
+    write("sessions/run/metadata.yaml", "x");
     write("buildings/lab.json", kBuilding);
     fs::create_symlink(root / "secret.txt", root / "web/link.txt");
   }
@@ -37,15 +37,15 @@ class RequestHandler : public testing::Test {
   void write(const std::string& name, const std::string& text) const { std::ofstream(root / name) << text; }
 
   HttpReply get(std::string_view target) const {
-    return desk.answer({.method = "GET", .target = target, .knows_token = true});
+    return handler.answer({.method = "GET", .target = target, .knows_token = true});
   }
   HttpReply post(std::string_view target, std::string_view body, bool has_lease = true) const {
-    return desk.answer(
+    return handler.answer(
         {.method = "POST", .target = target, .body = body, .knows_token = true, .has_lease = has_lease});
   }
 
-  const fs::path root = fs::temp_directory_path() / ("aisle-desk-" + std::to_string(getpid()));
-  const HttpRequestHandler desk{{root / "web", root / "sessions", root / "buildings"}, "1.2"};
+  const fs::path root = fs::temp_directory_path() / ("aisle-handler-" + std::to_string(getpid()));
+  const HttpRequestHandler handler{{root / "web", root / "sessions", root / "buildings"}, "1.2"};
 };
 
 TEST_F(RequestHandler, ServesThePage) {
@@ -67,7 +67,7 @@ TEST_F(RequestHandler, ShowsNothingOutsideItsFolders) {
   for (const char* target :
        {"/../secret.txt", "/%2e%2e/secret.txt", "/assets/../../secret.txt", "/assets/..%2f..%2fsecret.txt",
         "/.hidden", "/link.txt", "/sessions/../secret.txt", "/sessions/%2e%2e/secret.txt", "/buildings/..",
-        "/buildings//etc/passwd", "/sessions/trip/%00", "/%zz", "/%2", "//etc/passwd", "/assets\\a.js"}) {
+        "/buildings//etc/passwd", "/sessions/run/%00", "/%zz", "/%2", "//etc/passwd", "/assets\\a.js"}) {
     const HttpReply reply = get(target);
     EXPECT_EQ(reply.status, 404) << target;
     EXPECT_FALSE(reply.file) << target;
@@ -75,17 +75,17 @@ TEST_F(RequestHandler, ShowsNothingOutsideItsFolders) {
 }
 
 TEST_F(RequestHandler, ListsSessionsAndBuildings) {
-  EXPECT_EQ(get("/sessions/").body, R"({"sessions":["trip"]})");
+  EXPECT_EQ(get("/sessions/").body, R"({"sessions":["run"]})");
   EXPECT_EQ(get("/buildings/").body, R"({"buildings":["lab"]})");
-  EXPECT_EQ(get("/sessions/trip/metadata.yaml").file->filename(), "metadata.yaml");
+  EXPECT_EQ(get("/sessions/run/metadata.yaml").file->filename(), "metadata.yaml");
   EXPECT_EQ(get("/buildings/lab.json").media_type, "application/json");
 }
 
 TEST_F(RequestHandler, AsksForTheTokenBeforeItShowsWhatWasRecorded) {
-  EXPECT_EQ(desk.answer({.method = "GET", .target = "/sessions/"}).status, 401);
-  EXPECT_EQ(desk.answer({.method = "GET", .target = "/buildings/lab.json"}).status, 401);
-  EXPECT_EQ(desk.answer({.method = "POST", .target = "/buildings/lab", .has_lease = true}).status, 401);
-  EXPECT_EQ(desk.answer({.method = "GET", .target = "/healthz"}).status, 200);
+  EXPECT_EQ(handler.answer({.method = "GET", .target = "/sessions/"}).status, 401);
+  EXPECT_EQ(handler.answer({.method = "GET", .target = "/buildings/lab.json"}).status, 401);
+  EXPECT_EQ(handler.answer({.method = "POST", .target = "/buildings/lab", .has_lease = true}).status, 401);
+  EXPECT_EQ(handler.answer({.method = "GET", .target = "/healthz"}).status, 200);
 }
 
 TEST_F(RequestHandler, KeepsBuildingsAsNewVersions) {
@@ -98,7 +98,7 @@ TEST_F(RequestHandler, KeepsBuildingsAsNewVersions) {
   EXPECT_EQ(old.str(), kBuilding);
 }
 
-TEST_F(RequestHandler, KeepsNoBuildingThatCannotBeRead) {
+TEST_F(RequestHandler, RefusesBuildingsThatCannotBeRead) {
   const HttpReply reply = post("/buildings/lab", R"({"format": "aisle.building", "version": 1, "wall": 3})");
   EXPECT_EQ(reply.status, 422);
   EXPECT_THAT(reply.body, HasSubstr("wall"));
@@ -109,10 +109,10 @@ TEST_F(RequestHandler, KeepsNoBuildingThatCannotBeRead) {
 }
 
 TEST_F(RequestHandler, HasNoOtherMethods) {
-  EXPECT_EQ(desk.answer({.method = "DELETE", .target = "/buildings/lab.json", .knows_token = true}).status,
+  EXPECT_EQ(handler.answer({.method = "DELETE", .target = "/buildings/lab.json", .knows_token = true}).status,
             405);
-  EXPECT_EQ(post("/sessions/trip", "x").status, 405);
-  EXPECT_EQ(desk.answer({.method = "HEAD", .target = "/healthz"}).status, 200);
+  EXPECT_EQ(post("/sessions/run", "x").status, 405);
+  EXPECT_EQ(handler.answer({.method = "HEAD", .target = "/healthz"}).status, 200);
 }
 
 TEST(WebAddress, PlainNames) {

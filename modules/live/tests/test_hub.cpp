@@ -20,7 +20,7 @@ std::shared_ptr<const std::string> body(const std::string& text) {
   return std::make_shared<const std::string>(text);
 }
 
-/// What a client got.
+/// What a client received.
 struct Sent {
   std::vector<Json> texts;
   std::vector<OutFrame> messages;
@@ -56,7 +56,7 @@ class HubTest : public testing::Test {
         1, Json({{"op", "subscribe"}, {"subscriptions", {{{"id", id}, {"channelId", channel}}}}}).dump());
   }
 
-  /// The answer, or why it was refused.
+  /// The answer, or the reason for a refusal.
   Json call(ClientId id, Sent& sent, const std::string& service, const Json& arguments) {
     const auto& services = greeting.at("services");
     std::uint32_t number = 0;
@@ -109,7 +109,7 @@ TEST_F(HubTest, GreetsWithWhatItOffers) {
   EXPECT_EQ(late.texts[2]["op"], "advertiseServices");
 }
 
-TEST_F(HubTest, SendsMessagesToSubscribersAlone) {
+TEST_F(HubTest, SendsMessagesOnlyToSubscribers) {
   hub.publish(kScan, 5, body("before"));
   EXPECT_THAT(client.messages, IsEmpty());
   subscribe(77, 1);
@@ -123,7 +123,7 @@ TEST_F(HubTest, SendsMessagesToSubscribersAlone) {
   EXPECT_EQ(client.messages.size(), 1);
 }
 
-TEST_F(HubTest, SendsTheLastLatchedMessageToWhoComesLate) {
+TEST_F(HubTest, SendsTheLastLatchedMessageToLateSubscribers) {
   hub.publish(kLatched, 5, body("old"));
   hub.publish(kLatched, 6, body("new"));
   subscribe(1, 1);
@@ -153,7 +153,7 @@ TEST_F(HubTest, AnswersWrongRequestsWithAStatus) {
   EXPECT_FALSE(hub.receive_bytes(1, "garbage"));
 }
 
-TEST_F(HubTest, BringsCallsToTheirMailboxAndAnswersBack) {
+TEST_F(HubTest, PassesCallsToTheirMailboxAndAnswersBack) {
   EXPECT_TRUE(call(1, client, "open", {{"x", 1}}).is_null());
   const auto waiting = mailbox.take();
   ASSERT_TRUE(waiting);
@@ -175,7 +175,7 @@ TEST_F(HubTest, RefusesWithServiceFailure) {
   EXPECT_EQ(call(1, client, "open", 3)["op"], "serviceCallFailure");
 }
 
-TEST_F(HubTest, AnswersNobodyWhoIsGone) {
+TEST_F(HubTest, DoesNotAnswerClientsThatAreGone) {
   call(1, client, "open", Json::object());
   const auto waiting = mailbox.take();
   hub.leave(1);
@@ -183,7 +183,7 @@ TEST_F(HubTest, AnswersNobodyWhoIsGone) {
   EXPECT_THAT(client.messages, IsEmpty());
 }
 
-TEST_F(HubTest, LetsNoCallThroughWithoutTheLeaseItNeeds) {
+TEST_F(HubTest, RefusesCallsWithoutTheLeaseTheyNeed) {
   EXPECT_EQ(call(1, client, "closed", Json::object())["op"], "serviceCallFailure");
   EXPECT_EQ(call(1, client, "closed", {{"lease", "guess"}})["op"], "serviceCallFailure");
   EXPECT_FALSE(mailbox.take());
@@ -191,7 +191,7 @@ TEST_F(HubTest, LetsNoCallThroughWithoutTheLeaseItNeeds) {
   EXPECT_TRUE(mailbox.take());
 }
 
-TEST_F(HubTest, HearsDriveCommandsOfWhoHoldsTheLease) {
+TEST_F(HubTest, TakesDriveCommandsOfTheLeaseHolder) {
   hub.receive_text(1, R"({"op":"advertise","channels":[{"id":3,"topic":"/drive","encoding":"json"}]})");
   drive("guess", 1);
   EXPECT_FALSE(inbox.take());

@@ -48,7 +48,7 @@ TEST_F(Server, ShowsWhatIsPublished) {
   server->take(kText, 7, "text");
   server->take_time(8);
   client.read_until([&] { return client.time_ns == 8 && client.topics.size() == 2; });
-  client.call("lease/take");  // answered after the subscription was taken
+  client.call("lease/take");  // answered only after the subscription was handled
   server->take(kText, 9, "next");
   client.read_until([&] { return client.messages.back().cdr == "next"; });
   EXPECT_EQ(client.messages.back().stamp, 9);
@@ -79,7 +79,7 @@ TEST_F(Server, AsksForItsToken) {
   EXPECT_FALSE(is_refused(guarded->port(), {{"Authorization", "Bearer 0123456789abcdef"}}));
 }
 
-TEST_F(Server, OpensToOthersOnlyWithAToken) {
+TEST_F(Server, OpensToOtherMachinesOnlyWithAToken) {
   ServiceMailbox others;
   for (const LiveServerOptions& options :
        {LiveServerOptions{.address = "0.0.0.0"}, LiveServerOptions{.address = "0.0.0.0", .token = "short"},
@@ -109,7 +109,7 @@ TEST_F(Server, ClosesOnTooManyMessages) {
       boost::system::system_error);
 }
 
-TEST_F(Server, TakesOnlySoManyConnections) {
+TEST_F(Server, LimitsTheNumberOfConnections) {
   std::vector<std::unique_ptr<LiveClient>> clients;
   for (std::size_t i = 0; i < LiveServer::kConnectionsMax; ++i)
     clients.push_back(std::make_unique<LiveClient>(server->port()));
@@ -127,12 +127,12 @@ TEST_F(Server, AnswersCallsFromAnotherThread) {
   EXPECT_EQ(client.call("echo", {{"say", "hello"}})["heard"], "hello");
 }
 
-TEST_F(Server, HandsOnDriveCommandsOfWhoHoldsTheLease) {
+TEST_F(Server, PassesOnDriveCommandsOfTheLeaseHolder) {
   LiveClient client(server->port());
   const std::string lease = client.call("lease/take")["lease"];
   client.advertise_drive();
   client.drive({{"lease", lease}, {"sequence", 1}, {"speed_mps", 0.25}});
-  client.call("lease/renew", {{"lease", lease}});  // has been heard after the command
+  client.call("lease/renew", {{"lease", lease}});  // answered only after the command was handled
   const auto command = server->drive().take();
   ASSERT_TRUE(command);
   EXPECT_EQ(command->command.speed_mps, 0.25);
@@ -142,7 +142,7 @@ TEST_F(Server, IsNotHeldUpByAClientThatReadsNothing) {
   LiveClient stalled(server->port());
   LiveClient awake(server->port());
   server->take(kText, 1, "");
-  server->take(kKept, 1, "latched");  // comes when both are subscribed to
+  server->take(kKept, 1, "latched");  // arrives once both are subscribed to
   for (LiveClient* client : {&stalled, &awake}) {
     client->subscribe_to_all();
     client->read_until([client] { return !client->messages.empty(); });

@@ -18,7 +18,7 @@ TEST(SendQueue, GivesBackInOrder) {
   EXPECT_FALSE(queue.pop());
 }
 
-TEST(SendQueue, LosesTheOldestWhereTooManyWait) {
+TEST(SendQueue, DropsTheOldestIfTooManyWait) {
   SendQueue queue;
   const std::size_t count = SendQueue::kFramesMax + 10;
   for (std::size_t i = 0; i < count; ++i) EXPECT_TRUE(queue.push(image(std::to_string(i))));
@@ -26,14 +26,14 @@ TEST(SendQueue, LosesTheOldestWhereTooManyWait) {
   EXPECT_EQ(queue.pop()->head, "10");
 }
 
-TEST(SendQueue, LosesTheOldestWhereTheyAreTooLarge) {
+TEST(SendQueue, DropsTheOldestIfTheyAreTooLarge) {
   SendQueue queue;
   for (const char* head : {"a", "b", "c"}) EXPECT_TRUE(queue.push(image(head, SendQueue::kBytesMax / 2)));
   EXPECT_EQ(queue.pop()->head, "c");
   EXPECT_FALSE(queue.pop());
 }
 
-TEST(SendQueue, KeepsWhatMustNotBeLost) {
+TEST(SendQueue, KeepsWhatMustNotBeDropped) {
   SendQueue queue;
   queue.push({.head = "answer", .body = {}});
   for (std::size_t i = 0; i < 2 * SendQueue::kFramesMax; ++i) queue.push(image("p"));
@@ -46,7 +46,7 @@ TEST(SendQueue, OneMessageIsKeptHoweverLarge) {
   EXPECT_EQ(queue.pop()->head, "large");
 }
 
-TEST(SendQueue, SaysWhenAClientTakesNothingAtAll) {
+TEST(SendQueue, ReportsAClientThatTakesNothing) {
   SendQueue queue;
   bool has_room = true;
   for (std::size_t i = 0; i <= SendQueue::kFramesMax; ++i)

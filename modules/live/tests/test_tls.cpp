@@ -74,7 +74,7 @@ std::string body_of_healthz(TlsClientStream& stream, const std::string& host) {
   return response.body();
 }
 
-/// What the server says to bytes that are no TLS; empty: nothing, it hung up.
+/// The server's reply to bytes that are not TLS; empty if it hung up without one.
 std::string answer_to(std::uint16_t port, const std::string& bytes) {
   asio::io_context io;
   asio::ip::tcp::socket socket(io);
@@ -107,7 +107,7 @@ TEST_F(TlsServer, GreetsClientsOfTheProtocol) {
   socket.close(beast::websocket::close_code::normal);
 }
 
-TEST_F(TlsServer, TellsPlainHttpWhatIsSpoken) {
+TEST_F(TlsServer, TellsPlainHttpClientsToUseHttps) {
   const auto server = open();
   const LiveHttpReply reply = live_http(server->port(), "GET", "/healthz");
   EXPECT_EQ(reply.status, 400);
@@ -122,9 +122,9 @@ TEST_F(TlsServer, RefusesWhatIsOlderThanTls12) {
   EXPECT_THROW(connect(server->port()), boost::system::system_error);
 }
 
-TEST_F(TlsServer, DropsGarbageAndKeepsRoomForOthers) {
+TEST_F(TlsServer, DropsGarbageAndStillServesOthers) {
   const auto server = open();
-  const std::string hello = "\x16\x03\x01\x02";  // a handshake that begins as it should
+  const std::string hello = "\x16\x03\x01\x02";  // a handshake with a valid beginning
   for (std::size_t i = 0; i < 2 * LiveServer::kConnectionsMax; ++i) {
     EXPECT_THAT(answer_to(server->port(), std::string(200, 'x')), HasSubstr("400"));
     EXPECT_THAT(answer_to(server->port(), hello + std::string(600, '\xff')), testing::Not(HasSubstr("200")));

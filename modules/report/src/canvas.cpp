@@ -31,7 +31,7 @@ void draw_on(cairo_surface_t* surface, const Drawing& draw) {
   require(cairo_status(cairo.get()));
 }
 
-/// Cairo numbers its surfaces through the life of the program; one number makes the bytes depend on the
+/// Cairo numbers its surfaces over the life of the program. A fixed number makes the bytes depend on the
 /// picture alone.
 std::string with_fixed_ids(std::string svg) {
   const std::string mark = "id=\"surface";
@@ -42,7 +42,7 @@ std::string with_fixed_ids(std::string svg) {
   return svg;
 }
 
-/// Cairo refuses text that is not UTF-8, and with it everything that is drawn afterwards.
+/// Cairo refuses text that is not UTF-8, and everything drawn after it.
 bool is_readable(const std::string& text) {
   const Surface scratch(cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1), cairo_surface_destroy);
   const Context cairo(cairo_create(scratch.get()), cairo_destroy);
@@ -85,17 +85,17 @@ void Canvas::fill(const Color& color) {
   cairo_paint(cairo_);
 }
 
-void Canvas::picture(const Image& picture, const Vec2& corner) {
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width_px, picture.height_px),
+void Canvas::image(const Image& image, const Vec2& corner) {
+  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width_px, image.height_px),
                         cairo_surface_destroy);
   require(cairo_surface_status(surface.get()));
   const int stride = cairo_image_surface_get_stride(surface.get());
   unsigned char* const pixels = cairo_image_surface_get_data(surface.get());
-  const std::size_t last = picture.channels == 3 ? 2 : 0;
-  for (int v = 0; v < picture.height_px; ++v) {
+  const std::size_t last = image.channels == 3 ? 2 : 0;
+  for (int v = 0; v < image.height_px; ++v) {
     auto* row = reinterpret_cast<std::uint32_t*>(pixels + std::ptrdiff_t{v} * stride);
-    const std::uint8_t* from = picture.row(v);
-    for (int u = 0; u < picture.width_px; ++u, from += picture.channels)
+    const std::uint8_t* from = image.row(v);
+    for (int u = 0; u < image.width_px; ++u, from += image.channels)
       row[u] = std::uint32_t{from[0]} << 16U | std::uint32_t{from[last / 2]} << 8U | from[last];
   }
   cairo_surface_mark_dirty(surface.get());

@@ -31,23 +31,24 @@ struct Font {
   bool is_bold = false;
 };
 
-/// Lines, areas and text in pixels from the top left corner, y down, on paper or pixels.
+/// Draws lines, areas and text in pixels from the top left corner, y down, on a vector or a pixel surface.
 class Canvas {
  public:
   explicit Canvas(cairo_t* cairo);
 
   void fill(const Color& color);
-  /// A picture at its own size.
-  void picture(const Image& picture, const Vec2& corner = Vec2::Zero());
+  /// An image at its own size.
+  void image(const Image& image, const Vec2& corner = Vec2::Zero());
   void line(const Vec2& start, const Vec2& end, const Pen& pen);
   void polyline(const std::vector<Vec2>& points, const Pen& pen);
-  /// All lines as one shape: where they cross, a transparent pen gets no darker.
+  /// All lines as one shape: a transparent pen gets no darker where they cross.
   void lines(const std::vector<std::pair<Vec2, Vec2>>& ends, const Pen& pen);
   /// All areas as one shape, each with four corners in the same sense of rotation.
   void areas(const std::vector<std::array<Vec2, 4>>& corners, const Color& color);
   void disc(const Vec2& centre, double radius_px, const Color& color);
   void ring(const Vec2& centre, double radius_px, const Pen& pen);
-  /// `start` is the left end of the base line. Text that Cairo cannot read is shown as far as it is ASCII.
+  /// `start` is the left end of the text's baseline. If Cairo cannot read the text, only its ASCII characters
+  /// are shown.
   void text(const Vec2& start, const std::string& text, const Font& font);
   double text_width(const std::string& text, const Font& font);
 

@@ -68,7 +68,7 @@ class CorridorDrawing {
   }
 
  private:
-  /// Runs of equal cells, a row after the other.
+  /// Draws runs of equal cells, row by row.
   void draw_cells(Canvas& canvas, Floor kind, const Color& color) const {
     const FloorGrid& floor = *building_.floor;
     const FloorBox& box = floor.known();
@@ -128,7 +128,7 @@ class CorridorDrawing {
     }
   }
 
-  /// From right to left, only what the picture shows.
+  /// From right to left, only what the picture contains.
   void draw_legend(Canvas& canvas) const {
     Legend legend(canvas, scale_);
     if (!picture_.path.empty()) legend.add_line("path driven", kDrivenPathPen);

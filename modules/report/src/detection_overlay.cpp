@@ -14,21 +14,21 @@ constexpr Color kRed{1, 0.15, 0.1};
 constexpr Color kCyan{0, 0.9, 1};
 constexpr Color kOrange{1, 0.55, 0};
 constexpr Color kMagenta{1, 0.2, 0.9};
-constexpr std::uint8_t kRegionTint = 110;  // of 255: how much of the picture the region's green covers
+constexpr std::uint8_t kRegionTint = 110;  // of 255: how strongly the region's green covers the image
 
-/// A point of a picture on the canvas, whose origin is a pixel's corner.
+/// A point of an image on the canvas, whose origin is a pixel's corner.
 Vec2 on_canvas(const Vec2& pixel) {
   return pixel + Vec2(0.5, 0.5);
 }
 
-/// The unit of line widths and dots: a VGA picture's lines are 2 px wide.
-double stroke_px(const Image& picture) {
-  return std::max(1.0, std::max(picture.width_px, picture.height_px) / 320.0);
+/// The unit of line widths and dots: 2 px in a VGA image.
+double stroke_px(const Image& image) {
+  return std::max(1.0, std::max(image.width_px, image.height_px) / 320.0);
 }
 
-std::string overlay_png(const Image& picture, const Drawing& draw) {
-  return png_file(picture.width_px, picture.height_px, [&](Canvas& canvas) {
-    canvas.picture(picture);
+std::string overlay_png(const Image& image, const Drawing& draw) {
+  return png_file(image.width_px, image.height_px, [&](Canvas& canvas) {
+    canvas.image(image);
     draw(canvas);
   });
 }
@@ -45,16 +45,16 @@ bool is_outline(const Image& mask, int u, int v) {
   return outside(u - 1, v) || outside(u + 1, v) || outside(u, v - 1) || outside(u, v + 1);
 }
 
-Image in_colour(const Image& picture) {
-  if (picture.channels == 3) return picture;
-  Image colour(picture.width_px, picture.height_px, 3);
-  for (std::size_t i = 0; i < colour.bytes.size(); ++i) colour.bytes[i] = picture.bytes[i / 3];
+Image in_colour(const Image& image) {
+  if (image.channels == 3) return image;
+  Image colour(image.width_px, image.height_px, 3);
+  for (std::size_t i = 0; i < colour.bytes.size(); ++i) colour.bytes[i] = image.bytes[i / 3];
   return colour;
 }
 
-Image tinted(const Image& picture, const Image& mask) {
+Image tinted(const Image& image, const Image& mask) {
   constexpr int kTint[3] = {0, 230, 60};
-  Image colour = in_colour(picture);
+  Image colour = in_colour(image);
   for (int v = 0; v < mask.height_px; ++v) {
     for (int u = 0; u < mask.width_px; ++u) {
       if (mask.row(v)[u] == 0) continue;
@@ -69,9 +69,9 @@ Image tinted(const Image& picture, const Image& mask) {
 
 }  // namespace
 
-std::string verticals_overlay_png(const Image& picture, std::span<const VerticalLine> verticals) {
-  const double stroke = stroke_px(picture);
-  return overlay_png(picture, [&](Canvas& canvas) {
+std::string verticals_overlay_png(const Image& image, std::span<const VerticalLine> verticals) {
+  const double stroke = stroke_px(image);
+  return overlay_png(image, [&](Canvas& canvas) {
     for (const VerticalLine& line : verticals)
       canvas.line(on_canvas(line.top_px), on_canvas(line.bottom_px), {kCyan, stroke});
     for (const VerticalLine& line : verticals)
@@ -79,9 +79,9 @@ std::string verticals_overlay_png(const Image& picture, std::span<const Vertical
   });
 }
 
-std::string base_lines_overlay_png(const Image& picture, const BaseLines& lines) {
-  const double stroke = stroke_px(picture);
-  return overlay_png(picture, [&](Canvas& canvas) {
+std::string base_lines_overlay_png(const Image& image, const BaseLines& lines) {
+  const double stroke = stroke_px(image);
+  return overlay_png(image, [&](Canvas& canvas) {
     if (lines.left) canvas.polyline(on_canvas(*lines.left), {kMagenta, stroke});
     if (lines.right) canvas.polyline(on_canvas(*lines.right), {kOrange, stroke});
     if (lines.vanishing_point_px)
@@ -89,9 +89,9 @@ std::string base_lines_overlay_png(const Image& picture, const BaseLines& lines)
   });
 }
 
-std::string stripes_overlay_png(const Image& picture, std::span<const LaserStripe> stripes) {
-  const double stroke = stroke_px(picture);
-  return overlay_png(picture, [&](Canvas& canvas) {
+std::string stripes_overlay_png(const Image& image, std::span<const LaserStripe> stripes) {
+  const double stroke = stroke_px(image);
+  return overlay_png(image, [&](Canvas& canvas) {
     for (const LaserStripe& stripe : stripes) {
       canvas.polyline(on_canvas(stripe.points_px), {kGreen, stroke});
       for (const Vec2& corner : stripe.corners_px)
@@ -100,10 +100,10 @@ std::string stripes_overlay_png(const Image& picture, std::span<const LaserStrip
   });
 }
 
-std::string region_overlay_png(const Image& picture, const RouteRegion& region,
+std::string region_overlay_png(const Image& image, const RouteRegion& region,
                                const std::optional<RouteMiddle>& middle) {
-  const double stroke = stroke_px(picture);
-  return overlay_png(tinted(picture, region.mask), [&](Canvas& canvas) {
+  const double stroke = stroke_px(image);
+  return overlay_png(tinted(image, region.mask), [&](Canvas& canvas) {
     if (!middle) return;
     canvas.line(on_canvas(middle->near_px), on_canvas(middle->far_px), {kYellow, 0.5 * stroke});
     canvas.disc(on_canvas(middle->near_px), 2 * stroke, kYellow);

@@ -15,13 +15,13 @@ namespace {
 
 constexpr Color kExploredFloor{1, 1, 1};
 constexpr Color kUnseenFloor{0.90, 0.91, 0.92};
-constexpr Color kExploredThings{0.42, 0.45, 0.50};
+constexpr Color kExploredObstacles{0.42, 0.45, 0.50};
 constexpr Color kPushed{0.95, 0.60, 0.10};
 constexpr Color kGivenUp{0.55, 0.40, 0.65};
 constexpr Color kUndone{0.80, 0.10, 0.20};
 constexpr Pen kExploredWallPen{kInk, 2};
 constexpr Pen kExploredPathPen{kPath, 2.5};
-constexpr double kGate_px = 6;
+constexpr double kFrontier_px = 6;
 
 class ExplorationDrawing {
  public:
@@ -31,17 +31,17 @@ class ExplorationDrawing {
   void draw_on(Canvas& canvas) const {
     canvas.fill(kUnseenFloor);
     canvas.areas(cells_of(Floor::kFree), kExploredFloor);
-    canvas.areas(cells_of(Floor::kOccupied), kExploredThings);
+    canvas.areas(cells_of(Floor::kOccupied), kExploredObstacles);
     draw_walls(canvas);
     draw_path(canvas);
-    draw_gates(canvas);
+    draw_frontiers(canvas);
     draw_header(canvas, scale_, picture_.title, picture_.caption);
     draw_scale_bar(canvas, scale_);
     draw_legend(canvas);
   }
 
  private:
-  /// The cells of one kind, row by row, neighbours as one area.
+  /// The cells of one kind, row by row, with neighbours merged into one area.
   std::vector<std::array<Vec2, 4>> cells_of(Floor kind) const {
     std::vector<std::array<Vec2, 4>> areas;
     const FloorBox& known = picture_.floor.known();
@@ -76,31 +76,33 @@ class ExplorationDrawing {
     for (const Pose2& pose : picture_.T_map_vehicle) points.push_back(scale_.to_paper(pose.position()));
     if (points.empty()) return;
     canvas.polyline(simplified(points, kTolerance_px), kExploredPathPen);
-    canvas.disc(points.front(), kGate_px, kPath);
+    canvas.disc(points.front(), kFrontier_px, kPath);
   }
 
-  void draw_gates(Canvas& canvas) const {
+  void draw_frontiers(Canvas& canvas) const {
     std::map<std::size_t, const PathEvent*> latest;  // of each path
     for (const PathEvent& event : picture_.record.paths) {
       latest[event.path] = &event;
       if (event.kind == PathEvent::Kind::kPushed)
-        canvas.ring(scale_.to_paper(event.p_map), kGate_px, {kPushed, 2});
+        canvas.ring(scale_.to_paper(event.p_map), kFrontier_px, {kPushed, 2});
     }
     for (const auto& [path, event] : latest) {
       const Vec2 centre = scale_.to_paper(event->p_map);
-      if (event->kind == PathEvent::Kind::kGivenUp) canvas.disc(centre, kGate_px, kGivenUp);
-      if (event->kind == PathEvent::Kind::kAbandoned) canvas.disc(centre, kGate_px, kUndone);
+      if (event->kind == PathEvent::Kind::kGivenUp) canvas.disc(centre, kFrontier_px, kGivenUp);
+      if (event->kind == PathEvent::Kind::kAbandoned) canvas.disc(centre, kFrontier_px, kUndone);
     }
   }
 
   void draw_legend(Canvas& canvas) const {
     Legend legend(canvas, scale_);
-    legend.add("left undone", 2 * kGate_px, [&](const Vec2& p) { canvas.disc(p, kGate_px, kUndone); });
-    legend.add("corner given up", 2 * kGate_px, [&](const Vec2& p) { canvas.disc(p, kGate_px, kGivenUp); });
-    legend.add("path left for later", 2 * kGate_px, [&](const Vec2& p) {
-      canvas.ring(p, kGate_px, {kPushed, 2});
+    legend.add("left undone", 2 * kFrontier_px,
+               [&](const Vec2& p) { canvas.disc(p, kFrontier_px, kUndone); });
+    legend.add("corner given up", 2 * kFrontier_px,
+               [&](const Vec2& p) { canvas.disc(p, kFrontier_px, kGivenUp); });
+    legend.add("path left for later", 2 * kFrontier_px, [&](const Vec2& p) {
+      canvas.ring(p, kFrontier_px, {kPushed, 2});
     });
-    legend.add_line("way", kExploredPathPen);
+    legend.add_line("path driven", kExploredPathPen);
     legend.add_line("walls", kExploredWallPen);
   }
 

@@ -12,17 +12,17 @@ namespace aisle {
 namespace {
 
 constexpr int kSheetWidth_px = 1800;
-constexpr int kPictureGap_px = 6;
-constexpr std::size_t kTrailPictures = 4;  ///< how far back a trail goes
+constexpr int kImageGap_px = 6;
+constexpr std::size_t kTrailImages = 4;  ///< how many images back a trail goes
 constexpr Color kAlone{0.75, 0.78, 0.82, 0.8};
 constexpr Color kBehindNumber{0, 0, 0, 0.65};
 
-std::size_t columns_for(std::size_t pictures) {
-  const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(pictures))));
-  return std::max(side, std::min<std::size_t>(pictures, 3));
+std::size_t columns_for(std::size_t images) {
+  const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(images))));
+  return std::max(side, std::min<std::size_t>(images, 3));
 }
 
-/// Hues a golden section apart: numbers that follow each other look least alike.
+/// Hues a golden section apart: consecutive numbers look least alike.
 Color color_of(int number) {
   constexpr double kGolden = 0.618033988749895, kFirst = 0.55;
   const double hue = std::fmod(kFirst + kGolden * number, 1.0);
@@ -50,23 +50,23 @@ class FollowedLinesSheet::Sheet {
   void draw(Canvas& canvas, std::size_t i) const;
   void draw_trail(Canvas& canvas, std::size_t i, std::size_t line) const;
   void draw_numbers(Canvas& canvas, std::size_t i) const;
-  bool is_followed(int number) const { return pictures_of_.at(number) > 1; }
+  bool is_followed(int number) const { return images_of_.at(number) > 1; }
 
   const std::vector<Cell>& cells_;
   std::size_t columns_;
-  Vec2 step_px_ = Vec2::Zero();     // from cell to cell
-  std::map<int, int> pictures_of_;  // of each number
+  Vec2 step_px_ = Vec2::Zero();   // from cell to cell
+  std::map<int, int> images_of_;  // of each number
   double stroke_px_ = 1;
 };
 
 FollowedLinesSheet::Sheet::Sheet(const FollowedLinesSheet& content)
     : cells_(content.cells_), columns_(content.columns_) {
   for (const Cell& cell : cells_) {
-    step_px_ = step_px_.cwiseMax(Vec2(cell.picture.width_px, cell.picture.height_px));
-    for (const int number : cell.numbers) ++pictures_of_[number];
+    step_px_ = step_px_.cwiseMax(Vec2(cell.image.width_px, cell.image.height_px));
+    for (const int number : cell.numbers) ++images_of_[number];
   }
   stroke_px_ = std::max(1.0, step_px_.x() / 250);
-  step_px_ += Vec2::Constant(kPictureGap_px);
+  step_px_ += Vec2::Constant(kImageGap_px);
 }
 
 Vec2 FollowedLinesSheet::Sheet::corner_of(std::size_t i) const {
@@ -77,7 +77,7 @@ Vec2 FollowedLinesSheet::Sheet::corner_of(std::size_t i) const {
 std::string FollowedLinesSheet::Sheet::png() const {
   const std::size_t rows = (cells_.size() + columns_ - 1) / columns_;
   const auto length_px = [](std::size_t cells, double step_px) {
-    return static_cast<int>(static_cast<double>(cells) * step_px) - kPictureGap_px;
+    return static_cast<int>(static_cast<double>(cells) * step_px) - kImageGap_px;
   };
   return png_file(length_px(columns_, step_px_.x()), length_px(rows, step_px_.y()), [&](Canvas& canvas) {
     canvas.fill(kPaper);
@@ -87,7 +87,7 @@ std::string FollowedLinesSheet::Sheet::png() const {
 
 void FollowedLinesSheet::Sheet::draw(Canvas& canvas, std::size_t i) const {
   const Cell& cell = cells_[i];
-  canvas.picture(cell.picture, corner_of(i));
+  canvas.image(cell.image, corner_of(i));
   for (std::size_t k = 0; k < cell.lines.size(); ++k) {
     const int number = cell.numbers[k];
     const Pen pen = is_followed(number) ? Pen{color_of(number), stroke_px_} : Pen{kAlone, 0.6 * stroke_px_};
@@ -99,11 +99,11 @@ void FollowedLinesSheet::Sheet::draw(Canvas& canvas, std::size_t i) const {
   draw_numbers(canvas, i);
 }
 
-/// From the line's middle to where it was in the pictures before, as long as it was there without a gap.
+/// From the line's midpoint through its positions in the images before, back to the first gap.
 void FollowedLinesSheet::Sheet::draw_trail(Canvas& canvas, std::size_t i, std::size_t line) const {
   const int number = cells_[i].numbers[line];
   std::vector<Vec2> trail = {corner_of(i) + middle_of(cells_[i].lines[line])};
-  for (std::size_t back = 1; back <= std::min(i, kTrailPictures); ++back) {
+  for (std::size_t back = 1; back <= std::min(i, kTrailImages); ++back) {
     const Cell& before = cells_[i - back];
     const auto found = std::find(before.numbers.begin(), before.numbers.end(), number);
     if (found == before.numbers.end()) break;
@@ -114,7 +114,7 @@ void FollowedLinesSheet::Sheet::draw_trail(Canvas& canvas, std::size_t i, std::s
   for (const Vec2& p : trail) canvas.disc(p, 1.75 * stroke_px_, color_of(number));
 }
 
-/// At the lines' lower ends, from left to right; one that would cover another is left out.
+/// At the lines' lower ends, from left to right; a number that would cover another is left out.
 void FollowedLinesSheet::Sheet::draw_numbers(Canvas& canvas, std::size_t i) const {
   const Cell& cell = cells_[i];
   const double size_px = std::max(9.0, step_px_.x() / 28);
@@ -123,9 +123,9 @@ void FollowedLinesSheet::Sheet::draw_numbers(Canvas& canvas, std::size_t i) cons
     if (!is_followed(cell.numbers[k])) continue;
     const Font font{size_px, color_of(cell.numbers[k]), true};
     const std::string text = std::to_string(cell.numbers[k]);
-    const Vec2 floor_point = corner_of(i) + cell.lines[k].bottom_px;
+    const Vec2 bottom_px = corner_of(i) + cell.lines[k].bottom_px;
     const double half_px = canvas.text_width(text, font) / 2 + 2;
-    const Vec2 low = floor_point - Vec2(half_px, size_px), high = floor_point + Vec2(half_px, 0);
+    const Vec2 low = bottom_px - Vec2(half_px, size_px), high = bottom_px + Vec2(half_px, 0);
     if (std::any_of(taken.begin(), taken.end(), [&](const auto& box) {
           return (low.array() < box.second.array()).all() && (high.array() > box.first.array()).all();
         }))
@@ -136,17 +136,17 @@ void FollowedLinesSheet::Sheet::draw_numbers(Canvas& canvas, std::size_t i) cons
   }
 }
 
-FollowedLinesSheet::FollowedLinesSheet(std::size_t pictures)
-    : columns_(columns_for(pictures)),
-      width_max_px_(std::max(1, kSheetWidth_px / static_cast<int>(columns_) - kPictureGap_px)) {}
+FollowedLinesSheet::FollowedLinesSheet(std::size_t images)
+    : columns_(columns_for(images)),
+      width_max_px_(std::max(1, kSheetWidth_px / static_cast<int>(columns_) - kImageGap_px)) {}
 
-void FollowedLinesSheet::add(const Image& picture, const std::vector<VerticalLine>& lines,
+void FollowedLinesSheet::add(const Image& image, const std::vector<VerticalLine>& lines,
                              const std::vector<int>& numbers) {
   const double height_max_px = 2.0 * width_max_px_;
-  const double scale = std::min(
-      {1.0, static_cast<double>(width_max_px_) / picture.width_px, height_max_px / picture.height_px});
+  const double scale =
+      std::min({1.0, static_cast<double>(width_max_px_) / image.width_px, height_max_px / image.height_px});
   const auto length_px = [&](int given_px) { return std::max(1, static_cast<int>(scale * given_px)); };
-  Cell cell{shrunk(picture, length_px(picture.width_px), length_px(picture.height_px)), lines, numbers};
+  Cell cell{shrunk(image, length_px(image.width_px), length_px(image.height_px)), lines, numbers};
   for (VerticalLine& line : cell.lines) {
     line.top_px = scale * (line.top_px + Vec2(0.5, 0.5));
     line.bottom_px = scale * (line.bottom_px + Vec2(0.5, 0.5));

@@ -32,7 +32,7 @@ GifAnimation::~GifAnimation() {
   if (file_ != nullptr) EGifCloseFile(file_, nullptr);
 }
 
-/// The extension by which viewers repeat a moving picture.
+/// The extension that makes viewers repeat an animation.
 void GifAnimation::begin_loop() {
   constexpr GifByteType kForEver[] = {1, 0, 0};
   require(EGifPutExtensionLeader(file_, APPLICATION_EXT_FUNC_CODE));
@@ -68,7 +68,7 @@ void GifAnimation::add_frame(const std::vector<std::uint8_t>& pixels, int hundre
   for (int y = box.top; y < box.bottom; ++y) {
     require(EGifPutLine(file_, shown_.data() + std::ptrdiff_t{y} * width_ + box.left, box.right - box.left));
   }
-  shown_ = pixels;  // giflib masks the line that it is given
+  shown_ = pixels;  // giflib masks the row that it is given
 }
 
 std::string GifAnimation::finish() {

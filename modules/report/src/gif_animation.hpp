@@ -9,7 +9,7 @@
 
 namespace aisle {
 
-/// A moving picture of few colours as a GIF file that repeats for ever.
+/// An animation of few colours as a GIF file that repeats for ever.
 class GifAnimation {
  public:
   using Palette = std::array<GifColorType, 8>;
@@ -19,9 +19,9 @@ class GifAnimation {
   GifAnimation(const GifAnimation&) = delete;
   GifAnimation& operator=(const GifAnimation&) = delete;
 
-  /// @param pixels  places in the palette, row by row from the top
+  /// @param pixels  palette indices, row by row from the top
   void add_frame(const std::vector<std::uint8_t>& pixels, int hundredths_s);
-  /// The file. Nothing can be added afterwards.
+  /// The file. No frame can be added afterwards.
   std::string finish();
 
  private:

@@ -69,7 +69,7 @@ class LandmarkDrawing {
 
   const LandmarkPicture& picture_;
   const PictureScale& scale_;
-  double apart_m_;  ///< path between two squares
+  double apart_m_;  ///< distance between two squares along the path
 };
 
 void LandmarkDrawing::draw_on(Canvas& canvas) const {
@@ -104,7 +104,7 @@ void LandmarkDrawing::draw_routes(Canvas& canvas) const {
   }
 }
 
-/// Spots that would cover each other are one.
+/// Dots that would cover each other are merged.
 void LandmarkDrawing::draw_seen(Canvas& canvas) const {
   constexpr double kBeyond_m = 0.3;
   std::set<std::pair<int, int>> taken;
@@ -161,7 +161,7 @@ bool LandmarkDrawing::has_landmark(bool is_sure) const {
                      [&](const Landmark& l) { return l.weight > 0 && (l.weight >= 1) == is_sure; });
 }
 
-/// From right to left, only what the picture shows.
+/// From right to left, only what the picture contains.
 void LandmarkDrawing::draw_legend(Canvas& canvas) const {
   Legend legend(canvas, scale_);
   if (!picture_.true_walls.empty()) legend.add_line("walls (simulated)", kTrueWallPen);

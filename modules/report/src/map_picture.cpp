@@ -119,7 +119,7 @@ bool MapDrawing::has_wall(bool is_orthogonal) const {
                      [&](const Wall& w) { return w.is_orthogonal == is_orthogonal; });
 }
 
-/// From right to left, only what the picture shows.
+/// From right to left, only what the picture contains.
 void MapDrawing::draw_legend(Canvas& canvas) const {
   Legend legend(canvas, scale_);
   if (!picture_.loop_closures.empty()) legend.add_line("loop closures", kLoopPen);

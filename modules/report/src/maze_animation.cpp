@@ -33,7 +33,7 @@ constexpr GifAnimation::Palette kPalette = {{{255, 255, 255},
 constexpr std::size_t kMostFrames = 500;
 constexpr int kFilmMargin_px = 6;
 
-/// The world on the left, the learned map on the right, in pixels of the palette.
+/// The world on the left, the learned map on the right, as palette indices.
 class MazeFilm {
  public:
   explicit MazeFilm(const MazePicture& picture)

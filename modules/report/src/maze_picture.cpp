@@ -22,7 +22,7 @@ constexpr double kMazeMargin_px = 40;
 constexpr double kMazeHeader_px = 84;
 constexpr double kMazeFooter_px = 60;
 
-/// What the vehicle did: its moves and in which state it made them.
+/// The vehicle's moves, with the state in which it made each.
 struct Run {
   std::vector<Side> moves;
   std::vector<bool> exploring;
@@ -64,7 +64,7 @@ class MazeDrawing {
   double panel_width_px() const { return cell_px_ * world_.width(); }
   double panel_height_px() const { return cell_px_ * world_.height(); }
 
-  /// A point of a cell; (0, 0) is its bottom left corner, (1, 1) its top right one.
+  /// A point of a cell; (0, 0) is the cell's bottom left corner, (1, 1) its top right one.
   Vec2 on_paper(int panel, Cell cell, double x = 0.5, double y = 0.5) const {
     const double left = kMazeMargin_px + panel * (panel_width_px() + kMazeMargin_px);
     return {left + cell_px_ * (cell.x + x), kMazeHeader_px + cell_px_ * (world_.height() - cell.y - y)};
@@ -113,7 +113,7 @@ class MazeDrawing {
     canvas.areas(areas, kUnknown);
   }
 
-  /// The vehicle keeps to the right, so that there and back lie side by side.
+  /// The vehicle keeps to the right, so that the traces of both directions lie side by side.
   void draw_trace(Canvas& canvas) const {
     const double width_px = std::clamp(cell_px_ / 14, 0.8, 2.5);
     Cell at = world_.start;
@@ -125,31 +125,31 @@ class MazeDrawing {
         canvas.polyline(line, {run_.exploring[i] ? kRetreating : kExploring, width_px});
         line.erase(line.begin(), line.end() - 1);
       }
-      if (i == 0) line.push_back(lateral(at, run_.moves[i]));
+      if (i == 0) line.push_back(on_lane(at, run_.moves[i]));
       at = neighbour(at, run_.moves[i]);
     }
     if (line.empty()) return;
-    line.push_back(lateral(at, run_.moves.back()));
+    line.push_back(on_lane(at, run_.moves.back()));
     canvas.polyline(line, {run_.exploring.back() ? kExploring : kRetreating, width_px});
   }
 
   static Vec2 to_the_right(Side heading) {
-    constexpr double kLateral = 0.13;
+    constexpr double kOffset = 0.13;
     const Cell step = neighbour({0, 0}, heading);
-    return {kLateral * step.y, -kLateral * step.x};
+    return {kOffset * step.y, -kOffset * step.x};
   }
 
-  Vec2 lateral(Cell cell, Side heading) const {
+  Vec2 on_lane(Cell cell, Side heading) const {
     const Vec2 offset = to_the_right(heading);
     return on_paper(0, cell, 0.5 + offset.x(), 0.5 + offset.y());
   }
 
-  /// The corner of the lane by which the vehicle comes with the one by which it goes.
+  /// The corner between the lane on which the vehicle arrives and the one on which it leaves.
   void add_turn(std::vector<Vec2>& line, Cell cell, Side in, Side out) const {
-    if (in == out) return line.push_back(lateral(cell, in));
+    if (in == out) return line.push_back(on_lane(cell, in));
     if (in == opposite(out)) {
-      line.push_back(lateral(cell, in));
-      return line.push_back(lateral(cell, out));
+      line.push_back(on_lane(cell, in));
+      return line.push_back(on_lane(cell, out));
     }
     const Vec2 offset = to_the_right(in) + to_the_right(out);
     line.push_back(on_paper(0, cell, 0.5 + offset.x(), 0.5 + offset.y()));

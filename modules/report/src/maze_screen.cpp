@@ -20,7 +20,7 @@ constexpr std::size_t kShownSymbols = 12;
 constexpr int kStatusColumns = 72;
 constexpr int kStatusRows = 8;
 
-/// One character with a line below it where there is a wall, another for the wall on its right.
+/// One character, underlined where there is a wall below, and another for the wall on its right.
 std::string cell_text(char mark, const std::string& style, Sides open) {
   const char* below = contains(open, Side::kBottom) ? "" : kUnderline;
   const char* right = contains(open, Side::kRight) ? " " : "|";
@@ -114,7 +114,7 @@ std::string MazeScreen::status() const {
                      explorer_.transducer().stack().size() - 1, stack_text(), kClearLine, fired_);
 }
 
-/// The upper part of the stack, its top last.
+/// The top of the stack, its topmost symbol last.
 std::string MazeScreen::stack_text() const {
   const std::vector<Symbol>& stack = explorer_.transducer().stack();
   const std::size_t first = stack.size() - std::min(stack.size(), kShownSymbols);

@@ -21,7 +21,7 @@ constexpr double kSheetMargin_px = 30;
 constexpr double kHeading_px = 34;
 constexpr double kLegend_px = 50;
 
-/// The ends of a cell's side, and the middle of it, from the cell's top left corner.
+/// The ends of a cell's side in pixels, given the cell's top left corner.
 std::pair<Vec2, Vec2> ends_of(Side side) {
   switch (side) {
     case Side::kLeft:
@@ -54,18 +54,18 @@ void draw_false_wall(Canvas& canvas, const Vec2& start, const Vec2& end) {
   canvas.lines(dashes, {kFalseWall, 2.5});
 }
 
-/// From outside through the side into the cell.
+/// An arrow from outside through the side into the cell.
 void draw_move(Canvas& canvas, const Vec2& corner, Side side) {
   const auto [start, end] = ends_of(side);
-  const Vec2 gate = corner + 0.5 * (start + end);
-  const Vec2 inward = (corner + Vec2(kCell_px / 2, kCell_px / 2) - gate).normalized();
-  const Vec2 lateral(-inward.y(), inward.x());
-  const Vec2 tip = gate + 13 * inward;
-  canvas.line(gate - 11 * inward, tip, {kMove, 2});
-  canvas.polyline({tip - 5 * inward + 4 * lateral, tip, tip - 5 * inward - 4 * lateral}, {kMove, 2});
+  const Vec2 entry = corner + 0.5 * (start + end);
+  const Vec2 inward = (corner + Vec2(kCell_px / 2, kCell_px / 2) - entry).normalized();
+  const Vec2 sideways(-inward.y(), inward.x());
+  const Vec2 tip = entry + 13 * inward;
+  canvas.line(entry - 11 * inward, tip, {kMove, 2});
+  canvas.polyline({tip - 5 * inward + 4 * sideways, tip, tip - 5 * inward - 4 * sideways}, {kMove, 2});
 }
 
-/// Shown by the preprocessing unit wherever the vehicle is, with no regard to the real walls.
+/// Produced by the preprocessing unit wherever the vehicle is, regardless of the real walls.
 bool is_put_up(GridInputKind kind) {
   return kind == GridInputKind::kClosed || kind == GridInputKind::kDetour;
 }
@@ -97,7 +97,7 @@ void draw_symbol(Canvas& canvas, const Vec2& corner, const GridInput& input) {
   }
 }
 
-/// The symbols of one kind that follow each other.
+/// Consecutive symbols of one kind.
 struct Row {
   GridInputKind kind;
   std::size_t first;

@@ -8,10 +8,10 @@ namespace {
 
 constexpr double kCell_m = 0.05;
 constexpr double kMargin_m = 1;
-constexpr double kSweptEvery_m = 0.5;  // scans nearer than this to the last one swept add little
+constexpr double kSweptEvery_m = 0.5;  // scans nearer than this to the last one used add little
 constexpr double kSweptEvery_rad = 0.5;
 constexpr double kSweptReach_m = 12;
-constexpr double kShortOfWall_m = 0.1;  // a beam is free only up to this before what it hit
+constexpr double kShortOfWall_m = 0.1;  // a beam is free only up to this distance before its hit
 
 struct Box {
   Vec2 low = Vec2::Constant(1e9);
@@ -45,13 +45,13 @@ class CellCanvas {
                         kCellUnknown);
   }
 
-  /// Sets every cell that the segment passes; what lies outside is left out.
+  /// Sets every cell that the segment crosses; cells outside the grid are skipped.
   void draw(const Vec2& from, const Vec2& to, std::uint8_t value) {
     const Vec2 a = (from - image_.origin_m) / image_.resolution_m,
                b = (to - image_.origin_m) / image_.resolution_m;
-    const Vec2 path = b - a;
-    const auto steps = static_cast<int>(std::ceil(std::max(std::abs(path.x()), std::abs(path.y())))) + 1;
-    const Vec2 step = path / steps;
+    const Vec2 offset = b - a;
+    const auto steps = static_cast<int>(std::ceil(std::max(std::abs(offset.x()), std::abs(offset.y())))) + 1;
+    const Vec2 step = offset / steps;
     Vec2 at = a;
     for (int i = 0; i <= steps; ++i, at += step) {
       const auto column = static_cast<int>(at.x()), row = image_.height - 1 - static_cast<int>(at.y());

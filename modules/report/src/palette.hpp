@@ -1,5 +1,5 @@
 #pragma once
-/// Colours that all pictures have in common.
+/// Colours shared by all pictures.
 
 #include "canvas.hpp"
 

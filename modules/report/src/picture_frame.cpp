@@ -12,7 +12,7 @@ namespace {
 constexpr Font kTitleFont{30, kInk, true};
 constexpr Font kCaptionFont{18, kQuietInk};
 constexpr double kScaleBar_px = 220;  ///< at most
-constexpr double kWallBody_m = 0.12;  ///< how much of a wall is shown behind its face
+constexpr double kWallBody_m = 0.12;  ///< thickness of the strip shown behind a wall's face
 
 double footer_line(const PictureScale& scale) {
   return scale.height_px - 36;

@@ -16,7 +16,7 @@ constexpr double kTitleHeight_px = 17;
 }  // namespace
 
 std::string picture_sheet_png(std::span<const TakenPicture> pictures) {
-  if (pictures.empty()) throw std::invalid_argument("a sheet of no pictures");
+  if (pictures.empty()) throw std::invalid_argument("a sheet needs at least one picture");
   int width_px = 0, height_px = 0;
   for (const TakenPicture& taken : pictures) {
     width_px = std::max(width_px, taken.picture.width_px + kBetweenPictures_px);
@@ -31,7 +31,7 @@ std::string picture_sheet_png(std::span<const TakenPicture> pictures) {
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       const std::size_t row = i / columns, column = i % columns;
       const Vec2 corner(static_cast<double>(column) * width_px, static_cast<double>(row) * height_px);
-      canvas.picture(pictures[i].picture, corner);
+      canvas.image(pictures[i].picture, corner);
       canvas.text(corner + Vec2(6, kTitleHeight_px), pictures[i].title, {kTitleHeight_px - 3, kPaper, true});
     }
   });

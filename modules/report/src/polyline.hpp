@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// The polyline with as few of its points as keep it within `tolerance` everywhere (Douglas and Peucker).
+/// The polyline with as few points as keep it within `tolerance` everywhere (Douglas and Peucker).
 std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance);
 
 }  // namespace aisle

@@ -64,7 +64,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// As a picture of its own: names inside one SVG document never meet those of another.
+/// Embeds each picture as a separate image, so that names inside SVG documents never clash.
 std::string picture_html(const ReportPicture& picture) {
   return fmt::format(
       "<h2>{0}</h2>\n{1}<img alt=\"{0}\" src=\"data:image/svg+xml;base64,{2}\">\n", escaped(picture.title),

@@ -27,7 +27,7 @@ Color color_of(std::size_t group) {
   return kGroupColors[group % kGroupColors.size()];
 }
 
-/// The magnification 1, 2, 5, 10 ... at which nearly all arrows stay shorter than 30 pixels of the drawing.
+/// The magnification (1, 2, 5, 10 ...) at which nearly all arrows are shorter than 30 pixels of the drawing.
 double magnification(const ResidualPicture& picture) {
   std::vector<double> lengths;
   for (const ResidualGroup& group : picture.groups) {

@@ -29,9 +29,9 @@ constexpr KindSign kSigns[] = {{Kind::kFollow, "a", "base line", {0.13, 0.47, 0.
                                {Kind::kCurve, "c", "parabola", {0.15, 0.58, 0.30}},
                                {Kind::kBack, "b", "back", {0.50, 0.50, 0.50}}};
 constexpr Pen kDrivenPen{{0.55, 0.59, 0.64}, 1.25};
-constexpr double kPath_px = 5;
+constexpr double kSectionLine_px = 5;
 
-std::vector<std::vector<Vec2>> paths_of(const Route& route) {
+std::vector<std::vector<Vec2>> section_lines_of(const Route& route) {
   std::vector<std::size_t> piece_sections;
   const Path path = path_of(route.sections, route.path.at(0).T_map_path, &piece_sections);
   std::vector<std::vector<Vec2>> lines(route.sections.size());
@@ -52,7 +52,7 @@ class SectionDrawing {
   void draw_on(Canvas& canvas) const {
     canvas.fill(kPaper);
     canvas.polyline(simplified(on_paper(positions()), 0.3), kDrivenPen);
-    const auto lines = paths_of(picture_.route);
+    const auto lines = section_lines_of(picture_.route);
     for (const KindSign& sign : kSigns) {
       for (std::size_t i = 0; i < lines.size(); ++i) {
         if (picture_.route.sections[i].kind == sign.kind) draw_section(canvas, lines[i], sign);
@@ -82,8 +82,8 @@ class SectionDrawing {
 
   void draw_section(Canvas& canvas, const std::vector<Vec2>& line, const KindSign& sign) const {
     const std::vector<Vec2> points = on_paper(line);
-    canvas.polyline(points, {sign.color, kPath_px});
-    canvas.disc(points.front(), kPath_px, sign.color);
+    canvas.polyline(points, {sign.color, kSectionLine_px});
+    canvas.disc(points.front(), kSectionLine_px, sign.color);
     const Vec2 middle = (points[(points.size() - 1) / 2] + points[points.size() / 2]) / 2;
     canvas.text(middle + Vec2(8, -10), sign.letter, {20, sign.color, true});
   }
@@ -95,7 +95,8 @@ class SectionDrawing {
     for (const KindSign& sign : kSigns) {
       const bool is_there = std::any_of(sections.begin(), sections.end(),
                                         [&](const Section& section) { return section.kind == sign.kind; });
-      if (is_there) legend.add_line(fmt::format("{}: {}", sign.letter, sign.meaning), {sign.color, kPath_px});
+      if (is_there)
+        legend.add_line(fmt::format("{}: {}", sign.letter, sign.meaning), {sign.color, kSectionLine_px});
     }
   }
 
@@ -107,7 +108,7 @@ class SectionDrawing {
 
 std::string svg(const SectionPicture& picture) {
   PictureContent content;
-  for (const auto& line : paths_of(picture.route)) {
+  for (const auto& line : section_lines_of(picture.route)) {
     for (const Vec2& p : line) content.add(p);
   }
   for (const Pose2& T : picture.driven) content.add(T.position());

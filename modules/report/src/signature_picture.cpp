@@ -36,7 +36,7 @@ class SignatureDrawing {
   }
 
  private:
-  /// @param side  to which the marks are put off their true place [px], so that both signatures stay in sight
+  /// @param side  offset of the marks from their true position [px], so that both signatures stay visible
   void draw_pattern(Canvas& canvas, const SignedPattern& pattern, const Pen& pen, double side) const {
     for (const Segment2& wall : pattern.walls)
       canvas.line(scale_.to_paper(wall.start), scale_.to_paper(wall.end), pen);

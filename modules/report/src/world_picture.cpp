@@ -152,7 +152,7 @@ void WorldDrawing::draw_walls(Canvas& canvas) const {
   canvas.lines(ends, {kInk, wall_px()});
 }
 
-/// The leaf, and the arc on which it opened.
+/// The leaf and its opening arc.
 void WorldDrawing::draw_door(Canvas& canvas, const Door& door) const {
   constexpr double kStep_rad = 5 * kDegree;
   const auto lock = [&](double open_rad) {
@@ -165,7 +165,7 @@ void WorldDrawing::draw_door(Canvas& canvas, const Door& door) const {
   canvas.line(scale_.to_paper(door.hinge), lock(door.open_rad), {kDoor, wall_px() + 1});
 }
 
-/// As thick as they can be seen, on the side that they face.
+/// Thick enough to be visible, on the side that they face.
 void WorldDrawing::draw_posters(Canvas& canvas) const {
   for (const Poster& poster : world_.posters) {
     const double thickness_px = wall_px() + 2;
@@ -195,7 +195,7 @@ void WorldDrawing::draw_tour(Canvas& canvas) const {
   draw_path(canvas, world_.tour, {kTour, 2});
 }
 
-/// A ring with a nose where the vehicle looks.
+/// A ring with a mark in the vehicle's heading.
 void WorldDrawing::draw_start(Canvas& canvas) const {
   if (!world_.start) return;
   constexpr Pen kPen{kPath, 2.5};

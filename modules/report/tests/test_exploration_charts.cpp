@@ -11,7 +11,7 @@ using testing::StartsWith;
 ExplorationRecord there_and_back() {
   ExplorationRecord record;
   for (int i = 0; i <= 20; ++i) record.T_map_vehicle.push_back({i <= 10 ? i : 20.0 - i, 0, 0});
-  record.steps = {{0, "exploring", "one-path corridor", "straight forward", 1},
+  record.steps = {{0, "exploring", "one-way corridor", "straight forward", 1},
                   {5, "exploring", "unexplored crossing", "forward left turn", 3},
                   {10, "retreating", "end of corridor", "straight backward", 0}};
   record.coverage = {{0, 2}, {10, 25}, {20, 25}};
@@ -25,7 +25,7 @@ TEST(ExplorationCharts, DrawWithTheirAxes) {
   EXPECT_NE(transducer_svg(there_and_back()), transducer_svg({}));
 }
 
-TEST(ExplorationCharts, ARunThatNeverWasIsDrawnEmpty) {
+TEST(ExplorationCharts, AnEmptyRecordIsDrawnEmpty) {
   EXPECT_THAT(coverage_svg({}), HasSubstr("</svg>"));
   EXPECT_THAT(transducer_svg({}), HasSubstr("</svg>"));
 }

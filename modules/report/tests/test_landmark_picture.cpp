@@ -28,14 +28,14 @@ LandmarkMap landmarks(const std::vector<double>& weights) {
   return map;
 }
 
-TEST(LandmarkPicture, LandmarksAreCrossesFromWeightOneAndSpotsBelow) {
+TEST(LandmarkPicture, LandmarksAreCrossesFromWeightOneAndDotsBelow) {
   const LandmarkMap map = landmarks({0.1, 0.99, 1, 2, 5});
   const std::string document = svg({.landmarks = map});
-  EXPECT_EQ(count(document, kCross), 3 + 1);  // and the sign in the legend
+  EXPECT_EQ(count(document, kCross), 3 + 1);  // and its symbol in the legend
   EXPECT_EQ(count(document, kSpot), 2 + 1);
 }
 
-TEST(LandmarkPicture, LandmarksThatWentAreNotDrawn) {
+TEST(LandmarkPicture, VanishedLandmarksAreNotDrawn) {
   LandmarkMap map = landmarks({1, 1, 1});
   map.remove(2);
   const std::string gone = svg({.landmarks = map});
@@ -44,7 +44,7 @@ TEST(LandmarkPicture, LandmarksThatWentAreNotDrawn) {
 }
 
 TEST(LandmarkPicture, SquaresMarkThePathDrivenAtEqualDistancesHoweverFineItsPosesAre) {
-  const LandmarkMap map = landmarks(std::vector<double>(11, 1.0));  // 10 m: squares each 0.2 m
+  const LandmarkMap map = landmarks(std::vector<double>(11, 1.0));  // 10 m: a square every 0.2 m
   const auto squares_of_a_run = [&](int poses) {
     std::vector<std::vector<Pose2>> driven(1);
     for (int i = 0; i <= poses; ++i) driven[0].push_back({10.0 * i / poses, 0, 0});
@@ -66,7 +66,7 @@ TEST(LandmarkPicture, AnArcIsDrawnRoundAndAStraightPathAsOneLine) {
   EXPECT_GT(count(bent, " L "), count(straight, " L ") + 10);
 }
 
-TEST(LandmarkPicture, WhatIsReallyThereIsCalledSimulatedAndShownOnlyIfGiven) {
+TEST(LandmarkPicture, TrueWallsAreLabelledSimulatedAndShownOnlyIfGiven) {
   const LandmarkMap map = landmarks({1, 1});
   const std::vector<Segment2> walls = {{{0, 0}, {3, 0}}, {{3, 0}, {3, 2}}};
   EXPECT_THAT(svg({.landmarks = map, .true_walls = walls}), HasSubstr(kTrueWalls));

@@ -29,7 +29,7 @@ WallMap room() {
            wall({0, 4}, {0, 0})}};
 }
 
-/// Every element is closed, in order; attributes are quoted.
+/// Whether every element is closed, in order, and all attributes are quoted.
 bool is_well_formed(std::string_view xml) {
   std::vector<std::string_view> open;
   for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', at + 1)) {
@@ -62,8 +62,8 @@ TEST(MapPicture, TheSvgHasOneLineAWall) {
   const std::string document = svg({.walls = walls, .title = "A room"});
   EXPECT_TRUE(is_well_formed(document));
   const std::string dark = "stroke:rgb(13", orange = "stroke:rgb(78";
-  EXPECT_EQ(count(document, orange), 1 + 1);    // and its sign in the legend
-  EXPECT_EQ(count(document, dark), 4 + 1 + 1);  // and its sign, and the scale bar
+  EXPECT_EQ(count(document, orange), 1 + 1);    // and its symbol in the legend
+  EXPECT_EQ(count(document, dark), 4 + 1 + 1);  // and its symbol, and the scale bar
 }
 
 TEST(MapPicture, ThePngIsSixteenHundredPixelsWide) {

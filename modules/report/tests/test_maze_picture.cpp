@@ -35,7 +35,7 @@ TEST(MazePicture, IsTheSameForTheSameRun) {
   EXPECT_EQ(gif(picture), gif(picture));
 }
 
-TEST(MazePicture, MovesThroughAsManyFramesAsMoves) {
+TEST(MazePicture, HasOneFramePerMove) {
   const GridWorld world = generate_maze({.width = 6, .height = 4}, Random(3));
   const std::string film = gif({world, GridRuleSet::kCells, ""});
   Bytes bytes{film};

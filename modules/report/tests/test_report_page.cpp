@@ -12,7 +12,7 @@ TEST(ReportPage, SaysEverythingThatItIsGiven) {
   const std::string page = html({.title = "two-loops",
                                  .summary = "explored, home",
                                  .warnings = {"one door was closed"},
-                                 .figures = {{"way", "120.5 m"}},
+                                 .figures = {{"distance", "120.5 m"}},
                                  .pictures = {{"map", "<svg/>", "walls and path"}}});
   for (const char* said : {"<title>two-loops</title>", "explored, home", "one door was closed", "120.5 m",
                            "walls and path", "alt=\"map\""})

@@ -20,7 +20,7 @@ TEST(SignaturePicture, ShowsEachWallAndEachMark) {
   EXPECT_EQ(count(drawn, "stroke:rgb(13%,47%,86%)"), kWalls + kMarks + kInLegend);
 }
 
-TEST(SignaturePicture, NothingIsDrawnAsWell) {
+TEST(SignaturePicture, AnEmptyPictureIsDrawnToo) {
   EXPECT_THAT(svg(SignaturePicture{}), HasSubstr("</svg>"));
 }
 

@@ -66,17 +66,18 @@ Result<Building> parse_building(std::string_view text, const std::string& name) 
   if (!document) return document.problems();
   ProblemList problems(name);
   const JsonValue root(*document, "", problems);
-  if (!document->is_object()) return Problem{{name}, "is no JSON object"};
+  if (!document->is_object()) return Problem{{name}, "is not a JSON object"};
   const auto format = root.find("format");
   if (!format || !format->is(kBuildingFormat)) {
-    return Problem{{name, 0, "format"}, fmt::format("is not \"{}\": this is no building", kBuildingFormat)};
+    return Problem{{name, 0, "format"},
+                   fmt::format("is not \"{}\": this is not a building file", kBuildingFormat)};
   }
   int version = 0;
   if (const auto value = root.require("version")) value->read_count(version);
   if (problems.empty() && (version < kOldestVersion || version > kBuildingVersion)) {
     return Problem{{name, 0, "version"},
-                   fmt::format("{} is unknown here; this program reads versions {} to {}", version,
-                               kOldestVersion, kBuildingVersion)};
+                   fmt::format("{} is unknown; this program reads versions {} to {}", version, kOldestVersion,
+                               kBuildingVersion)};
   }
   Building building = read_parts(root);
   if (!problems.empty()) return problems.take();

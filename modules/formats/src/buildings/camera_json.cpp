@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-/// Twelve digits: fewer than a change of unit disturbs, more than any calibration knows.
+/// Twelve digits: enough to survive a change of unit, more than any calibration is accurate to.
 std::string field_json(const Field& field) {
   if (const auto* real = std::get_if<double*>(&field.target))
     return fmt::format("\"{}\": {:.12g}", field.key, **real / field.inner_unit);

@@ -30,7 +30,7 @@ std::string node_json(const CorridorNode& node) {
                      point_json(node.p_map, kMillimetreDecimals));
 }
 
-/// Its length is that of the path as it is written.
+/// The length is that of the path as it is written, with its points rounded.
 std::string corridor_json(const Corridor& corridor) {
   constexpr double kPerMetre = 1000;
   std::vector<std::string> points;
@@ -90,7 +90,7 @@ Corridor read_corridor(const JsonValue& value, const std::vector<CorridorNode>& 
     return node < nodes.size() && (p - nodes[node].p_map).norm() <= kOffNodeMax_m;
   };
   if (!is_at(corridor.path.front(), corridor.from) || !is_at(corridor.path.back(), corridor.to))
-    path->wrong("does not lead from the place of `from` to that of `to`");
+    path->wrong("does not lead from the node `from` to the node `to`");
   double length_m = corridor.length_m();
   const auto length = value.find("length_m");
   if (length) length->read_number(length_m, 0, kLengthMax_m);

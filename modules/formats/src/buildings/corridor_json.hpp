@@ -11,12 +11,13 @@ namespace aisle {
 
 std::string corridors_json(const CorridorGraph& graph);
 
-/// Corridors that do not begin and end at their nodes, or are not as long as they say, are problems.
+/// Corridors that do not begin and end at their nodes, or whose length does not match their path, are
+/// problems.
 CorridorGraph read_corridors(const JsonValue& value);
 
 std::string places_json(const std::vector<MapPlace>& places);
 
-/// Names that are empty or stand there twice are problems.
+/// Empty and duplicate names are problems.
 std::vector<MapPlace> read_places(const JsonValue& value);
 
 }  // namespace aisle

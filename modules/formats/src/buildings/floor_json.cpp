@@ -41,7 +41,7 @@ struct Run {
   Floor kind = Floor::kUnknown;
 };
 
-/// nullopt: not a row of runs, or longer than a floor can be.
+/// nullopt if the text is not a row of runs, or longer than a floor can be.
 std::optional<std::vector<Run>> runs_of(std::string_view text) {
   std::vector<Run> runs;
   for (int cells = 0; !text.empty();) {
@@ -74,7 +74,7 @@ void put_row(const std::vector<Run>& runs, FloorCell cell, FloorGrid& floor) {
   }
 }
 
-/// Every row that can be read.
+/// Every row that is readable.
 std::vector<std::vector<Run>> read_rows(const JsonValue& value) {
   std::vector<std::vector<Run>> rows;
   if (!value.is_list_up_to(kRowsMax)) return rows;
@@ -88,7 +88,7 @@ std::vector<std::vector<Run>> read_rows(const JsonValue& value) {
     width_cells = std::max(width_cells, cells_in(rows.back()));
   }
   if (rows.size() * static_cast<std::size_t>(width_cells) <= kFloorCellsMax) return rows;
-  value.wrong(fmt::format("are more than {} cells together", kFloorCellsMax));
+  value.wrong(fmt::format("are more than {} cells in total", kFloorCellsMax));
   return {};
 }
 

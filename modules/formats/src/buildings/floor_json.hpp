@@ -1,5 +1,5 @@
 #pragma once
-/// The part "floor" of a building: rows of cells from the lowest up, each as runs of equal cells.
+/// The part "floor" of a building: rows of cells from the bottom up, each as runs of equal cells.
 
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// JSON as people compare it: no more digits than mean something, one thing a line.
+/// JSON that people can compare: only significant digits, one item per line.
 
 #include <string>
 #include <string_view>
@@ -9,18 +9,18 @@
 
 namespace aisle {
 
-constexpr int kMillimetreDecimals = 3;  // of metres: places in a building are not known better
+constexpr int kMillimetreDecimals = 3;  // of metres: positions in a building are not more accurate
 
-/// Rounded to so many decimals, without trailing zeros and without "-0".
+/// Rounded to `count` decimals, without trailing zeros and without "-0".
 std::string decimals(double value, int count);
 
 /// "[x, y]"
 std::string point_json(const Vec2& p, int decimal_count);
 
-/// With the quotes; what is no UTF-8 is replaced.
+/// With the quotes; invalid UTF-8 is replaced.
 std::string quoted_json(const std::string& text);
 
-/// A list with every element on a line of its own.
+/// A list with each element on its own line.
 std::string list_json(const std::vector<std::string>& elements);
 
 }  // namespace aisle

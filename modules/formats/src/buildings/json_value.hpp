@@ -17,8 +17,8 @@ namespace aisle {
 /// The JSON document, or a problem with the line where it is malformed.
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& name);
 
-/// One value of a JSON document with the path to it. Reading something else than what stands there adds a
-/// problem that names the path, and leaves the target as it was.
+/// One value of a JSON document with its key path. Reading a value of the wrong kind adds a problem that
+/// names the path, and leaves the target unchanged.
 class JsonValue {
  public:
   /// `value` and `problems` must outlive this.
@@ -27,7 +27,7 @@ class JsonValue {
 
   void read(std::string& target) const;
   void read(bool& target) const;
-  /// A text that is not empty and has at most 200 bytes.
+  /// A text of 1 to 200 bytes.
   void read_name(std::string& target) const;
   void read_count(int& target) const;
   void read_count(int& target, int min, int max) const;
@@ -42,8 +42,8 @@ class JsonValue {
   bool is_list_up_to(std::size_t count_max) const;
   std::size_t size() const { return value_.size(); }
   JsonValue element(std::size_t index) const;
-  /// Reads the objects of a list, or of the same list as a table: {"columns": keys, "rows": a list of values
-  /// each, null where the object has no such key}.
+  /// Reads the objects of a list, or of the same list as a table: {"columns": keys, "rows": a list of lists
+  /// of values, null where the object lacks the key}.
   void for_each_object(std::size_t count_max, const std::function<void(const JsonValue&)>& read) const;
 
   /// Whether this is an object; keys other than `known` are problems.

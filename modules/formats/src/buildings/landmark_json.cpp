@@ -17,10 +17,10 @@ namespace {
 
 constexpr Range kSigma_m = {1e-6, 1e3};
 constexpr Range kWeight = {1e-9, 1e9};
-constexpr double kCorrelationMax = 0.9999;  // as far from 1 as its digits tell
+constexpr double kCorrelationMax = 0.9999;  // as close to 1 as the written digits can express
 constexpr double kDistanceMax_m = 1000;
 constexpr std::size_t kLandmarksMax = 1'000'000;
-/// In the order of a row.
+/// In the order of the columns.
 constexpr std::array<std::string_view, 10> kKeys = {
     "at_m",      "sigma_m", "correlation",   "mass",        "weight",
     "sightings", "passes",  "seen_from_deg", "seen_from_m", "brighter"};
@@ -42,19 +42,19 @@ Mat2 covariance_of(const Spread& spread) {
   return spread.sigma_m.asDiagonal() * correlations * spread.sigma_m.asDiagonal();
 }
 
-/// To the degree; null where it is unknown.
+/// Rounded to the degree; null if unknown.
 std::string heading_json(const Vec2& seen_from) {
   if (seen_from.isZero()) return "null";
   return std::to_string(std::lround(to_degrees(std::atan2(seen_from.y(), seen_from.x()))));
 }
 
-/// To the centimetre; null where they are unknown.
+/// Rounded to the centimetre; null if unknown.
 std::string distances_json(const Landmark& landmark) {
   if (!std::isfinite(landmark.seen_far_m)) return "null";
   return fmt::format("[{},{}]", decimals(landmark.seen_near_m, 2), decimals(landmark.seen_far_m, 2));
 }
 
-/// Without spaces: there are many of them.
+/// Without spaces, because a file has many rows.
 std::string landmark_row(const Landmark& landmark) {
   const Spread spread = spread_of(landmark.covariance);
   return fmt::format(R"([[{},{}],[{:.3g},{:.3g}],{},{:.4g},{:.4g},{},{},{},{},"{}"])",

@@ -77,7 +77,7 @@ RoomTurning read_turning(const JsonValue& value) {
   return turning;
 }
 
-/// Two hexadecimal digits for each column of a band.
+/// Two hexadecimal digits per column of a band.
 void read_band(const JsonValue& value, Image& columns, int band) {
   if (!value.is_text()) return;
   std::string digits;

@@ -10,7 +10,7 @@ namespace aisle {
 
 std::string room_json(const RoomRoute& room);
 
-/// What is wrong is a problem; then the room is not whole.
+/// Errors become problems of `value`; the result is then incomplete.
 RoomRoute read_room(const JsonValue& value);
 
 }  // namespace aisle

@@ -15,7 +15,7 @@
 namespace aisle {
 namespace {
 
-// Roundings add up along a route: ten thousand pieces of 0.1 m must still end within a millimetre.
+// Rounding errors add up along a route: ten thousand pieces of 0.1 m must still end within a millimetre.
 constexpr int kPathDecimals_m = 7;
 constexpr int kPathDecimals_deg = 8;
 
@@ -23,7 +23,7 @@ constexpr std::size_t kRoutesMax = 1000;
 constexpr std::size_t kPiecesMax = 100'000;
 constexpr std::size_t kSectionsMax = 10'000;
 constexpr std::size_t kStartViewMax = 10'000;
-constexpr double kPieceLengthMin_m = 0.001;  // of one of them, so that a route leads somewhere
+constexpr double kPieceLengthMin_m = 0.001;  // of at least one piece, so that a route leads somewhere
 constexpr double kRouteLengthMax_m = 100'000;
 constexpr double kTurnMax_deg = 3600;
 
@@ -37,7 +37,7 @@ std::string heading_text(double heading_rad) {
   return text == "180" ? "-180" : text;
 }
 
-/// Empty for a piece that is too short to be written.
+/// Empty if the piece is too short to be written.
 std::string piece_json(const Arc& arc) {
   const std::string length_m = decimals(arc.length_m, kPathDecimals_m);
   const std::string turn_deg = decimals(to_degrees(arc.turn_rad), kPathDecimals_deg);
@@ -115,13 +115,13 @@ Path read_path(const Pose2& T_map_start, const JsonValue& value) {
     pieces.push_back({pieces.empty() ? T_map_start : pieces.back().end(), read_piece(value.element(i))});
   }
   Path path(std::move(pieces));
-  if (!leads_somewhere(path)) value.wrong("have no piece of a millimetre's length or more");
+  if (!leads_somewhere(path)) value.wrong("have no piece of a millimetre or more");
   if (path.length_m() > kRouteLengthMax_m)
-    value.wrong(fmt::format("are longer than {:g} m together", kRouteLengthMax_m));
+    value.wrong(fmt::format("are longer than {:g} m in total", kRouteLengthMax_m));
   return path;
 }
 
-/// Appends the section that a text says. @return whether it says one
+/// Appends the section that a text describes. @return false if it describes none
 bool read_section(const JsonValue& text, SectionList& sections) {
   std::string line;
   text.read(line);
@@ -175,7 +175,8 @@ Route read_route(const JsonValue& value) {
   if (const auto sections = value.find("sections")) {
     route.sections = read_sections(*sections);
     if (!route.sections.empty()) route.path = path_of(route.sections, T_map_start);
-    if (const auto pieces = value.find("pieces")) pieces->wrong("stand beside sections, which are the path");
+    if (const auto pieces = value.find("pieces"))
+      pieces->wrong("cannot be combined with sections, which already give the path");
   } else if (const auto pieces = value.require("pieces")) {
     route.path = read_path(T_map_start, *pieces);
   }

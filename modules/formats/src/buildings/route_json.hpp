@@ -11,7 +11,7 @@ namespace aisle {
 
 std::string routes_json(const std::vector<Route>& routes);
 
-/// Names that are empty or stand there twice and routes that lead nowhere are problems.
+/// Empty and duplicate names are problems, and so are routes that lead nowhere.
 std::vector<Route> read_routes(const JsonValue& value);
 
 }  // namespace aisle

@@ -66,7 +66,8 @@ class SectionParser {
     if (words_.front() == "c") return curve();
     if (words_.front() == "l") return turn(1);
     if (words_.front() == "r") return turn(-1);
-    return wrong(fmt::format("'{}' is no section; there are a, h, d, b, c, l, r", words_.front()));
+    return wrong(
+        fmt::format("'{}' is not a section; sections begin with a, h, d, b, c, l, r", words_.front()));
   }
 
  private:
@@ -157,7 +158,7 @@ std::vector<SectionFault> section_faults(const SectionList& sections) {
     if (kind == Kind::kDead && (i == 0 || !is_turn(i - 1) || !is_turn(i + 1)))
       faults.push_back({i, "'d' does not lie between two turns"});
     if (kind == Kind::kTurn && is_turn(i + 1))
-      faults.push_back({i + 1, "is a turn after a turn: they are one"});
+      faults.push_back({i + 1, "is a turn after a turn: write both as one"});
   }
   if (!leads_somewhere) faults.push_back({0, "leads nowhere"});
   return faults;

@@ -25,7 +25,7 @@ std::uint32_t checksum(std::string_view bytes) {
       crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
 }
 
-/// A PNG is chunks of length, type, data and a checksum of type and data, up to IEND.
+/// A PNG is a sequence of chunks up to IEND, each with length, type, data and a checksum of type and data.
 std::optional<std::string> png_damage(std::string_view bytes) {
   std::size_t at = kPngSignature.size();
   while (true) {

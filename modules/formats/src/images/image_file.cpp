@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kImageBytesMax = std::size_t{256} << 20;
 
-/// The image with the image library's order of colours.
+/// The image in OpenCV's channel order.
 cv::Mat to_mat(const Image& image) {
   cv::Mat pixels(image.height_px, image.width_px, image.channels == 3 ? CV_8UC3 : CV_8UC1,
                  const_cast<std::uint8_t*>(image.bytes.data()));  // NOLINT: only read
@@ -31,7 +31,7 @@ std::string encoded(const Image& image, const char* extension, const std::vector
   return {bytes.begin(), bytes.end()};
 }
 
-/// Decoded as it is stored, in grey or colour with 8 bits.
+/// Decoded to 8 bits, grey or colour as stored.
 cv::Mat decode(std::string_view bytes) {
   const cv::Mat file(1, static_cast<int>(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));  // NOLINT
   try {

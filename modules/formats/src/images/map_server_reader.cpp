@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kYamlBytesMax = 1 << 20;
 
-/// Reads one YAML file; collects problems instead of stopping at the first.
+/// Reads one YAML file; collects all problems instead of stopping at the first.
 class MapYamlReader {
  public:
   explicit MapYamlReader(const std::string& file) : file_(file), problems_(file) {}
@@ -34,7 +34,7 @@ class MapYamlReader {
  private:
   void read_document(const YAML::Node& document) {
     if (!document.IsMap())
-      return problems_.add(1, "is no map: expected the keys image, resolution and origin");
+      return problems_.add(1, "is not a map: expected the keys image, resolution and origin");
     for (const char* key : {"image", "resolution", "origin"}) {
       if (!document[key]) problems_.add(1, key, "is missing");
     }

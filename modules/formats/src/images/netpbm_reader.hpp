@@ -7,22 +7,22 @@
 
 namespace aisle {
 
-/// The parts that PBM and PGM files have in common: numbers between blanks and comments, then perhaps bytes.
-/// The first thing that is wrong sticks.
+/// The parts that PBM and PGM files share: numbers between blanks and comments, then perhaps bytes. The first
+/// failure is kept.
 class NetpbmReader {
  public:
   NetpbmReader(std::string_view bytes, std::string name) : rest_(bytes), name_(std::move(name)) {}
 
   /// "P1", "P4" ...
   std::string_view magic();
-  /// A whole number from `min` to `max` in digits.
+  /// A whole decimal number from `min` to `max`.
   int number(const char* what, int min, int max);
-  /// The next character behind blanks; 0 at the end.
+  /// The next character after blanks; 0 at the end.
   char character();
-  /// The bytes behind the one white space that ends the header; empty and a failure if there are fewer.
+  /// The bytes after the one white space that ends the header; empty, with a failure, if there are fewer.
   std::string_view raw(std::size_t count);
 
-  /// How many bytes are left: no more numbers than that can follow.
+  /// The number of bytes left, and so an upper bound on the numbers that can follow.
   std::size_t bytes_left() const { return rest_.size(); }
 
   void fail(std::string what);

@@ -18,7 +18,7 @@ void read_plain(NetpbmReader& reader, PortableBitmap& bitmap) {
     if (pixel == 0 && reader.bytes_left() == 0) {
       reader.fail(fmt::format("ends after {} of {} pixels", bitmap.black.size(), pixels));
     } else if (pixel != '0' && pixel != '1') {
-      reader.fail(fmt::format("'{}' is no pixel; 0 and 1 are", printable({&pixel, 1})));
+      reader.fail(fmt::format("'{}' is not a pixel; pixels are 0 and 1", printable({&pixel, 1})));
     }
     bitmap.black.push_back(pixel == '1');
   }

@@ -19,8 +19,8 @@ namespace {
 
 enum class ScanKind { kFlaser, kRawLaser, kRobotLaser };
 
-/// Where the laser sits according to the two poses of each scan, as long as all scans agree about it. (They
-/// do not where the laser's pose was corrected afterwards, or the two were not read at the same time.)
+/// The laser's mounting according to the two poses of each scan, as long as all scans agree. (They disagree
+/// where the laser's pose was corrected afterwards, or the two were not read at the same time.)
 class RecordedMounting {
  public:
   void add(const Pose2& T_odom_vehicle, const Pose2& T_odom_laser) {
@@ -92,9 +92,9 @@ class CarmenParser {
   std::vector<std::string> warnings_;
 
   long line_ = 0;
-  std::optional<ScanKind> kind_;  ///< of the first scan; other kinds show the same scans again
+  std::optional<ScanKind> kind_;  ///< of the first scan; other kinds repeat the same scans
   LaserLog log_;
-  std::optional<BeamFan> fan_;
+  std::optional<BeamAngles> beam_angles_;
   double announced_range_max_m_ = 0;
   CarmenParams params_;
   RecordedMounting mounting_;
@@ -131,7 +131,7 @@ Result<CarmenLog> CarmenParser::parse(std::string_view text) {
   check_unit();
   check_leaps();
   if (unknown_count_ > 0) {
-    warn(first_unknown_line_, fmt::format("'{}' is no message of CARMEN; {} such lines were skipped",
+    warn(first_unknown_line_, fmt::format("'{}' is not a CARMEN message; {} such lines were skipped",
                                           first_unknown_, unknown_count_));
   }
   return CarmenLog{std::move(log_), std::move(warnings_)};
@@ -156,7 +156,7 @@ void CarmenParser::take(FieldReader& fields, ScanKind kind) {
   if (fields.ok()) check_like_first(fields, scan);
   if (!fields.ok()) return;
   if (log_.scans.empty()) {
-    fan_ = scan.fan;
+    beam_angles_ = scan.angles;
     announced_range_max_m_ = scan.maximum_range_m;
     if (scan.T_odom_vehicle) forget_odometry();
   }
@@ -184,10 +184,11 @@ void CarmenParser::check_like_first(FieldReader& fields, const ScanMessage& scan
                             scan_stamps_.front().line, beams));
   }
   constexpr double kSameAngle_rad = 1e-4;
-  if (fan_ && (std::abs(scan.fan->first_angle_rad - fan_->first_angle_rad) > kSameAngle_rad ||
-               std::abs(scan.fan->angle_step_rad - fan_->angle_step_rad) > kSameAngle_rad)) {
+  if (beam_angles_ &&
+      (std::abs(scan.angles->first_angle_rad - beam_angles_->first_angle_rad) > kSameAngle_rad ||
+       std::abs(scan.angles->angle_step_rad - beam_angles_->angle_step_rad) > kSameAngle_rad)) {
     fields.fail(
-        fmt::format("has other beam angles than the first scan (line {})", scan_stamps_.front().line));
+        fmt::format("has different beam angles from the first scan (line {})", scan_stamps_.front().line));
   }
 }
 
@@ -210,9 +211,10 @@ void CarmenParser::forget_odometry() {
 
 void CarmenParser::settle_scanner() {
   LaserScanner& laser = log_.laser;
-  const BeamFan fan = fan_.value_or(flaser_fan(log_.scans.front().ranges_m.size(), params_.resolution_deg));
-  laser.first_angle_rad = fan.first_angle_rad;
-  laser.angle_step_rad = fan.angle_step_rad;
+  const BeamAngles angles =
+      beam_angles_.value_or(flaser_beam_angles(log_.scans.front().ranges_m.size(), params_.resolution_deg));
+  laser.first_angle_rad = angles.first_angle_rad;
+  laser.angle_step_rad = angles.angle_step_rad;
   laser.range_max_m = find_range_max_m(log_.scans, params_.maximum_range_m.value_or(announced_range_max_m_));
   std::optional<Pose2> T_vehicle_laser = options_.T_vehicle_laser;
   if (!T_vehicle_laser) T_vehicle_laser = params_.mounting();
@@ -225,7 +227,7 @@ void CarmenParser::settle_clock() {
   if (repair.places == 0) return;
   warn(repair.first_line,
        fmt::format(
-           "stamps go back, leap or stand still at {} places, first here; scans are taken in file order{}",
+           "stamps go back, jump or stand still at {} places, first here; scans are taken in file order{}",
            repair.places,
            repair.by_nominal_step ? fmt::format(", {} s from one line to the next", kNominalStep_s) : ""));
 }
@@ -243,7 +245,7 @@ void CarmenParser::check_unit() {
 }
 
 void CarmenParser::check_leaps() {
-  constexpr double kLeap_m = 20;  // no vehicle drives so far from one line to the next
+  constexpr double kLeap_m = 20;  // no vehicle drives that far from one line to the next
   std::size_t count = 0, first = 0;
   double first_m = 0;
   for (std::size_t i = 1; i < log_.odometry.size(); ++i) {
@@ -255,7 +257,7 @@ void CarmenParser::check_leaps() {
   }
   if (count == 0) return;
   warn(odometry_stamps_[first].line,
-       fmt::format("the odometry leaps by {:.0f} m from the pose before; {} such leaps in the log", first_m,
+       fmt::format("the odometry jumps by {:.0f} m from the pose before; {} such jumps in the log", first_m,
                    count));
 }
 

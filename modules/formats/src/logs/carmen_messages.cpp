@@ -32,25 +32,26 @@ StampFields read_stamp(FieldReader& fields) {
   return stamp;
 }
 
-/// What RAWLASER1 and ROBOTLASER1 begin with: laser_type start_angle field_of_view angular_resolution
-/// maximum_range accuracy remission_mode num_readings [readings] num_remissions [remissions]
+/// The fields with which RAWLASER1 and ROBOTLASER1 begin: laser_type start_angle field_of_view
+/// angular_resolution maximum_range accuracy remission_mode num_readings [readings] num_remissions
+/// [remissions]
 ScanMessage read_laser_head(FieldReader& fields, double metres_per_unit) {
   ScanMessage scan;
   skip_numbers(fields, 1, "laser type");
-  BeamFan fan;
-  fan.first_angle_rad = fields.number("start angle", 2 * kPi);
+  BeamAngles angles;
+  angles.first_angle_rad = fields.number("start angle", 2 * kPi);
   const double field_of_view_rad = fields.number("field of view", 2.1 * kPi);
-  fan.angle_step_rad = fields.number("angular resolution", kPi);
+  angles.angle_step_rad = fields.number("angular resolution", kPi);
   scan.maximum_range_m = fields.distance("maximum range", kRangeLimit_m) * metres_per_unit;
   skip_numbers(fields, 2, "accuracy or remission mode");
   read_ranges(fields, metres_per_unit, scan.ranges_m);
   if (!fields.ok()) return scan;
   const auto steps = static_cast<double>(scan.ranges_m.size() - 1);
-  if (fan.angle_step_rad == 0) fan.angle_step_rad = field_of_view_rad / steps;
-  if (fan.angle_step_rad <= 0 || fan.angle_step_rad * steps > 2.1 * kPi) {
+  if (angles.angle_step_rad == 0) angles.angle_step_rad = field_of_view_rad / steps;
+  if (angles.angle_step_rad <= 0 || angles.angle_step_rad * steps > 2.1 * kPi) {
     fields.fail("the angular resolution does not fit the number of readings");
   }
-  scan.fan = fan;
+  scan.angles = angles;
   skip_numbers(fields, fields.count("number of remissions", 0, kMaxBeams), "remission");
   return scan;
 }

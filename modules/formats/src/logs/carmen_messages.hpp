@@ -1,13 +1,13 @@
 #pragma once
-/// Single messages (lines) of a CARMEN log. The readers take what follows the message's name; what is wrong
-/// with the line stays in `fields`. Lengths are converted to metres.
+/// Single messages (lines) of a CARMEN log. The readers take the fields after the message's name; failures
+/// stay in `fields`. Lengths are converted to metres.
 
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "field_reader.hpp"
-#include "logs/carmen_fan.hpp"
+#include "logs/carmen_beam_angles.hpp"
 
 namespace aisle {
 
@@ -18,9 +18,9 @@ struct StampFields {
 
 struct ScanMessage {
   std::vector<float> ranges_m;        ///< as recorded; infinite ones are 0
-  std::optional<BeamFan> fan;         ///< unless the message leaves it open (FLASER)
+  std::optional<BeamAngles> angles;   ///< absent if the message does not give it (FLASER)
   double maximum_range_m = 0;         ///< 0: not given
-  std::optional<Pose2> T_odom_laser;  ///< unless the message has no poses (RAWLASER1)
+  std::optional<Pose2> T_odom_laser;  ///< absent if the message has no poses (RAWLASER1)
   std::optional<Pose2> T_odom_vehicle;
   StampFields stamp;
 };
@@ -30,13 +30,13 @@ struct OdometryMessage {
   StampFields stamp;
 };
 
-/// What PARAM lines tell about the front scanner.
+/// What PARAM lines say about the front scanner.
 struct CarmenParams {
   std::optional<double> offset_m, side_offset_m, angular_offset_rad;
   std::optional<double> maximum_range_m;
   std::optional<double> resolution_deg;
 
-  /// T_vehicle_laser, if there is anything about it.
+  /// T_vehicle_laser, if any PARAM line gives it.
   std::optional<Pose2> mounting() const;
 };
 

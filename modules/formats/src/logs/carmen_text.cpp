@@ -6,7 +6,7 @@
 
 #include "aisle/core/angle.hpp"
 #include "aisle/formats/logs/carmen_log.hpp"
-#include "logs/carmen_fan.hpp"
+#include "logs/carmen_beam_angles.hpp"
 #include "logs/carmen_range.hpp"
 
 namespace aisle {
@@ -20,9 +20,9 @@ void check_expressible(const LaserLog& log) {
   if (log.scans.empty()) return;
   const std::size_t beams = log.scans.front().ranges_m.size();
   if (beams < 2) throw std::invalid_argument(fmt::format("carmen_text: scans of {} beams", beams));
-  const BeamFan fan = flaser_fan(beams, std::nullopt);
-  if (std::abs(fan.first_angle_rad - log.laser.first_angle_rad) > 1e-9 ||
-      std::abs(fan.angle_step_rad - log.laser.angle_step_rad) > 1e-9) {
+  const BeamAngles angles = flaser_beam_angles(beams, std::nullopt);
+  if (std::abs(angles.first_angle_rad - log.laser.first_angle_rad) > 1e-9 ||
+      std::abs(angles.angle_step_rad - log.laser.angle_step_rad) > 1e-9) {
     throw std::invalid_argument(fmt::format("carmen_text: {} beams from {} rad by {} rad are not FLASER's",
                                             beams, log.laser.first_angle_rad, log.laser.angle_step_rad));
   }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLongestStep_s = 60;
 
-/// The median of the steps that can be true; 0 if there are none.
+/// The median of the plausible steps; 0 if there are none.
 double usual_step_s(std::span<const RecordedStamp> stamps) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < stamps.size(); ++i) {
@@ -21,14 +21,14 @@ double usual_step_s(std::span<const RecordedStamp> stamps) {
   return median(std::move(steps));
 }
 
-/// The stamps of one kind of message, in the order of recording.
+/// The stamps of one kind of message, in recording order.
 class StampStream {
  public:
   explicit StampStream(std::span<const RecordedStamp> stamps)
       : stamps_(stamps), usual_step_s_(usual_step_s(stamps)) {}
 
-  /// The time of the next stamp. `shift_s` is what the clock is off by; it changes where the step makes no
-  /// sense.
+  /// The repaired time of the next stamp. `shift_s` is the clock's offset so far; it changes where a step
+  /// makes no sense.
   double next_time(double& shift_s, ClockRepair& repair) {
     const RecordedStamp& recorded = stamps_[next_++];
     const double time_s = recorded.stamp_s + shift_s;
@@ -48,7 +48,7 @@ class StampStream {
   double usual_step_s_;
   std::size_t next_ = 0;
   double time_s_ = 0;  ///< of the latest stamp
-  int still_ = 0;      ///< for how many stamps the clock has not moved
+  int still_ = 0;      ///< number of stamps since the clock last moved
 };
 
 }  // namespace

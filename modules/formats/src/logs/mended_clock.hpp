@@ -6,28 +6,28 @@
 
 namespace aisle {
 
-/// A recorded stamp with the line where it stands.
+/// A recorded stamp with its line number.
 struct RecordedStamp {
   double stamp_s = 0;
   long line = 0;
 };
 
-/// Taken for the usual step of a clock that has none.
+/// The step assumed for a clock that has no usual one.
 inline constexpr double kNominalStep_s = 0.1;
 
-/// What had to be done to a recorded clock.
+/// The repairs that a recorded clock needed.
 struct ClockRepair {
   std::size_t places = 0;
   long first_line = 0;
-  bool by_nominal_step = false;  ///< the clock stands still or its steps make no sense at all
+  bool by_nominal_step = false;  ///< the clock stands still, or none of its steps makes sense
 };
 
-/// Fills in time_s of all scans and odometry samples of `log`: the recorded stamps, except where one steps
-/// back, leaps more than a minute or stands still for long. There the usual (median) step is taken instead
-/// (kNominalStep_s where that is 0 or there is none) and the whole clock shifted, for scans and odometry
-/// alike. One clock for both; neither ever goes back.
-/// @param odometry  the stamp of each odometry sample
+/// Fills in time_s of all scans and odometry samples of `log` with the recorded stamps, except where a stamp
+/// steps back, jumps by more than a minute or stands still for long. There it takes the usual (median) step
+/// (kNominalStep_s if that is 0 or there is none) and shifts the whole clock, for scans and odometry alike:
+/// both share one clock, and neither ever goes back.
 /// @param scans     the stamp of each scan
+/// @param odometry  the stamp of each odometry sample
 ClockRepair mend_clock(LaserLog& log, std::span<const RecordedStamp> scans,
                        std::span<const RecordedStamp> odometry);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kSameStamp_s = 1e-3;
 
-/// Scans by their recorded stamp, whatever order they were recorded in.
+/// Scans by recorded stamp, in whatever order they were recorded.
 class ScansByStamp {
  public:
   explicit ScansByStamp(const LaserLog& log) : scans_(log.scans), order_(log.scans.size()) {
@@ -26,7 +26,7 @@ class ScansByStamp {
                      [&](std::size_t a, std::size_t b) { return scans_[a].stamp_s < scans_[b].stamp_s; });
   }
 
-  /// The scan with the nearest stamp; nullopt if that is more than a millisecond away.
+  /// The scan with the nearest stamp; nullopt if it is more than a millisecond away.
   std::optional<std::size_t> find(double stamp_s) const {
     const auto not_before =
         std::lower_bound(order_.begin(), order_.end(), stamp_s,

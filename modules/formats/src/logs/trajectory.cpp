@@ -14,7 +14,7 @@
 namespace aisle {
 namespace {
 
-/// The heading of a rotation given as x, y, z, w of a unit quaternion.
+/// The yaw of a rotation given as the unit quaternion x, y, z, w.
 double read_yaw(FieldReader& fields) {
   const double x = fields.number("qx", 1.01);
   const double y = fields.number("qy", 1.01);

@@ -8,18 +8,18 @@
 
 namespace aisle {
 
-/// A maze given cell by cell, so that the two cells of an edge may contradict each other.
+/// A maze given cell by cell, so that two cells may contradict each other about their common edge.
 class MazeCells {
  public:
   MazeCells(int width, int height) : world_(width, height), walls_(world_.size(), kNoSides) {}
 
   Sides& walls(Cell cell) { return walls_[world_.index(cell)]; }
 
-  /// Says what is wrong with a cell's walls: an outer one missing, or one that the cell behind it does not
-  /// have.
+  /// Reports what is wrong with a cell's walls: a missing outer wall, or a wall that the neighbouring cell
+  /// lacks.
   void check(Cell cell, const std::function<void(const std::string&)>& problem) const;
 
-  /// Where all cells are right.
+  /// Only valid if no cell has a problem.
   GridWorld world() const;
 
  private:

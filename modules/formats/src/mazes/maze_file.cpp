@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 
-/// Control characters that no text has.
+/// Whether there are control characters that a text cannot contain.
 bool is_binary(std::string_view bytes) {
   return std::any_of(bytes.begin(), bytes.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
@@ -68,7 +68,7 @@ Result<MazeFile> parse_maze(std::string_view bytes, const std::string& name) {
     case MazeFormat::kBitmap:
       return parse_bitmap(bytes, name);
   }
-  return Problem{{name}, "is no maze"};
+  return Problem{{name}, "is not a maze"};
 }
 
 Result<MazeFile> read_maze(const std::filesystem::path& path) {

@@ -20,7 +20,7 @@ concept Structure = requires(Field& field) {
   Field::fields(field, [](const char*, auto&) {});
 };
 
-/// How many bytes the fields take at most, with the gaps that align them.
+/// The maximum size of the fields in bytes, including alignment padding.
 class Room {
  public:
   template <class Field>
@@ -83,7 +83,7 @@ class Writer {
   Cdr& cdr_;
 };
 
-/// Too little is left for what a length announces.
+/// Thrown if fewer bytes are left than a length announces.
 struct TooShort {};
 
 class Reader {
@@ -118,7 +118,7 @@ class Reader {
     field = byte != 0;
   }
 
-  /// @param element_bytes  how many an element takes at least
+  /// @param element_bytes  minimum size of an element
   std::size_t read_count(std::size_t element_bytes) {
     std::uint32_t count = 0;
     cdr_ >> count;
@@ -136,7 +136,7 @@ template <class Message>
 std::string cdr_bytes(const Message& message) {
   Room room;
   Message::fields(message, room);
-  std::string bytes(kEncapsulation_bytes + room.bytes(), '\0');  // the gaps must be zero: Fast-CDR skips them
+  std::string bytes(kEncapsulation_bytes + room.bytes(), '\0');  // padding must be zero: Fast-CDR skips it
   FastBuffer buffer(bytes.data(), bytes.size());
   Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
   cdr.serialize_encapsulation();

@@ -30,7 +30,7 @@ template <class Value, std::size_t count>
 std::string word_of(const Words<Value, count>& words, Value value) {
   for (const auto& [known, word] : words)
     if (known == value) return std::string(word);
-  throw std::invalid_argument(fmt::format("{} is no value of its kind", static_cast<int>(value)));
+  throw std::invalid_argument(fmt::format("{} is not a value of its enumeration", static_cast<int>(value)));
 }
 
 template <class Value, std::size_t count>
@@ -40,7 +40,7 @@ Value value_of(const Words<Value, count>& words, const Json& json) {
   throw std::invalid_argument("unknown word");
 }
 
-/// JSON has no words for what is no number, so they are text.
+/// JSON cannot express NaN and infinity, so they are written as text.
 Json number(double value) {
   if (std::isfinite(value)) return value;
   return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
@@ -70,7 +70,7 @@ std::string text_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// What `read` makes of the text; nullopt where it finds something else than it looks for.
+/// The result of `read`; nullopt if it finds something else than it expects.
 template <class Value>
 std::optional<Value> parse(const std::string& text, Value (*read)(const Json&)) {
   const Json json = Json::parse(text, nullptr, false);

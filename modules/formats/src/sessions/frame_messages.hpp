@@ -1,5 +1,5 @@
 #pragma once
-/// What viewers want to see beside the exact readings: frames, dead reckoning, the command as a twist.
+/// Messages for viewers besides the exact readings: frames, dead reckoning, the command as a twist.
 
 #include "aisle/geometry/pose2.hpp"
 #include "aisle/vehicle/command.hpp"
@@ -11,7 +11,7 @@ namespace aisle {
 
 inline constexpr const char* kMapFrame = "map";
 
-/// /odom: where the readings alone put the vehicle. @param duration_s  of the last motion; 0: unknown
+/// /odom: the dead-reckoned pose. @param duration_s  of the last motion; 0: unknown
 RecordedMessage odometry_message(ros::Stamp_ns stamp, const Pose2& T_odom_vehicle, const Pose2& motion,
                                  double duration_s);
 
@@ -21,13 +21,13 @@ RecordedMessage frames_message(ros::Stamp_ns stamp, const Pose2& T_odom_vehicle)
 /// /tf_static: base_link -> every camera and the scanner.
 RecordedMessage static_frames_message(ros::Stamp_ns stamp, const VehicleDescription& vehicle);
 
-/// /cmd_vel: the speeds of base_link.
+/// /cmd_vel: the velocity of base_link.
 RecordedMessage command_message(const VehicleDescription& vehicle, const Command& command);
 
 /// /truth/pose, in the frame "map".
 RecordedMessage true_pose_message(ros::Stamp_ns stamp, const Pose2& T_map_vehicle);
 
-/// The heading of a rotation about z.
+/// The yaw of a rotation about z.
 double yaw_of(const ros::Quaternion& rotation);
 
 }  // namespace aisle

@@ -41,7 +41,7 @@ ros::CompressedImage compressed(const Image& image, const ImageCoding& coding) {
   return {.header = {}, .format = is_jpeg ? "jpeg" : "png", .data = {bytes.begin(), bytes.end()}};
 }
 
-/// How many channels the image has, if it is one that is read.
+/// The number of channels of a supported encoding.
 std::optional<int> channels_of(const std::string& encoding) {
   if (encoding == "mono8") return 1;
   if (encoding == "rgb8" || encoding == "bgr8") return 3;
@@ -87,7 +87,7 @@ std::string camera_frame(const std::string& camera) {
 
 RecordedMessage image_message(const CameraImage& camera_image, const ImageCoding& coding) {
   if (!camera_image.pixels || camera_image.pixels->bytes.empty())
-    throw std::invalid_argument("the image of camera '" + camera_image.camera + "' has no image");
+    throw std::invalid_argument("the image of camera '" + camera_image.camera + "' is empty");
   const ros::Header header = header_of(camera_image.camera, camera_image.stamp_s);
   if (coding.kind == ImageCoding::Kind::kRaw) {
     ros::Image message = raw(*camera_image.pixels);

@@ -13,13 +13,13 @@ namespace aisle {
 /// The frame of a camera's images: camera_optical of docs/frames.md.
 std::string camera_frame(const std::string& camera);
 
-/// @throws std::invalid_argument if there is no image
+/// @throws std::invalid_argument if the image is empty
 RecordedMessage image_message(const CameraImage& image, const ImageCoding& coding);
 
-/// The calibration for viewers, stamped like the image.
+/// The calibration for viewers, with the image's stamp.
 RecordedMessage camera_info_message(const CameraDescription& camera, double stamp_s);
 
-/// The camera whose images a topic has; nullopt for other topics.
+/// The camera whose images the topic contains; nullopt for other topics.
 std::optional<std::string> camera_of(const std::string& topic);
 
 Result<CameraImage> image_of(const RecordedMessage& message, const std::string& camera,

@@ -80,7 +80,7 @@ ros::Marker landmarks_of(const Building& building, ros::Stamp_ns stamp) {
   return landmarks;
 }
 
-/// Lines from point to point, each its own marker.
+/// Adds a polyline as a marker of its own.
 void add_line(ros::MarkerArray& array, ros::Marker line, const std::vector<Vec2>& polyline) {
   line.id = static_cast<std::int32_t>(array.markers.size());
   line.points.reserve(polyline.size());

@@ -14,7 +14,7 @@
 namespace aisle {
 namespace {
 
-/// What a field's type is called in a definition.
+/// The name of a field's type in a message definition.
 template <class Field>
 struct SchemaName;
 
@@ -74,7 +74,7 @@ concept DefinedByFields = requires(Field& field) {
   Field::fields(field, [](const char*, auto&) {});
 };
 
-/// The definitions of a message and of all types within it, each once, in the order in which they are met.
+/// The definitions of a message and of all types within it, each once, in the order of first use.
 class SchemaText {
  public:
   template <DefinedByFields Message>

@@ -48,7 +48,7 @@ Result<OdometryReading> reading_of(const RecordedMessage& message, const std::st
 }
 
 RecordedMessage scan_message(const RangeScan& scan, const LaserScanner& scanner) {
-  constexpr float kRangeMin_m = 0.001F;  // so that viewers, too, take 0 for "nothing usable"
+  constexpr float kRangeMin_m = 0.001F;  // so that viewers, too, read 0 as "nothing usable"
   const std::size_t last = scan.ranges_m.empty() ? 0 : scan.ranges_m.size() - 1;
   ros::LaserScan message;
   message.header = {ros::time_of(ros::stamp_ns(scan.stamp_s)), "laser"};
@@ -71,7 +71,7 @@ Result<OperatorInput> operator_of(const RecordedMessage& message, const std::str
   const auto text = decoded<ros::String>(message, file);
   if (!text) return text.problems();
   auto input = parse_operator(text->data);
-  if (!input) return Problem{{file, 0, kOperatorTopic}, "has a message that is no operator input"};
+  if (!input) return Problem{{file, 0, kOperatorTopic}, "has a message that is not operator input"};
   return *std::move(input);
 }
 
@@ -79,7 +79,7 @@ bool is_silent(const OperatorInput& input) {
   return !input.requested && input.marks.empty() && !input.quit;
 }
 
-/// Takes the messages of one cycle in.
+/// Collects the messages of one cycle.
 class ObservationReader {
  public:
   ObservationReader(ros::Stamp_ns stamp, const std::string& file) : file_(file) {

@@ -1,6 +1,6 @@
 #pragma once
-/// An observation as messages, exactly: what comes back is what went in, but for what a lossy image coding
-/// takes away and stamps being whole nanoseconds.
+/// An observation as messages. Reading them back gives exactly the same observation, except for a lossy image
+/// coding and stamps rounded to whole nanoseconds.
 
 #include <span>
 #include <string>
@@ -16,8 +16,8 @@ namespace aisle {
 std::vector<RecordedMessage> messages_of(const Observation& observation, const VehicleDescription& vehicle,
                                          const ImageCoding& coding);
 
-/// Messages of one stamp, in their order; those of other topics are not looked at.
-/// @return nullopt where no odometry reading is among them: they are no cycle
+/// From the messages of one stamp, in their order; messages of other topics are ignored.
+/// @return nullopt if they contain no odometry reading, and so are not a cycle
 Result<std::optional<Observation>> observation_of(ros::Stamp_ns stamp,
                                                   std::span<const RecordedMessage> messages,
                                                   const std::string& file);

@@ -9,7 +9,7 @@ namespace aisle::ros {
 namespace {
 
 constexpr Stamp_ns kSecond_ns = 1'000'000'000;
-constexpr double kStampEnd_s = 2147483648.0;  // where the seconds of a Time end
+constexpr double kStampEnd_s = 2147483648.0;  // where the seconds of a Time overflow
 
 }  // namespace
 

@@ -14,18 +14,18 @@
 namespace aisle {
 namespace {
 
-/// Whether a replay looks at the topic.
+/// Whether a replay reads the topic.
 bool is_of_cycle(const std::string& topic) {
   return topic == kWheelsTopic || topic == kScanTopic || topic == kBumperTopic || topic == kOperatorTopic ||
          topic == kDecisionTopic || camera_of(topic).has_value();
 }
 
-/// The text of a topic that every session begins with.
+/// The text of a topic with which every session begins.
 Result<std::string> head_text(const SessionReader& reader, const char* topic) {
   const std::string file = reader.database().string();
   const auto bytes = reader.first_of(topic);
   if (!bytes) return bytes.problems();
-  if (!bytes->has_value()) return Problem{{file, 0, topic}, "is missing: this bag is no session of aisle's"};
+  if (!bytes->has_value()) return Problem{{file, 0, topic}, "is missing: this bag is not an aisle session"};
   auto text = decoded<ros::String>({{topic, ros::String::kType, true}, **bytes}, file);
   if (!text) return text.problems();
   return std::move(text->data);
@@ -39,12 +39,12 @@ Result<std::optional<Decision>> decision_of(const std::vector<RecordedMessage>& 
     const auto text = decoded<ros::String>(message, file);
     if (!text) return text.problems();
     decision = parse_decision(text->data);
-    if (!decision) return Problem{{file, 0, kDecisionTopic}, "has a message that is no decision"};
+    if (!decision) return Problem{{file, 0, kDecisionTopic}, "has a message that is not a decision"};
   }
   return decision;
 }
 
-/// The problems, each with the time of the cycle that has them.
+/// The problems, each with the time of its cycle.
 Problems at_time(Problems problems, ros::Stamp_ns stamp) {
   for (Problem& problem : problems) problem.what += fmt::format(" (at {:.3f} s)", ros::stamp_s(stamp));
   return problems;
@@ -74,7 +74,7 @@ class SessionCycles::Source {
   bool has_begun_ = false;
 };
 
-/// Goes on to the next message that matters.
+/// Advances to the next relevant message.
 Problems SessionCycles::Source::read_ahead() {
   ahead_.reset();
   while (true) {

@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::size_t kMetadataMax_bytes = std::size_t{16} << 20;
 
-/// The journal of a recording is gone once it was closed.
+/// Closing a recording removes its journal, so a journal means that it was killed.
 bool was_killed(const fs::path& database) {
   std::error_code error;
   return fs::exists(database.string() + "-wal", error);
 }
 
-/// SQLite fills up a last page that is cut off; here it is a problem.
+/// SQLite silently pads a truncated last page; here it is a problem.
 Problems check_length(const sqlite::Database& database) {
   if (was_killed(database.path())) return {};  // the rest may be in the journal
   auto pages = database.prepare("SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()");
@@ -35,7 +35,7 @@ Problems check_length(const sqlite::Database& database) {
            fmt::format("is cut off: it has {} of {} bytes", bytes, pages->integer(0))}};
 }
 
-/// What a session consists of, killed or not, and its image.
+/// The files of a session, killed or not, and its picture.
 bool belongs_to_session(const fs::path& file) {
   const std::string name = file.filename().string();
   return name == kDrivenImage || name == kMetadataName || name == std::string(kMetadataName) + ".part" ||
@@ -56,7 +56,7 @@ Result<std::vector<fs::path>> files_in(const fs::path& directory) {
 Problems remove_files(const fs::path& directory, const std::vector<fs::path>& files) {
   for (const fs::path& file : files) {
     if (!belongs_to_session(file) || fs::is_directory(file))
-      return {{{file.string()}, "is no part of a session, so " + directory.string() + " is not replaced"}};
+      return {{{file.string()}, "is not part of a session, so " + directory.string() + " is not replaced"}};
   }
   for (const fs::path& file : files) {
     std::error_code error;
@@ -87,7 +87,7 @@ Problems prepare_directory(const fs::path& directory, bool force) {
   const auto files = files_in(directory);
   if (!files) return files.problems();
   if (files->empty()) return {};
-  if (!force) return {{{directory.string()}, "is not empty; --force replaces a session that is there"}};
+  if (!force) return {{{directory.string()}, "is not empty; --force replaces an existing session"}};
   return remove_files(directory, *files);
 }
 
@@ -140,7 +140,7 @@ Result<sqlite::Database> open_session(const fs::path& directory) {
   if (!fs::is_directory(directory))
     return Problem{{directory.string()}, "is a file; a session is a directory with metadata.yaml in it"};
   if (!fs::exists(metadata))
-    return Problem{{directory.string()}, "has no metadata.yaml, so it is no session"};
+    return Problem{{directory.string()}, "has no metadata.yaml, so it is not a session"};
   const auto yaml = read_whole_file(metadata, kMetadataMax_bytes);
   if (!yaml) return yaml.problems();
   const auto name = parse_database_name(*yaml, metadata.string());
@@ -150,7 +150,7 @@ Result<sqlite::Database> open_session(const fs::path& directory) {
     return Problem{{path.string()}, "is missing, though metadata.yaml names it"};
   Result<sqlite::Database> database = sqlite::Database::open(path);
   if (!database) return database;
-  if (was_killed(path)) (void)finish_session(directory, *database);  // where it fails, read what there is
+  if (was_killed(path)) (void)finish_session(directory, *database);  // if that fails, read what there is
   if (Problems problems = check_length(*database); !problems.empty()) return problems;
   return database;
 }

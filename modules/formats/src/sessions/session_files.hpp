@@ -14,19 +14,19 @@ inline constexpr const char* kMetadataName = "metadata.yaml";
 /// DIRECTORY/NAME_0.db3, where NAME is the directory's own name.
 std::filesystem::path database_path(const std::filesystem::path& directory);
 
-/// Makes room for a new session: creates the directory, with `force` removes the session in it.
+/// Prepares a new session: creates the directory and, with `force`, removes the session in it.
 Problems prepare_directory(const std::filesystem::path& directory, bool force);
 
 /// Removes a session's files, and the directory if nothing else is in it.
 void remove_session(const std::filesystem::path& directory);
 
-/// What the database holds, for metadata.yaml.
+/// A summary of the database for metadata.yaml.
 Result<SessionMetadata> metadata_of(const sqlite::Database& database);
 
-/// Takes the journal into the database, removes it and writes metadata.yaml: after this the session is whole.
+/// Merges the journal into the database, removes it and writes metadata.yaml: the session is then complete.
 Problems finish_session(const std::filesystem::path& directory, const sqlite::Database& database);
 
-/// Opens a session's database, and finishes the session first if its recording was killed.
+/// Opens a session's database; finishes the session first if its recording was killed.
 Result<sqlite::Database> open_session(const std::filesystem::path& directory);
 
 }  // namespace aisle

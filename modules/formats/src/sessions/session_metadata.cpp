@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMetadataVersion = 5;
 
-/// Text in double quotes; JSON's escapes are among YAML's.
+/// Text in double quotes; YAML understands all of JSON's escapes.
 std::string json_quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
@@ -59,7 +59,7 @@ Result<std::string> database_name(const YAML::Node& bag, const std::string& name
   }
   const std::string file = files[0].Scalar();
   if (file.empty() || file == "." || file == ".." || file.find('/') != std::string::npos)
-    return wrong("relative_file_paths", fmt::format("'{}' is no file beside metadata.yaml", file));
+    return wrong("relative_file_paths", fmt::format("'{}' is not a file beside metadata.yaml", file));
   return file;
 }
 
@@ -110,7 +110,7 @@ Result<std::string> parse_database_name(const std::string& text, const std::stri
     const YAML::Node root = YAML::Load(text);
     const YAML::Node bag = root.IsMap() ? root["rosbag2_bagfile_information"] : YAML::Node();
     if (!bag || !bag.IsMap())
-      return Problem{{name, 0, "rosbag2_bagfile_information"}, "is missing: this is no bag's metadata"};
+      return Problem{{name, 0, "rosbag2_bagfile_information"}, "is missing: this is not a bag's metadata"};
     return database_name(bag, name);
   } catch (const YAML::Exception& error) {
     return Problem{{name, error.mark.line + 1}, "is not YAML: " + error.msg};

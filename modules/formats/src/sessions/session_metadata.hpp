@@ -23,16 +23,17 @@ struct SessionMetadata {
   std::vector<TopicCount> topics;
 };
 
-/// Version 5 of the format, as ROS 2 Humble writes it and every later one reads it.
+/// Version 5 of the format: ROS 2 Humble writes it, and all later releases read it.
 std::string metadata_yaml(const SessionMetadata& metadata);
 
-/// The quality of service of a topic as metadata.yaml and the database have it.
+/// The quality of service of a topic as in metadata.yaml and the database.
 std::string quality_of_service(bool latched);
 
 /// Whether such a text describes a latched topic.
 bool is_latched(const std::string& quality);
 
-/// The name of the bag's one database file. Bags that are stored otherwise are reported what would be read.
+/// The name of the bag's one database file. For bags in another layout, the problem says which layout is
+/// read.
 Result<std::string> parse_database_name(const std::string& text, const std::string& name);
 
 }  // namespace aisle

@@ -27,11 +27,10 @@ std::string session_origin_json(const SessionOrigin& origin) {
 Result<SessionOrigin> parse_session_origin(std::string_view text, const std::string& name) {
   const Json json = Json::parse(text, nullptr, false);
   try {
-    if (json.at("format") != kSessionFormat) return Problem{{name, 0, "format"}, "is no aisle session"};
+    if (json.at("format") != kSessionFormat) return Problem{{name, 0, "format"}, "is not an aisle session"};
     if (const Json& version = json.at("version"); version != kSessionVersion) {
-      return Problem{
-          {name, 0, "version"},
-          fmt::format("{} is unknown here; this program reads {}", version.dump(), kSessionVersion)};
+      return Problem{{name, 0, "version"},
+                     fmt::format("{} is unknown; this program reads {}", version.dump(), kSessionVersion)};
     }
     return SessionOrigin{.navigator = json.at("navigator").get<std::string>(),
                          .parameters = json.at("parameters").get<std::map<std::string, std::string>>(),

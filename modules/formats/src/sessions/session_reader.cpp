@@ -8,7 +8,7 @@
 namespace aisle {
 namespace fs = std::filesystem;
 
-/// The open database with its topics and the rows that are still to come.
+/// The open database with its topics and the rows not yet read.
 class SessionReader::Source {
  public:
   explicit Source(sqlite::Database database) : database_(std::move(database)) {}

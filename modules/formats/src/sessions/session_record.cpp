@@ -16,7 +16,7 @@
 namespace aisle {
 namespace {
 
-/// The description as it stands in a session, and as it comes back.
+/// The description as written to a session, and as read back from it.
 struct DescribedVehicle {
   std::string text;
   VehicleDescription description;
@@ -71,7 +71,7 @@ Problems SessionRecord::write(ros::Stamp_ns stamp, std::span<const RecordedMessa
   return {};
 }
 
-/// What the session needs to be understood, before everything else.
+/// Writes what a reader needs to understand the session, before everything else.
 Problems SessionRecord::write_head(ros::Stamp_ns stamp) {
   if (std::exchange(has_head_, true)) return {};
   const RecordedMessage head[] = {latched(kOriginTopic, ros::String{session_origin_json(origin_)}),

@@ -27,7 +27,7 @@ bool is_regular(const std::vector<double>& intervals_s, double usual_s) {
          static_cast<double>(usual) >= kRegularShare * static_cast<double>(intervals_s.size());
 }
 
-/// Fills in what the times of a topic's messages say.
+/// Fills in the statistics of the messages' times.
 void summarise_times(TopicSummary& topic, const std::vector<ros::Stamp_ns>& stamps, ros::Stamp_ns start) {
   if (stamps.size() < 2) return;
   std::vector<double> intervals_s;

@@ -17,7 +17,7 @@ Problems check_tables(const sqlite::Database& database) {
   const Result<bool> row = tables->step();
   if (!row) return row.problems();
   if (tables->integer(0) == 2) return {};
-  return {{{database.path().string()}, "is no ROS 2 bag: it needs the tables topics and messages"}};
+  return {{{database.path().string()}, "is not a ROS 2 bag: it needs the tables topics and messages"}};
 }
 
 }  // namespace

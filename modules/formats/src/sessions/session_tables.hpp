@@ -1,5 +1,5 @@
 #pragma once
-/// The tables of a bag, as far as they can be believed.
+/// The tables of a bag, after checks that they can be trusted.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,16 +15,16 @@ namespace aisle {
 /// The topics of a bag; `database` must outlive it.
 class SessionTables {
  public:
-  /// A database without rosbag2's tables, or with views of their names, which could be endless work, is a
-  /// problem.
+  /// A database without rosbag2's tables is a problem. So is one with views of their names, which could take
+  /// endless time to read.
   static Result<SessionTables> read(const sqlite::Database& database);
 
   const std::vector<SessionTopic>& topics() const { return topics_; }
 
-  /// The topic that a message's topic_id stands for.
+  /// The index of the topic with this topic_id.
   Result<std::size_t> index_of(std::int64_t topic_id) const;
 
-  /// A message's timestamp, if it is one.
+  /// The message's timestamp; a problem if out of range.
   Result<ros::Stamp_ns> stamp_of(std::int64_t timestamp) const;
 
  private:

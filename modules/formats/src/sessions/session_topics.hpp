@@ -24,7 +24,7 @@ inline constexpr const char* kDecisionTopic = "/decision";
 inline constexpr const char* kCommandTopic = "/cmd_vel";
 inline constexpr const char* kTruePoseTopic = "/truth/pose";
 
-/// A message as it stands in a session.
+/// A message as stored in a session.
 struct RecordedMessage {
   SessionTopic topic;
   std::string cdr;
@@ -40,7 +40,7 @@ RecordedMessage latched(std::string topic, const Message& message) {
   return {{std::move(topic), Message::kType, true}, cdr_bytes(message)};
 }
 
-/// The message, or a problem that names topic and type.
+/// The decoded message, or a problem that names topic and type.
 template <class Message>
 Result<Message> decoded(const RecordedMessage& message, const std::string& file) {
   if (message.topic.type != Message::kType) {
@@ -48,7 +48,8 @@ Result<Message> decoded(const RecordedMessage& message, const std::string& file)
                    "has messages of type " + message.topic.type + " instead of " + Message::kType};
   }
   std::optional<Message> value = parse_cdr<Message>(message.cdr);
-  if (!value) return Problem{{file, 0, message.topic.name}, std::string("holds no CDR of ") + Message::kType};
+  if (!value)
+    return Problem{{file, 0, message.topic.name}, std::string("contains no CDR of ") + Message::kType};
   return *std::move(value);
 }
 

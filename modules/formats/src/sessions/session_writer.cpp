@@ -18,7 +18,7 @@ namespace {
 
 constexpr ros::Stamp_ns kTransaction_ns = 1'000'000'000;
 
-/// rosbag2's tables as ROS 2 Humble makes them.
+/// rosbag2's tables as created by ROS 2 Humble.
 constexpr const char* kTables =
     "CREATE TABLE schema(schema_version INTEGER PRIMARY KEY, ros_distro TEXT NOT NULL);"
     "CREATE TABLE metadata(id INTEGER PRIMARY KEY, metadata_version INTEGER NOT NULL, metadata TEXT NOT "
@@ -39,7 +39,7 @@ bool is_name(const std::string& text) {
 
 }  // namespace
 
-/// The open database, its statements, and the transaction that is under way.
+/// The open database, its statements, and the current transaction.
 class SessionWriter::Recording {
  public:
   Recording(fs::path directory, sqlite::Database database)
@@ -88,8 +88,8 @@ Problems SessionWriter::Recording::write(const SessionTopic& topic, ros::Stamp_n
   return {};
 }
 
-/// A transaction ends before the first message that is a second younger than its first one, so messages of
-/// one stamp are never parted.
+/// A transaction ends before the first message that is a second later than its first one, so messages of one
+/// stamp are never split.
 Problems SessionWriter::Recording::keep_transaction_short(ros::Stamp_ns stamp) {
   if (transaction_start_ && stamp < *transaction_start_ + kTransaction_ns) return {};
   if (Problems problems = commit(); !problems.empty()) return problems;

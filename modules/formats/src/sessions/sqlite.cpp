@@ -5,7 +5,7 @@
 namespace aisle::sqlite {
 namespace {
 
-/// No message of a session is larger: an image of 8192 x 8192 pixels in colour fits.
+/// The largest message of a session: a colour image of 8192 x 8192 pixels fits.
 constexpr int kValueMax_bytes = 256 << 20;
 
 }  // namespace
@@ -14,7 +14,7 @@ Result<Database> Database::open(const std::filesystem::path& path, int flags, co
   Database database;
   database.path_ = path;
   sqlite3* handle = nullptr;
-  // An absolute path, because SQLite takes names that begin with "file:" apart.
+  // An absolute path, because SQLite treats names that begin with "file:" as URIs.
   const std::string absolute = std::filesystem::absolute(path).string();
   const int code = sqlite3_open_v2(absolute.c_str(), &handle, flags, nullptr);
   database.handle_.reset(handle);
@@ -43,7 +43,7 @@ Problems Database::run(const char* sql) const {
 Result<Statement> Database::prepare(const char* sql) const {
   sqlite3_stmt* handle = nullptr;
   if (sqlite3_prepare_v2(handle_.get(), sql, -1, &handle, nullptr) != SQLITE_OK)
-    return failure("is no session's database");
+    return failure("is not a session database");
   return Statement(*this, handle);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The few things that sessions ask of SQLite.
+/// The few SQLite functions that sessions need.
 
 #include <sqlite3.h>
 
@@ -20,13 +20,13 @@ class Statement;
 class Database {
  public:
   static Result<Database> create(const std::filesystem::path& path);
-  /// An existing file, for reading what may be damaged or hostile.
+  /// Opens an existing file for reading; it may be damaged or hostile.
   static Result<Database> open(const std::filesystem::path& path);
 
-  /// Runs statements that change something. Empty on success.
+  /// Runs statements that return no rows. Empty on success.
   Problems run(const char* sql) const;
   Result<Statement> prepare(const char* sql) const;
-  /// What SQLite says of the last failure.
+  /// SQLite's message about the last failure.
   Problem failure(const char* what) const;
   const std::filesystem::path& path() const { return path_; }
 
@@ -47,13 +47,13 @@ class Statement {
   Statement(const Database& database, sqlite3_stmt* handle) : database_(&database), handle_(handle) {}
 
   void bind(int parameter, std::int64_t value);
-  /// The bytes must live until the statement is run or stepped to its end.
+  /// The bytes must live until the statement has been run or stepped to its end.
   void bind_text(int parameter, std::string_view text);
   void bind_blob(int parameter, std::string_view bytes);
 
-  /// Runs a statement without rows, ready to be bound and run again. Empty on success.
+  /// Runs a statement without rows and resets it, to be bound and run again. Empty on success.
   Problems run();
-  /// Whether there is another row.
+  /// @return whether there is another row
   Result<bool> step();
 
   std::int64_t integer(int column) const;

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// When and where an event is on. `near` is set only if the key stands in the file.
+/// When and where an event is active. `near` is set only if the file has that key.
 struct EventTimes {
   double from_s = 0;
   double for_s = 0;  ///< 0: for ever
@@ -27,7 +27,7 @@ WorldFields fields_of(Lifted& fault);
 WorldFields fields_of(LaserOff& fault);
 WorldFields fields_of(LightChange& fault);
 
-/// Every kind of fault by the key that brings it: visit(key, fault).
+/// All kinds of fault with their keys: visit(key, fault).
 template <class Visit>
 void for_each_fault(const Visit& visit) {
   visit("camera", CameraFault{});

@@ -38,7 +38,7 @@ class ScenarioReader {
  private:
   void expect(const YAML::Node& node, const std::string& key, std::string_view value) {
     if (!node.IsScalar() || node.Scalar() != value) {
-      nodes_.problem(node, key, fmt::format("is not {}, the only one so far", value));
+      nodes_.problem(node, key, fmt::format("is not {}, the only one supported", value));
     }
   }
 

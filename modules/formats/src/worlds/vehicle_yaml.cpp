@@ -36,7 +36,7 @@ FieldList described_fields(VehicleDescription& vehicle) {
   return fields;
 }
 
-/// Every field of the file. The model must have all its parts already.
+/// All fields of the file. The model must already have all its parts.
 FieldList all_fields(VehicleModel& vehicle) {
   FieldList fields = described_fields(vehicle.description);
   fields.group("simulated.odometry", vehicle.simulated.odometry);
@@ -87,7 +87,7 @@ class VehicleReader {
   }
 
   void read_camera_names(const YAML::Node& cameras) {
-    if (!cameras.IsMap()) return;  // said when the fields are read
+    if (!cameras.IsMap()) return;  // reported when the fields are read
     if (cameras.size() > kCamerasMax) {
       return problem(cameras, "cameras", fmt::format("are more than {}", kCamerasMax));
     }
@@ -95,9 +95,9 @@ class VehicleReader {
       const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "";
       const std::string key = "cameras." + printable(name);
       if (!is_topic_word(name)) {
-        problem(entry.first, key, "is no name of a camera: a letter, then letters, digits and _");
+        problem(entry.first, key, "is not a camera name: a letter, then letters, digits and _");
       } else if (!is_new(name)) {
-        problem(entry.first, key, "stands there twice");
+        problem(entry.first, key, "is given twice");
       } else {
         vehicle_.description.cameras.push_back({.name = name});
       }

@@ -13,12 +13,12 @@
 namespace aisle {
 namespace {
 
-/// The smallest vehicle; a larger one finds out by itself where it cannot stand.
+/// Radius of the smallest vehicle; a larger one checks its own clearance.
 constexpr double kVehicleRadius_m = 0.1;
 constexpr double kVehicleHeight_m = 0.5;
 constexpr double kOnTheWall_m = 0.03;
 
-/// A point of the file and the key where it stands.
+/// A point of the file and its key.
 struct Spot {
   std::string key;
   Vec2 p_world = Vec2::Zero();
@@ -34,12 +34,12 @@ bool is_inside(const Vec2& p_world, const Furniture& piece) {
       return p_piece.norm() < piece.size.x() / 2;
     case Furniture::Kind::kTable:
     case Furniture::Kind::kChair:
-      return false;  // stands on legs
+      return false;  // has free space between its legs
   }
   return false;
 }
 
-/// Spots by their x, so that a wall asks only those beside it.
+/// Spots sorted by x, so that a wall looks only at those near it.
 class Spots {
  public:
   explicit Spots(std::vector<Spot> spots) : spots_(std::move(spots)) {
@@ -47,7 +47,7 @@ class Spots {
               [](const Spot& a, const Spot& b) { return a.p_world.x() < b.p_world.x(); });
   }
 
-  /// visit(spot) for those whose x is in the range.
+  /// Calls visit(spot) for those whose x is in the range.
   template <class Visit>
   void for_each_between(double low_m, double high_m, const Visit& visit) const {
     auto spot = std::lower_bound(spots_.begin(), spots_.end(), low_m,
@@ -55,7 +55,7 @@ class Spots {
     for (; spot != spots_.end() && spot->p_world.x() <= high_m; ++spot) visit(*spot);
   }
 
-  /// visit(spot) for those at most so far from the segment.
+  /// Calls visit(spot) for those within a distance of the segment.
   template <class Visit>
   void for_each_near(const Segment2& segment, double reach_m, const Visit& visit) const {
     const auto [low_m, high_m] = std::minmax(segment.start.x(), segment.end.x());
@@ -86,13 +86,13 @@ class Checks {
     problems_.push_back({{.key = std::move(key)}, std::move(what)});
   }
 
-  /// A place and a parking frame are both where a vehicle may be sent by name.
+  /// A vehicle can be sent by name to a place or a parking frame, so their names must differ.
   void check_names() {
     std::map<std::string, std::string> first_with;
-    const auto check = [&](const char* list, const auto& things) {
-      for (std::size_t i = 0; i < things.size(); ++i) {
+    const auto check = [&](const char* list, const auto& objects) {
+      for (std::size_t i = 0; i < objects.size(); ++i) {
         const std::string key = fmt::format("{}[{}]", list, i);
-        const auto [first, is_new] = first_with.emplace(things[i].name, key);
+        const auto [first, is_new] = first_with.emplace(objects[i].name, key);
         if (!is_new) add(key + ".name", fmt::format("is the name of {} too", first->second));
       }
     };
@@ -125,7 +125,7 @@ class Checks {
     };
     if (!world_.tour.empty()) check("tour", world_.tour);
     for (std::size_t i = 0; i < world_.routes.size(); ++i) {
-      check(fmt::format("routes[{}].way", i), world_.routes[i].path);
+      check(fmt::format("routes[{}].path", i), world_.routes[i].path);
     }
     for (std::size_t i = 0; i < world_.people.size(); ++i) {
       check(fmt::format("people[{}].path", i), world_.people[i].path);
@@ -149,8 +149,7 @@ class Checks {
     std::map<std::string, std::string> why;
     for (const Segment2& obstacle : obstacles_below(world_, kVehicleHeight_m)) {
       spots.for_each_near(obstacle, kVehicleRadius_m, [&](const Spot& spot) {
-        why.emplace(spot.key,
-                    fmt::format("is nearer than {:g} m to something that stands there", kVehicleRadius_m));
+        why.emplace(spot.key, fmt::format("is closer than {:g} m to an obstacle", kVehicleRadius_m));
       });
     }
     for (const Furniture& piece : world_.furniture) {
@@ -180,7 +179,7 @@ class Checks {
         if (across < kOblique) hanging_free.erase(poster);
       });
     }
-    for (const auto& [key, poster] : hanging_free) add(key, "hangs on no wall");
+    for (const auto& [key, poster] : hanging_free) add(key, "does not hang on a wall");
   }
 
   const World& world_;

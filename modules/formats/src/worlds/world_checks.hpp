@@ -5,7 +5,7 @@
 
 namespace aisle {
 
-/// What cannot be in a world although every number in it may be: two places of one name, a poster above the
+/// Contradictions between numbers that are each valid: two places of the same name, a poster above the
 /// ceiling, a start inside a cupboard. The place of each problem is its key alone: "places[2].name".
 Problems contradictions(const World& world);
 

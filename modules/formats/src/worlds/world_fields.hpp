@@ -1,6 +1,6 @@
 #pragma once
-/// Every key that a world file may use, thing by thing. Each stands here once: the reader, the writer and the
-/// test of the documentation go through these lists.
+/// Every key of a world file, object by object. Each is listed once: the reader, the writer and the test of
+/// the documentation iterate over these lists.
 
 #include <cstdint>
 #include <functional>
@@ -18,7 +18,7 @@ namespace aisle {
 
 inline constexpr Range kCoordinate_m = {-kCoordinateMax_m, kCoordinateMax_m};
 
-/// A point of a thing, wherever its two or three coordinates are kept.
+/// A point of an object, wherever its two or three coordinates are stored.
 struct PointTarget {
   std::vector<double*> coordinates;
 };
@@ -33,7 +33,7 @@ struct WordTarget {
 using WorldTarget =
     std::variant<double*, int*, std::uint64_t*, PointTarget, std::vector<Vec2>*, std::string*, WordTarget>;
 
-/// One key of a thing and the variable that it sets.
+/// One key of an object and the variable that it sets.
 struct WorldField {
   std::string_view key;
   WorldTarget target;
@@ -42,10 +42,10 @@ struct WorldField {
   bool is_needed = false;
 };
 
-/// Valid as long as the thing lives.
+/// Valid as long as the object lives.
 using WorldFields = std::vector<WorldField>;
 
-/// Wall faces that follow each other.
+/// Consecutive wall faces.
 struct WallLine {
   std::vector<Vec2> line;
   double height_m = 0;  ///< 0: up to the ceiling
@@ -67,26 +67,26 @@ WorldFields fields_of(WorldRoute& route);
 WorldFields fields_of(TaughtTurning& turning);
 WorldFields fields_of(Pose2& pose);
 
-/// What a world has one of: its name, tour, ceiling, skirting, light.
+/// The single values of a world: name, tour, ceiling, skirting, light.
 WorldFields fields_of(World& world);
 
-inline constexpr std::size_t kThingsMax = 50'000;
+inline constexpr std::size_t kObjectsMax = 50'000;
 
-/// The lists of a world and how many things each may have: visit(key, things, most).
+/// The lists of a world and the maximum length of each: visit(key, objects, most).
 template <class SomeWorld, class Visit>
 void for_each_list(SomeWorld& world, const Visit& visit) {
   constexpr std::size_t kFew = 1'000, kPeopleMax = 200;
-  visit("doors", world.doors, kThingsMax);
-  visit("posters", world.posters, kThingsMax);
-  visit("lamps", world.lamps, kThingsMax);
-  visit("papers", world.papers, kThingsMax);
-  visit("furniture", world.furniture, kThingsMax);
+  visit("doors", world.doors, kObjectsMax);
+  visit("posters", world.posters, kObjectsMax);
+  visit("lamps", world.lamps, kObjectsMax);
+  visit("papers", world.papers, kObjectsMax);
+  visit("furniture", world.furniture, kObjectsMax);
   visit("parking_frames", world.parking_frames, kFew);
   visit("boards", world.boards, kFew);
   visit("people", world.people, kPeopleMax);
   visit("places", world.places, kFew);
   visit("routes", world.routes, kFew);
-  visit("turnings", world.turnings, kThingsMax);
+  visit("turnings", world.turnings, kObjectsMax);
 }
 
 }  // namespace aisle

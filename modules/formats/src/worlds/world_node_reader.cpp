@@ -55,7 +55,7 @@ void WorldNodeReader::read_map(const YAML::Node& map, const std::string& key, co
       name = present_key(name);
     const std::string inner = key.empty() ? printable(name) : key + "." + printable(name);
     lines_.emplace(inner, line_at(entry.first));
-    if (!seen.insert(name).second) problem(entry.first, inner, "stands there twice");
+    if (!seen.insert(name).second) problem(entry.first, inner, "is given twice");
     if (const auto field = find_key(fields, name); field != fields.end()) {
       read_field(entry.second, inner, *field);
     } else if (const auto section = find_key(sections, name); section != sections.end()) {
@@ -185,7 +185,7 @@ void WorldNodeReader::problem(const std::string& key, std::string what) {
   problems_.add(line_of(key), key, std::move(what));
 }
 
-/// Of the key, else of what it is part of.
+/// The line of the key, else of the nearest key that contains it.
 long WorldNodeReader::line_of(std::string key) const {
   while (lines_.count(key) == 0) {
     const std::size_t end = key.find_last_of(".[");

@@ -26,8 +26,8 @@ class WorldReader {
   void read_walls(const YAML::Node& node);
   void read_wall(const YAML::Node& node, const std::string& key);
   void add_faces(const YAML::Node& node, const std::string& key, const WallLine& wall);
-  template <class Thing>
-  void read_list(const YAML::Node& node, const std::string& key, std::vector<Thing>& things,
+  template <class Object>
+  void read_list(const YAML::Node& node, const std::string& key, std::vector<Object>& objects,
                  std::size_t most);
 
   std::string file_;
@@ -63,22 +63,22 @@ std::vector<WorldNodeReader::Section> WorldReader::sections() {
       {"format", [this](const YAML::Node& node) { expect(node, "format", "aisle.world"); }, true},
       {"version", [this](const YAML::Node& node) { expect(node, "version", "1"); }, true},
       {"walls", [this](const YAML::Node& node) { read_walls(node); }, true},
-      // the older name of furniture
-      {"boxes", [this](const YAML::Node& node) { read_list(node, "boxes", world_.furniture, kThingsMax); }},
+      // the former name of furniture
+      {"boxes", [this](const YAML::Node& node) { read_list(node, "boxes", world_.furniture, kObjectsMax); }},
       {"floor", [this](const YAML::Node& node) { nodes_.read_map(node, "floor", fields_of(world_.floor)); }},
       {"start", [this](const YAML::Node& node) {
          nodes_.read_map(node, "start", fields_of(world_.start.emplace()));
        }}};
-  for_each_list(world_, [&](const char* key, auto& things, std::size_t most) {
+  for_each_list(world_, [&](const char* key, auto& objects, std::size_t most) {
     sections.push_back(
-        {key, [this, key, &things, most](const YAML::Node& node) { read_list(node, key, things, most); }});
+        {key, [this, key, &objects, most](const YAML::Node& node) { read_list(node, key, objects, most); }});
   });
   return sections;
 }
 
 void WorldReader::expect(const YAML::Node& node, const std::string& key, std::string_view value) {
   if (!node.IsScalar() || node.Scalar() != value) {
-    nodes_.problem(node, key, fmt::format("is not {}, the only one so far", value));
+    nodes_.problem(node, key, fmt::format("is not {}, the only one supported", value));
   }
 }
 
@@ -89,7 +89,7 @@ void WorldReader::read_walls(const YAML::Node& node) {
   }
 }
 
-/// A wall as all others are is its line alone.
+/// A wall with default values is written as its line alone.
 void WorldReader::read_wall(const YAML::Node& node, const std::string& key) {
   const std::size_t problems_before = nodes_.problem_count();
   WallLine wall;
@@ -110,21 +110,20 @@ void WorldReader::add_faces(const YAML::Node& node, const std::string& key, cons
   for (std::size_t i = 1; i < wall.line.size(); ++i) {
     const Vec2 &start = wall.line[i - 1], &end = wall.line[i];
     if (start == end) {
-      nodes_.problem(
-          node, key,
-          fmt::format("the point [{:g}, {:g}] stands there twice in succession", end.x(), end.y()));
+      nodes_.problem(node, key,
+                     fmt::format("the point [{:g}, {:g}] is given twice in a row", end.x(), end.y()));
     }
     world_.walls.push_back({{start, end}, wall.height_m, wall.brightness});
   }
 }
 
-template <class Thing>
-void WorldReader::read_list(const YAML::Node& node, const std::string& key, std::vector<Thing>& things,
+template <class Object>
+void WorldReader::read_list(const YAML::Node& node, const std::string& key, std::vector<Object>& objects,
                             std::size_t most) {
-  if (!nodes_.is_list(node, key) || !nodes_.is_room_left(node, key, things.size() + node.size(), most))
+  if (!nodes_.is_list(node, key) || !nodes_.is_room_left(node, key, objects.size() + node.size(), most))
     return;
   for (std::size_t i = 0; i < node.size() && !nodes_.is_hopeless(); ++i) {
-    nodes_.read_map(node[i], fmt::format("{}[{}]", key, i), fields_of(things.emplace_back()));
+    nodes_.read_map(node[i], fmt::format("{}[{}]", key, i), fields_of(objects.emplace_back()));
   }
 }
 

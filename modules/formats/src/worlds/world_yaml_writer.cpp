@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kPointsInALine = 6;
 
-/// Millimetres, thousandths of a degree or of what else is counted.
+/// Rounded to a thousandth of the unit: millimetres, millidegrees.
 std::string rounded(double value) {
   return fmt::format("{}", std::round(value * 1000) / 1000 + 0.0);  // + 0.0: never "-0"
 }
@@ -51,11 +51,11 @@ std::string value_text(const WorldField& field, std::string_view indent) {
   return std::string(word.words[word.index()]);
 }
 
-/// "key: value" of everything that is needed or not as it is by itself.
-template <class Thing>
-std::vector<std::string> entries(Thing thing, std::string_view indent) {
-  Thing plain;
-  const WorldFields fields = fields_of(thing), plain_fields = fields_of(plain);
+/// "key: value" of every field that is required or differs from its default.
+template <class Object>
+std::vector<std::string> entries(Object object, std::string_view indent) {
+  Object plain;
+  const WorldFields fields = fields_of(object), plain_fields = fields_of(plain);
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::string value = value_text(fields[i], indent);
@@ -65,20 +65,20 @@ std::vector<std::string> entries(Thing thing, std::string_view indent) {
   return texts;
 }
 
-template <class Thing>
-std::string map_text(const Thing& thing) {
-  return fmt::format("{{{}}}", fmt::join(entries(thing, "     "), ", "));
+template <class Object>
+std::string map_text(const Object& object) {
+  return fmt::format("{{{}}}", fmt::join(entries(object, "     "), ", "));
 }
 
-template <class Thing>
-std::string list_text(std::string_view key, const std::vector<Thing>& things) {
-  if (things.empty()) return {};
+template <class Object>
+std::string list_text(std::string_view key, const std::vector<Object>& objects) {
+  if (objects.empty()) return {};
   std::string text = fmt::format("{}:\n", key);
-  for (const Thing& thing : things) text += fmt::format("  - {}\n", map_text(thing));
+  for (const Object& object : objects) text += fmt::format("  - {}\n", map_text(object));
   return text;
 }
 
-/// Wall faces that follow each other and are alike become one line.
+/// Consecutive wall faces with equal properties become one line.
 std::vector<WallLine> wall_lines(const World& world) {
   std::vector<WallLine> lines;
   for (const WallFace& wall : world.walls) {
@@ -112,7 +112,7 @@ std::string world_yaml(const World& world) {
   if (world.start) text += fmt::format("start: {}\n", map_text(*world.start));
   text += walls_text(world);
   for_each_list(world,
-                [&](const char* key, const auto& things, std::size_t) { text += list_text(key, things); });
+                [&](const char* key, const auto& objects, std::size_t) { text += list_text(key, objects); });
   return text;
 }
 

@@ -88,7 +88,7 @@ TEST(BuildingCorridors, BadCorridorsNameTheirKeys) {
   EXPECT_THAT(building_problems(corridors_with("[[0.5, 0], [4, 0]]", "[[0.5, 0]]")),
               HasSubstr("corridors.corridors[0].path_m: has less than two points"));
   EXPECT_THAT(building_problems(corridors_with("[[0.5, 0], [4, 0]]", "[[0.5, 0], [4, 1]]")),
-              HasSubstr("corridors.corridors[0].path_m: does not lead from the place of `from`"));
+              HasSubstr("corridors.corridors[0].path_m: does not lead from the node `from`"));
   EXPECT_THAT(building_problems(corridors_with("\"length_m\": 6.25", "\"length_m\": 7")),
               HasSubstr("corridors.corridors[1].length_m: is not the length of the path, 6.25"));
   EXPECT_THAT(building_problems(corridors_with("\"width_m\": 1.6", "\"width_m\": -1")),
@@ -124,7 +124,7 @@ TEST(BuildingCorridors, AFloorLargerThanCanBeIsRefusedBeforeItIsFilled) {
   std::string rows = "\"16384.\"";
   for (int i = 0; i < 5000; ++i) rows += ",\"1.\"";
   EXPECT_THAT(building_problems(corridors_with("\"5#\"", rows)),
-              HasSubstr("floor.rows: are more than 40000000 cells together"));
+              HasSubstr("floor.rows: are more than 40000000 cells in total"));
 }
 
 }  // namespace

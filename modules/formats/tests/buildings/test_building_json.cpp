@@ -17,7 +17,7 @@ using testing::SizeIs;
 const std::filesystem::path kGoldenWalls = kGolden / "building.v3.json";
 const std::filesystem::path kGoldenRoutes = kGolden / "building_routes.v3.json";
 
-/// A building of version 1 with these further members.
+/// A building of version 1 with these additional members.
 std::string building_with(const std::string& members) {
   return R"({"format": "aisle.building", "version": 1, )" + members + "}";
 }
@@ -63,7 +63,7 @@ TEST(BuildingJson, WritesTheGoldenFilesAsTheyStand) {
   EXPECT_EQ(building_json(*read_building(kGoldenRoutes)), *read_whole_file(kGoldenRoutes));
 }
 
-TEST(BuildingJson, WhatFormerVersionsSayIsWrittenAsVersion3) {
+TEST(BuildingJson, FilesOfFormerVersionsAreWrittenAsVersion3) {
   for (const std::string former :
        {"building.v1", "building.v2", "building_routes.v1", "building_routes.v2", "building_corridors.v2"}) {
     const auto building = read_building(kGolden / (former + ".json"));
@@ -147,9 +147,9 @@ TEST(BuildingJson, OtherFormatsAndVersionsAreRefused) {
   EXPECT_THAT(building_problems("{}"), HasSubstr("b.json: format: is not \"aisle.building\""));
   EXPECT_THAT(building_problems(R"({"format": "aisle.world", "version": 1})"), HasSubstr("format: is not"));
   EXPECT_THAT(building_problems(R"({"format": "aisle.building"})"), HasSubstr("version: is missing"));
-  EXPECT_THAT(building_problems(R"({"format": "aisle.building", "version": 3})"),
-              HasSubstr("version: 3 is unknown here; this program reads versions 1 to 2"));
-  EXPECT_THAT(building_problems("[]"), HasSubstr("b.json: is no JSON object"));
+  EXPECT_THAT(building_problems(R"({"format": "aisle.building", "version": 4})"),
+              HasSubstr("version: 4 is unknown; this program reads versions 1 to 3"));
+  EXPECT_THAT(building_problems("[]"), HasSubstr("b.json: is not a JSON object"));
 }
 
 TEST(BuildingJson, MalformedJsonNamesItsLine) {

@@ -11,7 +11,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-/// A path of a metre to a place that is known by one view.
+/// A path of one metre to a place that is recognised by one view.
 Building building_with_view(const Image& columns) {
   Building building;
   building.name = "laboratory";

@@ -17,7 +17,7 @@ std::string routes_with(const std::string& passage, const std::string& other) {
   return golden_building("building_routes.v1.json", passage, other);
 }
 
-/// A straight-looking route of 1 km whose every piece is rounded the same way.
+/// A nearly straight route of 1 km in which every piece is rounded in the same direction.
 Path long_path(const Arc& arc) {
   std::vector<PathPiece> pieces;
   Pose2 T_map_piece{1, 2, 0.3};
@@ -208,11 +208,11 @@ TEST(BuildingRoutes, BadRoutesNameTheirKeys) {
   EXPECT_THAT(building_problems(routes_with("stairs to desk", "")),
               HasSubstr("routes[1].name: is not a text of 1"));
   EXPECT_THAT(building_problems(routes_with("\"length_m\": 5,", "\"length_m\": 0,")),
-              HasSubstr("routes[1].pieces: have no piece of a millimetre's length"));
+              HasSubstr("routes[1].pieces: have no piece of a millimetre or more"));
   EXPECT_THAT(building_problems(routes_with("\"length_m\": 5,", "\"length_m\": 1e6,")),
               HasSubstr("routes[1].pieces[0].length_m: is not a number from -100000 to 100000"));
   EXPECT_THAT(building_problems(routes_with("\"length_m\": 4,", "\"length_m\": 99999,")),
-              HasSubstr("routes[0].pieces: are longer than 100000 m together"));
+              HasSubstr("routes[0].pieces: are longer than 100000 m in total"));
   EXPECT_THAT(building_problems(routes_with("\"turn_deg\": 12.5", "\"turn_deg\": \"left\"")),
               HasSubstr("routes[1].pieces[0].turn_deg: is not a number"));
   EXPECT_THAT(building_problems(routes_with("\"heading_deg\": -180", "\"heading_deg\": 1000")),

@@ -91,7 +91,7 @@ TEST(SectionText, AnOrderThatCannotBeDrivenIsAFault) {
 
 TEST(SectionText, ABuildingSaysWhichSectionIsWrong) {
   const auto with = [](const std::string& sections) {
-    return parse_building(R"({"format": "aisle.building", "version": 1, "routes": [{"name": "way", )"
+    return parse_building(R"({"format": "aisle.building", "version": 1, "routes": [{"name": "route", )"
                           R"("start": {"at_m": [0, 0], "heading_deg": 0}, "sections": [)" +
                               sections + "]}]}",
                           "b.json");
@@ -106,7 +106,7 @@ TEST(SectionText, ABuildingSaysWhichSectionIsWrong) {
 
 TEST(SectionText, ABuildingWithSectionsIsReadAsItWasWritten) {
   Building building;
-  Route route{.name = "way", .sections = list({"a 3.25 right 0.4", "c 0.5 0.6", "h 2", "r 36", "a 1"})};
+  Route route{.name = "route", .sections = list({"a 3.25 right 0.4", "c 0.5 0.6", "h 2", "r 36", "a 1"})};
   route.path = path_of(route.sections, {});
   building.routes.push_back(route);
   const std::string text = building_json(building);

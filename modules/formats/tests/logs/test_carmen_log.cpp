@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Three readings straight right, ahead and left; standing at (1, 2).
+/// Three readings straight right, ahead and left, taken at (1, 2).
 std::string flaser(double stamp_s, const std::string& ranges = "1.5 2 3") {
   return "FLASER 3 " + ranges + " 1 2 0.5 1 2 0.5 " + std::to_string(stamp_s) + " host 0.1\n";
 }
@@ -30,13 +30,13 @@ std::string odom(double x_m, double stamp_s) {
 }
 
 CarmenLog parsed(const std::string& text, const CarmenOptions& options = {}) {
-  auto carmen = parse_carmen_log(text, "trip.clf", options);
+  auto carmen = parse_carmen_log(text, "run.clf", options);
   if (!carmen.ok()) throw std::runtime_error(to_string(carmen.problems()));
   return *carmen;
 }
 
 std::string carmen_problems(const std::string& text) {
-  const auto carmen = parse_carmen_log(text, "trip.clf");
+  const auto carmen = parse_carmen_log(text, "run.clf");
   return carmen.ok() ? "" : to_string(carmen.problems());
 }
 
@@ -62,7 +62,7 @@ TEST(CarmenLog, FlaserBeamsRunFromTheRightToTheLeft) {
   EXPECT_NEAR(flaser_scanner(541).beam_angle(0), -135 * kDegree, 1e-12);
 }
 
-TEST(CarmenLog, TheResolutionParameterSpeaksWhereTheCountDoesNot) {
+TEST(CarmenLog, TheResolutionParameterDecidesWhereTheCountIsAmbiguous) {
   const LaserLog log = parsed(flaser(1) + "PARAM laser_front_laser_resolution 10 nohost 0\n").log;
   EXPECT_NEAR(log.laser.angle_step_rad, 10 * kDegree, 1e-12);
   EXPECT_NEAR(log.laser.beam_angle(1), 0, 1e-12);
@@ -159,28 +159,28 @@ TEST(CarmenLog, StampsThatGoBackAreMendedAndTheScansStayInFileOrder) {
   EXPECT_THAT(stamps, ElementsAre(100, 100.5, 101, 3, 3.5, 9000, 9000.5));
   EXPECT_THAT(times, ElementsAre(100, 100.5, 101, 101.5, 102, 102.5, 103));
   EXPECT_THAT(carmen.warnings,
-              ElementsAre("trip.clf:4: stamps go back, leap or stand still at 2 places, first here; "
+              ElementsAre("run.clf:4: stamps go back, jump or stand still at 2 places, first here; "
                           "scans are taken in file order"));
 }
 
-TEST(CarmenLog, AClockThatNeverGoesIsWarnedOfWithTheStepThatIsTaken) {
+TEST(CarmenLog, AStoppedClockIsWarnedOfWithTheStepThatIsTaken) {
   EXPECT_THAT(parsed(flaser(7) + flaser(7) + flaser(7) + flaser(7)).warnings,
-              ElementsAre("trip.clf:3: stamps go back, leap or stand still at 2 places, first here; "
+              ElementsAre("run.clf:3: stamps go back, jump or stand still at 2 places, first here; "
                           "scans are taken in file order, 0.1 s from one line to the next"));
 }
 
-TEST(CarmenLog, OdometryThatLeapsIsWarnedOfOnceWithItsPlace) {
+TEST(CarmenLog, OdometryThatJumpsIsWarnedOfOnceWithItsPlace) {
   const auto at = [](double x_m, double stamp_s) { return odom(x_m, stamp_s) + rawlaser(stamp_s); };
   EXPECT_THAT(
       parsed(at(0, 1) + at(19, 2) + at(40, 3) + at(41, 4) + at(0, 5)).warnings,
-      ElementsAre("trip.clf:5: the odometry leaps by 21 m from the pose before; 2 such leaps in the log"));
+      ElementsAre("run.clf:5: the odometry jumps by 21 m from the pose before; 2 such jumps in the log"));
   EXPECT_THAT(parsed(at(0, 1) + at(19, 2) + at(38, 3)).warnings, IsEmpty());
 }
 
 TEST(CarmenLog, OtherMessagesAreSkippedAndUnknownOnesCounted) {
   EXPECT_THAT(parsed("SYNC tag 1 host 1\nNMEA-GGA 1\nRLASER 1 5\n" + flaser(1)).warnings, IsEmpty());
   EXPECT_THAT(parsed("HELLO\n" + flaser(1) + "WORLD 3\n").warnings,
-              ElementsAre("trip.clf:1: 'HELLO' is no message of CARMEN; 2 such lines were skipped"));
+              ElementsAre("run.clf:1: 'HELLO' is not a CARMEN message; 2 such lines were skipped"));
 }
 
 TEST(CarmenLog, LineEndsOfOtherSystemsAndNoneAtAllAreFine) {
@@ -207,18 +207,18 @@ const std::string good_line = flaser(1);
 INSTANTIATE_TEST_SUITE_P(
     CarmenLog, BadCarmenLog,
     testing::Values(
-        BadLog{"Empty", "", "trip.clf: is empty"},  //
-        BadLog{"NoScans", "# nothing\n" + odom(1, 2), "trip.clf: has no scans"},
-        BadLog{"Binary", good_line + std::string("\x7f\0\x02", 3), "trip.clf:2: is binary data"},
+        BadLog{"Empty", "", "run.clf: is empty"},  //
+        BadLog{"NoScans", "# nothing\n" + odom(1, 2), "run.clf: has no scans"},
+        BadLog{"Binary", good_line + std::string("\x7f\0\x02", 3), "run.clf:2: is binary data"},
         BadLog{"RawScansWithoutOdometry", rawlaser(1), "no ODOM lines"},
-        BadLog{"CutOffInTheReadings", good_line + "FLASER 3 1 2", "trip.clf:2: the line ends after 4 fields"},
+        BadLog{"CutOffInTheReadings", good_line + "FLASER 3 1 2", "run.clf:2: the line ends after 4 fields"},
         BadLog{"CutOffInThePoses", good_line + "FLASER 3 1 2 3 1 2 0 1",
-               "trip.clf:2: the line ends after 9 fields"},
+               "run.clf:2: the line ends after 9 fields"},
         BadLog{"CutOffInTheStamps", good_line + "FLASER 3 1 2 3 1 2 0 1 2 0 7.5 ho",
-               "trip.clf:2: the line ends before"},
-        BadLog{"CutOffInTheName", good_line + "FLAS", "trip.clf:2: the file is cut off here"},
+               "run.clf:2: the line ends before"},
+        BadLog{"CutOffInTheName", good_line + "FLAS", "run.clf:2: the file is cut off here"},
         BadLog{"OdometryCutOff", good_line + "ODOM 1 2",
-               "trip.clf:2: the line ends after 3 fields, before its robot pose"},
+               "run.clf:2: the line ends after 3 fields, before its robot pose"},
         BadLog{"MoreFieldsThanAnnounced", "FLASER 3 1 2 3 4 5 6 1 2 0 1 2 0 7.5 host 1\n", "more fields"},
         BadLog{"OtherBeamCount", good_line + "FLASER 2 1 2 1 2 0 1 2 0 7 host 1\n",
                "has 2 readings, the first scan (line 1) has 3"},
@@ -241,14 +241,14 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(CarmenLog, AFileFullOfProblemsShowsTwentyAndCountsTheRest) {
   std::string text;
   for (int i = 0; i < 25; ++i) text += "FLASER\n";
-  const auto carmen = parse_carmen_log(text, "trip.clf");
+  const auto carmen = parse_carmen_log(text, "run.clf");
   ASSERT_THAT(carmen.problems(), SizeIs(21));
-  EXPECT_EQ(to_string(carmen.problems().back()), "trip.clf: ... and 5 more");
+  EXPECT_EQ(to_string(carmen.problems().back()), "run.clf: ... and 5 more");
 }
 
 TEST(CarmenLog, AMissingFileIsAProblem) {
-  EXPECT_THAT(to_string(read_carmen_log("/nowhere/trip.clf").problems()),
-              HasSubstr("/nowhere/trip.clf: no such file"));
+  EXPECT_THAT(to_string(read_carmen_log("/nowhere/run.clf").problems()),
+              HasSubstr("/nowhere/run.clf: no such file"));
 }
 
 }  // namespace

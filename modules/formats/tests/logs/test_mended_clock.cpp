@@ -11,7 +11,7 @@ using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::Pointwise;
 
-/// The mended times of scans with these recorded stamps, one a line.
+/// The repaired times of scans with these recorded stamps, one per line.
 std::vector<double> mended(const std::vector<double>& stamps_s, ClockRepair* repair = nullptr) {
   LaserLog log;
   std::vector<RecordedStamp> stamps;
@@ -30,18 +30,18 @@ TEST(MendedClock, LeavesAGoodClockAloneWithItsPausesAndASingleRepeatedStamp) {
   EXPECT_THAT(mended({5, 6, 7, 7, 8, 38, 39}), ElementsAre(5, 6, 7, 7, 8, 38, 39));
 }
 
-TEST(MendedClock, AStepBackOrALeapBecomesAnUsualStep) {
+TEST(MendedClock, AStepBackOrAJumpBecomesAUsualStep) {
   ClockRepair repair;
   EXPECT_THAT(mended({5, 6, 7, 1, 2, 100, 101}, &repair), ElementsAre(5, 6, 7, 8, 9, 10, 11));
   EXPECT_EQ(repair.places, 2U);
   EXPECT_EQ(repair.first_line, 4);
 }
 
-TEST(MendedClock, AClockThatStandsStillIsMadeToGo) {
+TEST(MendedClock, AClockThatPausesIsMadeToAdvance) {
   EXPECT_THAT(mended({5, 6, 7, 7, 7, 7, 8, 9, 10}), ElementsAre(5, 6, 7, 7, 8, 9, 10, 11, 12));
 }
 
-TEST(MendedClock, AClockThatNeverGoesIsGivenANominalStep) {
+TEST(MendedClock, AStoppedClockIsGivenANominalStep) {
   ClockRepair repair;
   EXPECT_THAT(mended({7, 7, 7, 7, 7}, &repair), Pointwise(DoubleEq(), {7.0, 7.0, 7.1, 7.2, 7.3}));
   EXPECT_TRUE(repair.by_nominal_step);
@@ -49,20 +49,20 @@ TEST(MendedClock, AClockThatNeverGoesIsGivenANominalStep) {
   EXPECT_EQ(repair.first_line, 3);
 }
 
-TEST(MendedClock, AClockWhoseStepsMakeNoSenseIsGivenANominalStep) {
+TEST(MendedClock, AClockWithImplausibleStepsIsGivenANominalStep) {
   ClockRepair repair;
   EXPECT_THAT(mended({500, 5, 500, 5}, &repair), Pointwise(DoubleEq(), {500.0, 500.1, 500.2, 500.3}));
   EXPECT_TRUE(repair.by_nominal_step);
   EXPECT_EQ(repair.places, 3U);
 }
 
-TEST(MendedClock, AClockThatGoesIsNotGivenANominalStep) {
+TEST(MendedClock, AClockThatAdvancesIsNotGivenANominalStep) {
   ClockRepair repair;
   mended({5, 6, 7, 1, 2}, &repair);
   EXPECT_FALSE(repair.by_nominal_step);
 }
 
-TEST(MendedClock, ScansAndOdometryOfAClockThatNeverGoesStayTogether) {
+TEST(MendedClock, ScansAndOdometryOfAStoppedClockStayTogether) {
   LaserLog log;
   log.scans.resize(5);
   log.odometry.resize(5);

@@ -157,7 +157,7 @@ TEST(MazeBitmap, SaysWhereItIsWrong) {
   EXPECT_EQ(complaint("P4\n99999 99999\n"), "maze:2: width: '99999' is not a whole number from 1 to 4096");
   EXPECT_EQ(complaint("P4\n0 0\n"), "maze:2: width: '0' is not a whole number from 1 to 4096");
   EXPECT_EQ(complaint("P4\n16 16\n12"), "maze:2: ends after 2 of 32 bytes of pixels");
-  EXPECT_EQ(complaint("P1\n2 1\n0 x\n"), "maze:3: 'x' is no pixel; 0 and 1 are");
+  EXPECT_EQ(complaint("P1\n2 1\n0 x\n"), "maze:3: 'x' is not a pixel; pixels are 0 and 1");
 }
 
 TEST(MazeFile, RefusesWhatIsNoFile) {

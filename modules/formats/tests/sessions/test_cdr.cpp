@@ -32,7 +32,7 @@ TEST(Cdr, NumbersAreAlignedToTheirSizeAfterTheEncapsulationAndGapsAreZero) {
   message.header = {{1, 2}, "m"};
   message.pose.position.x = 1;
   const std::string cdr = cdr_bytes(message);
-  // seconds, nanoseconds, length 2, 'm', 0, and a gap of two up to the next multiple of eight
+  // seconds, nanoseconds, length 2, 'm', 0, and two bytes of padding up to the next multiple of eight
   EXPECT_EQ(cdr.substr(0, 20), bytes({0, 1, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 'm', 0, 0, 0}));
   EXPECT_EQ(cdr.substr(20, 8), bytes({0, 0, 0, 0, 0, 0, 0xF0, 0x3F}));
   EXPECT_EQ(cdr.size(), 20U + 7 * 8);
@@ -70,7 +70,7 @@ TEST(Cdr, EveryCutIsNoticed) {
     EXPECT_FALSE(parse_cdr<ros::JointState>(whole.substr(0, length))) << length;
 }
 
-TEST(Cdr, LengthsAreNotBelievedBeyondTheBytesThatAreThere) {
+TEST(Cdr, LengthsBeyondTheAvailableBytesAreRefused) {
   const std::string huge = bytes({0, 1, 0, 0, 0xFF, 0xFF, 0xFF, 0x7F});
   EXPECT_FALSE(parse_cdr<ros::TFMessage>(huge));
   EXPECT_FALSE(parse_cdr<ros::String>(huge));
@@ -93,7 +93,7 @@ RC_GTEST_PROP(RosTimeProperty, AStampIsKeptToTheNanosecondAndThenForGood, ()) {
   RC_ASSERT(ros::stamp_ns(ros::time_of(ros::stamp_ns(stamp_s))) == ros::stamp_ns(stamp_s));
 }
 
-TEST(RosTime, RefusesWhatHasNoRoomInAMessage) {
+TEST(RosTime, RefusesStampsThatDoNotFitInAMessage) {
   EXPECT_THROW((void)ros::stamp_ns(-1e-9), std::invalid_argument);
   EXPECT_THROW((void)ros::stamp_ns(2147483648.0), std::invalid_argument);
   EXPECT_THROW((void)ros::stamp_ns(std::nan("")), std::invalid_argument);

@@ -30,7 +30,7 @@ TEST(DecisionText, DiffersWhereverABitDiffers) {
   EXPECT_NE(decision_text(done), decision_text(with_speed(0)));
 }
 
-TEST(DecisionText, WhatIsNoNumberComesBackAsThat) {
+TEST(DecisionText, NotANumberComesBackAsThat) {
   const auto back = parse_decision(decision_text(with_speed(std::numeric_limits<double>::quiet_NaN())));
   ASSERT_TRUE(back);
   EXPECT_TRUE(std::isnan(back->command.speed_mps));

@@ -7,13 +7,13 @@ namespace {
 
 using testing::HasSubstr;
 
-/// An origin with these further members.
+/// An origin with these additional members.
 std::string origin_with(const std::string& members) {
   return R"({"format":"aisle.session","version":1,"navigator":"hand","parameters":{},"seed":1,"simulated":true)" +
          members + "}";
 }
 
-TEST(SessionOrigin, SaysNothingOfABuildingWhereThereIsNone) {
+TEST(SessionOrigin, DoesNotMentionABuildingIfThereIsNone) {
   const auto origin = parse_session_origin(origin_with(""), "session");
   ASSERT_TRUE(origin.ok()) << to_string(origin.problems());
   EXPECT_EQ(origin->building, "");

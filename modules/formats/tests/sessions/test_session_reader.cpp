@@ -25,7 +25,7 @@ std::string read(const fs::path& path) {
   return *read_whole_file(path);
 }
 
-/// Reads a session in every path that there is; returns the first problem, "" if there is none.
+/// Reads a session in every way that there is; returns the first problem, "" if there is none.
 std::string trouble_with(const fs::path& directory) {
   if (const auto summary = summarise_session(directory); !summary) return to_string(summary.problems());
   auto cycles = SessionCycles::open(directory);
@@ -86,7 +86,7 @@ std::string metadata_with(const std::string& storage, const std::string& compres
          "\n  compression_format: \"" + compression + "\"\n  relative_file_paths: " + files + "\n";
 }
 
-TEST_F(DamagedSession, BagsOfOtherLayoutsAreReportedWhatWouldBeRead) {
+TEST_F(DamagedSession, BagsOfOtherLayoutsNameTheLayoutThatIsRead) {
   const auto trouble = [&](const std::string& metadata) {
     write(place / "drive/metadata.yaml", metadata);
     return trouble_with(place / "drive");
@@ -98,15 +98,15 @@ TEST_F(DamagedSession, BagsOfOtherLayoutsAreReportedWhatWouldBeRead) {
               HasSubstr("metadata.yaml: compression_format: 'zstd' is not read"));
   EXPECT_THAT(trouble(metadata_with("sqlite3", "", "[drive_0.db3, drive_1.db3]")),
               HasSubstr("names 2 files"));
-  EXPECT_THAT(trouble(metadata_with("sqlite3", "", "[../drive_0.db3]")), HasSubstr("is no file beside"));
+  EXPECT_THAT(trouble(metadata_with("sqlite3", "", "[../drive_0.db3]")), HasSubstr("is not a file beside"));
   EXPECT_THAT(trouble(metadata_with("sqlite3", "", "[other.db3]")), HasSubstr("other.db3: is missing"));
   EXPECT_THAT(trouble(metadata_with("sqlite3", "", "7")), HasSubstr("names no database"));
   EXPECT_THAT(trouble("[1, 2"), HasSubstr("metadata.yaml:1: is not YAML"));
-  EXPECT_THAT(trouble("a: b"), HasSubstr("this is no bag's metadata"));
-  EXPECT_THAT(trouble(""), HasSubstr("this is no bag's metadata"));
+  EXPECT_THAT(trouble("a: b"), HasSubstr("this is not a bag's metadata"));
+  EXPECT_THAT(trouble(""), HasSubstr("this is not a bag's metadata"));
 }
 
-TEST(SessionReader, SaysWhatIsNoSession) {
+TEST(SessionReader, SaysWhatIsNotASession) {
   const SessionPlace place;
   EXPECT_THAT(trouble_with(place / "none"), HasSubstr("none: no such session"));
   write(place / "file", "x");
@@ -133,7 +133,7 @@ TEST(SessionReader, ABagOfOthersIsReadButIsNoSession) {
   ASSERT_TRUE(summary.ok());
   EXPECT_EQ(summary->messages, 1);
   EXPECT_THAT(trouble_with(bag),
-              HasSubstr("bag_0.db3: /session: is missing: this bag is no session of aisle's"));
+              HasSubstr("bag_0.db3: /session: is missing: this bag is not an aisle session"));
 }
 
 TEST(SessionReader, MessagesThatAreNotWhatTheyShouldBeAreReported) {
@@ -148,7 +148,7 @@ TEST(SessionReader, MessagesThatAreNotWhatTheyShouldBeAreReported) {
                                          {topic, cdr}}));
   };
   const SessionTopic wheels{"/wheels", ros::JointState::kType};
-  EXPECT_THAT(trouble(wheels, "no CDR"), HasSubstr("/wheels: holds no CDR of sensor_msgs/msg/JointState"));
+  EXPECT_THAT(trouble(wheels, "no CDR"), HasSubstr("/wheels: contains no CDR of sensor_msgs/msg/JointState"));
   ros::JointState one_wheel;
   one_wheel.name = {"wheel"};
   one_wheel.position = {1};
@@ -157,9 +157,9 @@ TEST(SessionReader, MessagesThatAreNotWhatTheyShouldBeAreReported) {
   EXPECT_THAT(trouble({"/wheels", ros::String::kType}, cdr_bytes(ros::String{})),
               HasSubstr("/wheels: has messages of type std_msgs/msg/String instead of"));
   EXPECT_THAT(trouble({"/decision", ros::String::kType}, cdr_bytes(ros::String{"{}"})),
-              HasSubstr("/decision: has a message that is no decision (at 0.000 s)"));
+              HasSubstr("/decision: has a message that is not a decision (at 0.000 s)"));
   EXPECT_THAT(trouble({"/operator", ros::String::kType}, cdr_bytes(ros::String{"["})),
-              HasSubstr("/operator: has a message that is no operator input"));
+              HasSubstr("/operator: has a message that is not operator input"));
   ros::Image image;
   image.width = image.height = image.step = 2;
   image.encoding = "mono8";

@@ -113,7 +113,7 @@ TEST(SessionRecord, AClosedSessionIsTwoFiles) {
   EXPECT_THAT(names, testing::UnorderedElementsAre("metadata.yaml", "drive_0.db3"));
 }
 
-TEST(SessionRecord, KnowsWhatMadeIt) {
+TEST(SessionRecord, KnowsItsOrigin) {
   const SessionPlace place;
   record_sample(place / "drive", 3);
   const auto cycles = SessionCycles::open(place / "drive");

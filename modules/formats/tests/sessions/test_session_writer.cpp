@@ -24,7 +24,7 @@ std::string payload(ros::Stamp_ns stamp) {
   return std::to_string(stamp) + std::string(static_cast<std::size_t>(stamp / kPeriod_ns % 5000), 'x');
 }
 
-/// The stamps in a session; every message must hold what it was written with.
+/// The stamps in a session; every message must contain what was written to it.
 std::vector<ros::Stamp_ns> stamps_in(const fs::path& directory) {
   auto reader = SessionReader::open(directory);
   EXPECT_TRUE(reader.ok()) << to_string(reader.problems());
@@ -39,7 +39,7 @@ std::vector<ros::Stamp_ns> stamps_in(const fs::path& directory) {
   return stamps;
 }
 
-/// A process that records one message after the other and tells the stamp of each through a pipe.
+/// A process that records one message after the other and reports the stamp of each through a pipe.
 class RecordingProcess {
  public:
   explicit RecordingProcess(const fs::path& directory) {
@@ -48,13 +48,14 @@ class RecordingProcess {
     process_ = ::fork();
     if (process_ == 0) record(directory, ends[1]);
     ::close(ends[1]);
-    reported_ = ends[0];
+    stamp_pipe_ = ends[0];
   }
   RecordingProcess(const RecordingProcess&) = delete;
   RecordingProcess& operator=(const RecordingProcess&) = delete;
-  ~RecordingProcess() { ::close(reported_); }
+  ~RecordingProcess() { ::close(stamp_pipe_); }
 
-  /// Waits for that many messages, then kills it; returns the stamp of the last message that it wrote.
+  /// Waits for that many messages, then kills the process; returns the stamp of the last message that it
+  /// wrote.
   ros::Stamp_ns kill_after(int messages) {
     ros::Stamp_ns last = 0;
     for (int i = 0; i < messages; ++i) next(last);
@@ -66,19 +67,19 @@ class RecordingProcess {
   }
 
  private:
-  bool next(ros::Stamp_ns& stamp) const { return ::read(reported_, &stamp, sizeof stamp) == sizeof stamp; }
+  bool next(ros::Stamp_ns& stamp) const { return ::read(stamp_pipe_, &stamp, sizeof stamp) == sizeof stamp; }
 
-  [[noreturn]] static void record(const fs::path& directory, int tell) {
+  [[noreturn]] static void record(const fs::path& directory, int stamp_pipe) {
     auto writer = SessionWriter::create(directory, false);
     for (ros::Stamp_ns stamp = kPeriod_ns; writer.ok(); stamp += kPeriod_ns) {
       if (!writer->write(kTopic, stamp, payload(stamp)).empty()) break;
-      if (::write(tell, &stamp, sizeof stamp) != sizeof stamp) break;
+      if (::write(stamp_pipe, &stamp, sizeof stamp) != sizeof stamp) break;
     }
     ::_exit(1);
   }
 
   pid_t process_ = 0;
-  int reported_ = 0;
+  int stamp_pipe_ = 0;
 };
 
 TEST(KilledSession, OpensAndMissesLessThanItsLastSecond) {
@@ -119,7 +120,7 @@ TEST(SessionWriter, ASessionBeingRecordedCanBeRead) {
   EXPECT_EQ(stamps_in(place / "live").size(), 26U);
 }
 
-TEST(SessionWriter, MessagesOfOneStampAreNeverParted) {
+TEST(SessionWriter, MessagesOfOneStampAreNeverSplit) {
   const SessionPlace place;
   auto writer = SessionWriter::create(place / "live", false);
   ASSERT_TRUE(writer.ok());
@@ -130,7 +131,7 @@ TEST(SessionWriter, MessagesOfOneStampAreNeverParted) {
   }
 }
 
-/// No file may grow beyond so many bytes while this lives, as if the disk were full.
+/// While this lives, no file may grow beyond so many bytes, as if the disk were full.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) {
@@ -151,7 +152,7 @@ class FullDisk {
   void (*handler_)(int) = nullptr;
 };
 
-/// Drives on for ever, and remembers the last command.
+/// Drives on forever, and remembers the last command.
 class TirelessVehicle final : public Vehicle {
  public:
   const VehicleDescription& description() const override { return description_; }
@@ -205,7 +206,7 @@ TEST(SessionWriter, NeverOverwritesWithoutForce) {
   EXPECT_THAT(stamps_in(place / "drive"), IsEmpty());
 }
 
-TEST(SessionWriter, ARunsImageIsReplacedWithItsSession) {
+TEST(SessionWriter, ARunsPictureIsReplacedWithItsSession) {
   const SessionPlace place;
   record_sample(place / "drive", 3);
   std::ofstream(place / "drive" / kDrivenImage) << "<svg/>";
@@ -213,11 +214,11 @@ TEST(SessionWriter, ARunsImageIsReplacedWithItsSession) {
   EXPECT_FALSE(fs::exists(place / "drive" / kDrivenImage));
 }
 
-TEST(SessionWriter, NeverRemovesWhatIsNoSession) {
+TEST(SessionWriter, NeverRemovesWhatIsNotASession) {
   const SessionPlace place;
   record_sample(place / "drive", 3);
   std::ofstream(place / "drive/thesis.txt") << "years of work";
-  EXPECT_THAT(refusal(place / "drive", true), HasSubstr("thesis.txt: is no part of a session"));
+  EXPECT_THAT(refusal(place / "drive", true), HasSubstr("thesis.txt: is not part of a session"));
   EXPECT_TRUE(fs::exists(place / "drive/drive_0.db3"));
 }
 

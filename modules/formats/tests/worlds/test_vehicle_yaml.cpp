@@ -38,7 +38,7 @@ TEST(VehicleYaml, AFileWithoutFieldsIsTheDefaultVehicle) {
   EXPECT_EQ(vehicle->description.front_steered.wheelbase_m, FrontSteered{}.wheelbase_m);
 }
 
-TEST(VehicleYaml, PartsComeIntoBeingByTheirKeys) {
+TEST(VehicleYaml, PartsAreCreatedByTheirKeys) {
   const auto vehicle = parse_vehicle(
       "format: aisle.vehicle\nversion: 1\nscanner: {}\nlaser_markers: {height_m: 0.4}\n"
       "cameras: {left: {pan_deg: 90}, ahead: {}}\nsimulated: {cameras: {left: {noise_sigma: 4}}}\n",
@@ -77,8 +77,8 @@ TEST(VehicleYaml, TheNameIsOneLineOfText) {
 TEST(VehicleYaml, CamerasHaveOneUsableNameEach) {
   EXPECT_THAT(vehicle_problems("cameras: {a/b: {}}\n"), HasSubstr("cart.yaml:3: cameras.a/b: is no name"));
   EXPECT_THAT(vehicle_problems("cameras:\n  a: {}\n  a: {z_m: 1}\n"),
-              HasSubstr("5: cameras.a: stands there twice"));
-  EXPECT_THAT(vehicle_problems("cameras: [1]\n"), HasSubstr("cart.yaml:3: cameras: a list is no value"));
+              HasSubstr("5: cameras.a: is given twice"));
+  EXPECT_THAT(vehicle_problems("cameras: [1]\n"), HasSubstr("cart.yaml:3: cameras: a list is not a value"));
   EXPECT_THAT(vehicle_problems("simulated: {cameras: {a: {exposure: 1}}}\n"),
               HasSubstr("simulated.cameras.a.exposure: unknown key"));
 }
@@ -94,7 +94,7 @@ TEST(VehicleYaml, WrittenVehiclesReadAsTheyWere) {
   }
 }
 
-TEST(VehicleYaml, TheDescriptionAloneTellsNothingOfTheTruth) {
+TEST(VehicleYaml, TheDescriptionAloneDoesNotContainTheTruth) {
   EXPECT_THAT(vehicle_yaml(shipped("alv.yaml").description), testing::Not(HasSubstr("simulated")));
 }
 

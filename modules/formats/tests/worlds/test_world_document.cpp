@@ -24,7 +24,7 @@ std::string chapter(const std::string& heading) {
   return text.substr(start, text.find("\n#", start + 2) - start);
 }
 
-/// The beginning of the key's row in its table: key, default, range.
+/// The start of the key's row in its table: key, default, range.
 std::string row_of(const WorldField& field) {
   std::string standard, range = fmt::format("{:g} .. {:g}", field.range.min, field.range.max);
   if (const auto* real = std::get_if<double*>(&field.target)) {
@@ -45,24 +45,24 @@ std::string row_of(const WorldField& field) {
   return fmt::format("| `{}` |{}|{}|", field.key, cell(standard), cell(range));
 }
 
-template <class Thing>
+template <class Object>
 void expect_described(const std::string& heading) {
   const std::string text = chapter(heading);
-  Thing thing;
-  for (const WorldField& field : fields_of(thing)) EXPECT_THAT(text, HasSubstr(row_of(field))) << heading;
+  Object object;
+  for (const WorldField& field : fields_of(object)) EXPECT_THAT(text, HasSubstr(row_of(field))) << heading;
 }
 
-TEST(WorldDocument, TellsEveryKeyWithItsDefaultAndRange) {
+TEST(WorldDocument, DescribesEveryKeyWithItsDefaultAndRange) {
   expect_described<World>("## The world as a whole");
   expect_described<Pose2>("### `start`");
   expect_described<FloorCovering>("### `floor`");
   World world;
-  for_each_list(world, [](const std::string& key, auto& things, std::size_t) {
-    expect_described<typename std::decay_t<decltype(things)>::value_type>("### `" + key + "`");
+  for_each_list(world, [](const std::string& key, auto& objects, std::size_t) {
+    expect_described<typename std::decay_t<decltype(objects)>::value_type>("### `" + key + "`");
   });
 }
 
-TEST(WorldDocument, TellsTheKeysOfWalls) {
+TEST(WorldDocument, DescribesTheKeysOfWalls) {
   const std::string text = chapter("### `walls`");
   EXPECT_THAT(text, HasSubstr("| `line` | needed | -10000 .. 10000 |"));
   EXPECT_THAT(text, HasSubstr("| `height_m` | | 0.01 .. 100 |")) << "up to the ceiling";

@@ -40,7 +40,7 @@ TEST(WorldYaml, ReadsWallsBoxesAndTour) {
   EXPECT_THAT(world->tour[1], PointNear(Vec2(2.5, 0.5), 1e-12));
 }
 
-TEST(WorldYaml, ReadsAllThatAWorldCanHold) {
+TEST(WorldYaml, ReadsEverythingAWorldCanContain) {
   const Result<World> world = parse_world(
       std::string(kWorldHead) +
           "ceiling_m: 3\n"
@@ -185,12 +185,12 @@ TEST(WorldYaml, ReportsEveryProblemWithItsLineAndKey) {
                      "texture_seed: -1\n"
                      "door: 3\n"
                      "tour: 5\n"),
-      "w.yaml:2: version: is not 1, the only one so far\n"
+      "w.yaml:2: version: is not 1, the only one supported\n"
       "w.yaml:4: walls[0][1]: '.nan' is not a number\n"
       "w.yaml:5: walls[1]: a wall needs at least two points\n"
       "w.yaml:6: walls[2][1]: 1e9 is outside -10000 .. 10000\n"
       "w.yaml:6: walls[2][2]: 'x' is not a number\n"
-      "w.yaml:7: walls[3]: the point [2, 2] stands there twice in succession\n"
+      "w.yaml:7: walls[3]: the point [2, 2] is given twice in a row\n"
       "w.yaml:8: walls[4].brightness: 2 is outside 0 .. 1\n"
       "w.yaml:10: boxes[0].size: 0 is outside 0.01 .. 1000\n"
       "w.yaml:11: boxes[1].center: unknown key (known: kind, centre, size, heading_deg, height_m, "
@@ -215,7 +215,7 @@ TEST(WorldYaml, TextsAreOneLine) {
               HasSubstr("name: is not a line of UTF-8 text"));
 }
 
-TEST(WorldYaml, NamesTheLineOfWhatCannotBe) {
+TEST(WorldYaml, NamesTheLineOfEveryContradiction) {
   EXPECT_EQ(world_problems(std::string(kWorldHead) + "ceiling_m: 2\n"
                                                      "walls:\n"
                                                      "  - [[0, 0], [9, 0]]\n"
@@ -240,9 +240,9 @@ TEST(WorldYaml, NamesTheLineOfWhatCannotBe) {
             "w.yaml:10: doors[0].height_m: ends at 2.05 m, above the ceiling at 2 m\n"
             "w.yaml:16: people[0].path: needs at least two different points\n"
             "w.yaml:8: start.at: is inside a piece of furniture\n"
-            "w.yaml:22: tour[1]: is nearer than 0.1 m to something that stands there\n"
-            "w.yaml:13: posters[1]: hangs on no wall\n"
-            "w.yaml:14: posters[2]: hangs on no wall");
+            "w.yaml:22: tour[1]: is closer than 0.1 m to an obstacle\n"
+            "w.yaml:13: posters[1]: does not hang on a wall\n"
+            "w.yaml:14: posters[2]: does not hang on a wall");
 }
 
 TEST(WorldYaml, RefusesWhatIsNoWorld) {
@@ -251,7 +251,7 @@ TEST(WorldYaml, RefusesWhatIsNoWorld) {
   EXPECT_THAT(world_problems("name: empty\n"),
               AllOf(HasSubstr("format: is missing"), HasSubstr("walls: is missing")));
   EXPECT_THAT(world_problems(std::string(kWorldHead) + "walls: []\nwalls: []\n"),
-              HasSubstr("stands there twice"));
+              HasSubstr("is given twice"));
   EXPECT_THAT(world_problems(std::string(kWorldHead) + "walls: []\ntour: [[1, 1]]\n"),
               HasSubstr("two different points"));
 }

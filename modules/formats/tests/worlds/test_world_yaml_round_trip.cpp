@@ -11,14 +11,14 @@
 namespace aisle {
 namespace {
 
-/// Draws what fields may hold, on the writer's grid of thousandths.
+/// Draws random values that fields may have, on the writer's grid of thousandths.
 class FieldDrawer {
  public:
   explicit FieldDrawer(Random& random) : random_(random) {}
 
-  template <class Thing>
-  void draw(Thing& thing) {
-    for (const WorldField& field : fields_of(thing)) {
+  template <class Object>
+  void draw(Object& object) {
+    for (const WorldField& field : fields_of(object)) {
       std::visit([&](const auto& target) { set(target, field); }, field.target);
     }
   }
@@ -53,7 +53,7 @@ class FieldDrawer {
   Random& random_;
 };
 
-/// Vehicles stand far from everything that could be in their path.
+/// Vehicles stand far from every possible obstacle.
 constexpr double kLateral_m = 500;
 
 /// A wall for the poster to hang on.
@@ -69,9 +69,9 @@ World draw_world(Random& random) {
   drawer.draw(world);
   drawer.draw(world.floor);
   if (random.index(2) == 0) drawer.draw(world.start.emplace());
-  for_each_list(world, [&](const char*, auto& things, std::size_t) {
-    things.resize(random.index(4));
-    for (auto& thing : things) drawer.draw(thing);
+  for_each_list(world, [&](const char*, auto& objects, std::size_t) {
+    objects.resize(random.index(4));
+    for (auto& object : objects) drawer.draw(object);
   });
   world.ceiling_m = 40;
   for (std::uint64_t i = random.index(30); i > 0; --i) {
@@ -119,8 +119,8 @@ bool same_value(Value* a, Value* b) {
   return *a == *b;
 }
 
-template <class Thing>
-bool same_thing(Thing a, Thing b) {
+template <class Object>
+bool same_object(Object a, Object b) {
   const WorldFields fields_a = fields_of(a), fields_b = fields_of(b);
   return std::equal(fields_a.begin(), fields_a.end(), fields_b.begin(),
                     [](const WorldField& f, const WorldField& g) {
@@ -132,10 +132,10 @@ bool same_thing(Thing a, Thing b) {
                     });
 }
 
-template <class Thing>
-bool same_things(const std::vector<Thing>& a, const std::vector<Thing>& b) {
+template <class Object>
+bool same_objects(const std::vector<Object>& a, const std::vector<Object>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Thing& one, const Thing& other) { return same_thing(one, other); });
+                    [](const Object& one, const Object& other) { return same_object(one, other); });
 }
 
 RC_GTEST_PROP(WorldYaml, WhatIsWrittenIsReadAgain, (std::uint64_t seed)) {
@@ -143,21 +143,21 @@ RC_GTEST_PROP(WorldYaml, WhatIsWrittenIsReadAgain, (std::uint64_t seed)) {
   const World written = draw_world(random);
   const Result<World> read = parse_world(world_yaml(written), "w.yaml");
   if (!read.ok()) RC_FAIL(to_string(read.problems()) + "\n" + world_yaml(written));
-  RC_ASSERT(same_thing(*read, written));
-  RC_ASSERT(same_thing(read->floor, written.floor));
+  RC_ASSERT(same_object(*read, written));
+  RC_ASSERT(same_object(read->floor, written.floor));
   RC_ASSERT(read->start.has_value() == written.start.has_value());
-  if (read->start) RC_ASSERT(same_thing(*read->start, *written.start));
+  if (read->start) RC_ASSERT(same_object(*read->start, *written.start));
   RC_ASSERT(std::equal(read->walls.begin(), read->walls.end(), written.walls.begin(), written.walls.end(),
                        [](const WallFace& a, const WallFace& b) { return same(a, b); }));
-  RC_ASSERT(same_things(read->doors, written.doors));
-  RC_ASSERT(same_things(read->posters, written.posters));
-  RC_ASSERT(same_things(read->lamps, written.lamps));
-  RC_ASSERT(same_things(read->papers, written.papers));
-  RC_ASSERT(same_things(read->furniture, written.furniture));
-  RC_ASSERT(same_things(read->parking_frames, written.parking_frames));
-  RC_ASSERT(same_things(read->boards, written.boards));
-  RC_ASSERT(same_things(read->people, written.people));
-  RC_ASSERT(same_things(read->places, written.places));
+  RC_ASSERT(same_objects(read->doors, written.doors));
+  RC_ASSERT(same_objects(read->posters, written.posters));
+  RC_ASSERT(same_objects(read->lamps, written.lamps));
+  RC_ASSERT(same_objects(read->papers, written.papers));
+  RC_ASSERT(same_objects(read->furniture, written.furniture));
+  RC_ASSERT(same_objects(read->parking_frames, written.parking_frames));
+  RC_ASSERT(same_objects(read->boards, written.boards));
+  RC_ASSERT(same_objects(read->people, written.people));
+  RC_ASSERT(same_objects(read->places, written.places));
   RC_ASSERT(world_yaml(*read) == world_yaml(written));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Calibrations as files: OpenCV YAML and ROS camera_info YAML. docs/formats/calibration.md specifies what is
-/// read of either.
+/// Calibration files: OpenCV YAML and ROS camera_info YAML. docs/formats/calibration.md lists the keys that
+/// are read from each.
 
 #include <filesystem>
 #include <string>
@@ -13,16 +13,16 @@ namespace aisle {
 
 /// Reads either format; all problems of the file are reported together, each with its line and key. A lens
 /// model that CameraModel cannot express (fisheye, rational, skew) is a problem. Keys of other programs are
-/// passed over.
+/// ignored.
 Result<CameraCalibration> read_calibration(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<CameraCalibration> parse_calibration(std::string_view text, const std::string& name);
 
-/// As OpenCV's FileStorage reads it.
+/// The text that OpenCV's FileStorage reads.
 std::string opencv_calibration_yaml(const CameraCalibration& calibration);
 
-/// As ROS's camera_info tools read it.
+/// The text that ROS's camera_info tools read.
 std::string camera_info_yaml(const CameraCalibration& calibration);
 
 }  // namespace aisle

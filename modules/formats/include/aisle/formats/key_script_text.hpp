@@ -1,5 +1,5 @@
 #pragma once
-/// Keys with their times, for driving by hand without hands. docs/formats/keys.md specifies the format.
+/// Key presses with their times: they replace the keyboard when driving by hand. See docs/formats/keys.md.
 
 #include <string>
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace aisle {
 
-/// Reads "FROM[-TO] KEY [LABEL]" lines; `name` stands for the file in problems.
+/// Reads "FROM[-TO] KEY [LABEL]" lines; `name` is the file name in problems.
 Result<std::vector<TimedKey>> parse_key_script(std::string_view text, const std::string& name);
 
 }  // namespace aisle

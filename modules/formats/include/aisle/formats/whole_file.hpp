@@ -9,8 +9,8 @@
 
 namespace aisle {
 
-/// The bytes of a file; gzip'd files are unpacked. A missing or unreadable file, a directory, a gzip stream
-/// that is cut off or damaged, or more than `max_bytes` unpacked is a problem.
+/// The bytes of a file; gzip files are unpacked. A missing or unreadable file, a directory, a truncated or
+/// damaged gzip stream, or more than `max_bytes` unpacked bytes is a problem.
 Result<std::string> read_whole_file(const std::filesystem::path& path,
                                     std::size_t max_bytes = std::size_t{2} << 30);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What clients send over the open Foxglove WebSocket protocol.
+/// Messages from clients of the open Foxglove WebSocket protocol.
 
 #include <cstdint>
 #include <optional>
@@ -11,7 +11,7 @@
 namespace aisle {
 
 struct Subscription {
-  std::uint32_t id = 0;  ///< the client's own
+  std::uint32_t id = 0;  ///< chosen by the client
   std::uint32_t channel = 0;
 };
 
@@ -23,9 +23,9 @@ struct UnsubscribeRequest {
   std::vector<std::uint32_t> subscriptions;
 };
 
-/// A channel on which a client wants to send.
+/// A channel on which a client wants to publish.
 struct ClientChannel {
-  std::uint32_t id = 0;  ///< the client's own
+  std::uint32_t id = 0;  ///< chosen by the client
   std::string topic;
   std::string encoding;
 };
@@ -38,31 +38,31 @@ struct UnadvertiseRequest {
   std::vector<std::uint32_t> channels;
 };
 
-/// A request that makes sense, but is of a capability that is not offered.
+/// A well-formed request for a capability that this server does not offer.
 struct UnofferedRequest {
   std::string op;
 };
 
 struct ClientMessage {
   std::uint32_t channel = 0;
-  std::string_view data;  ///< within the frame
+  std::string_view data;  ///< points into the frame
 };
 
 struct ServiceRequest {
   std::uint32_t service = 0;
   std::uint32_t call = 0;
-  std::string_view encoding;  ///< within the frame, as `data`
+  std::string_view encoding;  ///< points into the frame, as `data` does
   std::string_view data;
 };
 
 using ClientFrame = std::variant<SubscribeRequest, UnsubscribeRequest, AdvertiseRequest, UnadvertiseRequest,
                                  UnofferedRequest, ClientMessage, ServiceRequest>;
 
-/// @return nullopt: no such message
+/// @return nullopt if the text is not such a message
 std::optional<ClientFrame> parse_client_text(std::string_view text);
 
 /// Views in the result point into `bytes`.
-/// @return nullopt: no such message
+/// @return nullopt if the bytes are not such a message
 std::optional<ClientFrame> parse_client_bytes(std::string_view bytes);
 
 }  // namespace aisle

@@ -11,29 +11,29 @@
 
 namespace aisle {
 
-/// What a driver sends over the topic /drive.
+/// What the driving client sends on the topic /drive.
 struct DriveCommand {
   std::string lease;
   std::uint64_t sequence = 0;
-  double age_s = 0;  ///< when it was sent
+  double age_s = 0;  ///< time since it was sent
   Command command;
 };
 
-/// @return nullopt: not all of it is there, finite and in range
+/// @return nullopt unless all fields are present, finite and in range
 std::optional<DriveCommand> parse_drive_command(std::string_view json);
 
-/// Hands the newest drive command from the server's thread to the mission's.
+/// Hands the newest drive command from the server's thread to the mission's thread.
 class DriveInbox {
  public:
   explicit DriveInbox(const Clock& clock) : clock_(clock) {}
 
-  /// A new lease: what waits is not heard any more, and sequences start again.
+  /// A new lease: the waiting command is dropped, and sequence numbers may start again.
   void begin_lease();
 
-  /// @return false: its sequence is not greater than all before
+  /// @return false if its sequence number is not greater than all before
   bool put(const DriveCommand& command);
 
-  /// The newest since the last call, its age as of now; nullopt: none has come.
+  /// The newest command since the last call, with its current age; nullopt if none has come.
   std::optional<DriveCommand> take();
 
  private:

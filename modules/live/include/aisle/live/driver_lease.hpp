@@ -10,30 +10,30 @@
 
 namespace aisle {
 
-/// Names one connection as long as the server runs; 0 is none.
+/// Identifies one connection while the server runs; 0 is none.
 using ClientId = std::uint64_t;
 
-/// Who may drive: one client at a time, as long as it shows that it is there.
+/// Who may drive: one client at a time, as long as it keeps renewing its lease.
 class DriverLease {
  public:
   static constexpr double kValid_s = 3;
 
   /// @param clock       must outlive the lease
-  /// @param make_token  something that nobody guesses
+  /// @param make_token  must return something that nobody can guess
   DriverLease(const Clock& clock, std::function<std::string()> make_token);
 
   /// @return the token; nullopt while another client holds the lease
   std::optional<std::string> take(ClientId client);
 
-  /// Whether this token is the valid lease; if so, it is valid from now on again.
+  /// @return whether this token is the valid lease; if so, it is valid for another kValid_s
   bool renew(std::string_view token);
 
   void release(std::string_view token);
-  /// The client's connection has ended.
+  /// Call when the client's connection has ended.
   void gone(ClientId client);
 
   bool is_held() const;
-  /// Grows with every lease that is given.
+  /// Grows with every lease that is granted.
   std::uint64_t number() const { return number_; }
 
  private:
@@ -45,10 +45,10 @@ class DriverLease {
   std::uint64_t number_ = 0;
 };
 
-/// In a time that does not depend on where they differ.
+/// Compares in a time that does not depend on where they differ.
 bool equal_secrets(std::string_view a, std::string_view b);
 
-/// 128 bits by chance, as hexadecimal digits.
+/// 128 random bits as hexadecimal digits.
 std::string chance_token();
 
 }  // namespace aisle

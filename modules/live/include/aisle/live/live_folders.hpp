@@ -4,9 +4,9 @@
 
 namespace aisle {
 
-/// What the server may show of the file system. Empty: nothing.
+/// Folders that the server may show; an empty path shows nothing.
 struct LiveFolders {
-  std::filesystem::path web;        ///< the page that was built
+  std::filesystem::path web;        ///< the built web page
   std::filesystem::path sessions;   ///< a folder of sessions
   std::filesystem::path buildings;  ///< a folder of building files
 };

@@ -1,6 +1,5 @@
 #pragma once
-/// The server that shows a mission to browsers and other programs, and brings what they ask for:
-/// docs/live.md.
+/// The server that shows a mission to browsers and other programs and takes their requests: docs/live.md.
 
 #include <cstdint>
 #include <memory>
@@ -19,21 +18,21 @@ namespace aisle {
 
 struct LiveServerOptions {
   std::string address = "127.0.0.1";
-  std::uint16_t port = 8765;  ///< 0: any that is free
-  std::string token;          ///< that clients must know; needed where `address` is not this machine's own
-  TlsFiles tls;               ///< given: https and wss alone are spoken
+  std::uint16_t port = 8765;  ///< 0: any free port
+  std::string token;          ///< that clients must present; required unless `address` is this machine's own
+  TlsFiles tls;               ///< if given, only https and wss are accepted
   std::string name = "aisle";
   std::string version;
   LiveFolders folders;
 };
 
-/// Runs on a thread of its own from `open` to the destructor. Publishing never waits for a client.
+/// Runs on its own thread from open() to the destructor. Publishing never waits for a client.
 class LiveServer final : public MessageSink {
  public:
   static constexpr std::size_t kConnectionsMax = 32;
 
-  /// A problem if the address is none or is taken, if it can be reached from elsewhere and there is no token,
-  /// or if certificate and key are not as they must be.
+  /// Fails if the address is invalid or taken, if other machines can reach it and there is no token, or if
+  /// the certificate or the key is unusable.
   static Result<std::unique_ptr<LiveServer>> open(LiveServerOptions options,
                                                   std::vector<LiveService> services);
 
@@ -42,17 +41,17 @@ class LiveServer final : public MessageSink {
   std::uint16_t port() const;
   /// "http://127.0.0.1:8765/"
   std::string url() const;
-  /// Others than this machine can be connected, and what they are reported is not encrypted.
+  /// Other machines can connect, and the connection is not encrypted.
   bool can_be_overheard() const;
 
-  /// Sends a message to who has subscribed to its topic; from one thread at a time.
+  /// Sends a message to the subscribers of its topic; call from one thread at a time.
   void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) override;
-  /// Tells all what time it is for the vehicle.
+  /// Sends the vehicle's time to all clients.
   void take_time(ros::Stamp_ns stamp);
-  /// What was latched is not sent any more to who comes later.
+  /// Latched messages so far are no longer sent to clients that join later.
   void forget_latched();
 
-  /// The newest drive commands of who holds the lease.
+  /// The newest drive commands from the holder of the lease.
   DriveInbox& drive();
   bool lease_is_held() const;
   std::size_t clients() const;

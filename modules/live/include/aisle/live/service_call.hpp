@@ -12,7 +12,7 @@
 
 namespace aisle {
 
-/// A client's call of a service. It waits until it is answered, once, from any thread.
+/// A client's call of a service. It must be answered exactly once, from any thread.
 class ServiceCall {
  public:
   /// @param answer  true: the answer's JSON; false: why the call is refused
@@ -33,20 +33,20 @@ class ServiceCall {
   Answer answer_;
 };
 
-/// Calls on their path from the server's thread to the one that answers them.
+/// Passes calls from the server's thread to the thread that answers them.
 class ServiceMailbox {
  public:
   static constexpr std::size_t kCallsMax = 64;
 
-  /// @return false: too many wait, or nobody answers any more
+  /// @return false if too many calls wait or the mailbox is closed
   bool put(ServiceCall call);
 
   /// The oldest call; nullopt if none waits.
   std::optional<ServiceCall> take();
-  /// The same, but waits for one as long as this, or until the mailbox is closed.
+  /// The same, but waits up to `longest` for a call, or until the mailbox is closed.
   std::optional<ServiceCall> wait(std::chrono::microseconds longest);
 
-  /// No call will be taken any more; those that wait are refused.
+  /// No more calls are accepted; waiting ones are refused.
   void close();
 
  private:
@@ -58,11 +58,11 @@ class ServiceMailbox {
   bool is_closed_ = false;
 };
 
-/// A service as the server offers it.
+/// A service that the server offers.
 struct LiveService {
   std::string name;
   bool needs_lease = false;
-  ServiceMailbox* mailbox = nullptr;  ///< of whoever answers; must outlive the server
+  ServiceMailbox* mailbox = nullptr;  ///< of the thread that answers; must outlive the server
 };
 
 }  // namespace aisle

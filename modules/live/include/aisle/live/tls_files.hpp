@@ -4,9 +4,9 @@
 
 namespace aisle {
 
-/// By what a server proves who it is, both in PEM form; both or neither.
+/// The server's certificate and key, both in PEM form; give both or neither.
 struct TlsFiles {
-  std::filesystem::path certificate;  ///< the server's own first, then those that vouch for it
+  std::filesystem::path certificate;  ///< the server's own first, then the intermediate ones
   std::filesystem::path key;          ///< of the certificate, without a pass phrase
 
   bool are_given() const { return !certificate.empty() || !key.empty(); }

@@ -7,9 +7,9 @@
 
 namespace aisle {
 
-/// A building that was explored: its floor as it was seen, walls, the graph of corridors with the names of
-/// its nodes, places, and a path that was driven. Everything is in `map`; every part may be empty. Drawn to
-/// scale, y up, the longer side 1600 px.
+/// An explored building: its floor as seen, its walls, the graph of corridors with the names of its nodes,
+/// places, and a driven path. Everything is in `map`; every part may be empty. Drawn to scale, y up, the
+/// longer side 1600 px.
 struct CorridorPicture {
   const Building& building;
   std::span<const Pose2> path = {};

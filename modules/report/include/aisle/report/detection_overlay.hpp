@@ -1,6 +1,5 @@
 #pragma once
-/// What a detector found, drawn over the picture in which it found it. The drawing is as large as the
-/// picture.
+/// What a detector found, drawn over the camera image. The drawing has the size of the image.
 
 #include <optional>
 #include <span>
@@ -14,18 +13,18 @@
 
 namespace aisle {
 
-/// Lines cyan, feet red. @return a PNG file
-std::string verticals_overlay_png(const Image& picture, std::span<const VerticalLine> verticals);
+/// Lines cyan, floor points red. @return a PNG file
+std::string verticals_overlay_png(const Image& image, std::span<const VerticalLine> verticals);
 
 /// The right line orange, the left one magenta, a yellow ring at the vanishing point. @return a PNG file
-std::string base_lines_overlay_png(const Image& picture, const BaseLines& lines);
+std::string base_lines_overlay_png(const Image& image, const BaseLines& lines);
 
 /// Stripes green with yellow rings at their corners. @return a PNG file
-std::string stripes_overlay_png(const Image& picture, std::span<const LaserStripe> stripes);
+std::string stripes_overlay_png(const Image& image, std::span<const LaserStripe> stripes);
 
-/// The region green, its outline brighter; the scan lines' middles A and C yellow and their mean B red.
+/// The region green, its outline brighter; the scan lines' midpoints A and C yellow and their mean B red.
 /// @return a PNG file
-std::string region_overlay_png(const Image& picture, const RouteRegion& region,
+std::string region_overlay_png(const Image& image, const RouteRegion& region,
                                const std::optional<RouteMiddle>& middle);
 
 }  // namespace aisle

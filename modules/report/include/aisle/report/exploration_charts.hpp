@@ -1,5 +1,5 @@
 #pragma once
-/// How an exploration went, over the path that was driven. SVG documents; same record, same bytes.
+/// The progress of an exploration over the driven distance. SVG documents; same record, same bytes.
 
 #include <string>
 
@@ -7,10 +7,10 @@
 
 namespace aisle {
 
-/// Floor that was known after so much distance.
+/// The known floor area over the distance.
 std::string coverage_svg(const ExplorationRecord& record);
 
-/// The transducer's states one after the other, and below them how many paths waited on its stack.
+/// The transducer's states over the distance, and below them the number of symbols on its stack.
 std::string transducer_svg(const ExplorationRecord& record);
 
 }  // namespace aisle

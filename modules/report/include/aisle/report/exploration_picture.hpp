@@ -9,13 +9,14 @@
 
 namespace aisle {
 
-/// What was explored and how: free floor white on grey, what stands on it dark, walls, the path that was
-/// driven, and every path where it was pushed. Drawn to scale, y up, the longer side 1600 px.
+/// What was explored and how: free floor white on grey, obstacles dark, walls, the driven path, a ring where
+/// each path was pushed on the stack, a disc at those given up or left undone. Drawn to scale, y up, the
+/// longer side 1600 px.
 struct ExplorationPicture {
   const FloorGrid& floor;
   const WallMap& walls;
   const ExplorationRecord& record;
-  std::span<const Pose2> T_map_vehicle;  ///< the path
+  std::span<const Pose2> T_map_vehicle;  ///< the driven path
   std::string title = {};
   std::string caption = {};
 };

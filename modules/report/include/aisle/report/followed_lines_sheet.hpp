@@ -9,25 +9,25 @@
 
 namespace aisle {
 
-/// Pictures of one drive side by side, with the vertical lines that were followed through them: the same line
-/// in the same colour and with its number, a trail to where it was in the pictures before. Lines that are in
-/// one picture alone are thin and grey.
+/// Images of one drive side by side, with the vertical lines that were tracked through them. A line keeps its
+/// colour and number, and has a trail to its position in the images before. Lines seen in one image only are
+/// thin and grey.
 class FollowedLinesSheet {
  public:
-  /// @param pictures  how many there will be, at least 1
-  explicit FollowedLinesSheet(std::size_t pictures);
+  /// @param images  how many images there will be, at least 1
+  explicit FollowedLinesSheet(std::size_t images);
 
-  /// @param numbers  of `lines`, from 0; the same number is the same line
-  void add(const Image& picture, const std::vector<VerticalLine>& lines, const std::vector<int>& numbers);
+  /// @param numbers  of `lines`, from 0; equal numbers mean the same line
+  void add(const Image& image, const std::vector<VerticalLine>& lines, const std::vector<int>& numbers);
 
-  /// @return a PNG file, at most 1800 px wide; at least one picture was added
+  /// Needs at least one image. @return a PNG file, at most 1800 px wide
   std::string png() const;
 
  private:
   class Sheet;
   struct Cell {
-    Image picture;                    // as large as it is drawn
-    std::vector<VerticalLine> lines;  // on it, from its corner
+    Image image;                      // in the size in which it is drawn
+    std::vector<VerticalLine> lines;  // in that size's pixels, from its corner
     std::vector<int> numbers;
   };
 

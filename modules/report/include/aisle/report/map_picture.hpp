@@ -9,7 +9,7 @@
 
 namespace aisle {
 
-/// What a picture of a map shows. Everything is in `map` [m]; walls, path and loop closures may be empty.
+/// The content of a map picture. Everything is in `map` [m]; walls, path and loop closures may be empty.
 /// Drawn to scale, y up, the longer side 1600 px.
 struct MapPicture {
   const WallMap& walls;

@@ -7,8 +7,8 @@
 
 namespace aisle {
 
-/// A run through a world as C97's Figure 6 shows it: the world with what the vehicle did, the learned map
-/// beside it. The run starts at `world.start`.
+/// A run through a world in the style of C97's Figure 6: the world with the vehicle's actions, the learned
+/// map beside it. The run starts at `world.start`.
 struct MazePicture {
   static constexpr int kMaxSize = 256;
 
@@ -22,7 +22,7 @@ struct MazePicture {
 /// The whole run with the vehicle's trace. Same picture, same bytes.
 std::string svg(const MazePicture& picture);
 
-/// The run as a moving picture: at most some 500 frames, however long it is.
+/// The run as an animation of at most some 500 frames, however long it is.
 std::string gif(const MazePicture& picture);
 
 }  // namespace aisle

@@ -7,18 +7,18 @@
 namespace aisle {
 
 /// A run as text for a terminal: the world and the learned map, the state, the stack and the rules that
-/// fired. Colours and underlines are ANSI sequences; every frame begins with the one that goes to the top
-/// left corner.
+/// fired. Colours and underlines are ANSI sequences; every frame begins with the sequence that moves the
+/// cursor to the top left corner.
 class MazeScreen {
  public:
   /// The run starts at `world.start`. World and rules must outlive the screen.
   MazeScreen(const GridWorld& world, const GridRules& rules);
 
-  /// What a frame takes of the terminal.
+  /// The size of a frame in the terminal.
   int columns() const;
   int rows() const;
 
-  /// One learning cycle; false: the run is over.
+  /// Runs one learning cycle; false: the run is over.
   bool step();
   std::string frame() const;
 
@@ -33,7 +33,7 @@ class MazeScreen {
   const GridRules& rules_;
   GridExplorer explorer_;
   std::size_t moves_ = 0;
-  std::string fired_;  ///< the rules of the latest cycle, a line each
+  std::string fired_;  ///< the rules of the latest cycle, one per line
   bool over_ = false;
 };
 

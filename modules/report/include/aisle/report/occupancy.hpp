@@ -8,8 +8,8 @@
 
 namespace aisle {
 
-/// The map as cells: free where beams of the log passed, occupied along the walls, else unknown. The cells
-/// are 5 cm wide, or as much wider as it takes to stay below `cells_max`.
+/// The map as an occupancy grid: free where beams of the log passed, occupied along the walls, unknown
+/// elsewhere. Cells are 5 cm wide, or wider if needed to stay below `cells_max`.
 OccupancyImage occupancy_of(const WallMap& walls, const LaserLog& log, std::span<const Pose2> T_map_vehicle,
                             double cells_max = 64e6);
 

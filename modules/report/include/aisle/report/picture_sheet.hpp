@@ -7,13 +7,13 @@
 
 namespace aisle {
 
-/// A picture as it was taken, and a word on it.
+/// A camera image with its title.
 struct TakenPicture {
   Image picture;
   std::string title;
 };
 
-/// Pictures of one drive side by side, in rows of four, each with its title in its corner (L03 Fig. 7).
+/// Images of one drive side by side, in rows of four, each with its title in its corner (L03 Fig. 7).
 /// @return a PNG file
 /// @throws std::invalid_argument if there is none
 std::string picture_sheet_png(std::span<const TakenPicture> pictures);

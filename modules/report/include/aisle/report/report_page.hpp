@@ -12,11 +12,11 @@ struct ReportFigure {
 
 struct ReportPicture {
   std::string title;
-  std::string svg;      ///< a whole document
+  std::string svg;      ///< a complete document
   std::string caption;  ///< may be empty
 };
 
-/// What a run came to, on one page.
+/// The results of a run on one page.
 struct ReportPage {
   std::string title;
   std::string summary;  ///< one sentence below the title
@@ -25,8 +25,8 @@ struct ReportPage {
   std::vector<ReportPicture> pictures;
 };
 
-/// The page as one HTML file that needs nothing else: no scripts, pictures inside, readable on a phone, light
-/// and dark. Text may hold any characters. Same page, same bytes.
+/// The page as one self-contained HTML file: no scripts, pictures inside, readable on a phone, light and
+/// dark. Text may contain any characters. Same page, same bytes.
 std::string html(const ReportPage& page);
 
 }  // namespace aisle

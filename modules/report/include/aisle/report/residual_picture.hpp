@@ -7,18 +7,18 @@
 
 namespace aisle {
 
-/// Points seen together: one view of a board, or the marks of one picture.
+/// Points seen together: one view of a board, or the marks of one image.
 struct ResidualGroup {
   std::string name;
   double rms_px = 0;
   std::vector<Vec2> points_px;
-  std::vector<Vec2> residuals_px;  ///< seen minus expected, one a point; not finite: not drawn
+  std::vector<Vec2> residuals_px;  ///< seen minus expected, one per point; not drawn if not finite
 };
 
-/// What a calibration left over: where in the camera's picture points were seen, by how much each missed its
-/// expected place (arrows, magnified by a factor that the picture states), and each group's rms as a bar.
+/// The residuals of a calibration: where in the camera image the points were seen, by how much each missed
+/// its expected place (arrows, magnified by a factor that the picture states), and each group's RMS as a bar.
 struct ResidualPicture {
-  int width_px = 0;  ///< of the camera's pictures; > 0
+  int width_px = 0;  ///< of the camera's images; > 0
   int height_px = 0;
   std::vector<ResidualGroup> groups;
   std::string title;

@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// A path with its sections, each in the colour of its kind and marked with its letter (L03 Fig. 4).
+/// A route with its sections, each in the colour of its kind and marked with its letter (L03 Fig. 4).
 struct SectionPicture {
   const Route& route;                  ///< with sections
   std::span<const Pose2> driven = {};  ///< a thin line

@@ -8,14 +8,14 @@
 
 namespace aisle {
 
-/// Walls and what they mark on the axes.
+/// Walls and their signatures on the axes.
 struct SignedPattern {
   std::vector<Segment2> walls;
   Signature x, y;
 };
 
-/// A view laid against what was learned, as in C99 Fig. 5: both patterns, beside them their signatures on the
-/// y axis, below them those on the x axis. Everything in `map` [m].
+/// A view compared with the learned pattern, as in C99 Fig. 5: both patterns, with their signatures on the y
+/// axis beside them and those on the x axis below. Everything in `map` [m].
 struct SignaturePicture {
   SignedPattern learned, sensed;
   std::string title;

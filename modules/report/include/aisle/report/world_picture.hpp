@@ -6,8 +6,8 @@
 
 namespace aisle {
 
-/// The plan of a world: walls, door leaves with the arc of their opening, furniture, posters, lamps, parking
-/// frames, where people walk, and tour, start and places. Drawn to scale, y up, the longer side 1600 px.
+/// The plan of a world: walls, door leaves with their opening arcs, furniture, posters, lamps, parking
+/// frames, walking people's paths, and tour, start and places. Drawn to scale, y up, the longer side 1600 px.
 struct WorldPicture {
   const World& world;
   std::string title = {};

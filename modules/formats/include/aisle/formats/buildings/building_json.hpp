@@ -1,5 +1,5 @@
 #pragma once
-/// What was learned of a building, as a small JSON file with one wall, landmark or piece of a route a line;
+/// The learned map of a building as a small JSON file, with one wall, landmark or piece of a route per line;
 /// see docs/formats/building.md.
 
 #include <filesystem>
@@ -11,15 +11,16 @@
 
 namespace aisle {
 
-/// Version 1 of the format. Coordinates to the millimetre; routes so that 1 km of them ends within a
-/// millimetre. What is read from it and written again is the same text. Routes must have a name and a length.
+/// Writes version 3 of the format. Coordinates are rounded to the millimetre; routes have enough digits that
+/// the end of a 1 km route is off by less than a millimetre. Reading the text and writing it again gives the
+/// same text. @throws std::invalid_argument if a route has no name or no length
 std::string building_json(const Building& building);
 
-/// Malformed JSON is a problem with its line, an unknown format, version, key or a bad value one with its key
-/// path ("walls[3].start_m"). Plain or gzip.
+/// Malformed JSON is a problem with its line number; an unknown format, version or key, or a bad value, is a
+/// problem with its key path ("walls[3].start_m"). Plain or gzip.
 Result<Building> read_building(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<Building> parse_building(std::string_view text, const std::string& name);
 
 }  // namespace aisle

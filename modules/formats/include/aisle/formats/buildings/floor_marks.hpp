@@ -1,6 +1,5 @@
 #pragma once
-/// Marks on the floor for `aisle calibrate floor`, "u v x y" a line. docs/formats/floor_marks.md specifies
-/// it.
+/// Marks on the floor for `aisle calibrate floor`, one "u v x y" per line; see docs/formats/floor_marks.md.
 
 #include <filesystem>
 #include <string>
@@ -15,7 +14,7 @@ namespace aisle {
 /// All problems of the file are reported together, each with its line.
 Result<std::vector<FloorMark>> read_floor_marks(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<std::vector<FloorMark>> parse_floor_marks(std::string_view text, const std::string& name);
 
 }  // namespace aisle

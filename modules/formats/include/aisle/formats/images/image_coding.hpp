@@ -2,11 +2,11 @@
 
 namespace aisle {
 
-/// How a session keeps images.
+/// How a session stores images.
 struct ImageCoding {
   enum class Kind {
     kRaw,   ///< /camera/<name>/image_raw
-    kJpeg,  ///< /camera/<name>/image_raw/compressed; loses a little, and the navigator sees what is kept
+    kJpeg,  ///< /camera/<name>/image_raw/compressed; lossy, and the navigator sees the decoded image
     kPng,   ///< /camera/<name>/image_raw/compressed
   };
   Kind kind = Kind::kJpeg;

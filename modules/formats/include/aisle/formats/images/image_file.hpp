@@ -1,5 +1,5 @@
 #pragma once
-/// Images as files: PNG, JPEG, PPM, PGM, BMP, TIFF, as the image library reads them.
+/// Image files: PNG, JPEG, PPM, PGM, BMP and TIFF, as OpenCV reads them.
 
 #include <filesystem>
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace aisle {
 
-/// As stored: grey images have one channel, colour ones three; 16 bits are brought to 8, transparency is
-/// dropped, a camera's turning tag is not applied. A file that is no image, is cut off, or has more than
-/// 16384 columns or rows is a problem.
+/// Grey images get one channel, colour images three; 16 bits are reduced to 8, transparency is dropped, and
+/// the EXIF orientation tag is ignored. A file that is not an image, is truncated, or has more than 16384
+/// columns or rows is a problem.
 Result<Image> read_image(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<Image> parse_image(std::string_view bytes, const std::string& name);
 
-/// A PNG file.
+/// The image as a PNG file.
 std::string png_bytes(const Image& image);
 
-/// A JPEG file. @param quality  1 to 100
+/// The image as a JPEG file. @param quality  1 to 100
 std::string jpeg_bytes(const Image& image, int quality);
 
 }  // namespace aisle

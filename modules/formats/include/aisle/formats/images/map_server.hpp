@@ -1,5 +1,5 @@
 #pragma once
-/// Maps of cells as the ROS map_server reads them: a PGM image and a YAML file.
+/// Occupancy grids in the format of the ROS map_server: a PGM image and a YAML file.
 
 #include <cstdint>
 #include <filesystem>
@@ -28,22 +28,22 @@ struct OccupancyImage {
 /// Binary PGM (P5). `cells` must have width * height entries; else std::invalid_argument.
 std::string pgm_bytes(const OccupancyImage& image);
 
-/// @param image_name  the PGM file's name as seen from the YAML file
+/// @param image_name  path of the PGM file relative to the YAML file
 std::string map_server_yaml(const OccupancyImage& image, std::string_view image_name);
 
-/// What the YAML file says of its image.
+/// What the YAML file says about its image.
 struct MapServerYaml {
-  std::string image;           ///< as seen from the YAML file
+  std::string image;           ///< path relative to the YAML file
   double resolution_m = 0.05;  ///< side of a pixel
-  Pose2 T_map_plan;            ///< of the image's lower left corner
+  Pose2 T_map_plan;            ///< pose of the image's lower left corner
   PlanThresholds thresholds;
 };
 
-/// Every problem with its line and key; keys that are not known are nobody's concern. `name` stands for the
-/// file in problems.
+/// Reports every problem with its line and key; ignores unknown keys. `name` is the file name in problems.
 Result<MapServerYaml> parse_map_server_yaml(const std::string& text, const std::string& name);
 
-/// The YAML file and the image that it names; the frame `world` is the map's. What is unknown is solid.
+/// Reads the YAML file and the image that it names; the plan's frame `world` is the map's frame. Unknown
+/// pixels count as solid.
 Result<FloorPlan> read_map_server(const std::filesystem::path& yaml);
 
 }  // namespace aisle

@@ -13,7 +13,7 @@ namespace aisle {
 struct PortableBitmap {
   int width = 0;
   int height = 0;
-  std::vector<bool> black;  ///< row by row; PBM's 1
+  std::vector<bool> black;  ///< row by row; a 1 in the PBM file
 
   bool is_black(int column, int row) const {
     return black[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +

@@ -11,19 +11,20 @@
 
 namespace aisle {
 
-/// Where a vehicle was, and when. Both lists have the same length.
+/// Time-stamped poses of a vehicle. Both lists have the same length.
 struct Trajectory {
   std::vector<double> stamps_s;
   std::vector<Pose2> T_map_vehicle;
 };
 
-/// TUM format: `stamp x y z qx qy qz qw` a line; microseconds, micrometres and 1e-9 in the quaternion.
+/// TUM format: one `stamp x y z qx qy qz qw` per line, rounded to microseconds, micrometres and, in the
+/// quaternion, 1e-9.
 std::string tum_text(std::span<const double> stamps_s, std::span<const Pose2> T_map_vehicle);
 
 /// The trajectory in the x-y plane: z is dropped, the heading is the quaternion's yaw. Plain or gzip.
 Result<Trajectory> read_tum(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<Trajectory> parse_tum(std::string_view text, const std::string& name);
 
 }  // namespace aisle

@@ -1,5 +1,5 @@
 #pragma once
-/// ROS 2 messages as bytes: CDR, little endian, after its four bytes of encapsulation.
+/// ROS 2 messages as bytes: little-endian CDR after the four-byte encapsulation header.
 
 #include <optional>
 #include <string>
@@ -13,9 +13,9 @@ namespace aisle {
 template <class Message>
 std::string cdr_bytes(const Message& message);
 
-/// Either byte order is read; padding after the last field is not looked at.
-/// @return nullopt if the bytes end too early or are no CDR; lengths are never believed beyond the bytes
-///         that are there
+/// Reads either byte order; ignores padding after the last field.
+/// @return nullopt if the bytes end too early or are not CDR; a length beyond the available bytes is refused
+///         before memory is allocated for it
 template <class Message>
 std::optional<Message> parse_cdr(std::string_view bytes);
 

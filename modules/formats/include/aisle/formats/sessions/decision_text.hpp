@@ -1,6 +1,6 @@
 #pragma once
-/// Decisions and operator input as the JSON of their topics. Numbers are written with as many digits as
-/// it takes to read the same bits.
+/// Decisions and operator input as the JSON of their topics. Numbers have enough digits to read back the same
+/// bits.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@ namespace aisle {
 std::string decision_text(const Decision& decision);
 std::string operator_text(const OperatorInput& input);
 
-/// @return nullopt if the text is nothing of the kind
+/// @return nullopt if the text is not a decision, or not operator input
 std::optional<Decision> parse_decision(const std::string& text);
 std::optional<OperatorInput> parse_operator(const std::string& text);
 

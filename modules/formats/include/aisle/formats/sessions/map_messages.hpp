@@ -1,5 +1,5 @@
 #pragma once
-/// What a navigator knows, as messages for viewers, in the frame "map". Sessions do not hold them.
+/// The navigator's map and plan as messages for viewers, in the frame "map". Sessions do not contain them.
 
 #include <string>
 
@@ -14,12 +14,12 @@ namespace aisle {
 const SessionTopic& pose_topic();
 std::string pose_cdr(ros::Stamp_ns stamp, const UncertainPose2& T_map_vehicle);
 
-/// /plan, nav_msgs/Path: a pose every 0.1 m of path.
+/// /plan, nav_msgs/Path: one pose per 0.1 m of path.
 const SessionTopic& plan_topic();
 std::string plan_cdr(ros::Stamp_ns stamp, const Path& path);
 
 /// /map, visualization_msgs/MarkerArray, latched: walls, landmarks, the graph of corridors, routes, places,
-/// keep-out lines and glass, each in a namespace of its own.
+/// keep-out lines and glass, each in its own namespace.
 const SessionTopic& map_topic();
 std::string map_cdr(ros::Stamp_ns stamp, const Building& building);
 

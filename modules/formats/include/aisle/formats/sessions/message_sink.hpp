@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// Who is shown the messages of a session while they come about.
+/// Receives the messages of a session while it is recorded.
 class MessageSink {
  public:
   virtual ~MessageSink() = default;
@@ -15,7 +15,7 @@ class MessageSink {
   /// @param cdr  valid during the call
   virtual void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) = 0;
 
-  /// Where the simulator has the vehicle: for setting it down there again, not for showing.
+  /// The vehicle's true pose in the simulator: used to put the vehicle back there, never to show it.
   virtual void take_truth(const Pose2& /*T_map_vehicle*/) {}
 };
 

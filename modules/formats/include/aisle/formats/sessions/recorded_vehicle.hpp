@@ -8,18 +8,19 @@
 
 namespace aisle {
 
-/// A session in the place of a vehicle: it senses what was recorded, and goes where it went.
+/// A session that plays a vehicle: it returns the recorded observations and goes where the recorded vehicle
+/// went.
 class RecordedVehicle final : public Vehicle {
  public:
   explicit RecordedVehicle(SessionCycles cycles) : cycles_(std::move(cycles)) {}
 
   const VehicleDescription& description() const override { return cycles_.vehicle(); }
 
-  /// nullopt also where the session cannot be read any farther: then problems() says why.
+  /// nullopt also if the session cannot be read any further; problems() then says why.
   std::optional<Observation> sense() override;
   void act(const Command& /*command*/) override {}
 
-  /// What was decided on the observation sensed last.
+  /// The decision that was recorded for the latest observation.
   const std::optional<Decision>& recorded_decision() const { return decision_; }
 
   /// Empty if all went well so far.

@@ -1,7 +1,7 @@
 #pragma once
-/// The standard ROS 2 messages that sessions are made of, field by field as their definitions have them.
-/// Each lists its fields once, in the order of its definition: `fields(message, visit)` calls
-/// visit("name", field) for each, which is what reads and writes the bytes (cdr.hpp).
+/// The standard ROS 2 messages that sessions contain, field by field as in their definitions. Each lists its
+/// fields once, in the order of its definition: `fields(message, visit)` calls visit("name", field) for each
+/// field. The code that reads and writes the bytes (cdr.hpp) is built on it.
 
 #include <array>
 #include <cstdint>
@@ -191,7 +191,7 @@ struct JointState {
   friend bool operator==(const JointState&, const JointState&) = default;
 };
 
-/// geometry_msgs/Vector3 and geometry_msgs/Point, which are the same bytes.
+/// geometry_msgs/Vector3 and geometry_msgs/Point: both have the same bytes.
 struct Vector3 {
   double x = 0, y = 0, z = 0;
 

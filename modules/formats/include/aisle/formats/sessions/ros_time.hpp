@@ -6,16 +6,15 @@
 
 namespace aisle::ros {
 
-/// Nanoseconds since the clock's beginning: how a session stamps its messages.
+/// Nanoseconds since the clock's epoch: the stamp of a session's messages.
 using Stamp_ns = std::int64_t;
 
 /// To the nearest nanosecond.
 /// @param stamp_s  0 to 2^31
-/// @throws std::invalid_argument outside
+/// @throws std::invalid_argument outside this range
 Stamp_ns stamp_ns(double stamp_s);
 
-/// The nearest double. stamp_s(stamp_ns(t)) is t to the nanosecond, and taking it there and back again
-/// changes nothing any more.
+/// The nearest double. stamp_s(stamp_ns(t)) is t to the nanosecond; converting it again changes nothing.
 double stamp_s(Stamp_ns stamp);
 
 Time time_of(Stamp_ns stamp);

@@ -12,16 +12,16 @@
 
 namespace aisle {
 
-/// What a mission saw in one cycle, and what was decided on it.
+/// What a mission sensed in one cycle, and what it decided.
 struct SessionCycle {
   Observation observation;
-  std::optional<Decision> decision;  ///< absent where the recording ended between the two
+  std::optional<Decision> decision;  ///< absent if the recording ended between the two
 };
 
-/// A session as SessionRecord keeps it, cycle by cycle. Messages on /truth are never looked at.
+/// A session as written by SessionRecord, cycle by cycle. Messages on /truth are never read.
 class SessionCycles {
  public:
-  /// A bag without the topics that a cycle is made of is a problem that names them.
+  /// A bag without the topics of a cycle is a problem that names them.
   static Result<SessionCycles> open(const std::filesystem::path& directory);
 
   SessionCycles(SessionCycles&&) noexcept;

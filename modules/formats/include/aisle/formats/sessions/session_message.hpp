@@ -11,7 +11,7 @@ namespace aisle {
 struct SessionTopic {
   std::string name;      ///< "/scan"
   std::string type;      ///< "sensor_msgs/msg/LaserScan"
-  bool latched = false;  ///< who joins late gets the last message all the same (transient local)
+  bool latched = false;  ///< late subscribers still get the last message (transient local)
 
   friend bool operator==(const SessionTopic&, const SessionTopic&) = default;
 };

@@ -9,15 +9,15 @@
 
 namespace aisle {
 
-/// What made a session: all that a replay needs beside the observations.
+/// What produced a session: all that a replay needs besides the observations.
 struct SessionOrigin {
-  std::string navigator;                          ///< who decided, by name: "hand"
+  std::string navigator;                          ///< the name of the navigator that decided: "hand"
   std::map<std::string, std::string> parameters;  ///< the navigator's, where they differ from the defaults
   std::uint64_t seed = 0;
   bool simulated = false;
-  std::string building = {};  ///< what the navigator knew, as the text of a building file; empty: nothing
-  std::string route = {};     ///< of that building, which it drove; empty: none
-  bool in_reverse = false;    ///< the route's return path
+  std::string building = {};  ///< the navigator's initial map, as a building file's text; empty: none
+  std::string route = {};     ///< the route of that building that it drove; empty: none
+  bool in_reverse = false;    ///< the route was driven back
 
   friend bool operator==(const SessionOrigin&, const SessionOrigin&) = default;
 };
@@ -25,7 +25,7 @@ struct SessionOrigin {
 /// As the JSON of the topic /session.
 std::string session_origin_json(const SessionOrigin& origin);
 
-/// `name` stands for the file in problems.
+/// `name` is the file name in problems.
 Result<SessionOrigin> parse_session_origin(std::string_view text, const std::string& name);
 
 }  // namespace aisle

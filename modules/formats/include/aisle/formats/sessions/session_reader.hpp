@@ -13,9 +13,9 @@
 
 namespace aisle {
 
-/// A ROS 2 bag in rosbag2's SQLite layout, message by message. A session whose recording was killed is
-/// finished first: its journal is taken into the database and its metadata.yaml corrected. One that is still
-/// being recorded is read as far as it is kept.
+/// Reads a ROS 2 bag in rosbag2's SQLite layout, message by message. If the recording was killed, opening
+/// finishes the session first: it merges the journal into the database and corrects metadata.yaml. A session
+/// that is still being recorded is read up to its last commit.
 class SessionReader {
  public:
   struct Message {
@@ -24,7 +24,7 @@ class SessionReader {
     std::string_view cdr;     ///< valid until the next call
   };
 
-  /// Bags of other layouts (MCAP, compressed, several files) are problems that say what would be read.
+  /// Bags of other layouts (MCAP, compressed, several files) are problems that say which layout is read.
   static Result<SessionReader> open(const std::filesystem::path& directory);
 
   SessionReader(SessionReader&&) noexcept;
@@ -34,14 +34,14 @@ class SessionReader {
   /// In the order in which they were first recorded.
   const std::vector<SessionTopic>& topics() const;
 
-  /// The database, for problems with what its messages say.
+  /// The database file, to name it in problems with the content of messages.
   const std::filesystem::path& database() const;
 
-  /// The next message: by stamp, equal stamps as they were recorded.
+  /// The next message, ordered by stamp; messages with equal stamps come in recording order.
   /// @return nullopt after the last
   Result<std::optional<Message>> next();
 
-  /// The bytes of a topic's first message; does not disturb next().
+  /// The bytes of a topic's first message. Does not affect next().
   /// @return nullopt if there is none
   Result<std::optional<std::string>> first_of(const std::string& topic) const;
 

@@ -16,8 +16,8 @@ namespace aisle {
 
 struct RecordedMessage;
 
-/// A mission's cycles kept as a session, shown to a watcher, or both. All messages of a cycle bear the stamp
-/// of its observation, so a killed session ends with a whole cycle.
+/// Writes a mission's cycles to a session, passes them to a watcher, or both. All messages of a cycle have
+/// the stamp of its observation, so a session whose recording was killed ends with a complete cycle.
 class SessionRecord final : public MissionRecord {
  public:
   /// `directory` and `force` as in SessionWriter::create.
@@ -25,29 +25,31 @@ class SessionRecord final : public MissionRecord {
                                       const VehicleDescription& vehicle, const SessionOrigin& origin,
                                       const ImageCoding& coding = {});
 
-  /// Keeps nothing: everything only goes to `watcher`, who must outlive it.
+  /// Writes nothing: all messages only go to `watcher`, which must outlive the record.
   static Result<SessionRecord> shown(MessageSink& watcher, const VehicleDescription& vehicle,
                                      const SessionOrigin& origin, const ImageCoding& coding = {});
 
-  /// From now on `watcher` is shown what is kept, but never the truth; must outlive the record.
+  /// From now on `watcher` also receives what is written, except the truth; it must outlive the record.
   void show_to(MessageSink& watcher) { watcher_ = &watcher; }
-  /// Who is shown it; null: nobody.
+  /// The watcher, or null if there is none.
   MessageSink* watcher() const { return watcher_; }
 
-  /// The vehicle as a replay will know it; who makes the navigator from this one sees the same in both.
+  /// The vehicle as a replay will read it back. Build the navigator from this one, so that it sees the same
+  /// vehicle in both.
   const VehicleDescription& vehicle() const { return vehicle_; }
 
-  /// @throws std::invalid_argument if the stamp is not later than the last one by a nanosecond, any stamp is
-  ///         not within 0 to 2^31 s, or an image has no image
+  /// @return the observation as a replay will read it back
+  /// @throws std::invalid_argument if the stamp is not at least a nanosecond later than the last one, any
+  ///         stamp is not within 0 to 2^31 s, or a camera image is empty
   Result<Observation> keep(Observation observation) override;
 
   /// @throws std::logic_error before the first observation
   Problems keep(const Decision& decision) override;
 
-  /// Keeps where the vehicle really was, on /truth/pose: for evaluation, never among the observations.
+  /// Writes the vehicle's true pose to /truth/pose: for evaluation, never part of the observations.
   Problems keep_truth(double stamp_s, const Pose2& T_map_vehicle);
 
-  /// Ends the session; the destructor does, too, but cannot say whether that succeeded.
+  /// Ends the session. The destructor does so too, but cannot report failure.
   Problems close() { return writer_ ? writer_->close() : Problems{}; }
 
  private:

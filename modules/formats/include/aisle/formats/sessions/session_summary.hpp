@@ -10,7 +10,7 @@
 
 namespace aisle {
 
-/// A time in which a regular topic said nothing for at least three times its usual interval.
+/// A period in which a regular topic sent nothing for at least three times its usual interval.
 struct SessionGap {
   double start_s = 0;  ///< since the session's first message
   double length_s = 0;
@@ -21,11 +21,11 @@ struct TopicSummary {
   std::int64_t messages = 0;
   std::int64_t bytes = 0;   ///< of the messages alone
   double interval_s = 0;    ///< median time from one message to the next; 0 with fewer than two
-  bool is_regular = false;  ///< ten messages or more, nine in ten intervals within half and twice the median
+  bool is_regular = false;  ///< ten or more messages, nine in ten intervals between half and twice the median
   std::vector<SessionGap> gaps;  ///< only of regular topics
 };
 
-/// What a session holds.
+/// What a session contains.
 struct SessionSummary {
   ros::Stamp_ns first = 0;
   ros::Stamp_ns last = 0;
@@ -36,7 +36,7 @@ struct SessionSummary {
   double duration_s() const { return static_cast<double>(last - first) / 1e9; }
 };
 
-/// Reads any bag that SessionReader reads; the messages themselves are not looked at.
+/// Summarises any bag that SessionReader reads, without decoding the messages.
 Result<SessionSummary> summarise_session(const std::filesystem::path& directory);
 
 }  // namespace aisle

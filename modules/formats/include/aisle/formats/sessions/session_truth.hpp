@@ -7,8 +7,8 @@
 
 namespace aisle {
 
-/// Where the vehicle of a simulated session really was, a pose a cycle, in the world's frame: for evaluation
-/// alone. Empty if the session does not say.
+/// The true poses of a simulated session's vehicle, one per cycle, in the world's frame: for evaluation only.
+/// Empty if the session has none.
 Result<Trajectory> read_true_poses(const std::filesystem::path& session);
 
 }  // namespace aisle

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenarios as files: what goes wrong on a simulated run. docs/formats/scenario.md specifies the format.
+/// Scenario files: the faults of a simulated run; see docs/formats/scenario.md.
 
 #include <filesystem>
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace aisle {
 
-/// Reads a scenario file; all its problems are reported together, each with its line and key.
+/// Reads a scenario file; all problems are reported together, each with its line and key.
 Result<Scenario> read_scenario(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<Scenario> parse_scenario(const std::string& text, const std::string& name);
 
 }  // namespace aisle

@@ -1,5 +1,5 @@
 #pragma once
-/// Vehicles as files. docs/formats/vehicle.md specifies the format.
+/// Vehicle files; see docs/formats/vehicle.md.
 
 #include <filesystem>
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace aisle {
 
-/// Reads a vehicle file; all its problems are reported together, each with its line and key. A file without
-/// the part `simulated` gets that part's defaults.
+/// Reads a vehicle file; all problems are reported together, each with its line and key. A file without the
+/// part `simulated` gets the defaults of that part.
 Result<VehicleModel> read_vehicle(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<VehicleModel> parse_vehicle(const std::string& text, const std::string& name);
 
-/// What the vehicle knows of itself, as the text of a vehicle file: nothing of how it really is.
+/// What the vehicle knows about itself, as the text of a vehicle file without the part `simulated`.
 std::string vehicle_yaml(const VehicleDescription& vehicle);
 
-/// All of it.
+/// The complete model, with the part `simulated`.
 std::string vehicle_yaml(const VehicleModel& vehicle);
 
 }  // namespace aisle

@@ -1,5 +1,5 @@
 #pragma once
-/// Worlds of the simulator as files. docs/formats/world.md specifies both formats.
+/// World files of the simulator; docs/formats/world.md specifies both formats.
 
 #include <filesystem>
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace aisle {
 
-/// Reads a world file; all its problems are reported together, each with its line and key.
+/// Reads a world file; all problems are reported together, each with its line and key.
 Result<World> read_world(const std::filesystem::path& path);
 
-/// The same from memory; `name` stands for the file in problems.
+/// The same from memory; `name` is the file name in problems.
 Result<World> parse_world(const std::string& text, const std::string& name);
 
-/// The world as the text of a world file, walls that follow each other joined to polylines. Coordinates are
+/// The world as the text of a world file. Consecutive walls that join become polylines; coordinates are
 /// rounded to millimetres.
 std::string world_yaml(const World& world);
 
-/// Reads a floor given as wall segments, "x1 y1 x2 y2 kind" a line. The world is named after the file and has
-/// no tour.
+/// Reads a floor given as wall segments, one "x1 y1 x2 y2 kind" per line. The world is named after the file
+/// and has no tour.
 Result<World> read_wall_segments(const std::filesystem::path& path);
 
 /// The same from memory.

@@ -13,42 +13,42 @@
 
 namespace aisle::net {
 
-/// A connection that has not shown yet that it speaks TLS. Who speaks plain HTTP is given so; all others that
-/// make no sense are dropped.
-class TlsDoor : public std::enable_shared_from_this<TlsDoor> {
+/// A new connection before its TLS handshake. A client that speaks plain HTTP gets an error reply; anything
+/// else that is not TLS is dropped.
+class TlsHandshake : public std::enable_shared_from_this<TlsHandshake> {
  public:
-  TlsDoor(PlainStream stream, boost::asio::ssl::context& tls, ServerContext& server_context)
+  TlsHandshake(PlainStream stream, boost::asio::ssl::context& tls, ServerContext& server_context)
       : stream_(std::move(stream)),
         tls_(tls),
         server_context_(server_context),
         connection_(server_context.connections) {}
 
-  void open() {
+  void start() {
     stream_.expires_after(kShortTimeout);
     beast::async_detect_ssl(stream_, buffer_,
                             [self = this->shared_from_this()](const beast::error_code& error, bool is_tls) {
-                              if (!error) is_tls ? self->shake_hands() : self->refuse();
+                              if (!error) is_tls ? self->handshake() : self->refuse();
                             });
   }
 
  private:
-  void shake_hands() {
+  void handshake() {
     encrypted_.emplace(std::move(stream_), tls_);
     encrypted_->async_handshake(
         boost::asio::ssl::stream_base::server, buffer_.data(),
         [self = this->shared_from_this()](const beast::error_code& error, std::size_t) {
-          if (!error) self->let_in();
+          if (!error) self->accept();
         });
   }
 
-  void let_in() {
+  void accept() {
     std::make_shared<HttpConnection<TlsStream>>(std::move(*encrypted_), server_context_,
                                                 std::move(connection_))
         ->read();
   }
 
   void refuse() {
-    const HttpReply reply = http_problem(400, "only https and wss are spoken here");
+    const HttpReply reply = http_problem(400, "this server only accepts https and wss");
     refusal_.result(reply.status);
     refusal_.set(http::field::content_type, reply.media_type);
     refusal_.body() = reply.body;

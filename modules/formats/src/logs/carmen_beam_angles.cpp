@@ -1,4 +1,4 @@
-#include "logs/carmen_fan.hpp"
+#include "logs/carmen_beam_angles.hpp"
 
 #include "aisle/core/angle.hpp"
 #include "aisle/formats/logs/carmen_log.hpp"
@@ -6,7 +6,7 @@
 namespace aisle {
 namespace {
 
-/// The step of the scanners that are known by their number of readings.
+/// The angle step of scanners that are recognised by their number of readings.
 std::optional<double> known_step_deg(std::size_t beams) {
   switch (beams) {
     case 180:
@@ -31,20 +31,20 @@ std::optional<double> known_step_deg(std::size_t beams) {
 
 }  // namespace
 
-BeamFan flaser_fan(std::size_t beams, std::optional<double> resolution_deg) {
+BeamAngles flaser_beam_angles(std::size_t beams, std::optional<double> resolution_deg) {
   std::optional<double> step_deg = known_step_deg(beams);
   if (!step_deg) step_deg = resolution_deg;
   if (!step_deg && beams >= 300 && beams < 540) step_deg = 0.5;
   if (!step_deg) return {-90 * kDegree, 180 * kDegree / static_cast<double>(beams - 1)};
-  const std::size_t ahead = beams / 2;  // of an even number, the last beam to the left is missing
+  const std::size_t ahead = beams / 2;  // with an even number, the last beam to the left is missing
   return {-static_cast<double>(ahead) * *step_deg * kDegree, *step_deg * kDegree};
 }
 
 LaserScanner flaser_scanner(std::size_t beams) {
-  const BeamFan fan = flaser_fan(beams, std::nullopt);
+  const BeamAngles angles = flaser_beam_angles(beams, std::nullopt);
   LaserScanner laser;
-  laser.first_angle_rad = fan.first_angle_rad;
-  laser.angle_step_rad = fan.angle_step_rad;
+  laser.first_angle_rad = angles.first_angle_rad;
+  laser.angle_step_rad = angles.angle_step_rad;
   return laser;
 }
 
