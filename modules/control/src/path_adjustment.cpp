@@ -61,7 +61,7 @@ class NormalEquations {
   double cost_ = 0;
 };
 
-/// How a place on a piece, `share` (0 .. 1) of it behind, changes with the unknowns of the piece.
+/// How the point at `share` (0 .. 1) of a piece changes with the unknowns of the piece.
 Eigen::Matrix<double, 3, kUnknowns> place_slopes(const LoosePiece& piece, double share) {
   const Arc part{share * piece.arc().length_m, share * piece.turn_rad};
   const Vec2 lever = rotate(piece.T_map_start.theta, end_pose(part).position());
@@ -87,22 +87,22 @@ void add_joint(NormalEquations& equations, const LoosePath& loose, std::size_t k
   for (int row = 0; row < 3; ++row) equations.add(k, off[row], slopes.row(row).transpose(), weight);
 }
 
-/// The nearest point of its piece is where base_link was. Along a piece only its ends pull.
+/// The nearest point of its piece is where base_link was. Only a piece's ends pull along it.
 void add_waypoint(NormalEquations& equations, const LoosePath& loose, const Waypoint& waypoint) {
   const LoosePiece& piece = loose.pieces[waypoint.piece];
   const PathPiece shape{piece.T_map_start, piece.arc()};
-  const double path_m = shape.nearest(waypoint.p_map, 0, shape.path_m());
-  const Pose2 T_map_floor_point = shape.at(path_m);
-  const Vec2 off = T_map_floor_point.position() - waypoint.p_map;
-  const Eigen::Matrix<double, 3, kUnknowns> floor_point_slopes = place_slopes(piece, path_m / shape.path_m());
+  const double along_m = shape.nearest(waypoint.p_map, 0, shape.path_m());
+  const Pose2 T_map_nearest = shape.at(along_m);
+  const Vec2 off = T_map_nearest.position() - waypoint.p_map;
+  const Eigen::Matrix<double, 3, kUnknowns> nearest_slopes = place_slopes(piece, along_m / shape.path_m());
   const auto pull = [&](const Vec2& towards) {
     Slopes slopes = Slopes::Zero();
-    slopes.head<kUnknowns>() = floor_point_slopes.topRows<2>().transpose() * towards;
+    slopes.head<kUnknowns>() = nearest_slopes.topRows<2>().transpose() * towards;
     equations.add(waypoint.piece, towards.dot(off), slopes, waypoint.weight);
   };
-  const Vec2 ahead = unit(T_map_floor_point.theta);
+  const Vec2 ahead = unit(T_map_nearest.theta);
   pull(left_normal(ahead));
-  if (path_m == 0 || path_m == shape.path_m()) pull(ahead);
+  if (along_m == 0 || along_m == shape.path_m()) pull(ahead);
 }
 
 /// A leg begins and ends where it was driven to.
@@ -125,7 +125,7 @@ void add_bend_limit(NormalEquations& equations, const LoosePath& loose, std::siz
   equations.add(k, too_short_m, slopes, 1);
 }
 
-/// Two lines with a U-turn between would else join as well far beyond it.
+/// Without this, two lines with a U-turn between could as well join far beyond it.
 void add_driven_length(NormalEquations& equations, const LoosePath& loose, std::size_t k) {
   constexpr double kWeight = 1e-3;
   const LoosePiece& piece = loose.pieces[k];
@@ -165,8 +165,8 @@ void apply(LoosePath& loose, const Eigen::VectorXd& step) {
   move(loose.T_map_end, step.segment<3>(NormalEquations::first_unknown(loose.pieces.size())));
 }
 
-/// Where one piece's waypoints end and the next one's begin, each goes to the nearer piece; they stay in
-/// order, so that none leaps over to a segment that passes near by.
+/// Where one piece's waypoints end and the next one's begin, each goes to the nearer piece. They stay in
+/// order, so that none jumps to another part of the path that passes near by.
 void reassign(LoosePath& loose) {
   const auto choose = [&](Waypoint& waypoint, std::size_t first, std::size_t last) {
     if (waypoint.begins_leg || waypoint.ends_leg || first == last) return;
@@ -209,7 +209,7 @@ void drop_vanished(LoosePath& loose) {
   }
 }
 
-/// A step that turns a piece so far may lay it the other way round, which the waypoints do not distinguish.
+/// A step that turns a piece this far may flip it end to end, which the waypoints cannot tell apart.
 bool whirls(const Eigen::VectorXd& step) {
   constexpr double kTurnMost_rad = 30 * kDegree;
   for (Eigen::Index i = 2; i < step.size(); i += kUnknowns) {
@@ -218,7 +218,7 @@ bool whirls(const Eigen::VectorXd& step) {
   return false;
 }
 
-/// Steps that lower the sum of squares, by Levenberg's rule: shorter ones after a step that did not.
+/// Levenberg-Marquardt: steps that lower the sum of squares, shorter ones after a step that did not.
 void descend(LoosePath& loose, double radius_min_m, double joint_weight) {
   constexpr int kRounds = 30;
   constexpr double kDampingStart = 1e-3, kDampingLeast = 1e-7, kDampingMost = 1e4, kDamp = 10;
@@ -255,7 +255,7 @@ Pose2 LoosePiece::end() const {
 }
 
 void adjust(LoosePath& loose, double radius_min_m) {
-  // first the pieces lie well, then they come together: from far apart a stiff joint leads astray
+  // first the pieces fit, then they join: stiff joints between pieces far apart lead to a wrong minimum
   for (const double joint_weight : {1.0, 1e2, 1e4, 1e6}) {
     drop_vanished(loose);
     descend(loose, radius_min_m, joint_weight);

@@ -28,7 +28,7 @@ struct MountCalibration {
   double rms_px = 0;               ///< of the marks that fit
   std::vector<Vec2> residuals_px;  ///< seen minus expected, by mark; NaN for one that the mount cannot show
   std::vector<bool> fits;          ///< false: so far off that it is left out
-  /// Another mount explains the marks nearly as well, as when they are seen from far and straight on.
+  /// Another mount explains the marks nearly as well, as when they are seen from afar and head-on.
   bool is_ambiguous = false;
   CalibrationVerdict verdict;
 };

@@ -1,13 +1,14 @@
 #pragma once
-/// Keys of parameter and world files as release 0.1 named them. They are still read; release 0.3 may drop them.
+/// Keys of parameter and world files as release 0.1 named them. They are still read; release 0.3 may drop
+/// them.
 
 #include <string>
 #include <string_view>
 
 namespace aisle {
 
-/// The present name of a key: each part between dots that was renamed is replaced, "gates.doubt_m" becomes
-/// "frontiers.uncertain_m". A key without such a part is returned as it is.
+/// The present name of a key: each renamed part between dots is replaced, so "gates.doubt_m" becomes
+/// "frontiers.uncertain_m". A key without such a part is returned unchanged.
 std::string present_key(std::string_view former_key);
 
 }  // namespace aisle

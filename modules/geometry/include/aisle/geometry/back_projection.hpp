@@ -1,6 +1,6 @@
 #pragma once
-/// Where a pixel's ray meets a level plane: the point of a wall's foot on the floor (C98), of a laser stripe
-/// at the height h0 (C99 section 3.1). One pixel is enough because the plane is known.
+/// Where a pixel's ray meets a level plane: a point of a wall-floor edge on the floor (C98), of a laser
+/// stripe at the height h0 (C99 section 3.1). One pixel is enough because the plane is known.
 
 #include <optional>
 
