@@ -74,7 +74,7 @@ class VerticalLineDetector::Work {
   }
 
  private:
-  /// Of the working image, of the width that lengths in the parameters are given for.
+  /// The working image's width as a share of the width that lengths in the parameters apply to.
   double width_share() const { return image_.width_px() / kNominalWidth_px; }
   int height_px() const { return image_.height_px(); }
   int band_rows() const {
@@ -123,7 +123,7 @@ class VerticalLineDetector::Work {
     });
   }
 
-  /// Of an image's good lines, the very best left out: faint images have faint ones.
+  /// Usual contrast of an image's good lines without the very best: faint images have faint ones.
   double usual_score() const {
     const auto first = scores_.begin() + std::min(kBestLines, std::ssize(scores_));
     const auto last = scores_.begin() + std::min(kBestLines + kGoodLines, std::ssize(scores_));
@@ -132,8 +132,8 @@ class VerticalLineDetector::Work {
                     std::accumulate(first, last, 0.0) / static_cast<double>(last - first));
   }
 
-  /// How sure it is that a line stands in the building: long ones of much contrast without gaps. What stands
-  /// on the floor and is higher than the camera crosses the horizon.
+  /// How surely a line stands in the building: long, of high contrast and without gaps. What stands on the
+  /// floor and is higher than the camera crosses the horizon.
   double score(const UprightLine& line) const {
     const auto saturated = [](double share) { return 1 - std::exp(-share); };
     const bool at_eye_level =
