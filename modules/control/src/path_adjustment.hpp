@@ -22,8 +22,8 @@ struct LoosePiece {
   Pose2 end() const;
 };
 
-/// A place where base_link was, and the piece that is to pass there.
-struct Waypoint {
+/// A point where base_link was, and the piece that must pass there.
+struct DrivenPoint {
   Vec2 p_map;
   std::size_t piece = 0;
   double stray_share = 1;  ///< share of the allowed stray that applies here
@@ -34,12 +34,12 @@ struct Waypoint {
 
 struct LoosePath {
   std::vector<LoosePiece> pieces;
-  std::vector<Waypoint> waypoints;
+  std::vector<DrivenPoint> driven_points;
   Pose2 T_map_end;
 };
 
 /// Moves, stretches and bends the pieces until they join and the weighted sum of squared distances of the
-/// waypoints from them is least.
+/// driven points from them is least.
 void adjust(LoosePath& loose, double radius_min_m);
 
 /// The joined pieces.

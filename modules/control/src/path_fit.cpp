@@ -76,18 +76,18 @@ void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<PathSegme
                             .turn_rad = path_segment.curvature_per_m * length_m,
                             .driven_m = length_m});
     for (std::size_t i = path_segment.first; i < path_segment.last; ++i) {
-      loose.waypoints.push_back({.p_map = leg.samples[i].position(),
-                                 .piece = loose.pieces.size() - 1,
-                                 .stray_share = shares[i],
-                                 .weight = first_weight(shares[i], step_m),
-                                 .begins_leg = i == 0});
+      loose.driven_points.push_back({.p_map = leg.samples[i].position(),
+                                     .piece = loose.pieces.size() - 1,
+                                     .stray_share = shares[i],
+                                     .weight = first_weight(shares[i], step_m),
+                                     .begins_leg = i == 0});
     }
   }
-  loose.waypoints.push_back({.p_map = leg.samples.back().position(),
-                             .piece = loose.pieces.size() - 1,
-                             .stray_share = shares.back(),
-                             .weight = first_weight(shares.back(), step_m),
-                             .ends_leg = true});
+  loose.driven_points.push_back({.p_map = leg.samples.back().position(),
+                                 .piece = loose.pieces.size() - 1,
+                                 .stray_share = shares.back(),
+                                 .weight = first_weight(shares.back(), step_m),
+                                 .ends_leg = true});
   loose.T_map_end = leg.samples.back();
 }
 
@@ -112,15 +112,15 @@ LoosePath loose_path(const std::vector<DrivenLeg>& legs, double radius_min_m, do
   return loose;
 }
 
-/// Distance of a waypoint from its piece, divided by the share that is allowed. A leg's last waypoint is
-/// measured from the piece's end, so that an end that overshoots counts.
-double stray_m(const LoosePath& loose, const Waypoint& waypoint) {
-  const LoosePiece& piece = loose.pieces[waypoint.piece];
+/// Distance of a driven point from its piece, divided by the share that is allowed. A leg's last driven point
+/// is measured from the piece's end, so that an end that overshoots counts.
+double stray_m(const LoosePath& loose, const DrivenPoint& driven_point) {
+  const LoosePiece& piece = loose.pieces[driven_point.piece];
   const PathPiece shape{piece.T_map_start, piece.arc()};
   const Vec2 p_map_path =
-      (waypoint.ends_leg ? shape.end() : shape.at(shape.nearest(waypoint.p_map, 0, shape.path_m())))
+      (driven_point.ends_leg ? shape.end() : shape.at(shape.nearest(driven_point.p_map, 0, shape.path_m())))
           .position();
-  return (p_map_path - waypoint.p_map).norm() / waypoint.stray_share;
+  return (p_map_path - driven_point.p_map).norm() / driven_point.stray_share;
 }
 
 /// How far the pieces are from joining.
@@ -144,11 +144,11 @@ void split(LoosePath& loose, std::size_t k) {
   second.T_map_start = first.end();
   loose.pieces[k] = first;
   loose.pieces.insert(loose.pieces.begin() + static_cast<std::ptrdiff_t>(k) + 1, second);
-  for (Waypoint& waypoint : loose.waypoints) {
-    const bool in_second =
-        waypoint.piece == k && !waypoint.begins_leg &&
-        (waypoint.ends_leg || (second.T_map_start.inverse() * waypoint.p_map).x() * first.direction > 0);
-    if (waypoint.piece > k || in_second) ++waypoint.piece;
+  for (DrivenPoint& driven_point : loose.driven_points) {
+    const bool in_second = driven_point.piece == k && !driven_point.begins_leg &&
+                           (driven_point.ends_leg ||
+                            (second.T_map_start.inverse() * driven_point.p_map).x() * first.direction > 0);
+    if (driven_point.piece > k || in_second) ++driven_point.piece;
   }
 }
 
@@ -175,16 +175,17 @@ Path smoothed(LoosePath loose, double stray_max_m, double radius_min_m, double s
   for (int round = 1; round <= kRounds; ++round) {
     adjust(loose, radius_min_m);
     strays_m.assign(loose.pieces.size(), 0);
-    for (Waypoint& waypoint : loose.waypoints) {
-      const double off_m = stray_m(loose, waypoint);
-      if (off_m > stray_max_m) waypoint.weight *= kPull;
-      strays_m[waypoint.piece] = std::max(strays_m[waypoint.piece], off_m);
+    for (DrivenPoint& driven_point : loose.driven_points) {
+      const double off_m = stray_m(loose, driven_point);
+      if (off_m > stray_max_m) driven_point.weight *= kPull;
+      strays_m[driven_point.piece] = std::max(strays_m[driven_point.piece], off_m);
     }
     const auto worst = worst_of_neighbours(strays_m, stray_max_m);
     if (worst.empty() && widest_gap_m(loose) < kGapMax * stray_max_m) break;
     if (worst.empty() || round % kPullsBeforeCut != 0) continue;
     for (auto k = worst.rbegin(); k != worst.rend(); ++k) split(loose, *k);
-    for (Waypoint& waypoint : loose.waypoints) waypoint.weight = first_weight(waypoint.stray_share, step_m);
+    for (DrivenPoint& driven_point : loose.driven_points)
+      driven_point.weight = first_weight(driven_point.stray_share, step_m);
   }
   return joined(loose);
 }

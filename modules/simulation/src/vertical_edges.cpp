@@ -9,7 +9,7 @@ namespace aisle {
 namespace {
 
 constexpr double kSamePlace_m = 0.005;
-constexpr double kBend_rad = 5 * kDegree;  ///< walls that meet at less are one
+constexpr double kBend_rad = 5 * kDegree;  ///< walls that meet at a smaller angle are one
 
 class Edges {
  public:

@@ -13,13 +13,13 @@ namespace aisle {
 /// A room behind a door to a corridor.
 struct Room {
   Rectangle floor;
-  Rectangle doorway;            ///< through the wall, as deep as it
+  Rectangle doorway;            ///< through the wall, as deep as the wall
   Vec2 inwards = Vec2::Zero();  ///< from the doorway into the room, of length 1
-  bool is_open = false;         ///< a vehicle gets in
+  bool is_open = false;         ///< a vehicle can enter
   bool has_leaf = true;         ///< else an opening without a door
 };
 
-/// The floor of a building by chance, before anything stands in it.
+/// The floor of a random building, before anything stands in it.
 struct BuildingLayout {
   std::vector<Rectangle> corridors;  ///< and halls; they overlap where they meet
   std::vector<Rectangle> alcoves;

@@ -9,7 +9,7 @@ namespace {
 constexpr double kWidthMin_m = 1.2;
 constexpr double kWidthMax_m = 3;
 constexpr double kTurningRoom_m = 1;  ///< from the end of a corridor to where the tour turns back
-constexpr double kMouthMin_m = 2;     ///< at least so long is a wall between two corridors on one side
+constexpr double kMouthMin_m = 2;     ///< least length of a wall between two corridors on one side
 
 class CorridorPlanner {
  public:
