@@ -32,7 +32,7 @@ class RoomFurnisher {
   }
 
  private:
-  double between(double min_m, double max_m) { return centimetres_by_chance(random_, min_m, max_m); }
+  double between(double min_m, double max_m) { return random_centimetres(random_, min_m, max_m); }
 
   void add_table() {
     const Vec2 size(between(1.2, 1.8), between(0.7, 0.9));
@@ -115,8 +115,8 @@ std::vector<Vec2> spread_points(const Rectangle& floor, double spacing_m) {
 }
 
 void add_pillars(World& world, const Rectangle& hall, const BuildingLayout& layout, Random& random) {
-  const double spacing_m = centimetres_by_chance(random, 2.8, 4.5),
-               diameter_m = centimetres_by_chance(random, 0.3, 0.6);
+  const double spacing_m = random_centimetres(random, 2.8, 4.5),
+               diameter_m = random_centimetres(random, 0.3, 0.6);
   const double brightness = random.uniform(0.4, 0.9);
   const auto is_in_the_way = [&](const Vec2& p) {
     for (std::size_t i = 1; i < layout.tour.size(); ++i) {
@@ -135,12 +135,12 @@ void add_pillars(World& world, const Rectangle& hall, const BuildingLayout& layo
 }  // namespace
 
 void hang_doors(World& world, const BuildingLayout& layout, Random& random) {
-  const double height_m = centimetres_by_chance(random, 1.98, 2.15);
+  const double height_m = random_centimetres(random, 1.98, 2.15);
   const double brightness = random.uniform(0.2, 0.8), frame_brightness = random.uniform(0.1, 0.6);
-  const double frame_width_m = centimetres_by_chance(random, 0.05, 0.12);
+  const double frame_width_m = random_centimetres(random, 0.05, 0.12);
   for (const Room& room : layout.rooms) {
     if (!room.has_leaf) continue;
-    const bool hinge_is_left = by_chance(random, 0.5);
+    const bool hinge_is_left = with_probability(random, 0.5);
     const Vec2 to_lock = hinge_is_left ? left_normal(room.inwards) * -1 : left_normal(room.inwards);
     const double width_m = room.doorway.size().cwiseProduct(to_lock).norm();
     Door door;
@@ -167,14 +167,14 @@ void furnish(World& world, const BuildingLayout& layout, Random& random) {
 }
 
 void hang_lamps(World& world, const BuildingLayout& layout, Random& random) {
-  const double spacing_m = centimetres_by_chance(random, 2, 4.5), power = random.uniform(0.7, 1.3);
+  const double spacing_m = random_centimetres(random, 2, 4.5), power = random.uniform(0.7, 1.3);
   const double broken_share = random.uniform(0, 0.1);
-  const bool lie_along = by_chance(random, 0.6);
+  const bool lie_along = with_probability(random, 0.6);
   const auto hang = [&](const Vec2& p, bool along_x) {
     const bool is_there_already = std::any_of(world.lamps.begin(), world.lamps.end(), [&](const Lamp& lamp) {
       return (lamp.centre - p).norm() < 1.5;
     });
-    if (is_there_already || by_chance(random, broken_share)) return;
+    if (is_there_already || with_probability(random, broken_share)) return;
     world.lamps.push_back({.centre = p, .heading_rad = along_x == lie_along ? 0 : kPi / 2, .power = power});
   };
   for (const Rectangle& corridor : layout.corridors) {

@@ -33,15 +33,15 @@ struct BuildingLayout {
 };
 
 /// Corridors and halls with their tour.
-BuildingLayout corridors_by_chance(const RandomBuildingRecipe& recipe, Random& random);
+BuildingLayout random_corridors(const RandomBuildingRecipe& recipe, Random& random);
 
 /// Lines the walls of the corridors with rooms and alcoves.
 void add_rooms(BuildingLayout& layout, Random& random);
 
 /// Rounded to centimetres, uniform between the two.
-double centimetres_by_chance(Random& random, double min_m, double max_m);
+double random_centimetres(Random& random, double min_m, double max_m);
 
 /// True with this probability.
-bool by_chance(Random& random, double probability);
+bool with_probability(Random& random, double probability);
 
 }  // namespace aisle

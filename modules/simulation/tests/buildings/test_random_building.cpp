@@ -67,7 +67,7 @@ TEST_P(RandomBuilding, CorridorsAreAsWideAsAsked) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const RandomBuildingRecipe recipe{.kind = GetParam(), .corridor_width_m = width_m};
       Random random(seed);
-      for (const Rectangle& corridor : corridors_by_chance(recipe, random).corridors) {
+      for (const Rectangle& corridor : random_corridors(recipe, random).corridors) {
         EXPECT_GE(corridor.size().minCoeff(), width_m - 1e-6) << seed;
       }
     }

@@ -44,11 +44,11 @@ class RoomPlanner {
   }
 
  private:
-  double between(double min_m, double max_m) { return centimetres_by_chance(random_, min_m, max_m); }
+  double between(double min_m, double max_m) { return random_centimetres(random_, min_m, max_m); }
 
   void line(const Frontage& frontage) {
     const double end_m = frontage.wall.length();
-    double at_m = by_chance(random_, 0.5) ? 0 : between(0.2, 1.5);
+    double at_m = with_probability(random_, 0.5) ? 0 : between(0.2, 1.5);
     while (at_m + kRoomWidthMin_m < end_m) {
       const double dice = random_.uniform();
       double taken_m = 0;
@@ -74,8 +74,8 @@ class RoomPlanner {
       if (!is_apart(floor)) continue;
       const double door_m = at_m + between(kDoorFromCorner_m, width_m - kDoorFromCorner_m - doorway_m);
       Room room{floor, frontage.rectangle(door_m, doorway_m, 0, wall_m), frontage.behind()};
-      room.is_open = by_chance(random_, open_share_);
-      room.has_leaf = !room.is_open || by_chance(random_, 0.75);
+      room.is_open = with_probability(random_, open_share_);
+      room.has_leaf = !room.is_open || with_probability(random_, 0.75);
       layout_.rooms.push_back(room);
       return width_m;
     }
