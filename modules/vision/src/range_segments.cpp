@@ -31,7 +31,7 @@ namespace {
 constexpr std::size_t kMissingBeamsMax = 2;   // a longer hole ends a run of points
 constexpr double kGrazing_rad = 8 * kDegree;  // a wall seen flatter than this falls apart
 constexpr double kGapFloor_m = 0.06;          // neighbours nearer than this always belong together
-constexpr double kNoiseSample = 0.3;          // the straightest share of the points tells the noise ...
+constexpr double kNoiseSample = 0.3;          // the straightest share of the points measures the noise ...
 constexpr double kNoisePerResidual =
     1 / (0.1903 * 1.2247);                 // ... as its mean is for a Gaussian, chord ends included
 constexpr double kQuietScans = 0.15;       // share of the scans with so little clutter that it is the noise

@@ -80,7 +80,7 @@ class Cutter {
     std::size_t from = 0;
   };
 
-  /// A point of a run, so far from its start.
+  /// The point of a run at a distance from its start.
   Vec2 point(std::size_t run, double along) const {
     const LatticePoint a = outline_[run % outline_.size()], b = outline_[(run + 1) % outline_.size()];
     return Vec2(a.x, a.y) + along / length(run) * Vec2(b.x - a.x, b.y - a.y);

@@ -14,7 +14,7 @@ constexpr int kReachLeast = 4, kReachMost = 12;  // bins: half of what a step mu
 constexpr double kReach_rows = 1.5;              // ... and no less than its blur
 constexpr int kBinsMost = kHighestBin + 2 * kReachMost;  // above a line, and as many beneath it
 constexpr double kHighest = 0.8;                         // of the camera's height
-constexpr double kBoardLeast_m = 0.03;                   // lower boards are none
+constexpr double kBoardLeast_m = 0.03;                   // lower boards are ignored
 constexpr int kSettleBins = 3;  // in which a step's steepest place is; of one far beneath the upper edge ...
 constexpr int kSettlePart =
     6;  // ... within this part of the distance to it, as its blur may be clear only lower

@@ -20,7 +20,7 @@ constexpr double kReflection = 0.6;  // share of its contrast that a line's refl
 constexpr double kBorder_px = 4;     // a line that ends here is cut by the image's lower border
 constexpr double kLookFrom = 0.025, kLookTo = 0.16;  // beside the line, for other edges
 constexpr double kFloorStep_px = 8;                  // at a width of 640, over which floor changes little
-constexpr double kFloorBeside = 1.25;                // cells to either side where floor is looked for ...
+constexpr double kFloorBeside = 1.25;                // cells to either side that are checked for floor ...
 constexpr double kFloorBeneathBoard = 3;             // ... or beneath a board
 
 /// Calls `visit` for points on the line from one end to the other.

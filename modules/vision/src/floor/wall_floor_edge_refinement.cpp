@@ -42,7 +42,7 @@ void WallFloorEdgeRefinement::refine(const SideView& view, double from_px, doubl
   if (shift == nullptr) return;
   const std::size_t side = shift->side;
   move(settled(*shift), from_px, to_px, edge);
-  // The edge may lie beyond the reach at one end: it is looked for again about the moved line.
+  // The edge may lie beyond the reach at one end: it is searched again around the moved line.
   measure_steps(view, from_px, to_px, edge);
   shifts_.clear();
   vote(side, false);

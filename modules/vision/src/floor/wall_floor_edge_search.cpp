@@ -20,7 +20,7 @@ constexpr double kRayLengthMin = 0.02;
 constexpr double kSeedLengthMin = 0.05;
 constexpr double kSeedFloorPointWeightMin = 0.3;
 constexpr double kFloorPointSeedLength_px = 12;
-constexpr double kTrustedLength = 0.25;  // a seed this long tells its direction itself
+constexpr double kTrustedLength = 0.25;  // the direction of a seed this long is trusted
 constexpr double kFirstTolerance = 0.008, kTolerance = 0.005;
 constexpr double kFloorPointToleranceRatio = 1.5;  // how much more floor points may miss a line than rays
 constexpr double kFloorPointWeight = 0.024;        // of a vertical line, as length of a ray

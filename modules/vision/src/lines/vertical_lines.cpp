@@ -38,13 +38,14 @@ namespace {
 constexpr double kNominalWidth_px = 640;
 constexpr double kChainShareMin = 0.03;  // shortest piece of a line, as a share of the bands
 constexpr double kSteepestLink = 0.1;    // by which a chain may be steeper than a line before it is fitted
-constexpr double kTiltShareMin = 0.12;   // shortest line that tells the tilt, as a share of the height
+constexpr double kTiltShareMin = 0.12;   // shortest line that is used for the tilt, as a share of the height
 constexpr double kSlopeSlack_px = 1.6;   // a short line's slope is uncertain by this over its length
 constexpr double kOppositeShare = 0.75;  // of apart_px, between the two sides of a thin bar
 constexpr double kBesideShare = 0.6;     // of its length a line is beside another to be its double
 constexpr double kContrastCounted = 40;  // more contrast makes no line stronger
-constexpr double kLongShare = 0.3;       // of the height: so long a line has most of the score for length
-constexpr double kContrastClear = 20;    // grey levels: so clear a line has most of the score for contrast
+constexpr double kLongShare = 0.3;       // of the height: a line this long has most of the score for length
+constexpr double kContrastClear =
+    20;  // grey levels: a line of this contrast has most of the score for contrast
 constexpr double kEyeLevelTop = 0.3, kEyeLevelBottom = 0.6;  // of the height: there the horizon is expected
 constexpr std::ptrdiff_t kBestLines = 2, kGoodLines = 6;     // of an image, by which its others are judged
 constexpr double kOffEyeLevel = 0.7;  // score of a line wholly above or below: lamp, bottle, gap in the floor

@@ -12,7 +12,7 @@ using Tones = Eigen::Map<const Eigen::VectorXf>;
 
 constexpr double kDarkest = 10;   ///< lower grey levels tell nothing
 constexpr double kNoise = 0.005;  ///< of tones, so that curves without contrast are not alike
-constexpr int kEnds = 3;          ///< columns of the corridor's end that are looked at, to either side ...
+constexpr int kEnds = 3;          ///< positions of the corridor's end that are tried to either side ...
 constexpr double kEndStep = 0.05;
 constexpr int kApproaches = 6;
 

@@ -28,7 +28,7 @@ void RegionGrowth::grow(const Image& image) {
   steps_.take(grid_, params_.colour_weight, quiet_step());
   floor_ = expected_floor_;
   steps_.spread(floor_);
-  // Never where the floor goes on without a step.
+  // Never where the floor continues without a step.
   rest_ = expected_rest_;
   for (std::size_t i = 0; i < rest_.size(); ++i)
     if (floor_[i] <= params_.alike_cost * kLookUnit) rest_[i] = kNoPath;

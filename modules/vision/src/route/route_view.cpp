@@ -16,8 +16,8 @@ constexpr int kNearest_px = 3,
 constexpr double kFloorEdgeStepMin = 0.05;  // of the floor's grey level, between them
 constexpr double kThingLength_m = 0.5;      // pieces of obstacles longer than this are checked one by one
 constexpr double kThingGap_m = 0.15;        // between neighbouring places of one
-constexpr double kLeavesView_m = 0.15;      // so near to the lower edge the light on it leaves the image ...
-constexpr std::size_t kEndPoints = 5;       // ... by the direction that so many places tell
+constexpr double kLeavesView_m = 0.15;      // a return this near to the lower edge leaves the image ...
+constexpr std::size_t kEndPoints = 5;       // ... in the direction of this many returns
 
 /// How many of the first laser returns, from right to left, are of one obstacle.
 std::size_t points_of_one_thing(std::span<const Vec2> p_vehicle_lit) {

@@ -22,11 +22,11 @@ constexpr std::size_t kGapBeams = 1;      // that a stripe may skip
 constexpr double kNearEdge_m = 0.15;      // a stripe that ends this near to the image's lower edge leaves it
 constexpr double kFaint = 3;              // times the least contrast: a stripe that may go on unseen ...
 constexpr int kEndBeams = 6;              // ... if it is this faint on one of this many beams at its end
-constexpr int kWallBeams = 24;            // that tell where a wall goes on
+constexpr int kWallBeams = 24;            // that determine where a wall goes on
 constexpr double kWallStep = 0.1;         // of the range, from beam to beam
 constexpr double kSlopeKept = 0.7;        // of a stripe's slope, from beam to beam
 constexpr double kThinnest_px = 2;        // laser light far away
-constexpr std::size_t kUsualStep = 7;     // samples from one to the next that tells the usual contrast
+constexpr std::size_t kUsualStep = 7;     // every so many samples one is used for the usual contrast
 constexpr double kBefore_m = 0.15;        // a point this far before a laser return is free
 
 std::uint8_t level_difference(int a, int b) {

@@ -50,7 +50,7 @@ Mat32 drive_jacobian(const Differential& vehicle, const WheelSteps& steps);
 /// That pose with its first-order covariance. No steps: no covariance.
 UncertainPose2 drive(const Differential& vehicle, const WheelSteps& steps, const DifferentialNoise& noise);
 
-/// The steps that turn the vehicle on the spot by so many turn quanta, left positive, to the nearest step.
+/// The steps that turn the vehicle on the spot by `quanta` turn quanta, left positive, to the nearest step.
 WheelSteps turn_on_the_spot(const Differential& vehicle, int quanta);
 
 }  // namespace aisle

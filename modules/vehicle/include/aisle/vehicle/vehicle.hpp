@@ -17,7 +17,7 @@ class Vehicle {
   virtual const VehicleDescription& description() const = 0;
 
   /// Waits for the next cycle.
-  /// @return nullopt when there is none any more: the recording ends, the connection is lost
+  /// @return nullopt if there is no next cycle: the recording ended, the connection is lost
   virtual std::optional<Observation> sense() = 0;
 
   /// Takes effect at once and until the next command, or until it is too old. A value that is not finite

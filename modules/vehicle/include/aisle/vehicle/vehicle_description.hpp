@@ -47,7 +47,7 @@ struct DriveLimits {
   void describe(FieldList& fields);
 };
 
-/// Laser line projectors that draw a stripe on everything at one height (C99 section 3.1).
+/// Line lasers that draw a stripe on everything at one height (C99 section 3.1: laser markers).
 struct LaserMarkers {
   double height_m = 0.3;  ///< h0, of the light plane above the floor
 
@@ -72,7 +72,7 @@ struct VehicleDescription {
   /// The camera of this name; nullptr: there is none.
   const CameraDescription* camera(std::string_view called) const;
 
-  /// Everything but name, cameras, scanner and laser markers, which a vehicle has or has not.
+  /// Everything but name, cameras, scanner and line lasers, which are optional.
   void describe(FieldList& fields);
 };
 

@@ -5,7 +5,7 @@
 
 namespace aisle {
 
-/// What a person who walks beside the vehicle sees of it.
+/// What a person walking beside the vehicle sees of it.
 struct OperatorView {
   double stamp_s = 0;
   Pose2 T_world_vehicle;
