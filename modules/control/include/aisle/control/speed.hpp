@@ -17,8 +17,7 @@ struct SpeedParams {
 
 /// The greatest speed at a point of a path from which the vehicle still takes the bends ahead gently, stops
 /// at the path's end (and at direction changes), and keeps its own limits [m/s].
-/// @param certainty  0 .. 1: how sure the vehicle is of its pose; less means slower, down to
-/// `speed_min_mps`
+/// @param certainty  of the vehicle's pose, 0 .. 1; less means slower, down to `speed_min_mps`
 double speed_along(const Path& path, double along_m, double certainty, const VehicleDescription& vehicle,
                    const SpeedParams& params);
 

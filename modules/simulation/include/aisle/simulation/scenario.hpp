@@ -69,7 +69,7 @@ struct ScenarioEvent {
   Fault fault;
   double from_s = 0;         ///< begins at this time,
   std::optional<Vec2> near;  ///< or, if given, as soon after that as the vehicle's base_link is near here
-  double radius_m = 1;       ///< how near is near
+  double radius_m = 1;       ///< at most this far from `near`
   double duration_s = std::numeric_limits<double>::infinity();
 };
 

@@ -17,9 +17,8 @@ struct RoundTripParams {
 
 /// A tour through all reachable floor, out into every branch and back to the start.
 struct RoundTrip {
-  Pose2 T_world_start;  ///< at the first waypoint, facing the second
-  std::vector<Vec2>
-      tour;  ///< begins and ends at the start; its legs keep a clearance of half the width and the margin
+  Pose2 T_world_start;     ///< at the first waypoint, facing the second
+  std::vector<Vec2> tour;  ///< from the start to the start; keeps half the width and the margin clear
   double drivable_m2 = 0;  ///< where the vehicle's centre can be
 };
 

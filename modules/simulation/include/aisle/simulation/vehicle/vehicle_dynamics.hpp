@@ -14,8 +14,7 @@ struct Travel {
 };
 
 /// The arc that base_link drives.
-/// @param steering_bias_rad  front-steered: how much farther left than the encoder says the wheels really
-/// point
+/// @param steering_bias_rad  front-steered: the wheels really point this much farther left than encoded
 Arc arc_of(const VehicleDescription& vehicle, const Travel& travel, double steering_bias_rad = 0);
 
 /// The same motion for only this share of the time.
