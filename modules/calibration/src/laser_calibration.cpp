@@ -12,7 +12,7 @@
 namespace aisle {
 namespace {
 
-/// A point of the stripe in base_link, and how much of height one pixel is there.
+/// A point of the stripe in base_link, and how much height one pixel is there.
 struct StripePoint {
   Vec3 p_vehicle;
   double height_by_row_m;
@@ -43,7 +43,7 @@ std::vector<StripePoint> stripe_points(std::span<const StripeView> views, const 
   return points;
 }
 
-/// Which slopes the points can tell.
+/// Which slopes the points determine.
 struct Unknowns {
   bool ahead = false, left = false;
 };
@@ -87,7 +87,8 @@ PlaneFit fit(const std::vector<StripePoint>& points, const std::vector<bool>& is
   return result;
 }
 
-/// Starts at the usual height and takes in, round by round, what is near the plane so far.
+/// The points that agree on one plane: starts at the median height and, round by round, takes the points near
+/// the plane so far.
 std::vector<bool> agreeing(const std::vector<StripePoint>& points, const Unknowns& unknowns) {
   std::vector<double> heights;
   heights.reserve(points.size());
@@ -162,13 +163,13 @@ CalibrationVerdict judge(const LaserCalibration& c) {
                   fmt::format("the height is known to {:.1f} mm only: more images, from nearer",
                               1000 * c.height_deviation_m));
   }
-  const auto judge_slope = [&](const char* path, double slope, double deviation) {
+  const auto judge_slope = [&](const char* side, double slope, double deviation) {
     constexpr double kLevel = 0.2 * kDegree;
     if (std::abs(slope) < kLevel || std::abs(slope) < 3 * deviation) return;
     verdict.limit(kUsable,
                   fmt::format("the light plane is not level: it rises by {:.2f} deg to the {}; level "
                               "the laser, or distances will be wrong",
-                              to_degrees(std::atan(slope)), path));
+                              to_degrees(std::atan(slope)), side));
   };
   judge_slope("front", c.slope_ahead, c.slope_ahead_deviation);
   judge_slope("left", c.slope_left, c.slope_left_deviation);

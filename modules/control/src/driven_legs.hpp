@@ -7,15 +7,15 @@
 
 namespace aisle {
 
-/// A segment that was driven without a stop between: all forwards or all backwards.
+/// A part of the drive without a direction change: all forwards or all backwards.
 struct DrivenLeg {
   double direction = 1;        ///< -1: backwards
   std::vector<Pose2> samples;  ///< base_link, `step_m` apart; at least two
   double turn_before_rad = 0;  ///< on the spot, between the leg before and this one
 };
 
-/// The legs of a driven path, thinned to samples a step apart. Where less than a step was driven there is no
-/// leg.
+/// The legs of a driven path, thinned to samples a step apart. Less than a step in one direction
+/// makes no leg.
 std::vector<DrivenLeg> driven_legs(std::span<const Pose2> driven, double step_m);
 
 }  // namespace aisle

@@ -56,7 +56,7 @@ class PointSums {
 
 enum PathSegmentKind : std::size_t { kLine, kArc };
 
-/// The cheapest path to have cut the samples up to one of them, by the kind of its last segment.
+/// The cheapest cuts of the samples up to one of them, by the kind of the last segment.
 struct Cut {
   double cost = std::numeric_limits<double>::infinity();
   std::size_t first = 0;

@@ -79,10 +79,10 @@ PathPoint Path::nearest(const Vec2& p_map, double from_m, double to_m, std::size
   double best_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = first; i < end; ++i) {
     const PathPiece& piece = pieces_[i];
-    const double start_m = starts_m_[i], path_m = piece.path_m();
-    if (start_m + path_m < first_m || start_m > last_m) continue;
-    const PathPoint here = point(i, piece.nearest(p_map, std::clamp(first_m - start_m, 0.0, path_m),
-                                                  std::clamp(last_m - start_m, 0.0, path_m)));
+    const double start_m = starts_m_[i], piece_m = piece.path_m();
+    if (start_m + piece_m < first_m || start_m > last_m) continue;
+    const PathPoint here = point(i, piece.nearest(p_map, std::clamp(first_m - start_m, 0.0, piece_m),
+                                                  std::clamp(last_m - start_m, 0.0, piece_m)));
     const double off_m = (p_map - here.T_map_path.position()).norm();
     if (off_m >= best_m) continue;
     best = here;

@@ -61,7 +61,7 @@ class NormalEquations {
   double cost_ = 0;
 };
 
-/// How a place on a piece, `share` (0 .. 1) of it behind, changes with the unknowns of the piece.
+/// How the point at `share` (0 .. 1) of a piece changes with the unknowns of the piece.
 Eigen::Matrix<double, 3, kUnknowns> place_slopes(const LoosePiece& piece, double share) {
   const Arc part{share * piece.arc().length_m, share * piece.turn_rad};
   const Vec2 lever = rotate(piece.T_map_start.theta, end_pose(part).position());
@@ -87,32 +87,32 @@ void add_joint(NormalEquations& equations, const LoosePath& loose, std::size_t k
   for (int row = 0; row < 3; ++row) equations.add(k, off[row], slopes.row(row).transpose(), weight);
 }
 
-/// The nearest point of its piece is where base_link was. Along a piece only its ends pull.
-void add_waypoint(NormalEquations& equations, const LoosePath& loose, const Waypoint& waypoint) {
-  const LoosePiece& piece = loose.pieces[waypoint.piece];
+/// The nearest point of its piece is where base_link was. Only a piece's ends pull along it.
+void add_driven_point(NormalEquations& equations, const LoosePath& loose, const DrivenPoint& driven_point) {
+  const LoosePiece& piece = loose.pieces[driven_point.piece];
   const PathPiece shape{piece.T_map_start, piece.arc()};
-  const double path_m = shape.nearest(waypoint.p_map, 0, shape.path_m());
-  const Pose2 T_map_floor_point = shape.at(path_m);
-  const Vec2 off = T_map_floor_point.position() - waypoint.p_map;
-  const Eigen::Matrix<double, 3, kUnknowns> floor_point_slopes = place_slopes(piece, path_m / shape.path_m());
+  const double along_m = shape.nearest(driven_point.p_map, 0, shape.path_m());
+  const Pose2 T_map_nearest = shape.at(along_m);
+  const Vec2 off = T_map_nearest.position() - driven_point.p_map;
+  const Eigen::Matrix<double, 3, kUnknowns> nearest_slopes = place_slopes(piece, along_m / shape.path_m());
   const auto pull = [&](const Vec2& towards) {
     Slopes slopes = Slopes::Zero();
-    slopes.head<kUnknowns>() = floor_point_slopes.topRows<2>().transpose() * towards;
-    equations.add(waypoint.piece, towards.dot(off), slopes, waypoint.weight);
+    slopes.head<kUnknowns>() = nearest_slopes.topRows<2>().transpose() * towards;
+    equations.add(driven_point.piece, towards.dot(off), slopes, driven_point.weight);
   };
-  const Vec2 ahead = unit(T_map_floor_point.theta);
+  const Vec2 ahead = unit(T_map_nearest.theta);
   pull(left_normal(ahead));
-  if (path_m == 0 || path_m == shape.path_m()) pull(ahead);
+  if (along_m == 0 || along_m == shape.path_m()) pull(ahead);
 }
 
 /// A leg begins and ends where it was driven to.
-void add_leg_end(NormalEquations& equations, const LoosePath& loose, const Waypoint& waypoint) {
-  const std::size_t k = waypoint.begins_leg ? waypoint.piece : waypoint.piece + 1;
+void add_leg_end(NormalEquations& equations, const LoosePath& loose, const DrivenPoint& driven_point) {
+  const std::size_t k = driven_point.begins_leg ? driven_point.piece : driven_point.piece + 1;
   const Pose2& at = k < loose.pieces.size() ? loose.pieces[k].T_map_start : loose.T_map_end;
   const Vec2 ahead = unit(at.theta);
   Slopes slopes = Slopes::Zero();
-  slopes.segment<2>(waypoint.begins_leg ? 0 : kOfNext) = ahead;
-  equations.add(waypoint.piece, ahead.dot(at.position() - waypoint.p_map), slopes, 1);
+  slopes.segment<2>(driven_point.begins_leg ? 0 : kOfNext) = ahead;
+  equations.add(driven_point.piece, ahead.dot(at.position() - driven_point.p_map), slopes, 1);
 }
 
 void add_bend_limit(NormalEquations& equations, const LoosePath& loose, std::size_t k, double radius_min_m) {
@@ -125,7 +125,7 @@ void add_bend_limit(NormalEquations& equations, const LoosePath& loose, std::siz
   equations.add(k, too_short_m, slopes, 1);
 }
 
-/// Two lines with a U-turn between would else join as well far beyond it.
+/// Without this, two lines with a U-turn between could as well join far beyond it.
 void add_driven_length(NormalEquations& equations, const LoosePath& loose, std::size_t k) {
   constexpr double kWeight = 1e-3;
   const LoosePiece& piece = loose.pieces[k];
@@ -142,9 +142,9 @@ NormalEquations equations_of(const LoosePath& loose, double radius_min_m, double
     add_bend_limit(equations, loose, k, radius_min_m);
     add_driven_length(equations, loose, k);
   }
-  for (const Waypoint& waypoint : loose.waypoints) {
-    add_waypoint(equations, loose, waypoint);
-    if (waypoint.begins_leg || waypoint.ends_leg) add_leg_end(equations, loose, waypoint);
+  for (const DrivenPoint& driven_point : loose.driven_points) {
+    add_driven_point(equations, loose, driven_point);
+    if (driven_point.begins_leg || driven_point.ends_leg) add_leg_end(equations, loose, driven_point);
   }
   return equations;
 }
@@ -165,33 +165,34 @@ void apply(LoosePath& loose, const Eigen::VectorXd& step) {
   move(loose.T_map_end, step.segment<3>(NormalEquations::first_unknown(loose.pieces.size())));
 }
 
-/// Where one piece's waypoints end and the next one's begin, each goes to the nearer piece; they stay in
-/// order, so that none leaps over to a segment that passes near by.
+/// Where one piece's driven points end and the next one's begin, each goes to the nearer piece. They stay in
+/// order, so that none jumps to another part of the path that passes near by.
 void reassign(LoosePath& loose) {
-  const auto choose = [&](Waypoint& waypoint, std::size_t first, std::size_t last) {
-    if (waypoint.begins_leg || waypoint.ends_leg || first == last) return;
+  const auto choose = [&](DrivenPoint& driven_point, std::size_t first, std::size_t last) {
+    if (driven_point.begins_leg || driven_point.ends_leg || first == last) return;
     const auto off_m = [&](std::size_t k) {
       const PathPiece shape{loose.pieces[k].T_map_start, loose.pieces[k].arc()};
-      return (shape.at(shape.nearest(waypoint.p_map, 0, shape.path_m())).position() - waypoint.p_map).norm();
+      return (shape.at(shape.nearest(driven_point.p_map, 0, shape.path_m())).position() - driven_point.p_map)
+          .norm();
     };
-    double least_m = off_m(waypoint.piece);
+    double least_m = off_m(driven_point.piece);
     for (std::size_t k = first; k <= last; ++k) {
       const double here_m = off_m(k);
       if (here_m >= least_m) continue;
-      waypoint.piece = k;
+      driven_point.piece = k;
       least_m = here_m;
     }
   };
-  std::vector<Waypoint>& waypoints = loose.waypoints;
-  for (std::size_t i = 1; i < waypoints.size(); ++i) {
-    choose(waypoints[i], waypoints[i - 1].piece, waypoints[i].piece);
+  std::vector<DrivenPoint>& driven_points = loose.driven_points;
+  for (std::size_t i = 1; i < driven_points.size(); ++i) {
+    choose(driven_points[i], driven_points[i - 1].piece, driven_points[i].piece);
   }
-  for (std::size_t i = waypoints.size() - 1; i > 0; --i) {
-    choose(waypoints[i - 1], waypoints[i - 1].piece, waypoints[i].piece);
+  for (std::size_t i = driven_points.size() - 1; i > 0; --i) {
+    choose(driven_points[i - 1], driven_points[i - 1].piece, driven_points[i].piece);
   }
 }
 
-/// Leaves out the pieces that shrank to nothing; their waypoints go to a piece of their leg beside them.
+/// Leaves out the pieces that shrank to nothing; their driven points go to a piece of their leg beside them.
 void drop_vanished(LoosePath& loose) {
   const auto is_of_leg = [&](std::size_t k, double direction) {
     return k < loose.pieces.size() && loose.pieces[k].kind != Kind::kTurnOnTheSpot &&
@@ -203,13 +204,13 @@ void drop_vanished(LoosePath& loose) {
     const bool has_before = is_of_leg(k - 1, piece.direction);
     if (!has_before && !is_of_leg(k + 1, piece.direction)) continue;
     loose.pieces.erase(loose.pieces.begin() + static_cast<std::ptrdiff_t>(k));
-    for (Waypoint& waypoint : loose.waypoints) {
-      if (waypoint.piece > k || (waypoint.piece == k && has_before)) --waypoint.piece;
+    for (DrivenPoint& driven_point : loose.driven_points) {
+      if (driven_point.piece > k || (driven_point.piece == k && has_before)) --driven_point.piece;
     }
   }
 }
 
-/// A step that turns a piece so far may lay it the other way round, which the waypoints do not distinguish.
+/// A step that turns a piece this far may flip it end to end, which the driven points cannot tell apart.
 bool whirls(const Eigen::VectorXd& step) {
   constexpr double kTurnMost_rad = 30 * kDegree;
   for (Eigen::Index i = 2; i < step.size(); i += kUnknowns) {
@@ -218,7 +219,7 @@ bool whirls(const Eigen::VectorXd& step) {
   return false;
 }
 
-/// Steps that lower the sum of squares, by Levenberg's rule: shorter ones after a step that did not.
+/// Levenberg-Marquardt: steps that lower the sum of squares, shorter ones after a step that did not.
 void descend(LoosePath& loose, double radius_min_m, double joint_weight) {
   constexpr int kRounds = 30;
   constexpr double kDampingStart = 1e-3, kDampingLeast = 1e-7, kDampingMost = 1e4, kDamp = 10;
@@ -255,7 +256,7 @@ Pose2 LoosePiece::end() const {
 }
 
 void adjust(LoosePath& loose, double radius_min_m) {
-  // first the pieces lie well, then they come together: from far apart a stiff joint leads astray
+  // first the pieces fit, then they join: stiff joints between pieces far apart lead to a wrong minimum
   for (const double joint_weight : {1.0, 1e2, 1e4, 1e6}) {
     drop_vanished(loose);
     descend(loose, radius_min_m, joint_weight);

@@ -8,7 +8,7 @@
 namespace aisle {
 
 /// A path in the making: what its pieces are, how long and how bent, and where they start. Adjusting makes
-/// them join. Headings go on over whole turns: the end's heading is the start's and the turn, nothing else.
+/// them join. Headings are not wrapped: the end's heading is the start's plus the turn.
 struct LoosePiece {
   enum class Kind { kLine, kArc, kTurnOnTheSpot };
   Kind kind = Kind::kArc;
@@ -16,17 +16,17 @@ struct LoosePiece {
   Pose2 T_map_start;
   double length_m = 0;  ///< > 0, but 0 of a turn on the spot
   double turn_rad = 0;  ///< left positive; 0 of a line
-  double driven_m = 0;  ///< about so long it was driven
+  double driven_m = 0;  ///< length as driven, approximately
 
   Arc arc() const;
   Pose2 end() const;
 };
 
-/// A place where base_link was, and the piece that is to pass there.
-struct Waypoint {
+/// A point where base_link was, and the piece that must pass there.
+struct DrivenPoint {
   Vec2 p_map;
   std::size_t piece = 0;
-  double stray_share = 1;  ///< of what the path may stray, here
+  double stray_share = 1;  ///< share of the allowed stray that applies here
   double weight = 1;
   bool begins_leg = false;
   bool ends_leg = false;
@@ -34,12 +34,12 @@ struct Waypoint {
 
 struct LoosePath {
   std::vector<LoosePiece> pieces;
-  std::vector<Waypoint> waypoints;
+  std::vector<DrivenPoint> driven_points;
   Pose2 T_map_end;
 };
 
-/// Moves, segments and bends the pieces until they join and the sum of squared distances of the waypoints
-/// from them, by weight, is least.
+/// Moves, stretches and bends the pieces until they join and the weighted sum of squared distances of the
+/// driven points from them is least.
 void adjust(LoosePath& loose, double radius_min_m);
 
 /// The joined pieces.

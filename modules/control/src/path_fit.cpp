@@ -21,24 +21,24 @@ constexpr double kStepsPerRadius = 6;
 constexpr double kPrice = 2.5;  // of an arc, for each radius and square of the stray
 constexpr int kTries = 3;
 constexpr double kCheaper = 4;
-constexpr double kBetweenSamples = 0.95;  // of the stray: between them it may be a little more
+constexpr double kBetweenSamples = 0.95;  // of the allowed stray: between samples it may be a little more
 constexpr double kStricter = 0.9;
-constexpr double kBend_rad = 30 * kDegree;  // over so much distance a hand's wander turns less
+constexpr double kBend_rad = 30 * kDegree;  // hand-driven wander turns less than this over kBendOver_m
 constexpr double kBendOver_m = 1.2;
 constexpr double kBesideBend_m = 0.5;
 constexpr double kMeantStrayShare = 0.4;
 
-double path_m(const DrivenLeg& leg, const PathSegment& path_segment) {
-  double path_m = 0;
+double driven_length_m(const DrivenLeg& leg, const PathSegment& path_segment) {
+  double length_m = 0;
   for (std::size_t i = path_segment.first; i < path_segment.last; ++i) {
-    path_m += (leg.samples[i + 1].position() - leg.samples[i].position()).norm();
+    length_m += (leg.samples[i + 1].position() - leg.samples[i].position()).norm();
   }
-  return path_m;
+  return length_m;
 }
 
-/// Who turns between walls or backs means the path that he takes: on a bend and beside it, and backwards,
-/// what was driven is hardly wander.
-/// @return for each sample of the leg how much of the stray is allowed
+/// A driver who turns between walls or reverses chooses the path on purpose: on a bend, beside it and
+/// backwards, hardly any of what was driven is wander.
+/// @return for each sample of the leg, the share of the maximum stray that is allowed
 std::vector<double> stray_shares(const DrivenLeg& leg, double step_m) {
   const std::size_t count = leg.samples.size();
   const auto half = static_cast<std::size_t>(std::max(1L, std::lround(kBendOver_m / 2 / step_m)));
@@ -55,7 +55,7 @@ std::vector<double> stray_shares(const DrivenLeg& leg, double step_m) {
   return shares;
 }
 
-/// So that strays count by what is allowed.
+/// Makes strays count relative to what is allowed.
 double first_weight(double stray_share, double step_m) {
   return step_m / square(stray_share);
 }
@@ -68,7 +68,7 @@ void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<PathSegme
   }
   const std::vector<double> shares = stray_shares(leg, step_m);
   for (const PathSegment& path_segment : path_segments) {
-    const double length_m = path_m(leg, path_segment);
+    const double length_m = driven_length_m(leg, path_segment);
     loose.pieces.push_back({.kind = path_segment.curvature_per_m == 0 ? Kind::kLine : Kind::kArc,
                             .direction = leg.direction,
                             .T_map_start = leg.samples[path_segment.first],
@@ -76,22 +76,22 @@ void add_leg(LoosePath& loose, const DrivenLeg& leg, const std::vector<PathSegme
                             .turn_rad = path_segment.curvature_per_m * length_m,
                             .driven_m = length_m});
     for (std::size_t i = path_segment.first; i < path_segment.last; ++i) {
-      loose.waypoints.push_back({.p_map = leg.samples[i].position(),
-                                 .piece = loose.pieces.size() - 1,
-                                 .stray_share = shares[i],
-                                 .weight = first_weight(shares[i], step_m),
-                                 .begins_leg = i == 0});
+      loose.driven_points.push_back({.p_map = leg.samples[i].position(),
+                                     .piece = loose.pieces.size() - 1,
+                                     .stray_share = shares[i],
+                                     .weight = first_weight(shares[i], step_m),
+                                     .begins_leg = i == 0});
     }
   }
-  loose.waypoints.push_back({.p_map = leg.samples.back().position(),
-                             .piece = loose.pieces.size() - 1,
-                             .stray_share = shares.back(),
-                             .weight = first_weight(shares.back(), step_m),
-                             .ends_leg = true});
+  loose.driven_points.push_back({.p_map = leg.samples.back().position(),
+                                 .piece = loose.pieces.size() - 1,
+                                 .stray_share = shares.back(),
+                                 .weight = first_weight(shares.back(), step_m),
+                                 .ends_leg = true});
   loose.T_map_end = leg.samples.back();
 }
 
-/// Headings that go on over whole turns.
+/// Makes headings continuous over whole turns.
 void unwind(std::vector<DrivenLeg>& legs) {
   double heading_rad = legs.front().samples.front().theta;
   for (DrivenLeg& leg : legs) {
@@ -112,14 +112,15 @@ LoosePath loose_path(const std::vector<DrivenLeg>& legs, double radius_min_m, do
   return loose;
 }
 
-/// By what is allowed. A leg's end strays from the piece's end, too: an end that shoots over is no end.
-double stray_m(const LoosePath& loose, const Waypoint& waypoint) {
-  const LoosePiece& piece = loose.pieces[waypoint.piece];
+/// Distance of a driven point from its piece, divided by the share that is allowed. A leg's last driven point
+/// is measured from the piece's end, so that an end that overshoots counts.
+double stray_m(const LoosePath& loose, const DrivenPoint& driven_point) {
+  const LoosePiece& piece = loose.pieces[driven_point.piece];
   const PathPiece shape{piece.T_map_start, piece.arc()};
   const Vec2 p_map_path =
-      (waypoint.ends_leg ? shape.end() : shape.at(shape.nearest(waypoint.p_map, 0, shape.path_m())))
+      (driven_point.ends_leg ? shape.end() : shape.at(shape.nearest(driven_point.p_map, 0, shape.path_m())))
           .position();
-  return (p_map_path - waypoint.p_map).norm() / waypoint.stray_share;
+  return (p_map_path - driven_point.p_map).norm() / driven_point.stray_share;
 }
 
 /// How far the pieces are from joining.
@@ -132,7 +133,7 @@ double widest_gap_m(const LoosePath& loose) {
   return widest_m;
 }
 
-/// Cuts a piece in two halves, each bent by itself.
+/// Cuts a piece into two halves that bend independently.
 void split(LoosePath& loose, std::size_t k) {
   LoosePiece first = loose.pieces[k];
   first.kind = Kind::kArc;
@@ -143,15 +144,15 @@ void split(LoosePath& loose, std::size_t k) {
   second.T_map_start = first.end();
   loose.pieces[k] = first;
   loose.pieces.insert(loose.pieces.begin() + static_cast<std::ptrdiff_t>(k) + 1, second);
-  for (Waypoint& waypoint : loose.waypoints) {
-    const bool in_second =
-        waypoint.piece == k && !waypoint.begins_leg &&
-        (waypoint.ends_leg || (second.T_map_start.inverse() * waypoint.p_map).x() * first.direction > 0);
-    if (waypoint.piece > k || in_second) ++waypoint.piece;
+  for (DrivenPoint& driven_point : loose.driven_points) {
+    const bool in_second = driven_point.piece == k && !driven_point.begins_leg &&
+                           (driven_point.ends_leg ||
+                            (second.T_map_start.inverse() * driven_point.p_map).x() * first.direction > 0);
+    if (driven_point.piece > k || in_second) ++driven_point.piece;
   }
 }
 
-/// The pieces that stray most, each of those near it: what is done to one leaves the others as they are.
+/// The pieces that stray more than every piece near them, so that changing one does not disturb another.
 std::vector<std::size_t> worst_of_neighbours(const std::vector<double>& strays_m, double stray_max_m) {
   constexpr std::ptrdiff_t kNear = 4;
   std::vector<std::size_t> worst;
@@ -164,7 +165,7 @@ std::vector<std::size_t> worst_of_neighbours(const std::vector<double>& strays_m
   return worst;
 }
 
-/// Adjusts, pulls harder where the path strays most, and cuts where pulling does not help.
+/// Adjusts the pieces, raises the weights where the path strays most, and cuts where that does not help.
 /// @param stray_max_m  at the samples
 Path smoothed(LoosePath loose, double stray_max_m, double radius_min_m, double step_m) {
   constexpr int kRounds = 24, kPullsBeforeCut = 3;
@@ -174,21 +175,22 @@ Path smoothed(LoosePath loose, double stray_max_m, double radius_min_m, double s
   for (int round = 1; round <= kRounds; ++round) {
     adjust(loose, radius_min_m);
     strays_m.assign(loose.pieces.size(), 0);
-    for (Waypoint& waypoint : loose.waypoints) {
-      const double off_m = stray_m(loose, waypoint);
-      if (off_m > stray_max_m) waypoint.weight *= kPull;
-      strays_m[waypoint.piece] = std::max(strays_m[waypoint.piece], off_m);
+    for (DrivenPoint& driven_point : loose.driven_points) {
+      const double off_m = stray_m(loose, driven_point);
+      if (off_m > stray_max_m) driven_point.weight *= kPull;
+      strays_m[driven_point.piece] = std::max(strays_m[driven_point.piece], off_m);
     }
     const auto worst = worst_of_neighbours(strays_m, stray_max_m);
     if (worst.empty() && widest_gap_m(loose) < kGapMax * stray_max_m) break;
     if (worst.empty() || round % kPullsBeforeCut != 0) continue;
     for (auto k = worst.rbegin(); k != worst.rend(); ++k) split(loose, *k);
-    for (Waypoint& waypoint : loose.waypoints) waypoint.weight = first_weight(waypoint.stray_share, step_m);
+    for (DrivenPoint& driven_point : loose.driven_points)
+      driven_point.weight = first_weight(driven_point.stray_share, step_m);
   }
   return joined(loose);
 }
 
-/// What was driven is never farther from the path, nor the path's end from where it ended.
+/// Whether no driven position is farther from the path than allowed, and the path ends where the drive did.
 bool keeps_near(const Path& path, std::span<const Pose2> driven, const PathFitParams& params) {
   const double reach_m = params.radius_min_m + params.stray_max_m;
   double along_m = 0;

@@ -14,7 +14,7 @@ constexpr double kArrived_m = 0.01;
 constexpr double kTurned_rad = 1 * kDegree;
 constexpr double kFacing_rad = 45 * kDegree;
 
-/// How far along the path the nearest place of each of its passes by a vehicle is.
+/// For each pass of the path by the vehicle, the distance along the path to its nearest point.
 std::vector<double> passes_by(const Path& path, const Pose2& T_map_vehicle, double off_max_m) {
   constexpr double kStep_m = 0.05;
   std::vector<double> passes_m;
@@ -59,9 +59,9 @@ const PathPoint& PathProgress::advance(const Pose2& T_map_vehicle) {
 bool PathProgress::find(const Pose2& T_map_vehicle, double off_max_m) {
   const std::vector<double> passes_m = passes_by(*path_, T_map_vehicle, off_max_m);
   if (passes_m.empty()) return false;
-  const auto path_to = [this](double along_m) { return std::abs(along_m - point_.along_m); };
+  const auto distance_to = [this](double along_m) { return std::abs(along_m - point_.along_m); };
   *this = PathProgress(*path_, *std::min_element(passes_m.begin(), passes_m.end(), [&](double a, double b) {
-    return path_to(a) < path_to(b);
+    return distance_to(a) < distance_to(b);
   }));
   return true;
 }

@@ -8,17 +8,18 @@
 namespace aisle {
 namespace {
 
-constexpr double kSettle_m = 0.35;  // path over which what is off shrinks to 1/e
+constexpr double kSettle_m = 0.35;  // distance over which an error shrinks to 1/e
 
-/// Of the path a little ahead, on the same leg.
+/// Curvature of the path a little ahead, on the same leg.
 double curvature_ahead_per_m(const Path& path, const PathPoint& point, double ahead_m) {
   return path.at(std::min(point.along_m + ahead_m, path.leg_end_m(point.piece) - 1e-6)).curvature_per_m;
 }
 
 }  // namespace
 
-/// With e how far base_link is to the left of the path, h its heading off the path's, s the path (against the
-/// heading: e' = -sin h, h' = -(bend - path's bend)): e'' = -2 e' / S - e / S^2 settles without overshoot.
+/// With e how far base_link is to the left of the path, h its heading relative to the path's, s the distance
+/// (against the heading: e' = -sin h, h' = -(curvature - path's curvature)): e'' = -2 e' / S - e / S^2
+/// settles without overshoot.
 double reversing_steering_rad(const VehicleDescription& vehicle, const Path& path, const PathPoint& point,
                               const Pose2& T_map_vehicle, double ahead_m, double steering_rad) {
   const Pose2 off = between(point.T_map_path, T_map_vehicle);

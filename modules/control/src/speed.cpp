@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-/// The greatest speed at which the vehicle can drive a piece, or would.
+/// The greatest speed at which the vehicle can drive a piece, and may by `params`.
 double speed_on_mps(const PathPiece& piece, const VehicleDescription& vehicle, const SpeedParams& params) {
   const DriveLimits& limits = vehicle.limits;
   const double curvature_per_m = std::abs(piece.curvature_per_m());
@@ -24,8 +24,8 @@ double speed_on_mps(const PathPiece& piece, const VehicleDescription& vehicle, c
 }  // namespace
 
 void SpeedParams::describe(FieldList& fields) {
-  fields.real("speed_mps", speed_mps, {0.01, 5}, "where nothing speaks against it");
-  fields.real("speed_min_mps", speed_min_mps, {0.005, 1}, "of a vehicle that goes at all");
+  fields.real("speed_mps", speed_mps, {0.01, 5}, "where nothing limits it");
+  fields.real("speed_min_mps", speed_min_mps, {0.005, 1}, "least speed while driving");
   fields.real("sideways_acceleration_max_mps2", sideways_acceleration_max_mps2, {0.01, 10}, "in bends");
   fields.real("deceleration_mps2", deceleration_mps2, {0.01, 10}, "towards bends and the end");
 }
@@ -35,9 +35,9 @@ double speed_along(const Path& path, double along_m, double certainty, const Veh
   if (path.empty() || along_m >= path.length_m()) return 0;
   const double deceleration_mps2 = std::min(params.deceleration_mps2, vehicle.limits.deceleration_max_mps2);
   const double late_mps = deceleration_mps2 * vehicle.cycle_s;
-  // The speed from which, braking a cycle from now, it is the later one after so much distance.
-  const auto before_mps = [&](double later_mps, double path_m) {
-    const double squared = late_mps * late_mps + later_mps * later_mps + 2 * deceleration_mps2 * path_m;
+  // The speed now that becomes `later_mps` after the distance if braking begins a cycle from now.
+  const auto before_mps = [&](double later_mps, double distance_m) {
+    const double squared = late_mps * late_mps + later_mps * later_mps + 2 * deceleration_mps2 * distance_m;
     return std::max(later_mps, std::sqrt(squared) - late_mps);
   };
   const PathPoint here = path.at(along_m);
@@ -46,8 +46,9 @@ double speed_along(const Path& path, double along_m, double certainty, const Veh
 
   double braking_mps = std::numeric_limits<double>::infinity();
   for (std::size_t i = here.piece + 1; i < leg_end; ++i) {
-    const double path_m = path.start_m(i) - here.along_m;
-    braking_mps = std::min(braking_mps, before_mps(speed_on_mps(path.pieces()[i], vehicle, params), path_m));
+    const double distance_m = path.start_m(i) - here.along_m;
+    braking_mps =
+        std::min(braking_mps, before_mps(speed_on_mps(path.pieces()[i], vehicle, params), distance_m));
   }
   const double to_stop_m = path.leg_end_m(here.piece) - here.along_m;
   braking_mps = std::min(braking_mps, before_mps(0, to_stop_m));

@@ -10,8 +10,8 @@
 namespace aisle {
 namespace {
 
-/// Path about the vehicle in which its wheels can be after the look-ahead, from however farther off
-/// laterally.
+/// How much of the path before and after the vehicle matters: its wheels cannot get past it within the
+/// look-ahead, however large the lateral offset.
 double reach_m(const FrontSteered& vehicle, double look_ahead_m) {
   return 2 * look_ahead_m + std::abs(vehicle.wheelbase_m);
 }
@@ -21,21 +21,21 @@ double cost(const WheelPaths& paths, const FrontSteered& vehicle, const Pose2& T
   return paths.distance_sum(T_map_vehicle * drive(vehicle, {paths.direction() * look_ahead_m, steering_rad}));
 }
 
-/// How much L_P can change at most for each radian of steering. The front reference point after the path S is
-/// the integral of unit(delta + s sin(delta) / d) over s = 0 .. S, which changes by at most 1 + s / d;
+/// How much L_P can change at most for each radian of steering. The front reference point after the distance
+/// S is the integral of unit(delta + s sin(delta) / d) over s = 0 .. S, which changes by at most 1 + s / d;
 /// base_link that of cos(delta) unit(s sin(delta) / d), by at most |sin(delta)| + s / d.
 double cost_slope_m_per_rad(const FrontSteered& vehicle, double look_ahead_m, double steering_max_rad) {
   const double by_turn_m = look_ahead_m * look_ahead_m / (2 * std::abs(vehicle.wheelbase_m));
   return look_ahead_m * (1 + std::sin(steering_max_rad)) + 2 * by_turn_m;
 }
 
-/// A differential vehicle is thought to have front wheels two look-aheads ahead, or behind when it drives
-/// backwards: so it comes to its path without swinging.
+/// A differential vehicle steers as if it had front wheels two look-aheads ahead, or behind when it drives
+/// backwards: it then converges to its path without oscillating.
 FrontSteered steered_like_differential(double look_ahead_m, bool in_reverse) {
   return {(in_reverse ? -2 : 2) * look_ahead_m};
 }
 
-/// Where a differential vehicle cannot turn any faster.
+/// The steering angle at which a differential vehicle turns as fast as it can.
 double steering_max_rad(const DriveLimits& limits, const FrontSteered& steered, double speed_mps) {
   constexpr double kMost_rad = 80 * kDegree;
   if (speed_mps <= 0) return kMost_rad;
@@ -43,7 +43,7 @@ double steering_max_rad(const DriveLimits& limits, const FrontSteered& steered, 
                   std::atan(limits.turn_rate_max_rad_s / speed_mps * std::abs(steered.wheelbase_m)));
 }
 
-/// The angles that the wheels can have by the next cycle.
+/// The angles that the wheels can reach by the next cycle.
 Interval reachable(const VehicleDescription& vehicle, double steering_rad) {
   const double max_rad = vehicle.limits.steering_max_rad;
   const double now_rad = std::clamp(steering_rad, -max_rad, max_rad);
@@ -54,10 +54,10 @@ Interval reachable(const VehicleDescription& vehicle, double steering_rad) {
 }  // namespace
 
 void SteeringParams::describe(FieldList& fields) {
-  fields.real("look_ahead_m", look_ahead_m, {0.02, 10}, "path over which a steering angle is judged");
-  fields.real("look_ahead_s", look_ahead_s, {0, 10}, "as much more at speed");
-  fields.real("bend_ahead_m", bend_ahead_m, {0, 1}, "reversing, the wheels turn so far before a bend");
-  fields.real("bend_ahead_s", bend_ahead_s, {0, 2}, "as much more at speed");
+  fields.real("look_ahead_m", look_ahead_m, {0.02, 10}, "distance over which a steering angle is judged");
+  fields.real("look_ahead_s", look_ahead_s, {0, 10}, "added to it for each m/s of speed");
+  fields.real("bend_ahead_m", bend_ahead_m, {0, 1}, "reversing: how far before a bend the wheels turn");
+  fields.real("bend_ahead_s", bend_ahead_s, {0, 2}, "added to it for each m/s of speed");
   fields.angle("angle_step_deg", angle_step_rad, {0.01, 5}, "steering angles are multiples of this");
 }
 
@@ -108,8 +108,8 @@ double PathFollower::best_steering_rad(const FrontSteered& steered, const Path& 
   return best.index * step_rad;
 }
 
-/// A quarter of what is left in each cycle: with a command that acts a cycle late this is the fastest path to
-/// come to rest without overshoot.
+/// A quarter of the remaining turn in each cycle: with a command that acts a cycle late, this is the fastest
+/// way to stop without overshoot.
 Command PathFollower::turn_to(double due_rad, double heading_rad) const {
   const double left_rad = wrap_angle(due_rad - heading_rad);
   const double rate_max_rad_s = vehicle_.limits.turn_rate_max_rad_s;

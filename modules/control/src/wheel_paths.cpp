@@ -11,9 +11,9 @@ namespace {
 PathPiece front_piece(const FrontSteered& vehicle, const PathPiece& rear) {
   const double across_m = vehicle.wheelbase_m * rear.arc.turn_rad;
   const double steering_rad = std::atan(across_m / rear.arc.length_m);
-  const double path_m = std::hypot(rear.arc.length_m, across_m);
+  const double length_m = std::hypot(rear.arc.length_m, across_m);
   return {front_pose(vehicle, rear.T_map_start) * Pose2{0, 0, steering_rad},
-          {std::copysign(path_m, rear.arc.length_m), rear.arc.turn_rad}};
+          {std::copysign(length_m, rear.arc.length_m), rear.arc.turn_rad}};
 }
 
 double distance(const std::vector<PathPiece>& pieces, const Vec2& p_map) {

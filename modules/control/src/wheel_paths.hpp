@@ -13,7 +13,7 @@ namespace aisle {
 /// continued straight on before and after the leg.
 class WheelPaths {
  public:
-  /// @param reach_m  path before and after `from` that is looked at
+  /// @param reach_m  how much of the path before and after `from` is considered
   WheelPaths(const FrontSteered& vehicle, const Path& path, const PathPoint& from, double reach_m);
 
   /// -1 where the leg is driven backwards, else 1

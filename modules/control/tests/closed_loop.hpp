@@ -1,6 +1,6 @@
 #pragma once
-/// A vehicle that keeps to a path, with what makes that hard: a cycle between seeing and acting, wheels and
-/// motors that need time.
+/// A vehicle that follows a path, with what makes that hard: a cycle between sensing and acting, and steering
+/// and motors that need time.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace aisle {
 
-/// The vehicles of vehicles/alv.yaml and vehicles/mini.yaml, as far as driving goes. The first is let drive 1
+/// The vehicles of vehicles/alv.yaml and vehicles/mini.yaml, as far as driving goes. The first may drive 1
 /// m/s.
 inline VehicleDescription cart() {
   VehicleDescription vehicle;
@@ -52,7 +52,7 @@ struct ClosedLoop {
   VehicleDescription vehicle;
   SteeringParams steering;
   SpeedParams speed;
-  double steering_bias_rad = 0;  ///< the wheels really stand this far left
+  double steering_bias_rad = 0;  ///< the wheels really point this much farther left
   Pose2 T_map_vehicle;
   double time_max_s = 600;
 

@@ -34,7 +34,7 @@ TEST(Path, QuarterCircleByHand) {
   EXPECT_NEAR(inside.curvature_per_m, 1, 1e-12);
 }
 
-TEST(Path, DrivenBackwardsItsPathStillGrows) {
+TEST(Path, DrivenBackwardsItsDistanceStillGrows) {
   const Path path = path_of({{1, 0}, {-2, 0}});
   EXPECT_DOUBLE_EQ(path.length_m(), 3);
   EXPECT_THAT(path.at(2).T_map_path, PoseNear(Pose2{0, 0, 0}, 1e-12, 1e-12));
@@ -45,7 +45,7 @@ TEST(Path, DrivenBackwardsItsPathStillGrows) {
   EXPECT_DOUBLE_EQ(path.leg_end_m(1), 3);
 }
 
-TEST(Path, PiecesThatDoNotJoinAreNoPath) {
+TEST(Path, RejectsPiecesThatDoNotJoin) {
   EXPECT_THROW(Path({{{}, {1, 0}}, {{1.01, 0, 0}, {1, 0}}}), std::invalid_argument);
   EXPECT_THROW(Path({{{}, {1, 0}}, {{1, 0, 0.1}, {1, 0}}}), std::invalid_argument);
 }

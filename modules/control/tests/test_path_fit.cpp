@@ -13,7 +13,7 @@
 namespace aisle {
 namespace {
 
-/// base_link along a path with a hand's wander to the side, as its odometry gives it.
+/// base_link along a path with lateral wander as of driving by hand, as its odometry gives it.
 std::vector<Pose2> driven_by_hand(const Path& path, double wander_m, Random& random) {
   constexpr double kStep_m = 0.03, kComesAndGoes_m = 1;
   std::vector<Pose2> driven;
@@ -33,8 +33,8 @@ std::vector<Pose2> driven_by_hand(const Path& path, double wander_m, Random& ran
 
 /// Straight segments up to 25 m with bends, U-turns and turning points between.
 Path any_route(Random& random, double radius_least_m) {
-  constexpr double kPathSegmentLeast_m = 2, kPathSegmentMost_m = 25;
-  std::vector<Arc> arcs = {{random.uniform(kPathSegmentLeast_m, kPathSegmentMost_m), 0}};
+  constexpr double kStraightLeast_m = 2, kStraightMost_m = 25;
+  std::vector<Arc> arcs = {{random.uniform(kStraightLeast_m, kStraightMost_m), 0}};
   double direction = 1;
   const std::uint64_t bends = random.index(5);
   for (std::uint64_t i = 0; i < bends; ++i) {
@@ -42,7 +42,7 @@ Path any_route(Random& random, double radius_least_m) {
                  turn_rad = random.uniform() < 0.2 ? kPi : kPi / 2;
     if (random.uniform() < 0.15) direction = -direction;
     arcs.push_back({direction * radius_m * turn_rad, random.uniform() < 0.5 ? turn_rad : -turn_rad});
-    arcs.push_back({direction * random.uniform(kPathSegmentLeast_m, kPathSegmentMost_m), 0});
+    arcs.push_back({direction * random.uniform(kStraightLeast_m, kStraightMost_m), 0});
   }
   return path_of(arcs);
 }
@@ -64,7 +64,7 @@ TEST(FitPath, AStraightCorridorDrivenByHandIsOneLine) {
   EXPECT_EQ(path.pieces()[0].arc.turn_rad, 0);
 }
 
-TEST(FitPath, ABendThatWasDrivenExactlyIsGivenBack) {
+TEST(FitPath, ABendThatWasDrivenExactlyIsRecovered) {
   Random random(1);
   for (const double radius_m : {0.8, 1.0, 2.0}) {
     const Path true_path = path_of({{4, 0}, {radius_m * kPi / 2, kPi / 2}, {4, 0}});
@@ -75,7 +75,7 @@ TEST(FitPath, ABendThatWasDrivenExactlyIsGivenBack) {
   }
 }
 
-TEST(FitPath, KeepsCloserToABendThanToTheStraightPathSegmentsBesideIt) {
+TEST(FitPath, KeepsCloserToABendThanToTheStraightsBesideIt) {
   constexpr double kBegin_m = 8, kBend_m = 1.1 * kPi / 2;
   double bend_m = 0, straight_m = 0;
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -96,7 +96,7 @@ TEST(FitPath, KeepsCloserToABendThanToTheStraightPathSegmentsBesideIt) {
   EXPECT_GT(straight_m, 0.07);
 }
 
-TEST(FitPath, KeepsCloserToAPathThatWasBackedThanToOneDrivenForwards) {
+TEST(FitPath, KeepsCloserToAPathDrivenBackwardsThanToOneDrivenForwards) {
   const auto worst_stray_m = [](double length_m) {
     double worst_m = 0;
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
@@ -130,7 +130,7 @@ double backwards_m(const Path& path) {
   return sum_m;
 }
 
-/// What is wrong with the path that is given back for a route by chance, or nothing.
+/// What is wrong with the path that is fitted to a random route; empty: nothing.
 std::string fault_of_fit(std::uint64_t seed) {
   Random random(seed);
   const PathFitParams params{.radius_min_m = random.uniform(0.2, 0.8)};
@@ -148,7 +148,7 @@ std::string fault_of_fit(std::uint64_t seed) {
   return "";
 }
 
-RC_GTEST_PROP(FitPath, APathDrivenByHandIsGivenBackInFewPieces, (std::uint64_t seed)) {
+RC_GTEST_PROP(FitPath, APathDrivenByHandIsRecoveredInFewPieces, (std::uint64_t seed)) {
   RC_ASSERT(fault_of_fit(seed) == "");
 }
 
@@ -159,7 +159,7 @@ TEST(FitPath, UTurnsAndNarrowBendsDoNotFallToPieces) {
   }
 }
 
-/// To the ends of many branches and back, turning about there.
+/// To the ends of many branches and back, turning around at each.
 Path comb(int branches) {
   const double bend_m = 0.4 * kPi / 2;
   std::vector<Arc> arcs = {{4, 0}};

@@ -32,7 +32,7 @@ TEST(PathProgress, LeavesATurnOnTheSpotWhenItIsTurned) {
   EXPECT_EQ(progress.point().piece, 2);
 }
 
-TEST(PathProgress, StaysOnItsPathRoundWhereThePathCrossesItself) {
+TEST(PathProgress, StaysOnItsPassWhereThePathCrossesItself) {
   const Path path = path_of({{3, 0}, {1.5 * kPi, 1.5 * kPi}, {3, 0}});
   PathProgress progress(path);
   for (double along_m = 0; along_m < path.length_m(); along_m += 0.05) {
@@ -40,7 +40,7 @@ TEST(PathProgress, StaysOnItsPathRoundWhereThePathCrossesItself) {
   }
 }
 
-/// A race track that is driven twice: the straight from the origin again after one round.
+/// A race track that is driven twice: the straight from the origin comes again after one lap.
 TEST(PathProgress, IsFoundOnThePassThatItWasOnOrTheNextOne) {
   const double bend_m = 1.5 * kPi, round_m = 12 + 2 * bend_m;
   const Path path =
@@ -56,7 +56,7 @@ TEST(PathProgress, IsFoundOnThePassThatItWasOnOrTheNextOne) {
   EXPECT_NEAR(progress.point().along_m, 6 + bend_m + 2, 0.05);
 }
 
-TEST(PathProgress, IsNotFoundOffThePathOrFacingAnotherPath) {
+TEST(PathProgress, IsNotFoundOffThePathOrFacingAnotherDirection) {
   const Path path = path_of({{6, 0}});
   PathProgress progress(path, 2);
   EXPECT_FALSE(progress.find({4, 0, kPi}, 1));

@@ -15,7 +15,7 @@ VehicleDescription cart() {
   return vehicle;
 }
 
-/// Backwards: straight, a bend to either side as sharp as paths have them, straight.
+/// Backwards: straight, a bend to either side as sharp as paths have, straight.
 Path bends() {
   std::vector<PathPiece> pieces;
   Pose2 T_map;
@@ -26,8 +26,8 @@ Path bends() {
   return Path(pieces);
 }
 
-/// The greatest distance from the path after so much distance on it, for a vehicle that sets out from a pose.
-double most_lateral_m(const Pose2& T_map_start, double after_m, Pose2& T_path_end) {
+/// The greatest cross-track error from `after_m` along the path on, for a vehicle that starts at a pose.
+double lateral_max_m(const Pose2& T_map_start, double after_m, Pose2& T_path_end) {
   const VehicleDescription vehicle = cart();
   const Path path = bends();
   PathProgress progress(path);
@@ -47,14 +47,14 @@ double most_lateral_m(const Pose2& T_map_start, double after_m, Pose2& T_path_en
 
 TEST(Reversing, KeepsToBends) {
   Pose2 T_path_end;
-  EXPECT_LT(most_lateral_m({}, 0, T_path_end), 0.015);
+  EXPECT_LT(lateral_max_m({}, 0, T_path_end), 0.015);
   EXPECT_NEAR(T_path_end.theta, 0, 1 * kDegree);
 }
 
 TEST(Reversing, ComesBackToThePathAndStaysOnIt) {
   for (const Pose2& T_map_start : {Pose2{0, 0.1, 0}, Pose2{0, -0.1, 0}, Pose2{0, 0, 7 * kDegree}}) {
     Pose2 T_path_end;
-    EXPECT_LT(most_lateral_m(T_map_start, 1.5, T_path_end), 0.03);
+    EXPECT_LT(lateral_max_m(T_map_start, 1.5, T_path_end), 0.03);
     EXPECT_NEAR(T_path_end.y, 0, 0.01);
     EXPECT_NEAR(T_path_end.theta, 0, 1 * kDegree);
   }

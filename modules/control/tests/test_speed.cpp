@@ -20,7 +20,7 @@ double speed(const Path& path, double along_m, double certainty = 1) {
 TEST(SpeedAlong, BrakesForTheEndByHand) {
   const Path path = path_of({{10, 0}});
   EXPECT_DOUBLE_EQ(speed(path, 1), 0.9);
-  // 0.1 s at 0.5707 m/s, then from there to a stand with 0.3 m/s^2: 0.0571 m + 0.5429 m
+  // 0.1 s at 0.5707 m/s, then from there to standstill with 0.3 m/s^2: 0.0571 m + 0.5429 m
   EXPECT_NEAR(speed(path, 9.4), 0.570749, 1e-6);
   EXPECT_DOUBLE_EQ(speed(path, 9.999), kFast.speed_min_mps);
   EXPECT_EQ(speed(path, 10), 0);
@@ -39,7 +39,7 @@ TEST(SpeedAlong, StopsWhereThePathTurnsBackAndGoesOnFromThere) {
   EXPECT_DOUBLE_EQ(speed(path, 5), cart().limits.reverse_speed_max_mps);
 }
 
-TEST(SpeedAlong, IsLessWhenThePlaceIsUnsure) {
+TEST(SpeedAlong, IsLessWhenThePoseIsUncertain) {
   const Path path = path_of({{10, 0}});
   EXPECT_DOUBLE_EQ(speed(path, 1, 0.5), 0.45);
   EXPECT_DOUBLE_EQ(speed(path, 1, 0), kFast.speed_min_mps);

@@ -29,21 +29,21 @@ ClosedLoop driven(const VehicleDescription& vehicle, const Path& path, double sp
   return loop;
 }
 
-/// How far it comes to the other side of the path.
+/// How far the vehicle overshoots to the other side of the path.
 double overshoot_m(const ClosedLoop& loop) {
   double over_m = 0;
   for (const DrivenCycle& cycle : loop.cycles) over_m = std::max(over_m, -cycle.lateral_m);
   return over_m;
 }
 
-TEST(SteeringCost, IsNothingOnThePathOfALine) {
+TEST(SteeringCost, IsZeroOnALine) {
   const FrontSteered vehicle{0.75};
   const Path path = path_of({{10, 0}});
   EXPECT_NEAR(steering_cost(vehicle, path, path.at(5), {5, 0, 0}, 0.6, 0), 0, 1e-12);
   EXPECT_NEAR(steering_cost(vehicle, path, path.at(5), {5, 0.1, 0}, 0.6, 0), 0.2, 1e-12);
 }
 
-TEST(SteeringCost, IsNothingOnAnArcForTheSteeringThatDrivesIt) {
+TEST(SteeringCost, IsZeroOnAnArcForTheSteeringThatDrivesIt) {
   const FrontSteered vehicle{0.75};
   for (const double direction : {1.0, -1.0}) {
     const Path path = path_of({{direction * 3, direction * 3}});
@@ -83,7 +83,7 @@ RC_GTEST_PROP(PathFollower, GivesTheAngleThatTryingAllGives, (std::uint64_t seed
   RC_ASSERT(found.steering_rad == best_rad);
 }
 
-TEST(PathFollower, ComesToAStraightPathWithoutSwinging) {
+TEST(PathFollower, ConvergesToAStraightPathWithoutOscillating) {
   for (const double speed_mps : {0.3, 0.5, 1.0}) {
     const ClosedLoop loop = driven(cart(), path_of({{12, 0}}), speed_mps, kTenCentimetresAndFiveDegreesOff);
     EXPECT_TRUE(loop.arrived);
@@ -113,7 +113,7 @@ TEST(PathFollower, ReversesAlongLinesAndBends) {
   }
 }
 
-TEST(PathFollower, AWrongZeroOfTheSteeringCostsMillimetres) {
+TEST(PathFollower, ASteeringBiasCostsMillimetres) {
   for (const double speed_mps : {0.3, 1.0}) {
     const ClosedLoop loop = driven(cart(), path_of({{12, 0}}), speed_mps, {}, 0.5 * kDegree);
     EXPECT_LT(loop.lateral_max_m(6), 0.01) << speed_mps;

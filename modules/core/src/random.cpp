@@ -42,14 +42,14 @@ std::uint64_t Random::index(std::uint64_t count) {
 }
 
 double Random::normal(double sigma) {
-  if (has_relaxed_clearance_) {
-    has_relaxed_clearance_ = false;
-    return sigma * clearance_normal_;
+  if (has_spare_normal_) {
+    has_spare_normal_ = false;
+    return sigma * spare_normal_;
   }
   const double radius = std::sqrt(-2 * std::log(1 - uniform()));  // Box-Muller
   const double angle = 2 * kPi * uniform();
-  clearance_normal_ = radius * std::sin(angle);
-  has_relaxed_clearance_ = true;
+  spare_normal_ = radius * std::sin(angle);
+  has_spare_normal_ = true;
   return sigma * radius * std::cos(angle);
 }
 

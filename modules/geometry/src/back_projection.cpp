@@ -38,7 +38,7 @@ BackProjection::BackProjection(const CameraModel& camera, const CameraMount& mou
       R_vehicle_camera_(mount.R_vehicle_camera()),
       plane_height_m_(plane_height_m) {}
 
-/// How many times the ray leads from the lens to the plane.
+/// Multiple of the ray that leads from the lens to the plane.
 std::optional<double> BackProjection::ray_length(const Vec3& ray) const {
   constexpr double kLevel = 1e-9;
   if (std::abs(ray.z()) <= kLevel * ray.norm()) return std::nullopt;

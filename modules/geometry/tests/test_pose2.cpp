@@ -60,7 +60,7 @@ RC_GTEST_PROP(Pose2, CovariancePropagationMatchesNumericalJacobians, (std::uint6
   RC_ASSERT((inverse(a).covariance - inverted).norm() < 1e-5 * (1 + inverted.norm()));
 }
 
-TEST(Pose2, InterpolationTurnsTheShortPath) {
+TEST(Pose2, InterpolationTurnsTheShortWay) {
   const Pose2 half = interpolate({0, 0, 170 * kDegree}, {2, 0, -170 * kDegree}, 0.5);
   EXPECT_THAT(half, PoseNear(Pose2{1, 0, kPi}, 1e-12, 1e-12));
 }

@@ -5,12 +5,12 @@
 namespace aisle {
 namespace {
 
-/// Heights between which something is looked for [m].
+/// Range of heights [m].
 struct Layer {
   double bottom_m = 0;
   double top_m = 0;
 
-  bool contacts(double bottom, double top) const { return bottom <= top_m && top >= bottom_m; }
+  bool overlaps(double bottom, double top) const { return bottom <= top_m && top >= bottom_m; }
 };
 
 class Outlines {
@@ -18,11 +18,11 @@ class Outlines {
   explicit Outlines(Layer layer) : layer_(layer) {}
 
   void add(const WallFace& wall) {
-    if (layer_.contacts(0, wall.height_m)) segments_.push_back(wall.floor_point);
+    if (layer_.overlaps(0, wall.height_m)) segments_.push_back(wall.floor_point);
   }
 
   void add(const Prism& prism) {
-    if (!layer_.contacts(prism.bottom_m, prism.top_m)) return;
+    if (!layer_.overlaps(prism.bottom_m, prism.top_m)) return;
     for (std::size_t i = 0; i < prism.outline.size(); ++i) {
       segments_.push_back({prism.outline[i], prism.outline[(i + 1) % prism.outline.size()]});
     }

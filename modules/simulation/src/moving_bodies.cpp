@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kKeptClear_m = 0.15;  ///< how near people go to the vehicle
+constexpr double kKeptClear_m = 0.15;  ///< least distance of people to the vehicle
 constexpr double kTimeout_s = 4;
 constexpr int kPersonSides = 12;
 
@@ -21,7 +21,7 @@ bool is_clear(const MovingBody& box, const Footprint& footprint, const Pose2& T_
   const Vec2 p_box = box.T_world_body.inverse() * T_world_vehicle.position();
   const bool holds_vehicle = std::abs(p_box.x()) < box.size.x() / 2 && std::abs(p_box.y()) < box.size.y() / 2;
   return !holds_vehicle && std::none_of(edges.begin(), edges.end(), [&](const Segment2& edge) {
-    return contacts(footprint, T_vehicle_world * edge);
+    return intersects(footprint, T_vehicle_world * edge);
   });
 }
 
@@ -49,8 +49,8 @@ std::vector<Segment2> outline(const MovingBody& body) {
 
 Walker::Walker(Person person) : person_(std::move(person)), path_m_(polyline_length_m(person_.path)) {}
 
-Pose2 Walker::pose_after(double path_m) const {
-  const double there_and_back_m = path_m_ > 0 ? std::fmod(path_m, 2 * path_m_) : 0;
+Pose2 Walker::pose_after(double distance_m) const {
+  const double there_and_back_m = path_m_ > 0 ? std::fmod(distance_m, 2 * path_m_) : 0;
   const bool goes_back = there_and_back_m > path_m_;
   double left_m = goes_back ? 2 * path_m_ - there_and_back_m : there_and_back_m;
   for (std::size_t i = 1; i < person_.path.size(); ++i) {

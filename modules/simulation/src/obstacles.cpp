@@ -20,7 +20,7 @@ double distance_to(const Footprint& footprint, const Vec2& p_vehicle) {
 }
 
 /// Cuts the segment by each side of the rectangle in turn (Liang and Barsky); something must remain.
-bool contacts(const Footprint& footprint, const Segment2& in_vehicle) {
+bool intersects(const Footprint& footprint, const Segment2& in_vehicle) {
   const double half_m = footprint.width_m / 2;
   const Vec2 from = in_vehicle.start, along = in_vehicle.end - in_vehicle.start;
   const std::array<std::pair<double, double>, 4> sides = {{{-along.x(), from.x() + footprint.rear_m},
@@ -55,7 +55,7 @@ bool Obstacles::touch(const Pose2& T_world_vehicle) {
   const Pose2 T_vehicle_world = T_world_vehicle.inverse();
   const auto is_touched = [&](const Segment2& segment) {
     return segment.distance(T_world_vehicle.position()) <= reach_m_ &&
-           contacts(footprint_, T_vehicle_world * segment);
+           intersects(footprint_, T_vehicle_world * segment);
   };
   return std::any_of(near_.begin(), near_.end(), is_touched) ||
          std::any_of(movers_.begin(), movers_.end(), is_touched);

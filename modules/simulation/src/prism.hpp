@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// An upright piece of matter: what stands in the path is made of these, and so is what a camera sees.
+/// An upright solid: obstacles for collisions are made of these, and so is what a camera sees.
 struct Prism {
   std::vector<Vec2> outline;  ///< convex, clockwise: the outside is on the left
   double bottom_m = 0;
@@ -23,8 +23,8 @@ std::vector<Prism> parts_of(const Furniture& piece);
 Prism leaf_of(const Door& door);
 
 inline constexpr double kFrameRelief_m =
-    0.025;  ///< a door's frame is so much ahead of the wall, on either side
-inline constexpr double kFrameInside_m = 0.01;  ///< and reaches so far into the opening
+    0.025;  ///< how far a door's frame stands out from the wall, on either side
+inline constexpr double kFrameInside_m = 0.01;  ///< how far it reaches into the opening
 
 /// At the hinge and at the lock; none if the door has no frame.
 std::vector<Prism> frame_posts_of(const Door& door);

@@ -9,7 +9,7 @@ namespace aisle {
 namespace {
 
 constexpr double kSamePlace_m = 0.005;
-constexpr double kBend_rad = 5 * kDegree;  ///< walls that meet at less are one
+constexpr double kBend_rad = 5 * kDegree;  ///< walls that meet at a smaller angle are one
 
 class Edges {
  public:
@@ -45,7 +45,7 @@ std::vector<WallEndPoint> ends_of(const std::vector<WallFace>& walls) {
   return ends;
 }
 
-/// Another wall, as high, goes on straight where this one ends.
+/// Whether another wall of the same height continues straight where this one ends.
 bool goes_on(const WallEndPoint& end, const std::vector<WallEndPoint>& ends) {
   return std::any_of(ends.begin(), ends.end(), [&](const WallEndPoint& other) {
     return (other.p_world - end.p_world).norm() < kSamePlace_m && other.height_m == end.height_m &&

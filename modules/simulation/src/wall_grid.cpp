@@ -94,9 +94,9 @@ std::span<const std::uint32_t> WallGrid::walls_in(Cell cell) const {
 }
 
 /// Where along the ray the grid begins and ends; max < min: the ray misses the grid.
-Interval WallGrid::path_segment_inside(const Vec2& origin, const Vec2& direction) const {
+Interval WallGrid::part_inside(const Vec2& origin, const Vec2& direction) const {
   const Vec2 high = corner_ + cell_m_ * Vec2(columns_, rows_);
-  Interval path_segment{0, kNever};
+  Interval part{0, kNever};
   for (int axis = 0; axis < 2; ++axis) {
     if (direction[axis] == 0) {
       if (origin[axis] < corner_[axis] || origin[axis] > high[axis]) return {0, -1};
@@ -104,17 +104,17 @@ Interval WallGrid::path_segment_inside(const Vec2& origin, const Vec2& direction
     }
     const double a = (corner_[axis] - origin[axis]) / direction[axis];
     const double b = (high[axis] - origin[axis]) / direction[axis];
-    path_segment.min = std::max(path_segment.min, std::min(a, b));
-    path_segment.max = std::min(path_segment.max, std::max(a, b));
+    part.min = std::max(part.min, std::min(a, b));
+    part.max = std::min(part.max, std::max(a, b));
   }
-  return path_segment;
+  return part;
 }
 
 double WallGrid::cast(const Vec2& origin, const Vec2& direction) const {
-  const Interval path_segment = path_segment_inside(origin, direction);
-  if (walls_.empty() || path_segment.max < path_segment.min) return kNever;
+  const Interval part = part_inside(origin, direction);
+  if (walls_.empty() || part.max < part.min) return kNever;
 
-  Cell cell = cell_at(origin + path_segment.min * direction);
+  Cell cell = cell_at(origin + part.min * direction);
   const std::array<int, 2> step = {direction.x() < 0 ? -1 : 1, direction.y() < 0 ? -1 : 1};
   const auto leaving_at = [&](int axis) {
     if (direction[axis] == 0) return kNever;

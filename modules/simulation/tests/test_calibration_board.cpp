@@ -36,7 +36,7 @@ TEST(CalibrationBoard, RolledItsUpperEdgeLeansToTheLeftOfWhoLooksAtIt) {
   board.yaw_rad = kPi;
   board.roll_rad = 0.1;
   const Vec3 up = board.R_world_print() * -Vec3::UnitY();
-  EXPECT_GT(up.y(), 0.09);  // left of who looks along x
+  EXPECT_GT(up.y(), 0.09);  // left of a viewer who looks along x
 }
 
 }  // namespace

@@ -15,12 +15,12 @@ World wall_at(double x) {
 }
 
 TEST(Footprint, IsTouchedByWhatCrossesItOrLiesInIt) {
-  EXPECT_TRUE(contacts(kCart, {{0.5, -5}, {0.5, 5}}));
-  EXPECT_TRUE(contacts(kCart, {{0.4, 0.1}, {0.5, 0.1}}));
-  EXPECT_TRUE(contacts(kCart, {{0.9, 0.45}, {1.1, 0.1}}));
-  EXPECT_FALSE(contacts(kCart, {{0.95, 0.5}, {1.2, 0.1}}));  // passes the corner
-  EXPECT_FALSE(contacts(kCart, {{1.01, -5}, {1.01, 5}}));
-  EXPECT_FALSE(contacts(kCart, {{-0.21, 0}, {-3, 0}}));
+  EXPECT_TRUE(intersects(kCart, {{0.5, -5}, {0.5, 5}}));
+  EXPECT_TRUE(intersects(kCart, {{0.4, 0.1}, {0.5, 0.1}}));
+  EXPECT_TRUE(intersects(kCart, {{0.9, 0.45}, {1.1, 0.1}}));
+  EXPECT_FALSE(intersects(kCart, {{0.95, 0.5}, {1.2, 0.1}}));  // passes the corner
+  EXPECT_FALSE(intersects(kCart, {{1.01, -5}, {1.01, 5}}));
+  EXPECT_FALSE(intersects(kCart, {{-0.21, 0}, {-3, 0}}));
 }
 
 RC_GTEST_PROP(Footprint, IsTouchedWhereAPointOfTheSegmentIsInside, (std::uint64_t seed)) {
@@ -33,11 +33,11 @@ RC_GTEST_PROP(Footprint, IsTouchedWhereAPointOfTheSegmentIsInside, (std::uint64_
     is_inside = is_inside || off_m == 0;
     is_near = is_near || off_m < 0.01;
   }
-  if (is_inside) RC_ASSERT(contacts(kCart, segment));
-  if (!is_near) RC_ASSERT(!contacts(kCart, segment));
+  if (is_inside) RC_ASSERT(intersects(kCart, segment));
+  if (!is_near) RC_ASSERT(!intersects(kCart, segment));
 }
 
-TEST(Obstacles, ThePathIsFreeUpToTheWall) {
+TEST(Obstacles, AnArcIsFreeUpToTheWall) {
   Obstacles obstacles(wall_at(3), kCart);
   EXPECT_NEAR(obstacles.free_share({}, {4, 0}), 0.5, 1e-4);
   EXPECT_EQ(obstacles.free_share({}, {1.99, 0}), 1);
@@ -50,7 +50,7 @@ TEST(Obstacles, TurningSweepsTheCorners) {
   EXPECT_LT(obstacles.free_share({}, {0, 0.3}), 1);
 }
 
-TEST(Obstacles, WhatIsOverTheVehicleIsNotInItsPath) {
+TEST(Obstacles, WhatIsAboveTheVehicleIsNoObstacle) {
   World world;
   world.furniture.push_back(
       {.kind = Furniture::Kind::kTable, .centre = {3, 0}, .size = {2, 2}, .height_m = 0.75});

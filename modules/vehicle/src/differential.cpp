@@ -5,7 +5,7 @@
 namespace aisle {
 namespace {
 
-/// Derivative of the arc's (length, turn) by the paths of the wheels (left, right).
+/// Derivative of the arc's (length, turn) by the distances of the wheels (left, right).
 Mat2 arc_jacobian(const Differential& vehicle) {
   Mat2 jacobian;
   jacobian << 0.5, 0.5,  //
@@ -15,11 +15,11 @@ Mat2 arc_jacobian(const Differential& vehicle) {
 
 double wheel_variance_m2(const Differential& vehicle, int steps, const DifferentialNoise& noise) {
   if (steps == 0) return 0;
-  const double step_m = vehicle.step_length_m(), path_m = steps * step_m;
-  const double scale_m = noise.wheel_scale * path_m;
+  const double step_m = vehicle.step_length_m(), distance_m = steps * step_m;
+  const double scale_m = noise.wheel_scale * distance_m;
   const double slip_m2_per_m = noise.wheel_slip_m_per_sqrt_m * noise.wheel_slip_m_per_sqrt_m;
   const double rounding_m2 = 2 * step_m * step_m / 12;  // at both ends
-  return scale_m * scale_m + slip_m2_per_m * std::abs(path_m) + rounding_m2;
+  return scale_m * scale_m + slip_m2_per_m * std::abs(distance_m) + rounding_m2;
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ void Differential::describe(FieldList& fields) {
 void DifferentialNoise::describe(FieldList& fields) {
   fields.real("wheel_scale", wheel_scale, {0, 1}, "error of a wheel's radius, as a share");
   fields.real("wheel_slip_m_per_sqrt_m", wheel_slip_m_per_sqrt_m, {0, 1},
-              "error of a wheel's path after one metre, growing with the root of the path");
+              "error of a wheel's distance after one metre, growing with the root of the distance");
   fields.real("separation_scale", separation_scale, {0, 1}, "error of the wheels' separation, as a share");
 }
 
@@ -66,8 +66,8 @@ UncertainPose2 drive(const Differential& vehicle, const WheelSteps& steps, const
 }
 
 WheelSteps turn_on_the_spot(const Differential& vehicle, int quanta) {
-  const double path_m = quanta * vehicle.turn_quantum_rad * vehicle.wheel_separation_m / 2;
-  const int steps = static_cast<int>(std::lround(path_m / vehicle.step_length_m()));
+  const double distance_m = quanta * vehicle.turn_quantum_rad * vehicle.wheel_separation_m / 2;
+  const int steps = static_cast<int>(std::lround(distance_m / vehicle.step_length_m()));
   return {-steps, steps};
 }
 

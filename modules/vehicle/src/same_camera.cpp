@@ -32,7 +32,7 @@ constexpr std::array kTolerances = {
     Tolerance{.key = "roll_deg", .absolute = 0.2},
 };
 constexpr double kDistortion_px = 0.5;
-constexpr double kRounding = 1e-9;  // what lies on the edge of a tolerance is within
+constexpr double kRounding = 1e-9;  // a value on the edge of a tolerance is within it
 
 double value_of(const Field& field) {
   if (const auto* count = std::get_if<int*>(&field.target)) return **count;
@@ -53,7 +53,7 @@ bool agrees(const Field& learned, const Field& present) {
   return difference(learned, present) <= allowed + kRounding;
 }
 
-/// How far a lens moves what another one shows at a pixel, apart from focal lengths and optical axis.
+/// How far a lens moves what another one shows at a pixel, not counting focal lengths and optical axis.
 double distortion_difference_px(const CameraIntrinsics& learned, CameraIntrinsics other,
                                 const Vec2& pixel_px) {
   other.fx_px = learned.fx_px;

@@ -21,7 +21,8 @@ void DriveLimits::describe(FieldList& fields) {
   fields.angle("turn_rate_max_deg_s", turn_rate_max_rad_s, {1, 1000}, "of a differential vehicle");
   fields.angle("turn_acceleration_max_deg_s2", turn_acceleration_max_rad_s2, {1, 10000},
                "of a differential vehicle");
-  fields.real("command_age_max_s", command_age_max_s, {0.05, 0.5}, "older commands mean: stop");
+  fields.real("command_age_max_s", command_age_max_s, {0.05, 0.5},
+              "the vehicle stops when its last command is older");
 }
 
 void LaserMarkers::describe(FieldList& fields) {

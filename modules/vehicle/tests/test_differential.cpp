@@ -89,11 +89,12 @@ RC_GTEST_PROP(Differential, ManySmallMotionsAreOneLargeOne, (std::uint64_t seed)
 RC_GTEST_PROP(Differential, JacobianMatchesNumericalDifferences, (std::uint64_t seed)) {
   const Differential vehicle;
   const WheelSteps steps = any_steps(seed);
-  const auto pose_of_paths = [&](const Vec2& paths_m) {
-    return end_pose({paths_m.sum() / 2, (paths_m.y() - paths_m.x()) / vehicle.wheel_separation_m});
+  const auto pose_of_distances = [&](const Vec2& distances_m) {
+    return end_pose(
+        {distances_m.sum() / 2, (distances_m.y() - distances_m.x()) / vehicle.wheel_separation_m});
   };
   const Mat32 numerical =
-      numerical_jacobian(pose_of_paths, Vec2(steps.left, steps.right) * vehicle.step_length_m());
+      numerical_jacobian(pose_of_distances, Vec2(steps.left, steps.right) * vehicle.step_length_m());
   RC_ASSERT((drive_jacobian(vehicle, steps) - numerical).norm() < 1e-6 * (1 + numerical.norm()));
 }
 

@@ -165,7 +165,7 @@ TEST(FrontSteered, EverySourceOfNoiseByHand) {
   noise.heading_slip_rad_per_sqrt_m = 0.01;
   EXPECT_NEAR(std::sqrt(drive(vehicle, ahead, noise).covariance(2, 2)), 0.02, 1e-12);
   noise = kPerfect;
-  noise.steering_bias_rad = 0.01;  // 4 m / 0.5 m * 0.01; the rear drifts by half the path times the turn
+  noise.steering_bias_rad = 0.01;  // 4 m / 0.5 m * 0.01; the rear drifts by half the distance times the turn
   EXPECT_NEAR(std::sqrt(drive(vehicle, ahead, noise).covariance(2, 2)), 0.08, 1e-12);
   EXPECT_NEAR(std::sqrt(drive(vehicle, ahead, noise).covariance(1, 1)), 0.16, 1e-12);
   noise = kPerfect;

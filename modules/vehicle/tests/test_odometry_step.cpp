@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kTolerance = 1e-12;
 
-TEST(OdometryStep, FrontWheelsStraightOnCountThePath) {
+TEST(OdometryStep, StraightFrontWheelsCountTheDistance) {
   const Pose2 step = odometry_step({}, FrontSteeredMotion{.distance_m = 0.3, .steering_rad = 0});
   EXPECT_NEAR(step.x, 0.3, kTolerance);
   EXPECT_NEAR(step.y, 0, kTolerance);

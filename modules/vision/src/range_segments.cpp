@@ -14,14 +14,16 @@ void SegmentParams::describe(FieldList& fields) {
   fields.real("range_min_m", range_min_m, {0, 5}, "nearer readings are the vehicle itself");
   fields.real("range_max_m", range_max_m, {1, 200}, "farther readings are too sparse for segments");
   fields.real("split_m", split_m, {0.005, 1}, "a run of points farther than this from its chord is split");
-  fields.real("rms_max_m", rms_max_m, {0.005, 1}, "a rougher fit is no straight wall");
+  fields.real("rms_max_m", rms_max_m, {0.005, 1}, "a rougher fit is not a straight wall");
   fields.real("length_min_m", length_min_m, {0.02, 5}, "shorter segments are dropped");
   fields.count("points_min", points_min, {3, 100}, "segments of fewer points are dropped");
   fields.real("range_sigma_m", range_sigma_m, {0.001, 0.5}, "noise of one reading");
-  fields.real("offset_floor_m", offset_floor_m, {0, 0.5}, "no segment is trusted better across its line");
-  fields.angle("heading_floor_deg", heading_floor_rad, {0, 20}, "no segment is trusted better in heading");
+  fields.real("offset_floor_m", offset_floor_m, {0, 0.5}, "least standard deviation of a segment's offset");
+  fields.angle("heading_floor_deg", heading_floor_rad, {0, 20},
+               "least standard deviation of a segment's heading");
   fields.real("uneven_m", uneven_m, {0, 0.5},
-              "doors stand so far off their wall: over its length no segment is trusted better in heading");
+              "how far doors stand off their wall: a segment's heading is not trusted better than this over "
+              "its length");
 }
 
 namespace {
@@ -29,7 +31,7 @@ namespace {
 constexpr std::size_t kMissingBeamsMax = 2;   // a longer hole ends a run of points
 constexpr double kGrazing_rad = 8 * kDegree;  // a wall seen flatter than this falls apart
 constexpr double kGapFloor_m = 0.06;          // neighbours nearer than this always belong together
-constexpr double kNoiseSample = 0.3;          // the straightest share of the points tells the noise ...
+constexpr double kNoiseSample = 0.3;          // the straightest share of the points measures the noise ...
 constexpr double kNoisePerResidual =
     1 / (0.1903 * 1.2247);                 // ... as its mean is for a Gaussian, chord ends included
 constexpr double kQuietScans = 0.15;       // share of the scans with so little clutter that it is the noise
@@ -114,8 +116,8 @@ class RangeSegmenter::Work {
     }
   }
 
-  /// The noise of a point across its wall: how far it is from the chord of two points beside it, which must
-  /// be long against the noise. The distances that decide about segments grow with it.
+  /// The noise of a point across its wall: its distance from the chord of two points beside it, which must be
+  /// long compared with the noise. The distances that decide about segments grow with it.
   void measure_noise() {
     residuals_.clear();
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -143,7 +145,7 @@ class RangeSegmenter::Work {
     gap_m_ = std::max(kGapFloor_m, kGapSigmas * *noise_m_);
   }
 
-  /// Two neighbouring points lie on one surface, unless it would be seen flatter than a grazing angle.
+  /// Two neighbouring points lie on one surface, unless it would be seen at grazing incidence.
   bool belong_together(std::size_t i, std::size_t j) const {
     const std::size_t beams = beams_[j] - beams_[i];
     if (beams > kMissingBeamsMax + 1) return false;

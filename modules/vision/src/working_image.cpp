@@ -90,7 +90,7 @@ void WorkingImage::prepare_straightening() {
   }
 }
 
-/// Where the camera shows nothing, the last pixel of the row goes on: no vertical edge arises.
+/// Where the camera shows nothing, the last pixel of the row is repeated, so that no vertical edge arises.
 void WorkingImage::straighten() {
   const Image& from = *grey_;
   std::uint8_t* out = straight_.bytes.data();

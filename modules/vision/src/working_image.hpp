@@ -31,7 +31,7 @@ class WorkingImage {
   /// The inverse.
   std::optional<Vec2> working(const Vec2& given_px) const;
 
-  /// Given pixels per working pixel, across.
+  /// Given pixels per working pixel, horizontally.
   double shrink() const { return shrink_.x(); }
   /// Whether straight lines of the working image may be curves in the image as given.
   bool bends_lines() const { return camera_.has_value(); }

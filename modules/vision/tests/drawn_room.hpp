@@ -13,7 +13,7 @@
 namespace aisle {
 
 struct DrawnWall {
-  Segment2 floor_point;  ///< in base_link
+  Segment2 floor_edge;  ///< where it meets the floor, in base_link
   double brightness = 170;
   double skirting_brightness = 60;
   double skirting_height_m = 0.1;
@@ -86,12 +86,12 @@ class RoomDrawing {
     double nearest = ray.z() < 0 ? -eye.z() / ray.z() : 1e9;
     double seen = ray.z() < 0 ? on_floor((eye + nearest * ray).head<2>()) : 200;
     for (std::size_t i = 0; i < room_.walls.size(); ++i) {
-      const Segment2& floor_point = room_.walls[i].floor_point;
-      const Vec2 along = floor_point.end - floor_point.start, across = left_normal(along),
-                 from = floor_point.start - eye.head<2>();
+      const Segment2& floor_edge = room_.walls[i].floor_edge;
+      const Vec2 along = floor_edge.end - floor_edge.start, across = left_normal(along),
+                 from = floor_edge.start - eye.head<2>();
       const double share = across.dot(from) / across.dot(ray.head<2>());
       const Vec3 p = eye + share * ray;
-      const double on_wall = along.dot(p.head<2>() - floor_point.start) / along.norm();
+      const double on_wall = along.dot(p.head<2>() - floor_edge.start) / along.norm();
       if (!(share > 0 && share < nearest && on_wall >= 0 && on_wall <= along.norm() && p.z() < 2.7)) continue;
       nearest = share;
       seen = on_its_wall(i, on_wall, p.z());
@@ -115,7 +115,7 @@ class RoomDrawing {
     double share = 1;
     if (room_.shadow_m > 0)
       for (const DrawnWall& wall : room_.walls)
-        share -= 0.25 * std::exp(-wall.floor_point.distance(p) / room_.shadow_m);
+        share -= 0.25 * std::exp(-wall.floor_edge.distance(p) / room_.shadow_m);
     return share;
   }
 
@@ -139,11 +139,11 @@ inline Image drawn(const DrawnRoom& room, const CameraMount& mount = drawn_mount
   return RoomDrawing(room, mount).image();
 }
 
-/// A wall at a distance from the camera's floor point, whose normal towards the camera is turned by
-/// `heading_rad` from the path ahead; the camera is on its left.
+/// A wall at a distance from the floor point beneath the camera. Its normal is turned by `heading_rad` from
+/// straight ahead; the camera is on its left.
 inline DrawnWall wall_ahead(double distance_m, double heading_rad) {
   const Vec2 out = unit(heading_rad), middle = drawn_mount().p_vehicle_camera.head<2>() + distance_m * out;
-  return {.floor_point = {middle - 20 * left_normal(out), middle + 20 * left_normal(out)}};
+  return {.floor_edge = {middle - 20 * left_normal(out), middle + 20 * left_normal(out)}};
 }
 
 }  // namespace aisle

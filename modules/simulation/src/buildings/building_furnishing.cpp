@@ -6,8 +6,8 @@
 namespace aisle {
 namespace {
 
-constexpr double kFreeBehindDoor_m = 1.2;   ///< on the way through the middle of the doorway
-constexpr double kFreeBesideDoor_m = 0.65;  ///< of that way
+constexpr double kFreeBehindDoor_m = 1.2;   ///< of the passage through the middle of the doorway
+constexpr double kFreeBesideDoor_m = 0.65;  ///< to either side of that passage
 constexpr double kFreeRoundTour_m = 0.75;
 constexpr double kHallMin_m = 6;  ///< of a corridor's shorter side, to be a hall
 
@@ -21,8 +21,8 @@ class RoomFurnisher {
   RoomFurnisher(World& world, const Room& room, Random& random)
       : world_(world), room_(room), random_(random) {
     const Vec2 doorway = room.doorway.centre(), free_end = doorway + kFreeBehindDoor_m * room.inwards;
-    const Rectangle path{doorway.cwiseMin(free_end), doorway.cwiseMax(free_end)};
-    taken_.push_back(path.grown(kFreeBesideDoor_m));
+    const Rectangle passage{doorway.cwiseMin(free_end), doorway.cwiseMax(free_end)};
+    taken_.push_back(passage.grown(kFreeBesideDoor_m));
   }
 
   void furnish() {
@@ -32,7 +32,7 @@ class RoomFurnisher {
   }
 
  private:
-  double between(double min_m, double max_m) { return centimetres_by_chance(random_, min_m, max_m); }
+  double between(double min_m, double max_m) { return random_centimetres(random_, min_m, max_m); }
 
   void add_table() {
     const Vec2 size(between(1.2, 1.8), between(0.7, 0.9));
@@ -72,7 +72,7 @@ class RoomFurnisher {
     }
   }
 
-  /// A place with its back to the wall in this direction, its width along it; tried a few times.
+  /// A random place with its back to the wall in this direction, its width along it; a few are tried.
   std::optional<Rectangle> place_at_wall(const Vec2& wall, const Vec2& size, double gap_m) {
     const Vec2 half = std::abs(wall.x()) > 0.5 ? Vec2(size.y() / 2, size.x() / 2) : Vec2(size / 2);
     const Rectangle inner{room_.floor.min + half + Vec2::Constant(gap_m),
@@ -100,7 +100,7 @@ class RoomFurnisher {
   std::vector<Rectangle> taken_;
 };
 
-/// Points spread evenly over a floor, about so far from each other and half of that from the walls.
+/// Points spread evenly over a floor, at about this distance from each other and half of it from the walls.
 std::vector<Vec2> spread_points(const Rectangle& floor, double spacing_m) {
   const int columns = std::max(1, static_cast<int>(std::lround(floor.size().x() / spacing_m)));
   const int rows = std::max(1, static_cast<int>(std::lround(floor.size().y() / spacing_m)));
@@ -115,10 +115,10 @@ std::vector<Vec2> spread_points(const Rectangle& floor, double spacing_m) {
 }
 
 void add_pillars(World& world, const Rectangle& hall, const BuildingLayout& layout, Random& random) {
-  const double spacing_m = centimetres_by_chance(random, 2.8, 4.5),
-               diameter_m = centimetres_by_chance(random, 0.3, 0.6);
+  const double spacing_m = random_centimetres(random, 2.8, 4.5),
+               diameter_m = random_centimetres(random, 0.3, 0.6);
   const double brightness = random.uniform(0.4, 0.9);
-  const auto is_in_the_path = [&](const Vec2& p) {
+  const auto is_in_the_way = [&](const Vec2& p) {
     for (std::size_t i = 1; i < layout.tour.size(); ++i) {
       if (Segment2{layout.tour[i - 1], layout.tour[i]}.distance(p) < kFreeRoundTour_m + diameter_m / 2)
         return true;
@@ -126,7 +126,7 @@ void add_pillars(World& world, const Rectangle& hall, const BuildingLayout& layo
     return false;
   };
   for (const Vec2& p : spread_points(hall, spacing_m)) {
-    if (is_in_the_path(p)) continue;
+    if (is_in_the_way(p)) continue;
     world.furniture.push_back(
         {Furniture::Kind::kPillar, p, {diameter_m, diameter_m}, 0, world.ceiling_m, brightness});
   }
@@ -135,12 +135,12 @@ void add_pillars(World& world, const Rectangle& hall, const BuildingLayout& layo
 }  // namespace
 
 void hang_doors(World& world, const BuildingLayout& layout, Random& random) {
-  const double height_m = centimetres_by_chance(random, 1.98, 2.15);
+  const double height_m = random_centimetres(random, 1.98, 2.15);
   const double brightness = random.uniform(0.2, 0.8), frame_brightness = random.uniform(0.1, 0.6);
-  const double frame_width_m = centimetres_by_chance(random, 0.05, 0.12);
+  const double frame_width_m = random_centimetres(random, 0.05, 0.12);
   for (const Room& room : layout.rooms) {
     if (!room.has_leaf) continue;
-    const bool hinge_is_left = by_chance(random, 0.5);
+    const bool hinge_is_left = with_probability(random, 0.5);
     const Vec2 to_lock = hinge_is_left ? left_normal(room.inwards) * -1 : left_normal(room.inwards);
     const double width_m = room.doorway.size().cwiseProduct(to_lock).norm();
     Door door;
@@ -167,14 +167,14 @@ void furnish(World& world, const BuildingLayout& layout, Random& random) {
 }
 
 void hang_lamps(World& world, const BuildingLayout& layout, Random& random) {
-  const double spacing_m = centimetres_by_chance(random, 2, 4.5), power = random.uniform(0.7, 1.3);
+  const double spacing_m = random_centimetres(random, 2, 4.5), power = random.uniform(0.7, 1.3);
   const double broken_share = random.uniform(0, 0.1);
-  const bool lie_along = by_chance(random, 0.6);
+  const bool lie_along = with_probability(random, 0.6);
   const auto hang = [&](const Vec2& p, bool along_x) {
     const bool is_there_already = std::any_of(world.lamps.begin(), world.lamps.end(), [&](const Lamp& lamp) {
       return (lamp.centre - p).norm() < 1.5;
     });
-    if (is_there_already || by_chance(random, broken_share)) return;
+    if (is_there_already || with_probability(random, broken_share)) return;
     world.lamps.push_back({.centre = p, .heading_rad = along_x == lie_along ? 0 : kPi / 2, .power = power});
   };
   for (const Rectangle& corridor : layout.corridors) {

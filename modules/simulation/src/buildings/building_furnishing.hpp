@@ -6,10 +6,10 @@
 
 namespace aisle {
 
-/// Doors in the doorways: closed, or opened into their rooms so far that a vehicle gets through.
+/// Doors in the doorways: closed, or opened into their rooms far enough for a vehicle to pass.
 void hang_doors(World& world, const BuildingLayout& layout, Random& random);
 
-/// Tables with chairs, cupboards and pillars in rooms, halls and alcoves; corridors and the paths through
+/// Tables with chairs, cupboards and pillars in rooms, halls and alcoves; corridors and the passages through
 /// doorways stay free.
 void furnish(World& world, const BuildingLayout& layout, Random& random);
 

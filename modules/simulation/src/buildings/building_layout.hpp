@@ -13,13 +13,13 @@ namespace aisle {
 /// A room behind a door to a corridor.
 struct Room {
   Rectangle floor;
-  Rectangle doorway;            ///< through the wall, as deep as it
+  Rectangle doorway;            ///< through the wall, as deep as the wall
   Vec2 inwards = Vec2::Zero();  ///< from the doorway into the room, of length 1
-  bool is_open = false;         ///< a vehicle gets in
+  bool is_open = false;         ///< a vehicle can enter
   bool has_leaf = true;         ///< else an opening without a door
 };
 
-/// The floor of a building by chance, before anything stands in it.
+/// The floor of a random building, before anything stands in it.
 struct BuildingLayout {
   std::vector<Rectangle> corridors;  ///< and halls; they overlap where they meet
   std::vector<Rectangle> alcoves;
@@ -33,15 +33,15 @@ struct BuildingLayout {
 };
 
 /// Corridors and halls with their tour.
-BuildingLayout corridors_by_chance(const RandomBuildingRecipe& recipe, Random& random);
+BuildingLayout random_corridors(const RandomBuildingRecipe& recipe, Random& random);
 
 /// Lines the walls of the corridors with rooms and alcoves.
 void add_rooms(BuildingLayout& layout, Random& random);
 
 /// Rounded to centimetres, uniform between the two.
-double centimetres_by_chance(Random& random, double min_m, double max_m);
+double random_centimetres(Random& random, double min_m, double max_m);
 
 /// True with this probability.
-bool by_chance(Random& random, double probability);
+bool with_probability(Random& random, double probability);
 
 }  // namespace aisle

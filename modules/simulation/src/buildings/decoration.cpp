@@ -9,24 +9,24 @@ namespace aisle {
 namespace {
 
 constexpr double kFromCorner_m = 0.3;
-constexpr double kFreeAhead_m = 0.7;  ///< else nobody could go through a door or look at a poster
+constexpr double kFreeAhead_m = 0.7;  ///< space to pass a door or to look at a poster
 constexpr double kSeenFromTour_m = 4;
 constexpr double kLampApart_m = 2;
 constexpr double kLampStep_m = 0.25;  ///< between places along the tour that may get a lamp
 
 bool is_near_tour(const World& world, const Vec2& p) {
   return std::any_of(world.tour.begin(), world.tour.end() - 1, [&](const Vec2& start) {
-    const Vec2 path = *(&start + 1) - start;
+    const Vec2 step = *(&start + 1) - start;
     const double share =
-        path.squaredNorm() > 0 ? std::clamp((p - start).dot(path) / path.squaredNorm(), 0.0, 1.0) : 0;
-    return (start + share * path - p).norm() < kSeenFromTour_m;
+        step.squaredNorm() > 0 ? std::clamp((p - start).dot(step) / step.squaredNorm(), 0.0, 1.0) : 0;
+    return (start + share * step - p).norm() < kSeenFromTour_m;
   });
 }
 
-std::vector<Segment2> floor_points(const World& world) {
-  std::vector<Segment2> floor_points;
-  for (const WallFace& wall : world.walls) floor_points.push_back(wall.floor_point);
-  return floor_points;
+std::vector<Segment2> wall_lines(const World& world) {
+  std::vector<Segment2> wall_lines;
+  for (const WallFace& wall : world.walls) wall_lines.push_back(wall.floor_point);
+  return wall_lines;
 }
 
 /// What hangs on the walls already, as circles on the floor.
@@ -56,7 +56,7 @@ class Occupied {
   std::vector<Circle> circles_;
 };
 
-/// A part of a wall that something of this width could hang on, in the middle of free sight.
+/// A part of a wall that something of this width could hang on, in the middle of a visible part.
 struct Spot {
   Vec2 centre = Vec2::Zero();
   Vec2 along = Vec2::UnitX();
@@ -66,7 +66,7 @@ struct Spot {
 class WallWalk {
  public:
   WallWalk(const World& world, Random& random)
-      : grid_(floor_points(world)), walls_(floor_points(world)), random_(random) {}
+      : grid_(wall_lines(world)), walls_(wall_lines(world)), random_(random) {}
 
   /// @param next  distance to go on before a spot and its width are drawn
   template <class Draw, class Hang>

@@ -23,13 +23,13 @@ void check(Problems& problems, const char* key, const std::optional<double>& val
 void choose_surfaces(World& world, Random& random) {
   static constexpr FloorCovering::Kind kFloors[] = {FloorCovering::Kind::kPlain, FloorCovering::Kind::kTiles,
                                                     FloorCovering::Kind::kCarpet};
-  world.ceiling_m = centimetres_by_chance(random, 2.4, 3.2);
+  world.ceiling_m = random_centimetres(random, 2.4, 3.2);
   world.ceiling_brightness = random.uniform(0.7, 0.95);
   world.floor.kind = kFloors[random.index(3)];
-  world.floor.tile_m = centimetres_by_chance(random, 0.2, 0.6);
+  world.floor.tile_m = random_centimetres(random, 0.2, 0.6);
   world.floor.brightness = random.uniform(0.25, 0.65);
   world.floor.contrast = random.uniform(0.03, 0.2);
-  world.skirting_height_m = by_chance(random, 0.75) ? centimetres_by_chance(random, 0.06, 0.15) : 0;
+  world.skirting_height_m = with_probability(random, 0.75) ? random_centimetres(random, 0.06, 0.15) : 0;
   world.skirting_brightness = random.uniform(0.05, 0.4);
   world.ambient_light = random.uniform(0.2, 0.5);
   world.texture_seed = 1 + random.index(1'000'000);
@@ -80,7 +80,7 @@ Problems RandomBuildingRecipe::problems() const {
 }
 
 World random_building(const RandomBuildingRecipe& recipe, Random random) {
-  BuildingLayout layout = corridors_by_chance(recipe, random);
+  BuildingLayout layout = random_corridors(recipe, random);
   add_rooms(layout, random);
 
   World world;

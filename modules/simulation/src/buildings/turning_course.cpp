@@ -9,9 +9,9 @@ constexpr double kHalf_m = 5;         // the room's
 constexpr double kAisle_m = 1.6;      // width
 constexpr double kEntry_m = 4;        // before the crossing
 constexpr double kExit_m = 3;         // beyond it
-constexpr double kLaneApart_m = 2.6;  // of the two lanes of a turn about
+constexpr double kLaneApart_m = 2.6;  // of the two lanes of a U-turn
 
-/// What a turning's crossing is open to, seen from who comes to it, and where the path leads.
+/// Where a turning's crossing is open, as seen on the way in, and where the route leads.
 struct Crossing {
   bool ahead = false, left = false, right = false;
   Vec2 towards = Vec2::Zero();
@@ -99,7 +99,7 @@ World with_crossing(int number, Course course) {
   return course.take(number, {{0, -kEntry_m}, {0, 0}, kExit_m * crossing.towards}, {0, 0}, kTurning_m);
 }
 
-/// Round an island between two lanes.
+/// Around an island between two lanes.
 /// @param side  1: to the right, -1: to the left
 World turning_about(int number, double side, Course course) {
   constexpr double kTurning_m = kLaneApart_m / 2 + 1.3;
@@ -120,8 +120,8 @@ World turning_about(int number, double side, Course course) {
 /// @param side  1: to the right, -1: to the left
 World with_close_turnings(int first, int second, double side, Course course) {
   constexpr double kFirst_m = 1.2, kSecond_m = 1.4, kApart_m = 1.4;  // widths of the aisles, between middles
-  constexpr double kNearSide_m = 0.8, kFarSide_m = 2.2;  // sides of the aisle across, from its path
-  constexpr double kBeyond_m = 2.3, kBefore_m = 2.3;     // the second turning, where the path turns back
+  constexpr double kNearSide_m = 0.8, kFarSide_m = 2.2;  // sides of the aisle across, from the route
+  constexpr double kBeyond_m = 2.3, kBefore_m = 2.3;     // the second turning, where the route turns back
   constexpr double kTurning_m = 1.3;
   const double h = kHalf_m;
   const auto box = [&](const Vec2& a, const Vec2& b) {

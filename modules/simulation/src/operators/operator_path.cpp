@@ -9,12 +9,12 @@
 namespace aisle {
 namespace {
 
-constexpr std::array kRoom_m = {0.1, 0.05, 0.01};
+constexpr std::array kOperatorClearances_m = {0.1, 0.05, 0.01};
 constexpr double kWider = 1.25;  // than the narrowest turn
 constexpr double kArcStep_rad = 10 * kDegree;
 constexpr double kEarlierStep_m = 0.05;
 constexpr int kEarlierSteps = 8;
-constexpr double kBackOnRoute_m = 1.2;  // behind the corner, after turning in early
+constexpr double kBackOnRoute_m = 1.2;  // beyond the corner, after turning in early
 
 double turn_at(const Vec2& before, const Vec2& corner, const Vec2& after) {
   const Vec2 in = corner - before, out = after - corner;
@@ -39,7 +39,7 @@ std::vector<Pose2> arc_round(const Vec2& before, const Vec2& corner, double turn
 
 }  // namespace
 
-Footprint with_room_to_clearance(Footprint footprint, double clearance_m) {
+Footprint with_clearance(Footprint footprint, double clearance_m) {
   footprint.front_m += clearance_m;
   footprint.rear_m += clearance_m;
   footprint.width_m += 2 * clearance_m;
@@ -52,9 +52,9 @@ double turning_radius_m(const VehicleDescription& vehicle) {
 
 OperatorPath::OperatorPath(const World& world, const VehicleDescription& vehicle)
     : vehicle_(vehicle),
-      obstacles_{Obstacles(world, with_room_to_clearance(vehicle.footprint, kRoom_m[0])),
-                 Obstacles(world, with_room_to_clearance(vehicle.footprint, kRoom_m[1])),
-                 Obstacles(world, with_room_to_clearance(vehicle.footprint, kRoom_m[2]))} {}
+      obstacles_{Obstacles(world, with_clearance(vehicle.footprint, kOperatorClearances_m[0])),
+                 Obstacles(world, with_clearance(vehicle.footprint, kOperatorClearances_m[1])),
+                 Obstacles(world, with_clearance(vehicle.footprint, kOperatorClearances_m[2]))} {}
 
 std::vector<Vec2> OperatorPath::drivable(const std::vector<Vec2>& points, bool in_reverse) {
   if (vehicle_.is_differential) return points;
@@ -72,7 +72,7 @@ std::vector<Vec2> OperatorPath::drivable(const std::vector<Vec2>& points, bool i
   return smooth;
 }
 
-/// With as much room as there is, turning in as late as that allows.
+/// With as much clearance as there is, turning in as late as that allows.
 std::vector<Pose2> OperatorPath::round(const Vec2& before, const Vec2& corner, const Vec2& after,
                                        bool in_reverse) {
   const double turn_rad = turn_at(before, corner, after);

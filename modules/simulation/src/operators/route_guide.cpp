@@ -18,10 +18,10 @@ World with_tour(World world, const WorldRoute& route, const std::vector<Vec2>& b
   return world;
 }
 
-/// Where the vehicle turns back that drives the lanes about the path's end: before and beyond each.
+/// Where the vehicle turns back on the lanes around the route's end: before and beyond each.
 std::vector<Vec2> turns_about_place(const World& world, const WorldRoute& route, const Footprint& footprint) {
   constexpr double kRunUp_m = 1, kClearance_m = 0.05, kStep_m = 0.1;
-  Obstacles obstacles(world, with_room_to_clearance(footprint, kClearance_m));
+  Obstacles obstacles(world, with_clearance(footprint, kClearance_m));
   const Vec2& p = route.path.back();
   const Pose2 T_world_place{p.x(), p.y(), heading_of(p - *(route.path.end() - 2))};
   std::vector<Vec2> turns;
@@ -37,7 +37,7 @@ std::vector<Vec2> turns_about_place(const World& world, const WorldRoute& route,
   return turns;
 }
 
-/// Path along a polyline to its point nearest to `p`, of those at most so far along.
+/// Distance along a polyline to its point nearest to `p`, among those from `from_m` to `to_m`.
 double along_path_m(const std::vector<Vec2>& path, const Vec2& p, double from_m, double to_m) {
   constexpr double kStep_m = 0.02;
   double best_m = from_m, least_m = -1, begin_m = 0;
@@ -64,7 +64,7 @@ double length_of_path_m(const std::vector<Vec2>& path) {
   return sum_m;
 }
 
-/// Along a polyline, the first point after `from_m` where it turns back, or its end.
+/// Distance along a polyline to the first point after `from_m` where it turns back, or to its end.
 double next_turning_back_m(const std::vector<Vec2>& path, double from_m) {
   constexpr double kTurnsBack_rad = 120 * kDegree;
   double along_m = 0;

@@ -22,13 +22,13 @@ constexpr double kSlowest_mps = 0.02;
 constexpr double kBraking_mps2 = 0.15;
 constexpr double kKeptFree_m = 0.1;
 constexpr double kAtWall_m = 0.15;
-constexpr double kStuck_s = 1.5;    ///< without getting on
-constexpr double kBackOff_m = 0.8;  ///< of the path
+constexpr double kStuck_s = 1.5;    ///< without progress
+constexpr double kBackOff_m = 0.8;  ///< along the path
 constexpr double kBackedOff_m = 0.1;
 constexpr double kSlowlyAgain = 0.5;  ///< of the usual speed
 constexpr double kBackingClearance_m = 0.01;
-constexpr std::array kLikedRooms_m = {0.12, 0.1, 0.08, 0.06, 0.04, 0.02};
-constexpr double kLookedAt_m = 0.7;  ///< of the path
+constexpr std::array kLikedClearances_m = {0.12, 0.1, 0.08, 0.06, 0.04, 0.02};
+constexpr double kLookedAt_m = 0.7;  ///< along the path
 constexpr double kTriedStep_rad = 2 * kDegree;
 constexpr int kTriedSteps = 10;
 constexpr double kTurnsOnTheSpot_rad = 40 * kDegree;
@@ -61,13 +61,13 @@ Pose2 pose_along(const std::vector<Vec2>& points, double along_m) {
 
 void ScriptedOperatorParams::describe(FieldList& fields) {
   fields.real("speed_mps", speed_mps, {0.02, 5}, "on a straight segment");
-  fields.real("look_ahead_m", look_ahead_m, {0.1, 5}, "where on the route the vehicle is steered to");
-  fields.real("reaction_s", reaction_s, {0, 2}, "how late what is seen is acted on");
-  fields.real("wander_m", wander_m, {0, 1}, "standard deviation beside the route");
+  fields.real("look_ahead_m", look_ahead_m, {0.1, 5}, "how far ahead on the route the vehicle steers to");
+  fields.real("reaction_s", reaction_s, {0, 2}, "delay from seeing to acting");
+  fields.real("wander_m", wander_m, {0, 1}, "standard deviation of the lateral offset");
   fields.real("wander_time_s", wander_time_s, {0.5, 100}, "over which the wander comes and goes");
   fields.real("speed_wander", speed_wander, {0, 0.5}, "standard deviation of the speed, as a share");
-  fields.real("place_radius_m", place_radius_m, {0.05, 5}, "how near a place is passed to be named");
-  fields.real("timeout_s", timeout_s, {1, 1000}, "how long to wait before what is in the path");
+  fields.real("place_radius_m", place_radius_m, {0.05, 5}, "how near a place must be passed to be named");
+  fields.real("timeout_s", timeout_s, {1, 1000}, "how long to wait for an obstacle to go away");
 }
 
 ScriptedOperator::ScriptedOperator(const World& world, const VehicleDescription& vehicle,
@@ -76,18 +76,18 @@ ScriptedOperator::ScriptedOperator(const World& world, const VehicleDescription&
       params_(params),
       random_(seed),
       places_(world.places),
-      walls_(world, with_room_to_clearance(vehicle.footprint, kAtWall_m)) {
+      walls_(world, with_clearance(vehicle.footprint, kAtWall_m)) {
   add_legs(world);
   if (vehicle.is_differential) return;
-  for (const double room_m : kLikedRooms_m)
-    liked_room_.emplace_back(world, with_room_to_clearance(vehicle.footprint, room_m));
+  for (const double clearance_m : kLikedClearances_m)
+    walls_by_clearance_.emplace_back(world, with_clearance(vehicle.footprint, clearance_m));
 }
 
 void ScriptedOperator::add_legs(const World& world) {
   std::vector<Vec2> route = world.tour;
   route.erase(std::unique(route.begin(), route.end()), route.end());
   if (route.size() < 2) throw std::invalid_argument("a route needs two different points");
-  Obstacles obstacles(world, with_room_to_clearance(vehicle_.footprint, kBackingClearance_m));
+  Obstacles obstacles(world, with_clearance(vehicle_.footprint, kBackingClearance_m));
   OperatorPath path(world, vehicle_);
   legs_.push_back({.points = {route[0], route[1]}});
   for (std::size_t i = 2; i < route.size(); ++i) {
@@ -110,8 +110,9 @@ void ScriptedOperator::add_legs(const World& world) {
   }
 }
 
-/// Beyond the corner at the leg's end as seen from `next`: who has backed there goes forwards to `next`.
-/// @return nullopt if there is no room
+/// The place beyond the corner at the leg's end, as seen from `next`: from there the vehicle goes forwards to
+/// `next`.
+/// @return nullopt if there is not enough space
 std::optional<Vec2> ScriptedOperator::place_to_back_to(const Leg& leg, const Vec2& next,
                                                        OperatorPath& to_drive, Obstacles& obstacles) const {
   constexpr double kStep_m = 0.1;
@@ -138,7 +139,7 @@ double ScriptedOperator::share_done() const {
   return done_m / all_m;
 }
 
-/// Ornstein-Uhlenbeck; to the side follows its pull smoothly, as hands do.
+/// Ornstein-Uhlenbeck processes; the lateral offset follows its pull smoothly, as hands do.
 void ScriptedOperator::wander(double time_s) {
   const double fade = time_s / params_.wander_time_s;
   pull_lateral_ += -fade * pull_lateral_ + random_.normal(std::sqrt(2 * fade));
@@ -155,7 +156,7 @@ OperatorView ScriptedOperator::seen_a_moment_ago(const OperatorView& view) {
   return views_.front();
 }
 
-/// Moves on along the leg to where it is nearest, never back.
+/// Advances along the leg to its nearest point, never back.
 void ScriptedOperator::follow(const Vec2& p_world) {
   constexpr double kStep_m = 0.02;
   const Leg& leg = legs_[leg_];
@@ -191,25 +192,25 @@ Command ScriptedOperator::towards(const Vec2& p_vehicle_target, double speed_mps
   return {.speed_mps = speed_mps, .turn_rate_rad_s = curvature_1_m * speed_mps};
 }
 
-/// Steered as near to what is wished as leaves all the room about the vehicle that there can be, at most as
-/// much as a person likes.
+/// The steering nearest to the requested one that keeps the largest clearance possible, up to what a person
+/// likes.
 Command ScriptedOperator::clear_of_walls(const Pose2& T_world_vehicle, const Command& requested) {
   if (requested.speed_mps == 0) return requested;
-  const double path_m = std::copysign(kLookedAt_m, requested.speed_mps);
+  const double distance_m = std::copysign(kLookedAt_m, requested.speed_mps);
   const double max_rad = vehicle_.limits.steering_max_rad;
-  for (Obstacles& walls : liked_room_) {
+  for (Obstacles& walls : walls_by_clearance_) {
     for (int i = 0; i <= 2 * kTriedSteps; ++i) {
       const int steps = (i + 1) / 2, off = i % 2 == 0 ? -steps : steps;
       const double tried_rad = std::clamp(requested.steering_rad + off * kTriedStep_rad, -max_rad, max_rad);
-      const double turn_rad = path_m * std::tan(tried_rad) / vehicle_.front_steered.wheelbase_m;
-      if (walls.free_share(T_world_vehicle, {path_m, turn_rad}) == 1)
+      const double turn_rad = distance_m * std::tan(tried_rad) / vehicle_.front_steered.wheelbase_m;
+      if (walls.free_share(T_world_vehicle, {distance_m, turn_rad}) == 1)
         return {.speed_mps = requested.speed_mps, .steering_rad = tried_rad};
     }
   }
   return requested;
 }
 
-double ScriptedOperator::wished_speed_mps(const OperatorView& view) const {
+double ScriptedOperator::wanted_speed_mps(const OperatorView& view) const {
   const Leg& leg = legs_[leg_];
   const double left_m = std::max(0.0, leg.length_m - along_m_);
   double speed_mps = params_.speed_mps * (1 + params_.speed_wander * std::clamp(pull_speed_, -2.0, 2.0));
@@ -217,11 +218,11 @@ double ScriptedOperator::wished_speed_mps(const OperatorView& view) const {
   return cautious_speed_mps(view, comes_again() ? kSlowlyAgain * speed_mps : speed_mps, leg.in_reverse);
 }
 
-/// Such that it stops before what it sees that way; negative in reverse.
+/// A speed at which it can stop before the obstacle ahead; negative in reverse.
 double ScriptedOperator::cautious_speed_mps(const OperatorView& view, double speed_mps,
                                             bool in_reverse) const {
-  const bool looks_that_path = in_reverse ? view.speed_mps < 0 : view.speed_mps >= 0;
-  if (looks_that_path) {
+  const bool looks_where_it_drives = in_reverse ? view.speed_mps < 0 : view.speed_mps >= 0;
+  if (looks_where_it_drives) {
     const double free_m = std::max(0.0, view.free_ahead_m - kKeptFree_m);
     speed_mps = std::min(speed_mps, std::sqrt(2 * kBraking_mps2 * free_m));
     if (speed_mps < kSlowest_mps) return 0;
@@ -229,7 +230,7 @@ double ScriptedOperator::cautious_speed_mps(const OperatorView& view, double spe
   return in_reverse ? -std::min(speed_mps, vehicle_.limits.reverse_speed_max_mps) : speed_mps;
 }
 
-/// It has backed off from where it had been already.
+/// Whether it has backed off and is not yet where it was before.
 bool ScriptedOperator::comes_again() const {
   return leg_ == leg_before_ && along_m_ < along_before_m_;
 }
@@ -239,7 +240,7 @@ bool ScriptedOperator::is_stuck_at_wall(const OperatorView& view) {
          walls_.touch(view.T_world_vehicle);
 }
 
-/// Along the path that it came, until it is there or the return path is blocked, too.
+/// Back along its path, until it is at the place or is blocked there, too.
 Command ScriptedOperator::back_off(const OperatorView& view) {
   const Leg& leg = legs_[leg_];
   const Vec2 p_vehicle_back =
@@ -289,8 +290,8 @@ OperatorInput ScriptedOperator::look(const OperatorView& view) {
   }
   follow(seen.T_world_vehicle.position());
   Command requested = clear_of_walls(
-      view.T_world_vehicle, towards(seen.T_world_vehicle.inverse() * target(), wished_speed_mps(view)));
-  // Where the path on is blocked just before a leg's end, that is near enough.
+      view.T_world_vehicle, towards(seen.T_world_vehicle.inverse() * target(), wanted_speed_mps(view)));
+  // Where the way is blocked just before a leg's end, that is near enough.
   const double left_m = legs_[leg_].length_m - along_m_;
   const bool stands = requested.speed_mps == 0 && requested.turn_rate_rad_s == 0;
   if (left_m < (stands ? kLegEndBlocked_m : kLegEnd_m)) {

@@ -17,7 +17,7 @@ constexpr double kApproachGain_1_s = 1.5;
 TourDriver::TourDriver(std::vector<Vec2> tour, const TourDriverParams& params)
     : params_(params), tour_(std::move(tour)) {
   tour_.erase(std::unique(tour_.begin(), tour_.end()), tour_.end());
-  if (tour_.size() < 2) throw std::invalid_argument("a tour needs two different waypoint");
+  if (tour_.size() < 2) throw std::invalid_argument("a tour needs two different waypoints");
   carrot_ = tour_[0];
   T_world_vehicle_ = {tour_[0].x(), tour_[0].y(), heading_of(tour_[1] - tour_[0])};
 }

@@ -37,7 +37,7 @@ Run drive(const World& world, const TourParams& params, Random& random, Progress
   TourDriver driver(world.tour, params.driver);
   Run run{{driver.pose()}, {Pose2{}}};
   while (!driver.has_arrived()) {
-    progress.report("driving", driver.path_points_passed(), driver.waypoints());
+    progress.report("driving", driver.waypoints_passed(), driver.waypoints());
     const Arc counted = counted_by_wheels(driver.step(kTourStep_s), params.odometry, random);
     run.T_world_vehicle.push_back(driver.pose());
     run.T_odom_vehicle.push_back(run.T_odom_vehicle.back() * end_pose(counted));

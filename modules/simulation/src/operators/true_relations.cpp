@@ -8,21 +8,22 @@ namespace aisle {
 namespace {
 
 constexpr double kSpacing_m = 1;
-constexpr double kNear_m = 1;     ///< a revisit comes at least this near
-constexpr double kFarPath_m = 8;  ///< ... after at least this long a path
+constexpr double kNear_m = 1;          ///< a revisit comes at least this near
+constexpr double kTravelledMin_m = 8;  ///< ... after at least this distance travelled
 
-/// A scan that stands for its metre of the path.
+/// The scan that represents one metre of the drive.
 struct Milestone {
   std::size_t scan = 0;
-  double path_m = 0;
+  double travelled_m = 0;
 };
 
 std::vector<Milestone> milestones(std::span<const Pose2> poses) {
   std::vector<Milestone> found;
-  double path_m = 0;
+  double travelled_m = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (i > 0) path_m += (poses[i].position() - poses[i - 1].position()).norm();
-    if (found.empty() || path_m >= found.back().path_m + kSpacing_m) found.push_back({i, path_m});
+    if (i > 0) travelled_m += (poses[i].position() - poses[i - 1].position()).norm();
+    if (found.empty() || travelled_m >= found.back().travelled_m + kSpacing_m)
+      found.push_back({i, travelled_m});
   }
   return found;
 }
@@ -41,7 +42,8 @@ std::vector<PoseRelation> true_relations(std::span<const Pose2> T_world_vehicle,
     for (std::size_t b = a + 1; b < stones.size(); ++b) {
       const Vec2 apart =
           T_world_vehicle[stones[b].scan].position() - T_world_vehicle[stones[a].scan].position();
-      if (stones[b].path_m - stones[a].path_m >= kFarPath_m && apart.norm() <= kNear_m) revisits.push_back(b);
+      if (stones[b].travelled_m - stones[a].travelled_m >= kTravelledMin_m && apart.norm() <= kNear_m)
+        revisits.push_back(b);
     }
     if (!revisits.empty()) relate(stones[a], stones[revisits[random.index(revisits.size())]]);
   }

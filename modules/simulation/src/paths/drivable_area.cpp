@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-/// ClearAreas with enough clearance, by labels from 1.
+/// Connected areas with enough clearance, labelled from 1.
 class ClearAreas {
  public:
   ClearAreas(const ClearanceGrid& grid, std::vector<Segment2> walls, double clearance_min_m)

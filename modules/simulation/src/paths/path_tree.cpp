@@ -9,8 +9,8 @@ namespace aisle {
 namespace {
 
 constexpr double kAmpleClearance_m = 1;
-constexpr double kNarrowCost = 3;        ///< what a metre costs more where there is no clearance at all
-constexpr double kCoverSpacing_m = 0.4;  ///< between the cells of a path that look around
+constexpr double kNarrowCost = 3;        ///< extra cost of a metre where there is no clearance at all
+constexpr double kCoverSpacing_m = 0.4;  ///< between the cells of a path around which the floor is covered
 constexpr std::size_t kCellsAReport = 4096;
 
 double cost_a_metre(double clearance_m) {
@@ -39,7 +39,7 @@ PathTree::PathTree(const ClearanceGrid& grid, const DrivableArea& area, std::siz
   find_cheapest_paths(progress);
 }
 
-/// To the eight neighbours; an area never reaches the rim of its grid.
+/// Steps to the eight neighbours; an area never reaches the border of its grid.
 std::vector<PathTree::Step> PathTree::steps_from(std::size_t cell) const {
   std::vector<Step> steps;
   const auto columns = static_cast<std::size_t>(grid_.columns());
@@ -83,7 +83,7 @@ void PathTree::choose_paths(double reach_m) {
   }
 }
 
-/// The path ends when its target is well within reach: nobody has to stand in every corner.
+/// The path ends when its target is well within reach: the vehicle need not stand in every corner.
 void PathTree::choose_path_towards(std::size_t target, double reach_m) {
   double short_of_m = 0;
   std::size_t cell = target;

@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-/// Cheapest paths from one cell to every other of an area, and a choice of them that comes near all of it.
+/// Cheapest paths from one cell to every other cell of an area, and a choice of them that covers the area.
 class PathTree {
  public:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
@@ -19,7 +19,7 @@ class PathTree {
   /// Paths cost their length, more where there is little clearance.
   PathTree(const ClearanceGrid& grid, const DrivableArea& area, std::size_t root, Progress& progress);
 
-  /// Chooses paths until every cell of the area is within `reach_m`, on foot, of one.
+  /// Chooses paths until every cell of the area is within `reach_m`, measured over the floor, of one.
   void choose_paths(double reach_m);
 
   std::size_t root() const { return root_; }

@@ -13,10 +13,10 @@ namespace aisle {
 namespace {
 
 constexpr double kCell_m = 0.05;
-constexpr double kWobble_m = 0.12;  ///< that a path of cells may be straightened by
+constexpr double kWobble_m = 0.12;  ///< by which a path of cells may be straightened
 constexpr double kComfortableClearance_m = 0.6;
 
-/// The cell where the run begins: the world's start, or one near the middle of the area with room around it.
+/// The cell where the tour begins: the world's start, or one near the middle of the area with clearance.
 std::size_t root_of(const World& world, const ClearanceGrid& grid, const DrivableArea& area) {
   if (world.start && grid.contains(world.start->position())) {
     const std::size_t cell = grid.cell_at(world.start->position());
@@ -44,7 +44,7 @@ std::size_t root_of(const World& world, const ClearanceGrid& grid, const Drivabl
   return best;
 }
 
-/// Paths of cells made of straight legs.
+/// Turns paths of cells into straight legs.
 class Straightener {
  public:
   Straightener(const ClearanceGrid& grid, double clearance_min_m)
@@ -87,7 +87,7 @@ class Straightener {
     return {farthest, off_m};
   }
 
-  /// What a straight leg must keep: as much as the path has at its narrowest, or a comfortable distance.
+  /// The clearance that a straight leg must keep: the path's least, or a comfortable one if that is less.
   double clearance_kept_m(const std::vector<std::size_t>& path, std::size_t first, std::size_t last) const {
     double narrowest_m = kComfortableClearance_m;
     for (std::size_t i = first; i <= last; ++i)
@@ -117,7 +117,7 @@ class TreeWalk {
   std::vector<Vec2> walk(const Vec2& start) {
     points_ = {start};
     struct Visit {
-      std::vector<std::size_t> branches;  ///< still to be walked
+      std::vector<std::size_t> branches;  ///< not yet walked
       std::vector<Vec2> back;             ///< the points that lead to where the branch began
     };
     std::vector<Visit> open = {{tree_.branches(tree_.root()), {}}};

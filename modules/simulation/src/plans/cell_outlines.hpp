@@ -17,7 +17,7 @@ struct LatticePoint {
 /// between horizontal and vertical.
 using Outline = std::vector<LatticePoint>;
 
-/// Every border between free and solid cells. Solid cells that touch at a corner hang together, free ones do
+/// Every border between free and solid cells. Solid cells that touch at a corner are connected, free ones are
 /// not.
 std::vector<Outline> cell_outlines(const FloorPlan& plan);
 

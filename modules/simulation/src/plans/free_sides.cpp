@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kOpenSpace_m = 5;  ///< more room than this does not count
+constexpr double kOpenSpace_m = 5;  ///< more free space than this does not count
 
 double room_beside_m(const WallGrid& grid, const Segment2& wall, const Vec2& direction) {
   double room_m = 0;

@@ -8,17 +8,17 @@
 namespace aisle {
 namespace {
 
-/// Cells that hang together; each has a label from 0.
+/// Connected cells; each area has a label from 0.
 class CellAreas {
  public:
   /// @param value  which cells: solid or free ones
   CellAreas(const FloorPlan& plan, std::uint8_t value) : plan_(plan) {
     const cv::Mat cells =
         cv::Mat(plan.height, plan.width, CV_8U, const_cast<std::uint8_t*>(plan.solid.data())) == value;
-    const int solid_contacts_at_corners = 8, free_does_not = 4;
+    const int solid_joins_at_corners = 8, free_does_not = 4;
     cv::Mat centres;
     count_ = cv::connectedComponentsWithStats(cells, labels_, figures_, centres,
-                                              value != 0 ? solid_contacts_at_corners : free_does_not, CV_32S);
+                                              value != 0 ? solid_joins_at_corners : free_does_not, CV_32S);
   }
 
   int count() const { return count_; }

@@ -18,7 +18,7 @@ constexpr double kCornerBlurMax = 1.5;  ///< cells at either end of a long segme
 constexpr double kToleranceMin = 0.5;   ///< cells
 constexpr double kSmallShape = 16;      ///< tolerances: a smaller one keeps its shape by a smaller tolerance
 constexpr double kTinyShape = 4;        ///< cells: what is smaller keeps every corner
-constexpr double kLongPathSegment = 8;  ///< cells
+constexpr double kLongSegment = 8;      ///< cells
 constexpr std::size_t kDirectionPieces = 1000;  ///< the longest, to find the dominant direction
 constexpr double kSameDirection_rad = 4 * kDegree;
 constexpr double kDominantShareMin = 0.3;
@@ -37,8 +37,8 @@ double larger_side(const Outline& outline) {
   return (max - min).maxCoeff();
 }
 
-std::vector<PathSegment> every_run(const Outline& outline) {
-  std::vector<PathSegment> runs;
+std::vector<OutlineSegment> every_run(const Outline& outline) {
+  std::vector<OutlineSegment> runs;
   for (std::size_t corner = 0; corner < outline.size(); ++corner) runs.push_back({corner, corner + 1});
   return runs;
 }
@@ -49,76 +49,76 @@ class CutOutline {
   CutOutline(Outline outline, double tolerance)
       : outline_(std::move(outline)),
         tolerance_(std::clamp(larger_side(outline_) / kSmallShape, kToleranceMin, tolerance)),
-        path_segments_(larger_side(outline_) < kTinyShape ? every_run(outline_)
-                                                          : straight_edges(outline_, tolerance_)),
+        segments_(larger_side(outline_) < kTinyShape ? every_run(outline_)
+                                                     : straight_edges(outline_, tolerance_)),
         moments_(outline_) {}
 
-  std::span<const PathSegment> path_segments() const { return path_segments_; }
+  std::span<const OutlineSegment> segments() const { return segments_; }
 
   Vec2 corner(std::size_t at) const { return point_of(outline_[at % outline_.size()]); }
 
   /// Joins neighbouring segments that one line fits as well.
   void join(std::span<const double> frames_rad) {
     if (larger_side(outline_) < kTinyShape) return;
-    std::vector<PathSegment> joined;
-    for (const PathSegment& path_segment : path_segments_) {
+    std::vector<OutlineSegment> joined;
+    for (const OutlineSegment& segment : segments_) {
       if (!joined.empty() &&
-          are_one({joined.back().first, path_segment.last}, joined.back(), path_segment, frames_rad)) {
-        joined.back().last = path_segment.last;
+          are_one({joined.back().first, segment.last}, joined.back(), segment, frames_rad)) {
+        joined.back().last = segment.last;
       } else {
-        joined.push_back(path_segment);
+        joined.push_back(segment);
       }
     }
-    path_segments_ = std::move(joined);
+    segments_ = std::move(joined);
   }
 
   /// Where the segment goes, on the line that fits it best; towards its end.
-  StraightPiece free_fit(const PathSegment& path_segment) const {
-    const Moments moments = moments_.between(path_segment.first, path_segment.last);
-    const Vec2 ahead = corner(path_segment.last) - corner(path_segment.first);
+  StraightPiece free_fit(const OutlineSegment& segment) const {
+    const Moments moments = moments_.between(segment.first, segment.last);
+    const Vec2 ahead = corner(segment.last) - corner(segment.first);
     const Vec2 direction = moments.direction();
-    return piece(path_segment, moments.mean(), direction.dot(ahead) < 0 ? Vec2(-direction) : direction);
+    return piece(segment, moments.mean(), direction.dot(ahead) < 0 ? Vec2(-direction) : direction);
   }
 
   /// The same parallel to one of the axes of a frame; if none is within the tolerance, the best fit.
-  StraightPiece fit(const PathSegment& path_segment, std::span<const double> frames_rad) const {
-    if (larger_side(outline_) < kTinyShape) return exact_run(path_segment);
-    StraightPiece best = free_fit(path_segment);
+  StraightPiece fit(const OutlineSegment& segment, std::span<const double> frames_rad) const {
+    if (larger_side(outline_) < kTinyShape) return exact_run(segment);
+    StraightPiece best = free_fit(segment);
     for (const double frame_rad : frames_rad) {
       const double heading = std::atan2(best.along.y(), best.along.x());
       const double off = wrap_quarter_turn(heading - frame_rad);
       if (std::abs(off) > kPi / 8) continue;
       const Vec2 along = unit(std::round((heading - off) / kDegree * 1e9) * kDegree / 1e9);
-      if (const auto offset = offset_within_tolerance(path_segment, along)) {
-        return piece(path_segment, *offset * left_normal(along), along);
+      if (const auto offset = offset_within_tolerance(segment, along)) {
+        return piece(segment, *offset * left_normal(along), along);
       }
     }
     return best;
   }
 
  private:
-  bool are_one(const PathSegment& both, const PathSegment& a, const PathSegment& b,
+  bool are_one(const OutlineSegment& both, const OutlineSegment& a, const OutlineSegment& b,
                std::span<const double> frames_rad) const {
     if (fit(a, frames_rad).along.dot(fit(b, frames_rad).along) < std::cos(kSameDirection_rad)) return false;
     return offset_within_tolerance(both, fit(both, frames_rad).along).has_value();
   }
 
-  StraightPiece exact_run(const PathSegment& run) const {
+  StraightPiece exact_run(const OutlineSegment& run) const {
     return piece(run, corner(run.first), (corner(run.last) - corner(run.first)).normalized());
   }
 
-  StraightPiece piece(const PathSegment& path_segment, const Vec2& on_line, const Vec2& along) const {
-    return {on_line, along, corner(path_segment.first), corner(path_segment.last)};
+  StraightPiece piece(const OutlineSegment& segment, const Vec2& on_line, const Vec2& along) const {
+    return {on_line, along, corner(segment.first), corner(segment.last)};
   }
 
   /// Calls with the middle of every side of the segment that runs along the direction rather than across it;
   /// sides next to a corner belong to neither wall.
   template <class Use>
-  void for_sides_along(const PathSegment& path_segment, const Vec2& along, Use use) const {
-    const Vec2 first = corner(path_segment.first), last = corner(path_segment.last);
-    const double blur = (last - first).norm() > kLongPathSegment ? kCornerBlurMax : 0;
+  void for_sides_along(const OutlineSegment& segment, const Vec2& along, Use use) const {
+    const Vec2 first = corner(segment.first), last = corner(segment.last);
+    const double blur = (last - first).norm() > kLongSegment ? kCornerBlurMax : 0;
     const double from = first.dot(along) + blur, to = last.dot(along) - blur;
-    for (std::size_t run = path_segment.first; run < path_segment.last; ++run) {
+    for (std::size_t run = segment.first; run < segment.last; ++run) {
       const Vec2 start = corner(run), end = corner(run + 1);
       const double length = (end - start).norm();
       const Vec2 step = (end - start) / length;
@@ -130,9 +130,9 @@ class CutOutline {
     }
   }
 
-  std::optional<double> offset_within_tolerance(const PathSegment& path_segment, const Vec2& along) const {
+  std::optional<double> offset_within_tolerance(const OutlineSegment& segment, const Vec2& along) const {
     std::vector<double> offsets;
-    for_sides_along(path_segment, along,
+    for_sides_along(segment, along,
                     [&](const Vec2& side) { offsets.push_back(side.dot(left_normal(along))); });
     if (offsets.empty()) return std::nullopt;
     const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
@@ -146,7 +146,7 @@ class CutOutline {
 
   Outline outline_;
   double tolerance_;
-  std::vector<PathSegment> path_segments_;
+  std::vector<OutlineSegment> segments_;
   SideMoments moments_;
 };
 
@@ -154,8 +154,8 @@ class CutOutline {
 std::vector<double> frames_of(const std::vector<CutOutline>& outlines) {
   std::vector<SensedSegment> pieces;
   for (const CutOutline& outline : outlines) {
-    for (const PathSegment& path_segment : outline.path_segments()) {
-      const StraightPiece piece = outline.free_fit(path_segment);
+    for (const OutlineSegment& segment : outline.segments()) {
+      const StraightPiece piece = outline.free_fit(segment);
       pieces.push_back({.heading_rad = std::atan2(piece.along.y(), piece.along.x()),
                         .length_m = (piece.last - piece.first).norm()});
     }
@@ -186,8 +186,8 @@ std::vector<Segment2> trace_plan(const FloorPlan& plan, const PlanTracingParams&
   for (CutOutline& outline : outlines) {
     outline.join(frames_rad);
     std::vector<StraightPiece> pieces;
-    for (const PathSegment& path_segment : outline.path_segments())
-      pieces.push_back(outline.fit(path_segment, frames_rad));
+    for (const OutlineSegment& segment : outline.segments())
+      pieces.push_back(outline.fit(segment, frames_rad));
     for (const Segment2& side : closed_polygon(std::move(pieces))) {
       walls.push_back({plan.T_world_plan * Vec2(plan.cell_m * side.start),
                        plan.T_world_plan * Vec2(plan.cell_m * side.end)});

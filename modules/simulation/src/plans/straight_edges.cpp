@@ -60,27 +60,27 @@ class Cutter {
         sums_(outline) {}
 
   /// The best cuts if the outline is cut at the corner `start`.
-  std::vector<PathSegment> cut(std::size_t start) {
+  std::vector<OutlineSegment> cut(std::size_t start) {
     const std::size_t runs = outline_.size();
     best_.assign(runs + 1, {});
     best_[0] = {0, 0, 0};
     for (std::size_t from = 0; from < runs; ++from) extend(start, from);
-    std::vector<PathSegment> path_segments;
+    std::vector<OutlineSegment> segments;
     for (std::size_t at = runs; at > 0; at = best_[at].from) {
-      path_segments.push_back({start + best_[at].from, start + at});
+      segments.push_back({start + best_[at].from, start + at});
     }
-    std::reverse(path_segments.begin(), path_segments.end());
-    return path_segments;
+    std::reverse(segments.begin(), segments.end());
+    return segments;
   }
 
  private:
-  struct Path {
-    std::size_t path_segments = std::numeric_limits<std::size_t>::max();
+  struct Cuts {
+    std::size_t segments = std::numeric_limits<std::size_t>::max();
     double squares = 0;
     std::size_t from = 0;
   };
 
-  /// A point of a run, so far from its start.
+  /// The point of a run at a distance from its start.
   Vec2 point(std::size_t run, double along) const {
     const LatticePoint a = outline_[run % outline_.size()], b = outline_[(run + 1) % outline_.size()];
     return Vec2(a.x, a.y) + along / length(run) * Vec2(b.x - a.x, b.y - a.y);
@@ -114,11 +114,11 @@ class Cutter {
   }
 
   void offer(std::size_t start, std::size_t from, std::size_t to) {
-    const std::size_t path_segments = best_[from].path_segments + 1;
-    if (path_segments > best_[to].path_segments) return;
+    const std::size_t segments = best_[from].segments + 1;
+    if (segments > best_[to].segments) return;
     const double squares = best_[from].squares + sums_.between(start + from, start + to).squares_off_line();
-    if (path_segments < best_[to].path_segments || squares < best_[to].squares) {
-      best_[to] = {path_segments, squares, from};
+    if (segments < best_[to].segments || squares < best_[to].squares) {
+      best_[to] = {segments, squares, from};
     }
   }
 
@@ -126,15 +126,15 @@ class Cutter {
   double tolerance_;
   double blunt_corner_;
   SideMoments sums_;
-  std::vector<Path> best_;  ///< to each corner, counted from the start
+  std::vector<Cuts> best_;  ///< to each corner, counted from the start
 };
 
 }  // namespace
 
-std::vector<PathSegment> straight_edges(const Outline& outline, double tolerance) {
+std::vector<OutlineSegment> straight_edges(const Outline& outline, double tolerance) {
   Cutter cutter(outline, tolerance);
-  const std::vector<PathSegment> somehow = cutter.cut(0);
-  // The first start was arbitrary; a corner half way round was not.
+  const std::vector<OutlineSegment> somehow = cutter.cut(0);
+  // The first start was arbitrary; a corner halfway around is a cut of a good solution.
   return cutter.cut(somehow[somehow.size() / 2].first);
 }
 

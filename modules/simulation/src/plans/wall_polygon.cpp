@@ -29,7 +29,7 @@ struct Joint {
 
 Joint joint_of(const StraightPiece& a, const StraightPiece& b) {
   if (const auto meeting = meeting_point(a, b)) return {*meeting, *meeting};
-  return {a.floor_point(a.last), b.floor_point(a.last)};
+  return {a.projected(a.last), b.projected(a.last)};
 }
 
 /// Takes out pieces that run backwards between their joints, of neighbours only the first; true if there were
@@ -40,8 +40,8 @@ bool drop_reversed(std::vector<StraightPiece>& pieces) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const StraightPiece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
     const StraightPiece& after = pieces[(i + 1) % pieces.size()];
-    const Vec2 path = joint_of(pieces[i], after).end - joint_of(before, pieces[i]).start;
-    dropped_before = !dropped_before && path.dot(pieces[i].along) <= kSamePoint;
+    const Vec2 step = joint_of(pieces[i], after).end - joint_of(before, pieces[i]).start;
+    dropped_before = !dropped_before && step.dot(pieces[i].along) <= kSamePoint;
     if (!dropped_before) kept.push_back(pieces[i]);
   }
   const bool dropped = kept.size() < pieces.size();
@@ -63,18 +63,18 @@ std::vector<Vec2> corners_of(const std::vector<StraightPiece>& pieces) {
   return corners;
 }
 
-bool is_on_the_path(const Vec2& a, const Vec2& p, const Vec2& b) {
-  const Vec2 path = b - a;
-  const double length = path.norm();
-  return length > 0 && std::abs(cross(path, p - a)) / length <= kOnLine && (p - a).dot(b - p) >= 0;
+bool is_between(const Vec2& a, const Vec2& p, const Vec2& b) {
+  const Vec2 step = b - a;
+  const double length = step.norm();
+  return length > 0 && std::abs(cross(step, p - a)) / length <= kOnLine && (p - a).dot(b - p) >= 0;
 }
 
-/// Without the corners at which nothing turns.
+/// The corners without those at which the outline goes straight on.
 std::vector<Vec2> turning_corners(const std::vector<Vec2>& corners) {
   std::vector<Vec2> turning;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2& before = turning.empty() ? corners.back() : turning.back();
-    if (!is_on_the_path(before, corners[i], corners[(i + 1) % corners.size()])) turning.push_back(corners[i]);
+    if (!is_between(before, corners[i], corners[(i + 1) % corners.size()])) turning.push_back(corners[i]);
   }
   return turning;
 }

@@ -10,10 +10,10 @@ namespace aisle {
 struct StraightPiece {
   Vec2 on_line = Vec2::Zero();
   Vec2 along = Vec2::UnitX();  ///< of length 1
-  Vec2 first = Vec2::Zero();   ///< near its start, perhaps beside the line
+  Vec2 first = Vec2::Zero();   ///< near its start, perhaps off the line
   Vec2 last = Vec2::Zero();    ///< near its end, where the next piece begins
 
-  Vec2 floor_point(const Vec2& p) const { return on_line + (p - on_line).dot(along) * along; }
+  Vec2 projected(const Vec2& p) const { return on_line + (p - on_line).dot(along) * along; }
 };
 
 /// Lengthens or shortens pieces that follow each other in a circle until they meet; where two lines do not

@@ -22,7 +22,7 @@ Panel lying(const Pose2& T_world_centre, const Vec2& size, double height_m, int 
           .material = material};
 }
 
-/// An image that hangs: pattern coordinates run to the right and down for who looks at it.
+/// An image that hangs: pattern coordinates run to the right and down for its viewer.
 Panel hanging(const Vec3& p_world_upper_left, const Vec3& rightwards, const Vec3& downwards, int material) {
   return {.corner = p_world_upper_left,
           .along = rightwards,

@@ -38,9 +38,9 @@ void add_level(const Prism& prism, double height_m, bool faces_up, int material,
 void add_prism(const Prism& prism, int material, Panels& panels) {
   for (std::size_t i = 0; i < prism.outline.size(); ++i) {
     const Vec2& start = prism.outline[i];
-    const Vec2 path = prism.outline[(i + 1) % prism.outline.size()] - start;
+    const Vec2 side = prism.outline[(i + 1) % prism.outline.size()] - start;
     panels.push_back({.corner = at_height(start, prism.bottom_m),
-                      .along = at_height(path, 0),
+                      .along = at_height(side, 0),
                       .up = {0, 0, prism.top_m - prism.bottom_m},
                       .material = material});
   }

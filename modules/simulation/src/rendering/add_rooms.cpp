@@ -21,38 +21,38 @@ Doorway doorway_of(const Door& door) {
           door.wall_depth_m / 2 + kOnTheWall_m};
 }
 
-/// The segment of the segment, as shares of its length, that lies in the doorway.
-Interval inside(const Segment2& floor_point, const Doorway& doorway) {
-  const Vec2 start = doorway.T_leaf_world * floor_point.start, end = doorway.T_leaf_world * floor_point.end;
-  Interval path_segment{0, 1};
+/// The part of a wall's line that lies in the doorway, as shares of its length.
+Interval inside(const Segment2& wall_line, const Doorway& doorway) {
+  const Vec2 start = doorway.T_leaf_world * wall_line.start, end = doorway.T_leaf_world * wall_line.end;
+  Interval shares{0, 1};
   const auto clip = [&](double at_start, double at_end, double min, double max) {
     const double growth = at_end - at_start;
     if (std::abs(growth) < 1e-9) {
-      if (at_start < min || at_start > max) path_segment = {1, 0};
+      if (at_start < min || at_start > max) shares = {1, 0};
       return;
     }
     const double a = (min - at_start) / growth, b = (max - at_start) / growth;
-    path_segment.min = std::max(path_segment.min, std::min(a, b));
-    path_segment.max = std::min(path_segment.max, std::max(a, b));
+    shares.min = std::max(shares.min, std::min(a, b));
+    shares.max = std::min(shares.max, std::max(a, b));
   };
   clip(start.x(), end.x(), doorway.begin_m, doorway.end_m);
   clip(start.y(), end.y(), -doorway.half_depth_m, doorway.half_depth_m);
-  return path_segment;
+  return shares;
 }
 
-/// What is left of the segment when everything inside doorways is taken away.
-std::vector<Segment2> outside_doorways(const Segment2& floor_point, const std::vector<Doorway>& doorways) {
+/// The parts of a wall's line outside all doorways.
+std::vector<Segment2> outside_doorways(const Segment2& wall_line, const std::vector<Doorway>& doorways) {
   std::vector<Interval> cuts;
   for (const Doorway& doorway : doorways) {
-    const Interval cut = inside(floor_point, doorway);
+    const Interval cut = inside(wall_line, doorway);
     if (cut.min < cut.max) cuts.push_back(cut);
   }
   std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.min < b.min; });
   std::vector<Segment2> left;
   const auto add = [&](double from, double to) {
-    const Vec2 path = floor_point.end - floor_point.start;
-    if ((to - from) * path.norm() > 1e-3)
-      left.push_back({floor_point.start + from * path, floor_point.start + to * path});
+    const Vec2 along = wall_line.end - wall_line.start;
+    if ((to - from) * along.norm() > 1e-3)
+      left.push_back({wall_line.start + from * along, wall_line.start + to * along});
   };
   double from = 0;
   for (const Interval& cut : cuts) {
@@ -64,10 +64,10 @@ std::vector<Segment2> outside_doorways(const Segment2& floor_point, const std::v
 }
 
 /// A board on both sides of a wall; a little longer than the wall, so that boards meet in corners.
-Prism skirting_board(const Segment2& floor_point, double height_m) {
-  const Vec2 path = floor_point.end - floor_point.start, middle = (floor_point.start + floor_point.end) / 2;
-  return box({middle.x(), middle.y(), std::atan2(path.y(), path.x())},
-             {path.norm() + 2 * kSkirtingDepth_m, 2 * kSkirtingDepth_m}, 0, height_m);
+Prism skirting_board(const Segment2& wall_line, double height_m) {
+  const Vec2 along = wall_line.end - wall_line.start, middle = (wall_line.start + wall_line.end) / 2;
+  return box({middle.x(), middle.y(), std::atan2(along.y(), along.x())},
+             {along.norm() + 2 * kSkirtingDepth_m, 2 * kSkirtingDepth_m}, 0, height_m);
 }
 
 /// One material for all walls of a brightness.
@@ -123,16 +123,16 @@ void add_rooms(const World& world, Materials& materials, Panels& panels) {
   for (const Door& door : world.doors) doorways.push_back(doorway_of(door));
   const int skirting = materials.paint(world.skirting_brightness);
   for (const WallFace& wall : world.walls) {
-    const Vec2 path = wall.floor_point.end - wall.floor_point.start;
+    const Vec2 along = wall.floor_point.end - wall.floor_point.start;
     panels.push_back({.corner = {wall.floor_point.start.x(), wall.floor_point.start.y(), 0},
-                      .along = {path.x(), path.y(), 0},
+                      .along = {along.x(), along.y(), 0},
                       .up = {0, 0, wall.height_m},
                       .material = wall_materials[wall.brightness],
                       .is_two_sided = true});
     const double board_m = std::min(world.skirting_height_m, wall.height_m);
     if (board_m <= 0) continue;
-    for (const Segment2& floor_point : outside_doorways(wall.floor_point, doorways)) {
-      add_prism(skirting_board(floor_point, board_m), skirting, panels);
+    for (const Segment2& wall_line : outside_doorways(wall.floor_point, doorways)) {
+      add_prism(skirting_board(wall_line, board_m), skirting, panels);
     }
   }
 }

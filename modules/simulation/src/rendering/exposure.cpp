@@ -35,16 +35,16 @@ std::vector<PixelOffset> sample_offsets(int count) {
   return offsets;
 }
 
-/// What the samples of a block's pixels see, one sample of all pixels after the other.
+/// What the samples of a block's pixels see: sample by sample, each for all pixels.
 void find_seen(std::span<const Candidate> candidates, const LensTable::Block& block,
                std::span<const PixelOffset> samples, std::span<Hits> seen) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const float lateral_x = block.x_by_u * samples[i].u + block.x_by_v * samples[i].v,
-                lateral_y = block.y_by_u * samples[i].u + block.y_by_v * samples[i].v;
+    const float off_x = block.x_by_u * samples[i].u + block.x_by_v * samples[i].v,
+                off_y = block.y_by_u * samples[i].u + block.y_by_v * samples[i].v;
     Floats x, y;
     for (int k = 0; k < kLanes; ++k) {
-      x.at[k] = block.x.at[k] + lateral_x;
-      y.at[k] = block.y.at[k] + lateral_y;
+      x.at[k] = block.x.at[k] + off_x;
+      y.at[k] = block.y.at[k] + off_y;
     }
     find_seen(candidates, x, y, seen[i]);
   }
@@ -182,10 +182,10 @@ void Exposure::add_stripe(const Surface& surface, const RayPacket& rays, const F
   constexpr float kReach_m = 0.2f;  ///< above and below the light plane, for the widest profile
   if (surface.bottom > laser_.projector[2] + kReach_m || surface.top < laser_.projector[2]) return;
   Floats stripe;
-  PathPacket paths;
-  if (!shade_stripe(surface, laser_, rays, on_surface, stripe, paths)) return;
+  SegmentPacket segments;
+  if (!shade_stripe(surface, laser_, rays, on_surface, stripe, segments)) return;
   Flags blocked{};
-  scene_.find_blocked(paths, blocked);
+  scene_.find_blocked(segments, blocked);
   for (int k = 0; k < kLanes; ++k) radiance.at[k] += blocked.at[k] != 0 ? 0 : stripe.at[k];
 }
 

@@ -13,11 +13,11 @@ struct Bounds {
   static constexpr float kFar = std::numeric_limits<float>::max();
   float left = kFar, right = -kFar, top = kFar, bottom = -kFar;
 
-  void add(float x, float y, float lateral_x, float lateral_y) {
-    left = std::min(left, x - lateral_x);
-    right = std::max(right, x + lateral_x);
-    top = std::min(top, y - lateral_y);
-    bottom = std::max(bottom, y + lateral_y);
+  void add(float x, float y, float half_x, float half_y) {
+    left = std::min(left, x - half_x);
+    right = std::max(right, x + half_x);
+    top = std::min(top, y - half_y);
+    bottom = std::max(bottom, y + half_y);
   }
 
   void add(const SlopeBox& box) {

@@ -86,7 +86,7 @@ class Baker {
     Random random(seed_ ^ (texel * 0x9e3779b97f4a7c15u));
     Light light{openness(side.normal, p_scene, random.uniform()), 0};
     if (light.from_everywhere < kBuried) return light;
-    PathPacket paths{};
+    SegmentPacket segments{};
     Floats strengths{};
     int lanes = 0;
     for (const LampPlace& lamp : lamps_) {
@@ -98,18 +98,18 @@ class Baker {
                           (fraction(0.570 * k + shift_across) - 0.5) * step_up;
         const Vec3 to =
             lamp.centre + (2 * along - 1) * lamp.half_length + (2 * across - 1) * lamp.half_width - from;
-        set(paths, lanes, from, to);
+        set(segments, lanes, from, to);
         strengths.at[lanes] = strength(lamp, side.normal, to);
-        paths.asked.at[lanes] = strengths.at[lanes] > 0 ? -1 : 0;
+        segments.asked.at[lanes] = strengths.at[lanes] > 0 ? -1 : 0;
       }
       if (lanes == kLanes) {
-        light.from_lamps += unblocked(paths, strengths);
+        light.from_lamps += unblocked(segments, strengths);
         strengths = {};
-        paths = {};
+        segments = {};
         lanes = 0;
       }
     }
-    if (lanes > 0) light.from_lamps += unblocked(paths, strengths);
+    if (lanes > 0) light.from_lamps += unblocked(segments, strengths);
     return light;
   }
 
@@ -122,22 +122,23 @@ class Baker {
     const Vec3 one = normal.unitOrthogonal(), other = normal.cross(one);
     const Vec2 turned = unit(2 * kPi * turn);
     const Vec3 side = turned.x() * one + turned.y() * other, across = turned.x() * other - turned.y() * one;
-    PathPacket paths;
+    SegmentPacket segments;
     for (int k = 0; k < kLanes; ++k) {
       const Vec3& d = spread.directions[static_cast<std::size_t>(k)];
-      set(paths, k, p, kOpen_m * (d.x() * side + d.y() * across + d.z() * normal));
+      set(segments, k, p, kOpen_m * (d.x() * side + d.y() * across + d.z() * normal));
     }
     Floats shares;
-    scene_.free_shares(paths, shares);
+    scene_.free_shares(segments, shares);
     float sum = 0;
     for (const float share : shares.at) sum += std::sqrt(share);
     return sum / kLanes;
   }
 
   static bool reaches(const LampPlace& lamp, const Vec3& normal, const Vec3& p) {
-    const Vec3 path = lamp.centre - p;
+    const Vec3 reach = lamp.centre - p;
     const double behind_m = lamp.half_length.norm() + lamp.half_width.norm();
-    return path.z() > 0 && path.squaredNorm() < kLampReach_m * kLampReach_m && normal.dot(path) > -behind_m;
+    return reach.z() > 0 && reach.squaredNorm() < kLampReach_m * kLampReach_m &&
+           normal.dot(reach) > -behind_m;
   }
 
   /// What one of the rays to a lamp brings if nothing blocks it; nothing from beyond the lamp's reach.
@@ -148,22 +149,22 @@ class Baker {
     return static_cast<float>(lamp.strength * fading * falling * facing / (squared * squared) / kRaysPerLamp);
   }
 
-  float unblocked(const PathPacket& paths, const Floats& strengths) const {
+  float unblocked(const SegmentPacket& segments, const Floats& strengths) const {
     Flags blocked{};
-    scene_.find_blocked(paths, blocked);
+    scene_.find_blocked(segments, blocked);
     float sum = 0;
     for (int k = 0; k < kLanes; ++k) sum += blocked.at[k] != 0 ? 0.0f : strengths.at[k];
     return sum;
   }
 
-  static void set(PathPacket& paths, int k, const Vec3& from, const Vec3& path) {
-    paths.from_x.at[k] = static_cast<float>(from.x());
-    paths.from_y.at[k] = static_cast<float>(from.y());
-    paths.from_z.at[k] = static_cast<float>(from.z());
-    paths.x.at[k] = static_cast<float>(path.x());
-    paths.y.at[k] = static_cast<float>(path.y());
-    paths.z.at[k] = static_cast<float>(path.z());
-    paths.asked.at[k] = -1;
+  static void set(SegmentPacket& segments, int k, const Vec3& from, const Vec3& reach) {
+    segments.from_x.at[k] = static_cast<float>(from.x());
+    segments.from_y.at[k] = static_cast<float>(from.y());
+    segments.from_z.at[k] = static_cast<float>(from.z());
+    segments.x.at[k] = static_cast<float>(reach.x());
+    segments.y.at[k] = static_cast<float>(reach.y());
+    segments.z.at[k] = static_cast<float>(reach.z());
+    segments.asked.at[k] = -1;
   }
 
   const RayScene& scene_;

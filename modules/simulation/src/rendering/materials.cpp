@@ -10,7 +10,7 @@ enum : int { kClouds, kGrain, kFibres, kSharedTextures };
 constexpr int kDifferentPosters = 12;
 constexpr int kDifferentBoards = 6;
 
-/// A shared texture that repeats after so many metres along u and v.
+/// A layer of a shared texture that repeats at these lengths along u and v.
 PatternLayer layer(int texture, double repeat_u_m, double repeat_v_m, double contrast) {
   return {texture, static_cast<float>(Texture::kSide / repeat_u_m),
           static_cast<float>(Texture::kSide / repeat_v_m), static_cast<float>(contrast)};

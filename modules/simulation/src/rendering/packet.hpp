@@ -29,11 +29,11 @@ struct RayPacket {
   std::array<float, 3> by_column{}, by_row{};  ///< change of the direction from a pixel to the next
 };
 
-/// Paths from points, in the scene's frame, that may be blocked.
-struct PathPacket {
+/// Segments between points, in the scene's frame, that may be blocked: shadow and occlusion rays.
+struct SegmentPacket {
   Floats from_x, from_y, from_z;
   Floats x, y, z;  ///< to the other end
-  Flags asked;
+  Flags asked;     ///< lanes that are not set are ignored
 };
 
 }  // namespace aisle

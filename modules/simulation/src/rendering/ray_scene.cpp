@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-constexpr float kNear = 1e-4f;  ///< shorter is no path [lengths of the direction]
+constexpr float kNear = 1e-4f;  ///< nearer hits are ignored [lengths of the direction]
 constexpr Flags kAll{{-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1}};
 
 /// One instruction set for all machines that have it. Its own limit of threads would hold for the whole
@@ -57,12 +57,12 @@ void start(RTCRay16& ray, int k, float x, float y, float z, float to_x, float to
   ray.flags[k] = 0;
 }
 
-/// What is not asked for may be no number, but the ray tracer reads it.
-void start(RTCRay16& ray, int k, const PathPacket& paths, float far) {
+/// A lane that is not asked for may hold NaN, and the ray tracer reads it nevertheless.
+void start(RTCRay16& ray, int k, const SegmentPacket& segments, float far) {
   constexpr float kNowhere = -1;
-  if (paths.asked.at[k] == 0) return start(ray, k, 0, 0, 0, 1, 0, 0, kNowhere);
-  start(ray, k, paths.from_x.at[k], paths.from_y.at[k], paths.from_z.at[k], paths.x.at[k], paths.y.at[k],
-        paths.z.at[k], far);
+  if (segments.asked.at[k] == 0) return start(ray, k, 0, 0, 0, 1, 0, 0, kNowhere);
+  start(ray, k, segments.from_x.at[k], segments.from_y.at[k], segments.from_z.at[k], segments.x.at[k],
+        segments.y.at[k], segments.z.at[k], far);
 }
 
 RTCIntersectContext context(RTCIntersectContextFlags flags) {
@@ -120,31 +120,31 @@ void RayScene::first_hits(const RayPacket& rays, Hits& hits) const {
   }
 }
 
-void RayScene::find_blocked(const PathPacket& paths, Flags& blocked) const {
+void RayScene::find_blocked(const SegmentPacket& segments, Flags& blocked) const {
   if (!embree_) return;
   constexpr float kBeforeTheEnd = 0.999f;
   alignas(64) RTCRay16 packet;
-  for (int k = 0; k < kLanes; ++k) start(packet, k, paths, kBeforeTheEnd);
+  for (int k = 0; k < kLanes; ++k) start(packet, k, segments, kBeforeTheEnd);
   RTCIntersectContext coherent = context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
-  rtcOccluded16(paths.asked.at, embree_->scene, &coherent, &packet);
+  rtcOccluded16(segments.asked.at, embree_->scene, &coherent, &packet);
   for (int k = 0; k < kLanes; ++k) {
-    if (paths.asked.at[k] != 0 && packet.tfar[k] < 0) blocked.at[k] = -1;
+    if (segments.asked.at[k] != 0 && packet.tfar[k] < 0) blocked.at[k] = -1;
   }
 }
 
-void RayScene::free_shares(const PathPacket& paths, Floats& shares) const {
+void RayScene::free_shares(const SegmentPacket& segments, Floats& shares) const {
   for (float& share : shares.at) share = 1;
   if (!embree_) return;
   alignas(64) RTCRayHit16 packet;
   for (int k = 0; k < kLanes; ++k) {
-    start(packet.ray, k, paths, 1);
+    start(packet.ray, k, segments, 1);
     packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
   }
   RTCIntersectContext scattered = context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
-  rtcIntersect16(paths.asked.at, embree_->scene, &scattered, &packet);
+  rtcIntersect16(segments.asked.at, embree_->scene, &scattered, &packet);
   for (int k = 0; k < kLanes; ++k) {
-    if (paths.asked.at[k] != 0) shares.at[k] = packet.ray.tfar[k];
+    if (segments.asked.at[k] != 0) shares.at[k] = packet.ray.tfar[k];
   }
 }
 

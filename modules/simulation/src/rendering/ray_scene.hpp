@@ -17,11 +17,11 @@ class RayScene {
   /// The number of the first panel on each ray.
   void first_hits(const RayPacket& rays, Hits& hits) const;
 
-  /// Sets `blocked` where a panel stands between both ends of a path that is asked for.
-  void find_blocked(const PathPacket& paths, Flags& blocked) const;
+  /// Sets `blocked` where a panel is between both ends of a segment that is asked for.
+  void find_blocked(const SegmentPacket& segments, Flags& blocked) const;
 
-  /// How far it is to the first panel along sixteen paths [lengths of the path]; 1: none on the way.
-  void free_shares(const PathPacket& paths, Floats& shares) const;
+  /// Distance to the first panel along sixteen segments [lengths of the segment]; 1: there is none.
+  void free_shares(const SegmentPacket& segments, Floats& shares) const;
 
  private:
   struct Embree;

@@ -115,9 +115,9 @@ bool RenderedWorld::Scene::has_polished_floor() const {
   return materials_.all()[static_cast<std::size_t>(standing_surfaces_.front().material)].gloss > 0;
 }
 
-void RenderedWorld::Scene::find_blocked(const PathPacket& paths, Flags& blocked) const {
-  standing_.find_blocked(paths, blocked);
-  moving_.find_blocked(paths, blocked);
+void RenderedWorld::Scene::find_blocked(const SegmentPacket& segments, Flags& blocked) const {
+  standing_.find_blocked(segments, blocked);
+  moving_.find_blocked(segments, blocked);
 }
 
 const Surface& RenderedWorld::Scene::surface(std::uint32_t panel_number) const {

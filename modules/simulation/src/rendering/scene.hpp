@@ -19,7 +19,7 @@ struct RenderedWorld::Scene {
   bool is_above_floor(std::uint32_t panel_number) const;
   bool has_polished_floor() const;
   const Surface& surface(std::uint32_t panel_number) const;
-  void find_blocked(const PathPacket& paths, Flags& blocked) const;
+  void find_blocked(const SegmentPacket& segments, Flags& blocked) const;
   const RayScene& what_stands() const { return standing_; }
   ShadingTables tables() const { return {materials_.all(), materials_.textures(), light_.texels.data()}; }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNearestSeen_m = 1e-4;  ///< what is nearer to the lens is not seen
 
-/// Nearness times this is as near: what lies in one plane differs by rounding.
+/// Nearness times this counts as equal: panels in one plane differ by rounding.
 constexpr float kSamePlace = 1 - 1e-5f;
 
 /// Bounds of a panel's part ahead of the camera.

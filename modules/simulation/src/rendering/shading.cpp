@@ -28,7 +28,7 @@ AISLE_INLINE std::array<float, 3> gradient(const std::array<float, 4>& coordinat
   return {coordinate[0], coordinate[1], coordinate[2]};
 }
 
-/// Into [low, high]; also what is not a number.
+/// Clamps to [low, high], NaN included.
 AISLE_INLINE float bounded(float value, float low, float high) {
   value = value > low ? value : low;
   return value < high ? value : high;
@@ -70,7 +70,7 @@ AISLE_INLINE float interpolated(float a, float b, float c, float d, float x, flo
 /// One axis of a texture look-up.
 struct TexelAxis {
   int index;    ///< in the store
-  float share;  ///< of the path to the next texel
+  float share;  ///< of the distance to the next texel
 };
 
 AISLE_INLINE TexelAxis texel_axis(float texels, float footprint_texels) {
@@ -250,7 +250,7 @@ void find_mirrored(float gloss, const RayPacket& rays, Floats& mirrored) {
 
 AISLE_KERNEL
 bool shade_stripe(const Surface& surface, const LaserPlane& laser, const RayPacket& rays,
-                  const Flags& on_surface, Floats& stripe, PathPacket& paths) {
+                  const Flags& on_surface, Floats& stripe, SegmentPacket& segments) {
   constexpr float kBeam_m = 0.0018f;          ///< standard deviation of the light plane's profile
   constexpr float kPixel = 0.5f;              ///< standard deviation of what a pixel sees [px]
   constexpr float kProfileRoot = 2.6457513f;  ///< half width of (1 - x^2)^2 over its standard deviation
@@ -289,14 +289,14 @@ bool shade_stripe(const Surface& surface, const LaserPlane& laser, const RayPack
     const float light = laser.strength * facing / distance * inside.at[k] * inside.at[k] *
                         (kProfileRoot * kBeam_m / half_width.at[k]);
     stripe.at[k] = is_lit ? light : 0;
-    paths.from_x.at[k] = px;
-    paths.from_y.at[k] = py;
-    paths.from_z.at[k] = pz;
-    paths.x.at[k] = to_x;
-    paths.y.at[k] = to_y;
-    paths.z.at[k] = to_z;
-    paths.asked.at[k] = is_lit ? -1 : 0;
-    any |= paths.asked.at[k];
+    segments.from_x.at[k] = px;
+    segments.from_y.at[k] = py;
+    segments.from_z.at[k] = pz;
+    segments.x.at[k] = to_x;
+    segments.y.at[k] = to_y;
+    segments.z.at[k] = to_z;
+    segments.asked.at[k] = is_lit ? -1 : 0;
+    any |= segments.asked.at[k];
   }
   return any != 0;
 }

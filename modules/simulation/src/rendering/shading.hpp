@@ -35,10 +35,10 @@ void shade(const Surface& surface, const ShadingTables& tables, const LightLevel
 /// The share of the light that a polished floor mirrors (Schlick 1994), lane by lane.
 void find_mirrored(float gloss, const RayPacket& rays, Floats& mirrored);
 
-/// The laser stripe as far as nothing blocks the light plane: the light of the lanes on the surface, and the
-/// path to the projector in `paths`, which asks where there is any.
-/// @return whether there is any; if not, nothing is said of light and paths
+/// The laser stripe if nothing blocks the light plane: the light of the lanes on the surface, and the segment
+/// to the projector in `segments`, asked for where there is light.
+/// @return whether there is any light; if not, stripe and segments are undefined
 bool shade_stripe(const Surface& surface, const LaserPlane& laser, const RayPacket& rays,
-                  const Flags& on_surface, Floats& stripe, PathPacket& paths);
+                  const Flags& on_surface, Floats& stripe, SegmentPacket& segments);
 
 }  // namespace aisle

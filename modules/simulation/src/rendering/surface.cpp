@@ -11,8 +11,8 @@ std::array<float, 4> coordinate(const Vec3& gradient, double offset) {
           static_cast<float>(gradient.z()), static_cast<float>(offset)};
 }
 
-/// Share of the path along `edge` from `corner`, or metres counted from the world's origin, so that patterns
-/// go on from one piece to the next.
+/// Share of the distance along `edge` from `corner`, or metres counted from the world's origin, so that
+/// patterns go on from one piece to the next.
 std::array<float, 4> pattern_coordinate(const Panel& panel, const Vec3& edge, const SceneFrame& frame) {
   const Vec3 corner = frame(panel.corner);
   if (panel.pattern == Panel::Pattern::kFilling) {

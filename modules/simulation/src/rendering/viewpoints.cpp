@@ -21,14 +21,14 @@ CameraMount shaken(CameraMount mount, const CameraSensorParams& params, const Ca
   return mount;
 }
 
-/// How far the image of the floor, or of a wall near by, moves during the exposure [px].
+/// How far the image of the floor or of a nearby wall moves during the exposure [px].
 double smear_px(const CameraDescription& camera, const CameraSensorParams& params,
                 const CameraMoment& moment) {
   constexpr double kWall_m = 2;
   const double turn_px = std::abs(moment.turn_rate_rad_s) * camera.intrinsics.fx_px;
   const double near_m = std::min(kWall_m, 2 * camera.mount.p_vehicle_camera.z());
-  const double path_px = std::abs(moment.speed_mps) * camera.intrinsics.fy_px / (2 * near_m);
-  return (turn_px + path_px) * params.exposure_time_s;
+  const double shift_px = std::abs(moment.speed_mps) * camera.intrinsics.fy_px / (2 * near_m);
+  return (turn_px + shift_px) * params.exposure_time_s;
 }
 
 }  // namespace

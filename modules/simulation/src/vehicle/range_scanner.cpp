@@ -11,7 +11,7 @@ void RangeSensorParams::describe(FieldList& fields) {
   fields.count("beams", beams, {1, 4096}, "readings in a scan");
   fields.real("noise_sigma_m", noise_sigma_m, {0, 1}, "standard deviation of a reading");
   fields.angle("angle_offset_deg", angle_offset_rad, {-10, 10},
-               "how far left of the logged angles it really looks");
+               "how much farther left than the logged angles it really looks");
   fields.real("resolution_m", resolution_m, {0, 0.5}, "readings are whole multiples of this; 0: not rounded");
   fields.real("dropped_share", dropped_share, {0, 1}, "share of readings that miss the wall, as on glass");
   fields.real("height_m", height_m, {0, 3}, "scanner above the floor");
@@ -36,8 +36,8 @@ std::vector<float> RangeScanner::scan(const Pose2& T_world_vehicle, Random& rand
   return ranges_m;
 }
 
-/// Draws the same count of random numbers for every beam, so that a fault of one beam leaves the others
-/// alone.
+/// Draws the same number of random numbers for every beam, so that a fault of one beam does not change the
+/// others.
 double RangeScanner::reading_m(double true_m, Random& random) const {
   const double range_max_m = params_.laser.range_max_m, resolution_m = params_.sensor.resolution_m;
   const double noise_m = random.normal(params_.sensor.noise_sigma_m);

@@ -91,7 +91,7 @@ void SimulatedVehicle::step(double time_s) {
   play_.advance(truth_.stamp_s, truth_.T_world_vehicle.position());
   bodies_.step(truth_.stamp_s, time_s, play_, model_.description.footprint, truth_.T_world_vehicle);
   obstacles_.set_movers(bodies_.outlines());
-  lift_if_due();
+  kidnap_if_due();
   drive(time_s);
   if (eyes_) {
     eyes_->look(truth_.stamp_s,
@@ -137,8 +137,8 @@ void SimulatedVehicle::feel_bumper(double free_share) {
   }
 }
 
-/// The wheels do not turn meanwhile. Nobody puts a vehicle down where something is.
-void SimulatedVehicle::lift_if_due() {
+/// The wheels do not turn meanwhile. Nobody puts a vehicle down on an obstacle.
+void SimulatedVehicle::kidnap_if_due() {
   for (std::size_t event = 0; event < play_.size(); ++event) {
     const auto* lifted = std::get_if<Lifted>(&play_.fault(event));
     if (lifted == nullptr || !play_.is_on(event) || lifts_done_.contains(event)) continue;

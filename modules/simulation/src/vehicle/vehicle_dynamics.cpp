@@ -10,7 +10,7 @@ double approach(double value, double wanted, double change_max) {
   return value + std::clamp(wanted - value, -change_max, change_max);
 }
 
-/// Brakes to a stand before it changes direction.
+/// Brakes to standstill before it changes direction.
 double next_speed_mps(double speed_mps, double wanted_mps, const DriveLimits& limits, double time_s) {
   const bool turns_round = speed_mps * wanted_mps < 0;
   const double target_mps = turns_round ? 0 : wanted_mps;

@@ -74,9 +74,9 @@ RC_GTEST_PROP(MazeBuilding, ATourComesIntoEveryCell, ()) {
     const Vec2 centre = Vec2(maze.cell(cell).x * 2.0 + 0.9, maze.cell(cell).y * 2.0 + 0.9);
     double nearest_m = 1e9;
     for (std::size_t i = 1; i < run->tour.size(); ++i) {
-      const Vec2 start = run->tour[i - 1], path = run->tour[i] - start;
-      const double share = std::clamp((centre - start).dot(path) / path.squaredNorm(), 0.0, 1.0);
-      nearest_m = std::min(nearest_m, (start + share * path - centre).norm());
+      const Vec2 start = run->tour[i - 1], step = run->tour[i] - start;
+      const double share = std::clamp((centre - start).dot(step) / step.squaredNorm(), 0.0, 1.0);
+      nearest_m = std::min(nearest_m, (start + share * step - centre).norm());
     }
     RC_ASSERT(nearest_m < 2.3);
   }

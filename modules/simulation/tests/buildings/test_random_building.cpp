@@ -52,9 +52,9 @@ TEST_P(RandomBuilding, WallsAreClosedOutlinesWithoutDegenerateOrOverlappingPiece
     std::set<std::tuple<long, long>> corners;
     for (std::size_t i = 0; i < world.walls.size(); ++i) {
       const Segment2& wall = world.walls[i].floor_point;
-      const Vec2 path = (wall.end - wall.start).cwiseAbs();
-      EXPECT_LT(path.minCoeff(), 1e-9) << seed;
-      EXPECT_GT(path.maxCoeff(), 0.015) << seed << " " << wall.start.transpose();
+      const Vec2 extent = (wall.end - wall.start).cwiseAbs();
+      EXPECT_LT(extent.minCoeff(), 1e-9) << seed;
+      EXPECT_GT(extent.maxCoeff(), 0.015) << seed << " " << wall.start.transpose();
       const auto corner = std::tuple(std::lround(wall.start.x() * 1000), std::lround(wall.start.y() * 1000));
       EXPECT_TRUE(corners.insert(corner).second)
           << seed << ": two outlines touch at " << wall.start.transpose();
@@ -67,7 +67,7 @@ TEST_P(RandomBuilding, CorridorsAreAsWideAsAsked) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const RandomBuildingRecipe recipe{.kind = GetParam(), .corridor_width_m = width_m};
       Random random(seed);
-      for (const Rectangle& corridor : corridors_by_chance(recipe, random).corridors) {
+      for (const Rectangle& corridor : random_corridors(recipe, random).corridors) {
         EXPECT_GE(corridor.size().minCoeff(), width_m - 1e-6) << seed;
       }
     }

@@ -12,7 +12,7 @@
 namespace aisle {
 namespace {
 
-TEST(TurningCourse, EachOfTheThirteenPathsIsFreeAndLeadsTheRightPath) {
+TEST(TurningCourse, EachOfTheThirteenRoutesIsFreeAndLeadsTheRightWay) {
   for (int number = 1; number <= 13; ++number) {
     Random random(7);
     const World world = turning_course(number, random);

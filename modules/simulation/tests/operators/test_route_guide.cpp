@@ -22,7 +22,7 @@ World open_floor() {
   return world;
 }
 
-/// What a person said, and where, who drove the world's first route to its end.
+/// The marks that a person gave, and where, while driving the world's first route to its end.
 struct GuidedDrive {
   std::vector<Mark> marks;
   std::vector<Vec2> places;
@@ -64,7 +64,7 @@ TEST(RouteGuide, SaysWhereTurningsBeginAndEndAndHowToPark) {
   EXPECT_NEAR(places[2].y(), 4, 0.3);
 }
 
-TEST(RouteGuide, BetweenCloseTurningsItBacksAfterTheEndOfTheFirst) {
+TEST(RouteGuide, BetweenCloseTurningsItReversesAfterTheEndOfTheFirst) {
   World world;
   world.routes = {{.name = "way", .path = {{0, 0}, {4, 0}, {1, 0}, {3, 0}, {3, 4}}}};
   world.turnings = {{.route = "way", .number = 4, .at = {2, 0}, .before_m = 1, .after_m = 2},
@@ -77,7 +77,7 @@ TEST(RouteGuide, BetweenCloseTurningsItBacksAfterTheEndOfTheFirst) {
   EXPECT_NEAR(driven.places[2].x(), 1, 0.3);
 }
 
-/// How far from a pose the nearest of those that were driven is, if it is turned by at most 3 degrees.
+/// Distance of a pose from the nearest driven one that is turned by at most 3 degrees.
 double nearest_m(const std::vector<Pose2>& driven, const Pose2& T_world_wished) {
   double least_m = 100;
   for (const Pose2& T_world_vehicle : driven) {
@@ -91,7 +91,7 @@ TEST(RouteGuide, ShowsViewsFromAboutATaughtPlace) {
   World world;
   world.routes = {{.name = "way", .parking = ParkingStrategy::kView, .path = {{0, 0}, {4, 0}}}};
   const GuidedDrive driven = driven_with_marks(world, ShownViews::kPattern);
-  ASSERT_EQ(driven.marks, std::vector(1, Mark{Mark::Kind::kStop, "view"})) << "the path ends before them";
+  ASSERT_EQ(driven.marks, std::vector(1, Mark{Mark::Kind::kStop, "view"})) << "the route ends before them";
   const Pose2 T_world_place{driven.places.front().x(), driven.places.front().y(), 0};
   int passed = 0;
   for (const ViewLane& lane : view_pattern())
@@ -100,7 +100,7 @@ TEST(RouteGuide, ShowsViewsFromAboutATaughtPlace) {
   EXPECT_GE(passed, 50) << "of 63; hands are not exact";
 }
 
-TEST(RouteGuide, LeavesOutLanesWithoutRoom) {
+TEST(RouteGuide, LeavesOutLanesWithoutClearance) {
   World world;
   world.routes = {{.name = "way", .parking = ParkingStrategy::kView, .path = {{0, 0}, {4, 0}}}};
   world.furniture = {{.centre = {3, -0.6}, .size = {4, 0.3}, .height_m = 1}};  // 15 cm beside the vehicle

@@ -66,7 +66,7 @@ struct Drive {
   SimulatedTruth end;
   std::vector<Mark> marks;
   bool came_near = false;    ///< within 3 cm of a wall
-  double largest_off_m = 0;  ///< of the first 8 m of the first corridor, beside the route
+  double largest_off_m = 0;  ///< lateral offset in the first 8 m of the first corridor
   bool arrived = false;
   bool gave_up = false;
 };
@@ -77,7 +77,7 @@ Drive drive(const World& world, const VehicleModel& model, std::uint64_t seed,
   SimulatedVehicle vehicle(world, model, scenario,
                            {.seed = seed, .T_world_start = *start_pose(world), .takes_images = false},
                            &person);
-  Obstacles near_walls(world, with_room_to_clearance(model.description.footprint, 0.03));
+  Obstacles near_walls(world, with_clearance(model.description.footprint, 0.03));
   Drive drive;
   for (int i = 0; i < 6000; ++i) {
     const Observation observation = *vehicle.sense();
@@ -142,7 +142,7 @@ TEST_P(ScriptedOperatorTest, ComesBackWhereTheRouteTurnsBack) {
   EXPECT_THAT(run.end.T_world_vehicle, PoseNear(Pose2{1, 0, heading_rad}, 0.3, 0.3));
 }
 
-TEST_P(ScriptedOperatorTest, WhereThePathBackTurnsOffItBacksRoundTheCornerAndGoesOnForwards) {
+TEST_P(ScriptedOperatorTest, WhereTheRouteBackTurnsOffItBacksRoundTheCornerAndGoesOnForwards) {
   // Into the side corridor, a bit back out of it, and on along the first one.
   World world{.name = "tee"};
   const std::vector<Vec2> line = {{-8, -1.2}, {12, -1.2},  {12, 1.2}, {1.2, 1.2}, {1.2, 9},

@@ -13,9 +13,9 @@ namespace {
 
 World square_room_with_a_round_trip() {
   World world{.name = "room"};
-  for (const Segment2& floor_point : {Segment2{{5, -5}, {5, 5}}, Segment2{{5, 5}, {-5, 5}},
-                                      Segment2{{-5, 5}, {-5, -5}}, Segment2{{-5, -5}, {5, -5}}}) {
-    world.walls.push_back({.floor_point = floor_point});
+  for (const Segment2& line : {Segment2{{5, -5}, {5, 5}}, Segment2{{5, 5}, {-5, 5}},
+                               Segment2{{-5, 5}, {-5, -5}}, Segment2{{-5, -5}, {5, -5}}}) {
+    world.walls.push_back({.floor_point = line});
   }
   world.tour = {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}, {-3, -3}};
   return world;
@@ -81,7 +81,7 @@ TEST(TourRecorder, PerfectWheelsCountTheTruth) {
   }
 }
 
-TEST(TourRecorder, ADistanceErrorAndADriftShowAfterAStraightPath) {
+TEST(TourRecorder, ADistanceErrorAndADriftShowAfterAStraightDrive) {
   World world = square_room_with_a_round_trip();
   world.tour = {{-4, 0}, {4, 0}};
   TourParams params;
@@ -89,10 +89,10 @@ TEST(TourRecorder, ADistanceErrorAndADriftShowAfterAStraightPath) {
   params.odometry.distance_error = 0.02;
   params.odometry.drift_rad_per_m = 0.5 * kDegree;
   const TourRecording recording = recorded(world, params);
-  const double path_m = recording.T_world_vehicle.back().x + 4;
+  const double distance_m = recording.T_world_vehicle.back().x + 4;
   const Pose2 counted = recording.log.odometry.back().T_odom_vehicle;
-  EXPECT_NEAR(counted.position().norm(), 1.02 * path_m, 0.01);
-  EXPECT_NEAR(to_degrees(counted.theta), 0.5 * path_m, 0.01);
+  EXPECT_NEAR(counted.position().norm(), 1.02 * distance_m, 0.01);
+  EXPECT_NEAR(to_degrees(counted.theta), 0.5 * distance_m, 0.01);
 }
 
 TEST(TourRecorder, DelayedOdometryIsFromLaterThanItsScan) {
@@ -110,7 +110,7 @@ TEST(TourRecorder, TheShippedWheelsAreThoseOfAnOrdinaryRobot) {
   const TourRecording recording = recorded(square_room_with_a_round_trip(), {}, 3);
   const Pose2 counted = recording.T_world_vehicle[0] * recording.log.odometry.back().T_odom_vehicle;
   const double off_m = (counted.position() - recording.T_world_vehicle.back().position()).norm();
-  EXPECT_GT(off_m, 0.3);  // on a path of 23 m
+  EXPECT_GT(off_m, 0.3);  // after 23 m
   EXPECT_LT(off_m, 5);
 }
 
@@ -131,7 +131,7 @@ class WatchedProgress final : public Progress {
   std::string interrupted_task_;
 };
 
-TEST(TourRecorder, TellsHowFarItIs) {
+TEST(TourRecorder, ReportsItsProgress) {
   WatchedProgress progress;
   const std::size_t scans = record_tour(square_room_with_a_round_trip(), {}, 1, progress).log.scans.size();
   EXPECT_EQ(progress.latest["driving"], std::pair(std::size_t{4}, std::size_t{5}));

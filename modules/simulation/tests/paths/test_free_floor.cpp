@@ -31,7 +31,7 @@ TEST(FreeFloor, TheAreaIsWhereTheCentreMayBe) {
   EXPECT_NEAR(FreeFloor(two_rooms(0.2), {1, 1}, 0.5).area_m2(), 3.0 * 3.0, 0.5);
 }
 
-TEST(FreeFloor, APathOutOfTheBuildingHasNoArea) {
+TEST(FreeFloor, AFloorThatLeadsOutOfTheBuildingHasNoArea) {
   const std::vector<Segment2> three_walls = {{{0, 0}, {4, 0}}, {{4, 0}, {4, 4}}, {{4, 4}, {0, 4}}};
   EXPECT_TRUE(std::isinf(FreeFloor(three_walls, {1, 1}, 0.3).area_m2()));
 }

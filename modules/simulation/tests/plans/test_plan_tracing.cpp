@@ -108,9 +108,9 @@ RC_GTEST_PROP(PlanTracing, RectilinearFloorsComeBackExactly, ()) {
   const auto walls = traced(plan);
   RC_ASSERT(agreement(plan, walls).all == 1);
   for (const Segment2& wall : walls) {
-    const Vec2 path = (wall.end - wall.start).cwiseAbs() / plan.cell_m;
-    RC_ASSERT(path.minCoeff() < 1e-9);
-    RC_ASSERT(std::abs(path.maxCoeff() - 4 * std::round(path.maxCoeff() / 4)) < 1e-6);
+    const Vec2 extent = (wall.end - wall.start).cwiseAbs() / plan.cell_m;
+    RC_ASSERT(extent.minCoeff() < 1e-9);
+    RC_ASSERT(std::abs(extent.maxCoeff() - 4 * std::round(extent.maxCoeff() / 4)) < 1e-6);
   }
 }
 

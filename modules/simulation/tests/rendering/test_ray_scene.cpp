@@ -10,21 +10,22 @@ namespace {
 
 constexpr std::size_t kBlocked = 3, kFree = 5, kNotAsked = 7;
 
-/// Paths along x from 1 m before a panel across x = 0, and one that nobody asks for and that is no number.
-PathPacket paths_to_a_panel() {
-  PathPacket paths;
-  for (Floats* all : {&paths.from_x, &paths.from_y, &paths.from_z, &paths.x, &paths.y, &paths.z})
+/// Segments along x from 1 m before a panel across x = 0, and a lane that is not asked for and holds NaN.
+SegmentPacket segments_to_a_panel() {
+  SegmentPacket segments;
+  for (Floats* all :
+       {&segments.from_x, &segments.from_y, &segments.from_z, &segments.x, &segments.y, &segments.z})
     std::fill(std::begin(all->at), std::end(all->at), std::numeric_limits<float>::quiet_NaN());
-  std::fill(std::begin(paths.asked.at), std::end(paths.asked.at), 0);
+  std::fill(std::begin(segments.asked.at), std::end(segments.asked.at), 0);
   for (const std::size_t k : {kBlocked, kFree}) {
-    paths.from_x.at[k] = -1;
-    paths.from_y.at[k] = paths.y.at[k] = paths.z.at[k] = 0;
-    paths.from_z.at[k] = 0.5f;
-    paths.asked.at[k] = -1;
+    segments.from_x.at[k] = -1;
+    segments.from_y.at[k] = segments.y.at[k] = segments.z.at[k] = 0;
+    segments.from_z.at[k] = 0.5f;
+    segments.asked.at[k] = -1;
   }
-  paths.x.at[kBlocked] = 4;
-  paths.x.at[kFree] = 0.5f;
-  return paths;
+  segments.x.at[kBlocked] = 4;
+  segments.x.at[kFree] = 0.5f;
+  return segments;
 }
 
 RayScene scene_with_a_panel() {
@@ -32,17 +33,17 @@ RayScene scene_with_a_panel() {
   return {std::vector{panel}, SceneFrame{}};
 }
 
-TEST(RayScene, TellsWhichPathsAreBlockedAmongSuchAsAreNoNumber) {
+TEST(RayScene, FindsWhichSegmentsAreBlockedAmongSomeThatAreNaN) {
   Flags blocked{};
-  scene_with_a_panel().find_blocked(paths_to_a_panel(), blocked);
+  scene_with_a_panel().find_blocked(segments_to_a_panel(), blocked);
   EXPECT_EQ(blocked.at[kBlocked], -1);
   EXPECT_EQ(blocked.at[kFree], 0);
   EXPECT_EQ(blocked.at[kNotAsked], 0);
 }
 
-TEST(RayScene, TellsHowFarPathsAreFreeAmongSuchAsAreNoNumber) {
+TEST(RayScene, FindsHowFarSegmentsAreFreeAmongSomeThatAreNaN) {
   Floats shares{};
-  scene_with_a_panel().free_shares(paths_to_a_panel(), shares);
+  scene_with_a_panel().free_shares(segments_to_a_panel(), shares);
   EXPECT_FLOAT_EQ(shares.at[kBlocked], 0.25f);
   EXPECT_FLOAT_EQ(shares.at[kFree], 1);
   EXPECT_FLOAT_EQ(shares.at[kNotAsked], 1);

@@ -85,7 +85,7 @@ TEST(SeenPanel, NarrowingABeamLosesNothingThatItsRaysSee) {
   }
 }
 
-/// Across the path of a camera that looks along x; y is on its left.
+/// A panel before a camera that looks along x; y is on its left.
 SeenPanel wall_ahead(double left_m, double right_m, double distance_m = 2, std::uint32_t number = 0) {
   Viewpoint view{Eigen::Vector3f::Zero(), Eigen::Matrix3f::Zero()};
   view.R_scene_camera << 0, 0, 1, -1, 0, 0, 0, -1, 0;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPrecision_px = 0.1;
 
-/// Looks misaligned through a bent lens.
+/// Tilted, panned and rolled, with a distorting lens.
 CameraDescription ordinary_camera() {
   CameraDescription camera;
   camera.width_px = 322;  // no multiple of a packet's side
@@ -217,8 +217,8 @@ TEST(CameraSensor, TheLaserStripeRunsAtItsHeightOverTheWall) {
     const auto row = stripe_row(image, expected);
     ASSERT_TRUE(row) << y;
     // The wanted row is the stripe's in this very column.
-    const Vec2 lateral = projected({3, y + 0.1, 0.4});
-    const double slope = (lateral.y() - expected.y()) / (lateral.x() - expected.x());
+    const Vec2 beside = projected({3, y + 0.1, 0.4});
+    const double slope = (beside.y() - expected.y()) / (beside.x() - expected.x());
     const double wanted = expected.y() + slope * (std::round(expected.x()) - expected.x());
     EXPECT_NEAR(*row, wanted, 2 * kPrecision_px) << y;
   }

@@ -14,9 +14,9 @@ using testing::FloatNear;
 /// 4 m x 4 m round the origin.
 World square_room() {
   World world{.name = "square room"};
-  for (const Segment2& floor_point : {Segment2{{2, -2}, {2, 2}}, Segment2{{2, 2}, {-2, 2}},
-                                      Segment2{{-2, 2}, {-2, -2}}, Segment2{{-2, -2}, {2, -2}}}) {
-    world.walls.push_back({.floor_point = floor_point});
+  for (const Segment2& line : {Segment2{{2, -2}, {2, 2}}, Segment2{{2, 2}, {-2, 2}},
+                               Segment2{{-2, 2}, {-2, -2}}, Segment2{{-2, -2}, {2, -2}}}) {
+    world.walls.push_back({.floor_point = line});
   }
   return world;
 }

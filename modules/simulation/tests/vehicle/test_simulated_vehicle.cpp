@@ -15,9 +15,9 @@ using testing::Lt;
 
 World hall() {
   World world{.name = "hall"};
-  for (const Segment2& floor_point : {Segment2{{20, -5}, {20, 5}}, Segment2{{20, 5}, {-5, 5}},
-                                      Segment2{{-5, 5}, {-5, -5}}, Segment2{{-5, -5}, {20, -5}}}) {
-    world.walls.push_back({.floor_point = floor_point});
+  for (const Segment2& line : {Segment2{{20, -5}, {20, 5}}, Segment2{{20, 5}, {-5, 5}},
+                               Segment2{{-5, 5}, {-5, -5}}, Segment2{{-5, -5}, {20, -5}}}) {
+    world.walls.push_back({.floor_point = line});
   }
   return world;
 }
@@ -83,7 +83,7 @@ void expect_same_odometry(const SimulatedRun& a, const SimulatedRun& b) {
   }
 }
 
-TEST(SimulatedVehicle, StandsUntilItIsReported) {
+TEST(SimulatedVehicle, StandsUntilItIsCommanded) {
   SimulatedVehicle vehicle(hall(), cart(), {}, {.takes_images = false});
   for (int i = 0; i < 5; ++i) (void)vehicle.sense();
   EXPECT_THAT(vehicle.truth().T_world_vehicle, PoseNear(Pose2{}, 0, 0));
@@ -116,7 +116,7 @@ TEST(SimulatedVehicle, StopsWhenCommandsStayAway) {
   EXPECT_EQ(vehicle.truth().speed_mps, 0);
 }
 
-TEST(SimulatedVehicle, HoldsItsLimitsOfSpeedAndSteeringWhateverItIsReported) {
+TEST(SimulatedVehicle, HoldsItsLimitsOfSpeedAndSteeringWhateverItIsCommanded) {
   VehicleModel model = cart();
   model.description.limits.speed_max_mps = 0.4;
   model.description.limits.reverse_speed_max_mps = 0.2;
@@ -132,7 +132,7 @@ TEST(SimulatedVehicle, HoldsItsLimitsOfSpeedAndSteeringWhateverItIsReported) {
   }
 }
 
-TEST(SimulatedVehicle, ACommandThatIsNoNumberMeansStop) {
+TEST(SimulatedVehicle, ACommandThatIsNotANumberMeansStop) {
   const double nan = std::nan("");
   for (const Command& senseless : {Command{nan, 0, 0}, Command{0.3, nan, 0}, Command{0.3, 0, nan}}) {
     SimulatedVehicle vehicle(hall(), cart(), {}, {.takes_images = false});
@@ -219,8 +219,8 @@ TEST(SimulatedVehicle, TheSteeringsBiasIsInTheTruthButNotInTheReading) {
   model.simulated.odometry.steering_bias_rad = 2 * kDegree;
   const SimulatedRun run = drive(hall(), model, {}, {.speed_mps = 0.5}, 10);
   EXPECT_NEAR(std::get<FrontSteeredMotion>(run.observations.back().odometry).steering_rad, 0, 1e-12);
-  const double path_m = run.truths.back().path_m / std::cos(2 * kDegree);
-  EXPECT_NEAR(run.truths.back().T_world_vehicle.theta, path_m * std::sin(2 * kDegree) / 0.75, 1e-6);
+  const double front_m = run.truths.back().path_m / std::cos(2 * kDegree);
+  EXPECT_NEAR(run.truths.back().T_world_vehicle.theta, front_m * std::sin(2 * kDegree) / 0.75, 1e-6);
 }
 
 TEST(Faults, ASlipBurstIsCountedButNotDriven) {

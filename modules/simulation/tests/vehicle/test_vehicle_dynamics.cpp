@@ -15,7 +15,7 @@ constexpr double kTick_s = 0.01;
 
 struct Driven {
   Pose2 T_start_end;
-  double front_path_m = 0;
+  double front_distance_m = 0;
 };
 
 Driven drive_for(const VehicleDescription& vehicle, VehicleDynamics& dynamics, const Command& command,
@@ -24,7 +24,7 @@ Driven drive_for(const VehicleDescription& vehicle, VehicleDynamics& dynamics, c
   for (int i = 0; i < std::lround(time_s / kTick_s); ++i) {
     const Travel travel = dynamics.step(command, kTick_s);
     run.T_start_end = run.T_start_end * end_pose(arc_of(vehicle, travel));
-    run.front_path_m += travel.distance_m;
+    run.front_distance_m += travel.distance_m;
   }
   return run;
 }
@@ -45,7 +45,7 @@ TEST(VehicleDynamics, GetsFasterEvenlyAndBrakesEvenly) {
   EXPECT_EQ(dynamics.state().speed_mps, 0);
 }
 
-TEST(VehicleDynamics, HoldsItsLimitsWhateverItIsReported) {
+TEST(VehicleDynamics, HoldsItsLimitsWhateverItIsCommanded) {
   VehicleDynamics dynamics(front_steered());
   drive_for(front_steered(), dynamics, {.speed_mps = 50, .steering_rad = 2}, 5);
   EXPECT_DOUBLE_EQ(dynamics.state().speed_mps, 1);
@@ -84,9 +84,9 @@ TEST(VehicleDynamics, AFullCircleEndsWhereItBegan) {
 
 TEST(VehicleDynamics, ReversingAroundAQuarterCircleEndsWhereItShould) {
   // The rear axle's middle runs backwards about (0, r), r = 0.75 m / tan 30 deg.
-  const double r = 0.75 / std::tan(30 * kDegree), path_m = kPi / 2 * 1.5;
-  const double time_s = std::floor(path_m / 0.2 / kTick_s) * kTick_s;
-  const Pose2 rest = drive(FrontSteered{0.75}, {0.2 * time_s - path_m, 30 * kDegree});
+  const double r = 0.75 / std::tan(30 * kDegree), arc_m = kPi / 2 * 1.5;
+  const double time_s = std::floor(arc_m / 0.2 / kTick_s) * kTick_s;
+  const Pose2 rest = drive(FrontSteered{0.75}, {0.2 * time_s - arc_m, 30 * kDegree});
   EXPECT_THAT(
       drive_constantly(front_steered(), {.speed_mps = -0.2, .steering_rad = 30 * kDegree}, time_s) * rest,
       PoseNear(Pose2{-r, r, -kPi / 2}, 1e-9, 1e-9));

@@ -22,7 +22,7 @@ TEST(WheelOdometry, PerfectWheelsCountWhatIsDriven) {
   EXPECT_EQ(motion_of(odometry).distance_m, 0);
 }
 
-TEST(WheelOdometry, TheSteeringIsAveragedOverThePath) {
+TEST(WheelOdometry, TheSteeringIsAveragedOverTheDistance) {
   WheelOdometry odometry(front_steered(), kPerfectWheels, Random(1));
   odometry.count({.distance_m = 0.01, .steering_rad = 0});
   odometry.count({.distance_m = 0.03, .steering_rad = 0.4});
@@ -65,7 +65,7 @@ TEST(WheelOdometry, RoundingLosesNothing) {
   EXPECT_NEAR(sum_m, 3.3, 0.006);
 }
 
-TEST(WheelOdometry, StepsAddUpToThePathOfTheWheels) {
+TEST(WheelOdometry, StepsAddUpToTheDistanceOfTheWheels) {
   WheelOdometry odometry(two_wheeled(), kPerfectWheels, Random(1));
   Pose2 T_start_true, T_start_counted;
   for (int i = 0; i < 500; ++i) {

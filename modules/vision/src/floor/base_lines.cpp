@@ -15,7 +15,7 @@ namespace aisle {
 
 void BaseLineParams::describe(FieldList& fields) {
   fields.count("width_max_px", width_max_px, {64, 4096}, "wider images are shrunk to this");
-  fields.real("score_min", score_min, {0, 10}, "a line less supported is none");
+  fields.real("score_min", score_min, {0, 10}, "a line with a lower score is not used");
   fields.real("floor_point_share", floor_point_share, {0, 0.5},
               "a floor point is no farther than this from its base line, as a share of the height");
   fields.real("standing_share_min", standing_share_min, {0, 1},
@@ -55,21 +55,20 @@ class BaseLineDetector::Work {
     turn_verticals(view, verticals);
     const Vec2 side_point_px = view.turned(point_px);
     const SideScene scene{view, side_point_px, side_verticals_, floor_};
-    auto floor_point = search_.find(scene, side_segments_, params_.score_min);
-    if (!floor_point) return std::nullopt;
-    refinement_.refine(view, far_px(*floor_point, side_point_px), border_px(*floor_point), *floor_point);
-    return as_seen(*floor_point, view, side_point_px);
+    auto edge = search_.find(scene, side_segments_, params_.score_min);
+    if (!edge) return std::nullopt;
+    refinement_.refine(view, far_px(*edge, side_point_px), border_px(*edge), *edge);
+    return as_seen(*edge, view, side_point_px);
   }
 
-  /// Along the line, from its point: where it begins ...
-  double far_px(const WallFloorEdge& floor_point, const Vec2& point_px) const {
-    return std::min(floor_point.from_px,
-                    floor_point.direction.dot(point_px - floor_point.point_px) + kFarEnd * image_.width_px());
+  /// Distance along the edge, from its point, at which it begins ...
+  double far_px(const WallFloorEdge& edge, const Vec2& point_px) const {
+    return std::min(edge.from_px, edge.direction.dot(point_px - edge.point_px) + kFarEnd * image_.width_px());
   }
   /// ... and where it leaves the image.
-  double border_px(const WallFloorEdge& floor_point) const {
-    return std::min((image_.width_px() - 1 - floor_point.point_px.x()) / floor_point.direction.x(),
-                    (image_.height_px() - 1 - floor_point.point_px.y()) / floor_point.direction.y());
+  double border_px(const WallFloorEdge& edge) const {
+    return std::min((image_.width_px() - 1 - edge.point_px.x()) / edge.direction.x(),
+                    (image_.height_px() - 1 - edge.point_px.y()) / edge.direction.y());
   }
 
   void turn_segments(const SideView& view) {
@@ -97,13 +96,13 @@ class BaseLineDetector::Work {
         });
   }
 
-  BaseLine as_seen(const WallFloorEdge& floor_point, const SideView& view, const Vec2& point_px) const {
-    const double from_px = far_px(floor_point, point_px), to_px = border_px(floor_point);
+  BaseLine as_seen(const WallFloorEdge& edge, const SideView& view, const Vec2& point_px) const {
+    const double from_px = far_px(edge, point_px), to_px = border_px(edge);
     const int pieces = image_.bends_lines() ? 8 : 1;
     BaseLine line;
     for (int i = 0; i <= pieces; ++i) {
       const double along_px = from_px + (to_px - from_px) * i / pieces;
-      const auto seen_px = image_.given(view.turned(floor_point.point_px + along_px * floor_point.direction));
+      const auto seen_px = image_.given(view.turned(edge.point_px + along_px * edge.direction));
       if (seen_px) line.push_back(*seen_px);
     }
     return line;

@@ -9,10 +9,11 @@ namespace {
 
 constexpr double kHalfReach = 0.03;  // of the depth: half of what a step must last, a skirting board at least
 constexpr int kHalfReachMin = 2, kHalfReachMax = 12;  // rows
-constexpr int kStepPartsMax = 4;      // of the rows on either side, all of which show the step
-constexpr float kWorthMax = 20;       // grey levels; one strong step is not to outvote many
+constexpr int kStepPartsMax = 4;  // of the rows on either side, all of which show the step
+constexpr float kWorthMax =
+    20;  // grey levels: the most that one step counts, so that it does not outvote many
 constexpr float kLeftBeneath = 0.6F;  // cost of a step that is left beneath, as a share of its worth
-constexpr float kBeneathMax = 14;     // worth of several steps on the floor, which a wall's step is to outdo
+constexpr float kBeneathMax = 14;     // worth of several steps on the floor, which a wall's step must exceed
 constexpr float kPerRow = 0.15F;      // cost of each row up or down to the next column ...
 constexpr float kJump = 40;           // ... but no more than this
 constexpr int kSettleRows = 2;        // rows to either side in which a step's steepest place is
@@ -52,7 +53,7 @@ const std::vector<BoundaryPoint>& FloorBoundary::find_again(const LevelView& vie
   return points_;
 }
 
-void FloorBoundary::strike_out(const LevelView& view, const BoundaryPoint& point) {
+void FloorBoundary::exclude(const LevelView& view, const BoundaryPoint& point) {
   const auto column = static_cast<int>(point.column), row = static_cast<int>(std::lround(point.row));
   const LevelView::Rows seen = view.seen(column);
   const int reach = 2 * reaches_[static_cast<std::size_t>(row)];
@@ -87,7 +88,7 @@ void FloorBoundary::measure_steps(const LevelView& view, int column) {
   for (const Band& band : bands_) measure_band(band, seen, &steps_[index(column, 0)]);
 }
 
-/// The step of a row lies above it. Where there are rows enough, a stripe as wide as half of what must last
+/// The step of a row lies above it. Where there are enough rows, a stripe as wide as half of what must last
 /// is no step.
 void FloorBoundary::measure_band(const Band& band, LevelView::Rows seen, float* steps) const {
   const int* sums = sums_.data();
@@ -114,7 +115,7 @@ void FloorBoundary::measure_band(const Band& band, LevelView::Rows seen, float* 
   }
 }
 
-/// Leaves the greatest of neighbouring steps.
+/// Keeps the greatest of neighbouring steps.
 void FloorBoundary::thin(const LevelView& view, int column) {
   const LevelView::Rows seen = view.seen(column);
   float* steps = &steps_[index(column, 0)];
@@ -146,7 +147,7 @@ void FloorBoundary::weigh(int column) {
   }
 }
 
-/// The cheapest path to each row of a column from the column before.
+/// The cheapest way to each row of a column from the previous column.
 void FloorBoundary::cross_to_next(int column) {
   std::int16_t* from = &froms_[index(column, 0)];
   const float* costs = costs_.data();

@@ -13,9 +13,9 @@ struct BoundaryPoint {
   double contrast = 0;         ///< brightness beyond it less that of the floor [grey levels]
 };
 
-/// Finds for each column where the floor ends: at the lowest lasting step of brightness, as its neighbours
-/// have it. A step lasts if the brightness on one side is above that on the other throughout both: joints of
-/// tiles and other thin stripes do not. By dynamic programming over the columns. Keeps its buffers.
+/// Finds for each column where the floor ends: at the lowest lasting step of brightness that agrees with the
+/// neighbouring columns, by dynamic programming. A step lasts if one side is brighter than the other
+/// throughout both: tile joints and other thin stripes do not. Keeps its buffers.
 class FloorBoundary {
  public:
   explicit FloorBoundary(double contrast_min) : contrast_min_(contrast_min) {}
@@ -23,9 +23,9 @@ class FloorBoundary {
   /// From left to right; columns that show no end of the floor are left out. Valid until the next call.
   const std::vector<BoundaryPoint>& find(const LevelView& view);
 
-  /// From now on the step that was found there counts as none, as the floor goes on beyond it.
-  void strike_out(const LevelView& view, const BoundaryPoint& point);
-  /// Looks again in the view of the last `find`, past what was hit out since.
+  /// Excludes the step found there from the next `find_again`, as the floor goes on beyond it.
+  void exclude(const LevelView& view, const BoundaryPoint& point);
+  /// Searches the view of the last `find` again, past the excluded steps.
   const std::vector<BoundaryPoint>& find_again(const LevelView& view);
 
  private:
@@ -57,7 +57,7 @@ class FloorBoundary {
   std::vector<int> sums_;            ///< of a column's brightness above a row
   std::vector<float> steps_;         ///< of each column and row; > 0: brighter above
   std::vector<float> costs_;         ///< of the best path to each row of a column
-  std::vector<float> crossed_;       ///< the same, after the path to the next column
+  std::vector<float> crossed_;       ///< the same, after crossing to the next column
   std::vector<std::int16_t> froms_;  ///< for each column and row, the row in the column before
   std::vector<int> path_;
   std::vector<BoundaryPoint> points_;

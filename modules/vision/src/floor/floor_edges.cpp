@@ -16,9 +16,9 @@
 namespace aisle {
 
 void FloorEdgeParams::describe(FieldList& fields) {
-  fields.count("columns", columns, {16, 2000}, "directions in which the end of the floor is looked for");
+  fields.count("columns", columns, {16, 2000}, "directions in which the end of the floor is searched");
   fields.real("contrast_min", contrast_min, {0.5, 100}, "grey levels of the faintest edge");
-  fields.real("distance_max_m", distance_max_m, {1, 100}, "ahead of the camera");
+  fields.real("distance_max_m", distance_max_m, {1, 100}, "farthest edge ahead of the camera");
   fields.real("length_min_m", length_min_m, {0, 10}, "of the shortest edge");
   fields.count("looks_past", looks_past, {0, 20},
                "times that it looks beyond what is no edge of the floor, such as joints and texture");
@@ -29,7 +29,7 @@ void FloorEdgeParams::describe(FieldList& fields) {
 
 namespace {
 
-constexpr double kClear = 4;        // times the least contrast: an edge even if it leads nowhere
+constexpr double kClear = 4;        // times the least contrast: an edge even if no other continues it
 constexpr double kJoinColumns = 4;  // between edges that lead to each other
 constexpr double kJoinRows = 8;
 constexpr double kBesideLens_m = 0.25;  // a line that leads so close past the lens is a joint, not a wall
@@ -63,7 +63,7 @@ class FloorEdgeDetector::Work {
     view_.look_at(grey);
     const std::vector<BoundaryPoint>* points = &boundary_.find(view_);
     find_ends(*points);
-    for (int look = 0; look < params_.looks_past && strike_out_others(*points); ++look) {
+    for (int look = 0; look < params_.looks_past && exclude_others(*points); ++look) {
       points = &boundary_.find_again(view_);
       find_ends(*points);
     }
@@ -92,16 +92,17 @@ class FloorEdgeDetector::Work {
     }
   }
 
-  /// What is no edge, such as a joint, a sheet of paper or the texture of a carpet, hides none any more.
-  /// @return whether there is anything
-  bool strike_out_others(const std::vector<BoundaryPoint>& points) {
+  /// Excludes what is no edge, such as a joint, a sheet of paper or a carpet's texture, so that it does not
+  /// hide an edge beyond.
+  /// @return whether there is any
+  bool exclude_others(const std::vector<BoundaryPoint>& points) {
     bool any = false;
     for (const BoundaryPoint& point : points) {
       const auto is_on = [&](const FloorLine& line) {
         return point.column >= line.first_column && point.column <= line.last_column;
       };
       if (std::any_of(ends_.begin(), ends_.end(), is_on)) continue;
-      boundary_.strike_out(view_, point);
+      boundary_.exclude(view_, point);
       any = true;
     }
     return any;
@@ -122,21 +123,21 @@ class FloorEdgeDetector::Work {
     return leads_on(line.first_column) || leads_on(line.last_column);
   }
 
-  /// Unless it cannot be given where on the floor it lies.
+  /// Skips a line whose place on the floor cannot be computed.
   void add_edge(const FloorLine& line) {
-    const FloorLine edge_point = settled_line(view_, floor_point_beneath(view_, line, board_).value_or(line));
+    const FloorLine settled = settled_line(view_, floor_point_beneath(view_, line, board_).value_or(line));
     FloorEdge edge;
     SensedSegment& seen = edge.on_floor;
-    seen.segment = segment_of(edge_point);
+    seen.segment = segment_of(settled);
     seen.length_m = seen.segment.length();
     seen.heading_rad = seen.segment.heading();
-    seen.centroid = point_of(edge_point, edge_point.middle());
+    seen.centroid = point_of(settled, settled.middle());
     const auto start_px = pixel_of(seen.segment.start), end_px = pixel_of(seen.segment.end);
     if (!start_px || !end_px) return;
     edge.start_px = *start_px;
     edge.end_px = *end_px;
-    edge.contrast = edge_point.contrast;
-    if (set_deviations(edge_point, edge)) edges_.push_back(edge);
+    edge.contrast = settled.contrast;
+    if (set_deviations(settled, edge)) edges_.push_back(edge);
   }
 
   bool leads_past_lens(const FloorLine& line) const {
@@ -145,7 +146,7 @@ class FloorEdgeDetector::Work {
     return std::abs(across.dot(from_lens)) < kBesideLens_m;
   }
 
-  /// It is neither a joint nor a thing that lies on the floor.
+  /// Whether it is neither a joint nor something lying on the floor.
   bool ends_the_floor(const FloorLine& line) const {
     const double length_m = segment_of(line).length();
     if (!(length_m >= params_.length_min_m) || !lasts(line)) return false;
@@ -196,8 +197,8 @@ class FloorEdgeDetector::Work {
     return 2 * back > count;
   }
 
-  /// Of a bright thing that lies on the floor, its near side no more in view: the floor beside it goes on
-  /// beyond it.
+  /// Whether it is the far side of something bright lying on the floor, whose near side is out of view: the
+  /// floor beside it goes on beyond it.
   bool is_far_side(const FloorLine& line) const {
     double near = 0, beyond = 0;
     int count = 0;
@@ -256,8 +257,8 @@ class FloorEdgeDetector::Work {
     return std::accumulate(grey + first, grey + end, 0.0) / (end - first);
   }
 
-  /// Of the fit, of its bias along the whole line, and of how the camera shakes: it nods, and leans to the
-  /// sides, which turns what lies across its view.
+  /// From the fit, its bias along the whole line, and the camera's shaking in pitch and roll; roll turns what
+  /// lies across its view.
   bool set_deviations(const FloorLine& line, FloorEdge& edge) const {
     SensedSegment& seen = edge.on_floor;
     FloorLine shifted = line, turned = line;

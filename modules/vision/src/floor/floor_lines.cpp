@@ -61,7 +61,7 @@ void FloorLineFitter::begin_runs() {
   }
 }
 
-/// The runs that points were taken from end before them.
+/// Ends runs before the points that were taken from them.
 void FloorLineFitter::grow_without(const Run& taken) {
   for (Run& run : runs_) {
     const bool is_touched = run.first < taken.end && taken.first < std::max(run.end, run.b + 1);
@@ -94,7 +94,7 @@ void FloorLineFitter::grow(Run& run) const {
   }
 }
 
-/// Cuts a run as long as it has a bend, and keeps the longer part.
+/// Cuts a run while it has a bend, and keeps the longer part.
 FloorLineFitter::Run FloorLineFitter::longest_straight_part(Run run) {
   on_run_.clear();
   bend_points_.clear();

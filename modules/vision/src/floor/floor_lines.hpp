@@ -20,13 +20,13 @@ struct FloorLine {
   double row_at(double column) const { return row_middle + slope * (column - middle()); }
 };
 
-/// Fits straight lines to the points of a boundary, the longest first; what lies off them is left out. A line
-/// ends where the boundary bends or steps to the side, as before a door's recess, by however little if it is
+/// Fits straight lines to the points of a boundary, the longest first; points off them are left out. A line
+/// ends where the boundary bends or steps to the side, as at a door's recess, however little, if that is
 /// clear.
 class FloorLineFitter {
  public:
   /// From left to right; valid until the next call.
-  /// @param rows_per_column  how many rows are as long as the path from column to column
+  /// @param rows_per_column  how many rows are as long as the distance between two columns
   const std::vector<FloorLine>& fit(const std::vector<BoundaryPoint>& points, double rows_per_column);
 
  private:

@@ -41,7 +41,7 @@ class LevelView {
 
   /// The point of the floor in base_link that is seen there.
   Vec2 floor_point(double column, double row) const;
-  /// The row of the floor so much farther ahead than that of a row.
+  /// The row of the floor that is farther ahead than a row's by a distance.
   double row_beyond(double row, double ahead_m) const;
   /// Which column sees a direction of base_link; nullopt if it is not ahead of the camera.
   std::optional<double> column_of(const Vec3& direction_vehicle) const;

@@ -13,8 +13,8 @@
 namespace aisle {
 namespace {
 
-constexpr double kStep_rows = 0.25;                 // from one floor point that is tried to the next
-constexpr int kStepsAbove = 12, kStepsBeneath = 5;  // so far from the line they are
+constexpr double kStep_rows = 0.25;                 // between the floor points that are tried
+constexpr int kStepsAbove = 12, kStepsBeneath = 5;  // how far from the line they reach
 constexpr int kFloorPoints = kStepsAbove + kStepsBeneath + 1;
 constexpr double kSample_rows = 0.5;  // of a profile across a line
 constexpr double kAbove_rows = 2.5;   // of it: less than is seen of a skirting board
@@ -23,10 +23,10 @@ constexpr double kEdgeBlur_rows = 1;                     // to either side of a 
 constexpr std::array<double, 2> kShadows_rows = {2, 8};  // in which the shadow before a wall fades
 constexpr double kWallUneven = 1;  // usual change of a wall's brightness, in noise of a sample a row
 constexpr double kRidge = 1e-6;    // keeps apart what cannot be distinguished
-constexpr int kLineParts = 4;      // of a line, whose profiles are taken each by itself
+constexpr int kLineParts = 4;      // of a line, each with its own profile
 constexpr int kPartColumns = 6;    // at least
 constexpr double kTurn_rows = 0.2,
-                 kTurnByDepth = 0.06;  // by which the line's ends are usually off each other
+                 kTurnByDepth = 0.06;  // usual difference of the offsets of a line's ends
 constexpr double kNoiseVariance = 1;   // of a column's profile, at least
 constexpr int kRounds = 3;             // as a floor point farther up comes into view
 constexpr double kSettled_rows = 0.3;
@@ -45,9 +45,9 @@ double blurred(Function function, double x_rows) {
   return sum / kPoints;
 }
 
-/// What the brightness is at x rows beneath a floor point is a sum of levels, each times one of these: of the
-/// wall and its change upwards, what the floor at its floor point has more, and what light it gains with the
-/// distance from it.
+/// The brightness at x rows beneath a floor point is a sum of levels, each times one of these: the wall and
+/// its change upwards, the step to the floor, and the light that the floor gains with the distance from the
+/// wall.
 Levels shares_at(double x_rows) {
   const auto gained = [&](double shadow_rows) {
     return blurred([&](double x) { return x > 0 ? 1 - std::exp(-x / shadow_rows) : 0; }, x_rows);
@@ -58,7 +58,7 @@ Levels shares_at(double x_rows) {
   return shares;
 }
 
-/// What a floor point explains of a profile: the length of the profile's projection.
+/// How much of a profile a floor point explains: the length of the profile's projection.
 using Explanation = Eigen::Matrix<double, kLevels, kSamples>;
 
 Explanation explanation_of(double floor_point_rows) {
@@ -82,8 +82,8 @@ std::array<Explanation, kFloorPoints> all_explanations() {
   return explanations;
 }
 
-/// How badly each floor point explains the mean profile of some columns; all alike where none shows all of
-/// it.
+/// How badly each floor point explains the mean profile of some columns; all equal where no column
+/// shows the whole profile.
 Misfits misfits_of(const LevelView& view, const FloorLine& line, int first, int end) {
   static const std::array<Explanation, kFloorPoints> explanations = all_explanations();
   Profile profile = Profile::Zero();
@@ -127,7 +127,7 @@ class PartMisfits {
     turn_usual_ = kTurn_rows + kTurnByDepth * std::abs(line.slope) * columns;
   }
 
-  /// Those that explain all parts best and are not off each other by more than is usual.
+  /// The offsets that explain all parts best and do not differ by more than usual.
   Ends best() const {
     const double variance = std::max(kNoiseVariance, least_ / (count_ * (kSamples - kLevels)));
     double least = std::numeric_limits<double>::infinity();

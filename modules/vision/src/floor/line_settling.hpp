@@ -5,11 +5,11 @@
 
 namespace aisle {
 
-/// Brings a line to the floor point of what stands there. Before a wall the floor lies in its shadow, the
-/// deeper the nearer to the floor point: column by column the step that lasts seems to be there, nearer than
-/// the wall is, and the more so the nearer the wall. Of all columns together the floor point is where a wall
-/// that changes little, a step, and light that comes back with the distance from the floor point explain the
-/// brightness best; its ends may be off the line by unlike amounts.
+/// Moves a line to where the wall meets the floor. The floor before a wall lies in its shadow, which is
+/// deepest at the wall: in a single column the lasting step seems to be where the shadow begins, too near,
+/// and the more so the nearer the wall. Over all columns together, the wall-floor edge is where a wall of
+/// nearly constant brightness, a step, and light that returns with the distance explain the brightness best.
+/// The two ends of the line may move by different amounts.
 FloorLine settled_line(const LevelView& view, const FloorLine& line);
 
 }  // namespace aisle

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// An image as it is, or mirrored: the left wall of a corridor is looked for as the right wall of its mirror
+/// An image as it is, or mirrored: the left wall of a corridor is searched as the right wall of its mirror
 /// image.
 class SideView {
  public:
@@ -29,8 +29,8 @@ class SideView {
   /// Whether the pixel nearest to a point is in the image.
   bool contains(const Vec2& point_px) const { return contains(nearest(point_px.x()), nearest(point_px.y())); }
 
-  /// By how much the pixel nearest to one point is brighter than the one nearest to another; none if one of
-  /// them is beside the image.
+  /// By how much the pixel nearest to one point is brighter than the one nearest to another; 0 if one of
+  /// them is outside the image.
   std::optional<int> step(const Vec2& from_px, const Vec2& to_px) const {
     if (!contains(from_px) || !contains(to_px)) return std::nullopt;
     return at(nearest(to_px.x()), nearest(to_px.y())) - at(nearest(from_px.x()), nearest(from_px.y()));

@@ -14,9 +14,10 @@ constexpr int kReachLeast = 4, kReachMost = 12;  // bins: half of what a step mu
 constexpr double kReach_rows = 1.5;              // ... and no less than its blur
 constexpr int kBinsMost = kHighestBin + 2 * kReachMost;  // above a line, and as many beneath it
 constexpr double kHighest = 0.8;                         // of the camera's height
-constexpr double kBoardLeast_m = 0.03;                   // lower boards are none
+constexpr double kBoardLeast_m = 0.03;                   // lower boards are ignored
 constexpr int kSettleBins = 3;  // in which a step's steepest place is; of one far beneath the upper edge ...
-constexpr int kSettlePart = 6;  // ... in such a part of the path to it, for its blur may be clear only lower
+constexpr int kSettlePart =
+    6;  // ... within this part of the distance to it, as its blur may be clear only lower
 constexpr std::size_t kParts = 4;        // of a line
 constexpr double kPartContrast = 0.5;    // share of the least contrast that each part must show
 constexpr double kSeenColumnsMin = 0.5;  // share of the line's columns in which its floor point can be seen
@@ -40,7 +41,7 @@ class DepthBins {
   int count() const { return count_; }
   /// A bin's middle as a share of the line's depth.
   double share(int bin) const { return shares_[static_cast<std::size_t>(bin + count_)]; }
-  /// The bin in which a height is seen above a floor point; positive: the floor point beneath an upper edge
+  /// The bin in which a height above a floor point is seen; positive: the floor point beneath an upper edge
   /// of that height.
   int bin_of(double height_m) const { return static_cast<int>(std::lround(log_depth(height_m) / size_)); }
 
@@ -86,8 +87,8 @@ class BandProfile {
 
   int count(int bin) const { return counts_[index(bin)]; }
 
-  /// The same without what is bright, but thinner than the sides of a lasting step, such as the light of
-  /// laser markers on a wall: a morphological opening.
+  /// The same without bright parts thinner than the sides of a lasting step, such as laser light on a wall: a
+  /// morphological opening.
   BandProfile without_thin_lights() const {
     const auto end = std::size_t{2} * static_cast<std::size_t>(bins_->count());
     const auto width = std::size_t{2} * static_cast<std::size_t>(reach_);

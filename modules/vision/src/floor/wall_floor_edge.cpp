@@ -20,13 +20,12 @@ bool WallFloorEdge::has_clear_sign() const {
   return std::abs(sign) > kClearSign * contrast;
 }
 
-/// What the edges alone say.
+/// The evidence of the edges alone.
 double WallFloorEdge::support() const {
   return covered * (0.5 + 0.5 * share) * std::min(1.0, contrast / 14 + 0.25);
 }
 
-/// Vertical lines end at a wall's floor point and do not cross it; floor follows beneath it, and none is
-/// above.
+/// Vertical lines end at a wall-floor edge and do not cross it; there is floor beneath it and none above.
 double WallFloorEdge::score() const {
   const double floor_points_alone = 0.02 * std::min(floor_points, 4.0) * std::min(1.0, contrast / 14 + 0.25);
   const double standing = (1 + 0.45 * std::min(floor_points, 2.5)) * (floor_points + share + 0.5) /

@@ -4,8 +4,8 @@
 
 namespace aisle {
 
-/// A line towards the viewer, downwards to the right, that may be the floor point of the right wall, and what
-/// speaks for it and against it.
+/// A candidate for the right wall's wall-floor edge: a line towards the viewer, downwards to the right, with
+/// the evidence for and against it.
 struct WallFloorEdge {
   Vec2 point_px = Vec2::Zero();
   Vec2 direction = Vec2::UnitX();  ///< unit vector; both parts > 0
@@ -14,14 +14,14 @@ struct WallFloorEdge {
   double covered = 0;       ///< length of the edges on it, in widths of the image
   double share = 0;         ///< of its length in the image that edges cover
   double contrast = 0;      ///< mean size of the step across it [grey levels]
-  double sign = 0;          ///< the same with its sign; < 0: darker beneath
+  double sign = 0;          ///< mean step with its sign; < 0: darker beneath
   double floor_points = 0;  ///< vertical lines that end on it
   double crossings = 0;     ///< vertical lines that go on beneath it
   double followed = 0;      ///< share of its length beneath which other edges come before the floor's middle
   double on_floor = 0;      ///< share of its length beneath which there is floor
   double at_edge = 0;       ///< share of its length beneath which there is floor, and none above
 
-  /// Whether most of its length steps alike, as one edge of a board does.
+  /// Whether most of its length steps in one direction, as one edge of a board does.
   bool has_clear_sign() const;
   double support() const;
   double score() const;

@@ -14,13 +14,13 @@ namespace {
 constexpr double kNearPoint = 0.06;            // nearer to the vanishing point nothing can be distinguished
 constexpr double kFloorPointTolerance = 0.02;  // of the height
 constexpr double kCrossingMin = 0.05;          // of the height
-constexpr double kLateral = 0.03;    // nearer to the vanishing point's column floor points are of the far end
+constexpr double kLateral = 0.03;    // floor points nearer to the vanishing point's column are of the far end
 constexpr double kDoor = 0.03;       // floor points nearer to each other are of one door
 constexpr double kReflection = 0.6;  // share of its contrast that a line's reflection has at most
 constexpr double kBorder_px = 4;     // a line that ends here is cut by the image's lower border
 constexpr double kLookFrom = 0.025, kLookTo = 0.16;  // beside the line, for other edges
 constexpr double kFloorStep_px = 8;                  // at a width of 640, over which floor changes little
-constexpr double kFloorBeside = 1.25;                // cells to either side where floor is looked for ...
+constexpr double kFloorBeside = 1.25;                // cells to either side that are checked for floor ...
 constexpr double kFloorBeneathBoard = 3;             // ... or beneath a board
 
 /// Calls `visit` for points on the line from one end to the other.
@@ -33,37 +33,36 @@ void walk(double from_px, double to_px, double every_px, Visit visit) {
 /// Calls `visit` for points where edges are seen on the line, with the step of grey levels there from above
 /// the line to beneath it.
 template <class Visit>
-void walk_across(const SideView& view, const WallFloorEdge& floor_point, double every_px, double beside_px,
+void walk_across(const SideView& view, const WallFloorEdge& edge, double every_px, double beside_px,
                  Visit visit) {
-  const Vec2 beneath_px = beside_px * left_normal(floor_point.direction);
-  walk(floor_point.from_px, floor_point.to_px, every_px, [&](double along_px) {
-    const Vec2 on_px = floor_point.point_px + along_px * floor_point.direction;
+  const Vec2 beneath_px = beside_px * left_normal(edge.direction);
+  walk(edge.from_px, edge.to_px, every_px, [&](double along_px) {
+    const Vec2 on_px = edge.point_px + along_px * edge.direction;
     if (const auto step = view.step(on_px - beneath_px, on_px + beneath_px)) visit(on_px, *step);
   });
 }
 
-/// Of the line's length in the image, as far as it can be known from the far end.
-double covered_share(const SideScene& scene, const WallFloorEdge& floor_point) {
+/// Share of the candidate's visible length that edges cover, from where the far end can be distinguished.
+double covered_share(const SideScene& scene, const WallFloorEdge& edge) {
   const double width_px = scene.view.width_px();
-  const double border_px =
-      std::min((width_px - 1 - floor_point.point_px.x()) / floor_point.direction.x(),
-               (scene.view.height_px() - 1 - floor_point.point_px.y()) / floor_point.direction.y());
+  const double border_px = std::min((width_px - 1 - edge.point_px.x()) / edge.direction.x(),
+                                    (scene.view.height_px() - 1 - edge.point_px.y()) / edge.direction.y());
   const double begin_px =
-      floor_point.direction.dot(scene.vanishing_point_px - floor_point.point_px) + kNearPoint * width_px;
-  return std::min(1.0, floor_point.covered * width_px / std::max(border_px - begin_px, 0.1 * width_px));
+      edge.direction.dot(scene.vanishing_point_px - edge.point_px) + kNearPoint * width_px;
+  return std::min(1.0, edge.covered * width_px / std::max(border_px - begin_px, 0.1 * width_px));
 }
 
-void weigh_contrast(const SideView& view, WallFloorEdge& floor_point) {
+void weigh_contrast(const SideView& view, WallFloorEdge& edge) {
   constexpr double kEvery_px = 4, kBeside_px = 3;
   int count = 0;
-  walk_across(view, floor_point, kEvery_px, kBeside_px, [&](const Vec2&, int step) {
-    floor_point.contrast += std::abs(step);
-    floor_point.sign += step;
+  walk_across(view, edge, kEvery_px, kBeside_px, [&](const Vec2&, int step) {
+    edge.contrast += std::abs(step);
+    edge.sign += step;
     ++count;
   });
   if (count == 0) return;
-  floor_point.contrast /= count;
-  floor_point.sign /= count;
+  edge.contrast /= count;
+  edge.sign /= count;
 }
 
 /// Mean step across a vertical line between two rows.
@@ -82,9 +81,9 @@ double contrast_along(const SideView& view, const SideVertical& vertical, double
   return count == 0 ? 0 : sum / count;
 }
 
-/// How much a vertical line that goes on beneath the wall's floor point, in row `v_px` of it, speaks against
+/// How much a vertical line that goes on beneath the candidate, which it meets in row `v_px`, counts against
 /// it: little if it is short, near the vanishing point, or hardly crosses. A line that is much fainter
-/// beneath does not cross: it is followed by its reflection.
+/// beneath does not cross: what follows is its reflection.
 double crossing(const SideScene& scene, const SideVertical& vertical, double v_px) {
   const double width_px = scene.view.width_px(), height_px = scene.view.height_px();
   const double tolerance_px = kFloorPointTolerance * height_px;
@@ -98,7 +97,7 @@ double crossing(const SideScene& scene, const SideVertical& vertical, double v_p
          std::min(1.0, beneath / 0.15);
 }
 
-/// Several lines of one door stand for one floor point, the best of them.
+/// Several lines of one door count as one floor point, with the weight of the best.
 class FloorPoints {
  public:
   explicit FloorPoints(double door_px) : door_px_(door_px) {}
@@ -119,22 +118,21 @@ class FloorPoints {
   double best_ = 0, sum_ = 0;
 };
 
-void weigh_verticals(const SideScene& scene, WallFloorEdge& floor_point) {
+void weigh_verticals(const SideScene& scene, WallFloorEdge& edge) {
   const double width_px = scene.view.width_px(), height_px = scene.view.height_px();
   FloorPoints floor_points(kDoor * width_px);
   for (const SideVertical& vertical : scene.verticals) {
-    const double u_px = vertical.bottom_px.x(), v_px = floor_point.v_at(u_px);
+    const double u_px = vertical.bottom_px.x(), v_px = edge.v_at(u_px);
     if (u_px < scene.vanishing_point_px.x() + kLateral * width_px) continue;
-    if (vertical.top_px.y() > floor_point.v_at(vertical.top_px.x()) || v_px > height_px - kBorder_px)
-      continue;
+    if (vertical.top_px.y() > edge.v_at(vertical.top_px.x()) || v_px > height_px - kBorder_px) continue;
     const double beneath = (vertical.bottom_px.y() - v_px) / height_px;
     if (std::abs(beneath) < kFloorPointTolerance) {
       floor_points.add(u_px, vertical.weight * (1 - 0.5 * std::abs(beneath) / kFloorPointTolerance));
     } else if (beneath > kCrossingMin) {
-      floor_point.crossings += crossing(scene, vertical, v_px);
+      edge.crossings += crossing(scene, vertical, v_px);
     }
   }
-  floor_point.floor_points = floor_points.sum();
+  edge.floor_points = floor_points.sum();
 }
 
 /// The greatest step along the row from a point of the line towards the middle of the floor.
@@ -152,25 +150,25 @@ int greatest_step_beside(const SideScene& scene, const Vec2& on_px) {
   return greatest;
 }
 
-void weigh_floor_side(const SideScene& scene, WallFloorEdge& floor_point) {
+void weigh_floor_side(const SideScene& scene, WallFloorEdge& edge) {
   constexpr double kEvery_px = 6, kBeside_px = 4;
   int count = 0, followed = 0;
-  walk_across(scene.view, floor_point, kEvery_px, kBeside_px, [&](const Vec2& on_px, int step) {
+  walk_across(scene.view, edge, kEvery_px, kBeside_px, [&](const Vec2& on_px, int step) {
     ++count;
     if (greatest_step_beside(scene, on_px) > std::max(18.0, 0.8 * std::abs(step))) ++followed;
   });
-  if (count > 0) floor_point.followed = static_cast<double>(followed) / count;
+  if (count > 0) edge.followed = static_cast<double>(followed) / count;
 }
 
-void weigh_floor(const SideScene& scene, WallFloorEdge& floor_point) {
+void weigh_floor(const SideScene& scene, WallFloorEdge& edge) {
   constexpr double kEvery_px = 6;
-  const Vec2 beneath_px = scene.floor.cell_px() * left_normal(floor_point.direction);
+  const Vec2 beneath_px = scene.floor.cell_px() * left_normal(edge.direction);
   const auto is_floor = [&](const Vec2& p) {
     return scene.view.contains(p) && scene.floor.contain(scene.view, p);
   };
   int count = 0, on_floor = 0, at_edge = 0;
-  walk(floor_point.from_px, floor_point.to_px, kEvery_px, [&](double along_px) {
-    const Vec2 on_px = floor_point.point_px + along_px * floor_point.direction;
+  walk(edge.from_px, edge.to_px, kEvery_px, [&](double along_px) {
+    const Vec2 on_px = edge.point_px + along_px * edge.direction;
     const Vec2 lower_px = on_px + kFloorBeside * beneath_px, upper_px = on_px - kFloorBeside * beneath_px;
     if (!scene.view.contains(lower_px) || !scene.view.contains(upper_px)) return;
     ++count;
@@ -179,18 +177,18 @@ void weigh_floor(const SideScene& scene, WallFloorEdge& floor_point) {
     if (!is_floor(upper_px)) ++at_edge;
   });
   if (count == 0) return;
-  floor_point.on_floor = static_cast<double>(on_floor) / count;
-  floor_point.at_edge = static_cast<double>(at_edge) / count;
+  edge.on_floor = static_cast<double>(on_floor) / count;
+  edge.at_edge = static_cast<double>(at_edge) / count;
 }
 
 }  // namespace
 
-void weigh(const SideScene& scene, WallFloorEdge& floor_point) {
-  floor_point.share = covered_share(scene, floor_point);
-  weigh_contrast(scene.view, floor_point);
-  weigh_verticals(scene, floor_point);
-  weigh_floor_side(scene, floor_point);
-  weigh_floor(scene, floor_point);
+void weigh(const SideScene& scene, WallFloorEdge& edge) {
+  edge.share = covered_share(scene, edge);
+  weigh_contrast(scene.view, edge);
+  weigh_verticals(scene, edge);
+  weigh_floor_side(scene, edge);
+  weigh_floor(scene, edge);
 }
 
 }  // namespace aisle

@@ -14,7 +14,7 @@ struct SideVertical {
   double weight = 0;  ///< 0 to 1: long and of much contrast
 };
 
-/// What is known of a side view before lines are looked for in it.
+/// What is known of a side view before wall-floor edges are searched.
 struct SideScene {
   const SideView& view;
   Vec2 vanishing_point_px;
@@ -22,8 +22,8 @@ struct SideScene {
   const FloorCells& floor;                  ///< of the image as it is, not of the view
 };
 
-/// Measures what speaks for a line as the wall's floor point and against it: all that `WallFloorEdge::score`
-/// asks for but `covered`, which must be known.
-void weigh(const SideScene& scene, WallFloorEdge& floor_point);
+/// Measures the evidence for and against a candidate: all that `WallFloorEdge::score` uses except `covered`,
+/// which must be set.
+void weigh(const SideScene& scene, WallFloorEdge& edge);
 
 }  // namespace aisle

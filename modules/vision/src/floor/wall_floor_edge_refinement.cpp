@@ -12,10 +12,10 @@ constexpr double kTurn = 0.8;            // greatest difference of the shifts at
 constexpr double kShortest = 0.06;       // a shorter line is left as it is: share of the width
 constexpr std::size_t kSamplesMax = 120;
 constexpr double kSampleStep_px = 2;
-constexpr std::size_t kAveraged = 2;    // neighbouring profiles on either side that one is averaged with
+constexpr std::size_t kAveraged = 2;    // neighbouring profiles on either side in the average
 constexpr std::size_t kMargin = 3;      // pixels on either side that a step is the difference of
 constexpr float kStepMin = 4;           // grey levels
-constexpr float kStepCounted = 25;      // one strong step is not to outvote many
+constexpr float kStepCounted = 25;      // the most that one step counts, so that it does not outvote many
 constexpr float kPlateau = 1.25F;       // a step that is this close to its greater neighbour counts half
 constexpr double kFarShiftCost = 0.25;  // share of the votes that the greatest shift loses
 constexpr double kMeanVoteMin = 2;      // grey levels
@@ -33,48 +33,47 @@ bool has_neighbours(const SideView& view, const Vec2& at) {
 }  // namespace
 
 void WallFloorEdgeRefinement::refine(const SideView& view, double from_px, double to_px,
-                                     WallFloorEdge& floor_point) {
+                                     WallFloorEdge& edge) {
   if (to_px - from_px < kShortest * view.width_px()) return;
-  measure_steps(view, from_px, to_px, floor_point);
+  measure_steps(view, from_px, to_px, edge);
   shifts_.clear();
-  for (const std::size_t side : {0U, 1U})
-    vote(side, floor_point.has_clear_sign() && (floor_point.sign < 0) != (side == 1));
+  for (const std::size_t side : {0U, 1U}) vote(side, edge.has_clear_sign() && (edge.sign < 0) != (side == 1));
   const Shift* shift = lowest_of_like_votes();
   if (shift == nullptr) return;
   const std::size_t side = shift->side;
-  move(settled(*shift), from_px, to_px, floor_point);
-  // The edge may lie beyond the reach at one end: it is looked for again about the moved line.
-  measure_steps(view, from_px, to_px, floor_point);
+  move(settled(*shift), from_px, to_px, edge);
+  // The edge may lie beyond the reach at one end: it is searched again around the moved line.
+  measure_steps(view, from_px, to_px, edge);
   shifts_.clear();
   vote(side, false);
   shift = most_voted();
-  if (shift != nullptr) move(settled(*shift), from_px, to_px, floor_point);
+  if (shift != nullptr) move(settled(*shift), from_px, to_px, edge);
 }
 
 void WallFloorEdgeRefinement::move(const Shifts_px& shifts_px, double from_px, double to_px,
-                                   WallFloorEdge& floor_point) {
-  const Vec2 beneath = left_normal(floor_point.direction);
-  const Vec2 from = floor_point.point_px + from_px * floor_point.direction + shifts_px.first * beneath;
-  const Vec2 to = floor_point.point_px + to_px * floor_point.direction + shifts_px.second * beneath;
-  floor_point.point_px = from - from_px * (to - from).normalized();
-  floor_point.direction = (to - from).normalized();
+                                   WallFloorEdge& edge) {
+  const Vec2 beneath = left_normal(edge.direction);
+  const Vec2 from = edge.point_px + from_px * edge.direction + shifts_px.first * beneath;
+  const Vec2 to = edge.point_px + to_px * edge.direction + shifts_px.second * beneath;
+  edge.point_px = from - from_px * (to - from).normalized();
+  edge.direction = (to - from).normalized();
 }
 
 void WallFloorEdgeRefinement::measure_steps(const SideView& view, double from_px, double to_px,
-                                            const WallFloorEdge& floor_point) {
+                                            const WallFloorEdge& edge) {
   reach_ = static_cast<std::size_t>(std::lround(kShiftMax * view.width_px()));
   across_ = 2 * reach_ + 1;
   along_ = std::min(kSamplesMax, static_cast<std::size_t>((to_px - from_px) / kSampleStep_px));
   for (auto& steps : steps_) steps.assign(along_ * across_, 0);
   for (auto& edges : edges_) edges.assign(along_ * across_, 0);
-  sample_profiles(view, from_px, to_px, floor_point);
+  sample_profiles(view, from_px, to_px, edge);
   for (std::size_t i = 0; i < along_; ++i) {
     average_profile(i);
     for (std::size_t k = 0; k < across_; ++k) {
       const float* p = profile_.data() + k + kMargin;
       if (p[-3] == kOutside) continue;
-      const float edge = p[1] - p[-1];
-      edges_[edge < 0 ? 1 : 0][i * across_ + k] = std::abs(edge);
+      const float difference = p[1] - p[-1];
+      edges_[difference < 0 ? 1 : 0][i * across_ + k] = std::abs(difference);
       const float step = (p[1] + p[2] + p[3] - p[-1] - p[-2] - p[-3]) / 3;
       if (std::abs(step) < kStepMin) continue;
       steps_[step < 0 ? 1 : 0][i * across_ + k] = std::abs(step);
@@ -87,16 +86,15 @@ void WallFloorEdgeRefinement::measure_steps(const SideView& view, double from_px
 }
 
 void WallFloorEdgeRefinement::sample_profiles(const SideView& view, double from_px, double to_px,
-                                              const WallFloorEdge& floor_point) {
+                                              const WallFloorEdge& edge) {
   profile_.resize(across_ + 2 * kMargin);
   profiles_.resize(along_ * profile_.size());
-  const Vec2 beneath = left_normal(floor_point.direction);
+  const Vec2 beneath = left_normal(edge.direction);
   const double outermost = static_cast<double>(reach_ + kMargin);
   float* value = profiles_.data();
   for (std::size_t i = 0; i < along_; ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(along_);
-    Vec2 at = floor_point.point_px + (from_px + share * (to_px - from_px)) * floor_point.direction -
-              outermost * beneath;
+    Vec2 at = edge.point_px + (from_px + share * (to_px - from_px)) * edge.direction - outermost * beneath;
     float last = kOutside;
     for (std::size_t k = 0; k < profile_.size(); ++k) {
       if (has_neighbours(view, at)) last = static_cast<float>(view.between(at));
@@ -106,8 +104,8 @@ void WallFloorEdgeRefinement::sample_profiles(const SideView& view, double from_
   }
 }
 
-/// Along a line its edges stay where they are, and those that cross it, such as door frames and the joints of
-/// tiles, fade.
+/// Averaging along the line keeps its own edges and fades those that cross it, such as door frames and tile
+/// joints.
 void WallFloorEdgeRefinement::average_profile(std::size_t i) {
   const std::size_t first = i - std::min(i, kAveraged), last = std::min(i + kAveraged, along_ - 1);
   for (std::size_t k = 0; k < profile_.size(); ++k) {
@@ -124,7 +122,7 @@ void WallFloorEdgeRefinement::average_profile(std::size_t i) {
   }
 }
 
-/// Leaves the greatest of neighbouring steps.
+/// Keeps the greatest of neighbouring steps.
 void WallFloorEdgeRefinement::thin(std::vector<float>& steps) const {
   for (std::size_t row = 0; row < steps.size(); row += across_) {
     float before = 0;
@@ -197,8 +195,8 @@ WallFloorEdgeRefinement::Shifts_px WallFloorEdgeRefinement::settled(const Shift&
   return shifts_px;
 }
 
-/// The line through the middles of the edges next to a shifted one, as its shifts. The steps that vote would
-/// not do: where less than a margin is seen of a board, as far away, their middle is beneath its edge.
+/// The line through the middles of the edges next to a shifted line, as its shifts. The steps that vote are
+/// not precise enough: far away, where a board is thinner than the margin, their middle is beneath its edge.
 WallFloorEdgeRefinement::Shifts_px WallFloorEdgeRefinement::between_steps(const Shifts_px& shifts_px,
                                                                           std::size_t side) const {
   const auto& edges = edges_[side];

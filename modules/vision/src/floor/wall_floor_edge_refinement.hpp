@@ -8,13 +8,13 @@
 
 namespace aisle {
 
-/// Shifts and turns a wall's floor point within a few pixels to where the image steps most along all of its
+/// Shifts and turns a wall-floor edge within a few pixels to where the image steps most along its whole
 /// length: each pair of offsets at its two ends is tried. Of two that are nearly equal, such as the edges of
 /// a skirting board, the lower one is taken.
 class WallFloorEdgeRefinement {
  public:
   /// @param from_px, to_px  the part of the line that is in the image, along its direction
-  void refine(const SideView& view, double from_px, double to_px, WallFloorEdge& floor_point);
+  void refine(const SideView& view, double from_px, double to_px, WallFloorEdge& edge);
 
  private:
   struct Shift {
@@ -26,8 +26,8 @@ class WallFloorEdgeRefinement {
 
   using Shifts_px = std::pair<double, double>;  ///< at both ends
 
-  void measure_steps(const SideView& view, double from_px, double to_px, const WallFloorEdge& floor_point);
-  void sample_profiles(const SideView& view, double from_px, double to_px, const WallFloorEdge& floor_point);
+  void measure_steps(const SideView& view, double from_px, double to_px, const WallFloorEdge& edge);
+  void sample_profiles(const SideView& view, double from_px, double to_px, const WallFloorEdge& edge);
   void average_profile(std::size_t i);
   void thin(std::vector<float>& steps) const;
   void vote(std::size_t side, bool other_edge);
@@ -35,7 +35,7 @@ class WallFloorEdgeRefinement {
   const Shift* lowest_of_like_votes() const;
   Shifts_px settled(const Shift& shift) const;
   Shifts_px between_steps(const Shifts_px& shifts_px, std::size_t side) const;
-  static void move(const Shifts_px& shifts_px, double from_px, double to_px, WallFloorEdge& floor_point);
+  static void move(const Shifts_px& shifts_px, double from_px, double to_px, WallFloorEdge& edge);
 
   std::size_t reach_ = 0, across_ = 0, along_ = 0;
   std::vector<float> profiles_;              ///< brightness across the line, one after the other along it

@@ -20,13 +20,13 @@ constexpr double kRayLengthMin = 0.02;
 constexpr double kSeedLengthMin = 0.05;
 constexpr double kSeedFloorPointWeightMin = 0.3;
 constexpr double kFloorPointSeedLength_px = 12;
-constexpr double kTrustedLength = 0.25;  // a seed this long tells its direction itself
+constexpr double kTrustedLength = 0.25;  // the direction of a seed this long is trusted
 constexpr double kFirstTolerance = 0.008, kTolerance = 0.005;
 constexpr double kFloorPointToleranceRatio = 1.5;  // how much more floor points may miss a line than rays
 constexpr double kFloorPointWeight = 0.024;        // of a vertical line, as length of a ray
 constexpr double kLowerBorder_px = 5;              // a vertical line that ends here is cut by the border
 constexpr int kFits = 2;
-constexpr double kPastPointMax = 0.05;  // how far a wall's floor point passes the vanishing point
+constexpr double kPastPointMax = 0.05;  // how far a wall-floor edge may pass the vanishing point
 constexpr int kBoards = 2;              // a board may stand on another
 constexpr double kOtherEdge = 0.6;      // support of a board's lower edge, of that of the upper one
 constexpr double kFreeFloor = 0.43;     // share of a board's lower edge beneath which other edges may come
@@ -35,33 +35,32 @@ constexpr double kBoardMin = 0.004;      // height of a board, as seen ...
 constexpr double kBoardDepthMax = 1.25;  // ... and at most: a fifth of the camera's height
 constexpr double kDepthLateral = 0.3;    // where heights are compared
 
-bool is_possible(const SideScene& scene, const WallFloorEdge& floor_point) {
-  const double angle = std::atan2(floor_point.direction.y(), floor_point.direction.x());
+bool is_possible(const SideScene& scene, const WallFloorEdge& edge) {
+  const double angle = std::atan2(edge.direction.y(), edge.direction.x());
   if (angle < kFlattest_rad || angle > kSteepest_rad) return false;
-  const double past_px =
-      std::abs(cross(floor_point.direction, scene.vanishing_point_px - floor_point.point_px));
+  const double past_px = std::abs(cross(edge.direction, scene.vanishing_point_px - edge.point_px));
   return past_px <= kPastPointMax * scene.view.width_px();
 }
 
 /// How far beneath the vanishing point a line is in a column to the right of it.
-double depth_px(const SideScene& scene, const WallFloorEdge& floor_point) {
-  return floor_point.v_at(scene.vanishing_point_px.x() + kDepthLateral * scene.view.width_px()) -
+double depth_px(const SideScene& scene, const WallFloorEdge& edge) {
+  return edge.v_at(scene.vanishing_point_px.x() + kDepthLateral * scene.view.width_px()) -
          scene.vanishing_point_px.y();
 }
 
-/// Whether `floor_point` may be the lower edge of the board whose upper edge is `upper`.
-bool is_lower_edge(const SideScene& scene, const WallFloorEdge& floor_point, const WallFloorEdge& upper) {
-  if (!floor_point.has_clear_sign()) return false;
-  const bool opposite_step = floor_point.support() > kOtherEdge * upper.support() &&
-                             floor_point.followed < kFreeFloor && floor_point.sign * upper.sign < 0;
-  if (floor_point.score() < kLikeScore * upper.score() && !opposite_step) return false;
-  const double depth = depth_px(scene, floor_point), upper_depth = depth_px(scene, upper);
+/// Whether `edge` may be the lower edge of the skirting board whose upper edge is `upper`.
+bool is_lower_edge(const SideScene& scene, const WallFloorEdge& edge, const WallFloorEdge& upper) {
+  if (!edge.has_clear_sign()) return false;
+  const bool opposite_step = edge.support() > kOtherEdge * upper.support() && edge.followed < kFreeFloor &&
+                             edge.sign * upper.sign < 0;
+  if (edge.score() < kLikeScore * upper.score() && !opposite_step) return false;
+  const double depth = depth_px(scene, edge), upper_depth = depth_px(scene, upper);
   return depth > upper_depth + kBoardMin * scene.view.width_px() && depth < kBoardDepthMax * upper_depth;
 }
 
 }  // namespace
 
-/// Of weighted points, for a line through them.
+/// Moments of weighted points, for a line through them.
 struct WallFloorEdgeSearch::Scatter {
   double weight = 0;
   Vec2 sum = Vec2::Zero();
@@ -74,13 +73,13 @@ struct WallFloorEdgeSearch::Scatter {
   }
 
   /// Through the points' middle, and along them where they lie apart.
-  void lay(WallFloorEdge& floor_point) const {
+  void lay(WallFloorEdge& edge) const {
     const Vec2 mean_px = sum / weight;
     const Mat2 spread = products / weight - mean_px * mean_px.transpose();
-    floor_point.point_px = mean_px;
+    edge.point_px = mean_px;
     if (spread.trace() <= 1) return;
     const Vec2 along = principal_direction(spread);
-    floor_point.direction = along.dot(floor_point.direction) < 0 ? Vec2(-along) : along;
+    edge.direction = along.dot(edge.direction) < 0 ? Vec2(-along) : along;
   }
 };
 
@@ -89,12 +88,12 @@ std::optional<WallFloorEdge> WallFloorEdgeSearch::find(const SideScene& scene,
                                                        double score_min) {
   gather_rays(scene, segments);
   gather_seeds(scene);
-  floor_points_.clear();
+  edges_.clear();
   for (const Seed& seed : seeds_) {
-    auto floor_point = fitted(scene, seed);
-    if (!floor_point || !is_possible(scene, *floor_point)) continue;
-    weigh(scene, *floor_point);
-    floor_points_.push_back(*floor_point);
+    auto edge = fitted(scene, seed);
+    if (!edge || !is_possible(scene, *edge)) continue;
+    weigh(scene, *edge);
+    edges_.push_back(*edge);
   }
   const WallFloorEdge* best = lowest_of_like_score(scene, score_min);
   if (best == nullptr) return std::nullopt;
@@ -117,8 +116,8 @@ void WallFloorEdgeSearch::gather_rays(const SideScene& scene, std::span<const Ed
   }
 }
 
-/// Long rays, and rays to the lower ends of vertical lines: where doors hide the wall's floor point, only
-/// these.
+/// Long rays, and rays to the lower ends of vertical lines: where doors hide the wall-floor edge, there are
+/// only these.
 void WallFloorEdgeSearch::gather_seeds(const SideScene& scene) {
   const double width_px = scene.view.width_px(), height_px = scene.view.height_px();
   seeds_.clear();
@@ -135,36 +134,33 @@ void WallFloorEdgeSearch::gather_seeds(const SideScene& scene) {
   }
 }
 
-/// The line through the seed, drawn to the rays and floor points near it.
+/// The line through the seed, fitted to the rays and floor points near it.
 std::optional<WallFloorEdge> WallFloorEdgeSearch::fitted(const SideScene& scene, const Seed& seed) {
   const double width_px = scene.view.width_px();
   const double trust = std::min(1.0, seed.length_px / (kTrustedLength * width_px));
   const Vec2 from_vanishing_point = (seed.point_px - scene.vanishing_point_px).normalized();
-  WallFloorEdge floor_point;
-  floor_point.point_px = seed.point_px;
-  floor_point.direction = (trust * seed.direction + (1 - trust) * from_vanishing_point).normalized();
+  WallFloorEdge edge;
+  edge.point_px = seed.point_px;
+  edge.direction = (trust * seed.direction + (1 - trust) * from_vanishing_point).normalized();
   for (int fit = 0; fit < kFits; ++fit) {
-    const Scatter near = take_near(scene, floor_point, (fit == 0 ? kFirstTolerance : kTolerance) * width_px);
+    const Scatter near = take_near(scene, edge, (fit == 0 ? kFirstTolerance : kTolerance) * width_px);
     if (near.weight <= 0) return std::nullopt;
-    near.lay(floor_point);
+    near.lay(edge);
   }
-  take_near(scene, floor_point, kTolerance * width_px);
+  take_near(scene, edge, kTolerance * width_px);
   if (near_px_.empty()) return std::nullopt;
-  cover(width_px, floor_point);
-  return floor_point;
+  cover(width_px, edge);
+  return edge;
 }
 
 /// The rays and floor points on a line; of the rays also where they lie on it (`near_px_`).
-WallFloorEdgeSearch::Scatter WallFloorEdgeSearch::take_near(const SideScene& scene,
-                                                            const WallFloorEdge& floor_point,
+WallFloorEdgeSearch::Scatter WallFloorEdgeSearch::take_near(const SideScene& scene, const WallFloorEdge& edge,
                                                             double tolerance_px) {
   const double width_px = scene.view.width_px(), height_px = scene.view.height_px();
   const auto off_px = [&](const Vec2& point_px) {
-    return std::abs(cross(floor_point.direction, point_px - floor_point.point_px));
+    return std::abs(cross(edge.direction, point_px - edge.point_px));
   };
-  const auto along_px = [&](const Vec2& point_px) {
-    return floor_point.direction.dot(point_px - floor_point.point_px);
-  };
+  const auto along_px = [&](const Vec2& point_px) { return edge.direction.dot(point_px - edge.point_px); };
   Scatter scatter;
   near_px_.clear();
   for (const EdgeSegment& ray : rays_) {
@@ -182,30 +178,30 @@ WallFloorEdgeSearch::Scatter WallFloorEdgeSearch::take_near(const SideScene& sce
 }
 
 /// Notes where rays are seen on a line, each length of it once.
-void WallFloorEdgeSearch::cover(double width_px, WallFloorEdge& floor_point) {
+void WallFloorEdgeSearch::cover(double width_px, WallFloorEdge& edge) {
   std::sort(near_px_.begin(), near_px_.end());
   double covered_px = 0, end_px = near_px_.front().first;
   for (const auto& [from_px, to_px] : near_px_) {
     covered_px += std::max(0.0, to_px - std::max(from_px, end_px));
     end_px = std::max(end_px, to_px);
   }
-  floor_point.from_px = near_px_.front().first;
-  floor_point.to_px = end_px;
-  floor_point.covered = covered_px / width_px;
+  edge.from_px = near_px_.front().first;
+  edge.to_px = end_px;
+  edge.covered = covered_px / width_px;
 }
 
 /// A skirting board has two edges; the lower one is at the floor.
 const WallFloorEdge* WallFloorEdgeSearch::lowest_of_like_score(const SideScene& scene,
                                                                double score_min) const {
   const auto better = [](const WallFloorEdge& a, const WallFloorEdge& b) { return a.score() < b.score(); };
-  const auto best_at = std::max_element(floor_points_.begin(), floor_points_.end(), better);
-  if (best_at == floor_points_.end() || best_at->score() < score_min) return nullptr;
+  const auto best_at = std::max_element(edges_.begin(), edges_.end(), better);
+  if (best_at == edges_.end() || best_at->score() < score_min) return nullptr;
   const WallFloorEdge* best = &*best_at;
   for (int board = 0; board < kBoards; ++board) {
     const WallFloorEdge* lowest = best;
-    for (const WallFloorEdge& floor_point : floor_points_) {
-      if (!is_lower_edge(scene, floor_point, *best)) continue;
-      if (lowest == best || depth_px(scene, floor_point) > depth_px(scene, *lowest)) lowest = &floor_point;
+    for (const WallFloorEdge& edge : edges_) {
+      if (!is_lower_edge(scene, edge, *best)) continue;
+      if (lowest == best || depth_px(scene, edge) > depth_px(scene, *lowest)) lowest = &edge;
     }
     if (lowest == best) break;
     best = lowest;

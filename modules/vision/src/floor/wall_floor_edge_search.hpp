@@ -10,7 +10,7 @@
 
 namespace aisle {
 
-/// Looks for the line between floor and right wall of a side view.
+/// Searches a side view for the right wall's wall-floor edge.
 class WallFloorEdgeSearch {
  public:
   /// @param segments  turned into the view
@@ -28,14 +28,14 @@ class WallFloorEdgeSearch {
   void gather_rays(const SideScene& scene, std::span<const EdgeSegment> segments);
   void gather_seeds(const SideScene& scene);
   std::optional<WallFloorEdge> fitted(const SideScene& scene, const Seed& seed);
-  Scatter take_near(const SideScene& scene, const WallFloorEdge& floor_point, double tolerance_px);
-  void cover(double width_px, WallFloorEdge& floor_point);
+  Scatter take_near(const SideScene& scene, const WallFloorEdge& edge, double tolerance_px);
+  void cover(double width_px, WallFloorEdge& edge);
   const WallFloorEdge* lowest_of_like_score(const SideScene& scene, double score_min) const;
 
   std::vector<EdgeSegment> rays_;  ///< segments that point to the vanishing point from the right below
   std::vector<Seed> seeds_;
   std::vector<std::pair<double, double>> near_px_;  ///< the rays on a line, from and to along it
-  std::vector<WallFloorEdge> floor_points_;
+  std::vector<WallFloorEdge> edges_;
 };
 
 }  // namespace aisle

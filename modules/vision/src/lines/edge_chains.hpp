@@ -22,7 +22,7 @@ struct LinkParams {
   double slope_unknown = 0.36;  ///< the slope of a new chain may be this much [px per row]
 };
 
-/// Links the steps of bands to chains. Each chain predicts where it goes on by a filter of position and slope
+/// Links the steps of bands to chains. Each chain predicts its next point by a filter of position and slope
 /// (least squares over its last points); older chains choose first.
 class EdgeLinker {
  public:
@@ -33,7 +33,7 @@ class EdgeLinker {
   const std::vector<EdgePoint>& points() const { return points_; }
 
  private:
-  /// A chain that may still go on.
+  /// A chain that may still grow.
   struct Growing {
     Step step = Step::kBrighter;
     float u_px = 0, v_px = 0, slope = 0, contrast = 0;

@@ -12,7 +12,7 @@ namespace aisle {
 
 namespace {
 
-constexpr double kBeyondEnd_rad = 1 * kDegree;  // by which an edge may fall short of a line on it
+constexpr double kBeyondEnd_rad = 1 * kDegree;  // how far an edge may end short of a line on it
 constexpr double kLeaningSlack_px = 1.5;        // of a short line's direction
 constexpr double kSameWall = 0.03;              // of the distance, between two edges that meet
 constexpr double kCutShare = 0.01;      // of the height: a line cut by the image's border shows no end
@@ -38,11 +38,11 @@ void LandmarkSightingParams::describe(FieldList& fields) {
   fields.group("noise", noise);
   fields.real("relief_m", relief_m, {0, 1}, "by which door frames and posters stand proud of their wall");
   fields.real("edge_m", edge_m, {0, 1}, "by which an edge is not sharp or not vertical");
-  fields.real("distance_max_m", distance_max_m, {1, 50}, "floor points farther away are not used");
-  fields.angle("leaning_max_deg", leaning_max_rad, {0, 45}, "off the vertical");
+  fields.real("distance_max_m", distance_max_m, {1, 50}, "farther floor points are not used");
+  fields.angle("leaning_max_deg", leaning_max_rad, {0, 45}, "how far a line may lean off the vertical");
   fields.real("board_height_m", board_height_m, {0, 1}, "highest skirting board that lines end on");
   fields.real("floor_point_px", floor_point_px, {0, 100},
-              "from the end of a line to the edge of the floor it stands on");
+              "largest distance from the end of a line to the floor edge it stands on");
   fields.flag("corners", corners, "use the corners of the floor's edges");
   fields.flag("hanging", hanging, "use lines that end above the floor, such as a poster's edges");
 }
@@ -78,7 +78,7 @@ const std::vector<LandmarkSighting>& LandmarkDetector::detect(const Image& grey)
   return sightings_;
 }
 
-/// Where nearer floor points are seen, far ones do not count.
+/// Drops far floor points where nearer ones are seen.
 void LandmarkDetector::leave_out_far() {
   const auto is_far = [](const LandmarkSighting& seen) { return seen.p_vehicle.norm() > kFar_m; };
   if (std::all_of(sightings_.begin(), sightings_.end(), is_far)) return;
@@ -97,7 +97,7 @@ std::optional<LandmarkSighting> LandmarkDetector::sighting_at(const Meeting& flo
                           .floor_point_px = floor_point.pixel_px};
 }
 
-/// Of edges that meet where no line was seen to stand.
+/// Corners of floor edges where no vertical line was seen.
 void LandmarkDetector::add_corners() {
   for (std::size_t i = 0; i < floor_edges_->size(); ++i) {
     for (std::size_t j = i + 1; j < floor_edges_->size(); ++j) {
@@ -132,7 +132,7 @@ std::optional<Vec2> LandmarkDetector::corner_of(const Segment2& a, const Segment
   return corner;
 }
 
-/// Both its ends are seen at the same azimuth.
+/// Whether both its ends are seen at the same azimuth.
 bool LandmarkDetector::is_upright(const VerticalLine& line) const {
   const auto top = camera_.ray(line.top_px), bottom = camera_.ray(line.bottom_px);
   if (!top || !bottom) return false;
@@ -141,14 +141,14 @@ bool LandmarkDetector::is_upright(const VerticalLine& line) const {
   return std::abs(plane.z()) < std::sin(params_.leaning_max_rad) + slack_rad;
 }
 
-/// In which a pixel looks, over the floor.
+/// The direction in which a pixel looks, over the floor.
 std::optional<Vec2> LandmarkDetector::azimuth(const Vec2& pixel_px) const {
   const auto ray = camera_.ray(pixel_px);
   if (!ray) return std::nullopt;
   return (R_vehicle_camera_ * ray->direction).head<2>().normalized();
 }
 
-/// Of the line's azimuth with the edges, the nearest first. A distorted image shows the line bowed: only
+/// Where the line's azimuth meets the edges, the nearest first. A distorted image shows the line bowed: only
 /// its ends are known to lie on it.
 void LandmarkDetector::meet_edges(const VerticalLine& line) {
   meetings_.clear();
@@ -175,8 +175,8 @@ void LandmarkDetector::meet_edges(const VerticalLine& line) {
             [](const Meeting& a, const Meeting& b) { return a.distance_m < b.distance_m; });
 }
 
-/// The lower edge of a poster on a wall whose floor point is not seen looks like an edge of the floor far
-/// away: lines end at both its ends.
+/// Whether an edge may be a poster's: the lower edge of a poster on a wall whose floor edge is not seen looks
+/// like a floor edge far away, but vertical lines end at both its ends.
 bool LandmarkDetector::may_hang(const FloorEdge& edge) const {
   const auto is_end_of_a_line = [&](const Vec2& p_vehicle) {
     const auto pixel_px = camera_.project(mount_.to_camera({p_vehicle.x(), p_vehicle.y(), 0}));

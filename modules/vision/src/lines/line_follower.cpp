@@ -37,7 +37,7 @@ struct Motion {
   double end_now = 0;
   double approach = 0;
 
-  /// @return beyond the image for what was passed by
+  /// @return outside the image for what the camera has passed
   double expected(double column) const {
     const double x = column - end_before;
     const double nearer = 1 - approach * std::abs(x);
@@ -47,11 +47,11 @@ struct Motion {
 
 /// The lines of two images, paired in order.
 struct Pairing {
-  double worth = 0;  // sum of their likenesses, less the price of the motion
+  double worth = 0;  // sum of their likenesses, less the cost of the motion
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
 };
 
-/// Which lines of one image are which of the next.
+/// Matches the lines of one image with those of the next.
 class Comparison {
  public:
   Comparison(const std::vector<LineLook>& before, const std::vector<LineLook>& now,
@@ -60,7 +60,7 @@ class Comparison {
   Pairing best_pairing(const std::vector<Motion>& motions);
 
  private:
-  /// Lines that would be alike if they were where they are expected.
+  /// Two lines that are alike but for their column.
   struct Candidate {
     std::size_t before;
     std::size_t now;
@@ -70,7 +70,7 @@ class Comparison {
   struct Link {
     std::size_t before;
     std::size_t now;
-    double worth;      // with theirs
+    double worth;      // including theirs
     std::size_t left;  // the next of them; itself: none
   };
 
@@ -113,8 +113,8 @@ double Comparison::compare(const Motion& motion) {
   double best = 0;
   for (const Candidate& candidate : candidates_) {
     const double expected = motion.expected(before_[candidate.before].column);
-    const double lateral = squared_share(now_[candidate.now].column - expected, params_.gate);
-    if (lateral >= candidate.like) continue;
+    const double off = squared_share(now_[candidate.now].column - expected, params_.gate);
+    if (off >= candidate.like) continue;
     Link link{candidate.before, candidate.now, 0, links_.size()};
     for (std::size_t k = 0; k < links_.size(); ++k) {
       const Link& left = links_[k];
@@ -122,7 +122,7 @@ double Comparison::compare(const Motion& motion) {
       link.worth = left.worth;
       link.left = k;
     }
-    link.worth += candidate.like - lateral;
+    link.worth += candidate.like - off;
     best = std::max(best, link.worth);
     links_.push_back(link);
   }
@@ -141,7 +141,7 @@ std::vector<std::pair<std::size_t, std::size_t>> Comparison::pairs(const Motion&
   }
 }
 
-/// All that are looked at, the finer the slower the approach.
+/// All motions that are tried, the finer the slower the approach.
 std::vector<Motion> possible_motions(const LineFollowerParams& params) {
   constexpr double kTurnStep = 0.025, kApproachSteps = 24;
   const int turns = static_cast<int>(params.turn_max / kTurnStep);
@@ -157,7 +157,7 @@ std::vector<Motion> possible_motions(const LineFollowerParams& params) {
   return motions;
 }
 
-/// What a motion must explain more than standing still.
+/// How much more than standing still a motion must explain.
 double price_of(const Motion& motion, const LineFollowerParams& params) {
   constexpr double kPrice = 0.3;
   const double approach_share = motion.approach / std::max(params.approach_max, 1e-9);

@@ -16,7 +16,7 @@ constexpr double kStraight_px = 0.9;
 constexpr double kGapMax_px = 8;
 constexpr double kSegmentFillMin = 0.7;
 constexpr double kLengthMin_px = 9;
-constexpr int kHalvedFrom_px = 500;  // wide; smaller images are looked at as they are
+constexpr int kHalvedFrom_px = 500;  // wide; smaller images are not halved
 constexpr int kSmallestSearched_px = 16;
 
 }  // namespace

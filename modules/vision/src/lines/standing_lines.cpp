@@ -34,14 +34,14 @@ std::optional<double> v_on_any(const BaseLines& lines, double u_px) {
   return std::nullopt;
 }
 
-/// Where the floor begins in a column, as far as is known.
+/// The row where the floor begins in a column, if known.
 std::optional<double> floor_from(const BaseLines& lines, double u_px, int height_px) {
   if (const auto v_px = v_on_any(lines, u_px)) return v_px;
   if (!lines.left || !lines.right) return std::nullopt;
   return std::max(lines.left->front().y(), lines.right->front().y()) + kBeyondEnd * height_px;
 }
 
-/// The line without what of it is a reflection in the floor; nullopt if nothing remains.
+/// The line without its reflection in the floor; nullopt if nothing remains.
 std::optional<VerticalLine> without_reflection(const Image& grey, const BaseLines& base_lines,
                                                const BaseLineParams& params, VerticalLine line) {
   const double height_px = grey.height_px;

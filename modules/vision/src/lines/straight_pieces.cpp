@@ -111,7 +111,7 @@ PieceCutter::Sums PieceCutter::sums_over(const Range& range) const {
   return sums;
 }
 
-/// Occluders, handles and shadows break a line; what goes on straight beyond them is the same line.
+/// Occluders, handles and shadows break a line; its straight continuation beyond them is the same line.
 void PieceCutter::join_pieces() {
   bool joined = true;
   for (int round = 0; round < kJoinRounds && joined; ++round) {

@@ -15,7 +15,7 @@ struct PieceParams {
   double slope_max = 0.33;
   double gap_max_px = 58;    ///< between collinear pieces that are one line
   double fade_share = 0.45;  ///< ends of less than this share of the line's contrast are cut
-  double width_share = 1;    ///< of the working image, of 640 px
+  double width_share = 1;    ///< the working image's width as a share of 640 px
 };
 
 /// Cuts chains of steps where they bend, joins the pieces that continue each other, and trims ends that fade.
@@ -41,7 +41,7 @@ class PieceCutter {
     Step step = Step::kBrighter;
     Range points;  ///< of points_
     Sums sums;
-    bool joined = false;  ///< it is part of another by now
+    bool joined = false;  ///< it has become part of another
 
     double contrast() const { return sums.contrast / sums.n; }
   };

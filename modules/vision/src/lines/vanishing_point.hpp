@@ -8,9 +8,10 @@
 
 namespace aisle {
 
-/// The corridor's vanishing point: where most oblique segments point to, by length, with those that fall and
-/// those that rise to the right both taking part; rather near the middle of the image than far from it.
-/// @return nullopt if too little points to any one place
+/// The corridor's vanishing point: where most oblique segments point, weighted by length. Segments that fall
+/// and segments that rise to the right must both take part; points near the middle of the image are
+/// preferred.
+/// @return nullopt if too few segments point to one place
 class VanishingPointFinder {
  public:
   std::optional<Vec2> find(std::span<const EdgeSegment> segments, int width_px, int height_px);

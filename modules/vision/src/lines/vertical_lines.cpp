@@ -38,13 +38,14 @@ namespace {
 constexpr double kNominalWidth_px = 640;
 constexpr double kChainShareMin = 0.03;  // shortest piece of a line, as a share of the bands
 constexpr double kSteepestLink = 0.1;    // by which a chain may be steeper than a line before it is fitted
-constexpr double kTiltShareMin = 0.12;   // shortest line that tells the tilt, as a share of the height
+constexpr double kTiltShareMin = 0.12;   // shortest line that is used for the tilt, as a share of the height
 constexpr double kSlopeSlack_px = 1.6;   // a short line's slope is uncertain by this over its length
 constexpr double kOppositeShare = 0.75;  // of apart_px, between the two sides of a thin bar
 constexpr double kBesideShare = 0.6;     // of its length a line is beside another to be its double
 constexpr double kContrastCounted = 40;  // more contrast makes no line stronger
-constexpr double kLongShare = 0.3;       // of the height: so long a line has most of the score for length
-constexpr double kContrastClear = 20;    // grey levels: so clear a line has most of the score for contrast
+constexpr double kLongShare = 0.3;       // of the height: a line this long has most of the score for length
+constexpr double kContrastClear =
+    20;  // grey levels: a line of this contrast has most of the score for contrast
 constexpr double kEyeLevelTop = 0.3, kEyeLevelBottom = 0.6;  // of the height: there the horizon is expected
 constexpr std::ptrdiff_t kBestLines = 2, kGoodLines = 6;     // of an image, by which its others are judged
 constexpr double kOffEyeLevel = 0.7;  // score of a line wholly above or below: lamp, bottle, gap in the floor
@@ -74,7 +75,7 @@ class VerticalLineDetector::Work {
   }
 
  private:
-  /// Of the working image, of the width that lengths in the parameters are given for.
+  /// The working image's width as a share of the width that lengths in the parameters apply to.
   double width_share() const { return image_.width_px() / kNominalWidth_px; }
   int height_px() const { return image_.height_px(); }
   int band_rows() const {
@@ -123,7 +124,7 @@ class VerticalLineDetector::Work {
     });
   }
 
-  /// Of an image's good lines, the very best left out: faint images have faint ones.
+  /// Usual contrast of an image's good lines without the very best: faint images have faint ones.
   double usual_score() const {
     const auto first = scores_.begin() + std::min(kBestLines, std::ssize(scores_));
     const auto last = scores_.begin() + std::min(kBestLines + kGoodLines, std::ssize(scores_));
@@ -132,8 +133,8 @@ class VerticalLineDetector::Work {
                     std::accumulate(first, last, 0.0) / static_cast<double>(last - first));
   }
 
-  /// How sure it is that a line stands in the building: long ones of much contrast without gaps. What stands
-  /// on the floor and is higher than the camera crosses the horizon.
+  /// How surely a line stands in the building: long, of high contrast and without gaps. What stands on the
+  /// floor and is higher than the camera crosses the horizon.
   double score(const UprightLine& line) const {
     const auto saturated = [](double share) { return 1 - std::exp(-share); };
     const bool at_eye_level =

@@ -27,7 +27,7 @@ double votes(const VerticalTilt& tilt, std::span<const UprightLine> lines, int w
          (1 - kPerWidthPrior * std::abs(tilt.per_width));
 }
 
-/// nullopt if a camera that is nearly level cannot see two verticals so.
+/// @return nullopt if a nearly level camera cannot see two vertical lines like these
 std::optional<VerticalTilt> tilt_of(const UprightLine& a, const UprightLine& b, int width_px) {
   VerticalTilt tilt;
   const double apart = (a.u_middle_px - b.u_middle_px) / width_px;

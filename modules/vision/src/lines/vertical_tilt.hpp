@@ -6,8 +6,8 @@
 
 namespace aisle {
 
-/// How vertical lines lean across an image, as far as a camera tilted or rolled a little makes them: the
-/// slope du/dv grows linearly with u. That is one vanishing point, far above or below.
+/// How vertical lines lean across the image of a camera that is tilted or rolled a little: the slope du/dv
+/// grows linearly with u. That is one vanishing point, far above or below.
 struct VerticalTilt {
   double at_centre = 0;  ///< slope in the middle column
   double per_width = 0;  ///< slope at the right border less slope at the left one

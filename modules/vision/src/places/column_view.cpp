@@ -10,9 +10,9 @@ namespace {
 
 using Tones = Eigen::Map<const Eigen::VectorXf>;
 
-constexpr double kDarkest = 10;   ///< grey levels below say nothing
-constexpr double kNoise = 0.005;  ///< of tones: where curves have no contrast, nothing is alike
-constexpr int kEnds = 3;          ///< columns of the corridor's end that are looked at, to either side ...
+constexpr double kDarkest = 10;   ///< lower grey levels tell nothing
+constexpr double kNoise = 0.005;  ///< of tones, so that curves without contrast are not alike
+constexpr int kEnds = 3;          ///< positions of the corridor's end that are tried to either side ...
 constexpr double kEndStep = 0.05;
 constexpr int kApproaches = 6;
 
@@ -26,7 +26,7 @@ void ColumnViewParams::describe(FieldList& fields) {
   fields.real("lateral_max", lateral_max, {0, 0.4},
               "by which a view may be shifted to either side, share of its width");
   fields.real("approach_max", approach_max, {0, 100},
-              "path ahead between two views: what is x from the corridor's end goes to x / (1 - it x)");
+              "forward motion between two views: x, from the corridor's end, goes to x / (1 - it x)");
 }
 
 ViewCurves::ViewCurves(const ColumnViewParams& params, const Image& view)
@@ -66,7 +66,7 @@ void ViewCurves::add_approached(const std::array<Columns, kViewBands>& tones, do
   }
 }
 
-/// Of the columns that both have if `b` is shifted by `lateral` to the left.
+/// Correlation of the columns that both have if `b` is shifted by `lateral` to the left.
 double ViewCurves::correlation(const Curves& a, const Curves& b, int lateral) {
   const int from = std::max(0, -lateral), to = std::min(kViewColumns, kViewColumns - lateral);
   const double columns = to - from;

@@ -6,9 +6,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kLightTone = 128;  ///< of all images, as their lines are compared
+constexpr double kLightTone = 128;  ///< to which all images are scaled before their lines are compared
 
-/// What nine in ten parts of a view are darker than: walls, whatever stands before them.
+/// The 90 % quantile of a view's tones: of the walls, whatever stands before them.
 double light_tone(Image view) {
   const auto tenth = static_cast<std::ptrdiff_t>(view.bytes.size() / 10);
   std::nth_element(view.bytes.begin(), view.bytes.end() - tenth, view.bytes.end());
@@ -21,11 +21,12 @@ void PlaceParams::describe(FieldList& fields) {
   fields.group("columns", columns);
   fields.group("verticals", verticals);
   fields.group("lines", lines);
-  fields.real("unlike_max", unlike_max, {0, 1}, "from the most alike taught image; 0: just alike");
+  fields.real("unlike_max", unlike_max, {0, 1}, "how unlike the most alike taught image may be; 0: the same");
   fields.count("rival_apart", rival_apart, {0, 1000},
-               "taught images up to so far apart in order may show one place");
+               "taught images up to this many apart may show one place");
   fields.real("rival_factor", rival_factor, {1, 100}, "by which all others must be more unlike");
-  fields.count("ahead_max", ahead_max, {1, 1000}, "taught images from one of a drive's images to the next");
+  fields.count("ahead_max", ahead_max, {1, 1000},
+               "greatest advance, in taught images, from one of a drive's images to the next");
 }
 
 PlaceRecogniser::PlaceRecogniser(const PlaceParams& params) : params_(params), verticals_(params.verticals) {}

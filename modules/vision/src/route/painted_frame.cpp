@@ -112,7 +112,7 @@ class AxisCounts {
     }
   }
 
-  /// The middle between two lines so far apart with most points, and how many those are.
+  /// The middle between the two lines at a given distance that have most points, and how many these are.
   std::pair<double, double> best_pair(double apart_m) const {
     const auto apart = static_cast<std::size_t>(std::lround(apart_m / kBin_m));
     double best = -1, at_m = 0;
@@ -181,11 +181,11 @@ class HeadingVotes {
 
 void PaintedFrameParams::describe(FieldList& fields) {
   fields.real("contrast", contrast, {0.01, 2}, "by which share a painted line is brighter than the floor");
-  fields.real("line_m", line_m, {0.01, 0.5}, "how wide it is, about");
-  fields.real("range_m", range_m, {0.5, 50}, "farther lines are not looked at");
+  fields.real("line_m", line_m, {0.01, 0.5}, "approximate width of a painted line");
+  fields.real("range_m", range_m, {0.5, 50}, "farther lines are not used");
   fields.angle("heading_reach_deg", heading_reach_rad, {1, 90},
-               "how far the frame may be turned against the path");
-  fields.real("near_line_m", near_line_m, {0.005, 0.5}, "points so near a side lie on it");
+               "how far the frame may be turned from the expected heading");
+  fields.real("near_line_m", near_line_m, {0.005, 0.5}, "points this near a side lie on it");
   fields.real("covered_share", covered_share, {0.1, 1}, "of a side has points on it, or it is not seen");
 }
 

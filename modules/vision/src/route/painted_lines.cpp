@@ -14,7 +14,7 @@ class GreyLine {
 
   int count() const { return count_; }
   double operator[](int i) const { return first_[i * step_]; }
-  /// Where a level is passed between i and its neighbour on the way `step`.
+  /// Where a level is passed between i and its neighbour at `step`.
   double crossing(int i, int step, double level) const {
     while (i + step >= 0 && i + step < count_ && (*this)[i + step] > level) i += step;
     if (i + step < 0 || i + step >= count_) return i;

@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kDecline = 1.2;  // power by which floor is expected the less, the farther away
+constexpr double kDecline = 1.2;  // power by which floor gets less likely with the distance
 
 Vec2 colour_of(const CellLook& look) {
   return Vec2(look.red_green, look.yellow_blue);
@@ -28,7 +28,7 @@ void RegionGrowth::grow(const Image& image) {
   steps_.take(grid_, params_.colour_weight, quiet_step());
   floor_ = expected_floor_;
   steps_.spread(floor_);
-  // Never where the floor goes on without a step.
+  // Never where the floor continues without a step.
   rest_ = expected_rest_;
   for (std::size_t i = 0; i < rest_.size(); ++i)
     if (floor_[i] <= params_.alike_cost * kLookUnit) rest_[i] = kNoPath;
@@ -40,7 +40,7 @@ void RegionGrowth::grow(const Image& image) {
   connect();
 }
 
-/// What tells floor from the rest by the place in the image alone.
+/// Costs of floor and rest by the place in the image alone.
 void RegionGrowth::expect() {
   find_patch();
   expected_floor_.resize(grid_.looks.size());
@@ -53,7 +53,7 @@ void RegionGrowth::expect() {
   }
 }
 
-/// The lowest middle, which is floor.
+/// The middle of the lower edge, which is floor.
 void RegionGrowth::find_patch() {
   const double horizon_rows = (1 - params_.horizon_share) * grid_.rows;
   const int rows = std::clamp(static_cast<int>(params_.near_reach * horizon_rows), 1, grid_.rows);
@@ -81,26 +81,26 @@ Cost RegionGrowth::quiet_step() {
       std::max(params_.quiet_step * kLookUnit, std::min(texture, params_.texture_max * kLookUnit)));
 }
 
-/// 0 in the middle, 1 at the sides.
+/// Distance from the middle column: 0 in the middle, 1 at the sides.
 double RegionGrowth::lateral(int column) const {
   return std::abs(2 * column + 1 - grid_.columns) / static_cast<double>(grid_.columns);
 }
 
-/// Nothing near the lowest middle; `floor_cost` at the horizon above it and in the lower corners.
+/// 0 near the middle of the lower edge; `floor_cost` at the horizon above it and in the lower corners.
 double RegionGrowth::expected_floor(int row, int column) const {
   const double horizon_rows = (1 - params_.horizon_share) * grid_.rows;
-  const double path = (grid_.rows - 1 - row) / horizon_rows + lateral(column) - params_.near_reach;
-  if (path <= 0 || patch_.contains(row, column)) return 0;
-  return params_.floor_cost * std::pow(path, kDecline);
+  const double away = (grid_.rows - 1 - row) / horizon_rows + lateral(column) - params_.near_reach;
+  if (away <= 0 || patch_.contains(row, column)) return 0;
+  return params_.floor_cost * std::pow(away, kDecline);
 }
 
-/// Nothing in the upper part, more and more below.
+/// 0 in the upper part, growing below.
 double RegionGrowth::expected_rest(int row, int column) const {
   const double below = (row + 0.5) / grid_.rows - params_.far_share - params_.side_share * lateral(column);
   return params_.rest_cost * std::max(0.0, below);
 }
 
-/// Of another colour than the route. Gloss and shadow only make its colour paler.
+/// Marks cells of another colour than the route. Gloss and shadow only make its colour paler.
 void RegionGrowth::find_unmatched() {
   const Vec2 route = colour_of(patch_look());
   const double limit = params_.unmatched_colour * kLookUnit;
@@ -112,7 +112,7 @@ void RegionGrowth::find_unmatched() {
   }
 }
 
-/// The cells of floor that hang together with the patch.
+/// The cells of floor that are connected to the patch.
 void RegionGrowth::connect() {
   is_region_.assign(is_floor_.size(), 0);
   for (int row = patch_.first_row; row < grid_.rows; ++row)

@@ -7,10 +7,11 @@
 namespace aisle {
 
 void RegionParams::describe(FieldList& fields) {
-  fields.count("columns", columns, {16, 1024}, "cells that the image is looked at in, from left to right");
-  fields.real("quiet_step", quiet_step, {0, 50}, "between neighbouring cells: no edge but noise and drift");
+  fields.count("columns", columns, {16, 1024}, "cells across the image, from left to right");
+  fields.real("quiet_step", quiet_step, {0, 50},
+              "steps up to this between neighbouring cells are noise and drift, no edge");
   fields.real("texture_factor", texture_factor, {0, 10},
-              "nor is this many times the step usual on the floor in front");
+              "nor are steps up to this many times the usual one on the floor in front");
   fields.real("texture_max", texture_max, {0, 100}, "but larger steps than this are always edges");
   fields.real("colour_weight", colour_weight, {0, 20}, "of a step of colour against one of brightness");
   fields.real("unmatched_colour", unmatched_colour, {5, 500},
@@ -18,13 +19,13 @@ void RegionParams::describe(FieldList& fields) {
   fields.real("horizon_share", horizon_share, {0, 0.9},
               "where the horizon is expected, of the height from the top");
   fields.real("near_reach", near_reach, {0.01, 1},
-              "of the path from the lowest middle to the horizon: surely floor");
+              "surely floor, up to this share of the height from the lower edge's middle to the horizon");
   fields.real("floor_cost", floor_cost, {0, 2000}, "of taking a place at the horizon for floor, unconnected");
   fields.real("far_share", far_share, {0, 1}, "of the height, from the top: not floor unless it looks alike");
   fields.real("side_share", side_share, {0, 1}, "by how much lower that reaches at the sides");
-  fields.real("rest_cost", rest_cost, {0, 2000}, "of taking a place an image's height lower for no floor");
+  fields.real("rest_cost", rest_cost, {0, 2000}, "of taking a place an image's height lower for not floor");
   fields.real("alike_cost", alike_cost, {0, 500},
-              "of the path from the lowest middle: less is floor, wherever");
+              "cells that cost less than this from the lower edge's middle are floor, wherever they are");
 }
 
 namespace {

@@ -9,17 +9,17 @@ namespace {
 
 constexpr int kEdgeColumns = 80;
 constexpr int kPatchesInHeight = 6;
-constexpr double kDarkShare = 0.65;  // of the patch's grey level: what is darker is no route
+constexpr double kDarkShare = 0.65;  // of the patch's grey level: what is darker is not route
 
-constexpr int kFloorPointNearest_px = 3,
-              kFloorPointFarthest_px = 7;    // from a floor point, the rows that are compared
-constexpr double kFloorPointStepMin = 0.05;  // of the floor's grey level, between them
-constexpr double kThingLength_m = 0.5;       // of longer ones each piece shows its floor point
-constexpr double kThingGap_m = 0.15;         // between neighbouring places of one
-constexpr double kLeavesView_m = 0.15;       // so near to the lower edge the light on it leaves the image ...
-constexpr std::size_t kEndPoints = 5;        // ... by the direction that so many places tell
+constexpr int kNearest_px = 3,
+              kFarthest_px = 7;             // from a floor point, the rows that are compared
+constexpr double kFloorEdgeStepMin = 0.05;  // of the floor's grey level, between them
+constexpr double kThingLength_m = 0.5;      // pieces of obstacles longer than this are checked one by one
+constexpr double kThingGap_m = 0.15;        // between neighbouring places of one
+constexpr double kLeavesView_m = 0.15;      // a return this near to the lower edge leaves the image ...
+constexpr std::size_t kEndPoints = 5;       // ... in the direction of this many returns
 
-/// How many of the first places, from right to left, are of one thing.
+/// How many of the first laser returns, from right to left, are of one obstacle.
 std::size_t points_of_one_thing(std::span<const Vec2> p_vehicle_lit) {
   std::size_t count = 1;
   while (count < p_vehicle_lit.size() &&
@@ -53,7 +53,7 @@ void measure_patch(const Image& image, RouteSight& sight) {
   sight.patch_deviation = std::sqrt(std::max(0.0, squares / count - sight.patch_grey * sight.patch_grey));
 }
 
-/// L96 section 2.2: what stands alone amid the route is known by its grey level.
+/// L96 section 2.2: an obstacle that stands alone on the route is known by its grey level.
 void take_out_dark(const Image& image, RouteSight& sight) {
   const double least = kDarkShare * sight.patch_grey;
   for (int v = 0; v < image.height_px; ++v) {
@@ -69,12 +69,12 @@ void RouteViewParams::describe(FieldList& fields) {
   fields.group("region", region);
   fields.group("stripe", stripe);
   fields.real("far_scan_m", far_scan_m, {0.3, 20}, "floor distance of the upper scan line from the camera");
-  fields.real("near_scan_m", near_scan_m, {0.3, 20}, "of the lower one");
+  fields.real("near_scan_m", near_scan_m, {0.3, 20}, "floor distance of the lower scan line from the camera");
   fields.real("check_ahead_m", check_ahead_m, {0.05, 5},
               "how far beyond the view's lower edge region A reaches");
   fields.real("check_beside_m", check_beside_m, {0.02, 2},
               "how wide regions B and C are, beside the vehicle");
-  fields.real("check_share", check_share, {0, 1}, "of a check region is route, or it is occupied");
+  fields.real("check_share", check_share, {0, 1}, "a check region with a smaller share of route is occupied");
   fields.real("edge_range_m", edge_range_m, {0.5, 20}, "farther edges of the route are not remembered");
 }
 
@@ -162,13 +162,13 @@ const RouteSight& RouteView::look(const Image& image) {
   return sight;
 }
 
-/// Things whose floor point is below the stripe hide the floor behind them. What has no floor point there is
-/// no such thing: a line painted on the floor farther away looks like the stripe.
+/// An obstacle with a floor edge below the stripe hides the floor behind it. A stripe without a floor edge is
+/// no obstacle: a line painted on the floor farther away looks like it.
 void RouteView::take_out_lit(const Image& image, Image& mask) {
   find_lit_pieces(as_grey(image, grey_));
   for (std::size_t i = 0; i < lit_pieces_.size(); ++i) {
     const LitPiece& piece = lit_pieces_[i];
-    if (!piece.has_floor_point.value_or(false)) continue;
+    if (!piece.has_floor_edge.value_or(false)) continue;
     const std::span<const Vec2> p_vehicle = piece.p_vehicle;
     for (std::size_t k = 0; k + 1 < p_vehicle.size(); ++k)
       take_out_above(p_vehicle[k], p_vehicle[k + 1], mask);
@@ -181,7 +181,7 @@ void RouteView::take_out_lit(const Image& image, Image& mask) {
   }
 }
 
-/// What reaches out of view at its floor point is of one thing with the piece beside it.
+/// A piece whose floor edge is out of view is taken to be of one obstacle with the piece beside it.
 void RouteView::find_lit_pieces(const Image& grey) {
   stripe_->find(grey);
   p_vehicle_lit_.clear();
@@ -190,11 +190,11 @@ void RouteView::find_lit_pieces(const Image& grey) {
   for (std::span<const Vec2> rest(p_vehicle_lit_); !rest.empty();) {
     const std::span<const Vec2> piece = rest.first(points_of_one_thing(rest));
     const bool goes_on = !lit_pieces_.empty() && &lit_pieces_.back().p_vehicle.back() == piece.data();
-    if (piece.size() > 1) lit_pieces_.push_back({piece, goes_on, has_floor_point(grey, piece)});
+    if (piece.size() > 1) lit_pieces_.push_back({piece, goes_on, has_floor_edge(grey, piece)});
     rest = rest.subspan(std::max<std::size_t>(1, piece.size() - 1));
   }
   const auto learn_from = [](LitPiece& piece, const LitPiece& beside) {
-    if (!piece.has_floor_point) piece.has_floor_point = beside.has_floor_point;
+    if (!piece.has_floor_edge) piece.has_floor_edge = beside.has_floor_edge;
   };
   for (std::size_t i = 1; i < lit_pieces_.size(); ++i)
     if (lit_pieces_[i].goes_on) learn_from(lit_pieces_[i], lit_pieces_[i - 1]);
@@ -202,36 +202,35 @@ void RouteView::find_lit_pieces(const Image& grey) {
     if (lit_pieces_[i].goes_on) learn_from(lit_pieces_[i - 1], lit_pieces_[i]);
 }
 
-/// Whether it is brighter or darker right above the places where a thing is lit than right below them;
-/// nullopt: they are out of view.
-std::optional<bool> RouteView::has_floor_point(const Image& grey,
-                                               std::span<const Vec2> p_vehicle_thing) const {
+/// Whether the brightness steps at the floor points beneath the laser returns; nullopt: out of view.
+std::optional<bool> RouteView::has_floor_edge(const Image& grey,
+                                              std::span<const Vec2> p_vehicle_thing) const {
   double above = 0, below = 0;
   for (const Vec2& p_vehicle : p_vehicle_thing) {
     const auto floor_point = pixel_of(p_vehicle);
     if (!floor_point) continue;
     const auto u = static_cast<int>(std::lround(floor_point->x())),
                v = static_cast<int>(std::lround(floor_point->y()));
-    if (v < kFloorPointFarthest_px || v + kFloorPointFarthest_px >= height_px_) continue;
-    for (int i = kFloorPointNearest_px; i <= kFloorPointFarthest_px; ++i) {
+    if (v < kFarthest_px || v + kFarthest_px >= height_px_) continue;
+    for (int i = kNearest_px; i <= kFarthest_px; ++i) {
       above += grey.row(v - i)[u];
       below += grey.row(v + i)[u];
     }
   }
   if (below == 0) return std::nullopt;
-  return std::abs(above - below) > kFloorPointStepMin * below;
+  return std::abs(above - below) > kFloorEdgeStepMin * below;
 }
 
-/// Whether the light on a thing goes on below the image's lower edge: what is beside is of the thing, or
-/// behind it.
+/// Whether the light on an obstacle goes on below the image's lower edge: what is beside it in the image then
+/// belongs to the obstacle, or is behind it.
 bool RouteView::leaves_view(const Vec2& p_vehicle_inwards, const Vec2& p_vehicle_end) const {
-  const Vec2 path = p_vehicle_end - p_vehicle_inwards;
-  if (path.isZero()) return false;
-  const auto pixel = projected(p_vehicle_end + kLeavesView_m * path.normalized(), stripe_height_m_);
+  const Vec2 outwards = p_vehicle_end - p_vehicle_inwards;
+  if (outwards.isZero()) return false;
+  const auto pixel = projected(p_vehicle_end + kLeavesView_m * outwards.normalized(), stripe_height_m_);
   return pixel && pixel->y() > height_px_ - 1;
 }
 
-/// In which column the floor point of a lit place is, be it below the view.
+/// The column of a laser return's floor point, even if that is below the view.
 int RouteView::floor_point_column(const Vec2& p_vehicle) const {
   const auto floor_point = projected(p_vehicle, 0);
   return floor_point ? std::clamp(static_cast<int>(std::lround(floor_point->x())), 0, width_px_)
@@ -242,7 +241,7 @@ void RouteView::take_out_columns(int begin, int end, Image& mask) const {
   for (int v = 0; v < height_px_; ++v) std::fill(mask.row(v) + begin, mask.row(v) + end, std::uint8_t{0});
 }
 
-/// All that is seen on and above a line on the floor.
+/// Masks all that is seen on and above a line on the floor.
 void RouteView::take_out_above(const Vec2& p_vehicle_right, const Vec2& p_vehicle_left, Image& mask) const {
   const auto right = projected(p_vehicle_right, 0), left = projected(p_vehicle_left, 0);
   if (!right || !left || right->x() <= left->x()) return;
@@ -256,8 +255,8 @@ void RouteView::take_out_above(const Vec2& p_vehicle_right, const Vec2& p_vehicl
   }
 }
 
-/// In each of many columns, the lowest pixel that is not route: the floor point of what stands there, unless
-/// the view does not reach down to it.
+/// In each of many columns, the lowest pixel that is not route: the floor point of the obstacle there, unless
+/// that is below the view.
 void RouteView::find_edges(RouteSight& sight) const {
   sight.p_vehicle_edges.clear();
   sight.p_vehicle_cut_off.clear();

@@ -11,8 +11,8 @@ using Cost = int;  ///< in look units
 
 constexpr Cost kNoPath = std::numeric_limits<Cost>::max() / 4;  ///< two of them can be added
 
-/// What it costs to go from a cell to its neighbours: how different they look, as far as that exceeds a
-/// quiet step. Lesser steps cost next to nothing. Keeps its memory from image to image.
+/// Cost of going from a cell to its neighbours: how different they look beyond a quiet step. Smaller steps
+/// cost next to nothing. Keeps its memory from image to image.
 class StepCosts {
  public:
   /// The usual step between neighbouring cells of a block on a rough surface; a steady change of looks, as
@@ -21,7 +21,7 @@ class StepCosts {
 
   void take(const CellGrid& grid, double colour_weight, Cost quiet_step);
 
-  /// Lowers each cell's cost to what the cheapest path from any other cell costs, that cell's own included.
+  /// Lowers each cell's cost to that of the cheapest path from any other cell, that cell's own cost included.
   void spread(std::vector<Cost>& costs) const;
 
  private:

@@ -19,7 +19,7 @@ void StripeParams::describe(FieldList& fields) {
   fields.real("width_max_share", width_max_share, {0.005, 0.2},
               "of the image's height: wider ones are lamps");
   fields.real("gradient_min", gradient_min, {0, 1}, "steepest step of each flank, as a share of the peak");
-  fields.real("slope_max", slope_max, {0, 5}, "rows a column: steeper ones are no stripes");
+  fields.real("slope_max", slope_max, {0, 5}, "rows per column: steeper ones are not stripes");
   fields.real("gap_max_share", gap_max_share, {0, 0.2}, "of the image's width: longer gaps break a stripe");
   fields.real("length_min_share", length_min_share, {0.005, 1},
               "of the image's width: shorter ones are dropped");

@@ -11,23 +11,23 @@ namespace aisle {
 namespace {
 
 constexpr double kStep_rad = 0.25 * kDegree;
-constexpr double kImageEdge_px = 4;        // lenses are poor there
-constexpr double kNearest_m = 0.1;         // from below the lens
-constexpr double kProbe_m = 0.01;          // over which a beam's scale in the image is measured
-constexpr double kBlur_px = 1.5;           // of the lens, to either side of a stripe
-constexpr double kFlank = 1.6;             // half the thickness and room beside it
-constexpr std::size_t kLateralFlanks = 2;  // so many flanks before and behind it nothing is as bright
-constexpr double kLinkFloor_px = 2;        // from beam to beam, beyond what the steepness explains
-constexpr std::size_t kGapBeams = 1;       // that a stripe may leave out
-constexpr double kNearEdge_m = 0.15;       // a stripe that ends so near to the image's lower edge leaves it
-constexpr double kFaint = 3;               // times the least contrast: a stripe that may go on unseen ...
-constexpr int kEndBeams = 6;               // ... when it is so faint on one of so many beams at its end
-constexpr int kWallBeams = 24;             // that tell where a wall goes on
-constexpr double kWallStep = 0.1;          // of the range, from beam to beam
-constexpr double kSlopeKept = 0.7;         // of a stripe's slope, from beam to beam
-constexpr double kThinnest_px = 2;         // laser light far away
-constexpr std::size_t kUsualStep = 7;      // samples from one to the next that tells the usual contrast
-constexpr double kBefore_m = 0.15;         // so far before what is lit a place is free
+constexpr double kImageEdge_px = 4;       // lenses are poor there
+constexpr double kNearest_m = 0.1;        // from below the lens
+constexpr double kProbe_m = 0.01;         // over which a beam's scale in the image is measured
+constexpr double kBlur_px = 1.5;          // of the lens, to either side of a stripe
+constexpr double kFlank = 1.6;            // half the thickness and a margin beside it
+constexpr std::size_t kBesideFlanks = 2;  // this many flanks before and behind a stripe nothing is as bright
+constexpr double kLinkFloor_px = 2;       // from beam to beam, beyond what the steepness explains
+constexpr std::size_t kGapBeams = 1;      // that a stripe may skip
+constexpr double kNearEdge_m = 0.15;      // a stripe that ends this near to the image's lower edge leaves it
+constexpr double kFaint = 3;              // times the least contrast: a stripe that may go on unseen ...
+constexpr int kEndBeams = 6;              // ... if it is this faint on one of this many beams at its end
+constexpr int kWallBeams = 24;            // that determine where a wall goes on
+constexpr double kWallStep = 0.1;         // of the range, from beam to beam
+constexpr double kSlopeKept = 0.7;        // of a stripe's slope, from beam to beam
+constexpr double kThinnest_px = 2;        // laser light far away
+constexpr std::size_t kUsualStep = 7;     // every so many samples one is used for the usual contrast
+constexpr double kBefore_m = 0.15;        // a point this far before a laser return is free
 
 std::uint8_t level_difference(int a, int b) {
   return static_cast<std::uint8_t>(std::abs(a - b));
@@ -38,18 +38,18 @@ std::uint8_t level_difference(int a, int b) {
 void StripeFanParams::describe(FieldList& fields) {
   fields.real("wide_m", wide_m, {0.2, 20}, "at this range the outermost beams are still in the image");
   fields.real("sure_reach_m", sure_reach_m, {0.5, 20},
-              "so far light is seen on all that does not stand flat to its path");
-  fields.real("light_reach_m", light_reach_m, {0.5, 20}, "so far any wall shows that the markers are on");
+              "up to here a stripe is seen on all but grazing-incidence surfaces");
+  fields.real("light_reach_m", light_reach_m, {0.5, 20}, "up to here any wall shows that the lasers are on");
   fields.real("contrast_min", contrast_min, {1, 200},
-              "by which a stripe outshines what lies before and behind it, in grey levels");
+              "grey levels by which a stripe is brighter than what lies before and behind it");
   fields.real("noise_factor", noise_factor, {1, 50}, "and by how many times the image's usual contrast");
   fields.real("beam_m", beam_m, {0.001, 0.05}, "thickness of the light");
-  fields.real("steepness_max", steepness_max, {0.5, 10}, "rows a column of the steepest stripe");
-  fields.real("width_min_m", width_min_m, {0, 1}, "of the narrowest thing");
-  fields.count("beams_min", beams_min, {1, 100}, "that strike it at least");
+  fields.real("steepness_max", steepness_max, {0.5, 10}, "rows per column of the steepest stripe");
+  fields.real("width_min_m", width_min_m, {0, 1}, "of the narrowest obstacle");
+  fields.count("beams_min", beams_min, {1, 100}, "least number of beams that hit an obstacle");
   fields.real("mirrored_share", mirrored_share, {0, 1},
-              "of a stripe's contrast: fainter before it is mirrored");
-  fields.count("lit_beams_min", lit_beams_min, {1, 1000}, "of a stripe that is nothing but laser light");
+              "of a stripe's contrast: a fainter one before it is its mirror image in the floor");
+  fields.count("lit_beams_min", lit_beams_min, {1, 1000}, "beams of a stripe that can only be laser light");
 }
 
 double StripeFan::angle_step_rad() {
@@ -68,7 +68,7 @@ StripeFan::StripeFan(const StripeFanParams& params, const CameraIntrinsics& intr
   if (samples_.empty()) throw std::invalid_argument("the camera sees no laser light within reach");
 }
 
-/// As wide as the image is for what stands a few metres away, even to both sides.
+/// Covers the image's width at a few metres, with as many beams to either side.
 void StripeFan::lay_beams(const CameraModel& camera, const CameraMount& mount, double height_m) {
   const auto is_seen = [&](int beam) {
     const Vec2 p_vehicle =
@@ -90,7 +90,7 @@ bool StripeFan::is_inside(const Vec2& pixel) const {
          pixel.x() < width_px_ - 1 - kImageEdge_px && pixel.y() < height_px_ - 1 - kImageEdge_px;
 }
 
-/// Outwards from below the lens, a sample a pixel.
+/// Outwards from below the lens, one sample per pixel.
 void StripeFan::lay_curve(double angle_rad, const CameraModel& camera, const CameraMount& mount,
                           double height_m) {
   const Vec2 p_vehicle_lens = mount.p_vehicle_camera.head<2>();
@@ -159,7 +159,7 @@ void StripeFan::read(const Image& image) {
   }
 }
 
-/// From the median contrast along the beams.
+/// Least contrast of a peak, from the median contrast along the beams.
 int StripeFan::threshold() const {
   LevelCounts contrasts;
   for (const Curve& curve : curves_) {
@@ -181,25 +181,25 @@ void StripeFan::find_peaks() {
       if (i + flank >= curve.end) break;
       const std::int16_t* here = &levels_[i];
       if (here[0] < here[-1] || here[0] <= here[1]) continue;
-      const int lateral = std::max(*(here - flank), *(here + flank));
-      if (here[0] - lateral < contrast_min_) continue;
-      const int contrast = here[0] - brightest_lateral(curve, i);
+      const int beside = std::max(*(here - flank), *(here + flank));
+      if (here[0] - beside < contrast_min_) continue;
+      const int contrast = here[0] - brightest_beside(curve, i);
       if (contrast >= contrast_min_) add_peak(beam, i, contrast);
     }
   }
 }
 
-/// Before and behind a stripe that is there.
-int StripeFan::brightest_lateral(const Curve& curve, std::size_t i) const {
+/// The brightest level before and behind a stripe at a sample.
+int StripeFan::brightest_beside(const Curve& curve, std::size_t i) const {
   const std::size_t flank = samples_[i].flank;
-  const std::size_t first = i - std::min(i - curve.first, kLateralFlanks * flank);
-  const std::size_t end = std::min(i + kLateralFlanks * flank + 1, curve.end);
+  const std::size_t first = i - std::min(i - curve.first, kBesideFlanks * flank);
+  const std::size_t end = std::min(i + kBesideFlanks * flank + 1, curve.end);
   const auto level = [&](std::size_t k) { return levels_.begin() + static_cast<std::ptrdiff_t>(k); };
   return std::max(*std::max_element(level(first), level(i - flank + 1)),
                   *std::max_element(level(i + flank), level(end)));
 }
 
-/// At the middle of what is at least half as bright.
+/// Adds a peak at the middle of what is at least half as bright.
 void StripeFan::add_peak(std::size_t beam, std::size_t i, int contrast) {
   const int half = levels_[i] - contrast / 2;
   const std::size_t flank = samples_[i].flank;
@@ -248,7 +248,7 @@ void StripeFan::link_peaks() {
   for (std::size_t chain = 0; chain < chains_.size(); ++chain) chains_[chain].is_stripe = is_stripe(chain);
 }
 
-/// The nearest one on the nearest beam before.
+/// The nearest peak on the nearest previous beam.
 const StripeFan::Peak* StripeFan::linked_before(const Peak& peak, std::size_t first) const {
   const Peak* linked = nullptr;
   for (const Peak* before = &peaks_[first]; before->beam < peak.beam; ++before) {
@@ -260,7 +260,7 @@ const StripeFan::Peak* StripeFan::linked_before(const Peak& peak, std::size_t fi
   return linked;
 }
 
-/// As a share of what laser light may have there at most; across the stripe, not along the beam.
+/// As a share of the most that laser light may have there; across the stripe, not along the beam.
 double StripeFan::thickness(const Peak& peak) const {
   const double rows_a_column = peak.slope.value_or(0) / (focal_px_ * kStep_rad);
   const double light_px = kThinnest_px + params_.beam_m * focal_px_ / std::hypot(peak.range_m, above_m_);
@@ -274,8 +274,8 @@ bool StripeFan::is_stripe(std::size_t c) const {
          chain.thickness <= chain.peaks && outshines_grain(c);
 }
 
-/// What a stripe is drawn on lies before it, too, or behind. In the grain of a floor there are lines as well,
-/// but grain is on either side of them.
+/// A stripe has a plain surface before or behind it. The grain of a floor has bright lines, too, but with
+/// grain on either side.
 bool StripeFan::outshines_grain(std::size_t c) const {
   const Chain& chain = chains_[c];
   LevelCounts before, behind;
@@ -283,7 +283,7 @@ bool StripeFan::outshines_grain(std::size_t c) const {
     if (peaks_[p].chain != c) continue;
     const std::size_t i = peaks_[p].sample, flank = samples_[i].flank;
     const Curve& curve = curves_[peaks_[p].beam];
-    for (std::size_t k = flank; k < kLateralFlanks * flank; ++k) {
+    for (std::size_t k = flank; k < kBesideFlanks * flank; ++k) {
       if (i >= curve.first + k + flank) before.add(level_difference(levels_[i - k], levels_[i - k - flank]));
       if (i + k + flank < curve.end) behind.add(level_difference(levels_[i + k], levels_[i + k + flank]));
     }
@@ -292,7 +292,7 @@ bool StripeFan::outshines_grain(std::size_t c) const {
   return chain.contrast >= params_.noise_factor * usual * chain.peaks;
 }
 
-/// The nearest laser light on a beam. Floor mirrors the stripe: fainter, and before it.
+/// Chooses the nearest laser return on each beam. A shiny floor mirrors the stripe: fainter, and before it.
 void StripeFan::choose_nearest() {
   for (Beam& beam : beams_) {
     beam.range_m = 0;
@@ -325,7 +325,7 @@ void StripeFan::mark_uncertain_beyond_ends() {
   }
 }
 
-/// The beams that strike nothing as far as they cross the straight line on which the stripe goes on.
+/// Marks the beams without a return that cross the straight continuation of the stripe.
 void StripeFan::mark_uncertain_beyond(int end, int outwards) {
   const int beams = beams_of_wall(end, -outwards);
   if (beams < params_.beams_min || !goes_on_unseen(end, -outwards, beams)) return;
@@ -339,7 +339,7 @@ void StripeFan::mark_uncertain_beyond(int end, int outwards) {
   }
 }
 
-/// The stripe is faint at its end, or the image ends there.
+/// Whether the stripe is faint at its end, or the image ends there.
 bool StripeFan::goes_on_unseen(int end, int inwards, int beams) const {
   const Beam& last = beams_[static_cast<std::size_t>(end)];
   if (last.range_m < last.near_m + kNearEdge_m) return true;
@@ -349,7 +349,7 @@ bool StripeFan::goes_on_unseen(int end, int inwards, int beams) const {
   return faintest < kFaint * contrast_min_;
 }
 
-/// How many beams from the stripe's end inwards strike the same wall, as far as that matters.
+/// How many beams from the stripe's end inwards hit the same wall, at most kWallBeams.
 int StripeFan::beams_of_wall(int end, int inwards) const {
   int beams = 1;
   for (; beams < kWallBeams; ++beams) {

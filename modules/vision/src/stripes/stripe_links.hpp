@@ -8,8 +8,8 @@
 namespace aisle {
 
 struct LinkLimits {
-  int gap_max_px = 0;    ///< columns that a stripe may miss
-  double slope_max = 0;  ///< rows a column
+  int gap_max_px = 0;    ///< columns that a stripe may skip
+  double slope_max = 0;  ///< rows per column
 };
 
 /// Peaks of neighbouring columns in a row, from the left to the right.

@@ -15,7 +15,7 @@ struct Column {
   int height() const { return image.height_px; }
 };
 
-constexpr double kFloorPointShare = 0.15;  // of the peak: what is fainter may be the surroundings
+constexpr double kBaseShare = 0.15;  // of the peak: what is fainter may be the surroundings
 
 /// The steepest step between neighbouring rows of [first, last], downwards (+1) or upwards (-1).
 int steepest(const Column& column, int first, int last, int sign) {
@@ -24,18 +24,17 @@ int steepest(const Column& column, int first, int last, int sign) {
   return best;
 }
 
-/// Centre of what stands above the floor point, over the rows around the peak down to where it ends or rises
-/// again.
+/// Centroid of what is above the base, over the rows around the peak down to where it ends or rises again.
 double centre_row(const Column& column, int peak_row) {
-  const double floor_point = kFloorPointShare * column[peak_row];
+  const double base = kBaseShare * column[peak_row];
   double weights = 0, moment = 0;
   const auto add = [&](int v) {
-    const double weight = column[v] - floor_point;
+    const double weight = column[v] - base;
     weights += weight;
     moment += weight * (v - peak_row);
   };
   const auto goes_on = [&](int v, int from) {
-    return v >= 0 && v < column.height() && column[v] > floor_point &&
+    return v >= 0 && v < column.height() && column[v] > base &&
            (column[v] <= column[from] || 2 * column[v] > column[peak_row]);
   };
   add(peak_row);

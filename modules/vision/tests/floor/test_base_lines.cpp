@@ -141,7 +141,7 @@ TEST(BaseLines, FlatNoisyAndTinyImagesHaveNone) {
   expect_none(noise);
 }
 
-TEST(BaseLines, AImageMustHaveOneChannel) {
+TEST(BaseLines, AnImageMustHaveOneChannel) {
   EXPECT_THROW(BaseLineDetector().detect(Image(64, 64, 3), {}), std::invalid_argument);
 }
 

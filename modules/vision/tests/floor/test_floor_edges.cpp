@@ -25,14 +25,14 @@ CameraMount low_mount() {
   return mount;
 }
 
-/// How far, in the image, the floor's edge is from the wall's floor point at a share of its length.
+/// How far, in the image, the edge found is from the wall's true floor edge at a share of its length.
 double miss_px(const FloorEdge& edge, const DrawnWall& wall, double share) {
   const CameraModel camera(drawn_lens());
   const CameraMount mount = drawn_mount();
   const Vec2 p =
       edge.on_floor.segment.start + share * (edge.on_floor.segment.end - edge.on_floor.segment.start);
-  const Vec2 along = (wall.floor_point.end - wall.floor_point.start).normalized();
-  const Vec2 true_p = wall.floor_point.start + along.dot(p - wall.floor_point.start) * along;
+  const Vec2 along = (wall.floor_edge.end - wall.floor_edge.start).normalized();
+  const Vec2 true_p = wall.floor_edge.start + along.dot(p - wall.floor_edge.start) * along;
   const auto found_px = camera.project(mount.to_camera({p.x(), p.y(), 0}));
   const auto true_px = camera.project(mount.to_camera({true_p.x(), true_p.y(), 0}));
   return found_px && true_px ? (*found_px - *true_px).norm() : 1e9;
@@ -46,16 +46,15 @@ double miss_px(const FloorEdge& edge, const DrawnWall& wall) {
   return worst_px;
 }
 
-TEST(FloorEdges, AreFoundToAPixelWhicheverPathAWallRuns) {
+TEST(FloorEdges, AreFoundToAPixelWhateverTheWallsDirection) {
   for (int heading_deg = -75; heading_deg <= 75; heading_deg += 15) {
     const DrawnWall wall = wall_ahead(1.6, heading_deg * kDegree);
     const auto edges = edges_of({.tile_m = 0.3, .walls = {wall}});
     ASSERT_THAT(edges, SizeIs(1)) << heading_deg;
     EXPECT_LT(miss_px(edges[0], wall), 1) << heading_deg;
     const SensedSegment& seen = edges[0].on_floor;
-    EXPECT_LT(std::abs(wrap_angle(seen.heading_rad - wall.floor_point.heading())),
-              3 * seen.sigma_heading_rad);
-    EXPECT_LT(wall.floor_point.distance(seen.centroid), 3 * seen.sigma_offset_m) << heading_deg;
+    EXPECT_LT(std::abs(wrap_angle(seen.heading_rad - wall.floor_edge.heading())), 3 * seen.sigma_heading_rad);
+    EXPECT_LT(wall.floor_edge.distance(seen.centroid), 3 * seen.sigma_offset_m) << heading_deg;
     EXPECT_LT(edges[0].contrast, 0);
   }
 }
@@ -70,7 +69,7 @@ TEST(FloorEdges, OfAWallWithoutASkirtingBoardOrWithABrightOneAreFoundToo) {
   }
 }
 
-TEST(FloorEdges, RunAlongTheFloorPointOfASkirtingBoardThoughItsUpperEdgeIsClearer) {
+TEST(FloorEdges, RunAlongTheLowerEdgeOfASkirtingBoardThoughItsUpperEdgeIsClearer) {
   DrawnWall wall = wall_ahead(2, 70 * kDegree);
   wall.skirting_brightness = 60;
   const DrawnRoom dark_carpet{.floor_brightness = 74, .walls = {wall}};
@@ -80,33 +79,33 @@ TEST(FloorEdges, RunAlongTheFloorPointOfASkirtingBoardThoughItsUpperEdgeIsCleare
   const auto upper_edges = deceived.detect(drawn(dark_carpet));
   ASSERT_THAT(upper_edges, SizeIs(1));
   EXPECT_GT(miss_px(upper_edges[0], wall), 5);
-  const auto floor_points = edges_of(dark_carpet);
-  ASSERT_THAT(floor_points, SizeIs(1));
-  EXPECT_LT(miss_px(floor_points[0], wall), 1);
-  EXPECT_LT(miss_px(floor_points[0], wall, 0.5), 0.25);
-  EXPECT_LT(floor_points[0].contrast, 0);
+  const auto board_edges = edges_of(dark_carpet);
+  ASSERT_THAT(board_edges, SizeIs(1));
+  EXPECT_LT(miss_px(board_edges[0], wall), 1);
+  EXPECT_LT(miss_px(board_edges[0], wall, 0.5), 0.25);
+  EXPECT_LT(board_edges[0].contrast, 0);
 }
 
-TEST(FloorEdges, RunAlongTheFloorPointOfAHighBoardThoughLaserLightIsDrawnAboveIt) {
+TEST(FloorEdges, RunAlongTheLowerEdgeOfAHighBoardThoughLaserLightIsDrawnAboveIt) {
   for (const double heading_deg : {-80, -45, 0, 45, 80}) {
     DrawnWall wall = wall_ahead(2, heading_deg * kDegree);
     wall.skirting_brightness = 60;
     wall.skirting_height_m = 0.15;
     wall.laser_height_m = 0.3;
-    const auto floor_points = edges_of({.floor_brightness = 74, .walls = {wall}});
-    ASSERT_THAT(floor_points, Not(IsEmpty())) << heading_deg;
-    for (const FloorEdge& floor_point : floor_points)
-      EXPECT_LT(wall.floor_point.distance(floor_point.on_floor.centroid), 0.05) << heading_deg;
+    const auto board_edges = edges_of({.floor_brightness = 74, .walls = {wall}});
+    ASSERT_THAT(board_edges, Not(IsEmpty())) << heading_deg;
+    for (const FloorEdge& edge : board_edges)
+      EXPECT_LT(wall.floor_edge.distance(edge.on_floor.centroid), 0.05) << heading_deg;
   }
 }
 
-TEST(FloorEdges, RunAlongTheFloorPointOfABoardThatIsHalfAsHighAsTheCamera) {
+TEST(FloorEdges, RunAlongTheLowerEdgeOfABoardThatIsHalfAsHighAsTheCamera) {
   DrawnWall wall = wall_ahead(1, -kPi / 2);
   wall.skirting_brightness = 60;
   const auto edges = edges_of({.floor_brightness = 74, .walls = {wall}}, low_mount());
   ASSERT_THAT(edges, Not(IsEmpty()));
   for (const FloorEdge& edge : edges)
-    EXPECT_LT(wall.floor_point.distance(edge.on_floor.centroid), 0.03) << edge.on_floor.length_m;
+    EXPECT_LT(wall.floor_edge.distance(edge.on_floor.centroid), 0.03) << edge.on_floor.length_m;
 }
 
 TEST(FloorEdges, OfACorridorAreItsTwoSidesAndItsEnd) {
@@ -120,9 +119,9 @@ TEST(FloorEdges, OfACorridorAreItsTwoSidesAndItsEnd) {
 
 TEST(FloorEdges, EndWhereAWallStepsBackByLittle) {
   for (const double recess_m : {0.1, 0.15}) {
-    const DrawnWall wall{.floor_point = {{3, -3}, {3, 0}}, .brightness = 100, .skirting_brightness = 100};
+    const DrawnWall wall{.floor_edge = {{3, -3}, {3, 0}}, .brightness = 100, .skirting_brightness = 100};
     const DrawnWall door{
-        .floor_point = {{3 + recess_m, 0}, {3 + recess_m, 3}}, .brightness = 60, .skirting_brightness = 60};
+        .floor_edge = {{3 + recess_m, 0}, {3 + recess_m, 3}}, .brightness = 60, .skirting_brightness = 60};
     const auto edges = edges_of({.walls = {wall, door}}, low_mount());
     ASSERT_THAT(edges, SizeIs(2)) << recess_m;
     for (const FloorEdge& edge : edges)
@@ -139,7 +138,7 @@ TEST(FloorEdges, FollowTheMountOfTheCamera) {
   const DrawnWall wall = wall_ahead(1.5, -0.5);
   const auto edges = edges_of({.walls = {wall}}, mount);
   ASSERT_THAT(edges, SizeIs(1));
-  EXPECT_LT(wall.floor_point.distance(edges[0].on_floor.centroid), 0.01);
+  EXPECT_LT(wall.floor_edge.distance(edges[0].on_floor.centroid), 0.01);
 }
 
 TEST(FloorEdges, ATiledOrBlankFloorHasNone) {
@@ -158,13 +157,13 @@ TEST(FloorEdges, PaperIsNoneEvenIfTheFloorBeyondIsNotQuiteAsBefore) {
               IsEmpty());
 }
 
-TEST(FloorEdges, AreTheFloorPointOfAWallNotTheShadowBeforeIt) {
+TEST(FloorEdges, AreWhereAWallMeetsTheFloorNotTheShadowBeforeIt) {
   for (const double brightness : {60.0, 100.0}) {
     DrawnWall wall = wall_ahead(1.2, -kPi / 2);
     wall.skirting_brightness = wall.brightness = brightness;
     const auto edges = edges_of({.shadow_m = 0.06, .walls = {wall}}, low_mount());
     ASSERT_THAT(edges, SizeIs(1)) << brightness;
-    EXPECT_LT(wall.floor_point.distance(edges[0].on_floor.centroid), 0.015) << brightness;
+    EXPECT_LT(wall.floor_edge.distance(edges[0].on_floor.centroid), 0.015) << brightness;
   }
 }
 
@@ -175,7 +174,7 @@ TEST(FloorEdges, OfAWallBesideDoNotLeanOutThoughTheShadowBeforeItIsWiderInTheIma
     const auto edges = edges_of({.shadow_m = shadow_m, .walls = {wall}}, low_mount());
     ASSERT_THAT(edges, Not(IsEmpty())) << shadow_m;
     for (const FloorEdge& edge : edges) {
-      EXPECT_LT(wall.floor_point.distance(edge.on_floor.centroid), 0.004) << shadow_m;
+      EXPECT_LT(wall.floor_edge.distance(edge.on_floor.centroid), 0.004) << shadow_m;
       EXPECT_NEAR(edge.on_floor.heading_rad, 0, 0.1 * kDegree) << shadow_m;
     }
   }
@@ -189,7 +188,7 @@ TEST(FloorEdges, AreLookedForBeyondWideJointsThatLeadBetweenThemAndTheCamera) {
   const auto length_m = [](const std::vector<FloorEdge>& edges, const DrawnWall& wall) {
     double sum_m = 0;
     for (const FloorEdge& edge : edges)
-      if (wall.floor_point.distance(edge.on_floor.centroid) < 0.03) sum_m += edge.on_floor.length_m;
+      if (wall.floor_edge.distance(edge.on_floor.centroid) < 0.03) sum_m += edge.on_floor.length_m;
     return sum_m;
   };
   for (const double joint_m : {0.01, 0.015}) {
@@ -205,7 +204,7 @@ TEST(FloorEdges, PaperThatIsDrivenOverIsNoneEither) {
   EXPECT_THAT(edges_of({.papers = {{{2.0, -0.15}, {2.0, 0.15}}}}), IsEmpty());
 }
 
-TEST(FloorEdges, WithoutAImageOrWithoutAFloorInViewThereAreNone) {
+TEST(FloorEdges, WithoutAnImageOrWithoutAFloorInViewThereAreNone) {
   FloorEdgeDetector detector({}, drawn_lens(), drawn_mount());
   EXPECT_THAT(detector.detect({}), IsEmpty());
   EXPECT_THAT(detector.detect(Image(3, 2)), IsEmpty());

@@ -24,7 +24,7 @@ DrawnRoom room_with(const DrawnPanel& panel) {
 }
 
 Vec2 on_wall(const DrawnRoom& room, double along_m) {
-  return room.walls[0].floor_point.start + along_m * unit(room.walls[0].floor_point.heading());
+  return room.walls[0].floor_edge.start + along_m * unit(room.walls[0].floor_edge.heading());
 }
 
 void expect_sides_of_panel(const std::vector<LandmarkSighting>& sightings, const DrawnRoom& room) {
@@ -67,11 +67,11 @@ TEST(LandmarkSightings, ADoorAtTheSideStandsWhereItIsThoughTheLensBowsIt) {
     DrawnRoom room{.walls = {wall_ahead(lateral_m, to_left * kPi / 2)}};
     const DrawnWall& wall = room.walls[0];
     const double from_camera_m = 2.2, width_m = 0.9;
-    const Vec2 along = unit(wall.floor_point.heading());
+    const Vec2 along = unit(wall.floor_edge.heading());
     const Vec2 p_near = drawn_mount().p_vehicle_camera.head<2>() + Vec2(from_camera_m, to_left * lateral_m);
     const Vec2 p_far = p_near + Vec2(width_m, 0);
-    const double near_m = along.dot(p_near - wall.floor_point.start),
-                 far_m = along.dot(p_far - wall.floor_point.start);
+    const double near_m = along.dot(p_near - wall.floor_edge.start),
+                 far_m = along.dot(p_far - wall.floor_edge.start);
     room.panels = {{.from_m = std::min(near_m, far_m), .to_m = std::max(near_m, far_m), .top_m = 2.1}};
     const auto sightings = sightings_of(room);
     ASSERT_THAT(sightings, SizeIs(2));

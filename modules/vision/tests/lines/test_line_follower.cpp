@@ -95,7 +95,7 @@ std::vector<LineLook> looks(const Stripes& scene) {
   return line_looks(scene.image(), scene.lines());
 }
 
-TEST(LinesLikeness, IsOneForTheSameLinesAndTheSameBothPaths) {
+TEST(LinesLikeness, IsOneForTheSameLinesAndSymmetric) {
   const auto lines = looks(kCorridor), others = looks({{60, 200, 330}, {90, 180, 60, 200}});
   EXPECT_DOUBLE_EQ(lines_likeness(lines, lines, {}), 1);
   EXPECT_DOUBLE_EQ(lines_likeness(lines, others, {}), lines_likeness(others, lines, {}));

@@ -129,7 +129,7 @@ TEST(VerticalLines, FlatNoisyAndTinyImagesHaveNone) {
   }
 }
 
-TEST(VerticalLines, AImageMustHaveOneChannel) {
+TEST(VerticalLines, AnImageMustHaveOneChannel) {
   EXPECT_THROW(lines_of(Image(64, 64, 3)), std::invalid_argument);
 }
 

@@ -19,7 +19,7 @@ Image any_image(std::uint64_t seed) {
   return image;
 }
 
-/// What is seen of it with another heading: so many columns farther left, the last ones repeated.
+/// The view with another heading: shifted to the left by some columns, the last ones repeated.
 Image shifted(const Image& image, int columns) {
   Image seen = image;
   for (int v = 0; v < seen.height_px; ++v) {

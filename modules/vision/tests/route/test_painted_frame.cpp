@@ -67,7 +67,7 @@ TEST(PaintedFrame, ASideWithACornerTellsWhereItIsAndASideAloneDoesNot) {
   EXPECT_LT(std::abs(off.theta), 0.5 * kDegree);
 }
 
-TEST(PaintedFrame, AImageShowsItsSizeAndPlace) {
+TEST(PaintedFrame, AnImageShowsItsSizeAndPlace) {
   const Pose2 T_vehicle_frame{2.75, 0.1, 8 * kDegree};
   const Image image = seen_floor([&](const Vec2& p_vehicle) {
     const Vec2 p = T_vehicle_frame.inverse() * p_vehicle;

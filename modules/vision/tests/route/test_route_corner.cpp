@@ -14,8 +14,8 @@ namespace {
 
 const Vec2 kEye(0.9, 0);
 
-/// Where a fan of rays from the camera first meets what stands there, from the left to the right.
-std::vector<Vec2> edges_of(const std::vector<Segment2>& floor_points) {
+/// Where rays from the camera first meet what stands there, from left to right.
+std::vector<Vec2> edges_of(const std::vector<Segment2>& floor_edges) {
   constexpr double kHalfView_rad = 36 * kDegree;
   constexpr int kRays = 80;
   std::vector<Vec2> edges;
@@ -23,8 +23,8 @@ std::vector<Vec2> edges_of(const std::vector<Segment2>& floor_points) {
     const double angle_rad = kHalfView_rad * (1 - 2.0 * i / (kRays - 1));
     const Vec2 ray = unit(angle_rad);
     double nearest_m = 6;
-    for (const Segment2& floor_point : floor_points) {
-      const Vec2 along = floor_point.end - floor_point.start, off = floor_point.start - kEye;
+    for (const Segment2& floor_edge : floor_edges) {
+      const Vec2 along = floor_edge.end - floor_edge.start, off = floor_edge.start - kEye;
       const double cross = ray.x() * along.y() - ray.y() * along.x();
       if (std::abs(cross) < 1e-9) continue;
       const double away_m = (off.x() * along.y() - off.y() * along.x()) / cross;
@@ -45,11 +45,10 @@ std::vector<Segment2> branch_to_the_left(double corner_m) {
           {{0, -0.7}, {8, -0.7}}};
 }
 
-std::vector<Segment2> mirrored(std::vector<Segment2> floor_points) {
-  for (Segment2& floor_point : floor_points)
-    floor_point = {{floor_point.start.x(), -floor_point.start.y()},
-                   {floor_point.end.x(), -floor_point.end.y()}};
-  return floor_points;
+std::vector<Segment2> mirrored(std::vector<Segment2> floor_edges) {
+  for (Segment2& floor_edge : floor_edges)
+    floor_edge = {{floor_edge.start.x(), -floor_edge.start.y()}, {floor_edge.end.x(), -floor_edge.end.y()}};
+  return floor_edges;
 }
 
 TEST(RouteCorner, LiesWhereWhatStandsBesideTheRouteEnds) {

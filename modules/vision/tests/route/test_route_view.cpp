@@ -21,7 +21,7 @@ RouteView eye_by_markers() {
   return {{}, kFloorLens, floor_mount(), kFloorWidth_px, kFloorHeight_px, kVehicleWidth_m, kMarkerHeight_m};
 }
 
-/// A bright path between dark sides, and a dark thing on it.
+/// A bright floor between dark sides, with a dark obstacle on it.
 Image path(double right_m, double left_m, const Segment2& thing = {{20, 20}, {20, 20}}) {
   return seen_floor([&](const Vec2& p) {
     const bool is_route = p.y() > right_m && p.y() < left_m && p.x() < 6;
@@ -39,7 +39,7 @@ TEST(RouteView, TheMiddleLiesBetweenTheSides) {
   EXPECT_GT(middle->x(), 1.5);
 }
 
-TEST(RouteView, BlottingOutASideMovesTheMiddleToTheOther) {
+TEST(RouteView, MaskingASideMovesTheMiddleToTheOther) {
   RouteView view = eye();
   const RouteSight sight = view.look(path(-0.8, 0.8));
   EXPECT_GT(view.middle(sight, 0, 0.5)->y(), 0.2);
@@ -95,13 +95,13 @@ TEST(RouteView, WhereTheViewEndsIsNoEdge) {
   for (const Vec2& p : sight.p_vehicle_edges) EXPECT_GT(p.x(), lowest_m + 0.001);
 }
 
-/// A thing that stands across the path, nearly as bright as the floor.
+/// An obstacle across the route, nearly as bright as the floor.
 Image faint_front(double ahead_m, double right_m, double left_m) {
   return seen_floor(
       [&](const Vec2& p) { return p.x() > ahead_m && p.y() > right_m && p.y() < left_m ? 150.0 : 165.0; });
 }
 
-/// Laser light on a side of a thing whose floor point is a line on the floor.
+/// Laser light on a side of an obstacle whose floor edge is a line on the floor.
 Image lit_side(const Vec2& p_vehicle_begin, const Vec2& p_vehicle_end, const Image& before) {
   constexpr int kSteps = 2000;
   constexpr int kHalfRows = 1;
@@ -117,12 +117,12 @@ Image lit_side(const Vec2& p_vehicle_begin, const Vec2& p_vehicle_end, const Ima
   return image;
 }
 
-/// The same of one that stands across the path.
+/// The same of an obstacle that stands across the route.
 Image lit_front(double ahead_m, double right_m, double left_m, const Image& before) {
   return lit_side({ahead_m, left_m}, {ahead_m, right_m}, before);
 }
 
-TEST(RouteView, WhereTheMarkersLightAThingIsNoRouteHoweverMuchItLooksLikeIt) {
+TEST(RouteView, WhereTheLasersLightAnObstacleIsNoRouteHoweverMuchItLooksLikeIt) {
   constexpr double kAhead_m = 2.2, kHalfWidth_m = 0.4;
   const Image unlit = faint_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m);
   const Image lit = lit_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m, unlit);
@@ -142,7 +142,7 @@ TEST(RouteView, WhereTheMarkersLightAThingIsNoRouteHoweverMuchItLooksLikeIt) {
   EXPECT_TRUE(by_brightness.sees_route(by_brightness.look(lit), {kAhead_m + 0.1, 0}));
 }
 
-TEST(RouteView, ALitThingIsNoRouteWhereItsFloorPointAndItsLightLeaveTheView) {
+TEST(RouteView, ALitObstacleIsNoRouteWhereItsFloorEdgeAndItsLightLeaveTheView) {
   constexpr double kLateral_m = -0.25;
   const Image faint = seen_floor([&](const Vec2& p) { return p.y() < kLateral_m ? 150.0 : 165.0; });
   const Image lit = lit_side({2, kLateral_m}, {0.9, kLateral_m}, faint);
@@ -176,7 +176,7 @@ TEST(RouteView, BesideACornerThatIsLitJustAboveTheViewsLowerEdgeTheFloorIsRoute)
   }
 }
 
-TEST(RouteView, ALineOnTheFloorThatLooksLikeTheMarkersLightIsNoThing) {
+TEST(RouteView, ALineOnTheFloorThatLooksLikeLaserLightIsNoObstacle) {
   constexpr double kAhead_m = 2.2, kHalfWidth_m = 0.4;
   const Image line = lit_front(kAhead_m, -kHalfWidth_m, kHalfWidth_m, path(-20, 20));
   RouteView view = eye_by_markers();

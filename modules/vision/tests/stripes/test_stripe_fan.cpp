@@ -18,7 +18,7 @@ StripeFan fan() {
 }
 
 /// Laser light on a wall from one point to another, seen from above: a line three rows thick.
-/// @param contrast_m2  over the square of the distance it outshines the floor
+/// @param contrast_m2  brightness over the floor's, times the squared distance
 void shine_on(Image& image, const Vec2& from, const Vec2& to, double contrast_m2 = 400) {
   const CameraModel camera(kFanLens);
   constexpr int kSteps = 4000;
@@ -52,7 +52,7 @@ TEST(StripeFan, TellsHowFarAwayAWallStands) {
     EXPECT_NEAR(beam_at(eye, angle_deg).range_m, 2 / std::cos(angle_deg * kDegree), 0.01) << angle_deg;
 }
 
-TEST(StripeFan, SeesWallsBesideThePath) {
+TEST(StripeFan, SeesWallsBesideTheRoute) {
   StripeFan eye = fan();
   Image image = floor_with_noise();
   for (const double side_m : {-0.5, 1.0}) shine_on(image, {0.9, side_m}, {4, side_m}, 200);
@@ -152,7 +152,7 @@ TEST(StripeFan, TakesTheFaintStripeBeforeABrightOneForItsMirrorImage) {
   EXPECT_NEAR(beam_at(eye, 0).range_m, 2.5, 0.02);
 }
 
-TEST(StripeFan, GivesThePlacesThatAreLit) {
+TEST(StripeFan, GivesTheLaserReturns) {
   StripeFan eye = fan();
   Image image = floor_with_noise();
   shine_on(image, {2.5, -0.3}, {2.5, 0.1});
@@ -165,7 +165,7 @@ TEST(StripeFan, GivesThePlacesThatAreLit) {
   EXPECT_NEAR(p_vehicle_lit.back().y(), 0.1, 0.015);
 }
 
-TEST(StripeFan, SaysWhereThePathIsFreeAndWhereItCannotKnow) {
+TEST(StripeFan, SaysWhereTheFloorIsFreeAndWhereItCannotKnow) {
   StripeFan eye = fan();
   Image image = floor_with_noise();
   shine_on(image, {2.5, -0.3}, {2.5, 0.3});
@@ -223,7 +223,7 @@ TEST(StripeFan, LooksOnlyWhereTheImageShowsTheLightPlane) {
   EXPECT_GT(beam_at(eye, 0).far_m, 6);
 }
 
-TEST(StripeFan, NoticesThatTheMarkersAreOffByTheWallsFarAway) {
+TEST(StripeFan, NoticesThatTheLasersAreOffByTheWallsFarAway) {
   StripeFan eye = fan();
   Image image = floor_with_noise();
   eye.find(image);

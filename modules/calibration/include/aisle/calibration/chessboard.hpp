@@ -15,7 +15,7 @@ struct Chessboard {
   int rows = 6;     ///< inner corners in a column; >= 3
   double square_m = 0.025;
 
-  /// Whether its colours tell it from the same board turned half round, or by a quarter.
+  /// Whether its colours distinguish it from the same board turned by 180 or 90 degrees.
   bool has_one_orientation() const { return (columns + rows) % 2 == 1; }
 
   /// All inner corners, row by row.
@@ -23,8 +23,8 @@ struct Chessboard {
 };
 
 /// Where a chessboard lies on the floor, in base_link: the middle of its corners, and the heading of its
-/// upper edge's direction, from the last row to the first. Heading 0: who stands behind it and looks ahead
-/// sees it as it is printed, the black outer square at the upper left.
+/// upper edge's direction, from the last row to the first. Heading 0: seen from behind the board, looking
+/// ahead, it is as printed, with the black outer square at the upper left.
 struct BoardOnFloor {
   Vec2 p_vehicle_centre = Vec2::Zero();
   double heading_rad = 0;
@@ -34,7 +34,8 @@ struct BoardOnFloor {
 };
 
 /// The inner corners in an image, to a fraction of a pixel, in the order of Chessboard::p_board_corners: the
-/// square before the first one is black. A board without one orientation may be found turned half round.
+/// square before the first one is black. A board without a unique orientation may be found turned by
+/// 180 degrees.
 /// @return nullopt unless the whole board is in view
 std::optional<std::vector<Vec2>> find_chessboard(const Image& image, const Chessboard& board);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The height of the vehicle's laser plane, from its stripe on flat upright things whose place is known.
+/// The height of the vehicle's laser plane, from its stripe on flat upright targets at known places.
 
 #include <optional>
 #include <span>

@@ -27,8 +27,8 @@ struct MountCalibration {
   CameraMount deviations;          ///< standard deviation of each value; the lens is taken as exact
   double rms_px = 0;               ///< of the marks that fit
   std::vector<Vec2> residuals_px;  ///< seen minus expected, by mark; NaN for one that the mount cannot show
-  std::vector<bool> fits;          ///< false: so far off that it is left out
-  /// Another mount explains the marks nearly as well, as when they are seen from far and straight on.
+  std::vector<bool> fits;          ///< false: an outlier that is left out
+  /// Another mount explains the marks nearly as well, as when they are seen from afar and head-on.
   bool is_ambiguous = false;
   CalibrationVerdict verdict;
 };

@@ -15,16 +15,17 @@ struct PathPiece {
   Pose2 T_map_start;
   Arc arc;  ///< as base_link drives it
 
+  /// Distance driven along the piece, >= 0.
   double path_m() const { return arc.length_m < 0 ? -arc.length_m : arc.length_m; }
   bool is_on_the_spot() const { return arc.length_m == 0; }
   /// Left positive; 0 for a turn on the spot.
   double curvature_per_m() const { return is_on_the_spot() ? 0 : arc.turn_rad / arc.length_m; }
 
-  /// base_link after so much distance along the piece, 0 .. path_m(). On the spot: as at its start.
+  /// base_link after this distance along the piece, 0 .. path_m(). On the spot: as at its start.
   Pose2 at(double from_start_m) const;
   Pose2 end() const { return T_map_start * end_pose(arc); }
 
-  /// The path from the piece's start to its point nearest to `p_map`, among those from `from_m` to `to_m`
+  /// Distance from the piece's start to its point nearest to `p_map`, among those from `from_m` to `to_m`
   /// (0 .. path_m()); the first of equally near ones.
   double nearest(const Vec2& p_map, double from_m, double to_m) const;
 };
@@ -32,10 +33,10 @@ struct PathPiece {
 /// A point on a path.
 struct PathPoint {
   std::size_t piece = 0;
-  double along_m = 0;          ///< path from the path's start, always growing, also backwards
+  double along_m = 0;          ///< distance from the path's start; grows when driving backwards, too
   Pose2 T_map_path;            ///< base_link there
   double curvature_per_m = 0;  ///< left positive
-  double lateral_m = 0;        ///< how far the asked point is to the left of it
+  double lateral_m = 0;        ///< of the query point, left positive; 0 without one
 };
 
 class Path {
@@ -48,7 +49,7 @@ class Path {
   const std::vector<PathPiece>& pieces() const { return pieces_; }
   double length_m() const { return length_m_; }
   bool empty() const { return pieces_.empty(); }
-  /// Path from the path's start to the start of a piece.
+  /// Distance from the path's start to the start of a piece.
   double start_m(std::size_t piece) const { return starts_m_[piece]; }
 
   /// @param along_m  0 .. length_m(), else the nearer end. Where two pieces meet, the later one's start.
@@ -69,7 +70,7 @@ class Path {
   /// @return index of the piece after it
   std::size_t leg_end(std::size_t piece) const;
 
-  /// The path from the path's start to the end of that leg.
+  /// Distance from the path's start to the end of that leg.
   double leg_end_m(std::size_t piece) const;
 
   /// Its first `along_m`, at least 1 mm of it. The path must not be empty.
@@ -77,8 +78,8 @@ class Path {
   /// With another behind it, which must begin where this one ends.
   Path followed_by(const Path& next) const;
 
-  /// The same way back: pieces in opposite order, the vehicle turned about; what was driven forwards is
-  /// driven forwards again.
+  /// The same path back to its start: pieces in opposite order, the vehicle turned about. What was driven
+  /// forwards is driven forwards again.
   Path reversed() const;
 
  private:

@@ -14,10 +14,10 @@ struct PathFitParams {
   void describe(FieldList& fields);
 };
 
-/// Smooths a path as it was driven to few lines and arcs that join without a kink: hand-driven wander within
+/// Smooths a driven path into a few lines and arcs that join without a kink: hand-driven wander within
 /// `stray_max_m` goes, corners stay. A segment driven backwards becomes pieces of negative length, a turn on
-/// the spot an arc of length 0. Of a path that no such path keeps near to (its poses jump), the path goes
-/// from position to position with turns on the spot between.
+/// the spot an arc of length 0. If no such path stays close enough (the driven poses jump), the result goes
+/// straight from position to position with turns on the spot between.
 /// @param driven  base_link in `map`, in order, at least two different positions, else std::invalid_argument
 Path fit_path(std::span<const Pose2> driven, const PathFitParams& params);
 

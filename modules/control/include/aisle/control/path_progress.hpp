@@ -4,9 +4,8 @@
 
 namespace aisle {
 
-/// How far a vehicle has come along a path. It never skips: where the path crosses itself the vehicle stays
-/// on its leg of it, and the next leg begins when this one has been driven to its end, or turned to its
-/// heading.
+/// How far a vehicle has come along a path. It never skips: where the path crosses itself, the vehicle stays
+/// on its leg. The next leg begins when this one has been driven to its end, or turned to its heading.
 class PathProgress {
  public:
   /// @param path  not empty; must outlive the progress
@@ -16,9 +15,9 @@ class PathProgress {
   /// Moves on to where the path is nearest to the vehicle, at most 1 m ahead or 0.5 m back.
   const PathPoint& advance(const Pose2& T_map_vehicle);
 
-  /// Goes on from elsewhere, for a vehicle that was lost: from the nearest place of a pass of the path within
-  /// `off_max_m` that points as the vehicle does. Where it passes by more than once, it is the pass to which
-  /// there is the least path from where the vehicle was.
+  /// Continues elsewhere on the path, for a vehicle that was lost: at the nearest point within `off_max_m`
+  /// [m] where the path points as the vehicle does. If the path passes by more than once, the pass that is
+  /// nearest along the path to the last progress is taken.
   /// @return whether there is one; else nothing changes
   bool find(const Pose2& T_map_vehicle, double off_max_m);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Which way to hold the wheels: C98 eq. (15), C99 eq. (8).
+/// The steering angle that keeps a vehicle to a path: C98 eq. (15), C99 eq. (8).
 ///
 /// The papers measure the front and the rear wheels' distance from one path. On a bend that is no path for
 /// both: with base_link on an arc of radius R the front reference point runs on one of radius
@@ -16,10 +16,10 @@ namespace aisle {
 
 /// Tuned on a cart of 0.75 m wheelbase at 0.3 to 1 m/s (docs/driving.md).
 struct SteeringParams {
-  double look_ahead_m = 0.2;              ///< S, the path over which a steering angle is judged
-  double look_ahead_s = 0.4;              ///< as much more at speed
-  double bend_ahead_m = 0;                ///< front-steered, reversing: the wheels turn so far before a bend
-  double bend_ahead_s = 0.67;             ///< as much more at speed
+  double look_ahead_m = 0.2;              ///< S, the distance over which a steering angle is judged
+  double look_ahead_s = 0.4;              ///< added to it for each m/s of speed
+  double bend_ahead_m = 0;                ///< front-steered, reversing: how far before a bend the wheels turn
+  double bend_ahead_s = 0.67;             ///< added to it for each m/s of speed
   double angle_step_rad = 0.1 * kDegree;  ///< of the answer
 
   void describe(FieldList& fields);
@@ -28,12 +28,11 @@ struct SteeringParams {
 /// L_P(delta) = D_front(delta) + D_back(delta): the distances of the front and the rear wheels' middles from
 /// their paths after the look-ahead with the wheels held at delta, forwards or backwards as the path is
 /// driven. Before and after its leg the path is continued straight on.
-/// @param from  where base_link is on the path: the leg that counts, and of it what is within reach of the
-///              look-ahead
+/// @param from  where base_link is on the path; only its leg within reach of the look-ahead counts
 double steering_cost(const FrontSteered& vehicle, const Path& path, const PathPoint& from,
                      const Pose2& T_map_vehicle, double look_ahead_m, double steering_rad);
 
-/// Keeps to a path.
+/// Commands a vehicle along a path.
 class PathFollower {
  public:
   PathFollower(const VehicleDescription& vehicle, const SteeringParams& params);
@@ -46,12 +45,12 @@ class PathFollower {
   /// @param from  where the vehicle is on the path (PathProgress)
   /// @param speed_mps   of the front reference point (front-steered) or base_link (differential); >= 0, along
   ///                    the path: backwards where it is driven backwards
-  /// @param steering_rad  how the wheels stand now; unused for a differential vehicle
+  /// @param steering_rad  the present steering angle; unused for a differential vehicle
   Command follow(const Path& path, const PathPoint& from, const Pose2& T_map_vehicle, double speed_mps,
                  double steering_rad) const;
 
   /// Turns a differential vehicle on the spot.
-  /// @param due_rad  the heading that it is to have
+  /// @param due_rad  the heading to turn to
   Command turn_to(double due_rad, double heading_rad) const;
 
  private:

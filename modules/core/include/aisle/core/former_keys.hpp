@@ -7,8 +7,8 @@
 
 namespace aisle {
 
-/// The present name of a key: each part between dots that was renamed is replaced, "gates.doubt_m" becomes
-/// "frontiers.uncertain_m". A key without such a part is returned as it is.
+/// The present name of a key: each renamed part between dots is replaced, so "gates.doubt_m" becomes
+/// "frontiers.uncertain_m". A key without such a part is returned unchanged.
 std::string present_key(std::string_view former_key);
 
 }  // namespace aisle

@@ -28,9 +28,9 @@ struct Image {
   friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// The image in grey (ITU-R BT.601 weights, rounded); a grey image as it is.
+/// The image in grey (ITU-R BT.601 weights, rounded); a grey image is returned unchanged.
 Image to_grey(const Image& image);
-/// The same without a copy of what is grey already. @return `image` or `converted`
+/// The same, but a grey image is not copied. @return `image` or `converted`
 const Image& as_grey(const Image& image, Image& converted);
 
 /// The image in another size, at least 1 x 1, each pixel the mean of those it covers.

@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// The value in the middle, the upper one of an even number; puts the values into another order. O(n).
+/// The median, of an even number of values the upper one of the middle two. Reorders the values. O(n).
 /// @param values  at least one
 template <typename Value>
 Value median_reordering(std::span<Value> values) {
@@ -15,7 +15,7 @@ Value median_reordering(std::span<Value> values) {
   return *middle;
 }
 
-/// The same of values that stay as they are.
+/// The same, without reordering the caller's values.
 template <typename Value>
 Value median(std::vector<Value> values) {
   return median_reordering(std::span(values));

@@ -26,7 +26,7 @@ struct Range {
 
 /// One parameter: its key, its meaning and the variable that it sets.
 struct Field {
-  std::string key;  ///< dotted, with the unit as its ending: "segments.range_max_m"
+  std::string key;  ///< dotted, with the unit as suffix: "segments.range_max_m"
   std::string doc;
   Range range;            ///< allowed values, inclusive, in the key's unit
   double inner_unit = 1;  ///< the variable is the key's value times this (degrees -> radians)

@@ -5,7 +5,7 @@
 
 namespace aisle {
 
-/// Where in the user's input something stands. Empty parts are not printed.
+/// A place in the user's input. Empty parts are not printed.
 struct Place {
   std::string file = {};
   long line = 0;  ///< 1-based; 0: the file as a whole

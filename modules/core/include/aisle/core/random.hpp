@@ -21,8 +21,8 @@ class Random {
 
  private:
   std::uint64_t state_[4];
-  double clearance_normal_ = 0;
-  bool has_relaxed_clearance_ = false;
+  double spare_normal_ = 0;  ///< the Box-Muller transform gives two at once
+  bool has_spare_normal_ = false;
 };
 
 }  // namespace aisle

@@ -1,6 +1,6 @@
 #pragma once
-/// Where a pixel's ray meets a level plane: the point of a wall's foot on the floor (C98), of a laser stripe
-/// at the height h0 (C99 section 3.1). One pixel is enough because the plane is known.
+/// Where a pixel's ray meets a level plane: a point of a wall-floor edge on the floor (C98), of a laser
+/// stripe at the height h0 (C99 section 3.1). One pixel is enough because the plane is known.
 
 #include <optional>
 
@@ -46,14 +46,12 @@ class BackProjection {
 
   /// The point of the plane that the pixel sees, in base_link [m].
   /// @return nullopt if the ray is level or leads away from the plane (for the floor: at or above the
-  /// horizon), or
-  ///         the camera model knows no ray for the pixel
+  ///         horizon), or if the camera model has no ray for the pixel
   std::optional<Vec2> point(const Vec2& pixel_px) const;
 
   /// The same with first-order covariance, which grows with the distance (C98 eq. (4), Figs. 4, 5).
   /// @return nullopt also if the horizon is within three standard deviations of the ray: then the point may
-  /// be
-  ///         anywhere, and a covariance would say too little
+  ///         be anywhere, and a covariance would not describe it
   std::optional<UncertainPoint2> uncertain_point(const Vec2& pixel_px,
                                                  const BackProjectionNoise& noise) const;
 

@@ -29,16 +29,14 @@ class CameraModel {
   explicit CameraModel(const CameraIntrinsics& intrinsics);
 
   /// The pixel that sees a point.
-  /// @return nullopt if the point is not in front of the camera, or so farther off laterally that the
-  /// distortion polynomial
-  ///         folds back (84 degrees off the axis without distortion): there it describes no lens any more
+  /// @return nullopt if the point is not in front of the camera, or so far off the axis that the distortion
+  ///         polynomial folds back (84 degrees without distortion): there it describes no lens any more
   std::optional<Vec2> project(const Vec3& p_camera) const;
 
   /// The one direction that `project` takes to this pixel, by damped Newton iteration to 1e-12 of the focal
   /// length; a few rounds for usual lenses.
   /// @return nullopt if the pixel is not finite, if no direction is projected to it, or if it is so close to
-  /// a fold
-  ///         that the iteration stalls; never a wrong ray
+  ///         a fold that the iteration stalls; never a wrong ray
   std::optional<PixelRay> ray(const Vec2& pixel_px) const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// How long it is to go from each point to the next; 0 for fewer than two.
+/// Length from each point to the next, summed; 0 for fewer than two points.
 inline double polyline_length_m(std::span<const Vec2> points) {
   double sum_m = 0;
   for (std::size_t i = 1; i < points.size(); ++i) sum_m += (points[i] - points[i - 1]).norm();

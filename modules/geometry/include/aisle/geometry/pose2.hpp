@@ -59,7 +59,7 @@ Vec2 operator*(const Pose2& T, const Vec2& p);
 /// T_a_b from both poses in a common frame: inverse(a) * b, without the detour.
 Pose2 between(const Pose2& a, const Pose2& b);
 
-/// Part path from a (0) to b (1): position on the straight line, heading the short way round.
+/// Between a (share 0) and b (share 1): position on the straight line, heading the short way round.
 Pose2 interpolate(const Pose2& a, const Pose2& b, double share);
 
 /// A pose with the covariance of (x, y, theta), in the frame of the pose's parent.

@@ -16,7 +16,7 @@ struct Segment2 {
   /// Direction from start to end [rad].
   double heading() const { return heading_of(end - start); }
   Segment2 reversed() const { return {end, start}; }
-  /// From the point to the nearest point of the segment.
+  /// Distance from the point to the nearest point of the segment [m].
   double distance(const Vec2& p) const {
     const Vec2 along = end - start;
     const double square = along.squaredNorm();

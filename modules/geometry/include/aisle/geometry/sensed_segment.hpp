@@ -5,8 +5,8 @@
 namespace aisle {
 
 /// A straight piece of wall as one sensor saw it, in the sensor's frame; the sensor lies on its LEFT.
-/// Two numbers with their deviations (offset of the centroid across the line, heading) stand for all its
-/// points.
+/// Its points are represented by two numbers with standard deviations: the centroid's offset across the line,
+/// and the heading.
 struct SensedSegment {
   Segment2 segment;
   Vec2 centroid = Vec2::Zero();
@@ -16,7 +16,8 @@ struct SensedSegment {
   double sigma_heading_rad = 0;
   WallEnd start = WallEnd::kUnknown;
   WallEnd end = WallEnd::kUnknown;
-  bool curved = false;  ///< a chord of a bent wall: true in place, but no witness for the building's axes
+  bool curved =
+      false;  ///< a chord of a bent wall: its place is true, but it tells nothing of the building's axes
 };
 
 }  // namespace aisle

@@ -17,29 +17,29 @@ namespace aisle {
 /// A body's edges on the floor, its outside on their left.
 std::vector<Segment2> outline(const MovingBody& body);
 
-/// Walks there and back along a path; waits while the vehicle is in the path, and turns back when it stays.
+/// Walks to and fro along a path; waits while the vehicle is in the way, and turns back if it stays.
 class Walker {
  public:
   explicit Walker(Person person);
 
-  /// Goes on for a short time.
-  /// @return nullopt until there has been room to appear
+  /// Walks on for `time_s`.
+  /// @return nullopt until there has been space to appear
   std::optional<MovingBody> step(double now_s, double time_s, const Footprint& footprint,
                                  const Pose2& T_world_vehicle);
 
  private:
-  Pose2 pose_after(double path_m) const;
+  Pose2 pose_after(double distance_m) const;
   void turn_back();
 
   Person person_;
   double path_m_ = 0;
-  double travelled_m_ = 0;  ///< walked so far, there and back
+  double travelled_m_ = 0;  ///< walked so far, to and fro
   double waited_s_ = 0;
   bool is_there_ = false;
 };
 
-/// Everything upright that is not part of the world: people, and what a scenario puts down. Nothing appears
-/// where the vehicle stands before that place is free.
+/// Everything upright that is not part of the world: people, and the boxes of a scenario. Nothing appears
+/// where the vehicle stands until that place is free.
 class MovingBodies {
  public:
   explicit MovingBodies(std::span<const Person> people);
@@ -48,7 +48,7 @@ class MovingBodies {
             const Pose2& T_world_vehicle);
 
   std::span<const MovingBody> all() const { return bodies_; }
-  /// The edges of those that are at least so high, moved outwards by a margin.
+  /// The edges of the bodies that are at least this high, moved outwards by a margin.
   std::vector<Segment2> outlines(double height_m = 0, double margin_m = 0) const;
 
  private:

@@ -14,10 +14,10 @@ namespace aisle {
 /// Distance from a point to a vehicle's footprint [m]; 0 inside.
 double distance_to(const Footprint& footprint, const Vec2& p_vehicle);
 
-/// Whether a segment, given in the vehicle's frame, touches its footprint.
-bool contacts(const Footprint& footprint, const Segment2& in_vehicle);
+/// Whether a segment, given in base_link, touches or crosses the footprint.
+bool intersects(const Footprint& footprint, const Segment2& in_vehicle);
 
-/// What a vehicle may run into.
+/// What a vehicle may hit.
 class Obstacles {
  public:
   Obstacles(const World& world, const Footprint& footprint);
@@ -28,8 +28,8 @@ class Obstacles {
 
   bool touch(const Pose2& T_world_vehicle);
 
-  /// How much of the path is free before the vehicle touches something, to a fraction of a millimetre; 1: all
-  /// of it. From a pose that touches, nothing is.
+  /// Share of the arc that is free before the vehicle touches something, to a fraction of a millimetre; 1:
+  /// all of it; 0 from a pose that touches.
   double free_share(const Pose2& T_world_vehicle, const Arc& path);
 
  private:

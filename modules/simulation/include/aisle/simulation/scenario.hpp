@@ -13,13 +13,13 @@
 
 namespace aisle {
 
-/// Something is wrong with a camera, or with the path of its images.
+/// Something is wrong with a camera, or with the delivery of its images.
 struct CameraFault {
   enum class Kind {
     kFrozen,   ///< delivers its last image again and again, with new stamps
     kDark,     ///< sees no light, as under a lens cap
     kDropped,  ///< delivers nothing
-    kLate,     ///< delivers what it took some time ago, with the stamps of then
+    kLate,     ///< delivers images some time later, with their true stamps
   };
   Kind kind = Kind::kFrozen;
   std::string camera;  ///< empty: all of them
@@ -28,32 +28,32 @@ struct CameraFault {
 
 /// The wheels turn farther than the vehicle goes.
 struct SlipBurst {
-  double spin = 1;  ///< share of the path counted too much
+  double spin = 1;  ///< share of the distance counted too much
 };
 
-/// The front wheels stand this much farther left than the steering encoder says, all of a sudden.
+/// The front wheels suddenly stand this much farther left than the steering encoder says.
 struct SteeringBias {
   double bias_rad = 3 * kDegree;
 };
 
-/// A box stands in the path.
+/// A box blocks the path.
 struct BlockingBox {
   Pose2 T_world_box;
   Vec2 size = Vec2(0.5, 0.5);  ///< along its x and y
   double height_m = 1;
 };
 
-/// Somebody walks there and back.
+/// Somebody walks to and fro.
 struct CrossingPerson {
   Person person;  ///< its start_s counts from the event
 };
 
-/// Somebody lifts the vehicle and puts it down elsewhere.
+/// The vehicle is kidnapped: somebody lifts it and puts it down elsewhere.
 struct Lifted {
   Pose2 T_world_vehicle;
 };
 
-/// The laser markers are off.
+/// The line lasers are off.
 struct LaserOff {};
 
 /// Day, dusk, lamps switched off.
@@ -67,15 +67,15 @@ using Fault = std::variant<CameraFault, SlipBurst, SteeringBias, BlockingBox, Cr
 
 struct ScenarioEvent {
   Fault fault;
-  double from_s = 0;         ///< begins then,
+  double from_s = 0;         ///< begins at this time,
   std::optional<Vec2> near;  ///< or, if given, as soon after that as the vehicle's base_link is near here
-  double radius_m = 1;       ///< what is near
+  double radius_m = 1;       ///< at most this far from `near`
   double duration_s = std::numeric_limits<double>::infinity();
 };
 
 struct Scenario {
   std::string name;
-  std::string world;  ///< the name of the one that its places are in; empty: any will do
+  std::string world;  ///< the world that its places are in; empty: any
   std::vector<ScenarioEvent> events;
 };
 

@@ -17,12 +17,12 @@ struct CameraTrouble {
   double delay_s = 0;
 };
 
-/// Which events of a scenario are on.
+/// Which events of a scenario are active.
 class ScenarioPlay {
  public:
   explicit ScenarioPlay(Scenario scenario);
 
-  /// Time goes on to `now_s`; events begin and end.
+  /// Advances to `now_s`; events begin and end.
   void advance(double now_s, const Vec2& p_world_vehicle);
 
   std::size_t size() const { return events_.size(); }

@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// What stands where a vertical line may be seen.
+/// What a vertical line belongs to.
 enum class VerticalEdgeKind { kWall, kDoorFrame, kDoorLeaf, kPoster, kFurniture };
 
 /// A vertical line of a world, as a point of its floor plan.
@@ -15,9 +15,9 @@ struct VerticalEdge {
   VerticalEdgeKind kind = VerticalEdgeKind::kWall;
 };
 
-/// All vertical lines of a world, people excepted; a round pillar has 24 of them round it: where
-/// walls end or bend, the posts of door frames, open doors' leaves, the sides of what hangs on walls (their
-/// foot is below them), furniture's corners. A sighting that is near none of them is not real.
+/// All vertical lines of a world without people: where walls end or bend, the posts of door frames, open
+/// doors' leaves, the sides of what hangs on walls (with the floor point below them), corners of furniture;
+/// 24 around a round pillar. A sighting that is near none of them is not real.
 std::vector<VerticalEdge> vertical_edges(const World& world);
 
 }  // namespace aisle

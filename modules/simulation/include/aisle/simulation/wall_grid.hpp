@@ -15,8 +15,8 @@ inline constexpr double kOffWall_m = 0.01;
 /// @param direction  of length 1
 double ray_distance(const Vec2& origin, const Vec2& direction, const Segment2& wall);
 
-/// Walls sorted into the cells of a uniform grid, so that a ray asks only the walls near its path: its cost
-/// depends on how far it goes, not on the size of the building.
+/// Walls sorted into the cells of a uniform grid, so that a ray is tested only against the walls near it: its
+/// cost depends on its length, not on the size of the building.
 class WallGrid {
  public:
   explicit WallGrid(std::vector<Segment2> walls);
@@ -41,7 +41,7 @@ class WallGrid {
   void size_grid();
   std::vector<std::size_t> cells_touched(const Segment2& wall) const;
   std::span<const std::uint32_t> walls_in(Cell cell) const;
-  Interval path_segment_inside(const Vec2& origin, const Vec2& direction) const;
+  Interval part_inside(const Vec2& origin, const Vec2& direction) const;
 
   std::vector<Segment2> walls_;
   Vec2 corner_ = Vec2::Zero();  ///< lower left corner of cell (0, 0)

@@ -1,6 +1,6 @@
 #pragma once
 /// A building to drive in, in the frame `world`: metres, x right, y up, z from the floor; headings
-/// counter-clockwise. Brightness is the share of light that a surface gives back, 0 black to 1 white.
+/// counter-clockwise. Brightness is the share of light that a surface reflects, 0 black to 1 white.
 
 #include <cstdint>
 #include <optional>
@@ -14,8 +14,8 @@
 
 namespace aisle {
 
-/// A thin piece of wall that stands on the floor, opaque from both sides; the free side is on the left where
-/// there is only one. A real wall has two faces and is two of these.
+/// A thin piece of wall that stands on the floor, opaque from both sides. Where only one side is free, it is
+/// on the left. A real wall has two faces and is two of these.
 struct WallFace {
   Segment2 floor_point;
   double height_m = 2.7;
@@ -32,8 +32,8 @@ struct Door {
   double brightness = 0.45;
   double frame_width_m = 0.08;  ///< of the frame around the opening, seen from ahead; 0: none
   double frame_brightness = 0.25;
-  /// Thickness of the wall whose gap it closes, half of it on either side of the closed leaf; the wall goes
-  /// on above it. 0: it is mounted on a wall that goes on behind it.
+  /// Thickness of the wall whose gap it closes, half of it on either side of the closed leaf; the wall
+  /// continues above. 0: it is mounted on a wall that continues behind it.
   double wall_depth_m = 0;
 };
 
@@ -100,35 +100,35 @@ struct ParkingFrame {
   double brightness = 0.95;
 };
 
-/// Walks there and back along a path, for ever.
+/// Walks to and fro along a path, for ever.
 struct Person {
   std::vector<Vec2> path;  ///< at least two points
   double speed_mps = 1.0;
-  double start_s = 0;  ///< stands at the path's first point until then
+  double start_s = 0;  ///< waits at the path's first point until then
   double radius_m = 0.25;
   double height_m = 1.7;
 };
 
-/// A pose with a name, where a vehicle may be sent or may start.
+/// A named pose that a vehicle may be sent to or may start from.
 struct NamedPlace {
   std::string name;
   Pose2 T_world_place;
 };
 
-/// A path that a person shows the vehicle, and how it is to park there (L96).
+/// A route that a person shows the vehicle, and how to park at its end (L96).
 struct WorldRoute {
   std::string name;
   ParkingStrategy parking = ParkingStrategy::kView;
   std::vector<Vec2> path;  ///< at least two different points; base_link drives from one to the next
 };
 
-/// A turning on a taught path (METHODS 9).
+/// A turning on a taught route (METHODS 9).
 struct TaughtTurning {
-  std::string route;       ///< of a WorldRoute
+  std::string route;       ///< WorldRoute::name
   int number = 1;          ///< 1 to 13
   Vec2 at = Vec2::Zero();  ///< the crossing's middle
-  double before_m = 1.3;   ///< it begins so far before that point
-  double after_m = 1.3;    ///< and ends so far beyond
+  double before_m = 1.3;   ///< it begins this far before that point
+  double after_m = 1.3;    ///< and ends this far beyond
 };
 
 /// How far skirting boards stand before their walls.
@@ -148,8 +148,8 @@ struct World {
   std::vector<NamedPlace> places;
   std::vector<WorldRoute> routes;
   std::vector<TaughtTurning> turnings;
-  std::vector<Vec2> tour;      ///< waypoint that a vehicle drives in this order; may be empty
-  std::optional<Pose2> start;  ///< where a vehicle is set down; else at the tour's start, facing along it
+  std::vector<Vec2> tour;      ///< waypoints that a vehicle drives to in this order; may be empty
+  std::optional<Pose2> start;  ///< initial pose of a vehicle; else at the tour's start, facing along it
 
   FloorCovering floor;
   double ceiling_m = 2.7;

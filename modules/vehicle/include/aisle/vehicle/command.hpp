@@ -2,8 +2,8 @@
 
 namespace aisle {
 
-/// How to drive until the next command. The vehicle holds its limits of speed, steering and their rates by
-/// itself, and stops when commands stay away for DriveLimits::command_age_max_s.
+/// How to drive until the next command. The vehicle itself keeps the limits of speed, steering and their
+/// rates, and stops when no command arrives for DriveLimits::command_age_max_s.
 struct Command {
   double speed_mps = 0;        ///< front-steered: of the front reference point; differential: of base_link
   double steering_rad = 0;     ///< front-steered only: left positive

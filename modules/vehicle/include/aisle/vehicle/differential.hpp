@@ -27,9 +27,9 @@ struct WheelSteps {
   int right = 0;
 };
 
-/// How far the wheels' reported path may be from the real one: standard deviations. The rounding to whole
-/// steps is added by itself. The scales are the same for every motion of a run; who adds up many motions as
-/// if they were independent gets too small a covariance.
+/// How far the wheels' reported motion may be from the real one: standard deviations. Rounding to whole steps
+/// is added to them. The scales are the same for every motion of a run: adding up many motions as if they
+/// were independent gives too small a covariance.
 struct DifferentialNoise {
   double wheel_scale = 0.005;
   double wheel_slip_m_per_sqrt_m = 0.003;
@@ -38,19 +38,19 @@ struct DifferentialNoise {
   void describe(FieldList& fields);
 };
 
-/// The path of base_link.
+/// The arc that base_link drives.
 Arc arc_of(const Differential& vehicle, const WheelSteps& steps);
 
 /// base_link after the steps, seen from base_link before them. Smooth through equal steps.
 Pose2 drive(const Differential& vehicle, const WheelSteps& steps);
 
-/// Derivative of that pose (x, y, theta) by the paths of the wheels (left, right) in metres.
+/// Derivative of that pose (x, y, theta) by the distances of the wheels (left, right) in metres.
 Mat32 drive_jacobian(const Differential& vehicle, const WheelSteps& steps);
 
 /// That pose with its first-order covariance. No steps: no covariance.
 UncertainPose2 drive(const Differential& vehicle, const WheelSteps& steps, const DifferentialNoise& noise);
 
-/// The steps that turn the vehicle on the spot by so many turn quanta, left positive, to the nearest step.
+/// The steps that turn the vehicle on the spot by `quanta` turn quanta, left positive, to the nearest step.
 WheelSteps turn_on_the_spot(const Differential& vehicle, int quanta);
 
 }  // namespace aisle

@@ -5,7 +5,7 @@
 
 namespace aisle {
 
-/// The part of the floor that a camera's images show where nothing hides it.
+/// The part of the floor in a camera's field of view, as if nothing hid it.
 class FloorInImage {
  public:
   explicit FloorInImage(const CameraDescription& camera);

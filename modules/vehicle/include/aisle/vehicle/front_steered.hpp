@@ -27,7 +27,7 @@ struct FrontSteeredMotion {
 };
 
 /// How far the reported motion may be from the real one: standard deviations. Scale and bias are the same for
-/// every motion of a run; who adds up many motions as if they were independent gets too small a covariance.
+/// every motion of a run: adding up many motions as if they were independent gives too small a covariance.
 struct FrontSteeredNoise {
   double distance_scale = 0.01;
   double distance_slip_m_per_sqrt_m = 0.005;
@@ -39,7 +39,7 @@ struct FrontSteeredNoise {
   void describe(FieldList& fields);
 };
 
-/// The path of base_link. With the wheels across (delta = +-90 degrees) it turns on the spot.
+/// The arc that base_link drives. With the wheels across (delta = +-90 degrees) it turns on the spot.
 Arc arc_of(const FrontSteered& vehicle, const FrontSteeredMotion& motion);
 
 /// base_link after the motion, seen from base_link before it. Smooth through delta = 0.

@@ -1,5 +1,5 @@
 #pragma once
-/// What a vehicle tells in one cycle.
+/// What a vehicle reports in one cycle.
 
 #include <memory>
 #include <optional>
@@ -36,7 +36,7 @@ struct Mark {
     kTurningBegins,  ///< label: the turning's number, 1 to 13 (METHODS 9)
     kTurningEnds,    ///< label: as above
     kPlace,          ///< label: the place's name
-    kStop,           ///< the path ends here
+    kStop,           ///< the route ends here
   };
   Kind kind = Kind::kPlace;
   std::string label;
@@ -49,7 +49,7 @@ struct OperatorInput {
   std::optional<Command> requested;  ///< how to drive from now on; absent: nothing was pressed
   std::vector<Mark> marks;
   bool quit = false;
-  bool gives_up = false;  ///< quits because there is no getting where the path leads
+  bool gives_up = false;  ///< quits because the vehicle cannot get where the route leads
 };
 
 struct Observation {

@@ -17,11 +17,11 @@ class Vehicle {
   virtual const VehicleDescription& description() const = 0;
 
   /// Waits for the next cycle.
-  /// @return nullopt when there is none any more: the recording ends, the connection is lost
+  /// @return nullopt if there is no next cycle: the recording ended, the connection is lost
   virtual std::optional<Observation> sense() = 0;
 
-  /// Takes effect at once and holds until the next command or until it is too old. What is not finite means:
-  /// stop.
+  /// Takes effect at once and until the next command, or until it is too old. A value that is not finite
+  /// means: stop.
   virtual void act(const Command& command) = 0;
 };
 

@@ -14,7 +14,7 @@
 
 namespace aisle {
 
-/// The room that a vehicle takes up: a rectangle about base_link, and its height.
+/// The space that a vehicle takes up: a rectangle about base_link, and its height.
 struct Footprint {
   double front_m = 0.75;  ///< ahead of base_link
   double rear_m = 0.25;   ///< behind it
@@ -24,7 +24,7 @@ struct Footprint {
   void describe(FieldList& fields);
 };
 
-/// From the footprint's outline to a point; negative inside.
+/// Distance from the footprint's outline to a point of base_link [m]; negative inside.
 inline double off_footprint_m(const Footprint& footprint, const Vec2& p_vehicle) {
   const double along_m = std::max(p_vehicle.x() - footprint.front_m, -footprint.rear_m - p_vehicle.x());
   const double across_m = std::abs(p_vehicle.y()) - footprint.width_m / 2;
@@ -32,7 +32,7 @@ inline double off_footprint_m(const Footprint& footprint, const Vec2& p_vehicle)
   return std::max(along_m, across_m);
 }
 
-/// What the vehicle can do and will not exceed, whatever it is given.
+/// Limits that the vehicle keeps, whatever it is commanded.
 struct DriveLimits {
   double speed_max_mps = 1.0;
   double reverse_speed_max_mps = 0.5;
@@ -47,14 +47,14 @@ struct DriveLimits {
   void describe(FieldList& fields);
 };
 
-/// Laser line projectors that draw a stripe on everything at one height (C99 section 3.1).
+/// Line lasers that draw a stripe on everything at one height (C99 section 3.1: laser markers).
 struct LaserMarkers {
   double height_m = 0.3;  ///< h0, of the light plane above the floor
 
   void describe(FieldList& fields);
 };
 
-/// What a vehicle is: how it moves, how far its odometry is to be believed, what it sees with.
+/// What a vehicle is: how it moves, how accurate its odometry is, and what sensors it has.
 struct VehicleDescription {
   std::string name = "vehicle";
   bool is_differential = false;  ///< else front-steered; the parts of the other kind are not used
@@ -69,10 +69,10 @@ struct VehicleDescription {
   std::optional<LaserScanner> scanner;
   std::optional<LaserMarkers> laser_markers;
 
-  /// The camera of a name; nullptr: the vehicle has none.
+  /// The camera of this name; nullptr: there is none.
   const CameraDescription* camera(std::string_view called) const;
 
-  /// Everything but name, cameras, scanner and laser markers, which a vehicle has or has not.
+  /// Everything but name, cameras, scanner and line lasers, which are optional.
   void describe(FieldList& fields);
 };
 

@@ -25,15 +25,15 @@ struct SegmentParams {
   void describe(FieldList& fields);
 };
 
-/// The beams of a scanner, as far as segments need them.
+/// The beams of a scanner's polar scan, as far as segments need them.
 struct BeamFan {
   double first_angle_rad = 0;
   double angle_step_rad = 0;
   double range_max_m = 0;  ///< readings of this or more are "nothing seen"
 };
 
-/// Cuts range scans into straight segments: split and merge. The distances in the parameters hold for a
-/// scanner with up to 1.5 cm of noise; the noise is measured on the way, and with more of it they grow.
+/// Cuts range scans into straight segments: split and merge. The distances in the parameters apply to a
+/// scanner with up to 1.5 cm of noise; the noise is measured from the scans, and the distances grow with it.
 /// O(beams log beams) a scan, no allocation once warm.
 class RangeSegmenter {
  public:
@@ -41,7 +41,7 @@ class RangeSegmenter {
   ~RangeSegmenter();
 
   /// Replaces `segments` by those of one scan, in the order of the beams. Ranges that are not positive, not
-  /// finite or beyond the scanner's reach are passed over.
+  /// finite or beyond the scanner's reach are skipped.
   void extract(std::span<const float> ranges_m, std::vector<SensedSegment>& segments);
 
  private:

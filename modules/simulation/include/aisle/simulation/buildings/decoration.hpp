@@ -5,10 +5,10 @@
 
 namespace aisle {
 
-/// Posters and notice boards on walls that have room for them; not over doors.
+/// Posters and notice boards on walls with enough space for them, not over doors.
 void hang_posters(World& world, Random& random);
 
-/// Gives bare walls what a corridor has: closed doors mounted on the walls along the tour, posters, and lamps
+/// Decorates bare walls like a corridor: closed doors mounted on the walls along the tour, posters, and lamps
 /// above the tour. Nothing is added that a vehicle could hit.
 void dress(World& world, Random random);
 

@@ -24,14 +24,14 @@ std::string_view name_of(BuildingKind kind);
 
 struct RandomBuildingRecipe {
   BuildingKind kind = BuildingKind::kOffice;
-  std::optional<double> size_m;            ///< length of its longest corridor, 12 .. 200; else by chance
-  std::optional<double> corridor_width_m;  ///< 1.2 .. 5; else each corridor's own by chance, 1.2 .. 3
+  std::optional<double> size_m;            ///< length of its longest corridor, 12 .. 200; else random
+  std::optional<double> corridor_width_m;  ///< 1.2 .. 5; else random for each corridor, 1.2 .. 3
 
   Problems problems() const;
 };
 
-/// The same building for the same recipe and seed: corridors, rooms behind doors of which some are open,
-/// alcoves, light furniture, lamps, posters, floor and brightness by chance; a start, a tour through all
+/// A random building, the same for the same recipe and seed: corridors, rooms behind doors of which some are
+/// open, alcoves, light furniture, lamps, posters, floor and brightness; a start, a tour through all
 /// corridors and back, and places. A vehicle 0.6 m wide gets through every corridor and open door.
 World random_building(const RandomBuildingRecipe& recipe, Random random);
 

@@ -5,13 +5,13 @@
 
 namespace aisle {
 
-/// What a person who walks beside the vehicle sees of it.
+/// What a person walking beside the vehicle sees of it.
 struct OperatorView {
   double stamp_s = 0;
   Pose2 T_world_vehicle;
   double speed_mps = 0;  ///< of base_link, forwards
   double turn_rate_rad_s = 0;
-  /// Path that is free when it goes on as it does, with some room kept beside people; kSeenAhead_m if all is.
+  /// Free distance along its present arc [m], with some clearance to people; at most kSeenAhead_m.
   double free_ahead_m = 0;
   bool bumper_pressed = false;
 };

@@ -16,12 +16,12 @@ namespace aisle {
 
 class OperatorPath;
 
-/// How a person drives who knows where to go.
+/// How a person drives who knows the route.
 struct ScriptedOperatorParams {
   double speed_mps = 0.3;
   double look_ahead_m = 0.7;
   double reaction_s = 0.2;
-  double wander_m = 0.05;      ///< standard deviation, beside the route
+  double wander_m = 0.05;      ///< standard deviation of the lateral offset
   double wander_time_s = 5;    ///< over which it comes and goes
   double speed_wander = 0.08;  ///< standard deviation, as a share
   double place_radius_m = 0.5;
@@ -30,11 +30,11 @@ struct ScriptedOperatorParams {
   void describe(FieldList& fields);
 };
 
-/// Follows a world's tour by sight, not quite straight and not quite evenly; names the places that it passes;
-/// waits before what is in the path, and gives up when it stays there; in bends steers clear of walls as far
-/// as there is room, and backs off where it came too near to one all the same. Where the tour turns back, a
-/// differential vehicle turns round; a front-steered one goes on in reverse, until it can back round a corner
-/// such that it stands the right way to go on forwards.
+/// Follows a world's tour by sight, neither quite straight nor at a quite constant speed, and names the
+/// places that it passes. It waits before an obstacle and gives up if that stays. In bends it steers clear of
+/// walls as far as there is space, and backs off where it came too near all the same. Where the tour turns
+/// back, a differential vehicle turns around. A front-steered one goes on in reverse until it can reverse
+/// around a corner and then go on forwards.
 class ScriptedOperator final : public Operator {
  public:
   /// @param world  its tour has at least two different points
@@ -44,13 +44,13 @@ class ScriptedOperator final : public Operator {
   OperatorInput look(const OperatorView& view) override;
 
   bool has_arrived() const { return leg_ == legs_.size(); }
-  /// Segments without turning back that are not yet driven to their end.
+  /// Legs that are not yet driven to their end.
   std::size_t legs_left() const { return legs_.size() - leg_; }
-  /// Length of the route that lies behind, as a share of all of it.
+  /// Share of the route's length that is driven.
   double share_done() const;
 
  private:
-  /// A segment of the route that is driven without turning back.
+  /// A part of the route that is driven without turning back.
   struct Leg {
     std::vector<Vec2> points;
     double length_m = 0;
@@ -66,7 +66,7 @@ class ScriptedOperator final : public Operator {
   Vec2 target() const;
   Command towards(const Vec2& p_vehicle_target, double speed_mps) const;
   Command clear_of_walls(const Pose2& T_world_vehicle, const Command& requested);
-  double wished_speed_mps(const OperatorView& view) const;
+  double wanted_speed_mps(const OperatorView& view) const;
   double cautious_speed_mps(const OperatorView& view, double speed_mps, bool in_reverse) const;
   bool comes_again() const;
   bool is_stuck_at_wall(const OperatorView& view);
@@ -78,15 +78,15 @@ class ScriptedOperator final : public Operator {
   ScriptedOperatorParams params_;
   Random random_;
   std::vector<Leg> legs_;
-  std::vector<NamedPlace> places_;     ///< not passed yet
-  Obstacles walls_;                    ///< for the vehicle with some room around it
-  std::vector<Obstacles> liked_room_;  ///< front-steered: with ever less room around it
+  std::vector<NamedPlace> places_;             ///< not passed yet
+  Obstacles walls_;                            ///< for the vehicle with some clearance
+  std::vector<Obstacles> walls_by_clearance_;  ///< front-steered: with less and less clearance
   std::deque<OperatorView> views_;
   std::size_t leg_ = 0;
   double along_m_ = 0;                                      ///< of the present leg
   std::optional<double> backs_to_m_;                        ///< along it, while backing off from a wall
   double pull_lateral_ = 0, lateral_ = 0, pull_speed_ = 0;  ///< wander, in standard deviations
-  std::size_t leg_before_ = 0;                              ///< where it last got on
+  std::size_t leg_before_ = 0;                              ///< where it last made progress
   double along_before_m_ = 0;
   double got_on_s_ = 0;
   double stamp_s_ = 0;

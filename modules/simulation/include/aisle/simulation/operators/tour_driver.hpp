@@ -24,21 +24,22 @@ struct TourDriverParams {
   }
 };
 
-/// Follows the waypoint behind a carrot that runs ahead of the vehicle: corners come out rounded, and where
-/// the tour turns back on itself the vehicle turns round in little space.
+/// Follows a look-ahead point (the carrot) that runs along the tour ahead of the vehicle: corners come out
+/// rounded, and where the tour turns back on itself the vehicle turns around in little space.
 class TourDriver {
  public:
-  /// Starts at the first of at least two different waypoint, facing the next.
+  /// Starts at the first of at least two different waypoints, facing the next.
+  /// @throws std::invalid_argument if there are fewer
   TourDriver(std::vector<Vec2> tour, const TourDriverParams& params);
 
   bool has_arrived() const;
-  /// Waypoint that lie behind; those that follow each other at one place are one.
-  std::size_t path_points_passed() const { return next_ - 1; }
+  /// Waypoints that the vehicle has passed; consecutive ones at the same place count once.
+  std::size_t waypoints_passed() const { return next_ - 1; }
   std::size_t waypoints() const { return tour_.size(); }
   /// The true pose in `world`.
   const Pose2& pose() const { return T_world_vehicle_; }
 
-  /// Drives for a short time on the arc that is returned.
+  /// Drives on for `time_s`. @return the arc driven
   Arc step(double time_s);
 
  private:

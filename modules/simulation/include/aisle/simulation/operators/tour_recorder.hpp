@@ -13,7 +13,7 @@
 
 namespace aisle {
 
-/// What the wheels count wrong. The defaults are an ordinary indoor robot: some percent of the path, and
+/// Errors of the wheel odometry. The defaults are an ordinary indoor robot: some percent of the distance, and
 /// several degrees in ten metres.
 struct OdometryNoiseParams {
   double distance_error = 0.025;
@@ -55,11 +55,11 @@ struct TourParams {
 
 /// A log as a vehicle would have recorded it, and what only a simulator knows.
 struct TourRecording {
-  LaserLog log;                        ///< one odometry sample a scan, with the same stamp
+  LaserLog log;                        ///< one odometry sample per scan, with the same stamp
   std::vector<Pose2> T_world_vehicle;  ///< the true pose at each scan
 };
 
-/// Drives the world's tour (at least two different waypoint) once. The same arguments give the same bytes.
+/// Drives the world's tour (at least two different waypoints) once. The same arguments give the same bytes.
 TourRecording record_tour(const World& world, const TourParams& params, std::uint64_t seed,
                           Progress& progress);
 

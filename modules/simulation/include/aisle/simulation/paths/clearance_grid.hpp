@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// How far it is to the nearest obstacle, in square cells over everything that the obstacles span.
+/// Distance to the nearest obstacle, in square cells over the area that the obstacles span.
 class ClearanceGrid {
  public:
   /// @param obstacles  at least one
@@ -20,7 +20,8 @@ class ClearanceGrid {
   std::size_t size() const { return clearance_m_.size(); }
   double cell_m() const { return cell_m_; }
 
-  /// From the middle of a cell to the nearest obstacle [m], never too much, at most 1.5 cells too little.
+  /// From the middle of a cell to the nearest obstacle [m], never overestimated, underestimated
+  /// by at most 1.5 cells.
   double clearance_m(std::size_t cell) const { return clearance_m_[cell]; }
   /// The same at any point; 0 outside the grid.
   double clearance_m(const Vec2& p) const;

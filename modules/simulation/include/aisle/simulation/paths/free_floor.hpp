@@ -8,17 +8,16 @@
 
 namespace aisle {
 
-/// The floor that the centre of a round vehicle reaches from its start: as seen on a grid of 5 cm, coarser in
+/// The floor that the centre of a round vehicle can reach from its start, on a grid of 5 cm, coarser in
 /// buildings of more than four million such cells.
 class FreeFloor {
  public:
-  /// @param obstacles  what must be kept away from, by `radius_m` at least
+  /// @param obstacles  to keep at least `radius_m` away from
   FreeFloor(std::span<const Segment2> obstacles, const Vec2& start, double radius_m);
 
-  /// Whether a vehicle gets from the start to a point, give or take a cell.
+  /// Whether a vehicle can get from the start to a point, give or take a cell.
   bool reaches(const Vec2& p) const;
-  /// The floor that is reached, up to what its obstacles' edges leave; infinity: it leads out of the
-  /// building.
+  /// The reachable floor between the obstacles' edges [m^2]; infinity: it leads out of the building.
   double area_m2() const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace aisle {
 
-/// For walls from a plan that tells no sides: each wall turned such that the side with more room, up to the
-/// next wall, is on its left. Where both have the same, it stays as it is.
+/// For walls from a plan without sides: turns each wall so that the side with more free space, up to the next
+/// wall, is on its left. If both sides have the same, the wall is unchanged.
 std::vector<Segment2> with_free_sides_left(const std::vector<Segment2>& walls);
 
 }  // namespace aisle

@@ -15,16 +15,16 @@ struct PlanTracingParams {
       1;  ///< of a straight wall against the middles of the cells' sides that it stands for
 };
 
-/// Makes free what is solid and fits into a square of this side, and solid the free areas that no larger
-/// square fits into. Removes the outside of the building: free areas that reach the plan's border become
+/// Frees solid areas that fit into a square of this side, and fills free areas that no larger square fits
+/// into. Removes the outside of the building: free areas that reach the plan's border become
 /// solid if they take more than half of that border, or if an enclosed free area is larger than they are
 /// together.
 void clean_plan(FloorPlan& plan, double speck_m);
 
 /// The borders between free and solid cells as closed polygons, free on the left, in the frame `world`. Every
 /// polygon has as few corners as the tolerance allows; pieces that may be parallel to the axes of the plan,
-/// or to the direction that most of its walls have, are exactly so. Solid cells that touch at a corner hang
-/// together.
+/// or to the direction that most of its walls have, are exactly so. Solid cells that touch at a corner are
+/// connected.
 /// @return pieces of each polygon in order, each starting where the one before ends
 std::vector<Segment2> trace_plan(const FloorPlan& plan, const PlanTracingParams& params, Progress& progress);
 

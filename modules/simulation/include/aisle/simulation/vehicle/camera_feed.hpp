@@ -9,10 +9,10 @@
 
 namespace aisle {
 
-/// The path of one camera's images to the vehicle, and what may happen to them there.
+/// Delivers one camera's images to the vehicle, with the faults that may happen on the way.
 class CameraFeed {
  public:
-  /// An image was taken. Dark images are the camera's business: `trouble.dark` is not looked at.
+  /// An image was taken. Dark images are the camera's business: `trouble.dark` is ignored.
   void take(CameraImage image, const CameraTrouble& trouble);
 
   /// The newest image that has arrived since the last call, if any; older ones are lost.

@@ -16,7 +16,7 @@ namespace aisle {
 struct LensTable;
 struct CollectedLight;
 
-/// Something upright that is not at its place for ever: a person, a box that blocks the path.
+/// Something upright that comes and goes: a person, a box that blocks the path.
 struct MovingBody {
   enum class Kind { kPerson, kBox };
   Kind kind = Kind::kBox;
@@ -65,10 +65,10 @@ struct CameraMoment {
   double turn_rate_rad_s = 0;
   bool lamps_on = true;
   double light = 1;       ///< all light times this: day, dusk
-  bool laser_on = false;  ///< the vehicle's laser markers
+  bool laser_on = false;  ///< the vehicle's line lasers
   double laser_height_m = 0.3;
   double laser_ahead_m = 0.6;  ///< the projector, ahead of base_link; it shines to all sides ahead of it
-  std::uint64_t image = 0;     ///< its number: noise and shake are drawn by it and the seed, in no order
+  std::uint64_t image = 0;  ///< its number: with the seed it determines noise and shake, whatever the order
 };
 
 /// Takes images. Rays go through the lens model, so known points land where CameraModel::project says.

@@ -12,7 +12,7 @@
 
 namespace aisle {
 
-/// What a simulated scanner has beyond what the vehicle knows of it. The defaults are an ordinary scanner.
+/// Faults of a simulated scanner that the vehicle does not know of. The defaults are an ordinary scanner.
 struct RangeSensorParams {
   int beams = 180;
   double noise_sigma_m = 0.01;
@@ -43,7 +43,7 @@ class RangeScanner {
   /// What the vehicle believes of its scanner: everything but the faults.
   const LaserScanner& description() const { return params_.laser; }
 
-  /// One reading a beam [m]; range_max_m: nothing seen.
+  /// One reading per beam [m]; range_max_m: nothing seen.
   /// @param movers  outlines of what is not part of the world
   std::vector<float> scan(const Pose2& T_world_vehicle, Random& random,
                           std::span<const Segment2> movers = {}) const;

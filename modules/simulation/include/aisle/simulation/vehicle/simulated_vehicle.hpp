@@ -19,7 +19,7 @@
 
 namespace aisle {
 
-/// Where a world says that a vehicle is set down: its start, else its tour's start, facing along it.
+/// The initial pose that a world gives: its start, else its tour's start, facing along it.
 std::optional<Pose2> start_pose(const World& world);
 
 class VehicleEyes;
@@ -30,24 +30,24 @@ struct SimulationOptions {
   bool takes_images = true;
 };
 
-/// What really happened so far: for evaluation and for looking on, never for the vehicle.
+/// What really happened so far: for evaluation and viewers, never for the vehicle.
 struct SimulatedTruth {
   double stamp_s = 0;
   Pose2 T_world_vehicle;
   double speed_mps = 0;  ///< of base_link, forwards
   double turn_rate_rad_s = 0;
-  double path_m = 0;           ///< that base_link has gone, forwards and backwards
-  std::size_t collisions = 0;  ///< how often it has driven against something
+  double path_m = 0;           ///< distance that base_link has travelled, forwards and backwards
+  std::size_t collisions = 0;  ///< how often it has hit something
 };
 
-/// Whether a vehicle standing there touches nothing of the world.
+/// Whether a vehicle at this pose touches nothing of the world.
 bool fits(const World& world, const Footprint& footprint, const Pose2& T_world_vehicle);
 
-/// A vehicle in a world. Time goes on only in sense(), a cycle a call, in fixed small steps; each sensor
-/// draws its noise from a stream of its own, so that a fault in one leaves the others as they are.
+/// A vehicle in a world. Time advances only in sense(), by one cycle per call, in fixed small steps. Each
+/// sensor draws its noise from its own stream, so that a fault in one does not change the others.
 class SimulatedVehicle final : public Vehicle {
  public:
-  /// @param driver  whoever drives by hand; null: nobody. Must outlive the vehicle
+  /// @param driver  drives by hand; null: nobody does. Must outlive the vehicle
   SimulatedVehicle(const World& world, const VehicleModel& model, const Scenario& scenario,
                    const SimulationOptions& options, Operator* driver = nullptr);
   ~SimulatedVehicle() override;
@@ -65,7 +65,7 @@ class SimulatedVehicle final : public Vehicle {
   void drive(double time_s);
   void move(const Travel& travel, const Arc& path, double time_s);
   void feel_bumper(double free_share);
-  void lift_if_due();
+  void kidnap_if_due();
   Command commanded() const;
   std::optional<RangeScan> scan();
   OperatorView view();

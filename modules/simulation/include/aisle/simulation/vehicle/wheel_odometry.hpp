@@ -9,7 +9,7 @@
 
 namespace aisle {
 
-/// What a simulated vehicle's wheels do and count wrong. The defaults are an ordinary indoor vehicle.
+/// Errors of a simulated vehicle's wheels and encoders. The defaults are an ordinary indoor vehicle.
 struct WheelErrors {
   double distance_scale = 0.01;
   double distance_slip_m_per_sqrt_m = 0.003;
@@ -22,15 +22,16 @@ struct WheelErrors {
   void describe(FieldList& fields);
 };
 
-/// Wheels and steering that do exactly what they should, and are read exactly.
+/// Wheels and steering without errors, read exactly.
 inline constexpr WheelErrors kPerfectWheels{0, 0, 0, 0, 0, 0, 0};
 
-/// Counts a vehicle's path as its encoders do: with errors, in whole quanta, nothing lost between readings.
+/// Counts a vehicle's motion as its encoders do: with errors, in whole quanta, with nothing lost between
+/// readings.
 class WheelOdometry {
  public:
   WheelOdometry(const VehicleDescription& vehicle, const WheelErrors& errors, Random random);
 
-  /// @param spin  share of the path by which the wheels have turned too far
+  /// @param spin  share of the distance by which the wheels have turned too far
   void count(const Travel& travel, double spin = 0);
 
   /// What was counted since the last reading.
@@ -39,15 +40,15 @@ class WheelOdometry {
  private:
   FrontSteeredMotion read_motion();
   WheelSteps read_steps();
-  double wheel_path_m(double path_m, double scale, double spin);
+  double counted_distance_m(double distance_m, double scale, double spin);
 
   VehicleDescription vehicle_;
   WheelErrors errors_;
   Random random_;
-  // Front-steered: path of the front; the steering is averaged over it.
+  // Front-steered: distance of the front reference point; the steering is averaged over it.
   double distance_m_ = 0, distance_read_m_ = 0;
-  double steering_by_path_ = 0, travelled_m_ = 0, steering_rad_ = 0;
-  // Differential: paths of the wheels, and their steps as read.
+  double steering_by_distance_ = 0, travelled_m_ = 0, steering_rad_ = 0;
+  // Differential: distances of the wheels, and their steps as read.
   double left_m_ = 0, right_m_ = 0;
   long left_read_ = 0, right_read_ = 0;
 };

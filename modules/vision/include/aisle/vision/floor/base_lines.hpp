@@ -14,8 +14,8 @@
 
 namespace aisle {
 
-/// Lengths in px hold for the image that is looked at, which is shrunk to `width_max_px`; a narrower
-/// image is looked at as it is and they shrink with it.
+/// Lengths in px apply to the working image, which is shrunk to `width_max_px`. A narrower image is not
+/// enlarged; the lengths shrink with it.
 struct BaseLineParams {
   int width_max_px = 640;
   double score_min = 0.11;
@@ -34,9 +34,9 @@ struct BaseLines {
   std::optional<Vec2> vanishing_point_px;  ///< of the corridor, where it was found
 };
 
-/// Finds the lines between floor and wall to the left and right: edges towards the corridor's vanishing
-/// point, on which vertical lines end, beneath which the route region lies and above which it does not. A
-/// image of 640 x 480 takes about 2 ms.
+/// Finds the wall-floor edges to the left and right: edges towards the corridor's vanishing point, on which
+/// vertical lines end, with the route region beneath them and not above. An image of 640 x 480 takes about
+/// 2 ms.
 class BaseLineDetector {
  public:
   /// @param camera  if given, lines are fitted where its distortion is undone; they are reported as seen
@@ -45,8 +45,8 @@ class BaseLineDetector {
   BaseLineDetector(BaseLineDetector&&) noexcept;
   ~BaseLineDetector();
 
-  /// @param verticals  of the same image, as VerticalLineDetector finds them; the more, the surer the
-  /// answer
+  /// @param verticals  of the same image, as VerticalLineDetector finds them; more of them make the answer
+  ///                   surer
   /// @throws std::invalid_argument unless the image has one channel
   BaseLines detect(const Image& grey, std::span<const VerticalLine> verticals);
 
@@ -55,9 +55,9 @@ class BaseLineDetector {
   std::unique_ptr<Work> work_;
 };
 
-/// Ends vertical lines at the floor: those that only lie on it (reflections) are dropped, those that fade
-/// beneath their base line end there, and those whose lower end is on it or on its skirting board are brought
-/// to it and get their floor point.
+/// Ends vertical lines at the floor. Lines that lie on it (reflections) are dropped, lines that fade beneath
+/// their base line end there. Lines whose lower end is on the base line or its skirting board are extended to
+/// it and marked as having their floor point.
 /// @param grey, verticals  the image and its lines; both as given to and returned by the detectors
 void stand_on_floor(const Image& grey, const BaseLines& base_lines, const BaseLineParams& params,
                     std::vector<VerticalLine>& verticals);

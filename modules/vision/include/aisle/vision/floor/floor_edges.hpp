@@ -1,6 +1,6 @@
 #pragma once
-/// Where walls, doors and furniture meet the floor, whichever path they run, as seen by a camera whose place
-/// on the vehicle is known.
+/// Where walls, doors and furniture meet the floor, in any direction, as seen by a camera whose mount is
+/// known.
 
 #include <memory>
 #include <vector>
@@ -33,10 +33,10 @@ struct FloorEdge {
 };
 
 /// Finds the lowest lasting step of brightness in every direction, and the straight lines along it. Joints
-/// between tiles are no edges of the floor, as it goes on beyond them alike. Where the upper edge of a
-/// skirting board is clearer than its floor point, the floor point is taken that runs beneath it; where the
-/// floor lies in the shadow of what stands on it, the floor point and not where the shadow begins. No
-/// allocation once warm; an image of 640 x 480 takes about a millisecond.
+/// between tiles are no edges, as the floor beyond them looks the same. Where the upper edge of a skirting
+/// board is clearer than its lower one, the lower one is taken. Where the floor lies in the shadow of what
+/// stands on it, the edge is where that meets the floor, not where the shadow begins. No allocation once
+/// warm; an image of 640 x 480 takes about a millisecond.
 class FloorEdgeDetector {
  public:
   FloorEdgeDetector(const FloorEdgeParams& params, const CameraIntrinsics& intrinsics,

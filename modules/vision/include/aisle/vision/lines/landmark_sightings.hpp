@@ -13,7 +13,7 @@
 namespace aisle {
 
 struct LandmarkSightingParams {
-  VerticalLineParams verticals{.usual_score_min = 0.3};  ///< before a bare wall faint lines are all there is
+  VerticalLineParams verticals{.usual_score_min = 0.3};  ///< faint lines are all that a bare wall shows
   FloorEdgeParams floor_edges;
   BackProjectionNoise noise;
   double relief_m = 0.02;
@@ -22,31 +22,31 @@ struct LandmarkSightingParams {
   double leaning_max_rad = 2 * kDegree;
   double board_height_m = 0.16;
   double floor_point_px = 4;
-  bool hanging = true;   ///< lines that end above the floor count too, see LandmarkDetector
-  bool corners = false;  ///< where two edges of the floor meet counts too, even if no line is seen there
+  bool hanging = true;   ///< use lines that end above the floor, too: see LandmarkDetector
+  bool corners = false;  ///< use corners where two floor edges meet, even without a line there
 
   void describe(FieldList& fields);
 };
 
 /// A vertical line that stands on the floor.
 struct LandmarkSighting {
-  Vec2 p_vehicle = Vec2::Zero();   ///< its floor point, in base_link
-  Mat2 covariance = Mat2::Zero();  ///< of the floor point; long along the line of sight
+  Vec2 p_vehicle = Vec2::Zero();   ///< its floor point, in base_link [m]
+  Mat2 covariance = Mat2::Zero();  ///< of the floor point [m^2]; long along the line of sight
   Vec2 by_tilt = Vec2::Zero();     ///< the part of that which all sightings of one image share: how far the
                                    ///< floor point goes when the tilt is off by a standard deviation [m]
   Vec2 floor_point_px = Vec2::Zero();  ///< in the image
-  bool brighter_right = false;         ///< the right side of the line is the brighter one; a corner: false
+  bool brighter_right = false;         ///< the right side of the line is brighter; false for a corner
 
-  /// What its image's other sightings do not share.
+  /// The part of the covariance that the image's other sightings do not share.
   Mat2 own_covariance() const { return covariance - by_tilt * by_tilt.transpose(); }
 };
 
-/// Image -> vertical lines -> edges of the floor -> floor points. A line that ends on an edge of the floor,
-/// or on the skirting board above it, has its floor point there. One that ends higher (a poster's edge) hangs
-/// on the wall that stands on that edge: its floor point is where its azimuth meets the edge, if there is but
-/// one. One that goes on beneath the edge stands nearer, where no edge was seen, and has none; its reflection
-/// in the floor does not count. Floor points beyond 7 m count where no nearer one is seen. No allocation once
-/// warm.
+/// Image -> vertical lines -> floor edges -> floor points. A line that ends on a floor edge, or on the
+/// skirting board above it, has its floor point there. A line that ends higher (a poster's edge) hangs on the
+/// wall above that edge: its floor point is where its azimuth meets the edge, if there is only one. A line
+/// that goes on beneath the edge stands nearer, where no edge was seen, and has none; its reflection in the
+/// floor does not count. Floor points beyond 7 m are used only where no nearer one is seen. No allocation
+/// once warm.
 class LandmarkDetector {
  public:
   LandmarkDetector(const LandmarkSightingParams& params, const CameraIntrinsics& intrinsics,
@@ -56,7 +56,7 @@ class LandmarkDetector {
   /// @throws std::invalid_argument unless the image has one channel
   const std::vector<LandmarkSighting>& detect(const Image& grey);
 
-  /// What the last image showed, for drawings; their floor points as the sightings have them.
+  /// The lines and edges of the last image, for drawings; floor points as in the sightings.
   const std::vector<VerticalLine>& lines() const { return lines_; }
   const std::vector<FloorEdge>& floor_edges() const { return *floor_edges_; }
 
@@ -66,7 +66,7 @@ class LandmarkDetector {
     Vec2 p_vehicle = Vec2::Zero();
     double distance_m = 0;  ///< from the point beneath the lens
     Vec2 pixel_px = Vec2::Zero();
-    double sigma_m = 0;  ///< of the distance, for the edge is where the wall is, and the line may stand proud
+    double sigma_m = 0;  ///< of the distance: the edge is where the wall is, and the line may stand proud
   };
 
   void add_corners();

@@ -12,8 +12,8 @@
 
 namespace aisle {
 
-/// Lengths in px hold for the image that is looked at, which is shrunk to `width_max_px`; a narrower
-/// image is looked at as it is and they shrink with it.
+/// Lengths in px apply to the working image, which is shrunk to `width_max_px`. A narrower image is not
+/// enlarged; the lengths shrink with it.
 struct VerticalLineParams {
   int width_max_px = 640;
   int bands = 120;
@@ -40,8 +40,8 @@ struct VerticalLine {
   bool floor_point = false;  ///< the lower end stands on a base line, see base_lines.hpp
 };
 
-/// Finds near-vertical lines (C98's landmarks): horizontal steps in bands of rows, linked downwards, cut
-/// where they bend; of those, the ones that agree with one vertical vanishing point. Tilt and roll of the
+/// Finds near-vertical lines (C98's landmarks): horizontal steps in bands of rows, linked downwards and cut
+/// where they bend. Those that agree with one vertical vanishing point are kept. Tilt and roll of the
 /// camera may be up to about 15 degrees. No allocation once warm; an image of 640 x 480 takes about a
 /// millisecond.
 class VerticalLineDetector {

@@ -11,12 +11,12 @@ namespace aisle {
 inline constexpr int kViewColumns = 128, kViewBands = 4;
 
 /// How bright an image's columns are in four bands of its rows, the upper first: `kViewColumns` x
-/// `kViewBands` pixels, grey. The published views (`brightness_view.hpp`) keep of such curves only where they
-/// are highest and lowest.
+/// `kViewBands` pixels, grey. The published views (`brightness_view.hpp`) keep only where such curves are
+/// highest and lowest.
 /// @param image  not empty
 Image column_view(const Image& image);
 
-/// How two views may differ that are of one place. Columns are shares of the image's width.
+/// How much two views of one place may differ. Columns are shares of the image's width.
 struct ColumnViewParams {
   double lateral_max = 0.08;
   double approach_max = 0;
@@ -24,22 +24,22 @@ struct ColumnViewParams {
   void describe(FieldList& fields);
 };
 
-/// The curves of a view, ready to be compared with others': as seen from its place, and as points of side
-/// walls would be seen from places ahead of it.
+/// The curves of a view, ready to be compared with others': as seen from its place, and as the side walls
+/// would look from places ahead of it.
 class ViewCurves {
  public:
   /// @param view  of `column_view`
   ViewCurves(const ColumnViewParams& params, const Image& view);
 
   /// One minus the correlation with another view's curves where they agree best, whichever of the two is
-  /// ahead: 0 alike but for the light, 1 nothing in common, at most 2. O(approaches x shifts x columns).
+  /// ahead: 0 the same but for the light, 1 nothing in common, at most 2. O(approaches x shifts x columns).
   double unlikeness(const ViewCurves& other) const;
 
  private:
   using Columns = std::array<float, kViewColumns>;
   using Sums = std::array<double, kViewColumns + 1>;
 
-  /// Under one approach.
+  /// The curves for one approach.
   struct Curves {
     std::array<Columns, kViewBands> tone{};  ///< logarithms: light is a factor; about their mean
     std::array<Sums, kViewBands> sum{};      ///< of the tones of all columns before

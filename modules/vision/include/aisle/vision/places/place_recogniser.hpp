@@ -25,24 +25,24 @@ struct PlaceParams {
   void describe(FieldList& fields);
 };
 
-/// Knows places again that were taught by an image each, from some metres away, too, and without odometry.
-/// Both must agree: the curves of columns' brightness are alike wherever lamps hang in a row, the lines that
-/// stand wherever doors do.
+/// Recognises places that were taught by one image each, also from some metres away, without odometry. Two
+/// cues must agree, as each alone is ambiguous: the curves of columns' brightness repeat wherever lamps hang
+/// in a row, the vertical lines wherever doors do.
 class PlaceRecogniser {
  public:
   explicit PlaceRecogniser(const PlaceParams& params);
 
-  /// The next place along the path.
+  /// Adds the next place along the route.
   void teach(const Image& image);
 
-  /// Which place it was taken at; rivals are those that are not its neighbours along the path. Some 20 ms for
-  /// each taught place.
-  /// @return nullopt if none was taught
+  /// The taught place that the image is most like; rivals are places that are not its neighbours along the
+  /// route. Some 20 ms for each taught place.
+  /// @return nullopt if no place was taught
   std::optional<ViewRecognition> recognise(const Image& image);
   bool is_sure(const ViewRecognition& recognition) const {
     return recognition.is_sure(params_.unlike_max, params_.rival_factor);
   }
-  /// Of the most alike places of a drive's images, in order: which of them those beside them confirm.
+  /// Given the most alike places of a drive's images, in order: which of them their neighbours confirm.
   std::vector<bool> confirmed(std::span<const std::size_t> places) const {
     return confirmed_in_succession(places, static_cast<std::size_t>(params_.ahead_max));
   }
@@ -59,8 +59,8 @@ class PlaceRecogniser {
   PlaceParams params_;
   VerticalLineDetector verticals_;
   std::vector<Look> taught_;
-  std::vector<double> order_;   // of the same
-  std::vector<double> unlike_;  // the same, to the latest image
+  std::vector<double> order_;   // of the taught places
+  std::vector<double> unlike_;  // of the taught places, to the latest image
 };
 
 }  // namespace aisle

@@ -22,16 +22,16 @@ struct PaintedFrameParams {
   void describe(FieldList& fields);
 };
 
-/// Middles of bright lines on the floor, across the rows and columns of an image, in base_link.
+/// Middles of bright lines on the floor, found along the rows and columns of an image, in base_link [m].
 std::vector<Vec2> painted_line_points(const Image& grey, const CameraModel& camera, const CameraMount& mount,
                                       const PaintedFrameParams& params);
 
-/// A rectangle as it was found.
+/// A rectangle that was found.
 struct FrameFit {
-  Pose2 T_vehicle_frame;       ///< its middle, x along the path in
-  Vec2 size_m = Vec2::Zero();  ///< between its lines' middles, along the path in and across
+  Pose2 T_vehicle_frame;       ///< its middle; x points the way in
+  Vec2 size_m = Vec2::Zero();  ///< between its lines' middles, in the direction of the way in and across
   double rms_m = 0;            ///< of the points on its lines
-  int sides = 0;               ///< of the four, that are covered with points
+  int sides = 0;               ///< how many of the four are covered with points
   /// Corners in base_link: far left, far right, near right, near left.
   std::vector<Vec2> corners() const;
 };
@@ -41,11 +41,11 @@ struct FrameFit {
 std::optional<FrameFit> find_frame(std::span<const Vec2> p_vehicle, const Vec2& size_m,
                                    double expected_heading_rad, const PaintedFrameParams& params);
 
-/// The same where the rectangle is known to be nearly at a pose: two sides that are not parallel suffice.
+/// The same where the rectangle's pose is roughly known: two sides that are not parallel suffice.
 std::optional<FrameFit> track_frame(std::span<const Vec2> p_vehicle, const Vec2& size_m,
                                     const Pose2& T_vehicle_expected, const PaintedFrameParams& params);
 
-/// A rectangle of unknown size, all four sides of which are covered.
+/// A rectangle of unknown size; all four of its sides must be covered.
 std::optional<FrameFit> find_frame_and_size(std::span<const Vec2> p_vehicle, double expected_heading_rad,
                                             const PaintedFrameParams& params);
 

@@ -21,13 +21,13 @@ struct RouteCornerParams {
 
 enum class RouteSide { kLeft, kRight };
 
-/// The corner round which a route turns off to a side, as a camera that looks along the route sees it: there
-/// the floor point of what stands beside the route ends, and the view goes on to what stands farther away and
-/// not on the line on which the floor point led (L96 section 3.3; how the corner is found is not published).
+/// The corner where a route turns off to a side, as a camera that looks along the route sees it. The floor
+/// edge of what stands beside the route ends there, and the next thing in view is farther away and off the
+/// line of that edge (L96 section 3.3; how the corner is found is not published).
 /// @param p_vehicle_edges  where the route ends, in the order of the view's columns from the left
-///                         (RouteSight); what stands there is seen down to its floor point
-/// @param p_vehicle_camera  the camera's floor point
-/// @return nullopt: on that side nothing stands, or it goes on to the other end of the view
+///                         (RouteSight); what stands there is seen down to the floor
+/// @param p_vehicle_camera  the floor point beneath the camera
+/// @return nullopt: nothing stands on that side, or it goes on to the other end of the view
 std::optional<Vec2> find_route_corner(std::span<const Vec2> p_vehicle_edges, const Vec2& p_vehicle_camera,
                                       RouteSide side, const RouteCornerParams& params);
 

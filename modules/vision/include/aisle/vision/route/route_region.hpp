@@ -29,20 +29,20 @@ struct RegionParams {
   void describe(FieldList& fields);
 };
 
-/// Where the route is.
+/// The part of an image that is route.
 struct RouteRegion {
   Image mask;        ///< as large as the image: 255 on the route, else 0
   double share = 0;  ///< of the image's pixels
 };
 
-/// Grows the route region of images from below (L96 sections 2.2 and 3.1). The image's lowest middle is
-/// taken for floor. Beyond the paper, brightness may drift slowly over the floor, and the region stops at
-/// edges: each place belongs to the floor, growing from below, or to the rest, growing from above, whichever
-/// reaches it over the lesser steps of brightness and colour. Both may also start elsewhere, at a cost that
-/// grows with the distance from where they are expected, so that reflections and tiles do not stop them.
-/// Colour images are used in colour: what has quite another colour than the floor in front is not floor.
-/// Neither intrinsics nor the horizon need be known; the camera stands upright and looks about level or down.
-/// Memory is kept from image to image.
+/// Free-space segmentation: grows the route region of images from below (L96 sections 2.2 and 3.1). The
+/// middle of the image's lower edge is taken for floor. Beyond the paper, brightness may drift slowly over
+/// the floor, and the region stops at edges: each cell belongs to the floor, growing from below, or to the
+/// rest, growing from above, whichever reaches it over the smaller steps of brightness and colour. Both may
+/// also start elsewhere, at a cost that grows with the distance from where they are expected, so that
+/// reflections and tiles do not stop them. Colour images are used in colour: what differs much in colour from
+/// the floor in front is not floor. Neither intrinsics nor the horizon need be known; the camera is upright
+/// and looks about level or down. Memory is kept from image to image.
 class RouteRegionFinder {
  public:
   explicit RouteRegionFinder(const RegionParams& params = {});
@@ -57,7 +57,7 @@ class RouteRegionFinder {
   std::unique_ptr<class RegionGrowth> growth_;
 };
 
-/// Of a single image.
+/// The route region of a single image.
 RouteRegion find_route_region(const Image& image, const RegionParams& params = {});
 
 /// The middle of the route as L96 Algorithm 4 finds it.
@@ -70,7 +70,7 @@ struct RouteMiddle {
 /// @param far_row, near_row  the scan lines; rows of the mask
 /// @return nullopt unless both lines meet the region
 std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row);
-/// The same between two columns; the rest is masked.
+/// The same from `begin_column` to before `end_column`; the rest is masked.
 std::optional<RouteMiddle> find_route_middle(const Image& mask, int far_row, int near_row, int begin_column,
                                              int end_column);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What a camera that looks down ahead tells of the route: L96 section 3.1.
+/// What a camera that looks down ahead shows of the route: L96 section 3.1.
 
 #include <optional>
 #include <span>
@@ -25,7 +25,7 @@ struct RouteViewParams {
   void describe(FieldList& fields);
 };
 
-/// Where something stands that will be too near (L96 Fig. 7), and where there is more room.
+/// Where an obstacle will be too near (L96 Fig. 7), and on which side there is more free floor.
 struct RouteChecks {
   bool ahead = false;     ///< A
   bool left = false;      ///< B
@@ -41,31 +41,31 @@ struct RouteSight {
   double patch_grey = 0;  ///< mean of the patch before the vehicle (L96 section 2.2)
   double patch_deviation = 0;
   RouteChecks checks;
-  std::vector<Vec2> p_vehicle_edges;    ///< where the route ends, seen from the vehicle; near ones
-  std::vector<Vec2> p_vehicle_cut_off;  ///< on the view's lower edge, of what stands nearer than it shows
+  std::vector<Vec2> p_vehicle_edges;    ///< where the route ends, seen from the vehicle; within edge_range_m
+  std::vector<Vec2> p_vehicle_cut_off;  ///< on the view's lower edge: what stands there is nearer than shown
 };
 
-/// One camera's eye for routes. All points are in base_link. Where it sees the stripe of the vehicle's laser
-/// markers, something stands, however much it looks like the route: beyond the paper.
+/// Sees the route with one camera. All points are in base_link. Beyond the paper: where the stripe of the
+/// vehicle's line lasers is seen, something stands, however much it looks like the route.
 class RouteView {
  public:
   /// @param width_m  of the vehicle
-  /// @param stripe_height_m  of the laser markers' light plane above the floor; nullopt: brightness alone
-  /// tells
+  /// @param stripe_height_m  of the line lasers' light plane above the floor; nullopt: brightness alone
+  ///                         decides
   RouteView(const RouteViewParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
             int width_px, int height_px, double width_m, std::optional<double> stripe_height_m = {});
 
-  /// @return the sight of this image, until the next
+  /// @return valid until the next image
   const RouteSight& look(const Image& image);
   /// The latest; nullopt: there was no image.
   const std::optional<RouteSight>& sight() const { return sight_; }
 
-  /// B' of L96 Algorithm 4: the middle of the two scan lines' middles, on the floor. What lies beside the
-  /// view's edges by these shares of its width is masked.
+  /// B' of L96 Algorithm 4: the middle of the two scan lines' middles, on the floor. The view's left and
+  /// right margins, as shares of its width, are masked.
   /// @return nullopt unless the region meets both lines
   std::optional<Vec2> middle(const RouteSight& sight, double mask_left, double mask_right) const;
 
-  /// Of the two scan lines.
+  /// Image rows of the two scan lines.
   int far_row() const { return far_row_; }
   int near_row() const { return near_row_; }
 
@@ -73,18 +73,18 @@ class RouteView {
   std::optional<Vec2> pixel_of(const Vec2& p_vehicle) const;
   /// The floor point that a pixel sees, if it is not too far away to be known.
   std::optional<Vec2> floor_point(const Vec2& pixel_px) const { return floor_.point(pixel_px); }
-  /// Whether a floor point is in view, and seen to be route.
+  /// Whether a floor point is in view and is route there.
   bool sees_route(const RouteSight& sight, const Vec2& p_vehicle) const;
-  /// Whether what stands at a floor point is on the patch before the vehicle, or hides it.
+  /// Whether an obstacle at a floor point stands on the patch before the vehicle, or hides it.
   bool is_before_patch_end(const Vec2& p_vehicle) const;
 
  private:
   using FloorPatch = std::vector<std::size_t>;  ///< pixels, as offsets into a mask
-  /// Of what the markers' stripe lights.
+  /// A piece of an obstacle that the line lasers' stripe lights.
   struct LitPiece {
-    std::span<const Vec2> p_vehicle;      ///< from right to left
-    bool goes_on = false;                 ///< from the piece before: both have one point
-    std::optional<bool> has_floor_point;  ///< nullopt: it is out of view
+    std::span<const Vec2> p_vehicle;     ///< from right to left
+    bool goes_on = false;                ///< from the previous piece: they share a point
+    std::optional<bool> has_floor_edge;  ///< the floor edge is seen beneath it; nullopt: out of view
   };
 
   std::optional<Vec2> projected(const Vec2& p_vehicle, double height_m) const;
@@ -93,7 +93,7 @@ class RouteView {
   void find_edges(RouteSight& sight) const;
   void take_out_lit(const Image& image, Image& mask);
   void find_lit_pieces(const Image& grey);
-  std::optional<bool> has_floor_point(const Image& grey, std::span<const Vec2> p_vehicle_thing) const;
+  std::optional<bool> has_floor_edge(const Image& grey, std::span<const Vec2> p_vehicle_thing) const;
   bool leaves_view(const Vec2& p_vehicle_inwards, const Vec2& p_vehicle_end) const;
   int floor_point_column(const Vec2& p_vehicle) const;
   void take_out_columns(int begin, int end, Image& mask) const;

@@ -1,5 +1,5 @@
 #pragma once
-/// The marks that a laser's light plane draws on walls and obstacles, seen as mostly horizontal stripes.
+/// The stripes that a line laser draws on walls and obstacles, mostly horizontal in the image.
 
 #include <vector>
 
@@ -26,13 +26,13 @@ struct StripeParams {
 
 /// One unbroken stripe, from the left to the right.
 struct LaserStripe {
-  std::vector<Vec2> points_px;   ///< (column, sub-pixel row); columns grow, few are left out
+  std::vector<Vec2> points_px;   ///< (column, sub-pixel row); columns increase, few are left out
   std::vector<Vec2> corners_px;  ///< where its straight segments meet, its two ends included: at least two
 };
 
 /// Extracts stripes from single images (C99 section 3.1): high brightness and high gradient, linked to
 /// polylines that are split into straight segments at corners. The signal of a colour image is its
-/// strongest channel, of which white light counts less than coloured light; a grey image's is its grey.
+/// strongest channel, where white light counts less than coloured light; of a grey image, its grey level.
 /// Brightness is measured against the surroundings in the same column, so that lamps and bright walls,
 /// which are wider than a stripe, do not count. A stripe may slope up to `slope_max`.
 /// @return from the left to the right; empty where there is no stripe, or no image

@@ -1,6 +1,6 @@
 #pragma once
-/// Where things stand ahead, by the stripe that the vehicle's laser markers draw on them, read as a range
-/// scanner's turn (C99 section 3.1).
+/// Obstacles ahead as a polar scan, like a range scanner's: read from the stripe that the vehicle's line
+/// lasers (C99 section 3.1: laser markers) draw on them.
 
 #include <cstdint>
 #include <optional>
@@ -15,31 +15,31 @@ namespace aisle {
 
 struct StripeFanParams {
   double wide_m = 2.5;       ///< at this range the outermost beams are still in the image
-  double sure_reach_m = 4;   ///< so far light is seen on all that does not stand flat to its path
-  double light_reach_m = 8;  ///< so far any wall shows that the markers are on
+  double sure_reach_m = 4;   ///< up to here a stripe is seen on all but grazing-incidence surfaces
+  double light_reach_m = 8;  ///< up to here any wall shows that the lasers are on
   double contrast_min = 8;   ///< by which a stripe outshines what lies before and behind it [grey levels] ...
   double noise_factor = 4;   ///< ... and by how many times the image's usual contrast
   double beam_m = 0.006;     ///< thickness of the light
-  double steepness_max = 2.5;   ///< rows a column of the steepest stripe
-  double width_min_m = 0.025;   ///< of the narrowest thing ...
-  int beams_min = 3;            ///< ... and how many beams strike it at least
-  double mirrored_share = 0.5;  ///< of a stripe's contrast: fainter before it is mirrored by the floor
-  int lit_beams_min = 20;       ///< of a stripe that is nothing but laser light
+  double steepness_max = 2.5;   ///< of a stripe [rows per column]
+  double width_min_m = 0.025;   ///< of the narrowest obstacle ...
+  int beams_min = 3;            ///< ... and the least number of beams that hit it
+  double mirrored_share = 0.5;  ///< of a stripe's contrast: a fainter one before it is its floor mirror image
+  int lit_beams_min = 20;       ///< beams of a stripe that can only be laser light
 
   void describe(FieldList& fields);
 };
 
-/// Beams from below the lens over the light plane, each a curve in the image on which every pixel belongs
-/// to one distance. Where a thing stands in the light plane, the curve crosses a thin line that outshines
-/// what lies before and behind it, and the beams beside it do so at about the same place.
+/// Beams in the light plane from the point below the lens. Each is a curve in the image, on which every pixel
+/// has its own distance. Where an obstacle stands in the light plane, the curve crosses a thin line that is
+/// brighter than what lies before and behind it, and the neighbouring beams do so at about the same place.
 class StripeFan {
  public:
-  /// What one beam tells.
+  /// The reading of one beam.
   struct Beam {
-    float range_m = 0;         ///< from below the lens to what is lit; 0: nothing is, within reach
-    float near_m = 0;          ///< from here on light on the beam is seen ...
+    float range_m = 0;         ///< from below the lens to the laser return; 0: none within reach
+    float near_m = 0;          ///< from here on, light on the beam would be seen ...
     float far_m = 0;           ///< ... up to here
-    bool may_be_shut = false;  ///< nothing is lit, but a stripe fades out or leaves the image towards it
+    bool may_be_shut = false;  ///< no return, but a stripe fades out or leaves the image towards it
   };
 
   /// @param height_m  of the light plane above the floor
@@ -47,11 +47,11 @@ class StripeFan {
   StripeFan(const StripeFanParams& params, const CameraIntrinsics& intrinsics, const CameraMount& mount,
             int width_px, int height_px, double height_m);
 
-  /// Of the first beam, from where the camera looks; the others follow counter-clockwise, as many to the left
-  /// as to the right.
+  /// Angle of the first beam from the camera's direction; the others follow counter-clockwise, as many to the
+  /// left as to the right.
   double first_angle_rad() const { return first_angle_rad_; }
   static double angle_step_rad();
-  /// How the beams lie in the image, and what was found on them last.
+  /// The beams with the readings of the last image.
   const std::vector<Beam>& beams() const { return beams_; }
 
   /// Reads one image.
@@ -61,20 +61,20 @@ class StripeFan {
   /// Whether the last image shows laser light at all, near or far.
   bool sees_light() const { return sees_light_; }
 
-  /// Places within sure reach that the last image shows lit [m, vehicle frame], from the right to the left.
+  /// Appends the last image's laser returns within sure_reach_m, in base_link [m], from right to left.
   void append_lit(std::vector<Vec2>& p_vehicle_lit) const;
 
-  /// Whether the last image shows that nothing stands in the light plane at a place: the plane is in view
-  /// there and beyond. What is out of view, out of sure reach or hidden is not known to be free.
+  /// Whether the last image shows that nothing stands in the light plane at a point of base_link: the plane
+  /// is in view there and beyond. What is out of view, beyond sure_reach_m or hidden is not known to be free.
   bool is_free(const Vec2& p_vehicle) const;
 
  private:
-  /// A place on a beam: four pixels and how they are weighed.
+  /// A point on a beam: four pixels and their weights.
   struct Sample {
     std::uint32_t first_byte = 0;
     std::uint16_t right_256 = 0, below_256 = 0;
     float range_m = 0;
-    std::uint8_t flank = 0;  ///< samples to beside a stripe that is there
+    std::uint8_t flank = 0;  ///< samples from a stripe's middle to beside it
   };
   struct Curve {
     std::size_t first = 0, end = 0;  ///< of `samples_`
@@ -86,7 +86,7 @@ class StripeFan {
     double range_m = 0;
     int contrast = 0;
     int rows = 0;                 ///< along the beam, at least half as bright
-    std::optional<double> slope;  ///< rows a beam, of the stripe up to here
+    std::optional<double> slope;  ///< rows per beam, of the stripe up to here
     std::size_t chain = 0;
   };
   struct Chain {
@@ -95,7 +95,7 @@ class StripeFan {
     int peaks = 0;         ///< a beam may cross it twice
     int contrast = 0;      ///< of all its peaks together
     double range_m = 0;    ///< the nearest
-    double thickness = 0;  ///< of all its peaks together, as shares of what laser light has there
+    double thickness = 0;  ///< sum over its peaks, each as a share of what laser light has there
     bool is_stripe = false;
   };
 
@@ -106,7 +106,7 @@ class StripeFan {
   std::uint8_t flank_at(double away_m) const;
   int threshold() const;
   void find_peaks();
-  int brightest_lateral(const Curve& curve, std::size_t i) const;
+  int brightest_beside(const Curve& curve, std::size_t i) const;
   void add_peak(std::size_t beam, std::size_t i, int contrast);
   void link_peaks();
   const Peak* linked_before(const Peak& peak, std::size_t first) const;
@@ -130,11 +130,11 @@ class StripeFan {
   std::vector<Sample> samples_;
   std::vector<Curve> curves_;
   std::vector<Beam> beams_;
-  std::vector<std::int16_t> levels_;  ///< one a sample
+  std::vector<std::int16_t> levels_;  ///< one per sample
   std::vector<Peak> peaks_;
   std::vector<Chain> chains_;
-  std::vector<int> brightest_;  ///< one a beam
-  std::vector<int> contrast_;   ///< one a beam, of what it strikes
+  std::vector<int> brightest_;  ///< one per beam
+  std::vector<int> contrast_;   ///< one per beam, of what it hits
   int contrast_min_ = 0;
   bool sees_light_ = false;
 };

@@ -10,7 +10,7 @@ constexpr double kRoomWidthMin_m = 2.6;
 constexpr double kRoomWidthMax_m = 6.5;
 constexpr double kRoomDepthMin_m = 2.4;
 constexpr double kRoomDepthMax_m = 6;
-constexpr double kShallower_m = 0.6;  ///< where something is behind, less deep by this
+constexpr double kShallower_m = 0.6;  ///< less depth where something is behind
 constexpr double kDoorFromCorner_m = 0.2;
 constexpr double kWallSlack_m = 1e-3;
 
@@ -44,11 +44,11 @@ class RoomPlanner {
   }
 
  private:
-  double between(double min_m, double max_m) { return centimetres_by_chance(random_, min_m, max_m); }
+  double between(double min_m, double max_m) { return random_centimetres(random_, min_m, max_m); }
 
   void line(const Frontage& frontage) {
     const double end_m = frontage.wall.length();
-    double at_m = by_chance(random_, 0.5) ? 0 : between(0.2, 1.5);
+    double at_m = with_probability(random_, 0.5) ? 0 : between(0.2, 1.5);
     while (at_m + kRoomWidthMin_m < end_m) {
       const double dice = random_.uniform();
       double taken_m = 0;
@@ -61,7 +61,7 @@ class RoomPlanner {
     }
   }
 
-  /// The width that it takes; 0 if there is no room for one.
+  /// The width that it takes; 0 if it does not fit.
   double add_room(const Frontage& frontage, double at_m, double end_m) {
     const double width_m = std::min(between(kRoomWidthMin_m, kRoomWidthMax_m), end_m - at_m);
     const double wall_m = layout_.wall_thickness_m;
@@ -74,8 +74,8 @@ class RoomPlanner {
       if (!is_apart(floor)) continue;
       const double door_m = at_m + between(kDoorFromCorner_m, width_m - kDoorFromCorner_m - doorway_m);
       Room room{floor, frontage.rectangle(door_m, doorway_m, 0, wall_m), frontage.behind()};
-      room.is_open = by_chance(random_, open_share_);
-      room.has_leaf = !room.is_open || by_chance(random_, 0.75);
+      room.is_open = with_probability(random_, open_share_);
+      room.has_leaf = !room.is_open || with_probability(random_, 0.75);
       layout_.rooms.push_back(room);
       return width_m;
     }
@@ -91,7 +91,7 @@ class RoomPlanner {
     return width_m + 0.6;
   }
 
-  /// At least one wall between this and all other floor.
+  /// Whether there is at least one wall between this and all other floor.
   bool is_apart(const Rectangle& floor) const {
     const Rectangle with_walls = floor.grown(layout_.wall_thickness_m - kWallSlack_m);
     const auto overlaps = [&](const Rectangle& other) { return with_walls.overlaps(other); };

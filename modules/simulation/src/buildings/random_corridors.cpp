@@ -9,7 +9,7 @@ namespace {
 constexpr double kWidthMin_m = 1.2;
 constexpr double kWidthMax_m = 3;
 constexpr double kTurningRoom_m = 1;  ///< from the end of a corridor to where the tour turns back
-constexpr double kMouthMin_m = 2;     ///< at least so long is a wall between two corridors on one side
+constexpr double kMouthMin_m = 2;     ///< least length of a wall between two corridors on one side
 
 class CorridorPlanner {
  public:
@@ -45,7 +45,7 @@ class CorridorPlanner {
     bool up = true;
   };
 
-  double between(double min_m, double max_m) { return centimetres_by_chance(random_, min_m, max_m); }
+  double between(double min_m, double max_m) { return random_centimetres(random_, min_m, max_m); }
   double share_of_size(double min, double max) {
     return std::round(random_.uniform(min, max) * size_m_ * 100) / 100;
   }
@@ -57,7 +57,7 @@ class CorridorPlanner {
     const auto add = [&](double x_m, bool up) {
       branches.push_back({x_m, width(), share_of_size(0.3, 0.9), up});
     };
-    const bool up = by_chance(random_, 0.5);
+    const bool up = with_probability(random_, 0.5);
     const double middle_m = share_of_size(0.35, 0.65);
     switch (random_.index(4)) {
       case 0:  // L
@@ -80,7 +80,7 @@ class CorridorPlanner {
 
   void plan_comb() {
     const double main_width_m = width();
-    const bool up = by_chance(random_, 0.5);
+    const bool up = with_probability(random_, 0.5);
     std::vector<Branch> branches;
     const double pitch_m =
         std::max(between(5, 12), recipe_.corridor_width_m.value_or(kWidthMax_m) + kMouthMin_m);
@@ -129,7 +129,7 @@ class CorridorPlanner {
                                        {left / 2, depth_m - top / 2},
                                        {left / 2, bottom / 2}};
     layout_.tour = {start};
-    if (by_chance(random_, 0.5)) add_stub(length_m, depth_m, right);
+    if (with_probability(random_, 0.5)) add_stub(length_m, depth_m, right);
     layout_.tour.insert(layout_.tour.end(), corners.begin(), corners.end());
     layout_.tour.push_back(start);
     layout_.tour.push_back(corners[0]);  // a part of the second round: the loop is seen to close
@@ -200,15 +200,15 @@ class CorridorPlanner {
 
 }  // namespace
 
-double centimetres_by_chance(Random& random, double min_m, double max_m) {
+double random_centimetres(Random& random, double min_m, double max_m) {
   return std::round(random.uniform(min_m, max_m) * 100) / 100;
 }
 
-bool by_chance(Random& random, double probability) {
+bool with_probability(Random& random, double probability) {
   return random.uniform() < probability;
 }
 
-BuildingLayout corridors_by_chance(const RandomBuildingRecipe& recipe, Random& random) {
+BuildingLayout random_corridors(const RandomBuildingRecipe& recipe, Random& random) {
   return CorridorPlanner(recipe, random).plan();
 }
 
