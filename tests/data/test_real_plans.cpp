@@ -82,7 +82,7 @@ TEST_P(RealPlans, AreTracedWithoutLosingFloorAndCanBeDriven) {
     clean_plan(*plan, 0.1);
     SilentProgress silent;
     World world{.name = file.stem().string()};
-    for (const Segment2& wall : trace_plan(*plan, {}, silent)) world.walls.push_back({.floor_point = wall});
+    for (const Segment2& wall : trace_plan(*plan, {}, silent)) world.walls.push_back({.floor_edge = wall});
     const Agreement agrees = agreement(*plan, wall_floor_edges(written(world)));
     EXPECT_GE(agrees.all, 0.99) << file;
     EXPECT_GE(agrees.away_from_borders, 0.999) << file;
@@ -96,8 +96,8 @@ TEST(RealSegments, FloorsOfWallSegmentsCanBeDriven) {
   for (const fs::path& file : files_in(folder)) {
     auto world = read_wall_segments(file);
     ASSERT_TRUE(world.ok()) << file;
-    const std::vector<Segment2> floor_points = with_free_sides_left(wall_floor_edges(*world));
-    for (std::size_t i = 0; i < floor_points.size(); ++i) world->walls[i].floor_point = floor_points[i];
+    const std::vector<Segment2> floor_edges = with_free_sides_left(wall_floor_edges(*world));
+    for (std::size_t i = 0; i < floor_edges.size(); ++i) world->walls[i].floor_edge = floor_edges[i];
     EXPECT_EQ(written(*world).walls.size(), world->walls.size()) << file;
     expect_drivable(*world);
   }

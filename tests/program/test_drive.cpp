@@ -89,7 +89,7 @@ TEST_F(DriveByKeys, NamesWhatDoesNotGoTogether) {
        "format: aisle.world\nversion: 1\nwalls: [[[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]]\n"
        "start: {at: [5, 5]}\n");
   EXPECT_THAT(run_aisle({"drive", at("no-tour.yaml"), "--operator", "scripted", "--json"}),
-              IsRefused("no-tour.yaml: tour: needs at least two waypoint"));
+              IsRefused("no-tour.yaml: tour: needs at least two waypoints"));
   EXPECT_THAT(
       run_aisle({"drive", file("no-world.yaml", "format: aisle.vehicle\nversion: 1\nwalls: []\n"), "--json"}),
       IsRefused("no-world.yaml:1: format"));

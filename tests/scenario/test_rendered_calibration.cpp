@@ -21,7 +21,7 @@ World room(double ahead_m = 6) {
   const Vec2 a(0, 0), b(2 + ahead_m, 0), c(2 + ahead_m, 6), d(0, 6);
   World world;
   for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, d}, {d, a}}) {
-    world.walls.push_back({.floor_point = {from, to}});
+    world.walls.push_back({.floor_edge = {from, to}});
   }
   world.lamps = {{.centre = {2, 2}}, {.centre = {2.5, 4}}, {.centre = {5, 3}}};
   return world;

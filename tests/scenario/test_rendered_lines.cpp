@@ -26,7 +26,7 @@ constexpr double kRightHinge_m = 5.2, kLeftHinge_m = 7.2;  // x at which the doo
 
 void add_wall(World& world, const std::vector<Vec2>& points) {
   for (std::size_t i = 1; i < points.size(); ++i)
-    world.walls.push_back({.floor_point = {points[i - 1], points[i]}});
+    world.walls.push_back({.floor_edge = {points[i - 1], points[i]}});
 }
 
 /// From x = 0 to 14 m, free side to the left of each face.
@@ -127,7 +127,7 @@ TEST(RenderedLines, NineInTenCornersAndFramesAreFoundAndCornersStandWithinFivePi
       });
       if (line == lines.end()) continue;
       ++found;
-      if (truth.is_corner && line->floor_point)
+      if (truth.is_corner && line->has_floor_point)
         floor_points_off_px.push_back((line->bottom_px - truth.floor_point_px).norm());
     }
   }

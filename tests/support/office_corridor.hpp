@@ -16,7 +16,7 @@ inline World office_corridor(int doors_per_side = 9) {
     const double y = side * kHalfWidth_m, back = y + side * kWall_m;
     const auto wall = [&](Vec2 from, Vec2 to) {
       if (side > 0) std::swap(from, to);
-      world.walls.push_back({.floor_point = {from, to}});
+      world.walls.push_back({.floor_edge = {from, to}});
     };
     double x = 0;
     for (int i = 0; i < doors_per_side; ++i) {
@@ -41,11 +41,11 @@ inline World office_corridor(int doors_per_side = 9) {
     wall({length_m, back}, {x, back});
     wall({0, y + side * kRoomDepth_m}, {length_m, y + side * kRoomDepth_m});
     for (const double end : {0.0, length_m}) {
-      world.walls.push_back({.floor_point = {{end, back}, {end, y + side * kRoomDepth_m}}});
+      world.walls.push_back({.floor_edge = {{end, back}, {end, y + side * kRoomDepth_m}}});
     }
   }
-  world.walls.push_back({.floor_point = {{0, kHalfWidth_m}, {0, -kHalfWidth_m}}});
-  world.walls.push_back({.floor_point = {{length_m, -kHalfWidth_m}, {length_m, kHalfWidth_m}}});
+  world.walls.push_back({.floor_edge = {{0, kHalfWidth_m}, {0, -kHalfWidth_m}}});
+  world.walls.push_back({.floor_edge = {{length_m, -kHalfWidth_m}, {length_m, kHalfWidth_m}}});
   for (double x = 1.5; x < length_m; x += kPitch_m) {
     world.lamps.push_back({.centre = {x, 0}});
     for (const double y : {-3.0, 3.0}) world.lamps.push_back({.centre = {x, y}, .heading_rad = kPi / 2});

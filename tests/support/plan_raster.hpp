@@ -72,9 +72,9 @@ inline Agreement agreement(const FloorPlan& plan, std::span<const Segment2> wall
 }
 
 inline std::vector<Segment2> wall_floor_edges(const World& world) {
-  std::vector<Segment2> floor_points;
-  for (const WallFace& wall : world.walls) floor_points.push_back(wall.floor_point);
-  return floor_points;
+  std::vector<Segment2> floor_edges;
+  for (const WallFace& wall : world.walls) floor_edges.push_back(wall.floor_edge);
+  return floor_edges;
 }
 
 }  // namespace aisle

@@ -47,7 +47,7 @@ Result<Outcome> run_convert(const ConvertOptions& options, Console& console) {
     return problems;
 
   double walls_m = 0;
-  for (const WallFace& wall : world.walls) walls_m += wall.floor_point.length();
+  for (const WallFace& wall : world.walls) walls_m += wall.floor_edge.length();
   Outcome outcome{.verb = "convert"};
   outcome.figures = {{"name", world.name},
                      {"seed", options.seed ? nlohmann::ordered_json(*options.seed) : nullptr},

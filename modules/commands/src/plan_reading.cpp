@@ -44,7 +44,7 @@ Result<World> world_of_floor(Result<FloorPlan> plan, const ConvertOptions& optio
   clean_plan(*plan, options.speck_m);
   World world;
   for (const Segment2& wall : trace_plan(*plan, options.tracing, console.progress)) {
-    world.walls.push_back({.floor_point = wall});
+    world.walls.push_back({.floor_edge = wall});
   }
   if (world.walls.empty()) return Problem{{options.plan.string()}, "shows no free floor"};
   return world;
@@ -68,10 +68,10 @@ Result<World> world_of_maze(std::string_view bytes, const ConvertOptions& option
 Result<World> world_of_segments(std::string_view bytes, const std::string& name) {
   Result<World> world = parse_wall_segments(bytes, name);
   if (!world) return world;
-  std::vector<Segment2> floor_points;
-  for (const WallFace& wall : world->walls) floor_points.push_back(wall.floor_point);
-  floor_points = with_free_sides_left(floor_points);
-  for (std::size_t i = 0; i < floor_points.size(); ++i) world->walls[i].floor_point = floor_points[i];
+  std::vector<Segment2> floor_edges;
+  for (const WallFace& wall : world->walls) floor_edges.push_back(wall.floor_edge);
+  floor_edges = with_free_sides_left(floor_edges);
+  for (std::size_t i = 0; i < floor_edges.size(); ++i) world->walls[i].floor_edge = floor_edges[i];
   return world;
 }
 

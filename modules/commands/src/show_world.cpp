@@ -27,16 +27,16 @@ double to_centimetre(double value_m) {
 
 double wall_length_m(const World& world) {
   double sum_m = 0;
-  for (const WallFace& wall : world.walls) sum_m += wall.floor_point.length();
+  for (const WallFace& wall : world.walls) sum_m += wall.floor_edge.length();
   return sum_m;
 }
 
 Vec2 size_m(const World& world) {
   if (world.walls.empty()) return Vec2::Zero();
-  Vec2 low = world.walls[0].floor_point.start, high = low;
+  Vec2 low = world.walls[0].floor_edge.start, high = low;
   for (const WallFace& wall : world.walls) {
-    low = low.cwiseMin(wall.floor_point.start).cwiseMin(wall.floor_point.end);
-    high = high.cwiseMax(wall.floor_point.start).cwiseMax(wall.floor_point.end);
+    low = low.cwiseMin(wall.floor_edge.start).cwiseMin(wall.floor_edge.end);
+    high = high.cwiseMax(wall.floor_edge.start).cwiseMax(wall.floor_edge.end);
   }
   return high - low;
 }

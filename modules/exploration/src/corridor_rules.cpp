@@ -51,13 +51,13 @@ class CorridorRuleMaker {
 
   void name_alphabets() {
     table_.states = {"q_e", "q_r", "q_fin"};
-    table_.inputs = {"one-path front",     "one-path left",
-                     "one-path right",     "crossing front",
-                     "crossing left",      "crossing right",
-                     "crossing path back", "end",
-                     "explored",           "closed",
-                     "detour front",       "detour left",
-                     "detour right",       "away"};
+    table_.inputs = {"one-way front",     "one-way left",
+                     "one-way right",     "crossing front",
+                     "crossing left",     "crossing right",
+                     "crossing way back", "end",
+                     "explored",          "closed",
+                     "detour front",      "detour left",
+                     "detour right",      "away"};
     table_.stack = {"Z_0", "E_front", "E_left", "E_right", "R"};
     table_.outputs = {"forward",       "forward left",   "forward right", "backward",
                       "backward left", "backward right", "stop"};

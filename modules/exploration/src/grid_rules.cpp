@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kRuleSetNames = {"published", "shortcut", "cells", "homing",
                                                            "roaming"};
-constexpr std::array<std::string_view, 9> kInputKindNames = {
-    "one-way",          "crossing",   "ending", "explored", "one-path start",
-    "multi-path start", "dead start", "closed", "detour"};
+constexpr std::array<std::string_view, 9> kInputKindNames = {"one-way",    "crossing",      "ending",
+                                                             "explored",   "one-way start", "multi-way start",
+                                                             "dead start", "closed",        "detour"};
 
 /// The super rules of C97 section 3.3; 5.3, 6 and 7 are ours.
 enum SuperRule : Symbol { k1, k21, k22, k3, k4, k51, k52, k53, k6, k7 };

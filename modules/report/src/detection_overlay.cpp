@@ -75,7 +75,7 @@ std::string verticals_overlay_png(const Image& image, std::span<const VerticalLi
     for (const VerticalLine& line : verticals)
       canvas.line(on_canvas(line.top_px), on_canvas(line.bottom_px), {kCyan, stroke});
     for (const VerticalLine& line : verticals)
-      if (line.floor_point) canvas.disc(on_canvas(line.bottom_px), 2 * stroke, kRed);
+      if (line.has_floor_point) canvas.disc(on_canvas(line.bottom_px), 2 * stroke, kRed);
   });
 }
 

@@ -64,7 +64,7 @@ class WorldDrawing {
 void WorldDrawing::draw_on(Canvas& canvas) const {
   canvas.fill(kPaper);
   std::vector<Segment2> faces;
-  for (const WallFace& wall : world_.walls) faces.push_back(wall.floor_point);
+  for (const WallFace& wall : world_.walls) faces.push_back(wall.floor_edge);
   draw_wall_bodies(canvas, scale_, faces);
   draw_lamps(canvas);
   draw_papers(canvas);
@@ -147,7 +147,7 @@ void WorldDrawing::draw_furniture(Canvas& canvas) const {
 void WorldDrawing::draw_walls(Canvas& canvas) const {
   std::vector<std::pair<Vec2, Vec2>> ends;
   for (const WallFace& wall : world_.walls) {
-    ends.emplace_back(scale_.to_paper(wall.floor_point.start), scale_.to_paper(wall.floor_point.end));
+    ends.emplace_back(scale_.to_paper(wall.floor_edge.start), scale_.to_paper(wall.floor_edge.end));
   }
   canvas.lines(ends, {kInk, wall_px()});
 }

@@ -18,7 +18,7 @@ class Outlines {
   explicit Outlines(Layer layer) : layer_(layer) {}
 
   void add(const WallFace& wall) {
-    if (layer_.overlaps(0, wall.height_m)) segments_.push_back(wall.floor_point);
+    if (layer_.overlaps(0, wall.height_m)) segments_.push_back(wall.floor_edge);
   }
 
   void add(const Prism& prism) {

@@ -39,8 +39,8 @@ struct WallEndPoint {
 std::vector<WallEndPoint> ends_of(const std::vector<WallFace>& walls) {
   std::vector<WallEndPoint> ends;
   for (const WallFace& wall : walls) {
-    ends.push_back({wall.floor_point.start, wall.floor_point.heading(), wall.height_m});
-    ends.push_back({wall.floor_point.end, wall.floor_point.reversed().heading(), wall.height_m});
+    ends.push_back({wall.floor_edge.start, wall.floor_edge.heading(), wall.height_m});
+    ends.push_back({wall.floor_edge.end, wall.floor_edge.reversed().heading(), wall.height_m});
   }
   return ends;
 }

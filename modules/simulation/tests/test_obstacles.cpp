@@ -10,7 +10,7 @@ namespace {
 
 World wall_at(double x) {
   World world;
-  world.walls.push_back({.floor_point = {{x, -5}, {x, 5}}});
+  world.walls.push_back({.floor_edge = {{x, -5}, {x, 5}}});
   return world;
 }
 

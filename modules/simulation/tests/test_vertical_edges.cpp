@@ -21,7 +21,7 @@ bool has_edge(const std::vector<VerticalEdge>& edges, EdgeKind kind, const Vec2&
 }
 
 WallFace wall(const Vec2& start, const Vec2& end) {
-  return {.floor_point = {start, end}};
+  return {.floor_edge = {start, end}};
 }
 
 TEST(VerticalEdges, AnEmptyWorldHasNone) {

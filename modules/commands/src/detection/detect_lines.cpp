@@ -61,10 +61,10 @@ class VerticalsDetector final : public ImageDetector {
     for (const VerticalLine& line : verticals) {
       listed.push_back({{"top", pixel_json(line.top_px)},
                         {"bottom", pixel_json(line.bottom_px)},
-                        {"foot", line.floor_point}});
+                        {"foot", line.has_floor_point}});
     }
     const auto floor_points = std::count_if(verticals.begin(), verticals.end(),
-                                            [](const VerticalLine& line) { return line.floor_point; });
+                                            [](const VerticalLine& line) { return line.has_floor_point; });
     detection.summary = fmt::format("{} vertical lines, {} with a foot", verticals.size(), floor_points);
     if (is_drawn) detection.overlay_png = verticals_overlay_png(image, verticals);
     return detection;

@@ -18,7 +18,7 @@ inline World walled_by(std::initializer_list<Vec2> corners, const Pose2& T_world
   World world;
   const Vec2* from = corners.end() - 1;
   for (const Vec2& to : corners) {
-    world.walls.push_back({.floor_point = {*from, to}});
+    world.walls.push_back({.floor_edge = {*from, to}});
     from = &to;
   }
   world.start = T_world_start;

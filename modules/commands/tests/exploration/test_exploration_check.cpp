@@ -14,7 +14,7 @@ World corridor_with_gap(double gap_m) {
   World world;
   const Vec2 corners[] = {{10, 1 + gap_m / 2}, {10, 2}, {0, 2}, {0, 0}, {10, 0}, {10, 1 - gap_m / 2}};
   for (std::size_t i = 1; i < std::size(corners); ++i)
-    world.walls.push_back({.floor_point = {corners[i], corners[i - 1]}});
+    world.walls.push_back({.floor_edge = {corners[i], corners[i - 1]}});
   return world;
 }
 

@@ -14,7 +14,7 @@ World l_world() {
   World world;
   const Vec2 corners[] = {{0, 0}, {12, 0}, {12, 10}, {10, 10}, {10, 2}, {0, 2}};
   for (std::size_t i = 0; i < std::size(corners); ++i)
-    world.walls.push_back({.floor_point = {corners[i], corners[(i + 1) % std::size(corners)]}});
+    world.walls.push_back({.floor_edge = {corners[i], corners[(i + 1) % std::size(corners)]}});
   return world;
 }
 
@@ -153,7 +153,7 @@ TEST(ExplorationEvaluation, ClosedRoomsAreNoCorridorsAndNotMissed) {
   World world = l_world();
   for (const auto& [a, b] : {std::pair(Vec2(0, 3), Vec2(9, 3)), std::pair(Vec2(9, 3), Vec2(9, 9)),
                              std::pair(Vec2(9, 9), Vec2(0, 9)), std::pair(Vec2(0, 9), Vec2(0, 3))})
-    world.walls.push_back({.floor_point = {a, b}});
+    world.walls.push_back({.floor_edge = {a, b}});
   const Learned learned({});
   const ExplorationScore figures =
       evaluate_exploration(world, {}, kAllRound, {learned.T_world_vehicle, {}, learned.floor, learned.walls});

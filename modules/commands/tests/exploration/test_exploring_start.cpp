@@ -14,7 +14,7 @@ World hall() {
   World world;
   const Vec2 corners[] = {{12, 0}, {12, 6}, {0, 6}, {0, 0}, {12, 0}};
   for (std::size_t i = 1; i < std::size(corners); ++i)
-    world.walls.push_back({.floor_point = {corners[i], corners[i - 1]}});
+    world.walls.push_back({.floor_edge = {corners[i], corners[i - 1]}});
   return world;
 }
 
@@ -37,7 +37,7 @@ World closet(std::vector<Vec2> tour) {
   World world;
   const Vec2 corners[] = {{1.4, 0}, {1.4, 1.4}, {0, 1.4}, {0, 0}, {10, 0}, {10, 1.4}, {1.4, 1.4}};
   for (std::size_t i = 1; i < std::size(corners); ++i)
-    world.walls.push_back({.floor_point = {corners[i], corners[i - 1]}});
+    world.walls.push_back({.floor_edge = {corners[i], corners[i - 1]}});
   world.tour = std::move(tour);
   return world;
 }

@@ -27,8 +27,8 @@ constexpr double kGap_m = 0.72;  // for a vehicle of 0.6 m
 /// The same with a gap in a wall across its second corridor.
 World narrowed_l_building() {
   World world = l_building();
-  world.walls.push_back({.floor_point = {{12, 5}, {13 - kGap_m / 2, 5}}});
-  world.walls.push_back({.floor_point = {{13 + kGap_m / 2, 5}, {14, 5}}});
+  world.walls.push_back({.floor_edge = {{12, 5}, {13 - kGap_m / 2, 5}}});
+  world.walls.push_back({.floor_edge = {{13 + kGap_m / 2, 5}, {14, 5}}});
   return world;
 }
 
@@ -42,8 +42,8 @@ World ring_building() {
   World world;
   const Vec2 outer[] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, block[] = {{2, 2}, {2, 8}, {8, 8}, {8, 2}};
   for (std::size_t i = 0; i < 4; ++i) {
-    world.walls.push_back({.floor_point = {outer[i], outer[(i + 1) % 4]}});
-    world.walls.push_back({.floor_point = {block[i], block[(i + 1) % 4]}});
+    world.walls.push_back({.floor_edge = {outer[i], outer[(i + 1) % 4]}});
+    world.walls.push_back({.floor_edge = {block[i], block[(i + 1) % 4]}});
   }
   world.start = Pose2{1, 1.5, kPi / 2};
   return world;
@@ -122,7 +122,7 @@ TEST(GuideMission, PatrolsAllCorridorsAndComesHome) {
 
 TEST(GuideMission, GivesUpBeforeAPathThatIsClosedNowAndContactsNothing) {
   World closed = l_building();
-  closed.walls.push_back({.floor_point = {{12, 5}, {14, 5}}});
+  closed.walls.push_back({.floor_edge = {{12, 5}, {14, 5}}});
   const Driven driven = drive("go lift", closed);
   EXPECT_FALSE(driven.result.end.arrived);
   EXPECT_THAT(driven.result.end.why, HasSubstr("there is no path to 13.0, 8.0"));

@@ -14,11 +14,11 @@ World corridor_with_alcove(double depth_m) {
   const double wall = -kSkirted_m;
   World world;
   world.skirting_height_m = 0.1;
-  for (const Segment2& floor_point :
+  for (const Segment2& floor_edge :
        {Segment2{{10, wall}, {6, wall}}, Segment2{{6, wall}, {6, wall - depth_m}},
         Segment2{{6, wall - depth_m}, {4, wall - depth_m}}, Segment2{{4, wall - depth_m}, {4, wall}},
         Segment2{{4, wall}, {0, wall}}})
-    world.walls.push_back({.floor_point = floor_point});
+    world.walls.push_back({.floor_edge = floor_edge});
   return world;
 }
 
@@ -46,7 +46,7 @@ TEST(WallKeeping, AnAlcoveIsNotTheWallThatADistanceIsKeptFrom) {
 
 TEST(WallKeeping, WallsOfOneLineMayRunEitherPath) {
   World world = corridor_with_alcove(0.2);
-  Segment2& last = world.walls.back().floor_point;
+  Segment2& last = world.walls.back().floor_edge;
   std::swap(last.start, last.end);
   EXPECT_EQ(error_along(world, 1, 0).count(), 80U);
 }

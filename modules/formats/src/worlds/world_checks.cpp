@@ -170,11 +170,10 @@ class Checks {
     for (std::size_t i = 0; i < spots.size(); ++i) hanging_free[spots[i].key] = &world_.posters[i];
     const Spots by_x(std::move(spots));
     for (const WallFace& wall : world_.walls) {
-      by_x.for_each_near(wall.floor_point, kOnTheWall_m, [&](const Spot& spot) {
+      by_x.for_each_near(wall.floor_edge, kOnTheWall_m, [&](const Spot& spot) {
         const auto poster = hanging_free.find(spot.key);
         if (poster == hanging_free.end()) return;
-        const double across =
-            std::abs(unit(poster->second->facing_rad).dot(unit(wall.floor_point.heading())));
+        const double across = std::abs(unit(poster->second->facing_rad).dot(unit(wall.floor_edge.heading())));
         constexpr double kOblique = 0.1;
         if (across < kOblique) hanging_free.erase(poster);
       });

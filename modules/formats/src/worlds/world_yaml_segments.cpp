@@ -27,7 +27,7 @@ Result<World> parse_wall_segments(std::string_view text, const std::string& name
     if (!fields.ok()) {
       problems.add(line_number, fields.failure());
     } else if (Vec2(x1, y1) != Vec2(x2, y2)) {
-      world.walls.push_back({.floor_point = {{x1, y1}, {x2, y2}}});
+      world.walls.push_back({.floor_edge = {{x1, y1}, {x2, y2}}});
     }
   }
   if (!problems.empty()) return problems.take();

@@ -32,7 +32,7 @@ TEST(WorldYaml, ReadsWallsBoxesAndTour) {
   ASSERT_TRUE(world.ok()) << to_string(world.problems());
   EXPECT_EQ(world->name, "closet");
   ASSERT_THAT(world->walls, SizeIs(2));
-  EXPECT_THAT(world->walls[1].floor_point.end, PointNear(Vec2(3, 2), 1e-12));
+  EXPECT_THAT(world->walls[1].floor_edge.end, PointNear(Vec2(3, 2), 1e-12));
   ASSERT_THAT(world->furniture, SizeIs(1));
   EXPECT_THAT(world->furniture[0].size, PointNear(Vec2(1, 0.5), 1e-12));
   EXPECT_DOUBLE_EQ(world->furniture[0].heading_rad, 90 * kDegree);
@@ -270,7 +270,7 @@ TEST(WallSegments, ReadsOneWallALine) {
   ASSERT_TRUE(world.ok()) << to_string(world.problems());
   EXPECT_EQ(world->name, "floor-4");
   ASSERT_THAT(world->walls, SizeIs(2));
-  EXPECT_THAT(world->walls[1].floor_point.end, PointNear(Vec2(1.5, 2), 1e-12));
+  EXPECT_THAT(world->walls[1].floor_edge.end, PointNear(Vec2(1.5, 2), 1e-12));
   EXPECT_THAT(world->tour, IsEmpty());
 }
 

@@ -60,7 +60,7 @@ constexpr double kLateral_m = 500;
 WallFace behind(Poster& poster, std::uint64_t quarter_turns) {
   poster.facing_rad = static_cast<double>(quarter_turns) * kPi / 2;
   const Vec2 along = quarter_turns % 2 == 0 ? Vec2(0, 1) : Vec2(1, 0);
-  return {.floor_point = {poster.centre - along, poster.centre + along}};
+  return {.floor_edge = {poster.centre - along, poster.centre + along}};
 }
 
 World draw_world(Random& random) {
@@ -78,7 +78,7 @@ World draw_world(Random& random) {
     WallLine line;
     drawer.draw(line);
     const bool goes_on = !world.walls.empty() && random.index(2) == 0;
-    world.walls.push_back({{goes_on ? world.walls.back().floor_point.end : line.line[0], line.line[1]},
+    world.walls.push_back({{goes_on ? world.walls.back().floor_edge.end : line.line[0], line.line[1]},
                            random.index(2) == 0 ? world.ceiling_m : line.height_m,
                            random.index(2) == 0 ? WallFace{}.brightness : line.brightness});
   }
@@ -96,7 +96,7 @@ bool same(const Vec2& a, const Vec2& b) {
   return same(a.x(), b.x()) && same(a.y(), b.y());
 }
 bool same(const WallFace& a, const WallFace& b) {
-  return same(a.floor_point.start, b.floor_point.start) && same(a.floor_point.end, b.floor_point.end) &&
+  return same(a.floor_edge.start, b.floor_edge.start) && same(a.floor_edge.end, b.floor_edge.end) &&
          same(a.height_m, b.height_m) && same(a.brightness, b.brightness);
 }
 

@@ -51,7 +51,7 @@ TEST(StripeMonitor, OneImageAloneIsNoOtherPlace) {
   EXPECT_FALSE(watch.look(before_wall()));
 }
 
-TEST(StripeMonitor, AImageThatShowsWhatIsKnownToBeHereIsNoOtherPlace) {
+TEST(StripeMonitor, AnImageThatShowsWhatIsKnownToBeHereIsNoOtherPlace) {
   StripeMonitor watch;
   watch.look(along_corridor({}));
   EXPECT_FALSE(watch.look(before_wall(), true));

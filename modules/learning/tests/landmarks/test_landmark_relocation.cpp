@@ -104,7 +104,7 @@ TEST(LandmarkRelocation, ForgetsWhatItSawElsewhere) {
 }
 
 // Two thousand places away from all landmarks cost next to nothing, but images pass until they were tried.
-TEST(LandmarkRelocation, TriesSoManyPlacesAImageAndNoMore) {
+TEST(LandmarkRelocation, TriesSoManyPlacesAnImageAndNoMore) {
   Random random(8);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
   const LandmarkMap map = map_of(lines);

@@ -25,7 +25,7 @@ bool is_near_tour(const World& world, const Vec2& p) {
 
 std::vector<Segment2> wall_lines(const World& world) {
   std::vector<Segment2> wall_lines;
-  for (const WallFace& wall : world.walls) wall_lines.push_back(wall.floor_point);
+  for (const WallFace& wall : world.walls) wall_lines.push_back(wall.floor_edge);
   return wall_lines;
 }
 

@@ -34,7 +34,7 @@ class MazeBuilder {
       }
     }
     World world;
-    for (const Segment2& wall : walls_around(floor)) world.walls.push_back({.floor_point = wall});
+    for (const Segment2& wall : walls_around(floor)) world.walls.push_back({.floor_edge = wall});
     world.start = pose_in(maze_.start);
     add_goals(world);
     return world;

@@ -87,7 +87,7 @@ World random_building(const RandomBuildingRecipe& recipe, Random random) {
   choose_surfaces(world, random);
   const double brightness = random.uniform(0.5, 0.9);
   for (const Segment2& wall : walls_around(layout.floor())) {
-    world.walls.push_back({.floor_point = wall, .height_m = world.ceiling_m, .brightness = brightness});
+    world.walls.push_back({.floor_edge = wall, .height_m = world.ceiling_m, .brightness = brightness});
   }
   hang_doors(world, layout, random);
   furnish(world, layout, random);

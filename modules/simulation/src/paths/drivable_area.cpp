@@ -72,7 +72,7 @@ class ClearAreas {
 
 DrivableArea drivable_area(const World& world, const ClearanceGrid& grid, double clearance_min_m) {
   std::vector<Segment2> walls;
-  for (const WallFace& wall : world.walls) walls.push_back(wall.floor_point);
+  for (const WallFace& wall : world.walls) walls.push_back(wall.floor_edge);
   ClearAreas areas(grid, walls, clearance_min_m);
   for (const Segment2& wall : walls) areas.count_votes_of(wall);
   std::size_t chosen = areas.best();

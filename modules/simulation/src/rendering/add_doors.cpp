@@ -19,7 +19,7 @@ void add_frame(const Door& door, const Pose2& T_world_closed, int material, Pane
 double wall_brightness(const World& world, const Door& door) {
   double nearest_m = 1, brightness = kPlasterBrightness;
   for (const WallFace& wall : world.walls) {
-    for (const Vec2& end : {wall.floor_point.start, wall.floor_point.end}) {
+    for (const Vec2& end : {wall.floor_edge.start, wall.floor_edge.end}) {
       const double distance_m = (end - door.hinge).norm();
       if (distance_m < nearest_m) {
         nearest_m = distance_m;

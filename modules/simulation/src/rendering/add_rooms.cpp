@@ -95,8 +95,8 @@ Extent extent_of(const World& world) {
     extent.max = extent.max.cwiseMax(p);
   };
   for (const WallFace& wall : world.walls) {
-    take(wall.floor_point.start);
-    take(wall.floor_point.end);
+    take(wall.floor_edge.start);
+    take(wall.floor_edge.end);
   }
   for (const Furniture& piece : world.furniture) take(piece.centre);
   for (const Door& door : world.doors) take(door.hinge);
@@ -123,15 +123,15 @@ void add_rooms(const World& world, Materials& materials, Panels& panels) {
   for (const Door& door : world.doors) doorways.push_back(doorway_of(door));
   const int skirting = materials.paint(world.skirting_brightness);
   for (const WallFace& wall : world.walls) {
-    const Vec2 along = wall.floor_point.end - wall.floor_point.start;
-    panels.push_back({.corner = {wall.floor_point.start.x(), wall.floor_point.start.y(), 0},
+    const Vec2 along = wall.floor_edge.end - wall.floor_edge.start;
+    panels.push_back({.corner = {wall.floor_edge.start.x(), wall.floor_edge.start.y(), 0},
                       .along = {along.x(), along.y(), 0},
                       .up = {0, 0, wall.height_m},
                       .material = wall_materials[wall.brightness],
                       .is_two_sided = true});
     const double board_m = std::min(world.skirting_height_m, wall.height_m);
     if (board_m <= 0) continue;
-    for (const Segment2& wall_line : outside_doorways(wall.floor_point, doorways)) {
+    for (const Segment2& wall_line : outside_doorways(wall.floor_edge, doorways)) {
       add_prism(skirting_board(wall_line, board_m), skirting, panels);
     }
   }

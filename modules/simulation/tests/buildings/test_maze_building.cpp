@@ -14,8 +14,8 @@ constexpr MazeBuildingParams kParams{.corridor_width_m = 1.8, .wall_thickness_m 
 double area_m2(const World& world) {
   double area = 0;
   for (const WallFace& wall : world.walls) {
-    area += (wall.floor_point.start.x() * wall.floor_point.end.y() -
-             wall.floor_point.start.y() * wall.floor_point.end.x()) /
+    area += (wall.floor_edge.start.x() * wall.floor_edge.end.y() -
+             wall.floor_edge.start.y() * wall.floor_edge.end.x()) /
             2;
   }
   return area;

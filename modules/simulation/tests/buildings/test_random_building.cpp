@@ -51,7 +51,7 @@ TEST_P(RandomBuilding, WallsAreClosedOutlinesWithoutDegenerateOrOverlappingPiece
     const World world = building(seed);
     std::set<std::tuple<long, long>> corners;
     for (std::size_t i = 0; i < world.walls.size(); ++i) {
-      const Segment2& wall = world.walls[i].floor_point;
+      const Segment2& wall = world.walls[i].floor_edge;
       const Vec2 extent = (wall.end - wall.start).cwiseAbs();
       EXPECT_LT(extent.minCoeff(), 1e-9) << seed;
       EXPECT_GT(extent.maxCoeff(), 0.015) << seed << " " << wall.start.transpose();
@@ -82,8 +82,8 @@ TEST_P(RandomBuilding, SeedsGiveDifferentBuildingsAndEachTheSameAgain) {
     ASSERT_EQ(once.walls.size(), again.walls.size());
     double length_m = 0;
     for (std::size_t i = 0; i < once.walls.size(); ++i) {
-      ASSERT_EQ(once.walls[i].floor_point.start, again.walls[i].floor_point.start);
-      length_m += once.walls[i].floor_point.length();
+      ASSERT_EQ(once.walls[i].floor_edge.start, again.walls[i].floor_edge.start);
+      length_m += once.walls[i].floor_edge.length();
     }
     ASSERT_EQ(once.posters.size(), again.posters.size());
     ASSERT_EQ(once.lamps.size(), again.lamps.size());

@@ -30,8 +30,7 @@ World corner() {
   World world{.name = "corner"};
   const std::vector<Vec2> line = {{-2, -1.2}, {11.2, -1.2}, {11.2, 10}, {8.8, 10},
                                   {8.8, 1.2}, {-2, 1.2},    {-2, -1.2}};
-  for (std::size_t i = 1; i < line.size(); ++i)
-    world.walls.push_back({.floor_point = {line[i - 1], line[i]}});
+  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.floor_edge = {line[i - 1], line[i]}});
   world.tour = {{0, 0}, {10, 0}, {10, 8}};
   world.places = {{"door", {5, 0.2, 0}}, {"yard", {50, 50, 0}}};
   return world;
@@ -49,8 +48,7 @@ World narrow_tee(double from_x, double to_x, double half_width) {
                                   {-0.6, half_width},
                                   {from_x, half_width},
                                   {from_x, -half_width}};
-  for (std::size_t i = 1; i < line.size(); ++i)
-    world.walls.push_back({.floor_point = {line[i - 1], line[i]}});
+  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.floor_edge = {line[i - 1], line[i]}});
   world.tour = {{-3, 0}, {0, 0}, {0, 7}};
   return world;
 }
@@ -147,8 +145,7 @@ TEST_P(ScriptedOperatorTest, WhereTheRouteBackTurnsOffItBacksRoundTheCornerAndGo
   World world{.name = "tee"};
   const std::vector<Vec2> line = {{-8, -1.2}, {12, -1.2},  {12, 1.2}, {1.2, 1.2}, {1.2, 9},
                                   {-1.2, 9},  {-1.2, 1.2}, {-8, 1.2}, {-8, -1.2}};
-  for (std::size_t i = 1; i < line.size(); ++i)
-    world.walls.push_back({.floor_point = {line[i - 1], line[i]}});
+  for (std::size_t i = 1; i < line.size(); ++i) world.walls.push_back({.floor_edge = {line[i - 1], line[i]}});
   world.tour = {{-6, 0}, {0, 0}, {0, 6}, {0, 0}, {9, 0}};
   const Drive run = drive(world, model, 6);
   EXPECT_TRUE(run.arrived);

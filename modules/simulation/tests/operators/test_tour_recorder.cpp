@@ -15,7 +15,7 @@ World square_room_with_a_round_trip() {
   World world{.name = "room"};
   for (const Segment2& line : {Segment2{{5, -5}, {5, 5}}, Segment2{{5, 5}, {-5, 5}},
                                Segment2{{-5, 5}, {-5, -5}}, Segment2{{-5, -5}, {5, -5}}}) {
-    world.walls.push_back({.floor_point = line});
+    world.walls.push_back({.floor_edge = line});
   }
   world.tour = {{-3, -3}, {3, -3}, {3, 3}, {-3, 3}, {-3, -3}};
   return world;

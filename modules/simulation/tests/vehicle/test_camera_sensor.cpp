@@ -184,7 +184,7 @@ TEST(CameraSensor, SeesTheCornersOfAChessboardOnTheFloorWhereTheLensModelProject
 World wall_ahead(double height_m) {
   World world = dark_floor();
   world.skirting_height_m = 0;
-  world.walls = {{.floor_point = {{3, -5}, {3, 5}}, .height_m = height_m, .brightness = 0.3}};
+  world.walls = {{.floor_edge = {{3, -5}, {3, 5}}, .height_m = height_m, .brightness = 0.3}};
   return world;
 }
 

@@ -16,7 +16,7 @@ World square_room() {
   World world{.name = "square room"};
   for (const Segment2& line : {Segment2{{2, -2}, {2, 2}}, Segment2{{2, 2}, {-2, 2}},
                                Segment2{{-2, 2}, {-2, -2}}, Segment2{{-2, -2}, {2, -2}}}) {
-    world.walls.push_back({.floor_point = line});
+    world.walls.push_back({.floor_edge = line});
   }
   return world;
 }

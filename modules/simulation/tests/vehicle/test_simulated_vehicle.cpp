@@ -17,7 +17,7 @@ World hall() {
   World world{.name = "hall"};
   for (const Segment2& line : {Segment2{{20, -5}, {20, 5}}, Segment2{{20, 5}, {-5, 5}},
                                Segment2{{-5, 5}, {-5, -5}}, Segment2{{-5, -5}, {20, -5}}}) {
-    world.walls.push_back({.floor_point = line});
+    world.walls.push_back({.floor_edge = line});
   }
   return world;
 }

@@ -67,7 +67,7 @@ const std::vector<LandmarkSighting>& LandmarkDetector::detect(const Image& grey)
     meet_edges(line);
     const auto floor_point = floor_point_of(grey, line);
     if (!floor_point) continue;
-    line.floor_point = true;
+    line.has_floor_point = true;
     auto sighting = sighting_at(*floor_point);
     if (!sighting) continue;
     sighting->brighter_right = line.contrast > 0;

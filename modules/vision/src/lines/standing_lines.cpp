@@ -71,7 +71,7 @@ std::optional<VerticalLine> with_floor_point(const BaseLines& base_lines, const 
   if (above_px < -tolerance_px || above_px > std::max(tolerance_px, kBoardDepth * depth_px))
     return std::nullopt;
   line.bottom_px = {u_at(line, *v_px), *v_px};
-  line.floor_point = true;
+  line.has_floor_point = true;
   return line;
 }
 

@@ -117,7 +117,7 @@ TEST(BaseLines, DoorFramesStandOnThemAndTheirReflectionsDoNotCount) {
     for (const double z_m : {3.0, 3.9, 5.6}) {
       const Vec2 floor_point_px = corridor.pixel({corridor.right_m, corridor.height_m, z_m});
       const bool stands = std::any_of(verticals.begin(), verticals.end(), [&](const VerticalLine& line) {
-        return line.floor_point && (line.bottom_px - floor_point_px).norm() < 2;
+        return line.has_floor_point && (line.bottom_px - floor_point_px).norm() < 2;
       });
       EXPECT_TRUE(stands) << "door edge at " << z_m << " m, shine " << shine;
     }

@@ -17,7 +17,7 @@ namespace aisle {
 /// A thin piece of wall that stands on the floor, opaque from both sides. Where only one side is free, it is
 /// on the left. A real wall has two faces and is two of these.
 struct WallFace {
-  Segment2 floor_point;
+  Segment2 floor_edge;
   double height_m = 2.7;
   double brightness = 0.75;
 };

@@ -36,8 +36,8 @@ struct VerticalLineParams {
 struct VerticalLine {
   Vec2 top_px = Vec2::Zero();     ///< (u, v) in the image as given, sub-pixel
   Vec2 bottom_px = Vec2::Zero();  ///< below the top: greater v
-  double contrast = 0;       ///< mean step across the line [grey levels]; > 0: the right side is brighter
-  bool floor_point = false;  ///< the lower end stands on a base line, see base_lines.hpp
+  double contrast = 0;           ///< mean step across the line [grey levels]; > 0: the right side is brighter
+  bool has_floor_point = false;  ///< the lower end stands on a base line, see base_lines.hpp
 };
 
 /// Finds near-vertical lines (C98's landmarks): horizontal steps in bands of rows, linked downwards and cut
