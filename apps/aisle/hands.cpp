@@ -15,7 +15,7 @@ using namespace aisle;
 
 namespace {
 
-/// Keys with their times, from a file or from stdin.
+/// Timed keys from a file, or from stdin if no file is named.
 Result<std::unique_ptr<Operator>> timed_keys(const std::string& file, const VehicleDescription& vehicle,
                                              const KeySpeeds& speeds) {
   constexpr std::size_t kBytesMax = 16 << 20;
@@ -35,13 +35,14 @@ Result<std::unique_ptr<Operator>> timed_keys(const std::string& file, const Vehi
 }  // namespace
 
 void add_hand_options(CLI::App& verb, HandOptions& options) {
-  add_choice<Hands>(verb, "--operator", options.person,
-                    {{"keys", Hands::kKeys}, {"scripted", Hands::kScripted}, {"page", Hands::kPage}},
-                    "keys: arrows, q, space in the terminal, or timed keys from stdin; scripted: a person "
-                    "follows the world's tour; page: whoever drives from the page of --live (default: keys "
-                    "in a terminal, else scripted)");
+  add_choice<Hands>(
+      verb, "--operator", options.person,
+      {{"keys", Hands::kKeys}, {"scripted", Hands::kScripted}, {"page", Hands::kPage}},
+      "who drives. keys: arrow keys, q and space in the terminal, or timed keys from stdin; scripted: "
+      "a scripted person follows the world's tour; page: a person on the page of --live "
+      "(default: keys in a terminal, else scripted)");
   verb.add_option("--keys", options.keys,
-                  "file of timed keys to press, such as '0-3 up'; faster than real time");
+                  "file of timed key presses, such as '0-3 up'; runs faster than real time");
 }
 
 void check_page_driver(const HandOptions& options, const LiveOption& live) {

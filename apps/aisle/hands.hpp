@@ -6,7 +6,7 @@
 #include "live_options.hpp"
 #include "verb.hpp"
 
-/// Who drives by hand.
+/// Who drives by hand; kAsFits: keys in a terminal or from a file, else scripted.
 enum class Hands { kAsFits, kKeys, kScripted, kPage };
 
 struct HandOptions {
@@ -17,8 +17,8 @@ struct HandOptions {
 /// --operator and --keys.
 void add_hand_options(CLI::App& verb, HandOptions& options);
 
-/// Who drives from the page needs one: --live.
+/// Refuses --operator page without --live.
 void check_page_driver(const HandOptions& options, const LiveOption& live);
 
-/// The person that the options mean; null: a scripted one, or one at the page.
+/// Makes the operator at the keys; null if the driver is scripted or on the page.
 aisle::DriveOptions::KeyOperator key_operator(const HandOptions& options, bool quiet);
