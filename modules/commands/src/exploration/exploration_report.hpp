@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// An exploration on one page: map and path, graph of corridors, how much was known after so much distance,
+/// HTML page about an exploration: map and path, graph of corridors, known floor over the distance travelled,
 /// the transducer's states and stack, figures, and what went wrong.
 std::string exploration_report(const ExplorationPicture& image, const Building& building,
                                const Outcome& outcome);
