@@ -135,15 +135,14 @@ Problems run_section_seed(const TrialOptions& options, const SectionTrialParams&
     trial.not_taught.add(seed, to_string(course.problems()));
     return {};
   }
-  const SectionLearningResult& taught_run = course->taught_run;
-  const SectionList& sections = taught_run.building.routes.front().sections;
+  const SectionLearningResult& taught = course->learned;
+  const SectionList& sections = taught.building.routes.front().sections;
   const std::string due = due_letters(setting->world.tour, params.learner.learning);
   const std::string learned = letters_of(sections);
   trial.letters += std::max(due.size(), learned.size());
   trial.letters_wrong += letters_apart(due, learned);
-  SectionNavigator navigator(
-      params.navigator, vehicle, vehicle.cameras.front().name, sections,
-      guided_path(sections, taught_run.driven.T_route_start, SectionRun::kThereAndBack));
+  SectionNavigator navigator(params.navigator, vehicle, vehicle.cameras.front().name, sections,
+                             guided_path(sections, taught.driven.T_route_start, SectionRun::kThereAndBack));
   std::optional<SessionRecord> no_session;
   const auto result = drive_section_mission(*setting, navigator,
                                             {.seed = 1000 * (seed + 1), .T_world_map = course->T_world_map},
