@@ -14,7 +14,7 @@
 namespace aisle {
 namespace {
 
-/// All that a drive is made of, read and checked.
+/// Everything a drive needs, read and checked.
 struct Drive {
   DriveParams params;
   SimulationSetting setting;
@@ -39,7 +39,7 @@ Result<Drive> read_drive(const DriveOptions& options) {
   drive.T_world_start = *start;
   if (!options.keys && drive.setting.world.tour.size() < 2) {
     return Problem{{drive.setting.world_file.string(), 0, "tour"},
-                   "needs at least two waypoint to be followed"};
+                   "needs at least two waypoints to be followed"};
   }
   return drive;
 }

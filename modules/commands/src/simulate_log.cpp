@@ -23,7 +23,7 @@ double length_m(const std::vector<Pose2>& poses) {
   return sum_m;
 }
 
-/// FLASER lines give no angles; they follow from the number of readings.
+/// FLASER lines contain no angles; the number of readings determines them.
 Problems inexpressible(const RangeScannerParams& scanner) {
   constexpr double kSameAngle_rad = 1e-9;
   if (scanner.sensor.beams < 2) return {{{"", 0, "scanner.beams"}, "a log needs at least 2"}};
@@ -53,7 +53,7 @@ Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& con
   const auto world = read_shipped_or_own("worlds", options.world.string(), read_world);
   if (!world) return world.problems();
   if (world->tour.size() < 2)
-    return Problem{{options.world.string(), 0, "tour"}, "needs at least two waypoint"};
+    return Problem{{options.world.string(), 0, "tour"}, "needs at least two waypoints"};
   const auto out =
       OutputDirectory::open(options.out, options.force, {"simulated-trip.log", "true.relations", "true.tum"});
   if (!out) return out.problems();

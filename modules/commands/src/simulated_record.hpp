@@ -37,7 +37,7 @@ class SimulatedRecord : public MissionRecord {
 
   bool is_watched() const { return session_ && session_->watcher() != nullptr; }
   /// Name of the camera of the cycle's first image; empty: no image was taken.
-  const std::string& pictured_by() const { return image_camera_; }
+  const std::string& image_camera() const { return image_camera_; }
 
  private:
   std::optional<SessionRecord>& session_;

@@ -22,7 +22,7 @@ std::vector<Vec2> stripe_points(const Image& image) {
   return points;
 }
 
-/// Leaves what is farther than a board's width beside the board: it may be on another wall.
+/// Keeps only points within a board's width of the board: those farther away may be on another wall.
 void keep_beside(const std::vector<Vec2>& corners_px, std::vector<Vec2>& points_px) {
   const auto [left, right] = std::minmax_element(corners_px.begin(), corners_px.end(),
                                                  [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });

@@ -10,7 +10,7 @@ namespace aisle {
 
 /// HTML page about an exploration: map and path, graph of corridors, known floor over the distance travelled,
 /// the transducer's states and stack, figures, and what went wrong.
-std::string exploration_report(const ExplorationPicture& image, const Building& building,
+std::string exploration_report(const ExplorationPicture& picture, const Building& building,
                                const Outcome& outcome);
 
 }  // namespace aisle

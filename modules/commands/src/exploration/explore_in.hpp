@@ -32,6 +32,6 @@ Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, Simul
                                             Console& console);
 
 /// The picture refers to the exploration, which must outlive it.
-ExplorationPicture image_of(const JudgedExploration& explored);
+ExplorationPicture picture_of(const JudgedExploration& explored);
 
 }  // namespace aisle

@@ -16,7 +16,7 @@
 namespace aisle {
 
 /// Period at which a paused mission polls the requests of clients.
-inline constexpr double kPausedLook_s = 0.05;
+inline constexpr double kPausedPoll_s = 0.05;
 
 /// The names of the services that LiveControl answers.
 std::vector<LiveService> control_services(ServiceMailbox& calls);
@@ -59,7 +59,7 @@ class LiveControl final : public Progress, public MessageSink {
 
  private:
   void show_map(ros::Stamp_ns stamp, std::string_view session_cdr);
-  void do_as_asked(const ServiceCall& call);
+  void handle(const ServiceCall& call);
   void mark(const ServiceCall& call);
   void stop_if_requested();
   void keep_pace();

@@ -19,7 +19,7 @@ class LiveReplay {
   Problems run();
 
   /// Answers a call of a service replay/...
-  void take_order(const ServiceCall& call);
+  void take_call(const ServiceCall& call);
 
  private:
   Problems open();

@@ -30,7 +30,7 @@ class TaughtRoutes {
   /// refused, the next one uses `seed`.
   /// @param setting  the world as it is during teaching; worlds are distinguished by file and name
   /// Problems: why the taught run was refused.
-  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const WorldRoute& path,
+  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const WorldRoute& world_route,
                                     std::uint64_t seed, Progress& progress);
 
  private:
