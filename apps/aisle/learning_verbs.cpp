@@ -4,8 +4,8 @@
 #include "aisle/commands/navigate.hpp"
 #include "aisle/commands/refine.hpp"
 #include "aisle/commands/teach.hpp"
-#include "hands.hpp"
 #include "live_options.hpp"
+#include "operator_options.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
 
@@ -18,7 +18,7 @@ void add_teach_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   auto options = std::make_shared<TeachOptions>();
   options->drive.vehicle.clear();
-  auto hands = std::make_shared<HandOptions>();
+  auto operator_options = std::make_shared<OperatorOptions>();
   verb->add_option("WORLD", options->drive.world, "world file (YAML) or name of a shipped world");
   verb->add_option("--method", options->method, "learning method: landmarks (default), sections or route");
   verb->add_option("--route", options->route, "name of the route (default: route)");
@@ -31,16 +31,16 @@ void add_teach_verb(CLI::App& app, Work& work) {
       *verb, "--views", options->shows_view_pattern, {{"trail", false}, {"pattern", true}},
       "views of a taught place (method route): from the path to it (default), or from a pattern of 63 "
       "poses around it, which a scripted person drives");
-  add_hand_options(*verb, *hands);
+  add_operator_options(*verb, *operator_options);
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->drive.parameters, drive_parameters, work, [=, &app, &work] {
     if (options->drive.world.empty()) throw CLI::RequiredError("WORLD");
     if (options->drive.out.empty()) throw CLI::RequiredError("--out");
-    check_page_driver(*hands, live);
-    options->drive.keys = key_operator(*hands, app.count("--quiet") > 0);
-    work = live.around([options, hands](Console& console, const DriveOptions::KeyOperator& hand) {
+    check_page_driver(*operator_options, live);
+    options->drive.keys = key_operator(*operator_options, app.count("--quiet") > 0);
+    work = live.around([options, operator_options](Console& console, const DriveOptions::KeyOperator& hand) {
       TeachOptions taught = *options;
-      if (hands->person == Hands::kPage) taught.drive.keys = hand;
+      if (operator_options->kind == OperatorKind::kPage) taught.drive.keys = hand;
       return run_teach(taught, console);
     });
   });

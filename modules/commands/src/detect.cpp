@@ -90,8 +90,8 @@ Result<Image> read_image_of(const std::optional<CameraCalibration>& camera, cons
   if (!image || !camera || camera->width_px == 0) return image;
   if (image->width_px == camera->width_px && image->height_px == camera->height_px) return image;
   return Problem{{file},
-                 fmt::format("has {} x {} pixels; the camera's calibration holds for {} x {}",
-                             image->width_px, image->height_px, camera->width_px, camera->height_px)};
+                 fmt::format("has {} x {} pixels; the camera's calibration is for {} x {}", image->width_px,
+                             image->height_px, camera->width_px, camera->height_px)};
 }
 
 /// Writes all drawings into the overlay directory. @return role -> path

@@ -68,7 +68,7 @@ Result<CollectedMarks> collect(const CalibrateFloorOptions& options, const Camer
 Problems contradictions(const CalibrateFloorOptions& options) {
   if (options.images.size() != options.boards_at.size()) {
     return {{{"--board-at"},
-             fmt::format("stands there {} times for {} images; each image needs its own",
+             fmt::format("is given {} times for {} images; each image needs its own",
                          options.boards_at.size(), options.images.size())}};
   }
   if (options.images.empty() && !options.marks) {

@@ -100,7 +100,7 @@ std::string text_of(const LaserCalibration& c) {
 Result<Outcome> run_calibrate_laser(const CalibrateLaserOptions& options, Console& console) {
   if (!options.walls_at_m.empty() && options.walls_at_m.size() != options.images.size()) {
     return Problem{{"--wall-at"},
-                   fmt::format("stands there {} times for {} images; each needs its own",
+                   fmt::format("is given {} times for {} images; each needs its own",
                                options.walls_at_m.size(), options.images.size())};
   }
   const auto out = open_calibration_directory(options.out, options.force, false);

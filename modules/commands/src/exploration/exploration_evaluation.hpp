@@ -16,8 +16,9 @@ namespace aisle {
 
 /// What was driven and learned.
 struct DrivenExploration {
-  const std::vector<Pose2>& T_world_vehicle;  ///< true, one a cycle; the first is the start; not empty
-  Pose2 T_world_map;                          ///< the learned map's frame in the world, see map_in_world()
+  const std::vector<Pose2>&
+      T_world_vehicle;  ///< true poses, one per cycle; not empty; the first is the start
+  Pose2 T_world_map;    ///< the learned map's frame in the world, see map_in_world()
   const FloorGrid& floor;
   const WallMap& walls;
 };

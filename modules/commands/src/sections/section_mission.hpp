@@ -26,8 +26,8 @@ struct SectionMissionResult {
   double closing_error_rad = 0;
   ErrorFigure wall_distance_m;  ///< error of the distance to the right wall-floor edge, while it was followed
   std::vector<double> cycle_s;  ///< processor time of each cycle, from image to command
-  std::vector<Pose2> T_map_driven;  ///< estimated poses, one per cycle
-  std::vector<TakenPicture> images;   ///< one from the middle of each longer straight section, with keep_images
+  std::vector<Pose2> T_map_driven;   ///< estimated poses, one per cycle
+  std::vector<TakenPicture> images;  ///< from the middles of longer straight sections, with keep_images
 };
 
 struct SectionMissionOptions {

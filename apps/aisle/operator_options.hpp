@@ -7,18 +7,18 @@
 #include "verb.hpp"
 
 /// Who drives by hand; kAsFits: keys in a terminal or from a file, else scripted.
-enum class Hands { kAsFits, kKeys, kScripted, kPage };
+enum class OperatorKind { kAsFits, kKeys, kScripted, kPage };
 
-struct HandOptions {
-  Hands person = Hands::kAsFits;
+struct OperatorOptions {
+  OperatorKind kind = OperatorKind::kAsFits;
   std::string keys;  ///< file of timed keys; may be empty
 };
 
 /// --operator and --keys.
-void add_hand_options(CLI::App& verb, HandOptions& options);
+void add_operator_options(CLI::App& verb, OperatorOptions& options);
 
 /// Refuses --operator page without --live.
-void check_page_driver(const HandOptions& options, const LiveOption& live);
+void check_page_driver(const OperatorOptions& options, const LiveOption& live);
 
 /// Makes the operator at the keys; null if the driver is scripted or on the page.
-aisle::DriveOptions::KeyOperator key_operator(const HandOptions& options, bool quiet);
+aisle::DriveOptions::KeyOperator key_operator(const OperatorOptions& options, bool quiet);
