@@ -61,7 +61,7 @@ class ExplorationMissionRecord final : public SimulatedRecord {
     show_floor(navigator_.learner().floor());
   }
 
-  /// Called after each step of the navigator.
+  /// Only after a step of the transducer.
   void show_transducer() {
     const BuildingExplorer& explorer = navigator_.explorer();
     if (!is_watched() || explorer.steps().size() == steps_shown_) return;
