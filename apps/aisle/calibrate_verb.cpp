@@ -15,15 +15,15 @@ using namespace aisle;
 
 namespace {
 
-/// "9x6": inner corners in a row and in a column.
+/// "9x6": inner corners per row and per column.
 void read_board(const std::string& text, Chessboard& board) {
   const char* const end = text.data() + text.size();
   const auto [times, first] = std::from_chars(text.data(), end, board.columns);
   const bool has_both = first == std::errc() && times != end && *times == 'x';
   const auto [rest, second] = has_both ? std::from_chars(times + 1, end, board.rows)
                                        : std::from_chars_result{end, std::errc::invalid_argument};
-  const auto is_fair = [](int corners) { return corners >= 3 && corners <= 50; };
-  if (second == std::errc() && rest == end && is_fair(board.columns) && is_fair(board.rows)) return;
+  const auto is_valid = [](int corners) { return corners >= 3 && corners <= 50; };
+  if (second == std::errc() && rest == end && is_valid(board.columns) && is_valid(board.rows)) return;
   throw CLI::ValidationError(
       "--board", fmt::format("'{}' is not COLUMNSxROWS of inner corners, such as 9x6 (3 to 50 each)", text));
 }
@@ -42,35 +42,40 @@ BoardOnFloor read_place(const std::string& text) {
     at = next + 1;
   }
   throw CLI::ValidationError(
-      "--board-at", fmt::format("'{}' is not x,y,degrees (metres; 0 degrees: its upper edge ahead)", text));
+      "--board-at",
+      fmt::format("'{}' is not x,y,degrees (metres; 0 degrees: the upper edge points ahead)", text));
 }
 
 template <class Options>
 void add_board(CLI::App& verb, const std::shared_ptr<Options>& options) {
   verb.add_option_function<std::string>(
           "--board", [options](const std::string& text) { read_board(text, options->board); },
-          "the chessboard's inner corners, default 9x6")
+          "inner corners of the chessboard (default 9x6)")
       ->type_name("COLUMNSxROWS");
-  verb.add_option("--square-m", options->board.square_m, "side of a square in metres, default 0.025")
+  verb.add_option("--square-m", options->board.square_m,
+                  "side of a chessboard square in metres (default 0.025)")
       ->check(CLI::Range(0.001, 10.0));
 }
 
 template <class Options>
 void add_out(CLI::App& verb, const std::shared_ptr<Options>& options) {
-  verb.add_option("--out", options->out,
-                  "directory for camera.yaml (OpenCV), camera_info.yaml (ROS), residuals");
-  verb.add_flag("--force", options->force, "replace results that are there already");
+  verb.add_option(
+      "--out", options->out,
+      "output directory for camera.yaml (OpenCV), camera_info.yaml (ROS) and plots of the residuals");
+  verb.add_flag("--force", options->force, "overwrite existing results");
 }
 
 void add_camera(CLI::App& calibrate, Work& work) {
-  CLI::App* verb = calibrate.add_subcommand("camera", "the lens, from at least 3 images of a chessboard");
+  CLI::App* verb =
+      calibrate.add_subcommand("camera", "calibrate the lens from at least 3 images of a chessboard");
   verb->fallthrough();
   auto options = std::make_shared<CalibrateCameraOptions>();
-  verb->add_option("IMAGES", options->images, "images of one size, the board turned to all sides")
+  verb->add_option("IMAGES", options->images,
+                   "images of the same size that show the board at different tilts")
       ->required();
   add_board(*verb, options);
-  verb->add_option("--name", options->camera_name, "the camera's name in its files, default camera");
-  verb->add_flag("--same-focal-lengths", options->lens.same_focal_lengths, "fx = fy: the pixels are square");
+  verb->add_option("--name", options->camera_name, "camera name in the output files (default camera)");
+  verb->add_flag("--same-focal-lengths", options->lens.same_focal_lengths, "assume square pixels: fx = fy");
   add_out(*verb, options);
   verb->callback([options, &work] {
     work = [options](Console& console) { return run_calibrate_camera(*options, console); };
@@ -79,25 +84,24 @@ void add_camera(CLI::App& calibrate, Work& work) {
 
 void add_floor(CLI::App& calibrate, Work& work) {
   CLI::App* verb = calibrate.add_subcommand(
-      "floor", "how the camera sits on the vehicle, from boards or marks on the floor");
+      "floor", "calibrate the camera's mount on the vehicle from chessboards or marks on the floor");
   verb->fallthrough();
   auto options = std::make_shared<CalibrateFloorOptions>();
-  verb->add_option("IMAGES", options->images, "images of a chessboard that lies on the floor");
-  verb->add_option("--camera", options->camera, "calibration of the lens (YAML)")->required();
+  verb->add_option("IMAGES", options->images, "images of a chessboard that lies flat on the floor");
+  verb->add_option("--camera", options->camera, "lens calibration (YAML)")->required();
   verb->add_option_function<std::vector<std::string>>(
           "--board-at",
           [options](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) options->boards_at.push_back(read_place(text));
           },
-          "once for each image: middle of the board's corners in metres ahead and to the left of "
-          "base_link, "
-          "and the direction of its upper edge in degrees (0: it lies as printed for who looks ahead, the "
-          "black "
-          "outer square at the upper left)")
+          "pose of the board on the floor, once per image: centre of its inner corners in metres ahead and "
+          "left of base_link, and direction of its upper edge in degrees (0: upright as seen from the "
+          "vehicle, with the black outer square at the upper left)")
       ->type_name("X,Y,DEG")
       ->type_size(1)
       ->allow_extra_args(false);
-  verb->add_option("--marks", options->marks, "file with marks on the floor, 'u v x y' a line");
+  verb->add_option("--marks", options->marks,
+                   "file with marks on the floor, one 'u v x y' per line (pixels, metres)");
   add_board(*verb, options);
   add_out(*verb, options);
   verb->callback([options, &work] {
@@ -106,16 +110,18 @@ void add_floor(CLI::App& calibrate, Work& work) {
 }
 
 void add_laser(CLI::App& calibrate, Work& work) {
-  CLI::App* verb =
-      calibrate.add_subcommand("laser", "the height of the laser plane, from its stripe on walls");
+  CLI::App* verb = calibrate.add_subcommand(
+      "laser", "calibrate the height and slope of the laser plane from its stripe on walls");
   verb->fallthrough();
   auto options = std::make_shared<CalibrateLaserOptions>();
-  verb->add_option("IMAGES", options->images, "images of the stripe on a wall, best at several distances")
+  verb->add_option("IMAGES", options->images,
+                   "images of the laser stripe on a wall, ideally at several distances")
       ->required();
   verb->add_option("--camera", options->camera, "calibration of lens and mount (YAML)")->required();
-  verb->add_option("--wall-at", options->walls_at_m,
-                   "once for each image: distance of the wall ahead, at right angles, from base_link in "
-                   "metres; else a chessboard on the wall tells where it is")
+  verb->add_option(
+          "--wall-at", options->walls_at_m,
+          "perpendicular distance from base_link to the wall ahead in metres, once per image (default: "
+          "measured from a chessboard on the wall)")
       ->check(CLI::Range(0.05, 100.0))
       ->allow_extra_args(false);
   add_board(*verb, options);
@@ -128,7 +134,7 @@ void add_laser(CLI::App& calibrate, Work& work) {
 }  // namespace
 
 void add_calibrate_verb(CLI::App& app, Work& work) {
-  CLI::App* calibrate = app.add_subcommand("calibrate", "what a camera is and how it sits on the vehicle");
+  CLI::App* calibrate = app.add_subcommand("calibrate", "calibrate a camera, its mount and the line lasers");
   calibrate->require_subcommand(1);
   calibrate->fallthrough();
   add_camera(*calibrate, work);

@@ -1,38 +1,39 @@
 #include <memory>
 
 #include "aisle/commands/drive.hpp"
-#include "hands.hpp"
 #include "live_options.hpp"
+#include "operator_options.hpp"
 #include "option_kinds.hpp"
 #include "verb.hpp"
 
 using namespace aisle;
 
 void add_drive_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("drive", "drive a simulated vehicle through a world by hand");
+  CLI::App* verb = app.add_subcommand("drive", "drive a simulated vehicle by hand");
   verb->fallthrough();
   auto options = std::make_shared<DriveOptions>();
-  auto hands = std::make_shared<HandOptions>();
+  auto operator_options = std::make_shared<OperatorOptions>();
   auto no_images = std::make_shared<bool>(false);
-  verb->add_option("WORLD", options->world, "world file (YAML), or the name of a shipped one");
+  verb->add_option("WORLD", options->world, "world file (YAML) or name of a shipped world");
   verb->add_option("--vehicle", options->vehicle,
-                   "vehicle file (YAML), or the name of a shipped one (default alv)");
-  verb->add_option("--scenario", options->scenario,
-                   "scenario file (YAML) of what goes wrong, or the name of a shipped one");
-  add_seed(*verb, options->seed, "of all noise; the same seed gives the same session (default 1)");
-  verb->add_option("--out", options->out, "directory for the session");
-  verb->add_flag("--force", options->force, "replace a session that is there already");
-  add_hand_options(*verb, *hands);
+                   "vehicle file (YAML) or name of a shipped vehicle (default alv)");
+  verb->add_option(
+      "--scenario", options->scenario,
+      "scenario file (YAML) of faults to inject, or name of a shipped scenario (default: no faults)");
+  add_seed(*verb, options->seed, "random seed; the same seed gives the same session (default 1)");
+  verb->add_option("--out", options->out, "output directory for the session");
+  verb->add_flag("--force", options->force, "overwrite an existing session");
+  add_operator_options(*verb, *operator_options);
   const LiveOption live(*verb);
-  verb->add_flag("--no-pictures", *no_images, "the cameras see nothing: faster");
+  verb->add_flag("--no-pictures", *no_images, "do not render camera images (faster)");
   add_parameter_options(*verb, options->parameters, drive_parameters, work, [=, &app, &work] {
     if (options->world.empty()) throw CLI::RequiredError("WORLD");
-    check_page_driver(*hands, live);
+    check_page_driver(*operator_options, live);
     options->takes_images = !*no_images;
-    options->keys = key_operator(*hands, app.count("--quiet") > 0);
-    work = live.around([options, hands](Console& console, const DriveOptions::KeyOperator& hand) {
+    options->keys = key_operator(*operator_options, app.count("--quiet") > 0);
+    work = live.around([options, operator_options](Console& console, const DriveOptions::KeyOperator& hand) {
       DriveOptions driven = *options;
-      if (hands->person == Hands::kPage) driven.keys = hand;
+      if (operator_options->kind == OperatorKind::kPage) driven.keys = hand;
       return run_drive(driven, console);
     });
   });

@@ -9,34 +9,39 @@
 using namespace aisle;
 
 void add_explore_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("explore", "learn a building that nobody has shown, and come home");
+  CLI::App* verb =
+      app.add_subcommand("explore", "explore an unknown building, come home and keep its map (simulated)");
   verb->fallthrough();
   auto options = std::make_shared<ExploreOptions>();
   verb->add_option("WORLD", options->world,
-                   "world file (YAML), the name of a shipped one, or a plan as 'convert' reads them");
+                   "world file (YAML), name of a shipped world, or a floor plan that 'aisle convert' reads");
   add_resolution(*verb, options->plan_pixel_m);
-  verb->add_option("--vehicle", options->vehicle,
-                   "vehicle file (YAML), or the name of a shipped one (default: the one with the sensor)");
-  add_exploring_sensor(*verb, options->sensor, "what shows it its surroundings (default scanner)");
-  verb->add_option("--faults", options->scenario,
-                   "scenario file (YAML) of what goes wrong, or the name of a shipped one");
+  verb->add_option(
+      "--vehicle", options->vehicle,
+      "vehicle file (YAML) or name of a shipped vehicle (default: the shipped one with the chosen sensor)");
+  add_exploring_sensor(
+      *verb, options->sensor,
+      "sensor to explore with: range scanner, or line lasers with a camera (default scanner)");
+  verb->add_option(
+      "--faults", options->scenario,
+      "scenario file (YAML) of faults to inject, or name of a shipped scenario (default: no faults)");
   add_choice<ExploringOrder>(*verb, "--order", options->order,
                              {{"recommended", ExploringOrder::kRecommended},
                               {"published", ExploringOrder::kPublished},
                               {"nearest-frontier", ExploringOrder::kNearest}},
-                             "in which order paths are taken (default recommended)");
+                             "order in which open paths are taken (default recommended)");
   verb->add_option_function<std::string>(
           "--start",
           [options](const std::string& text) { options->T_world_start = parse_place("--start", text); },
-          "where the vehicle is set down in the world: x,y,degrees (default: where the world says)")
+          "initial pose in the world: x,y,degrees (default: the world's start)")
       ->type_name("X,Y,DEG");
-  verb->add_flag("--compare", options->compares, "drive by nearest frontier as well, and tell both ways");
-  add_seed(*verb, options->seed, "of all noise; the same seed gives the same run (default 1)");
-  verb->add_option("--out", options->out, "directory for building.json, the images and report.html");
-  verb->add_option("--session", options->session, "directory to record the run in, as a session");
-  verb->add_option("--resume", options->resumed,
-                   "session of a run that was interrupted: it goes on from where it stood");
-  verb->add_flag("--force", options->force, "replace results that are there already");
+  verb->add_flag("--compare", options->compares,
+                 "also explore by nearest frontier, and report the distances of both");
+  add_seed(*verb, options->seed, "random seed; the same seed gives the same run (default 1)");
+  verb->add_option("--out", options->out, "output directory for building.json, the pictures and report.html");
+  verb->add_option("--session", options->session, "directory to record the run in as a session");
+  verb->add_option("--resume", options->resumed, "session of an interrupted run to continue");
+  verb->add_flag("--force", options->force, "overwrite existing results");
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, explore_parameters, work, [=, &work] {
     if (options->world.empty()) throw CLI::RequiredError("WORLD");

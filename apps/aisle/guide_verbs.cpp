@@ -11,15 +11,16 @@ namespace {
 
 void add_mission_options(CLI::App& verb, GuideOptions& options) {
   verb.add_option("--world", options.world,
-                  "world file (YAML), the name of a shipped one, or a plan as 'convert' reads them");
+                  "world file (YAML), name of a shipped world, or a floor plan that 'aisle convert' reads");
   add_resolution(verb, options.plan_pixel_m);
   verb.add_option("--vehicle", options.vehicle,
-                  "vehicle file (YAML), or the name of a shipped one (default alv-scanner)");
-  verb.add_option("--faults", options.scenario,
-                  "scenario file (YAML) of what goes wrong, or the name of a shipped one");
-  add_seed(verb, options.seed, "of all noise; the same seed gives the same session (default 1)");
-  verb.add_option("--out", options.out, "directory for the session");
-  verb.add_flag("--force", options.force, "replace a session that is there already");
+                  "vehicle file (YAML) or name of a shipped vehicle (default alv-scanner)");
+  verb.add_option(
+      "--faults", options.scenario,
+      "scenario file (YAML) of faults to inject, or name of a shipped scenario (default: no faults)");
+  add_seed(verb, options.seed, "random seed; the same seed gives the same session (default 1)");
+  verb.add_option("--out", options.out, "output directory for the session");
+  verb.add_flag("--force", options.force, "overwrite an existing session");
 }
 
 void require(const GuideOptions& options) {
@@ -28,13 +29,12 @@ void require(const GuideOptions& options) {
 }
 
 void add_go_verb(CLI::App& app, Work& work) {
-  CLI::App* verb =
-      app.add_subcommand("go", "drive from home to a place of an explored building, in the simulator");
+  CLI::App* verb = app.add_subcommand("go", "drive from home to a place in an explored building (simulated)");
   verb->fallthrough();
   auto options = std::make_shared<GuideOptions>();
-  verb->add_option("BUILDING", options->building, "building file (JSON) that was explored");
+  verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle explore'");
   verb->add_option("PLACE", options->place,
-                   "a place or a node of the corridors by its name (\"end 1\"), or x,y in the map");
+                   "goal: name of a place or of a corridor node (\"end 1\"), or x,y in the map frame [m]");
   add_mission_options(*verb, *options);
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, guide_parameters, work, [=, &work] {
@@ -46,11 +46,11 @@ void add_go_verb(CLI::App& app, Work& work) {
 
 void add_patrol_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
-      "patrol", "drive all corridors of an explored building about once a round, in the simulator");
+      "patrol", "drive along all corridors of an explored building, about once per round (simulated)");
   verb->fallthrough();
   auto options = std::make_shared<GuideOptions>();
-  verb->add_option("BUILDING", options->building, "building file (JSON) that was explored");
-  verb->add_option("--rounds", options->rounds, "how often (default 1)")->check(CLI::Range(1, 1000));
+  verb->add_option("BUILDING", options->building, "building file (JSON) from 'aisle explore'");
+  verb->add_option("--rounds", options->rounds, "number of rounds (default 1)")->check(CLI::Range(1, 1000));
   add_mission_options(*verb, *options);
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, guide_parameters, work, [=, &work] {

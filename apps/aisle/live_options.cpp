@@ -14,19 +14,22 @@ constexpr double kRateMax = 1000;
 
 void add_listening_options(CLI::App& verb, LiveListening& listening) {
   listening.version = AISLE_VERSION;
-  verb.add_option("--port", listening.port, "that the page is served on (default 8765; 0: any that is free)");
-  verb.add_option("--listen", listening.address,
-                  "address that others can reach, such as 0.0.0.0; needs --token-file (default 127.0.0.1)");
-  verb.add_option("--token-file", listening.token_file, "file with the one line that who connects must know");
+  verb.add_option("--port", listening.port, "port of the page (default 8765; 0: any free port)");
+  verb.add_option(
+      "--listen", listening.address,
+      "address to listen on (default 127.0.0.1); one that other machines can reach, such as 0.0.0.0, "
+      "needs --token-file");
+  verb.add_option("--token-file", listening.token_file,
+                  "file with the access token on one line; clients must present it");
   verb.add_option("--cert", listening.tls.certificate,
-                  "certificate (PEM) by which the page is encrypted: https; needs --key");
-  verb.add_option("--key", listening.tls.key, "private key (PEM) of that certificate");
-  verb.add_option("--sessions", listening.sessions, "directory of sessions that the page lists");
+                  "TLS certificate (PEM) to serve the page over https; needs --key");
+  verb.add_option("--key", listening.tls.key, "private key (PEM) of the certificate");
+  verb.add_option("--sessions", listening.sessions, "directory of the sessions that the page lists");
   verb.add_option("--buildings", listening.buildings,
-                  "directory of building files that the page lists, and keeps mended ones in");
-  verb.add_option("--web", listening.web, "directory of the page (default: the one that was built)");
+                  "directory of the building files that the page lists, and where it saves edited ones");
+  verb.add_option("--web", listening.web, "directory of the page's files (default: the page that was built)");
   verb.add_option("--rate", listening.rate,
-                  "vehicle's seconds in a second (default 1; 0: as fast as it goes)")
+                  "simulated seconds per second (default 1; 0: as fast as possible)")
       ->check(CLI::Range(0.0, kRateMax));
 }
 
@@ -40,7 +43,7 @@ LiveOption::LiveOption(CLI::App& verb)
       is_wanted_(std::make_shared<bool>(false)),
       listening_(std::make_shared<LiveListening>()) {
   verb.add_flag("--live", *is_wanted_,
-                "serve a page on which the mission can be watched, paused and stopped");
+                "serve a web page on which the mission can be watched, paused and stopped");
   add_listening_options(verb, *listening_);
 }
 

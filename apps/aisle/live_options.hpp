@@ -7,19 +7,19 @@
 #include "aisle/commands/live.hpp"
 #include "verb.hpp"
 
-/// Where and to whom is served, by what certificate, and how fast: --port to --rate.
+/// The options of the live server, --port to --rate: address, access, TLS, folders and speed.
 void add_listening_options(CLI::App& verb, aisle::LiveListening& listening);
 
-/// Says on stderr where the page is.
+/// Prints the address of the page to stderr.
 void announce_live(const std::string& url);
 
-/// --live and what goes with it, for a verb whose work can be watched.
+/// --live and the options of its server, for a verb whose work can be watched.
 class LiveOption {
  public:
   explicit LiveOption(CLI::App& verb);
 
   bool is_wanted() const { return *is_wanted_; }
-  /// The work, shown live if that is wanted.
+  /// Wraps the work so that the live server shows it if --live was given.
   Work around(const aisle::WatchedWork& work) const;
 
  private:

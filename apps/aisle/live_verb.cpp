@@ -9,19 +9,18 @@ using namespace aisle;
 
 void add_live_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
-      "live",
-      "a simulated vehicle that is watched and driven from a browser, and does what it is given there");
+      "live", "run a simulated vehicle that is watched, driven and sent on missions from a browser");
   verb->fallthrough();
   auto options = std::make_shared<LiveOptions>();
   auto out = std::make_shared<std::filesystem::path>();
-  verb->add_option("WORLD", options->world, "world file (YAML), or the name of a shipped one");
+  verb->add_option("WORLD", options->world, "world file (YAML) or name of a shipped world");
   verb->add_option("--vehicle", options->vehicle,
-                   "vehicle file (YAML), or the name of a shipped one (default alv)");
-  add_seed(*verb, options->seed, "of all noise (default 1)");
+                   "vehicle file (YAML) or name of a shipped vehicle (default alv)");
+  add_seed(*verb, options->seed, "random seed (default 1)");
   verb->add_option(
       "--out", *out,
-      "directory for what is recorded and learned: DIR/sessions and DIR/buildings, where --sessions "
-      "and --buildings name no others");
+      "output directory: sessions go to DIR/sessions and buildings to DIR/buildings, unless --sessions "
+      "and --buildings name others");
   add_listening_options(*verb, options->listening);
   verb->callback([=, &work] {
     if (options->world.empty()) throw CLI::RequiredError("WORLD");

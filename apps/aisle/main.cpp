@@ -14,8 +14,8 @@ namespace {
 
 enum ExitCode { kDone = 0, kMissionFailed = 1, kBadInput = 2, kInternalError = 3, kInterrupted = 130 };
 
-/// Images of 300 kB come and go between small things that stay. On pages of their own they are given back;
-/// in the heap each would leave a hole too small for the next.
+/// Images of 300 kB are allocated and freed among small, long-lived objects. On pages of their own they are
+/// returned to the system; in the heap each would leave a hole that is too small for the next.
 constexpr int kOwnPages_bytes = 128 * 1024;
 
 struct Output {
@@ -23,10 +23,10 @@ struct Output {
   bool quiet = false;
 };
 
-/// The exit code: `code`, if standard output took everything.
+/// Prints to standard output. @return `code`, or kInternalError if not everything could be written
 int print(const std::string& text, ExitCode code) {
-  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (std::fflush(stdout) == 0 && whole) return code;
+  const bool is_complete = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (std::fflush(stdout) == 0 && is_complete) return code;
   fmt::print(stderr, "aisle: standard output could not be written\n");
   return kInternalError;
 }
@@ -41,7 +41,7 @@ int refuse(const std::string& verb, const std::string& why, const Output& output
   return print(to_json(aisle::Outcome{.verb = verb, .ok = false}) + "\n", kBadInput);
 }
 
-/// The words of the verb as far as they were understood: "map", "sim log".
+/// The verb as far as it was parsed: "map", "sim log".
 std::string verb_of(const CLI::App& app) {
   std::string words;
   for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
@@ -51,26 +51,24 @@ std::string verb_of(const CLI::App& app) {
   return words;
 }
 
-/// A word that is there but empty, such as a shell's variable that was never set, is not one that was left
-/// out.
-void refuse_empty_words(const CLI::App& verb) {
+/// Refuses empty arguments, such as a shell variable that was never set: they must not count as omitted.
+void refuse_empty_arguments(const CLI::App& verb) {
   for (const CLI::Option* option : verb.get_options()) {
     for (const std::string& word : option->results()) {
-      if (word.empty()) throw CLI::ValidationError(option->get_name(), "is an empty word");
+      if (word.empty()) throw CLI::ValidationError(option->get_name(), "must not be empty");
     }
   }
-  for (const CLI::App* below : verb.get_subcommands()) refuse_empty_words(*below);
+  for (const CLI::App* below : verb.get_subcommands()) refuse_empty_arguments(*below);
 }
 
 int refuse_usage(const CLI::App& app, const CLI::ParseError& error, Output output, int argc, char** argv) {
-  // The parser stops at the first error, which may stand before --json.
+  // The parser stops at the first error, which may come before --json.
   output.json = std::any_of(argv, argv + argc, [](const std::string& word) { return word == "--json"; });
   const std::string verb = verb_of(app);
   const std::string program = verb.empty() ? "aisle" : "aisle " + verb;
   const std::vector<std::string> unknown = verb.empty() ? app.remaining() : std::vector<std::string>{};
-  const std::string why =
-      unknown.empty() ? error.what() : "there is no verb or option '" + unknown.front() + "'";
-  return refuse(verb, fmt::format("{}: {} ({} --help tells more)", program, why, program), output);
+  const std::string why = unknown.empty() ? error.what() : "unknown verb or option '" + unknown.front() + "'";
+  return refuse(verb, fmt::format("{}: {} (see {} --help)", program, why, program), output);
 }
 
 int run(const std::string& verb, const Work& work, const Output& output) {
@@ -93,12 +91,12 @@ int run(const std::string& verb, const Work& work, const Output& output) {
 }
 
 int run_program(int argc, char** argv) {
-  CLI::App app("aisle: learns the inside of a building and drives there by itself", "aisle");
+  CLI::App app("aisle: a robot vehicle that learns a building and drives there autonomously", "aisle");
   app.set_version_flag("--version", AISLE_VERSION);
   app.require_subcommand(1);
   Output output;
   app.add_flag("--json", output.json, "print one JSON object instead of text");
-  app.add_flag("--quiet", output.quiet, "no warnings and no progress bar");
+  app.add_flag("--quiet", output.quiet, "print neither warnings nor a progress bar");
   Work work;
   add_convert_verb(app, work);
   add_map_verb(app, work);
@@ -117,7 +115,7 @@ int run_program(int argc, char** argv) {
   add_trial_verb(app, work);
   try {
     app.parse(argc, argv);
-    refuse_empty_words(app);
+    refuse_empty_arguments(app);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return refuse_usage(app, error, output, argc, argv);

@@ -12,7 +12,7 @@ using namespace aisle;
 
 namespace {
 
-/// "x", "x,y" or "x,y,deg": where the laser sits on the vehicle.
+/// "x", "x,y" or "x,y,deg": pose of the laser on the vehicle [m, degrees].
 Pose2 parse_offset(const std::string& text) {
   double values[3] = {0, 0, 0};
   const char* at = text.data();
@@ -36,23 +36,23 @@ void add_map_verb(CLI::App& app, Work& work) {
   verb->fallthrough();
   verb->add_option("LOG", options->log, "CARMEN log, plain or gzip");
   verb->add_option("--relations", options->relations,
-                   "known relative poses: the error against them is measured");
+                   "file of known relative poses, to measure the error against");
   add_choice<MapRules>(*verb, "--rules", options->rules,
                        {{"published", MapRules::kPublished}, {"refined", MapRules::kRefined}},
-                       "published: Algorithms 2 and 3 of C99 alone; default refined");
-  verb->add_option("--out", options->out, "directory for the map, the images and the trajectory");
-  verb->add_flag("--force", options->force, "replace results that are there already");
+                       "mapping rules; published: Algorithms 2 and 3 of C99 only (default refined)");
+  verb->add_option("--out", options->out, "output directory for the map, its pictures and the trajectory");
+  verb->add_flag("--force", options->force, "overwrite existing results");
   add_choice<LengthUnit>(*verb, "--units", options->reading.unit,
                          {{"m", LengthUnit::kMetre}, {"cm", LengthUnit::kCentimetre}},
-                         "of the log's lengths; default m");
+                         "unit of lengths in the log (default m)");
   verb->add_option_function<std::string>(
       "--laser-offset",
       [options](const std::string& text) { options->reading.T_vehicle_laser = parse_offset(text); },
-      "where the laser sits on the vehicle: x, x,y or x,y,degrees; else what the log says, else 0");
+      "pose of the laser on the vehicle: x, x,y or x,y,degrees (default: from the log, else 0)");
   verb->add_option("--odometry-delay", options->odometry_delay_s,
-                   "by how many seconds the odometry is later than its scan (default: found from the log)")
+                   "delay of the odometry behind its scan in seconds (default: estimated from the log)")
       ->check(CLI::Range(-10.0, 10.0));
-  verb->add_flag("--stages", options->stages, "print the figures of every stage of the work");
+  verb->add_flag("--stages", options->stages, "print the figures of every processing stage");
   add_parameter_options(*verb, options->parameters, map_parameters, work, [options, &work] {
     if (options->log.empty()) throw CLI::RequiredError("LOG");
     work = [options](Console& console) { return run_map(*options, console); };

@@ -33,7 +33,7 @@ auto named(const All& values) {
 
 void add_rules(CLI::App& verb, GridRuleSet& rules, const std::string& shipped = "published") {
   add_choice(verb, "--rules", rules, named(kGridRuleSets),
-             "rule set (default " + shipped + "), see docs/exploration.md");
+             "rule set, see docs/exploration.md (default " + shipped + ")");
 }
 
 Cell parse_cell(const std::string& text) {
@@ -47,11 +47,11 @@ Cell parse_cell(const std::string& text) {
   throw CLI::ValidationError("--start", fmt::format("'{}' is not a cell x,y", text));
 }
 
-/// Shows so many frames a second on the terminal at stdout.
+/// A terminal at stdout that shows frames at this rate.
 Terminal watching_terminal(double frames_per_s) {
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0)
-    throw CLI::ValidationError("--watch", "stdout is no terminal");
+    throw CLI::ValidationError("--watch", "stdout is not a terminal");
   auto is_first = std::make_shared<bool>(true);
   return {size.ws_col, size.ws_row, [frames_per_s, is_first](const std::string& frame) {
             fmt::print("{}{}", *is_first ? "\033[2J" : "", frame);
@@ -62,39 +62,41 @@ Terminal watching_terminal(double frames_per_s) {
 }
 
 void add_table(CLI::App& maze, Work& work) {
-  CLI::App* verb = maze.add_subcommand("table", "print every rule of the transducer");
+  CLI::App* verb = maze.add_subcommand("table", "print all rules of the transducer");
   verb->fallthrough();
   auto options = std::make_shared<MazeTableOptions>();
   add_rules(*verb, options->rules);
-  add_choice<MazeTableFormat>(*verb, "--format", options->format,
-                              {{"text", MazeTableFormat::kText},
-                               {"json", MazeTableFormat::kJson},
-                               {"dot", MazeTableFormat::kDot},
-                               {"svg", MazeTableFormat::kSvg}},
-                              "dot is a diagram of the states, svg the input symbols drawn (default text)");
+  add_choice<MazeTableFormat>(
+      *verb, "--format", options->format,
+      {{"text", MazeTableFormat::kText},
+       {"json", MazeTableFormat::kJson},
+       {"dot", MazeTableFormat::kDot},
+       {"svg", MazeTableFormat::kSvg}},
+      "output format; dot: state diagram; svg: drawings of the input symbols (default text)");
   verb->callback(
       [=, &work] { work = [options](Console& console) { return run_maze_table(*options, console); }; });
 }
 
 void add_explore(CLI::App& maze, Work& work) {
-  CLI::App* verb = maze.add_subcommand("explore", "explore every reachable cell of each maze and come back");
+  CLI::App* verb =
+      maze.add_subcommand("explore", "explore every reachable cell of each maze and return to the start");
   verb->fallthrough();
   auto options = std::make_shared<MazeExploreOptions>();
-  verb->add_option("FILE", options->files, "mazes: text, mms num, binary .maz, PBM; plain or gzip");
+  verb->add_option("FILE", options->files, "maze files: text, mms num, binary .maz, PBM; plain or gzip");
   add_rules(*verb, options->rules);
   verb->add_option_function<std::string>(
       "--start", [options](const std::string& text) { options->start = parse_cell(text); },
-      "cell x,y from the bottom left (default: what the file says, else 0,0)");
+      "start cell x,y, counted from the bottom left (default: from the file, else 0,0)");
   verb->add_flag("--compare", options->compare,
-                 "with all rule sets, nearest frontier, and the least that is possible");
+                 "compare the moves of all rule sets, of nearest frontier, and of the lower bound");
   auto watch = std::make_shared<bool>(false);
-  verb->add_flag("--watch", *watch, "show the run on the terminal: state, stack, and the rule that fired");
+  verb->add_flag("--watch", *watch, "show the run in the terminal: state, stack and fired rule");
   auto frames_per_s = std::make_shared<double>(20);
-  verb->add_option("--speed", *frames_per_s, "of --watch, moves per second (default 20)")
+  verb->add_option("--speed", *frames_per_s, "moves per second with --watch (default 20)")
       ->check(CLI::Range(0.1, 1e4));
-  verb->add_option("--svg", options->svg, "draw the run and the learned map");
-  verb->add_option("--gif", options->gif, "the same as a moving image");
-  verb->add_flag("--force", options->force, "replace images that are there already");
+  verb->add_option("--svg", options->svg, "file for a picture of the run and the learned map");
+  verb->add_option("--gif", options->gif, "file for the same as an animation");
+  verb->add_flag("--force", options->force, "overwrite existing images");
   verb->callback([=, &work] {
     if (options->files.empty()) throw CLI::RequiredError("FILE");
     if (*watch) options->watch = watching_terminal(*frames_per_s);
@@ -103,25 +105,25 @@ void add_explore(CLI::App& maze, Work& work) {
 }
 
 void add_generate(CLI::App& maze, Work& work) {
-  CLI::App* verb = maze.add_subcommand("generate", "make a maze by seed");
+  CLI::App* verb = maze.add_subcommand("generate", "generate a random maze");
   verb->fallthrough();
   auto options = std::make_shared<MazeGenerateOptions>();
   add_choice(*verb, "--kind", options->recipe.kind, named(kMazeKinds), "kind of maze (default perfect)");
-  verb->add_option("--width", options->recipe.width, "in cells (default 16)");
-  verb->add_option("--height", options->recipe.height, "in cells (default 16)");
+  verb->add_option("--width", options->recipe.width, "width in cells (default 16)");
+  verb->add_option("--height", options->recipe.height, "height in cells (default 16)");
   verb->add_option("--loops", options->recipe.loop_share,
-                   "share of dead ends that a braided maze opens (default 0.5)");
-  verb->add_option("--seed", options->seed, "the same seed gives the same maze (default 1)");
-  verb->add_option("--out", options->out, "file for the maze (default: stdout)");
-  verb->add_flag("--force", options->force, "replace the file if it is there already");
+                   "share of dead ends that are opened in a braided maze (default 0.5)");
+  verb->add_option("--seed", options->seed, "random seed; the same seed gives the same maze (default 1)");
+  verb->add_option("--out", options->out, "output file for the maze (default: stdout)");
+  verb->add_flag("--force", options->force, "overwrite an existing file");
   verb->callback(
       [=, &work] { work = [options](Console& console) { return run_maze_generate(*options, console); }; });
 }
 
-/// stdout belongs to the simulator: figures go there with --json only. Ctrl-C ends the program at once, also
-/// while it waits for an answer.
+/// stdout belongs to the simulator: figures go there with --json only. Ctrl-C ends the program at once, even
+/// while it waits for a reply.
 void add_mms(CLI::App& maze, Work& work) {
-  CLI::App* verb = maze.add_subcommand("mms", "be a mouse of the mms simulator, on stdin and stdout");
+  CLI::App* verb = maze.add_subcommand("mms", "control a mouse of the mms simulator over stdin and stdout");
   verb->fallthrough();
   auto options = std::make_shared<MazeMmsOptions>();
   options->replies = &std::cin;
@@ -139,7 +141,7 @@ void add_mms(CLI::App& maze, Work& work) {
 }  // namespace
 
 void add_maze_verb(CLI::App& app, Work& work) {
-  CLI::App* maze = app.add_subcommand("maze", "worlds of cells, explored by a pushdown transducer");
+  CLI::App* maze = app.add_subcommand("maze", "explore mazes with a pushdown transducer");
   maze->require_subcommand(1);
   maze->fallthrough();
   add_table(*maze, work);

@@ -29,7 +29,7 @@ void add_exploring_sensor(CLI::App& verb, ExploringSensor& sensor, const std::st
 
 void add_resolution(CLI::App& verb, double& pixel_m) {
   verb.add_option("--resolution", pixel_m,
-                  "metres a pixel of a plan that does not say it itself (default 0.05)")
+                  "metres per pixel of a plan whose file does not give it (default 0.05)")
       ->check(CLI::Range(0.001, 10.0));
 }
 

@@ -15,7 +15,7 @@
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-/// An option whose value is one of a few words; help shows them, and another word is refused with them.
+/// An option whose value is one of a few words. The help lists them, and so does the refusal of another word.
 template <class Value>
 void add_choice(CLI::App& verb, const std::string& name, Value& chosen, const Choices<Value>& choices,
                 const std::string& meaning) {
@@ -33,14 +33,14 @@ void add_choice(CLI::App& verb, const std::string& name, Value& chosen, const Ch
       ->type_name(fmt::format("{}", fmt::join(words, "|")));
 }
 
-/// "x,y,heading_deg": where a vehicle is.
+/// Parses "x,y,heading_deg", the pose of a vehicle [m, degrees].
 aisle::Pose2 parse_place(const std::string& option, const std::string& text);
 
-/// --sensor: what shows a vehicle that explores its surroundings.
+/// --sensor: the sensor to explore with.
 void add_exploring_sensor(CLI::App& verb, aisle::ExploringSensor& sensor, const std::string& meaning);
 
-/// --resolution: metres a pixel of a plan.
+/// --resolution: metres per pixel of a plan.
 void add_resolution(CLI::App& verb, double& pixel_m);
 
-/// --seed: a whole number that is not negative.
+/// --seed: a non-negative whole number.
 void add_seed(CLI::App& verb, std::uint64_t& seed, const std::string& meaning);

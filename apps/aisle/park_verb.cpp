@@ -9,28 +9,30 @@
 using namespace aisle;
 
 void add_park_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("park", "park at the end of a route through a room, in the simulator");
+  CLI::App* verb = app.add_subcommand("park", "park at the end of a route through a room (simulated)");
   verb->fallthrough();
   auto options = std::make_shared<ParkOptions>();
-  verb->add_option("BUILDING", options->building, "building file (JSON) with the route that ends there");
-  verb->add_option("PLACE", options->place, "the route's name");
-  verb->add_option("--world", options->world, "world file (YAML), or the name of a shipped one");
+  verb->add_option("BUILDING", options->building, "building file (JSON) with the route");
+  verb->add_option("PLACE", options->place, "name of the route to park at the end of");
+  verb->add_option("--world", options->world, "world file (YAML) or name of a shipped world");
   verb->add_option("--vehicle", options->vehicle,
-                   "vehicle file (YAML), or the name of a shipped one (default alv)");
-  verb->add_option("--faults", options->scenario,
-                   "scenario file (YAML) of what goes wrong, or the name of a shipped one");
+                   "vehicle file (YAML) or name of a shipped vehicle (default alv)");
+  verb->add_option(
+      "--faults", options->scenario,
+      "scenario file (YAML) of faults to inject, or name of a shipped scenario (default: no faults)");
   add_choice<std::optional<ParkingStrategy>>(*verb, "--strategy", options->strategy,
                                              parking_choices<std::optional<ParkingStrategy>>(),
-                                             "how the route was taught to end");
+                                             "parking strategy that the route must have been taught with");
   verb->add_option_function<std::string>(
           "--start",
           [options](const std::string& text) { options->T_world_start = parse_place("--start", text); },
-          "where the vehicle stands in the world: x,y,degrees (default: on the route, 3 m before its end)")
+          "initial pose in the world: x,y,degrees (default: on the route, 3 m before its end)")
       ->type_name("X,Y,DEG");
-  verb->add_flag("--reverse", options->in_reverse, "turn about before the painted frame and back into it");
-  add_seed(*verb, options->seed, "of all noise; the same seed gives the same session (default 1)");
-  verb->add_option("--out", options->out, "directory for the session");
-  verb->add_flag("--force", options->force, "replace a session that is there already");
+  verb->add_flag("--reverse", options->in_reverse,
+                 "turn around in front of the painted frame and back into it");
+  add_seed(*verb, options->seed, "random seed; the same seed gives the same session (default 1)");
+  verb->add_option("--out", options->out, "output directory for the session");
+  verb->add_flag("--force", options->force, "overwrite an existing session");
   const LiveOption live(*verb);
   add_parameter_options(*verb, options->parameters, park_parameters, work, [=, &work] {
     if (options->building.empty()) throw CLI::RequiredError("BUILDING");

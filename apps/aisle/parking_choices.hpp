@@ -3,7 +3,7 @@
 #include "aisle/maps/room_route.hpp"
 #include "option_kinds.hpp"
 
-/// The words for how a route ends.
+/// The words for the parking strategies.
 /// @tparam Value  that a strategy can be assigned to
 template <class Value>
 Choices<Value> parking_choices() {

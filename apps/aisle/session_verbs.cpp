@@ -10,11 +10,11 @@ using namespace aisle;
 
 namespace {
 
-constexpr const char* kSessionMeaning = "a session's directory";
+constexpr const char* kSessionMeaning = "session directory";
 constexpr double kLongest_s = 1e9;
 
 void add_info_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("info", "tell what a session holds: topics, rates, gaps, size");
+  CLI::App* verb = app.add_subcommand("info", "show what a session contains: topics, rates, gaps, size");
   verb->fallthrough();
   auto options = std::make_shared<SessionInfoOptions>();
   verb->add_option("SESSION", options->session, kSessionMeaning)->required();
@@ -22,16 +22,18 @@ void add_info_verb(CLI::App& app, Work& work) {
 }
 
 void add_cut_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("cut", "make a session of a part of a session");
+  CLI::App* verb = app.add_subcommand("cut", "cut a part out of a session into a new session");
   verb->fallthrough();
   auto options = std::make_shared<SessionCutOptions>();
   verb->add_option("SESSION", options->session, kSessionMeaning)->required();
-  verb->add_option("--from", options->from_s, "seconds after the session's start; default 0")
+  verb->add_option("--from", options->from_s,
+                   "first second of the part, since the session's start (default 0)")
       ->check(CLI::Range(0.0, kLongest_s));
-  verb->add_option("--to", options->to_s, "seconds after the session's start; default: to the end")
+  verb->add_option("--to", options->to_s,
+                   "last second of the part, since the session's start (default: the session's end)")
       ->check(CLI::Range(0.0, kLongest_s));
-  verb->add_option("-o,--out", options->out, "the new session's directory")->required();
-  verb->add_flag("--force", options->force, "replace a session that is there already");
+  verb->add_option("-o,--out", options->out, "directory of the new session")->required();
+  verb->add_flag("--force", options->force, "overwrite an existing session");
   verb->callback([options, &work] {
     work = [options](Console& console) { return run_session_cut(*options, console); };
   });
@@ -39,11 +41,11 @@ void add_cut_verb(CLI::App& app, Work& work) {
 
 void add_replay_verb(CLI::App& app, Work& work) {
   CLI::App* verb = app.add_subcommand(
-      "replay", "decide again on what a session recorded; every decision must be the same");
+      "replay", "run a navigator on the recorded observations and check that every decision is the same");
   verb->fallthrough();
   auto options = std::make_shared<SessionReplayOptions>();
   verb->add_option("SESSION", options->session, kSessionMeaning)->required();
-  verb->add_option("--navigator", options->navigator, "who decides; default: the one that drove");
+  verb->add_option("--navigator", options->navigator, "navigator to run (default: the one that drove)");
   const LiveOption live(*verb);
   verb->callback([options, live, &work] {
     work = live.around(

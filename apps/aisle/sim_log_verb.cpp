@@ -7,13 +7,14 @@
 using namespace aisle;
 
 void add_sim_log_verb(CLI::App& sim, Work& work) {
-  CLI::App* verb = sim.add_subcommand("log", "record a laser log on a simulated run along a world's tour");
+  CLI::App* verb = sim.add_subcommand("log", "record the laser log of a simulated run along a world's tour");
   verb->fallthrough();
   auto options = std::make_shared<SimulateLogOptions>();
-  verb->add_option("WORLD", options->world, "world file (YAML) with a tour, or the name of a shipped one");
-  add_seed(*verb, options->seed, "of all noise; the same seed gives the same log (default 1)");
-  verb->add_option("--out", options->out, "directory for the log, the true poses and true relations");
-  verb->add_flag("--force", options->force, "replace results that are there already");
+  verb->add_option("WORLD", options->world, "world file (YAML) with a tour, or name of a shipped world");
+  add_seed(*verb, options->seed, "random seed; the same seed gives the same log (default 1)");
+  verb->add_option("--out", options->out,
+                   "output directory for the log, the true poses and the true relative poses");
+  verb->add_flag("--force", options->force, "overwrite existing results");
   add_parameter_options(*verb, options->parameters, simulate_log_parameters, work, [options, &work] {
     if (options->world.empty()) throw CLI::RequiredError("WORLD");
     if (options->out.empty()) throw CLI::RequiredError("--out");

@@ -1,7 +1,7 @@
 #include "verb.hpp"
 
 void add_sim_verb(CLI::App& app, Work& work) {
-  CLI::App* sim = app.add_subcommand("sim", "the simulator");
+  CLI::App* sim = app.add_subcommand("sim", "show worlds and simulate sensors");
   sim->require_subcommand(1);
   sim->fallthrough();
   add_sim_log_verb(*sim, work);

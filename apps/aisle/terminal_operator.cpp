@@ -14,24 +14,24 @@ using namespace aisle;
 
 namespace {
 
-termios as_it_was{};
-volatile std::sig_atomic_t is_taken = 0;
+termios original_termios{};
+volatile std::sig_atomic_t is_key_by_key = 0;
 
 }  // namespace
 
 void restore_terminal() {
-  if (is_taken == 0) return;
-  is_taken = 0;
-  tcsetattr(STDIN_FILENO, TCSANOW, &as_it_was);
+  if (is_key_by_key == 0) return;
+  is_key_by_key = 0;
+  tcsetattr(STDIN_FILENO, TCSANOW, &original_termios);
 }
 
 KeyByKeyTerminal::KeyByKeyTerminal() {
-  if (tcgetattr(STDIN_FILENO, &as_it_was) != 0) return;
-  termios key_by_key = as_it_was;
+  if (tcgetattr(STDIN_FILENO, &original_termios) != 0) return;
+  termios key_by_key = original_termios;
   key_by_key.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
   key_by_key.c_cc[VMIN] = 0;
   key_by_key.c_cc[VTIME] = 0;
-  is_taken = 1;
+  is_key_by_key = 1;
   tcsetattr(STDIN_FILENO, TCSANOW, &key_by_key);
 }
 
@@ -51,7 +51,7 @@ TerminalOperator::~TerminalOperator() {
   if (shows_status_) fmt::print(stderr, "\r\033[K");
 }
 
-/// Waits for its cycle's end, or not at all where the work is late, and takes what was typed meanwhile.
+/// Collects the keys typed until the end of the cycle; does not wait if the cycle is late.
 std::vector<Key> TerminalOperator::keys_until(double time_s) {
   std::vector<Key> pressed;
   while (true) {

@@ -6,8 +6,8 @@
 #include "aisle/guidance/key_controls.hpp"
 #include "aisle/simulation/operators/operator.hpp"
 
-/// The terminal on stdin gives every key at once and shows none, as long as this lives; whatever ends the
-/// program, signals too, the terminal is as it was before.
+/// While this lives, the terminal on stdin delivers every key at once and echoes none. The terminal is
+/// restored however the program ends, by a signal too.
 class KeyByKeyTerminal {
  public:
   KeyByKeyTerminal();
@@ -16,7 +16,7 @@ class KeyByKeyTerminal {
   KeyByKeyTerminal& operator=(const KeyByKeyTerminal&) = delete;
 };
 
-/// Gives the terminal back, if it was taken. May be called from a signal handler.
+/// Restores the terminal's mode if it was changed. May be called from a signal handler.
 void restore_terminal();
 
 /// A person at the keys of the terminal on stdin, in real time; a status line on stderr.
@@ -37,5 +37,5 @@ class TerminalOperator final : public aisle::Operator {
   aisle::TerminalKeys keys_;
   aisle::KeyControls controls_;
   bool shows_status_;
-  bool has_ended_ = false;  ///< no keys can come any more
+  bool has_ended_ = false;  ///< stdin is closed: no more keys will come
 };

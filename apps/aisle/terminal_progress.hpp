@@ -3,7 +3,7 @@
 #include "aisle/core/clock.hpp"
 #include "aisle/core/progress.hpp"
 
-/// A bar on stderr for work that takes longer than two seconds; and the place where Ctrl-C stops the work.
+/// A progress bar on stderr for work that takes longer than two seconds; Ctrl-C stops the work in report().
 class TerminalProgress final : public aisle::Progress {
  public:
   /// `visible` false: no bar, but still interruptible.
@@ -11,7 +11,7 @@ class TerminalProgress final : public aisle::Progress {
   ~TerminalProgress() override { clear(); }
 
   void report(std::string_view task, std::size_t done, std::size_t total) override;
-  /// Takes the bar off the screen.
+  /// Removes the bar from the screen.
   void clear();
 
  private:
@@ -22,6 +22,6 @@ class TerminalProgress final : public aisle::Progress {
   double next_draw_s_ = 0;
 };
 
-/// From now on Ctrl-C makes the next report() throw aisle::Interrupted instead of killing the program; a
-/// second one kills it (it may be waiting for input that never comes).
+/// From now on Ctrl-C makes the next report() throw aisle::Interrupted instead of killing the program. A
+/// second Ctrl-C kills it, since it may be waiting for input that never comes.
 void catch_interrupts();

@@ -27,53 +27,56 @@ bool read_seeds(const std::string& text, std::uint64_t& first, std::uint64_t& la
 }  // namespace
 
 void add_trial_verb(CLI::App& app, Work& work) {
-  CLI::App* verb = app.add_subcommand("trial", "whole simulated missions, one a seed, and their statistics");
+  CLI::App* verb = app.add_subcommand(
+      "trial", "run complete simulated missions, one per seed, and print their statistics");
   verb->fallthrough();
   auto options = std::make_shared<TrialOptions>();
   options->method.clear();
-  verb->add_option("METHOD", options->method, "landmarks, sections, explore, route, turnings or park");
+  verb->add_option("METHOD", options->method,
+                   "what to try: landmarks, sections, explore, route, turnings or park");
   verb->add_option_function<std::string>(
       "--seeds",
       [options](const std::string& text) {
         if (!read_seeds(text, options->first_seed, options->last_seed))
           throw CLI::ValidationError("--seeds", "'" + text + "' is neither a seed nor a range like 1..20");
       },
-      "the missions' seeds: one, or a range like 1..20 (default 1)");
+      "seed of the mission, or a range of seeds like 1..20 (default 1)");
   verb->add_option(
       "--world", options->worlds,
-      "world files (YAML), names of shipped ones, or plans as 'convert' reads them, taken in turn (default: "
-      "buildings by chance)");
+      "world files (YAML), names of shipped worlds, or floor plans that 'aisle convert' reads; taken in "
+      "turn (default: random buildings)");
   add_resolution(*verb, options->plan_pixel_m);
-  add_exploring_sensor(*verb, options->sensor,
-                       "explore: what shows the vehicle its surroundings (default scanner)");
+  add_exploring_sensor(*verb, options->sensor, "explore: sensor to explore with (default scanner)");
   verb->add_option("--vehicle", options->vehicle,
-                   "vehicle file (YAML), or the name of a shipped one (default alv; mini for sections, "
-                   "alv-scanner to explore by the scanner)");
+                   "vehicle file (YAML) or name of a shipped vehicle (default alv; mini for sections; "
+                   "alv-scanner for explore with the scanner)");
   verb->add_option(
       "--faults", options->scenario,
-      "scenario file (YAML) of what goes wrong while driving alone, or the name of a shipped one");
+      "scenario file (YAML) of faults to inject while driving autonomously, or name of a shipped "
+      "scenario (default: no faults)");
   add_choice<ParkingStrategy>(*verb, "--strategy", options->strategy, parking_choices<ParkingStrategy>(),
-                              "park: how the routes end (default frame)");
+                              "park: parking strategy at the end of the routes (default frame)");
   verb->add_option("--teachings", options->teachings,
-                   "sections: times that the path is shown before it is driven alone (default 1)")
+                   "sections: number of taught runs before the route is driven autonomously (default 1)")
       ->check(CLI::Range(1, 20));
-  verb->add_option("--refinements", options->refinements, "runs after the first, each taken in (default 0)")
+  verb->add_option("--refinements", options->refinements,
+                   "landmarks: runs after the first, each refining the building (default 0)")
       ->check(CLI::Range(0, 100));
-  verb->add_option("--speed", options->speed_mps, "speed where nothing speaks against it [m/s]")
-      ->check(CLI::Range(0.05, 5.0));
+  verb->add_option("--speed", options->speed_mps, "cruising speed [m/s]")->check(CLI::Range(0.05, 5.0));
   Choices<BuildingKind> kinds;
   for (const BuildingKind kind : kBuildingKinds) kinds.emplace_back(name_of(kind), kind);
   add_choice<std::optional<BuildingKind>>(*verb, "--kind", options->kind, {kinds.begin(), kinds.end()},
-                                          "of buildings by chance (default: all in turn)");
+                                          "kind of random buildings (default: all in turn)");
   verb->add_option("--noise-scale", options->noise_scale,
-                   "explore: how much worse the odometry is (default 1)")
+                   "explore: factor on the odometry's errors (default 1)")
       ->check(CLI::Range(0.0, 20.0));
   verb->add_option("--lift", options->lift_m,
-                   "landmarks: somewhere on its path the vehicle is lifted and put so far on or back [m]")
+                   "landmarks: kidnap the vehicle once, and put it down so far ahead or back on its path [m]")
       ->check(CLI::Range(0.5, 100.0));
-  verb->add_flag("--reverse", options->in_reverse, "drive the routes' paths back; park: back into the frame");
+  verb->add_flag("--reverse", options->in_reverse,
+                 "drive the routes in the opposite direction; park: back into the frame");
   verb->add_flag("--close", options->close,
-                 "turnings: two that are too close for the vehicle, which backs between them");
+                 "turnings: pairs that are too close for the vehicle, so that it backs up between them");
   add_parameter_options(*verb, options->parameters, trial_parameters, work, [=, &work] {
     if (options->method.empty()) throw CLI::RequiredError("METHOD");
     work = [options](Console& console) { return run_trial(*options, console); };

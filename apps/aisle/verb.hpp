@@ -7,7 +7,7 @@
 #include "aisle/commands/outcome.hpp"
 #include "aisle/commands/parameter_sources.hpp"
 
-/// The work that the command line asks for; each verb's parser sets it.
+/// The work that the command line asks for; the verb's parser sets it.
 using Work = std::function<aisle::Result<aisle::Outcome>(aisle::Console&)>;
 
 void add_convert_verb(CLI::App& app, Work& work);
@@ -31,6 +31,7 @@ void add_sim_log_verb(CLI::App& sim, Work& work);
 void add_sim_render_verb(CLI::App& sim, Work& work);
 void add_sim_show_verb(CLI::App& sim, Work& work);
 
-/// --params, --set and --print-params for a verb; `chosen` runs when the verb is used without --print-params.
+/// Adds --params, --set and --print-params to a verb. `chosen` runs when the verb is used without
+/// --print-params.
 void add_parameter_options(CLI::App& verb, aisle::ParameterSources& sources, aisle::Outcome (*list)(),
                            Work& work, const std::function<void()>& chosen);

@@ -92,12 +92,12 @@ TEST_F(Calibrate, FloorNamesWhatIsWrongWithMarksAndBoards) {
   EXPECT_THAT(floor({"--marks", file("m.txt", "1 2 3\n")}), IsRefused("m.txt:1: the line ends"));
   EXPECT_THAT(floor({"--marks", file("l.txt", "320 490 2 0\n320 365 4 0\n320 340 5 0\n320 323 6 0\n")}),
               IsRefused("l.txt: all points lie on one line"));
-  EXPECT_THAT(floor({image}), IsRefused("--board-at: stands there 0 times for 1 images"));
+  EXPECT_THAT(floor({image}), IsRefused("--board-at: is given 0 times for 1 images"));
   EXPECT_THAT(floor({image, "--board-at", "1,2"}), IsRefused("'1,2' is not x,y,degrees"));
   EXPECT_THAT(floor({image, "--board-at", "2,0,0"}), IsRefused("a.pgm: no whole board"));
   EXPECT_THAT(floor({image, "--board-at", "2,0,0", "--board", "8x6"}), IsRefused("turned half round"));
   EXPECT_THAT(floor({file("small.pgm", grey_image(64, 48)), "--board-at", "2,0,0"}),
-              IsRefused("small.pgm: has 64 x 48 pixels; the calibration holds for 640 x 480"));
+              IsRefused("small.pgm: has 64 x 48 pixels; the calibration is for 640 x 480"));
 }
 
 TEST_F(Calibrate, LaserNeedsAMountAndAStripe) {

@@ -85,7 +85,8 @@ TEST_F(Convert, BadInputIsRefusedAndNothingIsWritten) {
   EXPECT_THAT(convert({file("m.yaml", "image: none.pgm\nresolution: 1\norigin: [0, 0, 0]\n")}, "w.yaml"),
               IsRefused("none.pgm"));
   EXPECT_THAT(convert({"--random", "1", "--corridor-width", "0.9"}, "w.yaml"), IsRefused("corridor-width"));
-  EXPECT_THAT(convert({"--random", "1", at("plan.pbm")}, "w.yaml"), IsRefused("there is no plan to read"));
+  EXPECT_THAT(convert({"--random", "1", at("plan.pbm")}, "w.yaml"),
+              IsRefused("cannot be combined with --random"));
   EXPECT_THAT(convert({"--random", "x"}, "w.yaml"), IsRefused("random"));
   EXPECT_THAT(convert({}, "w.yaml"), IsRefused("PLAN"));
   EXPECT_TRUE(names_in(at("")).size() == 3) << "only what the test wrote";

@@ -124,7 +124,7 @@ TEST_F(Detect, ACamerasCalibrationMustBeOneAndFitTheImage) {
                                        "distortion_coefficients: !!opencv-matrix\n   rows: 1\n   cols: 5\n"
                                        "   dt: d\n   data: [0., 0., 0., 0., 0.]\n");
   EXPECT_THAT(run_aisle({"detect", "verticals", a, "--camera", calibration, "--json"}),
-              IsRefused("a.pgm: has 120 x 90 pixels; the camera's calibration holds for 640 x 480"));
+              IsRefused("a.pgm: has 120 x 90 pixels; the camera's calibration is for 640 x 480"));
   const std::string large = file("large.pgm", image_file(640, 480));
   EXPECT_EQ(run_aisle({"detect", "verticals", large, "--camera", calibration}).exit_code, 0);
   EXPECT_THAT(run_aisle({"detect", "verticals", a, "--camera", at("absent.yaml"), "--json"}),

@@ -115,7 +115,7 @@ TEST_F(Rooms, WhatCannotBeDrivenIsRefused) {
 {"name": "corridor", "start": {"at_m": [0, 0], "heading_deg": 0}, "pieces": [{"length_m": 3}]}]})");
   const ProgramRun strategy = run_aisle({"park", building, "route", "--world", world, "--strategy", "frame"});
   EXPECT_EQ(strategy.exit_code, 2);
-  EXPECT_THAT(strategy.err, HasSubstr("was taught to end otherwise"));
+  EXPECT_THAT(strategy.err, HasSubstr("was taught with another parking strategy"));
   const ProgramRun backwards = run_aisle({"park", building, "route", "--world", world, "--reverse"});
   EXPECT_EQ(backwards.exit_code, 2);
   EXPECT_THAT(backwards.err, HasSubstr("does not end in a painted frame"));

@@ -51,7 +51,7 @@ TEST_F(Scenarios, AKidnappedVehicleGoesOnWhereItWasPutDown) {
 
 TEST_F(Scenarios, PlacesMeanNothingInAnotherWorld) {
   EXPECT_THAT(drive("l-corridor", "lifted"),
-              IsRefused("lifted: world: it happens in the world 'crossings', this is 'l-corridor'"));
+              IsRefused("lifted: world: the scenario is for the world 'crossings', this is 'l-corridor'"));
 }
 
 TEST_F(Scenarios, DroppedImagesAreMissing) {

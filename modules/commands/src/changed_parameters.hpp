@@ -1,5 +1,5 @@
 #pragma once
-/// A navigator's parameters in a session: only those that are not as shipped.
+/// A navigator's parameters in a session: only those that differ from their defaults, key -> value.
 
 #include <map>
 #include <string>
@@ -13,7 +13,7 @@ using ParameterTexts = std::map<std::string, std::string>;
 /// The fields whose values differ from those of `shipped`, which has the same fields.
 ParameterTexts changed_fields(const FieldList& fields, const FieldList& shipped);
 
-/// Sets every field that the texts name; all problems at once.
+/// Sets every field that the texts name. @return all problems at once; empty on success
 Problems assign_all(FieldList& fields, const ParameterTexts& texts);
 
 template <class Params>

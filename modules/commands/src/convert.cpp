@@ -14,7 +14,7 @@
 namespace aisle {
 namespace {
 
-constexpr std::size_t kWallsMax = 200'000;  ///< of a world that can be read again
+constexpr std::size_t kWallsMax = 200'000;  ///< the most that a world file may have
 
 double to_decimetre(double length_m) {
   return std::round(length_m * 10) / 10;

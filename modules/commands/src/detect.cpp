@@ -71,7 +71,7 @@ const char* name_of(Feature feature) {
   throw std::invalid_argument("no such feature");
 }
 
-/// A name for each image's results: its own without the ending; a number follows where two are alike.
+/// A name for each image's results: its own without the extension, with a number if two are the same.
 std::vector<std::string> result_names(const std::vector<std::string>& files) {
   std::vector<std::string> names;
   std::set<std::string> taken;
@@ -84,14 +84,14 @@ std::vector<std::string> result_names(const std::vector<std::string>& files) {
   return names;
 }
 
-/// An image as the calibrated camera takes it, if that is known.
+/// Reads an image; if a camera is given, an image of another size is a problem.
 Result<Image> read_image_of(const std::optional<CameraCalibration>& camera, const std::string& file) {
   auto image = read_image(file);
   if (!image || !camera || camera->width_px == 0) return image;
   if (image->width_px == camera->width_px && image->height_px == camera->height_px) return image;
   return Problem{{file},
-                 fmt::format("has {} x {} pixels; the camera's calibration holds for {} x {}",
-                             image->width_px, image->height_px, camera->width_px, camera->height_px)};
+                 fmt::format("has {} x {} pixels; the camera's calibration is for {} x {}", image->width_px,
+                             image->height_px, camera->width_px, camera->height_px)};
 }
 
 /// Writes all drawings into the overlay directory. @return role -> path
@@ -139,7 +139,7 @@ Result<Outcome> run_detect(const DetectOptions& options, Console& console) {
   std::vector<OutputFile> drawings;
   Problems problems;
   for (std::size_t i = 0; i < options.files.size(); ++i) {
-    console.progress.report("pictures", i, options.files.size());
+    console.progress.report("images", i, options.files.size());
     const auto image = read_image_of(calibration, options.files[i]);
     if (!image) {
       problems.insert(problems.end(), image.problems().begin(), image.problems().end());

@@ -14,7 +14,7 @@
 namespace aisle {
 namespace {
 
-/// All that a drive is made of, read and checked.
+/// Everything a drive needs, read and checked.
 struct Drive {
   DriveParams params;
   SimulationSetting setting;

@@ -29,14 +29,14 @@
 namespace aisle {
 namespace {
 
-/// All that an exploration is made of, read and checked.
+/// Everything an exploration needs, read and checked.
 struct ExplorationPlan {
   SimulationSetting setting;
   ExplorerNavigatorParams params;
   Pose2 T_world_start;
 };
 
-/// What does not serve to explore is switched off.
+/// Removes all sensors that are not used to explore.
 void keep_sensor(const ExploreOptions& options, VehicleDescription& vehicle) {
   const bool by_markers = options.sensor == ExploringSensor::kMarkers;
   if (by_markers) vehicle.scanner.reset();
@@ -45,8 +45,8 @@ void keep_sensor(const ExploreOptions& options, VehicleDescription& vehicle) {
   });
 }
 
-/// A camera's view is narrow: near a wall it shows a short piece of it and nothing else, and a door's frame
-/// in that turns the piece by degrees.
+/// A camera's view is narrow: near a wall it shows only a short piece of it, and a door frame in that piece
+/// turns it by degrees.
 void suit_markers(SegmentParams& segments) {
   segments.length_min_m = 0.5;
   segments.uneven_m = 0.03;
@@ -83,13 +83,13 @@ struct Explored {
   MapResult map;
   FloorGrid floor;
   CorridorGraph corridors;
-  ExplorationScore truth;  ///< how well the building is known, by the truth
+  ExplorationScore truth;  ///< learned building against the ground truth
 };
 
-SensorField field_of(const LaserScanner& fan, std::size_t beams, double reach_m, double height_m) {
-  return {.T_vehicle_sensor = fan.T_vehicle_laser,
+SensorField field_of(const LaserScanner& scanner, std::size_t beams, double reach_m, double height_m) {
+  return {.T_vehicle_sensor = scanner.T_vehicle_laser,
           .reach_m = reach_m,
-          .width_rad = fan.angle_step_rad * static_cast<double>(beams - 1),
+          .width_rad = scanner.angle_step_rad * static_cast<double>(beams - 1),
           .height_m = height_m};
 }
 
@@ -158,13 +158,13 @@ std::string text_of(const Explored& explored) {
                      100 * explored.truth.home_error_m);
 }
 
-/// The run that is to be gone on with; it must have been driven by the same explorer.
+/// The run to continue; it must have been driven by the same explorer.
 Result<std::optional<InterruptedRun>> former_run(const ExploreOptions& options, const SessionOrigin& origin) {
   if (options.resumed.empty()) return std::optional<InterruptedRun>();
   const std::string file = options.resumed.string();
   std::error_code none;
   if (std::filesystem::equivalent(options.resumed, options.session, none))
-    return Problem{{"--session"}, fmt::format("'{}' is the run that is gone on with; name another", file)};
+    return Problem{{"--session"}, fmt::format("'{}' is the run to continue; name another directory", file)};
   auto truth = read_true_poses(options.resumed);
   if (!truth) return truth.problems();
   auto cycles = SessionCycles::open(options.resumed);
@@ -172,16 +172,17 @@ Result<std::optional<InterruptedRun>> former_run(const ExploreOptions& options, 
   const SessionOrigin& driven = cycles->origin();
   if (driven.navigator != origin.navigator || driven.route != origin.route ||
       driven.parameters != origin.parameters)
-    return Problem{{file, 0, "navigator"},
-                   fmt::format("'{} {}' drove, with its parameters; going on takes the same, not '{} {}'",
-                               driven.navigator, driven.route, origin.navigator, origin.route)};
+    return Problem{
+        {file, 0, "navigator"},
+        fmt::format("the run was driven by '{} {}' with its parameters; it cannot be continued by '{} {}'",
+                    driven.navigator, driven.route, origin.navigator, origin.route)};
   InterruptedRun run{std::move(*cycles), std::move(truth->T_map_vehicle)};
   if (run.T_world_vehicle.empty())
-    return Problem{{file, 0, "/truth/pose"}, "is empty: only a simulated run can be gone on with"};
+    return Problem{{file, 0, "/truth/pose"}, "is empty: only a simulated run can be continued"};
   return std::optional(std::move(run));
 }
 
-/// Drives, judges, and keeps what was learned.
+/// Explores, judges the result, and keeps what was learned.
 Result<JudgedExploration> judge(const ExploreOptions& options, const ExplorationPlan& plan,
                                 Console& console) {
   SessionOrigin origin = explorer_origin(plan.params, options);
@@ -223,13 +224,13 @@ Result<JudgedExploration> judge(const ExploreOptions& options, const Exploration
                            plan.params.learner.mapping.segments};
 }
 
-/// What was learned, images of it, and the report.
+/// The learned building, pictures of it, and the report.
 std::vector<OutputFile> files_of(const JudgedExploration& explored) {
-  const ExplorationPicture image = image_of(explored);
+  const ExplorationPicture picture = picture_of(explored);
   return {{"building", "building.json", building_json(explored.building)},
-          {"picture_png", "exploration.png", png(image)},
-          {"picture_svg", "exploration.svg", svg(image)},
-          {"report", "report.html", exploration_report(image, explored.building, explored.outcome)}};
+          {"picture_png", "exploration.png", png(picture)},
+          {"picture_svg", "exploration.svg", svg(picture)},
+          {"report", "report.html", exploration_report(picture, explored.building, explored.outcome)}};
 }
 
 }  // namespace
@@ -251,7 +252,7 @@ Result<Outcome> run_explore(const ExploreOptions& options, Console& console) {
   return explore_in(options, std::move(*setting), console);
 }
 
-ExplorationPicture image_of(const JudgedExploration& explored) {
+ExplorationPicture picture_of(const JudgedExploration& explored) {
   const std::string& text = explored.outcome.text;
   return {.floor = *explored.building.floor,
           .walls = explored.building.walls,

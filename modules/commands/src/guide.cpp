@@ -15,7 +15,7 @@
 namespace aisle {
 namespace {
 
-/// All that a mission is made of, read and checked.
+/// Everything a mission needs, read and checked.
 struct GuidePlan {
   SimulationSetting setting;
   Pose2 T_world_start;

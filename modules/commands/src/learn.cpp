@@ -74,7 +74,8 @@ Result<Outcome> run_learn(const LearnOptions& options, Console& console) {
   if (Problems problems = options.parameters.apply_to(fields); !problems.empty()) return problems;
   if (options.method == "sections") return learn_by_sections(options, all.sections, console);
   if (options.sessions.size() > 1)
-    return Problem{{options.sessions[1].string()}, "is one too many: by sections alone several are learned"};
+    return Problem{{options.sessions[1].string()},
+                   "is one session too many: only --method sections learns from several"};
   if (options.method == "route") return learn_by_route(options, all.route, console);
   const LandmarkLearnerParams& params = all.landmarks;
   const std::filesystem::path& session = options.sessions.front();

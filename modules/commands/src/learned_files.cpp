@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-constexpr const char* kImage = "landmarks.svg";
+constexpr const char* kLandmarksPicture = "landmarks.svg";
 constexpr const char* kTrip = "trip.tum";
 constexpr const char* kTripTruth = "trip_truth.tum";
 
@@ -19,8 +19,8 @@ std::string numbered_tum(const std::vector<Pose2>& poses) {
   return tum_text(numbers, poses);
 }
 
-std::string image_of(const Building& building, const std::vector<Pose2>& T_map_driven,
-                     const std::vector<Vec2>& p_map_sightings) {
+std::string landmarks_svg(const Building& building, const std::vector<Pose2>& T_map_driven,
+                          const std::vector<Vec2>& p_map_sightings) {
   std::vector<std::vector<Pose2>> driven;
   if (!T_map_driven.empty()) driven.push_back(T_map_driven);
   return svg(LandmarkPicture{.landmarks = building.landmarks,
@@ -34,7 +34,7 @@ std::string image_of(const Building& building, const std::vector<Pose2>& T_map_d
 }  // namespace
 
 std::vector<std::string> learned_file_names() {
-  return {"building.json", kImage, kTrip, kTripTruth};
+  return {"building.json", kLandmarksPicture, kTrip, kTripTruth};
 }
 
 std::vector<std::string> truth_file_names() {
@@ -50,7 +50,7 @@ std::vector<OutputFile> learned_files(const Building& building, const MapTruth& 
                                       const std::vector<Vec2>& p_map_sightings) {
   std::vector<OutputFile> files = {
       {"building", "building.json", building_json(building)},
-      {"landmarks_svg", kImage, image_of(building, truth.T_map_taught(), p_map_sightings)}};
+      {"landmarks_svg", kLandmarksPicture, landmarks_svg(building, truth.T_map_taught(), p_map_sightings)}};
   for (OutputFile& file : truth_files(truth)) files.push_back(std::move(file));
   return files;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// The files that learning and refining leave in a directory, and how driving finds them again.
+/// The files that learning and refining write into a directory, and how driving reads them.
 
 #include <filesystem>
 #include <string>
@@ -14,21 +14,21 @@ namespace aisle {
 
 std::vector<std::string> learned_file_names();
 
-/// How the map lies in the simulated world, for evaluation: trip.tum and run_truth.tum.
+/// How the map lies in the simulated world, for evaluation: trip.tum and trip_truth.tum.
 std::vector<std::string> truth_file_names();
 std::vector<OutputFile> truth_files(const MapTruth& truth);
 
-/// building.json; landmarks.svg, the landmarks with the routes and the run; and how the map lies in the
-/// simulated world (truth_files; empty files where there is no truth).
+/// building.json; landmarks.svg with the landmarks, the routes and the run; and truth_files(), empty if there
+/// is no truth.
 /// @param p_map_sightings  drawn, too
 std::vector<OutputFile> learned_files(const Building& building, const MapTruth& truth,
                                       const std::vector<Vec2>& p_map_sightings);
 
-/// The truth beside a building's file.
-/// @return empty if there is none
+/// Reads the truth files beside a building file.
+/// @return empty if there are none
 Result<MapTruth> read_map_truth(const std::filesystem::path& building);
 
-/// Problems of what a file holds, said of that file.
+/// The same problems, located in a file.
 Problems at_file(Problems problems, const std::string& file);
 
 }  // namespace aisle

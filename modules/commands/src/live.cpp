@@ -21,25 +21,25 @@ DriveOptions::KeyOperator hand_of(LiveControl& control) {
   };
 }
 
-/// A vehicle that does one thing after the other, as clients want it.
+/// A vehicle that drives one mission after the other, as clients request them.
 class LiveRun {
  public:
   LiveRun(const LiveOptions& options, const Console& console, LiveSite& site)
       : options_(options),
         control_(console.progress, site.server(), site.mission_calls(), options.listening.rate,
-                 [this](const ServiceCall& call) { take_order(call); }),
+                 [this](const ServiceCall& call) { take_call(call); }),
         watched_{control_, console.warn, &control_} {
     control_.state().world = options.world;
     control_.state().vehicle = options.vehicle;
   }
 
-  /// Only the first time can the setting itself be wrong.
+  /// Runs until it is interrupted. The setting itself can be wrong only the first time.
   Problems run() {
     while (true) {
       const auto idled = idle();
       if (!idled && !control_.T_world_vehicle()) return idled.problems();
-      if (auto mission = std::exchange(wanted_, std::nullopt)) drive(*mission);
-      if (auto session = std::exchange(wanted_replay_, std::nullopt)) replay(*session);
+      if (auto mission = std::exchange(requested_mission_, std::nullopt)) drive(*mission);
+      if (auto session = std::exchange(requested_replay_, std::nullopt)) replay(*session);
     }
   }
 
@@ -63,7 +63,7 @@ class LiveRun {
     state.last = control_.was_stopped() ? live_end_stopped(mission.name) : live_end(mission.name, outcome);
   }
 
-  /// Passes Interrupted on only where it was no client who wished it.
+  /// Passes Interrupted on unless a client stopped the mission.
   Result<Outcome> work(const LiveMission& mission) {
     control_.begin();
     try {
@@ -89,10 +89,10 @@ class LiveRun {
     if (!problems.empty()) state.last = live_end("replay", problems);
   }
 
-  void take_order(const ServiceCall& call) {
+  void take_call(const ServiceCall& call) {
     const std::string& service = call.service();
-    if (replay_ && service.starts_with("replay/")) return replay_->take_order(call);
-    if (control_.state().mode != "idle" || wanted_ || wanted_replay_)
+    if (replay_ && service.starts_with("replay/")) return replay_->take_call(call);
+    if (control_.state().mode != "idle" || requested_mission_ || requested_replay_)
       return call.refuse("a mission is under way; mission/stop ends it");
     if (service == "mission/start" || service == "mission/go") return begin_mission(call);
     if (service == "replay/start") return begin_replay(call);
@@ -106,7 +106,7 @@ class LiveRun {
     if (!mission) return call.refuse(to_string(mission.problems()));
     if (control_.state().is_emergency && mission->drives)
       return call.refuse("the emergency stop is not released");
-    wanted_ = std::move(*mission);
+    requested_mission_ = std::move(*mission);
     control_.hand().finish();
     call.answer(nlohmann::ordered_json::object());
   }
@@ -114,7 +114,7 @@ class LiveRun {
   void begin_replay(const ServiceCall& call) {
     auto session = session_named(options_.listening.sessions, call.arguments());
     if (!session) return call.refuse(to_string(session.problems()));
-    wanted_replay_ = std::move(*session);
+    requested_replay_ = std::move(*session);
     control_.hand().finish();
     call.answer(nlohmann::ordered_json::object());
   }
@@ -122,8 +122,8 @@ class LiveRun {
   const LiveOptions& options_;
   LiveControl control_;
   Console watched_;
-  std::optional<LiveMission> wanted_;
-  std::optional<std::filesystem::path> wanted_replay_;
+  std::optional<LiveMission> requested_mission_;
+  std::optional<std::filesystem::path> requested_replay_;
   std::unique_ptr<LiveReplay> replay_;
 };
 
@@ -149,7 +149,7 @@ Result<Outcome> run_watched(const LiveListening& listening, const std::string& v
   LiveControl control(
       console.progress, (*site)->server(), (*site)->mission_calls(), listening.rate,
       [&](const ServiceCall& call) {
-        call.refuse(fmt::format("this is `aisle {}`, which is only watched; `aisle live` does that", verb));
+        call.refuse(fmt::format("`aisle {}` can only be watched; `aisle live` offers this service", verb));
       });
   control.state().mode = "mission";
   control.state().mission = verb;

@@ -65,8 +65,8 @@ Json figures_of(const MapResult& result, const LaserLog& log, const std::vector<
   return figures;
 }
 
-/// What comes before the refined rules in the table of stages: odometry, the published rules, and these with
-/// one improvement after the other.
+/// The rows above the refined rules in the table of stages: odometry, the published rules, and these with one
+/// improvement after the other.
 std::vector<MapStage> published_stages(const LaserLog& log, const SegmentParams& segments, double delay_s,
                                        Progress& progress) {
   std::vector<MapStage> stages;
@@ -123,13 +123,13 @@ Result<std::map<std::string, std::string>> write_results(const MapResult& result
                                                          const std::string& title,
                                                          const OutputDirectory& out) {
   const Building building{title, result.has_dominant_direction, result.walls};
-  const MapPicture image{result.walls, result.T_map_vehicle, result.loop_closures, title};
+  const MapPicture picture{result.walls, result.T_map_vehicle, result.loop_closures, title};
   std::vector<double> stamps_s;
   for (const LaserScan& scan : log.scans) stamps_s.push_back(scan.stamp_s);
   const OccupancyImage occupancy = occupancy_of(result.walls, log, result.T_map_vehicle);
   return out.write({{"building", "building.json", building_json(building)},
-                    {"picture_svg", "map.svg", svg(image)},
-                    {"picture_png", "map.png", png(image)},
+                    {"picture_svg", "map.svg", svg(picture)},
+                    {"picture_png", "map.png", png(picture)},
                     {"trajectory", "trajectory.tum", tum_text(stamps_s, result.T_map_vehicle)},
                     {"map_pgm", "map.pgm", pgm_bytes(occupancy)},
                     {"map_yaml", "map.yaml", map_server_yaml(occupancy, "map.pgm")}});

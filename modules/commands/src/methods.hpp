@@ -6,10 +6,10 @@
 
 namespace aisle {
 
-/// Empty if there is such a method of learning and driving; else a problem that lists them.
+/// Empty if this method of learning and driving exists; else a problem that lists the methods.
 Problems check_method(const std::string& method);
 
-/// The vehicle that is asked for, else the one that the method was made for.
+/// The requested vehicle; if empty, the method's default.
 std::string vehicle_or_usual(const std::string& vehicle, const std::string& method);
 
 }  // namespace aisle

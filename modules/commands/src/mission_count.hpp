@@ -7,11 +7,11 @@
 
 namespace aisle {
 
-/// Shows how many of several missions are finished, whatever the one reports that is being driven: a user can
-/// interrupt each.
+/// Shows how many of several missions are finished instead of the progress within the current one, which can
+/// still be interrupted.
 class MissionCount final : public Progress {
  public:
-  /// @param what  "missions", "runs"
+  /// @param what  shown label: "missions", "runs"
   MissionCount(Progress& shown, std::string_view what, std::size_t missions)
       : shown_(shown), what_(what), missions_(missions) {}
 

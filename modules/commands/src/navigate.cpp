@@ -36,7 +36,7 @@ struct NavigateParams {
   }
 };
 
-/// All that a mission is made of, read and checked.
+/// Everything a mission needs, read and checked.
 struct Mission {
   SimulationSetting setting;
   SessionOrigin origin;
@@ -44,8 +44,8 @@ struct Mission {
   MapTruth truth;
 };
 
-/// How the map lies in the world: as learning left it beside the building, else the route begins at the
-/// world's start.
+/// How the map lies in the world: by the truth that learning wrote beside the building, else the route begins
+/// at the world's start.
 Result<MapTruth> map_truth(const NavigateOptions& options, const SimulationSetting& setting) {
   auto truth = read_map_truth(options.building);
   if (!truth || !truth->empty()) return truth;
@@ -100,8 +100,8 @@ Outcome outcome_of(const NavigateOptions& options, const Mission& mission,
   if (!options.out.empty()) outcome.files["session"] = options.out.string();
   outcome.text = fmt::format(
       "simulated: {}{}{}; {:.1f} m in {:.1f} s, {} collision{}, lost {} time{}\n"
-      "knew where it was to {:.1f} cm across, {:.1f} cm along, {:.2f} deg (rms)\n"
-      "kept to its path within {:.1f} cm (rms), {:.1f} cm (worst)\n",
+      "pose error {:.1f} cm across, {:.1f} cm along, {:.2f} deg (rms)\n"
+      "cross-track error {:.1f} cm (rms), {:.1f} cm (worst)\n",
       result.end.state, result.end.why.empty() ? "" : ": ", result.end.why, result.distance_m,
       result.end.duration_s, result.collisions, result.collisions == 1 ? "" : "s", result.lost_count,
       result.lost_count == 1 ? "" : "s", 100 * errors.across_m.rms(), 100 * errors.along_m.rms(),

@@ -11,25 +11,25 @@
 
 namespace aisle {
 
-/// The taught runs that a trial's seeds were to give and that were refused: without one there is no mission.
+/// The taught runs of a trial that were refused: a seed without a taught run has no mission.
 class NotTaught {
  public:
-  /// @param route  where a seed may give one of several
+  /// @param route  its name, if a seed may teach one of several
   void add(std::uint64_t seed, const std::string& why, const std::string& route = {}) {
-    nlohmann::ordered_json learned = {{"seed", seed}};
-    if (!route.empty()) learned["route"] = route;
-    learned["why"] = why;
-    runs_learned_.push_back(std::move(learned));
+    nlohmann::ordered_json refused = {{"seed", seed}};
+    if (!route.empty()) refused["route"] = route;
+    refused["why"] = why;
+    refused_runs_.push_back(std::move(refused));
     text_ += fmt::format("seed {}{}{}: {}\n", seed, route.empty() ? "" : ", ", route, why);
   }
 
-  std::size_t size() const { return runs_learned_.size(); }
-  const nlohmann::ordered_json& json() const { return runs_learned_; }
-  /// A line each.
+  std::size_t size() const { return refused_runs_.size(); }
+  const nlohmann::ordered_json& json() const { return refused_runs_; }
+  /// One line per refused run.
   const std::string& text() const { return text_; }
 
  private:
-  nlohmann::ordered_json runs_learned_ = nlohmann::ordered_json::array();
+  nlohmann::ordered_json refused_runs_ = nlohmann::ordered_json::array();
   std::string text_;
 };
 

@@ -22,7 +22,7 @@ Problems in_the_path(const fs::path& directory, bool force, const std::vector<st
   return problems;
 }
 
-/// This directory and those above it that are not there, innermost first.
+/// This directory and its parents that do not exist, innermost first.
 std::vector<fs::path> missing_of(const fs::path& directory) {
   std::vector<fs::path> missing;
   std::error_code error;

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kBytesMax = std::size_t{512} << 20;
 constexpr int kMazeSizeMax = 512;
 
-/// "x1 y1 x2 y2" and perhaps a word, as no line of a maze is.
+/// "x1 y1 x2 y2" and perhaps a word: no line of a maze looks like that.
 bool is_wall_segment(const std::string& line) {
   std::istringstream fields(line);
   double number = 0;
@@ -59,7 +59,7 @@ Result<World> world_of_maze(std::string_view bytes, const ConvertOptions& option
                                maze->world.width(), maze->world.height(), kMazeSizeMax)};
   }
   if (!maze->has_start) {
-    console.warn(fmt::format("{}: tells no start; it is cell ({}, {})", options.plan.string(),
+    console.warn(fmt::format("{}: has no start; the start is cell ({}, {})", options.plan.string(),
                              maze->world.start.x, maze->world.start.y));
   }
   return build_maze(maze->world, options.maze);
@@ -118,8 +118,9 @@ Result<World> world_of_plan(const ConvertOptions& options, Console& console) {
 PlannedWorld with_tour(World world, const RoundTripParams& params, Console& console) {
   auto run = plan_round_trip(world, params, console.progress);
   if (!run) {
-    console.warn(fmt::format("{}: no room for a vehicle {:g} m wide: the world has neither start nor tour",
-                             world.name, params.vehicle_width_m));
+    console.warn(
+        fmt::format("{}: no room for a vehicle {:g} m wide: the world has neither a start nor a tour",
+                    world.name, params.vehicle_width_m));
     return {std::move(world), 0};
   }
   if (!world.start) world.start = run->T_world_start;

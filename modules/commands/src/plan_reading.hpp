@@ -5,20 +5,20 @@
 
 namespace aisle {
 
-/// The walls of the plan that the options name, with a start if the plan tells one.
+/// World with the walls of the plan that the options name, and with a start if the plan has one.
 Result<World> world_of_plan(const ConvertOptions& options, Console& console);
 
-/// The same with a start and a tour where the plan tells none and a vehicle has room.
+/// A world with a start and a tour, if there is room for a vehicle.
 struct PlannedWorld {
   World world;
-  double drivable_m2 = 0;  ///< where a vehicle can be
+  double drivable_m2 = 0;  ///< floor where a vehicle fits
 };
 PlannedWorld with_tour(World world, const RoundTripParams& run, Console& console);
 
-/// Whether there is a file that is a plan: no YAML, or one that names a map_server's image.
+/// Whether the file exists and is a plan: no YAML, or a map_server YAML that names an image.
 bool is_plan(const std::filesystem::path& file);
 
-/// What a file with this content and name is; never kAny.
+/// Detects the kind of a plan from its content and name; never kAny.
 PlanKind plan_kind_of(const std::filesystem::path& name, std::string_view bytes);
 
 }  // namespace aisle

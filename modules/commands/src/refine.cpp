@@ -17,8 +17,8 @@
 namespace aisle {
 namespace {
 
-/// Where a run began: at the start of its route, or of the return path. A session that names none of the
-/// building's routes begins at the first one's start.
+/// Where a run began: at the start of its route, or of the return path. If a session names none of the
+/// building's routes, it began at the start of the first.
 Pose2 start_of(const SessionOrigin& origin, const Building& building, const VehicleDescription& vehicle) {
   for (const Route& route : building.routes) {
     if (route.name != origin.route) continue;
@@ -28,7 +28,7 @@ Pose2 start_of(const SessionOrigin& origin, const Building& building, const Vehi
   return building.routes.empty() ? Pose2{} : building.routes.front().path.at(0).T_map_path;
 }
 
-/// One more run. @return its figures
+/// Refines the building with one more run. @return its figures
 Result<nlohmann::ordered_json> take_in(const std::filesystem::path& session,
                                        const LandmarkLearnerParams& params, Building& building,
                                        Progress& progress) {

@@ -41,7 +41,7 @@ Result<CameraDescription> camera_of(const VehicleDescription& vehicle, const Ren
     names += (names.empty() ? "" : ", ") + camera.name;
   }
   if (names.empty()) return Problem{{options.vehicle.string(), 0, "cameras"}, "the vehicle has no camera"};
-  return Problem{{"--camera"}, fmt::format("there is no camera '{}'; there is {}", options.camera, names)};
+  return Problem{{"--camera"}, fmt::format("there is no camera '{}'; there are: {}", options.camera, names)};
 }
 
 Result<Pose2> place_of(const World& world, const RenderViewOptions& options) {
@@ -60,7 +60,7 @@ bool is_jpeg(const fs::path& path) {
 
 Problems unfit_for_output(const fs::path& path, bool force) {
   if (path.extension() != ".png" && !is_jpeg(path)) {
-    return {{{path.string()}, "is no name of an image: it ends neither in .png nor in .jpg"}};
+    return {{{path.string()}, "is not an image name: it must end in .png or .jpg"}};
   }
   std::error_code error;
   if (fs::is_directory(path, error)) return {{{path.string()}, "is a directory"}};

@@ -1,5 +1,5 @@
 #pragma once
-/// The experiments of `aisle reproduce`, one a paper.
+/// The experiments of `aisle reproduce`, one per paper.
 
 #include "aisle/commands/reproduce.hpp"
 #include "landmarks/landmark_course.hpp"

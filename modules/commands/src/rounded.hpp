@@ -4,7 +4,7 @@
 
 namespace aisle {
 
-/// A figure to so many decimals.
+/// Rounds a figure to a number of decimals.
 inline double rounded(double value, int decimals) {
   const double scale = std::pow(10, decimals);
   return std::round(value * scale) / scale;

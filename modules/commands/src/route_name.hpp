@@ -10,7 +10,7 @@
 namespace aisle {
 
 /// Empty if a building can have a route of this name.
-/// @param where  that gave the name
+/// @param where  where the name comes from, for problems
 Problems check_route_name(const Place& where, const std::string& name);
 
 /// "there, back", or "none".
@@ -21,14 +21,14 @@ std::string names_of(const std::vector<NamedRoute>& routes) {
   return names.empty() ? "none" : names;
 }
 
-/// The name of the route that is asked for; empty: of the building's first, if it has one.
+/// `asked`; if empty, the name of the building's first route; empty if it has none.
 std::string route_name(const Building& building, const std::string& asked);
 
-/// The building's route of that name.
+/// Finds a route by name. An unknown name is a problem that lists the building's routes.
 Result<Route> find_route(const Building& building, const std::string& name);
 
-/// Whether the vehicle meets no barrier of the building on the way.
-/// @param route  its name
+/// Empty if the vehicle meets no barrier of the building along the path.
+/// @param route  name of the route, for problems
 Problems check_barriers(const Building& building, const std::string& route, const Path& path,
                         const Footprint& footprint);
 

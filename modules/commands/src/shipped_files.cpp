@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 /// Built programs are in build/PRESET/bin of the source tree, installed ones in bin beside share.
 constexpr int kLevelsUp = 4;
 
-/// The first of these that is there, in the program's directory or one above it; empty if none is.
+/// The first of these that exists, in the program's directory or one above it; empty if none does.
 fs::path beside_program(std::initializer_list<fs::path> relative) {
   std::error_code error;
   fs::path directory = fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -31,7 +31,7 @@ fs::path shipped_folder(const std::string& kind) {
   return beside_program({kind, fs::path("share/aisle") / kind});
 }
 
-/// Of the files in a folder that may be missing, in order.
+/// Names of the YAML files in a folder, in order; empty if there is no folder.
 std::set<std::string> names_in(const fs::path& folder) {
   std::set<std::string> names;
   std::error_code error;

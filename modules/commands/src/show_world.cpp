@@ -17,7 +17,7 @@
 namespace aisle {
 namespace {
 
-/// The cart of the shipped vehicles, seen from above.
+/// The footprint of the shipped cart.
 constexpr double kVehicleRadius_m = 0.3;
 constexpr double kVehicleHeight_m = 1.3;
 
@@ -47,7 +47,7 @@ std::optional<Vec2> start_of(const World& world) {
   return std::nullopt;
 }
 
-/// Where a vehicle gets from the start, and what it does not reach.
+/// Where a vehicle can get to from the start, and what it cannot reach.
 class Reach {
  public:
   explicit Reach(const World& world) : world_(world), obstacles_(obstacles_below(world, kVehicleHeight_m)) {}
@@ -85,7 +85,7 @@ class Reach {
       return;
     }
     outcome.figures["reached_m2"] = std::round(area_m2 * 10) / 10;
-    outcome.text += fmt::format("  {:.1f} m2 of floor where a vehicle {:g} m wide gets to from the start\n",
+    outcome.text += fmt::format("  {:.1f} m2 of floor that a vehicle {:g} m wide can reach from the start\n",
                                 area_m2, 2 * kVehicleRadius_m);
   }
 
@@ -98,8 +98,8 @@ class Reach {
     for (const ParkingFrame& frame : world_.parking_frames) check(frame.name, frame.centre);
     outcome.figures["unreached"] = unreached;
     for (const std::string& name : unreached) {
-      console.warn(fmt::format("a vehicle {:g} m wide does not get from the start to '{}'",
-                               2 * kVehicleRadius_m, name));
+      console.warn(
+          fmt::format("a vehicle {:g} m wide cannot get from the start to '{}'", 2 * kVehicleRadius_m, name));
     }
   }
 
@@ -153,7 +153,7 @@ Problems draw(const World& world, const ShowWorldOptions& options, Outcome& outc
   const Vec2 size = size_m(world);
   const std::string caption = fmt::format("{:.1f} m x {:.1f} m, {} doors, {} places", size.x(), size.y(),
                                           world.doors.size(), world.places.size());
-  const WorldPicture image{world, world.name, caption};
+  const WorldPicture picture{world, world.name, caption};
   Problems problems;
   const auto write = [&](const char* role, const std::filesystem::path& path, const std::string& bytes) {
     const Problems more = write_whole_file(path, bytes);
@@ -161,8 +161,8 @@ Problems draw(const World& world, const ShowWorldOptions& options, Outcome& outc
     outcome.files[role] = path.string();
     outcome.text += fmt::format("  plan in {}\n", path.string());
   };
-  if (options.svg) write("svg", *options.svg, svg(image));
-  if (options.png) write("png", *options.png, png(image));
+  if (options.svg) write("svg", *options.svg, svg(picture));
+  if (options.png) write("png", *options.png, png(picture));
   return problems;
 }
 

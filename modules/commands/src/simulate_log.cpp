@@ -23,7 +23,7 @@ double length_m(const std::vector<Pose2>& poses) {
   return sum_m;
 }
 
-/// FLASER lines give no angles; they follow from the number of readings.
+/// FLASER lines contain no angles; the number of readings determines them.
 Problems inexpressible(const RangeScannerParams& scanner) {
   constexpr double kSameAngle_rad = 1e-9;
   if (scanner.sensor.beams < 2) return {{{"", 0, "scanner.beams"}, "a log needs at least 2"}};

@@ -13,7 +13,7 @@
 
 namespace aisle {
 
-/// Keeps a simulated mission as a session, the truth beside it; without a session nothing.
+/// Records a simulated mission and its ground truth in a session, if there is one.
 class SimulatedRecord : public MissionRecord {
  public:
   SimulatedRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle)
@@ -25,19 +25,19 @@ class SimulatedRecord : public MissionRecord {
   std::size_t images() const { return images_; }
 
  protected:
-  /// To whoever watches; nothing of it is kept. Where the navigator takes the vehicle to be, along what it
-  /// drives, how well what it sees fits what it knows, and what it saw in the cycle's first image.
+  /// These show to the watcher, without recording: the estimated pose, the planned path, how well the view
+  /// matches the map, and what was detected in the cycle's first image.
   void show_pose(const UncertainPose2& T_map_vehicle) const;
   void show_plan(const Path& path) const;
   void show_match(const ViewMatch& match) const;
   void show_overlay(const Overlay& overlay) const;
-  /// The floor as it is known now: at most every two seconds, and only what is new.
+  /// Shows the floor as known now: at most every two seconds, and only if it changed.
   void show_floor(const FloorGrid& floor);
   void show(const SessionTopic& topic, const std::string& cdr) const;
 
   bool is_watched() const { return session_ && session_->watcher() != nullptr; }
-  /// The camera of the cycle's first image; empty: none was taken.
-  const std::string& pictured_by() const { return image_camera_; }
+  /// Name of the camera of the cycle's first image; empty: no image was taken.
+  const std::string& image_camera() const { return image_camera_; }
 
  private:
   std::optional<SessionRecord>& session_;
@@ -49,12 +49,13 @@ class SimulatedRecord : public MissionRecord {
   double floor_shown_s_ = -1;
 };
 
-/// The session of a mission: kept in `out` unless that is empty, shown to whoever watches; nullopt: neither.
+/// Opens the session of a mission: recorded in `out` unless that is empty, and shown to `watcher` if not
+/// null; nullopt if neither.
 Result<std::optional<SessionRecord>> open_session(const std::filesystem::path& out, bool force,
                                                   const VehicleDescription& vehicle,
                                                   const SessionOrigin& origin, MessageSink* watcher);
 
-/// Ends a session; what was driven before an interruption stays.
+/// Closes a session; what was recorded before an interruption stays.
 Problems close(std::optional<SessionRecord>& session);
 
 }  // namespace aisle

@@ -15,14 +15,13 @@
 namespace aisle {
 namespace {
 
-/// A scenario's places mean something in its own world, and in no other; a vehicle that is lifted must fit
-/// where it is put.
+/// A scenario's places are only valid in its own world. A kidnapped vehicle must fit where it is put down.
 Problems check_scenario(const std::string& file, const SimulationSetting& setting) {
   Problems problems;
   if (const std::string& needed = setting.scenario.world; !needed.empty() && needed != setting.world.name) {
     problems.push_back(
         {{file, 0, "world"},
-         fmt::format("it happens in the world '{}', this is '{}'", needed, setting.world.name)});
+         fmt::format("the scenario is for the world '{}', this is '{}'", needed, setting.world.name)});
   }
   for (std::size_t i = 0; i < setting.scenario.events.size(); ++i) {
     const auto* lifted = std::get_if<Lifted>(&setting.scenario.events[i].fault);
@@ -79,7 +78,7 @@ Result<Pose2> start_in(const SimulationSetting& setting) {
 }
 
 Pose2 set_down(const SimulationSetting& setting, const UncertainPose2& T_world_start, std::uint64_t seed) {
-  constexpr std::uint64_t kSetDown = 0x5e7d03;  // keeps this chance apart from the vehicle's own
+  constexpr std::uint64_t kSetDown = 0x5e7d03;  // separates this random stream from the vehicle's
   Random random(seed ^ kSetDown);
   const Vec3 sigmas = T_world_start.covariance.diagonal().cwiseSqrt();
   const Pose2 off{random.normal(sigmas.x()), random.normal(sigmas.y()), random.normal(sigmas.z())};

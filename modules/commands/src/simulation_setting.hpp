@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-/// What a simulated mission happens in and with, read and checked.
+/// World, vehicle and faults of a simulated mission, read and checked.
 struct SimulationSetting {
   std::filesystem::path world_file;
   World world;
@@ -21,16 +21,17 @@ struct SimulationSetting {
 
 inline constexpr double kPlanPixel_m = 0.05;
 
-/// Files or names of shipped ones; empty: no world, no scenario. The world may be any plan that `aisle
-/// convert` reads, too.
-/// @param plan_pixel_m  side of a plan's pixel where its file does not say it
+/// Reads a setting from files or shipped names; empty: no world, no scenario. The world may also be any plan
+/// that `aisle convert` reads.
+/// @param plan_pixel_m  side of a plan's pixel, unless its file gives it
 Result<SimulationSetting> read_setting(const std::string& world, const std::string& vehicle,
                                        const std::string& scenario, double plan_pixel_m = kPlanPixel_m);
 
-/// Where the world says that a vehicle is set down; a problem unless it fits there.
+/// The world's start pose; a problem if the vehicle does not fit there.
 Result<Pose2> start_in(const SimulationSetting& setting);
 
-/// Where a person who sets the vehicle down roughly puts it; exactly there if it would touch something.
+/// Random initial pose, as of a vehicle that is put down by hand; the exact pose if the random one is
+/// occupied.
 Pose2 set_down(const SimulationSetting& setting, const UncertainPose2& T_world_start, std::uint64_t seed);
 
 }  // namespace aisle

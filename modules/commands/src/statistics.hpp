@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// The value that a share of all values is not above; 0 if there are none.
+/// Quantile: the value that a share (0 .. 1) of all values does not exceed; 0 if there are none.
 double quantile(std::vector<double> values, double share);
 
 /// {"median": ..., "p99": ...} of processor times [ms].

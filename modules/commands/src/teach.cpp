@@ -16,7 +16,7 @@ namespace aisle {
 
 namespace {
 
-/// The first camera alone is learned from; a scripted person drives the world's route of that name.
+/// Only the first camera is learned from. A scripted person drives the world's route of that name.
 Problems take_route(const TeachOptions& options, const VehicleDescription& vehicle, DriveOptions& drive) {
   if (Problems problems = unfit_for_rooms(vehicle, {kFirstCamera}); !problems.empty()) return problems;
   drive.camera = kFirstCamera;
@@ -28,7 +28,7 @@ Problems take_route(const TeachOptions& options, const VehicleDescription& vehic
   if (path != nullptr) drive.T_world_start = start_of(*path);
   if (options.shows_view_pattern &&
       (drive.keys || path == nullptr || path->parking != ParkingStrategy::kView))
-    return {{{"", 0, "--views"}, "the pattern is driven by a scripted person, about a taught place"}};
+    return {{{"", 0, "--views"}, "only a scripted person can drive the pattern, around a taught place"}};
   if (drive.keys) return {};
   if (path == nullptr)
     return {{{file->string(), 0, "routes"},
@@ -50,7 +50,7 @@ Result<Outcome> run_teach(const TeachOptions& options, Console& console) {
   if (Problems problems = check_route_name({"", 0, "--route"}, options.route); !problems.empty())
     return problems;
   if (options.shows_view_pattern && options.method != "route")
-    return Problem{{"", 0, "--views"}, "the pattern belongs to the method route"};
+    return Problem{{"", 0, "--views"}, "the pattern needs --method route"};
   DriveOptions drive = options.drive;
   drive.vehicle = vehicle_or_usual(drive.vehicle, options.method);
   const auto vehicle = read_shipped_or_own("vehicles", drive.vehicle, read_vehicle);

@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// Notes how much processor time each cycle takes, from observation to decision.
+/// Measures the processor time of each cycle, from observation to decision.
 class TimedNavigator final : public Navigator {
  public:
   /// Both must outlive this.

@@ -45,7 +45,7 @@ Result<SimulationSetting> landmark_setting(const TrialOptions& options, std::uin
   return setting;
 }
 
-/// All missions that were driven after so many refinements.
+/// Statistics of all missions after a number of refinements.
 class Statistics {
  public:
   void add(const LandmarkMissionResult& result, std::size_t landmarks) {
@@ -104,12 +104,12 @@ Json mission_json(std::uint64_t seed, const SimulationSetting& setting, int refi
 }
 
 struct Trial {
-  std::vector<Statistics> after;  ///< so many refinements
+  std::vector<Statistics> after;  ///< index: number of refinements
   Json missions = Json::array();
   NotTaught not_taught;
 };
 
-/// One seed: taught, learned, driven and refined as often as is asked.
+/// One seed: teach, learn, then drive and refine as often as requested.
 Problems run_seed(const TrialOptions& options, const LandmarkCourseParams& params, std::uint64_t seed,
                   Trial& trial, Progress& progress) {
   const auto setting = landmark_setting(options, seed);
@@ -133,7 +133,8 @@ Problems run_seed(const TrialOptions& options, const LandmarkCourseParams& param
     if (options.lift_m) {
       const auto lift =
           lift_on_route(present, building.routes.front().path, truth, *options.lift_m, mission_seed);
-      if (!lift) return {{{}, fmt::format("seed {}: the path is too short to be lifted along it", seed)}};
+      if (!lift)
+        return {{{}, fmt::format("seed {}: the path is too short to kidnap the vehicle along it", seed)}};
       present.scenario.events.push_back(*lift);
     }
     const auto result = drive_alone(present, params, building, truth,

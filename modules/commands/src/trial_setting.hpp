@@ -9,9 +9,8 @@
 
 namespace aisle {
 
-/// What the mission of a seed happens in: one of the worlds that were given, in turn, or a building by
-/// chance.
-/// @param kinds  of buildings by chance, taken in turn unless one kind is asked for
+/// The setting of a seed's mission: one of the given worlds, in turn, or a random building.
+/// @param kinds  of random buildings, taken in turn unless the options ask for one kind
 Result<SimulationSetting> setting_of_seed(const TrialOptions& options, std::uint64_t seed,
                                           const std::string& vehicle, std::span<const BuildingKind> kinds);
 

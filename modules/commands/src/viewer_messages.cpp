@@ -17,7 +17,7 @@ std::string text_cdr(const ViewerJson& json) {
   return cdr_bytes(ros::String{json.dump()});
 }
 
-/// Laser light on things, as dashes.
+/// Laser light on objects, as dashes.
 void append_light(Overlay& overlay, std::span<const Vec2> p_vehicle_lit, const CameraDescription& camera,
                   double height_m) {
   const Vec2 lateral(3, 0);
@@ -28,7 +28,7 @@ void append_light(Overlay& overlay, std::span<const Vec2> p_vehicle_lit, const C
   }
 }
 
-/// The first row above a column's lowest that is not on the route; nullopt: the lowest is not.
+/// The lowest row of a column that is not on the route; nullopt if that is the bottom row.
 std::optional<int> top_of(const Image& mask, int u) {
   int v = mask.height_px - 1;
   while (v >= 0 && mask.row(v)[u] != 0) --v;

@@ -1,6 +1,6 @@
 #pragma once
-/// What a navigator sees and how sure it is of it, as JSON for those who look on: docs/live.md. Sessions do
-/// not hold them.
+/// What a navigator sees and how sure it is, as JSON for the live page (docs/live.md). Sessions do not
+/// contain these messages.
 
 #include <cstddef>
 #include <span>
@@ -22,20 +22,20 @@ struct OverlayLine {
 };
 using Overlay = std::vector<OverlayLine>;
 
-/// Vertical lines, the feet of landmarks as small crosses, and the light of the laser markers.
+/// Vertical lines, the floor points of landmarks as small crosses, and the stripes of the line lasers.
 /// @param camera  of the image
 Overlay overlay_of(const LandmarkNavigator& navigator, const VehicleDescription& vehicle,
                    const std::string& camera);
-/// Where the floor ends: the base lines of walls.
+/// The wall-floor edges.
 Overlay overlay_of(std::span<const FloorEdge> edges);
-/// The region's outline as seen from below, and the two scan lines.
+/// The region's outline as seen from the image's lower border, and the two scan lines.
 Overlay overlay_of(const RouteView& view, const RouteSight& sight);
 
 SessionTopic overlay_topic(const std::string& camera);
 /// @param stamp_s  of the image
 std::string overlay_cdr(double stamp_s, const Overlay& overlay);
 
-/// How well what is seen fits what is known.
+/// How well the view matches the map.
 struct ViewMatch {
   double quality = 0;  ///< 0 .. 1
   std::string text;    ///< "41 of 52 lines"

@@ -1,6 +1,5 @@
 #pragma once
-/// A stand-in for the mms simulator: answers its protocol on two pipes, and takes every illegal command
-/// amiss.
+/// A stand-in for the mms simulator: answers its protocol on two pipes, and notes illegal commands.
 
 #include <unistd.h>
 
@@ -29,9 +28,9 @@ class MmsStandIn {
 
   /// The reset button is pressed after so many forward moves.
   void press_reset_after(int count) { reset_after_ = count; }
-  /// The simulator goes away after so many forward moves.
+  /// The simulator ends after so many forward moves.
   void leave_after(int count) { leave_after_ = count; }
-  /// Says this to every movement.
+  /// Replies this to every movement.
   void answer_moves_with(std::string reply) { move_reply_ = std::move(reply); }
 
   void start() {

@@ -7,7 +7,7 @@ namespace {
 
 using testing::StartsWith;
 
-TEST(LearnedFiles, AreThoseThatAreAnnounced) {
+TEST(LearnedFiles, MatchTheAnnouncedNames) {
   Building building;
   building.landmarks.add({.p_map = {1, 1}});
   const MapTruth truth({{0, 0, 0}, {1, 0, 0}}, {{5, 0, 0}, {6, 0, 0}});
@@ -21,7 +21,7 @@ TEST(LearnedFiles, AreThoseThatAreAnnounced) {
   EXPECT_EQ(names, learned_file_names());
 }
 
-TEST(LearnedFiles, AreAllThereWithoutTruthAndWithoutALandmark) {
+TEST(LearnedFiles, AreCompleteWithoutTruthAndWithoutALandmark) {
   EXPECT_EQ(learned_files(Building(), MapTruth(), {}).size(), learned_file_names().size());
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The images in which the board was found, and the names of the others.
+/// The images in which the board was found, and the names of the other images.
 struct BoardViews {
   int width_px = 0;
   int height_px = 0;
@@ -106,14 +106,14 @@ std::string text_of(const LensCalibration& lens, const BoardViews& views) {
 }
 
 ResidualPicture residuals_of(const LensCalibration& lens, const std::string& camera_name) {
-  ResidualPicture image{lens.width_px, lens.height_px, {}, "Calibration of " + camera_name, ""};
-  image.caption =
+  ResidualPicture picture{lens.width_px, lens.height_px, {}, "Calibration of " + camera_name, ""};
+  picture.caption =
       fmt::format("{} views, rms {:.3f} px, fx {:.1f}, fy {:.1f}: {}", lens.views.size(), lens.rms_px,
                   lens.intrinsics.fx_px, lens.intrinsics.fy_px, to_string(lens.verdict.quality));
   for (const CalibratedView& view : lens.views) {
-    image.groups.push_back({view.name, view.rms_px, view.corners_px, view.residuals_px});
+    picture.groups.push_back({view.name, view.rms_px, view.corners_px, view.residuals_px});
   }
-  return image;
+  return picture;
 }
 
 }  // namespace

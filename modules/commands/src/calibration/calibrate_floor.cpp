@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Marks that came from one file.
+/// The marks of one file.
 struct MarkSource {
   std::string name;
   std::size_t count = 0;
@@ -68,7 +68,7 @@ Result<CollectedMarks> collect(const CalibrateFloorOptions& options, const Camer
 Problems contradictions(const CalibrateFloorOptions& options) {
   if (options.images.size() != options.boards_at.size()) {
     return {{{"--board-at"},
-             fmt::format("stands there {} times for {} images; each image needs its own",
+             fmt::format("is given {} times for {} images; each image needs its own",
                          options.boards_at.size(), options.images.size())}};
   }
   if (options.images.empty() && !options.marks) {
@@ -137,7 +137,7 @@ double rms_px(const std::vector<Vec2>& residuals_px) {
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-/// Files of marks do not say how large the image is: then it reaches to the principal point twice.
+/// Files of marks do not give the size of the image: then it is taken as twice the principal point.
 ResidualPicture residuals_of(const MountCalibration& found, const CollectedMarks& marks,
                              const CameraCalibration& camera) {
   ResidualPicture image;

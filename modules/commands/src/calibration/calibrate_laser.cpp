@@ -22,7 +22,7 @@ std::vector<Vec2> stripe_points(const Image& image) {
   return points;
 }
 
-/// Leaves what is farther than a board's width beside the board: it may be on another wall.
+/// Keeps only points within a board's width of the board: those farther away may be on another wall.
 void keep_beside(const std::vector<Vec2>& corners_px, std::vector<Vec2>& points_px) {
   const auto [left, right] = std::minmax_element(corners_px.begin(), corners_px.end(),
                                                  [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
@@ -100,7 +100,7 @@ std::string text_of(const LaserCalibration& c) {
 Result<Outcome> run_calibrate_laser(const CalibrateLaserOptions& options, Console& console) {
   if (!options.walls_at_m.empty() && options.walls_at_m.size() != options.images.size()) {
     return Problem{{"--wall-at"},
-                   fmt::format("stands there {} times for {} images; each needs its own",
+                   fmt::format("is given {} times for {} images; each needs its own",
                                options.walls_at_m.size(), options.images.size())};
   }
   const auto out = open_calibration_directory(options.out, options.force, false);

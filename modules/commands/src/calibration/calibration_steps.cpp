@@ -28,7 +28,7 @@ Result<Image> read_calibrated_image(const std::filesystem::path& path, const Cam
   if (!image || calibration.width_px == 0) return image;
   if (image->width_px != calibration.width_px || image->height_px != calibration.height_px) {
     return Problem{{path.string()},
-                   fmt::format("has {} x {} pixels; the calibration holds for {} x {}", image->width_px,
+                   fmt::format("has {} x {} pixels; the calibration is for {} x {}", image->width_px,
                                image->height_px, calibration.width_px, calibration.height_px)};
   }
   return image;

@@ -15,7 +15,7 @@
 
 namespace aisle {
 
-/// Numbers of a calibration with nine digits, so that they print shortly.
+/// Rounds a figure to nine significant digits, so that it prints shortly.
 double nine_digits(double value);
 
 nlohmann::ordered_json verdict_figures(const CalibrationVerdict& verdict);
@@ -23,14 +23,14 @@ nlohmann::ordered_json verdict_figures(const CalibrationVerdict& verdict);
 /// "verdict: usable\n  - reason\n..."
 std::string verdict_text(const CalibrationVerdict& verdict);
 
-/// An image; a problem also if it has another size than the calibration holds for.
+/// Reads an image. An image of another size than the calibration's is a problem.
 Result<Image> read_calibrated_image(const std::filesystem::path& path, const CameraCalibration& calibration);
 
-/// The directory for a calibration's files, checked before the work; none was asked for: nullopt.
+/// Opens the directory for a calibration's files before the work starts; nullopt if `directory` is empty.
 Result<std::optional<OutputDirectory>> open_calibration_directory(const std::filesystem::path& directory,
                                                                   bool force, bool with_residuals);
 
-/// The calibration in both layouts, and the image of its residuals.
+/// The calibration in both layouts (OpenCV, ROS), and the picture of its residuals.
 std::vector<OutputFile> calibration_files(const CameraCalibration& calibration,
                                           const std::optional<ResidualPicture>& residuals);
 

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Vertical lines and base lines of one image; either needs the other.
+/// Vertical lines and wall-floor edges of one image; each detector needs the other's result.
 class LineFinder {
  public:
   explicit LineFinder(const std::optional<CameraModel>& camera) : camera_(camera) {}
@@ -44,7 +44,7 @@ class LineFinder {
   std::optional<CameraModel> camera_;
   VerticalLineParams verticals_params_;
   BaseLineParams base_lines_params_;
-  std::optional<VerticalLineDetector> verticals_;  // made when the parameters are known
+  std::optional<VerticalLineDetector> verticals_;  // made once the parameters are known
   std::optional<BaseLineDetector> base_lines_;
 };
 
@@ -65,7 +65,8 @@ class VerticalsDetector final : public ImageDetector {
     }
     const auto floor_points = std::count_if(verticals.begin(), verticals.end(),
                                             [](const VerticalLine& line) { return line.has_floor_point; });
-    detection.summary = fmt::format("{} vertical lines, {} with a foot", verticals.size(), floor_points);
+    detection.summary =
+        fmt::format("{} vertical lines, {} with a floor point", verticals.size(), floor_points);
     if (is_drawn) detection.overlay_png = verticals_overlay_png(image, verticals);
     return detection;
   }
@@ -89,7 +90,7 @@ class BaseLinesDetector final : public ImageDetector {
     Detection detection;
     detection.figures = {{"right_baseline", line_json(lines.right)},
                          {"left_baseline", line_json(lines.left)}};
-    detection.summary = fmt::format("right base line {}, left base line {}",
+    detection.summary = fmt::format("right wall-floor edge {}, left wall-floor edge {}",
                                     lines.right ? "found" : "not found", lines.left ? "found" : "not found");
     if (is_drawn) detection.overlay_png = base_lines_overlay_png(image, lines);
     return detection;

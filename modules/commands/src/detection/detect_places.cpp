@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kUnlikeDecimals = 4;
 
-/// Names the taught image at whose place another one was taken.
+/// Names the taught image whose place an image was taken at.
 class PlacesDetector final : public ImageDetector {
  public:
   explicit PlacesDetector(std::vector<TaughtImage> taught) : taught_(std::move(taught)) {}
@@ -58,15 +58,16 @@ class PlacesDetector final : public ImageDetector {
       if (confirmed[i]) images[i]["place"] = images[i]["most_alike"];
       known += static_cast<std::size_t>(!images[i]["place"].is_null());
     }
-    return fmt::format("with those that confirm each other, {} of {} were taken at taught places\n", known,
-                       places_.size());
+    return fmt::format(
+        "including places that confirm each other, {} of {} images were taken at taught places\n", known,
+        places_.size());
   }
 
  private:
   PlaceParams params_;
   std::vector<TaughtImage> taught_;
-  std::optional<PlaceRecogniser> recogniser_;  // when the parameters are known
-  std::vector<std::size_t> places_;            // the most alike of each image so far
+  std::optional<PlaceRecogniser> recogniser_;  // made once the parameters are known
+  std::vector<std::size_t> places_;            // most similar taught image of each image so far
 };
 
 bool is_image(const fs::path& path) {
@@ -78,7 +79,7 @@ bool is_image(const fs::path& path) {
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
-/// Those of a directory in the order of the numbers in their names.
+/// The images of a directory, in the order of the numbers in their names.
 Result<std::vector<fs::path>> images_at(const fs::path& path) {
   if (!fs::is_directory(path)) return std::vector{path};
   std::error_code error;

@@ -18,8 +18,10 @@ struct ScanLines {
   double near_row_share = 0.9;
 
   void describe(FieldList& fields) {
-    fields.real("far_row_share", far_row_share, {0, 1}, "where the upper scan line is, of the height");
-    fields.real("near_row_share", near_row_share, {0, 1}, "where the lower scan line is, of the height");
+    fields.real("far_row_share", far_row_share, {0, 1},
+                "row of the upper scan line, as a share of the image's height");
+    fields.real("near_row_share", near_row_share, {0, 1},
+                "row of the lower scan line, as a share of the image's height");
   }
 };
 

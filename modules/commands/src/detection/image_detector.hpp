@@ -21,10 +21,10 @@ namespace aisle {
 // NOLINTNEXTLINE(bugprone-exception-escape): moving JSON throws only where its own invariant is broken
 struct Detection {
   nlohmann::ordered_json figures;       ///< the feature's own keys
-  std::string summary;                  ///< for people, half a line
+  std::string summary;                  ///< for people, less than a line
   std::string overlay_png;              ///< empty if not asked for
-  std::optional<std::string> mask_png;  ///< of features that are areas
-  std::vector<VerticalLine> verticals;  ///< if these are the feature
+  std::optional<std::string> mask_png;  ///< only of features that are areas
+  std::vector<VerticalLine> verticals;  ///< only if these are the feature
 };
 
 /// A feature's detector and its parameters.
@@ -34,18 +34,18 @@ class ImageDetector {
 
   virtual void describe(FieldList& fields) = 0;
   virtual Detection detect(const Image& image, bool is_drawn) = 0;
-  /// All images so far were one drive's, in order: what they tell together goes into their figures.
+  /// Called if all images so far were of one drive, in order: adds what they show together to their figures.
   /// @return the same for people, in lines
   virtual std::string look_back(nlohmann::ordered_json& /*images*/) { return {}; }
 };
 
-/// @param camera  if given, lines are fitted where its distortion is undone
+/// @param camera  if given, its distortion is removed before lines are fitted
 std::unique_ptr<ImageDetector> make_verticals_detector(const std::optional<CameraModel>& camera);
 std::unique_ptr<ImageDetector> make_base_lines_detector(const std::optional<CameraModel>& camera);
 std::unique_ptr<ImageDetector> make_stripe_detector();
 std::unique_ptr<ImageDetector> make_region_detector();
 
-/// An image from a place that was taught.
+/// An image from a taught place.
 struct TaughtImage {
   std::string name;
   Image image;

@@ -17,7 +17,7 @@ class LinePursuit {
   /// @param images  how many there will be, at least 1
   LinePursuit(const LineFollowerParams& params, std::size_t images) : follower_(params), sheet_(images) {}
 
-  /// The next image. @param figures  a list with an object for each line, which gets its `number`
+  /// The next image. @param figures  list with an object for each line, to which the line's `number` is added
   void add(const Image& image, const std::vector<VerticalLine>& lines, nlohmann::ordered_json& figures);
 
   /// How many lines were followed, and through how many images.
@@ -32,7 +32,7 @@ class LinePursuit {
 
   LineFollower follower_;
   FollowedLinesSheet sheet_;
-  std::map<int, int> images_of_;  // of each number
+  std::map<int, int> images_of_;  // number of a line -> images that show it
 };
 
 }  // namespace aisle

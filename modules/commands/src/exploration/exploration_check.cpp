@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kOpeningCell_m = 0.05;
 constexpr double kNearStart_m = 0.5;
-constexpr int kLooks = 72;
-constexpr double kOutsideShare = 0.4;  ///< of all looks that end at nothing: the place is outside
+constexpr int kRays = 72;
+constexpr double kOutsideShare = 0.4;  ///< share of rays without a hit from which on a place is outside
 
-/// The shortest path, cell by cell, from a place to the edge of the grid; empty if there is none.
+/// The shortest path of cells from a place to the edge of the grid; empty if there is none.
 std::vector<Vec2> path_out(const ClearanceGrid& grid, const Vec2& start, double clearance_m) {
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> came_from(grid.size(), kNone), open;
@@ -48,8 +48,8 @@ std::vector<Vec2> path_out(const ClearanceGrid& grid, const Vec2& start, double 
 
 bool is_outside(const WallGrid& walls, const Vec2& p) {
   int unbounded = 0;
-  for (int i = 0; i < kLooks; ++i) unbounded += std::isinf(walls.cast(p, unit(2 * kPi * i / kLooks))) ? 1 : 0;
-  return unbounded >= kOutsideShare * kLooks;
+  for (int i = 0; i < kRays; ++i) unbounded += std::isinf(walls.cast(p, unit(2 * kPi * i / kRays))) ? 1 : 0;
+  return unbounded >= kOutsideShare * kRays;
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ Problems check_explorable(const World& world, const std::string& world_file,
   if (!fits(world, vehicle.footprint, T_world_start)) {
     return {
         {{world_file, 0, "start"},
-         fmt::format("the vehicle does not fit at {:.2f}, {:.2f}: something stands there", p.x(), p.y())}};
+         fmt::format("the vehicle does not fit at {:.2f}, {:.2f}: an obstacle is in the way", p.x(), p.y())}};
   }
   if (const auto opening = opening_of(world, vehicle, p)) {
     return {{{world_file, 0, "walls"},

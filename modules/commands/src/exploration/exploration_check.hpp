@@ -10,13 +10,13 @@
 
 namespace aisle {
 
-/// What keeps a vehicle from exploring a world at all, each with its place: it does not fit where it is to
-/// start, or the floor leads out of the building. Empty: nothing does.
-/// @param world_file  stands for the world in problems
+/// Why a vehicle cannot explore a world at all: it does not fit at its start, or the floor leads out of the
+/// building. Empty: it can.
+/// @param world_file  names the world in problems
 Problems check_explorable(const World& world, const std::string& world_file,
                           const VehicleDescription& vehicle, const Pose2& T_world_start);
 
-/// Where a vehicle that keeps a distance from obstacles comes out of the building; nullopt: nowhere.
+/// Where a vehicle that keeps clear of obstacles could leave the building; nullopt: nowhere.
 std::optional<Vec2> opening_of(const World& world, const VehicleDescription& vehicle,
                                const Vec2& p_world_start);
 

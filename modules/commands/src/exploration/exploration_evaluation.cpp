@@ -11,26 +11,26 @@
 namespace aisle {
 namespace {
 
-constexpr double kLookEvery_m = 0.1;  ///< of the path driven
+constexpr double kLookEvery_m = 0.1;  ///< of the driven path
 constexpr double kLookEvery_rad = 5 * kDegree;
 
 double passable_radius_m(const VehicleDescription& vehicle) {
   return vehicle.footprint.width_m / 2 + kPassableMargin_m;
 }
 
-/// Looks as the sensor would from everywhere that the vehicle's footprint can get to.
-SensorView view_in_reach(std::span<const Segment2> standing, std::span<const Segment2> obstacles,
-                         const VehicleDescription& vehicle, const SensorField& sensor,
-                         const Pose2& T_world_start) {
+/// What the sensor would see from all poses that the vehicle's footprint can reach.
+SensorView view_from_reachable_poses(std::span<const Segment2> standing, std::span<const Segment2> obstacles,
+                                     const VehicleDescription& vehicle, const SensorField& sensor,
+                                     const Pose2& T_world_start) {
   SensorView view(standing);
   for (const Pose2& T : poses_in_reach(obstacles, vehicle, T_world_start, kPassableMargin_m))
     view.look(T * sensor.T_vehicle_sensor, sensor.reach_m, sensor.width_rad);
   return view;
 }
 
-/// Looks as the sensor did on the way.
-SensorView view_on_the_path(std::span<const Segment2> standing, const SensorField& sensor,
-                            const std::vector<Pose2>& T_world_vehicle) {
+/// What the sensor saw along the driven path.
+SensorView view_along_path(std::span<const Segment2> standing, const SensorField& sensor,
+                           const std::vector<Pose2>& T_world_vehicle) {
   SensorView view(standing);
   Pose2 last{1e9, 0, 0};
   for (const Pose2& T : T_world_vehicle) {
@@ -68,7 +68,7 @@ void add_coverage(ExplorationScore& figures, const SensorView& possible, const S
   figures.mapped_share = static_cast<double>(mapped) / cells;
 }
 
-/// Everything inside the outermost obstacles is free but what stands there.
+/// A floor that is free within the bounding box of the obstacles, except for the obstacles.
 FloorGrid floor_between(std::span<const Segment2> obstacles) {
   FloorGrid floor;
   FloorBox box{floor.cell_at(obstacles.front().start), floor.cell_at(obstacles.front().start)};
@@ -103,7 +103,7 @@ Pose2 map_in_world(const std::vector<Pose2>& T_map_vehicle, const std::vector<Po
     along += a.dot(b);
     across += cross(a, b);
   }
-  // Headings decide where the path is too short to tell.
+  // Headings decide if the path is too short to determine the rotation.
   for (std::size_t i = 0; i < count; ++i) {
     const double turn_rad = T_world_vehicle[i].theta - T_map_vehicle[i].theta;
     along += std::cos(turn_rad);
@@ -133,8 +133,8 @@ ExplorationScore evaluate_exploration(const World& world, const VehicleDescripti
   figures.home_error_rad = std::abs(home_error.theta);
   if (standing.empty()) return figures;
 
-  const SensorView possible = view_in_reach(standing, obstacles, vehicle, sensor, T_world_start);
-  const SensorView seen = view_on_the_path(standing, sensor, driven.T_world_vehicle);
+  const SensorView possible = view_from_reachable_poses(standing, obstacles, vehicle, sensor, T_world_start);
+  const SensorView seen = view_along_path(standing, sensor, driven.T_world_vehicle);
   add_coverage(figures, possible, seen, driven.floor, driven.T_world_map);
   figures.walls = wall_errors(driven.walls, driven.T_world_map, standing,
                               [&](const Vec2& p_world) { return possible.is_hit(p_world); });

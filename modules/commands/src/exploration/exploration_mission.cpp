@@ -12,7 +12,7 @@
 namespace aisle {
 namespace {
 
-/// What the transducer did last and what is on its stack, bottom first: /transducer of docs/live.md.
+/// The transducer's last transition and its stack, bottom first: /transducer of docs/live.md.
 std::string transducer_json(const BuildingExplorer& explorer) {
   const TransducerTable& table = corridor_rules();
   auto stack = nlohmann::ordered_json::array();
@@ -23,7 +23,7 @@ std::string transducer_json(const BuildingExplorer& explorer) {
       .dump();
 }
 
-/// Keeps the mission's session and, beside it, where the vehicle really was.
+/// Records the mission's session and the true poses of the vehicle.
 class ExplorationMissionRecord final : public SimulatedRecord {
  public:
   ExplorationMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
@@ -61,7 +61,7 @@ class ExplorationMissionRecord final : public SimulatedRecord {
     show_floor(navigator_.learner().floor());
   }
 
-  /// After each of its steps.
+  /// Only after a step of the transducer.
   void show_transducer() {
     const BuildingExplorer& explorer = navigator_.explorer();
     if (!is_watched() || explorer.steps().size() == steps_shown_) return;

@@ -14,19 +14,19 @@
 
 namespace aisle {
 
-/// What a simulated exploration came to.
+/// Result of a simulated exploration.
 struct ExplorationMissionResult {
   MissionEnd end;
   ExplorationRecord record;
   LaserLog log;  ///< what the sensor saw, scan by scan
   std::size_t collisions = 0;
   double distance_m = 0;
-  std::vector<Pose2> T_world_vehicle;  ///< as it was, one a cycle
-  std::vector<Pose2> T_world_scan;     ///< as it was, one a scan
+  std::vector<Pose2> T_world_vehicle;  ///< true poses, one per cycle
+  std::vector<Pose2> T_world_scan;     ///< true poses, one per scan
   std::vector<double> cycle_s;         ///< processor time of each cycle, from observation to command
 };
 
-/// Sets the vehicle down and lets it explore, or go on with a run that was interrupted.
+/// Puts the vehicle at its start and lets it explore, or continue an interrupted run (`former`).
 Result<ExplorationMissionResult> drive_exploration(const SimulationSetting& setting,
                                                    ExplorerNavigator& navigator, const Pose2& T_world_start,
                                                    std::uint64_t seed, std::optional<InterruptedRun> former,

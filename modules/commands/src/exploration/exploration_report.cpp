@@ -15,7 +15,7 @@
 namespace aisle {
 namespace {
 
-/// A figure's name as people say it; its key ends with the unit.
+/// A figure's name for people; its key ends with the unit.
 struct FigureName {
   std::string words;  ///< "home error"
   std::string unit;   ///< "m"; empty: none
@@ -47,7 +47,7 @@ std::string value_for_people(const nlohmann::ordered_json& value, const std::str
   return unit.empty() || !value.is_number() ? value.dump() : with_unit(value.get<double>(), unit);
 }
 
-/// Figures within figures one by one: "cycle median" of {"cycle_ms": {"median": ...}}.
+/// Flattens nested figures: "cycle median" of {"cycle_ms": {"median": ...}}.
 void add_figures(const nlohmann::ordered_json& figures, std::vector<ReportFigure>& list) {
   for (const auto& [key, value] : figures.items()) {
     const FigureName name = name_of_figure(key);
@@ -64,9 +64,10 @@ std::vector<std::string> warnings_of(const ExplorationRecord& record, const nloh
   std::vector<std::string> warnings;
   if (!record.certified()) warnings.push_back("no certificate: " + record.ended_because);
   if (!record.came_home) warnings.emplace_back("the vehicle did not come home");
-  if (record.paths_waiting > 0) warnings.push_back(fmt::format("{} paths wait", record.paths_waiting));
+  if (record.paths_waiting > 0)
+    warnings.push_back(fmt::format("{} paths are still to be explored", record.paths_waiting));
   if (record.paths_abandoned > 0)
-    warnings.push_back(fmt::format("{} paths were left undone", record.paths_abandoned));
+    warnings.push_back(fmt::format("{} paths were given up", record.paths_abandoned));
   if (const auto touched = figures.value("collisions", std::size_t{0}); touched > 0)
     warnings.push_back(fmt::format("{} collisions", touched));
   return warnings;
@@ -74,18 +75,18 @@ std::vector<std::string> warnings_of(const ExplorationRecord& record, const nloh
 
 }  // namespace
 
-std::string exploration_report(const ExplorationPicture& image, const Building& building,
+std::string exploration_report(const ExplorationPicture& picture, const Building& building,
                                const Outcome& outcome) {
   const ExplorationRecord& record = image.record;
-  ReportPage page{.title = "Exploring " + building.name, .summary = image.caption};
+  ReportPage page{.title = "Exploring " + building.name, .summary = picture.caption};
   page.warnings = warnings_of(record, outcome.figures);
   add_figures(outcome.figures, page.figures);
-  page.images = {
-      {"Map and path", svg(image), "Free floor white, what nobody has seen grey."},
-      {"Graph of corridors", svg(CorridorPicture{.building = building}),
-       "Crossings, ends and paths as learned."},
-      {"Floor known over the path", coverage_svg(record), ""},
-      {"States and stack", transducer_svg(record), "What the transducer did, and how many paths waited."}};
+  page.pictures = {{"Map and path", svg(picture), "Free floor is white, unseen floor is grey."},
+                   {"Graph of corridors", svg(CorridorPicture{.building = building}),
+                    "Crossings, ends and paths as learned."},
+                   {"Known floor over the distance travelled", coverage_svg(record), ""},
+                   {"States and stack", transducer_svg(record),
+                    "States of the transducer, and number of paths that wait."}};
   return html(page);
 }
 

@@ -8,9 +8,9 @@
 
 namespace aisle {
 
-/// An exploration on one page: map and path, graph of corridors, how much was known after so much distance,
+/// HTML page about an exploration: map and path, graph of corridors, known floor over the distance travelled,
 /// the transducer's states and stack, figures, and what went wrong.
-std::string exploration_report(const ExplorationPicture& image, const Building& building,
+std::string exploration_report(const ExplorationPicture& picture, const Building& building,
                                const Outcome& outcome);
 
 }  // namespace aisle

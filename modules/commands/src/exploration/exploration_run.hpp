@@ -8,26 +8,26 @@
 
 namespace aisle {
 
-/// A run that was interrupted, as its session keeps it.
+/// An interrupted run, as its session recorded it.
 struct InterruptedRun {
   SessionCycles cycles;
-  std::vector<Pose2> T_world_vehicle;  ///< as it was, one a cycle; not empty
+  std::vector<Pose2> T_world_vehicle;  ///< true poses, one per cycle; not empty
 };
 
-/// A vehicle on a run that may have been interrupted: first it senses once more what was recorded, so that
-/// whoever explores knows again all that it knew, then it goes on in the simulator from where it stood.
+/// A vehicle that may continue an interrupted run: it first replays the recorded observations, so that the
+/// explorer knows again what it knew, then continues in the simulator from where the vehicle stood.
 class ExplorationRun final : public Vehicle {
  public:
   ExplorationRun(SimulatedVehicle& vehicle, std::optional<InterruptedRun> former)
       : vehicle_(vehicle), former_(std::move(former)), was_interrupted_(former_.has_value()) {}
 
   const VehicleDescription& description() const override { return vehicle_.description(); }
-  /// nullopt also where the session cannot be read any farther: then problems() says why.
+  /// nullopt also if the session cannot be read any further: then problems() says why.
   std::optional<Observation> sense() override;
   void act(const Command& command) override;
 
   bool was_interrupted() const { return was_interrupted_; }
-  /// Where the vehicle really is, or was.
+  /// True pose of the vehicle, recorded while the run is replayed.
   const Pose2& T_world_vehicle() const;
   double path_m() const { return former_path_m_ + vehicle_.truth().path_m; }
   const Problems& problems() const { return problems_; }
@@ -36,10 +36,10 @@ class ExplorationRun final : public Vehicle {
   std::optional<Observation> sense_again();
 
   SimulatedVehicle& vehicle_;
-  std::optional<InterruptedRun> former_;  ///< none any more when all of it was sensed again
+  std::optional<InterruptedRun> former_;  ///< reset once all of it has been replayed
   bool was_interrupted_;
-  std::size_t sensed_ = 0;  ///< cycles of it
-  double former_s_ = 0;     ///< when it ended
+  std::size_t sensed_ = 0;  ///< cycles of it that have been replayed
+  double former_s_ = 0;     ///< time stamp of its end
   double former_path_m_ = 0;
   Problems problems_;
 };

@@ -45,7 +45,7 @@ bool has_certificate(const Json& figures) {
   return figures["certificate"].get<bool>();
 }
 
-/// Mean and worst of a figure; the worst share is the least one.
+/// Mean and worst of a figure; the worst share is the smallest.
 Json spread_of(const Json& missions, const char* figure, bool least_is_worst) {
   double sum = 0, worst = least_is_worst ? std::numeric_limits<double>::infinity() : 0;
   for (const Json& mission : missions) {

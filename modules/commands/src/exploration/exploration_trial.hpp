@@ -4,12 +4,12 @@
 
 namespace aisle {
 
-/// `aisle trial explore`: whole explorations, one a seed, judged by the truth. The outcome is ok if every
-/// mission is complete.
+/// `aisle trial explore`: complete explorations, one per seed, judged by the ground truth. The outcome is ok
+/// if every mission is complete.
 Result<Outcome> run_exploration_trial(const TrialOptions& options, Console& console);
 
-/// How much of the floor that can be covered a complete mission has covered: what is left out are corners
-/// behind which too little floor lies to look for.
+/// Share of the coverable floor that a complete mission has covered. The rest is corners behind which too
+/// little floor lies to look for.
 inline constexpr double kCompleteShare = 0.98;
 
 }  // namespace aisle

@@ -11,27 +11,27 @@
 
 namespace aisle {
 
-/// An exploration that was driven and judged by the truth.
+/// A finished exploration, judged by the ground truth.
 struct JudgedExploration {
   Outcome outcome;
-  Building building;  ///< as it was learned, with its floor
+  Building building;  ///< as learned, with its floor
   ExplorationRecord record;
   std::vector<Pose2> T_map_vehicle;  ///< the path, in the learned map
-  LaserLog scans;                    ///< what was seen on it, one a pose
-  SegmentParams segments;            ///< how walls were found in them
+  LaserLog scans;                    ///< one scan per pose of the path
+  SegmentParams segments;            ///< how walls were found in the scans
 };
 
-/// The vehicle that explores: as asked, else the shipped one with the sensor.
+/// The vehicle that explores: the requested one, else the shipped one with the sensor.
 std::string exploring_vehicle(const ExploreOptions& options);
 
-/// `aisle explore` in a setting that was read, or made by chance.
+/// `aisle explore` in a given setting, read or random.
 Result<Outcome> explore_in(const ExploreOptions& options, SimulationSetting setting, Console& console);
 
 /// The same without files.
 Result<JudgedExploration> explore_and_judge(const ExploreOptions& options, SimulationSetting setting,
                                             Console& console);
 
-/// Refers to the exploration, which must outlive it.
-ExplorationPicture image_of(const JudgedExploration& explored);
+/// The picture refers to the exploration, which must outlive it.
+ExplorationPicture picture_of(const JudgedExploration& explored);
 
 }  // namespace aisle

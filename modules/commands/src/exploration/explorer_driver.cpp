@@ -22,7 +22,7 @@ Problems check_sensor(ExploringSensor sensor, const std::string& camera, const V
   return vehicle.camera(camera) != nullptr ? Problems{} : lacks("camera '" + camera + "'");
 }
 
-/// The session's route says how: the order, and the scanner or the camera that sees the markers.
+/// The session's route says how it explores: the order, and the scanner or the camera that sees the stripes.
 SessionOrigin explorer_origin(const ExplorerNavigatorParams& params, const ExploreOptions& options) {
   SessionOrigin origin;
   origin.navigator = kExplorerNavigator;

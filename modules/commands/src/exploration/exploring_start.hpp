@@ -5,9 +5,9 @@
 
 namespace aisle {
 
-/// Where a vehicle is set down in a plan that tells no start: as given if a path lies ahead that is long
-/// enough to turn in, else turned on the spot, else on the next point of the world's tour that has such a
-/// path. Nobody sets one down facing a corner. As given, too, if there is none at all.
+/// Initial pose in a plan without a start, since nobody puts a vehicle down facing a corner: the given pose
+/// if a path ahead is long enough to turn in; else the same point with another heading; else the next point
+/// of the world's tour that has such a path. The given pose if there is none at all.
 Pose2 start_with_a_path(const World& world, const Footprint& footprint, const Pose2& T_world_start);
 
 }  // namespace aisle

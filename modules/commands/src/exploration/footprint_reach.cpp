@@ -11,13 +11,13 @@ namespace aisle {
 namespace {
 
 constexpr double kCell_m = 0.025;
-constexpr double kRoomFar_m = 0.6;
+constexpr double kClearanceMax_m = 0.6;
 constexpr double kStep_m = 0.25;
 constexpr double kSpotTurn_rad = 12 * kDegree;
 constexpr int kChecks = 2;  // along a step
 constexpr double kFloorAround_m = 1;
 
-/// How finely poses are distinguished.
+/// Bins of poses.
 struct PoseBins {
   double place_m;
   int headings;
@@ -32,12 +32,12 @@ struct PoseBins {
 };
 
 constexpr PoseBins kDrivenBins{0.12, 36};
-constexpr PoseBins kTellingBins{0.4, 8};
+constexpr PoseBins kReportedBins{0.4, 8};
 
-/// The floor with the obstacles on it, free everywhere else.
+/// A floor that is free except for the obstacles.
 class TrueFloor {
  public:
-  explicit TrueFloor(std::span<const Segment2> obstacles) : floor_(kCell_m), clearance_(kRoomFar_m) {
+  explicit TrueFloor(std::span<const Segment2> obstacles) : floor_(kCell_m), clearance_(kClearanceMax_m) {
     FloorBox box;
     for (const Segment2& s : obstacles) {
       box.include(floor_.cell_at(s.start));
@@ -55,7 +55,9 @@ class TrueFloor {
     clearance_.update(floor_, box);
   }
 
-  bool fits(const FootprintClearance& room, const Pose2& T) const { return room.fits(floor_, clearance_, T); }
+  bool fits(const FootprintClearance& footprint, const Pose2& T) const {
+    return footprint.fits(floor_, clearance_, T);
+  }
 
  private:
   FloorGrid floor_;
@@ -78,17 +80,17 @@ std::vector<Arc> steps_of(const VehicleDescription& vehicle) {
 std::vector<Pose2> poses_in_reach(std::span<const Segment2> obstacles, const VehicleDescription& vehicle,
                                   const Pose2& T_world_start, double margin_m) {
   const TrueFloor floor(obstacles);
-  const FootprintClearance room(vehicle.footprint, margin_m);
+  const FootprintClearance footprint(vehicle.footprint, margin_m);
   const std::vector<Arc> steps = steps_of(vehicle);
   const auto is_free = [&](const Pose2& T, const Arc& step) {
     for (int i = kChecks; i > 0; --i) {
       const double share = static_cast<double>(i) / kChecks;
-      if (!floor.fits(room, T * end_pose({share * step.length_m, share * step.turn_rad}))) return false;
+      if (!floor.fits(footprint, T * end_pose({share * step.length_m, share * step.turn_rad}))) return false;
     }
     return true;
   };
   std::unordered_set<std::uint64_t> driven = {kDrivenBins.of(T_world_start)};
-  std::unordered_set<std::uint64_t> reported = {kTellingBins.of(T_world_start)};
+  std::unordered_set<std::uint64_t> reported = {kReportedBins.of(T_world_start)};
   std::vector<Pose2> open = {T_world_start}, poses = {T_world_start};
   while (!open.empty()) {
     const Pose2 T = open.back();
@@ -98,7 +100,7 @@ std::vector<Pose2> poses_in_reach(std::span<const Segment2> obstacles, const Veh
       if (driven.contains(kDrivenBins.of(T_next)) || !is_free(T, step)) continue;
       driven.insert(kDrivenBins.of(T_next));
       open.push_back(T_next);
-      if (reported.insert(kTellingBins.of(T_next)).second) poses.push_back(T_next);
+      if (reported.insert(kReportedBins.of(T_next)).second) poses.push_back(T_next);
     }
   }
   return poses;

@@ -54,7 +54,7 @@ Result<Vec2> find_place(const Building& building, const std::string& text) {
   return *point;
 }
 
-/// Along the corridors from one point to another, and to the side to them and from them.
+/// Length of the path from one point to another along the corridors, with the legs to and from them.
 double shortest_m(const CorridorGraph& graph, const Vec2& from, const Vec2& to) {
   const auto first = graph.nearest(from), last = graph.nearest(to);
   if (!first || !last) return (to - from).norm();
@@ -74,7 +74,8 @@ Problems check_guidable(const Building& building, const VehicleDescription& vehi
   Problems problems;
   const auto need = [&](bool is_there, const char* key) {
     if (!is_there)
-      problems.push_back({{"", 0, key}, "are missing: the building was not explored ('aisle explore' does)"});
+      problems.push_back(
+          {{"", 0, key}, "are missing: the building was not explored; 'aisle explore' does that"});
   };
   need(!building.walls.walls.empty(), "walls");
   need(!building.corridors.nodes.empty(), "corridors");

@@ -1,5 +1,6 @@
 #pragma once
-/// The guide navigator as missions and their replays make it: both from the origin that the session records.
+/// Makes the navigator of `go` and `patrol` for missions and for their replays, both from the origin that the
+/// session records.
 
 #include <memory>
 #include <string>
@@ -15,14 +16,14 @@ namespace aisle {
 /// Where a vehicle is sent in a building.
 struct Goal {
   std::vector<Vec2> p_map_places;  ///< in order
-  double shortest_m = 0;           ///< the shortest path along the corridors, from home
+  double shortest_m = 0;           ///< length of the shortest path along the corridors, from home
 };
 
-/// To one place: one of the building's places by its name, a node of its corridors ("crossing 2", "end 1"),
-/// or "x,y" in the map. A problem lists what there is.
+/// Goal at one place: the name of a place or of a corridor node ("crossing 2", "end 1"), or "x,y" in the map
+/// [m]. An unknown name is a problem that lists the known ones.
 Result<Goal> goal_to(const Building& building, const std::string& place);
 
-/// So many times along all corridors and home again.
+/// Goal along all corridors, `rounds` times, and home again.
 Result<Goal> patrol_goal(const Building& building, int rounds);
 
 /// Where missions in a building begin: its place "home", else the map's origin.
@@ -31,9 +32,9 @@ Pose2 home_of(const Building& building);
 /// Owns the building that its navigator drives in.
 class GuideDriver final : public Navigator {
  public:
-  static constexpr const char* kName = "guide";  ///< as a session's navigator
+  static constexpr const char* kName = "guide";  ///< name of the navigator in a session
 
-  /// What a session records of it. Seed and "simulated" are the caller's.
+  /// What a session records of it. The caller sets seed and "simulated".
   /// @param building  the text of a building file
   /// @param goal    "go PLACE" or "patrol ROUNDS"
   static SessionOrigin origin(const GuideNavigatorParams& params, std::string building, std::string goal);

@@ -18,7 +18,7 @@ constexpr double kCoverEvery_m = 0.1;
 constexpr double kCoverWithin_m = 0.5;
 constexpr double kSetDownSigma_m = 0.05;
 constexpr double kSetDownSigma_rad = 1 * kDegree;
-constexpr std::uint64_t kSetDownStream = 0x6d1de;  // keeps this chance apart from the vehicle's own
+constexpr std::uint64_t kSetDownStream = 0x6d1de;  // separates this random stream from the vehicle's
 
 ViewMatch wall_match(const WallLocaliser& localiser) {
   const double seen_m = localiser.seen_m(), fitting_m = localiser.fitting_m();
@@ -49,7 +49,8 @@ class GuideMissionRecord final : public SimulatedRecord {
   GuideMissionResult& result_;
 };
 
-/// Where a person who sets the vehicle down roughly puts it.
+/// Random initial pose, as of a vehicle that is put down by hand; the exact pose if the random one is
+/// occupied.
 Pose2 set_down_about(const SimulationSetting& setting, const Pose2& T_world_start, std::uint64_t seed) {
   Random random(seed ^ kSetDownStream);
   const Pose2 off{random.normal(kSetDownSigma_m), random.normal(kSetDownSigma_m),

@@ -13,22 +13,22 @@
 
 namespace aisle {
 
-/// What a simulated mission in a known building came to.
+/// Result of a simulated mission in a known building.
 struct GuideMissionResult {
   MissionEnd end;
   std::size_t collisions = 0;
   double distance_m = 0;
-  std::vector<Pose2> T_map_vehicle;    ///< as the vehicle thought, one a cycle
-  std::vector<Pose2> T_world_vehicle;  ///< as it was
+  std::vector<Pose2> T_map_vehicle;    ///< estimated poses, one per cycle
+  std::vector<Pose2> T_world_vehicle;  ///< true poses, one per cycle
   std::vector<double> cycle_s;         ///< processor time of each cycle, from observation to command
 };
 
-/// Sets the vehicle down about home, which lies at the world's start, and lets it drive.
+/// Puts the vehicle near home, which lies at the world's start, and lets it drive.
 Result<GuideMissionResult> drive_guide_mission(const SimulationSetting& setting, GuideDriver& driver,
                                                const Pose2& T_world_start, std::uint64_t seed,
                                                std::optional<SessionRecord>& session, Progress& progress);
 
-/// Of the length of all corridors: the vehicle's middle line came within half a metre of it.
+/// Share of the length of all corridors to which the vehicle's centre line came within half a metre.
 double graph_coverage(const CorridorGraph& graph, const std::vector<Pose2>& T_map_vehicle,
                       const Footprint& footprint);
 

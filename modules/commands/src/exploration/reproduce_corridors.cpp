@@ -14,7 +14,7 @@ namespace aisle {
 namespace {
 
 constexpr const char* kExploredWorld = "crossings";
-constexpr double kPaperCycleLeast_s = 1.5;  // C99 section 5, on a Pentium of 133 MHz
+constexpr double kPaperCycleLeast_s = 1.5;  // C99 section 5, on a 133 MHz Pentium
 constexpr double kPaperCycleMost_s = 3.5;
 constexpr double kC99Speed_mps = 0.3;
 constexpr const char* kSignaturePicture = "fig5_signatures.svg";
@@ -23,7 +23,7 @@ constexpr const char* kGlobalModelPicture = "fig10_global_model.svg";
 
 std::vector<OutputFile> files_of_exploration(const JudgedExploration& explored,
                                              const SignatureExample& example) {
-  ExplorationPicture trace = image_of(explored);
+  ExplorationPicture trace = picture_of(explored);
   trace.title = "C99 Fig. 7, simulated: trace of the vehicle";
   const MapPicture model{.walls = explored.building.walls,
                          .title = fmt::format("C99 Fig. 10, simulated: learned global model, {} walls",
@@ -32,10 +32,10 @@ std::vector<OutputFile> files_of_exploration(const JudgedExploration& explored,
   const SignaturePicture signatures{
       .learned = example.learned,
       .sensed = example.sensed,
-      .title = "C99 Fig. 5, simulated: a view laid against the learned walls",
-      .caption = fmt::format("the view stands {:.2f} m, {:.2f} m off; found: {:.2f} m, {:.2f} m back",
-                             example.displaced_m.x(), example.displaced_m.y(), -example.found_m.x(),
-                             -example.found_m.y())};
+      .title = "C99 Fig. 5, simulated: a view matched with the learned walls",
+      .caption = fmt::format(
+          "the view is displaced by {:.2f} m, {:.2f} m; correction found: {:.2f} m, {:.2f} m",
+          example.displaced_m.x(), example.displaced_m.y(), -example.found_m.x(), -example.found_m.y())};
   return {{"building", "building.json", building_json(explored.building)},
           {"signatures", kSignaturePicture, svg(signatures)},
           {"trace", kExploringTracePicture, svg(trace)},

@@ -1,5 +1,5 @@
 #pragma once
-/// What can be seen of a world's floor and walls: the truth that an exploration is judged by.
+/// What a sensor can see of a world's floor and walls: the ground truth that an exploration is judged by.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,26 +16,26 @@ namespace aisle {
 struct SensorField {
   Pose2 T_vehicle_sensor;
   double reach_m = 6;
-  double width_rad = 180 * kDegree;  ///< half of it on either side of straight ahead
+  double width_rad = 180 * kDegree;  ///< field of view, symmetric about straight ahead
   double height_m = 0.3;             ///< at which walls are seen
 };
 
-/// The cells of a floor that were looked over, and those in which a look ended at a wall.
+/// The cells of a floor that rays passed, and those in which rays hit a wall.
 class SensorView {
  public:
-  /// @param walls  what is in the path of a look, at least one
+  /// @param walls  what stops a ray; at least one
   explicit SensorView(std::span<const Segment2> walls);
 
-  /// A ray a degree; @param width_rad  2 pi: all round
+  /// Casts one ray per degree. @param width_rad  field of view; 2 pi: all round
   void look(const Pose2& T_world_sensor, double reach_m, double width_rad);
 
   double cell_m() const { return cell_m_; }
   std::size_t size() const { return marks_.size(); }
   Vec2 centre(std::size_t cell) const;
   bool is_open_floor(std::size_t cell) const { return marks_[cell] == kPassed; }
-  /// Whether the cell or one beside it was looked over: rays leave gaps of a cell.
+  /// Whether rays passed the cell or one beside it: rays leave gaps of a cell.
   bool is_passed_nearby(std::size_t cell) const { return has_nearby(cell, kPassed); }
-  /// Whether a look ended within a cell of this point.
+  /// Whether a ray hit a wall within a cell of this point.
   bool is_hit(const Vec2& p_world) const;
 
  private:

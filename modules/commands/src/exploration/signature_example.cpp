@@ -5,10 +5,10 @@
 namespace aisle {
 namespace {
 
-constexpr double kOff_m = 0.25;         // as far as wheels may be off between two views
-constexpr double kWindow_m = 8;         // of the walls that a view is laid against
+constexpr double kOff_m = 0.25;         // as far as the odometry may be off between two views
+constexpr double kWindow_m = 8;         // distance of walls that a view is matched with
 constexpr double kEndWeight = 0.3;      // c of Algorithm 2
-constexpr std::size_t kEveryView = 10;  // is looked at for the example
+constexpr std::size_t kEveryView = 10;  // only every tenth view is tried as the example
 
 void add(const Segment2& wall, SignedPattern& pattern) {
   pattern.walls.push_back(wall);
@@ -24,7 +24,7 @@ std::vector<Segment2> placed(const std::vector<SensedSegment>& segments, const P
   return walls;
 }
 
-/// Of wall seen along the axis of which there is less.
+/// Length of wall seen along the axis that shows less.
 double least_seen_m(const std::vector<Segment2>& walls) {
   Vec2 along = Vec2::Zero();
   for (const Segment2& wall : walls) along += (wall.end - wall.start).cwiseAbs();

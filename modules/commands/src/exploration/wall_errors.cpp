@@ -23,7 +23,8 @@ class WallPoints {
     for (std::size_t i = 0; i < walls_.size(); ++i) index_.add(walls_[i], static_cast<int>(i));
   }
 
-  /// To the nearest wall within reach that runs so far from a direction at most; infinity: none.
+  /// Distance to the nearest wall within reach whose direction deviates by at most an angle; infinity if
+  /// none.
   double distance_m(const Vec2& p, double heading_rad, double turned_max_rad) {
     index_.query(p, p, kSamePlace_m, near_);
     double least_m = std::numeric_limits<double>::infinity();
@@ -41,7 +42,7 @@ class WallPoints {
   std::vector<int> near_;
 };
 
-/// The middles of equal pieces of about 5 cm.
+/// Midpoints of equal pieces of about 5 cm.
 template <class Use>
 void for_each_point(const Segment2& wall, Use use) {
   const int pieces = std::max(1, static_cast<int>(std::lround(wall.length() / kPointEvery_m)));

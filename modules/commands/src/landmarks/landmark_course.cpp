@@ -10,7 +10,7 @@
 namespace aisle {
 namespace {
 
-/// Collects a run that a person drives.
+/// Records a run that a person drives.
 class TaughtRunRecord final : public MissionRecord {
  public:
   TaughtRunRecord(const LandmarkSightingParams& params, const SimulatedVehicle& vehicle)

@@ -1,5 +1,6 @@
 #pragma once
-/// The life of a taught route in simulation: a person drives it, it is learned, the vehicle drives it alone.
+/// A route from teaching to autonomous driving, in simulation: a person drives it, it is learned, the vehicle
+/// drives it.
 
 #include <cstdint>
 #include <optional>
@@ -22,27 +23,28 @@ struct LandmarkCourseParams {
   void describe(FieldList& fields);
 };
 
-/// Leaves the vehicle the one camera that landmarks are seen with. A vehicle without any is a problem.
+/// Removes all cameras but the one that landmarks are seen with. A vehicle without a camera is a problem.
 Problems keep_corridor_camera(SimulationSetting& setting);
 
-/// A person drives the world's tour, recorded in memory.
+/// A scripted person drives the world's tour; the run is recorded in memory.
 /// @return nullopt: the person did not get through
 Result<std::optional<LandmarkRun>> teach_run(const SimulationSetting& setting,
                                              const LandmarkCourseParams& params, std::uint64_t seed,
                                              Progress& progress);
 
-/// The vehicle drives the taught run's route alone, by the landmarks of `building`.
+/// The vehicle drives the taught route autonomously, by the landmarks of `building`.
 Result<LandmarkMissionResult> drive_alone(const SimulationSetting& setting,
                                           const LandmarkCourseParams& params, const Building& building,
                                           const MapTruth& truth, const LandmarkMissionOptions& options,
                                           Progress& progress);
 
-/// Somebody lifts the vehicle somewhere on its path and puts it down farther on or back, nearly as it stood.
+/// A kidnapping: the vehicle is lifted somewhere on its path and put down `lift_m` ahead or back, with nearly
+/// the same heading.
 /// @return nullopt if the path is too short, or too narrow to put it down
 std::optional<ScenarioEvent> lift_on_route(const SimulationSetting& setting, const Path& path,
                                            const MapTruth& truth, double lift_m, std::uint64_t seed);
 
-/// Takes a mission's run into the building's landmarks: C98 Algorithm 4.
+/// Refines the building's landmarks with a mission's run: C98 Algorithm 4.
 void refine_by(const LandmarkMissionResult& mission, const VehicleDescription& vehicle,
                const LandmarkLearningParams& params, Building& building);
 

@@ -16,7 +16,7 @@ void append(Problems& problems, const Problems& more) {
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
-/// That the vehicle sees with the camera of the landmarks.
+/// Checks that the vehicle has the camera that the landmarks were seen with.
 Problems check_camera(const CameraDescription& learned, const VehicleDescription& vehicle) {
   if (const CameraDescription* present = vehicle.camera(learned.name))
     return check_same_camera(learned, *present);

@@ -1,6 +1,6 @@
 #pragma once
-/// The landmark navigator as missions and their replays make it: both from the origin that the session
-/// records, so that both know the same building, rounded as it is written.
+/// Makes the landmark navigator for missions and for their replays, both from the origin that the session
+/// records: so both know the same building, rounded as it is written.
 
 #include <memory>
 #include <string>
@@ -18,15 +18,16 @@ struct LandmarkMission {
   bool in_reverse = false;  ///< its return path
 };
 
-/// The same way back: ends early enough to stay on floor that was driven over when the route was taught.
+/// The path in the opposite direction. It ends early enough to stay on floor that was driven over when the
+/// route was taught; empty if the path is too short for that.
 Path path_back(const Path& path, const Footprint& footprint);
 
 /// Owns the building that its navigator drives by.
 class LandmarkDriver final : public Navigator {
  public:
-  static constexpr const char* kName = "landmarks";  ///< as a session's navigator
+  static constexpr const char* kName = "landmarks";  ///< name of the navigator in a session
 
-  /// What a session records of it: name, changed parameters, mission. Seed and "simulated" are the caller's.
+  /// What a session records of it: name, changed parameters, mission. The caller sets seed and "simulated".
   static SessionOrigin origin(const LandmarkNavigatorParams& params, const LandmarkMission& mission);
 
   /// Problems: parameters and building that cannot be read, a building without landmarks, an unknown route, a

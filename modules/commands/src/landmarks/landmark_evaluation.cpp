@@ -9,10 +9,10 @@ namespace {
 
 constexpr double kWrong_m = 0.5;
 constexpr double kWrongMax_s = 3;
-constexpr double kTaughtAhead_m = 1.0;  // of path, from one taught pose along a path to the next one
-constexpr double kNearer_m = 0.01;      // than what was passed last is another taught pose that is taken
-constexpr double kFoundOff_m = 1;       // from its path at most a vehicle that was lost goes on
-constexpr double kNear_m = 0.5;         // along the path, in which its point nearest to the vehicle is
+constexpr double kTaughtAhead_m = 1.0;  // path length searched for the next taught pose along a path
+constexpr double kNearer_m = 0.01;      // a taught pose must be nearer by this much to replace an earlier one
+constexpr double kFoundOff_m = 1;       // greatest distance from its path at which a lost vehicle continues
+constexpr double kNear_m = 0.5;         // window along the path for its point nearest to the vehicle
 
 }  // namespace
 
@@ -74,12 +74,12 @@ double ErrorFigure::rms() const {
   return count_ == 0 ? 0 : std::sqrt(sum_of_squares_ / static_cast<double>(count_));
 }
 
-/// A vehicle that was lost, and perhaps lifted, may have found itself elsewhere on its path.
+/// A vehicle that was lost, and perhaps kidnapped, may have relocalised elsewhere on its path.
 void MissionJudge::follow(const LandmarkFix& fix) {
-  const Pose2& T_map_thought = fix.T_map_vehicle.mean;
-  if (is_lost_ && fix.is_sure) progress_.find(T_map_thought, kFoundOff_m);
+  const Pose2& T_map_estimated = fix.T_map_vehicle.mean;
+  if (is_lost_ && fix.is_sure) progress_.find(T_map_estimated, kFoundOff_m);
   is_lost_ = fix.is_lost;
-  if (fix.is_sure) progress_.advance(T_map_thought);
+  if (fix.is_sure) progress_.advance(T_map_estimated);
 }
 
 void MissionJudge::add(double stamp_s, const LandmarkFix& fix, const Pose2& T_world_vehicle) {

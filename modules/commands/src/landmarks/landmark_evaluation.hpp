@@ -1,6 +1,5 @@
 #pragma once
-/// How well a simulated mission knew where it was and kept to its path. Nothing of this is ever seen by a
-/// navigator.
+/// How well a simulated mission localised itself and followed its path. No navigator ever sees any of this.
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
@@ -15,30 +14,29 @@
 
 namespace aisle {
 
-/// How a learned map lies in the world, given by the run that taught it: the map's drift over a long path is
-/// not an error of driving by it. Where the vehicle is on the map is judged against the nearest pose of that
-/// run.
+/// How a learned map lies in the world, given by the taught run. The map's drift over a long path is not an
+/// error of driving by it, so the vehicle's pose on the map is judged against the nearest pose of that run.
 class MapTruth {
  public:
   MapTruth() = default;
-  /// The two are of the same moments; not empty.
+  /// Both have the same time stamps; not empty.
   MapTruth(std::vector<Pose2> T_map_taught, std::vector<Pose2> T_world_taught);
 
   bool empty() const { return T_map_taught_.empty(); }
 
-  /// The taught pose next to a place.
+  /// Index of the taught pose nearest to a pose.
   std::size_t nearest(const Pose2& T_map_place) const;
-  /// The taught poses next to a route's path, or to its return path, every kAlongStep_m of it from its start:
-  /// one after the other as they were taught, so that a path that comes by the same place again is not mixed
-  /// up.
+  /// Indices of the taught poses nearest to a route's path, or to its return path, every kAlongStep_m from
+  /// its start. They follow the order of teaching, so that a path that passes the same place twice is not
+  /// mixed up.
   std::vector<std::size_t> along(const Path& path, bool in_reverse) const;
   static constexpr double kAlongStep_m = 0.05;
-  /// The taught pose from which a route, or its return path, begins.
+  /// Index of the taught pose from which a route, or its return path, begins.
   std::size_t start(bool in_reverse) const { return in_reverse ? T_map_taught_.size() - 1 : 0; }
 
-  /// Where a vehicle really is on the map, by the taught pose next to it.
+  /// True pose of a vehicle on the map, by the taught pose of this index.
   Pose2 on_map(const Pose2& T_world_vehicle, std::size_t taught) const;
-  /// Where in the world a place of the map is, by the taught pose next to it.
+  /// Pose in the world of a pose on the map, by the taught pose of this index.
   Pose2 in_world(const Pose2& T_map_place, std::size_t taught) const;
   /// The same by the nearest taught pose of all.
   Pose2 in_world(const Pose2& T_map_place) const;
@@ -48,7 +46,7 @@ class MapTruth {
 
  private:
   std::vector<Pose2> T_map_taught_, T_world_taught_;
-  std::vector<double> travelled_m_;  ///< to each of them
+  std::vector<double> travelled_m_;  ///< distance travelled to each taught pose
 };
 
 /// Root mean square and greatest magnitude of an error.
@@ -67,12 +65,12 @@ class ErrorFigure {
 
 /// Errors of one mission.
 struct MissionErrors {
-  ErrorFigure across_m, along_m, heading_rad;  ///< of the pose, while it was sure
-  ErrorFigure tracking_m;                      ///< of the vehicle against its path
-  /// Ever off by more than half a metre for longer than three seconds on end and yet sure: a vehicle that was
-  /// lifted cannot know it at once.
+  ErrorFigure across_m, along_m, heading_rad;  ///< of the pose, while the navigator was sure of it
+  ErrorFigure tracking_m;                      ///< cross-track error of the true pose, in the same cycles
+  /// Was ever off by more than half a metre for over three seconds and yet sure. The three seconds are for a
+  /// kidnapped vehicle, which cannot know it at once.
   bool wrong_confident = false;
-  bool knew_place_at_end = false;  ///< was not lost, and not off by more than half a metre
+  bool knew_place_at_end = false;  ///< not lost, and off by at most half a metre
 };
 
 /// Judges a mission, cycle by cycle.
@@ -93,7 +91,7 @@ class MissionJudge {
   const MapTruth& truth_;
   const Path& path_;
   std::vector<std::size_t> taught_;  ///< along the path
-  PathProgress progress_;            ///< of where the vehicle thinks it is
+  PathProgress progress_;            ///< of the estimated pose
   bool is_lost_ = false;
   std::optional<double> wrong_since_s_;  ///< and sure
   MissionErrors errors_;

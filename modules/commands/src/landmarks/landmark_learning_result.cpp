@@ -9,12 +9,12 @@
 namespace aisle {
 namespace {
 
-constexpr double kStartSigma_m = 0.15;  // how far from a route's start a run begins
+constexpr double kStartSigma_m = 0.15;  // deviation of a run's first pose from a route's start
 constexpr double kStartSigma_rad = 3 * kDegree;
-constexpr double kAtStart_m = 0.05;     // the start view is what is seen before the vehicle has gone so far
+constexpr double kAtStart_m = 0.05;     // the start view is what is seen within this distance of the start
 constexpr double kPathPoints_m = 0.05;  // between the poses that a path is fitted to
 
-/// The poses of a run without those where it stood.
+/// The poses of a run without those at which the vehicle stood still.
 std::vector<Pose2> waypoints(const std::vector<Pose2>& T_map_vehicle) {
   std::vector<Pose2> points;
   for (const Pose2& T : T_map_vehicle) {

@@ -23,21 +23,21 @@ struct LandmarkLearnerParams {
   }
 };
 
-/// What was learned of a run.
+/// What was learned from a run.
 struct LandmarkLearningResult {
   Building building;
-  std::vector<Pose2> T_map_taught;  ///< of each of the run's cycles
+  std::vector<Pose2> T_map_taught;  ///< one per cycle of the run
 };
 
-/// C98 Algorithm 2, and the route as it was driven. A run that shows no landmarks, or a path that the vehicle
-/// cannot drive, is a problem.
+/// Learns landmarks (C98 Algorithm 2) and the route as it was driven. A run that shows no landmarks, or a
+/// path that the vehicle cannot drive, is a problem.
 Result<LandmarkLearningResult> learn_route(const LandmarkRun& run, const std::string& route,
                                            const LandmarkLearnerParams& params);
 
-/// A refining run in which fewer of the images fit the map is not of its building.
+/// If a smaller share of its images fits the map, a refining run is not of this building.
 inline constexpr double kKnownShareMin = 0.5;
 
-/// Where a run may begin that is said to begin there.
+/// The pose, and its uncertainty, of a run that is said to begin at `T_map_start`.
 UncertainPose2 about_start(const Pose2& T_map_start);
 
 }  // namespace aisle

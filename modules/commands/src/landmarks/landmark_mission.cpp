@@ -21,7 +21,7 @@ ViewMatch landmark_match(const LandmarkNavigator& navigator) {
           fmt::format("{} of {} lines", localiser.pairs().size(), navigator.sightings().size())};
 }
 
-/// Keeps the mission's session and, beside it, what a mission comes to.
+/// Records the mission's session, and collects the mission's result.
 class LandmarkMissionRecord final : public SimulatedRecord {
  public:
   LandmarkMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
@@ -44,9 +44,9 @@ class LandmarkMissionRecord final : public SimulatedRecord {
     judge_.add(cycle_.stamp_s, fix, vehicle_.truth().T_world_vehicle);
     result_.T_map_driven.push_back(fix.T_map_vehicle.mean);
     show_pose(fix.T_map_vehicle);
-    if (is_watched() && !pictured_by().empty()) {
+    if (is_watched() && !image_camera().empty()) {
       show_match(landmark_match(navigator_));
-      show_overlay(overlay_of(navigator_, vehicle_.description(), pictured_by()));
+      show_overlay(overlay_of(navigator_, vehicle_.description(), image_camera()));
     }
     if (decision.state == "lost" && state_ != "lost") ++result_.lost_count;
     state_ = decision.state;

@@ -17,7 +17,7 @@
 
 namespace aisle {
 
-/// What a simulated mission along a learned route came to.
+/// Result of a simulated mission along a learned route.
 struct LandmarkMissionResult {
   MissionEnd end;
   std::size_t collisions = 0;
@@ -25,19 +25,19 @@ struct LandmarkMissionResult {
   double distance_m = 0;
   MissionErrors errors;
   std::vector<double> cycle_s;        ///< processor time of each cycle, from image to command
-  Pose2 T_map_start;                  ///< of its path
+  Pose2 T_map_start;                  ///< of the mission's path
   std::vector<LandmarkCycle> cycles;  ///< for refinement
-  std::vector<Pose2> T_map_driven;    ///< of each cycle, as the vehicle thought
+  std::vector<Pose2> T_map_driven;    ///< estimated poses, one per cycle
 };
 
 struct LandmarkMissionOptions {
   std::uint64_t seed = 1;
   bool in_reverse = false;      ///< the path is a route's return path
-  double start_sigma_m = 0.05;  ///< how far beside the route's start the vehicle is set down
+  double start_sigma_m = 0.05;  ///< deviation of the initial pose from the route's start
   double start_sigma_rad = 1 * kDegree;
 };
 
-/// Sets the vehicle down about the path's start and lets it drive there by itself.
+/// Puts the vehicle near the path's start and lets it drive the path.
 Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& setting, LandmarkDriver& driver,
                                                      const MapTruth& truth,
                                                      const LandmarkMissionOptions& options,
@@ -47,7 +47,7 @@ Result<LandmarkMissionResult> drive_landmark_mission(const SimulationSetting& se
 /// The figures of a mission as `navigate` prints them.
 nlohmann::ordered_json figures_of(const LandmarkMissionResult& result);
 
-/// Planned path, trace and what was seen on the way (C98 Fig. 12), among the landmarks: an SVG document.
+/// SVG document of the landmarks, the planned path, the trace and what was seen on it (C98 Fig. 12).
 std::string trace_picture(const Building& building, const LandmarkMissionResult& result,
                           const std::string& title);
 

@@ -12,19 +12,19 @@
 
 namespace aisle {
 
-/// A run as landmarks are learned from it.
+/// A run that landmarks are learned from.
 struct LandmarkRun {
   VehicleDescription vehicle;
   CameraDescription camera;
   std::vector<LandmarkCycle> cycles;
-  std::vector<Pose2>
-      T_world_vehicle;  ///< the truth of each cycle, if the run was simulated: for evaluation only
+  std::vector<Pose2> T_world_vehicle;  ///< true poses of a simulated run, one per cycle: for evaluation only
 };
 
-/// The camera that looks along corridors: the one of that name, else the first. The vehicle must have one.
+/// The camera that looks along corridors: the one named "corridor", else the first. The vehicle must have a
+/// camera.
 const CameraDescription& corridor_camera(const VehicleDescription& vehicle);
 
-/// Finds the landmarks in one cycle after another.
+/// Detects the landmarks of a run, cycle by cycle.
 class LandmarkRunCollector {
  public:
   LandmarkRunCollector(const LandmarkSightingParams& params, const VehicleDescription& vehicle);
@@ -37,8 +37,8 @@ class LandmarkRunCollector {
   LandmarkDetector detector_;
 };
 
-/// A recorded run: all cycles of a session that was just opened. A session without images of that camera
-/// is a problem.
+/// Reads a recorded run: all cycles of a session that was just opened. A session without images of the
+/// corridor camera is a problem.
 Result<LandmarkRun> read_landmark_run(const std::filesystem::path& session, SessionCycles& cycles,
                                       const LandmarkSightingParams& params, Progress& progress);
 

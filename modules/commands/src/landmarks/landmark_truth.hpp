@@ -8,17 +8,17 @@
 
 namespace aisle {
 
-/// What a learned map's landmarks are worth in the simulated world.
+/// How well a learned map's landmarks agree with the simulated world.
 struct LandmarkTruth {
   int landmarks = 0;
-  int real = 0;           ///< at most 15 cm from a vertical line that is really there
-  double rms_m = 0;       ///< distance of the real ones from theirs; 0 if there is none
-  int sure = 0;           ///< of weight 1 and more: "real vertical lines" to C98 Fig. 11
+  int real = 0;           ///< at most 15 cm from a true vertical line
+  double rms_m = 0;       ///< distance of the real ones from their true lines; 0 if there is none
+  int sure = 0;           ///< of weight 1 or more: "real vertical lines" in C98 Fig. 11
   int sure_and_real = 0;  ///< of these
 };
 
-/// @param truth  how the map lies in the world: each landmark by the nearest pose of the run that taught it;
-/// not empty
+/// @param truth  how the map lies in the world, for each landmark by the nearest pose of the taught run; not
+///               empty
 LandmarkTruth compare_with_truth(const LandmarkMap& map, const MapTruth& truth,
                                  std::span<const VerticalEdge> edges);
 

@@ -25,7 +25,7 @@ constexpr const char* kInitialPicture = "fig11a_landmarks_initial.svg";
 constexpr const char* kRefinedPicture = "fig11b_landmarks_refined.svg";
 constexpr const char* kTracePicture = "fig12_trace.svg";
 
-/// The landmarks as they were before the first run and after each, and how each run went.
+/// The landmarks before the first run and after each run, and the result of each run.
 struct Experiment {
   Building initial;
   Building refined;
@@ -35,7 +35,7 @@ struct Experiment {
 
 Result<Experiment> run_experiment(const SimulationSetting& setting, const LandmarkCourseParams& params,
                                   std::uint64_t seed, Progress& progress) {
-  MissionCount within(progress, "trips", kRefinements + 1);
+  MissionCount within(progress, "runs", kRefinements + 1);
   within.begin(0);
   const auto taught = teach_run(setting, params, seed, within);
   if (!taught) return taught.problems();

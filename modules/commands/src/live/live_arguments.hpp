@@ -9,16 +9,16 @@
 
 namespace aisle {
 
-/// The arguments of a service, read key by key; everything that is wrong with them is given at once.
+/// The arguments of a service, read key by key; problems() reports all errors at once.
 class LiveArguments {
  public:
   /// @param json  an object
   explicit LiveArguments(const nlohmann::json& json) : json_(json), known_{"lease", "mission"} {}
 
-  /// Empty if it is not there.
+  /// Empty if it is missing.
   std::string text(const char* key);
   std::string needed_text(const char* key);
-  /// A name of a file without folder and ending; empty if it is not there.
+  /// File name without folder and extension; empty if it is missing.
   std::string name(const char* key);
   std::string needed_name(const char* key);
   std::optional<double> number(const char* key);
@@ -26,7 +26,7 @@ class LiveArguments {
   std::optional<std::uint64_t> count(const char* key, std::uint64_t max);
   bool flag(const char* key);
 
-  /// Also of keys that were not asked for.
+  /// All problems so far, and one for each key that was never read.
   Problems problems() const;
 
  private:

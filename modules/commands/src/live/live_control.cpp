@@ -77,7 +77,7 @@ void LiveControl::take(const SessionTopic& topic, ros::Stamp_ns stamp, std::stri
   if (topic.name == "/session") show_map(stamp, cdr);
 }
 
-/// What the mission knows of the building before it begins.
+/// Shows what the mission knows of the building before it begins.
 void LiveControl::show_map(ros::Stamp_ns stamp, std::string_view session_cdr) {
   const auto text = parse_cdr<ros::String>(session_cdr);
   if (!text) return;
@@ -97,7 +97,7 @@ void LiveControl::report(std::string_view task, std::size_t done, std::size_t to
   serve(0);
   while (state_.is_paused && !shall_stop_) {
     progress_.report(task, done, total);
-    serve(kPausedLook_s);
+    serve(kPausedPoll_s);
     pace_.rest();
   }
   stop_if_requested();
@@ -119,7 +119,7 @@ void LiveControl::serve(double duration_s) {
     const double left_s = std::max(0.0, end_s - clock_.now_s());
     const auto call = calls_.wait(std::chrono::microseconds(static_cast<long>(left_s * 1e6)));
     if (call) {
-      do_as_asked(*call);
+      handle(*call);
     } else if (left_s <= 0) {
       break;
     }
@@ -131,7 +131,7 @@ void LiveControl::tell_state() {
   state_.lease_is_held = server_.lease_is_held();
   std::string text = live_state_json(state_);
   const double now_s = clock_.now_s();
-  LiveState still = state_;  // what changes all the time is no news
+  LiveState still = state_;  // without what changes all the time
   still.stamp_s = 0;
   still.done = 0;
   std::string news = live_state_json(still);
@@ -147,7 +147,7 @@ void LiveControl::stop_if_requested() {
   throw Interrupted{};
 }
 
-void LiveControl::do_as_asked(const ServiceCall& call) {
+void LiveControl::handle(const ServiceCall& call) {
   const std::string& service = call.service();
   if (service == "mission/pause") {
     state_.is_paused = true;

@@ -15,51 +15,51 @@
 
 namespace aisle {
 
-/// So often a paused mission looks what clients ask for.
-inline constexpr double kPausedLook_s = 0.05;
+/// Period at which a paused mission polls the requests of clients.
+inline constexpr double kPausedPoll_s = 0.05;
 
 /// The names of the services that LiveControl answers.
 std::vector<LiveService> control_services(ServiceMailbox& calls);
 
-/// Stands between a mission and the live server: shows what the mission records, keeps pace with real time,
-/// and once a cycle does what clients ask for: pause, stop, marks.
+/// Connects a mission to the live server: shows what the mission records, keeps pace with real time, and
+/// serves the requests of clients once per cycle: pause, stop, marks.
 class LiveControl final : public Progress, public MessageSink {
  public:
-  /// Answers the calls that are not of control_services.
+  /// Answers the calls of services that are not in control_services().
   using OtherCalls = std::function<void(const ServiceCall&)>;
 
-  /// All must outlive the control.
+  /// All references must outlive the control.
   LiveControl(Progress& progress, LiveServer& server, ServiceMailbox& calls, double rate, OtherCalls others);
 
   LiveState& state() { return state_; }
   LiveHand& hand() { return hand_; }
 
-  /// A mission begins: what was shown of the one before is forgotten.
+  /// A mission begins: forgets what was shown of the previous one.
   void begin();
 
   void take(const SessionTopic& topic, ros::Stamp_ns stamp, std::string_view cdr) override;
   void take_truth(const Pose2& T_world_vehicle) override { T_world_vehicle_ = T_world_vehicle; }
 
-  /// Throws Interrupted where the mission shall stop, by Ctrl-C or by a client.
+  /// Throws Interrupted if the mission must stop, by Ctrl-C or by a client.
   void report(std::string_view task, std::size_t done, std::size_t total) override;
 
   /// Whether a client stopped the mission.
   bool was_stopped() const { return was_stopped_; }
-  /// Where the simulator had the vehicle last.
+  /// Last true pose of the vehicle in the simulator.
   const std::optional<Pose2>& T_world_vehicle() const { return T_world_vehicle_; }
 
-  /// Does what clients ask for during so long, or at least what has been asked for.
+  /// Serves requests for a duration [s]; at least those that have already arrived.
   void serve(double duration_s);
-  /// Time stands still for a while; it goes on from where it stood.
+  /// Simulated time stands still for a while, then continues from the same value.
   void rest() { pace_.rest(); }
   double rate() const { return pace_.rate(); }
   void set_rate(double rate);
-  /// Tells all clients the state, if it changed or is half a second old.
+  /// Sends the state to all clients if it changed or the last one is half a second old.
   void tell_state();
 
  private:
   void show_map(ros::Stamp_ns stamp, std::string_view session_cdr);
-  void do_as_asked(const ServiceCall& call);
+  void handle(const ServiceCall& call);
   void mark(const ServiceCall& call);
   void stop_if_requested();
   void keep_pace();

@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder beside the building for all that the verb writes; only the building stays.
+/// A temporary folder beside the building for the files of the verb; only the building is kept.
 class Workbench {
  public:
   explicit Workbench(const fs::path& building)

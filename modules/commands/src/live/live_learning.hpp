@@ -7,11 +7,11 @@
 
 namespace aisle {
 
-/// Learns, and keeps the building file alone, where nothing is yet.
+/// Learns, and keeps only the building file. `building` must not exist yet.
 Result<Outcome> learn_into(const LearnOptions& options, const std::filesystem::path& building,
                            Console& console);
 
-/// Explores, and keeps the building file alone; an empty path: nothing.
+/// Explores, and keeps only the building file; with an empty path, nothing.
 Result<Outcome> explore_into(const ExploreOptions& options, const std::filesystem::path& building,
                              Console& console);
 

@@ -5,7 +5,7 @@
 
 namespace aisle {
 
-/// Who drives through the live server, at the side of a simulated vehicle.
+/// The operator of a simulated vehicle that is driven through the live server.
 class LiveOperator final : public Operator {
  public:
   /// @param control  must outlive the operator

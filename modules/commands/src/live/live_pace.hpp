@@ -6,18 +6,18 @@
 
 namespace aisle {
 
-/// How a simulated vehicle's time keeps pace with people's.
+/// Keeps simulated time in pace with real time.
 class LivePace {
  public:
-  /// @param rate  vehicle's seconds in a second; 0: no pace is kept
+  /// @param rate  simulated seconds per second; 0: as fast as possible
   LivePace(const Clock& clock, double rate) : clock_(clock), rate_(rate) {}
 
-  /// Time stood still: it goes on from here.
+  /// Simulated time stood still: the pace is kept from now on.
   void rest() { begun_.reset(); }
   void set_rate(double rate);
   double rate() const { return rate_; }
 
-  /// How long to wait until the vehicle's time is due. Who comes too late is not hurried on.
+  /// How long to wait until a simulated time is due [s]. A delay of over half a second is not caught up.
   double wait_s(double stamp_s);
 
  private:

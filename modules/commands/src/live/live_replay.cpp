@@ -59,7 +59,7 @@ Problems LiveReplay::play() {
   return {};
 }
 
-/// Shows one message; where it begins a cycle, when that is due.
+/// Shows one message; one that begins a cycle is shown when it is due.
 Result<bool> LiveReplay::show_next() {
   const auto message = reader_->next();
   if (!message) return message.problems();
@@ -72,7 +72,7 @@ Result<bool> LiveReplay::show_next() {
   return true;
 }
 
-/// From the session's beginning once more, where it lies behind; all topics are shown as they were last.
+/// Jumps to a time, from the session's start if it lies behind; shows the latest message of every topic.
 Problems LiveReplay::seek(double to_s) {
   const auto to = first_ + static_cast<ros::Stamp_ns>(
                                std::llround(std::clamp(to_s, 0.0, seconds_of(last_ - first_)) * 1e9));
@@ -96,7 +96,7 @@ void LiveReplay::tell(double at_s) {
                   {"playing", is_playing_ && !has_ended_},   {"rate", control_.rate()}};
 }
 
-void LiveReplay::take_order(const ServiceCall& call) {
+void LiveReplay::take_call(const ServiceCall& call) {
   const std::string& service = call.service();
   LiveArguments arguments(call.arguments());
   if (service == "replay/play") {

@@ -15,11 +15,11 @@ class LiveReplay {
   LiveReplay(std::filesystem::path session, LiveControl& control)
       : session_(std::move(session)), control_(control) {}
 
-  /// Until a client stops it; at the session's end it waits there. Empty on success.
+  /// Runs until a client stops it; waits at the session's end. Empty on success.
   Problems run();
 
-  /// One of the services replay/...
-  void take_order(const ServiceCall& call);
+  /// Answers a call of a service replay/...
+  void take_call(const ServiceCall& call);
 
  private:
   Problems open();

@@ -13,11 +13,11 @@ namespace aisle {
 /// The names of the services that LiveRequestHandler answers.
 std::vector<LiveService> handler_services(ServiceMailbox& calls);
 
-/// The session that `arguments` name.
+/// Folder of the session that `arguments` name; a problem if there is none.
 Result<std::filesystem::path> session_named(const std::filesystem::path& sessions,
                                             const nlohmann::json& arguments);
 
-/// Answers what has nothing to do with the mission, on a thread of its own: sessions, buildings, mazes.
+/// Answers, on its own thread, the services that do not concern the mission: sessions, buildings, mazes.
 class LiveRequestHandler {
  public:
   struct Folders {

@@ -16,7 +16,7 @@ Result<std::string> token_in(const std::filesystem::path& file) {
   auto text = read_whole_file(file, kTokenFileMax);
   if (!text) return text.problems();
   while (!text->empty() && std::isspace(static_cast<unsigned char>(text->back())) != 0) text->pop_back();
-  if (text->empty()) return Problem{{file.string()}, "is empty: one line is needed, the token"};
+  if (text->empty()) return Problem{{file.string()}, "is empty: it must contain the token on one line"};
   return text;
 }
 
@@ -60,7 +60,9 @@ Result<std::unique_ptr<LiveSite>> LiveSite::open(const LiveListening& listening,
       LiveRequestHandler::Folders{.sessions = listening.sessions, .buildings = listening.buildings},
       site->questions_);
   if (site->server_->can_be_overheard())
-    console.warn("without --cert and --key whoever listens on the way hears everything, the token too");
+    console.warn(
+        "without --cert and --key the connection is not encrypted: others can read everything, the token "
+        "too");
   announce(site->server_->url());
   return site;
 }

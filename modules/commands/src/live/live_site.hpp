@@ -13,16 +13,16 @@
 
 namespace aisle {
 
-/// The live server, the calls that are for the mission, and the request handler that answers all others.
+/// The live server, the mailbox of the mission's calls, and the request handler for all others.
 class LiveSite {
  public:
-  /// @param console   is warned where others can overhear what is said
-  /// @param announce  is given the server's address once it listens
+  /// @param console   warned if the connection can be overheard
+  /// @param announce  called with the server's address once it listens
   static Result<std::unique_ptr<LiveSite>> open(const LiveListening& listening, const Console& console,
                                                 const std::function<void(const std::string&)>& announce);
 
   LiveServer& server() { return *server_; }
-  /// Services of control_services, and those by which missions and replays begin.
+  /// Calls of control_services(), and of the services that start missions and control replays.
   ServiceMailbox& mission_calls() { return mission_calls_; }
 
  private:

@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// What /live/state says; docs/live.md.
+/// What /live/state reports, see docs/live.md.
 struct LiveState {
   std::string mode = "idle";
   std::string mission;
@@ -29,7 +29,7 @@ struct LiveState {
 
 std::string live_state_json(const LiveState& state);
 
-/// How a mission ended, for `last`.
+/// How a mission ended, for `LiveState::last`.
 nlohmann::ordered_json live_end(const std::string& mission, const Result<Outcome>& outcome);
 nlohmann::ordered_json live_end_stopped(const std::string& mission);
 

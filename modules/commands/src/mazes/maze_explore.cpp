@@ -24,7 +24,7 @@ struct Maze {
   GridWorld world;
 };
 
-/// Shows which of many mazes is being worked on; for a single one, how far it is.
+/// Shows which of several mazes is being explored; for a single one, its own progress.
 class MazeProgress final : public Progress {
  public:
   MazeProgress(Progress& outer, std::size_t mazes) : outer_(outer), mazes_(mazes) {}
@@ -44,7 +44,7 @@ class MazeProgress final : public Progress {
   std::size_t begun_ = 0;
 };
 
-/// Of a world with a single cell, where nothing has to be walked: 1.
+/// 1 for a world with a single cell, where there is nothing to walk.
 double ratio(std::size_t moves, std::size_t bound) {
   return bound == 0 ? 1 : static_cast<double>(moves) / static_cast<double>(bound);
 }
@@ -63,7 +63,7 @@ Json run_figures(const ExplorationFigures& figures) {
           {"map_equals_truth", figures.map_equals_truth}};
 }
 
-/// Sums; of largest values the largest, of ratios the ratio of the sums, of yes and no the number of yes.
+/// Totals: sums; for maxima the maximum, for ratios the ratio of the sums, for flags the number that are set.
 class Totals {
  public:
   void add(const ExplorationFigures& figures) {
@@ -100,7 +100,7 @@ class Totals {
   std::size_t halted_ = 0, ended_at_start_ = 0, stack_empty_ = 0, map_equals_truth_ = 0;
 };
 
-/// Moves by every rule set, by the baseline, and what no walk can undercut.
+/// Moves of every rule set, of the baseline, and the lower bound.
 Json compare(const Maze& maze, Progress& progress) {
   Json moves = Json::object();
   for (const GridRuleSet set : kGridRuleSets) {
@@ -220,15 +220,15 @@ Result<std::vector<Maze>> read_mazes(const MazeExploreOptions& options, Console&
 }
 
 Problems draw(const MazeExploreOptions& options, const Maze& maze, Outcome& outcome) {
-  const MazePicture image{maze.world, options.rules, fs::path(maze.file).filename().string()};
+  const MazePicture picture{maze.world, options.rules, fs::path(maze.file).filename().string()};
   Problems problems;
   const auto write = [&](const char* role, const fs::path& path, const std::string& bytes) {
     const Problems more = write_whole_file(path, bytes);
     problems.insert(problems.end(), more.begin(), more.end());
     outcome.files[role] = path.string();
   };
-  if (options.svg) write("svg", *options.svg, svg(image));
-  if (options.gif) write("gif", *options.gif, gif(image));
+  if (options.svg) write("svg", *options.svg, svg(picture));
+  if (options.gif) write("gif", *options.gif, gif(picture));
   return problems;
 }
 

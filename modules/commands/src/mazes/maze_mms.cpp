@@ -59,7 +59,7 @@ class MmsMission {
 
   void explore(GridExplorer& explorer) {
     while (true) {
-      heed_reset();
+      check_reset();
       const std::size_t at = explorer.at_index();
       const bool is_new = !explorer.map().visited(at);
       const Sides open = is_new ? mouse_.sense() : explorer.map().open(at);
@@ -72,7 +72,7 @@ class MmsMission {
     }
   }
 
-  /// Straight segments in one go: the simulator's score rewards them.
+  /// Drives straight segments in one move: the simulator's score rewards them.
   void drive_to_middle(const LearnedGrid& map) {
     const std::vector<Cell> middle = middle_cells(map);
     KnownPaths paths;
@@ -85,17 +85,17 @@ class MmsMission {
     paths.take_path(map, *goal, path);
     figures_.path_to_middle = path.size();
     while (!path.empty()) {
-      heed_reset();
+      check_reset();
       const Side side = path.back();
       int cells = 0;
       for (; !path.empty() && path.back() == side; path.pop_back()) ++cells;
       mouse_.move(side, cells);
       mouse_.show(kEverySide, kFastColor);
     }
-    heed_reset();
+    check_reset();
   }
 
-  void heed_reset() {
+  void check_reset() {
     progress_.report("explore", 0, 0);
     if (mouse_.take_reset()) throw Restart{};
   }

@@ -153,7 +153,7 @@ std::string stack_action_text(StackAction action) {
   return kTexts[static_cast<std::size_t>(action)];
 }
 
-/// One edge from state to state, labelled by super rules and kinds of input, each with the number of
+/// One edge per pair of states, labelled with super rules and kinds of input, each with its number of
 /// reachable rules.
 std::string table_dot(const GridRules& rules) {
   const TransducerTable& table = rules.table;

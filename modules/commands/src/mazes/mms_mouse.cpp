@@ -33,8 +33,7 @@ void MmsMouse::say(const std::string& command) const {
 std::string MmsMouse::ask(const std::string& command) {
   say(command);
   std::string reply;
-  if (!std::getline(replies_, reply))
-    throw MmsFailure{"the simulator went away before it answered " + command};
+  if (!std::getline(replies_, reply)) throw MmsFailure{"the simulator ended before it answered " + command};
   while (!reply.empty() && (reply.back() == '\r' || reply.back() == ' ')) reply.pop_back();
   return reply;
 }

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// The simulator is gone, or did not answer as the protocol says.
+/// The simulator ended, or replied against the protocol.
 struct MmsFailure {
   std::string what;
 };
@@ -16,8 +16,8 @@ struct MmsFailure {
 /// A move that ended at a wall.
 struct MmsCrash {};
 
-/// A mouse in the mms simulator (https://github.com/mackorone/mms): a line for each command, and one for each
-/// reply. Begins in cell (0, 0), heading for the top. Every function may throw MmsFailure.
+/// A mouse in the mms simulator (https://github.com/mackorone/mms), with one line per command and one per
+/// reply. It starts in cell (0, 0) facing the top. Every function may throw MmsFailure.
 class MmsMouse {
  public:
   MmsMouse(std::istream& replies, std::ostream& commands) : replies_(replies), commands_(commands) {}
@@ -26,15 +26,15 @@ class MmsMouse {
   int size(const std::string& dimension);
 
   Cell at() const { return at_; }
-  /// Open sides of the present cell.
+  /// Open sides of the current cell.
   Sides sense();
-  /// Turns to that side and moves so many cells on. Throws MmsCrash if a wall is in the path.
+  /// Turns to a side and moves ahead by a number of cells. Throws MmsCrash if a wall is in the path.
   void move(Side side, int cells = 1);
 
-  /// Whether the reset button was pressed; if so the mouse stands in (0, 0) again, heading for the top.
+  /// Whether the reset button was pressed; if so, the mouse is back in (0, 0), facing the top.
   bool take_reset();
 
-  /// For those who watch: the walls of the present cell, and a colour on it.
+  /// Shows the walls of the current cell and a colour on it in the simulator.
   void show(Sides open, char color);
 
  private:

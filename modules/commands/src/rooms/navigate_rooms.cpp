@@ -19,14 +19,14 @@
 namespace aisle {
 namespace {
 
-/// What both verbs are asked for.
+/// The options of both verbs.
 struct RoomDrive {
   std::filesystem::path building;
   std::string route;
   std::string world, vehicle, scenario;
-  std::optional<ParkingStrategy> parking;  ///< that the route must end with
+  std::optional<ParkingStrategy> parking;  ///< strategy that the route must end with
   std::optional<Pose2> T_world_start;
-  std::optional<double> from_end_m;  ///< without a start, so far before the route's end; else at its start
+  std::optional<double> from_end_m;  ///< initial pose so far before the route's end; none: at its start
   std::uint64_t seed = 1;
   std::filesystem::path out;
   bool force = false;
@@ -42,7 +42,7 @@ Outcome room_outcome(const std::string& verb, const RoomDrive& drive, const Rout
   if (!drive.out.empty()) outcome.files["session"] = drive.out.string();
   outcome.text = fmt::format(
       "simulated: {}{}{}; {:.1f} m in {:.1f} s, {} collision{}\n"
-      "stands {:.1f} cm and {:.2f} deg from where it should, {:.2f} m free ahead\n",
+      "end error {:.1f} cm and {:.2f} deg, {:.2f} m free ahead\n",
       result.end.state, result.end.why.empty() ? "" : ": ", result.end.why, result.distance_m,
       result.end.duration_s, result.collisions, result.collisions == 1 ? "" : "s", 100 * result.end_error_m,
       to_degrees(result.end_error_rad), result.clearance_m);
@@ -61,7 +61,8 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
   const auto route = find_room_route(*building, drive.route);
   if (!route) return at_file(route.problems(), file);
   if (drive.parking && *drive.parking != route->room->parking)
-    return Problem{{"--strategy"}, fmt::format("the route '{}' was taught to end otherwise", route->name)};
+    return Problem{{"--strategy"},
+                   fmt::format("the route '{}' was taught with another parking strategy", route->name)};
   if (params.navigator.frame_backing.wanted && route->room->parking != ParkingStrategy::kFrame)
     return Problem{{"--reverse"}, fmt::format("the route '{}' does not end in a painted frame", route->name)};
   const auto place = RouteInWorld::read(drive.building, *route, *setting);
@@ -101,7 +102,8 @@ Result<Outcome> drive_room(const std::string& verb, const RoomDrive& drive, Room
 Result<Outcome> navigate_by_route(const NavigateOptions& options, const RoomDriverParams& params,
                                   Console& console) {
   if (options.in_reverse || options.and_back)
-    return Problem{{"--method"}, "paths through rooms are driven in the direction in which they were taught"};
+    return Problem{{"--method"},
+                   "routes through rooms can only be driven in the direction in which they were taught"};
   return drive_room("navigate",
                     {.building = options.building,
                      .route = options.route,

@@ -1,5 +1,5 @@
 #pragma once
-/// The navigator of taught paths through rooms as missions and their replays make it: both from the origin
+/// Makes the navigator of taught paths through rooms for missions and for their replays, both from the origin
 /// that the session records.
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace aisle {
 
-inline constexpr const char* kRoomNavigator = "route";  ///< as a session's navigator
+inline constexpr const char* kRoomNavigator = "route";  ///< name of the navigator in a session
 
 struct RoomDriverParams {
   RoomNavigatorParams navigator;
@@ -21,14 +21,15 @@ struct RoomDriverParams {
 
   void describe(FieldList& fields) {
     navigator.describe(fields);
-    fields.real("from_m", from_m, {0, 100'000}, "along the route, where the vehicle is set down");
+    fields.real("from_m", from_m, {0, 100'000}, "initial position of the vehicle along the route");
   }
 };
 
-/// The building's route of a name, which was taught in a room; an empty name means the first route.
+/// Finds a route by name; an empty name means the first route. A route that was not taught in a room is a
+/// problem.
 Result<Route> find_room_route(const Building& building, const std::string& name);
 
-/// The other cameras stay off.
+/// Removes all other cameras.
 void keep_cameras(VehicleDescription& vehicle, const std::vector<std::string>& names);
 
 /// Problems: parameters and building that cannot be read, an unknown route, one that was not taught in a
@@ -36,7 +37,7 @@ void keep_cameras(VehicleDescription& vehicle, const std::vector<std::string>& n
 Result<std::unique_ptr<RoomNavigator>> make_room_navigator(const SessionOrigin& origin,
                                                            const VehicleDescription& vehicle);
 
-/// What keeps a vehicle from driving through rooms by these cameras; empty: nothing.
+/// Why a vehicle cannot drive through rooms with these cameras; empty: it can.
 Problems unfit_for_rooms(const VehicleDescription& vehicle, const std::vector<std::string>& cameras);
 
 }  // namespace aisle

@@ -24,7 +24,7 @@ struct RoomLearnerParams {
   }
 };
 
-/// Looks at one cycle after another.
+/// Collects what is learned from, cycle by cycle.
 class RoomRunCollector {
  public:
   /// @param vehicle  with the camera `top`
@@ -42,12 +42,12 @@ class RoomRunCollector {
   bool has_patch_ = false;
 };
 
-/// All cycles of a session that was just opened. A session without images of `top` is a problem.
+/// Reads all cycles of a session that was just opened. A session without images of `top` is a problem.
 Result<std::vector<RoomCycle>> read_room_run(const std::filesystem::path& session, SessionCycles& cycles,
                                              const RoomLearnerParams& params, Progress& progress);
 
 struct RoomLearningResult {
-  Building building;  ///< with the route alone
+  Building building;  ///< with this route only
   std::vector<Pose2> T_route_vehicle;
 };
 

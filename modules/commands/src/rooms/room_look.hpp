@@ -5,7 +5,7 @@
 
 namespace aisle {
 
-/// How a trial's rooms look otherwise than their worlds say, at teaching as at driving.
+/// Changes to the look of a trial's rooms, in teaching and in driving alike.
 struct RoomLook {
   double ambient_share = 1;
   double floor_contrast = 0;
@@ -14,11 +14,12 @@ struct RoomLook {
 
   void describe(FieldList& fields) {
     fields.real("ambient_share", ambient_share, {0, 1},
-                "of the light from everywhere: less makes shadows dark");
+                "factor on the ambient light: less makes shadows darker");
     fields.real("floor_contrast", floor_contrast, {0, 1},
-                "of the pattern on a carpet; 0: the world's own floor");
-    fields.real("floor_gloss", floor_gloss, {0, 1}, "of a polished floor; 0: the world's own");
-    fields.real("like_floor_share", like_floor_share, {0, 1}, "furniture is so far as bright as the floor");
+                "contrast of a carpet's pattern; 0: the world's own floor");
+    fields.real("floor_gloss", floor_gloss, {0, 1}, "gloss of a polished floor; 0: the world's own");
+    fields.real("like_floor_share", like_floor_share, {0, 1},
+                "how far the furniture's brightness is moved to the floor's; 1: the same");
   }
 
   void apply(World& world) const {

@@ -15,7 +15,7 @@
 namespace aisle {
 namespace {
 
-/// How far the vehicle could go straight on before it touched something; at most `kFar_m`.
+/// Free distance straight ahead of the vehicle; at most `kFar_m`.
 double clearance_ahead_m(const World& world, const Footprint& footprint, const Pose2& T_world_vehicle) {
   constexpr double kFar_m = 5, kStep_m = 0.01;
   for (int step = 1; step * kStep_m < kFar_m; ++step) {
@@ -24,7 +24,7 @@ double clearance_ahead_m(const World& world, const Footprint& footprint, const P
   return kFar_m;
 }
 
-/// Keeps the mission's session, and shows what the navigator sees.
+/// Records the mission's session, and shows what the navigator sees.
 class RoomMissionRecord final : public SimulatedRecord {
  public:
   RoomMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
@@ -35,7 +35,7 @@ class RoomMissionRecord final : public SimulatedRecord {
 
   Problems keep(const Decision& decision) override {
     show_pose({navigator_.pose()});
-    if (is_watched() && pictured_by() == kFirstCamera && navigator_.sight())
+    if (is_watched() && image_camera() == kFirstCamera && navigator_.sight())
       show_overlay(overlay_of(navigator_.view(), *navigator_.sight()));
     return SimulatedRecord::keep(decision);
   }
@@ -69,7 +69,7 @@ Result<RoomMissionResult> drive_room_mission(const SimulationSetting& setting, R
   RoomMissionRecord record(session, vehicle, navigator);
   auto end = run_mission(vehicle, timed, record, progress);
   if (!end) return end.problems();
-  // It rolls on until it stands.
+  // The vehicle coasts to a standstill.
   constexpr int kUntilItStands = 20;
   for (int i = 0; i < kUntilItStands && vehicle.truth().speed_mps != 0; ++i) vehicle.sense();
   result.end = std::move(*end);

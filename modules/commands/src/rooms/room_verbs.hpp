@@ -15,14 +15,14 @@ Result<Outcome> learn_by_route(const LearnOptions& options, const RoomLearnerPar
 Result<Outcome> navigate_by_route(const NavigateOptions& options, const RoomDriverParams& params,
                                   Console& console);
 
-/// By how much a room changes between teaching and driving.
+/// How much a room changes between teaching and driving.
 struct RoomChange {
-  double furniture_m = 0.2;  ///< each piece, along x and along y
+  double furniture_m = 0.2;  ///< displacement of each piece, at most, along x and along y
   double light_share = 0.3;
 
   void describe(FieldList& fields) {
-    fields.real("furniture_m", furniture_m, {0, 2}, "by which each piece is moved, along x and y");
-    fields.real("light_share", light_share, {0, 0.95}, "by which the light is more or less");
+    fields.real("furniture_m", furniture_m, {0, 2}, "greatest displacement of each piece, along x and y");
+    fields.real("light_share", light_share, {0, 0.95}, "greatest change of the light, up or down");
   }
 };
 
@@ -36,7 +36,7 @@ struct RoomTrialParams {
 
   void describe(FieldList& fields) {
     fields.group("learner", learner);
-    fields.flag("view_pattern", view_pattern, "the person shows the 63 views about a taught place");
+    fields.flag("view_pattern", view_pattern, "the scripted person shows the 63 views around a taught place");
     fields.group("navigator", navigator);
     fields.group("look", look);
     fields.group("change", change);
@@ -44,12 +44,12 @@ struct RoomTrialParams {
   }
 };
 
-/// `trial route`: routes of a world with their furniture moved and other light.
+/// `trial route`: routes of a world with moved furniture and changed light.
 Result<Outcome> trial_by_route(const TrialOptions& options, const RoomTrialParams& params, Console& console);
-/// `trial turnings`: the thirteen turnings, each in a room of its own, or pairs that are too close.
+/// `trial turnings`: the thirteen turnings, each in its own room, or pairs that are too close.
 Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
                                   Console& console);
-/// `trial park`: the ends of routes, from disturbed starts.
+/// `trial park`: parking at the ends of routes, from disturbed starts.
 Result<Outcome> trial_of_parking(const TrialOptions& options, const RoomTrialParams& params,
                                  Console& console);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A taught path in a simulated world: how its map lies there.
+/// A taught route in a simulated world.
 
 #include "aisle/core/result.hpp"
 #include "aisle/maps/route.hpp"
@@ -8,8 +8,8 @@
 
 namespace aisle {
 
-/// Places of a route in the world: as learning left it beside the building, else the route begins at the
-/// world's start.
+/// How a route lies in the world: by the truth that learning wrote beside the building, else the route begins
+/// at the world's start.
 class RouteInWorld {
  public:
   static Result<RouteInWorld> read(const std::filesystem::path& building, const Route& route,
@@ -18,7 +18,7 @@ class RouteInWorld {
 
   Pose2 at(double along_m) const;
   Pose2 end() const { return at(route_.path.length_m()); }
-  /// About where on the route a place of the world is.
+  /// Approximate position along the route of a pose in the world [m].
   double along_m(const Pose2& T_world_vehicle) const;
 
  private:

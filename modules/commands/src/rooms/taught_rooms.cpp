@@ -12,7 +12,7 @@
 namespace aisle {
 namespace {
 
-/// Collects a drive, with the truth.
+/// Records a drive with the true poses.
 class RoomRunRecord final : public MissionRecord {
  public:
   RoomRunRecord(const RoomLearnerParams& params, const SimulatedVehicle& vehicle)
@@ -32,22 +32,23 @@ class RoomRunRecord final : public MissionRecord {
   const SimulatedVehicle& vehicle_;
 };
 
-Result<TaughtRoute> teach_route(const SimulationSetting& setting, const WorldRoute& path,
+Result<TaughtRoute> teach_route(const SimulationSetting& setting, const WorldRoute& world_route,
                                 const RoomTrialParams& params, std::uint64_t seed, Progress& progress) {
   SimulationSetting taught = setting;
   keep_cameras(taught.vehicle.description, {kFirstCamera});
-  const bool shows_pattern = params.view_pattern && path.parking == ParkingStrategy::kView;
-  RouteGuide person(taught.world, path, taught.vehicle.description, {}, seed,
+  const bool shows_pattern = params.view_pattern && world_route.parking == ParkingStrategy::kView;
+  RouteGuide person(taught.world, world_route, taught.vehicle.description, {}, seed,
                     shows_pattern ? ShownViews::kPattern : ShownViews::kTrail);
-  SimulatedVehicle vehicle(taught.world, taught.vehicle, {}, {.seed = seed, .T_world_start = start_of(path)},
-                           &person);
+  SimulatedVehicle vehicle(taught.world, taught.vehicle, {},
+                           {.seed = seed, .T_world_start = start_of(world_route)}, &person);
   HandDriver driver({});
   RoomRunRecord record(params.learner, vehicle);
   const auto end = run_mission(vehicle, driver, record, progress);
   if (!end) return end.problems();
   if (!person.has_arrived())
-    return Problem{{setting.world_file.string(), 0, path.name}, "the person did not get through"};
-  auto learned = learn_room(record.collector.cycles, taught.vehicle.description, path.name, params.learner);
+    return Problem{{setting.world_file.string(), 0, world_route.name}, "the person did not get through"};
+  auto learned =
+      learn_room(record.collector.cycles, taught.vehicle.description, world_route.name, params.learner);
   if (!learned) return learned.problems();
   Route route = std::move(learned->building.routes.front());
   RouteInWorld place(MapTruth(std::move(learned->T_route_vehicle), std::move(record.T_world_vehicle)), route);
@@ -56,12 +57,14 @@ Result<TaughtRoute> teach_route(const SimulationSetting& setting, const WorldRou
 
 }  // namespace
 
-Result<const TaughtRoute*> TaughtRoutes::taught(const SimulationSetting& setting, const WorldRoute& path,
-                                                std::uint64_t seed, Progress& progress) {
-  const std::string key = setting.world_file.string() + "/" + setting.world.name + "/" + path.name;
+Result<const TaughtRoute*> TaughtRoutes::taught(const SimulationSetting& setting,
+                                                const WorldRoute& world_route, std::uint64_t seed,
+                                                Progress& progress) {
+  const std::string key = setting.world_file.string() + "/" + setting.world.name + "/" + world_route.name;
   auto known = taught_.find(key);
   if (known == taught_.end()) {
-    auto route = teach_route(setting, path, params_, refused_.contains(key) ? seed : first_seed_, progress);
+    auto route =
+        teach_route(setting, world_route, params_, refused_.contains(key) ? seed : first_seed_, progress);
     if (!route) {
       refused_.insert(key);
       return route.problems();

@@ -1,5 +1,5 @@
 #pragma once
-/// Paths through rooms as trials teach them: a scripted person shows each once.
+/// Paths through rooms, taught for trials: a scripted person drives each once.
 
 #include <cstdint>
 #include <map>
@@ -14,7 +14,7 @@
 
 namespace aisle {
 
-/// A route as it was learned, and where it lies.
+/// A learned route, and where it lies in the world.
 struct TaughtRoute {
   Route route;
   RouteInWorld place;
@@ -22,15 +22,15 @@ struct TaughtRoute {
 
 class TaughtRoutes {
  public:
-  /// @param first_seed  gives each path's first taught run
+  /// @param first_seed  seed of each path's first taught run
   TaughtRoutes(const RoomTrialParams& params, std::uint64_t first_seed)
       : params_(params), first_seed_(first_seed) {}
 
-  /// As it was learned; taught now if it was not yet. Where the first taught run was refused, the next is
-  /// given by the seed that asks.
-  /// @param setting  of the world as it is at teaching; worlds are distinguished by their file and name
+  /// The learned route; teaches and learns it first if that has not been done. If the first taught run was
+  /// refused, the next one uses `seed`.
+  /// @param setting  the world as it is during teaching; worlds are distinguished by file and name
   /// Problems: why the taught run was refused.
-  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const WorldRoute& path,
+  Result<const TaughtRoute*> taught(const SimulationSetting& setting, const WorldRoute& world_route,
                                     std::uint64_t seed, Progress& progress);
 
  private:

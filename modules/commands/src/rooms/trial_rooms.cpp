@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The same room on another day.
+/// The same room on another day: with moved furniture and changed light.
 SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& change, Random& random) {
   for (Furniture& piece : setting.world.furniture) {
     piece.centre.x() += random.uniform(-change.furniture_m, change.furniture_m);
@@ -35,9 +35,9 @@ SimulationSetting on_another_day(SimulationSetting setting, const RoomChange& ch
   return setting;
 }
 
-constexpr double kFalseStop_m = 0.5;  // who parks farther away has taken another place for the taught one
+constexpr double kFalseStop_m = 0.5;  // a vehicle that parks farther away has taken another place for this
 
-/// Shares are of the missions that were driven: without a taught run there is none.
+/// Shares refer to the missions that were driven; without a taught run there is no mission.
 struct RoomTrial {
   std::size_t missions = 0, arrived = 0, stopped = 0, collisions = 0, false_stops = 0;
   Spread end_m, end_deg, clearance_m;
@@ -48,9 +48,9 @@ struct RoomTrial {
   bool all_well() const { return missions > 0 && arrived == missions; }
   void add(const RoomMissionResult& result, std::uint64_t seed, const std::string& route) {
     ++missions;
-    const bool is_there = result.end_error_m < kFalseStop_m;
-    arrived += result.parked() && is_there ? 1U : 0U;
-    false_stops += result.end.arrived && !is_there ? 1U : 0U;
+    const bool is_at_place = result.end_error_m < kFalseStop_m;
+    arrived += result.parked() && is_at_place ? 1U : 0U;
+    false_stops += result.end.arrived && !is_at_place ? 1U : 0U;
     stopped += !result.end.arrived && result.collisions == 0 ? 1U : 0U;
     collisions += result.collisions;
     if (result.end.arrived) {
@@ -99,7 +99,7 @@ Result<SimulationSetting> room_setting(const TrialOptions& options, const RoomLo
   return setting;
 }
 
-/// Where the vehicle is set down before the place where it is to park.
+/// Initial pose of the vehicle before the place where it is to park.
 Pose2 disturbed_start(const SimulationSetting& setting, const Pose2& T_world_start, Random& random) {
   constexpr double kOff_m = 0.5, kOff_rad = 15 * kDegree;
   constexpr int kDraws = 100;
@@ -114,7 +114,7 @@ Pose2 disturbed_start(const SimulationSetting& setting, const Pose2& T_world_sta
   return T_world_start;
 }
 
-/// Those that end with a path to park, or all.
+/// The routes that end with a parking strategy; none given: all routes.
 std::vector<const WorldRoute*> routes_of(const World& world, std::optional<ParkingStrategy> parking) {
   std::vector<const WorldRoute*> routes;
   for (const WorldRoute& route : world.routes)
@@ -126,10 +126,10 @@ std::vector<const WorldRoute*> routes_of(const World& world, std::optional<Parki
 struct MissionBegin {
   SimulationSetting setting;
   Pose2 T_world_vehicle;
-  double from_m = 0;  ///< along the route, where the vehicle takes itself to be
+  double from_m = 0;  ///< initial estimate of the position along the route
 };
 
-/// One mission for each seed, over the paths in turn.
+/// One mission per seed, over the routes in turn.
 /// @param begin  (setting, taught route, seed) -> MissionBegin
 template <class Begin>
 Result<RoomTrial> drive_missions(const TrialOptions& options, const RoomTrialParams& params,
@@ -254,7 +254,7 @@ std::vector<std::pair<std::string, World>> turning_courses(const TrialOptions& o
   return courses;
 }
 
-/// For each seed the room has another light.
+/// Every seed changes the light in the room.
 Result<Outcome> trial_of_turnings(const TrialOptions& options, const RoomTrialParams& params,
                                   Console& console) {
   auto vehicle = read_setting("", vehicle_or_usual(options.vehicle, "route"), options.scenario);

@@ -14,7 +14,7 @@
 namespace aisle {
 namespace {
 
-constexpr const char* kSectionsImage = "sections.svg";
+constexpr const char* kSectionsPicture = "sections.svg";
 
 nlohmann::ordered_json texts_of(const SectionList& sections) {
   auto texts = nlohmann::ordered_json::array();
@@ -39,7 +39,7 @@ Outcome section_learning_outcome(const SectionLearningResult& learned) {
 }
 
 struct SectionTeachings {
-  std::string route;  ///< as the first one names it
+  std::string route;  ///< name from the first session
   std::vector<DrivenList> drives;
 };
 
@@ -63,7 +63,7 @@ void warn_of_other_paths(const std::vector<std::filesystem::path>& sessions,
                          const std::vector<std::size_t>& taken, Console& console) {
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     if (!std::binary_search(taken.begin(), taken.end(), i))
-      console.warn(fmt::format("{}: goes another path than the other sessions, and is left out",
+      console.warn(fmt::format("{}: follows another path than the other sessions, and is left out",
                                sessions[i].string()));
   }
 }
@@ -73,7 +73,7 @@ void warn_of_other_paths(const std::vector<std::filesystem::path>& sessions,
 Result<Outcome> learn_by_sections(const LearnOptions& options, const SectionLearnerParams& params,
                                   Console& console) {
   std::vector<std::string> names = truth_file_names();
-  names.insert(names.end(), {"building.json", kSectionsImage});
+  names.insert(names.end(), {"building.json", kSectionsPicture});
   const auto directory = OutputDirectory::open_if_named(options.out, options.force, names);
   if (!directory) return directory.problems();
   const auto taught = read_teachings(options.sessions, params, console.progress);
@@ -96,7 +96,7 @@ Result<Outcome> learn_by_sections(const LearnOptions& options, const SectionLear
   std::vector<OutputFile> files;
   if (!truth->empty()) files = truth_files(MapTruth(driven, *truth));
   files.push_back({"building", "building.json", building_json(learned->building)});
-  files.push_back({"sections_svg", kSectionsImage,
+  files.push_back({"sections_svg", kSectionsPicture,
                    svg(SectionPicture{.route = learned->building.routes.front(),
                                       .driven = driven,
                                       .title = fmt::format("{}: sections as learned", taught->route)})});

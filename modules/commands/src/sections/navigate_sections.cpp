@@ -19,8 +19,8 @@
 namespace aisle {
 namespace {
 
-/// How the map lies in the world about a place of it: as learning left it beside the building, else its
-/// origin is the world's start.
+/// How the map lies in the world near a pose on it: by the truth that learning wrote beside the building,
+/// else its origin is the world's start.
 Result<Pose2> map_about(const Pose2& T_map_place, const NavigateOptions& options,
                         const SimulationSetting& setting) {
   const auto truth = read_map_truth(options.building);

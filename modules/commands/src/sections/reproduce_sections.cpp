@@ -82,7 +82,7 @@ Result<Outcome> reproduce_l03(const ReproduceOptions& options, const SectionTria
   auto setting = read_setting("mini-corridor", "mini", "");
   if (!setting) return setting.problems();
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty()) return problems;
-  MissionCount within(console.progress, "trips", 2);
+  MissionCount within(console.progress, "runs", 2);
   within.begin(0);
   const auto course = teach_sections(*setting, params.learner, options.seed, 1, within);
   if (!course) return course.problems();

@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-/// Collects what is learned from.
+/// Records what is learned from.
 class SectionRunRecord final : public MissionRecord {
  public:
   SectionRunRecord(const FloorEdgeParams& params, const SimulatedVehicle& vehicle)
@@ -26,7 +26,7 @@ class SectionRunRecord final : public MissionRecord {
   SectionRunCollector collector;
 };
 
-/// A person drives the world's tour.
+/// A scripted person drives the world's tour once.
 Result<DrivenList> teach_once(const SimulationSetting& setting, const Pose2& T_world_start,
                               const SectionLearnerParams& params, std::uint64_t seed, Progress& progress) {
   const VehicleDescription& vehicle = setting.vehicle.description;
@@ -45,12 +45,12 @@ Result<DrivenList> teach_once(const SimulationSetting& setting, const Pose2& T_w
 
 Result<SectionCourse> teach_sections(const SimulationSetting& setting, const SectionLearnerParams& params,
                                      std::uint64_t seed, int teachings, Progress& progress) {
-  constexpr std::uint64_t kSeedsApart = 1'000'000;  // of one teaching and the next
+  constexpr std::uint64_t kSeedStep = 1'000'000;  // from one taught run to the next
   const auto start = start_in(setting);
   if (!start) return start.problems();
   std::vector<DrivenList> drives;
   for (int i = 0; i < teachings; ++i) {
-    auto drive = teach_once(setting, *start, params, seed + kSeedsApart * static_cast<unsigned>(i), progress);
+    auto drive = teach_once(setting, *start, params, seed + kSeedStep * static_cast<unsigned>(i), progress);
     if (!drive) return drive.problems();
     drives.push_back(std::move(*drive));
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// The life of a path of sections in simulation, up to where the vehicle drives it alone.
+/// A route of sections in simulation, taught and learned.
 
 #include <cstdint>
 
@@ -13,8 +13,8 @@ struct SectionCourse {
   Pose2 T_world_map;  ///< of the taught run's map
 };
 
-/// A person drives the world's tour once or more often, and it is learned. A problem says why it was not: the
-/// person did not get through, or went nowhere.
+/// A scripted person drives the world's tour `teachings` times, and the route is learned. A problem says why
+/// not: the person did not get through, or went nowhere.
 Result<SectionCourse> teach_sections(const SimulationSetting& setting, const SectionLearnerParams& params,
                                      std::uint64_t seed, int teachings, Progress& progress);
 

@@ -15,7 +15,8 @@ namespace {
 Result<Route> find_section_route(const Building& building, const std::string& name) {
   auto route = find_route(building, name);
   if (route && route->sections.empty())
-    return Problem{{"", 0, "route"}, fmt::format("'{}' has no sections: it was learned otherwise", name)};
+    return Problem{{"", 0, "route"},
+                   fmt::format("'{}' has no sections: it was learned by another method", name)};
   return route;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The section navigator as missions and their replays make it: both from the origin that the session
+/// Makes the section navigator for missions and for their replays, both from the origin that the session
 /// records.
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-inline constexpr const char* kSectionNavigator = "sections";  ///< as a session's navigator
+inline constexpr const char* kSectionNavigator = "sections";  ///< name of the navigator in a session
 
 struct SectionDriverParams {
   SectionNavigatorParams navigator;
@@ -19,7 +19,7 @@ struct SectionDriverParams {
 
   void describe(FieldList& fields) {
     navigator.describe(fields);
-    fields.flag("and_back", and_back, "at the end the vehicle turns about and drives home again");
+    fields.flag("and_back", and_back, "at the end the vehicle turns around and drives back home");
   }
 };
 

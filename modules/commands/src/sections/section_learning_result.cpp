@@ -61,9 +61,9 @@ std::optional<std::string> gets_lost(const SectionLearningResult& result,
   const UnseenPathSegment& unseen = result.driven.unseen;
   if (unseen.length_m <= params.unseen_max_m) return std::nullopt;
   return fmt::format(
-      "no base line was seen for {:.1f} m, {:.1f} m from the start on: a vehicle would get lost there; what "
-      "helps is to drive nearer to a wall, more light, or walls and skirting boards unlike the floor in "
-      "brightness",
+      "no wall-floor edge was seen for {:.1f} m, from {:.1f} m after the start: a vehicle would get lost "
+      "there. Drive nearer to a wall, add light, or give walls and skirting boards another brightness than "
+      "the floor",
       unseen.length_m, unseen.from_m);
 }
 

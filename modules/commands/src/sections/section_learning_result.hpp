@@ -1,5 +1,5 @@
 #pragma once
-/// Learning a path by sections, from a recorded or a simulated drive.
+/// Learning a route of sections, from recorded or simulated drives.
 
 #include <cstddef>
 #include <filesystem>
@@ -27,7 +27,7 @@ struct SectionLearnerParams {
   }
 };
 
-/// Finds the floor's edges in one cycle after another.
+/// Detects the floor's edges of a drive, cycle by cycle.
 class SectionRunCollector {
  public:
   SectionRunCollector(const FloorEdgeParams& params, const VehicleDescription& vehicle);
@@ -42,21 +42,22 @@ class SectionRunCollector {
   FloorEdgeDetector detector_;
 };
 
-/// L03 section 3.1, from a session that was just opened, of any vehicle. One without images is a problem.
+/// L03 section 3.1, from a session that was just opened, of any vehicle. A session without images is a
+/// problem.
 Result<DrivenList> read_section_drive(const std::filesystem::path& session, SessionCycles& cycles,
                                       const SectionLearnerParams& params, Progress& progress);
 
 struct SectionLearningResult {
-  Building building;  ///< with the route alone
+  Building building;  ///< with this route only
   DrivenList driven;
-  std::vector<std::size_t> taken;  ///< of the drives: those that went the path
+  std::vector<std::size_t> taken;  ///< indices of the drives that followed the route
 };
 
-/// L03 section 3.2, from one or more drives of one way. One that leads nowhere is a problem.
+/// L03 section 3.2, from one or more drives along one route. A drive that leads nowhere is a problem.
 Result<SectionLearningResult> learn_sections(std::span<const DrivenList> drives, const std::string& route,
                                              const SectionLearningParams& params);
 
-/// Why a vehicle would get lost on what was learned, and what would help; nullopt: it would not.
+/// Why a vehicle would get lost on the learned route, and what would help; nullopt: it would not.
 std::optional<std::string> gets_lost(const SectionLearningResult& learned,
                                      const SectionLearningParams& params);
 

@@ -16,9 +16,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kPictureWorthy_m = 0.5;  // shorter sections all look alike
+constexpr double kPictureWorthy_m = 0.5;  // shorter sections all look the same
 
-/// Keeps the mission's session and, beside it, what it comes to.
+/// Records the mission's session, and collects the mission's result.
 class SectionMissionRecord final : public SimulatedRecord {
  public:
   SectionMissionRecord(std::optional<SessionRecord>& session, const SimulatedVehicle& vehicle,
@@ -50,7 +50,7 @@ class SectionMissionRecord final : public SimulatedRecord {
   ErrorFigure wall_distance_m() const { return wall_keeping_.error_m(); }
 
  private:
-  /// The first image behind the middle of a straight section.
+  /// Keeps the first image after the middle of a straight section.
   void keep_image() {
     const PathPoint& point = navigator_.point();
     const PathPiece& piece = navigator_.path().pieces()[point.piece];

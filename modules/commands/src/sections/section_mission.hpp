@@ -16,29 +16,29 @@
 
 namespace aisle {
 
-/// What a simulated mission by sections came to.
+/// Result of a simulated mission by sections.
 struct SectionMissionResult {
   MissionEnd end;
   std::size_t collisions = 0;
   double distance_m = 0;
-  double closing_error_m =
-      0;  ///< by the truth: from where it began if it came home, else from where the path ends
+  double closing_error_m = 0;  ///< true distance of the end from the start if it drove back, else from the
+                               ///< path's end
   double closing_error_rad = 0;
-  ErrorFigure wall_distance_m;  ///< to the right base line against the learned one, while one was followed
+  ErrorFigure wall_distance_m;  ///< error of the distance to the right wall-floor edge, while it was followed
   std::vector<double> cycle_s;  ///< processor time of each cycle, from image to command
-  std::vector<Pose2> T_map_driven;   ///< of each cycle, as the vehicle thought
-  std::vector<TakenPicture> images;  ///< one from the middle of each longer straight section, if wanted
+  std::vector<Pose2> T_map_driven;   ///< estimated poses, one per cycle
+  std::vector<TakenPicture> images;  ///< from the middles of longer straight sections, with keep_images
 };
 
 struct SectionMissionOptions {
   std::uint64_t seed = 1;
-  Pose2 T_world_map;            ///< how the map lies in the world about the path's start
-  double start_sigma_m = 0.02;  ///< how far beside it the vehicle is set down
+  Pose2 T_world_map;            ///< the map's frame in the world, near the path's start
+  double start_sigma_m = 0.02;  ///< deviation of the initial pose from the path's start
   double start_sigma_rad = 1 * kDegree;
   bool keep_images = false;
 };
 
-/// Sets the vehicle down about the path's start and lets it drive there by itself.
+/// Puts the vehicle near the path's start and lets it drive the path.
 Result<SectionMissionResult> drive_section_mission(const SimulationSetting& setting,
                                                    SectionNavigator& navigator,
                                                    const SectionMissionOptions& options,

@@ -23,14 +23,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Halls have no base line to follow.
+/// Without halls: they have no wall-floor edge to follow.
 constexpr BuildingKind kCorridorBuildings[] = {BuildingKind::kOffice, BuildingKind::kRing,
                                                BuildingKind::kComb};
-constexpr double kBend_rad = 20 * kDegree;  // of a tour that is a turn
+constexpr double kBend_rad = 20 * kDegree;  // change of direction from which on a tour's corner is a turn
 constexpr double kTurnBack_rad = 135 * kDegree;
 constexpr double kLongest_m = 60, kSamePoint_m = 0.1, kEndMin_m = 1.5;
 
-/// Nobody begins or ends a path just beside a corner.
+/// A person does not begin or end a route right beside a corner.
 std::vector<Vec2> without_short_ends(std::vector<Vec2> path) {
   while (path.size() > 2 && (path[1] - path[0]).norm() < kEndMin_m) path.erase(path.begin());
   while (path.size() > 2 && (path[path.size() - 1] - path[path.size() - 2]).norm() < kEndMin_m)
@@ -38,9 +38,8 @@ std::vector<Vec2> without_short_ends(std::vector<Vec2> path) {
   return path;
 }
 
-/// The tour's longest segment on which it does not turn back, cut where it becomes longer than a mission
-/// should be.
-std::vector<Vec2> one_direction(const std::vector<Vec2>& tour) {
+/// The longest part of a tour that does not turn back, cut to the greatest length of a mission.
+std::vector<Vec2> longest_without_turning_back(const std::vector<Vec2>& tour) {
   std::vector<Vec2> longest, path;
   for (const Vec2& p : tour) {
     if (path.size() >= 2) {
@@ -56,7 +55,7 @@ std::vector<Vec2> one_direction(const std::vector<Vec2>& tour) {
   return without_short_ends(std::move(longest));
 }
 
-/// The sections that a path should be cut into, by how it lies in the building: one letter each.
+/// The sections that a path should be split into, by its shape in the building: one letter per section.
 std::string due_letters(const std::vector<Vec2>& path, const SectionLearningParams& params) {
   std::string letters = "a";
   for (std::size_t i = 1; i + 1 < path.size(); ++i) {
@@ -72,7 +71,8 @@ std::string due_letters(const std::vector<Vec2>& path, const SectionLearningPara
   return letters;
 }
 
-/// Sections in one line, which end where the base lines step to the side, are one way.
+/// One letter per section. Sections in one line, which end where the wall-floor edge steps to the side, count
+/// as one.
 std::string letters_of(const SectionList& sections) {
   std::string letters;
   for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -85,8 +85,8 @@ std::string letters_of(const SectionList& sections) {
   return letters;
 }
 
-/// How many letters must be changed, added or left out to make one text of the other.
-std::size_t letters_apart(const std::string& a, const std::string& b) {
+/// Edit distance of two texts (Levenshtein).
+std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -104,7 +104,7 @@ Result<SimulationSetting> section_setting(const TrialOptions& options, std::uint
   auto setting =
       setting_of_seed(options, seed, vehicle_or_usual(options.vehicle, options.method), kCorridorBuildings);
   if (!setting) return setting.problems();
-  setting->world.tour = one_direction(setting->world.tour);
+  setting->world.tour = longest_without_turning_back(setting->world.tour);
   setting->world.start.reset();
   if (Problems problems = keep_corridor_camera(*setting); !problems.empty())
     return at_file(problems, options.vehicle);
@@ -124,7 +124,7 @@ struct SectionTrial {
   }
 };
 
-/// One seed: taught, learned, driven there and back.
+/// One seed: teach, learn, drive there and back.
 Problems run_section_seed(const TrialOptions& options, const SectionTrialParams& params, std::uint64_t seed,
                           SectionTrial& trial, Progress& progress) {
   const auto setting = section_setting(options, seed);
@@ -135,15 +135,14 @@ Problems run_section_seed(const TrialOptions& options, const SectionTrialParams&
     trial.not_taught.add(seed, to_string(course.problems()));
     return {};
   }
-  const SectionLearningResult& taught_run = course->taught_run;
-  const SectionList& sections = taught_run.building.routes.front().sections;
+  const SectionLearningResult& taught = course->learned;
+  const SectionList& sections = taught.building.routes.front().sections;
   const std::string due = due_letters(setting->world.tour, params.learner.learning);
   const std::string learned = letters_of(sections);
   trial.letters += std::max(due.size(), learned.size());
-  trial.letters_wrong += letters_apart(due, learned);
-  SectionNavigator navigator(
-      params.navigator, vehicle, vehicle.cameras.front().name, sections,
-      guided_path(sections, taught_run.driven.T_route_start, SectionRun::kThereAndBack));
+  trial.letters_wrong += edit_distance(due, learned);
+  SectionNavigator navigator(params.navigator, vehicle, vehicle.cameras.front().name, sections,
+                             guided_path(sections, taught.driven.T_route_start, SectionRun::kThereAndBack));
   std::optional<SessionRecord> no_session;
   const auto result = drive_section_mission(*setting, navigator,
                                             {.seed = 1000 * (seed + 1), .T_world_map = course->T_world_map},

@@ -11,11 +11,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kBaseLine_m = 0.02;  // height at which a wall is its base line
-constexpr double kSameLine_m = 0.05;  // between walls of one line
-constexpr double kOtherThing_m = 0.25;
+constexpr double kBaseLine_m = 0.02;  // height of the cross section that gives the wall-floor edges
+constexpr double kSameLine_m = 0.05;  // greatest distance between walls on one line
+constexpr double kOtherObject_m = 0.25;
 
-/// The walls themselves: where there is a door, none stands.
+/// The wall-floor edges without doors: there is no wall at a door.
 std::vector<Segment2> base_lines_of(World world) {
   world.doors.clear();
   return cross_section(world, kBaseLine_m);
@@ -39,7 +39,7 @@ void WallKeeping::add(std::size_t piece, const Pose2& T_world, double learned_m)
     line_m = cross(along, wall.start) / std::copysign(along.norm(), across);
   }
   const double off_m = nearest_m - skirting_m_ - learned_m;
-  if (std::abs(off_m) <= kOtherThing_m) of_piece_[piece].push_back({line_m, off_m});
+  if (std::abs(off_m) <= kOtherObject_m) of_piece_[piece].push_back({line_m, off_m});
 }
 
 ErrorFigure WallKeeping::error_m() const {

@@ -27,7 +27,7 @@ Part part_of(const SessionSummary& summary, const SessionCutOptions& options) {
                                              : std::numeric_limits<ros::Stamp_ns>::max()};
 }
 
-/// Takes a half-made session away again, however its making ends.
+/// Removes an unfinished session, however its writing ends.
 class NewSession {
  public:
   explicit NewSession(SessionWriter writer) : writer_(std::move(writer)) {}
@@ -49,14 +49,14 @@ class NewSession {
   bool is_whole_ = false;
 };
 
-/// Messages that the part needs from the time before it.
+/// The messages from before the part that the part needs.
 class Earlier {
  public:
   void take(const SessionReader::Message& message) {
     if (message.topic.latched) messages_.emplace_back(message.topic, message.cdr);
   }
 
-  /// Gives them the part's first stamp.
+  /// Writes them with the part's first stamp.
   Problems write(SessionWriter& writer, ros::Stamp_ns stamp) {
     for (const auto& [topic, cdr] : std::exchange(messages_, {})) {
       if (Problems problems = writer.write(topic, stamp, cdr); !problems.empty()) return problems;

@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-constexpr std::size_t kGapsShown = 20;  // of a topic
+constexpr std::size_t kGapsShown = 20;  // per topic
 
 double to_thousandths(double value) {
   return std::round(value * 1000) / 1000;
@@ -39,7 +39,7 @@ nlohmann::ordered_json topic_json(const TopicSummary& topic) {
           {"gaps", gaps_json(topic.gaps)}};
 }
 
-/// What made the session, where aisle did.
+/// What recorded the session; null if it was not aisle.
 nlohmann::ordered_json origin_json(const Result<SessionCycles>& cycles) {
   if (!cycles) return nullptr;
   const SessionOrigin& origin = cycles->origin();
@@ -75,7 +75,7 @@ std::string topic_line(const TopicSummary& topic, std::size_t name_width) {
 std::string gap_lines(const TopicSummary& topic) {
   std::string text;
   for (std::size_t i = 0; i < std::min(topic.gaps.size(), kGapsShown); ++i) {
-    text += fmt::format("gap: {} says nothing for {:.3f} s from {:.3f} s on\n", topic.topic.name,
+    text += fmt::format("gap: no {} for {:.3f} s from {:.3f} s on\n", topic.topic.name,
                         topic.gaps[i].length_s, topic.gaps[i].start_s);
   }
   if (topic.gaps.size() > kGapsShown)

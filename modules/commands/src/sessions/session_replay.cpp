@@ -21,10 +21,10 @@ struct Difference {
   std::string replayed;
 };
 
-/// In the place of a session being recorded: compares what is decided with what was.
+/// Takes the place of a session's recording: compares each decision with the recorded one.
 class Comparison final : public MissionRecord {
  public:
-  /// @param shown  what is shown of the replay; nullopt: nothing
+  /// @param shown  session that shows the replay to a watcher; nullopt: not shown
   Comparison(const RecordedVehicle& vehicle, std::optional<SessionRecord>& shown)
       : vehicle_(vehicle), shown_(shown) {}
 
@@ -38,10 +38,10 @@ class Comparison final : public MissionRecord {
   }
 
   Problems keep(const Decision& decision) override {
-    if (shown_) (void)shown_->keep(decision);  // it only goes to who watches
+    if (shown_) (void)shown_->keep(decision);  // only shown, not recorded
     if (!vehicle_.recorded_decision()) return {};
     ++compared;
-    // The texts are equal just where all bits are.
+    // The texts are equal exactly if all bits are.
     std::string recorded = decision_text(*vehicle_.recorded_decision());
     std::string replayed = decision_text(decision);
     if (recorded == replayed) return {};
@@ -77,7 +77,7 @@ std::string comparison_text(const Comparison& comparison) {
       comparison.different, comparison.compared, first.cycle, first.stamp_s, first.recorded, first.replayed);
 }
 
-/// The navigator that drove, or another one with its defaults, which knows the same building and route.
+/// The navigator that drove, or another one with its default parameters and the same building and route.
 SessionOrigin driver_of(const SessionOrigin& recorded, const std::string& navigator) {
   if (navigator.empty() || navigator == recorded.navigator) return recorded;
   SessionOrigin other = recorded;

@@ -1,5 +1,5 @@
 #pragma once
-/// What every way of learning takes from a recorded session.
+/// What every learning method takes from a recorded session.
 
 #include <cstddef>
 #include <filesystem>
@@ -17,15 +17,15 @@ namespace aisle {
 /// The route that the session names; "route" if it names none.
 Result<std::string> route_of_session(const std::filesystem::path& session, const SessionOrigin& origin);
 
-/// Hands over the observations of a session that was just opened, one after the other. A session without
-/// cycles is a problem.
-/// @return how many images there were
+/// Passes the observations of a session that was just opened to `take`, in order. A session without cycles is
+/// a problem.
+/// @return number of images
 Result<std::size_t> take_observations(const std::filesystem::path& session, SessionCycles& cycles,
                                       Progress& progress,
                                       const std::function<void(const Observation&)>& take);
 
-/// Where the vehicle of a simulated session really was in each of its cycles: for evaluation only.
-/// @return empty if the session does not say it for all of them
+/// True poses of a simulated session, one per cycle: for evaluation only.
+/// @return empty if the session does not have them for all cycles
 Result<std::vector<Pose2>> true_poses(const std::filesystem::path& session, std::size_t cycles);
 
 }  // namespace aisle

@@ -13,7 +13,7 @@
 
 namespace aisle {
 
-/// One wall round about, its free side on its left.
+/// A world within one closed wall, whose free side is on its left.
 inline World walled_by(std::initializer_list<Vec2> corners, const Pose2& T_world_start) {
   World world;
   const Vec2* from = corners.end() - 1;
@@ -32,7 +32,7 @@ inline VehicleModel cart_with_scanner() {
   return *read;
 }
 
-/// An explorer by range scanner in a world, to be driven cycle by cycle.
+/// An explorer with a range scanner in a world, driven cycle by cycle.
 class ExplorerRun {
  public:
   ExplorerRun(const World& world, std::uint64_t seed, const ExplorerNavigatorParams& params = {})

@@ -49,7 +49,7 @@ TEST(ExplorationCheck, AStartInAWallIsRefusedWithThePlace) {
               HasSubstr("w.yaml: start: the vehicle does not fit at 5.00, 1.90"));
 }
 
-TEST(ExplorationCheck, BuildingsByChanceAreExplorable) {
+TEST(ExplorationCheck, RandomBuildingsAreExplorable) {
   for (const BuildingKind kind : kBuildingKinds) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       const World world = random_building({.kind = kind}, Random(seed));

@@ -118,7 +118,7 @@ TEST(WallErrors, AWallWhereThereIsNoneIsFalseByItsLength) {
   EXPECT_EQ(errors.missed_m, 0);
 }
 
-TEST(WallErrors, AWallLateralByTwoCentimetresIsWrongBySoMuchAndNeitherFalseNorMissed) {
+TEST(WallErrors, AWallOffByTwoCentimetresHasThatErrorAndIsNeitherFalseNorMissed) {
   const std::vector<Segment2> standing = {{{0, 0}, {10, 0}}};
   const WallMap learned{{Wall{.segment = {{0, 0.02}, {10, 0.02}}}}};
   const WallErrors errors = wall_errors(learned, {}, standing, [](const Vec2&) { return true; });

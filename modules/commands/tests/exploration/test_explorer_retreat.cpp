@@ -39,8 +39,8 @@ double off_m(const std::vector<Vec2>& path, const Vec2& p) {
 
 struct RoomRun {
   Decision last;
-  double back_m = 0;       ///< driven back along its trail
-  double off_trail_m = 0;  ///< at most, meanwhile
+  double back_m = 0;       ///< distance driven back along its trail
+  double off_trail_m = 0;  ///< greatest distance from the trail meanwhile
   std::size_t collisions = 0;
   double off_home_m = 0;
 };

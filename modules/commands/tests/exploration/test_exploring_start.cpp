@@ -18,7 +18,7 @@ World hall() {
   return world;
 }
 
-TEST(ExploringStart, StaysAsItIsWhereThereIsAPathAhead) {
+TEST(ExploringStart, IsTheGivenPoseIfThereIsAPathAhead) {
   const Pose2 start{6, 3, 0.3};
   EXPECT_THAT(start_with_a_path(hall(), {}, start), PoseNear(start, 0, 0));
 }
@@ -42,12 +42,12 @@ World closet(std::vector<Vec2> tour) {
   return world;
 }
 
-TEST(ExploringStart, WhereThereIsNoPathItIsSetDownFartherAlongTheTour) {
+TEST(ExploringStart, WithoutAPathItIsPutFartherAlongTheTour) {
   const Pose2 moved = start_with_a_path(closet({{0.4, 0.7}, {1, 0.7}, {4, 0.7}}), {}, {0.4, 0.7, 0});
   EXPECT_THAT(moved, PoseNear(Pose2{4, 0.7, 0}, 1e-9, 1e-9));
 }
 
-TEST(ExploringStart, StaysAsItIsWhereThereIsNoPathAnywhere) {
+TEST(ExploringStart, IsTheGivenPoseIfThereIsNoPathAnywhere) {
   const Pose2 start{0.4, 0.7, 0};
   EXPECT_THAT(start_with_a_path(closet({}), {}, start), PoseNear(start, 0, 0));
 }

@@ -54,7 +54,7 @@ bool is_floor_of_ring(const Vec2& p) {
   return p.x() < 10 && p.y() < 10 && !(is_in_block(p.x()) && is_in_block(p.y()));
 }
 
-/// What a vehicle that learned everything rightly would leave.
+/// The building that a vehicle without any error would learn.
 Building learned(const World& world, bool (*is_floor)(const Vec2&) = is_floor_of_l, double cell_m = 0.05) {
   Building building{.name = "corridors"};
   for (const Segment2& s : cross_section(world, 0.3))
@@ -105,7 +105,7 @@ TEST(GuideMission, GoesToAPlaceByItsNameOnAboutTheShortestPath) {
   EXPECT_LT(driven.result.distance_m, driven.shortest_m + 1);
 }
 
-TEST(GuideMission, SqueezesThroughWhereNoOtherPathIs) {
+TEST(GuideMission, TakesANarrowGapIfThereIsNoOtherPath) {
   const World narrowed = narrowed_l_building();
   const Driven driven = drive("go lift", narrowed, learned(narrowed, is_floor_of_narrowed_l, 0.025));
   EXPECT_TRUE(driven.result.end.arrived) << driven.result.end.why;
@@ -120,7 +120,7 @@ TEST(GuideMission, PatrolsAllCorridorsAndComesHome) {
   EXPECT_LT((driven.result.T_world_vehicle.back().position() - Vec2(1.5, 1)).norm(), 1.5);
 }
 
-TEST(GuideMission, GivesUpBeforeAPathThatIsClosedNowAndContactsNothing) {
+TEST(GuideMission, GivesUpBeforeAPathThatIsNowClosedAndTouchesNothing) {
   World closed = l_building();
   closed.walls.push_back({.floor_edge = {{12, 5}, {14, 5}}});
   const Driven driven = drive("go lift", closed);
@@ -146,7 +146,7 @@ TEST(GuideMission, GivesUpBeforeAKeepOutLineThatOnlyTheMapShows) {
   EXPECT_FALSE(ever_met(building.barriers[0], driven));
 }
 
-TEST(GuideMission, GoesTheOtherPathRoundRatherThanThroughGlass) {
+TEST(GuideMission, GoesTheOtherWayRoundRatherThanThroughGlass) {
   Building building = learned(ring_building(), is_floor_of_ring);
   building.barriers = {{.kind = Barrier::Kind::kGlass, .segment = {{4, 0}, {4, 2}}}};
   const Driven driven = drive("go 6,1", ring_building(), building);

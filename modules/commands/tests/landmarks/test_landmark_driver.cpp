@@ -44,7 +44,7 @@ TEST(LandmarkDriver, IsAmongTheNavigators) {
   EXPECT_THAT(navigator_names(), Contains("landmarks"));
 }
 
-TEST(LandmarkDriver, ItsOriginHoldsTheChangedParametersAlone) {
+TEST(LandmarkDriver, ItsOriginContainsOnlyTheChangedParameters) {
   LandmarkNavigatorParams params;
   params.look_s = 2.5;
   const SessionOrigin origin = LandmarkDriver::origin(params, mission());

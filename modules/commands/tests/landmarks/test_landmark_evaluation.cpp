@@ -16,7 +16,7 @@ Path in_and_out() {
   return Path({{{}, {6, 0}}, {end_of_dead_end, {-4, 0}}, {junction, {-3, 60 * kDegree}}});
 }
 
-/// Taught along the path; where the path came back the map has drifted by 3 cm with each metre.
+/// Taught along the path; on the way back the map has drifted by 3 cm per metre.
 MapTruth drifting_truth(const Path& path) {
   constexpr double kDrift = 0.03;
   std::vector<Pose2> T_map_taught, T_world_taught;
@@ -71,7 +71,7 @@ Path two_rounds() {
 }
 
 // The map of the second round lies elsewhere in the world than that of the first, by a drift of a metre.
-TEST(MissionJudge, TakesAVehicleThatFoundItselfToBeOnTheRoundThatItWasOn) {
+TEST(MissionJudge, KeepsARelocalisedVehicleOnItsRound) {
   const Path path = two_rounds();
   const MapTruth truth = drifting_truth(path);
   MissionJudge judge(truth, path, false);
@@ -87,7 +87,7 @@ TEST(MissionJudge, TakesAVehicleThatFoundItselfToBeOnTheRoundThatItWasOn) {
   EXPECT_LT(judge.errors().along_m.worst(), 0.01);
 }
 
-TEST(MissionJudge, SeesAVehicleThatThinksItIsElsewhere) {
+TEST(MissionJudge, NoticesAVehicleWithAWrongEstimate) {
   const Path path = in_and_out();
   const MapTruth truth = drifting_truth(path);
   MissionJudge judge(truth, path, false);

@@ -31,12 +31,12 @@ TEST(LandmarkTruth, ALandmarkIsRealIfALineStandsWithinFifteenCentimetres) {
   EXPECT_NEAR(found.rms_m, std::sqrt((0.05 * 0.05 + 0.14 * 0.14) / 2), 1e-12);
 }
 
-TEST(LandmarkTruth, LandmarksThatWentDoNotCount) {
+TEST(LandmarkTruth, RemovedLandmarksDoNotCount) {
   EXPECT_EQ(compare_with_truth(landmarks({{{0, 1}, 0}}), map_is_world(), kEdges).landmarks, 0);
 }
 
-TEST(LandmarkTruth, EachLandmarkIsLaidOntoTheWorldByTheNearestPoseOfTheRun) {
-  // map and world differ at the run's start by a turn, at its end by a shift
+TEST(LandmarkTruth, EachLandmarkIsPlacedInTheWorldByTheNearestPoseOfTheRun) {
+  // map and world differ by a turn at the run's start, by a shift at its end
   const MapTruth truth({{0, 0, 0}, {5, 0, 0}}, {{-1, 1, kPi / 2}, {5, 0.5, 0}});
   const LandmarkMap map = landmarks({{{0, -1}, 1}, {{5, 0.5}, 1}});
   const LandmarkTruth found = compare_with_truth(map, truth, kEdges);
@@ -44,7 +44,7 @@ TEST(LandmarkTruth, EachLandmarkIsLaidOntoTheWorldByTheNearestPoseOfTheRun) {
   EXPECT_NEAR(found.rms_m, 0, 1e-12);
 }
 
-TEST(LandmarkTruth, WithoutAnyRealOneTheErrorIsNought) {
+TEST(LandmarkTruth, WithoutAnyRealOneTheErrorIsZero) {
   EXPECT_EQ(compare_with_truth(landmarks({{{2, 2}, 1}}), map_is_world(), kEdges).rms_m, 0);
   EXPECT_EQ(compare_with_truth(landmarks({{{2, 2}, 1}}), map_is_world(), {}).real, 0);
 }

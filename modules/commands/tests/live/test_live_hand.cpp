@@ -23,11 +23,11 @@ class Hand : public testing::Test {
   LiveHand hand{inbox};
 };
 
-TEST_F(Hand, StandsBeforeAnybodySaysAnything) {
+TEST_F(Hand, StopsBeforeTheFirstCommand) {
   EXPECT_EQ(speed_at(0), 0);
 }
 
-TEST_F(Hand, DoesAsItIsReportedForThreeTenthsOfASecondOfTheVehiclesTime) {
+TEST_F(Hand, ObeysACommandForThreeTenthsOfASecondOfTheVehiclesTime) {
   say(1, 0.3);
   EXPECT_EQ(speed_at(10), 0.3);
   EXPECT_EQ(speed_at(10.29), 0.3);
@@ -36,7 +36,7 @@ TEST_F(Hand, DoesAsItIsReportedForThreeTenthsOfASecondOfTheVehiclesTime) {
   EXPECT_EQ(speed_at(10.4), 0.2);
 }
 
-TEST_F(Hand, CountsHowOldACommandWasWhenItCame) {
+TEST_F(Hand, CountsTheAgeOfACommandOnArrival) {
   say(1, 0.3, 0.25);
   EXPECT_EQ(speed_at(10), 0.3);
   EXPECT_EQ(speed_at(10.1), 0);
@@ -44,7 +44,7 @@ TEST_F(Hand, CountsHowOldACommandWasWhenItCame) {
   EXPECT_EQ(speed_at(10.2), 0) << "too old from the beginning";
 }
 
-TEST_F(Hand, HearsNothingWhileItIsHeld) {
+TEST_F(Hand, IgnoresCommandsWhileItIsHeld) {
   hand.hold(true);
   say(1, 0.3);
   EXPECT_EQ(speed_at(1), 0);
@@ -53,14 +53,14 @@ TEST_F(Hand, HearsNothingWhileItIsHeld) {
   EXPECT_EQ(speed_at(1.1), 0.3);
 }
 
-TEST_F(Hand, ForgetsWhatWasSaidBeforeTimeStoodStill) {
+TEST_F(Hand, DropsTheCommandFromBeforeTimeStoodStill) {
   say(1, 0.3);
   EXPECT_EQ(speed_at(10), 0.3);
   hand.forget_command();
   EXPECT_EQ(speed_at(10.1), 0);
 }
 
-TEST_F(Hand, HandsOnEachMarkAndTheEndOnce) {
+TEST_F(Hand, PassesOnEachMarkAndTheEndOnce) {
   hand.mark({Mark::Kind::kPlace, "desk"});
   hand.finish();
   const OperatorInput input = hand.look(1);
@@ -71,7 +71,7 @@ TEST_F(Hand, HandsOnEachMarkAndTheEndOnce) {
   EXPECT_FALSE(next.quit);
 }
 
-TEST_F(Hand, BeginsADriveWithoutWhatWasSaidBefore) {
+TEST_F(Hand, BeginsADriveWithoutEarlierInput) {
   say(1, 0.3);
   (void)hand.look(5);
   say(2, 0.3);

@@ -17,7 +17,7 @@ constexpr const char* kMaze =
     "| S     |\n"
     "o---o---o\n";
 
-TEST(LiveMaze, TellsEveryStepOfARun) {
+TEST(LiveMaze, ReportsEveryStepOfARun) {
   const auto run = maze_steps({{"maze", kMaze}, {"rules", "published"}});
   ASSERT_TRUE(run) << to_string(run.problems());
   EXPECT_EQ((*run)["width"], 2);
@@ -39,7 +39,7 @@ TEST(LiveMaze, SaysWhatIsWrongWithAMaze) {
   EXPECT_FALSE(maze_steps(Json::object()));
 }
 
-TEST(LiveArgumentsRead, TellsAllThatIsWrong) {
+TEST(LiveArgumentsRead, ReportsAllProblems) {
   const Json json = {{"name", "../x"}, {"count", -1}, {"flag", 1}, {"text", 5}, {"more", 1}};
   LiveArguments arguments(json);
   arguments.name("name");
@@ -71,7 +71,7 @@ TEST_F(LiveMissions, AreCheckedBeforeTheyBegin) {
   EXPECT_THAT(refusal({{"mission", "teach"}, {"session", "a"}}), HasSubstr("without a folder"));
 }
 
-TEST_F(LiveMissions, NeedWhatIsThereAndReplaceNothing) {
+TEST_F(LiveMissions, NeedExistingFilesAndOverwriteNone) {
   options.listening.sessions = options.listening.buildings = kGolden;
   EXPECT_THAT(refusal({{"mission", "go"}, {"building", "none"}, {"place", "a"}}),
               HasSubstr("there is no 'none'"));
@@ -97,7 +97,7 @@ TEST(LivePaceKept, WaitsForTheVehiclesTime) {
   EXPECT_DOUBLE_EQ(pace.wait_s(11), 0);
 }
 
-TEST(LivePaceKept, HurriesNobodyOnWhoWasLate) {
+TEST(LivePaceKept, DoesNotCatchUpALongDelay) {
   SteppedClock clock;
   LivePace pace(clock, 1);
   (void)pace.wait_s(0);
@@ -106,7 +106,7 @@ TEST(LivePaceKept, HurriesNobodyOnWhoWasLate) {
   EXPECT_NEAR(pace.wait_s(1.1), 0.1, 1e-9);
 }
 
-TEST(LivePaceKept, BeginsAgainWhereTimeBeginsAgain) {
+TEST(LivePaceKept, StartsAgainWhenTheVehiclesTimeStartsAgain) {
   SteppedClock clock;
   LivePace pace(clock, 1);
   (void)pace.wait_s(100);

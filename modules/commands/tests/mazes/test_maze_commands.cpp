@@ -46,7 +46,7 @@ TEST_F(MazeCommands, TablePrintsEveryRule) {
   EXPECT_EQ(std::count(outcome->text.begin(), outcome->text.end(), '\n'), 4 + 1560);
 }
 
-TEST_F(MazeCommands, TableAsJsonAndDotIsForMachines) {
+TEST_F(MazeCommands, TableIsAlsoWrittenAsJsonAndDot) {
   const auto json = run_maze_table({GridRuleSet::kShortcut, MazeTableFormat::kJson}, console_);
   EXPECT_EQ(nlohmann::json::parse(json->text)["counts"]["inputs"], 80);
   const auto dot = run_maze_table({GridRuleSet::kPublished, MazeTableFormat::kDot}, console_);
@@ -73,7 +73,7 @@ TEST_F(MazeCommands, ExploreGivesARowForEachMazeAndTheirSums) {
   EXPECT_EQ(outcome->figures["compare"]["shortcut"], total["moves"]);
 }
 
-TEST_F(MazeCommands, ExploreDrawsOnlyWhereNothingIsReplaced) {
+TEST_F(MazeCommands, ExploreOverwritesNoPictureUnlessForced) {
   MazeExploreOptions options;
   options.files = {generated(MazeKind::kRooms, 8, "a")};
   options.svg = directory_ / "run.svg";

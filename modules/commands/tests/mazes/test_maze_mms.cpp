@@ -51,7 +51,7 @@ TEST_P(Mouse, ExploresAllAndDrivesToTheMiddleWithoutAnIllegalCommand) {
   }
 }
 
-TEST(Mouse, BeginsAgainWhenTheResetButtonIsPressed) {
+TEST(Mouse, StartsAgainWhenTheResetButtonIsPressed) {
   MmsStandIn undisturbed(maze(2));
   ASSERT_TRUE(run_mouse(undisturbed).ok());
   for (const int moves : {1, 40, undisturbed.moves - 1, undisturbed.moves}) {
@@ -85,11 +85,10 @@ TEST(Mouse, FailsWhenItRunsIntoAWall) {
   EXPECT_EQ(outcome->figures["crashed"], true);
 }
 
-TEST(Mouse, SaysThatTheSimulatorWentAwayOrTalksNonsense) {
+TEST(Mouse, ReportsASimulatorThatEndsOrRepliesAgainstTheProtocol) {
   MmsStandIn leaving(maze(1));
   leaving.leave_after(5);
-  EXPECT_THAT(to_string(run_mouse(leaving).problems()),
-              HasSubstr("went away before it answered moveForward"));
+  EXPECT_THAT(to_string(run_mouse(leaving).problems()), HasSubstr("ended before it answered moveForward"));
   MmsStandIn babbling(maze(1));
   babbling.answer_moves_with("perhaps");
   EXPECT_THAT(to_string(run_mouse(babbling).problems()), HasSubstr("'perhaps' is no answer to"));

@@ -14,11 +14,10 @@ World corridor_with_alcove(double depth_m) {
   const double wall = -kSkirted_m;
   World world;
   world.skirting_height_m = 0.1;
-  for (const Segment2& floor_edge :
-       {Segment2{{10, wall}, {6, wall}}, Segment2{{6, wall}, {6, wall - depth_m}},
-        Segment2{{6, wall - depth_m}, {4, wall - depth_m}}, Segment2{{4, wall - depth_m}, {4, wall}},
-        Segment2{{4, wall}, {0, wall}}})
-    world.walls.push_back({.floor_edge = floor_edge});
+  for (const Segment2& edge : {Segment2{{10, wall}, {6, wall}}, Segment2{{6, wall}, {6, wall - depth_m}},
+                               Segment2{{6, wall - depth_m}, {4, wall - depth_m}},
+                               Segment2{{4, wall - depth_m}, {4, wall}}, Segment2{{4, wall}, {0, wall}}})
+    world.walls.push_back({.floor_edge = edge});
   return world;
 }
 
@@ -28,7 +27,7 @@ ErrorFigure error_along(const World& world, double learned_m, double lateral_m) 
   return keeping.error_m();
 }
 
-TEST(WallKeeping, CountsThePathToTheSkirtingBoardAgainstWhatWasLearned) {
+TEST(WallKeeping, ComparesTheDistanceToTheSkirtingBoardWithTheLearnedOne) {
   const World world = corridor_with_alcove(0);
   EXPECT_NEAR(error_along(world, 1, 0).rms(), 0, 1e-9);
   EXPECT_NEAR(error_along(world, 0.97, 0).rms(), 0.03, 1e-9);
@@ -44,14 +43,14 @@ TEST(WallKeeping, AnAlcoveIsNotTheWallThatADistanceIsKeptFrom) {
   }
 }
 
-TEST(WallKeeping, WallsOfOneLineMayRunEitherPath) {
+TEST(WallKeeping, WallsOfOneLineMayRunEitherWay) {
   World world = corridor_with_alcove(0.2);
   Segment2& last = world.walls.back().floor_edge;
   std::swap(last.start, last.end);
   EXPECT_EQ(error_along(world, 1, 0).count(), 80U);
 }
 
-TEST(WallKeeping, AWallThatStepsLateralByLittleCounts) {
+TEST(WallKeeping, AWallThatStepsSidewaysByLittleCounts) {
   EXPECT_NEAR(error_along(corridor_with_alcove(0.04), 1, 0).worst(), 0.04, 1e-9);
 }
 

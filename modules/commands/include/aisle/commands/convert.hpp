@@ -13,29 +13,29 @@
 namespace aisle {
 
 enum class PlanKind {
-  kAny,        ///< known from the file's content and name
+  kAny,        ///< detected from the file's content and name
   kSegments,   ///< wall-segment text
   kImage,      ///< PBM, PGM, PNG: dark is wall
-  kMapServer,  ///< map_server's YAML with its image
-  kMaze,       ///< cells with walls on their sides, in any of the maze formats
+  kMapServer,  ///< map_server YAML with its image
+  kMaze,       ///< any of the maze formats: cells with walls on their sides
 };
 
 struct ConvertOptions {
-  std::filesystem::path plan;  ///< not used if there is a seed
+  std::filesystem::path plan;  ///< unused if `seed` is set
   PlanKind from = PlanKind::kAny;
-  double resolution_m = 0.05;  ///< side of a pixel of kPicture
+  double resolution_m = 0.05;  ///< side of a pixel of a kImage
   PlanTracingParams tracing;
-  double speck_m = 0.1;  ///< what is left out of a plan of cells, see clean_plan()
+  double speck_m = 0.1;  ///< what fits into a square of this side is removed, see clean_plan()
   MazeBuildingParams maze;
   RoundTripParams run;
-  std::optional<std::uint64_t> seed;  ///< of a random building
+  std::optional<std::uint64_t> seed;  ///< makes a random building of this seed
   RandomBuildingRecipe recipe;
-  bool dress = false;  ///< doors, lamps and posters for a plan; random buildings have them
+  bool dress = false;  ///< add doors, lamps and posters to a plan; random buildings have them
   std::filesystem::path out;
   bool force = false;
 };
 
-/// `aisle convert PLAN|--random SEED -o WORLD`: a world to drive in from a plan, or by chance.
+/// `aisle convert PLAN|--random SEED -o WORLD`: makes a world from a plan, or at random.
 Result<Outcome> run_convert(const ConvertOptions& options, Console& console);
 
 }  // namespace aisle

@@ -16,18 +16,18 @@ enum class Feature { kVerticals, kBaseLines, kStripes, kRegion, kPlaces };
 struct DetectOptions {
   Feature feature = Feature::kRegion;
   std::vector<std::string> files;
-  std::optional<std::filesystem::path> camera;   ///< its calibration; none: found without
+  std::optional<std::filesystem::path> camera;   ///< file with the camera's calibration; optional
   std::optional<std::filesystem::path> overlay;  ///< directory for drawings and masks; none: figures only
-  bool follow = false;  ///< verticals, places: the images are one drive's, in order; lines are numbered
-                        ///< through them, places that go on along the path confirm each other
-  std::vector<std::filesystem::path> taught;  ///< places: their images, or directories of them, in order
+  bool follow = false;  ///< verticals, places: the images are of one drive, in order. Lines keep their
+                        ///< numbers, consecutive places along the path confirm each other
+  std::vector<std::filesystem::path> taught;  ///< places: images (or directories) of the places, in order
   bool force = false;
   ParameterSources parameters;
 };
 
-/// `aisle detect FEATURE IMAGE...`: what a feature's detector finds in each image, in pixels of the image
-/// as given. One image that cannot be read, or that is not of the camera's size, is a problem, and then
-/// nothing is written.
+/// `aisle detect FEATURE IMAGE...`: runs a feature's detector on each image; figures are in pixels of the
+/// image as given. If one image cannot be read or has not the camera's size, that is a problem and nothing is
+/// written.
 Result<Outcome> run_detect(const DetectOptions& options, Console& console);
 
 /// Every parameter of a feature's detector with its default.

@@ -30,25 +30,25 @@ struct DriveParams {
 };
 
 struct DriveOptions {
-  std::string world;  ///< as all three: a file or the name of a shipped one
+  std::string world;  ///< world, vehicle and scenario: file or shipped name
   std::string vehicle = "alv";
-  std::string scenario;                ///< empty: nothing goes wrong
-  std::string camera;                  ///< the only one that takes images; empty: all do
-  std::string route;                   ///< what the session calls the path that is driven; may be empty
-  std::optional<Pose2> T_world_start;  ///< else the world's
+  std::string scenario;                ///< file or shipped name; empty: no faults
+  std::string camera;                  ///< the only camera that takes images; empty: all cameras do
+  std::string route;                   ///< name of the driven route in the session; may be empty
+  std::optional<Pose2> T_world_start;  ///< none: the world's start
   std::uint64_t seed = 1;
-  std::filesystem::path out;  ///< of the session; empty: none is kept
+  std::filesystem::path out;  ///< directory of the session; empty: not recorded
   bool force = false;
   bool takes_images = true;
   ParameterSources parameters;
 
-  /// Makes the person at the keys; null: a person follows the world's tour by itself.
+  /// Makes the operator at the keys; null: a scripted person follows the world's tour.
   using KeyOperator =
       std::function<Result<std::unique_ptr<Operator>>(const VehicleDescription&, const KeySpeeds&)>;
   KeyOperator keys;
 };
 
-/// `aisle drive WORLD`: drives a simulated vehicle by hand.
+/// `aisle drive WORLD`: a person drives a simulated vehicle.
 Result<Outcome> run_drive(const DriveOptions& options, Console& console);
 
 /// Every parameter of `aisle drive` with its default.

@@ -14,24 +14,25 @@
 namespace aisle {
 
 struct ExploreOptions {
-  std::string world;           ///< a world, or a plan that one is made of
-  double plan_pixel_m = 0.05;  ///< side of its pixels where it does not say it
+  std::string world;           ///< world or floor plan: file or shipped name
+  double plan_pixel_m = 0.05;  ///< side of a plan's pixel, unless its file gives it
   ExploringSensor sensor = ExploringSensor::kScanner;
-  std::string vehicle;              ///< empty: the shipped one with this sensor
-  std::string camera = "corridor";  ///< that sees the markers' stripes
-  std::string scenario;             ///< empty: nothing goes wrong
+  std::string vehicle;              ///< empty: the shipped vehicle with this sensor
+  std::string camera = "corridor";  ///< with kMarkers: the camera that sees the laser stripes
+  std::string scenario;             ///< file or shipped name; empty: no faults
   ExploringOrder order = ExploringOrder::kRecommended;
-  std::optional<Pose2> T_world_start;  ///< none: where the world says
-  bool compares = false;               ///< drive by nearest frontier, too
+  std::optional<Pose2> T_world_start;  ///< none: the world's start
+  bool compares = false;               ///< explore by nearest frontier, too
   std::uint64_t seed = 1;
-  std::filesystem::path out;      ///< empty: nothing is kept
-  std::filesystem::path session;  ///< the run is recorded there; empty: it is not
-  std::filesystem::path resumed;  ///< a recorded run that was interrupted, to go on with; empty: none
+  std::filesystem::path out;      ///< output directory; empty: figures only
+  std::filesystem::path session;  ///< directory of the session; empty: not recorded
+  std::filesystem::path resumed;  ///< session of an interrupted run to continue; empty: none
   bool force = false;
   ParameterSources parameters;
 };
 
-/// `aisle explore WORLD`: learns a building that nobody has shown, and comes home, in the simulator.
+/// `aisle explore WORLD`: explores an unknown building in the simulator, comes home and keeps its map. The
+/// outcome is ok if the exploration earned its certificate.
 Result<Outcome> run_explore(const ExploreOptions& options, Console& console);
 
 /// Every parameter of `aisle explore` with its default.

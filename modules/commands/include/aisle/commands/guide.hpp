@@ -11,25 +11,26 @@ namespace aisle {
 
 struct GuideOptions {
   std::filesystem::path building;
-  std::string place;           ///< of `go`
-  int rounds = 1;              ///< of `patrol`
-  std::string world;           ///< or a plan that one is made of
-  double plan_pixel_m = 0.05;  ///< side of its pixels where it does not say it
+  std::string place;           ///< `go`: the goal, a name or "x,y" in the map [m]
+  int rounds = 1;              ///< `patrol`
+  std::string world;           ///< world or floor plan: file or shipped name
+  double plan_pixel_m = 0.05;  ///< side of a plan's pixel, unless its file gives it
   std::string vehicle = "alv-scanner";
-  std::string scenario;  ///< empty: nothing goes wrong
+  std::string scenario;  ///< file or shipped name; empty: no faults
   std::uint64_t seed = 1;
-  std::filesystem::path out;  ///< of the session; empty: none is kept
+  std::filesystem::path out;  ///< directory of the session; empty: not recorded
   bool force = false;
   ParameterSources parameters;
 };
 
-/// `aisle go BUILDING PLACE --world WORLD`: drives from home to a place of a building that was explored.
+/// `aisle go BUILDING PLACE --world WORLD`: drives from home to a place in an explored building.
 Result<Outcome> run_go(const GuideOptions& options, Console& console);
 
-/// `aisle patrol BUILDING --world WORLD --rounds N`: drives all corridors about once a round, and home.
+/// `aisle patrol BUILDING --world WORLD --rounds N`: drives along all corridors, about once per round, and
+/// home.
 Result<Outcome> run_patrol(const GuideOptions& options, Console& console);
 
-/// Every parameter of both with its default.
+/// Every parameter of `aisle go` and `aisle patrol` with its default.
 Outcome guide_parameters();
 
 }  // namespace aisle

@@ -12,7 +12,7 @@
 namespace aisle {
 
 enum class MapRules {
-  kPublished,  ///< C99's Algorithms 2 and 3 as they stand
+  kPublished,  ///< C99's Algorithms 2 and 3 as published
   kRefined,
 };
 
@@ -20,15 +20,15 @@ struct MapOptions {
   std::filesystem::path log;
   MapRules rules = MapRules::kRefined;
   CarmenOptions reading;
-  std::optional<double> odometry_delay_s;  ///< none: found from the log
-  std::optional<std::filesystem::path> relations;
-  std::filesystem::path out;  ///< empty: figures only
+  std::optional<double> odometry_delay_s;  ///< of the odometry behind its scan; none: estimated from the log
+  std::optional<std::filesystem::path> relations;  ///< file of known relative poses, for evaluation
+  std::filesystem::path out;                       ///< output directory; empty: figures only
   bool force = false;
-  bool stages = false;  ///< figures of every stage as well
+  bool stages = false;  ///< add the figures of every stage
   ParameterSources parameters;
 };
 
-/// `aisle map LOG`: a building's wall map from a recorded laser log.
+/// `aisle map LOG`: builds the wall map of a building from a recorded laser log.
 Result<Outcome> run_map(const MapOptions& options, Console& console);
 
 /// Every parameter of `aisle map` with its default.

@@ -13,20 +13,21 @@ namespace aisle {
 struct NavigateOptions {
   std::filesystem::path building;
   std::string world;
-  std::string vehicle;   ///< empty: the method's own: alv, or mini for sections
-  std::string scenario;  ///< empty: nothing goes wrong
+  std::string vehicle;   ///< empty: the method's default, alv or mini (sections)
+  std::string scenario;  ///< file or shipped name; empty: no faults
   std::string method = "landmarks";
-  std::string route;  ///< empty: the building's first
+  std::string route;  ///< name; empty: the building's first
   bool in_reverse = false;
-  bool and_back = false;  ///< sections: there, turned about, and home again
+  bool and_back = false;  ///< sections: turn around at the end and drive back home
   std::optional<double> speed_mps;
   std::uint64_t seed = 1;
-  std::filesystem::path out;  ///< of the session; empty: none is kept
+  std::filesystem::path out;  ///< directory of the session; empty: not recorded
   bool force = false;
   ParameterSources parameters;
 };
 
-/// `aisle navigate BUILDING --world WORLD`: drives a learned route alone, in the simulator.
+/// `aisle navigate BUILDING --world WORLD`: drives a learned route autonomously in the simulator. The outcome
+/// is ok if the vehicle arrived without a collision.
 Result<Outcome> run_navigate(const NavigateOptions& options, Console& console);
 
 /// Every parameter of `aisle navigate` with its default.

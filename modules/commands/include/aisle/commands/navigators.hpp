@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-/// The names that make_navigator knows.
+/// The names that make_navigator() knows.
 std::vector<std::string> navigator_names();
 
 /// The navigator that `origin` names, with its parameters and seed. An unknown name is a problem that lists

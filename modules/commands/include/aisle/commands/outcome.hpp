@@ -11,23 +11,23 @@
 
 namespace aisle {
 
-/// What a verb did. The same for every verb; printed as text for people or as one JSON object for machines.
+/// The result of a verb, printed as text for people or as one JSON object for programs.
 struct Outcome {
   std::string verb;
-  bool ok = true;  ///< false: the mission failed (exit code 1); the figures are there all the same
+  bool ok = true;  ///< false: the mission failed (exit code 1); the figures are valid all the same
   nlohmann::ordered_json figures = nlohmann::ordered_json::object();
-  std::map<std::string, std::string> files;  ///< what was written: role -> path
+  std::map<std::string, std::string> files;  ///< written files: role -> path
   std::string text;                          ///< for people
 };
 
 /// {"verb": ..., "ok": ..., "figures": {...}, "files": {...}} on one line.
 std::string to_json(const Outcome& outcome);
 
-/// What a verb may use of its surroundings.
+/// What a verb may use of its environment.
 struct Console {
   Progress& progress;
   std::function<void(const std::string&)> warn;
-  MessageSink* watcher = nullptr;  ///< is shown what a mission records; null: nobody watches
+  MessageSink* watcher = nullptr;  ///< receives what a mission records; null: nobody watches
 };
 
 }  // namespace aisle

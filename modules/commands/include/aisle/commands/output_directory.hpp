@@ -15,24 +15,24 @@ namespace aisle {
 
 /// One file of a verb's results.
 struct OutputFile {
-  std::string role;  ///< what it is to the verb: "building"
+  std::string role;  ///< its meaning to the verb: "building"
   std::string name;  ///< in the output directory
   std::string bytes;
 };
 
-/// A verb's `--out DIR`. Checked before the work starts, so that an hour's work is never lost to a bad path;
-/// existing results are replaced only with `--force`. A directory that was made for results which then do not
-/// come goes again.
+/// A verb's `--out DIR`. It is checked before the work starts, so that an hour's work is never lost to a bad
+/// path. Existing results are overwritten only with `--force`. A directory that was created for results is
+/// removed if none are written.
 class OutputDirectory {
  public:
   OutputDirectory(OutputDirectory&&) noexcept = default;
   ~OutputDirectory();
 
-  /// `names` are the files that the verb is going to write. The directory is created.
+  /// Creates the directory. `names` are the files that the verb is going to write.
   static Result<OutputDirectory> open(const std::filesystem::path& directory, bool force,
                                       const std::vector<std::string>& names);
 
-  /// The same for a verb that can do without: none where none is named.
+  /// The same for a verb with an optional directory: nullopt if `directory` is empty.
   static Result<std::optional<OutputDirectory>> open_if_named(const std::filesystem::path& directory,
                                                               bool force,
                                                               const std::vector<std::string>& names);

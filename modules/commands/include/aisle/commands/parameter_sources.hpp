@@ -8,12 +8,12 @@
 
 namespace aisle {
 
-/// Where a verb's parameters come from, later ones over earlier ones: defaults < files < settings.
+/// Where a verb's parameters come from. Later ones override earlier ones: defaults < files < settings.
 struct ParameterSources {
   std::vector<std::filesystem::path> files;  ///< --params FILE
   std::vector<std::string> settings;         ///< --set key=value
 
-  /// Assigns everything; all problems at once, empty on success.
+  /// Assigns all values. @return all problems at once; empty on success
   Problems apply_to(FieldList& fields) const;
 };
 

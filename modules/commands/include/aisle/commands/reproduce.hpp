@@ -12,17 +12,19 @@ namespace aisle {
 struct ReproduceOptions {
   std::string experiment;  ///< "c98", "c99" or "l03"
   std::uint64_t seed = 1;
-  std::filesystem::path out;  ///< directory for images and the learned building; empty: nothing is written
+  std::filesystem::path out;  ///< output directory; empty: figures only
   bool force = false;
   ParameterSources parameters;
 };
 
-/// `aisle reproduce c98`: the experiment of C98 section VI in simulation. One corridor is learned, then
-/// driven five times, refined by each run; what becomes of the landmarks and how well it drives, beside the
-/// paper's figures. Draws C98 Figs. 11 and 12. `c99`: corridors
-/// explored in C99's published order, by laser markers and one camera; draws C99 Figs. 5, 7
-/// and 10. `l03`: a corridor of L03 learned from one drive and driven there and back; draws L03 Figs. 4
-/// and 7. The outcome is ok if all runs arrived and touched nothing.
+/// `aisle reproduce EXPERIMENT`: repeats a published experiment in simulation, beside the paper's figures.
+/// - `c98`: C98 section VI. A corridor is learned, then driven five times and refined by each run. Draws C98
+///   Figs. 11 and 12.
+/// - `c99`: corridors are explored in C99's published order with line lasers and one camera. Draws C99
+///   Figs. 5, 7 and 10.
+/// - `l03`: a corridor of L03 is learned from one drive and driven there and back. Draws L03 Figs. 4 and 7.
+///
+/// The outcome is ok if all runs arrived without a collision.
 Result<Outcome> run_reproduce(const ReproduceOptions& options, Console& console);
 
 /// Every parameter of `aisle reproduce` with its default.

@@ -7,13 +7,12 @@
 
 namespace aisle {
 
-/// The file that `name` means: a path as it stands, or the shipped file of that name ("mini" or "mini.yaml")
-/// in the directory `kind` ("vehicles"), looked for beside the running program, where it was built or
-/// installed. A file of one's own goes before a shipped one. A word that is neither is refused, with the
-/// names that there are.
+/// Resolves `name` to a file. A name with a slash, or of an existing file, is taken as a path; any other must
+/// be that of a shipped file ("mini" or "mini.yaml") in the directory `kind` ("vehicles") beside the running
+/// program, where it was built or installed. An unknown name is a problem that lists the shipped names.
 Result<std::filesystem::path> shipped_or_own(const std::string& kind, const std::string& name);
 
-/// The same, and what `read` finds in the file: read_world, read_vehicle, read_scenario.
+/// Resolves `name` and reads the file with `read`: read_world, read_vehicle or read_scenario.
 template <class Read>
 auto read_shipped_or_own(const std::string& kind, const std::string& name, Read read)
     -> decltype(read(std::filesystem::path())) {
@@ -22,7 +21,7 @@ auto read_shipped_or_own(const std::string& kind, const std::string& name, Read 
   return read(*file);
 }
 
-/// The folder of the live page as it was built or installed; empty if it was not.
+/// The folder of the live page, built or installed; empty if there is none.
 std::filesystem::path shipped_page();
 
 }  // namespace aisle

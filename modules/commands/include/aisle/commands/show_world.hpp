@@ -11,10 +11,10 @@ struct ShowWorldOptions {
   std::filesystem::path world;
   std::optional<std::filesystem::path> svg;
   std::optional<std::filesystem::path> png;
-  bool force = false;  ///< replace images that are there already
+  bool force = false;  ///< overwrite existing images
 };
 
-/// `aisle sim show WORLD`: draws a world's plan and says what is in it and where a vehicle can get.
+/// `aisle sim show WORLD`: draws a world's plan, lists its contents and measures where a vehicle can get to.
 Result<Outcome> run_show_world(const ShowWorldOptions& options, Console& console);
 
 }  // namespace aisle

@@ -17,7 +17,7 @@ struct SimulateLogOptions {
   ParameterSources parameters;
 };
 
-/// `aisle sim log WORLD`: records a laser log on a simulated run along the world's tour.
+/// `aisle sim log WORLD`: records the laser log of a simulated run along the world's tour.
 Result<Outcome> run_simulate_log(const SimulateLogOptions& options, Console& console);
 
 /// Every parameter of `aisle sim log` with its default.

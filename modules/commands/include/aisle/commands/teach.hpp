@@ -7,13 +7,13 @@
 namespace aisle {
 
 struct TeachOptions {
-  DriveOptions drive;  ///< `out` is needed
+  DriveOptions drive;  ///< `out` must be set
   std::string method = "landmarks";
-  std::string route = "route";      ///< its name
-  bool shows_view_pattern = false;  ///< of a taught place, by a scripted person
+  std::string route = "route";      ///< name of the taught route
+  bool shows_view_pattern = false;  ///< a scripted person shows a taught place from 63 poses around it
 };
 
-/// `aisle teach WORLD`: a person drives a route once, and the session keeps what the method will learn from.
+/// `aisle teach WORLD`: a person drives a route once, and the session records what the method learns from.
 Result<Outcome> run_teach(const TeachOptions& options, Console& console);
 
 }  // namespace aisle

@@ -17,25 +17,25 @@ struct TrialOptions {
   std::string method = "landmarks";
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 1;
-  std::vector<std::string> worlds;  ///< taken in turn; none: a building by chance for each seed
-  double plan_pixel_m = 0.05;       ///< side of the pixels of a plan that a world is made of (explore)
+  std::vector<std::string> worlds;  ///< taken in turn; empty: a random building for each seed
+  double plan_pixel_m = 0.05;       ///< side of a plan's pixel, unless its file gives it (explore)
   ExploringSensor sensor = ExploringSensor::kScanner;  ///< explore
-  std::string vehicle;                                 ///< empty: the method's own: alv, or mini for sections
-  std::string scenario;                                ///< empty: nothing goes wrong
+  std::string vehicle;   ///< empty: the method's default, alv or mini (sections)
+  std::string scenario;  ///< file or shipped name; empty: no faults
   ParkingStrategy strategy = ParkingStrategy::kFrame;  ///< park
-  int teachings = 1;                                   ///< of the path before it is driven alone (sections)
-  int refinements = 0;  ///< runs after the first, each taken in before the next
+  int teachings = 1;    ///< taught runs before the route is driven autonomously (sections)
+  int refinements = 0;  ///< runs after the first, each refining the building before the next (landmarks)
   std::optional<double> speed_mps;
   bool in_reverse = false;
-  bool close = false;                ///< turnings: two that are too close for the vehicle
-  std::optional<double> lift_m;      ///< somewhere on its path the vehicle is put so much farther on or back
-  std::optional<BuildingKind> kind;  ///< of buildings by chance; none: all in turn
-  double noise_scale = 1;            ///< of the odometry's errors (explore)
+  bool close = false;            ///< turnings: pairs that are too close for the vehicle
+  std::optional<double> lift_m;  ///< kidnap: the vehicle is put so far ahead or back on its path (landmarks)
+  std::optional<BuildingKind> kind;  ///< of random buildings; none: all kinds in turn
+  double noise_scale = 1;            ///< factor on the odometry's errors (explore)
   ParameterSources parameters;
 };
 
-/// `aisle trial METHOD --seeds A..B`: whole simulated missions, one a seed: taught, learned, driven alone,
-/// refined. The outcome is ok if every mission arrived and touched nothing.
+/// `aisle trial METHOD --seeds A..B`: runs complete simulated missions, one per seed: teach, learn, drive
+/// autonomously, refine. The outcome is ok if every mission arrived without a collision.
 Result<Outcome> run_trial(const TrialOptions& options, Console& console);
 
 /// Every parameter of `aisle trial` with its default.

@@ -14,12 +14,12 @@ struct CalibrateCameraOptions {
   Chessboard board;
   LensCalibrationParams lens;
   std::string camera_name = "camera";
-  std::filesystem::path out;  ///< empty: figures only
+  std::filesystem::path out;  ///< output directory; empty: figures only
   bool force = false;
 };
 
-/// `aisle calibrate camera IMAGES`: a camera's lens from images of a chessboard. A poor result is a failed
-/// mission, with its figures; too few images with a board are bad input.
+/// `aisle calibrate camera IMAGES`: calibrates a camera's lens from images of a chessboard. A poor result is
+/// an outcome that is not ok, with its figures. Too few images with a board are a problem.
 Result<Outcome> run_calibrate_camera(const CalibrateCameraOptions& options, Console& console);
 
 }  // namespace aisle

@@ -2,7 +2,7 @@
 
 namespace aisle {
 
-/// What shows a vehicle that explores its surroundings.
+/// The sensor to explore with: a range scanner, or line lasers with a camera.
 enum class ExploringSensor { kScanner, kMarkers };
 
 }  // namespace aisle

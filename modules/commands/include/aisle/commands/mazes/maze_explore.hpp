@@ -11,26 +11,26 @@
 
 namespace aisle {
 
-/// Where a run can be watched.
+/// A terminal that shows a run.
 struct Terminal {
   int columns = 80;
   int rows = 24;
-  std::function<void(const std::string&)> show;  ///< shows a frame and waits as long as it shall be seen
+  std::function<void(const std::string&)> show;  ///< shows a frame, returns when the next is due
 };
 
 struct MazeExploreOptions {
   std::vector<std::string> files;
   GridRuleSet rules = GridRuleSet::kPublished;
-  std::optional<Cell> start;  ///< none: what each file says
-  bool compare = false;       ///< with the other rule sets, nearest frontier, and what no walk can undercut
-  std::optional<std::filesystem::path> svg;  ///< an image of the run; for one maze
-  std::optional<std::filesystem::path> gif;  ///< the same, moving
-  bool force = false;                        ///< replace images that are there already
-  std::optional<Terminal> watch;             ///< for one maze
+  std::optional<Cell> start;  ///< none: from each file
+  bool compare = false;       ///< with the other rule sets, nearest frontier and the lower bound
+  std::optional<std::filesystem::path> svg;  ///< file for a picture of the run; one maze only
+  std::optional<std::filesystem::path> gif;  ///< file for the same as an animation
+  bool force = false;                        ///< overwrite existing images
+  std::optional<Terminal> watch;             ///< one maze only
 };
 
-/// `aisle maze explore`: explores every reachable cell of each maze and comes back. The outcome is not ok if
-/// any was not explored as the rules promise.
+/// `aisle maze explore`: explores every reachable cell of each maze and returns to its start. The outcome is
+/// ok if every maze was explored as the rules promise.
 Result<Outcome> run_maze_explore(const MazeExploreOptions& options, Console& console);
 
 }  // namespace aisle

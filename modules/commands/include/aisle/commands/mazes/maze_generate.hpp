@@ -15,7 +15,7 @@ struct MazeGenerateOptions {
   bool force = false;
 };
 
-/// `aisle maze generate`: a world by seed, as maze text.
+/// `aisle maze generate`: generates a random maze, as maze text.
 Result<Outcome> run_maze_generate(const MazeGenerateOptions& options, Console& console);
 
 }  // namespace aisle

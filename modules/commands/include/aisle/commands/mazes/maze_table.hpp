@@ -12,9 +12,9 @@ struct MazeTableOptions {
   MazeTableFormat format = MazeTableFormat::kText;
 };
 
-/// `aisle maze table`: every transition and output rule of a rule set, those that no world leads to marked as
-/// such. kDot is the diagram of the states for Graphviz, its edges labelled by super rules; kSvg shows the
-/// input symbols.
+/// `aisle maze table`: lists every transition and output rule of a rule set, and marks those that no world
+/// leads to. kDot is the state diagram for Graphviz, with super rules at its edges; kSvg draws the input
+/// symbols.
 Result<Outcome> run_maze_table(const MazeTableOptions& options, Console& console);
 
 }  // namespace aisle

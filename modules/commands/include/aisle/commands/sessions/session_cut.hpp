@@ -15,7 +15,8 @@ struct SessionCutOptions {
   bool force = false;
 };
 
-/// `aisle cut SESSION`: a part of a session as a session. Latched messages from before the part go with it.
+/// `aisle cut SESSION`: copies a part of a session into a new session, with the latched messages that were
+/// sent before it.
 Result<Outcome> run_session_cut(const SessionCutOptions& options, Console& console);
 
 }  // namespace aisle

@@ -10,7 +10,7 @@ struct SessionInfoOptions {
   std::filesystem::path session;
 };
 
-/// `aisle info SESSION`: what a session holds. Any ROS 2 bag in the SQLite layout will do.
+/// `aisle info SESSION`: what a session contains. Reads any ROS 2 bag in the SQLite layout.
 Result<Outcome> run_session_info(const SessionInfoOptions& options);
 
 }  // namespace aisle

@@ -1,4 +1,4 @@
-#include "hands.hpp"
+#include "operator_options.hpp"
 
 #include <unistd.h>
 
@@ -15,7 +15,7 @@ using namespace aisle;
 
 namespace {
 
-/// Keys with their times, from a file or from stdin.
+/// Timed keys from a file, or from stdin if no file is named.
 Result<std::unique_ptr<Operator>> timed_keys(const std::string& file, const VehicleDescription& vehicle,
                                              const KeySpeeds& speeds) {
   constexpr std::size_t kBytesMax = 16 << 20;
@@ -34,26 +34,27 @@ Result<std::unique_ptr<Operator>> timed_keys(const std::string& file, const Vehi
 
 }  // namespace
 
-void add_hand_options(CLI::App& verb, HandOptions& options) {
-  add_choice<Hands>(verb, "--operator", options.person,
-                    {{"keys", Hands::kKeys}, {"scripted", Hands::kScripted}, {"page", Hands::kPage}},
-                    "keys: arrows, q, space in the terminal, or timed keys from stdin; scripted: a person "
-                    "follows the world's tour; page: whoever drives from the page of --live (default: keys "
-                    "in a terminal, else scripted)");
+void add_operator_options(CLI::App& verb, OperatorOptions& options) {
+  add_choice<OperatorKind>(
+      verb, "--operator", options.kind,
+      {{"keys", OperatorKind::kKeys}, {"scripted", OperatorKind::kScripted}, {"page", OperatorKind::kPage}},
+      "who drives. keys: arrow keys, q and space in the terminal, or timed keys from stdin; scripted: "
+      "a scripted person follows the world's tour; page: a person on the page of --live "
+      "(default: keys in a terminal, else scripted)");
   verb.add_option("--keys", options.keys,
-                  "file of timed keys to press, such as '0-3 up'; faster than real time");
+                  "file of timed key presses, such as '0-3 up'; runs faster than real time");
 }
 
-void check_page_driver(const HandOptions& options, const LiveOption& live) {
-  if (options.person == Hands::kPage && !live.is_wanted())
+void check_page_driver(const OperatorOptions& options, const LiveOption& live) {
+  if (options.kind == OperatorKind::kPage && !live.is_wanted())
     throw CLI::ValidationError("--operator", "page needs --live");
 }
 
-DriveOptions::KeyOperator key_operator(const HandOptions& options, bool quiet) {
-  const auto& [person, file] = options;
+DriveOptions::KeyOperator key_operator(const OperatorOptions& options, bool quiet) {
+  const auto& [kind, file] = options;
   const bool has_terminal = isatty(STDIN_FILENO) != 0;
-  if (person == Hands::kScripted || person == Hands::kPage ||
-      (person == Hands::kAsFits && file.empty() && !has_terminal))
+  if (kind == OperatorKind::kScripted || kind == OperatorKind::kPage ||
+      (kind == OperatorKind::kAsFits && file.empty() && !has_terminal))
     return {};
   if (!file.empty() || !has_terminal) {
     return [file = options.keys](const VehicleDescription& vehicle, const KeySpeeds& speeds) {
