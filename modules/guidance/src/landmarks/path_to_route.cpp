@@ -40,8 +40,8 @@ PathToRoute::State PathToRoute::step(const Pose2& T_map_vehicle, double steering
   command = {.steering_rad = steering_rad};
   if (state_ == State::kSearching) state_ = search();
   if (state_ != State::kDriving) return state_;
-  const PathDriver::Step step =
-      driver_.drive(floor_, clearance_, search_.room(), T_floor_map_ * T_map_vehicle, steering_rad);
+  const PathDriver::Step step = driver_.drive(floor_, clearance_, search_.footprint_clearance(),
+                                              T_floor_map_ * T_map_vehicle, steering_rad);
   command = step.command;
   if (step.state == PathDriver::State::kArrived) state_ = State::kThere;
   if (step.state == PathDriver::State::kBlocked) state_ = State::kNoPath;

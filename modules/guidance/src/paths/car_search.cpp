@@ -86,7 +86,7 @@ void CarSearchParams::describe(FieldList& fields) {
 
 CarSearch::CarSearch(const CarSearchParams& params, const VehicleDescription& vehicle)
     : params_(params),
-      room_(vehicle.footprint, params.margin_m),
+      footprint_clearance_(vehicle.footprint, params.margin_m),
       moves_(moves_of(vehicle, params.steering_share)),
       sharp_moves_(moves_of(vehicle, std::max(params.steering_share, kSharpShare))) {}
 
@@ -195,7 +195,7 @@ bool CarSearch::is_found(const Node& node) const {
 }
 
 CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
-  leave_clearance_ = room_.relaxed_clearance(floor, clearance, T_map_leave_);
+  leave_clearance_ = footprint_clearance_.relaxed_clearance(floor, clearance, T_map_leave_);
   expansions -= gather_ends(floor, clearance, expansions);
   while (expansions > 0 && state_ == State::kSearching) {
     if (queue_.empty() || expansions_ >= params_.expansions_max) {
@@ -274,14 +274,14 @@ std::optional<double> CarSearch::least_clearance_m(const FloorGrid& floor, const
   const double enough_m =
       may_barely_fit || relaxes_clearance_ ? std::min(0.0, kLeastMargin_m - params_.margin_m) : 0;
   const double needed_m =
-      may_barely_fit ? std::min(enough_m, leave_clearance_.free_m - kRoomNoise_m) : enough_m;
+      may_barely_fit ? std::min(enough_m, leave_clearance_.free_m - kClearanceNoise_m) : enough_m;
   double least_m = clearance.far_m();
   for (const Pose2& T_from : T_from_passed) {
     const Pose2 T_map = T_map_from * T_from;
-    const double clearance_m = room_.clearance_m(floor, clearance, T_map, needed_m);
-    const bool fits =
-        clearance_m >= enough_m ||
-        (may_barely_fit && room_.fits_barely(floor, clearance, T_map, clearance_m, leave_clearance_));
+    const double clearance_m = footprint_clearance_.clearance_m(floor, clearance, T_map, needed_m);
+    const bool fits = clearance_m >= enough_m ||
+                      (may_barely_fit && footprint_clearance_.fits_barely(floor, clearance, T_map,
+                                                                          clearance_m, leave_clearance_));
     if (!fits || (is_free_ && !is_free_(T_map))) return std::nullopt;
     least_m = std::min(least_m, clearance_m);
   }

@@ -103,8 +103,8 @@ double FootprintClearance::least_m(const FloorGrid& floor, const FloorClearance&
 bool FootprintClearance::fits_barely(const FloorGrid& floor, const FloorClearance& clearance,
                                      const Pose2& T_map_vehicle, double clearance_m,
                                      const RelaxedClearance& least) const {
-  const auto suffices = [](double room_m, double least_m) {
-    return room_m >= std::min(0.0, least_m - kRoomNoise_m);
+  const auto suffices = [](double actual_m, double least_m) {
+    return actual_m >= std::min(0.0, least_m - kClearanceNoise_m);
   };
   return suffices(clearance_m, least.free_m) &&
          suffices(standing_clearance_m(floor, clearance, T_map_vehicle), least.standing_m) &&
@@ -138,8 +138,8 @@ double FootprintClearance::free_path_m(const FloorGrid& floor, const FloorCleara
                                        const Path& path, double from_m, const RelaxedClearance& least) const {
   const auto is_free = [&](double along_m) {
     const Pose2 T_map = path.at(along_m).T_map_path;
-    const double room_m = clearance_m(floor, clearance, T_map);
-    return room_m >= 0 || fits_barely(floor, clearance, T_map, room_m, least);
+    const double actual_m = clearance_m(floor, clearance, T_map);
+    return actual_m >= 0 || fits_barely(floor, clearance, T_map, actual_m, least);
   };
   const double left_m = path.length_m() - from_m;
   const int checks = static_cast<int>(std::ceil(left_m / kPathCheck_m));

@@ -66,13 +66,14 @@ double PathDriver::free_m(const FloorGrid& floor, const FloorClearance& clearanc
 }
 
 PathDriver::Step PathDriver::drive(const FloorGrid& floor, const FloorClearance& clearance,
-                                   const FootprintClearance& room, const Pose2& T_map_vehicle,
+                                   const FootprintClearance& footprint_clearance, const Pose2& T_map_vehicle,
                                    double steering_rad) {
   const Command standing{.steering_rad = steering_rad};
   if (!has_path()) return {State::kNoPath, standing};
   const PathPoint& point = progress_->advance(T_map_vehicle);
   if (progress_->has_arrived()) return {State::kArrived, standing};
-  const double care = driving_care(vehicle_, room, floor, clearance, path_, point.along_m, steering_rad);
+  const double care =
+      driving_care(vehicle_, footprint_clearance, floor, clearance, path_, point.along_m, steering_rad);
   const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, speed_);
   const Command command = follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_rad);
   if (const auto wheels_rad = wheels_to_turn_rad(point, command.steering_rad, steering_rad))

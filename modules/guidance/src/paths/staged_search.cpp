@@ -36,8 +36,8 @@ double StagedSearch::measure(const FloorGrid& floor, const FloorClearance& clear
                              const Vec2& p_map_place, Guide& guide) const {
   guide.p_map_place = p_map_place;
   float path_m = FloorDistances::kUnreached;
-  for (const double room_m : {half_width_m_ + params_.margin_m, half_width_m_}) {
-    guide.distances.measure(floor, clearance, p_map_place, room_m, kLeeway_m);
+  for (const double clearance_m : {half_width_m_ + params_.margin_m, half_width_m_}) {
+    guide.distances.measure(floor, clearance, p_map_place, clearance_m, kLeeway_m);
     path_m = guide.distances.near(floor, p_map_from, kBeside_m);
     if (std::isfinite(path_m)) break;
   }

@@ -49,7 +49,7 @@ void CornerBacking::look(const Observation& observation, const Pose2& T_odom_veh
   p_odom_corner_ = p_odom;
 }
 
-double CornerBacking::wished_steering_rad() const {
+double CornerBacking::requested_steering_rad() const {
   return side_ == RouteSide::kLeft ? -params_.steering_rad : params_.steering_rad;
 }
 

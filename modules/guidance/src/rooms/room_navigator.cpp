@@ -203,7 +203,7 @@ bool RoomNavigator::keeps_to_taught_end() const {
   return place_.is_sure() && left_m() < params_.taught_alone_m;
 }
 
-double RoomNavigator::wished_steering_rad() const {
+double RoomNavigator::requested_steering_rad() const {
   if (keeps_to_taught_end()) {
     return taught_place_.steering_rad(progress_.point(), pose(), params_.parking_speed_mps, steering_rad_);
   }
@@ -227,7 +227,7 @@ Decision RoomNavigator::follow(double now_s) {
   const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
   const bool is_near_end = left_m() < 1;
   const auto avoiding = is_near_end ? std::nullopt : avoiding_rad();
-  const double requested_rad = avoiding.value_or(wished_steering_rad());
+  const double requested_rad = avoiding.value_or(requested_steering_rad());
   FreeSteeringParams steering = params_.steering;
   if (keeps_to_taught_end()) steering.comfort_m = params_.end_comfort_m;
   const SteeringChoice choice = choose_steering(vehicle_, steering, around, requested_rad);

@@ -54,7 +54,7 @@ std::optional<bool> RoomNavigator::has_seen_corner() const {
 
 Decision RoomNavigator::back_between_turnings() {
   const double requested_rad = backs_to_corner_
-                                   ? corner_backing_->wished_steering_rad()
+                                   ? corner_backing_->requested_steering_rad()
                                    : reversing_steering_rad(vehicle_, route_.path, progress_.point(), pose(),
                                                             kLateBendAhead_m, steering_rad_);
   const SteeringChoice choice = choose_steering_behind(requested_rad);

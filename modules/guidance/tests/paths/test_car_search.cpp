@@ -8,10 +8,11 @@ namespace {
 
 /// Every pose of the path lies on known free floor, and the wheels can drive it.
 void expect_drivable(const Path& path, const KnownFloor& known, const VehicleDescription& vehicle) {
-  const FootprintClearance room(vehicle.footprint, 0);
+  const FootprintClearance footprint_clearance(vehicle.footprint, 0);
   for (double along_m = 0; along_m <= path.length_m(); along_m += 0.02) {
     const PathPoint point = path.at(along_m);
-    EXPECT_TRUE(room.fits_barely(known.floor, known.clearance, point.T_map_path, {-1, -1})) << along_m;
+    EXPECT_TRUE(footprint_clearance.fits_barely(known.floor, known.clearance, point.T_map_path, {-1, -1}))
+        << along_m;
     EXPECT_LE(std::abs(point.curvature_per_m) * vehicle.front_steered.wheelbase_m,
               std::tan(vehicle.limits.steering_max_rad));
   }

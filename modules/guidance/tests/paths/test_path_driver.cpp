@@ -26,7 +26,7 @@ class PathDriving : public testing::Test {
  protected:
   PathDriver::Step cycle() {
     const PathDriver::Step step =
-        driver_.drive(hall_.floor, hall_.clearance, room_, T_map_vehicle_, steering_rad_);
+        driver_.drive(hall_.floor, hall_.clearance, footprint_clearance_, T_map_vehicle_, steering_rad_);
     steering_rad_ = step.command.steering_rad;
     T_map_vehicle_ =
         T_map_vehicle_ * drive(cart().front_steered,
@@ -44,7 +44,7 @@ class PathDriving : public testing::Test {
   }
 
   KnownFloor hall_{{Vec2(0, 0), Vec2(12, 8)}};
-  FootprintClearance room_{cart().footprint, 0.05};
+  FootprintClearance footprint_clearance_{cart().footprint, 0.05};
   PathDriver driver_{cart(), {}, {}};
   Pose2 T_map_vehicle_{2, 4, 0};
   double steering_rad_ = 0;

@@ -78,9 +78,9 @@ TEST(CornerBacking, GoesHardlyFartherThanAtTeachingWhereNoCornerIs) {
 TEST(CornerBacking, TurnsTheWheelsAwayFromTheSecondTurning) {
   CornerBacking backing({}, {}, cart_with_third_camera());
   backing.begin(TurningClass::kLeft, kTaught_m, {});
-  EXPECT_DOUBLE_EQ(backing.wished_steering_rad(), -10 * kDegree);
+  EXPECT_DOUBLE_EQ(backing.requested_steering_rad(), -10 * kDegree);
   backing.begin(TurningClass::kRight, kTaught_m, {});
-  EXPECT_DOUBLE_EQ(backing.wished_steering_rad(), 10 * kDegree);
+  EXPECT_DOUBLE_EQ(backing.requested_steering_rad(), 10 * kDegree);
 }
 
 TEST(CornerBacking, NeedsTheThirdCamera) {

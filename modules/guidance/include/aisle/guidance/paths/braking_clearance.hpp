@@ -42,7 +42,7 @@ class BrakingClearance {
   double hit_m(const Pose2& T_vehicle_later) const;
 
   VehicleDescription vehicle_;
-  FootprintClearance room_;
+  FootprintClearance footprint_clearance_;
   std::vector<Vec2> p_vehicle_hit_;  ///< near enough to matter
   double hit_now_m_ = 0;             ///< from the footprint to the nearest of them
 };

@@ -74,7 +74,7 @@ class CarSearch {
   void stop() { state_ = State::kIdle; }
 
   State state() const { return state_; }
-  const FootprintClearance& room() const { return room_; }
+  const FootprintClearance& footprint_clearance() const { return footprint_clearance_; }
   /// What was found. Empty: the vehicle is there already.
   Path path() const;
   int expansions() const { return expansions_; }
@@ -128,7 +128,7 @@ class CarSearch {
   std::uint64_t bin_of(const Pose2& T_map) const;
 
   CarSearchParams params_;
-  FootprintClearance room_;
+  FootprintClearance footprint_clearance_;
   std::vector<Move> moves_;
   std::vector<Move> sharp_moves_;  ///< of a search that relaxes its clearance
   IsGoal is_goal_;

@@ -8,7 +8,8 @@ namespace aisle {
 /// and where the wheels have yet to turn.
 /// @param along_m  where it is on the path
 /// @param steering_rad  as the wheels stand now
-double driving_care(const VehicleDescription& vehicle, const FootprintClearance& room, const FloorGrid& floor,
-                    const FloorClearance& clearance, const Path& path, double along_m, double steering_rad);
+double driving_care(const VehicleDescription& vehicle, const FootprintClearance& footprint_clearance,
+                    const FloorGrid& floor, const FloorClearance& clearance, const Path& path, double along_m,
+                    double steering_rad);
 
 }  // namespace aisle

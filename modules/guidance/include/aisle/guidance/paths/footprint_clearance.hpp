@@ -9,7 +9,7 @@
 
 namespace aisle {
 
-inline constexpr double kRoomNoise_m = 0.004;  ///< of the room that a vehicle seems to have
+inline constexpr double kClearanceNoise_m = 0.004;  ///< of the room that a vehicle seems to have
 
 /// Beyond the margin around a footprint; negative: too little.
 struct RelaxedClearance {

@@ -54,8 +54,8 @@ class PathDriver {
 
   /// @param room  that the vehicle keeps where it can: it slows down where there is less
   /// @param steering_rad  as the wheels stand now
-  Step drive(const FloorGrid& floor, const FloorClearance& clearance, const FootprintClearance& room,
-             const Pose2& T_map_vehicle, double steering_rad);
+  Step drive(const FloorGrid& floor, const FloorClearance& clearance,
+             const FootprintClearance& footprint_clearance, const Pose2& T_map_vehicle, double steering_rad);
 
  private:
   bool is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,

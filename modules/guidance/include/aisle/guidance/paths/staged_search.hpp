@@ -38,7 +38,7 @@ class StagedSearch {
   void stop();
 
   CarSearch::State state() const;
-  const FootprintClearance& room() const { return search_.room(); }
+  const FootprintClearance& footprint_clearance() const { return search_.footprint_clearance(); }
   Path path() const { return is_found_from_ends() ? from_ends_.path() : search_.path(); }
   int expansions() const { return search_.expansions(); }
   double reached_m() const { return search_.reached_m(); }

@@ -41,7 +41,7 @@ class CornerBacking {
   void look(const Observation& observation, const Pose2& T_odom_vehicle);
 
   /// How the wheels should stand on the way back.
-  double wished_steering_rad() const;
+  double requested_steering_rad() const;
   /// It has come far enough back.
   bool is_done(const Pose2& T_odom_vehicle) const;
   bool has_seen_corner() const { return images_ >= params_.images; }

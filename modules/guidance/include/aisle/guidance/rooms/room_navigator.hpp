@@ -130,7 +130,7 @@ class RoomNavigator final : public Navigator {
   std::vector<Vec2> standing_behind() const;
   SteeringChoice choose_steering_behind(double requested_rad) const;
   Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
-  double wished_steering_rad() const;
+  double requested_steering_rad() const;
   /// Near a taught end, at a place that is known: the taught path counts alone.
   bool keeps_to_taught_end() const;
   std::optional<double> avoiding_rad() const;
