@@ -9,11 +9,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kRoutePlacesApart_m = 0.1;    // places along the route
-constexpr double kReached_m = 12;              // and so far from the vehicle
-constexpr double kOnRoute_m = 0.2;             // so near ...
-constexpr double kOnRoute_rad = 12 * kDegree;  // ... and so little turned against it, steering does the rest
-constexpr int kExpansions = 1500;              // of the search, a cycle
+constexpr double kRoutePlacesApart_m = 0.1;    // between goal poses along the route, which are ...
+constexpr double kReached_m = 12;              // ... at most this far from the vehicle
+constexpr double kOnRoute_m = 0.2;             // within this distance ...
+constexpr double kOnRoute_rad = 12 * kDegree;  // ... and yaw error, the steering does the rest
+constexpr int kExpansions = 1500;              // of the path search, per cycle
 
 }  // namespace
 

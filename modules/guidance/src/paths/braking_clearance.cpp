@@ -7,13 +7,13 @@
 namespace aisle {
 namespace {
 
-constexpr double kReaction_s = 0.25;  // from a command to what comes of it
+constexpr double kReaction_s = 0.25;  // from a command to its effect
 constexpr double kStopSlack_m = 0.03;
 constexpr double kHitMatters_m = 1.5;  // from the vehicle's outline
 constexpr double kHitMargin_m = 0.02;
 constexpr double kHitOnTrail_m = 0.01;
 
-/// Points as the vehicle would see them later; many, so the turn is worked out once.
+/// Transforms points into the vehicle's later frame. There are many, so the rotation is computed once.
 class FromLater {
  public:
   explicit FromLater(const Pose2& T_vehicle_later)
@@ -102,7 +102,7 @@ bool BrakingClearance::is_free_at(const FloorGrid& floor, const FloorClearance& 
       floor, clearance, T_map_later, footprint_clearance_.relaxed_clearance(floor, clearance, T_map_vehicle));
 }
 
-/// From the footprint to the nearest thing that was hit; 0 inside.
+/// From the footprint to the nearest laser return; 0 inside.
 double BrakingClearance::hit_m(const Pose2& T_vehicle_later) const {
   const FromLater from_later(T_vehicle_later);
   double least_m = kHitMatters_m;

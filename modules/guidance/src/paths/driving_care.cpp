@@ -6,11 +6,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kCareAhead_m = 0.6;  // of the path that decides how careful the vehicle is
+constexpr double kCareAhead_m = 0.6;  // length of path ahead that is considered
 constexpr double kCareEvery_m = 0.15;
-constexpr double kAmpleClearance_m = 0.2;           // with so much room on its sides it need not be careful
-constexpr double kWheelsAstray_rad = 25 * kDegree;  // of where the path wants them: as slow as can be
-constexpr double kCareMax = 0.3;                    // share of the speed that is left with the greatest care
+constexpr double kAmpleClearance_m = 0.2;           // at full speed; less clearance slows the vehicle
+constexpr double kWheelsAstray_rad = 25 * kDegree;  // steering error at which it would stand
+constexpr double kCareMax = 0.3;                    // smallest share of the speed
 
 }  // namespace
 

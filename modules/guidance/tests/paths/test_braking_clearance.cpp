@@ -18,20 +18,20 @@ bool may_drive(const BrakingClearance& braking, const Pose2& T_map_vehicle, cons
   return braking.is_free(kHall.floor, kHall.clearance, T_map_vehicle, command, command.steering_rad);
 }
 
-TEST(BrakingClearance, StopsInTimeBeforeFloorThatIsUnknown) {
+TEST(BrakingClearance, StopsInTimeBeforeUnknownFloor) {
   const BrakingClearance braking = braking_seeing({});
   EXPECT_TRUE(may_drive(braking, {8.6, 2, 0}, {.speed_mps = 0.4}));
   EXPECT_FALSE(may_drive(braking, {8.95, 2, 0}, {.speed_mps = 0.4}));
   EXPECT_FALSE(may_drive(braking, {0.35, 2, 0}, {.speed_mps = -0.3}));
 }
 
-TEST(BrakingClearance, FasterNeedsMoreRoom) {
+TEST(BrakingClearance, NeedsMoreClearanceAtHigherSpeed) {
   const BrakingClearance braking = braking_seeing({});
   EXPECT_TRUE(may_drive(braking, {8.86, 2, 0}, {.speed_mps = 0.1}));
   EXPECT_FALSE(may_drive(braking, {8.86, 2, 0}, {.speed_mps = 0.5}));
 }
 
-TEST(BrakingClearance, StopsBeforeWhatIsSeenThoughTheFloorDoesNotShowIt) {
+TEST(BrakingClearance, StopsBeforeLaserReturnsThatTheFloorDoesNotShow) {
   std::vector<float> ranges_m(181, 5);
   const BrakingClearance free = braking_seeing(ranges_m);
   ranges_m[90] = 0.12F;
@@ -41,18 +41,18 @@ TEST(BrakingClearance, StopsBeforeWhatIsSeenThoughTheFloorDoesNotShowIt) {
   EXPECT_TRUE(may_drive(blocked, {4, 2, 0}, {.speed_mps = -0.3}));
 }
 
-TEST(BrakingClearance, UnusableReadingsAreNothing) {
+TEST(BrakingClearance, IgnoresUnusableReadings) {
   EXPECT_TRUE(may_drive(braking_seeing(std::vector<float>(181, 0)), {4, 2, 0}, {.speed_mps = 0.4}));
 }
 
-TEST(BrakingClearance, TooNearAWallItMayGoAlongButNotNearer) {
+TEST(BrakingClearance, TooNearAWallItMayDriveAlongItButNotNearer) {
   const BrakingClearance braking = braking_seeing({});
   const Pose2 T_map_vehicle{5, 0.305, 0};
   EXPECT_TRUE(may_drive(braking, T_map_vehicle, {.speed_mps = 0.1}));
   EXPECT_FALSE(may_drive(braking, T_map_vehicle, {.speed_mps = 0.4, .steering_rad = -30 * kDegree}));
 }
 
-TEST(BrakingClearance, OnItsTrailItMayComeNearToWhatTheFloorShowsBesideIt) {
+TEST(BrakingClearance, OnItsTrailItMayComeNearToObstaclesBesideIt) {
   KnownFloor hall({{Vec2(0, 0), Vec2(10, 4)}});
   for (int x = 0; x < 200; ++x) hall.floor.set({x, 0}, Floor::kOccupied);
   hall.clearance.update(hall.floor, hall.floor.known());

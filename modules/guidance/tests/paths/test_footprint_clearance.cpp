@@ -35,7 +35,7 @@ TEST(FootprintClearance, ItsEndsMayComeAsNearAsItsSides) {
   EXPECT_FALSE(fits({5, 0.345, 0}));
 }
 
-/// So a search that looks at a few poses of an arc knows of those between them.
+/// So a search may check a few poses of an arc only.
 TEST(FootprintClearance, ChangesLittleWhileAPostIsPassed) {
   const KnownFloor hall = hall_with_post();
   const FootprintClearance footprint_clearance(cart().footprint, kKept_m);
@@ -50,7 +50,7 @@ TEST(FootprintClearance, ChangesLittleWhileAPostIsPassed) {
   EXPECT_LT(most_m - least_m, 0.01);
 }
 
-TEST(FootprintClearance, TellsEnoughRoomExactly) {
+TEST(FootprintClearance, MeasuresEnoughClearanceExactly) {
   const KnownFloor hall = hall_with_post();
   const FootprintClearance footprint_clearance(cart().footprint, kKept_m);
   Random random(1);
@@ -71,7 +71,7 @@ TEST(FootprintClearance, TellsEnoughRoomExactly) {
   EXPECT_GT(too_little, 1000);
 }
 
-/// Beside what was not seen, such as a door's jamb that is only passed, there may be a wall.
+/// Unseen floor, such as beside a door's jamb while it is passed, may hide a wall.
 TEST(FootprintClearance, FitsBarelyNoNearerToTheUnseenThanWhereItStands) {
   const KnownFloor strip({{Vec2(0, 0), Vec2(6, 1)}});
   const FootprintClearance footprint_clearance(cart().footprint, kKept_m);
@@ -88,7 +88,7 @@ TEST(FootprintClearance, FitsBarelyNoNearerToTheUnseenThanWhereItStands) {
   EXPECT_TRUE(fits_from(0.5, 0.37));
 }
 
-TEST(FootprintClearance, LeavesNothingOfTheFootprintOut) {
+TEST(FootprintClearance, CoversTheWholeFootprint) {
   const KnownFloor hall = hall_with_post();
   const Footprint footprint = cart().footprint;
   const FootprintClearance footprint_clearance(footprint, 0);
@@ -104,7 +104,7 @@ TEST(FootprintClearance, LeavesNothingOfTheFootprintOut) {
   EXPECT_GT(fitting, 2000);
 }
 
-TEST(FootprintClearance, LiesOnFreeFloorWhereNothingIsUnderIt) {
+TEST(FootprintClearance, LiesOnFreeFloorIfNoObstacleIsUnderIt) {
   const KnownFloor hall = hall_with_post();
   const Footprint footprint = cart().footprint;
   const FootprintClearance footprint_clearance(footprint, 0);
