@@ -100,11 +100,12 @@ Pose2 FrameBacking::off() const {
 /// side to be well in view; before that line where the floor beyond it is not known to be free.
 double FrameBacking::deeper_m() const {
   constexpr double kOntoLine_m = 0.03, kOffLine_m = 0.02;
-  constexpr double kAnyRoom_m = -1;
+  constexpr double kAnyClearance_m = -1;
   const double length_m = vehicle_.footprint.front_m + vehicle_.footprint.rear_m;
   const double to_line_m = std::max(0.0, (size_m_.x() - length_m) / 2);
   const Pose2 T_floor_onto_line = T_floor_odom_ * T_odom_parked() * Pose2{-(to_line_m + kOntoLine_m), 0, 0};
-  return search_.room().fits_barely(floor_, clearance_, T_floor_onto_line, {.free_m = kAnyRoom_m})
+  return search_.footprint_clearance().fits_barely(floor_, clearance_, T_floor_onto_line,
+                                                   {.free_m = kAnyClearance_m})
              ? to_line_m + kOntoLine_m
              : std::max(0.0, to_line_m - kOffLine_m);
 }
@@ -151,8 +152,8 @@ Decision FrameBacking::search() {
 }
 
 Decision FrameBacking::turn(double stamp_s) {
-  const PathDriver::Step step =
-      driver_.drive(floor_, clearance_, search_.room(), T_floor_odom_ * T_odom_vehicle_, steering_rad_);
+  const PathDriver::Step step = driver_.drive(floor_, clearance_, search_.footprint_clearance(),
+                                              T_floor_odom_ * T_odom_vehicle_, steering_rad_);
   if (step.state == PathDriver::State::kArrived || step.state == PathDriver::State::kNoPath) {
     state_ = State::kBackingIn;
     return back_in(stamp_s);
