@@ -350,8 +350,7 @@ void ExplorerNavigator::check_retry_budget() {
   }
 }
 
-/// The vehicle came along its trail, however narrow that is, so it retreats along some of it before it gives
-/// up.
+/// The vehicle came along its trail, however narrow that is: it retreats along some of it, then gives up.
 void ExplorerNavigator::give_up_mission(const std::string& why) {
   drop_path();
   if (!learner_.is_standing()) return;

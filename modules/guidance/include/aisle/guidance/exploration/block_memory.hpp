@@ -9,7 +9,7 @@ namespace aisle {
 /// Remembers where the vehicle was stopped by something that the floor map does not show.
 class BlockMemory {
  public:
-  /// The vehicle was stopped here while driving forwards (1) or backwards (-1), or was hit while standing
+  /// The vehicle was stopped here while driving forwards (1) or backwards (-1), or touched while standing
   /// (0).
   void note(const Pose2& T_map_vehicle, int direction);
 

@@ -8,8 +8,7 @@
 namespace aisle {
 
 /// Detects kidnapping to a place where the map contains little: nearly everything in view was known, and from
-/// one image to the next hardly anything is. Where the map merely ends, known lines leave the view one by
-/// one.
+/// one image to the next hardly anything is. Where the map merely ends, known lines disappear one by one.
 class RecognitionMonitor {
  public:
   /// Forgets what was seen so far.

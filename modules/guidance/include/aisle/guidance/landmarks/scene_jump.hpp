@@ -31,8 +31,7 @@ class SceneJump {
 
   /// Takes in an image.
   /// @param is_known_here  it shows what is known to be here, so it is no other scene
-  /// @param known_share    known_share(image, other): share of an image's features that another one shows,
-  /// too
+  /// @param known_share    known_share(image, other): share of an image's features that are in another one
   /// @return whether it is the second image of another scene; false while there is too little to compare
   template <class KnownShare>
   bool look(std::span<const Thing> image, bool is_known_here, const Limits& limits, KnownShare known_share) {

@@ -16,8 +16,7 @@ class StripeMonitor {
   /// Takes in the laser returns in an image [vehicle frame]. An image that shows what is known to be here is
   /// no other place.
   /// @return whether this image, like the one before it, shows hardly any light where it was until then;
-  /// false
-  ///         while there is too little to compare
+  /// false while there is too little to compare
   bool look(std::span<const Vec2> p_vehicle_lit, bool is_known_here = false);
 
  private:

@@ -70,8 +70,7 @@ class ObstacleGuard {
   const std::vector<Vec2>& p_vehicle_lit() const { return sight_.p_vehicle_lit; }
 
   /// Takes in where the floor ends in the image that `look` has just returned. An obstacle seen this way
-  /// counts from the second image in a row on, and only while it is in view: `gap_m` must be large enough for
-  /// that.
+  /// counts from the second image in a row on, and only while it is in view, so `gap_m` must keep it there.
   void see_floor(std::span<const SensedSegment> edges);
 
   /// Limits a navigator's command to what is safe.

@@ -54,9 +54,7 @@ class PathDriver {
   /// How much of the path ahead is free, by what is known now; at most left_m().
   double free_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle) const;
 
-  /// @param footprint_clearance  with the margin that the vehicle keeps where it can: it slows down where
-  /// there
-  ///                             is less
+  /// @param footprint_clearance  has the margin that the vehicle should keep; with less it slows down
   /// @param steering_rad         present steering angle
   Step drive(const FloorGrid& floor, const FloorClearance& clearance,
              const FootprintClearance& footprint_clearance, const Pose2& T_map_vehicle, double steering_rad);
