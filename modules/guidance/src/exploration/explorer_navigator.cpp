@@ -169,7 +169,7 @@ void ExplorerNavigator::choose() {
   const bool goes_on = target_ && is_same(*target_, target);
   const bool frontier_moved = (target.frontier.p_map - p_map_searched_).norm() > kFrontierMoved_m;
   if (frontier_moved || !former_ || !is_same(*former_, target)) is_out_of_reach_ = false;
-  watch_learning(target);
+  note_learning(target);
   target_ = former_ = target;
   target_search_.see(target.frontier);
   if (goes_on && (!frontier_moved || target.kind != ExploringTarget::Kind::kPath)) return;
@@ -314,7 +314,7 @@ void ExplorerNavigator::give_path_up() {
 }
 
 /// New floor, or another target, renews the retry budget.
-void ExplorerNavigator::watch_learning(const ExploringTarget& target) {
+void ExplorerNavigator::note_learning(const ExploringTarget& target) {
   const bool goes_on = former_ && is_same(*former_, target);
   const bool learned = learner_.floor().free_m2() > learned_m2_ + kLearned_m2;
   if (learned) {

@@ -88,7 +88,7 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
   fields.group("steering", steering);
   fields.group("speed", speed);
   fields.group("guard", guard);
-  fields.flag("guarded", guarded, "stop for what stands in the path, and while the camera shows nothing new");
+  fields.flag("guarded", guarded, "stop for obstacles in the path, and while the camera fails");
   fields.real("start_sigma_m", start_sigma_m, {0.001, 2}, "uncertainty of the start position");
   fields.angle("start_sigma_deg", start_sigma_rad, {0.1, 45}, "uncertainty of the start heading");
   fields.real("look_s", look_s, {0, 60}, "time to look where it stands before it starts");
@@ -228,10 +228,10 @@ void LandmarkNavigator::check_for_kidnapping() {
 std::string LandmarkNavigator::why_lost() const {
   const double sigma_m = position_sigma_m(localiser_.covariance());
   if (sigma_m > params_.lost_m)
-    return fmt::format("saw nothing that it knows until unsure by {:.2f} m", sigma_m);
-  if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "is unsure which way it points";
+    return fmt::format("saw no known landmark until its position was uncertain by {:.2f} m", sigma_m);
+  if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "its heading is too uncertain";
   if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s || unmatched_.path_m() > params_.unmatched_max_m)
-    return "sees other things than it knows";
+    return "sees what the map does not contain";
   return "";
 }
 
@@ -252,7 +252,7 @@ Decision LandmarkNavigator::check_consistency() {
     go_on(interrupted_);
     return {.state = interrupted_ == State::kFollowing ? "following" : "returning"};
   }
-  why_lost_ = "sees other things than a moment ago";
+  why_lost_ = "the view has changed suddenly";
   if (suspicion == Suspicion::kConfirmed || stamp_s_ - *state_since_s_ > params_.give_up_s)
     begin(State::kLost);
   return {.state = state_ == State::kLost ? "lost" : "doubting", .why = why_lost_};
@@ -288,7 +288,7 @@ Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation&
     go_on(State::kFollowing);
     return {.state = "found", .why = fmt::format("{:.1f} m along the route", progress_.point().along_m)};
   }
-  why_lost_ = fmt::format("found itself off its route by more than {:.1f} m, or facing another way",
+  why_lost_ = fmt::format("relocalised more than {:.1f} m off its route, or facing another way",
                           params_.off_route_max_m);
   if (!explorer_) return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
   const FloorLearner& learner = explorer_->learner();
@@ -372,7 +372,7 @@ Decision LandmarkNavigator::guarded(Decision decision) {
   Guarded allowed = guard_.allow(decision.command, ahead);
   if (allowed.state != GuardState::kFree && unmatched_.is_unmatched() &&
       unmatched_.path_m() > kUnmatchedBlocked_m) {
-    why_lost_ = "sees other things than it knows, and something is in the path";
+    why_lost_ = "sees what the map does not contain, and something is in the path";
     begin(State::kLost);
     return {.state = "lost", .why = why_lost_};
   }

@@ -65,7 +65,7 @@ Decision PlaceParking::settle(const Pose2& T_map_vehicle, bool is_taken) {
   if (is_taken && is_within(params_.taken_max_m, params_.turned_max_rad))
     return {.status = NavigatorStatus::kDone,
             .state = "parked",
-            .why = why + ", as near as what stands there now lets it"};
+            .why = why + ", as near as the obstacle there allows"};
   return {.status = NavigatorStatus::kFailed, .state = "misaligned", .why = "not parked: it stands " + why};
 }
 

@@ -147,9 +147,9 @@ void RoomNavigator::look(const Observation& observation) {
   if (image == nullptr) return;
   const RouteSight& sight = view_.look(*image->pixels);
   stop_views_.take(*image->pixels, left_to_end_m());
-  is_unmatched_ = !is_route_bright_as_learned();
+  is_brightness_off_ = !is_route_bright_as_learned();
   dead_end_images_ = is_at_dead_end() ? dead_end_images_ + 1 : 0;
-  if (is_unmatched_) return;
+  if (is_brightness_off_) return;
   T_odom_seen_ = T_odom_vehicle_;
   // The learned brightness follows slow change of light (METHODS 9).
   brightness_.grey += params_.brightness_gain * (sight.patch_grey - brightness_.grey);
@@ -165,7 +165,7 @@ bool RoomNavigator::is_route_bright_as_learned() const {
 /// A known obstacle ahead may hide the route, as in a narrow turning. That says nothing about the light, and
 /// the vehicle remembers where the path leads.
 bool RoomNavigator::knows_path_ahead() const {
-  if (!is_unmatched_) return true;
+  if (!is_brightness_off_) return true;
   const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
   const bool is_hidden =
       std::any_of(around.begin(), around.end(), [&](const Vec2& p) { return view_.is_before_patch_end(p); });
@@ -197,7 +197,7 @@ double RoomNavigator::steering_to(const Vec2& p_vehicle) const {
 std::optional<double> RoomNavigator::avoiding_rad() const {
   const RouteChecks& checks = sight()->checks;
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
-  if (!params_.avoid_as_published || is_turning || is_unmatched_) return std::nullopt;
+  if (!params_.avoid_as_published || is_turning || is_brightness_off_) return std::nullopt;
   if (checks.left && !checks.right) return -params_.avoid_rad;
   if (checks.right && !checks.left) return params_.avoid_rad;
   if (checks.ahead) return checks.left_share > checks.right_share ? params_.avoid_rad : -params_.avoid_rad;
@@ -220,7 +220,7 @@ double RoomNavigator::requested_steering_rad() const {
   const double beyond_m = std::max(0.0, ahead_m - leg_end_m);
   const Vec2 p_map_ahead = route_.path.at(std::min(ahead_m, leg_end_m)).T_map_path * Vec2(beyond_m, 0);
   const double taught_rad = steering_to(pose().inverse() * p_map_ahead);
-  const auto middle = is_unmatched_ ? std::nullopt : view_.middle(*sight(), mask.left, mask.right);
+  const auto middle = is_brightness_off_ ? std::nullopt : view_.middle(*sight(), mask.left, mask.right);
   if (!middle) return taught_rad;
   const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
   const double share = turns ? params_.turning_middle_share : params_.middle_share;
@@ -244,9 +244,9 @@ Decision RoomNavigator::follow(double now_s) {
   if (is_blocked) return blocked(now_s);
   stopped_s_.reset();
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
-  const double speed_mps = is_near_end || is_unmatched_ ? params_.parking_speed_mps
-                           : is_turning                 ? params_.turning_speed_mps
-                                                        : params_.speed_mps;
+  const double speed_mps = is_near_end || is_brightness_off_ ? params_.parking_speed_mps
+                           : is_turning                      ? params_.turning_speed_mps
+                                                             : params_.speed_mps;
   return drive(choice, speed_mps, avoiding ? "avoiding" : is_turning ? "turning" : "following");
 }
 

@@ -120,7 +120,7 @@ double RoomNavigator::gap_ahead_m() const {
 bool RoomNavigator::is_at_dead_end() const {
   constexpr double kNearEnd_m = 1;
   return left_m() < kNearEnd_m && sight()->share < params_.dead_end_share &&
-         (is_unmatched_ || gap_ahead_m() < params_.dead_end_gap_m);
+         (is_brightness_off_ || gap_ahead_m() < params_.dead_end_gap_m);
 }
 
 /// Where the view has opened again, the dead end has been taken for route.

@@ -25,7 +25,7 @@ void SectionNavigatorParams::describe(FieldList& fields) {
   fields.group("steering", steering);
   fields.group("speed", speed);
   fields.group("guard", guard);
-  fields.flag("guarded", guarded, "stop for what stands in the path, and while the camera shows nothing new");
+  fields.flag("guarded", guarded, "stop for obstacles in the path, and while the camera fails");
   fields.real("look_s", look_s, {0, 60},
               "time to look where it stands before it starts, and where it has arrived");
   localiser.describe(fields);
@@ -55,7 +55,8 @@ Decision SectionNavigator::step(const Observation& observation) {
   if (progress_.has_arrived()) return take_last_heading(observation.stamp_s);
   const double lateral_sigma_m = localiser_.lateral_sigma_m(point.T_map_path.theta);
   if (lateral_sigma_m > params_.lost_m)
-    return fail("lost", fmt::format("saw no base line until unsure by {:.2f} m", lateral_sigma_m));
+    return fail("lost", fmt::format("saw no base line until its lateral position was uncertain by {:.2f} m",
+                                    lateral_sigma_m));
   const double speed_mps = speed_along(guided_.path, point.along_m, 1, vehicle_, params_.speed);
   return guarded({.command = follower_.follow(guided_.path, point, pose_on_path(), speed_mps, 0),
                   .state = is_guided_ ? "following" : "reckoning",

@@ -68,9 +68,9 @@ TEST(PlaceParking, SaysAfterTheLastTryWhetherItHasParked) {
     return place.settle(kEnd * off, is_taken);
   };
   EXPECT_EQ(last({0, 0.08, 4 * kDegree}).status, NavigatorStatus::kDone);
-  const Decision lateral = last({0, 0.2, 0});
-  EXPECT_EQ(lateral.status, NavigatorStatus::kFailed);
-  EXPECT_EQ(lateral.why, "not parked: it stands 0.20 m to the side, 0.0 degrees turned");
+  const Decision far_off = last({0, 0.2, 0});
+  EXPECT_EQ(far_off.status, NavigatorStatus::kFailed);
+  EXPECT_EQ(far_off.why, "not parked: it stands 0.20 m to the side, 0.0 degrees turned");
   EXPECT_EQ(last({0, 0, -20 * kDegree}).status, NavigatorStatus::kFailed);
   EXPECT_EQ(last({0, 0.2, 0}, true).status, NavigatorStatus::kDone);
   EXPECT_EQ(last({0, 0.4, 0}, true).status, NavigatorStatus::kFailed);

@@ -192,7 +192,7 @@ TEST(RoomNavigator, DoesNotLookForADeadEndFarBeyondTheTaughtOne) {
   EXPECT_LT(room.T_world_vehicle().x, kPathLength_m + 0.3);
 }
 
-/// The floor that the footprint's rear corners sweep while the vehicle reverses between turnings.
+/// How far the rear corners get to the side, and the vehicle back, while it reverses between turnings.
 struct PathBack {
   double lateral_m = 0;
   double back_m = 0;

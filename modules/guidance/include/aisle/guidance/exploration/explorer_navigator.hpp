@@ -72,7 +72,7 @@ class ExplorerNavigator final : public Navigator {
   void count_failure();
   void leave_path();
   void give_path_up();
-  void watch_learning(const ExploringTarget& target);
+  void note_learning(const ExploringTarget& target);
   void check_retry_budget();
   Decision wait_for_floor();
   void begin_on_new_floor();

@@ -24,7 +24,7 @@ class Trail {
 
   /// The path back along the trail from its end, where the vehicle stands; forwards where it came backwards.
   /// @param path_m    minimum length ...
-  /// @param is_roomy  ... after which it ends at the first pose with enough clearance, or at its start
+  /// @param is_roomy  ... after which it ends where there is enough clearance, or at the trail's start
   /// @return empty if no trail is left
   Path path_back(const Pose2& T_map_vehicle, double path_m,
                  const std::function<bool(const Pose2& T_map_vehicle)>& is_roomy) const;

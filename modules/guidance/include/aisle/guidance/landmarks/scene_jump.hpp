@@ -10,8 +10,8 @@ namespace aisle {
 
 /// Detects a jump between scenes: an image that shows hardly anything of the scene before, followed by one
 /// that shows the same new scene. A single image may be an effect of the light.
-/// @tparam Thing  a feature that images show, in the vehicle frame
-template <class Thing>
+/// @tparam Feature  a feature that images show, in the vehicle frame
+template <class Feature>
 class SceneJump {
  public:
   struct Limits {
@@ -21,7 +21,7 @@ class SceneJump {
   };
 
   /// The vehicle has moved since the last call, by its odometry.
-  /// @param carry  carry(things, T_now_before) transforms features into the present vehicle frame
+  /// @param carry  carry(features, T_now_before) transforms features into the present vehicle frame
   template <class Carry>
   void move(const Pose2& T_before_now, Carry carry) {
     carry(known_, T_before_now.inverse());
@@ -34,7 +34,8 @@ class SceneJump {
   /// @param known_share    known_share(image, other): share of an image's features that are in another one
   /// @return whether it is the second image of another scene; false while there is too little to compare
   template <class KnownShare>
-  bool look(std::span<const Thing> image, bool is_known_here, const Limits& limits, KnownShare known_share) {
+  bool look(std::span<const Feature> image, bool is_known_here, const Limits& limits,
+            KnownShare known_share) {
     if (image.size() < limits.compared_min) return false;
     const bool can_tell = known_.size() >= limits.compared_min && since_known_.is_comparable();
     const bool goes_on = is_known_here || !can_tell || known_share(image, known_) > limits.other_share_max;
@@ -51,9 +52,9 @@ class SceneJump {
   }
 
  private:
-  std::vector<Thing> known_;  ///< of the last image that continued the scene, in the present vehicle frame
+  std::vector<Feature> known_;  ///< of the last image that continued the scene, in the present vehicle frame
   MotionSince since_known_;
-  std::vector<Thing> other_;  ///< of the last image if it did not continue the scene
+  std::vector<Feature> other_;  ///< of the last image if it did not continue the scene
 };
 
 }  // namespace aisle

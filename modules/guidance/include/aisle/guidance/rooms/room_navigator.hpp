@@ -164,8 +164,8 @@ class RoomNavigator final : public Navigator {
   StopViewMatcher stop_views_;
   Pose2 T_odom_vehicle_;
   RouteBrightness brightness_;
-  bool is_unmatched_ = false;  ///< the brightness ahead does not match the route's
-  Pose2 T_odom_seen_;          ///< where it last matched
+  bool is_brightness_off_ = false;  ///< the brightness ahead does not match the route's
+  Pose2 T_odom_seen_;               ///< where it last matched
   State state_ = State::kFollowing;
   int dead_end_images_ = 0;  ///< images in a row that showed one
   std::optional<double> stopped_s_;
