@@ -10,8 +10,8 @@ namespace aisle {
 
 /// Detects a jump between scenes: an image that shows hardly anything of the scene before, followed by one
 /// that shows the same new scene. A single image may be an effect of the light.
-/// @tparam Feature  a feature that images show, in the vehicle frame
-template <class Feature>
+/// @tparam SceneFeature  a feature that images show, in the vehicle frame
+template <class SceneFeature>
 class SceneJump {
  public:
   struct Limits {
@@ -34,7 +34,7 @@ class SceneJump {
   /// @param known_share    known_share(image, other): share of an image's features that are in another one
   /// @return whether it is the second image of another scene; false while there is too little to compare
   template <class KnownShare>
-  bool look(std::span<const Feature> image, bool is_known_here, const Limits& limits,
+  bool look(std::span<const SceneFeature> image, bool is_known_here, const Limits& limits,
             KnownShare known_share) {
     if (image.size() < limits.compared_min) return false;
     const bool can_tell = known_.size() >= limits.compared_min && since_known_.is_comparable();
@@ -52,9 +52,10 @@ class SceneJump {
   }
 
  private:
-  std::vector<Feature> known_;  ///< of the last image that continued the scene, in the present vehicle frame
+  std::vector<SceneFeature>
+      known_;  ///< of the last image that continued the scene, in the present vehicle frame
   MotionSince since_known_;
-  std::vector<Feature> other_;  ///< of the last image if it did not continue the scene
+  std::vector<SceneFeature> other_;  ///< of the last image if it did not continue the scene
 };
 
 }  // namespace aisle
