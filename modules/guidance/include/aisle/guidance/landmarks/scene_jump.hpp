@@ -52,8 +52,7 @@ class SceneJump {
   }
 
  private:
-  std::vector<SceneFeature>
-      known_;  ///< of the last image that continued the scene, in the present vehicle frame
+  std::vector<SceneFeature> known_;  ///< of the last image that continued the scene, as seen now
   MotionSince since_known_;
   std::vector<SceneFeature> other_;  ///< of the last image if it did not continue the scene
 };

@@ -16,9 +16,8 @@ struct SectionGuide {
   std::optional<double> right_m;
   std::optional<double> left_m;
   std::optional<double> ahead_m;      ///< from the piece's end to the wall across it
-  std::optional<double> line_ends_m;  ///< from the end of the base line inside of the next turn to the
-                                      ///< piece's end
-  bool turns_right = false;  ///< direction of the next turn
+  std::optional<double> line_ends_m;  ///< from the end of the next turn's inner base line to the piece's end
+  bool turns_right = false;           ///< direction of the next turn
 };
 
 struct GuidedPath {
