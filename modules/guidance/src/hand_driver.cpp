@@ -5,11 +5,12 @@
 namespace aisle {
 
 void HandDriverParams::describe(FieldList& fields) {
-  fields.real("speed_max_mps", speed_max_mps, {0.01, 10}, "forwards, whatever is wished");
+  fields.real("speed_max_mps", speed_max_mps, {0.01, 10}, "forwards, whatever is requested");
   fields.real("reverse_speed_max_mps", reverse_speed_max_mps, {0.01, 10}, "backwards");
   fields.angle("steering_max_deg", steering_max_rad, {1, 89}, "of the front wheels, either way");
   fields.angle("turn_rate_max_deg_s", turn_rate_max_rad_s, {1, 1000}, "of a differential vehicle");
-  fields.real("request_age_max_s", request_age_max_s, {0.05, 10}, "older requests mean: stop");
+  fields.real("request_age_max_s", request_age_max_s, {0.05, 10},
+              "when the last request is older, the vehicle stops");
 }
 
 Command HandDriver::limited(const Command& requested) const {
@@ -24,14 +25,14 @@ Decision HandDriver::step(const Observation& observation) {
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the vehicle touches something"};
   }
   if (input.gives_up) {
-    return {.status = NavigatorStatus::kFailed, .state = "given up", .why = "the person found no path on"};
+    return {.status = NavigatorStatus::kFailed, .state = "given up", .why = "the operator gave up"};
   }
   if (input.quit) return {.status = NavigatorStatus::kDone, .state = "ended", .why = "ended by hand"};
   if (input.requested) {
     requested_ = limited(*input.requested);
     request_stamp_s_ = observation.stamp_s;
   }
-  if (!request_stamp_s_) return {.state = "waiting", .why = "nothing was wished so far"};
+  if (!request_stamp_s_) return {.state = "waiting", .why = "no request so far"};
   if (observation.stamp_s - *request_stamp_s_ > params_.request_age_max_s) {
     return {.state = "waiting", .why = "requests have stopped coming"};
   }

@@ -6,7 +6,7 @@
 namespace aisle {
 namespace {
 
-/// Of a coarse grid of the image's bytes.
+/// Of a sample of the image's bytes.
 double mean_level(const Image& image) {
   constexpr std::size_t kStep = 13;
   long total = 0, count = 0;
@@ -17,7 +17,7 @@ double mean_level(const Image& image) {
 }  // namespace
 
 void ImageMonitorParams::describe(FieldList& fields) {
-  fields.real("age_max_s", age_max_s, {0.05, 5}, "without an image that shows something new: stop");
+  fields.real("age_max_s", age_max_s, {0.05, 5}, "the vehicle stops after this time without a good image");
   fields.real("dark_level", dark_level, {0, 100}, "mean grey level below which an image is black");
   fields.real("bright_level", bright_level, {150, 256}, "mean grey level above which it is washed out");
 }
@@ -40,7 +40,7 @@ const CameraImage* ImageMonitor::look(const Observation& observation) {
   return &*found;
 }
 
-/// Null if there is none.
+/// nullptr if there is none.
 const char* ImageMonitor::fault_of(const CameraImage& image, double now_s) {
   if (now_s - image.stamp_s > params_.age_max_s) return "is late";
   if (image.pixels->width_px != camera_.width_px || image.pixels->height_px != camera_.height_px)

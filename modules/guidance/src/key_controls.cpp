@@ -8,10 +8,10 @@ constexpr double kHeld_s = 0.5;
 }  // namespace
 
 void KeySpeeds::describe(FieldList& fields) {
-  fields.real("speed_mps", speed_mps, {0.01, 5}, "of up");
-  fields.real("reverse_speed_mps", reverse_speed_mps, {0.01, 5}, "of down");
-  fields.angle("steering_deg", steering_rad, {1, 89}, "front-steered: of left and right");
-  fields.angle("turn_rate_deg_s", turn_rate_rad_s, {1, 360}, "differential: of left and right");
+  fields.real("speed_mps", speed_mps, {0.01, 5}, "with the up key");
+  fields.real("reverse_speed_mps", reverse_speed_mps, {0.01, 5}, "with the down key");
+  fields.angle("steering_deg", steering_rad, {1, 89}, "front-steered: with the left and right keys");
+  fields.angle("turn_rate_deg_s", turn_rate_rad_s, {1, 360}, "differential: with the left and right keys");
 }
 
 KeyControls::KeyControls(const KeySpeeds& speeds, bool is_differential)

@@ -5,7 +5,7 @@
 namespace aisle {
 namespace {
 
-/// Tells the vehicle to stop when the mission ends, however it ends.
+/// Stops the vehicle when the mission ends, however it ends.
 class StopAtEnd {
  public:
   explicit StopAtEnd(Vehicle& vehicle) : vehicle_(vehicle) {}

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// Free rectangles in the unknown.
+/// Free rectangles in unknown floor.
 struct KnownFloor {
   explicit KnownFloor(std::initializer_list<std::pair<Vec2, Vec2>> rectangles) {
     for (const auto& [low, high] : rectangles) {

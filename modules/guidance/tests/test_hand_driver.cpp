@@ -19,7 +19,7 @@ TEST(HandDriver, WaitsForTheFirstRequest) {
   EXPECT_EQ(step(driver, 0.1).command, Command{});
 }
 
-TEST(HandDriver, DrivesAsWishedWithinItsLimits) {
+TEST(HandDriver, DrivesAsRequestedWithinItsLimits) {
   HandDriver driver({.speed_max_mps = 0.4, .reverse_speed_max_mps = 0.2, .steering_max_rad = 0.5});
   EXPECT_EQ(step(driver, 0.1, requested({0.3, -0.2, 0})).command, (Command{0.3, -0.2, 0}));
   EXPECT_EQ(step(driver, 0.2, requested({9, 9, 0})).command, (Command{0.4, 0.5, 0}));
@@ -36,7 +36,7 @@ TEST(HandDriver, StopsHalfASecondAfterTheLastRequest) {
   EXPECT_EQ(step(driver, 1.7, requested({.speed_mps = 0.3})).command.speed_mps, 0.3);
 }
 
-TEST(HandDriver, EndsWhenThePersonQuits) {
+TEST(HandDriver, EndsWhenTheOperatorQuits) {
   HandDriver driver({});
   step(driver, 1, requested({.speed_mps = 0.3}));
   const Decision end = step(driver, 1.1, {.quit = true});
@@ -44,7 +44,7 @@ TEST(HandDriver, EndsWhenThePersonQuits) {
   EXPECT_EQ(end.command, Command{});
 }
 
-TEST(HandDriver, FailsWhenThePersonGivesUp) {
+TEST(HandDriver, FailsWhenTheOperatorGivesUp) {
   HandDriver driver({});
   const Decision end = step(driver, 1.1, {.quit = true, .gives_up = true});
   EXPECT_EQ(end.status, NavigatorStatus::kFailed);
@@ -52,7 +52,7 @@ TEST(HandDriver, FailsWhenThePersonGivesUp) {
   EXPECT_EQ(end.command, Command{});
 }
 
-TEST(HandDriver, FailsWhenTheVehicleContactsSomething) {
+TEST(HandDriver, FailsOnBumperContact) {
   HandDriver driver({});
   const Decision end = step(driver, 1, requested({.speed_mps = 0.3}), true);
   EXPECT_EQ(end.status, NavigatorStatus::kFailed);

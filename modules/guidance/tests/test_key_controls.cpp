@@ -42,7 +42,7 @@ TEST(TerminalKeys, MarksAreTyped) {
   EXPECT_THAT(keys.read("x"), ElementsAre(mark(Mark::Kind::kStop, "")));
 }
 
-TEST(TerminalKeys, WhatIsNoTurningIsNoMark) {
+TEST(TerminalKeys, AnInvalidTurningIsNoMark) {
   EXPECT_THAT(TerminalKeys().read("d14\nd0\nd\nda7\x1b[A"), ElementsAre(key(Kind::kUp)));
   EXPECT_THAT(TerminalKeys().read("plobby\x1b[A\n"), ElementsAre(key(Kind::kUp)));
 }

@@ -9,7 +9,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Senses so many cycles of a tenth of a second, and remembers how it was given to drive.
+/// Delivers observations for a number of cycles of 0.1 s, and records the commanded speeds.
 class CountingVehicle final : public Vehicle {
  public:
   explicit CountingVehicle(int cycles) : cycles_left_(cycles) {}
@@ -31,7 +31,7 @@ class CountingVehicle final : public Vehicle {
   double stamp_s_ = 0;
 };
 
-/// Goes on until a stamp, then is done.
+/// Drives until a stamp, then is done.
 class TimedNavigator final : public Navigator {
  public:
   explicit TimedNavigator(double until_s) : until_s_(until_s) {}
@@ -44,18 +44,18 @@ class TimedNavigator final : public Navigator {
   double until_s_;
 };
 
-/// Keeps everything until its room is used up.
+/// Fails when it is full.
 class SmallRecord final : public MissionRecord {
  public:
-  explicit SmallRecord(int room) : room_(room) {}
+  explicit SmallRecord(int capacity) : left_(capacity) {}
   Result<Observation> keep(Observation observation) override {
-    if (room_-- == 0) return Problem{{"record"}, "is full"};
+    if (left_-- == 0) return Problem{{"record"}, "is full"};
     return observation;
   }
   Problems keep(const Decision&) override { return {}; }
 
  private:
-  int room_;
+  int left_;
 };
 
 TEST(Mission, EndsWithTheNavigatorAndAStop) {
@@ -72,7 +72,7 @@ TEST(Mission, EndsWithTheNavigatorAndAStop) {
   EXPECT_THAT(vehicle.speeds_mps, ElementsAre(1, 1, 0, 0));
 }
 
-TEST(Mission, StopsTheVehicleWhenNothingIsSensedAnyMore) {
+TEST(Mission, StopsTheVehicleWhenObservationsEnd) {
   CountingVehicle vehicle(2);
   TimedNavigator navigator(10);
   SmallRecord record(1000);

@@ -9,8 +9,8 @@ namespace aisle {
 namespace {
 
 constexpr double kSameSpot_m = 0.2;
-constexpr double kBarredAhead_m = 0.08;  // of where it was stopped ...
-constexpr double kBarredAlong_m = 0.08;  // ... poses are barred that are as near as this
+constexpr double kBarredAhead_m = 0.08;  // from where it was stopped to the barred pose
+constexpr double kBarredAlong_m = 0.08;  // poses this near to a barred pose are barred, too
 constexpr double kBarredAcross_m = 0.04;
 constexpr double kBarred_rad = 6 * kDegree;
 
@@ -19,7 +19,7 @@ constexpr double kBarred_rad = 6 * kDegree;
 void BlockMemory::note(const Pose2& T_map_vehicle, int direction) {
   times_ = was_at(T_map_vehicle) ? times_ + 1 : 1;
   p_map_ = T_map_vehicle.position();
-  shut_direction_ = direction;
+  blocked_direction_ = direction;
   T_map_barred_.push_back(T_map_vehicle * Pose2{direction * kBarredAhead_m, 0, 0});
 }
 

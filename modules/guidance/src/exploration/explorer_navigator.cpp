@@ -11,25 +11,25 @@
 namespace aisle {
 namespace {
 
-constexpr double kStopClearance_m = 0.15;  // the vehicle stops so far before what came into its path
+constexpr double kStopClearance_m = 0.15;  // it stops this far before what came into its path
 constexpr double kCoverageEvery_m = 0.5;
 constexpr int kAttemptsMax = 4;
 constexpr int kHomeAttemptsMax = 4;
 constexpr double kFrontierMoved_m = 1;
-constexpr int kPocketExpansions = 40000;  // of the search: more is not worth while
-constexpr int kBlocksMax = 3;             // on one spot: then the trail back is the path out
-constexpr double kHitNow_m = 1.5;         // so far from the vehicle paths keep off what is hit now
-constexpr double kStageLeft_m = 2.5;      // of a stage, when the next one is searched
-constexpr double kLearned_m2 = 0.5;       // so much more floor is something learned
-constexpr double kShown_m2 = 0.03;        // so much more floor after a path: it was worth driving
-constexpr double kWedged_m = 0.5;  // a search that comes no farther says something about where it began
-constexpr double kRetreat_m = 3;   // at least, along its own trail, before it searches again ...
-constexpr double kRoomy_m = 0.15;  // ... where it has so much more room than it needs
-constexpr int kDespairsMax = 3;    // then it gives up, wherever it is
-constexpr int kContactsMax = 5;    // of the bumper: then something is wrong
-constexpr double kTouchedKnown_m = -0.03;  // beyond the margin: what stands so near is what was touched
-constexpr double kIdlePath_m = 150;        // without learning anything: what waits is left undone ...
-constexpr double kIdleShare = 0.5;         // ... after more, where as much of the path before was worth it
+constexpr int kPocketExpansions = 40000;   // of the path search: a pocket is not worth more
+constexpr int kBlocksMax = 3;              // on one spot: then it retreats along its trail
+constexpr double kHitNow_m = 1.5;          // within this distance paths keep off the present laser returns
+constexpr double kStageLeft_m = 2.5;       // left of a stage when the next one is planned
+constexpr double kLearned_m2 = 0.5;        // that much more floor counts as something learned
+constexpr double kShown_m2 = 0.03;         // a path that showed this much more floor was worth driving
+constexpr double kWedged_m = 0.5;          // a search that gets no farther fails because of where it began
+constexpr double kRetreat_m = 3;           // at least, along its trail, before it searches again ...
+constexpr double kRoomy_m = 0.15;          // ... where it has this much more clearance than it needs
+constexpr int kLastRetreatsMax = 3;        // then it gives up, wherever it is
+constexpr int kContactsMax = 5;            // of the bumper: then something is wrong
+constexpr double kContactKnown_m = -0.03;  // with less clearance, the floor shows what was touched
+constexpr double kIdlePath_m = 150;        // without learning anything: remaining frontiers are left undone;
+constexpr double kIdleShare = 0.5;         // at least this share of the path driven while still learning
 
 bool is_same(const ExploringTarget& a, const ExploringTarget& b) {
   if (a.kind != b.kind) return false;
@@ -45,12 +45,12 @@ void ExplorerNavigatorParams::describe(FieldList& fields) {
   fields.group("steering", steering);
   fields.group("speed", speed);
   fields.real("look_s", look_s, {0, 60}, "time to look around before it starts");
-  fields.real("look_from_m", look_from_m, {0.3, 10}, "so near it drives to what it wants to see");
-  fields.real("join_m", join_m, {0.1, 5}, "so far ahead a new path joins the old one");
+  fields.real("look_from_m", look_from_m, {0.3, 10}, "distance from which it looks at a frontier");
+  fields.real("join_m", join_m, {0.1, 5}, "a new path joins the old one this far ahead");
   fields.group("retry_budget", retry_budget);
   fields.real("time_max_s", time_max_s, {10, 100000}, "then it gives up, wherever it is");
-  fields.count("expansions", expansions, {10, 100000}, "poses that the search looks at in a cycle");
-  fields.real("stuck_s", stuck_s, {1, 3600}, "standing for so long without a path it gives up");
+  fields.count("expansions", expansions, {10, 100000}, "poses that the path search expands in a cycle");
+  fields.real("stuck_s", stuck_s, {1, 3600}, "after standing without a path for this long it gives up");
 }
 
 ExplorerNavigator::ExplorerNavigator(const ExplorerNavigatorParams& params, const VehicleDescription& vehicle,
@@ -73,11 +73,11 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   const FloorLearner::News news = learner_.take(observation);
   driver_.see(learner_.sensor().fan(), learner_.view().ranges_m);
   mark_coverage();
-  if (contacts_again(observation)) return back_off(observation);
-  note_touch();
+  if (has_new_contact(observation)) return back_off(observation);
+  note_contact();
   if (stamp_s_ - *begun_s_ > params_.time_max_s)
     return end(NavigatorStatus::kFailed, "late", "its time is over");
-  if (learner_.is_laying_again()) return wait_for_floor();
+  if (learner_.is_rebuilding()) return wait_for_floor();
   keep_trail(news);
   if (stamp_s_ - *begun_s_ < params_.look_s || !learner_.has_looked()) return {.state = "looking"};
   if (came_home_) return end(NavigatorStatus::kDone, "home", what_was_explored());
@@ -85,7 +85,7 @@ Decision ExplorerNavigator::step(const Observation& observation) {
   if (news != FloorLearner::News::kNothing) check_path();
   think(news);
   check_retry_budget();
-  if (is_lost_for_paths())
+  if (is_stuck())
     give_up_mission(is_wedged_ ? "finds no path out of where it stands" : "finds no path that it can drive");
   if (!ended_because_.empty()) return end(NavigatorStatus::kFailed, "stuck", ended_because_);
   return drive(observation);
@@ -100,27 +100,27 @@ std::string ExplorerNavigator::what_was_explored() const {
   return contacts_ == 0 ? explored : explored + ", but touched something";
 }
 
-bool ExplorerNavigator::contacts_again(const Observation& observation) {
-  const bool was_touching = std::exchange(is_touching_, observation.bumper_pressed);
-  return is_touching_ && !was_touching;
+bool ExplorerNavigator::has_new_contact(const Observation& observation) {
+  const bool was_in_contact = std::exchange(is_in_contact_, observation.bumper_pressed);
+  return is_in_contact_ && !was_in_contact;
 }
 
-/// Another path is searched, away from what it touched.
+/// Stops, and looks for another path, away from what it touched.
 Decision ExplorerNavigator::back_off(const Observation& observation) {
   if (++contacts_ > kContactsMax || !learner_.has_looked())
     return end(NavigatorStatus::kFailed, "bumped", "the bumper is pressed");
-  is_touch_due_ = driven_direction_ != 0;
+  is_contact_due_ = driven_direction_ != 0;
   be_blocked(driven_direction_);
   return {.command = {.steering_rad = steering_rad_of(observation.odometry)}, .state = "touched"};
 }
 
-/// What it touched is right before where it came to a stand, and is noted there unless the floor shows it.
-void ExplorerNavigator::note_touch() {
-  if (!is_touch_due_ || !learner_.is_standing()) return;
-  is_touch_due_ = false;
-  const double room_m =
-      search_.room().standing_clearance_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
-  if (room_m > kTouchedKnown_m) learner_.touch(driven_direction_);
+/// It touched something right where it stopped; notes that on the floor unless the floor shows it already.
+void ExplorerNavigator::note_contact() {
+  if (!is_contact_due_ || !learner_.is_standing()) return;
+  is_contact_due_ = false;
+  const double clearance_m = search_.footprint_clearance().standing_clearance_m(
+      learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
+  if (clearance_m > kContactKnown_m) learner_.add_contact(driven_direction_);
 }
 
 void ExplorerNavigator::keep_trail(FloorLearner::News news) {
@@ -135,8 +135,8 @@ void ExplorerNavigator::mark_coverage() {
   coverage_.push_back({learner_.path_m(), learner_.floor().free_m2()});
 }
 
-/// Learning floor is a cycle's work already. In the next one it is encoded what is around, in the one after
-/// it is decided where to go; and then it is a path's turn to be searched, as in all other cycles.
+/// Spreads the work over cycles: floor is learned in one, the next looks around for frontiers, the one after
+/// chooses a target. All other cycles search for a path.
 void ExplorerNavigator::think(FloorLearner::News news) {
   const bool is_news = news != FloorLearner::News::kNothing;
   const bool is_turn_of_look = !std::exchange(is_turn_of_search_, false);
@@ -169,7 +169,7 @@ void ExplorerNavigator::choose() {
   const bool goes_on = target_ && is_same(*target_, target);
   const bool frontier_moved = (target.frontier.p_map - p_map_searched_).norm() > kFrontierMoved_m;
   if (frontier_moved || !former_ || !is_same(*former_, target)) is_out_of_reach_ = false;
-  watch_learning(target);
+  note_learning(target);
   target_ = former_ = target;
   target_search_.see(target.frontier);
   if (goes_on && (!frontier_moved || target.kind != ExploringTarget::Kind::kPath)) return;
@@ -177,7 +177,7 @@ void ExplorerNavigator::choose() {
   is_search_due_ = true;
 }
 
-/// From where the present path is left: ahead, so that the vehicle need not stop.
+/// Starts at a pose ahead on the present path, so that the vehicle need not stop.
 void ExplorerNavigator::begin_search() {
   is_search_due_ = stands_first_ = false;
   p_map_searched_ = target_->frontier.p_map;
@@ -193,12 +193,12 @@ void ExplorerNavigator::begin_search() {
   }
   if (is_path && !target_->frontier.is_pocket && !driver_.has_path())
     target_search_.search_from_ends_too(tries_);
-  if (blocks_.was_at(T_map_from)) search_.forbid_first(blocks_.shut_direction());
+  if (blocks_.was_at(T_map_from)) search_.forbid_first(blocks_.blocked_direction());
   keep_off_what_blocks();
   if (tries_.failures > 0) search_.relax_clearance();
 }
 
-/// What the sensor strikes now stands a little off where the floor's cells show it; and a path through where
+/// The present laser returns may lie a little off the floor's occupied cells; and a path through a pose where
 /// the vehicle was blocked would be blocked again.
 void ExplorerNavigator::keep_off_what_blocks() {
   search_.keep_to([this](const Pose2& T_map_later) {
@@ -208,12 +208,12 @@ void ExplorerNavigator::keep_off_what_blocks() {
   });
 }
 
-/// Where no path that ends exactly there is found, near home first, and on from there.
+/// Where no path ends exactly at home, the vehicle first drives near home, and on from there.
 bool ExplorerNavigator::may_end_at_home(const Pose2& T_map_from) const {
   return tries_.paths % 2 == 0 && (tries_.paths > 0 || !blocks_.was_at(T_map_from));
 }
 
-/// Before a stage ends, the path on from it is searched.
+/// Begins to plan the next stage before the present one ends.
 void ExplorerNavigator::search_on() {
   const bool ends_soon = is_stage_ && driver_.has_path() && driver_.left_m() < kStageLeft_m;
   if (!ends_soon || search_.state() != CarSearch::State::kIdle) return;
@@ -239,19 +239,20 @@ void ExplorerNavigator::search_path() {
   if (state == CarSearch::State::kNone || is_not_worth_more) find_no_path();
 }
 
-/// The latest path showed floor.
+/// Whether the last path showed new floor.
 bool ExplorerNavigator::was_worth_it() const {
   return learner_.floor().free_m2() > searched_m2_ + kShown_m2;
 }
 
-/// Either there is none to the target, or none out of where the vehicle stands: then no target is to blame.
+/// Either no path leads to the target, or none leads away from where the vehicle stands; that does not count
+/// against the target.
 void ExplorerNavigator::find_no_path() {
   is_wedged_ = search_.reached_m() < kWedged_m;
   search_.stop();
   arrived_cycle_ = cycle_;
   if (!is_wedged_) count_failure();
-  if (blocks_.shut_direction() != 0) {
-    blocks_.open_direction();
+  if (blocks_.blocked_direction() != 0) {
+    blocks_.unblock_direction();
     if (blocks_.times() > kBlocksMax) retreat();
     return;
   }
@@ -265,23 +266,24 @@ void ExplorerNavigator::find_no_path() {
   leave_path();
 }
 
-/// All was tried, and nothing leads back to where the vehicle began: that says nothing about the target.
+/// All poses were tried, and none leads even back home: that does not count against the target.
 bool ExplorerNavigator::is_shut_in() const {
   return search_.has_tried_all() &&
          !search_.has_come_to(learner_.T_map_home().position(), HomeSearch::kNear_m);
 }
 
-/// Not even squeezing does the vehicle get out of where the target would show, to home or to where it stands.
+/// Even with relaxed clearance, no path leads from where the target can be seen to home or to the vehicle.
 bool ExplorerNavigator::is_target_shut_off() const {
   return tries_.failures > 0 &&
          search_.is_shut_off_from(learner_.T_map_home().position(), HomeSearch::kNear_m);
 }
 
-/// Back as it came, and then it searches again.
+/// Drives back as it came, then searches again.
 bool ExplorerNavigator::retreat() {
   if (driver_.has_path()) return false;
   const Path back = trail_.path_back(learner_.T_map_vehicle(), kRetreat_m, [this](const Pose2& T_map) {
-    return search_.room().clearance_m(learner_.floor(), learner_.clearance(), T_map) > kRoomy_m;
+    return search_.footprint_clearance().clearance_m(learner_.floor(), learner_.clearance(), T_map) >
+           kRoomy_m;
   });
   if (back.empty()) return false;
   driver_.take_trail(back);
@@ -289,13 +291,14 @@ bool ExplorerNavigator::retreat() {
   return true;
 }
 
-/// A path home that fails is no reason not to come home.
+/// A failed path home does not count: the vehicle must still come home.
 void ExplorerNavigator::count_failure() {
   const bool goes_home = former_ && former_->kind == ExploringTarget::Kind::kHome;
   if (!goes_home) retry_budget_.count_failure(learner_.T_map_vehicle());
 }
 
-/// It cannot look behind the frontier: a corner is left out, and what is out of reach; more is left undone.
+/// It cannot see past the frontier. A small corner, or a frontier out of reach, is given up; a larger one is
+/// abandoned and reported as undone.
 void ExplorerNavigator::leave_path() {
   if (is_out_of_reach_ || target_->frontier.behind_m2 < params_.explorer.leftover_m2) return give_path_up();
   explorer_.abandon(target_->path, cycle_);
@@ -303,15 +306,15 @@ void ExplorerNavigator::leave_path() {
   moved_s_ = stamp_s_;
 }
 
-/// No pose that the vehicle can get to shows more of it, or hardly anything is left to be seen.
+/// No pose that the vehicle can reach shows more of the frontier, or hardly anything is left to be seen.
 void ExplorerNavigator::give_path_up() {
   explorer_.give_up(target_->path, cycle_);
   drop_path();
   moved_s_ = stamp_s_;
 }
 
-/// New floor, or another target: that is worth its time.
-void ExplorerNavigator::watch_learning(const ExploringTarget& target) {
+/// New floor, or another target, renews the retry budget.
+void ExplorerNavigator::note_learning(const ExploringTarget& target) {
   const bool goes_on = former_ && is_same(*former_, target);
   const bool learned = learner_.floor().free_m2() > learned_m2_ + kLearned_m2;
   if (learned) {
@@ -325,7 +328,7 @@ void ExplorerNavigator::watch_learning(const ExploringTarget& target) {
   blocks_.unbar();
 }
 
-/// What leads nowhere is left undone, and in the end everything.
+/// Leaves a target undone when its retry budget is over, and all targets when nothing is learned any more.
 void ExplorerNavigator::check_retry_budget() {
   if (!target_ || is_wedged_) return;
   const double idle_max_m = std::max(kIdlePath_m, kIdleShare * learned_path_m_);
@@ -347,11 +350,11 @@ void ExplorerNavigator::check_retry_budget() {
   }
 }
 
-/// The vehicle came in along its trail, however narrow that is: back along some of it, before it gives up.
+/// The vehicle came along its trail, however narrow that is: it retreats along some of it, then gives up.
 void ExplorerNavigator::give_up_mission(const std::string& why) {
   drop_path();
   if (!learner_.is_standing()) return;
-  if (++despairs_ > kDespairsMax || !retreat()) {
+  if (++last_retreats_ > kLastRetreatsMax || !retreat()) {
     ended_because_ = why;
     return;
   }
@@ -360,14 +363,14 @@ void ExplorerNavigator::give_up_mission(const std::string& why) {
   retry_budget_.renew(stamp_s_, learner_.path_m(), learner_.path_m() / 2);
 }
 
-/// A place was recognised, or cells are halved: the floor is laid again while the vehicle stands.
+/// After a loop closure, or with cells halved, the floor is rebuilt while the vehicle stands.
 Decision ExplorerNavigator::wait_for_floor() {
   drop_path();
   moved_s_ = stamp_s_;
   return {.state = "laying floor again"};
 }
 
-/// What was seen around on the former floor does not lie where it lies now.
+/// The frontiers seen on the former floor are no longer valid.
 void ExplorerNavigator::begin_on_new_floor() {
   drop_path();
   is_choice_due_ = false;
@@ -412,7 +415,7 @@ void ExplorerNavigator::drop_path() {
   ends_at_home_ = false;
 }
 
-/// What was learned since may lie in the path.
+/// The path may lead through obstacles that were learned since it was planned.
 void ExplorerNavigator::check_path() {
   if (!driver_.has_path()) return;
   const double free_m = driver_.free_m(learner_.floor(), learner_.clearance(), learner_.T_map_vehicle());
@@ -425,7 +428,7 @@ void ExplorerNavigator::check_path() {
   target_.reset();
 }
 
-bool ExplorerNavigator::is_lost_for_paths() {
+bool ExplorerNavigator::is_stuck() {
   if (driver_.has_path() && !is_wedged_) moved_s_ = stamp_s_;
   return stamp_s_ - moved_s_ > params_.stuck_s;
 }
@@ -433,8 +436,8 @@ bool ExplorerNavigator::is_lost_for_paths() {
 Decision ExplorerNavigator::drive(const Observation& observation) {
   const std::string state = state_word();
   const PathDriver::Step step =
-      driver_.drive(learner_.floor(), learner_.clearance(), search_.room(), learner_.T_map_vehicle(),
-                    steering_rad_of(observation.odometry));
+      driver_.drive(learner_.floor(), learner_.clearance(), search_.footprint_clearance(),
+                    learner_.T_map_vehicle(), steering_rad_of(observation.odometry));
   switch (step.state) {
     case PathDriver::State::kNoPath:
       return {.command = step.command, .state = state, .why = why_it_stands()};

@@ -9,16 +9,15 @@
 namespace aisle {
 namespace {
 
-constexpr double kSetDownAhead_m = 0.15;
-constexpr double kSetDownBeside_m = 0.1;
-constexpr double kOutOfPlace_m =
-    0.025;                            // the floor is laid again when a scan lies so far from where it was put
-constexpr double kLever_m = 2;        // at which turns count
-constexpr double kLaidACycle = 8;     // of the scans that are laid again, on cells ...
-constexpr double kLaidCell_m = 0.05;  // ... so wide
-constexpr double kNearBy_m = 2.5;     // what is hit so near may be in the path soon ...
-constexpr double kApart_m = 0.1;      // ... and is new where nothing stands so near to it
-constexpr double kStanding_m = 0.002;  // of path in a cycle
+constexpr double kInitialAhead_m = 0.15;
+constexpr double kInitialBeside_m = 0.1;
+constexpr double kOutOfPlace_m = 0.025;  // the floor is rebuilt when a scan lies this far from where it was
+constexpr double kLever_m = 2;           // turns a heading error into a distance
+constexpr double kRebuiltACycle = 8;     // scans added per cycle in a rebuild, with cells ...
+constexpr double kRebuiltCell_m = 0.05;  // ... of this width
+constexpr double kNearBy_m = 2.5;        // a laser return this near may be in the path soon ...
+constexpr double kApart_m = 0.1;         // ... and is new if no obstacle is this near to it
+constexpr double kStanding_m = 0.002;    // of path in a cycle
 
 }  // namespace
 
@@ -26,12 +25,12 @@ void FloorLearnerParams::describe(FieldList& fields) {
   fields.group("mapping", mapping);
   fields.group("view", view);
   fields.group("legs", legs);
-  fields.real("cell_m", cell_m, {0.02, 0.2}, "cells of the floor");
+  fields.real("cell_m", cell_m, {0.02, 0.2}, "width of the floor's cells");
   fields.real("cell_least_m", cell_least_m, {0.02, 0.2},
-              "to which they are halved where paths stay out of reach");
-  fields.real("look_every_m", look_every_m, {0.02, 2}, "path after which the floor is looked at again");
-  fields.angle("look_every_deg", look_every_rad, {0.5, 90}, "turning after which it is");
-  fields.count("look_every_cycles", look_every_cycles, {1, 1000}, "cycles after which it is");
+              "cells are halved down to this while frontiers stay out of reach");
+  fields.real("look_every_m", look_every_m, {0.02, 2}, "path after which the floor is updated");
+  fields.angle("look_every_deg", look_every_rad, {0.5, 90}, "turn after which the floor is updated");
+  fields.count("look_every_cycles", look_every_cycles, {1, 1000}, "cycles after which the floor is updated");
 }
 
 FloorLearner::FloorLearner(const FloorLearnerParams& params, const VehicleDescription& vehicle,
@@ -63,19 +62,19 @@ FloorLearner::News FloorLearner::take(const Observation& observation) {
     if (log_.scans.size() == 1) T_map_home_ = mapping_.T_map_vehicle();
   }
   T_map_vehicle_ = mapping_.T_map_vehicle() * T_scan_vehicle_;
-  if (recognised && places_moved()) begin_again();
-  if (again_) return lay_on() ? News::kLoop : News::kNothing;
-  if (!sees || !(is_time_to_look() || strikes_something_new())) return News::kNothing;
+  if (recognised && places_moved()) begin_rebuild();
+  if (rebuild_) return continue_rebuild() ? News::kLoop : News::kNothing;
+  if (!sees || !(is_time_to_look() || hits_something_new())) return News::kNothing;
   looks_.push_back({log_.scans.size() - 1, view_.near_m, T_map_vehicle_});
   T_map_looked_ = T_map_vehicle_;
   cycles_since_look_ = 0;
   FloorBox changed = put(looks_.back(), T_map_vehicle_, floor_);
-  for (const Touch& touch : contacts_) changed.include_box(put(touch, touch.T_map_put, floor_));
+  for (const Contact& contact : contacts_) changed.include_box(put(contact, contact.T_map_put, floor_));
   clearance_.update(floor_, changed);
   return changed.empty() ? News::kNothing : News::kFloor;
 }
 
-void FloorLearner::touch(int direction) {
+void FloorLearner::add_contact(int direction) {
   contacts_.push_back({log_.scans.size() - 1, T_scan_vehicle_, direction, T_map_vehicle_});
   clearance_.update(floor_, put(contacts_.back(), T_map_vehicle_, floor_));
 }
@@ -88,7 +87,7 @@ bool FloorLearner::halve_cells() {
   if (cell_m_ / 2 < params_.cell_least_m) return false;
   cell_m_ /= 2;
   T_map_of_all_ = mapping_.T_map_vehicle_of_all();
-  begin_again();
+  begin_rebuild();
   return true;
 }
 
@@ -106,8 +105,8 @@ bool FloorLearner::is_time_to_look() const {
          std::abs(since.theta) >= params_.look_every_rad || cycles_since_look_ >= params_.look_every_cycles;
 }
 
-/// What is thin is not hit by every scan: one that does must not be passed over.
-bool FloorLearner::strikes_something_new() const {
+/// Not every scan hits a thin obstacle, so one that does must not be skipped.
+bool FloorLearner::hits_something_new() const {
   const LaserScanner& fan = sensor_->fan();
   const Pose2 T_map_laser = T_map_vehicle_ * fan.T_vehicle_laser;
   for (std::size_t beam = 0; beam < view_.ranges_m.size(); ++beam) {
@@ -123,37 +122,37 @@ FloorBox FloorLearner::put(const Look& look, const Pose2& T_map_vehicle, FloorGr
   FloorBox changed = see_floor(floor, sensor_->fan(), log_.scans[look.scan_index].ranges_m, look.near_m,
                                T_map_vehicle, params_.view);
   const FloorBox stood =
-      stand_on_floor(floor, look.scan_index == 0 ? set_down_room() : vehicle_.footprint, T_map_vehicle);
+      stand_on_floor(floor, look.scan_index == 0 ? initial_free_area() : vehicle_.footprint, T_map_vehicle);
   changed.include_box(stood);
   return changed;
 }
 
-/// What no scan shows.
-FloorBox FloorLearner::put(const Touch& touch, const Pose2& T_map_vehicle, FloorGrid& floor) const {
-  return strike_floor(floor, vehicle_.footprint, T_map_vehicle, touch.direction);
+FloorBox FloorLearner::put(const Contact& contact, const Pose2& T_map_vehicle, FloorGrid& floor) const {
+  return strike_floor(floor, vehicle_.footprint, T_map_vehicle, contact.direction);
 }
 
-/// Who sets a vehicle down leaves it a little room on all sides, ahead beyond the strip that it cannot see:
-/// it does not stand before a table, and the jambs of a door in which it stands are no legs.
-Footprint FloorLearner::set_down_room() const {
-  Footprint room = vehicle_.footprint;
-  room.rear_m += kSetDownBeside_m;
-  room.width_m += 2 * kSetDownBeside_m;
+/// The area taken as free at the start. Whoever places the vehicle leaves it some space on all sides, and
+/// ahead of its blind zone: it does not stand right before a table, and if it stands in a door, the jambs are
+/// not a table's legs.
+Footprint FloorLearner::initial_free_area() const {
+  Footprint area = vehicle_.footprint;
+  area.rear_m += kInitialBeside_m;
+  area.width_m += 2 * kInitialBeside_m;
   const std::vector<float>& near_m = looks_.front().near_m;
-  if (!near_m.empty()) room.front_m = sensor_->fan().T_vehicle_laser.x + near_m[near_m.size() / 2];
-  room.front_m += kSetDownAhead_m;
-  return room;
+  if (!near_m.empty()) area.front_m = sensor_->fan().T_vehicle_laser.x + near_m[near_m.size() / 2];
+  area.front_m += kInitialAhead_m;
+  return area;
 }
 
 FloorGrid FloorLearner::floor_from(std::span<const Pose2> T_map_vehicle) const {
   FloorGrid floor(cell_m_);
   for (const Look& look : looks_) put(look, T_map_vehicle[look.scan_index], floor);
-  for (const Touch& touch : contacts_)
-    put(touch, T_map_vehicle[touch.scan_index] * touch.T_scan_vehicle, floor);
+  for (const Contact& contact : contacts_)
+    put(contact, T_map_vehicle[contact.scan_index] * contact.T_scan_vehicle, floor);
   return floor;
 }
 
-/// A place was recognised: whether any scan lies elsewhere now, by more than the floor is accurate.
+/// After a loop closure: whether any scan has moved by more than the floor's accuracy.
 bool FloorLearner::places_moved() {
   T_map_of_all_ = mapping_.T_map_vehicle_of_all();
   T_map_home_ = T_map_of_all_.front();
@@ -163,32 +162,32 @@ bool FloorLearner::places_moved() {
   });
 }
 
-void FloorLearner::begin_again() {
-  again_.emplace(cell_m_, clearance_.far_m(), params_.legs);
+void FloorLearner::begin_rebuild() {
+  rebuild_.emplace(cell_m_, clearance_.far_m(), params_.legs);
 }
 
-/// Lays a few scans more onto the floor as they lie now; true when all are laid.
-bool FloorLearner::lay_on() {
-  const auto portion = static_cast<std::size_t>(std::max(1.0, kLaidACycle * cell_m_ / kLaidCell_m));
-  const std::size_t end = std::min(again_->next + portion, looks_.size());
+/// Adds a few more scans to the new floor; true when all are added.
+bool FloorLearner::continue_rebuild() {
+  const auto portion = static_cast<std::size_t>(std::max(1.0, kRebuiltACycle * cell_m_ / kRebuiltCell_m));
+  const std::size_t end = std::min(rebuild_->next + portion, looks_.size());
   FloorBox changed;
-  for (; again_->next < end; ++again_->next) {
-    Look& look = looks_[again_->next];
+  for (; rebuild_->next < end; ++rebuild_->next) {
+    Look& look = looks_[rebuild_->next];
     look.T_map_put = T_map_of_all_[look.scan_index];
-    changed.include_box(put(look, look.T_map_put, again_->floor));
+    changed.include_box(put(look, look.T_map_put, rebuild_->floor));
   }
-  if (again_->next == looks_.size()) {
-    for (Touch& touch : contacts_) {
-      if (touch.scan_index < T_map_of_all_.size())  // else it was put down where places lie since
-        touch.T_map_put = T_map_of_all_[touch.scan_index] * touch.T_scan_vehicle;
-      changed.include_box(put(touch, touch.T_map_put, again_->floor));
+  if (rebuild_->next == looks_.size()) {
+    for (Contact& contact : contacts_) {
+      if (contact.scan_index < T_map_of_all_.size())  // later contacts have their new pose already
+        contact.T_map_put = T_map_of_all_[contact.scan_index] * contact.T_scan_vehicle;
+      changed.include_box(put(contact, contact.T_map_put, rebuild_->floor));
     }
   }
-  again_->clearance.update(again_->floor, changed);
-  if (again_->next < looks_.size()) return false;
-  floor_ = std::move(again_->floor);
-  clearance_ = std::move(again_->clearance);
-  again_.reset();
+  rebuild_->clearance.update(rebuild_->floor, changed);
+  if (rebuild_->next < looks_.size()) return false;
+  floor_ = std::move(rebuild_->floor);
+  clearance_ = std::move(rebuild_->clearance);
+  rebuild_.reset();
   return true;
 }
 

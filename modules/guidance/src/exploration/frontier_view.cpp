@@ -6,12 +6,12 @@
 namespace aisle {
 namespace {
 
-constexpr double kFanEdge_rad = 3 * kDegree;  // nothing is expected to be seen so near to the fan's edge
-constexpr double kClearanceCells = 1.5;       // before a rim's point, where the unknown begins
-constexpr double kCornerCells = 1;  // so much less is free about a point than about its cell's middle
+constexpr double kFanEdge_rad = 3 * kDegree;  // the outermost beams are not relied on
+constexpr double kClearanceCells = 1.5;       // before a frontier's edge, where the unknown begins
+constexpr double kCornerCells = 1;  // a point's clearance is at most this much less than its cell centre's
 
-/// Nothing stands, and nothing is unknown, between two places; of a pocket's rim, what lies just before it
-/// may be unknown.
+/// Whether the line of sight crosses neither obstacles nor unknown floor. Just before a pocket's edge the
+/// floor may be unknown.
 bool is_clear(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from, const Vec2& path,
               double length_m, bool is_pocket) {
   const Vec2 along = path / length_m;
@@ -31,7 +31,7 @@ bool is_clear(const FloorGrid& floor, const FloorClearance& clearance, const Vec
   return true;
 }
 
-/// No nearer than the beam there begins to look.
+/// The point lies beyond the beam's blind zone.
 bool shows_beam(const FrontierLook& look, const Pose2& T_map_fan, const Vec2& towards, double distance_m) {
   if (look.near_m.empty()) return true;
   const double angle_rad = wrap_angle(heading_of(towards) - T_map_fan.theta);
@@ -42,8 +42,8 @@ bool shows_beam(const FrontierLook& look, const Pose2& T_map_fan, const Vec2& to
 
 }  // namespace
 
-bool sees_rim(const FrontierLook& look, const FloorGrid& floor, const FloorClearance& clearance,
-              const Pose2& T_map_vehicle, const Frontier& frontier, std::size_t enough) {
+bool sees_frontier(const FrontierLook& look, const FloorGrid& floor, const FloorClearance& clearance,
+                   const Pose2& T_map_vehicle, const Frontier& frontier, std::size_t enough) {
   const Pose2 T_map_fan = T_map_vehicle * look.fan.T_vehicle_laser;
   const Vec2 ahead = unit(T_map_fan.theta);
   const double cosine_least = std::cos(look.fan.first_angle_rad + kFanEdge_rad);

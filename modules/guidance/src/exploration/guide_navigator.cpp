@@ -14,8 +14,8 @@ namespace aisle {
 namespace {
 
 constexpr double kWatchAhead_m = 1.5;
-constexpr double kGetsOn_m = 0.3;     // within the time after which it gives up
-constexpr double kSearchAgain_s = 2;  // after there was no path
+constexpr double kGetsOn_m = 0.3;     // moving this far counts as progress
+constexpr double kSearchAgain_s = 2;  // after no path was found
 
 UncertainPose2 about_start(const Pose2& T_map_start, const GuideNavigatorParams& params) {
   const Vec3 sigma(params.start_sigma_m, params.start_sigma_m, params.start_sigma_rad);
@@ -36,15 +36,15 @@ void GuideNavigatorParams::describe(FieldList& fields) {
   fields.group("search", search);
   fields.group("steering", steering);
   fields.group("speed", speed);
-  fields.real("start_sigma_m", start_sigma_m, {0.001, 2}, "how far off its start the vehicle may stand");
-  fields.angle("start_sigma_deg", start_sigma_rad, {0.05, 30}, "how far it may be turned there");
+  fields.real("start_sigma_m", start_sigma_m, {0.001, 2}, "uncertainty of the start position");
+  fields.angle("start_sigma_deg", start_sigma_rad, {0.05, 30}, "uncertainty of the start heading");
   fields.real("look_s", look_s, {0, 60}, "time to look around before it starts");
-  fields.real("look_every_m", look_every_m, {0.02, 2}, "path after which the floor is looked at again");
-  fields.real("look_every_s", look_every_s, {0.05, 10}, "time after which it is");
-  fields.real("arrive_m", arrive_m, {0.05, 3}, "so near the vehicle has reached a place");
-  fields.real("lost_s", lost_s, {0.5, 60}, "seeing other walls than are known for so long it is lost");
-  fields.real("give_up_s", give_up_s, {1, 3600}, "without any path for so long it gives up");
-  fields.count("expansions", expansions, {10, 100000}, "poses that the search looks at in a cycle");
+  fields.real("look_every_m", look_every_m, {0.02, 2}, "path after which the floor is updated");
+  fields.real("look_every_s", look_every_s, {0.05, 10}, "time after which the floor is updated");
+  fields.real("arrive_m", arrive_m, {0.05, 3}, "distance at which a place counts as reached");
+  fields.real("lost_s", lost_s, {0.5, 60}, "after seeing unknown walls for this long it is lost");
+  fields.real("give_up_s", give_up_s, {1, 3600}, "without progress for this long it gives up");
+  fields.count("expansions", expansions, {10, 100000}, "poses that the path search expands in a cycle");
 }
 
 GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
@@ -67,7 +67,7 @@ GuideNavigator::GuideNavigator(const GuideNavigatorParams& params, const Vehicle
 
 Decision GuideNavigator::step(const Observation& observation) {
   const double stamp_s = observation.stamp_s;
-  if (!begun_s_) begun_s_ = sure_s_ = hopeful_s_ = stamp_s;
+  if (!begun_s_) begun_s_ = localised_s_ = progress_s_ = stamp_s;
   locate(observation);
   if (const std::string why = why_failed(observation); !why.empty())
     return {.status = NavigatorStatus::kFailed, .state = "given up", .why = why};
@@ -83,7 +83,7 @@ void GuideNavigator::locate(const Observation& observation) {
   const bool sees = sensor_->look(observation, view_);
   if (sees) localiser_.take_scan(view_.ranges_m, std::exchange(T_scan_vehicle_, {}));
   T_map_vehicle_ = localiser_.T_map_vehicle().mean * T_scan_vehicle_;
-  if (!localiser_.is_doubtful()) sure_s_ = observation.stamp_s;
+  if (!localiser_.is_doubtful()) localised_s_ = observation.stamp_s;
   if (sees && !localiser_.is_doubtful()) look_at_floor(observation.stamp_s);
 }
 
@@ -100,8 +100,9 @@ void GuideNavigator::look_at_floor(double stamp_s) {
 
 std::string GuideNavigator::why_failed(const Observation& observation) {
   if (observation.bumper_pressed) return "the bumper is pressed";
-  if (observation.stamp_s - sure_s_ > params_.lost_s) return "lost: what it sees fits no walls that it knows";
-  if (observation.stamp_s - hopeful_s_ <= params_.give_up_s) return "";
+  if (observation.stamp_s - localised_s_ > params_.lost_s)
+    return "lost: what it sees fits no walls that it knows";
+  if (observation.stamp_s - progress_s_ <= params_.give_up_s) return "";
   const Vec2& p = p_map_places_[next_];
   return fmt::format("there is no path to {:.1f}, {:.1f}{}", p.x(), p.y(),
                      has_barriers_ ? " that crosses neither keep-out lines nor glass" : "");
@@ -135,9 +136,9 @@ void GuideNavigator::begin_search() {
 }
 
 void GuideNavigator::search_path(double stamp_s) {
-  if ((T_map_vehicle_.position() - p_map_hopeful_).norm() > kGetsOn_m) {
-    hopeful_s_ = stamp_s;
-    p_map_hopeful_ = T_map_vehicle_.position();
+  if ((T_map_vehicle_.position() - p_map_progress_).norm() > kGetsOn_m) {
+    progress_s_ = stamp_s;
+    p_map_progress_ = T_map_vehicle_.position();
   }
   if (driver_.has_path()) return;
   if (search_.state() == CarSearch::State::kIdle) begin_search();
@@ -156,7 +157,7 @@ void GuideNavigator::search_path(double stamp_s) {
   search_.stop();
   if (path.empty()) {
     ++next_;
-    hopeful_s_ = stamp_s;
+    progress_s_ = stamp_s;
   } else {
     driver_.take(path);
   }
@@ -164,8 +165,8 @@ void GuideNavigator::search_path(double stamp_s) {
 
 Decision GuideNavigator::drive(const Observation& observation) {
   driver_.see(sensor_->fan(), view_.ranges_m);
-  const PathDriver::Step step = driver_.drive(floor_, clearance_, search_.room(), T_map_vehicle_,
-                                              steering_rad_of(observation.odometry));
+  const PathDriver::Step step = driver_.drive(floor_, clearance_, search_.footprint_clearance(),
+                                              T_map_vehicle_, steering_rad_of(observation.odometry));
   const bool drives =
       step.state == PathDriver::State::kDriving || step.state == PathDriver::State::kTurningWheels;
   if (step.state == PathDriver::State::kBlocked) blocked_direction_ = step.direction;

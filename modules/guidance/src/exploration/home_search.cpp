@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kRunIn_m = 1;  // straight, before home
+constexpr double kRunIn_m = 1;  // straight end of the path
 constexpr double kAtHome_m = 0.03;
 constexpr double kAtHome_rad = 1 * kDegree;
 
@@ -40,16 +40,16 @@ Path HomeSearch::path() const {
   return found.followed_by(Path({{T_map_begin, run_in_}}));
 }
 
-/// From the side where the vehicle is, if there is room; or else from the other. None: of no length.
+/// From the side where the vehicle is, if there is space; else from the other side. Zero length: neither.
 Arc HomeSearch::run_in(const FloorGrid& floor, const FloorClearance& clearance,
                        const Pose2& T_map_from) const {
-  const FootprintClearance& room = search_.room();
-  const RelaxedClearance at_home = room.relaxed_clearance(floor, clearance, T_map_home_);
+  const FootprintClearance& footprint_clearance = search_.footprint_clearance();
+  const RelaxedClearance at_home = footprint_clearance.relaxed_clearance(floor, clearance, T_map_home_);
   const double first_m = between(T_map_home_, T_map_from).x > 0 ? -kRunIn_m : kRunIn_m;
   for (const double run_in_m : {first_m, -first_m}) {
     const Arc run_in{run_in_m, 0};
     const Path path({{T_map_home_ * end_pose(run_in).inverse(), run_in}});
-    if (room.free_path_m(floor, clearance, path, 0, at_home) >= path.length_m()) return run_in;
+    if (footprint_clearance.free_path_m(floor, clearance, path, 0, at_home) >= path.length_m()) return run_in;
   }
   return {};
 }

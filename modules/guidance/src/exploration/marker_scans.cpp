@@ -16,7 +16,7 @@ const CameraDescription& marker_camera(const VehicleDescription& vehicle, const 
   return *camera;
 }
 
-/// C99 section 3.1: the markers' stripe in the image as a fan of ranges about the point below the lens.
+/// C99 section 3.1: the laser stripe in the image as a polar scan about the point below the lens.
 class MarkerScans final : public ScanSource {
  public:
   MarkerScans(const VehicleDescription& vehicle, const CameraDescription& camera)
@@ -45,8 +45,7 @@ class MarkerScans final : public ScanSource {
   }
 
  private:
-  /// Where no light is seen the path is free, as far as the beam lies in the image, and where light could
-  /// be seen at all.
+  /// A beam without light is free as far as it lies in the image, provided that light could be seen at all.
   float range_m(const StripeFan::Beam& beam) const {
     if (!stripe_.sees_light() || beam.may_be_shut) return 0;
     if (beam.range_m > 0) return std::min(beam.range_m, static_cast<float>(kStripeParams.sure_reach_m));

@@ -7,8 +7,8 @@
 namespace aisle {
 namespace {
 
-constexpr double kAfar = 2;            // times as far as else, where it does not get near
-constexpr double kAboutStand_m = 1.5;  // poses that show a pocket are looked for about the nearest one
+constexpr double kAfar = 2;            // factor on the distance where it cannot get near
+constexpr double kAboutStand_m = 1.5;  // poses that show a pocket are searched within this distance of one
 
 }  // namespace
 
@@ -30,21 +30,21 @@ void TargetSearch::look_for(const ExploringTarget& target, const Pose2& T_map_fr
   }
 }
 
-/// From where enough of what is to be seen of the path would be seen.
+/// To a pose that would see enough of the frontier's edge.
 void TargetSearch::look_into_frontier(const Pose2& T_map_from, const TargetTries& tries) {
   const double reach_m = look_from_m(tries);
-  const bool is_seldom_seen = tries.failures > 0;
-  const auto shows_path = [this, reach_m, is_seldom_seen](const Pose2& T_map) {
+  const bool one_point_is_enough = tries.failures > 0;
+  const auto shows_frontier = [this, reach_m, one_point_is_enough](const Pose2& T_map) {
     const FrontierLook look{learner_.sensor().fan(), learner_.view().near_m, reach_m};
-    const std::size_t enough = is_seldom_seen ? 1 : (frontier_.rim.size() + 3) / 4;
-    return sees_rim(look, learner_.floor(), learner_.clearance(), T_map, frontier_, enough);
+    const std::size_t enough = one_point_is_enough ? 1 : (frontier_.rim.size() + 3) / 4;
+    return sees_frontier(look, learner_.floor(), learner_.clearance(), T_map, frontier_, enough);
   };
   search_.look_for(learner_.floor(), learner_.clearance(), T_map_from,
                    frontier_.is_pocket ? learner_.floor().centre(frontier_.stand) : frontier_.p_map,
-                   frontier_.is_pocket ? kAboutStand_m : reach_m + front_m_, shows_path);
+                   frontier_.is_pocket ? kAboutStand_m : reach_m + front_m_, shows_frontier);
 }
 
-/// Poses that show some of the rim stand about it.
+/// All poses that see a part of the frontier's edge lie around it.
 void TargetSearch::search_from_ends_too(const TargetTries& tries) {
   FloorBox places;
   for (const Vec2& p_map : frontier_.rim) places.include(learner_.floor().cell_at(p_map));
@@ -64,7 +64,7 @@ void TargetSearch::look_for_home(const Pose2& T_map_from, bool exactly) {
   (home_search_.*look_for)(learner_.floor(), learner_.clearance(), learner_.T_map_home(), T_map_from);
 }
 
-/// Nearer where the vehicle saw nothing, farther where it does not get so near.
+/// Nearer where the vehicle has seen nothing yet, farther where it cannot get so near.
 double TargetSearch::look_from_m(const TargetTries& tries) const {
   if (frontier_.is_pocket) return distances_.pocket_reach_m;
   if (tries.look_from_afar()) return kAfar * distances_.look_from_m;

@@ -11,11 +11,11 @@ namespace {
 constexpr double kMarkEvery_m = 0.2;
 constexpr double kMarkEvery_rad = 10 * kDegree;
 constexpr double kMoved_m = 0.005;  // in a cycle: less says nothing about the direction
-constexpr double kThere_m = 0.05;   // so near to a mark nothing is left to be driven to it
-constexpr double kPullIn_m = 0.4;   // of path on which what the path is off the trail is made good
+constexpr double kThere_m = 0.05;   // within this distance a mark is reached
+constexpr double kPullIn_m = 0.4;   // of path over which the cross-track error is corrected
 constexpr double kAlmostStraight_rad = 1e-6;
 
-/// From one pose to about another, as the wheels roll: to its heading, and a little nearer to the trail.
+/// An arc that the wheels can drive to about another pose: to its heading, and a little nearer to the trail.
 Arc arc_to(const Pose2& T_from_to) {
   const double chord_m = T_from_to.position().norm();
   if (chord_m < kThere_m) return {0, T_from_to.theta};

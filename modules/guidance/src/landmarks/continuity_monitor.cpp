@@ -10,12 +10,12 @@ namespace {
 
 constexpr std::size_t kLinesMin = 5;  // fewer may come and go by themselves
 constexpr double kShownShareMax = 0.2;
-constexpr double kSteadyShareMin = 0.5;  // of new lines, shown by the next image, too
+constexpr double kSteadyShareMin = 0.5;  // of new lines that the next image shows, too
 constexpr int kBreaks = 5;               // images in a row
-constexpr double kStays_m = 5;           // so near lines do not come and go by their distance alone
-constexpr double kInsideShare = 0.9;     // of what is in view: what is nearer to its border may leave it
+constexpr double kStays_m = 5;           // lines nearer than this do not come and go by their distance alone
+constexpr double kInsideShare = 0.9;     // of the view: lines outside of this share may leave it
 
-double bearing_lateral(const LandmarkSighting& sighting) {
+double bearing_off_axis_rad(const LandmarkSighting& sighting) {
   return std::abs(std::atan2(sighting.p_vehicle.y(), sighting.p_vehicle.x()));
 }
 
@@ -50,13 +50,13 @@ bool ContinuityMonitor::is_clear_of_lower_edge(const Vec2& p_vehicle) const {
   return kInsideShare * p_vehicle.x() > nearest_m_;
 }
 
-/// One by one, distant lines come and go by themselves; all of them at once do not.
+/// Distant lines come and go one by one, but not all at once.
 bool ContinuityMonitor::lacks_what_must_stay(std::span<const LandmarkSighting> image) {
   compared_.clear();
   std::copy_if(scene_.begin(), scene_.begin() + steady_, std::back_inserter(compared_),
                [&](const LandmarkSighting& line) {
                  return (image.empty() || stands_near(line)) &&
-                        bearing_lateral(line) < kInsideShare * span_rad_ &&
+                        bearing_off_axis_rad(line) < kInsideShare * span_rad_ &&
                         is_clear_of_lower_edge(line.p_vehicle);
                });
   return compared_.size() >= kLinesMin && shown_share(compared_, image) <= kShownShareMax;
@@ -77,7 +77,7 @@ void ContinuityMonitor::take(std::span<const LandmarkSighting> image) {
                                      [&](const LandmarkSighting& line) { return shows(latest_, line); });
   steady_ = others - scene_.begin();
   span_rad_ = 0;
-  for (const LandmarkSighting& line : image) span_rad_ = std::max(span_rad_, bearing_lateral(line));
+  for (const LandmarkSighting& line : image) span_rad_ = std::max(span_rad_, bearing_off_axis_rad(line));
   since_.start();
   has_scene_ = true;
   breaks_ = 0;

@@ -14,14 +14,14 @@
 namespace aisle {
 namespace {
 
-constexpr double kFoundSigma_m = 0.1;  // of a place that was found while lost, before an image settles it
+constexpr double kFoundSigma_m = 0.1;  // of a relocalised pose, before the next image corrects it
 constexpr double kFoundSigma_rad = 2 * kDegree;
-constexpr double kWallsReach_m = 2;       // walls seen from farther off may be others
-constexpr std::size_t kKnownPairs = 4;    // so many sightings of known things ...
-constexpr double kKnownShare = 0.7;       // ... that are so much of an image show where the vehicle is
-constexpr std::size_t kInImageLeast = 3;  // landmarks; with fewer, seeing none is as the map says
+constexpr double kWallsReach_m = 2;       // walls farther away may be others
+constexpr std::size_t kKnownPairs = 4;    // this many known sightings, if they are ...
+constexpr double kKnownShare = 0.7;       // ... this share of an image, confirm the vehicle's place
+constexpr std::size_t kInImageLeast = 3;  // landmarks; with fewer, seeing none agrees with the map
 constexpr double kUnmatchedBlocked_m =
-    1;  // of path, before something that stands where the taught path was free
+    1;  // of unmatched path; then an obstacle on the taught path means that it is lost
 
 const CameraDescription& camera_of(const VehicleDescription& vehicle, const Building& building) {
   if (building.camera) {
@@ -46,7 +46,7 @@ std::vector<Pose2> places_to_try(const Building& building, const Path& path, dou
   return places;
 }
 
-/// What was seen when the building was taught. A building without routes was taught along the path there.
+/// The floor in view while the building was taught. A building without routes was taught along `path`.
 TaughtView view_of(const Building& building, const FloorInImage& floor, const Path& path) {
   TaughtView view(floor);
   for (const Route& route : building.routes) view.add(route.path);
@@ -54,14 +54,14 @@ TaughtView view_of(const Building& building, const FloorInImage& floor, const Pa
   return view;
 }
 
-/// Reversing no faster than the guard lets it.
+/// The vehicle with its reverse speed limited to the guard's.
 VehicleDescription as_guarded(VehicleDescription vehicle, const LandmarkNavigatorParams& params) {
   double& max_mps = vehicle.limits.reverse_speed_max_mps;
   if (params.guarded) max_mps = std::min(max_mps, params.guard.reverse_speed_mps);
   return vehicle;
 }
 
-/// Enough that it is where it thinks.
+/// Known lines are enough of the last image to confirm the vehicle's place.
 bool knows_what_it_sees(const LandmarkLocaliser& localiser) {
   return localiser.pairs().size() >= kKnownPairs && localiser.matched_share() >= kKnownShare;
 }
@@ -88,25 +88,25 @@ void LandmarkNavigatorParams::describe(FieldList& fields) {
   fields.group("steering", steering);
   fields.group("speed", speed);
   fields.group("guard", guard);
-  fields.flag("guarded", guarded, "stop for what stands in the path, and while the camera shows nothing new");
-  fields.real("start_sigma_m", start_sigma_m, {0.001, 2},
-              "how far from the route's start the vehicle may stand");
-  fields.angle("start_sigma_deg", start_sigma_rad, {0.1, 45}, "how far it may be turned there");
+  fields.flag("guarded", guarded, "stop for obstacles in the path, and while the camera fails");
+  fields.real("start_sigma_m", start_sigma_m, {0.001, 2}, "uncertainty of the start position");
+  fields.angle("start_sigma_deg", start_sigma_rad, {0.1, 45}, "uncertainty of the start heading");
   fields.real("look_s", look_s, {0, 60}, "time to look where it stands before it starts");
-  fields.real("unsure_m", unsure_m, {0.001, 5}, "less sure of its place than this it goes slower");
-  fields.real("lost_m", lost_m, {0.01, 10}, "less sure of its place than this it is lost");
-  fields.angle("lost_deg", lost_rad, {0.1, 90}, "less sure of its heading than this it is lost");
+  fields.real("unsure_m", unsure_m, {0.001, 5}, "position uncertainty above which it slows down");
+  fields.real("lost_m", lost_m, {0.01, 10}, "position uncertainty above which it is lost");
+  fields.angle("lost_deg", lost_rad, {0.1, 90}, "heading uncertainty above which it is lost");
   fields.real("unmatched_max_s", unmatched_max_s, {0.1, 60},
-              "seeing other things than are known for so long it is lost");
+              "after this time with images that do not fit the map it is lost");
   fields.count("unmatched_sightings_min", unmatched_sightings_min, {1, 100},
-               "an image that does not fit, with so many sightings where the taught run saw, is unmatched");
+               "an image that does not fit is unmatched if it has this many sightings in the taught view");
   fields.real("unmatched_max_m", unmatched_max_m, {0.1, 1000},
-              "after so much distance of unmatched images it is lost; known ones make up for unmatched ones");
+              "after this path with unmatched images it is lost; an image that fits halves the path");
   fields.real("search_speed_mps", search_speed_mps, {0, 1},
-              "lost, it drives so fast to see more; 0: it stands");
-  fields.real("search_max_m", search_max_m, {0, 50}, "and so far");
-  fields.real("give_up_s", give_up_s, {1, 600}, "lost, and standing, for so long it gives up");
-  fields.real("off_route_max_m", off_route_max_m, {0.1, 10}, "farther from its route it does not go on");
+              "when lost, it drives at this speed to see more; 0: it stands");
+  fields.real("search_max_m", search_max_m, {0, 50}, "when lost, it drives at most this far");
+  fields.real("give_up_s", give_up_s, {1, 600}, "after standing lost for this long it gives up");
+  fields.real("off_route_max_m", off_route_max_m, {0.1, 10},
+              "relocalised farther from its route than this, it returns to it first");
 }
 
 LandmarkNavigator::LandmarkNavigator(const LandmarkNavigatorParams& params, const VehicleDescription& vehicle,
@@ -142,15 +142,15 @@ Decision LandmarkNavigator::step(const Observation& observation) {
   if (state_ == State::kLooking) return look_around(observation.stamp_s);
   if (was_kidnapped_ && (state_ == State::kFollowing || state_ == State::kReturning)) {
     interrupted_ = state_;
-    begin(State::kDoubting);
+    begin(State::kCheckingConsistency);
   }
-  if (state_ == State::kDoubting) return check_consistency();
+  if (state_ == State::kCheckingConsistency) return check_consistency();
   if (state_ == State::kFollowing) {
     why_lost_ = why_lost();
     if (!why_lost_.empty()) begin(State::kLost);
   }
-  if (state_ == State::kLost) return find_itself(observation);
-  if (state_ == State::kReturning) return come_back(observation);
+  if (state_ == State::kLost) return relocalise(observation);
+  if (state_ == State::kReturning) return return_to_route(observation);
   return guarded(follow(observation));
 }
 
@@ -176,7 +176,7 @@ LandmarkFix LandmarkNavigator::fix() const {
           state_ == State::kLost || state_ == State::kReturning};
 }
 
-/// Odometry, then the image: pose and sightings of this cycle.
+/// Updates pose and sightings by odometry, then by the image.
 void LandmarkNavigator::locate(const Observation& observation) {
   const Pose2 T_map_before = localiser_.pose();
   localiser_.predict(observation.odometry);
@@ -197,15 +197,15 @@ void LandmarkNavigator::locate(const Observation& observation) {
       match_ = localiser_.correct(building_->landmarks, sightings_, edges_on_floor_);
     unmatched_.look(sightings_, match_ == LandmarkMatch::kMatched, localiser_.pose(),
                     (localiser_.pose().position() - T_map_before.position()).norm());
-    watch_for_lift();
+    check_for_kidnapping();
   }
   if (match_ == LandmarkMatch::kMatched || match_ == LandmarkMatch::kNothing)
     matched_stamp_s_ = observation.stamp_s;
   stamp_s_ = observation.stamp_s;
 }
 
-/// Of lines that come and go, an image that fits a little tells neither path.
-void LandmarkNavigator::watch_for_lift() {
+/// Lines come and go, so an image that fits only a little neither raises nor dispels the suspicion.
+void LandmarkNavigator::check_for_kidnapping() {
   const bool fits = match_ == LandmarkMatch::kMatched;
   const bool is_known_here = fits && knows_what_it_sees(localiser_);
   if (stripes_.look(guard_.p_vehicle_lit(), is_known_here)) was_kidnapped_ = has_jumped_ = true;
@@ -224,14 +224,14 @@ void LandmarkNavigator::watch_for_lift() {
     was_kidnapped_ = has_jumped_ = true;
 }
 
-/// Why the vehicle does not know where it is; empty: it does.
+/// Why the vehicle is lost; empty if it is not.
 std::string LandmarkNavigator::why_lost() const {
   const double sigma_m = position_sigma_m(localiser_.covariance());
   if (sigma_m > params_.lost_m)
-    return fmt::format("saw nothing that it knows until unsure by {:.2f} m", sigma_m);
-  if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "is unsure which way it points";
+    return fmt::format("saw no known landmark until its position was uncertain by {:.2f} m", sigma_m);
+  if (std::sqrt(localiser_.covariance()(2, 2)) > params_.lost_rad) return "its heading is too uncertain";
   if (stamp_s_ - matched_stamp_s_ > params_.unmatched_max_s || unmatched_.path_m() > params_.unmatched_max_m)
-    return "sees other things than it knows";
+    return "sees what the map does not contain";
   return "";
 }
 
@@ -240,25 +240,25 @@ Decision LandmarkNavigator::look_around(double stamp_s) {
   return {.state = "looking"};
 }
 
-/// That everything looks other than a moment ago may have other causes: lines that come and go, wrong feet.
-/// So the vehicle stands and looks whether the map's landmarks are seen from where it believes to be.
+/// A sudden change of view may have other causes: lines that come and go, wrong floor points. So the vehicle
+/// stops and checks whether the map's landmarks are seen from where it believes to be.
 Decision LandmarkNavigator::check_consistency() {
-  const bool is_woken_now = std::exchange(was_kidnapped_, false);
-  if (is_woken_now) consistency_.start(has_jumped_);
-  const Suspicion suspicion = is_woken_now || !has_looked_
+  const bool is_suspicion_new = std::exchange(was_kidnapped_, false);
+  if (is_suspicion_new) consistency_.start(has_jumped_);
+  const Suspicion suspicion = is_suspicion_new || !has_looked_
                                   ? Suspicion::kOpen
                                   : consistency_.look(building_->landmarks, fix().T_map_vehicle, sightings_);
   if (suspicion == Suspicion::kDispelled) {
     go_on(interrupted_);
     return {.state = interrupted_ == State::kFollowing ? "following" : "returning"};
   }
-  why_lost_ = "sees other things than a moment ago";
+  why_lost_ = "the view has changed suddenly";
   if (suspicion == Suspicion::kConfirmed || stamp_s_ - *state_since_s_ > params_.give_up_s)
     begin(State::kLost);
   return {.state = state_ == State::kLost ? "lost" : "doubting", .why = why_lost_};
 }
 
-/// Sure of its place again.
+/// Goes on once its place is confirmed.
 void LandmarkNavigator::go_on(State state) {
   begin(state);
   has_jumped_ = false;
@@ -268,8 +268,8 @@ void LandmarkNavigator::go_on(State state) {
   unmatched_.start();
 }
 
-/// The vehicle compares what it has seen since it was lost with all places that it knows.
-Decision LandmarkNavigator::find_itself(const Observation& observation) {
+/// Compares what it has seen since it was lost with all known places.
+Decision LandmarkNavigator::relocalise(const Observation& observation) {
   if (std::exchange(was_kidnapped_, false)) {
     relocator_.start();
     explorer_.reset();
@@ -281,14 +281,14 @@ Decision LandmarkNavigator::find_itself(const Observation& observation) {
   return T_map_found ? found(*T_map_found, observation) : search(observation);
 }
 
-/// It drives on if the route leads on from there, the path it points; else it comes back onto its route.
+/// Drives on if the route leads on from there in the direction of its heading; else returns to its route.
 Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation& observation) {
   place(about(T_map_vehicle, kFoundSigma_m, kFoundSigma_rad));
   if (progress_.find(T_map_vehicle, params_.off_route_max_m)) {
     go_on(State::kFollowing);
     return {.state = "found", .why = fmt::format("{:.1f} m along the route", progress_.point().along_m)};
   }
-  why_lost_ = fmt::format("found itself off its route by more than {:.1f} m, or facing another way",
+  why_lost_ = fmt::format("relocalised more than {:.1f} m off its route, or facing another way",
                           params_.off_route_max_m);
   if (!explorer_) return {.status = NavigatorStatus::kFailed, .state = "lost", .why = why_lost_};
   const FloorLearner& learner = explorer_->learner();
@@ -302,9 +302,9 @@ Decision LandmarkNavigator::found(const Pose2& T_map_vehicle, const Observation&
           .why = why_lost_};
 }
 
-/// Over the floor that it has explored while it was lost, by odometry alone: what corrected its place on the
-/// map would shift it against that floor.
-Decision LandmarkNavigator::come_back(const Observation& observation) {
+/// Drives over the floor that it explored while lost, by odometry alone: correcting its pose on the map would
+/// shift it relative to that floor.
+Decision LandmarkNavigator::return_to_route(const Observation& observation) {
   Decision decision{.state = "returning", .why = why_lost_};
   const PathToRoute::State state =
       path_to_route_->step(localiser_.pose(), steering_rad_of(observation.odometry), decision.command);
@@ -321,15 +321,15 @@ Decision LandmarkNavigator::come_back(const Observation& observation) {
   return decision;
 }
 
-/// Something shows it the floor around, and none of the building's floor is to be kept off: it does not know
-/// where that would be.
+/// It must be able to see the floor around, and the building must have no barriers: while lost, it does not
+/// know where they are.
 bool LandmarkNavigator::may_search() const {
   return params_.guarded && params_.search_speed_mps > 0 && guard_.sees_obstacles() &&
          building_->barriers.empty() && searched_m_ < params_.search_max_m;
 }
 
-/// Stands until one look at all places has said nothing, then explores the floor around, as in a building
-/// that it does not know.
+/// Stands until all places were compared without success, then explores the floor around as in an unknown
+/// building.
 Decision LandmarkNavigator::search(const Observation& observation) {
   Decision decision{.state = "lost", .why = why_lost_};
   const bool has_looked_around = stamp_s_ - *state_since_s_ > params_.look_s && relocator_.rounds() > 0;
@@ -359,7 +359,7 @@ Decision LandmarkNavigator::follow(const Observation& observation) {
           .state = match_ == LandmarkMatch::kMatched ? "following" : "bridging"};
 }
 
-/// The same as far as nothing stands in the path.
+/// The decision, limited by barriers and obstacles.
 Decision LandmarkNavigator::guarded(Decision decision) {
   if (decision.status != NavigatorStatus::kGoing) return decision;
   if (const Barrier* barrier =
@@ -372,7 +372,7 @@ Decision LandmarkNavigator::guarded(Decision decision) {
   Guarded allowed = guard_.allow(decision.command, ahead);
   if (allowed.state != GuardState::kFree && unmatched_.is_unmatched() &&
       unmatched_.path_m() > kUnmatchedBlocked_m) {
-    why_lost_ = "sees other things than it knows, and something is in the path";
+    why_lost_ = "sees what the map does not contain, and something is in the path";
     begin(State::kLost);
     return {.state = "lost", .why = why_lost_};
   }

@@ -9,11 +9,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kRoutePlacesApart_m = 0.1;    // places along the route
-constexpr double kReached_m = 12;              // and so far from the vehicle
-constexpr double kOnRoute_m = 0.2;             // so near ...
-constexpr double kOnRoute_rad = 12 * kDegree;  // ... and so little turned against it, steering does the rest
-constexpr int kExpansions = 1500;              // of the search, a cycle
+constexpr double kRoutePlacesApart_m = 0.1;    // between goal poses along the route, which are ...
+constexpr double kReached_m = 12;              // ... at most this far from the vehicle
+constexpr double kOnRoute_m = 0.2;             // within this distance ...
+constexpr double kOnRoute_rad = 12 * kDegree;  // ... and yaw error, the steering does the rest
+constexpr int kExpansions = 1500;              // of the path search, per cycle
 
 }  // namespace
 
@@ -40,8 +40,8 @@ PathToRoute::State PathToRoute::step(const Pose2& T_map_vehicle, double steering
   command = {.steering_rad = steering_rad};
   if (state_ == State::kSearching) state_ = search();
   if (state_ != State::kDriving) return state_;
-  const PathDriver::Step step =
-      driver_.drive(floor_, clearance_, search_.room(), T_floor_map_ * T_map_vehicle, steering_rad);
+  const PathDriver::Step step = driver_.drive(floor_, clearance_, search_.footprint_clearance(),
+                                              T_floor_map_ * T_map_vehicle, steering_rad);
   command = step.command;
   if (step.state == PathDriver::State::kArrived) state_ = State::kThere;
   if (step.state == PathDriver::State::kBlocked) state_ = State::kNoPath;

@@ -5,15 +5,15 @@
 namespace aisle {
 namespace {
 
-constexpr int kTellingImages = 15;  // that fit or contradict are enough
+constexpr int kTellingImages = 15;  // this many images that fit or contradict are enough
 constexpr int kImagesMax = 30;
-constexpr int kContradictingMin = 3;   // fewer may be the wrong feet that woke the suspicion
-constexpr int kFittingMin = 3;         // show that it is still here though walls stand elsewhere
-constexpr int kFittingEach = 4;        // so many that fit outweigh one that contradicts
-constexpr int kExpectedMin = 10;       // landmarks, in all images together, tell ...
-constexpr double kSeenShareMin = 0.1;  // ... if fewer than this are seen: no more than by chance ...
-constexpr std::size_t kKnownMin = 2;   // ... and not half of the images show so many known lines ...
-constexpr double kMostlyKnown = 0.7;   // ... and hardly any other
+constexpr int kContradictingMin = 3;   // fewer may show the wrong floor points that raised the suspicion
+constexpr int kFittingMin = 3;         // images confirm the place even if walls seem to stand elsewhere
+constexpr int kFittingEach = 4;        // this many images that fit outweigh one that contradicts
+constexpr int kExpectedMin = 10;       // landmarks, summed over all images, tell something ...
+constexpr double kSeenShareMin = 0.1;  // ... if fewer than this share are seen, no more than by chance ...
+constexpr std::size_t kKnownMin = 2;   // ... and not half of the images show this many known lines ...
+constexpr double kMostlyKnown = 0.7;   // ... as at least this share of their sightings
 
 }  // namespace
 

@@ -9,7 +9,7 @@ namespace aisle {
 namespace {
 
 constexpr double kSameLineSigmas = 3.5;
-constexpr double kMovedSigma_m = 0.03;  // of what odometry says of the move between two images
+constexpr double kMovedSigma_m = 0.03;  // of the odometry between two images
 
 bool is_of_one_line(const LandmarkSighting& a, const LandmarkSighting& b) {
   if (a.brighter_right != b.brighter_right) return false;

@@ -8,14 +8,14 @@
 
 namespace aisle {
 
-/// Whether an image shows a line that another one showed: of one brighter side, and the feet agree by both
-/// errors and that of the odometry between the two.
+/// Whether an image shows a line that another one showed: the same side is brighter, and the floor points
+/// agree within both errors and that of the odometry in between.
 bool shows(std::span<const LandmarkSighting> image, const LandmarkSighting& line);
 
-/// How much of an image another one shows too. NaN of an empty image.
+/// Share of an image's lines that another one shows, too; NaN for an empty image.
 double shown_share(std::span<const LandmarkSighting> image, std::span<const LandmarkSighting> other);
 
-/// As they are seen after the vehicle has moved.
+/// Transforms sightings into the vehicle frame after a motion.
 void carry_sightings(std::vector<LandmarkSighting>& scene, const Pose2& T_now_before);
 
 }  // namespace aisle

@@ -8,11 +8,11 @@ namespace aisle {
 namespace {
 
 constexpr SceneJump<Vec2>::Limits kWalls{.compared_min = 60, .other_share_max = 0.3, .same_share_min = 0.7};
-constexpr std::size_t kLookedUpEach = 4;  // so many points one is looked up
-constexpr double kLitSpot_m = 0.1;        // in the same place ...
-constexpr double kLitSpotShare = 0.05;    // ... and so much of the distance more
+constexpr std::size_t kLookedUpEach = 4;  // one point in four is compared
+constexpr double kLitSpot_m = 0.1;        // tolerance for the same place, plus ...
+constexpr double kLitSpotShare = 0.05;    // ... this share of the distance
 
-/// How much of what one image shows lit another one shows in the same place.
+/// Share of one image's laser returns that another image shows in the same place.
 double lit_share(std::span<const Vec2> image, std::span<const Vec2> other) {
   std::size_t compared = 0, same = 0;
   for (std::size_t i = 0; i < image.size(); i += kLookedUpEach) {

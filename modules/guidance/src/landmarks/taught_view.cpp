@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kTaughtPlacesApart_m = 0.25;  // along a route
+constexpr double kTaughtPlacesApart_m = 0.25;  // between the poses along a route
 
 }  // namespace
 

@@ -6,10 +6,10 @@
 namespace aisle {
 namespace {
 
-constexpr double kObeyed_s = 0.25;  // from a command to what comes of it
+constexpr double kObeyed_s = 0.25;  // from a command to its effect
 constexpr double kBarrierCheckEvery_m = 0.05;
 
-/// Where the vehicle is after a part of its stopping path.
+/// The vehicle's motion over a part of its stopping path.
 Pose2 pose_after(const VehicleDescription& vehicle, const Command& command, double path_m, double turn_rad) {
   if (vehicle.is_differential) return end_pose({path_m, turn_rad});
   return drive(vehicle.front_steered, FrontSteeredMotion{path_m, command.steering_rad});

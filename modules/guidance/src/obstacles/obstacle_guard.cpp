@@ -11,7 +11,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kFloorStep_m = 0.05;  // between points of an edge that are looked at
+constexpr double kFloorStep_m = 0.05;  // between the points of an edge that are checked
 constexpr double kNoPath_m = 0.005;    // a shorter path is none: the vehicle stands
 
 }  // namespace
@@ -22,22 +22,24 @@ void ObstacleGuardParams::describe(FieldList& fields) {
   fields.group("images", images);
   fields.real("margin_m", margin_m, {0, 1}, "free floor wanted on either side of the vehicle");
   fields.real("gap_m", gap_m, {0.05, 3}, "left before an obstacle when the vehicle has stopped");
-  fields.real("reach_m", reach_m, {0.5, 20}, "how far ahead of the front is looked at");
+  fields.real("reach_m", reach_m, {0.5, 20}, "how far ahead of the front it looks");
   fields.real("deceleration_share", deceleration_share, {0.05, 1},
-              "of the greatest deceleration, to stop with");
-  fields.real("reaction_s", reaction_s, {0, 2}, "from something's appearance to the first braking");
-  fields.real("reverse_speed_mps", reverse_speed_mps, {0.01, 1}, "at most, as nothing sees behind");
-  fields.real("unlit_s", unlit_s, {0.1, 60}, "without any laser light in view the markers may have failed");
-  fields.real("unlit_speed_mps", unlit_speed_mps, {0.01, 5}, "at most, while they may have");
-  fields.real("free_again_s", free_again_s, {0, 10}, "the path must have been free so long to go on");
-  fields.real("wait_max_s", wait_max_s, {0, 3600}, "then the path is reported as blocked");
+              "share of the maximum deceleration with which it brakes");
+  fields.real("reaction_s", reaction_s, {0, 2}, "from the appearance of an obstacle to the first braking");
+  fields.real("reverse_speed_mps", reverse_speed_mps, {0.01, 1}, "at most, as nothing looks behind");
+  fields.real("unlit_s", unlit_s, {0.1, 60},
+              "after this time without laser light the markers may have failed");
+  fields.real("unlit_speed_mps", unlit_speed_mps, {0.01, 5}, "at most, while the markers may have failed");
+  fields.real("free_again_s", free_again_s, {0, 10},
+              "the path must be free for this long before it drives on");
+  fields.real("wait_max_s", wait_max_s, {0, 3600}, "after waiting for this long the path counts as blocked");
 }
 
 ObstacleGuard::ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGuardParams& params,
                              const CameraDescription* camera)
     : vehicle_(vehicle), params_(params), memory_(params.memory) {
   if (camera == nullptr) return;
-  watch_.emplace(params.images, *camera);
+  monitor_.emplace(params.images, *camera);
   if (vehicle.laser_markers) {
     stripe_.emplace(params.stripes, camera->intrinsics, camera->mount, camera->width_px, camera->height_px,
                     vehicle.laser_markers->height_m);
@@ -48,7 +50,7 @@ const CameraImage* ObstacleGuard::look(const Observation& observation) {
   move(observation);
   p_vehicle_scanned_.clear();
   if (observation.scan && vehicle_.scanner) take_scan(*observation.scan);
-  const CameraImage* image = watch_ ? watch_->look(observation) : nullptr;
+  const CameraImage* image = monitor_ ? monitor_->look(observation) : nullptr;
   if (image != nullptr && stripe_) read_stripe(*image);
   return image;
 }
@@ -85,21 +87,21 @@ void ObstacleGuard::take_scan(const RangeScan& scan) {
   }
 }
 
-Guarded ObstacleGuard::allow(const Command& wished, const PathAhead& path) {
+Guarded ObstacleGuard::allow(const Command& requested, const PathAhead& path) {
   remember_what_is_on(path);
   judge_floor(path);
-  Guarded guarded{.command = limited(wished)};
-  if (wished.speed_mps < 0) {
+  Guarded guarded{.command = limited(requested)};
+  if (requested.speed_mps < 0) {
     waiting_from_s_.reset();
     guarded.command.speed_mps = std::max(guarded.command.speed_mps, -params_.reverse_speed_mps);
     return guarded;
   }
-  if (watch_) {
-    if (const auto trouble = watch_->trouble(now_.stamp_s)) return waiting(guarded, *trouble);
+  if (monitor_) {
+    if (const auto trouble = monitor_->trouble(now_.stamp_s)) return waiting(guarded, *trouble);
   }
   guarded.free_ahead_m = free_ahead_m(path);
   const double speed_mps = speed_before(guarded.free_ahead_m);
-  if (wished.speed_mps > 0 && speed_mps <= 0)
+  if (requested.speed_mps > 0 && speed_mps <= 0)
     return waiting(guarded, fmt::format("obstacle ahead, {:.1f} m away", guarded.free_ahead_m));
   if (waiting_from_s_ && now_.stamp_s - free_from_s_ < params_.free_again_s) {
     guarded.command.speed_mps = 0;
@@ -140,7 +142,7 @@ void ObstacleGuard::see_floor(std::span<const SensedSegment> edges) {
   }
 }
 
-/// Keeps those ends of the floor that are on the way within reach.
+/// Keeps those ends of the floor that are in the path and within reach.
 void ObstacleGuard::judge_floor(const PathAhead& path) {
   if (!std::exchange(floor_.is_new, false)) return;
   std::erase_if(floor_.p_vehicle_end, [&](const Vec2& p_vehicle) {
@@ -175,11 +177,11 @@ double ObstacleGuard::speed_before(double free_m) const {
   return std::sqrt(at * at + 2 * a * path_m) - at;
 }
 
-Command ObstacleGuard::limited(const Command& wished) const {
+Command ObstacleGuard::limited(const Command& requested) const {
   const DriveLimits& limits = vehicle_.limits;
-  return {std::clamp(wished.speed_mps, -limits.reverse_speed_max_mps, limits.speed_max_mps),
-          std::clamp(wished.steering_rad, -limits.steering_max_rad, limits.steering_max_rad),
-          std::clamp(wished.turn_rate_rad_s, -limits.turn_rate_max_rad_s, limits.turn_rate_max_rad_s)};
+  return {std::clamp(requested.speed_mps, -limits.reverse_speed_max_mps, limits.speed_max_mps),
+          std::clamp(requested.steering_rad, -limits.steering_max_rad, limits.steering_max_rad),
+          std::clamp(requested.turn_rate_rad_s, -limits.turn_rate_max_rad_s, limits.turn_rate_max_rad_s)};
 }
 
 Guarded ObstacleGuard::waiting(Guarded guarded, const std::string& why) {

@@ -10,10 +10,10 @@ constexpr std::size_t kPlacesMax = 256;
 }  // namespace
 
 void ObstacleMemoryParams::describe(FieldList& fields) {
-  fields.count("sightings_min", sightings_min, {1, 10}, "images in which something must be seen to count");
-  fields.count("free_sightings", free_sightings, {1, 20}, "images that show free floor there to forget it");
-  fields.real("join_m", join_m, {0.02, 1}, "sightings so close are of one thing");
-  fields.real("kept_s", kept_s, {1, 600}, "without being seen");
+  fields.count("sightings_min", sightings_min, {1, 10}, "images that must show an obstacle before it counts");
+  fields.count("free_sightings", free_sightings, {1, 20}, "images of free floor after which it is forgotten");
+  fields.real("join_m", join_m, {0.02, 1}, "sightings closer together than this are of one obstacle");
+  fields.real("kept_s", kept_s, {1, 600}, "time after which an obstacle that is not seen is forgotten");
 }
 
 ObstacleMemory::ObstacleMemory(const ObstacleMemoryParams& params) : params_(params) {

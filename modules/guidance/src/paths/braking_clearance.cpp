@@ -7,13 +7,13 @@
 namespace aisle {
 namespace {
 
-constexpr double kReaction_s = 0.25;  // from a command to what comes of it
+constexpr double kReaction_s = 0.25;  // from a command to its effect
 constexpr double kStopSlack_m = 0.03;
 constexpr double kHitMatters_m = 1.5;  // from the vehicle's outline
 constexpr double kHitMargin_m = 0.02;
 constexpr double kHitOnTrail_m = 0.01;
 
-/// Points as the vehicle would see them later; many, so the turn is worked out once.
+/// Transforms points into the vehicle's later frame. There are many, so the rotation is computed once.
 class FromLater {
  public:
   explicit FromLater(const Pose2& T_vehicle_later)
@@ -29,7 +29,7 @@ class FromLater {
 }  // namespace
 
 BrakingClearance::BrakingClearance(const VehicleDescription& vehicle, double margin_m)
-    : vehicle_(vehicle), room_(vehicle.footprint, margin_m) {}
+    : vehicle_(vehicle), footprint_clearance_(vehicle.footprint, margin_m) {}
 
 void BrakingClearance::see(const LaserScanner& fan, std::span<const float> ranges_m) {
   p_vehicle_hit_.clear();
@@ -47,7 +47,7 @@ bool BrakingClearance::is_off_hit(const Pose2& T_vehicle_later) const {
 }
 
 bool BrakingClearance::is_off_hit(const Pose2& T_vehicle_later, double margin_m) const {
-  const double enough_m = std::min(margin_m, hit_now_m_ - kRoomNoise_m);
+  const double enough_m = std::min(margin_m, hit_now_m_ - kClearanceNoise_m);
   if (enough_m <= 0) return true;
   const FromLater from_later(T_vehicle_later);
   return std::all_of(p_vehicle_hit_.begin(), p_vehicle_hit_.end(), [&](const Vec2& p_vehicle) {
@@ -68,7 +68,7 @@ bool BrakingClearance::is_free_on_trail(const FloorGrid& floor, const FloorClear
                                         double steering_rad) const {
   return is_free_until_stopped(command, steering_rad, [&](const Pose2& T_vehicle_later) {
     return is_off_hit(T_vehicle_later, kHitOnTrail_m) &&
-           room_.lies_on_free(floor, clearance, T_map_vehicle * T_vehicle_later);
+           footprint_clearance_.lies_on_free(floor, clearance, T_map_vehicle * T_vehicle_later);
   });
 }
 
@@ -97,12 +97,12 @@ bool BrakingClearance::is_free_at(const FloorGrid& floor, const FloorClearance& 
                                   const Pose2& T_map_vehicle, const Pose2& T_vehicle_later) const {
   if (!is_off_hit(T_vehicle_later)) return false;
   const Pose2 T_map_later = T_map_vehicle * T_vehicle_later;
-  if (room_.clearance_m(floor, clearance, T_map_later) >= 0) return true;
-  return room_.fits_barely(floor, clearance, T_map_later,
-                           room_.relaxed_clearance(floor, clearance, T_map_vehicle));
+  if (footprint_clearance_.clearance_m(floor, clearance, T_map_later) >= 0) return true;
+  return footprint_clearance_.fits_barely(
+      floor, clearance, T_map_later, footprint_clearance_.relaxed_clearance(floor, clearance, T_map_vehicle));
 }
 
-/// From the footprint to the nearest thing that was hit; 0 inside.
+/// From the footprint to the nearest laser return; 0 inside.
 double BrakingClearance::hit_m(const Pose2& T_vehicle_later) const {
   const FromLater from_later(T_vehicle_later);
   double least_m = kHitMatters_m;

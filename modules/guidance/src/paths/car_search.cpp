@@ -11,19 +11,19 @@ constexpr double kSpotTurn_rad = 15 * kDegree;
 constexpr double kBin_m = 0.1;
 constexpr double kHeadings = 48;
 constexpr double kCheckEvery_m = 0.13;
-constexpr double kNear_m = 0.12;  // of the vehicle to a path that was searched from its end
+constexpr double kNear_m = 0.12;  // between the vehicle and the start of a path searched from its end
 constexpr double kNear_rad = 7 * kDegree;
-constexpr double kBendCost = 0.1;  // of the sharpest bend, per metre
-constexpr double kLeave_m = 2;     // so far about its start a vehicle may go where it barely fits ...
-constexpr double kTightCost = 4;   // of path with less room than the margin, on the way out of a narrow place
-constexpr double kLeastMargin_m = 0.03;  // ... or has so much room around its footprint
-constexpr double kSharpShare = 0.97;     // of the wheels' range, where it relaxes its clearance through
-constexpr double kEndsEvery_m = 0.05;    // ends are tried, in as many headings as poses are distinguished in
-constexpr int kPlaceExpansions = 4;      // what it takes to look for room at a place ...
-constexpr int kEndsAnExpansion = 4;      // ... and to try so many poses there that have it takes one
-constexpr int kLeaveExpansions = 2;  // what it takes to go on from a pose where the vehicle may barely fit
+constexpr double kBendCost = 0.1;        // of the sharpest bend, per metre
+constexpr double kLeave_m = 2;           // within this distance of its start a vehicle may barely fit ...
+constexpr double kTightCost = 4;         // of path with less clearance than the margin
+constexpr double kLeastMargin_m = 0.03;  // ... or keep this margin instead, as with relaxed clearance
+constexpr double kSharpShare = 0.97;     // of the steering range, with relaxed clearance
+constexpr double kEndsEvery_m = 0.05;    // between the places where ends are tried, in all headings
+constexpr int kPlaceExpansions = 4;      // costs: checking a place for free floor counts as this many ...
+constexpr int kEndsAnExpansion = 4;      // ... and trying this many poses there counts as one
+constexpr int kLeaveExpansions = 2;      // expanding a pose where the vehicle may barely fit counts as two
 
-/// What a vehicle can do in one step.
+/// The arcs that a vehicle can drive in one step.
 std::vector<Arc> arcs_of(const VehicleDescription& vehicle, double steering_share) {
   std::vector<Arc> arcs;
   const double curvature_per_m =
@@ -53,7 +53,7 @@ CarSearch::IsGoal is_near(const Pose2& T_map_vehicle) {
   };
 }
 
-/// Joins pieces of one bend.
+/// Merges consecutive arcs of equal curvature.
 void append(std::vector<PathPiece>& pieces, const Pose2& T_map_start, const Arc& arc) {
   if (!pieces.empty()) {
     Arc& last = pieces.back().arc;
@@ -72,21 +72,21 @@ void append(std::vector<PathPiece>& pieces, const Pose2& T_map_start, const Arc&
 
 void CarSearchParams::describe(FieldList& fields) {
   fields.real("margin_m", margin_m, {0, 1}, "kept free around the footprint");
-  fields.real("steering_share", steering_share, {0.2, 1}, "of the wheels' range that paths use");
-  fields.real("reverse_factor", reverse_factor, {1, 10}, "what path driven backwards costs");
-  fields.real("cusp_m", cusp_m, {0, 20}, "what a change of direction costs");
+  fields.real("steering_share", steering_share, {0.2, 1}, "of the steering range that paths use");
+  fields.real("reverse_factor", reverse_factor, {1, 10}, "cost of path driven backwards");
+  fields.real("cusp_m", cusp_m, {0, 20}, "cost of a change of direction");
   fields.real("clearance_wanted_m", clearance_wanted_m, {0, 2},
-              "less room than this beside the footprint costs");
-  fields.real("narrow_factor", narrow_factor, {0, 20}, "so much distance more, where there is none");
+              "less clearance than this around the footprint costs");
+  fields.real("narrow_factor", narrow_factor, {0, 20}, "cost factor added where there is no clearance");
   fields.real("heuristic_weight", heuristic_weight, {1, 5},
-              "how much the path that is left counts in the search");
-  fields.real("stage_m", stage_m, {3, 100}, "what is much farther away is not searched at once");
-  fields.count("expansions_max", expansions_max, {100, 1000000}, "poses looked at before a search gives up");
+              "weight of the path left, in the search's estimate");
+  fields.real("stage_m", stage_m, {3, 100}, "paths that are much longer are planned in stages");
+  fields.count("expansions_max", expansions_max, {100, 1000000}, "poses expanded before a search gives up");
 }
 
 CarSearch::CarSearch(const CarSearchParams& params, const VehicleDescription& vehicle)
     : params_(params),
-      room_(vehicle.footprint, params.margin_m),
+      footprint_clearance_(vehicle.footprint, params.margin_m),
       moves_(moves_of(vehicle, params.steering_share)),
       sharp_moves_(moves_of(vehicle, std::max(params.steering_share, kSharpShare))) {}
 
@@ -96,7 +96,7 @@ std::vector<CarSearch::Move> CarSearch::moves_of(const VehicleDescription& vehic
   return moves;
 }
 
-/// Both ways, seen from where the search comes from: the arc's far end first, where most of them fail.
+/// Poses for both search directions. The arc's far end comes first, where most collisions are.
 CarSearch::Move CarSearch::move_along(const Arc& arc) {
   Move move{.arc = arc};
   const int checks = std::max(1, static_cast<int>(std::ceil(std::abs(arc.length_m) / kCheckEvery_m)));
@@ -159,7 +159,7 @@ void CarSearch::begin_at(const Pose2& T_map) {
   std::push_heap(queue_.begin(), queue_.end());
 }
 
-/// @return what was used up of the portion
+/// @return how many expansions that counts as
 int CarSearch::gather_ends(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
   const int every = std::max(1, static_cast<int>(kEndsEvery_m / floor.cell_m()));
   int used = 0;
@@ -195,7 +195,7 @@ bool CarSearch::is_found(const Node& node) const {
 }
 
 CarSearch::State CarSearch::advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions) {
-  leave_clearance_ = room_.relaxed_clearance(floor, clearance, T_map_leave_);
+  leave_clearance_ = footprint_clearance_.relaxed_clearance(floor, clearance, T_map_leave_);
   expansions -= gather_ends(floor, clearance, expansions);
   while (expansions > 0 && state_ == State::kSearching) {
     if (queue_.empty() || expansions_ >= params_.expansions_max) {
@@ -265,8 +265,7 @@ void CarSearch::try_move(const FloorGrid& floor, const FloorClearance& clearance
   std::push_heap(queue_.begin(), queue_.end());
 }
 
-/// None where the poses cannot be passed; negative where there is less room than the margin, and that will
-/// do.
+/// nullopt if some pose does not fit; negative if there is less clearance than the margin, but still enough.
 std::optional<double> CarSearch::least_clearance_m(const FloorGrid& floor, const FloorClearance& clearance,
                                                    const Pose2& T_map_from,
                                                    std::span<const Pose2> T_from_passed) const {
@@ -274,14 +273,14 @@ std::optional<double> CarSearch::least_clearance_m(const FloorGrid& floor, const
   const double enough_m =
       may_barely_fit || relaxes_clearance_ ? std::min(0.0, kLeastMargin_m - params_.margin_m) : 0;
   const double needed_m =
-      may_barely_fit ? std::min(enough_m, leave_clearance_.free_m - kRoomNoise_m) : enough_m;
+      may_barely_fit ? std::min(enough_m, leave_clearance_.free_m - kClearanceNoise_m) : enough_m;
   double least_m = clearance.far_m();
   for (const Pose2& T_from : T_from_passed) {
     const Pose2 T_map = T_map_from * T_from;
-    const double clearance_m = room_.clearance_m(floor, clearance, T_map, needed_m);
-    const bool fits =
-        clearance_m >= enough_m ||
-        (may_barely_fit && room_.fits_barely(floor, clearance, T_map, clearance_m, leave_clearance_));
+    const double clearance_m = footprint_clearance_.clearance_m(floor, clearance, T_map, needed_m);
+    const bool fits = clearance_m >= enough_m ||
+                      (may_barely_fit && footprint_clearance_.fits_barely(floor, clearance, T_map,
+                                                                          clearance_m, leave_clearance_));
     if (!fits || (is_free_ && !is_free_(T_map))) return std::nullopt;
     least_m = std::min(least_m, clearance_m);
   }

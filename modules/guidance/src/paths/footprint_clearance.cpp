@@ -6,17 +6,18 @@
 namespace aisle {
 namespace {
 
-constexpr double kRoughScan_m = 0.2;  // of the footprint's length that one disc covers ...
-constexpr double kCloseScan_m = 0.1;  // ... where there is little room
-constexpr double kCorner_m = 0.075;   // of its ends that one does there
-constexpr double kMuchRoom_m = 0.2;   // more room than this is not measured closely
-constexpr double kWhole = 1e-9;       // so little more is no other piece
+constexpr double kRoughStrip_m = 0.2;     // length of the footprint that one rough disc covers ...
+constexpr double kCloseStrip_m = 0.1;     // ... and one close disc
+constexpr double kCorner_m = 0.075;       // the same at its ends
+constexpr double kMuchClearance_m = 0.2;  // more clearance than this is not measured closely
+constexpr double kWhole = 1e-9;           // rounding error that does not make another piece
 constexpr double kNoneNear_m = 10;
 constexpr double kPathCheck_m = 0.1;
-constexpr double kTouchedCells = 0.7;  // between points under the footprint: no cell lies between them
+constexpr double kTouchedCells =
+    0.7;  // between the points checked under the footprint, so as to miss no cell
 
-/// What cells have at their middles, at any point between four of them.
-/// @param value_of  of a cell, or of one of the room by its number
+/// Bilinear interpolation between the centres of four cells.
+/// @param value_of  of a FloorCell, or of a cell inside the clearance map by its index
 template <class ValueOf>
 double between_cells(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map,
                      ValueOf value_of) {
@@ -42,17 +43,17 @@ FootprintClearance::FootprintClearance(const Footprint& footprint, double margin
     : footprint_(footprint), margin_m_(margin_m) {
   const double half_m = footprint.width_m / 2;
   const auto piece = [&](double from_m, double to_m) { return Piece{{from_m, -half_m}, {to_m, half_m}}; };
-  const Vec2 scan_m(kCloseScan_m, footprint.width_m), corner_m(kCorner_m, kCorner_m);
-  cover(piece(-footprint.rear_m, footprint.front_m), {kRoughScan_m, footprint.width_m}, rough_);
-  const double end_m = std::hypot(half_m, kCloseScan_m / 2) - kCloseScan_m / 2;
+  const Vec2 strip_m(kCloseStrip_m, footprint.width_m), corner_m(kCorner_m, kCorner_m);
+  cover(piece(-footprint.rear_m, footprint.front_m), {kRoughStrip_m, footprint.width_m}, rough_);
+  const double end_m = std::hypot(half_m, kCloseStrip_m / 2) - kCloseStrip_m / 2;
   const double behind_m = std::min(-footprint.rear_m + end_m, footprint.front_m),
                before_m = std::max(footprint.front_m - end_m, behind_m);
-  if (before_m > behind_m) cover(piece(behind_m, before_m), scan_m, close_);
+  if (before_m > behind_m) cover(piece(behind_m, before_m), strip_m, close_);
   cover(piece(-footprint.rear_m, behind_m), corner_m, close_);
   if (before_m < footprint.front_m) cover(piece(before_m, footprint.front_m), corner_m, close_);
 }
 
-/// By discs about equal pieces of at most some size; none about those that lie under others.
+/// Covers a piece of the footprint with discs around equal parts of at most a size; skips covered parts.
 void FootprintClearance::cover(const Piece& piece, const Vec2& size_max_m, std::vector<Disc>& discs) const {
   const Vec2 size_m = piece.high - piece.low;
   const int columns = static_cast<int>(std::ceil(size_m.x() / size_max_m.x() - kWhole));
@@ -82,7 +83,7 @@ double FootprintClearance::standing_clearance_m(const FloorGrid& floor, const Fl
                  [&](auto cell) { return clearance.to_occupied_m(cell); });
 }
 
-/// The first disc with less than enough decides.
+/// Stops at the first disc with less than enough clearance.
 template <class DistanceAt>
 double FootprintClearance::least_m(const FloorGrid& floor, const FloorClearance& clearance,
                                    const Pose2& T_map_vehicle, double enough_m,
@@ -96,15 +97,15 @@ double FootprintClearance::least_m(const FloorGrid& floor, const FloorClearance&
     }
     return at_most_m;
   };
-  const double rough_m = least(rough_, kNoneNear_m, kMuchRoom_m);
-  return rough_m >= kMuchRoom_m ? rough_m : least(close_, kMuchRoom_m, enough_m);
+  const double rough_m = least(rough_, kNoneNear_m, kMuchClearance_m);
+  return rough_m >= kMuchClearance_m ? rough_m : least(close_, kMuchClearance_m, enough_m);
 }
 
 bool FootprintClearance::fits_barely(const FloorGrid& floor, const FloorClearance& clearance,
                                      const Pose2& T_map_vehicle, double clearance_m,
                                      const RelaxedClearance& least) const {
-  const auto suffices = [](double room_m, double least_m) {
-    return room_m >= std::min(0.0, least_m - kRoomNoise_m);
+  const auto suffices = [](double actual_m, double least_m) {
+    return actual_m >= std::min(0.0, least_m - kClearanceNoise_m);
   };
   return suffices(clearance_m, least.free_m) &&
          suffices(standing_clearance_m(floor, clearance, T_map_vehicle), least.standing_m) &&
@@ -138,8 +139,8 @@ double FootprintClearance::free_path_m(const FloorGrid& floor, const FloorCleara
                                        const Path& path, double from_m, const RelaxedClearance& least) const {
   const auto is_free = [&](double along_m) {
     const Pose2 T_map = path.at(along_m).T_map_path;
-    const double room_m = clearance_m(floor, clearance, T_map);
-    return room_m >= 0 || fits_barely(floor, clearance, T_map, room_m, least);
+    const double actual_m = clearance_m(floor, clearance, T_map);
+    return actual_m >= 0 || fits_barely(floor, clearance, T_map, actual_m, least);
   };
   const double left_m = path.length_m() - from_m;
   const int checks = static_cast<int>(std::ceil(left_m / kPathCheck_m));

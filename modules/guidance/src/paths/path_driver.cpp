@@ -10,7 +10,7 @@ namespace aisle {
 namespace {
 
 constexpr double kWatchMargin_m = 0.02;  // around the footprint
-constexpr double kCreeping_mps = 0.04;   // where it could not stop in time at the speed of its path
+constexpr double kCreeping_mps = 0.04;   // where it could not stop in time at the path's speed
 constexpr double kBendAhead_m = 0.05;
 constexpr double kWheelsOff_rad = 25 * kDegree;
 constexpr double kWheelsOffAtFirst_rad = 4 * kDegree;  // at the start of a leg
@@ -28,7 +28,7 @@ PathDriver::PathDriver(const VehicleDescription& vehicle, const SteeringParams& 
                        const SpeedParams& speed)
     : vehicle_(vehicle),
       speed_(speed),
-      watch_(vehicle.footprint, kWatchMargin_m),
+      kept_clearance_(vehicle.footprint, kWatchMargin_m),
       braking_(vehicle, kWatchMargin_m),
       follower_(vehicle, turning_late(steering)) {}
 
@@ -61,18 +61,19 @@ double PathDriver::free_m(const FloorGrid& floor, const FloorClearance& clearanc
                           const Pose2& T_map_vehicle) const {
   if (!has_path()) return 0;
   if (is_on_trail_) return left_m();
-  return watch_.free_path_m(floor, clearance, path_, progress_->point().along_m,
-                            watch_.relaxed_clearance(floor, clearance, T_map_vehicle));
+  return kept_clearance_.free_path_m(floor, clearance, path_, progress_->point().along_m,
+                                     kept_clearance_.relaxed_clearance(floor, clearance, T_map_vehicle));
 }
 
 PathDriver::Step PathDriver::drive(const FloorGrid& floor, const FloorClearance& clearance,
-                                   const FootprintClearance& room, const Pose2& T_map_vehicle,
+                                   const FootprintClearance& footprint_clearance, const Pose2& T_map_vehicle,
                                    double steering_rad) {
   const Command standing{.steering_rad = steering_rad};
   if (!has_path()) return {State::kNoPath, standing};
   const PathPoint& point = progress_->advance(T_map_vehicle);
   if (progress_->has_arrived()) return {State::kArrived, standing};
-  const double care = driving_care(vehicle_, room, floor, clearance, path_, point.along_m, steering_rad);
+  const double care =
+      driving_care(vehicle_, footprint_clearance, floor, clearance, path_, point.along_m, steering_rad);
   const double speed_mps = speed_along(path_, point.along_m, care, vehicle_, speed_);
   const Command command = follower_.follow(path_, point, T_map_vehicle, speed_mps, steering_rad);
   if (const auto wheels_rad = wheels_to_turn_rad(point, command.steering_rad, steering_rad))
@@ -96,8 +97,8 @@ bool PathDriver::is_free(const FloorGrid& floor, const FloorClearance& clearance
                       : braking_.is_free(floor, clearance, T_map_vehicle, command, steering_rad);
 }
 
-/// Where the path bends otherwise than the wheels stand, they turn before the vehicle goes on; but not where
-/// they stand as they do because the vehicle makes good what it is off the path.
+/// Where the path's curvature does not match the steering angle, the vehicle stops to turn its wheels; but
+/// not while it is correcting its cross-track error.
 std::optional<double> PathDriver::wheels_to_turn_rad(const PathPoint& point, double followed_rad,
                                                      double steering_rad) {
   if (vehicle_.is_differential) return std::nullopt;
@@ -110,8 +111,8 @@ std::optional<double> PathDriver::wheels_to_turn_rad(const PathPoint& point, dou
   const bool is_under_path = leg_end == leg_begun_;
   const double off_rad = std::abs(wanted_rad - steering_rad);
   if (is_under_path) {
-    const bool makes_good = std::abs(followed_rad - steering_rad) < kWheelsOff_rad / 2;
-    return off_rad >= kWheelsOff_rad && !makes_good ? std::optional(wanted_rad) : std::nullopt;
+    const bool is_correcting = std::abs(followed_rad - steering_rad) < kWheelsOff_rad / 2;
+    return off_rad >= kWheelsOff_rad && !is_correcting ? std::optional(wanted_rad) : std::nullopt;
   }
   if (off_rad >= kWheelsOffAtFirst_rad) return wanted_rad;
   leg_begun_ = leg_end;

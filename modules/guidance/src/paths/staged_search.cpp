@@ -7,11 +7,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kLeeway_m = 1;          // about a place, where there may be less room than elsewhere
-constexpr double kBeside_m = 0.5;        // so near to the vehicle there is room for a disc
-constexpr double kOffKnownFloor_m = 2;   // how much farther places seem from which no path is known
-constexpr double kStageClearance = 1.5;  // in stages: what is a little farther than one is searched at once
-constexpr int kSoonExpansions = 30000;   // paths that are found later are searched from their ends first
+constexpr double kLeeway_m = 1;         // around a place, where less clearance will do
+constexpr double kBeside_m = 0.5;       // the vehicle's distance is read off within this distance of it
+constexpr double kOffKnownFloor_m = 2;  // detour assumed for places from which no path is known
+constexpr double kStageSlack = 1.5;  // in stages: a goal that is little farther than one is searched at once
+constexpr int kSoonExpansions = 30000;  // then the backward search takes over
 
 bool found_none_at_all(const CarSearch& search) {
   return search.state() == CarSearch::State::kNone && search.has_tried_all();
@@ -30,14 +30,13 @@ double StagedSearch::left_m(const Guide& guide, const Vec2& p_map) const {
   return std::isfinite(left) ? left : (p_map - guide.p_map_place).norm() + kOffKnownFloor_m;
 }
 
-/// How far it is to a place: with the room that the search keeps, or else with as little as the vehicle is
-/// wide.
+/// Distance to a place, with the search's margin, or else with the vehicle's width only.
 double StagedSearch::measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map_from,
                              const Vec2& p_map_place, Guide& guide) const {
   guide.p_map_place = p_map_place;
   float path_m = FloorDistances::kUnreached;
-  for (const double room_m : {half_width_m_ + params_.margin_m, half_width_m_}) {
-    guide.distances.measure(floor, clearance, p_map_place, room_m, kLeeway_m);
+  for (const double clearance_m : {half_width_m_ + params_.margin_m, half_width_m_}) {
+    guide.distances.measure(floor, clearance, p_map_place, clearance_m, kLeeway_m);
     path_m = guide.distances.near(floor, p_map_from, kBeside_m);
     if (std::isfinite(path_m)) break;
   }
@@ -57,7 +56,7 @@ void StagedSearch::look_for(const FloorGrid& floor, const FloorClearance& cleara
   begin(floor, T_map_vehicle);
   is_goal_ = std::move(is_goal);
   const double left_now_m = measure(floor, clearance, T_map_vehicle.position(), p_map_place, to_place_);
-  const bool is_far = std::isfinite(left_now_m) && left_now_m > kStageClearance * params_.stage_m + about_m;
+  const bool is_far = std::isfinite(left_now_m) && left_now_m > kStageSlack * params_.stage_m + about_m;
   const double stage_end_m = is_far ? left_now_m - params_.stage_m : -1;
   search_.look_for(
       T_map_vehicle,
@@ -80,7 +79,7 @@ void StagedSearch::look_for_path_to(const FloorGrid& floor, const FloorClearance
   begin(floor, T_map_vehicle);
   const double left_now_m =
       measure(floor, clearance, T_map_vehicle.position(), T_map_goal.position(), to_place_);
-  if (std::isfinite(left_now_m) && left_now_m > kStageClearance * params_.stage_m) {
+  if (std::isfinite(left_now_m) && left_now_m > kStageSlack * params_.stage_m) {
     return look_for(floor, clearance, T_map_vehicle, T_map_goal.position(), 0,
                     [](const Pose2&) { return false; });
   }
@@ -109,7 +108,7 @@ bool StagedSearch::is_turn_of_ends() const {
          search_.state() == CarSearch::State::kSearching && search_.expansions() >= kSoonExpansions;
 }
 
-/// Poses that both searches came upon, though neither found a path, say that there may be one.
+/// If both searches reached a common pose, there may be a path although neither found one.
 CarSearch::State StagedSearch::advance(const FloorGrid& floor, const FloorClearance& clearance,
                                        int expansions) {
   if (!is_turn_of_ends()) {

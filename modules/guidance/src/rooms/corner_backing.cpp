@@ -5,16 +5,17 @@
 namespace aisle {
 
 void CornerBackingParams::describe(FieldList& fields) {
-  fields.flag("by_corner", by_corner, "backs until the third camera shows the corner; else as taught");
+  fields.flag("by_corner", by_corner, "it reverses until the third camera shows the corner; else as taught");
   fields.group("corner", corner);
-  fields.angle("steering_deg", steering_rad, {0, 60}, "the wheels' turn, away from where it turns off next");
-  fields.real("speed_mps", speed_mps, {0.02, 1}, "on the way back");
+  fields.angle("steering_deg", steering_rad, {0, 60},
+               "steering angle while reversing, away from the next turning");
+  fields.real("speed_mps", speed_mps, {0.02, 1}, "while reversing");
   fields.real("least_share", least_share, {0, 1},
-              "of the path that was backed at teaching, before the corner counts");
+              "share of the taught reverse path after which the corner counts");
   fields.real("most_share", most_share, {0.1, 5},
-              "of that way; then it turns off by the way that was taught");
-  fields.real("agree_m", agree_m, {0.01, 2}, "by which images of the corner may differ");
-  fields.count("images", images, {1, 100}, "in succession must show the corner");
+              "share of the taught reverse path after which it turns off without having seen the corner");
+  fields.real("agree_m", agree_m, {0.01, 2}, "by which the corner may move from one image to the next");
+  fields.count("images", images, {1, 100}, "images in a row that must show the corner");
 }
 
 CornerBacking::CornerBacking(const CornerBackingParams& params, const RouteViewParams& view,
@@ -49,7 +50,7 @@ void CornerBacking::look(const Observation& observation, const Pose2& T_odom_veh
   p_odom_corner_ = p_odom;
 }
 
-double CornerBacking::wished_steering_rad() const {
+double CornerBacking::requested_steering_rad() const {
   return side_ == RouteSide::kLeft ? -params_.steering_rad : params_.steering_rad;
 }
 

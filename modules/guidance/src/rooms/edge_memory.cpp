@@ -6,15 +6,15 @@
 namespace aisle {
 namespace {
 
-constexpr double kSeenLateral_m = 0.25;  // so far off, what was seen from far may be
+constexpr double kSeenOff_m = 0.25;  // error of a point that was seen from far
 constexpr double kLookKept_s = 5;
 
 }  // namespace
 
-/// Also where the view did not reach before: feet are larger than a point.
+/// Covers also what the view did not reach before: an obstacle is larger than a point.
 bool EdgeMemory::is_beside_any(const std::vector<Edge>& edges, const Vec2& p_odom) {
   return std::any_of(edges.begin(), edges.end(),
-                     [&](const Edge& edge) { return (edge.p_odom - p_odom).norm() < kSeenLateral_m; });
+                     [&](const Edge& edge) { return (edge.p_odom - p_odom).norm() < kSeenOff_m; });
 }
 
 void EdgeMemory::take(const RouteView& view, const RouteSight& sight, const Pose2& T_odom_vehicle,
@@ -50,7 +50,7 @@ void EdgeMemory::forget_gone(const RouteView& view, const RouteSight& sight, con
   });
 }
 
-/// Out of view nothing shows that somebody has gone; he goes on as he was seen to.
+/// Out of view nothing shows that a person has left; a person who was seen walking is assumed to walk on.
 void EdgeMemory::forget_moved_on(double stamp_s) {
   constexpr double kSurelyGone_s = 8;
   std::erase_if(edges_, [&](const Edge& edge) {
@@ -69,16 +69,15 @@ bool EdgeMemory::was_free(const RouteView& view, const Vec2& p_odom, double stam
   });
 }
 
-/// Something that may only be seen better now.
+/// Whether an obstacle stood there before, and is only seen better now.
 bool EdgeMemory::has_stood_at(const Vec2& p_odom, double stamp_s) const {
   constexpr double kStood_s = 1;
   return std::any_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
-    return !edge.has_come && stamp_s - edge.first_s > kStood_s &&
-           (edge.p_odom - p_odom).norm() < kSeenLateral_m;
+    return !edge.has_come && stamp_s - edge.first_s > kStood_s && (edge.p_odom - p_odom).norm() < kSeenOff_m;
   });
 }
 
-/// Something else came beside it just before or after, and is not there any more.
+/// Whether another edge appeared beside it at about the same time, and is gone by now.
 bool EdgeMemory::has_moved_on(const Edge& edge) const {
   constexpr double kStep_m = 0.15, kStride_m = 1, kStride_s = 1;
   return std::any_of(gone_.begin(), gone_.end(), [&](const Edge& gone) {
@@ -87,14 +86,13 @@ bool EdgeMemory::has_moved_on(const Edge& edge) const {
   });
 }
 
-/// What was seen from far lies beside where it is; what is seen from nearer shows that.
+/// A point seen from far is inaccurate; one seen from nearer replaces it.
 void EdgeMemory::take(const Edge& seen) {
-  constexpr double kSame_m = 0.04;  // nearer edges are one
+  constexpr double kSame_m = 0.04;  // edges closer together than this are one
   constexpr double kNearer = 0.7;
   const auto apart_m = [&](const Edge& edge) { return (edge.p_odom - seen.p_odom).norm(); };
   std::erase_if(edges_, [&](const Edge& edge) {
-    return seen.is_floor_edge && apart_m(edge) < kSeenLateral_m &&
-           seen.seen_from_m < kNearer * edge.seen_from_m;
+    return seen.is_floor_edge && apart_m(edge) < kSeenOff_m && seen.seen_from_m < kNearer * edge.seen_from_m;
   });
   bool is_known = false;
   for (Edge& edge : edges_) {
@@ -106,7 +104,7 @@ void EdgeMemory::take(const Edge& seen) {
   if (!is_known) edges_.push_back(seen);
 }
 
-/// The oldest one's memory is used again.
+/// Reuses the oldest one's memory.
 void EdgeMemory::keep_look(const RouteSight& sight, const Pose2& T_odom_vehicle, double stamp_s) {
   constexpr double kApart_s = 0.5;
   if (!looks_.empty() && stamp_s - looks_.back().stamp_s < kApart_s) return;

@@ -10,11 +10,11 @@
 namespace aisle {
 namespace {
 
-/// Neighbouring points are off together: so many of them count as one.
+/// The errors of neighbouring points are correlated: this many of them count as one.
 constexpr double kAlikePoints = 4;
 
-/// Normal equations of small moves of a pose (x, y in `map`, turn), and of where each side of what was taught
-/// stands now.
+/// Normal equations for a small change of a pose (x and y in `map`, heading) and for the displacement of each
+/// taught side.
 class PoseEquations {
  public:
   PoseEquations(const Pose2& T_map_vehicle, std::size_t sides)
@@ -25,7 +25,7 @@ class PoseEquations {
     add({0, 1, 0}, T_map_vehicle_.y - T_map_expected.y, 1 / square(sigma_m));
     add({0, 0, 1}, wrap_angle(T_map_vehicle_.theta - T_map_expected.theta), 1 / square(sigma_rad));
   }
-  /// A point of a side that should have no distance along `n` from where it is seen.
+  /// A point of a side: its distance `off_m` along `n` from the taught edge should vanish.
   void add_point(int side, const Vec2& p_vehicle, const Vec2& n, double off_m, double weight) {
     const Vec2 lever = left_normal(rotate(T_map_vehicle_.theta, p_vehicle));
     const Vec3 by(n.x(), n.y(), n.dot(lever));
@@ -36,8 +36,8 @@ class PoseEquations {
     of.right += weight * off_m * n;
   }
   /// The pose that fits best.
-  /// @param deviation_m  of a side 1 m long from where it was taught; longer ones are moved less
-  /// @param p_moved  how far each side stands off there; moves, too
+  /// @param deviation_m  displacement expected of a side 1 m long; longer ones are displaced less
+  /// @param p_moved      displacement of each side; updated, too
   Pose2 moved(double deviation_m, const std::vector<double>& lengths_m, std::vector<Vec2>& p_moved) const {
     Mat3 normal = normal_;
     Vec3 right = right_;
@@ -45,7 +45,7 @@ class PoseEquations {
     for (std::size_t i = 0; i < sides.size(); ++i) {
       Side& side = sides[i];
       if (side.normal.isZero()) continue;
-      // Cauchy: most things stand where they stood, and some stand far off.
+      // Cauchy: most objects are where they were, and a few are far off.
       const double weight = lengths_m[i] / (square(deviation_m) + p_moved[i].squaredNorm());
       side.normal += weight * Mat2::Identity();
       side.right -= weight * p_moved[i];
@@ -82,18 +82,20 @@ class PoseEquations {
 }  // namespace
 
 void EdgePlaceParams::describe(FieldList& fields) {
-  fields.real("window_m", window_m, {0.5, 50}, "edges seen so far before or beyond on the way count");
-  fields.real("reach_m", reach_m, {0.05, 1}, "edges farther off than this do not belong together");
-  fields.real("deviation_m", deviation_m, {0.005, 1}, "of an edge from where it was taught");
-  fields.real("far_m", far_m, {0.5, 20}, "beyond, it grows with the square of the distance");
-  fields.real("moved_m", moved_m, {0.001, 1}, "by which a thing 1 m long may have been moved since");
-  fields.real("set_down_m", set_down_m, {0.01, 2}, "deviation of the place where the vehicle is set down");
-  fields.angle("set_down_deg", set_down_rad, {0.5, 60}, "and of its heading there");
-  fields.real("drift_m", drift_m, {0.001, 1}, "how far the odometry is trusted against one image");
-  fields.angle("drift_deg", drift_rad, {0.05, 30}, "and its heading");
-  fields.count("points_min", points_min, {3, 10'000}, "fewer edges say nothing");
+  fields.real("window_m", window_m, {0.5, 50},
+              "only edges taught within this path before or beyond the vehicle count");
+  fields.real("reach_m", reach_m, {0.05, 1}, "edges farther apart than this do not match");
+  fields.real("deviation_m", deviation_m, {0.005, 1}, "standard deviation of a seen edge's position");
+  fields.real("far_m", far_m, {0.5, 20}, "beyond, that grows with the square of the distance");
+  fields.real("moved_m", moved_m, {0.001, 1}, "by which an object 1 m long may have been moved since");
+  fields.real("set_down_m", set_down_m, {0.01, 2}, "standard deviation of the initial position");
+  fields.angle("set_down_deg", set_down_rad, {0.5, 60}, "standard deviation of the initial heading");
+  fields.real("drift_m", drift_m, {0.001, 1},
+              "standard deviation of the odometry's position, against one image");
+  fields.angle("drift_deg", drift_rad, {0.05, 30}, "standard deviation of the odometry's heading");
+  fields.count("points_min", points_min, {3, 10'000}, "fewer edges are not used");
   fields.real("fitting_min", fitting_min, {0, 1}, "share of the edges that must be where they were taught");
-  fields.real("gain", gain, {0, 1}, "how much one image corrects the pose; 0: the odometry alone counts");
+  fields.real("gain", gain, {0, 1}, "how much one image corrects the pose; 0: odometry alone");
 }
 
 EdgePlace::EdgePlace(const EdgePlaceParams& params, const std::vector<RouteEdge>& taught)
@@ -107,7 +109,7 @@ void EdgePlace::take(std::span<const SeenEdge> seen, const Pose2& T_odom_vehicle
   if (seen.size() < static_cast<std::size_t>(params_.points_min)) return;
   const Pose2 T_map_expected = T_map_odom_ * T_odom_vehicle;
   come_to(T_odom_vehicle, along_m);
-  // What the first images show is to be doubted: after many the odometry is trusted against each.
+  // The first images may mislead; after many, the odometry is trusted more than any single one.
   const double share = 1.0 / std::max(1, fits_);
   const double sigma_m = std::max(params_.drift_m, share * params_.set_down_m);
   const double sigma_rad = std::max(params_.drift_rad, share * params_.set_down_rad);
@@ -124,7 +126,7 @@ double EdgePlace::variance_m2(const SeenEdge& seen) const {
   return square(params_.deviation_m * std::max(1.0, square(seen.seen_from_m / params_.far_m)));
 }
 
-/// By trying the poses around the expected one.
+/// Tries a grid of poses around the expected one.
 Pose2 EdgePlace::most_alike(std::span<const SeenEdge> seen, const Pose2& T_map_expected) const {
   constexpr double kStep_m = 0.1, kTurn_rad = 2 * kDegree, kReach = 2;  // deviations
   const int steps = static_cast<int>(kReach * params_.set_down_m / kStep_m);
@@ -159,8 +161,8 @@ Pose2 EdgePlace::most_alike(std::span<const SeenEdge> seen, const Pose2& T_map_e
   return best;
 }
 
-/// Gauss-Newton with a Cauchy weight, on the distances from the lines that edges lie on, or from the edges,
-/// where their sides stand now.
+/// Gauss-Newton with Cauchy weights on the distances to the lines of the taught edges, or to the edges
+/// themselves, each side with its displacement.
 EdgePlace::Fit EdgePlace::refined(std::span<const SeenEdge> seen, const Pose2& T_map_begin,
                                   const Pose2& T_map_expected, double sigma_m, double sigma_rad) const {
   constexpr int kIterations = 8;

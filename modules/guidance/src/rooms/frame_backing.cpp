@@ -11,21 +11,22 @@
 namespace aisle {
 
 void FrameBackingParams::describe(FieldList& fields) {
-  fields.flag("wanted", wanted, "it parks in the frame backwards");
+  fields.flag("wanted", wanted, "it parks backwards in the frame");
   fields.group("search", search);
   fields.group("steering", steering);
   fields.group("speed", speed);
-  fields.real("turn_from_m", turn_from_m, {0, 10}, "before where it would stand forwards it turns about");
-  fields.real("run_up_m", run_up_m, {0.1, 5}, "path that it backs straight into the frame");
+  fields.real("turn_from_m", turn_from_m, {0, 10},
+              "distance before its forward parking pose at which it turns about");
+  fields.real("run_up_m", run_up_m, {0.1, 5}, "straight reverse path into the frame");
   fields.real("run_up_min_m", run_up_min_m, {0.05, 5},
-              "with less, where there is no room to turn, it gives up");
-  fields.real("look_s", look_s, {0.1, 60}, "for which it looks at the frame's near side");
-  fields.real("wait_s", wait_s, {0, 100}, "for what is in the path, before it looks for another path");
-  fields.count("plans_max", plans_max, {1, 100}, "paths about that it looks for, then it gives up");
+              "the reverse path is shortened down to this if there is no space to turn");
+  fields.real("look_s", look_s, {0.1, 60}, "time to look at the frame's near side");
+  fields.real("wait_s", wait_s, {0, 100}, "time to wait for an obstacle before it plans another path");
+  fields.count("plans_max", plans_max, {1, 100}, "paths to turn about that it plans before it gives up");
   fields.real("lateral_max_m", lateral_max_m, {0.001, 1},
-              "farther off laterally it drives out and tries again");
-  fields.angle("turned_max_deg", turned_max_rad, {0.1, 45}, "turned more, it tries again");
-  fields.count("tries_max", tries_max, {1, 100}, "then it stays as it stands");
+              "lateral error above which it drives out and tries again");
+  fields.angle("turned_max_deg", turned_max_rad, {0.1, 45}, "yaw error above which it tries again");
+  fields.count("tries_max", tries_max, {1, 100}, "attempts; after the last one it stays where it is");
 }
 
 FrameBacking::FrameBacking(const FrameBackingParams& params, const VehicleDescription& vehicle,
@@ -49,7 +50,7 @@ void FrameBacking::begin(FloorGrid floor, const Pose2& T_floor_odom) {
 }
 
 void FrameBacking::see(std::span<const SeenEdge> edges, const Pose2& T_odom_vehicle) {
-  constexpr double kNear_m = 2.5;  // what was seen from farther may be elsewhere
+  constexpr double kNear_m = 2.5;  // points seen from farther away are inaccurate
   FloorBox changed;
   for (const auto& [p_vehicle, seen_from_m] : edges) {
     const FloorCell cell = floor_.cell_at(T_floor_odom_ * T_odom_vehicle * p_vehicle);
@@ -96,15 +97,16 @@ Pose2 FrameBacking::off() const {
   return between(T_odom_parked(), T_odom_vehicle_);
 }
 
-/// How far beyond its place it backs to look: so that its rear stands on the frame's far line, for the near
-/// side to be well in view; before that line where the floor beyond it is not known to be free.
+/// How far it reverses beyond its parking pose to look: until its rear is on the frame's far line, so that
+/// the near side is well in view; or before that line if the floor beyond it is not known to be free.
 double FrameBacking::deeper_m() const {
   constexpr double kOntoLine_m = 0.03, kOffLine_m = 0.02;
-  constexpr double kAnyRoom_m = -1;
+  constexpr double kAnyClearance_m = -1;
   const double length_m = vehicle_.footprint.front_m + vehicle_.footprint.rear_m;
   const double to_line_m = std::max(0.0, (size_m_.x() - length_m) / 2);
   const Pose2 T_floor_onto_line = T_floor_odom_ * T_odom_parked() * Pose2{-(to_line_m + kOntoLine_m), 0, 0};
-  return search_.room().fits_barely(floor_, clearance_, T_floor_onto_line, {.free_m = kAnyRoom_m})
+  return search_.footprint_clearance().fits_barely(floor_, clearance_, T_floor_onto_line,
+                                                   {.free_m = kAnyClearance_m})
              ? to_line_m + kOntoLine_m
              : std::max(0.0, to_line_m - kOffLine_m);
 }
@@ -116,7 +118,7 @@ void FrameBacking::search_path() {
                            [p = T_floor_vehicle.position()](const Vec2& q) { return (q - p).norm(); });
 }
 
-/// While the vehicle stands, a portion in each cycle.
+/// Runs a portion of the search in each cycle while the vehicle stands.
 Decision FrameBacking::search() {
   constexpr int kPortion = 400;
   constexpr double kShorter = 0.6;
@@ -151,8 +153,8 @@ Decision FrameBacking::search() {
 }
 
 Decision FrameBacking::turn(double stamp_s) {
-  const PathDriver::Step step =
-      driver_.drive(floor_, clearance_, search_.room(), T_floor_odom_ * T_odom_vehicle_, steering_rad_);
+  const PathDriver::Step step = driver_.drive(floor_, clearance_, search_.footprint_clearance(),
+                                              T_floor_odom_ * T_odom_vehicle_, steering_rad_);
   if (step.state == PathDriver::State::kArrived || step.state == PathDriver::State::kNoPath) {
     state_ = State::kBackingIn;
     return back_in(stamp_s);
@@ -174,8 +176,8 @@ Decision FrameBacking::blocked() {
       .status = NavigatorStatus::kFailed, .state = "blocked", .why = "could not turn about before the frame"};
 }
 
-/// Along the line through the middles of the frame's near and far side.
-/// @param ahead_of_parked_m  where it is to stop, out of the frame; negative: deeper
+/// Drives along the line through the middles of the frame's near and far side.
+/// @param ahead_of_parked_m  distance of the stop from the parking pose, out of the frame; negative: deeper
 Decision FrameBacking::drive_to(double ahead_of_parked_m, const char* state) const {
   constexpr double kBeyond_m = 1;
   const Pose2 off = FrameBacking::off();

@@ -14,21 +14,23 @@ void FrameParkingParams::describe(FieldList& fields) {
   fields.group("lines", frame);
   fields.group("steering", steering);
   fields.real("speed_mps", speed_mps, {0.02, 1}, "into the frame");
-  fields.real("speed_min_mps", speed_min_mps, {0.005, 0.5}, "at its end");
-  fields.real("deceleration_mps2", deceleration_mps2, {0.005, 2}, "towards its end");
-  fields.real("reverse_speed_mps", reverse_speed_mps, {0.02, 1}, "out of it, for another try");
-  fields.real("gain", gain, {0.01, 1}, "how much one image corrects where the frame is");
-  fields.real("lateral_max_m", lateral_max_m, {0.001, 1}, "farther off laterally the vehicle tries again");
-  fields.angle("turned_max_deg", turned_max_rad, {0.1, 45}, "turned more, it tries again");
+  fields.real("speed_min_mps", speed_min_mps, {0.005, 0.5}, "at the end of the approach");
+  fields.real("deceleration_mps2", deceleration_mps2, {0.005, 2}, "towards the end of the approach");
+  fields.real("reverse_speed_mps", reverse_speed_mps, {0.02, 1}, "out of the frame, for another try");
+  fields.real("gain", gain, {0.01, 1}, "how much one image corrects the frame's pose");
+  fields.real("lateral_max_m", lateral_max_m, {0.001, 1}, "lateral error above which it tries again");
+  fields.angle("turned_max_deg", turned_max_rad, {0.1, 45}, "yaw error above which it tries again");
   fields.real("misaligned_m", misaligned_m, {0.001, 1},
-              "farther off laterally after the last try it has not parked");
-  fields.angle("yaw_error_deg", yaw_error_rad, {0.1, 45}, "turned more then, it has not parked");
-  fields.real("judged_m", judged_m, {0, 5}, "so far before the end a hopeless approach is given up");
-  fields.real("hopeless_m", hopeless_m, {0.001, 1}, "so farther off laterally there is hopeless");
+              "lateral error after the last try above which it has not parked");
+  fields.angle("yaw_error_deg", yaw_error_rad, {0.1, 45},
+               "yaw error after the last try above which it has not parked");
+  fields.real("judged_m", judged_m, {0, 5}, "distance to the end at which a hopeless approach is given up");
+  fields.real("hopeless_m", hopeless_m, {0.001, 1}, "lateral error at that distance that makes it hopeless");
   fields.real("back_off_m", back_off_m, {0.2, 10}, "path back before it tries again");
-  fields.count("tries_max", tries_max, {1, 100}, "then it stays as it stands");
-  fields.real("unseen_max_m", unseen_max_m, {0.1, 10}, "path without seeing the frame");
-  fields.real("tracked_m", tracked_m, {0.05, 5}, "what lies farther from where it was first seen is none");
+  fields.count("tries_max", tries_max, {1, 100}, "attempts; after the last one it stays where it is");
+  fields.real("unseen_max_m", unseen_max_m, {0.1, 10}, "path without seeing the frame, then it gives up");
+  fields.real("tracked_m", tracked_m, {0.05, 5},
+              "a frame farther than this from where it was first seen is ignored");
 }
 
 FrameParking::FrameParking(const FrameParkingParams& params, const VehicleDescription& vehicle,
@@ -67,7 +69,7 @@ void FrameParking::take(const Pose2& T_odom_seen) {
   unseen_m_ = 0;
 }
 
-/// The footprint's middle on the frame's.
+/// Pose of the parked vehicle: its footprint's centre on the frame's.
 Pose2 FrameParking::T_odom_parked() const {
   const Footprint& footprint = vehicle_.footprint;
   return *T_odom_frame_ * Pose2{(footprint.rear_m - footprint.front_m) / 2, 0, 0};
@@ -100,7 +102,7 @@ Decision FrameParking::approach() {
           .why = fmt::format("{:.2f} m to go, {:.3f} m to the side", left_m, off.y)};
 }
 
-/// Ends, or backs off for another try.
+/// Ends parking, or backs off for another try.
 Decision FrameParking::settle() {
   const Pose2 off = FrameParking::off();
   const auto is_within = [&](double lateral_m, double turned_rad) {

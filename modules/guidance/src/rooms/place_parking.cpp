@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-/// From its end to its start, driven backwards.
+/// The path from its end to its start, driven in reverse.
 Path driven_backwards(const Path& path) {
   std::vector<PathPiece> pieces;
   for (auto piece = path.pieces().rbegin(); piece != path.pieces().rend(); ++piece)
@@ -21,17 +21,17 @@ Path driven_backwards(const Path& path) {
 
 void PlaceParkingParams::describe(FieldList& fields) {
   fields.group("steering", steering);
-  fields.real("lateral_m", lateral_m, {0.005, 1}, "farther off laterally of the taught place it tries again");
-  fields.angle("turned_deg", turned_rad, {0.1, 45}, "turned more, it tries again");
+  fields.real("lateral_m", lateral_m, {0.005, 1}, "lateral error above which it tries again");
+  fields.angle("turned_deg", turned_rad, {0.1, 45}, "yaw error above which it tries again");
   fields.real("lateral_max_m", lateral_max_m, {0.005, 1},
-              "farther off laterally after the last try it has not parked");
-  fields.angle("turned_max_deg", turned_max_rad, {0.1, 90}, "the same turned more");
-  fields.real("taken_max_m", taken_max_m, {0, 1},
-              "so farther off laterally it may stand where something else stands at its place");
+              "lateral error after the last try above which it has not parked");
+  fields.angle("turned_max_deg", turned_max_rad, {0.1, 90},
+               "yaw error after the last try above which it has not parked");
+  fields.real("taken_max_m", taken_max_m, {0, 1}, "lateral error allowed if an obstacle stands at its place");
   fields.real("back_off_m", back_off_m, {0.2, 5}, "path back before it tries again");
-  fields.real("back_off_min_m", back_off_min_m, {0, 5}, "with less path free behind it goes no farther back");
-  fields.real("reverse_speed_mps", reverse_speed_mps, {0.02, 1}, "on the way back");
-  fields.count("tries_max", tries_max, {1, 100}, "then it stays as it stands");
+  fields.real("back_off_min_m", back_off_min_m, {0, 5}, "with less free path behind it goes no farther back");
+  fields.real("reverse_speed_mps", reverse_speed_mps, {0.02, 1}, "while backing off");
+  fields.count("tries_max", tries_max, {1, 100}, "attempts; after the last one it stays where it is");
 }
 
 PlaceParking::PlaceParking(const PlaceParkingParams& params, const VehicleDescription& vehicle, Path path)
@@ -65,7 +65,7 @@ Decision PlaceParking::settle(const Pose2& T_map_vehicle, bool is_taken) {
   if (is_taken && is_within(params_.taken_max_m, params_.turned_max_rad))
     return {.status = NavigatorStatus::kDone,
             .state = "parked",
-            .why = why + ", as near as what stands there now lets it"};
+            .why = why + ", as near as the obstacle there allows"};
   return {.status = NavigatorStatus::kFailed, .state = "misaligned", .why = "not parked: it stands " + why};
 }
 

@@ -1,4 +1,4 @@
-/// How RoomNavigator goes back where no camera looks: over floor that it knows.
+/// How RoomNavigator reverses where no camera looks: over known floor.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ void RoomNavigator::remember_driven() {
   T_odom_driven_.push_back(T_odom_vehicle_);
 }
 
-/// As it was taught, and where the vehicle drove today.
+/// The taught floor, and where the vehicle has driven in this run.
 void RoomNavigator::learn_floor_behind() {
   FloorGrid floor =
       route_floor(route_.path, route_.room->edges, vehicle_.footprint, pose().position(), kReach_m);
@@ -27,7 +27,7 @@ void RoomNavigator::learn_floor_behind() {
   p_map_limit_ = limit_of_known(floor);
 }
 
-/// What is known to stand there, by today's images and by teaching, and where nothing is known.
+/// Obstacles by this run's images and by teaching, and the limit of the known floor.
 std::vector<Vec2> RoomNavigator::standing_behind() const {
   std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
   const Pose2 T_vehicle_map = pose().inverse();
@@ -50,7 +50,7 @@ void RoomNavigator::begin_to_back_off() {
   state_ = State::kBackingOff;
 }
 
-/// Of the return path, the one that leads nearest to the taught path.
+/// The steering angle that leads back nearest to the taught path.
 SteeringChoice RoomNavigator::choose_path_back() const {
   constexpr double kLateralWeight_per_m = 1, kTurnedWeight_per_rad = 1, kShortWeight_per_m = 4;
   const double max_rad = vehicle_.limits.steering_max_rad;

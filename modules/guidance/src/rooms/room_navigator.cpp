@@ -53,35 +53,40 @@ void RoomNavigatorParams::describe(FieldList& fields) {
   fields.real("speed_mps", speed_mps, {0.02, 2}, "between turnings");
   fields.real("turning_speed_mps", turning_speed_mps, {0.02, 2}, "in turnings");
   fields.real("parking_speed_mps", parking_speed_mps, {0.02, 2}, "near the end");
-  fields.real("look_ahead_m", look_ahead_m, {0.2, 5}, "the point of the taught path that it steers to");
+  fields.real("look_ahead_m", look_ahead_m, {0.2, 5},
+              "distance to the point of the taught path that it steers to");
   fields.real("middle_share", middle_share, {0, 1},
-              "how much the route's middle counts against the taught path; 1: as published");
+              "weight of the route's middle against the taught path; 1: as published");
   fields.real("turning_middle_share", turning_middle_share, {0, 1}, "the same in turnings");
-  fields.real("place_from_m", place_from_m, {0, 1000}, "before the end the edges tell where it is");
-  fields.real("taught_alone_m", taught_alone_m, {0, 20}, "before the end the taught path counts alone");
-  fields.real("end_comfort_m", end_comfort_m, {0.01, 2}, "there it tries to keep only so far off");
-  fields.angle("avoid_deg", avoid_rad, {0, 60}, "the wheels' turn away from what stands too near");
+  fields.real("place_from_m", place_from_m, {0, 1000},
+              "distance to the end from which it localises by the edges");
+  fields.real("taught_alone_m", taught_alone_m, {0, 20},
+              "distance to the end from which only the taught path counts");
+  fields.real("end_comfort_m", end_comfort_m, {0.01, 2}, "clearance that it tries to keep there");
+  fields.angle("avoid_deg", avoid_rad, {0, 60}, "steering angle away from an obstacle that is too near");
   fields.flag("avoid_as_published", avoid_as_published, "by the three check regions, before all else");
-  fields.real("dead_end_share", dead_end_share, {0, 1}, "of the view is route: less is a dead end");
-  fields.real("dead_end_gap_m", dead_end_gap_m, {0, 3}, "from there it goes on until so near");
-  fields.count("dead_end_images", dead_end_images, {1, 100}, "in succession must show it");
-  fields.real("dead_end_beyond_m", dead_end_beyond_m, {0, 3}, "so far beyond the taught one it gives up");
-  fields.real("frame_within_m", frame_within_m, {0.5, 20}, "before the route's end it looks for the frame");
+  fields.real("dead_end_share", dead_end_share, {0, 1}, "a view with less share of route is a dead end");
+  fields.real("dead_end_gap_m", dead_end_gap_m, {0, 3}, "gap to a dead end at which it stops");
+  fields.count("dead_end_images", dead_end_images, {1, 100}, "images in a row that must show a dead end");
+  fields.real("dead_end_beyond_m", dead_end_beyond_m, {0, 3},
+              "path beyond the taught dead end after which it gives up");
+  fields.real("frame_within_m", frame_within_m, {0.5, 20},
+              "distance to the end from which it looks for the frame");
   fields.real("frame_astray_m", frame_astray_m, {0.05, 20},
-              "what is first seen farther from the taught frame is none, where the edges tell where it is");
+              "a frame first seen farther from the taught one is ignored once the edges have localised it");
   fields.real("brightness_tolerance", brightness_tolerance, {0.01, 1},
-              "by which share the route may suddenly look brighter or darker");
+              "share by which the route may suddenly look brighter or darker");
   fields.real("brightness_gain", brightness_gain, {0, 1},
               "how fast the learned brightness follows the light");
   fields.real("hidden_max_m", hidden_max_m, {0, 10},
-              "path that it goes on by memory while what stands before it hides the route");
-  fields.real("stop_free_m", stop_free_m, {0.01, 2}, "with less path free it stops");
-  fields.real("wait_s", wait_s, {0, 100}, "for what is in the path to go");
+              "path that it drives from memory while an obstacle ahead hides the route");
+  fields.real("stop_free_m", stop_free_m, {0.01, 2}, "with less free path it stops");
+  fields.real("wait_s", wait_s, {0, 100}, "time to wait for an obstacle in the path to leave");
   fields.real("back_off_m", back_off_m, {0.05, 5}, "path back before it tries again");
-  fields.count("back_offs_max", back_offs_max, {0, 100}, "at one place, then it gives up");
+  fields.count("back_offs_max", back_offs_max, {0, 100}, "times to back off at one place before it gives up");
   fields.real("pattern_share_max", pattern_share_max, {0, 1},
-              "of the taught path: with more edges on it the floor is said to have a pattern");
-  fields.real("blind_max_s", blind_max_s, {0.5, 1000}, "without a good image it gives up");
+              "share of the taught path with edges on it above which the floor counts as patterned");
+  fields.real("blind_max_s", blind_max_s, {0.5, 1000}, "without a good image for this long it gives up");
 }
 
 RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDescription& vehicle,
@@ -90,7 +95,7 @@ RoomNavigator::RoomNavigator(const RoomNavigatorParams& params, const VehicleDes
       vehicle_(vehicle),
       route_(room_route(std::move(route))),
       view_(first_view(params, vehicle)),
-      watch_(params.images, room_camera(vehicle, kFirstCamera)),
+      monitor_(params.images, room_camera(vehicle, kFirstCamera)),
       edges_(kReach_m),
       place_(params.place, route_.room->edges),
       progress_(route_.path, from_m),
@@ -117,7 +122,7 @@ Decision RoomNavigator::step(const Observation& observation) {
   look(observation);
   if (observation.bumper_pressed)
     return {.status = NavigatorStatus::kFailed, .state = "bumped", .why = "the bumper is pressed"};
-  if (const auto trouble = watch_.trouble(observation.stamp_s); trouble || !sight()) {
+  if (const auto trouble = monitor_.trouble(observation.stamp_s); trouble || !sight()) {
     if (!stopped_s_) stopped_s_ = observation.stamp_s;
     const bool is_lasting = observation.stamp_s - *stopped_s_ > params_.blind_max_s;
     return {.status = is_lasting ? NavigatorStatus::kFailed : NavigatorStatus::kGoing,
@@ -129,7 +134,7 @@ Decision RoomNavigator::step(const Observation& observation) {
   if (state_ == State::kBackingIntoFrame) return back_into_frame(observation.stamp_s);
   if (state_ == State::kBackingOff) return back_off(observation.stamp_s);
   if (state_ == State::kLeavingPlace) return leave_place();
-  if (state_ == State::kFollowing && is_on_way_back()) begin_path_back();
+  if (state_ == State::kFollowing && is_on_path_back()) begin_path_back();
   if (state_ == State::kBackingBetweenTurnings) {
     corner_backing_->look(observation, T_odom_vehicle_);
     return back_between_turnings();
@@ -138,13 +143,13 @@ Decision RoomNavigator::step(const Observation& observation) {
 }
 
 void RoomNavigator::look(const Observation& observation) {
-  const CameraImage* image = watch_.look(observation);
+  const CameraImage* image = monitor_.look(observation);
   if (image == nullptr) return;
   const RouteSight& sight = view_.look(*image->pixels);
   stop_views_.take(*image->pixels, left_to_end_m());
-  is_unmatched_ = !is_route_bright_as_learned();
+  is_brightness_off_ = !is_route_bright_as_learned();
   dead_end_images_ = is_at_dead_end() ? dead_end_images_ + 1 : 0;
-  if (is_unmatched_) return;
+  if (is_brightness_off_) return;
   T_odom_seen_ = T_odom_vehicle_;
   // The learned brightness follows slow change of light (METHODS 9).
   brightness_.grey += params_.brightness_gain * (sight.patch_grey - brightness_.grey);
@@ -157,18 +162,18 @@ bool RoomNavigator::is_route_bright_as_learned() const {
   return std::abs(change) <= params_.brightness_tolerance;
 }
 
-/// What stands before the vehicle and is known hides the route, as in a narrow turning: that tells nothing of
-/// the light, and where the path leads is remembered.
+/// A known obstacle ahead may hide the route, as in a narrow turning. That says nothing about the light, and
+/// the vehicle remembers where the path leads.
 bool RoomNavigator::knows_path_ahead() const {
-  if (!is_unmatched_) return true;
+  if (!is_brightness_off_) return true;
   const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
   const bool is_hidden =
       std::any_of(around.begin(), around.end(), [&](const Vec2& p) { return view_.is_before_patch_end(p); });
   return is_hidden && between(T_odom_seen_, T_odom_vehicle_).position().norm() < params_.hidden_max_m;
 }
 
-/// Where the vehicle comes to the end of its path, or was set down before it, is known roughly; what is seen
-/// there may tell better. On the way there what stands otherwise than at teaching does more harm.
+/// Near the end of its path, also if it started there, the vehicle knows its pose roughly, and the edges
+/// improve it. Farther from the end, objects that were moved since teaching would do more harm.
 void RoomNavigator::find_place() {
   place_.come_to(T_odom_vehicle_, progress_.point().along_m);
   if (left_m() > params_.place_from_m) return;
@@ -188,11 +193,11 @@ double RoomNavigator::steering_to(const Vec2& p_vehicle) const {
   return std::atan(vehicle_.front_steered.wheelbase_m * curvature_per_m);
 }
 
-/// L96 section 3.1: 30 degrees away from what the check regions show.
+/// L96 section 3.1: steers 30 degrees away from obstacles in the check regions.
 std::optional<double> RoomNavigator::avoiding_rad() const {
   const RouteChecks& checks = sight()->checks;
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
-  if (!params_.avoid_as_published || is_turning || is_unmatched_) return std::nullopt;
+  if (!params_.avoid_as_published || is_turning || is_brightness_off_) return std::nullopt;
   if (checks.left && !checks.right) return -params_.avoid_rad;
   if (checks.right && !checks.left) return params_.avoid_rad;
   if (checks.ahead) return checks.left_share > checks.right_share ? params_.avoid_rad : -params_.avoid_rad;
@@ -203,7 +208,7 @@ bool RoomNavigator::keeps_to_taught_end() const {
   return place_.is_sure() && left_m() < params_.taught_alone_m;
 }
 
-double RoomNavigator::wished_steering_rad() const {
+double RoomNavigator::requested_steering_rad() const {
   if (keeps_to_taught_end()) {
     return taught_place_.steering_rad(progress_.point(), pose(), params_.parking_speed_mps, steering_rad_);
   }
@@ -215,7 +220,7 @@ double RoomNavigator::wished_steering_rad() const {
   const double beyond_m = std::max(0.0, ahead_m - leg_end_m);
   const Vec2 p_map_ahead = route_.path.at(std::min(ahead_m, leg_end_m)).T_map_path * Vec2(beyond_m, 0);
   const double taught_rad = steering_to(pose().inverse() * p_map_ahead);
-  const auto middle = is_unmatched_ ? std::nullopt : view_.middle(*sight(), mask.left, mask.right);
+  const auto middle = is_brightness_off_ ? std::nullopt : view_.middle(*sight(), mask.left, mask.right);
   if (!middle) return taught_rad;
   const bool turns = turning != nullptr && class_of_turning(turning->number) != TurningClass::kStraightOn;
   const double share = turns ? params_.turning_middle_share : params_.middle_share;
@@ -227,7 +232,7 @@ Decision RoomNavigator::follow(double now_s) {
   const std::vector<Vec2> around = edges_.around(T_odom_vehicle_);
   const bool is_near_end = left_m() < 1;
   const auto avoiding = is_near_end ? std::nullopt : avoiding_rad();
-  const double requested_rad = avoiding.value_or(wished_steering_rad());
+  const double requested_rad = avoiding.value_or(requested_steering_rad());
   FreeSteeringParams steering = params_.steering;
   if (keeps_to_taught_end()) steering.comfort_m = params_.end_comfort_m;
   const SteeringChoice choice = choose_steering(vehicle_, steering, around, requested_rad);
@@ -239,9 +244,9 @@ Decision RoomNavigator::follow(double now_s) {
   if (is_blocked) return blocked(now_s);
   stopped_s_.reset();
   const bool is_turning = turning_at(route_.room->turnings, progress_.point().along_m) != nullptr;
-  const double speed_mps = is_near_end || is_unmatched_ ? params_.parking_speed_mps
-                           : is_turning                 ? params_.turning_speed_mps
-                                                        : params_.speed_mps;
+  const double speed_mps = is_near_end || is_brightness_off_ ? params_.parking_speed_mps
+                           : is_turning                      ? params_.turning_speed_mps
+                                                             : params_.speed_mps;
   return drive(choice, speed_mps, avoiding ? "avoiding" : is_turning ? "turning" : "following");
 }
 
@@ -260,10 +265,10 @@ std::string RoomNavigator::why_blocked() const {
                    "cannot tell the floor's pattern from what stands on it, as on {:.0f} % of the "
                    "taught path",
                    100 * pattern_share_)
-             : "found no path past what is there";
+             : "found no path past the obstacle";
 }
 
-/// Whoever stands in the path may go; what stays is passed on another path.
+/// Waits, as a person in the path may leave; then backs off to pass the obstacle on another path.
 Decision RoomNavigator::blocked(double now_s) {
   if (!stopped_s_) stopped_s_ = now_s;
   if (now_s - *stopped_s_ < params_.wait_s) return {.state = "waiting", .why = "something is in the path"};

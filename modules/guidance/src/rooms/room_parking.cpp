@@ -1,4 +1,4 @@
-/// How RoomNavigator comes to stand at the end of its path.
+/// How RoomNavigator parks at the end of its path.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace aisle {
 namespace {
 
-/// A frame, and what its lines may be taken for.
+/// Size of the area where a frame's lines may look like edges of the route.
 Vec2 about_lines(const Vec2& frame_size_m) {
   constexpr double kAboutLines_m = 0.15;
   return frame_size_m + 2 * Vec2(kAboutLines_m, kAboutLines_m);
@@ -36,7 +36,7 @@ Decision RoomNavigator::park_in_frame(double now_s) {
   return unless_obstructed(frame_->step(), now_s);
 }
 
-/// On the way about, the floor that it knows keeps it off what stands there.
+/// While it turns about, it avoids obstacles by the known floor.
 Decision RoomNavigator::back_into_frame(double now_s) {
   forget_frame_lines();
   if (frame_backing_->wants_floor()) learn_floor_before_frame();
@@ -50,7 +50,7 @@ Pose2 RoomNavigator::T_map_taught_frame() const {
   return route_.path.pieces().back().end() * Pose2{(footprint.front_m - footprint.rear_m) / 2, 0, 0};
 }
 
-/// The taught end lies in the frame, whatever the edges say of the path to it.
+/// The taught end lies in the frame, whatever the edges say.
 Pose2 RoomNavigator::T_map_odom_by_frame() const {
   constexpr double kAgree_m = 0.2;
   const Pose2 T_map_frame = T_map_taught_frame();
@@ -60,7 +60,7 @@ Pose2 RoomNavigator::T_map_odom_by_frame() const {
   return place_.is_sure() && agrees ? place_.T_map_odom() : T_map_odom;
 }
 
-/// By what was taught; what is seen now comes to it on the way about.
+/// The taught floor; while it turns about, it adds obstacles that it sees.
 void RoomNavigator::learn_floor_before_frame() {
   constexpr double kAboutFrame_m = 4;
   const Pose2 T_map_odom = T_map_odom_by_frame();
@@ -74,7 +74,7 @@ void RoomNavigator::learn_floor_before_frame() {
       route_floor(route_.path, edges, vehicle_.footprint, T_map_frame.position(), kAboutFrame_m), T_map_odom);
 }
 
-/// The frame's lines look like edges of the route, and are none.
+/// The frame's lines look like edges of the route, but are not.
 void RoomNavigator::forget_frame_lines() {
   edges_.clear(*frame_->frame(), about_lines(frame_->size_m()));
 }
@@ -95,7 +95,7 @@ Decision RoomNavigator::unless_obstructed(Decision decision, double now_s) {
           .why = "something is in the path to the frame"};
 }
 
-/// For another try at the taught place.
+/// Backs off for another try at the taught place.
 Decision RoomNavigator::leave_place() {
   Command command = taught_place_.back_off(pose(), steering_rad_);
   const SteeringChoice choice = choose_steering_behind(command.steering_rad);
@@ -106,7 +106,7 @@ Decision RoomNavigator::leave_place() {
   return {.state = "backing off"};
 }
 
-/// To the nearest edge straight ahead of the bumper.
+/// From the bumper to the nearest edge straight ahead.
 double RoomNavigator::gap_ahead_m() const {
   double gap_m = std::numeric_limits<double>::infinity();
   for (const Vec2& p : edges_.around(T_odom_vehicle_)) {
@@ -116,14 +116,14 @@ double RoomNavigator::gap_ahead_m() const {
   return gap_m;
 }
 
-/// L96 section 2.4, and so near that what is seen is the end.
+/// L96 section 2.4, and near enough to the taught end.
 bool RoomNavigator::is_at_dead_end() const {
   constexpr double kNearEnd_m = 1;
   return left_m() < kNearEnd_m && sight()->share < params_.dead_end_share &&
-         (is_unmatched_ || gap_ahead_m() < params_.dead_end_gap_m);
+         (is_brightness_off_ || gap_ahead_m() < params_.dead_end_gap_m);
 }
 
-/// Where the view has opened again, what ended the route is taken for route.
+/// Where the view has opened again, the dead end has been taken for route.
 bool RoomNavigator::is_beyond_dead_end() const {
   constexpr double kOpenBeyond_m = 0.1;
   const bool is_open = sight()->share >= params_.dead_end_share;
@@ -138,7 +138,7 @@ bool RoomNavigator::is_place_taken() const {
   });
 }
 
-/// Path to the end of the route as the last leg leads on.
+/// Path left to the end of the route; near the end, along the last leg and negative beyond it.
 double RoomNavigator::left_to_end_m() const {
   const double straight_m = between(pose(), route_.path.pieces().back().end()).x;
   constexpr double kLastLeg_m = 1;
@@ -165,15 +165,15 @@ std::optional<Decision> RoomNavigator::arrived() {
       if (is_beyond_dead_end())
         return Decision{.status = NavigatorStatus::kFailed,
                         .state = "no dead end",
-                        .why = "what ends the route is not to be seen"};
+                        .why = "does not see what ends the route"};
       break;
     case ParkingStrategy::kFrame:
       if (progress_.has_arrived())
         return Decision{
-            .status = NavigatorStatus::kFailed, .state = "no frame", .why = "there is no frame to be seen"};
+            .status = NavigatorStatus::kFailed, .state = "no frame", .why = "does not see the frame"};
       break;
     case ParkingStrategy::kView: {
-      // Columns of brightness tell less than the edges of the floor, if those stand as they were taught.
+      // Edges of the floor, where they fit, are more accurate than brightness columns.
       const double shift_m = place_.is_sure() ? 0 : stop_views_.shift_m();
       if (left_to_end_m() + shift_m <= vehicle_.cycle_s * params_.parking_speed_mps) {
         if (!has_confirmed_place()) return unconfirmed;

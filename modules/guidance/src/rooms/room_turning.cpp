@@ -1,4 +1,4 @@
-/// How RoomNavigator backs between two turnings that are too close for the vehicle (L96 section 3.3).
+/// How RoomNavigator reverses between two turnings that are too close together (L96 section 3.3).
 
 #include <algorithm>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-/// nullptr: there is none.
+/// The first turning that ends beyond `along_m`; nullptr if there is none.
 const RoomTurning* turning_beyond(const std::vector<RoomTurning>& turnings, double along_m) {
   const auto next = std::find_if(turnings.begin(), turnings.end(),
                                  [&](const RoomTurning& turning) { return turning.end_m > along_m; });
@@ -22,11 +22,11 @@ bool is_backwards(const PathPiece& piece) {
 
 }  // namespace
 
-bool RoomNavigator::is_on_way_back() const {
+bool RoomNavigator::is_on_path_back() const {
   return is_backwards(route_.path.pieces()[progress_.point().piece]);
 }
 
-/// What stands just before the end of the path into a turning need not be passed.
+/// An obstacle just before the end of a leg need not be passed if the next leg leads back.
 bool RoomNavigator::has_path_back_next() const {
   constexpr double kNearEnough_m = 0.5;
   const std::size_t piece = progress_.point().piece, next = route_.path.leg_end(piece);
@@ -35,7 +35,7 @@ bool RoomNavigator::has_path_back_next() const {
 }
 
 void RoomNavigator::begin_path_back() {
-  if (!is_on_way_back())
+  if (!is_on_path_back())
     progress_ = PathProgress(route_.path, route_.path.leg_end_m(progress_.point().piece));
   back_to_m_ = route_.path.leg_end_m(progress_.point().piece);
   const RoomTurning* next = turning_beyond(route_.room->turnings, back_to_m_);
@@ -54,11 +54,12 @@ std::optional<bool> RoomNavigator::has_seen_corner() const {
 
 Decision RoomNavigator::back_between_turnings() {
   const double requested_rad = backs_to_corner_
-                                   ? corner_backing_->wished_steering_rad()
+                                   ? corner_backing_->requested_steering_rad()
                                    : reversing_steering_rad(vehicle_, route_.path, progress_.point(), pose(),
                                                             kLateBendAhead_m, steering_rad_);
   const SteeringChoice choice = choose_steering_behind(requested_rad);
-  const bool is_far_enough = backs_to_corner_ ? corner_backing_->is_done(T_odom_vehicle_) : !is_on_way_back();
+  const bool is_far_enough =
+      backs_to_corner_ ? corner_backing_->is_done(T_odom_vehicle_) : !is_on_path_back();
   if (is_far_enough || choice.free_m < params_.stop_free_m) {
     const bool is_by_corner = backs_to_corner_ && corner_backing_->has_seen_corner();
     progress_ = PathProgress(route_.path, std::max(progress_.point().along_m, back_to_m_));

@@ -7,17 +7,17 @@
 namespace aisle {
 namespace {
 
-constexpr double kFloorStep = 0.5;           // of a cell, between the points that are put onto it
-constexpr double kSeenBeforeBumper_m = 0.4;  // what is nearer is below the first camera's view
+constexpr double kFloorStep = 0.5;           // of a cell, between the points that are marked
+constexpr double kSeenBeforeBumper_m = 0.4;  // nearer floor is below the first camera's view
 
-/// Calls `visit` with numbers a step apart, from the first to the last one or just before it.
+/// Calls `visit` with numbers a step apart, from `first` to at most `last`.
 template <typename Visit>
 void step_through(double first, double last, double step, const Visit& visit) {
   const int steps = static_cast<int>(std::floor((last - first) / step));
   for (int i = 0; i <= steps; ++i) visit(first + i * step);
 }
 
-/// The line of sight on which an edge was seen last.
+/// Frees the line of sight on which an edge was last seen.
 void free_up_to(const RouteEdge& edge, const Path& path, const Footprint& footprint, FloorGrid& floor) {
   const Pose2 T_map_vehicle = path.at(edge.along_m).T_map_path;
   const Vec2 sight = edge.p_map - T_map_vehicle.position();
@@ -29,7 +29,7 @@ void free_up_to(const RouteEdge& edge, const Path& path, const Footprint& footpr
   });
 }
 
-/// What the lower edge of the first camera's view passed over, out to the first edge of the route.
+/// Frees the floor at the lower border of the first camera's view, out to the first edge on either side.
 void free_before(const Footprint& footprint, const Pose2& T_map_vehicle, FloorGrid& floor) {
   constexpr double kLateral_m = 0.7;
   const double ahead_m = footprint.front_m + kSeenBeforeBumper_m;
@@ -43,7 +43,7 @@ void free_before(const Footprint& footprint, const Pose2& T_map_vehicle, FloorGr
   }
 }
 
-/// Cells of which nothing is known, with at least so many free ones about them.
+/// Unknown cells with at least this many free neighbours.
 std::vector<FloorCell> unknown_beside_free(const FloorGrid& floor, int free_min) {
   std::vector<FloorCell> cells;
   const FloorBox box = floor.known().widened(1);
@@ -59,7 +59,7 @@ std::vector<FloorCell> unknown_beside_free(const FloorGrid& floor, int free_min)
   return cells;
 }
 
-/// Lines of sight leave gaps between them.
+/// Fills the gaps between lines of sight.
 void close_gaps(FloorGrid& floor) {
   constexpr int kRounds = 3, kFreeNeighboursMin = 4;
   for (int round = 0; round < kRounds; ++round)
@@ -105,7 +105,7 @@ FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const 
 double share_with_edges_on_path(const Path& path, std::span<const RouteEdge> edges,
                                 const Footprint& footprint) {
   constexpr double kPathSegment_m = 0.5;
-  constexpr double kInset_m = 0.05;  // what stands just beside the path may be seen so far on it
+  constexpr double kInset_m = 0.05;  // an obstacle just beside the path may seem this far inside it
   std::vector<char> has_edge(static_cast<std::size_t>(path.length_m() / kPathSegment_m) + 1, 0);
   for (const RouteEdge& edge : edges) {
     const PathPoint there = path.nearest(edge.p_map, edge.along_m, path.length_m());

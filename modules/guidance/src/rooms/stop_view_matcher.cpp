@@ -26,15 +26,16 @@ bool are_within(double delta, const BrightnessView& a, const BrightnessView& b) 
 void StopViewParams::describe(FieldList& fields) {
   fields.flag("by_extremes", by_extremes, "compare where columns are brightest and darkest, as published");
   fields.real("delta", delta, {0, 1},
-              "then: by which each of the eight places may be off, of the part's width");
+              "with by_extremes: error allowed at each of the eight places, as a share of the part's width");
   fields.group("columns", columns);
   fields.real("unlike_max", unlike_max, {0, 2}, "else: one minus the least correlation with a learned view");
-  fields.real("within_m", within_m, {0, 20}, "before the end views are looked for");
-  fields.real("rival_m", rival_m, {0, 10}, "views from so far apart are of different places");
-  fields.real("rival_factor", rival_factor, {1, 100}, "by which the best view must be more alike than those");
-  fields.count("confirmations", confirmations, {1, 100}, "images in succession that must agree");
-  fields.real("agree_m", agree_m, {0.001, 5}, "how well");
-  fields.real("gain", gain, {0.01, 1}, "how much one image corrects the path that is left");
+  fields.real("within_m", within_m, {0, 20}, "distance to the end from which it looks for views");
+  fields.real("rival_m", rival_m, {0, 10}, "views farther apart than this are of different places");
+  fields.real("rival_factor", rival_factor, {1, 100},
+              "by which the best view must be more similar than those");
+  fields.count("confirmations", confirmations, {1, 100}, "images in a row that must agree");
+  fields.real("agree_m", agree_m, {0.001, 5}, "by which their corrections may differ");
+  fields.real("gain", gain, {0.01, 1}, "how much one image corrects the path left");
 }
 
 StopViewMatcher::StopViewMatcher(const StopViewParams& params, const std::vector<StopView>& views)
@@ -42,7 +43,7 @@ StopViewMatcher::StopViewMatcher(const StopViewParams& params, const std::vector
   for (const StopView& view : views) {
     left_m_.push_back(view.left_m);
     extremes_.push_back(view.seen.brightness);
-    // A path that an earlier version learned has no columns.
+    // A route learned by an earlier version has no columns.
     if (view.seen.columns.bytes.empty()) params_.by_extremes = true;
   }
   if (params_.by_extremes) return;
@@ -63,8 +64,8 @@ void StopViewMatcher::take(const Image& image, double left_m) {
   shift_m_ = shift_m_ ? *shift_m_ + params_.gain * (mean_m - *shift_m_) : mean_m;
 }
 
-/// The path that is left by the learned view that is most alike, if it matches and no other place's does
-/// nearly as well.
+/// The path left at the most similar learned view, if it matches and no view of another place is nearly as
+/// similar.
 std::optional<double> StopViewMatcher::match(const Image& image) {
   return params_.by_extremes ? match_extremes(image) : match_curves(image);
 }

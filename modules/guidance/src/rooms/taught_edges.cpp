@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kRasterCell_m = 0.05, kHalfWidth_m = 10;
 constexpr int kRasterCells = 400;    // along a side
-constexpr double kNearEnough_m = 1;  // the raster is kept for so much distance
+constexpr double kNearEnough_m = 1;  // the raster is kept until the vehicle has moved this far
 
-/// Across the line through points that lie on one; else zero.
+/// Normal of the line that the points form; zero if they form none.
 Vec2 normal_of(const std::vector<Vec2>& points) {
   constexpr std::size_t kLinePoints = 4;
   constexpr double kFlat = 0.1;
@@ -37,7 +37,7 @@ CellIndex index_of(const std::vector<TaughtEdges::Edge>& edges) {
   return index;
 }
 
-/// Neighbours that lie on one line, or on none.
+/// Whether neighbours lie on one line, or both on none.
 bool is_one_side(const TaughtEdges::Edge& a, const TaughtEdges::Edge& b) {
   constexpr double kAlong = 0.95, kOffSide_m = 0.06;
   if (a.normal.isZero() || b.normal.isZero()) return a.normal.isZero() && b.normal.isZero();
@@ -70,7 +70,7 @@ TaughtEdges::TaughtEdges(const std::vector<RouteEdge>& edges, double reach_m) : 
   number_sides();
 }
 
-/// From neighbour to neighbour.
+/// Region growing from neighbour to neighbour.
 void TaughtEdges::number_sides() {
   constexpr int kNone = -1;
   constexpr double kApart_m = 0.05;  // of edges on a line, as they are learned
@@ -120,7 +120,7 @@ void TaughtEdges::move_to(double along_m, double window_m, const Vec2& p_map) {
   for (std::size_t i = first_; i < end_; ++i) stamp(i);
 }
 
-/// Enters an edge into the cells that it is the nearest to.
+/// Enters an edge into the cells to which it is the nearest one.
 void TaughtEdges::stamp(std::size_t edge) {
   const Vec2 at = edges_[edge].p_map - p_map_low_;
   if (at.minCoeff() < 0 || at.maxCoeff() >= 2 * kHalfWidth_m) return;

@@ -6,8 +6,8 @@
 namespace aisle {
 namespace {
 
-constexpr double kCornerMin = 0.9;     // sine of the angle at which base lines meet in a corner
-constexpr double kBeyondMin_m = 0.12;  // a wall across the path cannot be nearer to where the vehicle turns
+constexpr double kCornerMin = 0.9;     // sine of the angle between the base lines of a corner, at least
+constexpr double kBeyondMin_m = 0.12;  // from the vehicle's turn to the wall ahead, at least
 
 void append(GuidedPath& guided, std::vector<PathPiece>& pieces, const PathPiece& piece,
             const SectionGuide& guide) {
@@ -15,7 +15,7 @@ void append(GuidedPath& guided, std::vector<PathPiece>& pieces, const PathPiece&
   guided.guides.push_back(guide);
 }
 
-/// How far beyond a piece's end it meets a line beside another piece; negative: before its end.
+/// How far beyond its end a piece meets a line beside another piece; negative: before its end.
 double meeting_m(const PathPiece& piece, const PathPiece& other, double lateral_m) {
   const Pose2 T_end_other = between(piece.end(), other.T_map_start);
   const Vec2 along = unit(T_end_other.theta);
@@ -23,7 +23,7 @@ double meeting_m(const PathPiece& piece, const PathPiece& other, double lateral_
   return cross(p_end_line, along) / along.y();
 }
 
-/// What the base lines of the next section are to one that leads to it.
+/// Adds to a section's guide what the next section's base lines mean for it.
 void add_corner(SectionGuide& guide, const PathPiece& piece, const SectionGuide& next,
                 const PathPiece& next_piece) {
   const double turn = std::sin(next_piece.T_map_start.theta - piece.T_map_start.theta);

@@ -9,31 +9,31 @@
 namespace aisle {
 namespace {
 
-constexpr double kEndDirection_rad = 0.4 * kDegree;  // to which the end of a base line is seen
-constexpr double kEndSigmaMax_m = 0.08;              // less sure, it is too far away to tell
-constexpr double kUsual_m = 0.05;  // of base lines that are what they are taken for: doors are off
+constexpr double kEndDirection_rad = 0.4 * kDegree;  // bearing error of the end of a base line
+constexpr double kEndSigmaMax_m = 0.08;              // an end that is less certain is not used
+constexpr double kUsual_m = 0.05;                    // usual error of a base line; doors are farther off
 
 }  // namespace
 
 void SectionLocaliserParams::describe(FieldList& fields) {
-  fields.real("start_sigma_m", start_sigma_m, {0.001, 2},
-              "how far from the path's start the vehicle may stand");
-  fields.angle("start_sigma_deg", start_sigma_rad, {0.1, 45}, "how far it may be turned there");
-  fields.real("wall_sigma_m", wall_sigma_m, {0.001, 1}, "how steadily a base line keeps its distance");
+  fields.real("start_sigma_m", start_sigma_m, {0.001, 2}, "uncertainty of the start position");
+  fields.angle("start_sigma_deg", start_sigma_rad, {0.1, 45}, "uncertainty of the start heading");
+  fields.real("wall_sigma_m", wall_sigma_m, {0.001, 1}, "standard deviation of a base line's distance");
   fields.real("wall_gate_m", wall_gate_m, {0.01, 2},
-              "a base line farther from where it should be is another");
-  fields.real("length_gate_m", length_gate_m, {0.01, 5}, "the same a wall ahead, and the end of a base line");
+              "a base line farther than this from its expected place is another");
+  fields.real("length_gate_m", length_gate_m, {0.01, 5},
+              "the same for a wall ahead and the end of a base line");
   fields.real("length_reach_m", length_reach_m, {0.2, 20}, "a wall ahead that is farther away is not used");
   fields.real("repeat_inflation", repeat_inflation, {1, 100},
-              "images in a row are not independent: their variances count so many times");
+              "factor on the variances, as images in a row are not independent");
   fields.flag("heading_by_walls", heading_by_walls, "floor edges at right angles correct the heading");
-  fields.flag("left_base_line", left_base_line, "is followed as well as the right one");
+  fields.flag("left_base_line", left_base_line, "the left base line is followed as well as the right one");
   fields.flag("length_by_wall_ahead", length_by_wall_ahead, "the wall ahead corrects a section's length");
   fields.flag("length_by_line_end", length_by_line_end,
               "the end of the base line before a turn corrects a section's length");
 }
 
-/// Wheels keep their size: by what scale they counted the path out, they count the path home.
+/// The wheels keep their size, so the odometry's scale error is the same on the path out and home.
 SectionLocaliser::SectionLocaliser(const SectionLocaliserParams& params, const VehicleDescription& vehicle,
                                    const GuidedPath& guided)
     : params_(params),
@@ -56,7 +56,7 @@ SectionLocaliser::Here SectionLocaliser::here(std::size_t piece) const {
   return {present, guided_->guides[piece], between(present.T_map_start, filter_.pose())};
 }
 
-/// Every edge lies along an axis.
+/// Assumes that every edge is parallel to an axis of the map.
 void SectionLocaliser::correct_heading(std::span<const SensedSegment> edges) {
   for (const SensedSegment& edge : edges) {
     const auto misfit = misfit_to_axis(edge, filter_.pose().theta);
@@ -67,8 +67,8 @@ void SectionLocaliser::correct_heading(std::span<const SensedSegment> edges) {
   }
 }
 
-/// L03 section 4.1. A camera that nods shows both base lines too near or both too far: of what they tell
-/// together nothing is left of that.
+/// L03 section 4.1. A pitch error of the camera makes both base lines look too near, or both too far. It
+/// cancels out where both are used.
 void SectionLocaliser::correct_distance(const Here& here) {
   double off_m = 0, ahead_m = 0, weights = 0, nod_m = 0;
   const auto add = [&](double lateral_m) {
@@ -90,7 +90,7 @@ void SectionLocaliser::correct_distance(const Here& here) {
   is_guided_ = filter_.correct(off_m, by_pose, inflated(sigma_m));
 }
 
-/// The base line nearest to where one should be; nullptr: none is near.
+/// The base line nearest to the expected place; nullptr if none is near.
 const WallBeside* SectionLocaliser::wall_at(double lateral_m) const {
   const WallBeside* nearest = nullptr;
   double least_m = params_.wall_gate_m;
@@ -123,7 +123,7 @@ void SectionLocaliser::correct_by_wall_ahead(const Here& here, std::span<const S
   filter_.correct(off_m, by_pose, inflated(sigma_m));
 }
 
-/// L03 section 4.3, where the base line disappears, which tells how far it is to the turn.
+/// L03 section 4.3: the point where the base line ends tells the distance to the turn.
 void SectionLocaliser::correct_by_line_end(const Here& here) {
   const auto lateral_m = here.guide.turns_right ? here.guide.right_m : here.guide.left_m;
   if (!here.guide.line_ends_m || !lateral_m) return;
@@ -154,7 +154,7 @@ double SectionLocaliser::sigma_of(const Vec3& by_pose) const {
   return std::sqrt(by_pose.dot(filter_.covariance().topLeftCorner<3, 3>() * by_pose));
 }
 
-/// What is off by no more than the pose may be is no other thing.
+/// A measurement that is off by no more than the pose's uncertainty is not distrusted.
 double SectionLocaliser::distrust(double off_m, const Vec3& by_pose) const {
   return cauchy_distrust(off_m, std::hypot(kUsual_m, sigma_of(by_pose)));
 }

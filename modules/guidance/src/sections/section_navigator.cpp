@@ -25,12 +25,11 @@ void SectionNavigatorParams::describe(FieldList& fields) {
   fields.group("steering", steering);
   fields.group("speed", speed);
   fields.group("guard", guard);
-  fields.flag("guarded", guarded, "stop for what stands in the path, and while the camera shows nothing new");
+  fields.flag("guarded", guarded, "stop for obstacles in the path, and while the camera fails");
   fields.real("look_s", look_s, {0, 60},
               "time to look where it stands before it starts, and where it has arrived");
   localiser.describe(fields);
-  fields.real("lost_m", lost_m, {0.01, 10},
-              "less sure how farther off laterally of its path it is, it gives up");
+  fields.real("lost_m", lost_m, {0.01, 10}, "lateral uncertainty above which it gives up");
 }
 
 SectionNavigator::SectionNavigator(const SectionNavigatorParams& params, const VehicleDescription& vehicle,
@@ -56,14 +55,15 @@ Decision SectionNavigator::step(const Observation& observation) {
   if (progress_.has_arrived()) return take_last_heading(observation.stamp_s);
   const double lateral_sigma_m = localiser_.lateral_sigma_m(point.T_map_path.theta);
   if (lateral_sigma_m > params_.lost_m)
-    return fail("lost", fmt::format("saw no base line until unsure by {:.2f} m", lateral_sigma_m));
+    return fail("lost", fmt::format("saw no base line until its lateral position was uncertain by {:.2f} m",
+                                    lateral_sigma_m));
   const double speed_mps = speed_along(guided_.path, point.along_m, 1, vehicle_, params_.speed);
   return guarded({.command = follower_.follow(guided_.path, point, pose_on_path(), speed_mps, 0),
                   .state = is_guided_ ? "following" : "reckoning",
                   .why = place()});
 }
 
-/// Odometry, then the image.
+/// Updates the pose by odometry, then by the image.
 void SectionNavigator::locate(const Observation& observation) {
   localiser_.predict(observation.odometry);
   is_guided_ = false;
@@ -77,7 +77,8 @@ void SectionNavigator::locate(const Observation& observation) {
   is_guided_ = localiser_.is_guided();
 }
 
-/// Against the path, whose last metres home, and the turn about there, are where the vehicle was set down.
+/// The pose relative to the path. The last metres home, and the turn about there, are shifted to where the
+/// vehicle really started.
 Pose2 SectionNavigator::pose_on_path() const {
   const PathPoint& point = progress_.point();
   const bool is_homeward = guided_.comes_home && point.piece + 2 >= guided_.path.pieces().size();
@@ -87,8 +88,8 @@ Pose2 SectionNavigator::pose_on_path() const {
   return {p_path.x(), p_path.y(), pose().theta};
 }
 
-/// To the nearest step of a wheel: of less the vehicle does not know. What it sees where it has arrived may
-/// still tell that it is headed otherwise.
+/// Turns to the final heading, to the resolution of the wheel steps. What it sees after arriving may still
+/// correct its heading.
 Decision SectionNavigator::take_last_heading(double stamp_s) {
   const double step_rad = vehicle_.differential.step_length_m() / vehicle_.differential.wheel_separation_m;
   const double path_rad = guided_.path.pieces().back().end().theta;
@@ -103,7 +104,7 @@ Decision SectionNavigator::take_last_heading(double stamp_s) {
   return {.status = NavigatorStatus::kDone, .state = "arrived"};
 }
 
-/// The same as far as nothing stands in the path.
+/// The decision, limited by obstacles.
 Decision SectionNavigator::guarded(Decision decision) {
   if (!params_.guarded) return decision;
   const PathAhead guided = path_ahead(guided_.path, progress_.point(), pose_on_path(), params_.guard.reach_m);

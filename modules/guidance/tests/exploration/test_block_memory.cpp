@@ -9,18 +9,18 @@ namespace {
 
 constexpr Pose2 kStopped{5, 2, 90 * kDegree};
 
-TEST(BlockMemory, BarsThePoseJustBeyondOnTheSideThatItDroveTo) {
+TEST(BlockMemory, BarsThePoseJustBeyondInItsDrivingDirection) {
   BlockMemory backwards;
   backwards.note(kStopped, -1);
   EXPECT_TRUE(backwards.is_barred({5, 1.92, 90 * kDegree}));
   EXPECT_FALSE(backwards.is_barred({5, 2.08, 90 * kDegree}));
   EXPECT_FALSE(backwards.is_barred({5.05, 1.92, 90 * kDegree})) << "beside it";
-  EXPECT_FALSE(backwards.is_barred({5, 1.92, 80 * kDegree})) << "askew";
+  EXPECT_FALSE(backwards.is_barred({5, 1.92, 80 * kDegree})) << "turned";
   backwards.unbar();
   EXPECT_FALSE(backwards.is_barred({5, 1.92, 90 * kDegree}));
 }
 
-TEST(BlockMemory, CountsHowOftenOnEndItWasStoppedOnOneSpot) {
+TEST(BlockMemory, CountsStopsInARowOnOneSpot) {
   BlockMemory blocks;
   EXPECT_FALSE(blocks.was_at(kStopped));
   for (int times = 1; times <= 3; ++times) {
@@ -33,13 +33,13 @@ TEST(BlockMemory, CountsHowOftenOnEndItWasStoppedOnOneSpot) {
   EXPECT_FALSE(blocks.was_at(kStopped));
 }
 
-TEST(BlockMemory, ShutsTheDirectionUntilThereIsNoOtherPath) {
+TEST(BlockMemory, BlocksTheDirectionUntilThereIsNoOtherPath) {
   BlockMemory blocks;
-  EXPECT_EQ(blocks.shut_direction(), 0);
+  EXPECT_EQ(blocks.blocked_direction(), 0);
   blocks.note(kStopped, -1);
-  EXPECT_EQ(blocks.shut_direction(), -1);
-  blocks.open_direction();
-  EXPECT_EQ(blocks.shut_direction(), 0);
+  EXPECT_EQ(blocks.blocked_direction(), -1);
+  blocks.unblock_direction();
+  EXPECT_EQ(blocks.blocked_direction(), 0);
   EXPECT_TRUE(blocks.was_at(kStopped));
 }
 

@@ -15,19 +15,19 @@ namespace {
 constexpr std::size_t kBeams = 181;
 constexpr double kThinRadius_m = 0.02;
 
-/// The cart stands in a room of 8 m by 8 m, its laser in the middle. Among thin things, given as the laser
-/// sees them.
+/// The cart stands in a room of 8 m by 8 m, its laser in the middle, among thin obstacles given in the
+/// laser's frame.
 class StandingCart {
  public:
   StandingCart() : learner_({}, scanning_cart(), scanner_scans(scanning_cart())) {}
 
-  FloorLearner::News look(const std::vector<Vec2>& thin_things) {
+  FloorLearner::News look(const std::vector<Vec2>& p_laser_thin) {
     Observation observation{.stamp_s = stamp_s_ += 0.1};
     std::vector<float> ranges_m(kBeams);
     for (std::size_t beam = 0; beam < kBeams; ++beam) {
       const Vec2 along = unit(kFan.beam_angle(beam));
       double range_m = 4 / along.cwiseAbs().maxCoeff();
-      for (const Vec2& p_laser : thin_things) {
+      for (const Vec2& p_laser : p_laser_thin) {
         const bool is_hit = std::abs(left_normal(along).dot(p_laser)) < kThinRadius_m;
         if (is_hit && along.dot(p_laser) > 0) range_m = std::min(range_m, along.dot(p_laser));
       }
@@ -38,7 +38,7 @@ class StandingCart {
   }
 
   Floor at(const Vec2& p_laser) const { return learner_.floor().at(in_map(p_laser)); }
-  /// Straight ahead, from one distance to the other, nothing stands, nor does a table.
+  /// Straight ahead, between the two distances, stands neither an obstacle nor a table.
   bool is_open(double from_m, double to_m) const {
     for (double ahead_m = from_m; ahead_m < to_m; ahead_m += 0.01) {
       const FloorCell cell = learner_.floor().cell_at(in_map({ahead_m, 0}));
@@ -62,14 +62,14 @@ class StandingCart {
 
 const Vec2 kThin = 1.5 * unit(kFan.beam_angle(60));
 
-TEST(FloorLearner, WhileItStandsOneLookInManyCyclesIsEnough) {
+TEST(FloorLearner, WhileItStandsItUpdatesTheFloorOnceInManyCycles) {
   StandingCart cart;
   EXPECT_EQ(cart.look({}), FloorLearner::News::kFloor);
   EXPECT_EQ(cart.look({}), FloorLearner::News::kNothing);
   EXPECT_EQ(cart.at(kThin), Floor::kFree);
 }
 
-TEST(FloorLearner, WhatIsHitWhereTheFloorShowsNothingIsNotPassedOver) {
+TEST(FloorLearner, ALaserReturnWhereTheFloorIsFreeIsNotSkipped) {
   StandingCart cart;
   cart.look({});
   EXPECT_EQ(cart.look({kThin}), FloorLearner::News::kFloor);
@@ -77,7 +77,7 @@ TEST(FloorLearner, WhatIsHitWhereTheFloorShowsNothingIsNotPassedOver) {
   EXPECT_EQ(cart.look({kThin}), FloorLearner::News::kNothing) << "the floor shows it now";
 }
 
-TEST(FloorLearner, ItIsNotSetDownRightBeforeATable) {
+TEST(FloorLearner, TakesPostsRightBesideItsStartForJambsNotForATable) {
   StandingCart before_table, in_door;
   before_table.look({{0.7, 0.4}, {0.7, -0.4}});
   EXPECT_FALSE(before_table.is_open(0, 1));

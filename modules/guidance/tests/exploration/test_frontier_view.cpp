@@ -9,7 +9,7 @@
 namespace aisle {
 namespace {
 
-/// A corridor that is known to the east as far as x = 10, and a wall of unknown floor across half of it.
+/// A corridor known to the east up to x = 10. Unknown floor blocks half of its width.
 class FrontierView : public testing::Test {
  protected:
   FrontierView() : known_({{Vec2(0, 0), Vec2(6, 4)}, {Vec2(6, 2), Vec2(10, 4)}}) {
@@ -17,7 +17,8 @@ class FrontierView : public testing::Test {
   }
 
   bool sees(const Pose2& T_map_vehicle, double reach_m = 5, std::span<const float> near_m = {}) const {
-    return sees_rim({kFan, near_m, reach_m}, known_.floor, known_.clearance, T_map_vehicle, frontier_, 4);
+    return sees_frontier({kFan, near_m, reach_m}, known_.floor, known_.clearance, T_map_vehicle, frontier_,
+                         4);
   }
 
   KnownFloor known_;
@@ -33,11 +34,11 @@ TEST_F(FrontierView, SeesNothingBehindIt) {
   EXPECT_FALSE(sees({6.5, 3, kPi}));
 }
 
-TEST_F(FrontierView, DoesNotSeeThroughWhatIsUnknown) {
+TEST_F(FrontierView, DoesNotSeeThroughUnknownFloor) {
   EXPECT_FALSE(sees({5, 0.5, 0}));
 }
 
-TEST_F(FrontierView, SeesNothingNearerThanItsBeamsShow) {
+TEST_F(FrontierView, SeesNothingInTheBeamsBlindZone) {
   const std::vector<float> near_m(181, 4.5F);
   EXPECT_FALSE(sees({5, 3, 0}, 5, near_m));
   EXPECT_TRUE(sees({4.5, 3, 0}, 5, near_m));
@@ -54,8 +55,8 @@ TEST_F(FrontierView, LooksIntoAPocketAcrossItsEdgeNotAlongIt) {
   EXPECT_FALSE(sees({3, 3, 0})) << "a wall stands in the line of sight";
 }
 
-/// Where nothing is known of the room there is, each step is looked at.
-RC_GTEST_PROP(FrontierViewInStrides, ShowsWhatEachStepShows, (std::uint64_t seed)) {
+/// Oracle: without a clearance map, every step of the line of sight is checked.
+RC_GTEST_PROP(FrontierViewInStrides, SeesTheSameAsStepByStep, (std::uint64_t seed)) {
   Random random(seed);
   KnownFloor known({{Vec2(0, 0), Vec2(8, 8)}});
   const auto place = [&] { return Vec2(8 * random.uniform(), 8 * random.uniform()); };
@@ -69,7 +70,7 @@ RC_GTEST_PROP(FrontierViewInStrides, ShowsWhatEachStepShows, (std::uint64_t seed
     const Vec2 p_map = place();
     const Pose2 T_map_vehicle{p_map.x(), p_map.y(), 2 * kPi * random.uniform()};
     const auto sees = [&](const FloorClearance& clearance) {
-      return sees_rim({kFan, {}, 6}, known.floor, clearance, T_map_vehicle, frontier, 1);
+      return sees_frontier({kFan, {}, 6}, known.floor, clearance, T_map_vehicle, frontier, 1);
     };
     RC_ASSERT(sees(known.clearance) == sees(FloorClearance()));
   }

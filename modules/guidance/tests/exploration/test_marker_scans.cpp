@@ -18,7 +18,7 @@ VehicleDescription lit_cart() {
   return vehicle;
 }
 
-/// A grey floor, and laser light on what stands across the path from one side to the other.
+/// A grey floor, and laser light on an obstacle that stands across the path from `right_m` to `left_m`.
 Observation sees_light(double ahead_m, double right_m, double left_m) {
   const CameraDescription camera = lit_cart().cameras.front();
   const CameraModel model(camera.intrinsics);
@@ -51,14 +51,14 @@ TEST(MarkerScans, AreRangesAboutThePointBelowTheLens) {
   EXPECT_EQ(view.near_m.size(), view.ranges_m.size());
 }
 
-TEST(MarkerScans, WhereNoLightIsSeenThePathIsFreeAsFarAsLightWouldBeSeen) {
+TEST(MarkerScans, ABeamWithoutLightIsFreeAsFarAsLightWouldBeSeen) {
   const auto sensor = marker_scans(lit_cart(), "corridor");
   ScanView view;
   ASSERT_TRUE(sensor->look(sees_light(2.85, -0.5, 0.5), view));
   EXPECT_FLOAT_EQ(range_at(*sensor, view, 25), static_cast<float>(sensor->fan().range_max_m));
 }
 
-TEST(MarkerScans, TellNothingWithoutAnyLaserLight) {
+TEST(MarkerScans, ShowNothingWithoutAnyLaserLight) {
   const auto sensor = marker_scans(lit_cart(), "corridor");
   ScanView view;
   ASSERT_TRUE(sensor->look(sees_light(2.85, 1, 0), view));

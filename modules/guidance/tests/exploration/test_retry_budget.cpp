@@ -11,14 +11,14 @@ RetryBudget renewed() {
   return retry_budget;
 }
 
-TEST(RetryBudget, LastsLongerForWhatIsFarther) {
+TEST(RetryBudget, LastsLongerForFartherTargets) {
   EXPECT_FALSE(renewed().is_over(179, 50));
   EXPECT_TRUE(renewed().is_over(181, 50));
   EXPECT_FALSE(renewed().is_over(101, 67));
   EXPECT_TRUE(renewed().is_over(101, 69));
 }
 
-/// To turn about may take ten times as far as the target is away.
+/// Turning about may take ten times the target's distance.
 TEST(RetryBudget, LastsForThePathThatWasFound) {
   RetryBudget retry_budget({.time_s = 10, .time_s_per_m = 2, .path_m = 5, .path_factor = 2});
   retry_budget.renew(100, 50, 1);
@@ -43,7 +43,7 @@ TEST(RetryBudget, EndsWhenPathsFailOnOneSpot) {
   EXPECT_FALSE(retry_budget.is_over(102, 51));
 }
 
-TEST(RetryBudget, ForgivesWhatFailsElsewhere) {
+TEST(RetryBudget, ForgetsFailuresOnOtherSpots) {
   RetryBudget retry_budget = renewed();
   for (int i = 0; i < 10; ++i) retry_budget.count_failure({1.0 * i, 0, 0});
   EXPECT_FALSE(retry_budget.is_over(101, 51));

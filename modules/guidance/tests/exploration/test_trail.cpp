@@ -16,7 +16,7 @@ bool everywhere(const Pose2&) {
   return true;
 }
 
-/// A vehicle that keeps a trail of where it drives.
+/// A vehicle that records its trail.
 class OnATrail : public testing::Test {
  protected:
   void drive(const Arc& arc) {
@@ -47,7 +47,7 @@ TEST_F(OnATrail, WithoutOneThereIsNoPathBack) {
   EXPECT_TRUE(trail_.path_back({1, 2, 0.3}, 3, everywhere).empty());
 }
 
-TEST_F(OnATrail, ThePathBackIsWhatWasDrivenTheOtherPathRound) {
+TEST_F(OnATrail, ThePathBackIsWhatWasDrivenInReverse) {
   drive({2, 0});
   drive({1.5, 1.2});
   drive({-1, 0.8});
@@ -62,17 +62,17 @@ TEST_F(OnATrail, ThePathBackIsWhatWasDrivenTheOtherPathRound) {
   EXPECT_LT(back.pieces().back().arc.length_m, 0);
 }
 
-TEST_F(OnATrail, ItIsGoneBackInPathSegmentsAndForgotten) {
+TEST_F(OnATrail, IsDrivenBackInSegmentsAndForgotten) {
   drive({3, 0});
   drive({2, -1.5});
-  const Path path_segment = trail_.path_back(T_map_driven_.back(), 2, everywhere);
-  EXPECT_NEAR(path_segment.length_m(), 2, 0.21);
-  go_back(path_segment, path_segment.length_m());
-  const Pose2 T_map_there = path_segment.pieces().back().end();
-  EXPECT_NEAR(trail_.path_back(T_map_there, 100, everywhere).length_m(), 5 - path_segment.length_m(), 0.15);
+  const Path segment = trail_.path_back(T_map_driven_.back(), 2, everywhere);
+  EXPECT_NEAR(segment.length_m(), 2, 0.21);
+  go_back(segment, segment.length_m());
+  const Pose2 T_map_there = segment.pieces().back().end();
+  EXPECT_NEAR(trail_.path_back(T_map_there, 100, everywhere).length_m(), 5 - segment.length_m(), 0.15);
 }
 
-TEST_F(OnATrail, ItIsGoneBackToWhereThereIsRoom) {
+TEST_F(OnATrail, IsDrivenBackToWhereThereIsClearance) {
   drive({6, 0});
   const Vec2 p_map_start = T_map_driven_.front().position();
   const auto is_roomy = [&](const Pose2& T_map) { return (T_map.position() - p_map_start).norm() < 2; };
@@ -80,7 +80,7 @@ TEST_F(OnATrail, ItIsGoneBackToWhereThereIsRoom) {
   EXPECT_NEAR(back.length_m(), 4, 0.25);
 }
 
-TEST_F(OnATrail, OnFromHalfPathItLeadsBackToTheStart) {
+TEST_F(OnATrail, StillLeadsToTheStartAfterABranchHalfwayBack) {
   drive({3, 0});
   const Path back = trail_.path_back(T_map_driven_.back(), 100, everywhere);
   go_back(back, 1.5);
@@ -91,7 +91,7 @@ TEST_F(OnATrail, OnFromHalfPathItLeadsBackToTheStart) {
   EXPECT_LT((home.pieces().back().end().position() - T_map_driven_.front().position()).norm(), 0.06);
 }
 
-TEST_F(OnATrail, LiesWhereItsScansLieWhenAPlaceWasRecognised) {
+TEST_F(OnATrail, FollowsItsScansAfterALoopClosure) {
   drive({2, 0.4});
   const Pose2 T_again_map{0.5, -0.3, 0.1};
   std::vector<Pose2> T_again_driven;

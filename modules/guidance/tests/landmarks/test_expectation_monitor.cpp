@@ -13,49 +13,49 @@ std::vector<ExpectedLandmark> expected_of(int all, int seen) {
   return expected;
 }
 
-/// @return at which of these images it notices; 0: at none
-int noticed_at(ExpectationMonitor& watch, int images, int all, int seen) {
+/// @return number of the image at which kidnapping is detected; 0: at none
+int noticed_at(ExpectationMonitor& monitor, int images, int all, int seen) {
   for (int i = 1; i <= images; ++i) {
-    if (watch.look(expected_of(all, seen))) return i;
+    if (monitor.look(expected_of(all, seen))) return i;
   }
   return 0;
 }
 
 TEST(ExpectationMonitor, MostOfWhatShouldBeSeenMayBeMissing) {
-  ExpectationMonitor watch;
-  EXPECT_EQ(noticed_at(watch, 100, 10, 2), 0);
+  ExpectationMonitor monitor;
+  EXPECT_EQ(noticed_at(monitor, 100, 10, 2), 0);
 }
 
-TEST(ExpectationMonitor, NoticesWithinTenImagesThatTheFewThatWereSeenAreNotAnyMore) {
-  ExpectationMonitor watch;
-  noticed_at(watch, 100, 12, 3);
-  EXPECT_EQ(noticed_at(watch, 100, 12, 0), 7);
+TEST(ExpectationMonitor, NoticesWithinTenImagesThatFewSeenLandmarksAreGone) {
+  ExpectationMonitor monitor;
+  noticed_at(monitor, 100, 12, 3);
+  EXPECT_EQ(noticed_at(monitor, 100, 12, 0), 7);
 }
 
-TEST(ExpectationMonitor, NoticesWithinFourImagesThatTheManyThatWereSeenAreNotAnyMore) {
-  ExpectationMonitor watch;
-  noticed_at(watch, 100, 12, 9);
-  EXPECT_EQ(noticed_at(watch, 100, 12, 0), 4);
+TEST(ExpectationMonitor, NoticesWithinFourImagesThatManySeenLandmarksAreGone) {
+  ExpectationMonitor monitor;
+  noticed_at(monitor, 100, 12, 9);
+  EXPECT_EQ(noticed_at(monitor, 100, 12, 0), 4);
 }
 
-TEST(ExpectationMonitor, ThreeImagesInWhichTheyAreMissingMayBeBadOnes) {
-  ExpectationMonitor watch;
+TEST(ExpectationMonitor, ThreeImagesWithoutThemMayBeBadOnes) {
+  ExpectationMonitor monitor;
   for (int i = 0; i < 10; ++i) {
-    EXPECT_EQ(noticed_at(watch, 10, 12, 9), 0);
-    EXPECT_EQ(noticed_at(watch, 3, 12, 0), 0);
+    EXPECT_EQ(noticed_at(monitor, 10, 12, 9), 0);
+    EXPECT_EQ(noticed_at(monitor, 3, 12, 0), 0);
   }
 }
 
 TEST(ExpectationMonitor, FewExpectedLandmarksTellNothing) {
-  ExpectationMonitor watch;
-  EXPECT_EQ(noticed_at(watch, 100, 5, 0), 0);
+  ExpectationMonitor monitor;
+  EXPECT_EQ(noticed_at(monitor, 100, 5, 0), 0);
 }
 
 TEST(ExpectationMonitor, StartsAgain) {
-  ExpectationMonitor watch;
-  EXPECT_EQ(noticed_at(watch, 100, 12, 0), 5);
-  watch.start();
-  EXPECT_EQ(noticed_at(watch, 4, 12, 0), 0);
+  ExpectationMonitor monitor;
+  EXPECT_EQ(noticed_at(monitor, 100, 12, 0), 5);
+  monitor.start();
+  EXPECT_EQ(noticed_at(monitor, 4, 12, 0), 0);
 }
 
 }  // namespace

@@ -12,15 +12,15 @@ namespace {
 constexpr double kCycleOfCart_s = 0.1;
 constexpr double kSamePlace_m = 0.25;
 
-/// A corridor 2.4 m wide as it is known from inside, along the floor's x; the route leads along its middle
-/// from end to end. The map lies otherwise than the floor.
+/// A corridor 2.4 m wide, seen from inside, along the floor's x axis. The route leads along its middle from
+/// end to end. Map and floor have different frames.
 class PathToRouteTest : public testing::Test {
  protected:
   Pose2 in_map(const Pose2& T_floor) const { return T_map_floor_ * T_floor; }
 
   Path route() const { return Path({{in_map({0, 1.2, 0}), {7, 0}}}); }
 
-  /// A cart that does at once as it is given, for three minutes at most.
+  /// Drives a cart that executes commands without delay, for at most three minutes.
   PathToRoute::State bring(const KnownFloor& known, const Pose2& T_floor_vehicle) {
     PathToRoute path(cart(), {}, {.speed_mps = 0.2}, known.floor, known.clearance);
     T_map_vehicle_ = in_map(T_floor_vehicle);
@@ -51,7 +51,7 @@ class PathToRouteTest : public testing::Test {
   Pose2 T_map_vehicle_;
 };
 
-TEST_F(PathToRouteTest, TurnsAVehicleAboutThatFacesTheOtherPath) {
+TEST_F(PathToRouteTest, TurnsAVehicleThatFacesTheWrongWay) {
   EXPECT_EQ(bring(corridor_, {3.5, 1.2, kPi}), PathToRoute::State::kThere);
   expect_on_route();
 }
@@ -91,7 +91,7 @@ TEST_F(PathToRouteTest, WhereNoKnownFloorLeadsToTheRouteThereIsNoPath) {
   EXPECT_EQ(bring(room, {0.6, -5.5, 0}), PathToRoute::State::kNoPath);
 }
 
-TEST_F(PathToRouteTest, ARouteFarAwayIsNotComeTo) {
+TEST_F(PathToRouteTest, DoesNotSearchForARouteFarAway) {
   const KnownFloor room{{Vec2(0, -36), Vec2(3, -32)}};
   EXPECT_EQ(bring(room, {1, -34, 0}), PathToRoute::State::kNoPath);
 }

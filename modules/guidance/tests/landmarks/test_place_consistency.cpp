@@ -11,17 +11,17 @@ namespace {
 
 constexpr SightNoise kNoise;
 
-/// What a vehicle that stands and believes to be at (5, 0) makes of the images that it sees from `truth`.
+/// The verdict of a standing vehicle that believes to be at (5, 0) and sees images from `truth`.
 Suspicion look_from(const Pose2& truth, const SightNoise& noise, std::uint64_t seed) {
   Random random(seed);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
   const LandmarkMap map = map_of(lines);
   const UncertainPose2 T_map_believed = about({5, 0, 0}, 0.01, 0.3 * kDegree);
-  PlaceConsistency check_consistency({}, corridor_cart());
-  check_consistency.start();
+  PlaceConsistency consistency({}, corridor_cart());
+  consistency.start();
   Suspicion suspicion = Suspicion::kOpen;
   for (int i = 0; i < 100 && suspicion == Suspicion::kOpen; ++i)
-    suspicion = check_consistency.look(map, T_map_believed, sightings_from(lines, truth, noise, &random));
+    suspicion = consistency.look(map, T_map_believed, sightings_from(lines, truth, noise, &random));
   return suspicion;
 }
 
@@ -55,8 +55,8 @@ TEST(PlaceConsistency, IsConfirmedElsewhereThoughSomeOfManyLinesFitSomehow) {
     EXPECT_EQ(look_from({10, 0.1, 0}, grainy, seed), Suspicion::kConfirmed) << seed;
 }
 
-/// What a vehicle that stands and believes to be at the origin, between two rows of landmarks, makes of
-/// images that show these feet.
+/// The verdict of a standing vehicle that believes to be at the origin, between two rows of landmarks, and
+/// sees images with these floor points.
 Suspicion look_at(const std::vector<Vec2>& floor_points) {
   std::vector<CorridorLine> rows;
   for (const double y : {1.0, -1.0}) {
@@ -65,15 +65,15 @@ Suspicion look_at(const std::vector<Vec2>& floor_points) {
   const LandmarkMap map = map_of(rows);
   std::vector<LandmarkSighting> image;
   for (const Vec2& floor_point : floor_points) image.push_back(sighting_of(floor_point, false, kNoise));
-  PlaceConsistency check_consistency({}, corridor_cart());
-  check_consistency.start();
+  PlaceConsistency consistency({}, corridor_cart());
+  consistency.start();
   Suspicion suspicion = Suspicion::kOpen;
   for (int i = 0; i < 100 && suspicion == Suspicion::kOpen; ++i)
-    suspicion = check_consistency.look(map, about({}, 0.01, 0.1 * kDegree), image);
+    suspicion = consistency.look(map, about({}, 0.01, 0.1 * kDegree), image);
   return suspicion;
 }
 
-/// Between the rows and beyond them, off every landmark by half a metre and more.
+/// Between the rows and beyond them, at least half a metre from every landmark.
 const std::vector<Vec2> kElsewhere{{2, 0.4}, {2.5, -0.4}, {3, 0}, {3.6, 1.2}, {3.6, -1.2}};
 
 std::vector<Vec2> together(std::vector<Vec2> floor_points, const std::vector<Vec2>& more) {
@@ -81,18 +81,18 @@ std::vector<Vec2> together(std::vector<Vec2> floor_points, const std::vector<Vec
   return floor_points;
 }
 
-TEST(PlaceConsistency, WhatIsSeenBesideTheExpectedLandmarksIsNoInconsistency) {
+TEST(PlaceConsistency, IsDispelledThoughUnknownLinesAreSeenBesideTheExpectedOnes) {
   const std::vector<Vec2> expected{{1.5, 1}, {2, -1}, {2.5, 1}};
   EXPECT_EQ(look_at(expected), Suspicion::kDispelled);
   EXPECT_EQ(look_at(together(expected, kElsewhere)), Suspicion::kDispelled);
 }
 
-TEST(PlaceConsistency, ExpectedLandmarksThatAreMissingAreAInconsistencyThoughSomethingFitsAtADisplacement) {
-  const std::vector<Vec2> a_hand_lateral{{1.5, 1.08}, {2, -0.92}, {2.5, 1.08}};
-  EXPECT_EQ(look_at(together(a_hand_lateral, kElsewhere)), Suspicion::kConfirmed);
+TEST(PlaceConsistency, IsConfirmedWhereExpectedLandmarksAreMissingThoughSomethingFitsWithAnOffset) {
+  const std::vector<Vec2> a_hand_off{{1.5, 1.08}, {2, -0.92}, {2.5, 1.08}};
+  EXPECT_EQ(look_at(together(a_hand_off, kElsewhere)), Suspicion::kConfirmed);
 }
 
-TEST(PlaceConsistency, AFewLinesThatAreAllKnownOutweighWhatElseShouldBeSeen) {
+TEST(PlaceConsistency, IsDispelledByAFewLinesThatAreAllKnown) {
   const std::vector<Vec2> outermost{{2.97, 0.99}, {1.52, -1.01}};
   EXPECT_EQ(look_at(outermost), Suspicion::kDispelled);
 }
@@ -101,34 +101,34 @@ TEST(PlaceConsistency, IsDispelledWhereImagesShowNothingThatContradicts) {
   EXPECT_EQ(look_from({24, 0, 0}, kNoise, 1), Suspicion::kDispelled) << "past the last line";
 }
 
-TEST(PlaceConsistency, WhereWallsHaveJumpedImagesMustFit) {
+TEST(PlaceConsistency, ImagesMustFitAfterWallsHaveJumped) {
   Random random(1);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
   const LandmarkMap map = map_of(lines);
   for (const auto& [truth, answer] : {std::pair{Pose2{5, 0, 0}, Suspicion::kDispelled},
                                       std::pair{Pose2{24, 0, 0}, Suspicion::kConfirmed}}) {
-    PlaceConsistency check_consistency({}, corridor_cart());
-    check_consistency.start(true);
+    PlaceConsistency consistency({}, corridor_cart());
+    consistency.start(true);
     Suspicion suspicion = Suspicion::kOpen;
     for (int i = 0; i < 100 && suspicion == Suspicion::kOpen; ++i)
-      suspicion = check_consistency.look(map, about({5, 0, 0}, 0.01, 0.3 * kDegree),
-                                         sightings_from(lines, truth, kNoise, &random));
+      suspicion = consistency.look(map, about({5, 0, 0}, 0.01, 0.3 * kDegree),
+                                   sightings_from(lines, truth, kNoise, &random));
     EXPECT_EQ(suspicion, answer);
   }
 }
 
-TEST(PlaceConsistency, BeginsAgainWithEverySuspicion) {
+TEST(PlaceConsistency, StartsAgainWithEverySuspicion) {
   Random random(1);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
   const LandmarkMap map = map_of(lines);
   const UncertainPose2 T_map_believed = about({5, 0, 0}, 0.01, 0.3 * kDegree);
-  PlaceConsistency check_consistency({}, corridor_cart());
+  PlaceConsistency consistency({}, corridor_cart());
   for (const auto& [truth, answer] : {std::pair{Pose2{10, 0.1, 0}, Suspicion::kConfirmed},
                                       std::pair{Pose2{5, 0, 0}, Suspicion::kDispelled}}) {
-    check_consistency.start();
+    consistency.start();
     Suspicion suspicion = Suspicion::kOpen;
     for (int i = 0; i < 100 && suspicion == Suspicion::kOpen; ++i)
-      suspicion = check_consistency.look(map, T_map_believed, sightings_from(lines, truth, kNoise, &random));
+      suspicion = consistency.look(map, T_map_believed, sightings_from(lines, truth, kNoise, &random));
     EXPECT_EQ(suspicion, answer);
   }
 }

@@ -21,73 +21,73 @@ std::vector<LandmarkSighting> view(double along_m, double first_m = 0) {
   return seen;
 }
 
-/// Drives on by odometry and sees what there is. @return in how many images it was noticed
-int drive(SceneMonitor& watch, double from_m, int images, double first_m = 0) {
+/// Drives on and sees the doors. @return number of images in which kidnapping was detected
+int drive(SceneMonitor& monitor, double from_m, int images, double first_m = 0) {
   int noticed = 0;
   for (int i = 0; i < images; ++i) {
-    watch.move({kStep_m, 0, 0});
-    noticed += watch.look(view(from_m + kStep_m * i, first_m)) ? 1 : 0;
+    monitor.move({kStep_m, 0, 0});
+    noticed += monitor.look(view(from_m + kStep_m * i, first_m)) ? 1 : 0;
   }
   return noticed;
 }
 
-TEST(SceneMonitor, SeesNothingUnmatchedInADrive) {
-  SceneMonitor watch;
-  EXPECT_EQ(drive(watch, 0, 200), 0);
+TEST(SceneMonitor, DetectsNothingOnAPlainDrive) {
+  SceneMonitor monitor;
+  EXPECT_EQ(drive(monitor, 0, 200), 0);
 }
 
-TEST(SceneMonitor, NoticesAtTheSecondImageThatItWasPutElsewhereAndNoticesItOnce) {
-  SceneMonitor watch;
-  drive(watch, 0, 30);
-  EXPECT_EQ(drive(watch, 5, 1, 0.4), 0);
-  EXPECT_EQ(drive(watch, 5 + kStep_m, 1, 0.4), 1);
-  EXPECT_EQ(drive(watch, 5 + 2 * kStep_m, 50, 0.4), 0);
+TEST(SceneMonitor, DetectsKidnappingOnceAtTheSecondImage) {
+  SceneMonitor monitor;
+  drive(monitor, 0, 30);
+  EXPECT_EQ(drive(monitor, 5, 1, 0.4), 0);
+  EXPECT_EQ(drive(monitor, 5 + kStep_m, 1, 0.4), 1);
+  EXPECT_EQ(drive(monitor, 5 + 2 * kStep_m, 50, 0.4), 0);
 }
 
 TEST(SceneMonitor, DoesNotMindOneBadImage) {
-  SceneMonitor watch;
-  drive(watch, 0, 30);
-  EXPECT_FALSE(watch.look(view(4, 0.37)));
-  EXPECT_EQ(drive(watch, 0.9, 50), 0);
+  SceneMonitor monitor;
+  drive(monitor, 0, 30);
+  EXPECT_FALSE(monitor.look(view(4, 0.37)));
+  EXPECT_EQ(drive(monitor, 0.9, 50), 0);
 }
 
 TEST(SceneMonitor, TakesWhatIsKnownToBeHereForNoOtherPlace) {
-  SceneMonitor watch;
-  drive(watch, 0, 30);
-  for (int i = 0; i < 3; ++i) EXPECT_FALSE(watch.look(view(5, 0.4), true));
-  EXPECT_EQ(drive(watch, 5, 50, 0.4), 0);
+  SceneMonitor monitor;
+  drive(monitor, 0, 30);
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(monitor.look(view(5, 0.4), true));
+  EXPECT_EQ(drive(monitor, 5, 50, 0.4), 0);
 }
 
 TEST(SceneMonitor, DoesNotTakeDarknessForAnotherPlace) {
-  SceneMonitor watch;
-  drive(watch, 0, 30);
-  for (int i = 0; i < 20; ++i) EXPECT_FALSE(watch.look({}));
-  EXPECT_EQ(drive(watch, 0.9, 50), 0);
+  SceneMonitor monitor;
+  drive(monitor, 0, 30);
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(monitor.look({}));
+  EXPECT_EQ(drive(monitor, 0.9, 50), 0);
 }
 
 TEST(SceneMonitor, DoesNotCompareWithWhatItSawLongAgo) {
-  SceneMonitor watch;
-  drive(watch, 0, 30);
+  SceneMonitor monitor;
+  drive(monitor, 0, 30);
   for (int i = 0; i < 40; ++i) {
-    watch.move({kStep_m, 0, 0});
-    EXPECT_FALSE(watch.look({}));
+    monitor.move({kStep_m, 0, 0});
+    EXPECT_FALSE(monitor.look({}));
   }
-  EXPECT_EQ(drive(watch, 5, 50, 0.4), 0);
+  EXPECT_EQ(drive(monitor, 5, 50, 0.4), 0);
 }
 
 TEST(SceneMonitor, DoesNotCompareWithWhatItSawBeforeItTurned) {
-  SceneMonitor watch;
-  drive(watch, 0, 30);
+  SceneMonitor monitor;
+  drive(monitor, 0, 30);
   for (int i = 0; i < 6; ++i) {
-    watch.move({kStep_m, 0, 2 * kDegree});
-    EXPECT_FALSE(watch.look({}));
+    monitor.move({kStep_m, 0, 2 * kDegree});
+    EXPECT_FALSE(monitor.look({}));
   }
-  EXPECT_EQ(drive(watch, 5, 50, 0.4), 0);
+  EXPECT_EQ(drive(monitor, 5, 50, 0.4), 0);
 }
 
 TEST(SceneMonitor, DoesNotMindThatThingsAreLeftBehind) {
-  SceneMonitor watch;
-  EXPECT_EQ(drive(watch, 0, 700), 0);  // past the last door
+  SceneMonitor monitor;
+  EXPECT_EQ(drive(monitor, 0, 700), 0);  // past the last door
 }
 
 }  // namespace

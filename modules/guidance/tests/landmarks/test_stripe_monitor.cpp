@@ -24,46 +24,46 @@ std::vector<Vec2> before_wall() {
   return lit;
 }
 
-TEST(StripeMonitor, DrivingOnAlongACorridorAndLeaningInItIsNoOtherPlace) {
-  StripeMonitor watch;
+TEST(StripeMonitor, DrivingOnAlongACorridorAndTurningALittleIsNoOtherPlace) {
+  StripeMonitor monitor;
   Pose2 T_world_vehicle;
   for (int i = 0; i < 100; ++i) {
     const Pose2 step{0.05, 0, (i % 20 < 10 ? 1 : -1) * 0.5 * kDegree};
     T_world_vehicle = T_world_vehicle * step;
-    watch.move(step);
-    EXPECT_FALSE(watch.look(along_corridor(T_world_vehicle))) << i;
+    monitor.move(step);
+    EXPECT_FALSE(monitor.look(along_corridor(T_world_vehicle))) << i;
   }
 }
 
 TEST(StripeMonitor, AWallThatStandsAheadFromOneImageToTheNextIsAnotherPlace) {
-  StripeMonitor watch;
-  EXPECT_FALSE(watch.look(along_corridor({})));
-  EXPECT_FALSE(watch.look(before_wall()));
-  EXPECT_TRUE(watch.look(before_wall()));
-  EXPECT_FALSE(watch.look(before_wall()));
+  StripeMonitor monitor;
+  EXPECT_FALSE(monitor.look(along_corridor({})));
+  EXPECT_FALSE(monitor.look(before_wall()));
+  EXPECT_TRUE(monitor.look(before_wall()));
+  EXPECT_FALSE(monitor.look(before_wall()));
 }
 
 TEST(StripeMonitor, OneImageAloneIsNoOtherPlace) {
-  StripeMonitor watch;
-  watch.look(along_corridor({}));
-  EXPECT_FALSE(watch.look(before_wall()));
-  EXPECT_FALSE(watch.look(along_corridor({})));
-  EXPECT_FALSE(watch.look(before_wall()));
+  StripeMonitor monitor;
+  monitor.look(along_corridor({}));
+  EXPECT_FALSE(monitor.look(before_wall()));
+  EXPECT_FALSE(monitor.look(along_corridor({})));
+  EXPECT_FALSE(monitor.look(before_wall()));
 }
 
 TEST(StripeMonitor, AnImageThatShowsWhatIsKnownToBeHereIsNoOtherPlace) {
-  StripeMonitor watch;
-  watch.look(along_corridor({}));
-  EXPECT_FALSE(watch.look(before_wall(), true));
-  EXPECT_FALSE(watch.look(before_wall(), true));
+  StripeMonitor monitor;
+  monitor.look(along_corridor({}));
+  EXPECT_FALSE(monitor.look(before_wall(), true));
+  EXPECT_FALSE(monitor.look(before_wall(), true));
 }
 
 TEST(StripeMonitor, LittleLightTellsNothing) {
-  StripeMonitor watch;
-  watch.look(along_corridor({}));
+  StripeMonitor monitor;
+  monitor.look(along_corridor({}));
   const std::vector<Vec2> some(20, Vec2(2, 0));
-  EXPECT_FALSE(watch.look(some));
-  EXPECT_FALSE(watch.look(some));
+  EXPECT_FALSE(monitor.look(some));
+  EXPECT_FALSE(monitor.look(some));
 }
 
 }  // namespace

@@ -10,21 +10,21 @@ namespace {
 
 constexpr int kLeast = 3;
 
-/// 0.85 m before the rear axle and 1 m high, 65 degrees wide, tilted down.
+/// A camera 0.85 m before the rear axle and 1 m high, 65 degrees wide, tilted down.
 CameraDescription corridor_camera_of_cart() {
   CameraDescription camera;
   camera.mount = {.p_vehicle_camera = {0.85, 0, 1}, .tilt_rad = 14 * kDegree};
   return camera;
 }
 
-/// Of a route that was taught from (0, 0) to (10, 0).
+/// The view of a route taught from (0, 0) to (10, 0).
 TaughtView taught_view() {
   TaughtView view(FloorInImage{corridor_camera_of_cart()});
   view.add(Path({PathPiece{{0, 0, 0}, {10, 0}}}));
   return view;
 }
 
-/// Feet of unknown lines on both sides before the vehicle.
+/// Unknown lines on both sides ahead of the vehicle.
 std::vector<LandmarkSighting> unknown_things() {
   std::vector<LandmarkSighting> image;
   for (const double x : {2.5, 3.0, 3.5, 4.0}) {
@@ -48,42 +48,42 @@ TEST(TaughtView, OfNoRouteShowsNothing) {
   EXPECT_FALSE(view.shows({5, 1}));
 }
 
-TEST(UnmatchedMonitor, CountsThePathOnWhichUnknownThingsStandWhereTheTaughtRunSaw) {
-  UnmatchedMonitor watch(taught_view(), kLeast);
-  for (int i = 0; i < 10; ++i) watch.look(unknown_things(), false, {1 + 0.1 * i, 0, 0}, 0.1);
-  EXPECT_TRUE(watch.is_unmatched());
-  EXPECT_NEAR(watch.path_m(), 1, 1e-9);
+TEST(UnmatchedMonitor, CountsThePathWithUnknownLinesInsideTheTaughtView) {
+  UnmatchedMonitor monitor(taught_view(), kLeast);
+  for (int i = 0; i < 10; ++i) monitor.look(unknown_things(), false, {1 + 0.1 * i, 0, 0}, 0.1);
+  EXPECT_TRUE(monitor.is_unmatched());
+  EXPECT_NEAR(monitor.path_m(), 1, 1e-9);
 }
 
-TEST(UnmatchedMonitor, OnAPathBackNothingIsUnmatchedBeyondWhereTheRouteBegan) {
-  UnmatchedMonitor watch(taught_view(), kLeast);
-  for (int i = 0; i < 20; ++i) watch.look(unknown_things(), false, {4 - 0.1 * i, 0, kPi}, 0.1);
-  EXPECT_FALSE(watch.is_unmatched());
-  EXPECT_EQ(watch.path_m(), 0);
+TEST(UnmatchedMonitor, NothingIsUnmatchedBeyondTheRoutesStartOnTheReturnPath) {
+  UnmatchedMonitor monitor(taught_view(), kLeast);
+  for (int i = 0; i < 20; ++i) monitor.look(unknown_things(), false, {4 - 0.1 * i, 0, kPi}, 0.1);
+  EXPECT_FALSE(monitor.is_unmatched());
+  EXPECT_EQ(monitor.path_m(), 0);
 }
 
 TEST(UnmatchedMonitor, FewUnknownThingsAreNotUnmatched) {
-  UnmatchedMonitor watch(taught_view(), kLeast);
+  UnmatchedMonitor monitor(taught_view(), kLeast);
   const std::vector<LandmarkSighting> two(2, sighting_of({3, 1}, false, {}));
-  watch.look(two, false, {2, 0, 0}, 0.1);
-  EXPECT_FALSE(watch.is_unmatched());
-  EXPECT_EQ(watch.path_m(), 0);
+  monitor.look(two, false, {2, 0, 0}, 0.1);
+  EXPECT_FALSE(monitor.is_unmatched());
+  EXPECT_EQ(monitor.path_m(), 0);
 }
 
-TEST(UnmatchedMonitor, AFittingImageMakesUpForHalfThePath) {
-  UnmatchedMonitor watch(taught_view(), kLeast);
-  watch.look(unknown_things(), false, {2, 0, 0}, 2);
-  watch.look(unknown_things(), true, {2.1, 0, 0}, 0.1);
-  EXPECT_FALSE(watch.is_unmatched());
-  EXPECT_EQ(watch.path_m(), 1);
+TEST(UnmatchedMonitor, AnImageThatFitsHalvesThePath) {
+  UnmatchedMonitor monitor(taught_view(), kLeast);
+  monitor.look(unknown_things(), false, {2, 0, 0}, 2);
+  monitor.look(unknown_things(), true, {2.1, 0, 0}, 0.1);
+  EXPECT_FALSE(monitor.is_unmatched());
+  EXPECT_EQ(monitor.path_m(), 1);
 }
 
 TEST(UnmatchedMonitor, BeginsAgain) {
-  UnmatchedMonitor watch(taught_view(), kLeast);
-  watch.look(unknown_things(), false, {2, 0, 0}, 2);
-  watch.start();
-  EXPECT_FALSE(watch.is_unmatched());
-  EXPECT_EQ(watch.path_m(), 0);
+  UnmatchedMonitor monitor(taught_view(), kLeast);
+  monitor.look(unknown_things(), false, {2, 0, 0}, 2);
+  monitor.start();
+  EXPECT_FALSE(monitor.is_unmatched());
+  EXPECT_EQ(monitor.path_m(), 0);
 }
 
 }  // namespace

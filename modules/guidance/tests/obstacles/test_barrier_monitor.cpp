@@ -15,7 +15,7 @@ bool must_stop(double x_m, const Command& command) {
   return barrier_ahead(kAcross, cart(), {x_m, 0, 0}, command) != nullptr;
 }
 
-TEST(BarrierMonitor, StopsAVehicleThatCouldNotBrakeBeforeTheBarrierAnyMore) {
+TEST(BarrierMonitor, StopsAVehicleBeforeItIsTooLateToBrake) {
   const double front_m = cart().footprint.front_m;
   EXPECT_FALSE(must_stop(0, {.speed_mps = 0.5}));
   EXPECT_TRUE(must_stop(3 - front_m - 0.1, {.speed_mps = 0.5}));
@@ -28,7 +28,7 @@ TEST(BarrierMonitor, LooksWhereTheVehicleGoes) {
   EXPECT_EQ(barrier_ahead(kAcross, cart(), T_map_vehicle, {.speed_mps = 0.5, .steering_rad = -0.7}), nullptr);
 }
 
-TEST(BarrierMonitor, LeavesAVehicleAloneThatStands) {
+TEST(BarrierMonitor, IgnoresAStandingVehicle) {
   EXPECT_FALSE(must_stop(2.9, {}));
 }
 

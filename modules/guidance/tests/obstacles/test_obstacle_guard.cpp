@@ -7,7 +7,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Sees by its scanner alone; the scan is one beam straight ahead from base_link.
+/// A vehicle with a scanner only; its scan is one beam straight ahead from base_link.
 VehicleDescription scanner_cart() {
   VehicleDescription vehicle;
   vehicle.footprint = {.front_m = 1, .rear_m = 0.2, .width_m = 0.6, .height_m = 1};
@@ -31,9 +31,9 @@ PathAhead straight() {
 
 const Command kAhead{.speed_mps = 0.8};
 
-Guarded guarded(ObstacleGuard& guard, const Observation& observation, const Command& wished = kAhead) {
+Guarded guarded(ObstacleGuard& guard, const Observation& observation, const Command& requested = kAhead) {
   guard.look(observation);
-  return guard.allow(wished, straight());
+  return guard.allow(requested, straight());
 }
 
 TEST(ObstacleGuard, LeavesTheCommandAloneWhereNothingStands) {
@@ -44,7 +44,7 @@ TEST(ObstacleGuard, LeavesTheCommandAloneWhereNothingStands) {
   EXPECT_EQ(free.why, "");
 }
 
-TEST(ObstacleGuard, HoldsTheVehiclesLimitsAndGoesNoFasterThanItCanSee) {
+TEST(ObstacleGuard, KeepsTheVehiclesLimitsAndDrivesNoFasterThanItCanSee) {
   ObstacleGuard guard(scanner_cart(), {.reach_m = 1.5}, nullptr);
   const Guarded free = guarded(guard, scanned(0.1, 30), {.speed_mps = 9, .steering_rad = -9});
   EXPECT_LT(free.command.speed_mps, 0.8);
@@ -84,7 +84,7 @@ TEST(ObstacleGuard, StopsWhereTheFloorEndsOnThePathOnceTwoImagesShowIt) {
   EXPECT_EQ(speed_mps(wall_at(1.5, -0.5, 1)), 0);  // the first free image is not trusted
 }
 
-TEST(ObstacleGuard, WaitsGoesOnWhenItIsFreeForAMomentAndReportsAfterAWhile) {
+TEST(ObstacleGuard, WaitsThenGoesOnOnceFreeForAMomentOrReportsABlockedPath) {
   ObstacleGuard guard(scanner_cart(), {.free_again_s = 0.5, .wait_max_s = 10}, nullptr);
   const Guarded waiting = guarded(guard, scanned(1, 1.4));
   EXPECT_EQ(waiting.state, GuardState::kWaiting);
@@ -101,7 +101,7 @@ TEST(ObstacleGuard, ReversesSlowlyAwayFromWhatIsAhead) {
   EXPECT_EQ(guarded(guard, scanned(0.1, 1.1), {.speed_mps = -0.4}).command.speed_mps, -0.15);
 }
 
-/// Sees by the laser markers' stripe.
+/// A vehicle with laser markers and a camera.
 VehicleDescription marker_cart() {
   VehicleDescription vehicle = scanner_cart();
   vehicle.scanner.reset();
@@ -117,7 +117,7 @@ Observation shown(double stamp_s, double taken_s, int level) {
   return {.stamp_s = stamp_s, .images = {{"front", taken_s, image}}, .odometry = FrontSteeredMotion{}};
 }
 
-/// The same with laser light across the whole image, on something at a distance ahead of base_link.
+/// The same with laser light across the whole image, on an obstacle at a distance ahead of base_link.
 Observation lit(double stamp_s, double ahead_m) {
   Observation observation = shown(stamp_s, stamp_s, 120);
   Image image = *observation.images[0].pixels;
@@ -139,7 +139,7 @@ TEST(ObstacleGuard, StopsForLaserLightInItsPathOnceItHasBeenSeenTwice) {
   EXPECT_NEAR(waiting.free_ahead_m, 0.7, 0.06);
 }
 
-TEST(ObstacleGuard, RemembersForAWhileWhatHasComeTooNearToBeSeen) {
+TEST(ObstacleGuard, RemembersAnObstacleThatIsTooNearToBeSeen) {
   const VehicleDescription vehicle = marker_cart();
   const ObstacleGuardParams params;
   ObstacleGuard guard(vehicle, params, &vehicle.cameras[0]);
@@ -165,7 +165,7 @@ TEST(ObstacleGuard, GoesSlowlyWhereNoLaserLightIsInView) {
   EXPECT_EQ(guarded(guard, lit(3.1, 8)).command, kAhead);
 }
 
-/// What the guard says after a second of good images and another of the ones given.
+/// The guard's answer after a second of good images and another one of the given images.
 template <class Bad>
 std::string why_after(const Bad& bad) {
   VehicleDescription vehicle = marker_cart();
@@ -183,7 +183,7 @@ std::string why_after(const Bad& bad) {
   return last.why;
 }
 
-TEST(ObstacleGuard, StopsForACameraThatShowsNothingNewAndSaysWhy) {
+TEST(ObstacleGuard, StopsAndSaysWhyWhenTheCameraFails) {
   const auto frozen = [](double now_s) {
     Observation observation = shown(now_s, 1.1, 120);
     observation.images[0].stamp_s = now_s;
@@ -199,7 +199,7 @@ TEST(ObstacleGuard, StopsForACameraThatShowsNothingNewAndSaysWhy) {
   EXPECT_EQ(why_after(silent), "camera front sends no images");
 }
 
-TEST(ObstacleGuard, TrustsNoImageThatIsTheOneBeforeAgain) {
+TEST(ObstacleGuard, TrustsNoImageThatRepeatsTheOneBefore) {
   const VehicleDescription vehicle = marker_cart();
   ObstacleGuard guard(vehicle, {}, &vehicle.cameras[0]);
   EXPECT_NE(guard.look(shown(0.1, 0.1, 120)), nullptr);

@@ -20,7 +20,7 @@ std::optional<double> path_from_start(const Vec2& p, double reach_m) {
   return path_to(p, path_ahead(path, path.at(0), {}, reach_m), kCart, 0.1);
 }
 
-TEST(PathAhead, ReachesUpToWhatStandsOnIt) {
+TEST(PathAhead, EndsAtAnObstacleOnIt) {
   EXPECT_NEAR(*path_from_start({2, 0.3}, 3), 1, 0.06);
   EXPECT_EQ(path_from_start({2, -0.45}, 1.5), std::nullopt);  // beside it
   EXPECT_EQ(path_from_start({2.9, 0}, 1.5), std::nullopt);    // farther than asked
@@ -34,7 +34,7 @@ TEST(PathAhead, GoesRoundCorners) {
   EXPECT_NEAR(*round, 2 + kPi / 2 + 1.3 - 1, 0.06);
 }
 
-TEST(PathAhead, IsSeenFromWhereTheVehicleReallyIs) {
+TEST(PathAhead, StartsAtTheVehiclesActualPose) {
   const Path path = path_round_a_corner();
   const Pose2 T_map_vehicle{0.5, 0.1, 0};
   const PathAhead ahead = path_ahead(path, path.at(0.5), T_map_vehicle, 1);

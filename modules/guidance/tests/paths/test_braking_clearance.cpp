@@ -8,63 +8,63 @@ namespace {
 
 const KnownFloor kHall({{Vec2(0, 0), Vec2(10, 4)}});
 
-BrakingClearance room_seeing(const std::vector<float>& ranges_m) {
-  BrakingClearance room(cart(), 0.02);
-  room.see(kFan, ranges_m);
-  return room;
+BrakingClearance braking_seeing(const std::vector<float>& ranges_m) {
+  BrakingClearance braking(cart(), 0.02);
+  braking.see(kFan, ranges_m);
+  return braking;
 }
 
-bool may_drive(const BrakingClearance& room, const Pose2& T_map_vehicle, const Command& command) {
-  return room.is_free(kHall.floor, kHall.clearance, T_map_vehicle, command, command.steering_rad);
+bool may_drive(const BrakingClearance& braking, const Pose2& T_map_vehicle, const Command& command) {
+  return braking.is_free(kHall.floor, kHall.clearance, T_map_vehicle, command, command.steering_rad);
 }
 
-TEST(BrakingClearance, StopsInTimeBeforeFloorThatIsUnknown) {
-  const BrakingClearance room = room_seeing({});
-  EXPECT_TRUE(may_drive(room, {8.6, 2, 0}, {.speed_mps = 0.4}));
-  EXPECT_FALSE(may_drive(room, {8.95, 2, 0}, {.speed_mps = 0.4}));
-  EXPECT_FALSE(may_drive(room, {0.35, 2, 0}, {.speed_mps = -0.3}));
+TEST(BrakingClearance, StopsInTimeBeforeUnknownFloor) {
+  const BrakingClearance braking = braking_seeing({});
+  EXPECT_TRUE(may_drive(braking, {8.6, 2, 0}, {.speed_mps = 0.4}));
+  EXPECT_FALSE(may_drive(braking, {8.95, 2, 0}, {.speed_mps = 0.4}));
+  EXPECT_FALSE(may_drive(braking, {0.35, 2, 0}, {.speed_mps = -0.3}));
 }
 
-TEST(BrakingClearance, FasterNeedsMoreRoom) {
-  const BrakingClearance room = room_seeing({});
-  EXPECT_TRUE(may_drive(room, {8.86, 2, 0}, {.speed_mps = 0.1}));
-  EXPECT_FALSE(may_drive(room, {8.86, 2, 0}, {.speed_mps = 0.5}));
+TEST(BrakingClearance, NeedsMoreClearanceAtHigherSpeed) {
+  const BrakingClearance braking = braking_seeing({});
+  EXPECT_TRUE(may_drive(braking, {8.86, 2, 0}, {.speed_mps = 0.1}));
+  EXPECT_FALSE(may_drive(braking, {8.86, 2, 0}, {.speed_mps = 0.5}));
 }
 
-TEST(BrakingClearance, StopsBeforeWhatIsSeenThoughTheFloorDoesNotShowIt) {
+TEST(BrakingClearance, StopsBeforeLaserReturnsThatTheFloorDoesNotShow) {
   std::vector<float> ranges_m(181, 5);
-  const BrakingClearance free = room_seeing(ranges_m);
+  const BrakingClearance free = braking_seeing(ranges_m);
   ranges_m[90] = 0.12F;
-  const BrakingClearance blocked = room_seeing(ranges_m);
+  const BrakingClearance blocked = braking_seeing(ranges_m);
   EXPECT_TRUE(may_drive(free, {4, 2, 0}, {.speed_mps = 0.4}));
   EXPECT_FALSE(may_drive(blocked, {4, 2, 0}, {.speed_mps = 0.4}));
   EXPECT_TRUE(may_drive(blocked, {4, 2, 0}, {.speed_mps = -0.3}));
 }
 
-TEST(BrakingClearance, UnusableReadingsAreNothing) {
-  EXPECT_TRUE(may_drive(room_seeing(std::vector<float>(181, 0)), {4, 2, 0}, {.speed_mps = 0.4}));
+TEST(BrakingClearance, IgnoresUnusableReadings) {
+  EXPECT_TRUE(may_drive(braking_seeing(std::vector<float>(181, 0)), {4, 2, 0}, {.speed_mps = 0.4}));
 }
 
-TEST(BrakingClearance, TooNearAWallItMayGoAlongButNotNearer) {
-  const BrakingClearance room = room_seeing({});
+TEST(BrakingClearance, TooNearAWallItMayDriveAlongItButNotNearer) {
+  const BrakingClearance braking = braking_seeing({});
   const Pose2 T_map_vehicle{5, 0.305, 0};
-  EXPECT_TRUE(may_drive(room, T_map_vehicle, {.speed_mps = 0.1}));
-  EXPECT_FALSE(may_drive(room, T_map_vehicle, {.speed_mps = 0.4, .steering_rad = -30 * kDegree}));
+  EXPECT_TRUE(may_drive(braking, T_map_vehicle, {.speed_mps = 0.1}));
+  EXPECT_FALSE(may_drive(braking, T_map_vehicle, {.speed_mps = 0.4, .steering_rad = -30 * kDegree}));
 }
 
-TEST(BrakingClearance, OnItsTrailItMayComeNearToWhatTheFloorShowsBesideIt) {
+TEST(BrakingClearance, OnItsTrailItMayComeNearToObstaclesBesideIt) {
   KnownFloor hall({{Vec2(0, 0), Vec2(10, 4)}});
   for (int x = 0; x < 200; ++x) hall.floor.set({x, 0}, Floor::kOccupied);
   hall.clearance.update(hall.floor, hall.floor.known());
-  const BrakingClearance room = room_seeing({});
+  const BrakingClearance braking = braking_seeing({});
   const Pose2 T_map_vehicle{5, 0.385, 0};
   const Command swings_its_front_out{.speed_mps = -0.1, .steering_rad = 20 * kDegree};
   const auto may_go_back = [&] {
-    return room.is_free_on_trail(hall.floor, hall.clearance, T_map_vehicle, swings_its_front_out,
-                                 swings_its_front_out.steering_rad);
+    return braking.is_free_on_trail(hall.floor, hall.clearance, T_map_vehicle, swings_its_front_out,
+                                    swings_its_front_out.steering_rad);
   };
-  EXPECT_FALSE(room.is_free(hall.floor, hall.clearance, T_map_vehicle, swings_its_front_out,
-                            swings_its_front_out.steering_rad));
+  EXPECT_FALSE(braking.is_free(hall.floor, hall.clearance, T_map_vehicle, swings_its_front_out,
+                               swings_its_front_out.steering_rad));
   EXPECT_TRUE(may_go_back());
   hall.floor.set(hall.floor.cell_at({4.72, 0.385}), Floor::kOccupied);
   hall.clearance.update(hall.floor, hall.floor.known());

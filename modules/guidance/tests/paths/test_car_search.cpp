@@ -8,10 +8,11 @@ namespace {
 
 /// Every pose of the path lies on known free floor, and the wheels can drive it.
 void expect_drivable(const Path& path, const KnownFloor& known, const VehicleDescription& vehicle) {
-  const FootprintClearance room(vehicle.footprint, 0);
+  const FootprintClearance footprint_clearance(vehicle.footprint, 0);
   for (double along_m = 0; along_m <= path.length_m(); along_m += 0.02) {
     const PathPoint point = path.at(along_m);
-    EXPECT_TRUE(room.fits_barely(known.floor, known.clearance, point.T_map_path, {-1, -1})) << along_m;
+    EXPECT_TRUE(footprint_clearance.fits_barely(known.floor, known.clearance, point.T_map_path, {-1, -1}))
+        << along_m;
     EXPECT_LE(std::abs(point.curvature_per_m) * vehicle.front_steered.wheelbase_m,
               std::tan(vehicle.limits.steering_max_rad));
   }
@@ -46,7 +47,7 @@ TEST(CarSearch, ReversesOutOfWhereItCannotTurn) {
   expect_drivable(search.path(), known, cart());
 }
 
-TEST(CarSearch, LeavesADoorwayThatIsTooNarrowToBeEntered) {
+TEST(CarSearch, LeavesADoorwayThatIsTooNarrowToEnter) {
   KnownFloor known({{Vec2(0, 0), Vec2(3, 3)}, {Vec2(3, 1.15), Vec2(3.2, 1.85)}, {Vec2(3.2, 0), Vec2(6, 3)}});
   for (int y = 0; y < 60; ++y) {
     if (y < 23 || y >= 37) known.floor.set({62, y}, Floor::kOccupied);
@@ -61,7 +62,7 @@ TEST(CarSearch, LeavesADoorwayThatIsTooNarrowToBeEntered) {
   EXPECT_GT(search.reached_m(), 1);
 }
 
-TEST(CarSearch, BeginsTheOtherPathWhereItIsReported) {
+TEST(CarSearch, BeginsInTheOtherDirectionIfOneIsForbidden) {
   const KnownFloor known({{Vec2(0, 0), Vec2(10, 5)}});
   CarSearch search({}, cart());
   search.look_for(
@@ -71,7 +72,7 @@ TEST(CarSearch, BeginsTheOtherPathWhereItIsReported) {
   EXPECT_LT(search.path().pieces().front().arc.length_m, 0);
 }
 
-TEST(CarSearch, GoesRoundWhatTheFloorDoesNotShow) {
+TEST(CarSearch, AvoidsForbiddenPosesThatTheFloorShowsAsFree) {
   const KnownFloor known({{Vec2(0, 0), Vec2(12, 5)}});
   CarSearch search({}, cart());
   const auto is_free = [](const Pose2& T) { return (T.position() - Vec2(6, 2.5)).norm() > 1; };
@@ -99,7 +100,7 @@ TEST(CarSearch, EndsExactlyAtAPose) {
   expect_drivable(path, known, cart());
 }
 
-TEST(CarSearch, EndsAtAnyOfThePosesThatAreGoodEnough) {
+TEST(CarSearch, EndsAtAnyGoodPose) {
   const KnownFloor known({{Vec2(0, 0), Vec2(10, 5)}});
   CarSearch search({}, cart());
   const auto is_good = [](const Pose2& T) { return T.x < 3 && std::abs(wrap_angle(T.theta - kPi)) < 0.2; };
@@ -114,7 +115,7 @@ TEST(CarSearch, EndsAtAnyOfThePosesThatAreGoodEnough) {
   expect_drivable(path, known, cart());
 }
 
-TEST(CarSearch, TriesFewPosesWhereAllThatAreGoodEnoughAreShutOff) {
+TEST(CarSearch, TriesFewPosesWhereAllGoodOnesAreShutOff) {
   const KnownFloor hall_and_closet({{Vec2(0, 0), Vec2(20, 20)}, {Vec2(22, 0), Vec2(24, 2)}});
   CarSearch search({}, cart());
   const auto in_the_closet = [](const Pose2& T) { return T.x > 22; };
@@ -124,7 +125,7 @@ TEST(CarSearch, TriesFewPosesWhereAllThatAreGoodEnoughAreShutOff) {
   EXPECT_LT(search.expansions(), 5000);
 }
 
-TEST(CarSearch, TriesNoMoreEndsInAPortionThanThatIsWorth) {
+TEST(CarSearch, TriesNoMoreEndsThanAPortionAllows) {
   const KnownFloor hall({{Vec2(0, 0), Vec2(20, 20)}});
   CarSearch search({}, cart());
   int tried = 0;
@@ -140,7 +141,7 @@ TEST(CarSearch, TriesNoMoreEndsInAPortionThanThatIsWorth) {
   EXPECT_TRUE(search.has_tried_all());
 }
 
-TEST(CarSearch, SqueezesThroughWhereReportedTo) {
+TEST(CarSearch, PassesANarrowGapWithRelaxedClearance) {
   const KnownFloor room_off_corridor(
       {{Vec2(0, 0), Vec2(8, 1.25)}, {Vec2(4, 1.25), Vec2(4.85, 1.45)}, {Vec2(2.5, 1.45), Vec2(6.5, 4.5)}});
   CarSearch search({}, cart());
@@ -154,7 +155,7 @@ TEST(CarSearch, SqueezesThroughWhereReportedTo) {
   expect_drivable(search.path(), room_off_corridor, cart());
 }
 
-TEST(CarSearch, FindsNothingBeyondWhatIsKnown) {
+TEST(CarSearch, FindsNoPathBeyondKnownFloor) {
   const KnownFloor known({{Vec2(0, 0), Vec2(4, 2)}});
   CarSearch search({}, cart());
   search.look_for(
@@ -162,7 +163,7 @@ TEST(CarSearch, FindsNothingBeyondWhatIsKnown) {
   EXPECT_EQ(run(known, search), CarSearch::State::kNone);
 }
 
-TEST(CarSearch, TellsWhereItCameWhenItFoundNothing) {
+TEST(CarSearch, KnowsWhereItCameIfItFoundNoPath) {
   const KnownFloor two_rooms({{Vec2(0, 0), Vec2(4, 4)}, {Vec2(6, 0), Vec2(10, 4)}});
   CarSearch search({}, cart());
   search.look_for(
@@ -173,7 +174,7 @@ TEST(CarSearch, TellsWhereItCameWhenItFoundNothing) {
   EXPECT_FALSE(search.has_come_to({8, 2}, 1.5));
 }
 
-TEST(CarSearch, GoesOnInPortionsToTheSamePath) {
+TEST(CarSearch, FindsTheSamePathInPortions) {
   const KnownFloor known({{Vec2(0, 0), Vec2(12, 2.2)}});
   const auto is_turned = [](const Pose2& T) { return std::abs(wrap_angle(T.theta - kPi)) < 0.1; };
   CarSearch whole({}, cart()), portions({}, cart());

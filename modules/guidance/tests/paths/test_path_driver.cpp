@@ -21,12 +21,12 @@ Path path_of(const std::vector<Arc>& arcs, Pose2 T_map_start) {
   return Path(std::move(pieces));
 }
 
-/// A cart that does at once as it is given.
+/// A cart that executes commands without delay.
 class PathDriving : public testing::Test {
  protected:
   PathDriver::Step cycle() {
     const PathDriver::Step step =
-        driver_.drive(hall_.floor, hall_.clearance, room_, T_map_vehicle_, steering_rad_);
+        driver_.drive(hall_.floor, hall_.clearance, footprint_clearance_, T_map_vehicle_, steering_rad_);
     steering_rad_ = step.command.steering_rad;
     T_map_vehicle_ =
         T_map_vehicle_ * drive(cart().front_steered,
@@ -34,7 +34,7 @@ class PathDriving : public testing::Test {
     return step;
   }
 
-  /// Until the vehicle does something else than drive, at most a minute.
+  /// Runs until the vehicle does anything but drive, for at most a minute.
   PathDriver::State drive_on() {
     PathDriver::State state = PathDriver::State::kDriving;
     for (int i = 0;
@@ -44,27 +44,27 @@ class PathDriving : public testing::Test {
   }
 
   KnownFloor hall_{{Vec2(0, 0), Vec2(12, 8)}};
-  FootprintClearance room_{cart().footprint, 0.05};
+  FootprintClearance footprint_clearance_{cart().footprint, 0.05};
   PathDriver driver_{cart(), {}, {}};
   Pose2 T_map_vehicle_{2, 4, 0};
   double steering_rad_ = 0;
 };
 
-TEST_F(PathDriving, WithoutAPathItStandsAsItStood) {
+TEST_F(PathDriving, StandsWithoutAPath) {
   steering_rad_ = 0.2;
   const PathDriver::Step step = cycle();
   EXPECT_EQ(step.state, PathDriver::State::kNoPath);
   EXPECT_EQ(step.command, (Command{.steering_rad = 0.2}));
 }
 
-TEST_F(PathDriving, ArrivesWhereThePathEndsThereAndBack) {
+TEST_F(PathDriving, ArrivesAtThePathsEndThereAndBack) {
   const Path taken = path_of({{3, 0}, {2, 1}, {-2, 0.5}}, T_map_vehicle_);
   driver_.take(taken);
   EXPECT_EQ(drive_on(), PathDriver::State::kArrived);
   EXPECT_LT((T_map_vehicle_.position() - taken.pieces().back().end().position()).norm(), 0.08);
 }
 
-TEST_F(PathDriving, APathThatGoesOnIsDrivenThroughWithoutAStop) {
+TEST_F(PathDriving, DrivesAContinuedPathWithoutAStop) {
   driver_.take(path_of({{2, 0}}, T_map_vehicle_));
   while (driver_.left_m() > 1) ASSERT_EQ(cycle().state, PathDriver::State::kDriving);
   driver_.take(path_of({{3, 0}}, driver_.path().pieces().back().end()));
@@ -72,7 +72,7 @@ TEST_F(PathDriving, APathThatGoesOnIsDrivenThroughWithoutAStop) {
   EXPECT_GT(T_map_vehicle_.x, 5.5);
 }
 
-TEST_F(PathDriving, IsBlockedBeforeFloorThatIsUnknown) {
+TEST_F(PathDriving, IsBlockedBeforeUnknownFloor) {
   driver_.take(path_of({{12, 0}}, T_map_vehicle_));
   EXPECT_NEAR(driver_.free_m(hall_.floor, hall_.clearance, T_map_vehicle_), 9, 0.2);
   EXPECT_EQ(drive_on(), PathDriver::State::kBlocked);
@@ -80,7 +80,7 @@ TEST_F(PathDriving, IsBlockedBeforeFloorThatIsUnknown) {
   EXPECT_GT(T_map_vehicle_.x, 10);
 }
 
-TEST_F(PathDriving, IsBlockedByWhatIsSeenNow) {
+TEST_F(PathDriving, IsBlockedByPresentLaserReturns) {
   std::vector<float> ranges_m(181, 20);
   ranges_m[90] = 0.1F;
   driver_.take(path_of({{4, 0}}, T_map_vehicle_));
@@ -91,7 +91,7 @@ TEST_F(PathDriving, IsBlockedByWhatIsSeenNow) {
   EXPECT_EQ(step.command.speed_mps, 0);
 }
 
-TEST_F(PathDriving, WheelsTurnBeforeALegThatBends) {
+TEST_F(PathDriving, TurnsItsWheelsBeforeACurvedLeg) {
   driver_.take(path_of({{3, 2}}, T_map_vehicle_));
   const PathDriver::Step step = cycle();
   EXPECT_EQ(step.state, PathDriver::State::kTurningWheels);
@@ -100,7 +100,7 @@ TEST_F(PathDriving, WheelsTurnBeforeALegThatBends) {
   EXPECT_EQ(cycle().state, PathDriver::State::kDriving);
 }
 
-TEST_F(PathDriving, ABendSharperThanTheWheelsTurnDoesNotHoldItUp) {
+TEST_F(PathDriving, IsNotHeldUpByABendSharperThanItsSteeringRange) {
   const double steering_max_rad = cart().limits.steering_max_rad;
   const double bend_per_m = 1.3 * std::tan(steering_max_rad) / cart().front_steered.wheelbase_m;
   driver_.take(path_of({{-0.5, -0.5 * bend_per_m}}, T_map_vehicle_));
@@ -108,7 +108,7 @@ TEST_F(PathDriving, ABendSharperThanTheWheelsTurnDoesNotHoldItUp) {
   EXPECT_EQ(cycle().state, PathDriver::State::kDriving);
 }
 
-TEST_F(PathDriving, AShortenedPathEndsThere) {
+TEST_F(PathDriving, StopsAtTheEndOfAShortenedPath) {
   driver_.take(path_of({{6, 0}}, T_map_vehicle_));
   driver_.shorten(2);
   EXPECT_DOUBLE_EQ(driver_.left_m(), 2);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kStage_m = 6;
 
-/// A corridor of 30 m, in which the vehicle can turn round only at its far end.
+/// A corridor 30 m long in which the vehicle can turn round only at the far end.
 struct LongCorridor {
   KnownFloor known = KnownFloor({{Vec2(0, 0), Vec2(30, 1.1)}, {Vec2(27, 0), Vec2(30, 4)}});
   StagedSearch search{{.stage_m = kStage_m}, cart()};
@@ -19,7 +19,7 @@ struct LongCorridor {
   }
 };
 
-TEST(StagedSearch, LeadsAStageTowardsWhatIsFar) {
+TEST(StagedSearch, LeadsOneStageTowardsADistantGoal) {
   LongCorridor corridor;
   const Vec2 p_map_place(28, 0.5);
   corridor.search.look_for(corridor.known.floor, corridor.known.clearance, {2, 0.55, 0}, p_map_place, 0,
@@ -48,7 +48,7 @@ TEST(StagedSearch, LeadsToTheGoalStageByStage) {
   EXPECT_LE(stages, 5);
 }
 
-TEST(StagedSearch, EndsExactlyAtAPoseThatIsNear) {
+TEST(StagedSearch, EndsExactlyAtANearPose) {
   LongCorridor corridor;
   const Pose2 T_map_goal{4, 0.5, 0};
   corridor.search.look_for_path_to(corridor.known.floor, corridor.known.clearance, T_map_goal, {10, 0.55, 0});
@@ -58,15 +58,16 @@ TEST(StagedSearch, EndsExactlyAtAPoseThatIsNear) {
   EXPECT_LT(between(T_map_goal, path.at(path.length_m()).T_map_path).position().norm(), 1e-6);
 }
 
-TEST(StagedSearch, FindsNoPathOutOfARoomThatIsClosed) {
+TEST(StagedSearch, FindsNoPathOutOfAClosedRoom) {
   const KnownFloor known({{Vec2(0, 0), Vec2(4, 3)}, {Vec2(6, 0), Vec2(9, 3)}});
   StagedSearch search({.stage_m = kStage_m}, cart());
   search.look_for(known.floor, known.clearance, {1, 1, 0}, {8, 1}, 0, [](const Pose2& T) { return T.x > 7; });
   EXPECT_EQ(search.advance(known.floor, known.clearance, 1000000), CarSearch::State::kNone);
 }
 
-/// A hall with more poses than are ever tried, and off it a dead end. Beside that is a room, whose door opens
-/// near its end: from a corridor 1.35 m wide the vehicle can hardly swing in, from one of 1 m it cannot.
+/// A hall with more poses than a search ever tries, and off it a dead-end corridor. Near the corridor's end,
+/// a door opens into a room: from a corridor 1.35 m wide the vehicle can just turn in, from one of 1 m it
+/// cannot.
 struct HallAndRoom {
   explicit HallAndRoom(double corridor_m)
       : known({{Vec2(0, 0), Vec2(20, 20)},
@@ -90,7 +91,7 @@ struct HallAndRoom {
   StagedSearch search{{.stage_m = 100, .expansions_max = 40000}, cart()};
 };
 
-TEST(StagedSearch, FindsFromItsEndsWhatIsHardToSwingInto) {
+TEST(StagedSearch, FindsByTheBackwardSearchARoomThatIsHardToEnter) {
   HallAndRoom one_direction(1.35);
   EXPECT_EQ(one_direction.search_in_portions(), CarSearch::State::kNone);
   HallAndRoom both_directions(1.35);
@@ -101,7 +102,7 @@ TEST(StagedSearch, FindsFromItsEndsWhatIsHardToSwingInto) {
   EXPECT_LT((path.at(0).T_map_path.position() - Vec2(5, 5)).norm(), 0.13);
 }
 
-TEST(StagedSearch, KnowsFromItsEndsThatNoPathLeadsThere) {
+TEST(StagedSearch, KnowsByTheBackwardSearchThatNoPathLeadsThere) {
   const Vec2 p_map_home(18, 18);
   HallAndRoom one_direction(1);
   EXPECT_EQ(one_direction.search_in_portions(), CarSearch::State::kNone);
@@ -112,7 +113,7 @@ TEST(StagedSearch, KnowsFromItsEndsThatNoPathLeadsThere) {
   EXPECT_EQ(both_directions.search_in_portions(), CarSearch::State::kNone);
   EXPECT_TRUE(both_directions.search.is_shut_off_from(p_map_home, 1));
   EXPECT_FALSE(both_directions.search.is_shut_off_from({-5, 7}, 1));
-  EXPECT_TRUE(both_directions.search.is_shut_off_from({-5, 7}, 5)) << "the vehicle, too, comes so near";
+  EXPECT_TRUE(both_directions.search.is_shut_off_from({-5, 7}, 5)) << "the vehicle, too, can get that near";
 }
 
 }  // namespace

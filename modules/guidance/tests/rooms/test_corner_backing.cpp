@@ -24,7 +24,7 @@ VehicleDescription cart_with_third_camera() {
   return vehicle;
 }
 
-/// A bright aisle along x between dark sides, with a branch to the left from x = 2.2 m on.
+/// A bright floor strip along x between dark sides, with a branch to the left from x = 2.2 m on.
 Observation seen_from(const VehicleDescription& vehicle, const Pose2& T_world_vehicle, double stamp_s) {
   const CameraDescription& camera = vehicle.cameras.front();
   const BackProjection floor(CameraModel(camera.intrinsics), camera.mount, 0);
@@ -44,7 +44,7 @@ Observation seen_from(const VehicleDescription& vehicle, const Pose2& T_world_ve
   return observation;
 }
 
-/// Straight back from x = 1.5 m.
+/// Reverses straight from x = 1.5 m.
 struct DrivenBack {
   double end_x_m = 0;
   bool has_seen_corner = false;
@@ -63,13 +63,13 @@ DrivenBack back_until_done(TurningClass next) {
   return {};
 }
 
-TEST(CornerBacking, EndsWhereTheCornerComesIntoView) {
+TEST(CornerBacking, EndsWhenTheCornerComesIntoView) {
   const DrivenBack left = back_until_done(TurningClass::kLeft);
   EXPECT_TRUE(left.has_seen_corner);
   EXPECT_NEAR(left.end_x_m, 0.35, 0.15) << "0.7 m to the side, it is in view from 1 m before it";
 }
 
-TEST(CornerBacking, GoesHardlyFartherThanAtTeachingWhereNoCornerIs) {
+TEST(CornerBacking, ReversesHardlyFartherThanTaughtWithoutACorner) {
   const DrivenBack right = back_until_done(TurningClass::kRight);
   EXPECT_FALSE(right.has_seen_corner);
   EXPECT_NEAR(right.end_x_m, 1.5 - CornerBackingParams().most_share * kTaught_m, 0.03);
@@ -78,9 +78,9 @@ TEST(CornerBacking, GoesHardlyFartherThanAtTeachingWhereNoCornerIs) {
 TEST(CornerBacking, TurnsTheWheelsAwayFromTheSecondTurning) {
   CornerBacking backing({}, {}, cart_with_third_camera());
   backing.begin(TurningClass::kLeft, kTaught_m, {});
-  EXPECT_DOUBLE_EQ(backing.wished_steering_rad(), -10 * kDegree);
+  EXPECT_DOUBLE_EQ(backing.requested_steering_rad(), -10 * kDegree);
   backing.begin(TurningClass::kRight, kTaught_m, {});
-  EXPECT_DOUBLE_EQ(backing.wished_steering_rad(), 10 * kDegree);
+  EXPECT_DOUBLE_EQ(backing.requested_steering_rad(), 10 * kDegree);
 }
 
 TEST(CornerBacking, NeedsTheThirdCamera) {

@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-/// Looks down ahead; nothing that is asked about lies in its view's route.
+/// A camera that looks down ahead; no point in these tests lies in the route that it sees.
 RouteView eye() {
   const CameraIntrinsics camera{.fx_px = 215, .fy_px = 215, .cx_px = 127.5, .cy_px = 121};
   return {{}, camera, {.p_vehicle_camera = {0.8, 0, 1.25}, .tilt_rad = 38 * kDegree}, 256, 243, 0.6};
@@ -22,7 +22,7 @@ RouteSight sight_of(std::vector<Vec2> edges, std::vector<Vec2> cut_off = {}) {
   return sight;
 }
 
-TEST(EdgeMemory, WhatWasSeenIsCarriedOnUntilItIsFar) {
+TEST(EdgeMemory, KeepsEdgesUntilTheyAreFar) {
   EdgeMemory memory(4);
   memory.take(eye(), sight_of({{2, 1}}), {}, 0);
   const auto beside = memory.seen_around({2, 0, 0});
@@ -33,7 +33,7 @@ TEST(EdgeMemory, WhatWasSeenIsCarriedOnUntilItIsFar) {
   EXPECT_TRUE(memory.around({7, 0, 0}).empty());
 }
 
-TEST(EdgeMemory, WhatIsSeenFromNearerTakesThePlaceOfWhatWasSeenFromFar) {
+TEST(EdgeMemory, APointSeenFromNearerReplacesOneSeenFromFar) {
   EdgeMemory memory(6);
   memory.take(eye(), sight_of({{4, 1}}), {}, 0);
   memory.take(eye(), sight_of({{2, 0.85}}), {2, 0, 0}, 0);
@@ -41,10 +41,10 @@ TEST(EdgeMemory, WhatIsSeenFromNearerTakesThePlaceOfWhatWasSeenFromFar) {
   ASSERT_EQ(seen.size(), 1U);
   EXPECT_NEAR(seen[0].p_vehicle.y(), 0.85, 1e-12);
   memory.take(eye(), sight_of({{4, 1}}), {}, 0);
-  EXPECT_EQ(memory.seen_around({}).size(), 2U) << "what is seen from farther takes no place";
+  EXPECT_EQ(memory.seen_around({}).size(), 2U) << "a point seen from farther away replaces nothing";
 }
 
-TEST(EdgeMemory, WhatTheViewCutsOffStandsThereButIsNoFloorPoint) {
+TEST(EdgeMemory, AnObstacleCutOffByTheViewHasNoFloorPoint) {
   EdgeMemory memory(4);
   memory.take(eye(), sight_of({{3, 0.4}}, {{1.5, 0.4}}), {}, 0);
   EXPECT_EQ(memory.around({}).size(), 2U);
@@ -52,7 +52,7 @@ TEST(EdgeMemory, WhatTheViewCutsOffStandsThereButIsNoFloorPoint) {
   EXPECT_NEAR(memory.seen_around({})[0].p_vehicle.x(), 3, 1e-12);
 }
 
-/// Route all over the view, but for what stands about some places.
+/// Route all over the view, except for obstacles at some places.
 RouteSight free_but_for(const std::vector<Vec2>& edges) {
   constexpr int kHalf_px = 8;
   RouteSight sight = sight_of(edges);
@@ -69,13 +69,13 @@ RouteSight free_but_for(const std::vector<Vec2>& edges) {
 constexpr double kImage_s = 0.2;
 const Pose2 kLooksAway{0, 0, 2};
 
-/// What stays in memory after the view has turned away for some time.
+/// What is left in memory after the view has turned away for some time.
 std::size_t remembered_after(EdgeMemory& memory, double stamp_s, double away_s) {
   memory.take(eye(), free_but_for({}), kLooksAway, stamp_s + away_s);
   return memory.around({}).size();
 }
 
-TEST(EdgeMemory, WhoCameAndWentOnOutOfViewIsForgottenAfterAWhile) {
+TEST(EdgeMemory, APersonWhoWalkedOutOfViewIsForgottenAfterAWhile) {
   EdgeMemory memory(4);
   double now_s = 0;
   for (; now_s < 2; now_s += kImage_s) memory.take(eye(), free_but_for({}), {}, now_s);
@@ -85,7 +85,7 @@ TEST(EdgeMemory, WhoCameAndWentOnOutOfViewIsForgottenAfterAWhile) {
   EXPECT_EQ(remembered_after(memory, now_s, 10), 0U);
 }
 
-TEST(EdgeMemory, WhatStandsThereIsNotForgottenThoughItWasNotSeenFromTheFirst) {
+TEST(EdgeMemory, AStandingObstacleSeenLateIsNotForgotten) {
   EdgeMemory memory(4);
   double now_s = 0;
   for (; now_s < 2; now_s += kImage_s) memory.take(eye(), free_but_for({}), {}, now_s);
@@ -93,7 +93,7 @@ TEST(EdgeMemory, WhatStandsThereIsNotForgottenThoughItWasNotSeenFromTheFirst) {
   EXPECT_EQ(remembered_after(memory, now_s, 30), 1U);
 }
 
-TEST(EdgeMemory, WhatStoodWhereSomebodyWentByIsNotForgotten) {
+TEST(EdgeMemory, AStandingObstacleThatAPersonPassedIsNotForgotten) {
   EdgeMemory memory(4);
   const Vec2 standing(2, -0.8);
   double now_s = 0;
@@ -105,7 +105,7 @@ TEST(EdgeMemory, WhatStoodWhereSomebodyWentByIsNotForgotten) {
   EXPECT_NEAR((memory.around({})[0] - standing).norm(), 0, 1e-9);
 }
 
-TEST(EdgeMemory, WhatIsKnownNotToStandThereGoes) {
+TEST(EdgeMemory, ClearsARectangle) {
   EdgeMemory memory(4);
   memory.take(eye(), sight_of({{2, 0.2}, {2, 1.5}}), {}, 0);
   memory.clear({2, 0, 0}, {1, 1});

@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-/// Along the sides of a path 2 m wide and 6 m long that ends before a wall, with a box in its left side.
+/// Edges along the sides of an aisle 2 m wide and 6 m long that ends at a wall, with a box on its left side.
 std::vector<Vec2> furnished_path() {
   constexpr double kApart_m = 0.05;
   std::vector<Vec2> points;
@@ -31,7 +31,7 @@ std::vector<RouteEdge> taught(const std::vector<Vec2>& points) {
   return edges;
 }
 
-/// What a camera that looks 4 m ahead shows, from a pose.
+/// The edges that a camera with a reach of 4 m sees from a pose.
 std::vector<SeenEdge> seen(const std::vector<Vec2>& points, const Pose2& T_map_vehicle) {
   std::vector<SeenEdge> edges;
   for (const Vec2& p_map : points) {
@@ -45,7 +45,7 @@ double off_m(const EdgePlace& place, const Pose2& T_map_vehicle, const Pose2& T_
   return between(T_map_vehicle, place.T_map_odom() * T_odom_vehicle).position().norm();
 }
 
-RC_GTEST_PROP(EdgePlace, FindsWhereTheVehicleWasSetDown, ()) {
+RC_GTEST_PROP(EdgePlace, FindsTheInitialPose, ()) {
   const auto share = [] { return *rc::gen::inRange(-100, 101) / 100.0; };
   const Pose2 T_map_vehicle{1.5 + 0.5 * share(), 0.4 * share(), 15 * kDegree * share()};
   const Pose2 T_odom_vehicle{1.5, 0, 0};
@@ -57,7 +57,7 @@ RC_GTEST_PROP(EdgePlace, FindsWhereTheVehicleWasSetDown, ()) {
   RC_ASSERT(std::abs((place.T_map_odom() * T_odom_vehicle).theta - T_map_vehicle.theta) < 1.5 * kDegree);
 }
 
-TEST(EdgePlace, FollowsWhatTheOdometryLoses) {
+TEST(EdgePlace, CorrectsOdometryDrift) {
   const auto points = furnished_path();
   EdgePlace place({}, taught(points));
   Pose2 T_map_vehicle{0.5, 0, 0}, T_odom_vehicle = T_map_vehicle;
@@ -69,8 +69,9 @@ TEST(EdgePlace, FollowsWhatTheOdometryLoses) {
   EXPECT_LT(off_m(place, T_map_vehicle, T_odom_vehicle), 0.05);
 }
 
-/// Before a wall across the path the images show that wall alone: it says nothing of where along it one is.
-TEST(EdgePlace, WhatWasSeenBesideTellsWhereALineAheadDoesNot) {
+/// Right before a wall across the path, images show that wall only, which does not constrain the vehicle
+/// along it.
+TEST(EdgePlace, EdgesRememberedBesideConstrainWhatALineAheadDoesNot) {
   const auto points = furnished_path();
   EdgePlace place({}, taught(points));
   Pose2 T_map_vehicle{3, 0, 0}, T_odom_vehicle = T_map_vehicle;
@@ -98,7 +99,7 @@ TEST(EdgePlace, AMovedBoxCountsLittle) {
   EXPECT_LT(off_m(place, T_map_vehicle, {1.5, 0, 0}), 0.1);
 }
 
-/// Many points of a thing before the vehicle say no more than few of others behind it.
+/// Many points of one object ahead weigh no more than few points of others behind.
 TEST(EdgePlace, AMovedBoxThatFillsTheViewCountsNoMoreThanItsLength) {
   const auto points = furnished_path();
   auto moved = points;
@@ -122,8 +123,8 @@ TEST(EdgePlace, AMovedBoxThatFillsTheViewCountsNoMoreThanItsLength) {
   EXPECT_GT(off_after({.moved_m = 0.001}), 0.05) << "as if nothing could have been moved";
 }
 
-/// The first image misleads, as where it shows little.
-TEST(EdgePlace, WhatTheFirstImageShowedWronglyIsSoonMadeUpFor) {
+/// The first image misleads, as one that shows little may.
+TEST(EdgePlace, AnErrorOfTheFirstImageIsSoonCorrected) {
   const auto points = furnished_path();
   const Pose2 T_map_vehicle{1.5, 0, 0}, T_map_wrong{1.55, 0.12, 2 * kDegree};
   EdgePlace place({}, taught(points));
@@ -133,7 +134,7 @@ TEST(EdgePlace, WhatTheFirstImageShowedWronglyIsSoonMadeUpFor) {
   EXPECT_LT(off_m(place, T_map_vehicle, T_map_vehicle), 0.03);
 }
 
-TEST(EdgePlace, WhatLooksOtherwiseOrTooLittleSaysNothing) {
+TEST(EdgePlace, IgnoresEdgesThatDoNotFitOrAreTooFew) {
   const auto points = furnished_path();
   EdgePlace place({}, taught(points));
   place.take(std::vector<SeenEdge>(5, SeenEdge{Vec2(2, 0), 2}), {}, 0);

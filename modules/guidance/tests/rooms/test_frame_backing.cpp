@@ -12,7 +12,7 @@ namespace {
 constexpr double kBackingCycle_s = 0.1;
 const Vec2 kSize_m(1.7, 1.2);
 const Pose2 kFrame{5, 2, 0};
-/// With the footprint's middle on the frame's, heading out of it.
+/// Parking pose: the footprint's centre on the frame's, heading out of it.
 const Pose2 kParked = kFrame * Pose2{0.35, 0, kPi};
 
 /// A vehicle that stands before a frame on known floor, with perfect odometry.
@@ -50,14 +50,14 @@ void expect_parked(const BackedVehicle& vehicle, const Pose2& T_odom_due) {
   EXPECT_LT(std::abs(off.theta), 0.5 * kDegree);
 }
 
-TEST(FrameBacking, TurnsAboutAndStandsInTheFrameBackwards) {
+TEST(FrameBacking, TurnsAboutAndParksBackwards) {
   BackedVehicle vehicle(KnownFloor{{Vec2(0, 0), Vec2(7, 4)}});
   EXPECT_EQ(vehicle.run_until("parked").status, NavigatorStatus::kDone);
   expect_parked(vehicle, kParked);
   EXPECT_EQ(vehicle.backing.tries(), 1);
 }
 
-TEST(FrameBacking, DrivesOutAndInAgainWhereItStandsMisaligned) {
+TEST(FrameBacking, DrivesOutAndInAgainIfMisaligned) {
   BackedVehicle vehicle(KnownFloor{{Vec2(0, 0), Vec2(7, 4)}});
   vehicle.run_until("looking");
   const Pose2 seen{0.01, 0.04, 1.5 * kDegree};
@@ -67,27 +67,27 @@ TEST(FrameBacking, DrivesOutAndInAgainWhereItStandsMisaligned) {
   EXPECT_EQ(vehicle.backing.tries(), 2);
 }
 
-/// Where the middle of the rear comes to while the vehicle looks back at the frame.
+/// Where the middle of the rear is while the vehicle looks at the frame's near side.
 double rear_while_looking_m(const KnownFloor& known) {
   BackedVehicle vehicle(known);
   EXPECT_EQ(vehicle.run_until("looking").state, "looking");
   return (vehicle.T_odom_vehicle * Vec2(-cart().footprint.rear_m, 0)).x();
 }
 
-TEST(FrameBacking, StandsOnTheFarLineToLookWhereTheFloorBeyondItIsFree) {
+TEST(FrameBacking, LooksFromTheFarLineIfTheFloorBeyondItIsFree) {
   const double line_m = kFrame.x + kSize_m.x() / 2;
   EXPECT_NEAR(rear_while_looking_m(KnownFloor{{Vec2(0, 0), Vec2(7, 4)}}), line_m + 0.03, 0.01);
   EXPECT_NEAR(rear_while_looking_m(KnownFloor{{Vec2(0, 0), Vec2(line_m, 4)}}), line_m - 0.02, 0.01);
 }
 
-TEST(FrameBacking, WhereItCannotTurnItSaysSo) {
+TEST(FrameBacking, FailsWhereItCannotTurn) {
   BackedVehicle vehicle(KnownFloor{{Vec2(0, 1.5), Vec2(7, 2.5)}});
   const Decision decision = vehicle.run_until("parked");
   EXPECT_EQ(decision.status, NavigatorStatus::kFailed);
   EXPECT_EQ(decision.state, "no room");
 }
 
-TEST(FrameBacking, AsksForAnotherPathWhereSomethingStaysInItsPath) {
+TEST(FrameBacking, AsksForTheFloorAgainIfAnObstacleStaysInItsPath) {
   BackedVehicle vehicle(KnownFloor{{Vec2(0, 0), Vec2(7, 4)}});
   vehicle.run_until("turning about");
   std::vector<SeenEdge> around;

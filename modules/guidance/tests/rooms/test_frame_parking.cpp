@@ -54,23 +54,23 @@ bool sees_frame_expected_at(const Pose2& T_odom_expected) {
   return parking.sees_frame();
 }
 
-TEST(FrameParking, TakesAFrameForTheTaughtOneAboutWhereThatIsOnly) {
+TEST(FrameParking, AcceptsAFrameOnlyNearTheTaughtOne) {
   EXPECT_TRUE(sees_frame_expected_at({2.5, 0.2, 0}));
   EXPECT_FALSE(sees_frame_expected_at({2.9, 0, 0}));
 }
 
-TEST(FrameParking, DoesNotFollowWhatLooksLikeItAwayFromWhereItWasFirstSeen) {
+TEST(FrameParking, DoesNotTrackALookalikeAwayFromTheFrame) {
   const VehicleDescription vehicle = frame_cart();
   const double tracked_m = FrameParkingParams{}.tracked_m;
   const Observation sight = sight_of_frame(vehicle.cameras.front());
   FrameParking parking({}, vehicle, kFrame_m);
-  // It goes on with the vehicle, 5 cm an image, as a pattern or a lamp's light would.
+  // It moves on with the vehicle, 5 cm per image, as a pattern or a lamp's light would.
   for (int i = 0; i < 40; ++i) parking.look(sight, {0.05 * i, 0, 0}, kFrameAhead, 1);
   ASSERT_TRUE(parking.sees_frame());
   EXPECT_LT(between(kFrameAhead, *parking.frame()).position().norm(), tracked_m + 0.05);
 }
 
-/// At the end of its last try, so farther off laterally of the frame's middle.
+/// The decision at the end of its last try, with this lateral error.
 Decision end_of_last_try(double lateral_m) {
   const VehicleDescription vehicle = frame_cart();
   FrameParkingParams params;
@@ -83,7 +83,7 @@ Decision end_of_last_try(double lateral_m) {
   return parking.step();
 }
 
-TEST(FrameParking, HasNotParkedIfItStandsMisalignedAfterTheLastTry) {
+TEST(FrameParking, HasNotParkedIfMisalignedAfterTheLastTry) {
   EXPECT_EQ(end_of_last_try(0.03).status, NavigatorStatus::kDone);
   EXPECT_EQ(end_of_last_try(0.08).status, NavigatorStatus::kFailed);
   EXPECT_EQ(end_of_last_try(0.08).state, "misaligned");

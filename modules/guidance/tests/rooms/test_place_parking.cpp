@@ -21,13 +21,13 @@ Pose2 moved(const Pose2& T_map_vehicle, double speed_mps, double steering_rad) {
   return T_map_vehicle * drive(cart().front_steered, FrontSteeredMotion{kCycle_s * speed_mps, steering_rad});
 }
 
-TEST(PlaceParking, WhoStandsWellHasParked) {
+TEST(PlaceParking, IsDoneIfItStandsWell) {
   PlaceParking place = parking();
   EXPECT_EQ(place.settle(kEnd * Pose2{0, 0.04, 1 * kDegree}, false).status, NavigatorStatus::kDone);
   EXPECT_EQ(place.tries(), 1);
 }
 
-TEST(PlaceParking, WhoStandsMisalignedBacksOffAndStandsBetterThen) {
+TEST(PlaceParking, BacksOffIfMisalignedAndThenStandsBetter) {
   PlaceParking place = parking();
   const Path path(std::vector{PathPiece{{}, {4, 0}}});
   Pose2 T_map_vehicle = kEnd * Pose2{0, 0.15, -6 * kDegree};
@@ -53,7 +53,7 @@ TEST(PlaceParking, WhoStandsMisalignedBacksOffAndStandsBetterThen) {
   EXPECT_LT(std::abs(T_map_vehicle.y), 0.03);
 }
 
-TEST(PlaceParking, WithSomethingBehindItGoesNoFartherBack) {
+TEST(PlaceParking, StopsBackingOffBeforeAnObstacleBehind) {
   PlaceParking place = parking();
   place.settle(kEnd * Pose2{0, 0.2, 0}, false);
   place.judge_path_back(kEnd * Pose2{-0.3, 0.2, 0}, 1);
@@ -62,15 +62,15 @@ TEST(PlaceParking, WithSomethingBehindItGoesNoFartherBack) {
   EXPECT_FALSE(place.is_backing());
 }
 
-TEST(PlaceParking, AfterTheLastTryItSaysWhetherItHasParked) {
+TEST(PlaceParking, SaysAfterTheLastTryWhetherItHasParked) {
   const auto last = [](const Pose2& off, bool is_taken = false) {
     PlaceParking place = parking({.tries_max = 1});
     return place.settle(kEnd * off, is_taken);
   };
   EXPECT_EQ(last({0, 0.08, 4 * kDegree}).status, NavigatorStatus::kDone);
-  const Decision lateral = last({0, 0.2, 0});
-  EXPECT_EQ(lateral.status, NavigatorStatus::kFailed);
-  EXPECT_EQ(lateral.why, "not parked: it stands 0.20 m to the side, 0.0 degrees turned");
+  const Decision far_off = last({0, 0.2, 0});
+  EXPECT_EQ(far_off.status, NavigatorStatus::kFailed);
+  EXPECT_EQ(far_off.why, "not parked: it stands 0.20 m to the side, 0.0 degrees turned");
   EXPECT_EQ(last({0, 0, -20 * kDegree}).status, NavigatorStatus::kFailed);
   EXPECT_EQ(last({0, 0.2, 0}, true).status, NavigatorStatus::kDone);
   EXPECT_EQ(last({0, 0.4, 0}, true).status, NavigatorStatus::kFailed);

@@ -54,8 +54,8 @@ Route straight_route() {
 
 constexpr double kLegIn_m = 6, kLegBack_m = 2.4;
 
-/// Straight in, straight back and in again, where a turning to the right begins.
-/// @param side_m  so farther off laterally edges were seen on both sides; 0: none
+/// A route straight in, straight back, and in again to where a turning to the right begins.
+/// @param side_m  lateral distance of the edges seen on both sides; 0: none were seen
 Route route_with_path_back(double side_m) {
   Route route = straight_route();
   const Pose2 T_map_in{kLegIn_m, 0, 0}, T_map_back{kLegIn_m - kLegBack_m, 0, 0};
@@ -70,7 +70,7 @@ Route route_with_path_back(double side_m) {
   return route;
 }
 
-/// A bright floor, and a dark wall across the path; others beside it.
+/// A bright floor, a dark wall across the path, and walls beside it.
 class DrivenRoom {
  public:
   explicit DrivenRoom(double wall_m, Route route = straight_route(), double from_m = 0, double side_m = 50)
@@ -107,7 +107,7 @@ class DrivenRoom {
   const RoomNavigator& navigator() const { return navigator_; }
 
  private:
-  /// No two are quite the same, or the camera would be taken for frozen.
+  /// No two images are the same, as the camera would otherwise count as frozen.
   std::shared_ptr<const Image> image(std::size_t number, double light) const {
     const CameraDescription& camera = vehicle_.cameras[number];
     auto image = std::make_shared<Image>(camera.width_px, camera.height_px);
@@ -129,7 +129,7 @@ class DrivenRoom {
   int cycles_ = 0;
 };
 
-TEST(RoomNavigator, GoesOnByMemoryWhereWhatItHasSeenHidesTheRoute) {
+TEST(RoomNavigator, DrivesFromMemoryWhereAKnownObstacleHidesTheRoute) {
   DrivenRoom room(kPathLength_m + 1.3);
   Decision decision;
   for (int i = 0; i < 200 && decision.status == NavigatorStatus::kGoing; ++i) {
@@ -140,7 +140,7 @@ TEST(RoomNavigator, GoesOnByMemoryWhereWhatItHasSeenHidesTheRoute) {
   EXPECT_NEAR(room.T_world_vehicle().x, kPathLength_m, 0.05);
 }
 
-TEST(RoomNavigator, WaitsWhereTheLightChangesAndNothingIsKnownToStand) {
+TEST(RoomNavigator, WaitsIfTheLightChangesWithoutAKnownObstacle) {
   DrivenRoom room(20);
   for (int i = 0; i < 20; ++i) EXPECT_GT(room.step().command.speed_mps, 0);
   const Decision decision = room.step(0.5);
@@ -157,7 +157,7 @@ TEST(RoomNavigator, SaysThatNothingHasConfirmedItsPlace) {
   EXPECT_FALSE(room.navigator().has_confirmed_place());
 }
 
-TEST(RoomNavigator, DoesNotBackOverFloorThatItDoesNotKnow) {
+TEST(RoomNavigator, DoesNotReverseOverUnknownFloor) {
   constexpr double kWall_m = 1.6, kSide_m = 0.6;
   DrivenRoom room(kWall_m, straight_route(), 0, kSide_m);
   Decision decision;
@@ -165,14 +165,14 @@ TEST(RoomNavigator, DoesNotBackOverFloorThatItDoesNotKnow) {
   for (int i = 0; i < 1000 && decision.status == NavigatorStatus::kGoing; ++i) {
     decision = room.step();
     has_backed_off = has_backed_off || decision.state == "backing off";
-    EXPECT_GT(room.T_world_vehicle().x, -0.02) << "it was set down there";
+    EXPECT_GT(room.T_world_vehicle().x, -0.02) << "it started there";
   }
   EXPECT_TRUE(has_backed_off);
   EXPECT_EQ(decision.state, "blocked");
-  EXPECT_EQ(decision.why, "found no path past what is there");
+  EXPECT_EQ(decision.why, "found no path past the obstacle");
 }
 
-TEST(RoomNavigator, SaysThatItCannotTellAPatternOnTheFloorFromWhatStandsThere) {
+TEST(RoomNavigator, SaysThatItCannotTellAFloorPatternFromObstacles) {
   Route route = straight_route();
   for (double x = 0.5; x < kPathLength_m; x += 0.4) route.room->edges.push_back({0, Vec2(x, 0.1)});
   DrivenRoom room(1.6, std::move(route), 0, 0.6);
@@ -192,7 +192,7 @@ TEST(RoomNavigator, DoesNotLookForADeadEndFarBeyondTheTaughtOne) {
   EXPECT_LT(room.T_world_vehicle().x, kPathLength_m + 0.3);
 }
 
-/// What the footprint's rear corners pass over while the vehicle backs between turnings.
+/// How far the rear corners get to the side, and the vehicle back, while it reverses between turnings.
 struct PathBack {
   double lateral_m = 0;
   double back_m = 0;
@@ -210,10 +210,10 @@ PathBack path_back_between_turnings(double side_m) {
   return {};
 }
 
-TEST(RoomNavigator, BacksBetweenTurningsOnKnownFloorOnly) {
+TEST(RoomNavigator, ReversesBetweenTurningsOnKnownFloorOnly) {
   const PathBack narrow = path_back_between_turnings(0);
   EXPECT_GT(narrow.back_m, 1);
-  EXPECT_LT(narrow.lateral_m, 0.7) << "at teaching, the floor was in view so farther off laterally";
+  EXPECT_LT(narrow.lateral_m, 0.7) << "the floor was in view up to there at teaching";
   const PathBack wide = path_back_between_turnings(1.5);
   EXPECT_GT(wide.back_m, kLegBack_m);
   EXPECT_GT(wide.lateral_m, 1);

@@ -9,7 +9,7 @@ namespace {
 
 const Footprint kFootprint{.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6};
 
-/// 5 m straight on, with a wall 1 m to the left, each point of which was seen last from 2 m before it.
+/// 5 m straight on, with a wall 1 m to the left, each point of which was last seen from 2 m before it.
 FloorGrid floor_beside_wall(double reach_m) {
   std::vector<RouteEdge> edges;
   for (double x = 2; x < 6; x += 0.05) edges.push_back({x - 2, Vec2(x, 1)});
@@ -24,24 +24,24 @@ TEST(RouteFloor, IsFreeWhereTheVehicleDroveAndUpToTheEdgesThatItSaw) {
   EXPECT_EQ(floor.at(Vec2(4, 1)), Floor::kOccupied);
 }
 
-TEST(RouteFloor, TellsNothingOfWhatLiesBehindEdgesOrWasNotSeen) {
+TEST(RouteFloor, IsUnknownBehindEdgesAndWhereNothingWasSeen) {
   const FloorGrid floor = floor_beside_wall(4);
   EXPECT_EQ(floor.at(Vec2(4, 1.3)), Floor::kUnknown);
   EXPECT_EQ(floor.at(Vec2(4, -1.2)), Floor::kUnknown);
 }
 
-TEST(RouteFloor, EndsFarFromThePlace) {
+TEST(RouteFloor, IsUnknownFarFromThePlace) {
   EXPECT_EQ(floor_beside_wall(1).at(Vec2(1, 0)), Floor::kUnknown);
 }
 
-TEST(RouteFloor, TellsOnWhichShareOfThePathEdgesWereSeenWhereTheVehicleThenDrove) {
+TEST(RouteFloor, GivesTheShareOfThePathWhereTheVehicleDroveOverEdges) {
   const Path path(std::vector{PathPiece{{}, {4.9, 0}}});
   const std::vector<RouteEdge> edges = {{0, {1.2, 0.1}}, {0, {1.3, -0.2}}, {0, {2.2, 0}},
                                         {0, {3, 0.28}},  {0, {4, 1}},      {0, {6, 0}}};
   EXPECT_NEAR(share_with_edges_on_path(path, edges, kFootprint), 0.2, 1e-9);
 }
 
-TEST(RouteFloor, EndsAtCellsOfWhichNothingIsKnown) {
+TEST(RouteFloor, EndsAtUnknownCells) {
   FloorGrid floor(1);
   floor.set(FloorCell{0, 0}, Floor::kFree);
   for (int x = -1; x <= 1; ++x) floor.set(FloorCell{x, 1}, Floor::kOccupied);

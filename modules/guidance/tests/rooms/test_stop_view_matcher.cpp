@@ -11,8 +11,7 @@
 namespace aisle {
 namespace {
 
-/// What is seen with so much distance left: a bright and a dark strip that wander apart as the place comes
-/// near.
+/// The image with this much path left: a bright and a dark strip that move apart as the place comes near.
 Image view_from(double left_m) {
   Image image(320, 100);
   std::fill(image.bytes.begin(), image.bytes.end(), std::uint8_t{100});
@@ -35,7 +34,7 @@ std::vector<StopView> taught() {
   return views;
 }
 
-/// On the last half metre, where the odometry says 0.2 m less than is left.
+/// Drives the last half metre while the odometry says 0.2 m less than is left.
 void drive_up_to(StopViewMatcher& matcher) {
   for (int i = 0; i < 8; ++i) {
     const double really_left_m = 0.5 - 0.03 * i;
@@ -43,7 +42,7 @@ void drive_up_to(StopViewMatcher& matcher) {
   }
 }
 
-TEST(StopViewMatcher, CorrectsThePathThatIsLeft) {
+TEST(StopViewMatcher, CorrectsThePathLeft) {
   for (const bool by_extremes : {false, true}) {
     StopViewMatcher matcher({.by_extremes = by_extremes}, taught());
     drive_up_to(matcher);
@@ -69,7 +68,7 @@ TEST(StopViewMatcher, OneMatchAloneDoesNotCount) {
   EXPECT_FALSE(matcher.has_matched());
 }
 
-TEST(StopViewMatcher, FarFromThePlaceNothingIsLookedFor) {
+TEST(StopViewMatcher, IgnoresViewsFarFromThePlace) {
   StopViewMatcher matcher({}, taught());
   for (int i = 0; i < 8; ++i) matcher.take(view_from(0.5), 6);
   EXPECT_EQ(matcher.shift_m(), 0);

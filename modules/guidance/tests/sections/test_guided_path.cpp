@@ -25,13 +25,13 @@ TEST(GuidedPath, TheNextSectionsBaseLinesAreTheWallAheadAndTheCorner) {
   EXPECT_FALSE(guided.guides.back().ahead_m);
 }
 
-TEST(GuidedPath, WhatWasSeenAheadGoesBeforeWhatFollows) {
+TEST(GuidedPath, AMeasuredWallAheadOverridesTheNextSection) {
   SectionList sections = kRoundTheCorner;
   sections[0].ahead_m = 0.53;
   EXPECT_NEAR(*guided_path(sections, {}, SectionRun::kThere).guides.front().ahead_m, 0.53, 1e-9);
 }
 
-TEST(GuidedPath, OnThePathBackSidesChangeAndTheSectionBeforeIsTheWallAhead) {
+TEST(GuidedPath, OnTheWayBackSidesSwapAndThePreviousSectionGivesTheWallAhead) {
   SectionList sections = kRoundTheCorner;
   sections[2].ahead_m = 0.9;  // a dead end, behind the vehicle on the return path
   const GuidedPath guided = guided_path(sections, {}, SectionRun::kBack);

@@ -33,8 +33,8 @@ VehicleDescription two_wheels() {
   return vehicle;
 }
 
-/// Where a vehicle believes that it is that drives to x = 4 m, while its wheels count a tenth of a metre too
-/// little and it is set down 4 cm to the left, when it has looked at the walls there.
+/// The estimated position of a vehicle that started 4 cm too far to the left and drove to x = 4 m, while its
+/// wheels counted a tenth of a metre too little, after it has looked at the walls there.
 Vec2 believed(const std::vector<Segment2>& walls, const SectionLocaliserParams& params = {}) {
   const GuidedPath path = guided_path(kSections, {}, SectionRun::kThere);
   const VehicleDescription vehicle = two_wheels();
@@ -48,12 +48,12 @@ Vec2 believed(const std::vector<Segment2>& walls, const SectionLocaliserParams& 
   return localiser.pose().position();
 }
 
-TEST(SectionLocaliser, BaseLinesBesideTellHowFarLateral) {
+TEST(SectionLocaliser, BaseLinesBesideCorrectTheLateralPosition) {
   for (const Segment2& wall : {kRight, kLeft}) EXPECT_NEAR(believed({wall}).y(), 0.04, 0.01);
   EXPECT_NEAR(believed({kLeft}, {.left_base_line = false}).y(), 0, 1e-6);
 }
 
-TEST(SectionLocaliser, FindsItsBaseLinesAgainFromBesideItsPath) {
+TEST(SectionLocaliser, FindsItsBaseLinesWithACrossTrackError) {
   const GuidedPath path = guided_path(kSections, {}, SectionRun::kThere);
   SectionLocaliser localiser({}, two_wheels(), path);
   constexpr double kLateral_m = 0.3;
@@ -65,12 +65,12 @@ TEST(SectionLocaliser, FindsItsBaseLinesAgainFromBesideItsPath) {
   EXPECT_NEAR(localiser.pose().y, kLateral_m, 0.05);
 }
 
-TEST(SectionLocaliser, TheWallAheadTellsHowFarAlong) {
+TEST(SectionLocaliser, TheWallAheadCorrectsTheLongitudinalPosition) {
   EXPECT_NEAR(believed({kEndWall}).x(), 4, 0.02);
   EXPECT_NEAR(believed({kEndWall}, {.length_by_wall_ahead = false}).x(), 3.9, 0.02);
 }
 
-TEST(SectionLocaliser, AfterALongPathAWallThatIsFarFromWhereItWasDueIsStillTheOneMeant) {
+TEST(SectionLocaliser, AcceptsAWallFarFromItsExpectedPlaceAfterALongPath) {
   const SectionList sections = {
       {.kind = Section::Kind::kFollow, .length_m = 40, .right_m = 0.5, .left_m = 0.7, .ahead_m = 0.5}};
   const GuidedPath path = guided_path(sections, {}, SectionRun::kThere);
@@ -82,7 +82,7 @@ TEST(SectionLocaliser, AfterALongPathAWallThatIsFarFromWhereItWasDueIsStillTheOn
   EXPECT_NEAR(localiser.pose().x, 39, 0.05);
 }
 
-TEST(SectionLocaliser, TheEndOfTheBaseLineTellsHowFarAlong) {
+TEST(SectionLocaliser, TheEndOfTheBaseLineCorrectsTheLongitudinalPosition) {
   const Segment2 last{{4, -0.5}, kRight.end};
   EXPECT_NEAR(believed({last}, {.length_by_line_end = true}).x(), 4, 0.03);
   EXPECT_NEAR(believed({last}).x(), 3.9, 0.02);
@@ -105,8 +105,8 @@ TEST(SectionLocaliser, AWallAheadWithARecessTurnsItLittle) {
   EXPECT_LT(std::abs(localiser.pose().theta), 3 * kDegree);
 }
 
-/// Out to a wall across, by wheels that count too little, and home again by the same wheels.
-TEST(SectionLocaliser, ComesHomeByTheScaleOfItsPathOut) {
+/// Out to a wall ahead, with wheels that count too little, and home again with the same wheels.
+TEST(SectionLocaliser, ComesHomeWithTheOdometryScaleOfThePathOut) {
   constexpr double kOff_m = 0.04, kCounted = 0.99, kTurn_m = 4.5;
   const GuidedPath path = guided_path(kSections, {}, SectionRun::kThere);
   const VehicleDescription vehicle = two_wheels();
@@ -120,7 +120,7 @@ TEST(SectionLocaliser, ComesHomeByTheScaleOfItsPathOut) {
   EXPECT_NEAR(localiser.pose().x - localiser.start_pose().x, x_m - kOff_m, 0.01);
 }
 
-TEST(SectionLocaliser, WhatIsSeenLaterTellsHowItWasHeadedAtFirst) {
+TEST(SectionLocaliser, LaterImagesCorrectTheStartHeading) {
   const GuidedPath path = guided_path(kSections, {}, SectionRun::kThere);
   SectionLocaliser localiser({}, two_wheels(), path);
   constexpr double kSetDown_rad = 4 * kDegree;
@@ -132,7 +132,7 @@ TEST(SectionLocaliser, WhatIsSeenLaterTellsHowItWasHeadedAtFirst) {
   EXPECT_NEAR(localiser.start_pose().theta / kDegree, kSetDown_rad / kDegree, 1);
 }
 
-TEST(SectionLocaliser, WhatStandsElsewhereIsNoWallOfThePath) {
+TEST(SectionLocaliser, IgnoresWallsFarFromTheirExpectedPlace) {
   const Segment2 other{{4.7, -0.5}, {4.7, 0.7}};
   EXPECT_NEAR(believed({other}).x(), 3.9, 0.02);
 }

@@ -12,12 +12,12 @@
 namespace aisle {
 namespace {
 
-constexpr double kYawErrorRad = 2.5 * kDegree, kBeside_m = 0.04;
-constexpr double kBlind_m = 0.8;  // from where on, on its path home, a vehicle sees no wall any more
+constexpr double kYawError_rad = 2.5 * kDegree, kBeside_m = 0.04;
+constexpr double kBlind_m = 0.8;  // on its path home the vehicle sees no wall from here on
 const Vec3 kLeastCorner{-0.5, -0.6, 0}, kGreatestCorner{4, 0.6, 2.5};  // of a corridor along x
 
-/// The end where the path begins is as bright as the floor: nobody sees where it stands.
-/// @return brightness of the side that a ray from within the corridor meets
+/// The wall where the path begins is as bright as the floor, so that its floor edge is invisible.
+/// @return brightness of the surface that a ray from inside the corridor meets
 double brightness_seen(const Vec3& eye, const Vec3& ray) {
   const std::array kEndsSidesFloor = {ray.x() < 0 ? 120.0 : 170.0, 200.0, 120.0};
   double nearest = 1e9, seen = 0;
@@ -43,14 +43,14 @@ VehicleDescription two_wheels_and_a_camera() {
   return vehicle;
 }
 
-/// A vehicle in the corridor that does what it is given, and sees and counts without an error, but for wheels
-/// that slip where it sees no wall.
+/// A vehicle in the corridor with perfect actuators, camera and odometry, except that its wheels slip where
+/// it sees no wall.
 class CorridorDrive {
  public:
   CorridorDrive(const VehicleDescription& vehicle, const Pose2& T_world_start, double slip_rad_per_m)
       : vehicle_(vehicle), T_world_vehicle_(T_world_start), slip_rad_per_m_(slip_rad_per_m) {}
 
-  /// @return whether the navigator was done before long
+  /// @return whether the navigator was done within a minute
   bool drive(SectionNavigator& navigator) {
     WheelSteps steps;
     for (cycle_ = 1; cycle_ < 600; ++cycle_) {
@@ -74,7 +74,7 @@ class CorridorDrive {
             .odometry = steps};
   }
 
-  /// Its brightness flickers, or it would be taken for frozen.
+  /// The brightness flickers, as the camera would otherwise count as frozen.
   Image image() const {
     const CameraDescription& camera = vehicle_.cameras.front();
     const CameraIntrinsics& lens = camera.intrinsics;
@@ -88,7 +88,7 @@ class CorridorDrive {
     });
   }
 
-  /// What is left of a step is driven in the next cycle.
+  /// Carries fractions of a step over to the next cycle.
   WheelSteps steps_of(const Command& command) {
     const double turn_mps = command.turn_rate_rad_s * vehicle_.differential.wheel_separation_m / 2;
     const double per_mps = vehicle_.cycle_s / vehicle_.differential.step_length_m();
@@ -108,32 +108,32 @@ class CorridorDrive {
   int cycle_ = 0;
 };
 
-/// Where a vehicle ends that is set down beside the beginning of its path and misaligned.
+/// The final pose of a vehicle that starts beside the beginning of its path, with a yaw error.
 std::optional<Pose2> end_of(SectionRun run, double slip_rad_per_m = 0) {
   const SectionList sections = {
       {.kind = Section::Kind::kFollow, .length_m = 2, .right_m = 0.6, .left_m = 0.6}};
   const VehicleDescription vehicle = two_wheels_and_a_camera();
   SectionNavigator navigator({.speed = {.speed_mps = 0.3}}, vehicle, "front", sections,
                              guided_path(sections, {}, run));
-  CorridorDrive drive(vehicle, {0, kBeside_m, kYawErrorRad}, slip_rad_per_m);
+  CorridorDrive drive(vehicle, {0, kBeside_m, kYawError_rad}, slip_rad_per_m);
   if (!drive.drive(navigator)) return std::nullopt;
   return drive.T_world_vehicle();
 }
 
-TEST(SectionNavigator, ComesHomeAsItWasSetDown) {
+TEST(SectionNavigator, ComesHomeToItsStartPose) {
   const auto end = end_of(SectionRun::kThereAndBack);
   ASSERT_TRUE(end);
-  EXPECT_NEAR((end->theta - kYawErrorRad) / kDegree, 0, 1);
+  EXPECT_NEAR((end->theta - kYawError_rad) / kDegree, 0, 1);
   EXPECT_NEAR(end->y, kBeside_m, 0.015);
 }
 
-TEST(SectionNavigator, HomeAgainItTurnsAboutAndSeesThatItsWheelsSlipped) {
+TEST(SectionNavigator, CorrectsWheelSlipAfterItsLastTurnAtHome) {
   const auto end = end_of(SectionRun::kThereAndBack, 4 * kDegree);
   ASSERT_TRUE(end);
-  EXPECT_NEAR((end->theta - kYawErrorRad) / kDegree, 0, 1);
+  EXPECT_NEAR((end->theta - kYawError_rad) / kDegree, 0, 1);
 }
 
-TEST(SectionNavigator, EndsAsThePathEnds) {
+TEST(SectionNavigator, EndsAtThePathsEnd) {
   const auto end = end_of(SectionRun::kThere);
   ASSERT_TRUE(end);
   EXPECT_NEAR(end->theta / kDegree, 0, 1);

@@ -18,8 +18,8 @@ struct HandDriverParams {
   void describe(FieldList& fields);
 };
 
-/// Drives as the person at the controls requests, within limits, and stops when requests stay away (dead
-/// man). A pressed bumper ends the drive, and so does the person; who gives up has failed.
+/// Manual driving: passes on the operator's requests, within limits, and stops when none arrive (dead man's
+/// switch). A pressed bumper ends the drive as failed; the operator may end it as done, or give up (failed).
 class HandDriver final : public Navigator {
  public:
   explicit HandDriver(const HandDriverParams& params) : params_(params) {}

@@ -19,16 +19,16 @@ struct ImageMonitorParams {
   void describe(FieldList& fields);
 };
 
-/// Whether a camera still shows what is there: its images come, in time, are not always the same one, and
-/// are neither black nor washed out.
+/// Checks that a camera still works: its images arrive in time, change, and are neither black nor washed out.
 class ImageMonitor {
  public:
   ImageMonitor(const ImageMonitorParams& params, const CameraDescription& camera);
 
-  /// @return the camera's image if this observation has one that can be trusted
+  /// @return the camera's image if this observation has one that can be trusted; nullptr otherwise. Points
+  ///         into the observation
   const CameraImage* look(const Observation& observation);
 
-  /// What is wrong now, for people: "camera front is frozen"; nullopt if nothing is.
+  /// What is wrong now, as text for the user: "camera front is frozen"; nullopt if nothing is.
   std::optional<std::string> trouble(double now_s) const;
 
  private:
@@ -37,7 +37,7 @@ class ImageMonitor {
   ImageMonitorParams params_;
   CameraDescription camera_;
   std::shared_ptr<const Image> last_;
-  std::optional<double> good_stamp_s_;  ///< of the last image that showed something new
+  std::optional<double> good_stamp_s_;  ///< of the last good image
   const char* what_ = "has sent no image";
 };
 

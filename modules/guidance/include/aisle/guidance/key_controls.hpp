@@ -11,16 +11,16 @@
 
 namespace aisle {
 
-/// Driving by keys: those of L03 Table 1, and those that set marks.
+/// A key for manual driving: those of L03 Table 1, and those that set marks.
 struct Key {
   enum class Kind {
     kUp,     ///< forwards
     kDown,   ///< backwards
-    kLeft,   ///< to the left, as fast as it goes
+    kLeft,   ///< to the left, at the present speed
     kRight,  ///< to the right
-    kStop,   ///< stand
-    kQuit,   ///< the drive ends
-    kMark,   ///< see `mark`
+    kStop,
+    kQuit,  ///< end the drive
+    kMark,  ///< see `mark`
   };
   Kind kind = Kind::kStop;
   Mark mark;
@@ -37,9 +37,9 @@ struct KeySpeeds {
   void describe(FieldList& fields);
 };
 
-/// What the keys of one cycle after another mean. A key is held as long as it keeps coming; left and right
-/// keep the speed of an up or down that came at most half a second before them, or turn where the vehicle
-/// stands.
+/// Turns the keys pressed in each cycle into operator input. A key counts as held while it repeats. Left and
+/// right keep the speed of an up or down key pressed at most half a second earlier; otherwise they turn the
+/// vehicle, or its wheels, on the spot.
 class KeyControls {
  public:
   KeyControls(const KeySpeeds& speeds, bool is_differential);
@@ -51,18 +51,18 @@ class KeyControls {
 
   KeySpeeds speeds_;
   bool is_differential_;
-  double speed_mps_ = 0;  ///< of the latest up or down
+  double speed_mps_ = 0;  ///< of the last up or down key
   double moved_stamp_s_ = -1e9;
 };
 
-/// The keys in what a terminal sends: arrows, q, space; d 1 to 13 and Enter: a turning begins; e: it ends; p,
-/// a name and Enter: a place; x: the path ends here. Esc takes back what was begun.
+/// Decodes the keys that a terminal sends: arrows; q: stop; space: quit; d, 1 to 13 and Enter: a turning
+/// begins; e: it ends; p, a name and Enter: a place; x: the path ends here. Esc cancels what is being typed.
 class TerminalKeys {
  public:
-  /// @param bytes  whatever arrived since the last call; sequences may be cut anywhere
+  /// @param bytes  all that arrived since the last call; an escape sequence may be split between calls
   std::vector<Key> read(std::string_view bytes);
 
-  /// What is being typed, for the status line: "place: lob"; empty: nothing.
+  /// What is being typed, for the status line: "place: lob"; empty if nothing is.
   std::string typing() const;
 
  private:
@@ -74,7 +74,7 @@ class TerminalKeys {
   std::string escape_;  ///< an unfinished escape sequence
   Typing typing_ = Typing::kNothing;
   std::string typed_;
-  std::string turning_;  ///< the latest that has begun
+  std::string turning_;  ///< class of the turning that was begun last; empty: none is open
 };
 
 }  // namespace aisle

@@ -1,5 +1,5 @@
 #pragma once
-/// The one cycle: sense -> decide -> act, with everything that flowed handed to a record.
+/// The main cycle: sense -> decide -> act. A record receives all observations and decisions.
 
 #include <cstddef>
 #include <string>
@@ -11,31 +11,31 @@
 
 namespace aisle {
 
-/// Where a mission's cycles are kept.
+/// Stores a mission's cycles.
 class MissionRecord {
  public:
   virtual ~MissionRecord() = default;
 
-  /// Keeps an observation.
-  /// @return the observation as the record will give it back (images may lose by their compression): the
-  ///         navigator sees that one, so that a replay sees exactly the same
+  /// Stores an observation.
+  /// @return the observation as it will be read back (image compression may be lossy). The navigator gets
+  ///         this one, so that a replay sees exactly the same
   virtual Result<Observation> keep(Observation observation) = 0;
 
-  /// Keeps what was decided on the observation before. Empty on success.
+  /// Stores the decision on the last observation. Empty on success.
   virtual Problems keep(const Decision& decision) = 0;
 };
 
 struct MissionEnd {
   bool arrived = false;
-  std::string state;  ///< of the last decision
+  std::string state;  ///< of the last decision, as is `why`
   std::string why;
   std::size_t cycles = 0;
   double duration_s = 0;  ///< by the observations' stamps
 };
 
-/// Drives until the navigator is done or has failed, or the vehicle senses nothing any more. Whatever ends
-/// it, the vehicle is given to stop; a record that fails ends the mission, and its problems are returned.
-/// `Interrupted` (from `progress`) is passed on after the stop.
+/// Drives until the navigator is done or has failed, or the vehicle delivers no more observations. Always
+/// ends with a stop command. A record that fails ends the mission, and its problems are returned.
+/// `Interrupted` (from `progress`) is rethrown after the stop.
 Result<MissionEnd> run_mission(Vehicle& vehicle, Navigator& navigator, MissionRecord& record,
                                Progress& progress);
 

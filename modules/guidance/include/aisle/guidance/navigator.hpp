@@ -9,21 +9,21 @@ namespace aisle {
 
 enum class NavigatorStatus {
   kGoing,
-  kDone,    ///< where it wanted to be; the command is to stop
-  kFailed,  ///< gave up; the command is to stop, `why` says what happened
+  kDone,    ///< reached its goal; the command is to stop
+  kFailed,  ///< gave up; the command is to stop, `why` gives the reason
 };
 
-/// What a navigator makes of one observation.
+/// A navigator's answer to one observation.
 struct Decision {
   Command command;
   NavigatorStatus status = NavigatorStatus::kGoing;
-  std::string state;  ///< one word of the method's own: "following", "lost"
-  std::string why;    ///< one line for people; may be empty
+  std::string state;  ///< a word that the method defines: "following", "lost"
+  std::string why;    ///< one line for the user; may be empty
 
   friend bool operator==(const Decision&, const Decision&) = default;
 };
 
-/// A method of driving. Knows time only from the observations' stamps: the same observations give the same
+/// A driving method. Its only clock is the observations' stamps, so the same observations give the same
 /// decisions, bit for bit.
 class Navigator {
  public:

@@ -1,5 +1,5 @@
 #pragma once
-/// Explores a building that nobody has shown to the vehicle, and comes home: C99 Algorithm 1.
+/// Explores an unknown building and comes home: C99 Algorithm 1.
 
 #include <memory>
 #include <optional>
@@ -22,20 +22,20 @@ struct ExplorerNavigatorParams {
   CarSearchParams search;
   SteeringParams steering;
   SpeedParams speed{.speed_mps = 0.4};
-  double look_s = 1;         ///< standing, before it starts
-  double look_from_m = 2.5;  ///< so near it drives to what it wants to see
-  double join_m = 0.6;       ///< so far ahead a new path joins the old one
+  double look_s = 1;         ///< it stands and looks around before it starts
+  double look_from_m = 2.5;  ///< distance from which it looks at a target
+  double join_m = 0.6;       ///< a new path joins the old one this far ahead
   RetryBudgetParams retry_budget;
   double time_max_s = 14400;  ///< then it gives up, wherever it is
-  int expansions = 2000;      ///< of the search, a cycle
-  double stuck_s = 120;       ///< without any path for so long it gives up
+  int expansions = 2000;      ///< of the path search, per cycle
+  double stuck_s = 120;       ///< it gives up after standing without a path for this long
 
   void describe(FieldList& fields);
 };
 
-/// Looks, learns the floor and its own place on it, sees where paths lead on, chooses one by C99's
-/// transducer, searches a path along known free floor to where it can be seen into, and drives it; home when
-/// nothing waits any more.
+/// Maps the floor and localises on it, finds frontiers, and lets C99's transducer choose one. Then plans a
+/// path over known free floor to a pose that sees the frontier, and drives it. Drives home when no frontier
+/// is left.
 class ExplorerNavigator final : public Navigator {
  public:
   ExplorerNavigator(const ExplorerNavigatorParams& params, const VehicleDescription& vehicle,
@@ -46,13 +46,13 @@ class ExplorerNavigator final : public Navigator {
   const FloorLearner& learner() const { return learner_; }
   const BuildingExplorer& explorer() const { return explorer_; }
   const Path& path() const { return driver_.path(); }
-  /// Up to now.
+  /// The exploration so far.
   ExplorationRecord record() const;
 
  private:
-  bool contacts_again(const Observation& observation);
+  bool has_new_contact(const Observation& observation);
   Decision back_off(const Observation& observation);
-  void note_touch();
+  void note_contact();
   void keep_trail(FloorLearner::News news);
   void mark_coverage();
   void think(FloorLearner::News news);
@@ -72,7 +72,7 @@ class ExplorerNavigator final : public Navigator {
   void count_failure();
   void leave_path();
   void give_path_up();
-  void watch_learning(const ExploringTarget& target);
+  void note_learning(const ExploringTarget& target);
   void check_retry_budget();
   Decision wait_for_floor();
   void begin_on_new_floor();
@@ -81,7 +81,7 @@ class ExplorerNavigator final : public Navigator {
   void shorten_path(double ahead_m);
   void drop_path();
   void check_path();
-  bool is_lost_for_paths();
+  bool is_stuck();
   std::string what_was_explored() const;
   Decision drive(const Observation& observation);
   void be_blocked(int direction);
@@ -98,35 +98,35 @@ class ExplorerNavigator final : public Navigator {
   PathDriver driver_;
   RetryBudget retry_budget_;
   Trail trail_;
-  bool is_look_due_ = false;        ///< floor was learned since the latest look around
-  bool is_choice_due_ = false;      ///< that showed where paths lead on: by it the next choice is made
-  bool is_turn_of_search_ = false;  ///< it was made in the latest cycle
+  bool is_look_due_ = false;        ///< floor was learned since the last look around
+  bool is_choice_due_ = false;      ///< the last look around is done, the next target is to be chosen
+  bool is_turn_of_search_ = false;  ///< the target was chosen in the last cycle
   std::optional<ExploringTarget> target_;
-  std::optional<ExploringTarget> former_;  ///< the latest, also after its path was dropped
+  std::optional<ExploringTarget> former_;  ///< the last target, kept after its path was dropped
   BlockMemory blocks_;
-  int driven_direction_ = 0;  ///< forwards (1) or backwards (-1), in the latest cycle that drove
-  bool is_touching_ = false;
-  bool is_touch_due_ = false;  ///< to be noted, as soon as the vehicle stands
+  int driven_direction_ = 0;  ///< forwards (1) or backwards (-1), in the last cycle that drove
+  bool is_in_contact_ = false;
+  bool is_contact_due_ = false;  ///< a bumper contact is to be noted as soon as the vehicle stands
   int contacts_ = 0;
-  Vec2 p_map_searched_ = Vec2::Zero();  ///< the frontier that the latest search was for
-  double searched_m2_ = 0;              ///< of floor, when that search began
+  Vec2 p_map_searched_ = Vec2::Zero();  ///< the frontier of the last search
+  double searched_m2_ = 0;              ///< free floor when that search began
   bool is_search_due_ = false;
-  bool is_stage_ = false;      ///< the path ends before what it leads to
-  bool stands_first_ = false;  ///< the search that is due begins where the vehicle comes to stand
+  bool is_stage_ = false;      ///< the path ends before its target
+  bool stands_first_ = false;  ///< the search that is due begins where the vehicle stops
   bool ends_at_home_ = false;  ///< the path does
   bool is_out_of_reach_ =
-      false;           ///< every pose was tried: none shows the target, unless it relaxes its clearance
-  TargetTries tries_;  ///< for this target
-  bool is_retreating_ = false;  ///< its path is the trail back
-  int despairs_ = 0;            ///< retreats as nothing else was left
-  bool is_wedged_ = false;      ///< no path leads out of where the vehicle stands
+      false;           ///< all poses were tried: none shows the target, unless it relaxes its clearance
+  TargetTries tries_;  ///< for the present target
+  bool is_retreating_ = false;  ///< it drives back along its trail
+  int last_retreats_ = 0;       ///< retreats made as a last resort
+  bool is_wedged_ = false;      ///< no path leads away from where the vehicle stands
   std::size_t arrived_cycle_ = 0;
   std::size_t cycle_ = 0;
   std::optional<double> begun_s_;
   double stamp_s_ = 0;
   double moved_s_ = 0;
-  double learned_m2_ = 0;      ///< of floor, when retry budget was renewed for it
-  double learned_path_m_ = 0;  ///< driven until then
+  double learned_m2_ = 0;      ///< free floor when new floor last renewed the retry budget
+  double learned_path_m_ = 0;  ///< distance travelled until then
   std::vector<CoverageMark> coverage_;
   std::string ended_because_;
   bool came_home_ = false;

@@ -12,95 +12,96 @@
 namespace aisle {
 
 struct FloorLearnerParams {
-  /// Doors' leaves stand 11 cm behind their walls. The wheels are the vehicle's own, and count the right way.
-  /// Of a room that was looked into from its door, walls are seen on a short path.
+  /// Same wall: a door's leaf stands 11 cm behind its wall. Counts: the vehicle's own odometry never counts
+  /// backwards. Drawn walls: those of a room seen through its door are visible along a short path only.
   MapParams mapping{.tracker{.motion = kReadEveryCycle, .same_wall_m = 0.06, .may_count_backwards = false},
                     .drawn_length_m = 0.3,
                     .drawn_sightings = 2};
   FloorViewParams view;
   LegParams legs;
   double cell_m = 0.05;
-  double cell_least_m = 0.025;          ///< so narrow they may become where need be
-  double look_every_m = 0.15;           ///< of path, or ...
-  double look_every_rad = 4 * kDegree;  ///< ... of turning, or ...
-  int look_every_cycles = 10;           ///< ... of time the floor is looked at
+  double cell_least_m = 0.025;          ///< cells are halved down to this where a passage is narrow
+  double look_every_m = 0.15;           ///< a scan is added to the floor after this path, or ...
+  double look_every_rad = 4 * kDegree;  ///< ... after this turn, or ...
+  int look_every_cycles = 10;           ///< ... after this time
 
   void describe(FieldList& fields);
 };
 
-/// Learns where the vehicle is and what floor there is, both at once, while it drives.
+/// Maps the floor and localises the vehicle at the same time (SLAM), while it drives.
 class FloorLearner {
  public:
-  enum class News { kNothing, kFloor, kLoop };  ///< kLoop: the whole floor was laid again
+  enum class News { kNothing, kFloor, kLoop };  ///< kLoop: the whole floor was rebuilt
 
   FloorLearner(const FloorLearnerParams& params, const VehicleDescription& vehicle,
                std::unique_ptr<ScanSource> sensor);
 
   News take(const Observation& observation);
 
-  /// The vehicle touches something that no scan shows, before its front (1) or behind its rear (-1): from
-  /// now on something stands there on the floor. After the first scan.
-  void touch(int direction);
+  /// The bumper touched something that no scan shows, at the front (1) or at the rear (-1): the floor shows
+  /// it as occupied from now on. Only after the first scan.
+  void add_contact(int direction);
 
-  /// Back where it began, by what it sees from there: lays its first scan onto the walls that it has come by
-  /// last. After the first scan.
+  /// The vehicle is back home: matches its first scan with the walls that it has seen last, and corrects
+  /// `T_map_home`. Only after the first scan.
   void settle_home();
 
-  /// Lays the whole floor again, on cells half as wide, unless that is less than they may be. Not while it is
-  /// laid again.
+  /// Begins to rebuild the whole floor with cells half as wide, unless they would get narrower than
+  /// `cell_least_m`. Not to be called while the floor is being rebuilt.
   /// @return whether it does
   bool halve_cells();
 
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
-  const Pose2& T_map_home() const { return T_map_home_; }  ///< where it began, as known now
+  const Pose2& T_map_home() const { return T_map_home_; }  ///< start pose, by what is known now
   bool has_looked() const { return !looks_.empty(); }
   const FloorGrid& floor() const { return floor_; }
   const FloorClearance& clearance() const { return clearance_; }
   const ScanSource& sensor() const { return *sensor_; }
-  /// The floor does not lie yet where it belongs: no time to drive.
-  bool is_laying_again() const { return again_.has_value(); }
-  /// What the sensor showed last.
+  /// The floor is out of date until it is rebuilt: the vehicle must stand.
+  bool is_rebuilding() const { return rebuild_.has_value(); }
+  /// The last scan.
   const ScanView& view() const { return view_; }
+  /// Distance travelled.
   double path_m() const { return travelled_m_; }
   bool is_standing() const { return is_standing_; }
   /// All scans and the odometry between them, as a log of the run.
   const LaserLog& log() const { return log_; }
-  /// One a scan, as known now.
+  /// One pose per scan, by what is known now.
   std::vector<Pose2> T_map_vehicle_of_all() const { return mapping_.T_map_vehicle_of_all(); }
-  /// The floor as all that was looked at shows it from these poses, one a scan.
+  /// The floor built with these poses instead, one per scan.
   FloorGrid floor_from(std::span<const Pose2> T_map_vehicle) const;
 
  private:
-  /// A scan that was put onto the floor.
+  /// A scan that was added to the floor.
   struct Look {
-    std::size_t scan_index = 0;  ///< of the log
+    std::size_t scan_index = 0;  ///< in the log
     std::vector<float> near_m;
-    Pose2 T_map_put;  ///< of the vehicle, where the floor shows it
+    Pose2 T_map_put;  ///< vehicle pose with which it was added
   };
-  /// Where the vehicle stood when it touched something.
-  struct Touch {
-    std::size_t scan_index = 0;  ///< the latest one then ...
-    Pose2 T_scan_vehicle;        ///< ... and where the vehicle had come since
+  /// Where the vehicle stood at a bumper contact.
+  struct Contact {
+    std::size_t scan_index = 0;  ///< last scan before it ...
+    Pose2 T_scan_vehicle;        ///< ... and the vehicle's motion since
     int direction = 0;
-    Pose2 T_map_put;  ///< of the vehicle, where the floor shows it
+    Pose2 T_map_put;  ///< vehicle pose with which it was added
   };
-  /// The floor after a place was recognised, or of narrower cells, while it is made.
-  struct LaidAgain {
-    LaidAgain(double cell_m, double far_m, const LegParams& legs) : floor(cell_m), clearance(legs, far_m) {}
+  /// The floor after a loop closure, or with narrower cells, while it is being built.
+  struct Rebuild {
+    Rebuild(double cell_m, double far_m, const LegParams& legs) : floor(cell_m), clearance(legs, far_m) {}
     FloorGrid floor;
     FloorClearance clearance;
-    std::size_t next = 0;  ///< of the looks
+    std::size_t next = 0;  ///< index in `looks_`
   };
 
   bool is_time_to_look() const;
-  bool strikes_something_new() const;
+  bool hits_something_new() const;
   FloorBox put(const Look& look, const Pose2& T_map_vehicle, FloorGrid& floor) const;
-  FloorBox put(const Touch& touch, const Pose2& T_map_vehicle, FloorGrid& floor) const;
+  FloorBox put(const Contact& contact, const Pose2& T_map_vehicle, FloorGrid& floor) const;
   void keep_scan(double stamp_s);
-  Footprint set_down_room() const;
+  Footprint initial_free_area() const;
   bool places_moved();
-  void begin_again();
-  bool lay_on();
+  void begin_rebuild();
+  bool continue_rebuild();
 
   FloorLearnerParams params_;
   VehicleDescription vehicle_;
@@ -108,16 +109,16 @@ class FloorLearner {
   OnlineMapping mapping_;
   FloorGrid floor_;
   FloorClearance clearance_;
-  std::optional<LaidAgain> again_;
+  std::optional<Rebuild> rebuild_;
   double cell_m_;
-  std::vector<Pose2> T_map_of_all_;  ///< when the floor was laid again last
+  std::vector<Pose2> T_map_of_all_;  ///< one per scan, when the floor was last rebuilt
   ScanView view_;
   std::vector<Look> looks_;
-  std::vector<Touch> contacts_;
+  std::vector<Contact> contacts_;
   LaserLog log_;
   int cycles_since_look_ = 0;
   Pose2 T_odom_vehicle_;
-  Pose2 T_scan_vehicle_;  ///< since the latest scan, by odometry
+  Pose2 T_scan_vehicle_;  ///< since the last scan, by odometry
   Pose2 T_map_vehicle_;
   Pose2 T_map_home_;
   Pose2 T_map_looked_;

@@ -9,17 +9,17 @@
 
 namespace aisle {
 
-/// What the sensor could show from some pose.
+/// What the scan source can show from some pose.
 struct FrontierLook {
   const LaserScanner& fan;
-  std::span<const float> near_m;  ///< nearer than this a beam shows nothing, one a beam
-  double reach_m = 0;             ///< farther away nothing is looked for
+  std::span<const float> near_m;  ///< one per beam: it shows nothing nearer than this; empty: no limit
+  double reach_m = 0;             ///< points farther away do not count
 };
 
-/// Whether at least `enough` points of a frontier's rim would be seen from there: within reach and within the
-/// fan, with nothing between that stands or is unknown.
-/// @param clearance  of the floor: free floor is passed in strides
-bool sees_rim(const FrontierLook& look, const FloorGrid& floor, const FloorClearance& clearance,
-              const Pose2& T_map_vehicle, const Frontier& frontier, std::size_t enough);
+/// Whether at least `enough` points of a frontier's edge would be seen from there: within reach, inside the
+/// scan's field of view, and with neither obstacles nor unknown floor in between.
+/// @param clearance  of `floor`; lets the ray casting skip over free floor
+bool sees_frontier(const FrontierLook& look, const FloorGrid& floor, const FloorClearance& clearance,
+                   const Pose2& T_map_vehicle, const Frontier& frontier, std::size_t enough);
 
 }  // namespace aisle

@@ -1,5 +1,5 @@
 #pragma once
-/// Drives to places of a building that is known: it was explored before.
+/// Goal navigation: drives to places in a building that was explored before.
 
 #include <cstddef>
 #include <memory>
@@ -37,14 +37,15 @@ struct GuideNavigatorParams {
   void describe(FieldList& fields);
 };
 
-/// Knows where it is by the building's walls, plans on the floor as it was learned and as it is seen now, and
-/// drives to one place after the other. What stands in its path is gone round, if need be through other
-/// corridors, and so are the building's barriers; where no path is left it waits, and gives up in the end.
+/// Localises by the building's walls, plans on the learned floor, updated by what it sees now, and drives to
+/// one place after the other. It detours around obstacles, through other corridors if need be, and around the
+/// building's barriers. Where no path is left it waits, and finally gives up.
 class GuideNavigator final : public Navigator {
  public:
   /// @param building       with walls and floor; must outlive the navigator
-  /// @param T_map_start    where the vehicle stands, about
-  /// @param p_map_places   to drive to, in order
+  /// @param T_map_start    approximate pose of the vehicle
+  /// @param p_map_places   goals, in this order
+  /// @throws std::invalid_argument if the building has no floor
   GuideNavigator(const GuideNavigatorParams& params, const VehicleDescription& vehicle,
                  const Building& building, const Pose2& T_map_start, std::vector<Vec2> p_map_places,
                  std::unique_ptr<ScanSource> sensor);
@@ -54,9 +55,9 @@ class GuideNavigator final : public Navigator {
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
   const WallLocaliser& localiser() const { return localiser_; }
   std::size_t places_reached() const { return next_; }
-  /// How often a path was left because something had come into it.
+  /// How often a path was dropped because it was no longer free.
   std::size_t ways_closed() const { return ways_closed_; }
-  /// What it drives along; empty while it stands.
+  /// The path that it follows; empty while it stands.
   const Path& path() const { return driver_.path(); }
   /// The floor as it is known now.
   const FloorGrid& floor() const { return floor_; }
@@ -82,16 +83,16 @@ class GuideNavigator final : public Navigator {
   StagedSearch search_;
   PathDriver driver_;
   std::vector<Vec2> p_map_places_;
-  std::size_t next_ = 0;  ///< of the places
+  std::size_t next_ = 0;  ///< index in `p_map_places_`
   ScanView view_;
-  Pose2 T_scan_vehicle_;  ///< since the latest scan, by odometry
+  Pose2 T_scan_vehicle_;  ///< since the last scan, by odometry
   Pose2 T_map_vehicle_;
   Pose2 T_map_looked_;
   std::optional<double> begun_s_;
   double looked_s_ = 0;
-  double sure_s_ = 0;                         ///< when it last knew where it was
-  double hopeful_s_ = 0;                      ///< when it last got on
-  Vec2 p_map_hopeful_ = Vec2::Constant(1e9);  ///< where that was
+  double localised_s_ = 0;                     ///< when it last knew where it was
+  double progress_s_ = 0;                      ///< when it last got on
+  Vec2 p_map_progress_ = Vec2::Constant(1e9);  ///< where that was
   double searched_s_ = 0;
   int blocked_direction_ = 0;       ///< in which the vehicle could just not go on: forwards 1, backwards -1
   bool relaxes_clearance_ = false;  ///< through less room, as the search before found no path

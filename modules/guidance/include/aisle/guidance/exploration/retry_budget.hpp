@@ -6,26 +6,27 @@
 namespace aisle {
 
 struct RetryBudgetParams {
-  double time_s = 90;       ///< for a target without learning anything, and ...
-  double time_s_per_m = 8;  ///< ... so much more for each metre of path to it
-  double path_m = 12;       ///< that may be driven for it, and ...
-  double path_factor = 3;   ///< ... so much more for each metre of path to it
+  double time_s = 90;       ///< for a target, without learning anything new, plus ...
+  double time_s_per_m = 8;  ///< ... this for each metre of path to it
+  double path_m = 12;       ///< driven for a target, plus ...
+  double path_factor = 3;   ///< ... this for each metre of path to it
   int hitches = 5;          ///< paths that may fail on one spot
 
   void describe(FieldList& fields);
 };
 
-/// Ends what leads nowhere: a vehicle that wants to get to a target, and neither comes nearer to it nor
-/// learns anything on the way.
+/// Limits the time, path and failures spent on one target while nothing new is learned.
 class RetryBudget {
  public:
   explicit RetryBudget(const RetryBudgetParams& params) : params_(params) {}
 
-  /// A target was chosen, or something was learned: everything begin again.
+  /// A target was chosen, or something was learned: the whole budget starts again.
+  /// @param path_m    distance travelled so far
+  /// @param target_m  path to the target
   void renew(double stamp_s, double path_m, double target_m);
-  /// A path of this length was found: it may be driven to its end, however near the target had seemed.
+  /// A path of length `found_m` was found: it may be driven to its end, even if the target had seemed nearer.
   void allow(double stamp_s, double path_m, double found_m);
-  /// A path could not be driven to its end, or there was none, while the vehicle stood here.
+  /// While the vehicle stood here, no path was found, or one could not be driven to its end.
   void count_failure(const Pose2& T_map_vehicle);
   bool is_over(double stamp_s, double path_m) const;
 
@@ -33,7 +34,7 @@ class RetryBudget {
   RetryBudgetParams params_;
   double until_s_ = 0;
   double until_m_ = 0;
-  int hitches_ = 0;
+  int failures_ = 0;
   Pose2 T_map_failure_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What shows a scan of the surroundings at one height: a range scanner, or laser markers seen by a camera.
+/// Sources of 2-D scans at one height: a range scanner, or line lasers seen by a camera.
 
 #include <memory>
 #include <string>
@@ -10,26 +10,27 @@
 
 namespace aisle {
 
-/// A fan of ranges as LaserScanner describes it.
+/// A polar scan; LaserScanner describes its beams.
 struct ScanView {
-  std::vector<float> ranges_m;  ///< 0: nothing usable; the scanner's reach or more: nothing seen
-  std::vector<float> near_m;    ///< what is nearer was not looked at; empty: everything was
+  std::vector<float> ranges_m;  ///< one per beam. 0: no usable reading; the maximum range or more: no hit
+  std::vector<float> near_m;    ///< one per beam: the blind zone before it; empty: there is none
 };
 
 class ScanSource {
  public:
   virtual ~ScanSource() = default;
-  /// How the fan lies on the vehicle.
+  /// Beam angles, range and mounting pose of the scan.
   virtual const LaserScanner& fan() const = 0;
-  /// @return whether the observation shows a scan
+  /// @param view  set if the observation has a scan, else unchanged
+  /// @return whether it has
   virtual bool look(const Observation& observation, ScanView& view) = 0;
 };
 
 /// The vehicle's range scanner; throws std::invalid_argument if it has none.
 std::unique_ptr<ScanSource> scanner_scans(const VehicleDescription& vehicle);
 
-/// The laser markers' stripes in the images of one camera; throws std::invalid_argument if the vehicle
-/// lacks either.
+/// Scans by the laser markers' stripe in the images of one camera; throws std::invalid_argument if the
+/// vehicle lacks either.
 std::unique_ptr<ScanSource> marker_scans(const VehicleDescription& vehicle, const std::string& camera);
 
 }  // namespace aisle

@@ -6,45 +6,45 @@
 
 namespace aisle {
 
-/// What was tried for one target so far.
+/// What has been tried for one target so far.
 struct TargetTries {
   static constexpr int kFailuresNear = 2;
 
-  int paths = 0;     ///< were driven and did not settle it
-  int failures = 0;  ///< searches found no path
+  int paths = 0;     ///< driven without settling it
+  int failures = 0;  ///< searches without a path
 
-  /// The vehicle does not get near, not even where it relaxes its clearance through.
+  /// The vehicle cannot get near, not even with relaxed clearance: it looks from farther away.
   bool look_from_afar() const { return failures >= kFailuresNear; }
 };
 
 struct TargetDistances {
-  double look_from_m = 2.5;      ///< so near to what it wants to see
-  double pocket_reach_m = 3;     ///< so near to a pocket
+  double look_from_m = 2.5;      ///< from which a frontier is looked at
+  double pocket_reach_m = 3;     ///< from which an occluded pocket is looked at
   double crossing_near_m = 0.5;  ///< so near to a crossing the vehicle is back at it
 };
 
-/// Paths to what an explorer wants next: to a pose that shows a path, back to a crossing, home.
+/// Plans paths to an explorer's next target: to a pose that sees a frontier, back to a crossing, or home.
 class TargetSearch {
  public:
-  /// @param search   by which paths are searched; outlives this, as does
-  /// @param learner  what is known
-  /// @param front_m  of the vehicle, from its origin
+  /// @param search   must outlive this
+  /// @param learner  the known floor; must outlive this
+  /// @param front_m  from the vehicle's origin to its front
   TargetSearch(StagedSearch& search, const FloorLearner& learner, const TargetDistances& distances,
                double front_m);
   TargetSearch(const TargetSearch&) = delete;
   TargetSearch& operator=(const TargetSearch&) = delete;
 
-  /// Begins to look for a path from a pose. A path home ends exactly there, or near it.
+  /// Begins the search for a path from a pose. A path home ends exactly there, or near it.
   void look_for(const ExploringTarget& target, const Pose2& T_map_from, const TargetTries& tries,
                 bool exactly_home);
-  /// Of the search for a frontier that was begun; see StagedSearch.
+  /// For the search for a frontier that was begun; see StagedSearch.
   void search_from_ends_too(const TargetTries& tries);
-  /// The frontier that is looked for, as it is seen by now.
+  /// Updates the frontier that is searched for.
   void see(const Frontier& frontier) { frontier_ = frontier; }
 
-  /// What was found, or is searched, ends exactly at home.
+  /// Whether the path found or searched for ends exactly at home.
   bool leads_home() const { return goes_home_ && home_search_.leads_home(); }
-  /// What was found. Empty: the vehicle is there already.
+  /// The path found. Empty: the vehicle is there already.
   Path path() const { return goes_home_ ? home_search_.path() : search_.path(); }
 
  private:

@@ -9,25 +9,23 @@
 
 namespace aisle {
 
-/// Where the vehicle came from: what it drove over is free, so it can go back there as it came, where no
-/// other path is found. What it has gone back is forgotten.
+/// The path that the vehicle came along. The floor that it drove over is free, so it can go back as it came
+/// where no other path is found. What it has gone back over is forgotten.
 class Trail {
  public:
-  /// Once a cycle, on the way on.
-  /// @param scan  the latest of the log
+  /// Once a cycle, while driving on.
+  /// @param scan  index of the last scan in the log
   void go_on(const Pose2& T_map_vehicle, std::size_t scan);
-  /// Once a cycle, on the way back.
+  /// Once a cycle, while driving back along the trail.
   void go_back(const Pose2& T_map_vehicle);
-  /// A place was recognised.
-  /// @param T_map_vehicle  one a scan
+  /// Moves the trail with its scans after a loop closure.
+  /// @param T_map_vehicle  one pose per scan
   void lay_again(std::span<const Pose2> T_map_vehicle);
 
-  /// Back along the trail from where the vehicle stands, which is at its end; forwards where it came
-  /// backwards.
-  /// @param path_m  at least so far, and on ...
-  /// @param is_roomy  ... to a place where the vehicle can do something else again; or else to the trail's
-  /// start
-  /// @return empty: no trail is left
+  /// The path back along the trail from its end, where the vehicle stands; forwards where it came backwards.
+  /// @param path_m    minimum length ...
+  /// @param is_roomy  ... after which it ends where there is enough clearance, or at the trail's start
+  /// @return empty if no trail is left
   Path path_back(const Pose2& T_map_vehicle, double path_m,
                  const std::function<bool(const Pose2& T_map_vehicle)>& is_roomy) const;
 
@@ -39,7 +37,7 @@ class Trail {
 
   std::vector<Mark> marks_;
   Mark latest_;        ///< where the vehicle was a cycle ago
-  int direction_ = 0;  ///< forwards 1, backwards -1: how it drove last
+  int direction_ = 0;  ///< in which it drove last: forwards 1, backwards -1
 };
 
 }  // namespace aisle

@@ -9,12 +9,12 @@
 
 namespace aisle {
 
-/// Notices that hardly any of the landmarks that should be seen is, image after image: where much is in
-/// view something fits somehow everywhere, and a lifted vehicle would go on by that. It is noticed the sooner
-/// where most of them were seen until then.
+/// Detects kidnapping when image after image shows hardly any of the landmarks that should be in view. Where
+/// much is in view, something fits everywhere, and a kidnapped vehicle would go on by that. Detection is
+/// faster if most landmarks were seen until then.
 class ExpectationMonitor {
  public:
-  /// Nothing that was seen so far counts.
+  /// Forgets what was seen so far.
   void start() { *this = {}; }
 
   /// Takes in what one image should show.
@@ -32,7 +32,7 @@ class ExpectationMonitor {
 
  private:
   static constexpr std::size_t kImages = 10;
-  static constexpr std::size_t kAtOnce = 4;   ///< images, after kPictures others that showed most
+  static constexpr std::size_t kAtOnce = 4;   ///< images, after kImages others that showed most
   static constexpr int kExpectedLeast = 60;   ///< in all images together
   static constexpr int kExpectedAtOnce = 24;  ///< the same
   static constexpr int kSeenOneIn = 10;

@@ -52,52 +52,53 @@ struct LandmarkNavigatorParams {
   void describe(FieldList& fields);
 };
 
-/// Where the vehicle thinks that it is, for those who look on.
+/// The vehicle's pose estimate, for display.
 struct LandmarkFix {
   UncertainPose2 T_map_vehicle;
-  bool is_sure = false;  ///< not lost, and not looking for itself
-  bool is_lost = false;  ///< or on the return path onto its route
+  bool is_sure = false;  ///< it follows its route
+  bool is_lost = false;  ///< it is lost, or on its way back onto its route
 };
 
-/// Looks where it stands at the route's start, then drives the route, its pose corrected by every image
-/// that fits the map; goes on by odometry where none does, the slower the less sure it is. If it sees other
-/// things than a moment ago it stops and looks whether it is still where it believes to be. Lost (it is not,
-/// or is too unsure, or sees other things than are known here) it stops and looks for itself along all
-/// routes, explores a few metres of floor to see more where that is safe, comes back onto its route and
-/// drives on, or gives up. It waits for what stands on its route, and for its camera, and gives up if that
-/// lasts, or before a barrier of the building.
+/// Localises at the route's start, then drives the route. Every image that fits the map corrects its pose;
+/// without one it goes on by odometry, slower as its uncertainty grows. If the view changes suddenly, it
+/// stops and checks whether it is still where it believes to be. It is lost if it is elsewhere, too
+/// uncertain, or sees what the map does not contain. Then it stops, relocalises along all routes, and where
+/// that is safe explores a few metres of floor to see more; it returns to its route and drives on, or gives
+/// up. It waits for obstacles on its route and for its camera, and gives up if that lasts, or before a
+/// barrier of the building.
 class LandmarkNavigator final : public Navigator {
  public:
-  /// @param building  with landmarks and their camera, which the vehicle has; must outlive the navigator
+  /// @param building  with landmarks and the camera that saw them; must outlive the navigator
   /// @param route     of the building, or its return path (Path::reversed)
+  /// @throws std::invalid_argument if the vehicle lacks that camera
   LandmarkNavigator(const LandmarkNavigatorParams& params, const VehicleDescription& vehicle,
                     const Building& building, const Path& route);
 
   Decision step(const Observation& observation) override;
 
   LandmarkFix fix() const;
-  /// What the last image showed and which landmarks that was.
+  /// Lines in the last image, as landmark sightings; empty in a cycle without an image.
   const std::vector<LandmarkSighting>& sightings() const { return sightings_; }
   const std::vector<VerticalLine>& lines() const { return detector_.lines(); }
   const std::vector<Vec2>& p_vehicle_lit() const { return guard_.p_vehicle_lit(); }
   const LandmarkLocaliser& localiser() const { return localiser_; }
 
  private:
-  enum class State { kLooking, kFollowing, kDoubting, kLost, kReturning };
+  enum class State { kLooking, kFollowing, kCheckingConsistency, kLost, kReturning };
 
   void place(const UncertainPose2& T_map_vehicle);
   void locate(const Observation& observation);
-  void watch_for_lift();
+  void check_for_kidnapping();
   std::string why_lost() const;
   void begin(State state);
   void go_on(State state);
   Decision look_around(double stamp_s);
   Decision check_consistency();
-  Decision find_itself(const Observation& observation);
+  Decision relocalise(const Observation& observation);
   bool may_search() const;
   Decision search(const Observation& observation);
   Decision found(const Pose2& T_map_vehicle, const Observation& observation);
-  Decision come_back(const Observation& observation);
+  Decision return_to_route(const Observation& observation);
   Decision follow(const Observation& observation);
   Decision guarded(Decision decision);
 
@@ -123,19 +124,19 @@ class LandmarkNavigator final : public Navigator {
   std::vector<LandmarkSighting> sightings_;
   std::vector<SensedSegment> edges_on_floor_;
   State state_ = State::kLooking;
-  State interrupted_ = State::kFollowing;  ///< by the last inconsistency
+  State interrupted_ = State::kFollowing;  ///< by the last consistency check
   std::string why_lost_;
-  bool was_kidnapped_ = false;  ///< perhaps: everything looks other than a moment ago
-  bool has_jumped_ = false;     ///< the same: walls stand elsewhere, or all lines are gone or new
+  bool was_kidnapped_ = false;  ///< suspected: the view has changed suddenly
+  bool has_jumped_ = false;     ///< suspected: walls stand elsewhere, or all lines are gone or new
   bool has_looked_ = false;     ///< this cycle has an image
-  std::unique_ptr<ExplorerNavigator> explorer_;  ///< of the floor around, while it is lost
-  std::unique_ptr<PathToRoute> path_to_route_;   ///< that it takes once it has found itself beside it
-  double searched_m_ = 0;                        ///< driven since it was lost
-  double searched_s_ = 0;                        ///< when it was lost, or drove since then
+  std::unique_ptr<ExplorerNavigator> explorer_;  ///< explores the floor around while it is lost
+  std::unique_ptr<PathToRoute> path_to_route_;   ///< once it has relocalised off its route
+  double searched_m_ = 0;                        ///< distance driven since it was lost
+  double searched_s_ = 0;                        ///< when it was lost, or last drove since then
   LandmarkMatch match_ = LandmarkMatch::kNothing;
   std::optional<double> state_since_s_;
   double stamp_s_ = 0;
-  double matched_stamp_s_ = 0;  ///< of the latest image that fitted, or that showed nothing
+  double matched_stamp_s_ = 0;  ///< of the last image that fitted, or that showed nothing
 };
 
 }  // namespace aisle

@@ -7,11 +7,11 @@
 
 namespace aisle {
 
-/// How far the vehicle has moved since an image, by its odometry: farther on or round, other things come
-/// into view by themselves, and no other image tells anything beside that one.
+/// How far the vehicle has moved since an image, by its odometry. After too much motion the view differs
+/// anyway, and comparing another image with that one tells nothing.
 class MotionSince {
  public:
-  /// The image is taken now.
+  /// The reference image is taken now.
   void start() { *this = {}; }
 
   void move(const Pose2& T_before_now) {

@@ -9,32 +9,32 @@
 
 namespace aisle {
 
-/// Brings a vehicle that has found itself beside its route, or facing another way, onto it: back and forth
-/// over floor that it has seen while it looked for itself.
+/// Brings a vehicle that has relocalised off its route, or facing another way, back onto it, over floor that
+/// it has explored meanwhile.
 class PathToRoute {
  public:
   enum class State {
-    kSearching,  ///< stands
+    kSearching,  ///< the vehicle stands
     kDriving,
-    kThere,  ///< on the route, pointing as it does
+    kThere,  ///< on the route, heading along it
     kNoPath,
   };
 
-  /// @param speed  on the way
-  /// @param floor  as it is known now, in a frame of its own
+  /// @param speed  on the path to the route
+  /// @param floor  as known now, in its own frame; copied, as is `clearance`
   PathToRoute(const VehicleDescription& vehicle, const SteeringParams& steering, const SpeedParams& speed,
               const FloorGrid& floor, const FloorClearance& clearance);
 
-  /// @param T_map_floor  where that frame lies
-  /// @param T_map_vehicle  which stands
+  /// @param T_map_floor    pose of that frame
+  /// @param T_map_vehicle  pose of the standing vehicle
   void begin(const Path& route, const Pose2& T_map_floor, const Pose2& T_map_vehicle);
 
   /// Once a cycle.
-  /// @param command  standing, unless it drives
-  /// @param steering_rad  as the wheels stand now
+  /// @param steering_rad  present steering angle
+  /// @param command       set; speed 0 unless it drives
   State step(const Pose2& T_map_vehicle, double steering_rad, Command& command);
 
-  /// Where it leads next, for whoever watches what comes into the path; empty unless it drives.
+  /// The path ahead, for an obstacle guard; empty unless it drives.
   PathAhead ahead(const Pose2& T_map_vehicle, double reach_m) const;
 
  private:
@@ -47,7 +47,7 @@ class PathToRoute {
   CarSearch search_;
   PathDriver driver_;
   Pose2 T_floor_map_;
-  std::vector<Pose2> T_floor_route_;  ///< places along it that may be reached
+  std::vector<Pose2> T_floor_route_;  ///< goal poses along the route
   State state_ = State::kNoPath;
 };
 

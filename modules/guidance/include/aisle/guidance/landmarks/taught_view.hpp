@@ -8,26 +8,26 @@
 
 namespace aisle {
 
-/// The floor that was in a camera's view while routes were taught. Of what stands elsewhere the map says
-/// nothing: on a return path, what is beyond the place from which a route began was behind the vehicle.
+/// The floor that was in a camera's view while routes were taught. The map says nothing about anything
+/// elsewhere: on a return path, what lies beyond the route's start was behind the vehicle when it was taught.
 class TaughtView {
  public:
   explicit TaughtView(const FloorInImage& floor) : floor_(floor) {}
 
-  /// The route was driven along its path, the camera ahead.
+  /// Adds a route that was driven along its path, with the camera looking ahead.
   void add(const Path& route);
 
-  /// Whether the point of the floor was in view from some place of a route, at most 7 m before the vehicle.
-  /// What stood before it is left out of account. The cost does not grow with the building.
+  /// Whether a point of the floor was in view from some place of a route, at most 7 m away. Occlusion is not
+  /// considered. The cost does not grow with the building.
   bool shows(const Vec2& p_map);
 
  private:
   bool shows_from(const Pose2& T_map_vehicle, const Vec2& p_map) const;
 
-  FloorInImage floor_;  ///< of the camera
-  std::vector<Pose2> T_map_taught_;
-  CellIndex index_;        ///< of these
-  std::vector<int> near_;  ///< of them to the point that is asked for
+  FloorInImage floor_;
+  std::vector<Pose2> T_map_taught_;  ///< vehicle poses along the routes
+  CellIndex index_;                  ///< of these poses
+  std::vector<int> near_;            ///< those near the point in question; kept for its memory
 };
 
 }  // namespace aisle

@@ -9,27 +9,27 @@
 
 namespace aisle {
 
-/// On how much path the vehicle has seen things of which none is known. Unknown things contradict nothing
-/// where the map has a gap, and standing the vehicle sees the same ones again and again. A long path of them
-/// does, and a chance match among them does not make them good.
+/// Measures along how much path the vehicle has seen lines of which none is known. A few unknown lines
+/// contradict nothing, as the map may have a gap, and a standing vehicle sees the same ones again and again.
+/// A long path of them does contradict it, and a single chance match does not cancel them.
 class UnmatchedMonitor {
  public:
-  /// @param taught  of what stands elsewhere nothing can be known
-  /// @param sightings_min  fewer unknown things make no image unmatched
+  /// @param taught         only lines inside this view can be known
+  /// @param sightings_min  an image with fewer unknown lines is not unmatched
   UnmatchedMonitor(TaughtView taught, int sightings_min)
       : taught_(std::move(taught)), sightings_min_(sightings_min) {}
 
-  /// Nothing that was seen so far counts.
+  /// Forgets what was seen so far.
   void start();
 
   /// Takes in an image.
   /// @param fits  it shows what is known where the vehicle believes to be
-  /// @param path_m  since the image before
+  /// @param path_m  distance since the previous image
   void look(std::span<const LandmarkSighting> image, bool fits, const Pose2& T_map_believed, double path_m);
 
-  /// Of the last image.
+  /// Whether the last image is unmatched.
   bool is_unmatched() const { return is_unmatched_; }
-  /// Unmatched images add to it, one that fits halves it.
+  /// Path with unmatched images; an image that fits halves it.
   double path_m() const { return travelled_m_; }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// The barrier that a vehicle meets that does what it is commanded and then brakes; null: none.
+/// The barrier that a vehicle would meet if it executed the command and then braked; nullptr: none.
 const Barrier* barrier_ahead(std::span<const Barrier> barriers, const VehicleDescription& vehicle,
                              const Pose2& T_map_vehicle, const Command& command);
 

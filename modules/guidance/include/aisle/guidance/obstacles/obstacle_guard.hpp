@@ -1,5 +1,5 @@
 #pragma once
-/// Keeps any navigator from driving against something.
+/// Keeps any navigator from driving into an obstacle.
 
 #include <array>
 #include <optional>
@@ -36,7 +36,7 @@ struct ObstacleGuardParams {
 };
 
 enum class GuardState {
-  kFree,     ///< the wished command, or slower because something is ahead
+  kFree,     ///< the requested command, or slower because something is ahead
   kWaiting,  ///< stands until the path is free or the camera is back
   kBlocked,  ///< has waited too long: the navigator should give up or turn back
 };
@@ -44,57 +44,57 @@ enum class GuardState {
 struct Guarded {
   Command command;
   GuardState state = GuardState::kFree;
-  std::string why;          ///< one line for people; empty while nothing is in the path
-  double free_ahead_m = 0;  ///< that the vehicle can go; at most `reach_m`
+  std::string why;          ///< one line for the user; empty while nothing is in the path
+  double free_ahead_m = 0;  ///< free path ahead of the vehicle; at most `reach_m`
 };
 
-/// Stands between a navigator and the vehicle: lets the vehicle go only as fast as it can stop before the
-/// first thing that stands where its footprint will be, and only while its camera shows what is there. It
-/// sees things by the laser markers' stripe, by the range scanner, and by the floor's edges where a navigator
-/// finds them; a vehicle with none of these is only kept from driving without images. Nothing sees behind:
-/// reversing is slow.
+/// Sits between a navigator and the vehicle. Limits the speed so that the vehicle can stop before the first
+/// obstacle in the path of its footprint, and stops it while its camera fails. It detects obstacles by the
+/// laser markers' stripe, by the range scanner, and by the floor's edges if a navigator passes them in; a
+/// vehicle with none of these is only kept from driving without images. Nothing looks behind, so reversing is
+/// slow.
 class ObstacleGuard {
  public:
-  /// @param camera  to look with; null: none
+  /// @param camera  to look with; nullptr: none
   ObstacleGuard(const VehicleDescription& vehicle, const ObstacleGuardParams& params,
                 const CameraDescription* camera);
 
-  /// Whether it has the means to: laser markers in view of its camera, or a range scanner.
+  /// Whether it can detect obstacles by itself: with laser markers and a camera, or with a range scanner.
   bool sees_obstacles() const { return stripe_ || vehicle_.scanner; }
 
   /// Once a cycle, before `allow`.
-  /// @return the camera's image if it has come in time, is not the one before again, and shows something
+  /// @return the camera's image if this observation has one that can be trusted (ImageMonitor), else nullptr
   const CameraImage* look(const Observation& observation);
 
-  /// Where the last image shows laser light [vehicle frame], on the way or not.
+  /// Laser returns in the last image [vehicle frame], in the path or not.
   const std::vector<Vec2>& p_vehicle_lit() const { return sight_.p_vehicle_lit; }
 
-  /// Takes in where the floor ends in the image that `look` has just returned. A thing that is seen so
-  /// counts from the second image in a row on, and as long as it is in view: `gap_m` must leave it there.
+  /// Takes in where the floor ends in the image that `look` has just returned. An obstacle seen this way
+  /// counts from the second image in a row on, and only while it is in view, so `gap_m` must keep it there.
   void see_floor(std::span<const SensedSegment> edges);
 
-  /// What the vehicle may do of what a navigator requests.
-  /// @param path  where `wished` leads to; forwards
-  Guarded allow(const Command& wished, const PathAhead& path);
+  /// Limits a navigator's command to what is safe.
+  /// @param path  where `requested` leads to; forwards
+  Guarded allow(const Command& requested, const PathAhead& path);
 
  private:
   struct StampedPose {
     double stamp_s = 0;
     Pose2 T_odom_vehicle;
   };
-  /// What the last image shows of laser light.
+  /// Laser light in the last image.
   struct Sight {
     StampedPose taken;
     std::vector<Vec2> p_vehicle_lit;
     bool is_new = false;
   };
-  /// What the last image shows of the floor's end.
+  /// Ends of the floor in the last image.
   struct FloorSight {
     StampedPose taken;
     std::vector<Vec2> p_vehicle_end;
-    int sightings = 0;  ///< images in a row that show it on the way
+    int sightings = 0;  ///< images in a row that show one in the path
     bool is_new = false;
-    bool is_used = false;  ///< at all
+    bool is_used = false;  ///< the navigator passes the floor's edges in
   };
 
   void move(const Observation& observation);
@@ -105,14 +105,14 @@ class ObstacleGuard {
   void judge_floor(const PathAhead& path);
   double free_ahead_m(const PathAhead& path);
   double speed_before(double free_m) const;
-  Command limited(const Command& wished) const;
+  Command limited(const Command& requested) const;
   Guarded waiting(Guarded guarded, const std::string& why);
 
   VehicleDescription vehicle_;
   ObstacleGuardParams params_;
-  std::optional<ImageMonitor> watch_;
+  std::optional<ImageMonitor> monitor_;
   std::optional<StripeFan> stripe_;
-  Image grey_;  ///< of coloured images
+  Image grey_;  ///< conversion buffer for coloured images
   ObstacleMemory memory_;
   std::array<StampedPose, 16> poses_;
   std::size_t moves_ = 0;
@@ -121,7 +121,7 @@ class ObstacleGuard {
   std::vector<Vec2> p_vehicle_lit_on_path_;
   std::vector<Vec2> p_vehicle_scanned_;
   FloorSight floor_;
-  std::optional<double> lit_s_;  ///< when laser light was seen last
+  std::optional<double> lit_s_;  ///< when laser light was last seen
   std::optional<double> waiting_from_s_;
   double free_from_s_ = 0;
 };

@@ -16,20 +16,20 @@ struct ObstacleMemoryParams {
   void describe(FieldList& fields);
 };
 
-/// What stood in the path in the last images and may stand there still, in the odometry's frame. A place is
-/// forgotten when a few images show it free, or when it has not been in view for a while: what the vehicle
-/// has come too near to see is not taken for gone at once. No allocation: at most 256 places.
+/// Obstacles that the last images showed in the path, in the odometry frame. One is forgotten when a few
+/// images show its place free, or when it has not been seen for a while: an obstacle that has become too near
+/// to be seen must not be taken for gone at once. Holds at most 256 places, without allocation.
 class ObstacleMemory {
  public:
   explicit ObstacleMemory(const ObstacleMemoryParams& params);
 
-  /// Takes in what one image shows in the path.
-  /// @param stripe          that has read the image
-  /// @param T_odom_vehicle  where the vehicle was when it was taken
+  /// Takes in the laser returns that one image shows in the path.
+  /// @param stripe          has read that image
+  /// @param T_odom_vehicle  vehicle pose when it was taken
   void see(const std::vector<Vec2>& p_vehicle_lit, const StripeFan& stripe, const Pose2& T_odom_vehicle,
            double stamp_s);
 
-  /// The places that count, in the frame of the vehicle at a pose; valid until the next call.
+  /// The obstacles seen often enough, in the frame of the vehicle at a pose; valid until the next call.
   const std::vector<Vec2>& places(const Pose2& T_odom_vehicle);
 
  private:

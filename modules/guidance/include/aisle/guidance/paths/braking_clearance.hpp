@@ -9,26 +9,26 @@
 
 namespace aisle {
 
-/// Whether a vehicle may go on as commanded: until it could stand still again, its whole footprint stays on
-/// known free floor and off what its sensor strikes just now, whether the floor shows that already or not.
+/// Checks whether a vehicle may go on as commanded: until it could stop, its whole footprint must stay on
+/// known free floor and off the present laser returns, whether the floor shows these already or not.
 class BrakingClearance {
  public:
-  /// @param margin_m  around the footprint; where the vehicle has less already, it must not become less still
+  /// @param margin_m  around the footprint; where the vehicle has less already, it must not become even less
   BrakingClearance(const VehicleDescription& vehicle, double margin_m);
 
-  /// What the sensor shows now.
+  /// Takes in the present scan.
   void see(const LaserScanner& fan, std::span<const float> ranges_m);
 
-  /// Whether the vehicle would stand off what the sensor strikes now, or at least not nearer to it.
+  /// Whether the vehicle would keep its distance from the present laser returns, or at least not lose any.
   bool is_off_hit(const Pose2& T_vehicle_later) const;
 
-  /// @param steering_rad  as the wheels stand now
+  /// @param steering_rad  present steering angle
   bool is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                const Command& command, double steering_rad) const;
 
-  /// The same on the vehicle's own trail: what is under its footprint must be free; what the floor shows
-  /// beside it does not matter, as that may have come out thicker than it is, and what the sensor strikes may
-  /// be nearer, as it was passed before.
+  /// The same on the vehicle's own trail: only the floor under its footprint must be free. Obstacles beside
+  /// it do not matter, as the floor may show them thicker than they are; laser returns may be nearer, as the
+  /// vehicle has passed them before.
   bool is_free_on_trail(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                         const Command& command, double steering_rad) const;
 
@@ -42,8 +42,8 @@ class BrakingClearance {
   double hit_m(const Pose2& T_vehicle_later) const;
 
   VehicleDescription vehicle_;
-  FootprintClearance room_;
-  std::vector<Vec2> p_vehicle_hit_;  ///< near enough to matter
+  FootprintClearance footprint_clearance_;
+  std::vector<Vec2> p_vehicle_hit_;  ///< laser returns that are near enough to matter
   double hit_now_m_ = 0;             ///< from the footprint to the nearest of them
 };
 

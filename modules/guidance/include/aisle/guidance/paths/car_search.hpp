@@ -1,6 +1,6 @@
 #pragma once
-/// Paths for a vehicle that cannot go sideways: a search over poses, forwards and backwards, along arcs that
-/// its wheels can drive, with its whole footprint kept on known free floor.
+/// Plans paths for a vehicle that cannot move sideways: a lattice search over poses, forwards and backwards,
+/// along arcs that it can drive, with its whole footprint kept on known free floor.
 
 #include <cstdint>
 #include <functional>
@@ -19,20 +19,20 @@ namespace aisle {
 
 struct CarSearchParams {
   double margin_m = 0.05;            ///< around the footprint
-  double steering_share = 0.85;      ///< of the wheels' range that paths use; the rest is for keeping to them
-  double reverse_factor = 1.5;       ///< what path driven backwards costs
-  double cusp_m = 0.8;               ///< what a change of direction costs
-  double clearance_wanted_m = 0.35;  ///< less room than this on its sides costs
-  double narrow_factor = 2;          ///< so much distance more, where there is none
+  double steering_share = 0.85;      ///< of the steering range used by paths; the rest is for following them
+  double reverse_factor = 1.5;       ///< cost of path driven backwards
+  double cusp_m = 0.8;               ///< cost of a change of direction
+  double clearance_wanted_m = 0.35;  ///< less clearance than this beyond the margin costs
+  double narrow_factor = 2;          ///< cost factor added where there is no such clearance
   double heuristic_weight =
-      1.4;              ///< path that is left counts so much: finds sooner what may be a little longer
-  double stage_m = 12;  ///< what is much farther away is not searched at once
-  int expansions_max = 200000;  ///< poses looked at before the search gives up
+      1.4;                      ///< of the path left: more finds a path sooner, which may be a little longer
+  double stage_m = 12;          ///< paths that are much longer are planned in stages of this length
+  int expansions_max = 200000;  ///< poses expanded before the search gives up
 
   void describe(FieldList& fields);
 };
 
-/// One search, which goes on in portions.
+/// One search, which runs in portions.
 class CarSearch {
  public:
   enum class State { kIdle, kSearching, kFound, kNone };
@@ -40,66 +40,66 @@ class CarSearch {
 
   CarSearch(const CarSearchParams& params, const VehicleDescription& vehicle);
 
-  /// From where the vehicle stands to a pose that is good enough.
-  /// @param left_m  how far it still is from a place, at least; guides the search
+  /// Searches from the vehicle's pose to any pose that is a goal.
+  /// @param left_m  heuristic: lower bound of the path from a point to the goal
   void look_for(const Pose2& T_map_vehicle, IsGoal is_goal, std::function<double(const Vec2&)> left_m);
 
-  /// From about where the vehicle stands to exactly a pose: searched from its end, so that what is missing is
-  /// missing at the start, where the steering makes up for it.
-  /// @param left_m  how far it is from the vehicle to a place, at least
+  /// Searches from about the vehicle's pose to exactly a goal pose. The search runs backwards from the goal,
+  /// so that its error is at the start, where the steering corrects it.
+  /// @param left_m  heuristic: lower bound of the path from the vehicle to a point
   void look_for_path_to(const Pose2& T_map_goal, const Pose2& T_map_vehicle,
                         std::function<double(const Vec2&)> left_m);
 
-  /// From about where the vehicle stands to any pose that is good enough and lies in a box: searched from all
-  /// of them at once. Where they are shut off from the vehicle, few poses are to be looked at to know that.
-  /// @param left_m  how far it is from the vehicle to a place, at least
+  /// Searches from about the vehicle's pose to any good pose in a box. The search runs backwards from all of
+  /// them at once: if they are shut off from the vehicle, it takes few expansions to know that.
+  /// @param left_m  heuristic: lower bound of the path from the vehicle to a point
   void look_for_path_to_any(IsGoal is_good, const FloorBox& places, const Pose2& T_map_vehicle,
                             std::function<double(const Vec2&)> left_m);
 
-  /// Of the search that was begun: the path must not begin forwards (1) or backwards (-1), where something is
-  /// in the path that the floor does not show.
+  /// For the search that was begun: the path must not begin forwards (1) or backwards (-1), because something
+  /// stands there that the floor does not show.
   void forbid_first(int direction) { forbidden_first_ = direction; }
 
-  /// Of the search that was begun: poses that do not pass are never taken, whatever the floor shows.
+  /// For the search that was begun: only poses that pass this test are used, whatever the floor shows.
   void keep_to(std::function<bool(const Pose2& T_map_vehicle)> is_free) { is_free_ = std::move(is_free); }
 
-  /// Of the search that was begun: sharper bends will do, and less room than the margin. For where there is
-  /// no path otherwise, as both make it harder to keep to what was found.
+  /// For the search that was begun: allows sharper bends, and less clearance than the margin. For use when
+  /// there is no path otherwise, as both make the path harder to follow.
   void relax_clearance() { relaxes_clearance_ = true; }
 
-  /// Looks at so many poses more, or fewer where one takes longer.
+  /// Goes on for up to `expansions` poses; fewer where one takes longer.
   State advance(const FloorGrid& floor, const FloorClearance& clearance, int expansions);
 
-  /// Forgets what was searched.
+  /// Ends the search without a path.
   void stop() { state_ = State::kIdle; }
 
   State state() const { return state_; }
-  const FootprintClearance& room() const { return room_; }
-  /// What was found. Empty: the vehicle is there already.
+  const FootprintClearance& footprint_clearance() const { return footprint_clearance_; }
+  /// The path found. Empty: the vehicle is there already.
   Path path() const;
   int expansions() const { return expansions_; }
-  /// There is nowhere else to look.
+  /// All poses that can be reached were tried.
   bool has_tried_all() const { return queue_.empty() && !has_ends_left(); }
-  /// Some pose has been come upon by both searches.
+  /// Whether both searches have reached some pose.
   bool meets(const CarSearch& other) const;
-  /// Some pose that was looked at lies so near to a place.
+  /// Whether the search has expanded a pose within this distance of a place.
   bool has_come_to(const Vec2& p_map, double within_m) const;
-  /// How far from its start the search has come, as the crow flies.
+  /// How far from its start the search has come, in a straight line.
   double reached_m() const { return reached_m_; }
 
  private:
   struct Node {
     Pose2 T_map;
     double cost_m = 0;
-    std::size_t parent = 0;  ///< itself: the search began here
+    std::size_t parent = 0;  ///< its own number: the search began here
     Arc arc;                 ///< as the vehicle drives it
     bool closed = false;
   };
-  /// An arc, and the vehicle's poses on it that are looked at.
+  /// An arc, and the vehicle's poses on it that are checked.
   struct Move {
     Arc arc;
-    std::vector<Pose2> T_from_driven = {};  ///< from where it begins, its end first
-    std::vector<Pose2> T_to_driven = {};    ///< from where it ends, its beginning first
+    std::vector<Pose2> T_from_driven = {};  ///< relative to its start, from its end on
+    std::vector<Pose2> T_to_driven = {};    ///< relative to its end, from its start on
   };
   struct Waiting {
     double estimate_m;
@@ -128,20 +128,20 @@ class CarSearch {
   std::uint64_t bin_of(const Pose2& T_map) const;
 
   CarSearchParams params_;
-  FootprintClearance room_;
+  FootprintClearance footprint_clearance_;
   std::vector<Move> moves_;
   std::vector<Move> sharp_moves_;  ///< of a search that relaxes its clearance
   IsGoal is_goal_;
   std::function<double(const Vec2&)> left_m_;
   bool from_the_end_ = false;
-  IsGoal is_end_;       ///< of a search from any of its ends ...
-  FloorBox ends_;       ///< ... in which poses are tried for that, row by row ...
-  FloorCell next_end_;  ///< ... from here on; outside: all were
-  Pose2 T_map_leave_;   ///< about which there may be little room
+  IsGoal is_end_;       ///< for a search from all good poses ...
+  FloorBox ends_;       ///< ... which are looked for in this box, row by row ...
+  FloorCell next_end_;  ///< ... from this cell on; outside the box: all were tried
+  Pose2 T_map_leave_;   ///< near this pose there may be little clearance
   State state_ = State::kIdle;
   int expansions_ = 0;
   double reached_m_ = 0;
-  RelaxedClearance leave_clearance_;  ///< room there
+  RelaxedClearance leave_clearance_;  ///< at that pose
   int forbidden_first_ = 0;
   bool relaxes_clearance_ = false;
   std::function<bool(const Pose2&)> is_free_;

@@ -4,11 +4,13 @@
 
 namespace aisle {
 
-/// The share of its speed at which a vehicle keeps to its path well enough: less where there is little room,
-/// and where the wheels have yet to turn.
-/// @param along_m  where it is on the path
-/// @param steering_rad  as the wheels stand now
-double driving_care(const VehicleDescription& vehicle, const FootprintClearance& room, const FloorGrid& floor,
-                    const FloorClearance& clearance, const Path& path, double along_m, double steering_rad);
+/// The share of its speed at which a vehicle follows its path accurately enough: less where there is little
+/// clearance, and where the wheels have yet to turn.
+/// @param along_m       where it is on the path
+/// @param steering_rad  present steering angle
+/// @return from 0.3 to 1
+double driving_care(const VehicleDescription& vehicle, const FootprintClearance& footprint_clearance,
+                    const FloorGrid& floor, const FloorClearance& clearance, const Path& path, double along_m,
+                    double steering_rad);
 
 }  // namespace aisle

@@ -9,17 +9,17 @@
 
 namespace aisle {
 
-inline constexpr double kRoomNoise_m = 0.004;  ///< of the room that a vehicle seems to have
+inline constexpr double kClearanceNoise_m = 0.004;  ///< of a measured clearance
 
-/// Beyond the margin around a footprint; negative: too little.
+/// Clearance beyond the margin around a footprint; negative: too little.
 struct RelaxedClearance {
-  double free_m = 0;      ///< of known free floor
-  double standing_m = 0;  ///< up to what is known to stand there
+  double free_m = 0;      ///< to floor that is occupied or unknown
+  double standing_m = 0;  ///< to occupied floor only
 };
 
-/// Whether a vehicle's footprint, and a margin around it, lies on floor that is known to be free: the
-/// footprint is covered by discs, which stick out over its sides by 5 mm and over its ends by 1.6 cm at most
-/// where there is little room.
+/// Checks whether a vehicle's footprint, and a margin around it, lies on known free floor. Discs cover the
+/// footprint; where there is little clearance they extend over its sides by at most 5 mm and over its ends by
+/// at most 1.6 cm.
 class FootprintClearance {
  public:
   FootprintClearance(const Footprint& footprint, double margin_m);
@@ -27,12 +27,11 @@ class FootprintClearance {
   bool fits(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle) const {
     return clearance_m(floor, clearance, T_map_vehicle, 0) >= 0;
   }
-  /// How much room there is beyond the margin; negative: too little. Less than `enough_m` is not
-  /// distinguished: there may be even less.
+  /// Clearance beyond the margin; negative: too little. A result below `enough_m` is only an upper bound.
   double clearance_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                      double enough_m = -std::numeric_limits<double>::infinity()) const;
 
-  /// The same towards what is known to stand there only.
+  /// The same, to occupied floor only.
   double standing_clearance_m(const FloorGrid& floor, const FloorClearance& clearance,
                               const Pose2& T_map_vehicle) const;
   RelaxedClearance relaxed_clearance(const FloorGrid& floor, const FloorClearance& clearance,
@@ -40,14 +39,14 @@ class FootprintClearance {
     return {clearance_m(floor, clearance, T_map_vehicle),
             standing_clearance_m(floor, clearance, T_map_vehicle)};
   }
-  /// Whether at least the whole footprint lies on known free floor, no nearer to what stands there or was not
-  /// seen than it must or than `least`, but for noise: where a vehicle is set down, it has not seen what is
-  /// beside it, and in a narrow place it may have come nearer to something than it would go.
+  /// Whether at least the whole footprint lies on known free floor, with its margin or else no less clearance
+  /// than `least`, but for noise. At its start a vehicle has not seen the floor beside it, and in a narrow
+  /// place it may have come nearer to something than it would plan to.
   bool fits_barely(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                    const RelaxedClearance& least) const {
     return fits_barely(floor, clearance, T_map_vehicle, clearance_m(floor, clearance, T_map_vehicle), least);
   }
-  /// Where `clearance_m` is known already, at least as far as `least` needs it.
+  /// The same when `clearance_m` is known already, at least as exactly as `least` needs it.
   bool fits_barely(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                    double clearance_m, const RelaxedClearance& least) const;
 
@@ -55,8 +54,8 @@ class FootprintClearance {
   bool lies_on_free(const FloorGrid& floor, const FloorClearance& clearance,
                     const Pose2& T_map_vehicle) const;
 
-  /// How far along a path, from a point on it, the vehicle fits, if barely with so much room: up to its end,
-  /// or less.
+  /// How far the vehicle fits along a path from `from_m` on, where need be barely, with clearance `least`; at
+  /// most to the path's end.
   double free_path_m(const FloorGrid& floor, const FloorClearance& clearance, const Path& path, double from_m,
                      const RelaxedClearance& least) const;
 
@@ -77,8 +76,8 @@ class FootprintClearance {
 
   Footprint footprint_;
   double margin_m_;
-  std::vector<Disc> rough_;  ///< few discs, which stick out far over its ends
-  std::vector<Disc> close_;  ///< many, which stick out little
+  std::vector<Disc> rough_;  ///< few discs, which extend far over its ends
+  std::vector<Disc> close_;  ///< many, which extend little
 };
 
 }  // namespace aisle

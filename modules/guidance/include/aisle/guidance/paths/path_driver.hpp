@@ -12,20 +12,20 @@
 
 namespace aisle {
 
-/// Drives a path that was searched on known floor, and never on where the vehicle could not stop in time.
+/// Follows a path planned on known floor, and never drives where the vehicle could not stop in time.
 class PathDriver {
  public:
   enum class State {
     kNoPath,
-    kArrived,  ///< the path is still there, until it is dropped or goes on
+    kArrived,  ///< the path is kept until it is dropped or continued
     kTurningWheels,
     kDriving,
-    kBlocked,  ///< the command, which was not given, would lead where there is no room
+    kBlocked,  ///< the vehicle stands: it could not go on without a collision
   };
   struct Step {
     State state = State::kNoPath;
     Command command;
-    int direction = 0;  ///< forwards 1, backwards -1: how it drives, or would
+    int direction = 0;  ///< in which it drives, or would: forwards 1, backwards -1
   };
 
   PathDriver(const VehicleDescription& vehicle, const SteeringParams& steering, const SpeedParams& speed);
@@ -33,29 +33,31 @@ class PathDriver {
   PathDriver& operator=(const PathDriver&) = delete;
 
   bool has_path() const { return progress_.has_value(); }
-  /// Empty where there is no path.
+  /// Empty if there is none.
   const Path& path() const { return path_; }
+  /// Path left to its end; 0 without a path.
   double left_m() const { return has_path() ? path_.length_m() - progress_->point().along_m : 0; }
 
-  /// @param path  not empty; begins where the path so far ends, or at the vehicle
+  /// @param path  not empty; begins where the present path ends, or at the vehicle
   void take(const Path& path);
-  /// The vehicle's own trail, back as it came: only what it would stand on, or what is hit now, stops it.
+  /// Drives back along the vehicle's own trail: only occupied floor under its footprint, or present laser
+  /// returns, stop it.
   void take_trail(const Path& path);
-  /// Keeps at most so much of the path ahead, and no more than the present leg.
+  /// Keeps at most `ahead_m` of the path ahead, and no more than the present leg.
   void shorten(double ahead_m);
   void drop();
 
-  /// What the sensor strikes now.
+  /// Takes in the present scan.
   void see(const LaserScanner& fan, std::span<const float> ranges_m) { braking_.see(fan, ranges_m); }
   bool is_off_hit(const Pose2& T_vehicle_later) const { return braking_.is_off_hit(T_vehicle_later); }
 
-  /// How much of the path ahead is free, by what is known now; all of it: left_m().
+  /// How much of the path ahead is free, by what is known now; at most left_m().
   double free_m(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle) const;
 
-  /// @param room  that the vehicle keeps where it can: it slows down where there is less
-  /// @param steering_rad  as the wheels stand now
-  Step drive(const FloorGrid& floor, const FloorClearance& clearance, const FootprintClearance& room,
-             const Pose2& T_map_vehicle, double steering_rad);
+  /// @param footprint_clearance  has the margin that the vehicle should keep; with less it slows down
+  /// @param steering_rad         present steering angle
+  Step drive(const FloorGrid& floor, const FloorClearance& clearance,
+             const FootprintClearance& footprint_clearance, const Pose2& T_map_vehicle, double steering_rad);
 
  private:
   bool is_free(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
@@ -64,13 +66,13 @@ class PathDriver {
 
   VehicleDescription vehicle_;
   SpeedParams speed_;
-  FootprintClearance watch_;
+  FootprintClearance kept_clearance_;
   BrakingClearance braking_;
   PathFollower follower_;
   Path path_;
   bool is_on_trail_ = false;
   std::optional<PathProgress> progress_;
-  std::size_t leg_begun_ = 0;  ///< end of the leg for which the wheels were turned
+  std::size_t leg_begun_ = 0;  ///< end of the leg for which the wheels were turned last
 };
 
 }  // namespace aisle

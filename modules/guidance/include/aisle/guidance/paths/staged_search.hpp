@@ -9,28 +9,28 @@
 
 namespace aisle {
 
-/// Paths of any length. What is farther away than a stage is not searched at once: the vehicle is led a stage
-/// along the floor's own distances, and searches on from there.
+/// Plans paths of any length. A goal farther away than a stage is not searched for at once: the vehicle is
+/// led one stage along the floor's distance field, and the search goes on from there.
 class StagedSearch {
  public:
   StagedSearch(const CarSearchParams& params, const VehicleDescription& vehicle);
   StagedSearch(const StagedSearch&) = delete;
   StagedSearch& operator=(const StagedSearch&) = delete;
 
-  /// To a pose that is good enough, which lies about a place. The floor must outlive the search.
-  /// @param about_m  so far from the place it may lie
+  /// Searches for a path to any goal pose near a place. The floor must outlive the search.
+  /// @param about_m  how far from the place goal poses may lie
   void look_for(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                 const Vec2& p_map_place, double about_m, CarSearch::IsGoal is_goal);
 
-  /// Of the search that look_for() began, before all else is given: what it does not find soon is searched
-  /// from its ends as well, which are all poses in a box that are good enough.
+  /// For the search that look_for() began, to be called before any other setting: if it finds no path soon, a
+  /// second search runs backwards from all goal poses in a box.
   void search_from_ends_too(const FloorBox& places);
 
-  /// Exactly to a pose; from where the vehicle stands, once it has come within a stage of it.
+  /// Searches for a path that ends exactly at a pose; farther away than a stage, for its first stage.
   void look_for_path_to(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_goal,
                         const Pose2& T_map_vehicle);
 
-  /// See CarSearch; of the search that was begun.
+  /// For the search that was begun; see CarSearch.
   void keep_to(const std::function<bool(const Pose2& T_map_vehicle)>& is_free);
   void forbid_first(int direction);
   void relax_clearance();
@@ -38,23 +38,23 @@ class StagedSearch {
   void stop();
 
   CarSearch::State state() const;
-  const FootprintClearance& room() const { return search_.room(); }
+  const FootprintClearance& footprint_clearance() const { return search_.footprint_clearance(); }
   Path path() const { return is_found_from_ends() ? from_ends_.path() : search_.path(); }
   int expansions() const { return search_.expansions(); }
   double reached_m() const { return search_.reached_m(); }
   bool has_tried_all() const { return search_.has_tried_all(); }
   bool has_come_to(const Vec2& p_map, double within_m) const { return search_.has_come_to(p_map, within_m); }
-  /// All was tried from the ends: no path leads from any of them to where the vehicle stands, nor so near to
-  /// a place, unless the vehicle gets there, too.
+  /// The backward search tried everything: no path connects a goal pose with the vehicle, nor with the
+  /// surroundings of a place, unless the vehicle can get there, too.
   bool is_shut_off_from(const Vec2& p_map, double within_m) const {
     return ends_are_shut_off_ &&
            (search_.has_come_to(p_map, within_m) || !from_ends_.has_come_to(p_map, within_m));
   }
-  /// What was found, or is searched, ends where a stage does.
+  /// Whether the path found or searched for ends at the end of a stage, not at its goal.
   bool is_stage() const { return is_stage_ && !is_found_from_ends(); }
 
  private:
-  /// Tells how far it is to a place.
+  /// Distances along the floor to a place.
   struct Guide {
     FloorDistances distances;
     Vec2 p_map_place = Vec2::Zero();
@@ -75,7 +75,7 @@ class StagedSearch {
   Pose2 T_map_vehicle_;
   const FloorGrid* floor_ = nullptr;
   Guide to_place_;
-  std::optional<Guide> to_vehicle_;  ///< of a search from its ends, since it was its turn
+  std::optional<Guide> to_vehicle_;  ///< for the search from the ends, once it runs
   bool ends_are_shut_off_ = false;
   bool is_stage_ = false;
 };

@@ -23,26 +23,26 @@ struct CornerBackingParams {
   void describe(FieldList& fields);
 };
 
-/// Backs between two turnings that are too close for the vehicle, with its wheels turned to the right before
-/// a left turning and to the left before any other, until the third camera shows the corner of the route
-/// round which the second turning leads (L96 section 3.3). Beyond the paper, several images in succession
-/// must show the corner at one place, not before the vehicle has backed a good part of the path that was
-/// backed at teaching; and it goes back hardly farther than that.
+/// Reverses between two turnings that are too close together for the vehicle (L96 section 3.3). The wheels
+/// are turned to the right before a left turning and to the left before any other, until the third camera
+/// shows the corner of the route around which the second turning leads. Beyond the paper, several images in a
+/// row must show the corner at one place, only after a good part of the taught reverse path; and the vehicle
+/// reverses hardly farther than it was taught.
 class CornerBacking {
  public:
   /// @throws std::invalid_argument if the vehicle lacks the camera `bottom`
   CornerBacking(const CornerBackingParams& params, const RouteViewParams& view,
                 const VehicleDescription& vehicle);
 
-  /// The vehicle stands where it begins to back.
-  /// @param next  the second turning's
-  /// @param taught_m  path that was backed there at teaching
+  /// The vehicle begins to reverse here.
+  /// @param next      class of the second turning
+  /// @param taught_m  length of the taught reverse path
   void begin(TurningClass next, double taught_m, const Pose2& T_odom_vehicle);
   void look(const Observation& observation, const Pose2& T_odom_vehicle);
 
-  /// How the wheels should stand on the way back.
-  double wished_steering_rad() const;
-  /// It has come far enough back.
+  /// Steering angle while reversing.
+  double requested_steering_rad() const;
+  /// Whether it has reversed far enough.
   bool is_done(const Pose2& T_odom_vehicle) const;
   bool has_seen_corner() const { return images_ >= params_.images; }
   const std::optional<Vec2>& p_odom_corner() const { return p_odom_corner_; }
@@ -57,8 +57,8 @@ class CornerBacking {
   RouteSide side_ = RouteSide::kLeft;
   double taught_m_ = 0;
   Pose2 T_odom_begin_;
-  std::optional<Vec2> p_odom_corner_;  ///< where the latest image showed it
-  int images_ = 0;                     ///< in succession that showed it there
+  std::optional<Vec2> p_odom_corner_;  ///< where the last image showed it
+  int images_ = 0;                     ///< images in a row that showed it there
 };
 
 }  // namespace aisle

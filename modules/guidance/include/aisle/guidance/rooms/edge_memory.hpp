@@ -7,28 +7,29 @@
 
 namespace aisle {
 
-/// A point where the route was seen to end.
+/// A point on an edge of the route, as it was seen.
 struct SeenEdge {
   Vec2 p_vehicle = Vec2::Zero();
-  double seen_from_m = 0;  ///< from base_link; what was seen from far may be elsewhere
+  double seen_from_m = 0;  ///< distance from base_link when seen; far points are inaccurate
 };
 
-/// Where the route was seen to end, kept while it is near: a camera that looks ahead sees nothing of what is
-/// beside the vehicle and just before it. Who came where the route was free, went on and left the view is
+/// Remembers the route's edges near the vehicle: a camera that looks ahead sees neither what is beside the
+/// vehicle nor what is right before it. A person who walked onto the route, moved on and left the view is
 /// forgotten after some seconds; what was never seen to move stays.
 class EdgeMemory {
  public:
-  /// @param reach_m  farther points are forgotten
+  /// @param reach_m  points farther from base_link are forgotten
   explicit EdgeMemory(double reach_m) : reach_m_(reach_m) {}
 
-  /// Takes in what an image shows: edges come, and those where there is route now go.
+  /// Takes in an image: adds its edges, and removes those where it shows free route.
   void take(const RouteView& view, const RouteSight& sight, const Pose2& T_odom_vehicle, double stamp_s);
-  /// Forgets what lies in a rectangle: known not to stand there.
+  /// Forgets all edges in a rectangle, where they are known to be no obstacles.
+  /// @param size  along x and y [m]
   void clear(const Pose2& T_odom_middle, const Vec2& size);
 
-  /// What stands there, also where its foot was not in view.
+  /// All obstacles around [base_link], even if their floor points were not in view.
   std::vector<Vec2> around(const Pose2& T_odom_vehicle) const;
-  /// The feet of what stands there.
+  /// The floor points among them.
   std::vector<SeenEdge> seen_around(const Pose2& T_odom_vehicle) const;
 
  private:
@@ -36,8 +37,8 @@ class EdgeMemory {
     Vec2 p_odom = Vec2::Zero();
     double seen_from_m = 0;
     bool is_floor_edge = true;
-    double first_s = 0, last_s = 0;  ///< when it was seen
-    bool has_come = false;           ///< where the route was seen to be free
+    double first_s = 0, last_s = 0;  ///< when it was first and last seen
+    bool has_come = false;           ///< it appeared where the route had been free
   };
   /// An image of some seconds ago.
   struct Look {
@@ -58,8 +59,8 @@ class EdgeMemory {
   double reach_m_;
   std::vector<Edge> edges_;
   std::vector<Look> looks_;
-  std::vector<Edge> gone_;         ///< had come, and the route was seen there again
-  std::vector<Edge> seen_, come_;  ///< by the latest image; kept for their memory
+  std::vector<Edge> gone_;         ///< edges that had come, where the route was seen again
+  std::vector<Edge> seen_, come_;  ///< of the last image; kept for their memory
 };
 
 }  // namespace aisle

@@ -27,36 +27,37 @@ struct EdgePlaceParams {
   void describe(FieldList& fields);
 };
 
-/// Tells by the edges of the route, as far as they are where they were taught, where the vehicle is: what was
-/// seen of them on the last metres is laid onto them, at first from all poses about the one at which the
-/// vehicle was set down, then from where the odometry expects them. One image alone may show a single line,
-/// along which it could be anywhere. Things may have been moved since: each of their sides may stand off by
-/// itself, at a cost that grows with its length, so that what is seen from near has no more say than what is
-/// seen from far, and what stands otherwise than the rest counts little. The expected pose is trusted the
-/// more, the more images it rests on: what the first ones showed wrongly is soon made up for.
+/// Localises by the route's edges, as far as they are where they were taught. It matches the edges seen on
+/// the last metres with the taught ones, as a single image may show one line only, along which the vehicle
+/// could be anywhere. The first match tries all poses around the initial pose; later ones start from the
+/// odometry. Objects may have been moved since teaching: each side of an object has its own displacement, at
+/// a cost that grows with its length. So near objects weigh no more than far ones, and a moved one counts
+/// little. The expected pose is trusted more with every image, so that errors of the first images are soon
+/// corrected.
 class EdgePlace {
  public:
-  /// @param taught  may be empty: then `map` stays `odom`
+  /// @param taught  may be empty: then the frames `map` and `odom` stay the same
   EdgePlace(const EdgePlaceParams& params, const std::vector<RouteEdge>& taught);
 
-  /// Looks up the edges of the path about there, for `taught` and `take`.
+  /// Selects the edges taught near this place, for `taught` and `take`.
+  /// @param along_m  about where on the route the vehicle is
   void come_to(const Pose2& T_odom_vehicle, double along_m);
-  /// Takes in the edges that have been seen around the vehicle.
+  /// Corrects the pose by the edges seen around the vehicle.
   /// @param along_m  about where on the route the vehicle is
   void take(std::span<const SeenEdge> seen, const Pose2& T_odom_vehicle, double along_m);
 
   const Pose2& T_map_odom() const { return T_map_odom_; }
-  /// The edges have been found to fit.
+  /// Whether the edges have been found to fit.
   bool is_sure() const { return fits_ > 0; }
   const TaughtEdges& taught() const { return taught_; }
 
  private:
   struct Fit {
     Pose2 T_map_vehicle;
-    double fitting_share = 0;  ///< of the points that lie on edges
+    double fitting_share = 0;  ///< share of the points that lie on taught edges
   };
 
-  /// One image row is the more floor, the farther away it is.
+  /// Grows with the distance, as an image row covers more floor there.
   double variance_m2(const SeenEdge& seen) const;
   Pose2 most_alike(std::span<const SeenEdge> seen, const Pose2& T_map_expected) const;
   Fit refined(std::span<const SeenEdge> seen, const Pose2& T_map_begin, const Pose2& T_map_expected,
@@ -65,7 +66,7 @@ class EdgePlace {
   EdgePlaceParams params_;
   TaughtEdges taught_;
   Pose2 T_map_odom_;
-  int fits_ = 0;  ///< images that its pose rests on
+  int fits_ = 0;  ///< images that have corrected the pose
 };
 
 }  // namespace aisle

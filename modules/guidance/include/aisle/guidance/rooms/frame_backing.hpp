@@ -30,27 +30,28 @@ struct FrameBackingParams {
   void describe(FieldList& fields);
 };
 
-/// Turns a front-steered vehicle about before a painted frame that it has seen, on floor that is known to be
-/// free, and drives it backwards into the frame. No camera looks back: while it turns, odometry carries the
-/// frame. Before it comes to stand it backs up to the frame's far side, from where its cameras show the near
-/// side ahead of it; if it stands misaligned, it drives out and backs in again.
+/// Parks a front-steered vehicle backwards in a painted frame: turns it about before the frame, on known free
+/// floor, and reverses into it. No camera looks back, so odometry tracks the frame while the vehicle turns.
+/// At the end it first reverses up to the frame's far side, from where its cameras see the near side ahead;
+/// if it stands misaligned, it drives out and reverses in again.
 class FrameBacking {
  public:
-  /// @param size_m  of the frame, along the path in and across
+  /// @param size_m  of the frame, along the direction of entry and across
   FrameBacking(const FrameBackingParams& params, const VehicleDescription& vehicle, const Vec2& size_m);
 
-  /// @param floor  in a frame of its own, which stays where it is against `odom`
+  /// Starts planning on this floor: at first, and again when `wants_floor`.
+  /// @param floor  in its own frame, which is fixed relative to `odom`
   void begin(FloorGrid floor, const Pose2& T_floor_odom);
   bool has_begun() const { return state_ != State::kNotBegun; }
-  /// Takes in what was seen to stand on the floor since, but for what seems to be under the vehicle.
+  /// Adds obstacles seen since then to the floor, except for those that seem to be under the vehicle.
   void see(std::span<const SeenEdge> edges, const Pose2& T_odom_vehicle);
 
-  /// @param T_odom_frame  x along the path in, as it is known now
+  /// @param T_odom_frame  present estimate of the frame's centre, x along the direction of entry
   Decision step(double stamp_s, const Pose2& T_odom_vehicle, const Pose2& T_odom_frame, double steering_rad);
 
-  /// Something has stayed in its path: it is to begin again, with the floor as it is known now.
+  /// An obstacle has stayed in its path: `begin` is to be called with the floor as known now.
   bool wants_floor() const { return state_ == State::kBlocked; }
-  /// It is led by the floor, and keeps off what stands there.
+  /// It plans and drives on the floor, and avoids obstacles by itself.
   bool keeps_to_floor() const { return state_ == State::kSearching || state_ == State::kTurning; }
   int tries() const { return tries_; }
 
@@ -66,7 +67,7 @@ class FrameBacking {
     kLeaving
   };
 
-  /// Where it is to stand, with the footprint's middle on the frame's.
+  /// Pose of the parked vehicle: its footprint's centre on the frame's.
   Pose2 T_odom_parked() const;
   Pose2 off() const;
   double deeper_m() const;

@@ -34,18 +34,18 @@ struct FrameParkingParams {
   void describe(FieldList& fields);
 };
 
-/// Drives a front-steered vehicle into a painted square frame (L96 section 3.4): along the line through the
-/// middles of its near and far side, which the second camera shows from far and the first from near. Beyond
-/// the paper, the frame's pose is carried on by odometry and corrected by each image; a vehicle that would
-/// come to stand misaligned backs off and tries again, and says after the last try if it did not park.
+/// Parks a front-steered vehicle forwards in a painted square frame (L96 section 3.4): along the line through
+/// the middles of its near and far side, which the second camera shows from far and the first from near.
+/// Beyond the paper, odometry tracks the frame's pose, and each image corrects it. A vehicle that would stop
+/// misaligned backs off and tries again; after the last try it fails if it still is.
 class FrameParking {
  public:
-  /// @param size_m  between the middles of the frame's lines, along the path in and across
+  /// @param size_m  between the middles of the frame's lines, along the direction of entry and across
   FrameParking(const FrameParkingParams& params, const VehicleDescription& vehicle, const Vec2& size_m);
 
   /// Looks for the frame in every image of the cycle.
-  /// @param T_odom_expected  where the frame should be, x along the path in
-  /// @param astray_m         what is first seen farther from there is something else
+  /// @param T_odom_expected  expected pose of the frame, x along the direction of entry
+  /// @param astray_m         a frame first seen farther from there is ignored
   void look(const Observation& observation, const Pose2& T_odom_vehicle, const Pose2& T_odom_expected,
             double astray_m);
   bool sees_frame() const { return T_odom_frame_.has_value(); }
@@ -55,7 +55,7 @@ class FrameParking {
   const std::optional<Pose2>& frame() const { return T_odom_frame_; }
   const Vec2& size_m() const { return size_m_; }
   int tries() const { return tries_; }
-  /// Where the vehicle stands, seen from where it should, by what was seen of the frame.
+  /// The vehicle's pose relative to its parking pose, by the frame as seen.
   Pose2 off() const;
 
  private:
@@ -73,7 +73,7 @@ class FrameParking {
   std::optional<Pose2> T_odom_frame_;
   Pose2 T_odom_found_;  ///< the frame as it was first seen
   double steering_rad_ = 0;
-  double unseen_m_ = 0;  ///< path since the frame was seen
+  double unseen_m_ = 0;  ///< path since the frame was last seen
   bool is_backing_ = false;
   int tries_ = 1;
 };

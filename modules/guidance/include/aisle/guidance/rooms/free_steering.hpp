@@ -19,20 +19,21 @@ struct FreeSteeringParams {
   void describe(FieldList& fields);
 };
 
-/// How the wheels should be held, and what that leads to.
+/// A steering angle and its outcome.
 struct SteeringChoice {
   double steering_rad = 0;
   double free_m = 0;  ///< path of base_link until something comes nearer than the margin; at most the reach
-  double clearance_m = 0;  ///< to what comes nearest on that way
+  double clearance_m = 0;  ///< smallest clearance on that path
 };
 
-/// How far a front-steered vehicle gets with its wheels held at an angle.
-/// @param p_vehicle  what stands around it, in base_link
+/// How far a front-steered vehicle gets with a constant steering angle.
+/// @param p_vehicle  obstacle points around it, in base_link
 /// @param direction  1: forwards, -1: backwards
 SteeringChoice free_path(const VehicleDescription& vehicle, const FreeSteeringParams& params,
                          std::span<const Vec2> p_vehicle, double steering_rad, int direction);
 
-/// The steering angle next to the wished one that leads far and keeps its distance from what stands around.
+/// The best compromise between a steering angle near the requested one, a long free path, and clearance.
+/// @param p_vehicle  obstacle points around it, in base_link
 /// @param direction  1: forwards, -1: backwards
 SteeringChoice choose_steering(const VehicleDescription& vehicle, const FreeSteeringParams& params,
                                std::span<const Vec2> p_vehicle, double requested_rad, int direction = 1);

@@ -24,27 +24,27 @@ struct PlaceParkingParams {
   void describe(FieldList& fields);
 };
 
-/// Comes to stand at the end of a path as it was taught, by where the vehicle is known to be: one that came
-/// to stand misaligned backs off along the path and comes again. After the last try it says whether it stands
-/// well enough: beside what has been put there, it may stand farther off laterally.
+/// Parks at the end of a taught path, by the vehicle's pose estimate. A vehicle that stopped misaligned backs
+/// off along the path and tries again. After the last try it checks whether it is parked well enough; if an
+/// obstacle has been put there, a larger lateral offset is allowed.
 class PlaceParking {
  public:
   /// @param path  not empty
   PlaceParking(const PlaceParkingParams& params, const VehicleDescription& vehicle, Path path);
 
-  /// How the wheels should stand to keep to the path.
-  /// @param point  where the vehicle is on the path
+  /// Steering angle to follow the path.
+  /// @param point  the vehicle's progress on the path
   double steering_rad(const PathPoint& point, const Pose2& T_map_vehicle, double speed_mps,
                       double steering_now_rad) const;
 
   /// At the path's end: done, failed, or begins to back off.
-  /// @param is_taken  something stands now where the vehicle should: then it need not stand there
+  /// @param is_taken  an obstacle stands at the vehicle's place: then it may stand beside it
   Decision settle(const Pose2& T_map_vehicle, bool is_taken);
   bool is_backing() const { return back_from_.has_value(); }
-  /// Backwards along the path.
+  /// Reverses along the path.
   Command back_off(const Pose2& T_map_vehicle, double steering_now_rad) const;
-  /// Ends backing off once it has gone far enough, or can go no farther.
-  /// @param free_m  path that is free behind it
+  /// Ends backing off once the vehicle has gone far enough, or can go no farther.
+  /// @param free_m  free path behind it
   void judge_path_back(const Pose2& T_map_vehicle, double free_m);
 
   int tries() const { return tries_; }

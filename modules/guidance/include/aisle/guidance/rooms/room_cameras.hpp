@@ -11,7 +11,7 @@
 
 namespace aisle {
 
-/// L96's three cameras, by what they look at.
+/// Names of L96's three cameras, and what they look at.
 inline constexpr const char* kFirstCamera = "top";      ///< near ahead
 inline constexpr const char* kSecondCamera = "middle";  ///< far ahead
 inline constexpr const char* kThirdCamera = "bottom";   ///< the corners of the route
@@ -22,7 +22,7 @@ inline const CameraDescription& room_camera(const VehicleDescription& vehicle, c
   throw std::invalid_argument(std::string("the vehicle lacks the camera ") + name);
 }
 
-/// Of the light plane that the first camera looks down on; nullopt: there is none.
+/// Height of the laser markers' light plane, if the first camera looks down on it; else nullopt.
 inline std::optional<double> stripe_height_m(const VehicleDescription& vehicle) {
   if (!vehicle.laser_markers) return std::nullopt;
   const double height_m = vehicle.laser_markers->height_m;
@@ -30,13 +30,13 @@ inline std::optional<double> stripe_height_m(const VehicleDescription& vehicle) 
   return is_above ? std::optional(height_m) : std::nullopt;
 }
 
-/// Whether the path was taught with backing between turnings.
+/// Whether the route was taught with reversing between turnings.
 inline bool backs_between_turnings(const Route& route) {
   const std::vector<PathPiece>& pieces = route.path.pieces();
   return std::any_of(pieces.begin(), pieces.end(), [](const PathPiece& p) { return p.arc.length_m < 0; });
 }
 
-/// The cameras by which a route that was taught in a room is driven.
+/// The cameras needed to drive a route that was taught in a room.
 inline std::vector<std::string> cameras_for(const Route& route) {
   if (route.room->parking == ParkingStrategy::kFrame) return {kFirstCamera, kSecondCamera, kThirdCamera};
   if (backs_between_turnings(route)) return {kFirstCamera, kThirdCamera};

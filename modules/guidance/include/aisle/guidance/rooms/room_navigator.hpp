@@ -63,12 +63,12 @@ struct RoomNavigatorParams {
   void describe(FieldList& fields);
 };
 
-/// Keeps to the middle of the route as the first camera sees it, where the path that was taught goes; in a
-/// turning, to the middle of what is not masked. Turns away from what stands too near, waits before what
-/// blocks the path, backs off towards the taught path and tries again. Between two close turnings it backs as
-/// it was taught, until it sees the corner of the route. At the end it parks as the route says.
-/// `middle_share` is how much the route's middle counts against the path taught, carried on by odometry: 1 is
-/// as published.
+/// Follows the taught path, and keeps to the middle of the free floor that the first camera sees; in a
+/// turning, to the middle of the part that is not masked. Steers away from obstacles that are too near, waits
+/// before what blocks the path, backs off towards the taught path and tries again. Between two close turnings
+/// it reverses as taught, until it sees the corner of the route. At the end it parks as the route says.
+/// `middle_share` weighs the route's middle against the taught path, which is followed by odometry; 1 is as
+/// published.
 class RoomNavigator final : public Navigator {
  public:
   /// @throws std::invalid_argument if the vehicle lacks a camera that the route needs (room_cameras.hpp), or
@@ -79,17 +79,19 @@ class RoomNavigator final : public Navigator {
 
   Decision step(const Observation& observation) override;
 
-  /// Along the route as it was taught, in whose frame the pose is.
+  /// Progress on the taught route.
   const PathPoint& point() const { return progress_.point(); }
+  /// Pose in the frame of the taught route.
   Pose2 pose() const { return place_.T_map_odom() * T_odom_vehicle_; }
   const std::optional<RouteSight>& sight() const { return view_.sight(); }
   const RouteView& view() const { return view_; }
   const EdgeMemory& edges() const { return edges_; }
-  /// Whether what is there has shown that it is its place; of a taught place alone it may stay open.
+  /// Whether edges or views have confirmed the parking place; always true unless it parks by views.
   bool has_confirmed_place() const;
-  /// On its last path back between turnings it has seen the corner of the route; nullopt: there was none.
+  /// Whether it saw the corner of the route when it last reversed between turnings; nullopt: it did not
+  /// reverse by a corner.
   std::optional<bool> has_seen_corner() const;
-  /// How often it has driven up to its place.
+  /// Number of attempts to park.
   int parking_tries() const;
 
  private:
@@ -102,7 +104,7 @@ class RoomNavigator final : public Navigator {
     kLeavingPlace
   };
 
-  static constexpr double kReach_m = 4;  ///< of what it remembers
+  static constexpr double kReach_m = 4;  ///< of its memory
 
   void look(const Observation& observation);
   bool is_route_bright_as_learned() const;
@@ -121,7 +123,7 @@ class RoomNavigator final : public Navigator {
   Decision leave_place();
   Decision blocked(double now_s);
   std::string why_blocked() const;
-  bool is_on_way_back() const;
+  bool is_on_path_back() const;
   bool has_path_back_next() const;
   void begin_path_back();
   Decision back_between_turnings();
@@ -130,13 +132,13 @@ class RoomNavigator final : public Navigator {
   std::vector<Vec2> standing_behind() const;
   SteeringChoice choose_steering_behind(double requested_rad) const;
   Decision drive(const SteeringChoice& choice, double speed_mps, const std::string& state) const;
-  double wished_steering_rad() const;
-  /// Near a taught end, at a place that is known: the taught path counts alone.
+  double requested_steering_rad() const;
+  /// Near the taught end, with a confirmed pose: only the taught path counts.
   bool keeps_to_taught_end() const;
   std::optional<double> avoiding_rad() const;
   double steering_to(const Vec2& p_vehicle) const;
   double gap_ahead_m() const;
-  /// Something has been seen to stand where a vehicle at the route's end would.
+  /// Whether an obstacle has been seen where a vehicle at the route's end would stand.
   bool is_place_taken() const;
   bool is_at_dead_end() const;
   bool is_beyond_dead_end() const;
@@ -150,31 +152,31 @@ class RoomNavigator final : public Navigator {
   VehicleDescription vehicle_;
   Route route_;
   RouteView view_;
-  ImageMonitor watch_;
+  ImageMonitor monitor_;
   EdgeMemory edges_;
   EdgePlace place_;
   PathProgress progress_;
   std::unique_ptr<FrameParking> frame_;
   std::unique_ptr<FrameBacking> frame_backing_;
-  std::unique_ptr<CornerBacking> corner_backing_;  ///< of a route with paths back between turnings
-  bool backs_to_corner_ = false;                   ///< else as it was taught
-  double back_to_m_ = 0;                           ///< along the route, the end of such a path
+  std::unique_ptr<CornerBacking> corner_backing_;  ///< for a route with reverse paths between turnings
+  bool backs_to_corner_ = false;                   ///< else as taught
+  double back_to_m_ = 0;                           ///< along the route, the end of such a reverse path
   StopViewMatcher stop_views_;
   Pose2 T_odom_vehicle_;
   RouteBrightness brightness_;
-  bool is_unmatched_ = false;  ///< what is before the vehicle does not look like the route
-  Pose2 T_odom_seen_;          ///< where it last did
+  bool is_brightness_off_ = false;  ///< the brightness ahead does not match the route's
+  Pose2 T_odom_seen_;               ///< where it last matched
   State state_ = State::kFollowing;
-  int dead_end_images_ = 0;  ///< in succession that showed one
+  int dead_end_images_ = 0;  ///< images in a row that showed one
   std::optional<double> stopped_s_;
   Pose2 T_odom_stopped_;
   PlaceParking taught_place_;
-  double pattern_share_;  ///< of the taught path, where the floor's pattern looked like obstacles
+  double pattern_share_;  ///< share of the taught path where the floor's pattern looked like obstacles
   double steering_rad_ = 0;
-  std::vector<Pose2> T_odom_driven_;  ///< today, about where it is
-  std::vector<Vec2> p_map_limit_;     ///< of the floor that is known, where it backs
+  std::vector<Pose2> T_odom_driven_;  ///< poses of this run, near the vehicle
+  std::vector<Vec2> p_map_limit_;     ///< limit of the known floor, for reversing
   SteeringChoice path_back_;
-  int back_offs_ = 0;  ///< about one place
+  int back_offs_ = 0;  ///< near one place
   double back_offs_at_m_ = 0;
 };
 

@@ -10,22 +10,22 @@
 
 namespace aisle {
 
-/// Makes the floor under a footprint free.
+/// Marks the floor under a footprint as free.
 void free_under(const Footprint& footprint, const Pose2& T_floor_vehicle, FloorGrid& floor);
 
-/// The floor that a path was taught on, about a place: free where the vehicle drove, and where it saw an edge
-/// of the route over it; edges are occupied; of all else nothing is known.
-/// @param edges       in the frame of the path, as is the floor
-/// @param p_map_place the floor within `reach_m` of it
+/// The floor near a place of a taught path: free where the vehicle drove and along its lines of sight to the
+/// route's edges; occupied at the edges; unknown elsewhere.
+/// @param edges        in the frame of the path, as is the floor
+/// @param p_map_place  the floor covers at least `reach_m` around it
 FloorGrid route_floor(const Path& path, std::span<const RouteEdge> edges, const Footprint& footprint,
                       const Vec2& p_map_place, double reach_m);
 
-/// How much of a taught path has edges of the route where the vehicle then drove, as a share of its length:
-/// there a pattern on the floor was taken for something that stands.
+/// Share of a taught path's length where edges were seen and the vehicle then drove over them: there a
+/// pattern on the floor looked like an obstacle.
 double share_with_edges_on_path(const Path& path, std::span<const RouteEdge> edges,
                                 const Footprint& footprint);
 
-/// Where what is known of a floor ends: the middles of the cells next to free ones of which nothing is known.
+/// The limit of the known floor: centres of unknown cells next to free ones.
 std::vector<Vec2> limit_of_known(const FloorGrid& floor);
 
 }  // namespace aisle

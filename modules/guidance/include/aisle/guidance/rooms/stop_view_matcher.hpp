@@ -26,18 +26,18 @@ struct StopViewParams {
   void describe(FieldList& fields);
 };
 
-/// Tells by what is seen how far off the odometry is about the path that is left to a taught place (L96
-/// section 3.5). As published a learned view matches when the eight places where columns are brightest and
-/// darkest are within delta; beyond the paper, the curves themselves are compared, a match counts only if no
-/// view from elsewhere is nearly as much alike, and only if several images in succession agree.
+/// Corrects by images the path left to a taught place (L96 section 3.5). As published, a learned view matches
+/// if the eight places where its columns are brightest and darkest agree within delta. Beyond the paper, the
+/// brightness curves themselves are compared; a match counts only if no view from elsewhere is nearly as
+/// similar, and if several images in a row agree.
 class StopViewMatcher {
  public:
   StopViewMatcher(const StopViewParams& params, const std::vector<StopView>& views);
 
-  /// @param left_m  path to the place, by odometry
+  /// @param left_m  path left to the place, by odometry
   void take(const Image& image, double left_m);
 
-  /// More path to go than the odometry says; 0 while nothing has matched.
+  /// Path left beyond what the odometry says; 0 while nothing has matched.
   double shift_m() const { return shift_m_.value_or(0); }
   bool has_matched() const { return shift_m_.has_value(); }
 
@@ -47,11 +47,11 @@ class StopViewMatcher {
   std::optional<double> match_extremes(const Image& image);
 
   StopViewParams params_;
-  std::vector<double> left_m_;            ///< of the taught views
-  std::vector<BrightnessView> extremes_;  ///< of the same
-  std::vector<ViewCurves> curves_;        ///< of the same; empty if compared by their extremes
-  std::vector<double> unlike_;            ///< of the same, in the image before the vehicle
-  std::deque<double> shifts_m_;           ///< of the latest images that matched, one after another
+  std::vector<double> left_m_;            ///< one per taught view
+  std::vector<BrightnessView> extremes_;  ///< one per taught view
+  std::vector<ViewCurves> curves_;        ///< one per taught view; empty if compared by their extremes
+  std::vector<double> unlike_;            ///< one per taught view, compared with the present image
+  std::deque<double> shifts_m_;           ///< of the last images in a row that matched
   std::optional<double> shift_m_;
 };
 

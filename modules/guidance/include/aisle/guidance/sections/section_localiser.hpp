@@ -1,5 +1,5 @@
 #pragma once
-/// Where a vehicle is that drives a list of sections: L03 section 4.1, as corrections of a pose.
+/// Localisation for driving a list of sections: L03 section 4.1, as corrections of a pose.
 
 #include <span>
 #include <vector>
@@ -28,12 +28,12 @@ struct SectionLocaliserParams {
   void describe(FieldList& fields);
 };
 
-/// Odometry, corrected by the floor's edges: the distances of the base lines beside a section say how far
-/// to the side the vehicle is; the wall across its end (and, if wanted, where the base line inside of the
-/// next turn ends) how far along; walls at right angles, everywhere, its heading.
+/// Odometry, corrected by the floor's edges. The base lines beside a section correct the lateral position;
+/// the wall across its end (and, if wanted, the end of the base line inside of the next turn) the
+/// longitudinal one; walls at right angles, everywhere, the heading.
 class SectionLocaliser {
  public:
-  /// @param path  must outlive it; not empty
+  /// @param guided  its path is not empty; must outlive this
   SectionLocaliser(const SectionLocaliserParams& params, const VehicleDescription& vehicle,
                    const GuidedPath& guided);
 
@@ -41,19 +41,19 @@ class SectionLocaliser {
 
   /// Takes in what one image shows.
   /// @param edges  in base_link
-  /// @param piece  of the path, on which the vehicle is
+  /// @param piece  index of the path's piece on which the vehicle is
   void correct(std::span<const SensedSegment> edges, std::size_t piece);
 
-  /// Whether a base line beside the path has just been taken in.
+  /// Whether the last image corrected the pose by a base line beside the path.
   bool is_guided() const { return is_guided_; }
   const Pose2& pose() const { return filter_.pose(); }
-  /// Where the vehicle was set down, by all that was seen since then.
+  /// The vehicle's start pose, by all that was seen since.
   const Pose2& start_pose() const { return filter_.first_pose(); }
-  /// How sure it is how farther off laterally it is of a path with this heading.
+  /// Standard deviation of the cross-track error on a path with this heading.
   double lateral_sigma_m(double heading_rad) const;
 
  private:
-  /// The piece that the vehicle is on.
+  /// The path's piece that the vehicle is on.
   struct Here {
     const PathPiece& piece;
     const SectionGuide& guide;
@@ -66,7 +66,7 @@ class SectionLocaliser {
   void correct_by_wall_ahead(const Here& here, std::span<const SensedSegment> edges);
   void correct_by_line_end(const Here& here);
   const WallBeside* wall_at(double lateral_m) const;
-  /// Of what changes with the pose as given.
+  /// Standard deviation of a quantity with this derivative by the pose.
   double sigma_of(const Vec3& by_pose) const;
   double distrust(double off_m, const Vec3& by_pose) const;
   double inflated(double sigma_m) const;

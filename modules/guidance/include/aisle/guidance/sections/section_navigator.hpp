@@ -1,5 +1,5 @@
 #pragma once
-/// Drives a list of sections, each in its own path: L03 section 4.
+/// Drives a list of sections, each by its own guidance: L03 section 4.
 
 #include <optional>
 #include <string>
@@ -30,14 +30,14 @@ struct SectionNavigatorParams {
   void describe(FieldList& fields);
 };
 
-/// Keeps to the path as its localiser says where it is, and waits before what stands on the floor ahead. At
-/// the end it turns on the spot until it is headed as it should be, also by a last look. Home again, it
-/// stands where it was set down and as it was headed there, as far as all that it saw tells, and not where
-/// the list begins. Too unsure how farther off laterally of its path it is, kept waiting for too long, or
-/// with the bumper pressed, it gives up, and says where in the list.
+/// Follows the path by its localiser's pose, and waits before obstacles on the floor ahead. At the end it
+/// turns on the spot to its final heading and checks that by a last look. Home again, it stops at the pose at
+/// which it really started, by all that it saw, not where the list begins. It gives up if its lateral
+/// uncertainty gets too large, if it waits for too long, or if the bumper is pressed, and reports where in
+/// the list.
 class SectionNavigator final : public Navigator {
  public:
-  /// @param camera  the vehicle's, that looks along the corridor
+  /// @param camera  name of the vehicle's camera that looks along the corridor
   /// @throws std::invalid_argument if the vehicle has none of that name, or the path is empty
   SectionNavigator(const SectionNavigatorParams& params, const VehicleDescription& vehicle,
                    const std::string& camera, SectionList sections, GuidedPath guided);
@@ -51,7 +51,7 @@ class SectionNavigator final : public Navigator {
   bool comes_home() const { return guided_.comes_home; }
   const SectionGuide& guide() const { return guided_.guides[progress_.point().piece]; }
   const PathPoint& point() const { return progress_.point(); }
-  /// Where the floor ends in the last image.
+  /// The floor's edges in the last image.
   const std::vector<FloorEdge>& edges() const { return edges_; }
 
  private:
@@ -76,7 +76,7 @@ class SectionNavigator final : public Navigator {
   std::vector<SensedSegment> edges_on_floor_;
   bool is_guided_ = false;  ///< in this cycle
   std::optional<double> begun_s_;
-  std::optional<double> headed_s_;  ///< since then it is headed as the path ends
+  std::optional<double> headed_s_;  ///< since when it has its final heading
 };
 
 }  // namespace aisle
