@@ -9,9 +9,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kCountedBehind_m2 = 2;  // more floor behind a frontier is not distinguished
-constexpr std::size_t kRimMax = 24;      // points that stand for a rim
-constexpr double kBesideCells = 1.5;     // between two that touch distances differ by less
+constexpr double kCountedBehind_m2 = 2;  // larger areas behind a frontier are not distinguished
+constexpr std::size_t kRimMax = 24;      // points that represent a rim
+constexpr double kBesideCells = 1.5;     // the distances of two adjacent cells differ by less
 
 class FrontierFinder {
  public:
@@ -89,8 +89,8 @@ class FrontierFinder {
     return frontier;
   }
 
-  /// Walks over the doubtful floor behind the frontier cells, nearest first: its area and where the free
-  /// floor ends.
+  /// Walks over the uncertain floor behind the frontier cells, nearest first, to find its area and where the
+  /// free floor ends.
   void measure_behind(Frontier& frontier) {
     std::vector<FloorCell> behind;
     const auto count = [&](FloorCell cell) {
@@ -115,7 +115,7 @@ class FrontierFinder {
       if (floor_.at(cell) == Floor::kUnknown) add_edge(cell, rim);
     }
     if (!rim.empty()) return thin_out(rim, frontier);
-    // the doubt lies beside floor that is free: what is unknown is within the vehicle's width of it
+    // uncertain floor borders on free floor: the unknown is within the vehicle's width of it
     for (const FloorCell cell : behind) {
       for_neighbours(cell, reach, [&](FloorCell next) {
         if (floor_.at(next) == Floor::kUnknown) add_edge(next, rim);
@@ -148,12 +148,12 @@ class FrontierFinder {
 
 void FrontierParams::describe(FieldList& fields) {
   fields.real("room_m", room_m, {0.05, 2},
-              "from the vehicle's middle line to anything that is not free floor");
+              "clearance from the vehicle's centre line to anything that is not free floor");
   fields.real("uncertain_m", uncertain_m, {0.02, 0.5},
-              "where so much more is free of things there may be floor");
-  fields.real("area_min_m2", area_min_m2, {0.01, 5}, "less floor behind a frontier is no path");
+              "beyond this extra clearance from obstacles there may be floor");
+  fields.real("area_min_m2", area_min_m2, {0.01, 5}, "least floor behind a frontier");
   fields.real("cluster_gap_m", cluster_gap_m, {0.05, 1},
-              "pieces of a frontier so near to each other are one");
+              "pieces of a frontier within this of each other are one");
 }
 
 Frontier with_cells_halved(Frontier frontier) {

@@ -15,7 +15,7 @@ constexpr double kRoom_m = 0.1;
 constexpr double kLeeway_m = 0.3025;
 constexpr int kSide = 24;
 
-/// By going on from cell to cell until none comes nearer any more; diagonal steps count 1.4 straight ones.
+/// By relaxing cell by cell until no distance gets shorter; diagonal steps cost 1.4 straight ones.
 std::map<std::pair<int, int>, int> tenths_by_trying(const FloorClearance& clearance, FloorCell start,
                                                     int leeway) {
   std::map<std::pair<int, int>, int> tenths = {{{start.x, start.y}, 0}};

@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-/// A corridor of which all is known.
+/// A corridor that is all known.
 DrawnFloor closed_corridor() {
   DrawnFloor drawn;
   drawn.put_corridor(5, 2);
