@@ -12,8 +12,7 @@ constexpr int kHit = 4;
 constexpr int kSurelyFree = -10;
 constexpr int kSeemsFree = 1 - kHit;
 constexpr int kSurelyOccupied = 16;
-constexpr int kRelaxedClearance =
-    128;  // cells of room that are added at once, beyond the one that was asked for
+constexpr int kRelaxedClearance = 128;  // cells added at once beyond the requested one
 
 bool is_within_reach(FloorCell cell) {
   return std::abs(cell.x) <= FloorGrid::kReach && std::abs(cell.y) <= FloorGrid::kReach;
@@ -44,7 +43,7 @@ FloorBox FloorBox::widened(int cells) const {
 }
 
 FloorGrid::FloorGrid(double cell_m) : cell_m_(cell_m) {
-  if (!(cell_m > 0)) throw std::invalid_argument("the cells of a floor grid need a size");
+  if (!(cell_m > 0)) throw std::invalid_argument("the cell size of a floor grid must be positive");
 }
 
 bool FloorGrid::see_free(FloorCell cell) {
@@ -83,7 +82,7 @@ bool FloorGrid::weigh(FloorCell cell, int weight) {
   if (weight < 0 && was_stood_on(cell)) return false;
   int evidence =
       std::clamp(std::max<int>(evidence_[index(cell)], kSurelyFree) + weight, kSurelyFree, kSurelyOccupied);
-  if (evidence == 0) evidence = weight < 0 ? -1 : 1;  // 0 is for what was never seen
+  if (evidence == 0) evidence = weight < 0 ? -1 : 1;  // 0 means never seen
   return put(cell, static_cast<Evidence>(evidence));
 }
 
@@ -100,7 +99,7 @@ bool FloorGrid::put(FloorCell cell, Evidence evidence) {
   return true;
 }
 
-/// Moves everything into a larger room when the cell lies outside the present one.
+/// Moves everything into a larger box if the cell lies outside the current one.
 void FloorGrid::make_room(FloorCell cell) {
   if (room_.contains(cell)) return;
   FloorBox wider = room_;

@@ -31,7 +31,7 @@ std::vector<std::vector<double>> all_distances(const CorridorGraph& graph) {
   return d;
 }
 
-TEST(CorridorPath, OnOneCorridorThePathIsThePathSegmentBetween) {
+TEST(CorridorPath, OnOneCorridorThePathIsThePieceBetween) {
   const CorridorGraph graph = square_graph();
   const auto path = shortest_path(graph, *graph.nearest({8, 0}), *graph.nearest({2, 1}));
   ASSERT_TRUE(path);
@@ -102,7 +102,7 @@ RC_GTEST_PROP(CorridorPath, ItsPointsAreAsLongAsItsLegsFromPlaceToPlace, (std::u
   RC_ASSERT(std::abs(sum_m - path->length_m()) < 1e-9);
 }
 
-/// How often each corridor is driven; the path must hang together and end where it began.
+/// How often each corridor is driven; the path must be connected and end where it began.
 std::vector<int> times_driven(const CorridorGraph& graph, const CorridorPath& path, std::size_t start) {
   std::vector<int> times(graph.corridors.size());
   std::size_t node = start;
@@ -118,7 +118,7 @@ std::vector<int> times_driven(const CorridorGraph& graph, const CorridorPath& pa
   return times;
 }
 
-/// The least path that must be driven twice, by all pairings of the nodes of odd degree.
+/// The least distance that must be driven twice, by trying all pairings of the nodes of odd degree.
 double least_pairing(const std::vector<std::vector<double>>& distances, std::vector<std::size_t> odd) {
   if (odd.empty()) return 0;
   const std::size_t first = odd.front();

@@ -18,7 +18,7 @@ TEST(FloorGrid, IsUnknownWhereNothingWasSeen) {
   EXPECT_EQ(grid.free_m2(), 0);
 }
 
-TEST(FloorGrid, CellsAreCountedFromTheOriginBothPaths) {
+TEST(FloorGrid, CellsAreCountedFromTheOriginInBothDirections) {
   const FloorGrid grid(0.1);
   EXPECT_EQ(grid.cell_at({0.05, 0.05}), (FloorCell{0, 0}));
   EXPECT_EQ(grid.cell_at({-0.05, 0.25}), (FloorCell{-1, 2}));

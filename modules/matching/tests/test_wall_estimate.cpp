@@ -104,8 +104,8 @@ TEST(PoseAligner, ACorridorLeavesThePlaceAlongItToThePrior) {
   EXPECT_LT(found.wall_information(0, 0), 1e-6 * found.wall_information(1, 1));
 }
 
-/// Its error is the same in every scan: however many there are, they say nothing new.
-TEST(PoseAligner, AWallLearnedMisalignedDoesNotDrawTheVehicleAlongItsCorridor) {
+/// Its error is the same in every scan: more scans add nothing.
+TEST(PoseAligner, AWallLearnedWithAYawErrorDoesNotDrawTheVehicleAlongItsCorridor) {
   const std::vector<SensedSegment> corridor = {sensed({{-9, -1}, {9, -1}}), sensed({{9, 1}, {-9, 1}})};
   Walls walls;
   walls.absorb_view(corridor, {});

@@ -24,9 +24,8 @@ struct Frontier {
   static constexpr double kPocketDepth_m = 0.4;  ///< depth of the unknown before a pocket's rim, at most
 
   std::vector<FloorCell> frontier_cells;  ///< drivable cells that border on uncertain floor
-  std::vector<Vec2>
-      rim;       ///< in `map`, on the edge of the free floor there: what must be seen to know more [m]
-  FloorBox box;  ///< bounding box of the frontier cells
+  std::vector<Vec2> rim;      ///< in `map` [m], on the edge of the free floor: to be seen to know more
+  FloorBox box;               ///< bounding box of the frontier cells
   Vec2 p_map = Vec2::Zero();  ///< the centre of the middle one of the frontier cells
   double behind_m2 = 0;       ///< area that may be floor, as far as it was counted
   double path_m = 0;          ///< path from the vehicle to the nearest frontier cell

@@ -12,9 +12,8 @@ struct PocketParams {
   double edge_min_m = 0.3;  ///< shorter edges of the known floor are ignored
   double reach_m = 4.5;     ///< a pocket is looked into from at most this far
   double path_max_m = 3;    ///< a pocket farther away waits until the vehicle comes by; 0: all are ignored
-  double path_max_m_per_m2 =
-      60;  ///< the same limit by the area that it hides along its edge; the greater limit counts
-  double again_m2 = 0.3;  ///< a pocket that hides this much along its edge is looked into twice
+  double path_max_m_per_m2 = 60;  ///< the same per area hidden along its edge; the greater limit counts
+  double again_m2 = 0.3;          ///< a pocket that hides this much along its edge is looked into twice
 
   /// Not worth a detour.
   bool is_far(const Frontier& frontier) const {

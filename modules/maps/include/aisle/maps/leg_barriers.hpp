@@ -46,7 +46,7 @@ class LegBarriers {
  private:
   /// Where a small obstacle is. Unclear: it may be part of a wall of which little was seen.
   enum class Stand : std::uint8_t { kFree, kBeforeWall, kUnclear };
-  struct Thing {
+  struct Obstacle {
     Vec2 p_map;                     ///< its centre
     Vec2 behind = Vec2::Zero();     ///< unit vector towards what it is right in front of
     std::vector<Vec2> walls;        ///< positions in `map` of nearby obstacles that are no legs
@@ -59,34 +59,35 @@ class LegBarriers {
   };
 
   int leg_cells(const FloorGrid& floor) const;
-  std::vector<FloorCell> small_thing(const FloorGrid& floor, FloorCell start) const;
-  std::optional<Thing> leg_of_wall(const FloorGrid& floor, FloorCell first) const;
+  std::vector<FloorCell> small_obstacle(const FloorGrid& floor, FloorCell start) const;
+  std::optional<Obstacle> leg_of_wall(const FloorGrid& floor, FloorCell first) const;
   /// Sets `stand` and `behind`.
-  void look_about(const FloorGrid& floor, Thing& thing) const;
-  std::vector<FloorCell> find_things(const FloorGrid& floor, const FloorBox& within);
-  bool is_piece_of_wall(const FloorGrid& floor, const Thing& thing) const;
-  void find_walls(const FloorGrid& floor, Thing& thing) const;
-  std::span<const Thing> things_about(const FloorGrid& floor, const Vec2& p_map, double within_m) const;
+  void look_about(const FloorGrid& floor, Obstacle& obstacle) const;
+  std::vector<FloorCell> find_obstacles(const FloorGrid& floor, const FloorBox& within);
+  bool is_piece_of_wall(const FloorGrid& floor, const Obstacle& obstacle) const;
+  void find_walls(const FloorGrid& floor, Obstacle& obstacle) const;
+  std::span<const Obstacle> obstacles_around(const FloorGrid& floor, const Vec2& p_map,
+                                             double within_m) const;
   bool is_leg(const FloorGrid& floor, const Vec2& p_map) const;
-  bool is_thing(const FloorGrid& floor, const Vec2& p_map) const;
+  bool is_small_obstacle(const FloorGrid& floor, const Vec2& p_map) const;
   FloorBox close_again(const FloorGrid& floor, std::span<const FloorBox> boxes,
                        std::vector<FloorCell> opened);
   std::vector<FloorCell> cells_closed_by(const FloorGrid& floor, std::size_t first) const;
-  bool fill_recess(const FloorGrid& floor, const Thing& a, const Thing& b) const;
-  bool may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const;
-  bool stands_along_wall(const FloorGrid& floor, const Thing& leg, const Thing& thing) const;
-  std::optional<Vec2> wall_behind(const Thing& leg, const Vec2& along) const;
+  bool fill_recess(const FloorGrid& floor, const Obstacle& a, const Obstacle& b) const;
+  bool may_carry_one_plate(const FloorGrid& floor, const Obstacle& a, const Obstacle& b) const;
+  bool stands_along_wall(const FloorGrid& floor, const Obstacle& leg, const Obstacle& obstacle) const;
+  std::optional<Vec2> wall_behind(const Obstacle& leg, const Vec2& along) const;
   template <class Matters>
-  std::optional<Vec2> nearest_wall(const Thing& leg, Matters matters) const;
-  Vec2 across_wall(const Thing& leg, const Vec2& p_map_nearest) const;
+  std::optional<Vec2> nearest_wall(const Obstacle& leg, Matters matters) const;
+  Vec2 across_wall(const Obstacle& leg, const Vec2& p_map_nearest) const;
   bool wall_goes_on(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& away) const;
-  std::vector<Vec2> hidden_partners(const FloorGrid& floor, const Thing& leg) const;
-  bool has_partner(const FloorGrid& floor, const Thing& leg, const Vec2& along) const;
+  std::vector<Vec2> hidden_partners(const FloorGrid& floor, const Obstacle& leg) const;
+  bool has_partner(const FloorGrid& floor, const Obstacle& leg, const Vec2& along) const;
   std::optional<Vec2> partner_place(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& along) const;
 
   LegParams params_;
-  std::vector<Thing> things_;      ///< row by row
-  std::vector<FloorCell> closed_;  ///< row by row, once for each obstacle that closes it
+  std::vector<Obstacle> obstacles_;  ///< row by row
+  std::vector<FloorCell> closed_;    ///< row by row, once for each obstacle that closes it
 };
 
 }  // namespace aisle

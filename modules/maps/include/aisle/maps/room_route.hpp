@@ -88,10 +88,9 @@ struct RoomRoute {
   RouteBrightness brightness;
   std::vector<RoomTurning> turnings;  ///< in order; they may overlap
   ParkingStrategy parking = ParkingStrategy::kView;
-  Vec2 frame_size_m =
-      Vec2::Zero();              ///< kFrame: outer size of the painted rectangle, along the path and across
-  std::vector<StopView> views;   ///< kView: from the last part of the path, or from around its end
-  std::vector<RouteEdge> edges;  ///< empty: the path is driven by odometry and the route's middle alone
+  Vec2 frame_size_m = Vec2::Zero();  ///< kFrame: outer size of the rectangle, along the path and across
+  std::vector<StopView> views;       ///< kView: from the last part of the path, or from around its end
+  std::vector<RouteEdge> edges;      ///< empty: the path is driven by odometry and the route's middle alone
 };
 
 }  // namespace aisle
