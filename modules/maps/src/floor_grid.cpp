@@ -12,7 +12,7 @@ constexpr int kHit = 4;
 constexpr int kSurelyFree = -10;
 constexpr int kSeemsFree = 1 - kHit;
 constexpr int kSurelyOccupied = 16;
-constexpr int kRelaxedClearance = 128;  // cells added at once beyond the requested one
+constexpr int kGrowth = 128;  // cells added at once beyond the requested one
 
 bool is_within_reach(FloorCell cell) {
   return std::abs(cell.x) <= FloorGrid::kReach && std::abs(cell.y) <= FloorGrid::kReach;
@@ -104,13 +104,10 @@ void FloorGrid::make_room(FloorCell cell) {
   if (room_.contains(cell)) return;
   FloorBox wider = room_;
   const auto clamped = [](int coordinate) { return std::clamp(coordinate, -kReach, kReach); };
-  for (const int relaxed_clearance : {-kRelaxedClearance, kRelaxedClearance}) {
-    const bool grows_x =
-        room_.empty() || (relaxed_clearance < 0 ? cell.x < room_.low.x : cell.x >= room_.end.x);
-    const bool grows_y =
-        room_.empty() || (relaxed_clearance < 0 ? cell.y < room_.low.y : cell.y >= room_.end.y);
-    wider.include({clamped(cell.x + (grows_x ? relaxed_clearance : 0)),
-                   clamped(cell.y + (grows_y ? relaxed_clearance : 0))});
+  for (const int growth : {-kGrowth, kGrowth}) {
+    const bool grows_x = room_.empty() || (growth < 0 ? cell.x < room_.low.x : cell.x >= room_.end.x);
+    const bool grows_y = room_.empty() || (growth < 0 ? cell.y < room_.low.y : cell.y >= room_.end.y);
+    wider.include({clamped(cell.x + (grows_x ? growth : 0)), clamped(cell.y + (grows_y ? growth : 0))});
   }
   const FloorBox old_room = room_;
   const std::vector<Evidence> old = std::move(evidence_);

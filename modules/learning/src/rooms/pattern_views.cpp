@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-/// How far an image was taken from where one is wished; above 1: too far.
+/// How far an image was taken from the wanted place, as a share of the tolerance; above 1: too far.
 double off_place(const Pose2& off) {
   constexpr double kNear_m = 0.06, kTurned_rad = 3 * kDegree;
   return std::hypot(off.position().norm() / kNear_m, off.theta / kTurned_rad);

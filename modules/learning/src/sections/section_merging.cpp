@@ -10,7 +10,7 @@ namespace {
 constexpr double kTurnAlike_rad = 3 * kTurnQuantum_rad;
 constexpr double kLengthAlike_m = 0.5, kLengthAlike = 0.1;
 
-/// Of an even number the mean of the two in the middle.
+/// The median; of an even number, the mean of the two in the middle.
 double middle_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
@@ -28,7 +28,7 @@ bool is_alike(const DrivenList& a, const DrivenList& b) {
                     [](const Section& one, const Section& other) { return is_alike(one, other); });
 }
 
-/// The drives that are like the one that most are like.
+/// The largest group of similar drives.
 std::vector<std::size_t> most_alike(std::span<const DrivenList> drives) {
   std::vector<std::size_t> most;
   for (const DrivenList& form : drives) {
@@ -41,7 +41,7 @@ std::vector<std::size_t> most_alike(std::span<const DrivenList> drives) {
   return most;
 }
 
-/// The middle of what the drives tell; nullopt if none does.
+/// The median of a value over the drives that have it; nullopt if none does.
 template <typename Tell>
 std::optional<double> median_reported(const std::vector<DrivenList>& drives, Tell&& tell) {
   std::vector<double> reported;

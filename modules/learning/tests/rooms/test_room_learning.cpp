@@ -55,7 +55,7 @@ TEST(RoomLearning, MarksThatDoNotGoTogetherAreAllReported) {
   EXPECT_THAT(all, HasSubstr("a turning ends that has not begun"));
   EXPECT_THAT(all, HasSubstr("'14' is no turning"));
   EXPECT_THAT(all, HasSubstr("turning 3 has no end"));
-  EXPECT_THAT(all, HasSubstr("'garage' is no path to park"));
+  EXPECT_THAT(all, HasSubstr("'garage' is no way to park"));
 }
 
 TEST(RoomLearning, NeedsAPathImagesAndAFrame) {
