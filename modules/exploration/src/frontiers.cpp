@@ -22,10 +22,10 @@ class FrontierFinder {
   }
 
   std::vector<Frontier> find() {
-    std::vector<FloorCell> sills = mark_sills();
+    std::vector<FloorCell> frontier_cells = mark_frontier_cells();
     std::vector<Frontier> frontiers;
-    for (const FloorCell cell : sills) {
-      if (marks_[clearance_.index(cell)] != kFrontierCells) continue;
+    for (const FloorCell cell : frontier_cells) {
+      if (marks_[clearance_.index(cell)] != kFrontierCell) continue;
       Frontier frontier = gather(cell);
       measure_behind(frontier);
       if (frontier.behind_m2 >= params_.area_min_m2 && !frontier.rim.empty())
@@ -35,7 +35,7 @@ class FrontierFinder {
   }
 
  private:
-  enum Mark : std::uint8_t { kNothing, kFrontierCells, kTaken, kCounted };
+  enum Mark : std::uint8_t { kNothing, kFrontierCell, kTaken, kCounted };
 
   bool is_sure(FloorCell cell) const { return clearance_.to_doubtful_m(cell) >= params_.room_m; }
   bool may_be_floor(FloorCell cell) const {
@@ -54,8 +54,8 @@ class FrontierFinder {
     }
   }
 
-  std::vector<FloorCell> mark_sills() {
-    std::vector<FloorCell> sills;
+  std::vector<FloorCell> mark_frontier_cells() {
+    std::vector<FloorCell> frontier_cells;
     const double sure_m = params_.room_m, beside_uncertain_m = sure_m + kBesideCells * floor_.cell_m();
     clearance_.for_cells(floor_.known(), [&](FloorCell cell, std::size_t index) {
       const double room_m = clearance_.to_doubtful_m(index);
@@ -64,10 +64,10 @@ class FrontierFinder {
       bool borders = false;
       for_neighbours(cell, 1, [&](FloorCell next) { borders = borders || is_doubtful(next); });
       if (!borders) return;
-      marks_[index] = kFrontierCells;
-      sills.push_back(cell);
+      marks_[index] = kFrontierCell;
+      frontier_cells.push_back(cell);
     });
-    return sills;
+    return frontier_cells;
   }
 
   Frontier gather(FloorCell first) {
@@ -77,7 +77,7 @@ class FrontierFinder {
     marks_[clearance_.index(first)] = kTaken;
     for (std::size_t i = 0; i < frontier.frontier_cells.size(); ++i) {
       for_neighbours(FloorCell(frontier.frontier_cells[i]), gap, [&](FloorCell next) {
-        if (!clearance_.room().contains(next) || marks_[clearance_.index(next)] != kFrontierCells) return;
+        if (!clearance_.room().contains(next) || marks_[clearance_.index(next)] != kFrontierCell) return;
         marks_[clearance_.index(next)] = kTaken;
         frontier.frontier_cells.push_back(next);
       });

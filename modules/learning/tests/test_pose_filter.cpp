@@ -38,7 +38,7 @@ std::vector<Vec2> corridor_floor_points() {
   return floor_points;
 }
 
-/// What a vehicle sees of the feet that are 1 to 6 m ahead.
+/// Observations of the points that are 1 to 6 m ahead.
 std::vector<SeenPoint> look(const Pose2& T_map_vehicle, double sigma_m, Random* random = nullptr) {
   std::vector<SeenPoint> points;
   for (const Vec2& floor_point : corridor_floor_points()) {
@@ -70,12 +70,12 @@ TEST(PoseFilter, OneExactPointOfTwoCorrectsAlongItsAxesOnly) {
   PoseFilter filter(cart(), about({0, 0, 0}, 0.1, 1e-6));
   const SeenPoint ahead{.p_map = {2, 0}, .p_vehicle = {1.9, -0.05}, .covariance = round_covariance(0.1)};
   filter.update(std::vector{ahead}, filter.pose());
-  EXPECT_THAT(filter.pose(), PoseNear(Pose2{0.05, 0.025, 0}, 1e-4, 1e-4));  // half way: both are as sure
+  EXPECT_THAT(filter.pose(), PoseNear(Pose2{0.05, 0.025, 0}, 1e-4, 1e-4));  // half way: both are equally sure
   EXPECT_NEAR(filter.covariance()(0, 0), 0.01 / 2, 1e-4);
 }
 
 TEST(PoseFilter, WhatIsSeenLaterTellsWhereItWasAtFirst) {
-  // As unsure of its start as of the wheels' scale after 10 m: half of what is off there was so at first.
+  // The start is as unsure as the wheels' scale after 10 m: half of the error is attributed to each.
   VehicleDescription vehicle = cart();
   vehicle.front_steered_noise.distance_slip_m_per_sqrt_m = 0;
   PoseFilter filter(vehicle, about({0, 0, 0}, 0.1, 1e-6), Vec3::Zero());
@@ -156,12 +156,12 @@ TEST(PoseFilter, ErrorsAreAsLargeAsTheCovarianceSaysBlindAndSeeing) {
   for (int run = 0; run < kRuns; ++run) {
     const UncertainPose2 start = about({0, 0, 0}, 0.05, 1 * kDegree);
     Pose2 truth{random.normal(0.05), random.normal(0.05), random.normal(1 * kDegree)};
-    const double path_scale = 1 + random.normal(noise.distance_scale);
+    const double distance_scale = 1 + random.normal(noise.distance_scale);
     const double turn_per_m = random.normal(noise.steering_bias_rad / kWheelbase_m);
     PoseFilter filter(vehicle, start);
     for (int i = 0; i < kSteps; ++i) {
       const double path_m =
-          kStep_m * path_scale + random.normal(noise.distance_slip_m_per_sqrt_m * std::sqrt(kStep_m));
+          kStep_m * distance_scale + random.normal(noise.distance_slip_m_per_sqrt_m * std::sqrt(kStep_m));
       const double turn_rad =
           kStep_m * turn_per_m + random.normal(noise.heading_slip_rad_per_sqrt_m * std::sqrt(kStep_m));
       truth = truth * end_pose({path_m, turn_rad});
@@ -219,7 +219,7 @@ TEST(PoseFilter, HoweverManyPointsShareATiltErrorTheyDoNotMakeItSurerThanTheTilt
   }
   PoseFilter filter(cart(), about({0, 0, 0}, kPrior_m, 1 * kDegree));
   filter.update(points, filter.pose());
-  // The sum of path along and tilt error is all but exact: their prior variances share it out.
+  // The sum of distance and tilt error is almost exact; their prior variances divide it.
   const double along_m2 = square(kPrior_m * kTilt_m) / (square(kPrior_m) + square(kTilt_m));
   EXPECT_NEAR(filter.covariance()(0, 0), along_m2, 0.02 * along_m2);
   EXPECT_LT(std::sqrt(filter.covariance()(1, 1)), 0.005);

@@ -5,8 +5,8 @@
 namespace aisle {
 namespace {
 
-constexpr std::size_t kFirstVerdict = 200;  // scans before the building's angles are judged
-constexpr double kFactorRestated = 0.002;   // paths are restated when the wheels' factor has changed so much
+constexpr std::size_t kFirstVerdict = 200;  // scans before deciding whether the building has axes
+constexpr double kFactorRestated = 0.002;  // a larger change of the wheels' factor updates all relative poses
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void ScanMapping::finish_loops() {
   loops_.finish(tracker_.keyframes());
 }
 
-/// Once too few scans have shown the building's axes, no wall is taken for one any more.
+/// Once too few scans have shown the building's axes, no wall is taken to be on an axis any more.
 bool ScanMapping::shows_axes() const {
   return static_cast<double>(tracker_.headings_used()) >=
          params_.dominant_share_min * static_cast<double>(tracked_.size());

@@ -15,7 +15,7 @@ struct LandmarkExpectation {
   int expected = 0, seen = 0;
 };
 
-/// What a vehicle that believes to be at (5, 0) makes of the image that it sees from `truth`.
+/// What a vehicle that believes it is at (5, 0) expects of the image seen from `truth`.
 LandmarkExpectation expectation_from(const Pose2& truth, const SightNoise& noise, double believed_sigma_m) {
   Random random(2);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
@@ -65,7 +65,7 @@ TEST(LandmarkExpectation, WhatElseIsSeenDoesNotCount) {
   const LandmarkExpectation plain = expectation_from({5, 0, 0}, {.unseen = 0}, 0.01);
   const LandmarkExpectation grainy = expectation_from({5, 0, 0}, {.unseen = 0, .grain = 30}, 0.01);
   EXPECT_GE(grainy.seen, plain.seen);
-  EXPECT_LE(grainy.expected, plain.expected + 3) << "of a view that reaches somewhat farther";
+  EXPECT_LE(grainy.expected, plain.expected + 3) << "the view reaches somewhat farther";
 }
 
 TEST(LandmarkExpectation, ElsewhereHardlyAnythingIsSeen) {
@@ -89,9 +89,9 @@ TEST(LandmarkExpectation, WhatWasOnlySeenFromAfarOrFromNearByIsNotExpectedAtAnot
 }
 
 TEST(LandmarkExpectation, AnUnsurePoseExcusesWhatIsOff) {
-  const Pose2 lateral{5, 0.2, 0};
-  EXPECT_LE(expectation_from(lateral, {.unseen = 0}, 0.01).seen, 1);
-  const LandmarkExpectation unsure = expectation_from(lateral, {.unseen = 0}, 0.2);
+  const Pose2 displaced{5, 0.2, 0};
+  EXPECT_LE(expectation_from(displaced, {.unseen = 0}, 0.01).seen, 1);
+  const LandmarkExpectation unsure = expectation_from(displaced, {.unseen = 0}, 0.2);
   EXPECT_GE(unsure.seen, unsure.expected * 3 / 4);
 }
 

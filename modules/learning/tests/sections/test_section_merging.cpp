@@ -23,7 +23,7 @@ TEST(SectionMerging, OneDriveStaysAsItIs) {
   EXPECT_THAT(merged.taken, ElementsAre(0U));
 }
 
-TEST(SectionMerging, OfThreeDrivesTheMiddleOneCounts) {
+TEST(SectionMerging, OfThreeDrivesTheMedianCounts) {
   const MergedDrives merged = merge_drives(std::vector{drive({straight(5.1, 0.40), turn(-90), straight(3)}),
                                                        drive({straight(5.0, 0.45), turn(-90), straight(3.1)}),
                                                        drive({straight(4.7, 0.41), turn(-85), straight(3)})});

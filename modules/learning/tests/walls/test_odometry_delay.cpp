@@ -12,7 +12,7 @@ namespace {
 constexpr double kPeriod_s = 0.2;
 constexpr int kScans = 600;
 
-/// A vehicle that keeps turning this path and that, at up to 40 degrees a second.
+/// A vehicle that keeps turning this way and that, at up to 40 degrees per second.
 double heading_rad(double time_s) {
   return 0.9 * std::sin(0.7 * time_s) + 0.2 * std::sin(1.9 * time_s);
 }
@@ -53,7 +53,8 @@ TEST(OdometryDelay, IsFoundToATenthOfThePeriodLaterOrEarlier) {
 
 TEST(OdometryDelay, IsFoundInSpiteOfNoise) {
   for (const double delay_s : {-0.16, -0.08, 0.13, 0.3, 0.5}) {
-    const DelayedRun run{.delay_s = delay_s, .wheel_sigma_rad = 0.3 * kDegree, .sight_sigma_rad = 0.3 * kDegree};
+    const DelayedRun run{
+        .delay_s = delay_s, .wheel_sigma_rad = 0.3 * kDegree, .sight_sigma_rad = 0.3 * kDegree};
     EXPECT_NEAR(run.estimated_delay_s(), delay_s, 0.101 * kPeriod_s);
   }
 }

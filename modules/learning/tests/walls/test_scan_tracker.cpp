@@ -146,8 +146,9 @@ TEST(ScanTracker, CountsThePathBackFromWhatItSawOnThePathOut) {
   EXPECT_LT(relative_pose(first, last, tracker.odometry_factor()).position().norm(), 0.02);
 }
 
-/// A drive of 40 scans; from the 20th on, some are taken away from where the odometry says.
-/// @return for each scan, how far the tracked pose is from the true one
+/// A drive of 40 scans; from the 20th on, some are taken from a displaced pose that the odometry does not
+/// show.
+/// @return for each scan, how far the tracked pose is from the pose it was taken at
 std::vector<double> off_after_displaced_views_m(const Pose2& displacement, int views) {
   ScanTracker tracker(TrackerParams{});
   std::vector<double> off_m;

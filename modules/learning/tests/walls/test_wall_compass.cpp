@@ -19,20 +19,20 @@ SensedSegment edge(double heading_rad) {
   return edge;
 }
 
-/// Both sides of a corridor that runs so on the map, and its end.
+/// Both sides of a corridor in this direction on the map, and its end.
 std::vector<SensedSegment> corridor(double walls_rad, double heading_rad) {
   return {edge(walls_rad - heading_rad), edge(walls_rad - heading_rad + kPi),
           edge(walls_rad - heading_rad + kPi / 2)};
 }
 
-/// Takes in an image from so far on that its edges have other errors.
+/// Takes an image from far enough on that its edges have other errors.
 void look_again(WallCompass& compass, const std::vector<SensedSegment>& edges, double heading_rad,
                 double sigma_rad) {
   compass.move(0.5, 0);
   compass.look(edges, heading_rad, sigma_rad);
 }
 
-/// A compass that saw so many images of such a corridor.
+/// A compass that saw this many images of such a corridor.
 WallCompass compass_in(double walls_rad, int images = 20) {
   WallCompass compass;
   for (int i = 0; i < images; ++i) {

@@ -44,7 +44,7 @@ class WallCompass {
   double walls_rad_ = 0, variance_ = 0;
   int starts_ = 0;               ///< 0: none are known
   int unlike_ = 0;               ///< images since walls were last seen in the known direction
-  double again_ = 1;             ///< share of the next image's errors that is new: 0 .. 1
+  double new_share_ = 1;         ///< share of the next image's errors that is new: 0 .. 1
   double heading_variance_ = 0;  ///< as given with the last image
   std::optional<HeadingMeasurement> against_walls_;
 };
