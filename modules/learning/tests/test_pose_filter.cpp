@@ -65,8 +65,7 @@ TEST(PoseFilter, ExactPointsPutTheVehicleWhereTheySay) {
 }
 
 TEST(PoseFilter, OneExactPointOfTwoCorrectsAlongItsAxesOnly) {
-  // Straight ahead, in a pose whose heading is known: the point tells x and y, each like a measurement of its
-  // own.
+  // Straight ahead of a pose with a known heading: the point measures x and y independently.
   PoseFilter filter(cart(), about({0, 0, 0}, 0.1, 1e-6));
   const SeenPoint ahead{.p_map = {2, 0}, .p_vehicle = {1.9, -0.05}, .covariance = round_covariance(0.1)};
   filter.update(std::vector{ahead}, filter.pose());

@@ -61,7 +61,7 @@ TEST(FloorView, BeamsTooFarApartToHitAThinObstacleDoNotClearIt) {
   }
 }
 
-/// A door's jamb: the wall's end before it hides the far side of the cell in which its face was hit.
+/// A door's jamb: the end of the wall in front hides the far side of the cell in which its face was hit.
 TEST(FloorView, PassingOneSideOfACellDoesNotClearTheOther) {
   const LaserScanner fine{-10 * kDegree, 0.1 * kDegree, 30, {}};
   constexpr double kWallAhead_m = 2, kFaceBeside_m = 0.22;

@@ -231,7 +231,7 @@ TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableInACornerWhoseOtherLegIsConne
   EXPECT_FALSE(is_closed({3.8, 1.3}, {3.8, 5}));
 }
 
-/// Its leg at the far end of the table is hidden, too.
+/// The table's leg at the far end is hidden, too.
 TEST_F(LegBarriersOnAFloor, CloseThePathFromALegConnectedToTheWallToAHiddenOne) {
   corner_at_the_right();
   hide({4, 2.5}, {5, 3.5});

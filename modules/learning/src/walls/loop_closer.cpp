@@ -64,7 +64,7 @@ bool LoopCloser::add(Submap submap, std::span<const Keyframe> keyframes, bool or
   loops_of_submap_.emplace_back();
   const std::size_t newest = submaps_.size() - 1;
   graph_.add_node(newest == 0 ? submaps_.front().T_track_anchor
-                              : graph_.pose(newest - 1) * path_to(newest, keyframes));
+                              : graph_.pose(newest - 1) * relative_pose_to(newest, keyframes));
   if (orthogonal) {
     graph_.add_heading_prior(newest, submaps_.back().T_track_anchor.theta, kOrthogonalSigma_rad);
   }
@@ -101,15 +101,16 @@ bool LoopCloser::is_closed(std::size_t submap, std::size_t other) const {
   });
 }
 
-void LoopCloser::restate_paths(double odometry_factor, std::span<const Keyframe> keyframes) {
+void LoopCloser::restate_odometry(double odometry_factor, std::span<const Keyframe> keyframes) {
   if (odometry_factor == odometry_factor_) return;
   odometry_factor_ = odometry_factor;
-  for (std::size_t i = 1; i < submaps_.size(); ++i) graph_.set_odometry(i - 1, path_to(i, keyframes));
+  for (std::size_t i = 1; i < submaps_.size(); ++i)
+    graph_.set_odometry(i - 1, relative_pose_to(i, keyframes));
   if (submaps_.size() > 1) graph_.optimise();
 }
 
 /// The relative pose from the previous submap.
-Pose2 LoopCloser::path_to(std::size_t submap, std::span<const Keyframe> keyframes) const {
+Pose2 LoopCloser::relative_pose_to(std::size_t submap, std::span<const Keyframe> keyframes) const {
   return relative_pose(keyframes[submaps_[submap - 1].anchor_keyframe],
                        keyframes[submaps_[submap].anchor_keyframe], odometry_factor_);
 }
@@ -136,7 +137,7 @@ void LoopCloser::connect_to_previous(std::span<const Keyframe> keyframes, bool o
   const Mat2 local =
       rotation.topLeftCorner<2, 2>() * covariance * rotation.topLeftCorner<2, 2>().transpose() +
       kStepFloor_m2 * Mat2::Identity();
-  PoseConstraint constraint{newer - 1, newer, path_to(newer, keyframes), Mat3::Zero()};
+  PoseConstraint constraint{newer - 1, newer, relative_pose_to(newer, keyframes), Mat3::Zero()};
   constraint.information.topLeftCorner<2, 2>() = local.inverse();
   constraint.information(2, 2) = 1 / square(orthogonal ? kOrthogonalSigma_rad : kFreeHeadingSigma_rad);
   graph_.add_odometry(constraint);

@@ -31,7 +31,7 @@ class LoopCloser {
   void finish(std::span<const Keyframe> keyframes);
 
   /// Recomputes all relative poses for a new scale factor of the wheels' distances.
-  void restate_paths(double odometry_factor, std::span<const Keyframe> keyframes);
+  void restate_odometry(double odometry_factor, std::span<const Keyframe> keyframes);
   double odometry_factor() const { return odometry_factor_; }
 
   const std::vector<Submap>& submaps() const { return submaps_; }
@@ -50,7 +50,7 @@ class LoopCloser {
     bool taken = false;
   };
 
-  Pose2 path_to(std::size_t submap, std::span<const Keyframe> keyframes) const;
+  Pose2 relative_pose_to(std::size_t submap, std::span<const Keyframe> keyframes) const;
   void connect_to_previous(std::span<const Keyframe> keyframes, bool orthogonal);
   bool close_loops(std::size_t submap, std::span<const Keyframe> keyframes);
   std::vector<double> distances_from(std::size_t submap) const;

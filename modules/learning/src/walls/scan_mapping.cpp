@@ -56,7 +56,7 @@ std::optional<Pose2> ScanMapping::lay_again(std::size_t scan, const Pose2& T_map
 
 void ScanMapping::finish_loops() {
   if (next_keyframe_ < tracker_.keyframes().size()) close_submap();
-  loops_.restate_paths(tracker_.odometry_factor(), tracker_.keyframes());
+  loops_.restate_odometry(tracker_.odometry_factor(), tracker_.keyframes());
   loops_.finish(tracker_.keyframes());
 }
 
@@ -80,7 +80,7 @@ bool ScanMapping::close_submap() {
   if (!orthogonal_) update.axis_tolerance_rad = -1;
   const double factor = tracker_.odometry_factor();
   const bool restated = std::abs(factor - loops_.odometry_factor()) > kFactorRestated;
-  if (restated) loops_.restate_paths(factor, keyframes);
+  if (restated) loops_.restate_odometry(factor, keyframes);
   const bool closed =
       loops_.add(build_submap(next_keyframe_, last, keyframes, segments_, update), keyframes, orthogonal_);
   next_keyframe_ = last + 1;

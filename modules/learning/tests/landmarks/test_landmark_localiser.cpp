@@ -150,7 +150,7 @@ TEST(LandmarkLocaliser, WhatWasSeenFromThisSideCountsMoreThanWhatWasSeenFromTheO
   for (const CorridorLine& line : lines) {
     Landmark landmark{.p_map = line.p_map, .seen_from = {-1, 0}, .brighter_right = line.brighter_right};
     map.add(landmark);
-    landmark.p_map += Vec2(0.25, -0.15);  // the run had drifted so far when it came back
+    landmark.p_map += Vec2(0.25, -0.15);  // drift of the run by the time it came back
     landmark.weight = 2;
     landmark.seen_from = {1, 0};
     map.add(landmark);

@@ -65,7 +65,7 @@ Mat3 carried_on(const Mat3& covariance, const Pose2& from, const Pose2& step) {
 
 RC_GTEST_PROP(OdometryScale, IsTheFourthUnknownOfOneKalmanFilter, (std::uint64_t seed)) {
   constexpr double kTurn_rad2 = 1e-4;
-  constexpr double kCorrection = 0.002;  // [m, rad] so small that the factor stays where wheels' are
+  constexpr double kCorrection = 0.002;  // [m, rad] so small that the factor stays realistic
   Random random(seed);
   OdometryScale scale(0.05);
   WholeFilter whole;

@@ -47,8 +47,8 @@ struct ExplorationRecord {
   std::vector<CoverageMark> coverage;  ///< every half metre driven
   std::vector<Pose2> T_map_vehicle;    ///< one a cycle, as known at the end
   std::size_t paths_waiting = 0;       ///< pushed, and neither explored nor given up
-  std::size_t paths_abandoned = 0;     ///< abandoned
-  double path_m = 0;                   ///< driven, forwards and backwards, by odometry
+  std::size_t paths_abandoned = 0;     ///< the time ran out before they were explored
+  double path_m = 0;                   ///< driven, forwards and backwards, as the vehicle measured it
   bool came_home = false;
   std::string ended_because;  ///< "explored" or why not
 

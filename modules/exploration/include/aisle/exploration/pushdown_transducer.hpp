@@ -19,7 +19,7 @@ struct TransducerRule {
   static constexpr Symbol kNone = 255;  ///< `super_rule` of a combination that no rule covers
 
   Symbol next_state = 0;
-  Symbol output = kNoOutput;            ///< the machine goes on without an action
+  Symbol output = kNoOutput;            ///< kNoOutput: the machine goes on without an action
   Symbol super_rule = kNone;            ///< the super rule that it follows from
   bool reachable = false;               ///< whether any world leads to this combination
   Symbol length = 0;                    ///< of `replacement`
@@ -38,7 +38,7 @@ struct TransducerTable {
   Symbol start_state = 0;
   Symbol final_state = 0;
   Symbol start_symbol = 0;
-  std::vector<TransducerRule> rules;  ///< the last value of the top stands for an empty stack
+  std::vector<TransducerRule> rules;  ///< [state][input][stack top]; the last top is the empty stack
 
   std::size_t tops() const { return stack.size() + 1; }
   Symbol empty_stack() const { return static_cast<Symbol>(stack.size()); }

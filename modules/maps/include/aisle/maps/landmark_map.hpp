@@ -19,7 +19,7 @@ struct Landmark {
   Vec2 seen_from = Vec2::Zero();   ///< unit vector in `map` towards where it was seen from; zero: unknown
   double seen_near_m = 0;          ///< least distance that it was seen from ...
   double seen_far_m = std::numeric_limits<double>::infinity();  ///< ... and the greatest; infinite: unknown
-  bool brighter_right = false;  ///< the line is brighter on its right, as it is seen
+  bool brighter_right = false;  ///< brighter on its right side, from wherever it is seen
 };
 
 /// Landmarks with a spatial index: lookups cost the same whatever the size of the building.

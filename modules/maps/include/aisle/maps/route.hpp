@@ -14,7 +14,7 @@ namespace aisle {
 /// The floor point of a vertical line, as seen from a route's start.
 struct StartSighting {
   Vec2 p_vehicle = Vec2::Zero();
-  bool brighter_right = false;  ///< the line is brighter on its right
+  bool brighter_right = false;  ///< brighter on its right side, as seen
 };
 
 /// A taught path.
