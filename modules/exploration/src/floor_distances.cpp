@@ -22,13 +22,13 @@ constexpr bool is_diagonal(unsigned step) {
 
 void FloorDistances::measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m,
                              double room_m, double leeway_m) {
-  room_ = clearance.room();
+  box_ = clearance.room();
   cell_m_ = static_cast<float>(floor.cell_m());
-  const auto has_room = [&](std::size_t at) { return clearance.to_doubtful_m(at) >= room_m; };
+  const auto has_clearance = [&](std::size_t at) { return clearance.to_doubtful_m(at) >= room_m; };
   tenths_.resize(clearance.size());
-  for (std::size_t at = 0; at < tenths_.size(); ++at) tenths_[at] = has_room(at) ? kFar : kShut;
+  for (std::size_t at = 0; at < tenths_.size(); ++at) tenths_[at] = has_clearance(at) ? kFar : kShut;
   const FloorCell start = floor.cell_at(from_m);
-  if (!room_.widened(-1).contains(start)) return;
+  if (!box_.widened(-1).contains(start)) return;
   const auto leeway = static_cast<std::int32_t>(10 * leeway_m / floor.cell_m());
   FloorBox about;
   about.include(start);
@@ -42,11 +42,11 @@ void FloorDistances::measure(const FloorGrid& floor, const FloorClearance& clear
   // cells with less clearance are entered only within the leeway: all of them are settled one step beyond it
   settle(leeway + kDiagonal, [&](Reached reached) {
     for (unsigned step = 0; step < kSteps.size(); ++step) {
-      if (now_ <= leeway || has_room(next(reached.at, step))) go(reached.at, step);
+      if (now_ <= leeway || has_clearance(next(reached.at, step))) go(reached.at, step);
     }
   });
   clearance.for_cells(about, [&](FloorCell, std::size_t at) {
-    if (tenths_[at] == kFar && !has_room(at)) tenths_[at] = kShut;
+    if (tenths_[at] == kFar && !has_clearance(at)) tenths_[at] = kShut;
   });
   settle(kFar, [this](Reached reached) { go_on(reached); });
 }

@@ -58,8 +58,8 @@ class FrontierFinder {
     std::vector<FloorCell> frontier_cells;
     const double sure_m = params_.room_m, beside_uncertain_m = sure_m + kBesideCells * floor_.cell_m();
     clearance_.for_cells(floor_.known(), [&](FloorCell cell, std::size_t index) {
-      const double room_m = clearance_.to_doubtful_m(index);
-      if (room_m < sure_m || room_m >= beside_uncertain_m) return;
+      const double clearance_m = clearance_.to_doubtful_m(index);
+      if (clearance_m < sure_m || clearance_m >= beside_uncertain_m) return;
       if (!may_be_floor(cell) || reached_.to(cell) == FloorDistances::kUnreached) return;
       bool borders = false;
       for_neighbours(cell, 1, [&](FloorCell next) { borders = borders || is_doubtful(next); });

@@ -99,12 +99,12 @@ bool FloorClearance::is_barred(FloorCell cell) const {
 }
 
 /// Outside the previous box everything is unknown so far.
-void FloorClearance::widen_room(const FloorBox& wider) {
-  const FloorBox former = room_;
+void FloorClearance::widen_stored(const FloorBox& wider) {
+  const FloorBox former = stored_;
   const std::vector<float> former_doubtful_m = std::move(to_doubtful_m_);
   const std::vector<float> former_occupied_m = std::move(to_occupied_m_);
-  room_.include_box(wider);
-  const std::size_t size = columns() * static_cast<std::size_t>(room_.end.y - room_.low.y);
+  stored_.include_box(wider);
+  const std::size_t size = columns() * static_cast<std::size_t>(stored_.end.y - stored_.low.y);
   to_doubtful_m_.assign(size, 0);
   to_occupied_m_.assign(size, static_cast<float>(far_m_));
   std::size_t number = 0;
@@ -121,13 +121,13 @@ void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
   if (legs_) affected.include_box(legs_->update(floor, changed));
   affected = affected.widened(limit);
   const bool is_within =
-      room_.contains(affected.low) && room_.contains({affected.end.x - 1, affected.end.y - 1});
+      stored_.contains(affected.low) && stored_.contains({affected.end.x - 1, affected.end.y - 1});
   if (!is_within) {
-    const bool is_first = room_.empty();
-    widen_room(floor.known().widened(2 * kMargin));
-    if (is_first || !barred_.empty()) affected = room_;
+    const bool is_first = stored_.empty();
+    widen_stored(floor.known().widened(2 * kMargin));
+    if (is_first || !barred_.empty()) affected = stored_;
   }
-  affected = affected.common_with(room_);
+  affected = affected.common_with(stored_);
   std::vector<float> metres;  // by squared distance
   for (int squared = 0; squared <= limit * limit; ++squared)
     metres.push_back(

@@ -56,29 +56,29 @@ bool FloorGrid::see_occupied(FloorCell cell) {
 
 bool FloorGrid::seem_free(FloorCell cell) {
   const bool tells_nothing =
-      room_.contains(cell) && (evidence_[index(cell)] > 0 || evidence_[index(cell)] <= kSeemsFree);
+      stored_.contains(cell) && (evidence_[index(cell)] > 0 || evidence_[index(cell)] <= kSeemsFree);
   return !tells_nothing && weigh(cell, kPassed);
 }
 
 bool FloorGrid::stand_on(FloorCell cell) {
   if (at(cell) == Floor::kOccupied) return see_free(cell);
   if (was_stood_on(cell) || !is_within_reach(cell)) return false;
-  make_room(cell);
+  grow_to(cell);
   put(cell, kStoodOn);
   return true;
 }
 
 void FloorGrid::set(FloorCell cell, Floor floor) {
   const int evidence = floor == Floor::kFree ? kSurelyFree : floor == Floor::kOccupied ? kSurelyOccupied : 0;
-  if (floor == Floor::kUnknown && !room_.contains(cell)) return;
+  if (floor == Floor::kUnknown && !stored_.contains(cell)) return;
   if (!is_within_reach(cell)) return;
-  make_room(cell);
+  grow_to(cell);
   put(cell, static_cast<Evidence>(evidence));
 }
 
 bool FloorGrid::weigh(FloorCell cell, int weight) {
   if (!is_within_reach(cell)) return false;
-  make_room(cell);
+  grow_to(cell);
   if (weight < 0 && was_stood_on(cell)) return false;
   int evidence =
       std::clamp(std::max<int>(evidence_[index(cell)], kSurelyFree) + weight, kSurelyFree, kSurelyOccupied);
@@ -100,27 +100,27 @@ bool FloorGrid::put(FloorCell cell, Evidence evidence) {
 }
 
 /// Moves everything into a larger box if the cell lies outside the current one.
-void FloorGrid::make_room(FloorCell cell) {
-  if (room_.contains(cell)) return;
-  FloorBox wider = room_;
+void FloorGrid::grow_to(FloorCell cell) {
+  if (stored_.contains(cell)) return;
+  FloorBox wider = stored_;
   const auto clamped = [](int coordinate) { return std::clamp(coordinate, -kReach, kReach); };
   for (const int growth : {-kGrowth, kGrowth}) {
-    const bool grows_x = room_.empty() || (growth < 0 ? cell.x < room_.low.x : cell.x >= room_.end.x);
-    const bool grows_y = room_.empty() || (growth < 0 ? cell.y < room_.low.y : cell.y >= room_.end.y);
+    const bool grows_x = stored_.empty() || (growth < 0 ? cell.x < stored_.low.x : cell.x >= stored_.end.x);
+    const bool grows_y = stored_.empty() || (growth < 0 ? cell.y < stored_.low.y : cell.y >= stored_.end.y);
     wider.include({clamped(cell.x + (grows_x ? growth : 0)), clamped(cell.y + (grows_y ? growth : 0))});
   }
-  const FloorBox old_room = room_;
+  const FloorBox old_box = stored_;
   const std::vector<Evidence> old = std::move(evidence_);
-  room_ = wider;
+  stored_ = wider;
   evidence_.assign(static_cast<std::size_t>(wider.end.x - wider.low.x) *
                        static_cast<std::size_t>(wider.end.y - wider.low.y),
                    0);
-  const auto width = static_cast<std::size_t>(old_room.end.x - old_room.low.x);
-  for (int row = old_room.low.y; row < old_room.end.y; ++row) {
+  const auto width = static_cast<std::size_t>(old_box.end.x - old_box.low.x);
+  for (int row = old_box.low.y; row < old_box.end.y; ++row) {
     const auto from =
-        old.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row - old_room.low.y) * width);
+        old.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row - old_box.low.y) * width);
     std::copy(from, from + static_cast<std::ptrdiff_t>(width),
-              evidence_.begin() + static_cast<std::ptrdiff_t>(index({old_room.low.x, row})));
+              evidence_.begin() + static_cast<std::ptrdiff_t>(index({old_box.low.x, row})));
   }
 }
 

@@ -21,7 +21,7 @@ class FloorDistances {
 
   /// [m]; kUnreached where no path is known.
   float to(FloorCell cell) const {
-    const std::int32_t tenths = room_.contains(cell) ? tenths_[index(cell)] : kShut;
+    const std::int32_t tenths = box_.contains(cell) ? tenths_[index(cell)] : kShut;
     return tenths == kShut || tenths == kFar ? kUnreached : static_cast<float>(tenths) * 0.1F * cell_m_;
   }
   /// To the nearest reached cell within a distance of a place [m].
@@ -34,9 +34,8 @@ class FloorDistances {
   static constexpr std::size_t kBuckets = 16;
 
   std::size_t index(FloorCell cell) const {
-    return static_cast<std::size_t>(cell.y - room_.low.y) *
-               static_cast<std::size_t>(room_.end.x - room_.low.x) +
-           static_cast<std::size_t>(cell.x - room_.low.x);
+    return static_cast<std::size_t>(cell.y - box_.low.y) * static_cast<std::size_t>(box_.end.x - box_.low.x) +
+           static_cast<std::size_t>(cell.x - box_.low.x);
   }
 
   struct Reached {
@@ -53,7 +52,7 @@ class FloorDistances {
   void go(std::size_t from, unsigned step);
   void go_on(Reached reached);
 
-  FloorBox room_;
+  FloorBox box_;
   float cell_m_ = 0;
   std::vector<std::int32_t> tenths_;  ///< from the start to each cell of the box, in tenths of a cell
   std::array<std::ptrdiff_t, 8> to_next_ = {};        ///< what each step adds to a cell's index

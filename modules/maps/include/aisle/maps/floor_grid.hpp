@@ -59,7 +59,7 @@ class FloorGrid {
   Vec2 centre(FloorCell cell) const { return {(cell.x + 0.5) * cell_m_, (cell.y + 0.5) * cell_m_}; }
 
   Floor at(FloorCell cell) const {
-    return room_.contains(cell) ? floor_of(evidence_[index(cell)]) : Floor::kUnknown;
+    return stored_.contains(cell) ? floor_of(evidence_[index(cell)]) : Floor::kUnknown;
   }
   Floor at(const Vec2& p_map) const { return at(cell_at(p_map)); }
 
@@ -76,7 +76,7 @@ class FloorGrid {
   /// @return whether the cell's state has changed, or the vehicle was not on it before
   bool stand_on(FloorCell cell);
   bool was_stood_on(FloorCell cell) const {
-    return room_.contains(cell) && evidence_[index(cell)] == kStoodOn;
+    return stored_.contains(cell) && evidence_[index(cell)] == kStoodOn;
   }
   /// Sets the cell with the strongest evidence.
   void set(FloorCell cell, Floor floor);
@@ -100,16 +100,16 @@ class FloorGrid {
     return evidence == 0 ? Floor::kUnknown : evidence > 0 ? Floor::kOccupied : Floor::kFree;
   }
   std::size_t index(FloorCell cell) const {
-    return static_cast<std::size_t>(cell.y - room_.low.y) *
-               static_cast<std::size_t>(room_.end.x - room_.low.x) +
-           static_cast<std::size_t>(cell.x - room_.low.x);
+    return static_cast<std::size_t>(cell.y - stored_.low.y) *
+               static_cast<std::size_t>(stored_.end.x - stored_.low.x) +
+           static_cast<std::size_t>(cell.x - stored_.low.x);
   }
   bool weigh(FloorCell cell, int weight);
   bool put(FloorCell cell, Evidence evidence);
-  void make_room(FloorCell cell);
+  void grow_to(FloorCell cell);
 
   double cell_m_;
-  FloorBox room_;  ///< the cells in `evidence_`, row by row
+  FloorBox stored_;  ///< the cells in `evidence_`, row by row
   FloorBox known_;
   std::vector<Evidence> evidence_;
   std::size_t counts_[3] = {};  ///< of `evidence_`, by Floor; unknown ones are not counted
