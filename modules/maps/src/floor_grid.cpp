@@ -55,9 +55,9 @@ bool FloorGrid::see_occupied(FloorCell cell) {
 }
 
 bool FloorGrid::seem_free(FloorCell cell) {
-  const bool tells_nothing =
+  const bool adds_nothing =
       stored_.contains(cell) && (evidence_[index(cell)] > 0 || evidence_[index(cell)] <= kSeemsFree);
-  return !tells_nothing && weigh(cell, kPassed);
+  return !adds_nothing && weigh(cell, kPassed);
 }
 
 bool FloorGrid::stand_on(FloorCell cell) {

@@ -180,8 +180,8 @@ std::vector<float> usable_ranges_m(const FloorGrid& floor, const LaserScanner& l
         is_shut(floor, T_map_laser, laser.beam_angle(beam), near_m[beam]))
       usable_m[beam] = 0;
   }
-  const bool tells_of_lost_light = !near_m.empty();
-  if (!tells_of_lost_light) leave_out_lost(laser, usable_m);
+  const bool marks_lost_beams = !near_m.empty();
+  if (!marks_lost_beams) leave_out_lost(laser, usable_m);
   return usable_m;
 }
 

@@ -43,18 +43,18 @@ std::vector<std::size_t> most_alike(std::span<const DrivenList> drives) {
 
 /// The median of a value over the drives that have it; nullopt if none does.
 template <typename Tell>
-std::optional<double> median_reported(const std::vector<DrivenList>& drives, Tell&& tell) {
-  std::vector<double> reported;
+std::optional<double> median_over(const std::vector<DrivenList>& drives, Tell&& tell) {
+  std::vector<double> values;
   for (const DrivenList& drive : drives) {
-    if (const std::optional<double> value = tell(drive)) reported.push_back(*value);
+    if (const std::optional<double> value = tell(drive)) values.push_back(*value);
   }
-  if (reported.empty()) return std::nullopt;
-  return middle_of(std::move(reported));
+  if (values.empty()) return std::nullopt;
+  return middle_of(std::move(values));
 }
 
 Section merged_section(const std::vector<DrivenList>& drives, std::size_t i) {
   const auto middle = [&](auto Section::*member) {
-    return median_reported(
+    return median_over(
         drives, [&](const DrivenList& drive) -> std::optional<double> { return drive.sections[i].*member; });
   };
   Section section = drives.front().sections[i];
@@ -80,7 +80,7 @@ MergedDrives merge_drives(std::span<const DrivenList> drives) {
                            return a.unseen.length_m < b.unseen.length_m;
                          })->unseen;
   merged.driven.corridor_width_m =
-      median_reported(alike, [](const DrivenList& drive) { return drive.corridor_width_m; });
+      median_over(alike, [](const DrivenList& drive) { return drive.corridor_width_m; });
   return merged;
 }
 

@@ -62,8 +62,8 @@ class SignatureCorrelator {
 
   double displacement_m(std::size_t index) const;
 
-  /// The displacement of the highest value, refined to sub-cell accuracy by a parabola; in a tie the smallest
-  /// displacement wins. nullopt if nothing correlates.
+  /// The displacement of the highest value, refined to sub-cell accuracy by a parabola; in a tie the first
+  /// index wins. nullopt if nothing correlates.
   std::optional<double> peak_m() const;
 
   /// Displacements of the `count` highest peaks, each at least `apart_m` from the others; destroys the

@@ -49,7 +49,7 @@ class ScanTracker {
 
   /// Takes one scan: its segments (sensor frame) and the sensor's motion since the last scan by odometry.
   /// Returns the sensor's pose in `track`. With `orthogonal` false the building has no dominant direction: no
-  /// wall is parallel to an axis.
+  /// wall is taken to lie on an axis.
   Pose2 step(std::span<const SensedSegment> segments, const Pose2& T_last_now, bool orthogonal);
 
   /// Fits an earlier scan to the walls of the last segment of path, near a guess; nullopt if too little of it
