@@ -66,7 +66,7 @@ TEST(BuildingExplorer, LeavesNoFarPocketUndone) {
   EXPECT_EQ(explorer.paths_abandoned(), 1) << "the corridor's far end";
 }
 
-TEST(BuildingExplorer, TriesWhatItLeftOnceMoreFromElsewhere) {
+TEST(BuildingExplorer, RetriesAnAbandonedPathOnceFromElsewhere) {
   DrawnFloor drawn;
   drawn.put_corridor(20, 2);
   BuildingExplorer explorer({}, ExploringOrder::kRecommended);
@@ -81,7 +81,7 @@ TEST(BuildingExplorer, TriesWhatItLeftOnceMoreFromElsewhere) {
   EXPECT_EQ(kind_at(10), ExploringTarget::Kind::kHome);
 }
 
-TEST(BuildingExplorer, TriesWhatItLeftOnceMoreWhenItKnowsMore) {
+TEST(BuildingExplorer, RetriesAnAbandonedPathOnceWhenItKnowsMore) {
   DrawnFloor drawn;
   drawn.put_corridor(20, 2);
   BuildingExplorer explorer({}, ExploringOrder::kRecommended);
@@ -129,7 +129,7 @@ TEST_F(SecondLook, IsNotWorthWhileIntoARecess) {
   EXPECT_EQ(looks_at(8), 0);
 }
 
-TEST(BuildingExplorer, TriesWhatItLeftAgainOnCellsHalfAsWide) {
+TEST(BuildingExplorer, RetriesAGivenUpPathOnCellsHalfAsWide) {
   DrawnFloor coarse, fine(0.025);
   for (DrawnFloor* drawn : {&coarse, &fine}) drawn->put_corridor(20, 2);
   BuildingExplorer explorer({}, ExploringOrder::kRecommended);

@@ -62,7 +62,7 @@ RC_GTEST_PROP(FloorDistances, AreThoseThatTryingAllPathsGives, (std::uint64_t se
   }
 }
 
-TEST(FloorDistances, NowhereIsReachedFromOutsideTheFloor) {
+TEST(FloorDistances, NothingIsReachedFromOutsideTheFloor) {
   FloorGrid floor;
   floor.set({0, 0}, Floor::kFree);
   FloorClearance clearance;

@@ -87,7 +87,7 @@ TEST(Pockets, WhatAFrontierLeadsToIsNone) {
   EXPECT_TRUE(drawn.pockets().empty());
 }
 
-TEST(Pockets, WhatCannotBeSeenFromWhereTheVehicleGetsIsNone) {
+TEST(Pockets, FloorThatCannotBeSeenFromReachableFloorIsNone) {
   DrawnFloor drawn = closed_corridor();
   drawn.put({6, 0}, {8, 2}, Floor::kFree);
   EXPECT_TRUE(drawn.pockets().empty());

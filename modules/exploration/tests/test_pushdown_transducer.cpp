@@ -51,7 +51,7 @@ TEST(PushdownTransducer, PushesPopsAndHalts) {
   EXPECT_EQ(run.top(), table.empty_stack());
 }
 
-TEST(PushdownTransducer, NamesACombinationWithoutARuleAndStaysAsItWas) {
+TEST(PushdownTransducer, NamesACombinationWithoutARuleAndKeepsItsState) {
   const TransducerTable table = brackets();
   TransducerRun run(table);
   try {

@@ -73,7 +73,7 @@ TEST(PoseFilter, OneExactPointOfTwoCorrectsAlongItsAxesOnly) {
   EXPECT_NEAR(filter.covariance()(0, 0), 0.01 / 2, 1e-4);
 }
 
-TEST(PoseFilter, WhatIsSeenLaterTellsWhereItWasAtFirst) {
+TEST(PoseFilter, LaterObservationsCorrectTheFirstPose) {
   // The start is as unsure as the wheels' scale after 10 m: half of the error is attributed to each.
   VehicleDescription vehicle = cart();
   vehicle.front_steered_noise.distance_slip_m_per_sqrt_m = 0;
@@ -101,7 +101,7 @@ TEST(PoseFilter, AVehicleThatStandsStaysAsSureAsItWas) {
   EXPECT_EQ(filter.covariance(), before);
 }
 
-TEST(PoseFilter, PointsTellWhereItWasAtFirstAsNumbersDo) {
+TEST(PoseFilter, PointsCorrectTheFirstPoseAsScalarsDo) {
   const Vec2 floor_point{12, 0};
   PoseFilter by_point(cart(), about({0, 0, 0}, 0.1, 1e-6)), by_number = by_point;
   for (int i = 0; i < 100; ++i) {
@@ -124,7 +124,7 @@ TEST(PoseFilter, APointThatIsWrongMovesThePoseLittle) {
   EXPECT_THAT(filter.pose(), PoseNear(truth, 0.01, 0.3 * kDegree));
 }
 
-TEST(PoseFilter, PointsThatAreWhatTheyAreTakenForAreAsFarOffAsChiSquaredSays) {
+TEST(PoseFilter, DistancesOfCorrectAssociationsAreChiSquared) {
   constexpr int kTrials = 400;
   Random random(7);
   double sum = 0;
@@ -139,7 +139,7 @@ TEST(PoseFilter, PointsThatAreWhatTheyAreTakenForAreAsFarOffAsChiSquaredSays) {
   EXPECT_NEAR(sum / static_cast<double>(degrees), 1, 0.05);
 }
 
-TEST(PoseFilter, PointsThatShowAnotherPoseAreFarOff) {
+TEST(PoseFilter, PointsSeenFromAnotherPoseAreFarOff) {
   const PoseFilter filter(cart(), about({3, 0, 0}, 0.01, 0.1 * kDegree));
   const std::vector<SeenPoint> points = look({3.2, -0.1, 0.05}, 0.02);
   EXPECT_GT(filter.squared_distance(points, filter.pose()), 20 * static_cast<double>(points.size()));
@@ -194,7 +194,7 @@ TEST(PoseFilter, SteeringOffItsZeroIsLearnedOnOneStraightAndHelpsOnTheNext) {
   EXPECT_GT(std::abs(blind.pose().theta - truth.theta), 2 * kDegree);
 }
 
-TEST(PoseFilter, BeingPutElsewhereKeepsWhatIsKnownOfTheOdometry) {
+TEST(PoseFilter, PlacingItElsewhereKeepsTheOdometryErrors) {
   constexpr double kStep_m = 0.1, kScale = 1.02;
   PoseFilter filter(cart(), about({0, 0, 0}, 0.01, 0.1 * kDegree));
   for (int i = 1; i <= 80; ++i) {
@@ -206,7 +206,7 @@ TEST(PoseFilter, BeingPutElsewhereKeepsWhatIsKnownOfTheOdometry) {
   EXPECT_NEAR(filter.pose().x, 10.2, 0.03);
 }
 
-TEST(PoseFilter, HoweverManyPointsShareATiltErrorTheyDoNotMakeItSurerThanTheTiltIs) {
+TEST(PoseFilter, ManyPointsWithOneTiltErrorDoNotMakeItSurerThanTheTilt) {
   constexpr double kPrior_m = 0.3, kTilt_m = 0.03;
   std::vector<SeenPoint> points;
   for (int i = 0; i < 400; ++i) {

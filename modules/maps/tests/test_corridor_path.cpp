@@ -39,7 +39,7 @@ TEST(CorridorPath, OnOneCorridorThePathIsThePieceBetween) {
   EXPECT_EQ(path->points(graph), (std::vector<Vec2>{{8, 0}, {2, 0}}));
 }
 
-TEST(CorridorPath, ItGoesRoundTheShorterSide) {
+TEST(CorridorPath, ItTakesTheShorterSideOfALoop) {
   const CorridorGraph graph = square_graph();
   const auto path = shortest_path(graph, *graph.nearest({8, 0}), *graph.nearest({7, 10}));
   ASSERT_TRUE(path);
@@ -47,7 +47,7 @@ TEST(CorridorPath, ItGoesRoundTheShorterSide) {
   EXPECT_EQ(path->points(graph), (std::vector<Vec2>{{8, 0}, {10, 0}, {10, 10}, {7, 10}}));
 }
 
-TEST(CorridorPath, AClosedPlaceIsGoneRound) {
+TEST(CorridorPath, AClosedPlaceIsAvoided) {
   const CorridorGraph graph = square_graph();
   const std::vector<CorridorPlace> closed = {*graph.nearest({10, 5})};
   const auto path = shortest_path(graph, *graph.nearest({8, 0}), *graph.nearest({7, 10}), closed);
@@ -55,7 +55,7 @@ TEST(CorridorPath, AClosedPlaceIsGoneRound) {
   EXPECT_DOUBLE_EQ(path->length_m(), 8 + 10 + 7);
 }
 
-TEST(CorridorPath, FromBeforeAClosedPlaceThePathLeadsBackAndRoundToBehindIt) {
+TEST(CorridorPath, ThePathLeadsAroundFromOneSideOfAClosedPlaceToTheOther) {
   const CorridorGraph graph = square_graph();
   const std::vector<CorridorPlace> closed = {*graph.nearest({5, 0})};
   const auto path = shortest_path(graph, *graph.nearest({4, 0}), *graph.nearest({6, 0}), closed);
@@ -63,7 +63,7 @@ TEST(CorridorPath, FromBeforeAClosedPlaceThePathLeadsBackAndRoundToBehindIt) {
   EXPECT_DOUBLE_EQ(path->length_m(), 4 + 30 + 4);
 }
 
-TEST(CorridorPath, ThereIsNoneToWhatIsCutOff) {
+TEST(CorridorPath, ThereIsNoneToADisconnectedPlace) {
   const CorridorGraph graph = square_graph();
   const std::vector<CorridorPlace> closed = {*graph.nearest({5, 0}), *graph.nearest({10, 5})};
   EXPECT_FALSE(shortest_path(graph, *graph.nearest({0, 2}), *graph.nearest({9, 0}), closed));
@@ -153,7 +153,7 @@ RC_GTEST_PROP(Patrol, WithFewOddNodesNoPathIsShorter, (std::uint64_t seed)) {
   RC_ASSERT(std::abs(patrol_path(graph, 0).length_m() - least_m) < 1e-6);
 }
 
-TEST(Patrol, ARoundIsDrivenOnceRound) {
+TEST(Patrol, ALoopIsDrivenOnce) {
   EXPECT_DOUBLE_EQ(patrol_path(square_graph(), 2).length_m(), 40);
 }
 

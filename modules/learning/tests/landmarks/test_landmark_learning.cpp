@@ -46,7 +46,7 @@ TEST(ConfidenceWeight, FallsWithTheSquareOfTheDistance) {
   EXPECT_DOUBLE_EQ(confidence_weight({6, 0}, 4), 0.1);
 }
 
-TEST(UnitedLandmarks, WereSeenFromAllDistancesOfBoth) {
+TEST(UnitedLandmarks, CoverTheDistancesOfBoth) {
   Landmark near, far;
   near.mass = far.mass = 1;
   near.seen_near_m = 1.5, near.seen_far_m = 3;
@@ -87,7 +87,7 @@ TEST(SettleWeights, LandmarksBelowTheLeastWeightGo) {
   EXPECT_EQ(landmarks[1].p_map.x(), 2);
 }
 
-TEST(SettleWeights, ThereMayBeNone) {
+TEST(SettleWeights, WorksWithoutLandmarks) {
   std::vector<Landmark> landmarks;
   settle_weights(landmarks, {0, 0}, 0.15);
   EXPECT_THAT(landmarks, IsEmpty());
@@ -390,7 +390,7 @@ double sigma_of_line_m(double wander_per_m) {
   return std::sqrt(nearest->covariance.trace());
 }
 
-TEST(LearnLandmarks, ALineThatWandersIsNotKnownAsSurelyAsOneThatStands) {
+TEST(LearnLandmarks, AWanderingLineIsKnownLessSurelyThanAFixedOne) {
   EXPECT_GT(sigma_of_line_m(0.05), 3 * sigma_of_line_m(0));
 }
 

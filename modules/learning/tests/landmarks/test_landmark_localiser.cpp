@@ -47,7 +47,7 @@ TEST(LandmarkLocaliser, CorrectsAStartThatIsOff) {
 }
 
 /// A small turn shifts a few lines at one distance as a sideways step does.
-TEST(LandmarkLocaliser, WallsThatAreKnownWhereItStartsTellTheHeadingThatItsFirstLandmarksHardlyTell) {
+TEST(LandmarkLocaliser, KnownWallsAtTheStartGiveTheHeadingThatTheFirstLandmarksHardlyGive) {
   const std::vector<CorridorLine> lines{{{8, -0.5}, false}, {{8.1, 0.1}, true}, {{8, 0.6}, false}};
   const LandmarkMap map = map_of(lines);
   const Pose2 truth{3, 0, 0};
@@ -108,7 +108,7 @@ TEST(LandmarkLocaliser, ALandmarkThatIsHardlyKnownTakesNoSightingFromOneThatIsKn
   EXPECT_EQ(taken->landmark, shown);
 }
 
-TEST(LandmarkLocaliser, LookAlikeDoorsAreCarriedByOdometryAndNeverJumpedTo) {
+TEST(LandmarkLocaliser, AmongLookAlikeDoorsOdometryCarriesThePoseWithoutJumps) {
   const LandmarkMap map = map_of(lookalike_doors(-9, 40));
   const VehicleDescription cart = corridor_cart();
   Pose2 truth{3.45, 0, 0};  // half way between two look-alikes of the believed pose
@@ -143,7 +143,7 @@ TEST(LandmarkLocaliser, DoorsBeyondThePoseUncertaintyAreNoRivals) {
   EXPECT_THAT(localiser.pose(), PoseNear(truth, 0.02, 0.3 * kDegree));
 }
 
-TEST(LandmarkLocaliser, WhatWasSeenFromThisSideCountsMoreThanWhatWasSeenFromTheOtherOne) {
+TEST(LandmarkLocaliser, LandmarksSeenFromThisSideCountMoreThanThoseSeenFromTheOther) {
   Random random(5);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   LandmarkMap map;
@@ -241,7 +241,7 @@ TEST(LandmarkLocaliser, NothingSeenAndNothingKnownSayNothing) {
   EXPECT_THAT(localiser.pose(), PoseNear(Pose2{3, 0, 0}, 0, 0));
 }
 
-TEST(LandmarkLocaliser, AHundredThousandLandmarksElsewhereChangeNeitherTheAnswerNorHowManyAreLookedAt) {
+TEST(LandmarkLocaliser, AHundredThousandLandmarksElsewhereChangeNeitherTheAnswerNorTheCost) {
   Random random(10);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   const Pose2 truth{3.1, 0.05, 0.02};
@@ -268,7 +268,7 @@ double position_sigma_m(const LandmarkLocaliser& localiser) {
   return std::sqrt(localiser.covariance().topLeftCorner<2, 2>().trace());
 }
 
-TEST(LandmarkLocaliser, DoesNotBecomeSurerAndSurerByOneImageSeenAgainAndAgain) {
+TEST(LandmarkLocaliser, DoesNotBecomeSurerByTheSameImageAgainAndAgain) {
   Random random(9);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   const LandmarkMap map = map_of(lines);

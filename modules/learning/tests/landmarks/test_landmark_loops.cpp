@@ -112,7 +112,7 @@ TEST(LandmarkLoops, ARunThatComesBackHasItsStartWhereItWas) {
   }
 }
 
-TEST(LandmarkLoops, APlaceThatWasPassedTwiceStandsInTheMapOnce) {
+TEST(LandmarkLoops, APlacePassedTwiceIsInTheMapOnce) {
   Random random(4);
   const Ring ring(random);
   const CorridorRun run = run_around(ring, {}, random);

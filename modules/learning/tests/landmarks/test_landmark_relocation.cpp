@@ -160,7 +160,7 @@ std::optional<Pose2> look_on_the_path(LandmarkRelocator& relocator, const Landma
 }
 
 // Everything seen is known at another place, too; but more should be seen there.
-TEST(LandmarkRelocation, WhatIsMissedTellsPlacesApart) {
+TEST(LandmarkRelocation, MissedLandmarksTellPlacesApart) {
   constexpr double kApart_m = 16;
   Random random(10);
   const std::vector<CorridorLine> here = corridor_lines(9, random);
@@ -180,7 +180,7 @@ TEST(LandmarkRelocation, WhatIsMissedTellsPlacesApart) {
 }
 
 // Two lines seen here are missing at the other place: known here, unknown there.
-TEST(LandmarkRelocation, WhatIsUnknownTellsPlacesApart) {
+TEST(LandmarkRelocation, UnknownLandmarksTellPlacesApart) {
   constexpr double kApart_m = 16;
   Random random(12);
   const std::vector<CorridorLine> here = corridor_lines(6, random);

@@ -82,7 +82,7 @@ std::vector<Vec2> painted_ahead(double middle_m, double shown_m) {
   return points;
 }
 
-TEST(RoomLearning, AFrameThatIsShownInPartAtFirstIsMeasuredWhenItIsShownWhole) {
+TEST(RoomLearning, AFramePartlyInViewAtFirstIsMeasuredWhenFullyInView) {
   auto run = drive(400);
   run.back().marks = {{Mark::Kind::kStop, "frame"}};
   for (std::size_t i = 100; i < 250; ++i) {
@@ -129,7 +129,7 @@ TEST(RoomLearning, ThePathEndsAtTheStopMark) {
   EXPECT_THAT(learned->T_route_vehicle, SizeIs(430));
 }
 
-TEST(RoomLearning, AFewViewsOfThePatternDoNotReplaceThoseOfThePath) {
+TEST(RoomLearning, AFewViewsOfThePatternDoNotReplaceThePathsViews) {
   const auto learned = learn_room_route(drive_about_place(), room_cart(), {});
   ASSERT_TRUE(learned.ok());
   const std::vector<StopView>& views = learned->route.room->views;

@@ -34,7 +34,7 @@ TEST(SectionMerging, OfThreeDrivesTheMedianCounts) {
   EXPECT_DOUBLE_EQ(merged.driven.sections[2].length_m, 3.0);
 }
 
-TEST(SectionMerging, WhatOneDriveSawWasSeen) {
+TEST(SectionMerging, WhatAnyDriveSawWasSeen) {
   DrivenList one = drive({straight(9)}), other = drive({straight(9)});
   one.unseen = {.from_m = 2, .length_m = 6};
   other.unseen = {.from_m = 4, .length_m = 1};
@@ -57,7 +57,7 @@ TEST(SectionMerging, ADriveElsewhereIsLeftOut) {
   EXPECT_THAT(merged.taken, ElementsAre(1U, 3U));
 }
 
-TEST(SectionMerging, OfTwoFormsTheEarlierDriveCounts) {
+TEST(SectionMerging, InATieOfFormsTheEarlierDriveCounts) {
   const DrivenList path = drive({straight(5)}), other = drive({straight(9)});
   EXPECT_EQ(merge_drives(std::vector{path, other}).driven.sections, path.sections);
   EXPECT_EQ(merge_drives(std::vector{other, path}).driven.sections, other.sections);

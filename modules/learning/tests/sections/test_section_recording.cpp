@@ -197,7 +197,7 @@ TEST(SectionRecording, TheWallAcrossOneSegmentIsTheOneBesideTheNext) {
   EXPECT_NEAR(drive.recorded().T_route_vehicle.back().x, x_m, 0.08);
 }
 
-TEST(SectionRecording, APathThatOdometryBentBeginsWhereTheVehicleStood) {
+TEST(SectionRecording, APathBentByOdometryBeginsWhereTheVehicleStood) {
   Drive drive;
   drive.go(20, -10 * kDegree);
   const DrivenList driven = drive.recorded();
@@ -237,7 +237,7 @@ TEST(SectionRecording, EndsASectionWhereTheBaseLineStepsToTheSide) {
   EXPECT_NEAR(list[1].right_m.value(), 0.8, 0.02);
 }
 
-TEST(SectionRecording, TellsWhereNoBaseLineWasSeen) {
+TEST(SectionRecording, ReportsWhereNoBaseLineWasSeen) {
   Drive drive;
   for (const auto& [length_m, lateral_m] : {std::pair{4, -0.5}, {6, 0}, {5, -0.5}}) {
     drive.set_wall(lateral_m);

@@ -65,7 +65,7 @@ TEST(ScanTracker, FollowsWhereWheelsCountBackwardsIfTheyMay) {
   EXPECT_THAT(last, testing::Not(PoseNear(curve().back(), 0.1, 0.01)));
 }
 
-TEST(ScanTracker, StandsWhereOnlyTheWheelsTurn) {
+TEST(ScanTracker, StaysWhereOnlyTheWheelsSpin) {
   const std::vector<Pose2> standing(30, Pose2{0.5, 0.3, 0.2});
   const Pose2 last = follow(standing, [](Pose2) { return Pose2{0.12, 0, 0}; });  // 3.5 m in all
   EXPECT_THAT(last, PoseNear(standing.back(), 0.06, 0.01));
@@ -129,7 +129,7 @@ ScanTracker out_and_back(double too_long, const View& view) {
   return tracker;
 }
 
-TEST(ScanTracker, KnowsInTheEndHowFarItCameBeforeItKnewTheWheelsScale) {
+TEST(ScanTracker, CorrectsThePathDrivenBeforeItKnewTheWheelsScale) {
   constexpr double kTooLong = 1.015;
   const ScanTracker tracker = out_and_back(kTooLong, near_view);
   const Keyframe &first = tracker.keyframes().front(), &last = tracker.keyframes().back();
@@ -138,7 +138,7 @@ TEST(ScanTracker, KnowsInTheEndHowFarItCameBeforeItKnewTheWheelsScale) {
   EXPECT_LT(relative_pose(first, last, tracker.odometry_factor()).position().norm(), 0.05);
 }
 
-TEST(ScanTracker, CountsThePathBackFromWhatItSawOnThePathOut) {
+TEST(ScanTracker, CountsTheWayBackFromWhatItSawOnTheWayOut) {
   constexpr double kTooLong = 1.015;
   const ScanTracker tracker = out_and_back(kTooLong, near_view_with_pillar);
   const Keyframe &first = tracker.keyframes().front(), &last = tracker.keyframes().back();
@@ -209,7 +209,7 @@ TEST(ScanTracker, LaysAnEarlierScanOntoTheWallsAgain) {
 }
 
 /// Along a corridor only an open door's leaf gives the position, and it may have been learned 10 cm off.
-TEST(ScanTracker, LaysAnEarlierScanAlongACorridorWhereItWasThoughtToBe) {
+TEST(ScanTracker, KeepsTheGuessOfAnEarlierScanAlongACorridor) {
   ScanTracker tracker(TrackerParams{});
   const auto view = [](double x_m, double leaf_x_m) {
     return seen(
@@ -238,7 +238,7 @@ TEST(ScanTracker, DoesNotLayAScanOfAnotherRoomOntoTheWalls) {
   EXPECT_FALSE(tracker.lay_again({}, {}));
 }
 
-TEST(ScanTracker, WithNothingInSightItKeepsToTheOdometry) {
+TEST(ScanTracker, WithNothingInSightItFollowsTheOdometry) {
   ScanTracker tracker(TrackerParams{});
   tracker.step({}, {}, true);
   Pose2 last;

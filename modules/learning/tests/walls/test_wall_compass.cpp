@@ -42,7 +42,7 @@ WallCompass compass_in(double walls_rad, int images = 20) {
   return compass;
 }
 
-TEST(WallCompass, TellsTheHeadingByWallsThatWereSeenWhereItWasKnown) {
+TEST(WallCompass, GivesTheHeadingByWallsSeenWhereItWasKnown) {
   for (const double walls_rad : {-0.7, 0.0, 0.4, 3.1}) {
     WallCompass compass = compass_in(walls_rad);
     for (const double heading_rad : {0.3, 0.3 + kPi / 2, -3.0}) {
@@ -53,7 +53,7 @@ TEST(WallCompass, TellsTheHeadingByWallsThatWereSeenWhereItWasKnown) {
   }
 }
 
-TEST(WallCompass, TellsNothingToWhomIsSurer) {
+TEST(WallCompass, SaysNothingWhereTheHeadingIsSurer) {
   WallCompass compass = compass_in(0);
   look_again(compass, corridor(0, 0), 0, kUnsure_rad);
   EXPECT_TRUE(compass.heading());
@@ -72,7 +72,7 @@ TEST(WallCompass, ALongPathMakesItLessSure) {
   EXPECT_GT(compass.heading()->sigma_rad, before_rad);
 }
 
-TEST(WallCompass, ImagesInARowTellTheLessTheNearerTheyAre) {
+TEST(WallCompass, ImagesInARowCountLessTheNearerTheyAre) {
   const auto sigma_after_rad = [](double path_m, double turn_rad) {
     WallCompass compass = compass_in(0);
     compass.move(path_m, turn_rad);
@@ -84,7 +84,7 @@ TEST(WallCompass, ImagesInARowTellTheLessTheNearerTheyAre) {
   EXPECT_EQ(sigma_after_rad(0, 0), kPi) << "standing, it sees the same again";
 }
 
-TEST(WallCompass, AnOpenDoorHardlyTurnsIt) {
+TEST(WallCompass, AnOpenDoorHardlyChangesIt) {
   WallCompass compass = compass_in(0);
   std::vector<SensedSegment> seen = corridor(0, 0);
   seen.push_back(edge(20 * kDegree));
@@ -93,7 +93,7 @@ TEST(WallCompass, AnOpenDoorHardlyTurnsIt) {
   EXPECT_NEAR(compass.heading()->heading_rad, 0, 0.3 * kDegree);
 }
 
-TEST(WallCompass, WallsThatRunOtherwiseForLongAreTakenForTheOnesAround) {
+TEST(WallCompass, WallsInAnotherDirectionForLongBecomeTheKnownOnes) {
   constexpr double kOblique_rad = 30 * kDegree;
   WallCompass compass = compass_in(0);
   look_again(compass, corridor(kOblique_rad, 0), 0, kUnsure_rad);
@@ -108,7 +108,7 @@ TEST(WallCompass, WallsThatRunOtherwiseForLongAreTakenForTheOnesAround) {
   EXPECT_NEAR(compass.heading()->heading_rad, 0, 0.2 * kDegree);
 }
 
-TEST(WallCompass, WallsThatAreKnownFromTheStartTellTheHeadingInTheFirstImage) {
+TEST(WallCompass, WallsKnownFromTheStartGiveTheHeadingInTheFirstImage) {
   for (const double quarter_turns : {0, 1, 2, 3}) {
     const double heading_rad = wrap_angle(0.4 + quarter_turns * kPi / 2);
     WallCompass compass;
@@ -119,7 +119,7 @@ TEST(WallCompass, WallsThatAreKnownFromTheStartTellTheHeadingInTheFirstImage) {
   }
 }
 
-TEST(WallCompass, AfterAStartNothingIsKnown) {
+TEST(WallCompass, AfterARestartNothingIsKnown) {
   WallCompass compass = compass_in(0);
   compass.start();
   EXPECT_EQ(compass.starts(), 0);

@@ -44,7 +44,7 @@ TEST(WallDrawing, AWallOftenSeenIsDrawnWhole) {
   EXPECT_EQ(map.walls[0].sightings, 6);
 }
 
-TEST(WallDrawing, SeeingAgainWithoutMovingOnIsSeeingOnce) {
+TEST(WallDrawing, RepeatedSightingsWithoutMotionCountOnce) {
   const std::vector<WallSighting> glances(20, {kLong, 0, 0.1});
   EXPECT_THAT(draw({wall_of(kLong, Facing::kWest, 20)}, glances).walls, IsEmpty());
 }
