@@ -12,10 +12,10 @@ namespace aisle {
 namespace {
 
 constexpr std::array<std::string_view, 3> kOrderNames = {"published", "recommended", "nearest"};
-constexpr double kLeeway_m = 1.5;     // about itself and about home the vehicle may lack the room of a disc
-constexpr double kElsewhere_m = 2;    // from where a path was left, before it is tried again ...
-constexpr double kMoreKnown_m2 = 5;   // ... or so much more floor is known than was then
-constexpr double kDecideAgain_m = 1;  // path after which the baseline chooses again
+constexpr double kLeeway_m = 1.5;     // around itself and home the vehicle may lack a disc's clearance
+constexpr double kElsewhere_m = 2;    // from where a path was left, before it is retried ...
+constexpr double kMoreKnown_m2 = 5;   // ... or this much more floor must be known
+constexpr double kDecideAgain_m = 1;  // driven, before the baseline chooses again
 
 Bearing bearing_of(const Vec2& p_map, const Pose2& T_map_vehicle) {
   const double angle_rad = wrap_angle(heading_of(p_map - T_map_vehicle.position()) - T_map_vehicle.theta);
@@ -23,7 +23,7 @@ Bearing bearing_of(const Vec2& p_map, const Pose2& T_map_vehicle) {
   return angle_rad > 0 ? Bearing::kLeft : Bearing::kRight;
 }
 
-/// How far two frontiers are apart [cells]; infinity: farther than what matters.
+/// Distance between two frontiers [cells]; infinity if it is greater than `matters`.
 double apart_cells(const Frontier& a, const Frontier& b, double matters) {
   const FloorBox around = a.box.widened(static_cast<int>(std::ceil(matters)));
   double nearest2 = std::numeric_limits<double>::infinity();
@@ -53,12 +53,14 @@ std::optional<ExploringOrder> exploring_order(std::string_view name) {
 void ExplorerParams::describe(FieldList& fields) {
   fields.group("frontiers", frontiers);
   fields.group("pockets", pockets);
-  fields.real("home_weight", home_weight, {0, 1}, "how much a path that is far from home is preferred");
-  fields.real("leftover_m2", leftover_m2, {0, 10}, "less floor behind a frontier is a leftover");
-  fields.real("leftover_bonus_m", leftover_bonus_m, {0, 50}, "which is taken before what is so much nearer");
-  fields.real("same_frontier_m", same_frontier_m, {0.05, 2}, "a frontier so near to an old one continues it");
+  fields.real("home_weight", home_weight, {0, 1}, "how strongly paths far from home are preferred");
+  fields.real("leftover_m2", leftover_m2, {0, 10}, "a frontier with less floor behind it is a leftover");
+  fields.real("leftover_bonus_m", leftover_bonus_m, {0, 50},
+              "leftovers go before frontiers up to this much nearer");
+  fields.real("same_frontier_m", same_frontier_m, {0.05, 2},
+              "a frontier within this of an old one continues it");
   fields.real("crossing_near_m", crossing_near_m, {0.1, 5},
-              "published order: so near to a crossing the vehicle is back at it");
+              "published order: within this of a crossing the vehicle is back at it");
 }
 
 BuildingExplorer::BuildingExplorer(const ExplorerParams& params, ExploringOrder order)
@@ -88,8 +90,8 @@ ExploringTarget BuildingExplorer::decide(const FloorGrid& floor, const FloorClea
   return take_from_stack(T_map_vehicle);
 }
 
-/// Each frontier continues the path that it belonged to, or is a path that leads off the present one. Paths
-/// whose frontier has gone are explored (the twin of a loop's other end falls away like this).
+/// Each frontier continues the path that it belonged to, or is a new path that leads off the current one.
+/// Paths whose frontier is gone are explored (that also removes the twin at a loop's other end).
 void BuildingExplorer::match_frontiers(const FloorGrid& floor, const Pose2& T_map_vehicle) {
   std::vector<std::optional<std::size_t>> continued(frontiers_.size());
   std::vector<std::optional<std::size_t>> frontier_of(paths_.size());
@@ -141,7 +143,7 @@ std::size_t BuildingExplorer::add_path(Frontier frontier, const Pose2& T_map_veh
   return path;
 }
 
-/// Exploring: on along the active path, or into the best of those that lead off it.
+/// Exploring: goes on along the active path, or into the best of those that lead off it.
 std::optional<ExploringTarget> BuildingExplorer::go_on(const Pose2& T_map_vehicle) {
   if (run_.state() != static_cast<Symbol>(CorridorState::kExploring)) return std::nullopt;
   const bool active_is_open = active_ && paths_[*active_].state == PathState::kActive;
@@ -169,7 +171,7 @@ std::optional<ExploringTarget> BuildingExplorer::go_on(const Pose2& T_map_vehicl
   return std::nullopt;
 }
 
-/// Of the paths that lead off the one explored last: the nearest, leftovers before others.
+/// The nearest of the paths that lead off the one explored last; leftovers go before others.
 std::optional<std::size_t> BuildingExplorer::best_child() const {
   std::optional<std::size_t> best;
   double least_m = 1e18;
@@ -205,7 +207,7 @@ void BuildingExplorer::push_waiting(const Pose2& T_map_vehicle) {
   }
 }
 
-/// Retreating: back to the next crossing, into a path that waits, or home.
+/// Retreating: back to the next crossing, into a waiting path, or home.
 ExploringTarget BuildingExplorer::take_from_stack(const Pose2& T_map_vehicle) {
   push_waiting(T_map_vehicle);
   close_stale_tops();
@@ -242,7 +244,7 @@ ExploringTarget BuildingExplorer::take_from_stack(const Pose2& T_map_vehicle) {
   return take(*next);
 }
 
-/// Symbols of paths that are explored, or were taken before their turn, are dropped when they come up.
+/// Drops symbols on top of the stack whose paths are explored or were taken out of turn.
 void BuildingExplorer::close_stale_tops() {
   while (!stack_.empty() && run_.top() != kPathBackSymbol && run_.top() != kCorridorStackStart) {
     SeenPath& path = paths_[stack_.back().path];
@@ -322,8 +324,8 @@ void BuildingExplorer::leave(std::size_t path, PathState state, PathEvent::Kind 
   note(kind, path);
 }
 
-/// With nothing else to do, what was left is tried once more, from elsewhere or knowing more: in a narrow
-/// place it may have been the place that was to blame, and at first hardly any floor is known.
+/// With nothing else to do, paths that were left get one more try, from elsewhere or with more known. In a
+/// narrow place the position may have been to blame, and early on hardly any floor is known.
 bool BuildingExplorer::resume_left() {
   bool resumed = false;
   for (SeenPath& path : paths_) {
@@ -351,7 +353,7 @@ void BuildingExplorer::halve_cells() {
   }
 }
 
-/// Pockets that the vehicle did not come by are not worth a path of their own.
+/// Pockets that the vehicle did not come by are not worth a detour.
 bool BuildingExplorer::leave_far_pockets() {
   bool left = false;
   for (std::size_t p = 0; p < paths_.size(); ++p) {
@@ -362,7 +364,7 @@ bool BuildingExplorer::leave_far_pockets() {
   return left;
 }
 
-/// What was left, and has no frontier any more, was seen from elsewhere.
+/// Paths that were left and have no frontier any more were seen from elsewhere.
 void BuildingExplorer::stop(std::size_t cycle) {
   cycle_ = cycle;
   for (std::size_t p = 0; p < paths_.size(); ++p) {

@@ -3,7 +3,7 @@
 namespace aisle {
 namespace {
 
-/// C99 section 4.1's principles by their numbers; 5 to 7 are ours.
+/// C99 section 4.1's principles by their numbers; 5 to 7 are our additions.
 enum CorridorSuperRule : Symbol { kC1, kC21, kC3, kC41, kC42, kC5, kC6, kC7 };
 
 constexpr Symbol symbol_of(CorridorState state) {
@@ -13,7 +13,7 @@ constexpr Symbol symbol_of(CorridorOutput output) {
   return static_cast<Symbol>(output);
 }
 
-/// The forward operations come in the order of the bearings.
+/// The forward operations are in the order of the bearings.
 constexpr Symbol towards(Bearing bearing) {
   return static_cast<Symbol>(bearing);
 }

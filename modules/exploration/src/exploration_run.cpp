@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-/// The world as a vehicle drives through it; counts what it does.
+/// The world as a vehicle drives through it; counts its moves.
 class Drive {
  public:
   Drive(const GridWorld& world, Cell start, KeepMoves keep, Progress& progress)

@@ -7,8 +7,8 @@
 namespace aisle {
 namespace {
 
-/// To the neighbours, all round from the right. In tenths of a cell they are so long that a queue of a few
-/// buckets orders them.
+/// Steps to the eight neighbours, counter-clockwise from the right. In tenths of a cell, distances are
+/// integers that a queue of a few buckets can sort.
 constexpr std::array<FloorCell, 8> kSteps = {
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 constexpr std::int32_t kStraight = 10;
@@ -22,13 +22,13 @@ constexpr bool is_diagonal(unsigned step) {
 
 void FloorDistances::measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m,
                              double room_m, double leeway_m) {
-  room_ = clearance.room();
+  box_ = clearance.room();
   cell_m_ = static_cast<float>(floor.cell_m());
-  const auto has_room = [&](std::size_t at) { return clearance.to_doubtful_m(at) >= room_m; };
+  const auto has_clearance = [&](std::size_t at) { return clearance.to_doubtful_m(at) >= room_m; };
   tenths_.resize(clearance.size());
-  for (std::size_t at = 0; at < tenths_.size(); ++at) tenths_[at] = has_room(at) ? kFar : kShut;
+  for (std::size_t at = 0; at < tenths_.size(); ++at) tenths_[at] = has_clearance(at) ? kFar : kShut;
   const FloorCell start = floor.cell_at(from_m);
-  if (!room_.widened(-1).contains(start)) return;
+  if (!box_.widened(-1).contains(start)) return;
   const auto leeway = static_cast<std::int32_t>(10 * leeway_m / floor.cell_m());
   FloorBox about;
   about.include(start);
@@ -39,14 +39,14 @@ void FloorDistances::measure(const FloorGrid& floor, const FloorClearance& clear
   for (std::size_t step = 0; step < kSteps.size(); ++step)
     to_next_[step] = kSteps[step].y * static_cast<std::ptrdiff_t>(clearance.columns()) + kSteps[step].x;
   begin_at(index(start));
-  // what has less room is entered from within the leeway only: all of it is settled a step beyond
+  // cells with less clearance are entered only within the leeway: all of them are settled one step beyond it
   settle(leeway + kDiagonal, [&](Reached reached) {
     for (unsigned step = 0; step < kSteps.size(); ++step) {
-      if (now_ <= leeway || has_room(next(reached.at, step))) go(reached.at, step);
+      if (now_ <= leeway || has_clearance(next(reached.at, step))) go(reached.at, step);
     }
   });
   clearance.for_cells(about, [&](FloorCell, std::size_t at) {
-    if (tenths_[at] == kFar && !has_room(at)) tenths_[at] = kShut;
+    if (tenths_[at] == kFar && !has_clearance(at)) tenths_[at] = kShut;
   });
   settle(kFar, [this](Reached reached) { go_on(reached); });
 }
@@ -58,7 +58,7 @@ void FloorDistances::begin_at(std::size_t start) {
   queue_[0].push_back({static_cast<std::uint32_t>(start), 0});
 }
 
-/// What is no farther than so many tenths of a cell, nearest first.
+/// Settles all cells up to a distance, in tenths of a cell, nearest first.
 template <class Leave>
 void FloorDistances::settle(std::int32_t until, Leave leave) {
   for (; waiting_ > 0 && now_ <= until; ++now_) {
@@ -81,7 +81,8 @@ inline void FloorDistances::go(std::size_t from, unsigned step) {
   ++waiting_;
 }
 
-/// As the latest step led, and round what stands beside it; all else is no farther from the cell before.
+/// Goes on in the latest step's direction and around what stands beside it; every other cell is no farther
+/// from the previous cell (as in jump point search).
 inline void FloorDistances::go_on(Reached reached) {
   const unsigned ahead = reached.by, beside = is_diagonal(ahead) ? 3 : 2;
   const auto is_shut = [&](unsigned step) { return tenths_[next(reached.at, step)] == kShut; };

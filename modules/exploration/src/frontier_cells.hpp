@@ -4,8 +4,8 @@
 
 namespace aisle {
 
-/// Sets what follows of a frontier's frontier cells, which must not be empty: the box about it, and its cell
-/// in the middle.
+/// Sets what follows from a frontier's cells, which must not be empty: their bounding box and the middle
+/// cell.
 void measure_frontier_cells(const FloorGrid& floor, Frontier& frontier);
 
 }  // namespace aisle

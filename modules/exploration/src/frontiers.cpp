@@ -9,9 +9,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kCountedBehind_m2 = 2;  // more floor behind a frontier is not distinguished
-constexpr std::size_t kRimMax = 24;      // points that stand for a rim
-constexpr double kBesideCells = 1.5;     // between two that touch distances differ by less
+constexpr double kCountedBehind_m2 = 2;  // larger areas behind a frontier are not distinguished
+constexpr std::size_t kRimMax = 24;      // points that represent a rim
+constexpr double kBesideCells = 1.5;     // the distances of two adjacent cells differ by less
 
 class FrontierFinder {
  public:
@@ -22,10 +22,10 @@ class FrontierFinder {
   }
 
   std::vector<Frontier> find() {
-    std::vector<FloorCell> sills = mark_sills();
+    std::vector<FloorCell> frontier_cells = mark_frontier_cells();
     std::vector<Frontier> frontiers;
-    for (const FloorCell cell : sills) {
-      if (marks_[clearance_.index(cell)] != kFrontierCells) continue;
+    for (const FloorCell cell : frontier_cells) {
+      if (marks_[clearance_.index(cell)] != kFrontierCell) continue;
       Frontier frontier = gather(cell);
       measure_behind(frontier);
       if (frontier.behind_m2 >= params_.area_min_m2 && !frontier.rim.empty())
@@ -35,7 +35,7 @@ class FrontierFinder {
   }
 
  private:
-  enum Mark : std::uint8_t { kNothing, kFrontierCells, kTaken, kCounted };
+  enum Mark : std::uint8_t { kNothing, kFrontierCell, kTaken, kCounted };
 
   bool is_sure(FloorCell cell) const { return clearance_.to_doubtful_m(cell) >= params_.room_m; }
   bool may_be_floor(FloorCell cell) const {
@@ -54,20 +54,20 @@ class FrontierFinder {
     }
   }
 
-  std::vector<FloorCell> mark_sills() {
-    std::vector<FloorCell> sills;
+  std::vector<FloorCell> mark_frontier_cells() {
+    std::vector<FloorCell> frontier_cells;
     const double sure_m = params_.room_m, beside_uncertain_m = sure_m + kBesideCells * floor_.cell_m();
     clearance_.for_cells(floor_.known(), [&](FloorCell cell, std::size_t index) {
-      const double room_m = clearance_.to_doubtful_m(index);
-      if (room_m < sure_m || room_m >= beside_uncertain_m) return;
+      const double clearance_m = clearance_.to_doubtful_m(index);
+      if (clearance_m < sure_m || clearance_m >= beside_uncertain_m) return;
       if (!may_be_floor(cell) || reached_.to(cell) == FloorDistances::kUnreached) return;
       bool borders = false;
       for_neighbours(cell, 1, [&](FloorCell next) { borders = borders || is_doubtful(next); });
       if (!borders) return;
-      marks_[index] = kFrontierCells;
-      sills.push_back(cell);
+      marks_[index] = kFrontierCell;
+      frontier_cells.push_back(cell);
     });
-    return sills;
+    return frontier_cells;
   }
 
   Frontier gather(FloorCell first) {
@@ -77,7 +77,7 @@ class FrontierFinder {
     marks_[clearance_.index(first)] = kTaken;
     for (std::size_t i = 0; i < frontier.frontier_cells.size(); ++i) {
       for_neighbours(FloorCell(frontier.frontier_cells[i]), gap, [&](FloorCell next) {
-        if (!clearance_.room().contains(next) || marks_[clearance_.index(next)] != kFrontierCells) return;
+        if (!clearance_.room().contains(next) || marks_[clearance_.index(next)] != kFrontierCell) return;
         marks_[clearance_.index(next)] = kTaken;
         frontier.frontier_cells.push_back(next);
       });
@@ -89,8 +89,8 @@ class FrontierFinder {
     return frontier;
   }
 
-  /// Walks over the doubtful floor behind the frontier cells, nearest first: its area and where the free
-  /// floor ends.
+  /// Walks over the uncertain floor behind the frontier cells, nearest first, to find its area and where the
+  /// free floor ends.
   void measure_behind(Frontier& frontier) {
     std::vector<FloorCell> behind;
     const auto count = [&](FloorCell cell) {
@@ -115,7 +115,7 @@ class FrontierFinder {
       if (floor_.at(cell) == Floor::kUnknown) add_edge(cell, rim);
     }
     if (!rim.empty()) return thin_out(rim, frontier);
-    // the doubt lies beside floor that is free: what is unknown is within the vehicle's width of it
+    // uncertain floor borders on free floor: the unknown is within the vehicle's width of it
     for (const FloorCell cell : behind) {
       for_neighbours(cell, reach, [&](FloorCell next) {
         if (floor_.at(next) == Floor::kUnknown) add_edge(next, rim);
@@ -148,12 +148,12 @@ class FrontierFinder {
 
 void FrontierParams::describe(FieldList& fields) {
   fields.real("room_m", room_m, {0.05, 2},
-              "from the vehicle's middle line to anything that is not free floor");
+              "clearance from the vehicle's centre line to anything that is not free floor");
   fields.real("uncertain_m", uncertain_m, {0.02, 0.5},
-              "where so much more is free of things there may be floor");
-  fields.real("area_min_m2", area_min_m2, {0.01, 5}, "less floor behind a frontier is no path");
+              "beyond this extra clearance from obstacles there may be floor");
+  fields.real("area_min_m2", area_min_m2, {0.01, 5}, "least floor behind a frontier");
   fields.real("cluster_gap_m", cluster_gap_m, {0.05, 1},
-              "pieces of a frontier so near to each other are one");
+              "pieces of a frontier within this of each other are one");
 }
 
 Frontier with_cells_halved(Frontier frontier) {

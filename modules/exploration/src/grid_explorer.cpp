@@ -6,12 +6,12 @@
 namespace aisle {
 namespace {
 
-/// Beyond this many cells a shorter path is no longer looked for; the return path over the parents is taken.
+/// The search for a shorter path ends after this many cells; the return path along the parents is taken then.
 constexpr std::size_t kSearchedCells = 1 << 16;
 
 constexpr std::size_t kCellsSearchedForDetour = 256;
 
-/// What a move and a cell's distance from home count for when the next path to explore is chosen.
+/// Weights of a move and of a cell's distance from home in the choice of the next path to explore.
 constexpr std::int64_t kPathWeight = 10;
 constexpr std::int64_t kHomeWeight = 5;
 
@@ -59,7 +59,7 @@ void GridExplorer::learn(Sides open) {
   if (home_) home_->add(map_, at_);
 }
 
-/// A new cell shows that an edge leads to a visited one: nothing is left to find behind it, from either end.
+/// A new cell shows that an edge leads to a visited cell: it hides nothing new from either end.
 void GridExplorer::close_paths_to_visited(Sides open) {
   for (const Side side : kAllSides) {
     if (!contains(open, side) || side == came_from_) continue;
@@ -82,7 +82,7 @@ Symbol GridExplorer::encode(Sides open) {
   return encode_fresh(open);
 }
 
-/// The paper leaves it open, but without it the vehicle would not stop there: a start with several paths is
+/// The paper leaves this open, but without it the vehicle would not stop there: a start with several paths is
 /// an explored crossing from then on.
 Symbol GridExplorer::encode_start(Sides open) {
   if (is_several(open)) notes_[at_] |= kCrossing;
@@ -151,8 +151,8 @@ void GridExplorer::find_path(std::size_t goal) {
   std::reverse(path_.begin(), path_.end());
 }
 
-/// Replaces the path to `goal` by one to a path that is nearer, or farther from home. Distances from home
-/// grow by at most one a move, so that beyond some distance nothing better can come.
+/// Replaces the path to `goal` by one to a path that is nearer, or farther from home. A move adds at most one
+/// to the distance from home, so beyond some distance nothing better can come.
 void GridExplorer::look_for_detour(std::size_t goal) {
   if (places_.empty()) return;
   const auto score = [](std::size_t moves, std::size_t home) {

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 9> kInputKindNames = {"one-way",    "cros
                                                              "explored",   "one-way start", "multi-way start",
                                                              "dead start", "closed",        "detour"};
 
-/// The super rules of C97 section 3.3; 5.3, 6 and 7 are ours.
+/// The super rules of C97 section 3.3; 5.3, 6 and 7 are our additions.
 enum SuperRule : Symbol { k1, k21, k22, k3, k4, k51, k52, k53, k6, k7 };
 
 constexpr Symbol symbol(GridState state) {
@@ -139,8 +139,7 @@ TransducerRule drop(SuperRule super_rule, GridState next, Symbol output) {
   return {symbol(next), output, super_rule, false, 0, {}};
 }
 
-/// Super rule 4: the return path goes onto the stack first, then the open sides but the first, which is
-/// taken.
+/// Super rule 4: the return path is pushed first, then the open sides except the first, which is taken.
 TransducerRule GridRuleMaker::cross(const GridInput& input, Symbol top) const {
   TransducerRule rule = keep(k4, GridState::kExploring, top, TransducerRule::kNoOutput);
   if (input.came_from) rule.replacement[rule.length++] = retreat_symbol(*input.came_from);
@@ -155,7 +154,7 @@ TransducerRule GridRuleMaker::cross(const GridInput& input, Symbol top) const {
   return rule;
 }
 
-/// Super rule 5.2, and 5.3: a path on whose side a false wall stands is dropped without a move.
+/// Super rules 5.2 and 5.3: a path behind a false wall is dropped without a move.
 TransducerRule GridRuleMaker::pop(const GridInput& input, Symbol top) const {
   if (top == kStackStart) return keep(k52, GridState::kFinal, top, kStopOutput);
   const Side side = side_of(top);

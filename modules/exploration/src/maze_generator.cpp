@@ -10,7 +10,7 @@ namespace {
 constexpr std::array<std::string_view, 6> kMazeKindNames = {"perfect", "braided", "rooms",
                                                             "spiral",  "comb",    "hall"};
 
-/// Depth first, always on to a random unvisited neighbour: long winding corridors.
+/// Depth-first, always to a random unvisited neighbour: gives long winding corridors.
 void carve_tree(GridWorld& world, Random& random) {
   std::vector<bool> carved(world.size(), false);
   std::vector<std::uint32_t> path{0};

@@ -12,17 +12,17 @@
 namespace aisle {
 namespace {
 
-constexpr int kDarkCells = 3;                 // behind the edge all is unknown
-constexpr double kBesideUnknownCells = 0.75;  // there is less room beside the unknown
-constexpr double kBeyondFrontier_m = 0.3;     // so far into the unknown a frontier leads for sure
-constexpr std::size_t kLooksMax = 6;          // points of a rim from which lines of sight are tried ...
-constexpr int kSights = 96;                   // ... in so many directions: doors may be hardly open
-constexpr std::size_t kPocketRimMax = 24;     // points that stand for a rim
-constexpr double kSightMin_m = 0.8;           // the vehicle's middle does not come nearer
+constexpr int kDarkCells = 3;                 // behind the edge, all unknown
+constexpr double kBesideUnknownCells = 0.75;  // cells with less clearance border on the unknown
+constexpr double kBeyondFrontier_m = 0.3;     // depth of the unknown that a frontier surely leads to
+constexpr std::size_t kLooksMax = 6;          // points of a rim from which lines of sight are cast ...
+constexpr int kSights = 96;                   // ... in this many directions: doors may be hardly open
+constexpr std::size_t kPocketRimMax = 24;     // points that represent a rim
+constexpr double kSightMin_m = 0.8;           // the vehicle's centre does not come nearer
 constexpr double kStrideMax_m = 0.2;          // along a line of sight, over free floor
 constexpr std::array<FloorCell, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-/// So many of a row of things, evenly spread over it.
+/// Indices of at most `most` out of `count`, evenly spread.
 std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
   const std::size_t every = count / most + 1;
   std::vector<std::size_t> chosen;
@@ -64,18 +64,18 @@ class PocketFinder {
     return clearance_.to_occupied_m(cell) >= frontier_params_.room_m + frontier_params_.uncertain_m;
   }
 
-  /// What may be floor behind a frontier, along the edge of what is known.
+  /// Marks what may be floor behind a frontier, along the edge of the known floor.
   void mark_led_to(const Frontier& frontier) {
     struct LedTo {
       FloorCell cell;
-      int beyond;  ///< cells from the last free one
+      int beyond;  ///< cells beyond the last free one
     };
     const int beyond_max = static_cast<int>(kBeyondFrontier_m / floor_.cell_m());
     std::vector<LedTo> steps;
     for (const FloorCell cell : frontier.frontier_cells) steps.push_back({cell, 0});
     for (std::size_t i = 0; i < steps.size(); ++i) {
-      for (const FloorCell path : kBeside) {
-        const FloorCell next{steps[i].cell.x + path.x, steps[i].cell.y + path.y};
+      for (const FloorCell step : kBeside) {
+        const FloorCell next{steps[i].cell.x + step.x, steps[i].cell.y + step.y};
         if (!clearance_.room().contains(next) || marks_[clearance_.index(next)] == kLedTo) continue;
         const bool is_sure = clearance_.to_doubtful_m(next) >= frontier_params_.room_m;
         if (is_sure || !may_be_floor(next)) continue;
@@ -87,14 +87,14 @@ class PocketFinder {
     }
   }
 
-  /// The first cell of the dark behind a free one, into one of the four directions. No farther in: lines of
-  /// sight along an edge that was the limit of sight pass into the dark at small angles.
+  /// The first unknown cell next to a free one, in one of the four directions. No deeper: lines of sight
+  /// along an edge that limited the view enter the unknown at small angles.
   std::optional<FloorCell> dark_beside(FloorCell cell) const {
-    for (const FloorCell path : kBeside) {
+    for (const FloorCell step : kBeside) {
       bool is_dark = true;
       for (int i = 1; i <= kDarkCells && is_dark; ++i)
-        is_dark = floor_.at(FloorCell{cell.x + i * path.x, cell.y + i * path.y}) == Floor::kUnknown;
-      if (is_dark) return FloorCell{cell.x + path.x, cell.y + path.y};
+        is_dark = floor_.at(FloorCell{cell.x + i * step.x, cell.y + i * step.y}) == Floor::kUnknown;
+      if (is_dark) return FloorCell{cell.x + step.x, cell.y + step.y};
     }
     return std::nullopt;
   }
@@ -145,7 +145,7 @@ class PocketFinder {
     return pocket;
   }
 
-  /// The place nearest to the vehicle that has a line of sight to some of the rim.
+  /// The nearest place to the vehicle with a line of sight to part of the rim.
   bool find_stand(Frontier& pocket) const {
     pocket.path_m = FloorDistances::kUnreached;
     for (const std::size_t i : spread(pocket.rim.size(), kLooksMax)) {
@@ -178,14 +178,15 @@ class PocketFinder {
 }  // namespace
 
 void PocketParams::describe(FieldList& fields) {
-  fields.real("edge_min_m", edge_min_m, {0.1, 100}, "a pocket's edge is at least so long");
-  fields.real("reach_m", reach_m, {1, 20}, "from so far a pocket is looked into, at most");
+  fields.real("edge_min_m", edge_min_m, {0.1, 100}, "least length of a pocket's edge");
+  fields.real("reach_m", reach_m, {1, 20}, "a pocket is looked into from at most this far");
   fields.real("path_max_m", path_max_m, {0, 1000},
-              "a pocket farther away waits until the vehicle comes by; 0: none matters");
+              "a pocket farther away waits until the vehicle comes by; 0: all are ignored");
   fields.real("path_max_m_per_m2", path_max_m_per_m2, {0, 1e6},
-              "the same by what it hides along its edge; the greater holds");
+              "the same limit by the area that it hides along its edge; the greater limit counts");
   fields.real("again_m2", again_m2, {0, 1e6},
-              "what hides so much along its edge is looked into once more, from elsewhere or knowing more");
+              "a pocket that hides this much along its edge is looked into once more, from elsewhere or with "
+              "more known");
 }
 
 std::vector<Frontier> find_pockets(const FloorGrid& floor, const FloorClearance& clearance,

@@ -9,8 +9,8 @@
 namespace aisle {
 namespace {
 
-/// Every path in which the vehicle may come back to a crossing that it has registered: the sides are left one
-/// after the other, and in the meantime further sides may turn out to be known from their other ends.
+/// Every way in which the vehicle may come back to a registered crossing: the sides are left one after the
+/// other, and meanwhile further sides may turn out to be known from their other ends.
 class CrossingLives {
  public:
   explicit CrossingLives(GridRules& rules) : rules_(rules) {}
@@ -34,8 +34,8 @@ class CrossingLives {
     return rules_.set == GridRuleSet::kShortcut || rules_.set == GridRuleSet::kCells;
   }
 
-  /// Sides that lead to cells visited before. A cell's first side is walked as soon as it is seen, so that no
-  /// such cell has this one for its first.
+  /// Sides that lead to cells visited before. A cell's first side is walked as soon as it is seen, so no such
+  /// cell has this one as its first.
   Sides known_on_arrival(const GridInput& crossing) const {
     if (rules_.set != GridRuleSet::kCells || !came_from_) return kNoSides;
     const Side never = opposite(scan_sequence(rules_.set, std::nullopt).front());
@@ -86,8 +86,8 @@ class CrossingLives {
 
   GridRules& rules_;
   std::optional<Side> came_from_;
-  /// Not where the side opposite the entry is known: the path walked so far is then a closed curve through
-  /// the crossing, and the two other sides lie on different sides of it.
+  /// False if the side opposite the entry is known: the path walked so far is then a closed curve through the
+  /// crossing, and the other two sides lie on different sides of it.
   bool may_find_walls_ = false;
 };
 
@@ -123,7 +123,7 @@ class ReachMarker {
     }
   }
 
-  /// Of what CrossingLives leaves open.
+  /// For what CrossingLives leaves open.
   bool is_reachable(GridState state, const GridInput& input, Symbol top) const {
     const bool exploring = state == GridState::kExploring;
     switch (input.kind) {
@@ -147,8 +147,8 @@ class ReachMarker {
     return false;
   }
 
-  /// A crossing's first side is walked before any other, so that it is found from its other end only after a
-  /// path was popped there; and the last of the scan is popped first.
+  /// A crossing's first side is walked before any other, so it is found from its other end only after a path
+  /// was popped there; and the last side of the scan is popped first.
   bool is_found_again(const GridInput& input, Symbol top) const {
     if (rules_.set != GridRuleSet::kPublished) return false;
     const auto scan = scan_sequence(rules_.set, std::nullopt);

@@ -7,9 +7,9 @@
 
 namespace aisle {
 
-/// The sides in the sequence in which a crossing is scanned: the first open one is taken, the last is the top
-/// of the stack. C97's sequence is left, right, top, bottom whatever the heading; kHoming's is left, ahead,
-/// right as the vehicle stands, with which it comes home shortest.
+/// The sides in the order in which a crossing is scanned: the first open one is taken, the last becomes the
+/// top of the stack. C97's order is left, right, top, bottom whatever the heading; kHoming's is left, ahead,
+/// right relative to the vehicle, which makes the way home shortest.
 std::array<Side, 4> scan_sequence(GridRuleSet set, std::optional<Side> came_from);
 
 }  // namespace aisle

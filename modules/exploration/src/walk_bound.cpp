@@ -7,8 +7,8 @@
 namespace aisle {
 namespace {
 
-/// Finds the blocks (biconnected components) by depth-first search and adds up what each costs.
-/// J. Hopcroft, R. Tarjan, "Algorithm 447: efficient algorithms for graph manipulation", CACM 16(6), 1973.
+/// Finds the blocks (biconnected components) by depth-first search and adds up their costs. J. Hopcroft, R.
+/// Tarjan, "Algorithm 447: efficient algorithms for graph manipulation", CACM 16(6), 1973.
 class BlockWalk {
  public:
   explicit BlockWalk(const GridWorld& world)
@@ -87,7 +87,7 @@ std::size_t walk_lower_bound(const GridWorld& world, Cell start) {
   return BlockWalk(world).moves(world.index(start));
 }
 
-/// Breadth-first search over (cells visited so far, present cell).
+/// Breadth-first search over (cells visited so far, current cell).
 std::optional<std::size_t> shortest_walk(const GridWorld& world, Cell start) {
   const std::vector<bool> reachable = reachable_cells(world, start);
   const auto count = static_cast<std::size_t>(std::count(reachable.begin(), reachable.end(), true));

@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// A floor drawn by hand: what is not put is unknown.
+/// A floor drawn by hand: cells that are not put are unknown.
 class DrawnFloor {
  public:
   explicit DrawnFloor(double cell_m = 0.05) : floor(cell_m) {}

@@ -21,7 +21,7 @@ ExploringTarget look_and_decide(BuildingExplorer& explorer, const DrawnFloor& dr
   return explorer.decide(drawn.floor, clearance, T_map_vehicle, T_map_home, cycle);
 }
 
-/// Where the vehicle goes that stands at the left end of a corridor of which all is known but a recess.
+/// Where a vehicle goes from the left end of a corridor that is all known except for a recess.
 ExploringTarget target_with_recess_at(double x_m, BuildingExplorer& explorer) {
   DrawnFloor drawn;
   drawn.put_corridor(20, 2);
@@ -38,7 +38,7 @@ TEST(BuildingExplorer, LooksIntoAPocketThatItComesBy) {
   EXPECT_TRUE(target.frontier.is_pocket);
 }
 
-TEST(BuildingExplorer, PassesPocketsIfReportedTo) {
+TEST(BuildingExplorer, IgnoresPocketsIfConfiguredTo) {
   ExplorerParams params;
   params.pockets.path_max_m = 0;
   BuildingExplorer explorer(params, ExploringOrder::kRecommended);
@@ -66,7 +66,7 @@ TEST(BuildingExplorer, LeavesNoFarPocketUndone) {
   EXPECT_EQ(explorer.paths_abandoned(), 1) << "the corridor's far end";
 }
 
-TEST(BuildingExplorer, TriesWhatItLeftOnceMoreFromElsewhere) {
+TEST(BuildingExplorer, RetriesAnAbandonedPathOnceFromElsewhere) {
   DrawnFloor drawn;
   drawn.put_corridor(20, 2);
   BuildingExplorer explorer({}, ExploringOrder::kRecommended);
@@ -81,7 +81,7 @@ TEST(BuildingExplorer, TriesWhatItLeftOnceMoreFromElsewhere) {
   EXPECT_EQ(kind_at(10), ExploringTarget::Kind::kHome);
 }
 
-TEST(BuildingExplorer, TriesWhatItLeftOnceMoreWhenItKnowsMore) {
+TEST(BuildingExplorer, RetriesAnAbandonedPathOnceWhenItKnowsMore) {
   DrawnFloor drawn;
   drawn.put_corridor(20, 2);
   BuildingExplorer explorer({}, ExploringOrder::kRecommended);
@@ -93,7 +93,7 @@ TEST(BuildingExplorer, TriesWhatItLeftOnceMoreWhenItKnowsMore) {
   EXPECT_EQ(kind_now(), ExploringTarget::Kind::kPath);
 }
 
-/// A corridor of which all is known but what lies beyond a slit in its wall.
+/// A corridor that is all known except for what lies beyond a slit in its wall.
 class SecondLook : public testing::Test {
  protected:
   SecondLook() {
@@ -102,7 +102,7 @@ class SecondLook : public testing::Test {
     drawn_.put({5, 2}, {5.4, 2.05}, Floor::kFree);
   }
 
-  /// How many pockets it wants to look into from about there, while none of them shows anything.
+  /// How many pockets it wants to look into from around there, while none of them shows anything.
   int looks_at(double x_m) {
     for (int looks = 0;; ++looks) {
       const ExploringTarget target = look_and_decide(explorer_, drawn_, {x_m, 1, 0}, {x_m, 1}, {1, 1, 0});
@@ -129,7 +129,7 @@ TEST_F(SecondLook, IsNotWorthWhileIntoARecess) {
   EXPECT_EQ(looks_at(8), 0);
 }
 
-TEST(BuildingExplorer, TriesWhatItLeftAgainOnCellsHalfAsWide) {
+TEST(BuildingExplorer, RetriesAGivenUpPathOnCellsHalfAsWide) {
   DrawnFloor coarse, fine(0.025);
   for (DrawnFloor* drawn : {&coarse, &fine}) drawn->put_corridor(20, 2);
   BuildingExplorer explorer({}, ExploringOrder::kRecommended);
@@ -148,7 +148,7 @@ TEST(BuildingExplorer, TriesWhatItLeftAgainOnCellsHalfAsWide) {
   EXPECT_EQ(explorer.paths_waiting(), 1);
 }
 
-/// C99's order: all paths that lead off a crossing were explored, and then it is to go back there.
+/// C99's order: all paths off a crossing were explored, and the vehicle has to go back there.
 class BackToACrossing : public testing::Test {
  protected:
   BackToACrossing() {

@@ -11,11 +11,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kRoom_m = 0.1;
+constexpr double kClearance_m = 0.1;
 constexpr double kLeeway_m = 0.3025;
 constexpr int kSide = 24;
 
-/// By going on from cell to cell until none comes nearer any more; diagonal steps count 1.4 straight ones.
+/// By relaxing cell by cell until no distance gets shorter; diagonal steps cost 1.4 straight ones.
 std::map<std::pair<int, int>, int> tenths_by_trying(const FloorClearance& clearance, FloorCell start,
                                                     int leeway) {
   std::map<std::pair<int, int>, int> tenths = {{{start.x, start.y}, 0}};
@@ -25,8 +25,8 @@ std::map<std::pair<int, int>, int> tenths_by_trying(const FloorClearance& cleara
       for (int step = 0; step < 9; ++step) {
         const int x = step % 3 - 1, y = step / 3 - 1;
         const std::pair next(cell.first + x, cell.second + y);
-        const double room_m = clearance.to_doubtful_m(FloorCell{next.first, next.second});
-        if (room_m <= 0 || (room_m < kRoom_m && so_far > leeway)) continue;
+        const double clearance_m = clearance.to_doubtful_m(FloorCell{next.first, next.second});
+        if (clearance_m <= 0 || (clearance_m < kClearance_m && so_far > leeway)) continue;
         const int then = so_far + (x != 0 && y != 0 ? 14 : 10);
         const auto known = tenths.find(next);
         if (known != tenths.end() && known->second <= then) continue;
@@ -49,8 +49,8 @@ RC_GTEST_PROP(FloorDistances, AreThoseThatTryingAllPathsGives, (std::uint64_t se
   clearance.update(floor, floor.known());
   const FloorCell start{static_cast<int>(random.index(kSide)), static_cast<int>(random.index(kSide))};
   FloorDistances distances;
-  distances.measure(floor, clearance, {1, 1}, kRoom_m, 0);
-  distances.measure(floor, clearance, floor.centre(start), kRoom_m, kLeeway_m);
+  distances.measure(floor, clearance, {1, 1}, kClearance_m, 0);
+  distances.measure(floor, clearance, floor.centre(start), kClearance_m, kLeeway_m);
   const auto expected = tenths_by_trying(clearance, start, static_cast<int>(10 * kLeeway_m / floor.cell_m()));
   for (int y = -3; y < kSide + 3; ++y) {
     for (int x = -3; x < kSide + 3; ++x) {
@@ -62,13 +62,13 @@ RC_GTEST_PROP(FloorDistances, AreThoseThatTryingAllPathsGives, (std::uint64_t se
   }
 }
 
-TEST(FloorDistances, NowhereIsReachedFromOutsideTheFloor) {
+TEST(FloorDistances, NothingIsReachedFromOutsideTheFloor) {
   FloorGrid floor;
   floor.set({0, 0}, Floor::kFree);
   FloorClearance clearance;
   clearance.update(floor, floor.known());
   FloorDistances distances;
-  distances.measure(floor, clearance, {1000, 1000}, kRoom_m, 1);
+  distances.measure(floor, clearance, {1000, 1000}, kClearance_m, 1);
   EXPECT_EQ(distances.to({0, 0}), FloorDistances::kUnreached);
 }
 

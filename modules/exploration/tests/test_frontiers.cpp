@@ -32,7 +32,7 @@ TEST(Frontiers, DoorIsOneWhenTheVehicleFitsThrough) {
   }
 }
 
-TEST(Frontiers, WhatCannotBeReachedIsNone) {
+TEST(Frontiers, UnreachableOnesAreLeftOut) {
   DrawnFloor drawn;
   drawn.put_corridor(5, 2);
   drawn.put({5, 0}, {5.05, 2}, Floor::kOccupied);

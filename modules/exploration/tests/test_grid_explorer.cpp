@@ -83,7 +83,7 @@ TEST_P(EveryRuleSet, ExploresEveryRandomWorld) {
   }));
 }
 
-TEST(Shortcut, WalksARingOnceThereAndOnceBack) {
+TEST(Shortcut, WalksARingOnceOutAndOnceBack) {
   const GridWorld ring = world_of({{"rb", "lb"}, {"rt", "lt"}});
   EXPECT_EQ(explored(ring, GridRuleSet::kPublished).figures.moves, 16U);
   EXPECT_EQ(explored(ring, GridRuleSet::kShortcut).figures.moves, 8U);

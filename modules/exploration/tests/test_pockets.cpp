@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-/// A corridor of which all is known.
+/// A corridor that is all known.
 DrawnFloor closed_corridor() {
   DrawnFloor drawn;
   drawn.put_corridor(5, 2);
@@ -87,7 +87,7 @@ TEST(Pockets, WhatAFrontierLeadsToIsNone) {
   EXPECT_TRUE(drawn.pockets().empty());
 }
 
-TEST(Pockets, WhatCannotBeSeenFromWhereTheVehicleGetsIsNone) {
+TEST(Pockets, FloorThatCannotBeSeenFromReachableFloorIsNone) {
   DrawnFloor drawn = closed_corridor();
   drawn.put({6, 0}, {8, 2}, Floor::kFree);
   EXPECT_TRUE(drawn.pockets().empty());

@@ -14,7 +14,7 @@ enum State : Symbol { kReading, kDone };
 enum Input : Symbol { kOpen, kClose, kEnd };
 enum Stack : Symbol { kBottom, kBracket };
 
-/// Accepts brackets that match, and answers each closing one.
+/// Accepts matching brackets, and answers each closing one.
 TransducerTable brackets() {
   TransducerTable table;
   table.states = {"reading", "done"};
@@ -51,7 +51,7 @@ TEST(PushdownTransducer, PushesPopsAndHalts) {
   EXPECT_EQ(run.top(), table.empty_stack());
 }
 
-TEST(PushdownTransducer, NamesACombinationWithoutARuleAndStaysAsItWas) {
+TEST(PushdownTransducer, NamesACombinationWithoutARuleAndKeepsItsState) {
   const TransducerTable table = brackets();
   TransducerRun run(table);
   try {

@@ -27,7 +27,7 @@ TEST(WalkBound, OfAnOddHallCountsTheMoreFrequentColor) {
   EXPECT_EQ(shortest_walk(world, {0, 0}), 10U);
 }
 
-TEST(WalkBound, NothingToWalkInOneCell) {
+TEST(WalkBound, OneCellNeedsNoMoves) {
   EXPECT_EQ(walk_lower_bound(GridWorld(1, 1), {0, 0}), 0U);
   EXPECT_EQ(shortest_walk(GridWorld(1, 1), {0, 0}), 0U);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Worlds for tests: drawn by hand, all of a size, random.
+/// Worlds for tests: drawn by hand, all of one size, or random.
 
 #include <rapidcheck.h>
 
@@ -10,7 +10,7 @@
 
 namespace aisle {
 
-/// A world from the sides that stand open, row by row from the top: "r lr l" is a corridor of three cells.
+/// A world from the open sides of its cells, row by row from the top: "r lr l" is a corridor of three cells.
 inline GridWorld world_of(const std::vector<std::vector<std::string>>& rows) {
   GridWorld world(static_cast<int>(rows.front().size()), static_cast<int>(rows.size()));
   for (int y = 0; y < world.height(); ++y) {

@@ -15,9 +15,9 @@ UncertainArc arc_read(const VehicleDescription& vehicle, const FrontSteeredMotio
   const double path_m2 =
       square(noise.distance_slip_m_per_sqrt_m) * path_m + square(noise.distance_quantum_m) / 6;
   const double steering_rad2 = square(noise.steering_quantum_rad) / 12;
-  const Vec2 by_path{std::cos(motion.steering_rad),
-                     std::sin(motion.steering_rad) / vehicle.front_steered.wheelbase_m};
-  result.covariance = by_path * path_m2 * by_path.transpose();
+  const Vec2 by_distance{std::cos(motion.steering_rad),
+                         std::sin(motion.steering_rad) / vehicle.front_steered.wheelbase_m};
+  result.covariance = by_distance * path_m2 * by_distance.transpose();
   result.covariance(1, 1) += square(noise.heading_slip_rad_per_sqrt_m) * path_m +
                              square(path_m / vehicle.front_steered.wheelbase_m) * steering_rad2;
   return result;

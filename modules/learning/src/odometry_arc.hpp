@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// One motion as an arc, and the covariance of (length, turn) but for what is steadily wrong.
+/// One motion as an arc, and the covariance of (length, turn) without systematic errors.
 struct UncertainArc {
   Arc arc;
   Mat2 covariance = Mat2::Zero();
@@ -14,8 +14,8 @@ struct UncertainArc {
 
 UncertainArc uncertain_arc(const VehicleDescription& vehicle, const OdometryReading& reading);
 
-/// Standard deviations of what is steadily wrong with the odometry: path scale, turn scale, turn per metre
-/// [1/m]. The true arc is length * (1 + path), turn * (1 + scale) + length * per_metre.
+/// Standard deviations of the systematic odometry errors: distance scale, turn scale, turn per metre [1/m].
+/// The true arc is length * (1 + distance scale), turn * (1 + turn scale) + length * per_metre.
 Vec3 steady_odometry_sigmas(const VehicleDescription& vehicle);
 
 }  // namespace aisle

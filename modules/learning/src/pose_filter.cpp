@@ -13,8 +13,8 @@
 namespace aisle {
 namespace {
 
-constexpr double kLeastSigma = 1e-5;  // nothing is known better than this [m, rad]
-constexpr double kHuber = 1.5;        // residuals beyond so many standard deviations count less
+constexpr double kLeastSigma = 1e-5;  // lower limit of all sigmas [m, rad]
+constexpr double kHuber = 1.5;        // residuals beyond this many standard deviations count less
 constexpr double kBelieved = 3;
 constexpr int kRounds = 5;
 constexpr double kPoseSettled = 1e-7;

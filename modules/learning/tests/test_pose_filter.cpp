@@ -38,7 +38,7 @@ std::vector<Vec2> corridor_floor_points() {
   return floor_points;
 }
 
-/// What a vehicle sees of the feet that are 1 to 6 m ahead.
+/// Observations of the points that are 1 to 6 m ahead.
 std::vector<SeenPoint> look(const Pose2& T_map_vehicle, double sigma_m, Random* random = nullptr) {
   std::vector<SeenPoint> points;
   for (const Vec2& floor_point : corridor_floor_points()) {
@@ -65,17 +65,16 @@ TEST(PoseFilter, ExactPointsPutTheVehicleWhereTheySay) {
 }
 
 TEST(PoseFilter, OneExactPointOfTwoCorrectsAlongItsAxesOnly) {
-  // Straight ahead, in a pose whose heading is known: the point tells x and y, each like a measurement of its
-  // own.
+  // Straight ahead of a pose with a known heading: the point measures x and y independently.
   PoseFilter filter(cart(), about({0, 0, 0}, 0.1, 1e-6));
   const SeenPoint ahead{.p_map = {2, 0}, .p_vehicle = {1.9, -0.05}, .covariance = round_covariance(0.1)};
   filter.update(std::vector{ahead}, filter.pose());
-  EXPECT_THAT(filter.pose(), PoseNear(Pose2{0.05, 0.025, 0}, 1e-4, 1e-4));  // half way: both are as sure
+  EXPECT_THAT(filter.pose(), PoseNear(Pose2{0.05, 0.025, 0}, 1e-4, 1e-4));  // half way: both are equally sure
   EXPECT_NEAR(filter.covariance()(0, 0), 0.01 / 2, 1e-4);
 }
 
-TEST(PoseFilter, WhatIsSeenLaterTellsWhereItWasAtFirst) {
-  // As unsure of its start as of the wheels' scale after 10 m: half of what is off there was so at first.
+TEST(PoseFilter, LaterObservationsCorrectTheFirstPose) {
+  // The start is as unsure as the wheels' scale after 10 m: half of the error is attributed to each.
   VehicleDescription vehicle = cart();
   vehicle.front_steered_noise.distance_slip_m_per_sqrt_m = 0;
   PoseFilter filter(vehicle, about({0, 0, 0}, 0.1, 1e-6), Vec3::Zero());
@@ -102,7 +101,7 @@ TEST(PoseFilter, AVehicleThatStandsStaysAsSureAsItWas) {
   EXPECT_EQ(filter.covariance(), before);
 }
 
-TEST(PoseFilter, PointsTellWhereItWasAtFirstAsNumbersDo) {
+TEST(PoseFilter, PointsCorrectTheFirstPoseAsScalarsDo) {
   const Vec2 floor_point{12, 0};
   PoseFilter by_point(cart(), about({0, 0, 0}, 0.1, 1e-6)), by_number = by_point;
   for (int i = 0; i < 100; ++i) {
@@ -125,7 +124,7 @@ TEST(PoseFilter, APointThatIsWrongMovesThePoseLittle) {
   EXPECT_THAT(filter.pose(), PoseNear(truth, 0.01, 0.3 * kDegree));
 }
 
-TEST(PoseFilter, PointsThatAreWhatTheyAreTakenForAreAsFarOffAsChiSquaredSays) {
+TEST(PoseFilter, DistancesOfCorrectAssociationsAreChiSquared) {
   constexpr int kTrials = 400;
   Random random(7);
   double sum = 0;
@@ -140,7 +139,7 @@ TEST(PoseFilter, PointsThatAreWhatTheyAreTakenForAreAsFarOffAsChiSquaredSays) {
   EXPECT_NEAR(sum / static_cast<double>(degrees), 1, 0.05);
 }
 
-TEST(PoseFilter, PointsThatShowAnotherPoseAreFarOff) {
+TEST(PoseFilter, PointsSeenFromAnotherPoseAreFarOff) {
   const PoseFilter filter(cart(), about({3, 0, 0}, 0.01, 0.1 * kDegree));
   const std::vector<SeenPoint> points = look({3.2, -0.1, 0.05}, 0.02);
   EXPECT_GT(filter.squared_distance(points, filter.pose()), 20 * static_cast<double>(points.size()));
@@ -156,12 +155,12 @@ TEST(PoseFilter, ErrorsAreAsLargeAsTheCovarianceSaysBlindAndSeeing) {
   for (int run = 0; run < kRuns; ++run) {
     const UncertainPose2 start = about({0, 0, 0}, 0.05, 1 * kDegree);
     Pose2 truth{random.normal(0.05), random.normal(0.05), random.normal(1 * kDegree)};
-    const double path_scale = 1 + random.normal(noise.distance_scale);
+    const double distance_scale = 1 + random.normal(noise.distance_scale);
     const double turn_per_m = random.normal(noise.steering_bias_rad / kWheelbase_m);
     PoseFilter filter(vehicle, start);
     for (int i = 0; i < kSteps; ++i) {
       const double path_m =
-          kStep_m * path_scale + random.normal(noise.distance_slip_m_per_sqrt_m * std::sqrt(kStep_m));
+          kStep_m * distance_scale + random.normal(noise.distance_slip_m_per_sqrt_m * std::sqrt(kStep_m));
       const double turn_rad =
           kStep_m * turn_per_m + random.normal(noise.heading_slip_rad_per_sqrt_m * std::sqrt(kStep_m));
       truth = truth * end_pose({path_m, turn_rad});
@@ -195,7 +194,7 @@ TEST(PoseFilter, SteeringOffItsZeroIsLearnedOnOneStraightAndHelpsOnTheNext) {
   EXPECT_GT(std::abs(blind.pose().theta - truth.theta), 2 * kDegree);
 }
 
-TEST(PoseFilter, BeingPutElsewhereKeepsWhatIsKnownOfTheOdometry) {
+TEST(PoseFilter, PlacingItElsewhereKeepsTheOdometryErrors) {
   constexpr double kStep_m = 0.1, kScale = 1.02;
   PoseFilter filter(cart(), about({0, 0, 0}, 0.01, 0.1 * kDegree));
   for (int i = 1; i <= 80; ++i) {
@@ -207,7 +206,7 @@ TEST(PoseFilter, BeingPutElsewhereKeepsWhatIsKnownOfTheOdometry) {
   EXPECT_NEAR(filter.pose().x, 10.2, 0.03);
 }
 
-TEST(PoseFilter, HoweverManyPointsShareATiltErrorTheyDoNotMakeItSurerThanTheTiltIs) {
+TEST(PoseFilter, ManyPointsWithOneTiltErrorDoNotMakeItSurerThanTheTilt) {
   constexpr double kPrior_m = 0.3, kTilt_m = 0.03;
   std::vector<SeenPoint> points;
   for (int i = 0; i < 400; ++i) {
@@ -219,7 +218,7 @@ TEST(PoseFilter, HoweverManyPointsShareATiltErrorTheyDoNotMakeItSurerThanTheTilt
   }
   PoseFilter filter(cart(), about({0, 0, 0}, kPrior_m, 1 * kDegree));
   filter.update(points, filter.pose());
-  // The sum of path along and tilt error is all but exact: their prior variances share it out.
+  // The sum of distance and tilt error is almost exact; their prior variances divide it.
   const double along_m2 = square(kPrior_m * kTilt_m) / (square(kPrior_m) + square(kTilt_m));
   EXPECT_NEAR(filter.covariance()(0, 0), along_m2, 0.02 * along_m2);
   EXPECT_LT(std::sqrt(filter.covariance()(1, 1)), 0.005);

@@ -7,8 +7,8 @@
 namespace aisle {
 namespace {
 
-/// The share of a segment, from start to end, that lies between two limits of one coordinate; empty: min >
-/// max.
+/// The interval of a segment's parameter, 0 .. 1 from start to end, in which one coordinate lies between two
+/// limits; empty: min > max.
 Interval share_between(double start, double end, double low, double high) {
   const double along = end - start;
   if (along == 0) return start >= low && start <= high ? Interval{0, 1} : Interval{1, 0};

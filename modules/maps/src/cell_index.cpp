@@ -20,8 +20,7 @@ void CellIndex::for_each_cell(const Vec2& low, const Vec2& high, Visit visit) co
 void CellIndex::add(const Segment2& segment, int id) {
   const auto pieces = static_cast<int>(std::ceil(segment.length() / cell_m_)) + 1;
   const Vec2 step = (segment.end - segment.start) / pieces;
-  for (int i = 0; i < pieces;
-       ++i) {  // the cells of each short piece's box: a few too many, never one too few
+  for (int i = 0; i < pieces; ++i) {  // the cells of each short piece's box: a few too many, never too few
     const Vec2 from = segment.start + i * step, to = from + step;
     for_each_cell(from.cwiseMin(to), from.cwiseMax(to), [&](std::int64_t cell) {
       std::vector<int>& ids = cells_[cell];

@@ -56,7 +56,7 @@ class PathSearch {
     return search_.distance_m(leg.from_m == 0 ? corridor.from : corridor.to);
   }
 
-  /// The better one of the two legs that lead from an end of its corridor to the place.
+  /// The shorter way to the destination from one of its corridor's ends.
   CorridorLeg last_leg() const {
     const CorridorLeg from_start{to_.corridor, 0, to_.along_m};
     const CorridorLeg from_end{to_.corridor, graph_.corridors[to_.corridor].length_m(), to_.along_m};
@@ -84,7 +84,7 @@ class PathSearch {
     return path;
   }
 
-  /// From the first place to the node where the path leaves its corridor.
+  /// From the start to the node where the path leaves its corridor.
   CorridorLeg first_leg(std::size_t node) const {
     const Corridor& corridor = graph_.corridors[from_.corridor];
     const CorridorLeg back{from_.corridor, from_.along_m, 0};

@@ -11,19 +11,19 @@ namespace aisle {
 /// Dijkstra's search along whole corridors.
 class CorridorSearch {
  public:
-  /// @param lengths_m  of the corridors; infinity: there is no getting through
+  /// @param lengths_m  of the corridors; infinity: impassable
   CorridorSearch(const CorridorGraph& graph, std::vector<double> lengths_m);
 
-  /// Replaces all distances by those from nodes that are so far away already (infinity: none of them).
+  /// Recomputes all distances, given start distances of the nodes (infinity: not a start).
   void run(const std::vector<double>& begin_m);
 
   double distance_m(std::size_t node) const { return distance_m_[node]; }
-  /// The corridor that the shortest path comes to the node by; nullopt: it begins there.
+  /// The corridor by which the shortest path reaches the node; nullopt: the path starts there.
   std::optional<std::size_t> corridor_to(std::size_t node) const { return corridor_to_[node]; }
   /// The other end of a corridor.
   std::size_t across(std::size_t corridor, std::size_t node) const;
 
-  /// The corridors of the shortest path to a node that can be reached, in order.
+  /// The corridors of the shortest path to a reachable node, in order.
   std::vector<std::size_t> corridors_to(std::size_t node) const;
 
  private:

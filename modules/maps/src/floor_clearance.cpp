@@ -7,13 +7,13 @@
 namespace aisle {
 namespace {
 
-constexpr int kMargin = 32;  // cells of room beyond what is known
+constexpr int kMargin = 32;  // cells stored beyond the known box
 
-/// Exact distances to marked cells in a box, up to a limit: down and up the columns first, then along the
-/// rows over at most as many cells as the limit holds. Whole rows at once, in loops without branches.
+/// Exact distances to marked cells in a box, up to a limit: first down and up the columns, then along the
+/// rows over as many cells as the limit allows. Works on whole rows, in loops without branches.
 class BoxDistances {
  public:
-  /// @param in_column  to work with
+  /// @param in_column  scratch memory
   BoxDistances(const FloorBox& box, int limit, std::vector<int>& in_column)
       : box_(box),
         width_(box.end.x - box.low.x),
@@ -37,14 +37,14 @@ class BoxDistances {
     }
   }
 
-  /// After all marks.
+  /// To be called after all marks.
   void measure_columns() {
     for (int y = box_.low.y + 1; y < box_.end.y; ++y) go_on(row(y - 1), row(y));
     for (int y = box_.end.y - 2; y >= box_.low.y; --y) go_on(row(y + 1), row(y));
   }
 
-  /// Visits the cells of a row from `low_x` to before `end_x`, each with its distance squared [cells, from
-  /// middle to middle].
+  /// Visits the cells of a row from `low_x` up to but not including `end_x`, each with its squared distance
+  /// [cells, from centre to centre].
   template <class Visit>
   void measure_row(int y, int low_x, int end_x, Visit visit) {
     const int* cells = row(y);
@@ -67,7 +67,7 @@ class BoxDistances {
   }
 
  private:
-  static constexpr int kAtOnce = 32;  // cells of a row, as long as one of them is far from all marks
+  static constexpr int kAtOnce = 32;  // cells of a row at once while one of them is far from all marks
 
   void go_on(const int* from, int* to) const {
     for (int x = 0; x < width_; ++x) to[x] = std::min(to[x], from[x] + 1);
@@ -81,7 +81,7 @@ class BoxDistances {
   int width_;
   int limit_;
   std::vector<int>& in_column_;
-  std::vector<int> squared_;  ///< of one row, and as far beside it as matters
+  std::vector<int> squared_;  ///< of one row and its surroundings
 };
 
 }  // namespace
@@ -98,13 +98,13 @@ bool FloorClearance::is_barred(FloorCell cell) const {
   return std::binary_search(barred_.begin(), barred_.end(), cell);
 }
 
-/// Beyond the former room all is unknown as yet.
-void FloorClearance::widen_room(const FloorBox& wider) {
-  const FloorBox former = room_;
+/// Outside the previous box everything is unknown so far.
+void FloorClearance::widen_stored(const FloorBox& wider) {
+  const FloorBox former = stored_;
   const std::vector<float> former_doubtful_m = std::move(to_doubtful_m_);
   const std::vector<float> former_occupied_m = std::move(to_occupied_m_);
-  room_.include_box(wider);
-  const std::size_t size = columns() * static_cast<std::size_t>(room_.end.y - room_.low.y);
+  stored_.include_box(wider);
+  const std::size_t size = columns() * static_cast<std::size_t>(stored_.end.y - stored_.low.y);
   to_doubtful_m_.assign(size, 0);
   to_occupied_m_.assign(size, static_cast<float>(far_m_));
   std::size_t number = 0;
@@ -117,28 +117,29 @@ void FloorClearance::widen_room(const FloorBox& wider) {
 void FloorClearance::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return;
   const int limit = static_cast<int>(std::ceil(far_m_ / floor.cell_m())) + 1;
-  FloorBox again = changed;
-  if (legs_) again.include_box(legs_->update(floor, changed));
-  again = again.widened(limit);
-  const bool is_within = room_.contains(again.low) && room_.contains({again.end.x - 1, again.end.y - 1});
+  FloorBox affected = changed;
+  if (legs_) affected.include_box(legs_->update(floor, changed));
+  affected = affected.widened(limit);
+  const bool is_within =
+      stored_.contains(affected.low) && stored_.contains({affected.end.x - 1, affected.end.y - 1});
   if (!is_within) {
-    const bool is_first = room_.empty();
-    widen_room(floor.known().widened(2 * kMargin));
-    if (is_first || !barred_.empty()) again = room_;
+    const bool is_first = stored_.empty();
+    widen_stored(floor.known().widened(2 * kMargin));
+    if (is_first || !barred_.empty()) affected = stored_;
   }
-  again = again.common_with(room_);
-  std::vector<float> metres;  // by distance squared
+  affected = affected.common_with(stored_);
+  std::vector<float> metres;  // by squared distance
   for (int squared = 0; squared <= limit * limit; ++squared)
     metres.push_back(
         static_cast<float>(std::clamp((std::sqrt(squared) - 0.5) * floor.cell_m(), 0.0, far_m_)));
   const auto measure = [&](auto is_marked, std::vector<float>& to_marked_m) {
-    BoxDistances distances(again.widened(limit), limit, in_column_);
+    BoxDistances distances(affected.widened(limit), limit, in_column_);
     distances.mark(is_marked);
     if (legs_) distances.mark_cells(legs_->closed());
     distances.mark_cells(barred_);
     distances.measure_columns();
-    for (int y = again.low.y; y < again.end.y; ++y) {
-      distances.measure_row(y, again.low.x, again.end.x, [&](FloorCell cell, int squared) {
+    for (int y = affected.low.y; y < affected.end.y; ++y) {
+      distances.measure_row(y, affected.low.x, affected.end.x, [&](FloorCell cell, int squared) {
         to_marked_m[index(cell)] = metres[static_cast<std::size_t>(squared)];
       });
     }

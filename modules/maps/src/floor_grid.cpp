@@ -12,8 +12,7 @@ constexpr int kHit = 4;
 constexpr int kSurelyFree = -10;
 constexpr int kSeemsFree = 1 - kHit;
 constexpr int kSurelyOccupied = 16;
-constexpr int kRelaxedClearance =
-    128;  // cells of room that are added at once, beyond the one that was asked for
+constexpr int kGrowth = 128;  // cells added at once beyond the requested one
 
 bool is_within_reach(FloorCell cell) {
   return std::abs(cell.x) <= FloorGrid::kReach && std::abs(cell.y) <= FloorGrid::kReach;
@@ -44,7 +43,7 @@ FloorBox FloorBox::widened(int cells) const {
 }
 
 FloorGrid::FloorGrid(double cell_m) : cell_m_(cell_m) {
-  if (!(cell_m > 0)) throw std::invalid_argument("the cells of a floor grid need a size");
+  if (!(cell_m > 0)) throw std::invalid_argument("the cell size of a floor grid must be positive");
 }
 
 bool FloorGrid::see_free(FloorCell cell) {
@@ -56,34 +55,34 @@ bool FloorGrid::see_occupied(FloorCell cell) {
 }
 
 bool FloorGrid::seem_free(FloorCell cell) {
-  const bool tells_nothing =
-      room_.contains(cell) && (evidence_[index(cell)] > 0 || evidence_[index(cell)] <= kSeemsFree);
-  return !tells_nothing && weigh(cell, kPassed);
+  const bool adds_nothing =
+      stored_.contains(cell) && (evidence_[index(cell)] > 0 || evidence_[index(cell)] <= kSeemsFree);
+  return !adds_nothing && weigh(cell, kPassed);
 }
 
 bool FloorGrid::stand_on(FloorCell cell) {
   if (at(cell) == Floor::kOccupied) return see_free(cell);
   if (was_stood_on(cell) || !is_within_reach(cell)) return false;
-  make_room(cell);
+  grow_to(cell);
   put(cell, kStoodOn);
   return true;
 }
 
 void FloorGrid::set(FloorCell cell, Floor floor) {
   const int evidence = floor == Floor::kFree ? kSurelyFree : floor == Floor::kOccupied ? kSurelyOccupied : 0;
-  if (floor == Floor::kUnknown && !room_.contains(cell)) return;
+  if (floor == Floor::kUnknown && !stored_.contains(cell)) return;
   if (!is_within_reach(cell)) return;
-  make_room(cell);
+  grow_to(cell);
   put(cell, static_cast<Evidence>(evidence));
 }
 
 bool FloorGrid::weigh(FloorCell cell, int weight) {
   if (!is_within_reach(cell)) return false;
-  make_room(cell);
+  grow_to(cell);
   if (weight < 0 && was_stood_on(cell)) return false;
   int evidence =
       std::clamp(std::max<int>(evidence_[index(cell)], kSurelyFree) + weight, kSurelyFree, kSurelyOccupied);
-  if (evidence == 0) evidence = weight < 0 ? -1 : 1;  // 0 is for what was never seen
+  if (evidence == 0) evidence = weight < 0 ? -1 : 1;  // 0 means never seen
   return put(cell, static_cast<Evidence>(evidence));
 }
 
@@ -100,31 +99,28 @@ bool FloorGrid::put(FloorCell cell, Evidence evidence) {
   return true;
 }
 
-/// Moves everything into a larger room when the cell lies outside the present one.
-void FloorGrid::make_room(FloorCell cell) {
-  if (room_.contains(cell)) return;
-  FloorBox wider = room_;
+/// Moves everything into a larger box if the cell lies outside the current one.
+void FloorGrid::grow_to(FloorCell cell) {
+  if (stored_.contains(cell)) return;
+  FloorBox wider = stored_;
   const auto clamped = [](int coordinate) { return std::clamp(coordinate, -kReach, kReach); };
-  for (const int relaxed_clearance : {-kRelaxedClearance, kRelaxedClearance}) {
-    const bool grows_x =
-        room_.empty() || (relaxed_clearance < 0 ? cell.x < room_.low.x : cell.x >= room_.end.x);
-    const bool grows_y =
-        room_.empty() || (relaxed_clearance < 0 ? cell.y < room_.low.y : cell.y >= room_.end.y);
-    wider.include({clamped(cell.x + (grows_x ? relaxed_clearance : 0)),
-                   clamped(cell.y + (grows_y ? relaxed_clearance : 0))});
+  for (const int growth : {-kGrowth, kGrowth}) {
+    const bool grows_x = stored_.empty() || (growth < 0 ? cell.x < stored_.low.x : cell.x >= stored_.end.x);
+    const bool grows_y = stored_.empty() || (growth < 0 ? cell.y < stored_.low.y : cell.y >= stored_.end.y);
+    wider.include({clamped(cell.x + (grows_x ? growth : 0)), clamped(cell.y + (grows_y ? growth : 0))});
   }
-  const FloorBox old_room = room_;
+  const FloorBox old_box = stored_;
   const std::vector<Evidence> old = std::move(evidence_);
-  room_ = wider;
+  stored_ = wider;
   evidence_.assign(static_cast<std::size_t>(wider.end.x - wider.low.x) *
                        static_cast<std::size_t>(wider.end.y - wider.low.y),
                    0);
-  const auto width = static_cast<std::size_t>(old_room.end.x - old_room.low.x);
-  for (int row = old_room.low.y; row < old_room.end.y; ++row) {
+  const auto width = static_cast<std::size_t>(old_box.end.x - old_box.low.x);
+  for (int row = old_box.low.y; row < old_box.end.y; ++row) {
     const auto from =
-        old.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row - old_room.low.y) * width);
+        old.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row - old_box.low.y) * width);
     std::copy(from, from + static_cast<std::ptrdiff_t>(width),
-              evidence_.begin() + static_cast<std::ptrdiff_t>(index({old_room.low.x, row})));
+              evidence_.begin() + static_cast<std::ptrdiff_t>(index({old_box.low.x, row})));
   }
 }
 

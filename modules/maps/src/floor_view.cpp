@@ -10,15 +10,15 @@
 namespace aisle {
 namespace {
 
-constexpr double kHitFrom = 0.25;         // cells beyond the footprint: what was touched ...
-constexpr double kHitTo = 1.5;            // ... and so deep
-constexpr double kSurelyInside_m = 0.05;  // of the footprint: the pose may be off
-constexpr double kCoarse = 1.5;           // cells by which what is hit may lie off
-constexpr double kWallGap_m = 0.3;        // so far from what was hit a wall may go on unseen
-constexpr double kThin_m = 0.04;          // as the leg of a table: beams farther apart may miss it
-constexpr double kLostAcross_m = 0.3;     // no opening is so narrow: beams between have lost their light
+constexpr double kHitFrom = 0.25;  // cells beyond the footprint: a bumper contact is entered from here ...
+constexpr double kHitTo = 1.5;     // ... to here
+constexpr double kSurelyInside_m = 0.05;  // inside the footprint: the pose may be off
+constexpr double kCoarse = 1.5;           // cells by which a hit may be off
+constexpr double kWallGap_m = 0.3;        // a wall may go on unseen this far from a hit
+constexpr double kThin_m = 0.04;          // a table's leg: beams farther apart may miss it
+constexpr double kLostAcross_m = 0.3;     // no opening is so narrow: beams in between were absorbed
 
-/// The cells that a disc or rectangle about a place may touch.
+/// The cells that a disc or rectangle around a place may touch.
 FloorBox box_around(const FloorGrid& floor, const Vec2& p_map, double reach_m) {
   FloorBox box;
   box.include(floor.cell_at(p_map.array() - reach_m));
@@ -50,7 +50,7 @@ class FloorPainter {
   }
 
  private:
-  /// Holds every cell that the beams pass or strike.
+  /// Contains every cell that the beams pass or hit.
   FloorBox box_of_beams() const {
     FloorBox box;
     box.include(floor_.cell_at(T_map_laser_.position()));
@@ -74,7 +74,7 @@ class FloorPainter {
     if (floor_.see_occupied(cell)) changed_.include(cell);
   }
 
-  /// A cell that lies before what both beams beside it strike is free.
+  /// A cell nearer than the hits of the beams on both sides of it is free.
   void pass(FloorCell cell) {
     if (hit_[place(cell)]) return;
     const Vec2 towards = floor_.centre(cell) - T_map_laser_.position();
@@ -95,8 +95,8 @@ class FloorPainter {
     if (may_miss ? floor_.seem_free(cell) : floor_.see_free(cell)) changed_.include(cell);
   }
 
-  /// By what stands before one side of the cell, as a door's jamb before its own face: what was hit in it
-  /// may stand there. O(beams across the cell); only what was hit is looked at so closely.
+  /// Whether something in front hides one side of an occupied cell, as a door's jamb hides its own face: the
+  /// hit may be on that side. O(beams across the cell); only occupied cells are examined like this.
   bool is_partly_hidden(FloorCell cell, double distance_m, double beam) const {
     if (floor_.at(cell) != Floor::kOccupied) return false;
     const double half_beams = floor_.cell_m() / 2 / distance_m / laser_.angle_step_rad;
@@ -126,7 +126,8 @@ class FloorPainter {
   FloorBox changed_;
 };
 
-/// Something stands there; or it may, beside a wall of which a piece was not seen.
+/// The cell is occupied; or it is unknown and may be, next to an occupied one: part of a wall that was not
+/// seen.
 bool may_stand_at(const FloorGrid& floor, FloorCell cell) {
   if (floor.at(cell) != Floor::kUnknown) return floor.at(cell) == Floor::kOccupied;
   const int gap = static_cast<int>(kWallGap_m / floor.cell_m());
@@ -138,8 +139,8 @@ bool may_stand_at(const FloorGrid& floor, FloorCell cell) {
   return false;
 }
 
-/// By something that was seen to stand before where the beam begins to look, or a little behind: cells are
-/// coarse.
+/// Whether something known stands before the range at which the beam begins to look, or slightly behind it:
+/// cells are coarse.
 bool is_shut(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad, double near_m) {
   const Vec2 along = unit(T_map_laser.theta + angle_rad);
   const double step_m = floor.cell_m() / 2;
@@ -150,37 +151,38 @@ bool is_shut(const FloorGrid& floor, const Pose2& T_map_laser, double angle_rad,
   return false;
 }
 
-/// Beams that strike nothing, in a gap between others that do in which nothing could drive, have lost their
-/// light, as on black or shiny things: they tell nothing.
-void leave_out_lost(const LaserScanner& laser, std::vector<float>& needed_m) {
-  const auto hit_at = [&](std::size_t beam) { return Vec2(needed_m[beam] * unit(laser.beam_angle(beam))); };
+/// Drops beams without a return between two hits that leave no opening to drive through: black or shiny
+/// surfaces absorbed them.
+void leave_out_lost(const LaserScanner& laser, std::vector<float>& usable_m) {
+  const auto hit_at = [&](std::size_t beam) { return Vec2(usable_m[beam] * unit(laser.beam_angle(beam))); };
   std::optional<std::size_t> hit;
-  for (std::size_t beam = 0; beam < needed_m.size(); ++beam) {
-    const bool is_hit = needed_m[beam] > 0 && needed_m[beam] < laser.range_max_m;
+  for (std::size_t beam = 0; beam < usable_m.size(); ++beam) {
+    const bool is_hit = usable_m[beam] > 0 && usable_m[beam] < laser.range_max_m;
     if (!is_hit) continue;
     if (hit && beam > *hit + 1) {
       const double across_m = (hit_at(*hit) - hit_at(beam)).norm();
       if (across_m < kLostAcross_m)
-        std::fill(needed_m.begin() + static_cast<std::ptrdiff_t>(*hit + 1),
-                  needed_m.begin() + static_cast<std::ptrdiff_t>(beam), 0.0F);
+        std::fill(usable_m.begin() + static_cast<std::ptrdiff_t>(*hit + 1),
+                  usable_m.begin() + static_cast<std::ptrdiff_t>(beam), 0.0F);
     }
     hit = beam;
   }
 }
 
-/// A beam that strikes nothing tells of free floor only where nothing is known to stand nearer than it looks.
-std::vector<float> reported_ranges_m(const FloorGrid& floor, const LaserScanner& laser,
-                                     std::span<const float> ranges_m, std::span<const float> near_m,
-                                     const Pose2& T_map_laser) {
-  std::vector<float> needed_m(ranges_m.begin(), ranges_m.end());
+/// The ranges that can be used; 0: none. A beam without a return shows free floor only where nothing is known
+/// to stand nearer than it looks.
+std::vector<float> usable_ranges_m(const FloorGrid& floor, const LaserScanner& laser,
+                                   std::span<const float> ranges_m, std::span<const float> near_m,
+                                   const Pose2& T_map_laser) {
+  std::vector<float> usable_m(ranges_m.begin(), ranges_m.end());
   for (std::size_t beam = 0; beam < near_m.size(); ++beam) {
-    if (needed_m[beam] >= laser.range_max_m &&
+    if (usable_m[beam] >= laser.range_max_m &&
         is_shut(floor, T_map_laser, laser.beam_angle(beam), near_m[beam]))
-      needed_m[beam] = 0;
+      usable_m[beam] = 0;
   }
-  const bool tells_of_lost_light = !near_m.empty();
-  if (!tells_of_lost_light) leave_out_lost(laser, needed_m);
-  return needed_m;
+  const bool marks_lost_beams = !near_m.empty();
+  if (!marks_lost_beams) leave_out_lost(laser, usable_m);
+  return usable_m;
 }
 
 }  // namespace
@@ -192,8 +194,8 @@ void FloorViewParams::describe(FieldList& fields) {
 FloorBox see_floor(FloorGrid& floor, const LaserScanner& laser, std::span<const float> ranges_m,
                    std::span<const float> near_m, const Pose2& T_map_vehicle, const FloorViewParams& params) {
   const Pose2 T_map_laser = T_map_vehicle * laser.T_vehicle_laser;
-  const std::vector<float> needed_m = reported_ranges_m(floor, laser, ranges_m, near_m, T_map_laser);
-  return FloorPainter(floor, laser, needed_m, near_m, T_map_laser, params.reach_m).paint();
+  const std::vector<float> usable_m = usable_ranges_m(floor, laser, ranges_m, near_m, T_map_laser);
+  return FloorPainter(floor, laser, usable_m, near_m, T_map_laser, params.reach_m).paint();
 }
 
 FloorBox stand_on_floor(FloorGrid& floor, const Footprint& footprint, const Pose2& T_map_vehicle) {

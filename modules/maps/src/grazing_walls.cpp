@@ -10,23 +10,23 @@
 namespace aisle {
 namespace {
 
-constexpr double kGapMax_m = 0.25;     // of a wall, between two cells that were hit
-constexpr double kHitShareMin = 0.4;   // of the cells that it is led on over
-constexpr double kLeastMore_m = 0.1;   // less is the blur of its end
-constexpr double kLeastWall_m = 0.3;   // a shorter row of cells is no wall of its own
-constexpr double kExplained = 1.5;     // cells from a wall, which was hit there then
-constexpr double kNearby_m = 1;        // so far from a row, walls tell its direction
-constexpr int kFreeBesideCells = 2;    // floor is looked for so far from a row ...
-constexpr double kFreeShareMin = 0.5;  // ... and lies beside so much of it
+constexpr double kGapMax_m = 0.25;     // longest gap in a wall, between two hit cells
+constexpr double kHitShareMin = 0.4;   // of the cells over which a wall is extended
+constexpr double kLeastMore_m = 0.1;   // a shorter extension is blur of the wall's end
+constexpr double kLeastWall_m = 0.3;   // a shorter row of cells is no wall
+constexpr double kExplained = 1.5;     // a hit within this many cells of a wall belongs to it
+constexpr double kNearby_m = 1;        // walls within this of a row give it a direction
+constexpr int kFreeBesideCells = 2;    // free floor is looked for this far from a row ...
+constexpr double kFreeShareMin = 0.5;  // ... and must lie beside this share of it
 
-/// Cells that were hit on a line, from a point on.
+/// Hit cells on a line, from a point onwards.
 struct Run {
-  int steps = 0;  ///< of a cell's width, up to the last one that was hit
+  int steps = 0;  ///< of one cell, up to the last hit
   int hit = 0;
-  double across_m = 0;  ///< sum of how far to the left of the line they lie
+  double across_m = 0;  ///< sum of their offsets to the left of the line
 };
 
-/// How a wall may run.
+/// A possible direction of a wall.
 struct Direction {
   Vec2 along;
   bool is_orthogonal = false;
@@ -55,7 +55,7 @@ class GrazingWalls {
     if (after_m > 0 || before_m > 0) note(wall);
   }
 
-  /// The longest wall of its own, if any, that a hit cell belongs to.
+  /// Adds the longest new wall, if any, that a hit cell belongs to.
   void add(FloorCell cell) {
     const Vec2 p_map = floor_.centre(cell);
     if (floor_.at(cell) != Floor::kOccupied || is_explained(p_map)) return;
@@ -91,8 +91,8 @@ class GrazingWalls {
     return run;
   }
 
-  /// How far from a line the cell lies that was hit beside a point of it by what no wall explains; a cell
-  /// to either side, as cells are coarse.
+  /// Offset from the line of a cell near this point that was hit and that no wall explains; one cell to
+  /// either side counts, as cells are coarse.
   std::optional<double> hit_across_m(const Vec2& p_map, const Vec2& across) {
     for (const int beside : {0, -1, 1}) {
       const FloorCell cell = floor_.cell_at(Vec2(p_map + beside * floor_.cell_m() * across));
@@ -111,7 +111,7 @@ class GrazingWalls {
     });
   }
 
-  /// Both axes, and along and across the oblique walls nearby.
+  /// Both axes, and parallel and perpendicular to the oblique walls nearby.
   std::vector<Direction> directions_near(const Vec2& p_map) {
     std::vector<Direction> directions{{Vec2::UnitX(), true}, {Vec2::UnitY(), true}};
     index_.query(p_map, p_map, kNearby_m, near_);

@@ -12,25 +12,25 @@
 namespace aisle {
 namespace {
 
-constexpr double kRing_m = 0.25;               // about a leg: nothing else stands there
-constexpr double kWallAround_m = 0.1;          // so far beyond it is looked how a wall there goes on
-constexpr double kRingFreeShare = 0.5;         // of it; the rest may be hidden ...
-constexpr double kHidden_rad = 158 * kDegree;  // ... in one piece: a wall hides half of all
-constexpr double kFreeAtWallShare = 0.4;       // of it, where a wall takes up the other side
-constexpr double kBehindBeside_m = 0.09;       // so far to both sides a wall goes on behind a leg before it
-constexpr double kBlurAtWall_m = 0.1;          // of a leg there: the wall itself is distinguished from it
-constexpr double kAcrossMin = 0.8;             // cosine: a wall lies behind two legs, not beside them
-constexpr double kWallGoesOn_m = 0.15;         // to both sides of its nearest place: not a corner or an end
-constexpr double kWallPathSegment_m = 0.3;     // of it to both sides tells how it runs
-constexpr double kStraightMin = 0.94;          // cosine: a place to which the path leads straight across it
-constexpr double kPieceMin_m = 0.3;            // legs nearer to each other carry two pieces, side by side
-constexpr double kBesideOut_m = 0.15;  // so far beside what stands out of a wall is free, but for blur
-constexpr double kLegDeepCells = 1.5;  // so far behind a leg's front there is the wall that it stands before
+constexpr double kRing_m = 0.25;               // ring around a leg: nothing else stands there
+constexpr double kWallAround_m = 0.1;          // beyond the ring, to see how a wall there goes on
+constexpr double kRingFreeShare = 0.5;         // free share of the ring; the rest may be hidden ...
+constexpr double kHidden_rad = 158 * kDegree;  // ... in one piece: a wall hides half of the ring
+constexpr double kFreeAtWallShare = 0.4;       // free share where a wall takes up the other side
+constexpr double kBehindBeside_m = 0.09;       // a wall behind a leg goes on this far to both sides
+constexpr double kBlurAtWall_m = 0.1;   // blur of a leg at a wall, which is distinguished from the wall
+constexpr double kAcrossMin = 0.8;      // cosine: a wall lies behind two legs, not beside them
+constexpr double kWallGoesOn_m = 0.15;  // to both sides of its nearest point: not a corner or an end
+constexpr double kWallPiece_m = 0.3;    // of the wall, to both sides, gives its direction
+constexpr double kStraightMin = 0.94;   // cosine: the nearest point lies straight across the wall
+constexpr double kPieceMin_m = 0.3;  // legs nearer to each other carry two pieces of furniture, side by side
+constexpr double kBesideOut_m = 0.15;  // floor this far beside what stands out of a wall is free
+constexpr double kLegDeepCells = 1.5;  // the wall that a leg stands before lies this far behind its front
 constexpr double kLineStepCells = 0.5;
-constexpr std::size_t kRowMin = 8;     // small things: a wall in pieces, if there are so many ...
-constexpr double kRow_m = 2;           // ... in such a segment ...
-constexpr double kRowBeside_m = 0.06;  // ... of a line ...
-constexpr double kInLine_m = 4;        // ... and on it, so near, a wall ...
+constexpr std::size_t kRowMin = 8;     // small obstacles: a wall in pieces, if there are this many ...
+constexpr double kRow_m = 2;           // ... in a segment this long ...
+constexpr double kRowBeside_m = 0.06;  // ... this near to a line ...
+constexpr double kInLine_m = 4;        // ... and on it, within this distance, a wall ...
 constexpr double kLongWall_m = 1;      // ... as long as this
 
 template <class Visit>
@@ -40,7 +40,7 @@ void for_cells_around(FloorCell middle, int reach, Visit visit) {
   }
 }
 
-/// From one place straight to another, both included.
+/// From one point straight to another, both included.
 template <class Visit>
 void for_cells_on_line(const FloorGrid& floor, const Vec2& from, const Vec2& to, Visit visit) {
   const int steps =
@@ -48,7 +48,7 @@ void for_cells_on_line(const FloorGrid& floor, const Vec2& from, const Vec2& to,
   for (int i = 0; i <= steps; ++i) visit(floor.cell_at(Vec2(from + (to - from) * i / steps)));
 }
 
-/// Anything, as far to each side as given at most.
+/// Whether anything stands within a square around a point.
 bool stands_about(const FloorGrid& floor, const Vec2& p_map, double within_m) {
   bool stands = false;
   for_cells_around(floor.cell_at(p_map), static_cast<int>(within_m / floor.cell_m()),
@@ -62,7 +62,7 @@ Vec2 mean_direction(std::span<const Vec2> away) {
   return sum.normalized();
 }
 
-/// All on one side, and wide there: a wall that goes on behind, not one that ends here.
+/// Whether the wall lies all on one side, and wide: it goes on behind the leg and does not end here.
 bool lies_behind(const Vec2& behind, std::span<const Vec2> to_wall) {
   const Vec2 lateral = left_normal(behind);
   double left_m = 0, right_m = 0;
@@ -74,7 +74,7 @@ bool lies_behind(const Vec2& behind, std::span<const Vec2> to_wall) {
   return std::min(left_m, right_m) >= kBehindBeside_m;
 }
 
-/// The widest gap between directions all round.
+/// The widest angular gap between directions.
 double widest_gap_rad(std::vector<double>& headings_rad) {
   if (headings_rad.empty()) return 2 * kPi;
   std::sort(headings_rad.begin(), headings_rad.end());
@@ -84,7 +84,7 @@ double widest_gap_rad(std::vector<double>& headings_rad) {
   return widest_rad;
 }
 
-/// Whether a segment that the origin is in holds many of these.
+/// Whether a segment that contains the origin holds kRowMin of these.
 bool is_crowded(std::vector<double>& along_m) {
   std::sort(along_m.begin(), along_m.end());
   for (std::size_t i = 0; i + kRowMin <= along_m.size() && along_m[i] <= 0; ++i) {
@@ -94,7 +94,8 @@ bool is_crowded(std::vector<double>& along_m) {
   return false;
 }
 
-/// More cells than given, straight along the rows, the columns or between them: most walls are.
+/// Whether the cell is in a straight row of more than `wide` cells along the rows, the columns or the
+/// diagonals: most walls are.
 bool is_in_long_row(const FloorGrid& floor, FloorCell cell, int wide) {
   constexpr FloorCell kAlong[] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}};
   return std::any_of(std::begin(kAlong), std::end(kAlong), [&](FloorCell along) {
@@ -108,7 +109,7 @@ bool is_in_long_row(const FloorGrid& floor, FloorCell cell, int wide) {
   });
 }
 
-/// A long one, on the line through there along an axis.
+/// Whether a long wall stands on the line along an axis through a point.
 bool wall_stands_in_line(const FloorGrid& floor, const Vec2& p_map, FloorCell axis) {
   const FloorCell middle = floor.cell_at(p_map);
   const int reach = static_cast<int>(kInLine_m / floor.cell_m());
@@ -130,45 +131,46 @@ bool wall_stands_in_line(const FloorGrid& floor, const Vec2& p_map, FloorCell ax
 }  // namespace
 
 void LegParams::describe(FieldList& fields) {
-  fields.real("leg_max_m", leg_max_m, {0.05, 0.5}, "as wide as the leg of a piece of furniture may seem");
-  fields.real("apart_max_m", apart_max_m, {0, 5}, "nothing is driven between legs so near to each other");
+  fields.real("leg_max_m", leg_max_m, {0.05, 0.5}, "greatest apparent width of a furniture leg");
+  fields.real("apart_max_m", apart_max_m, {0, 5},
+              "the vehicle never drives between legs within this of each other");
   fields.real("plate_min_m", plate_min_m, {0.1, 2},
-              "legs farther apart carry a table, under which one may drive");
+              "legs farther apart carry a table that one may drive under");
   fields.real("wall_max_m", wall_max_m, {0, 2},
-              "so near to a wall behind it a table's legs close the path in");
+              "a table's legs this near to the wall behind it close the floor in between");
 }
 
 FloorBox LegBarriers::update(const FloorGrid& floor, const FloorBox& changed) {
   if (changed.empty()) return {};
   const auto cells = [&](double m) { return static_cast<int>(std::ceil(m / floor.cell_m())) + 1; };
   const FloorBox within = changed.widened(cells(params_.leg_max_m + kRing_m + kWallAround_m));
-  std::vector<FloorCell> opened = find_things(floor, within);
+  std::vector<FloorCell> opened = find_obstacles(floor, within);
   const FloorBox about = within.widened(cells(params_.wall_max_m + 2 * params_.leg_max_m + kRow_m));
   std::vector<FloorBox> to_update = {about};
-  for (Thing& thing : things_) {
-    const bool was_of_wall = std::exchange(thing.is_of_wall, is_piece_of_wall(floor, thing));
-    if (thing.is_of_wall != was_of_wall) to_update.emplace_back().include(thing.first);
+  for (Obstacle& obstacle : obstacles_) {
+    const bool was_of_wall = std::exchange(obstacle.is_of_wall, is_piece_of_wall(floor, obstacle));
+    if (obstacle.is_of_wall != was_of_wall) to_update.emplace_back().include(obstacle.first);
   }
-  for (Thing& thing : things_) {
-    if (about.contains(thing.first)) find_walls(floor, thing);
+  for (Obstacle& obstacle : obstacles_) {
+    if (about.contains(obstacle.first)) find_walls(floor, obstacle);
   }
   for (FloorBox& box : to_update)
     box = box.widened(cells(params_.apart_max_m + params_.wall_max_m + 3 * params_.leg_max_m));
   return close_again(floor, to_update, std::move(opened));
 }
 
-/// Between the things in these boxes; what the others close does not depend on what has changed.
-/// @param opened  what things closed that are no more
+/// Closes again what the obstacles in these boxes close; what the others close does not depend on the change.
+/// @param opened  what obstacles closed that are gone
 FloorBox LegBarriers::close_again(const FloorGrid& floor, std::span<const FloorBox> boxes,
                                   std::vector<FloorCell> opened) {
   std::vector<FloorCell> closed;
-  for (std::size_t i = 0; i < things_.size(); ++i) {
-    Thing& thing = things_[i];
-    const auto holds = [&](const FloorBox& box) { return box.contains(thing.first); };
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+    Obstacle& obstacle = obstacles_[i];
+    const auto holds = [&](const FloorBox& box) { return box.contains(obstacle.first); };
     if (std::none_of(boxes.begin(), boxes.end(), holds)) continue;
-    opened.insert(opened.end(), thing.closes.begin(), thing.closes.end());
-    thing.closes = cells_closed_by(floor, i);
-    closed.insert(closed.end(), thing.closes.begin(), thing.closes.end());
+    opened.insert(opened.end(), obstacle.closes.begin(), obstacle.closes.end());
+    obstacle.closes = cells_closed_by(floor, i);
+    closed.insert(closed.end(), obstacle.closes.begin(), obstacle.closes.end());
   }
   std::sort(opened.begin(), opened.end());
   std::sort(closed.begin(), closed.end());
@@ -190,25 +192,26 @@ bool LegBarriers::is_closed(FloorCell cell) const {
 }
 
 std::size_t LegBarriers::legs() const {
-  return static_cast<std::size_t>(
-      std::count_if(things_.begin(), things_.end(), [](const Thing& thing) { return thing.is_leg(); }));
+  return static_cast<std::size_t>(std::count_if(obstacles_.begin(), obstacles_.end(),
+                                                [](const Obstacle& obstacle) { return obstacle.is_leg(); }));
 }
 
-/// @return what those things closed that were there before
-std::vector<FloorCell> LegBarriers::find_things(const FloorGrid& floor, const FloorBox& within) {
-  const auto looked_for_again = std::partition(
-      things_.begin(), things_.end(), [&](const Thing& thing) { return !within.contains(thing.first); });
+/// @return what the previous obstacles there closed
+std::vector<FloorCell> LegBarriers::find_obstacles(const FloorGrid& floor, const FloorBox& within) {
+  const auto looked_for_again =
+      std::partition(obstacles_.begin(), obstacles_.end(),
+                     [&](const Obstacle& obstacle) { return !within.contains(obstacle.first); });
   std::vector<FloorCell> opened;
-  for (auto thing = looked_for_again; thing != things_.end(); ++thing)
-    opened.insert(opened.end(), thing->closes.begin(), thing->closes.end());
-  things_.erase(looked_for_again, things_.end());
+  for (auto obstacle = looked_for_again; obstacle != obstacles_.end(); ++obstacle)
+    opened.insert(opened.end(), obstacle->closes.begin(), obstacle->closes.end());
+  obstacles_.erase(looked_for_again, obstacles_.end());
   for (int y = within.low.y; y < within.end.y; ++y) {
     for (int x = within.low.x; x < within.end.x; ++x) {
       const FloorCell first{x, y};
       if (floor.at(first) != Floor::kOccupied) continue;
-      const std::vector<FloorCell> cells = small_thing(floor, first);
+      const std::vector<FloorCell> cells = small_obstacle(floor, first);
       if (cells.empty()) {
-        if (auto leg = leg_of_wall(floor, first)) things_.push_back(std::move(*leg));
+        if (auto leg = leg_of_wall(floor, first)) obstacles_.push_back(std::move(*leg));
         continue;
       }
       const bool begins_here =
@@ -216,35 +219,36 @@ std::vector<FloorCell> LegBarriers::find_things(const FloorGrid& floor, const Fl
       if (!begins_here) continue;
       Vec2 p_map = Vec2::Zero();
       for (const FloorCell cell : cells) p_map += floor.centre(cell) / static_cast<double>(cells.size());
-      Thing thing{.p_map = p_map, .walls = {}, .closes = {}, .first = first};
-      look_about(floor, thing);
-      things_.push_back(std::move(thing));
+      Obstacle obstacle{.p_map = p_map, .walls = {}, .closes = {}, .first = first};
+      look_about(floor, obstacle);
+      obstacles_.push_back(std::move(obstacle));
     }
   }
-  std::sort(things_.begin(), things_.end(), [](const Thing& a, const Thing& b) { return a.first < b.first; });
+  std::sort(obstacles_.begin(), obstacles_.end(),
+            [](const Obstacle& a, const Obstacle& b) { return a.first < b.first; });
   return opened;
 }
 
-bool LegBarriers::is_piece_of_wall(const FloorGrid& floor, const Thing& thing) const {
+bool LegBarriers::is_piece_of_wall(const FloorGrid& floor, const Obstacle& obstacle) const {
   std::vector<double> along_x_m, along_y_m;
-  for (const Thing& other : things_about(floor, thing.p_map, kRow_m)) {
-    const Vec2 away = other.p_map - thing.p_map;
+  for (const Obstacle& other : obstacles_around(floor, obstacle.p_map, kRow_m)) {
+    const Vec2 away = other.p_map - obstacle.p_map;
     if (std::abs(away.y()) <= kRowBeside_m && std::abs(away.x()) <= kRow_m) along_x_m.push_back(away.x());
     if (std::abs(away.x()) <= kRowBeside_m && std::abs(away.y()) <= kRow_m) along_y_m.push_back(away.y());
   }
-  return (is_crowded(along_x_m) && wall_stands_in_line(floor, thing.p_map, {1, 0})) ||
-         (is_crowded(along_y_m) && wall_stands_in_line(floor, thing.p_map, {0, 1}));
+  return (is_crowded(along_x_m) && wall_stands_in_line(floor, obstacle.p_map, {1, 0})) ||
+         (is_crowded(along_y_m) && wall_stands_in_line(floor, obstacle.p_map, {0, 1}));
 }
 
-void LegBarriers::find_walls(const FloorGrid& floor, Thing& thing) const {
-  thing.walls.clear();
+void LegBarriers::find_walls(const FloorGrid& floor, Obstacle& obstacle) const {
+  obstacle.walls.clear();
   const int reach = static_cast<int>(std::ceil(params_.wall_max_m / floor.cell_m()));
-  for_cells_around(floor.cell_at(thing.p_map), reach, [&](FloorCell cell) {
+  for_cells_around(floor.cell_at(obstacle.p_map), reach, [&](FloorCell cell) {
     if (floor.at(cell) != Floor::kOccupied) return;
     const Vec2 p_map = floor.centre(cell);
-    const double away_m = (p_map - thing.p_map).norm();
+    const double away_m = (p_map - obstacle.p_map).norm();
     if (away_m <= params_.leg_max_m || away_m >= params_.wall_max_m || is_leg(floor, p_map)) return;
-    thing.walls.push_back(p_map);
+    obstacle.walls.push_back(p_map);
   });
 }
 
@@ -252,8 +256,8 @@ int LegBarriers::leg_cells(const FloorGrid& floor) const {
   return std::max(1, static_cast<int>(std::lround(params_.leg_max_m / floor.cell_m())));
 }
 
-/// The cells that hang together with one of them; none if they are too many for a leg.
-std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCell start) const {
+/// The cells connected to one cell; none if they are too many for a leg.
+std::vector<FloorCell> LegBarriers::small_obstacle(const FloorGrid& floor, FloorCell start) const {
   const int wide = leg_cells(floor);
   if (is_in_long_row(floor, start, wide)) return {};
   std::vector<FloorCell> cells = {start};
@@ -273,10 +277,9 @@ std::vector<FloorCell> LegBarriers::small_thing(const FloorGrid& floor, FloorCel
   return cells;
 }
 
-/// A leg so near to a wall along the rows or columns that the cells do not part the two: a few stand out of
-/// it.
-/// @param first  of the cells farthest out
-std::optional<LegBarriers::Thing> LegBarriers::leg_of_wall(const FloorGrid& floor, FloorCell first) const {
+/// A leg so near to an axis-parallel wall that their cells are connected: a few cells stand out of the wall.
+/// @param first  the first of the outermost cells
+std::optional<LegBarriers::Obstacle> LegBarriers::leg_of_wall(const FloorGrid& floor, FloorCell first) const {
   const int wide = leg_cells(floor);
   const int beside = static_cast<int>(std::lround(kBesideOut_m / floor.cell_m()));
   for (const FloorCell out : {FloorCell{1, 0}, FloorCell{-1, 0}, FloorCell{0, 1}, FloorCell{0, -1}}) {
@@ -301,28 +304,28 @@ std::optional<LegBarriers::Thing> LegBarriers::leg_of_wall(const FloorGrid& floo
     for (int deep = 2; deep <= wide; ++deep) {
       if (!lies_beside(Floor::kOccupied, width, deep)) continue;
       const Vec2 p_map = (floor.centre(first) + floor.centre(cell(width - 1, 0))) / 2;
-      return Thing{.p_map = p_map,
-                   .behind = -Vec2(out.x, out.y),
-                   .walls = {},
-                   .closes = {},
-                   .first = first,
-                   .stand = Stand::kBeforeWall};
+      return Obstacle{.p_map = p_map,
+                      .behind = -Vec2(out.x, out.y),
+                      .walls = {},
+                      .closes = {},
+                      .first = first,
+                      .stand = Stand::kBeforeWall};
     }
   }
   return std::nullopt;
 }
 
-void LegBarriers::look_about(const FloorGrid& floor, Thing& thing) const {
+void LegBarriers::look_about(const FloorGrid& floor, Obstacle& obstacle) const {
   const int reach = static_cast<int>(std::ceil((kRing_m + kWallAround_m) / floor.cell_m())) + 1;
   bool at_wall = false;
   double ring = 0;
   std::vector<double> free_rad;
   std::vector<Vec2> to_wall;
-  for_cells_around(floor.cell_at(thing.p_map), reach, [&](FloorCell cell) {
-    const Vec2 away = floor.centre(cell) - thing.p_map;
+  for_cells_around(floor.cell_at(obstacle.p_map), reach, [&](FloorCell cell) {
+    const Vec2 away = floor.centre(cell) - obstacle.p_map;
     const double beyond_m = away.norm() - kRing_m;
     if (beyond_m > kWallAround_m) return;
-    if (floor.at(cell) == Floor::kOccupied && small_thing(floor, cell).empty()) {
+    if (floor.at(cell) == Floor::kOccupied && small_obstacle(floor, cell).empty()) {
       to_wall.push_back(away);
       at_wall = at_wall || beyond_m <= floor.cell_m() / 2;
     }
@@ -333,45 +336,46 @@ void LegBarriers::look_about(const FloorGrid& floor, Thing& thing) const {
   const double free_share = static_cast<double>(free_rad.size()) / ring;
   if (!at_wall) {
     const bool is_free = free_share >= kRingFreeShare && widest_gap_rad(free_rad) <= kHidden_rad;
-    thing.stand = is_free ? Stand::kFree : Stand::kUnclear;
+    obstacle.stand = is_free ? Stand::kFree : Stand::kUnclear;
     return;
   }
-  thing.behind = mean_direction(to_wall);
-  const bool is_before_wall = free_share >= kFreeAtWallShare && lies_behind(thing.behind, to_wall);
-  thing.stand = is_before_wall ? Stand::kBeforeWall : Stand::kUnclear;
+  obstacle.behind = mean_direction(to_wall);
+  const bool is_before_wall = free_share >= kFreeAtWallShare && lies_behind(obstacle.behind, to_wall);
+  obstacle.stand = is_before_wall ? Stand::kBeforeWall : Stand::kUnclear;
 }
 
-/// All that stand so near to a place, and what else stands in the same rows: O(log of all).
-std::span<const LegBarriers::Thing> LegBarriers::things_about(const FloorGrid& floor, const Vec2& p_map,
-                                                              double within_m) const {
+/// All obstacles within a distance of a point, and others in the same rows: O(log of all).
+std::span<const LegBarriers::Obstacle> LegBarriers::obstacles_around(const FloorGrid& floor,
+                                                                     const Vec2& p_map,
+                                                                     double within_m) const {
   const int row = floor.cell_at(p_map).y;
   const int reach = static_cast<int>(std::ceil(within_m / floor.cell_m())) + leg_cells(floor) + 1;
-  const auto begin = std::lower_bound(things_.begin(), things_.end(), row - reach,
-                                      [](const Thing& thing, int y) { return thing.first.y < y; });
-  const auto end = std::upper_bound(begin, things_.end(), row + reach,
-                                    [](int y, const Thing& thing) { return y < thing.first.y; });
+  const auto begin = std::lower_bound(obstacles_.begin(), obstacles_.end(), row - reach,
+                                      [](const Obstacle& obstacle, int y) { return obstacle.first.y < y; });
+  const auto end = std::upper_bound(begin, obstacles_.end(), row + reach,
+                                    [](int y, const Obstacle& obstacle) { return y < obstacle.first.y; });
   return {begin, end};
 }
 
-/// What stands there belongs to one, not to the wall behind it.
+/// Whether the occupied point belongs to a leg, not to the wall behind it.
 bool LegBarriers::is_leg(const FloorGrid& floor, const Vec2& p_map) const {
   const double deep_m = kLegDeepCells * floor.cell_m();
-  const std::span<const Thing> about = things_about(floor, p_map, params_.leg_max_m);
-  return std::any_of(about.begin(), about.end(), [&](const Thing& thing) {
-    const Vec2 away = p_map - thing.p_map;
-    return thing.is_leg() && away.norm() <= params_.leg_max_m && thing.behind.dot(away) < deep_m;
+  const std::span<const Obstacle> about = obstacles_around(floor, p_map, params_.leg_max_m);
+  return std::any_of(about.begin(), about.end(), [&](const Obstacle& obstacle) {
+    const Vec2 away = p_map - obstacle.p_map;
+    return obstacle.is_leg() && away.norm() <= params_.leg_max_m && obstacle.behind.dot(away) < deep_m;
   });
 }
 
-/// What stands there belongs to a small thing, a leg or not.
-bool LegBarriers::is_thing(const FloorGrid& floor, const Vec2& p_map) const {
-  const std::span<const Thing> about = things_about(floor, p_map, params_.leg_max_m);
-  return std::any_of(about.begin(), about.end(), [&](const Thing& thing) {
-    return (thing.p_map - p_map).norm() <= params_.leg_max_m / 2;
+/// Whether the occupied point belongs to a small obstacle, a leg or not.
+bool LegBarriers::is_small_obstacle(const FloorGrid& floor, const Vec2& p_map) const {
+  const std::span<const Obstacle> about = obstacles_around(floor, p_map, params_.leg_max_m);
+  return std::any_of(about.begin(), about.end(), [&](const Obstacle& obstacle) {
+    return (obstacle.p_map - p_map).norm() <= params_.leg_max_m / 2;
   });
 }
 
-/// With it as the first of two.
+/// The cells closed by pairs of which it is the first.
 std::vector<FloorCell> LegBarriers::cells_closed_by(const FloorGrid& floor, std::size_t first) const {
   std::vector<FloorCell> cells;
   const auto close = [&](const Vec2& from, const Vec2& to) {
@@ -383,18 +387,18 @@ std::vector<FloorCell> LegBarriers::cells_closed_by(const FloorGrid& floor, std:
     });
     if (was_stood_on) cells.resize(before);
   };
-  const Thing& thing = things_[first];
+  const Obstacle& obstacle = obstacles_[first];
   const int apart_max = static_cast<int>((params_.apart_max_m + params_.leg_max_m) / floor.cell_m());
-  for (const Vec2& p_map : hidden_partners(floor, thing)) close(thing.p_map, p_map);
-  for (std::size_t i = first + 1; i < things_.size(); ++i) {
-    const Thing& other = things_[i];
-    if (other.first.y - thing.first.y > apart_max) break;
-    const Vec2 &a = thing.p_map, &b = other.p_map;
+  for (const Vec2& p_map : hidden_partners(floor, obstacle)) close(obstacle.p_map, p_map);
+  for (std::size_t i = first + 1; i < obstacles_.size(); ++i) {
+    const Obstacle& other = obstacles_[i];
+    if (other.first.y - obstacle.first.y > apart_max) break;
+    const Vec2 &a = obstacle.p_map, &b = other.p_map;
     const double apart_m = (b - a).norm();
-    if (apart_m > params_.apart_max_m || !may_carry_one_plate(floor, thing, other)) continue;
+    if (apart_m > params_.apart_max_m || !may_carry_one_plate(floor, obstacle, other)) continue;
     close(a, b);
     if (apart_m < params_.plate_min_m) continue;
-    const auto behind_a = wall_behind(thing, b - a), behind_b = wall_behind(other, b - a);
+    const auto behind_a = wall_behind(obstacle, b - a), behind_b = wall_behind(other, b - a);
     if (!behind_a || !behind_b) continue;
     close(a, *behind_a);
     close(b, *behind_b);
@@ -404,9 +408,9 @@ std::vector<FloorCell> LegBarriers::cells_closed_by(const FloorGrid& floor, std:
   return cells;
 }
 
-/// Each right before a wall across from the other's, and something that is no leg behind their middle: a
-/// table fills a recess.
-bool LegBarriers::fill_recess(const FloorGrid& floor, const Thing& a, const Thing& b) const {
+/// Whether both are right before opposite walls, with something that is no leg behind the middle between
+/// them: a table fills a recess.
+bool LegBarriers::fill_recess(const FloorGrid& floor, const Obstacle& a, const Obstacle& b) const {
   if (!a.is_leg() || !b.is_leg()) return false;
   const Vec2 along = (b.p_map - a.p_map).normalized(), middle = (a.p_map + b.p_map) / 2;
   if (a.behind.dot(along) > -kAcrossMin || b.behind.dot(along) < kAcrossMin) return false;
@@ -418,15 +422,15 @@ bool LegBarriers::fill_recess(const FloorGrid& floor, const Thing& a, const Thin
   return ends;
 }
 
-/// One of them stands free or they fill a recess, and nothing but legs, and what blurs one that stands free,
-/// is between them: a chair may stand before a table.
-bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Thing& a, const Thing& b) const {
-  const auto goes_with = [&](const Thing& leg, const Thing& thing) {
-    return leg.is_free_leg() && (thing.is_leg() || stands_along_wall(floor, leg, thing));
+/// Whether one of them is free-standing or they fill a recess, with nothing between them but legs and blur: a
+/// chair may stand in front of a table.
+bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Obstacle& a, const Obstacle& b) const {
+  const auto goes_with = [&](const Obstacle& leg, const Obstacle& obstacle) {
+    return leg.is_free_leg() && (obstacle.is_leg() || stands_along_wall(floor, leg, obstacle));
   };
   if (!goes_with(a, b) && !goes_with(b, a) && !fill_recess(floor, a, b)) return false;
-  const auto blur_m = [&](const Thing& thing) {
-    return thing.stand == Stand::kFree ? params_.leg_max_m : kBlurAtWall_m;
+  const auto blur_m = [&](const Obstacle& obstacle) {
+    return obstacle.stand == Stand::kFree ? params_.leg_max_m : kBlurAtWall_m;
   };
   bool in_sight = true;
   for_cells_on_line(floor, a.p_map, b.p_map, [&](FloorCell cell) {
@@ -437,26 +441,27 @@ bool LegBarriers::may_carry_one_plate(const FloorGrid& floor, const Thing& a, co
   return in_sight;
 }
 
-/// What stands there may be a leg, too: what stands behind the leg goes on behind it.
-bool LegBarriers::stands_along_wall(const FloorGrid& floor, const Thing& leg, const Thing& thing) const {
-  const auto behind = wall_behind(leg, thing.p_map - leg.p_map);
-  return behind && stands_about(floor, Vec2(*behind + thing.p_map - leg.p_map), params_.leg_max_m / 2);
+/// Whether the obstacle may be a leg, too: the wall behind the leg goes on behind it.
+bool LegBarriers::stands_along_wall(const FloorGrid& floor, const Obstacle& leg,
+                                    const Obstacle& obstacle) const {
+  const auto behind = wall_behind(leg, obstacle.p_map - leg.p_map);
+  return behind && stands_about(floor, Vec2(*behind + obstacle.p_map - leg.p_map), params_.leg_max_m / 2);
 }
 
-/// The nearest place, across a line of legs, of something that is no leg.
-std::optional<Vec2> LegBarriers::wall_behind(const Thing& leg, const Vec2& along) const {
+/// The nearest point, perpendicular to a line of legs, of something that is no leg.
+std::optional<Vec2> LegBarriers::wall_behind(const Obstacle& leg, const Vec2& along) const {
   const Vec2 across = left_normal(along.normalized());
   return nearest_wall(
       leg, [&](const Vec2& away) { return std::abs(across.dot(away)) >= kAcrossMin * away.norm(); });
 }
 
-/// A unit across a wall, towards its nearest place. That a place lies well beside how the wall runs about
-/// it is the doing of a speck that stands out.
-Vec2 LegBarriers::across_wall(const Thing& leg, const Vec2& p_map_nearest) const {
+/// Unit vector perpendicular to a wall, towards its nearest point. If that point is far from perpendicular,
+/// it is a speck that stands out of the wall.
+Vec2 LegBarriers::across_wall(const Obstacle& leg, const Vec2& p_map_nearest) const {
   Mat2 spread = Mat2::Zero();
   for (const Vec2& p_map : leg.walls) {
     const Vec2 away = p_map - p_map_nearest;
-    if (away.norm() <= kWallPathSegment_m) spread += away * away.transpose();
+    if (away.norm() <= kWallPiece_m) spread += away * away.transpose();
   }
   Vec2 towards = (p_map_nearest - leg.p_map).normalized();
   const Vec2 across = left_normal(principal_direction(spread));
@@ -465,16 +470,16 @@ Vec2 LegBarriers::across_wall(const Thing& leg, const Vec2& p_map_nearest) const
   return off < 0 ? Vec2(-across) : across;
 }
 
-/// More than a small thing runs across this direction, to both sides of where it is met.
+/// Whether more than a small obstacle extends to both sides of the point met in this direction.
 bool LegBarriers::wall_goes_on(const FloorGrid& floor, const Vec2& p_map_leg, const Vec2& away) const {
   const Vec2 p_map = p_map_leg + away, lateral = kWallGoesOn_m * left_normal(away.normalized());
-  return small_thing(floor, floor.cell_at(p_map)).empty() &&
+  return small_obstacle(floor, floor.cell_at(p_map)).empty() &&
          stands_about(floor, Vec2(p_map + lateral), floor.cell_m()) &&
          stands_about(floor, Vec2(p_map - lateral), floor.cell_m());
 }
 
 template <class Matters>
-std::optional<Vec2> LegBarriers::nearest_wall(const Thing& leg, Matters matters) const {
+std::optional<Vec2> LegBarriers::nearest_wall(const Obstacle& leg, Matters matters) const {
   std::optional<Vec2> nearest;
   double nearest_m = params_.wall_max_m;
   for (const Vec2& p_map : leg.walls) {
@@ -487,10 +492,10 @@ std::optional<Vec2> LegBarriers::nearest_wall(const Thing& leg, Matters matters)
   return nearest;
 }
 
-/// Of a leg before a wall: where the leg may be with which it carries a table along that wall, hidden by
-/// floor that nobody has seen yet. Where such a leg is known on either side, no floor hides one. In a corner
-/// the table lies away from the wall that the leg stands right before.
-std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thing& leg) const {
+/// For a leg before a wall: where its partner may be that carries the table along that wall, hidden by unseen
+/// floor. If such a partner is known on either side, none is assumed. In a corner the table extends away from
+/// the wall that the leg is right in front of.
+std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Obstacle& leg) const {
   std::vector<Vec2> hidden;
   const auto look = [&](const Vec2& along) {
     if (const auto place = partner_place(floor, leg.p_map, along)) hidden.push_back(*place);
@@ -512,17 +517,16 @@ std::vector<Vec2> LegBarriers::hidden_partners(const FloorGrid& floor, const Thi
   return hidden;
 }
 
-bool LegBarriers::has_partner(const FloorGrid& floor, const Thing& leg, const Vec2& along) const {
-  const std::span<const Thing> about = things_about(floor, leg.p_map, params_.apart_max_m);
-  return std::any_of(about.begin(), about.end(), [&](const Thing& other) {
+bool LegBarriers::has_partner(const FloorGrid& floor, const Obstacle& leg, const Vec2& along) const {
+  const std::span<const Obstacle> about = obstacles_around(floor, leg.p_map, params_.apart_max_m);
+  return std::any_of(about.begin(), about.end(), [&](const Obstacle& other) {
     const Vec2 away = other.p_map - leg.p_map;
     return other.is_leg() && away.norm() > kPieceMin_m && away.norm() <= params_.apart_max_m &&
            std::abs(left_normal(along).dot(away)) <= params_.leg_max_m;
   });
 }
 
-/// The first floor that was not seen, or small thing, as far away as a table is long; nothing where a wall
-/// stands before it.
+/// The first unseen floor or small obstacle within a table's length; nullopt if a wall comes first.
 std::optional<Vec2> LegBarriers::partner_place(const FloorGrid& floor, const Vec2& p_map_leg,
                                                const Vec2& along) const {
   const double step_m = kLineStepCells * floor.cell_m();
@@ -530,7 +534,7 @@ std::optional<Vec2> LegBarriers::partner_place(const FloorGrid& floor, const Vec
   for (int i = 0; i <= steps; ++i) {
     const Vec2 p_map = p_map_leg + (params_.leg_max_m + i * step_m) * along;
     if (floor.at(p_map) == Floor::kFree) continue;
-    const bool may_be_leg = floor.at(p_map) == Floor::kUnknown || is_thing(floor, p_map);
+    const bool may_be_leg = floor.at(p_map) == Floor::kUnknown || is_small_obstacle(floor, p_map);
     return may_be_leg ? std::optional(p_map) : std::nullopt;
   }
   return std::nullopt;

@@ -16,8 +16,8 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 using Pair = std::pair<std::size_t, std::size_t>;
 using Distances = std::vector<std::vector<double>>;
 
-/// The pairs that all together have the least distance: the best path to pair a set of nodes is that of the
-/// set without its first and any other one, plus their distance.
+/// The pairing with the least total distance. The best way to pair a set of nodes pairs its first node with
+/// some other one and the rest in the best way (dynamic programming over subsets).
 std::vector<Pair> pair_exactly(const Distances& distances) {
   const std::size_t count = distances.size();
   std::vector<double> cost(std::size_t{1} << count, kFar);
@@ -60,7 +60,7 @@ std::vector<Pair> pair_nearest_first(const Distances& distances) {
   return pairs;
 }
 
-/// Exchanges partners between two pairs as long as that is shorter (2-opt).
+/// Exchanges partners between two pairs as long as that gets shorter (2-opt).
 void exchange_partners(std::vector<Pair>& pairs, const Distances& distances) {
   const auto length = [&](const Pair& pair) { return distances[pair.first][pair.second]; };
   const auto try_pairs = [&](Pair& a, Pair& b, const Pair& new_a, const Pair& new_b) {
@@ -122,7 +122,8 @@ class Postman {
     return odd;
   }
 
-  /// Corridors between paired nodes are driven once more; once more again would be twice too often.
+  /// Drives the corridors between paired nodes once more. Where two pairs share a corridor, the extra passes
+  /// cancel out.
   void double_between(const std::vector<std::size_t>& odd) {
     Distances distances_m(odd.size());
     std::vector<std::vector<std::vector<std::size_t>>> corridors(odd.size());
@@ -138,7 +139,7 @@ class Postman {
     }
   }
 
-  /// Hierholzer's: walks on while there is something to walk, and joins in what was left out on the way back.
+  /// Hierholzer's algorithm: walks on while it can, and inserts what was left out on the way back.
   CorridorPath round_trip() {
     std::vector<std::vector<std::size_t>> at_node(graph_.nodes.size());
     for (std::size_t i = 0; i < graph_.corridors.size(); ++i) {
@@ -156,7 +157,7 @@ class Postman {
       std::vector<std::size_t>& open = at_node[stand.node];
       std::erase_if(open, [&](std::size_t corridor) { return times_[corridor] == 0; });
       if (!open.empty()) {
-        // Straight back only where there is no other path on.
+        // Turns straight back only where there is no other way on.
         const bool is_back = stand.by == open.front() && open.size() > 1;
         const std::size_t corridor = open[is_back ? 1 : 0];
         --times_[corridor];
@@ -169,7 +170,7 @@ class Postman {
     return path;
   }
 
-  /// The path comes out backwards: from where the corridor led to.
+  /// The path is built backwards: from where the corridor led to.
   CorridorLeg leg_from(std::size_t node, std::size_t corridor) const {
     const double length_m = graph_.corridors[corridor].length_m();
     return graph_.corridors[corridor].from == node ? CorridorLeg{corridor, 0, length_m}
@@ -179,7 +180,7 @@ class Postman {
   const CorridorGraph& graph_;
   std::size_t start_;
   CorridorSearch search_;
-  std::vector<int> times_;  ///< that each corridor is still to be driven
+  std::vector<int> times_;  ///< each corridor is still to be driven
 };
 
 }  // namespace

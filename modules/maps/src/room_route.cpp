@@ -24,7 +24,7 @@ TurningClass class_of_turning(int number) {
     case 9:
       return TurningClass::kStraightOn;
     default:
-      throw std::invalid_argument("there are thirteen turnings");
+      throw std::invalid_argument("turnings are numbered 1 to 13");
   }
 }
 

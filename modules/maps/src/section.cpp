@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kLeastTurn_rad = 1e-9;
 
-/// Lays one piece after the other.
+/// Appends one piece of path after the other.
 class PathLayer {
  public:
   PathLayer(const Pose2& T_map_start, std::vector<std::size_t>* piece_sections)
@@ -20,7 +20,7 @@ class PathLayer {
     if (piece_sections_ != nullptr) piece_sections_->push_back(section);
   }
 
-  /// The parabola's first direction differs from the vehicle's: it turns there.
+  /// The parabola starts in another direction than the vehicle's, so the vehicle turns first.
   void add_curve(const Vec2& p_start_end, std::size_t section) {
     const Pose2 T_map_start = T_map_end_;
     const auto turn_to = [&](double heading_rad) {

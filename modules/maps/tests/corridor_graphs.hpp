@@ -17,7 +17,7 @@ inline CorridorGraph straight_graph(const std::vector<Vec2>& nodes,
   return graph;
 }
 
-/// Connected; corridors bend, lead round, and lie beside each other now and then.
+/// Connected; corridors bend, form loops, and lie beside each other now and then.
 inline CorridorGraph any_graph(Random& random, std::size_t nodes, std::size_t more_corridors) {
   CorridorGraph graph;
   const auto any_point = [&] { return Vec2(random.uniform(-30, 30), random.uniform(-30, 30)); };

@@ -14,7 +14,7 @@ using testing::ElementsAre;
 
 const Footprint kVehicle{.front_m = 1, .rear_m = 0.5, .width_m = 0.6};
 
-TEST(BarrierMet, IsWhatTheOutlineContactsOrHolds) {
+TEST(BarrierMet, IsWhatTheOutlineTouchesOrContains) {
   EXPECT_TRUE(meets(kVehicle, {{2, 1}, {-2, -1}})) << "right through it";
   EXPECT_TRUE(meets(kVehicle, {{0.2, 0.1}, {0.3, 0.1}})) << "wholly within";
   EXPECT_TRUE(meets(kVehicle, {{1, 0.2}, {1, 3}})) << "at its front";

@@ -15,7 +15,7 @@ TEST(CorridorGraph, LengthsAddUp) {
   EXPECT_EQ(CorridorGraph{}.length_m(), 0);
 }
 
-TEST(CorridorGraph, ACorridorThatLeadsRoundEndsTwiceAtItsNode) {
+TEST(CorridorGraph, ALoopCorridorEndsTwiceAtItsNode) {
   CorridorGraph graph = t_graph();
   graph.corridors.push_back({2, 2, {{10, 0}, {12, 0}, {12, 2}, {10, 0}}, 2});
   EXPECT_EQ(graph.degree(0), 1U);

@@ -31,7 +31,7 @@ std::vector<std::vector<double>> all_distances(const CorridorGraph& graph) {
   return d;
 }
 
-TEST(CorridorPath, OnOneCorridorThePathIsThePathSegmentBetween) {
+TEST(CorridorPath, OnOneCorridorThePathIsThePieceBetween) {
   const CorridorGraph graph = square_graph();
   const auto path = shortest_path(graph, *graph.nearest({8, 0}), *graph.nearest({2, 1}));
   ASSERT_TRUE(path);
@@ -39,7 +39,7 @@ TEST(CorridorPath, OnOneCorridorThePathIsThePathSegmentBetween) {
   EXPECT_EQ(path->points(graph), (std::vector<Vec2>{{8, 0}, {2, 0}}));
 }
 
-TEST(CorridorPath, ItGoesRoundTheShorterSide) {
+TEST(CorridorPath, ItTakesTheShorterSideOfALoop) {
   const CorridorGraph graph = square_graph();
   const auto path = shortest_path(graph, *graph.nearest({8, 0}), *graph.nearest({7, 10}));
   ASSERT_TRUE(path);
@@ -47,7 +47,7 @@ TEST(CorridorPath, ItGoesRoundTheShorterSide) {
   EXPECT_EQ(path->points(graph), (std::vector<Vec2>{{8, 0}, {10, 0}, {10, 10}, {7, 10}}));
 }
 
-TEST(CorridorPath, AClosedPlaceIsGoneRound) {
+TEST(CorridorPath, AClosedPlaceIsAvoided) {
   const CorridorGraph graph = square_graph();
   const std::vector<CorridorPlace> closed = {*graph.nearest({10, 5})};
   const auto path = shortest_path(graph, *graph.nearest({8, 0}), *graph.nearest({7, 10}), closed);
@@ -55,7 +55,7 @@ TEST(CorridorPath, AClosedPlaceIsGoneRound) {
   EXPECT_DOUBLE_EQ(path->length_m(), 8 + 10 + 7);
 }
 
-TEST(CorridorPath, FromBeforeAClosedPlaceThePathLeadsBackAndRoundToBehindIt) {
+TEST(CorridorPath, ThePathLeadsAroundFromOneSideOfAClosedPlaceToTheOther) {
   const CorridorGraph graph = square_graph();
   const std::vector<CorridorPlace> closed = {*graph.nearest({5, 0})};
   const auto path = shortest_path(graph, *graph.nearest({4, 0}), *graph.nearest({6, 0}), closed);
@@ -63,7 +63,7 @@ TEST(CorridorPath, FromBeforeAClosedPlaceThePathLeadsBackAndRoundToBehindIt) {
   EXPECT_DOUBLE_EQ(path->length_m(), 4 + 30 + 4);
 }
 
-TEST(CorridorPath, ThereIsNoneToWhatIsCutOff) {
+TEST(CorridorPath, ThereIsNoneToADisconnectedPlace) {
   const CorridorGraph graph = square_graph();
   const std::vector<CorridorPlace> closed = {*graph.nearest({5, 0}), *graph.nearest({10, 5})};
   EXPECT_FALSE(shortest_path(graph, *graph.nearest({0, 2}), *graph.nearest({9, 0}), closed));
@@ -102,7 +102,7 @@ RC_GTEST_PROP(CorridorPath, ItsPointsAreAsLongAsItsLegsFromPlaceToPlace, (std::u
   RC_ASSERT(std::abs(sum_m - path->length_m()) < 1e-9);
 }
 
-/// How often each corridor is driven; the path must hang together and end where it began.
+/// How often each corridor is driven; the path must be connected and end where it began.
 std::vector<int> times_driven(const CorridorGraph& graph, const CorridorPath& path, std::size_t start) {
   std::vector<int> times(graph.corridors.size());
   std::size_t node = start;
@@ -118,7 +118,7 @@ std::vector<int> times_driven(const CorridorGraph& graph, const CorridorPath& pa
   return times;
 }
 
-/// The least path that must be driven twice, by all pairings of the nodes of odd degree.
+/// The least distance that must be driven twice, by trying all pairings of the nodes of odd degree.
 double least_pairing(const std::vector<std::vector<double>>& distances, std::vector<std::size_t> odd) {
   if (odd.empty()) return 0;
   const std::size_t first = odd.front();
@@ -153,7 +153,7 @@ RC_GTEST_PROP(Patrol, WithFewOddNodesNoPathIsShorter, (std::uint64_t seed)) {
   RC_ASSERT(std::abs(patrol_path(graph, 0).length_m() - least_m) < 1e-6);
 }
 
-TEST(Patrol, ARoundIsDrivenOnceRound) {
+TEST(Patrol, ALoopIsDrivenOnce) {
   EXPECT_DOUBLE_EQ(patrol_path(square_graph(), 2).length_m(), 40);
 }
 

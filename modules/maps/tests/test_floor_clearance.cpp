@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFar_m = 0.6;
 
-/// By looking at every cell around.
+/// By brute force over all cells around.
 double distance_by_trying_m(const FloorGrid& floor, FloorCell cell, bool unknown_counts) {
   const int reach = 14;
   double nearest_m = kFar_m;

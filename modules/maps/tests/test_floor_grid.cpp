@@ -18,14 +18,14 @@ TEST(FloorGrid, IsUnknownWhereNothingWasSeen) {
   EXPECT_EQ(grid.free_m2(), 0);
 }
 
-TEST(FloorGrid, CellsAreCountedFromTheOriginBothPaths) {
+TEST(FloorGrid, CellsAreCountedFromTheOriginInBothDirections) {
   const FloorGrid grid(0.1);
   EXPECT_EQ(grid.cell_at({0.05, 0.05}), (FloorCell{0, 0}));
   EXPECT_EQ(grid.cell_at({-0.05, 0.25}), (FloorCell{-1, 2}));
   EXPECT_LT((grid.centre({-1, 2}) - Vec2(-0.05, 0.25)).norm(), 1e-12);
 }
 
-TEST(FloorGrid, OneViewThatStrikesOutweighsAFewThatPass) {
+TEST(FloorGrid, OneHitOutweighsAFewViewsThatPass) {
   FloorGrid grid;
   const FloorCell cell{1, 1};
   EXPECT_TRUE(grid.see_occupied(cell));
@@ -84,7 +84,7 @@ TEST(FloorBox, HoldsWhatItIncludesAndSharesWhatLiesInBoth) {
   EXPECT_TRUE(box.common_with({{7, 0}, {8, 2}}).empty());
 }
 
-TEST(FloorGrid, HoldsWhereTheVehicleStoodUntilSomethingIsHitThere) {
+TEST(FloorGrid, KeepsWhereTheVehicleWasUntilSomethingIsHitThere) {
   FloorGrid floor;
   const FloorCell cell{3, 4};
   EXPECT_TRUE(floor.stand_on(cell));
@@ -98,7 +98,7 @@ TEST(FloorGrid, HoldsWhereTheVehicleStoodUntilSomethingIsHitThere) {
   EXPECT_EQ(floor.at(cell), Floor::kOccupied);
 }
 
-TEST(FloorGrid, DoesNotTakeAwayWhatIsOccupiedWhereTheVehicleStands) {
+TEST(FloorGrid, DoesNotClearOccupiedCellsUnderTheVehicle) {
   FloorGrid floor;
   floor.set({3, 4}, Floor::kOccupied);
   floor.stand_on({3, 4});

@@ -41,8 +41,8 @@ TEST(FloorView, TurnsWithTheVehicle) {
   EXPECT_EQ(floor.at(Vec2(10.3, 6)), Floor::kFree);
 }
 
-/// As a table's leg, which most views from far away miss.
-TEST(FloorView, BeamsTooFarApartToMeetAThinThingDoNotTellAgainstIt) {
+/// Such as a table's leg, which most views from far away miss.
+TEST(FloorView, BeamsTooFarApartToHitAThinObstacleDoNotClearIt) {
   for (const double distance_m : {1.02, 4.02}) {
     FloorGrid before, after;
     std::vector<float> ranges_m = wall_ahead(5.52);
@@ -61,8 +61,8 @@ TEST(FloorView, BeamsTooFarApartToMeetAThinThingDoNotTellAgainstIt) {
   }
 }
 
-/// A door's jamb: the wall's end before it hides the far side of the cell in which its face was hit.
-TEST(FloorView, WhatPassesOneSideOfACellDoesNotTellAgainstWhatStandsInTheOther) {
+/// A door's jamb: the end of the wall in front hides the far side of the cell in which its face was hit.
+TEST(FloorView, PassingOneSideOfACellDoesNotClearTheOther) {
   const LaserScanner fine{-10 * kDegree, 0.1 * kDegree, 30, {}};
   constexpr double kWallAhead_m = 2, kFaceBeside_m = 0.22;
   const Vec2 p_face(2.12, kFaceBeside_m), p_opening(2.12, 0.12);
@@ -90,7 +90,7 @@ TEST(FloorView, LeavesWhatIsNearerThanItLooksUnknown) {
   EXPECT_EQ(floor.at(Vec2(1, 0)), Floor::kFree);
 }
 
-TEST(FloorView, ABeamThatStrikesNothingTellsNothingBehindWhatStandsNearerThanItLooks) {
+TEST(FloorView, ABeamWithoutReturnSaysNothingBehindWhatStandsNearerThanItLooks) {
   const std::vector<float> near_m(181, 0.8F), nothing(181, 30.0F);
   FloorGrid floor;
   for (const double y_m : {-0.03, 0.02, 0.32}) floor.set(floor.cell_at({0.5, y_m}), Floor::kOccupied);
@@ -100,7 +100,7 @@ TEST(FloorView, ABeamThatStrikesNothingTellsNothingBehindWhatStandsNearerThanItL
   EXPECT_EQ(floor.at(Vec2(0.5, 1.5)), Floor::kFree);
 }
 
-TEST(FloorView, WhatTheVehicleContactsStandsRightBeforeIt) {
+TEST(FloorView, BumperContactIsEnteredRightBeforeTheVehicle) {
   constexpr Footprint kCart{.front_m = 0.95, .rear_m = 0.25, .width_m = 0.6};
   for (const int direction : {1, -1}) {
     FloorGrid floor;
@@ -117,7 +117,7 @@ TEST(FloorView, WhatTheVehicleContactsStandsRightBeforeIt) {
   }
 }
 
-TEST(FloorView, UnusableReadingsTellNothing) {
+TEST(FloorView, UnusableReadingsSayNothing) {
   FloorGrid floor;
   std::vector<float> ranges_m = wall_ahead(2);
   ranges_m[90] = 0;
@@ -126,7 +126,7 @@ TEST(FloorView, UnusableReadingsTellNothing) {
   EXPECT_EQ(floor.at(Vec2(1.5, 0.2)), Floor::kFree);
 }
 
-TEST(FloorView, BeamsThatLoseTheirLightDoNotLookThroughAWall) {
+TEST(FloorView, BeamsWithoutReturnDoNotLookThroughAWall) {
   for (const std::size_t lost : {1U, 2U, 3U, 20U}) {
     FloorGrid floor;
     std::vector<float> ranges_m = wall_ahead(2.02);

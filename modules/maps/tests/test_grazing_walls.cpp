@@ -109,7 +109,7 @@ TEST_F(GrazingWalls, ShortRowsAndLegsAreNoWalls) {
   EXPECT_EQ(map_.walls.size(), 1U);
 }
 
-TEST_F(GrazingWalls, ObliqueRowsLieAsTheWallNearby) {
+TEST_F(GrazingWalls, ObliqueRowsAreParallelToTheWallNearby) {
   const Vec2 along = unit(0.3), across = left_normal(along);
   map_.walls.push_back({.segment = {{0, 6}, Vec2(0, 6) + along}});
   put_free({-10, 100}, {60, 160});

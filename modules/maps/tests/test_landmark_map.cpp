@@ -32,7 +32,7 @@ std::vector<int> near(const LandmarkMap& map, const Vec2& p_map, double distance
   return indices;
 }
 
-/// The same by looking at every landmark.
+/// The same by brute force.
 std::vector<int> near_one_by_one(const LandmarkMap& map, const Vec2& p_map, double distance_m) {
   std::vector<int> indices;
   for (std::size_t i = 0; i < map.size(); ++i) {

@@ -8,7 +8,7 @@
 namespace aisle {
 namespace {
 
-/// A free floor of 8 m x 6 m with things on it.
+/// A free floor of 8 m x 6 m with obstacles on it.
 class LegBarriersOnAFloor : public testing::Test {
  protected:
   LegBarriersOnAFloor() {
@@ -36,14 +36,14 @@ class LegBarriersOnAFloor : public testing::Test {
     hide({5.07, 0}, {8, 6});
     hide({0, 0}, {8, 1});
   }
-  /// A small thing before each of two walls that lie 2 m apart.
-  void things_before_walls_across(double y_m, double walls_to_y_m) {
+  /// A small obstacle before each of two walls that are 2 m apart.
+  void obstacles_before_opposite_walls(double y_m, double walls_to_y_m) {
     wall(2.02, 1, walls_to_y_m);
     wall(4.02, 1, walls_to_y_m);
     stand(2.22, y_m);
     stand(3.82, y_m);
   }
-  /// Whether a straight path is closed anywhere.
+  /// Whether a straight path crosses a closed cell.
   bool is_closed(const Vec2& from, const Vec2& to) {
     LegBarriers barriers;
     barriers.update(floor_, floor_.known());
@@ -55,7 +55,7 @@ class LegBarriersOnAFloor : public testing::Test {
   FloorGrid floor_;
 };
 
-TEST_F(LegBarriersOnAFloor, CloseThatUnderATable) {
+TEST_F(LegBarriersOnAFloor, CloseTheFloorUnderATable) {
   for (const double x_m : {3.02, 4.62}) {
     for (const double y_m : {2.02, 2.92}) stand(x_m, y_m);
   }
@@ -64,7 +64,7 @@ TEST_F(LegBarriersOnAFloor, CloseThatUnderATable) {
   EXPECT_FALSE(is_closed({2, 1.6}, {6, 1.6}));
 }
 
-TEST_F(LegBarriersOnAFloor, LeaveThingsAloneThatStandFarApart) {
+TEST_F(LegBarriersOnAFloor, LeaveObstaclesAloneThatStandFarApart) {
   stand(2.02, 3.02);
   stand(4.22, 3.02);
   EXPECT_FALSE(is_closed({3, 1}, {3, 5}));
@@ -93,7 +93,7 @@ TEST_F(LegBarriersOnAFloor, DoNotTakeAWallSeenFromFarForLegs) {
   EXPECT_FALSE(is_closed({4, 0}, {4, 6}));
 }
 
-/// At a grazing angle a wall is hit here and there, and one look passes it on either side.
+/// At a grazing angle a wall is hit here and there, and a view passes it on either side.
 TEST_F(LegBarriersOnAFloor, LeaveACorridorOpenOfWhoseWallsOnlyPiecesWereSeen) {
   wall_across(2.02, 1, 2.5);
   wall_across(3.42, 1, 2.5);
@@ -104,7 +104,7 @@ TEST_F(LegBarriersOnAFloor, LeaveACorridorOpenOfWhoseWallsOnlyPiecesWereSeen) {
   EXPECT_FALSE(is_closed({2, 2.7}, {6, 2.7}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseThatUnderARowOfTables) {
+TEST_F(LegBarriersOnAFloor, CloseTheFloorUnderARowOfTables) {
   for (int i = 0; i < 8; ++i) {
     stand(3.02 + 0.25 * i, 2.02);
     stand(3.12 + 0.25 * i, 3.02);
@@ -112,7 +112,7 @@ TEST_F(LegBarriersOnAFloor, CloseThatUnderARowOfTables) {
   EXPECT_TRUE(is_closed({2, 2.5}, {6, 2.5}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseThatUnderATableWithChairs) {
+TEST_F(LegBarriersOnAFloor, CloseTheFloorUnderATableWithChairs) {
   for (const double x_m : {3.02, 4.42}) {
     for (const double y_m : {2.02, 2.82}) stand(x_m, y_m);
   }
@@ -121,14 +121,14 @@ TEST_F(LegBarriersOnAFloor, CloseThatUnderATableWithChairs) {
   EXPECT_TRUE(is_closed({4.32, 3.5}, {4.32, 2.2}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseThePathInBetweenAWallAndATableAtIt) {
+TEST_F(LegBarriersOnAFloor, CloseTheFloorBetweenAWallAndATableAtIt) {
   wall(2, 0, 6);
   stand(2.87, 2.02);
   stand(2.87, 3.62);
   EXPECT_TRUE(is_closed({2.4, 1}, {2.4, 5}));
 }
 
-/// As in a corner of a room: the front legs of a table, one of them beside a cupboard.
+/// A corner of a room: the front legs of a table, one of them beside a cupboard.
 TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableAtAWallThatAChairStandsBefore) {
   wall(3.9, 0, 6);
   for (const double y_m : {2.02, 2.57, 3.02, 3.57}) stand(3.02, y_m);
@@ -146,7 +146,7 @@ TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableThatStandsBesideACupboard) {
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
-/// Nearest to the other leg is a thing at the wall, aslant behind it.
+/// Nearest to the other leg is an obstacle at the wall, diagonally behind it.
 TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableWithALegAtACupboardsCorner) {
   wall(2, 0, 6);
   stand(2.17, 1.77);
@@ -167,7 +167,7 @@ TEST_F(LegBarriersOnAFloor, LeaveFloorOpenOnWhichTheVehicleStood) {
   EXPECT_FALSE(is_closed({3.8, 1}, {3.8, 4}));
 }
 
-/// As from a door that opens beside it: of what is around its legs, half was not seen.
+/// Seen from a door that opens beside it: half of its legs' surroundings is unseen.
 TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableThatHidesItsSurroundings) {
   stand(2.87, 2.02);
   stand(2.87, 3.62);
@@ -188,7 +188,7 @@ TEST_F(LegBarriersOnAFloor, CloseThePathToWhereATablesOtherLegMayBeHidden) {
   EXPECT_FALSE(is_closed({4, 1.5}, {2.2, 1.5}));
 }
 
-/// It hangs together with the wall, which is as far from the front legs as it may be.
+/// The back leg is connected to the wall, which is as far from the front legs as it may be.
 TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughTheBackLegHidesTheWallBehind) {
   wall(2, 0, 6);
   for (const double x_m : {2.07, 2.12}) stand(x_m, 2.02);
@@ -199,7 +199,7 @@ TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughTheBackLegHidesTheWall
   EXPECT_TRUE(is_closed({4, 2.8}, {2.2, 2.8}));
 }
 
-/// It is a speck like those of the wall beside it, of which little was seen.
+/// The other leg is a speck like those of the wall beside it, of which little was seen.
 TEST_F(LegBarriersOnAFloor, CloseThePathToATablesOtherLegAtAnotherWall) {
   wall(2, 0, 4);
   for (const double x_m : {2.12, 2.27, 2.52, 2.87, 3.07}) stand(x_m, 3.82);
@@ -220,7 +220,7 @@ TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegOfATableInACorner) {
   EXPECT_FALSE(is_closed({2.5, 1.3}, {2.5, 2.4}));
 }
 
-TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableInACornerWhoseOtherLegHangsTogetherWithTheWall) {
+TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableInACornerWhoseOtherLegIsConnectedToTheWall) {
   corner_at_the_right();
   stand(4.17, 2.82);
   EXPECT_FALSE(is_closed({3.8, 2}, {4.6, 2}));
@@ -231,8 +231,8 @@ TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableInACornerWhoseOtherLegHangsTo
   EXPECT_FALSE(is_closed({3.8, 1.3}, {3.8, 5}));
 }
 
-/// Its leg at the far end of the table is hidden, too.
-TEST_F(LegBarriersOnAFloor, CloseThePathFromALegThatHangsTogetherWithTheWallToAHiddenOne) {
+/// The table's leg at the far end is hidden, too.
+TEST_F(LegBarriersOnAFloor, CloseThePathFromALegConnectedToTheWallToAHiddenOne) {
   corner_at_the_right();
   hide({4, 2.5}, {5, 3.5});
   EXPECT_FALSE(is_closed({3.8, 2}, {4.6, 2}));
@@ -242,7 +242,7 @@ TEST_F(LegBarriersOnAFloor, CloseThePathFromALegThatHangsTogetherWithTheWallToAH
   EXPECT_TRUE(is_closed({3.8, 2}, {4.6, 2}));
 }
 
-/// What stands small at the wall behind is no other front leg.
+/// The speck at the wall behind is not another front leg.
 TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughASpeckStandsAtTheWallBehind) {
   wall(2, 0, 6);
   stand(2.87, 2.02);
@@ -251,7 +251,7 @@ TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughASpeckStandsAtTheWallB
   EXPECT_TRUE(is_closed({4, 3.4}, {2.5, 3.4}));
 }
 
-/// Two tables stand side by side, one of them farther out.
+/// Two tables are side by side, one of them farther out.
 TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughTheNextTablesLegStandsBeside) {
   wall(2, 0, 6);
   stand(2.87, 3.02);
@@ -261,8 +261,8 @@ TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughTheNextTablesLegStands
   EXPECT_TRUE(is_closed({4, 2.2}, {2.2, 2.2}));
 }
 
-/// Which stands out of the wall that is nearest to the leg, so that it is its nearest place.
-TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughASpeckOfTheNearestWallLiesLateral) {
+/// The speck stands out of the wall nearest to the leg and so is its nearest point.
+TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughASpeckOfTheNearestWallLiesToTheSide) {
   wall(4, 2, 6);
   wall_across(2, 0, 4.05);
   stand(3.12, 2.37);
@@ -282,16 +282,16 @@ TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableWhoseSideIsNearAWall) {
 
 TEST_F(LegBarriersOnAFloor, CloseThePathUnderATableThatFillsARecess) {
   wall_across(1.02, 2, 4);
-  things_before_walls_across(1.72, 3);
+  obstacles_before_opposite_walls(1.72, 3);
   EXPECT_TRUE(is_closed({3, 2.5}, {3, 1.3}));
 }
 
 TEST_F(LegBarriersOnAFloor, LeaveACorridorOpenBetweenSpecksBeforeItsWalls) {
-  things_before_walls_across(3.02, 6);
+  obstacles_before_opposite_walls(3.02, 6);
   EXPECT_FALSE(is_closed({3, 5}, {3, 1.3}));
 }
 
-/// The leaf ends beside it and hides some of what is about it.
+/// The leaf ends beside the leg and hides part of its surroundings.
 TEST_F(LegBarriersOnAFloor, CloseThePathToATablesOtherLegBesideAnOpenDoorsLeaf) {
   wall(2, 0, 6);
   wall_across(3.87, 2, 2.8);
@@ -312,7 +312,7 @@ TEST_F(LegBarriersOnAFloor, CloseThePathToAHiddenLegThoughACupboardsCornerIsNear
   EXPECT_TRUE(is_closed({4, 2.2}, {2.2, 2.2}));
 }
 
-/// Of the wall that the door is in, only the frame was seen from within: it does not say how a table stands.
+/// Of the wall with the door, only the frame was seen from inside: it does not say how a table stands.
 TEST_F(LegBarriersOnAFloor, LeaveADoorOpenBesideWhichALegStands) {
   wall(1.85, 0, 2);
   wall_across(1.97, 1.85, 2.05);
@@ -353,8 +353,8 @@ TEST_F(LegBarriersOnAFloor, DoNotReachThroughWalls) {
   EXPECT_FALSE(is_closed({2.6, 1}, {2.6, 5}));
 }
 
-/// Things of one cell and now and then a wall, on a floor as wide as a building.
-FloorBox scatter_things(FloorGrid& floor, Random& random) {
+/// Obstacles of one cell and now and then a wall, on a floor as wide as a building.
+FloorBox scatter_obstacles(FloorGrid& floor, Random& random) {
   FloorBox changed;
   const int left = static_cast<int>(random.index(360)), low = static_cast<int>(random.index(60));
   const int wall_y = low + static_cast<int>(random.index(80));
@@ -374,7 +374,7 @@ RC_GTEST_PROP(LegBarriers, AreTheSameWhetherSeenAtOnceOrBitByBit, (std::uint64_t
   LegBarriers bit_by_bit;
   for (int round = 0; round < 15; ++round) {
     const LegBarriers before = bit_by_bit;
-    const FloorBox turned = bit_by_bit.update(floor, scatter_things(floor, random));
+    const FloorBox turned = bit_by_bit.update(floor, scatter_obstacles(floor, random));
     FloorBox differ;
     const auto note_closed = [&](const LegBarriers& by, const LegBarriers& not_by) {
       for (const FloorCell cell : by.closed()) {
@@ -393,7 +393,7 @@ RC_GTEST_PROP(LegBarriers, AreTheSameWhetherSeenAtOnceOrBitByBit, (std::uint64_t
   }
 }
 
-TEST(LegBarriers, TakeTheRoomBetweenLegs) {
+TEST(LegBarriers, ReduceTheClearanceBetweenLegs) {
   FloorGrid floor;
   for (int y = 0; y < 80; ++y) {
     for (int x = 0; x < 80; ++x) floor.set({x, y}, Floor::kFree);

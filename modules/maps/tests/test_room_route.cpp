@@ -22,7 +22,7 @@ TEST(RoomRoute, ThirteenTurningsAreOfThreeClasses) {
   EXPECT_THROW(class_of_turning(14), std::invalid_argument);
 }
 
-TEST(RoomRoute, ATurnBlotsOutTheOtherSideHalfAndThenAQuarter) {
+TEST(RoomRoute, ATurnMasksHalfOfTheOtherSideAndThenAQuarter) {
   const RoomTurning left{.number = 1, .start_m = 2, .end_m = 6},
       right{.number = 12, .start_m = 2, .end_m = 6};
   EXPECT_EQ(mask_out(left, 4.9), (MaskOut{.right = 0.5}));
@@ -31,7 +31,7 @@ TEST(RoomRoute, ATurnBlotsOutTheOtherSideHalfAndThenAQuarter) {
   EXPECT_EQ(mask_out(right, 5.1), (MaskOut{.left = 0.25}));
 }
 
-TEST(RoomRoute, StraightOnBlotsOutTheSidesOfTheBranches) {
+TEST(RoomRoute, StraightOnMasksTheSidesOfTheBranches) {
   EXPECT_EQ(mask_out({.number = 2, .end_m = 1}, 0), (MaskOut{.left = 0.25}));
   EXPECT_EQ(mask_out({.number = 4, .end_m = 1}, 0), (MaskOut{.right = 0.25}));
   EXPECT_EQ(mask_out({.number = 9, .end_m = 1}, 0), (MaskOut{.left = 0.25, .right = 0.25}));

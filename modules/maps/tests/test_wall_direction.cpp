@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-TEST(WallDirection, TheNearestWithinReachIsTheOneAround) {
+TEST(WallDirection, TheNearestWithinReachCounts) {
   const std::vector<WallDirection> known{{.p_map = {0, 0}, .direction_rad = 0.1},
                                          {.p_map = {4, 0}, .direction_rad = 0.2}};
   EXPECT_EQ(walls_around(known, {1.9, 0}, 2)->direction_rad, 0.1);

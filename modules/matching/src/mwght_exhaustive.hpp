@@ -1,5 +1,5 @@
 #pragma once
-/// The published path: every vote into every cell of a three-dimensional array.
+/// The published method: every vote into every cell of a three-dimensional array.
 
 #include "mwght_kernel.hpp"
 #include "mwght_maximum.hpp"
@@ -10,7 +10,7 @@ class MwghtArray {
  public:
   void vote(const MwghtVotes& votes, const MwghtGrid& grid, const MwghtKernel& kernel);
 
-  /// The greatest cell that is not in `excluded`; nullopt: no votes there.
+  /// The cell with the greatest value outside `excluded`; nullopt: no votes there.
   std::optional<MwghtMaximum> maximum(const MwghtVicinity* excluded = nullptr) const;
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kReachRounding = 1e-9;  // a reach of whole cells includes the last one
 
-/// Of a box's cells along one axis, the offset of the one nearest to the vote.
+/// The offset, along one axis, of the cell of a box that is nearest to the vote.
 int nearest_offset(int first, int box) {
   return std::clamp(0, first, first + box - 1);
 }

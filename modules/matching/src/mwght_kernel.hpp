@@ -1,5 +1,5 @@
 #pragma once
-/// What a vote adds to the cells around its own, and bounds of it for boxes of cells.
+/// What a vote adds to the cells around its own, and upper bounds of that for boxes of cells.
 
 #include <Eigen/Core>
 #include <vector>
@@ -14,12 +14,12 @@ class MwghtKernel {
   explicit MwghtKernel(const MwghtParams& params);
 
   int reach() const { return reach_; }  ///< [cells]
-  /// Any offset.
+  /// For any offset.
   double operator()(int dx, int dy) const {
     if (std::abs(dx) > reach_ || std::abs(dy) > reach_) return 0;
     return row(dy)[dx + reach_];
   }
-  /// 2 * reach() + 1 values, for dx = -reach() ..; |dy| <= reach().
+  /// 2 * reach() + 1 values, for dx = -reach() .. reach(); |dy| <= reach().
   const double* row(int dy) const {
     return &values_[static_cast<std::size_t>((dy + reach_) * (2 * reach_ + 1))];
   }
@@ -29,17 +29,17 @@ class MwghtKernel {
   std::vector<double> values_;
 };
 
-/// The most that a vote can add to any cell of a box, for boxes of kBox x kBox cells side by side. The first
-/// box's corner lies `offset` cells after the vote's own cell.
+/// Upper bounds of what a vote can add to any cell of a box, for boxes of kBox x kBox cells side by side. The
+/// first box's corner lies `offset` cells after the vote's own cell.
 template <int kBox>
 class MwghtBounds {
  public:
-  /// @param first_offset  the least offset that is asked for
-  /// @param offsets  how many offsets are, from there on
-  /// @param boxes  how many boxes are asked for along each axis, a multiple of four
+  /// @param first_offset  the least offset that is needed
+  /// @param offsets  the number of offsets, from there on
+  /// @param boxes  the number of boxes along each axis, a multiple of four
   MwghtBounds(const MwghtKernel& kernel, int first_offset, int offsets, int boxes = 4);
 
-  /// The bound of the first box; that of box i of row j lies i + j * steps() farther on.
+  /// The bound of the first box; that of box i of row j is i + j * steps() farther on.
   const float* first(int offset_x, int offset_y) const {
     const auto x = static_cast<unsigned>(offset_x - first_offset_),
                y = static_cast<unsigned>(offset_y - first_offset_);
@@ -51,7 +51,8 @@ class MwghtBounds {
  private:
   int first_offset_;
   unsigned steps_;  ///< of a whole box, along each axis
-  /// By the offset modulo the box, y before x, then by whole boxes: what one vote is asked for lies together.
+  /// By the offset modulo the box, y before x, then by whole boxes: what one vote needs lies together in
+  /// memory.
   std::vector<float> values_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Maxima of H, found in two paths.
+/// Maxima of H, found in two ways.
 
 #include <cmath>
 #include <optional>
@@ -20,7 +20,7 @@ struct MwghtMaximum {
   }
 };
 
-/// The cells that are the same hypothesis as one cell: not far from it and turned little against it.
+/// The cells that belong to the same hypothesis as one cell: near it and turned little against it.
 class MwghtVicinity {
  public:
   MwghtVicinity(const MwghtParams& params, const MwghtCell& middle)
@@ -32,7 +32,7 @@ class MwghtVicinity {
     const double dx = cell.x - middle_.x, dy = cell.y - middle_.y;
     return std::abs(cell.turn - middle_.turn) <= turns_apart_ && dx * dx + dy * dy <= apart_ * apart_;
   }
-  /// Whether it holds every cell of the square of `size` cells from `corner` on.
+  /// Whether it contains every cell of the square of `size` cells from `corner` on.
   bool holds_square(const MwghtCell& corner, int size) const {
     const auto farther = [size](int first, int middle) {
       const int last = first + size - 1;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kRounds = 12;
 constexpr double kSettled = 1e-7;          // [m, rad]: further rounds change nothing
-constexpr double kNoiseMin_m = 0.004;      // floor of the estimated noise of a coordinate
-constexpr double kNoiseGuess_m = 0.03;     // of a pair's coordinate, before anything is known,
+constexpr double kNoiseMin_m = 0.004;      // least estimated noise of a coordinate
+constexpr double kNoiseGuess_m = 0.03;     // guessed noise of a pair's coordinate at first,
 constexpr double kNoiseGuessWorth = 3;     // and how many residuals this guess is worth
 constexpr double kMedianDistance = 1.177;  // of points with a noise of 1 in both coordinates
 constexpr double kWelschSigmas = 3;
@@ -32,7 +32,7 @@ struct Normal {
     squared_weight += w * w;
     squared_residual += w * residual.squaredNorm();
   }
-  /// How many equal pairs would say as much.
+  /// How many pairs of equal weight would say as much.
   double pairs() const { return weight * weight / squared_weight; }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A peak of H refined below its cell.
+/// A peak of H refined to sub-cell accuracy.
 
 #include <span>
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace aisle {
 
-/// Lays the seen points onto the learned ones nearest to them by weighted least squares, starting at a cell.
-/// What lies farther off than others counts less (Welsch's weight).
+/// Fits the seen points to the nearest learned ones by weighted least squares, starting at a cell. Outliers
+/// count less (Welsch's weight).
 class MwghtRefinement {
  public:
   explicit MwghtRefinement(const MwghtParams& params) : params_(params) {}
 
-  /// The displacement with its covariance. What the pairs do not say (the turn, of one point) remains at the
-  /// cell, as uncertain as the window is wide.
+  /// The displacement with its covariance. What the pairs leave open (the turn, for one point) stays at the
+  /// cell and is as uncertain as the window is wide.
   UncertainPose2 refine(const MwghtCell& cell, std::span<const WeightedPoint> learned,
                         std::span<const WeightedPoint> seen, const MwghtWindow& window);
 
@@ -25,7 +25,7 @@ class MwghtRefinement {
     Vec2 p_learned, p_seen;
     double weight;
   };
-  /// A seen point with the learned point nearest to it at present.
+  /// A seen point with the learned point nearest to it now.
   struct Match {
     Vec2 lever;     ///< the seen point, turned
     Vec2 residual;  ///< from the learned to the displaced seen point [m]

@@ -6,26 +6,27 @@
 namespace aisle {
 namespace {
 
-constexpr int kTop = 16;  // cells along the side of the greatest squares
+constexpr int kTop = 16;  // side of the largest squares [cells]
 constexpr double kFloatStep = 1.0 / (1 << 22);
-constexpr double kFloatFloor = 1e-30;  // of sums of shares: below, products may have vanished
+constexpr double kFloatFloor = 1e-30;  // sums of shares below this may have lost products to underflow
 
-/// The votes, in their order, that reach into the square of `side` cells from (x, y) on; they live in `room`.
+/// The votes, in their order, that reach into the square of `side` cells from (x, y) on; stored in `buffer`.
 std::span<const MwghtVote> near(std::span<const MwghtVote> votes, int x, int y, int side, int reach,
-                                std::vector<MwghtVote>& room) {
-  if (room.size() <= votes.size()) room.resize(votes.size() + 1);
+                                std::vector<MwghtVote>& buffer) {
+  if (buffer.size() <= votes.size()) buffer.resize(votes.size() + 1);
   const auto span = static_cast<unsigned>(side - 1 + 2 * reach);
-  MwghtVote* end = room.data();
+  MwghtVote* end = buffer.data();
   for (const MwghtVote& vote : votes) {
     *end = vote;
     const bool in_x = static_cast<unsigned>(vote.x - x + reach) <= span;
     const bool in_y = static_cast<unsigned>(vote.y - y + reach) <= span;
     end += static_cast<int>(in_x) & static_cast<int>(in_y);
   }
-  return {room.data(), end};
+  return {buffer.data(), end};
 }
 
-/// What the votes can add to each of 4 x 4 boxes from (x, y) on: element (i, j) for column i and row j.
+/// Upper bounds of what the votes add to each of 4 x 4 boxes from (x, y) on: element (i, j) for column i and
+/// row j.
 template <int kBox>
 Eigen::Array44f sum_bounds(std::span<const MwghtVote> votes, int x, int y, const MwghtBounds<kBox>& bounds,
                            double share) {
@@ -62,7 +63,7 @@ void MwghtSearch::bound_squares(const MwghtVotes& votes, const MwghtGrid& grid) 
   for (int turn = 0; turn < grid.turns(); ++turn) bound_squares_of(turn);
 }
 
-/// The same voting, coarsely: each vote gives each square the most that it can give any of its cells.
+/// Coarse voting: each vote gives each square the most that it can give any of its cells.
 void MwghtSearch::bound_squares_of(int turn) {
   const int reach = kernel_.reach();
   const int reached = reached_, margin = reached - 1;

@@ -14,7 +14,7 @@ class MwghtSearch {
   /// Bounds every square of the window; `votes` must live as long as maxima are asked for.
   void bound_squares(const MwghtVotes& votes, const MwghtGrid& grid);
 
-  /// The greatest cell that is not in `excluded`; nullopt: no votes there.
+  /// The cell with the greatest value outside `excluded`; nullopt: no votes there.
   std::optional<MwghtMaximum> maximum(const MwghtVicinity* excluded = nullptr);
 
  private:

@@ -24,8 +24,8 @@ MwghtGrid::MwghtGrid(const MwghtParams& params, const MwghtWindow& window)
       half_y(half_count(window.y_half_m, params.cell_m)),
       half_turn(half_count(window.turn_half_rad, params.angle_step_rad)) {}
 
-/// Leaves out the pairs that reach into the window at no angle: a seen point moves by no more than its
-/// distance from the origin times the angle.
+/// Leaves out pairs that reach into the window at no angle: a seen point moves by at most its distance from
+/// the origin times the angle.
 void MwghtVotes::pair_within_reach(std::span<const WeightedPoint> learned,
                                    std::span<const WeightedPoint> seen, const MwghtGrid& grid, int reach) {
   pairs_.clear();

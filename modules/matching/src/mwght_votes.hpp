@@ -1,5 +1,5 @@
 #pragma once
-/// Which cell each pair of points votes for, angle by angle.
+/// The cell that each pair of points votes for, angle by angle.
 
 #include <span>
 #include <vector>
@@ -21,7 +21,7 @@ struct MwghtGrid {
   MwghtCell cell(int turn, int y, int x) const { return {x - half_x, y - half_y, turn - half_turn}; }
 };
 
-/// The displacement of one pair at one angle: the nearest cell, counted like the grid's, perhaps outside of
+/// The displacement of one pair at one angle: the nearest cell, counted like the grid's, possibly outside of
 /// it.
 struct MwghtVote {
   int x = 0, y = 0;

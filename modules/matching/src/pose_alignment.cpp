@@ -16,9 +16,9 @@ constexpr double kSettledStep = 1e-4;  // [m, rad]: further iterations change no
 constexpr double kHeadingGate_rad = 6 * kDegree;
 constexpr double kFirstHeadingGateMax_rad = 20 * kDegree;
 constexpr double kOverlapMin_m = 0.1;
-constexpr double kParallelSigmas = 2;  // walls whose headings differ by less may run alike
+constexpr double kParallelSigmas = 2;  // walls whose headings differ by less may be parallel
 
-/// The gate of one round: wide first, when the pose is only a guess.
+/// The gate of one round: wide at first, when the pose is only a guess.
 AssociationGate gate_in_round(int round, double gate_m, const Mat3& prior_information) {
   const double shrink = round == 0 ? 1.0 : round == 1 ? 0.7 : 0.5;
   const double heading_sigma_rad = std::sqrt(1 / std::max(1e-9, prior_information(2, 2)));
@@ -28,8 +28,9 @@ AssociationGate gate_in_round(int round, double gate_m, const Mat3& prior_inform
   return {gate_m * shrink, heading_rad, kOverlapMin_m};
 }
 
-/// Walls that may run like most of the others are taken to: about the path along them they tell nothing. What
-/// they seem to tell, where one was learned misaligned, is the error of its heading, the same in every scan.
+/// Walls that may be parallel to most of the others are treated as parallel: they do not constrain the
+/// position along them. If one was learned with a yaw error, what it seems to say is that error, the same in
+/// every scan.
 Vec2 normal_to_trust(const WallEstimate& wall, const Vec2& normal_of_most, double parallel_cosine) {
   const double cosine = wall.normal.dot(normal_of_most);
   if (std::abs(cosine) < parallel_cosine) return wall.normal;
@@ -38,7 +39,7 @@ Vec2 normal_to_trust(const WallEstimate& wall, const Vec2& normal_of_most, doubl
 
 }  // namespace
 
-/// The one, to either side, that the matched walls have most of.
+/// The normal, up to its sign, that most matched wall length has.
 Vec2 PoseAligner::normal_of_most(std::span<const SensedSegment> segments,
                                  std::span<const WallEstimate> walls) const {
   Vec2 doubled = Vec2::Zero();

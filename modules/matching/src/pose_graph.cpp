@@ -14,7 +14,7 @@ namespace {
 
 using Node = std::array<double, 3>;
 
-/// Whitened difference between the measured and the present relative pose.
+/// Whitened difference between the measured and the current relative pose.
 class RelativePoseCost final : public ceres::SizedCostFunction<3, 3, 3> {
  public:
   /// @param T_from_to  as measured; must outlive this

@@ -9,7 +9,7 @@ namespace aisle {
 namespace {
 
 constexpr double kAbsorbHeading_rad = 6 * kDegree;
-constexpr double kKindChange_rad = 5 * kDegree;  // orthogonal and oblique unite only when nearer than this
+constexpr double kKindChange_rad = 5 * kDegree;  // orthogonal and oblique walls merge only within this
 constexpr double kOffsetScale_m = 0.1;           // cost of one wall against another: offset, heading, overlap
 constexpr double kHeadingScale_rad = 0.05;
 constexpr double kOverlapBonus = 0.3;
@@ -35,7 +35,7 @@ void average(const PlacedSegment& placed, double weight_cap, WallEstimate& wall)
   wall.offset_weight = std::min(wall.offset_weight + offset_weight, weight_cap * kGoodOffsetWeight);
 }
 
-/// Extends the wall to where the segment reaches; the outermost end says what kind of end it is.
+/// Extends the wall to the ends of the segment; the outermost end sets the kind of end.
 void extend(const PlacedSegment& placed, WallEstimate& wall) {
   const Interval seen = wall.span_of(placed.segment);
   constexpr double kSameEnd_m = 0.05;

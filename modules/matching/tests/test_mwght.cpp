@@ -15,7 +15,7 @@ Points template_points() {
   return {{{1.0, 2.0}}, {{2.5, 2.2}}, {{3.1, 1.0}}, {{2.0, 0.2}}, {{4.2, 2.6}}, {{5.0, 0.4}}};
 }
 
-/// What sees `learned` from where `displacement` must correct it.
+/// `learned` as seen from a pose that `displacement` corrects.
 Points seen_as(const Points& learned, const Pose2& displacement) {
   Points seen = learned;
   for (WeightedPoint& point : seen) point.position = displacement.inverse() * point.position;
@@ -152,7 +152,7 @@ TEST(Mwght, TheCovarianceIsThatOfTheErrors) {
   }
 }
 
-/// Patterns by chance: none, few or many points, some on top of each other, weights of many magnitudes.
+/// Random patterns: no, few or many points, some on top of each other, weights of many magnitudes.
 Points any_points(Random& random) {
   Points points(random.index(4) == 0 ? random.index(3) : random.index(16));
   const double spread_m = random.uniform(0.2, 4), magnitude = random.index(3) == 0 ? 8 : 0.5;

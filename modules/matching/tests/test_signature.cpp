@@ -100,7 +100,7 @@ RC_GTEST_PROP(Signature, FindsTheExactCellOfAnyInjectedShift, (std::uint64_t see
   }
 }
 
-TEST(Signature, OnlyWallsThatFaceTheSamePathSupportEachOther) {
+TEST(Signature, OnlyWallsThatFaceTheSameWaySupportEachOther) {
   const Segment2 wall{{0, 1}, {3, 1}};
   Signature sensed, learned;
   mark({wall, 3, 0, 0}, Vec2::UnitY(), SymbolKinds::kByFacing, sensed);

@@ -60,7 +60,7 @@ TEST(WallEstimate, TheSameViewTwiceChangesNoWall) {
   }
 }
 
-TEST(WallEstimate, ATrueEndReplacesTheLimitOfSight) {
+TEST(WallEstimate, ASeenEndReplacesTheLimitOfSight) {
   Walls walls;
   SensedSegment part = sensed({{0, 0}, {2, 0}});
   part.start = WallEnd::kSeen;
@@ -91,7 +91,7 @@ RC_GTEST_PROP(PoseAligner, FindsThePoseInARoomFromANearbyGuess, (std::uint64_t s
   RC_ASSERT(std::abs(found.matched_share() - 1) < 1e-9);
 }
 
-TEST(PoseAligner, ACorridorLeavesThePlaceAlongItToThePrior) {
+TEST(PoseAligner, ACorridorLeavesThePositionAlongItToThePrior) {
   Walls walls;
   const std::vector<SensedSegment> corridor = {sensed({{-9, -1}, {9, -1}}), sensed({{9, 1}, {-9, 1}})};
   walls.absorb_view(corridor, {});
@@ -104,8 +104,8 @@ TEST(PoseAligner, ACorridorLeavesThePlaceAlongItToThePrior) {
   EXPECT_LT(found.wall_information(0, 0), 1e-6 * found.wall_information(1, 1));
 }
 
-/// Its error is the same in every scan: however many there are, they say nothing new.
-TEST(PoseAligner, AWallLearnedMisalignedDoesNotDrawTheVehicleAlongItsCorridor) {
+/// Its error is the same in every scan: more scans add nothing.
+TEST(PoseAligner, AWallLearnedWithAYawErrorDoesNotDrawTheVehicleAlongItsCorridor) {
   const std::vector<SensedSegment> corridor = {sensed({{-9, -1}, {9, -1}}), sensed({{9, 1}, {-9, 1}})};
   Walls walls;
   walls.absorb_view(corridor, {});

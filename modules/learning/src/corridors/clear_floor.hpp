@@ -7,8 +7,8 @@
 
 namespace aisle {
 
-/// How far it is from each cell of a floor to the nearest one that is not known to be free, over all cells
-/// that are known and one more on every side.
+/// Distance from each cell of a floor to the nearest one not known to be free, over all known cells and a
+/// border of one cell.
 class ClearFloor {
  public:
   explicit ClearFloor(const FloorGrid& floor);
@@ -30,8 +30,8 @@ class ClearFloor {
   }
   int row_of(std::size_t cell) const { return static_cast<int>(cell / static_cast<std::size_t>(columns_)); }
 
-  /// The cells with so much clearance that hang together with the one nearest to a point; none if that is
-  /// more than a metre away.
+  /// The cells with at least this clearance that are connected to the one nearest to a point; none if that
+  /// one is more than a metre away.
   std::vector<bool> reached_from(const Vec2& p_map, double clearance_min_m) const;
 
  private:

@@ -11,13 +11,13 @@
 namespace aisle {
 namespace {
 
-/// How far an end's free circle reaches out of that of the crossing it hangs on.
+/// How far an end's free circle extends beyond that of its crossing.
 double reach_out_m(const RidgeGraph::Node& crossing, const RidgeGraph::Node& end) {
   return (end.p_map - crossing.p_map).norm() + end.clearance_m - crossing.clearance_m;
 }
 
-/// Takes away lines that lead to an end near their crossing, the least one first: with each of them its
-/// crossing may become the bend of one corridor.
+/// Removes lines that end near their crossing, the shortest first: each removal may turn its crossing into a
+/// bend of one corridor.
 void prune(RidgeGraph& graph, double branch_min_m) {
   for (;;) {
     std::optional<std::size_t> least;
@@ -41,8 +41,8 @@ void prune(RidgeGraph& graph, double branch_min_m) {
   }
 }
 
-/// Makes one crossing of two where one lies within the other's free circle: the one with more room stays, and
-/// what led to the other one leads on to it.
+/// Merges two crossings if one lies inside the other's free circle: the one with more clearance stays, and
+/// the other's lines lead on to it.
 bool unite_two_crossings(RidgeGraph& graph) {
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const RidgeGraph::Edge link = graph.edges[i];
@@ -95,7 +95,7 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance_m
   return kept;
 }
 
-/// Twice the median clearance, away from both of its crossings where there is such a segment.
+/// Twice the median clearance, measured away from both crossings where possible.
 double width_of(const RidgeGraph::Edge& edge, const RidgeGraph& graph) {
   std::vector<double> clearances_m;
   for (std::size_t i = 0; i < edge.points.size(); ++i) {
@@ -116,7 +116,7 @@ CorridorNode::Kind kind_of(std::size_t degree) {
   return degree == 2 ? CorridorNode::Kind::kRound : CorridorNode::Kind::kCrossing;
 }
 
-/// The nodes that are left, those near the start first, and what leads from one to the other.
+/// The remaining nodes, those near the start first, and the corridors between them.
 CorridorGraph corridors_of(const RidgeGraph& ridges, const Vec2& p_map_start, double tolerance_m) {
   std::vector<std::size_t> order;
   for (std::size_t node = 0; node < ridges.nodes.size(); ++node) {
@@ -142,7 +142,7 @@ CorridorGraph corridors_of(const RidgeGraph& ridges, const Vec2& p_map_start, do
 
 void CorridorTracingParams::describe(FieldList& fields) {
   fields.real("clearance_min_m", clearance_min_m, {0.05, 2},
-              "from a corridor's middle to what stands there, for a vehicle to get through");
+              "from a corridor's centre line to obstacles, for a vehicle to get through");
   fields.real("branch_min_m", branch_min_m, {0, 10},
               "a branch that leads less far out of its crossing is an alcove");
   fields.real("ridge_slope_max", ridge_slope_max, {0.1, 0.95},

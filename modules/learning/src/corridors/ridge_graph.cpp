@@ -43,7 +43,7 @@ class LineTracer {
     return cells;
   }
 
-  /// Cells side by side at which lines meet are one node, where there is most room.
+  /// Adjacent cells at which lines meet are one node, placed at the greatest clearance.
   void add_node(std::size_t cell) {
     const std::size_t node = graph_.nodes.size();
     std::vector<std::size_t> open = {cell};
@@ -63,7 +63,7 @@ class LineTracer {
     graph_.nodes.push_back({floor_.centre(middle), floor_.clearance_m(middle)});
   }
 
-  /// The lines that leave a node's cell and were not traced from their other end.
+  /// Traces the lines that leave a node's cell and were not traced from their other end.
   void trace_from(std::size_t cell) {
     for (const std::size_t next : neighbours(cell)) {
       if (node_of_[next] == node_of_[cell] || is_traced_[next]) continue;
@@ -114,9 +114,9 @@ std::size_t RidgeGraph::degree(std::size_t node) const {
 }
 
 void RidgeGraph::join_edges_at(std::size_t node) {
-  const auto contacts = [&](const Edge& edge) { return edge.from == node || edge.to == node; };
-  const auto first = std::find_if(edges.begin(), edges.end(), contacts);
-  const auto second = first == edges.end() ? first : std::find_if(first + 1, edges.end(), contacts);
+  const auto ends_at_node = [&](const Edge& edge) { return edge.from == node || edge.to == node; };
+  const auto first = std::find_if(edges.begin(), edges.end(), ends_at_node);
+  const auto second = first == edges.end() ? first : std::find_if(first + 1, edges.end(), ends_at_node);
   if (second == edges.end()) return;
   const auto turn = [](Edge& edge) {
     std::swap(edge.from, edge.to);

@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// A skeleton's cells as a graph, before it is decided what of it is a corridor.
+/// A skeleton's cells as a graph, before deciding which parts are corridors.
 struct RidgeGraph {
   struct Node {
     Vec2 p_map = Vec2::Zero();
@@ -25,14 +25,14 @@ struct RidgeGraph {
   std::vector<Edge> edges;
 
   std::size_t degree(std::size_t node) const;
-  /// Makes one edge of the two that meet at a node of degree 2; an edge that leads round stays.
+  /// Joins the two edges that meet at a node of degree 2; a loop edge stays.
   void join_edges_at(std::size_t node);
-  /// Moves the only node of an edge that leads round to where it is nearest to a point.
+  /// Moves the only node of a loop edge to where it is nearest to a point.
   void turn_round(Edge& edge, const Vec2& p_map);
 };
 
-/// Ends, and places where more than two lines meet, with the lines between. A line that leads round without
-/// either has a node somewhere.
+/// The ends, the places where more than two lines meet, and the lines between. A loop without either has a
+/// node somewhere.
 RidgeGraph ridge_graph(const ClearFloor& floor, const std::vector<bool>& skeleton);
 
 }  // namespace aisle

@@ -14,7 +14,7 @@ class Thinning {
  public:
   Thinning(const ClearFloor& floor, std::vector<bool> area) : floor_(floor), area_(std::move(area)) {}
 
-  /// Removes what can be removed, that of least clearance first.
+  /// Removes all removable cells, least clearance first.
   void thin_to(const std::function<bool(std::size_t)>& must_stay) {
     using Entry = std::pair<double, std::size_t>;  // clearance, cell
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -31,8 +31,7 @@ class Thinning {
     }
   }
 
-  /// Makes lines of several cells' width one cell wide, one side after the other, so that none gets shorter
-  /// by more than its width.
+  /// Thins lines to one cell, one side after the other, so that none gets shorter by more than its width.
   void thin_lines() {
     for (bool is_thinner = true; is_thinner;) {
       is_thinner = false;
@@ -63,8 +62,8 @@ class Thinning {
     return neighbours > 1 && is_simple(cell);
   }
 
-  /// Whether the area without the cell hangs together as before: around it, there is one piece of area (over
-  /// corners), and what is not area at one of its sides at least.
+  /// Whether the area stays connected without the cell: its area neighbours are one piece (corners count),
+  /// and at least one of its sides is outside the area.
   bool is_simple(std::size_t cell) const {
     const auto around = cells_around(floor_, cell);
     int pieces = 0;
@@ -83,11 +82,11 @@ bool is_ridge(const ClearFloor& floor, std::size_t cell, double slope_max) {
   const int column = floor.column_of(cell), row = floor.row_of(cell);
   for (int y = -kSlopeReach_cells; y <= kSlopeReach_cells; ++y) {
     for (int x = -kSlopeReach_cells; x <= kSlopeReach_cells; ++x) {
-      const double path_cells = std::hypot(x, y);
-      if (path_cells < kSlopeReach_cells - 0.5 || path_cells > kSlopeReach_cells + 0.5) continue;
+      const double distance_cells = std::hypot(x, y);
+      if (distance_cells < kSlopeReach_cells - 0.5 || distance_cells > kSlopeReach_cells + 0.5) continue;
       if (column + x < 0 || row + y < 0 || column + x >= floor.columns() || row + y >= floor.rows()) continue;
       const double rise_m = floor.clearance_m(floor.cell_at(column + x, row + y)) - floor.clearance_m(cell);
-      if (rise_m > slope_max * path_cells * floor.cell_m()) return false;
+      if (rise_m > slope_max * distance_cells * floor.cell_m()) return false;
     }
   }
   return true;

@@ -16,14 +16,14 @@ namespace aisle {
 namespace {
 
 constexpr double kCauchy = 2;         // standard deviations at which a sighting begins to count less
-constexpr double kKeyframe_m = 0.05;  // poses closer than this to the one before move with it
+constexpr double kKeyframe_m = 0.05;  // poses closer than this to the previous one move with it
 constexpr double kKeyframe_rad = 0.01;
 constexpr double kLeastMotionSigma = 1e-4;    // of a motion [m, rad]
-constexpr double kLeastKnownSigma_m = 0.002;  // of a landmark that earlier runs know
+constexpr double kLeastKnownSigma_m = 0.002;  // of a landmark known from earlier runs
 constexpr int kIterationsMax = 25;
 constexpr double kLoopHuber = 3;
 
-/// The poses that are unknowns, and which cycle belongs to which.
+/// The poses that are unknowns, and the keyframe that each cycle belongs to.
 struct Keyframes {
   std::vector<std::size_t> cycles;    ///< of each keyframe
   std::vector<std::size_t> of_cycle;  ///< keyframe at or before each cycle
@@ -66,15 +66,15 @@ OdometryError odometry_error(std::span<const LandmarkCycle> cycles, std::size_t 
   return error;
 }
 
-/// What remains of a symmetric matrix above zero.
+/// A symmetric matrix with its negative eigenvalues set to zero.
 Mat2 positive_part(const Mat2& m) {
   const Eigen::SelfAdjointEigenSolver<Mat2> solver(m);
   return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() *
          solver.eigenvectors().transpose();
 }
 
-/// What is seen behind an edge, or taken now for one line of a door's frame and now for another, wanders with
-/// the place from where it is seen.
+/// How far sightings scatter beyond their own errors: the seen position of an occluding edge, or of one of
+/// two lines of a door frame, depends on where it is seen from.
 std::vector<Mat2> unexplained_spread(const RunEvidence& run, const std::vector<Pose2>& T_map_vehicle,
                                      const std::vector<double>& tilts,
                                      const std::vector<Landmark>& landmarks) {
@@ -95,8 +95,8 @@ std::vector<Mat2> unexplained_spread(const RunEvidence& run, const std::vector<P
   return spread;
 }
 
-/// The unknowns of a run: its keyframes, each image's tilt, the walls' directions, what is steadily wrong
-/// with the odometry, and where the landmarks are; and what is to agree.
+/// The least-squares problem of a run. Unknowns: its keyframes, each image's tilt, the walls' directions, the
+/// systematic odometry errors, and the landmarks.
 class Adjustment {
  public:
   Adjustment(const RunEvidence& run, std::vector<Pose2>& T_map_vehicle, std::vector<Landmark>& landmarks)
@@ -172,7 +172,7 @@ class Adjustment {
     }
   }
 
-  /// Poses and landmarks are where all agrees best then.
+  /// Moves poses and landmarks to the least-squares solution.
   void solve() {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
@@ -205,7 +205,7 @@ class Adjustment {
   std::vector<Landmark>& landmarks_;
   Keyframes keyframes_;
   std::vector<std::array<double, 3>> keys_;  ///< the keyframes' poses
-  std::vector<Pose2> T_key_cycle_;           ///< of each cycle against its keyframe
+  std::vector<Pose2> T_key_cycle_;           ///< of each cycle relative to its keyframe
   std::vector<double> tilts_;                ///< of each cycle's image, in standard deviations
   std::vector<double> walls_rad_;
   std::array<double, 3> steady_{};  ///< errors of the odometry, in standard deviations

@@ -10,11 +10,11 @@
 namespace aisle {
 namespace {
 
-constexpr double kExpectedWeight = 0.5;  // landmarks of this weight are there
+constexpr double kExpectedWeight = 0.5;  // landmarks of this weight surely exist
 constexpr double kSeenSigmas = 2;
-constexpr double kBeyond_m = 0.5;  // the farthest sighting its landmark may lie
+constexpr double kBeyond_m = 0.5;  // greatest distance of a sighting from its landmark
 
-/// A landmark as it should look from where the vehicle believes to be.
+/// A landmark as it should appear from the believed pose.
 struct BelievedSight {
   Vec2 p_vehicle;
   Mat2 covariance;
@@ -41,7 +41,7 @@ BelievedSight sight_of(const Landmark& landmark, const UncertainPose2& T_map_bel
           landmark.brighter_right};
 }
 
-/// The landmarks that are there, up to a distance.
+/// The sure landmarks within a distance.
 std::vector<int> sure_landmarks(const LandmarkMap& map, const Vec2& p_map_vehicle, double reach_m) {
   std::vector<int> near;
   map.within(p_map_vehicle, reach_m, near);

@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kOriginSigma = 1e-4;  // the first pose is the map's origin: exact [m, rad]
 constexpr double kRemembered_m =
-    10;  // of path: what was last seen before is another pass, if it is seen again
+    10;  // of path: landmarks last seen before count as another pass if seen again
 
 constexpr int kFinalAdjustments = 2;
 
-/// The run image by image: match, correct, merge. After a long path round the pose has drifted against
-/// what was seen at its beginning; so only what was seen on the last metres is matched and merged with.
+/// Processes the run image by image: match, correct, merge. After a long loop the pose has drifted against
+/// the landmarks of the beginning, so only landmarks seen on the last metres are matched and merged.
 class FirstRun {
  public:
   FirstRun(const VehicleDescription& vehicle, const LandmarkLearningParams& params)
@@ -35,7 +35,7 @@ class FirstRun {
       compass_.move(moved.position().norm(), moved.theta);
     }
     drop_old_ones();
-    if (params_.localiser.heading_by_walls) heed_walls(cycle.floor_edges);
+    if (params_.localiser.heading_by_walls) use_walls(cycle.floor_edges);
     if (localiser_.correct(learner_.map(), cycle.sightings) != LandmarkMatch::kAmbiguous) {
       for (const std::size_t index : learner_.merge(cycle.sightings, localiser_.pose())) note_seen(index);
     }
@@ -55,15 +55,15 @@ class FirstRun {
   }
 
  private:
-  /// A landmark that was seen on the last metres.
+  /// A landmark seen on the last metres.
   struct Glimpse {
     std::size_t index = 0;  ///< in the learner's map
     std::size_t first_cycle = 0, last_cycle = 0;
     double last_m = 0;
   };
 
-  /// Heading and walls' direction: the surer one corrects the other.
-  void heed_walls(std::span<const SensedSegment> floor_edges) {
+  /// The surer of heading and wall direction corrects the other.
+  void use_walls(std::span<const SensedSegment> floor_edges) {
     const double heading_sigma_rad = std::sqrt(localiser_.covariance()(2, 2));
     compass_.look(floor_edges, localiser_.pose().theta, heading_sigma_rad);
     if (const auto heading = compass_.heading()) {
@@ -98,7 +98,7 @@ class FirstRun {
     });
   }
 
-  /// Unless it has become part of another.
+  /// Keeps a landmark unless it was merged into another.
   void keep(const Glimpse& glimpse) {
     const Landmark& landmark = learner_.map()[glimpse.index];
     if (landmark.weight > 0) kept_.push_back({landmark, glimpse.first_cycle, glimpse.last_cycle});
@@ -115,8 +115,8 @@ class FirstRun {
   double travelled_m_ = 0;
 };
 
-/// Landmarks that lie upon each other become one, which was there all the time between.
-std::vector<RunLandmark> without_doubles(std::span<const RunLandmark> landmarks, double merge_m) {
+/// Merges coinciding landmarks; the result covers all their cycles.
+std::vector<RunLandmark> without_duplicates(std::span<const RunLandmark> landmarks, double merge_m) {
   std::vector<RunLandmark> single;
   LandmarkMap map;
   std::vector<int> near;
@@ -139,7 +139,7 @@ std::vector<RunLandmark> without_doubles(std::span<const RunLandmark> landmarks,
   return single;
 }
 
-/// Moves a run and its landmarks together, closes its loops, and moves them together again.
+/// Adjusts a run and its landmarks, closes its loops, and adjusts them again.
 class RunAdjuster {
  public:
   RunAdjuster(std::span<const LandmarkCycle> cycles, std::span<const WallObservation> walls,
@@ -150,7 +150,7 @@ class RunAdjuster {
     adjust(T_map_vehicle, landmarks, {});
     const auto loops = find_landmark_loops(landmarks, T_map_vehicle, params_.localiser);
     if (!loops.empty()) adjust(T_map_vehicle, landmarks, loops);
-    landmarks = without_doubles(landmarks, params_.merge_m);
+    landmarks = without_duplicates(landmarks, params_.merge_m);
     std::vector<Mat2> spread;
     for (int round = 0; round < kFinalAdjustments; ++round) spread = adjust(T_map_vehicle, landmarks, {});
     for (std::size_t i = 0; i < landmarks.size(); ++i) landmarks[i].landmark.covariance += spread[i];

@@ -7,9 +7,9 @@
 namespace aisle {
 namespace {
 
-constexpr int kExpectedMin = 15;        // images that show whether a landmark is still there
-constexpr double kSeenShareMin = 0.05;  // seen in fewer of them it is gone
-constexpr double kGoneShare = 0.3;      // of a vanished landmark's mass that remains after a run
+constexpr int kExpectedMin = 15;        // images needed to decide whether a landmark is still there
+constexpr double kSeenShareMin = 0.05;  // seen in a smaller share of them, it is gone
+constexpr double kGoneShare = 0.3;      // share of a vanished landmark's mass that remains after a run
 constexpr int kAdjustments = 2;         // of a later run
 
 /// How often a landmark should have been seen on a run, and how often it was.
@@ -32,13 +32,13 @@ void count_visibility(const LandmarkMap& map, std::span<const LandmarkSighting> 
   for (const LandmarkPair& pair : localiser.pairs()) ++visibility[pair.landmark].seen;
 }
 
-/// What a run makes of a map.
+/// The landmarks before and after a run.
 struct KnownLandmarks {
-  std::vector<Landmark> before;  ///< as the map had them; those that went on the run are not among them
+  std::vector<Landmark> before;  ///< as in the map, without those that vanished on the run
   std::vector<Landmark> after;   ///< the same, in the same order, then the new ones
 };
 
-/// A run through a building that is known, image by image: match, correct, merge into what is known.
+/// Processes a run through a known building image by image: match, correct, merge into the map.
 class LaterRun {
  public:
   LaterRun(const LandmarkMap& map, const VehicleDescription& vehicle, const UncertainPose2& T_map_start,
@@ -76,8 +76,8 @@ class LaterRun {
     return landmarks;
   }
 
-  /// Moves poses and landmarks together; those that were known hold the map where it is.
-  /// @return as adjust_landmarks() does
+  /// Adjusts poses and landmarks together; known ones hold the map in place.
+  /// @return as adjust_landmarks()
   std::vector<Mat2> adjust(std::span<const LandmarkCycle> cycles, KnownLandmarks& landmarks) {
     std::vector<RunLandmark> all_the_time;
     for (const Landmark& landmark : landmarks.after) all_the_time.push_back({landmark, 0, cycles.size()});
@@ -89,7 +89,7 @@ class LaterRun {
 
   const std::vector<Pose2>& T_map_vehicle() const { return T_map_vehicle_; }
 
-  /// Of the images with sightings.
+  /// Share of the images with sightings.
   double matched_share() const {
     return static_cast<double>(matched_images_) / static_cast<double>(std::max(seen_images_, 1));
   }
@@ -100,7 +100,7 @@ class LaterRun {
   const LandmarkMap& known_;
   LandmarkLearner learner_;
   LandmarkLocaliser localiser_;
-  std::vector<Visibility> visibility_;  ///< of what is known
+  std::vector<Visibility> visibility_;  ///< of the known landmarks
   std::vector<Pose2> T_map_vehicle_;
   int seen_images_ = 0, matched_images_ = 0;
 };

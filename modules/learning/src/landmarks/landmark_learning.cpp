@@ -6,7 +6,7 @@ namespace aisle {
 
 namespace {
 
-/// The landmark as one sighting shows it.
+/// The landmark that one sighting shows.
 Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, double confidence_m2) {
   const Mat2 R_map_vehicle = rotation(T_map_vehicle.theta);
   return {.p_map = T_map_vehicle * sighting.p_vehicle,
@@ -25,12 +25,13 @@ Landmark as_seen(const LandmarkSighting& sighting, const Pose2& T_map_vehicle, d
 
 void LandmarkLearningParams::describe(FieldList& fields) {
   fields.group("localiser", localiser);
-  fields.real("merge_m", merge_m, {0.01, 1}, "landmarks closer than this are one");
-  fields.real("weight_min", weight_min, {0, 1}, "Ts: landmarks less sure than this share of the mean go");
+  fields.real("merge_m", merge_m, {0.01, 1}, "landmarks closer than this are merged");
+  fields.real("weight_min", weight_min, {0, 1},
+              "Ts: landmarks with less than this share of the mean weight are removed");
   fields.count("sightings_min", sightings_min, {1, 100},
-               "landmarks seen in fewer images of the first run go");
+               "landmarks seen in fewer images of the first run are removed");
   fields.flag("forget", forget, "landmarks that are no longer seen lose their weight");
-  fields.flag("adjust", adjust, "move all poses and landmarks together until they agree best");
+  fields.flag("adjust", adjust, "adjust all poses and landmarks together until they agree best");
 }
 
 Landmark united(const Landmark& a, const Landmark& b) {

@@ -12,13 +12,13 @@
 namespace aisle {
 namespace {
 
-constexpr double kSureWeight = 0.5;              // landmarks of this weight are there
-constexpr int kContradictingMin = 2;             // so many of them out of sight contradict the map
-constexpr double kStanding_m = 0.01;             // images from so near each other have the same errors ...
-constexpr double kStanding_rad = 0.2 * kDegree;  // ... unless the vehicle has turned so far
-constexpr double kByChanceMax = 3 * LandmarkLocaliser::kPairEvidence;  // three pairs, however near
-constexpr double kFarSurer = 0.5;  // deviations against the heading's, of walls that tell it before landmarks
-constexpr double kBehindDistance = 2;  // to the squared distance, if seen from the other side only
+constexpr double kSureWeight = 0.5;              // landmarks of this weight surely exist
+constexpr int kContradictingMin = 2;             // this many of them missing contradict the map
+constexpr double kStanding_m = 0.01;             // images taken within this have the same errors ...
+constexpr double kStanding_rad = 0.2 * kDegree;  // ... unless the vehicle has turned this far
+constexpr double kCoincidenceMax = 3 * LandmarkLocaliser::kPairEvidence;  // three pairs, however good
+constexpr double kFarSurer = 0.5;  // ratio of sigmas: walls this much surer than the heading correct it first
+constexpr double kBehindDistance = 2;  // added to the squared distance if only seen from behind
 
 }  // namespace
 
@@ -26,29 +26,32 @@ void LandmarkLocaliserParams::describe(FieldList& fields) {
   fields.group("mwght", mwght);
   fields.real("confidence_m2", confidence_m2, {0.01, 1000},
               "Cd: landmarks farther away than its root count less");
-  fields.real("window_sigmas", window_sigmas, {1, 10}, "displacements within so many deviations are tried");
+  fields.real("window_sigmas", window_sigmas, {1, 10},
+              "displacements within this many standard deviations are tried");
   fields.real("window_min_m", window_min_m, {0, 5}, "displacements up to this are always tried");
   fields.angle("window_min_deg", window_min_rad, {0, 45}, "turns up to this are always tried");
-  fields.real("window_max_m", window_max_m, {0.1, 10}, "greater displacements are never tried");
-  fields.angle("window_max_deg", window_max_rad, {0, 90}, "greater turns are never tried");
+  fields.real("window_max_m", window_max_m, {0.1, 10}, "larger displacements are never tried");
+  fields.angle("window_max_deg", window_max_rad, {0, 90}, "larger turns are never tried");
   fields.real("ambiguous_share", ambiguous_share, {0.1, 1},
-              "a second displacement whose pairs agree this well makes a match ambiguous");
-  fields.real("gate_sigmas", gate_sigmas, {1, 10}, "a sighting farther from a landmark is not of it");
-  fields.real("together_sigmas", together_sigmas, {1, 10},
-              "a few pairs that are farther off what the odometry foretold, root mean square, are by chance");
-  fields.real("landmark_sigma_m", landmark_sigma_m, {0, 1}, "least error of a landmark's place");
+              "a second displacement whose pairs agree at least this share as well makes a match ambiguous");
+  fields.real("gate_sigmas", gate_sigmas, {1, 10},
+              "a sighting farther from a landmark is not paired with it");
+  fields.real(
+      "together_sigmas", together_sigmas, {1, 10},
+      "a few pairs farther off the odometry's prediction than this (root mean square) are coincidence");
+  fields.real("landmark_sigma_m", landmark_sigma_m, {0, 1}, "least sigma of a landmark's position");
   fields.real("repeat_inflation", repeat_inflation, {1, 100},
-              "images in a row are not independent: their variances count so many times");
+              "images in a row are not independent: their variances are multiplied by this");
   fields.real("matched_share_min", matched_share_min, {0, 1},
               "with less of the sightings matched there is no match");
   fields.count("pairs_min", pairs_min, {1, 20}, "fewer sightings than this make no match");
   fields.flag("polarity", polarity,
               "a line that is brighter on its right is never taken for one that is brighter left");
   fields.flag("covariance", covariance, "errors along and across the line of sight are kept apart");
-  fields.flag("heading_by_walls", heading_by_walls, "floor edges along the walls tell the heading, too");
+  fields.flag("heading_by_walls", heading_by_walls, "floor edges along the walls correct the heading, too");
 }
 
-/// A runner-up on the flank of the best peak is refined to the same place: it is no hypothesis of its own.
+/// A runner-up on the flank of the best peak is refined to the same place: it is not a separate hypothesis.
 bool LandmarkLocaliser::is_elsewhere(const Pose2& best, const Pose2& other) const {
   const Pose2 off = between(best, other);
   return off.position().norm() > params_.mwght.apart_m / 2 ||
@@ -116,7 +119,7 @@ LandmarkMatch LandmarkLocaliser::correct_by_landmarks(const LandmarkMap& map,
     first_pairs_ = pairs_;
     const double first = agreement_;
     pair_up(map, sightings, T_map_other);
-    // The same pairs at two displacements leave some direction open: that is for the filter to know.
+    // Equal pairs at two displacements leave a direction open, which the filter handles.
     const bool is_other_place = pairs_ != first_pairs_;
     if (is_other_place &&
         std::min(first, agreement_) > params_.ambiguous_share * std::max(first, agreement_)) {
@@ -139,21 +142,21 @@ LandmarkMatch LandmarkLocaliser::correct_by_landmarks(const LandmarkMap& map,
   return LandmarkMatch::kMatched;
 }
 
-/// Enough of what is seen is known at the pose at which it was paired.
+/// Whether enough of the sightings are paired at the current guess.
 bool LandmarkLocaliser::has_matched() const {
   return pairs_.size() >= static_cast<std::size_t>(params_.pairs_min) &&
          matched_share_ >= params_.matched_share_min;
 }
 
-/// A few sightings are easily paired with other landmarks somewhere in the window. So all pairs and the
-/// prediction must fit together, unless so much is seen that the prediction rather is wrong.
+/// A few sightings are easily paired with wrong landmarks somewhere in the window. So all pairs must be
+/// consistent with the prediction, unless there are so many that the prediction is more likely wrong.
 bool LandmarkLocaliser::is_believable(const Pose2& T_map_guess) const {
-  return evidence_ > kByChanceMax ||
+  return evidence_ > kCoincidenceMax ||
          filter_.squared_distance(points_, T_map_guess) <=
              square(params_.together_sigmas) * static_cast<double>(points_.size());
 }
 
-/// The variances of the n-th image from one place count n^2 times: all of them together tell less than two
+/// The variances of the n-th image from one place count n^2 times: all of them together say less than two
 /// images from two places.
 void LandmarkLocaliser::take_in(const Pose2& T_map_guess) {
   if (taken_in_here_ == 0) since_here_m_ = since_here_rad_ = 0;
@@ -163,8 +166,8 @@ void LandmarkLocaliser::take_in(const Pose2& T_map_guess) {
   filter_.update(points_, T_map_guess);
 }
 
-/// Unknown things alone do not contradict the map: only where, from where the vehicle believes to be, several
-/// of the landmarks that should be seen, and most of them, are not, is it perhaps elsewhere.
+/// Unknown sightings alone do not contradict the map. The vehicle may be elsewhere only if several of the
+/// landmarks expected from the believed pose, and most of them, are missing.
 LandmarkMatch LandmarkLocaliser::without_match(const LandmarkMap& map,
                                                std::span<const LandmarkSighting> sightings) {
   pair_up(map, sightings, filter_.pose());
@@ -191,9 +194,9 @@ MwghtWindow LandmarkLocaliser::window() const {
           .turn_half_rad = half(covariance(2, 2), params_.window_min_rad, params_.window_max_rad)};
 }
 
-/// Every sighting with the landmark that most likely shows so, by its own errors and the landmark's: of two
-/// equally many standard deviations away, the one that is known more surely. A landmark is taken once, and
-/// rather one that was seen from this side.
+/// Pairs every sighting with the most likely landmark, by the errors of both: of two equally many standard
+/// deviations away, the one that is known better. A landmark is taken once, preferably one that was seen from
+/// this side.
 void LandmarkLocaliser::pair_up(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
                                 const Pose2& T_map_vehicle) {
   pairs_.clear();

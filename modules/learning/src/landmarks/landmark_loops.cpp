@@ -10,28 +10,27 @@
 namespace aisle {
 namespace {
 
-constexpr double kStep_m = 1;          // of path, from one segment that is tried to the next
-constexpr double kPathSegment_m = 3;   // of path before and after its middle, whose landmarks are a segment
-constexpr double kOwnPass_m = 12;      // landmarks seen within this path are the segment's own
-constexpr double kReachMin_m = 0.3;    // displacements that are tried ...
-constexpr double kReachPer_m = 0.015;  // ... and more with each metre of path in between
+constexpr double kStep_m = 1;         // of path, from one tried segment to the next
+constexpr double kPathSegment_m = 3;  // of path before and after the middle of a segment
+constexpr double kOwnPass_m = 12;  // landmarks seen within this path length belong to the segment's own pass
+constexpr double kReachMin_m = 0.3;    // search radius ...
+constexpr double kReachPer_m = 0.015;  // ... and its growth with each metre of path in between
 constexpr double kReachMax_m = 1.5;
 constexpr double kLoopTurnMin_rad = 2 * kDegree;
 constexpr double kLoopTurnPer_m = 0.08 * kDegree;
 constexpr double kLoopTurnMax_rad = 10 * kDegree;
-constexpr double kPair_m = 0.15;  // landmarks as near as this are one
+constexpr double kPair_m = 0.15;  // landmarks within this are paired
 constexpr std::size_t kPairsMin = 6;
-constexpr double kPairedShareMin = 0.5;  // of the segment's landmarks where the earlier pass saw some
+constexpr double kPairedShareMin = 0.5;  // of the segment's landmarks with earlier ones nearby
 constexpr double kRivalShareMax = 0.75;
-constexpr double kLoopAgreed_m = 0.15;  // what two segments in a row say of the same loop
+constexpr double kLoopAgreed_m = 0.15;  // two segments in a row must agree this well on the same loop
 constexpr double kLoopAgreed_rad = 1.5 * kDegree;
 
-/// Some of a run's landmarks.
+/// Indices of some of a run's landmarks.
 using Selection = std::vector<std::size_t>;
 
 struct Fit {
-  Pose2 displacement;  ///< carries the segment's landmarks onto the earlier
-                       ///< ones, in `map`
+  Pose2 displacement;  ///< moves the segment's landmarks onto the earlier ones, in `map`
   std::vector<PointPair> pairs;
   double paired_share = 0;
 };
@@ -91,8 +90,7 @@ class LoopFinder {
     return std::min(kReachMin_m + kReachPer_m * between_m, kReachMax_m);
   }
 
-  /// Landmarks near the segment's that were seen well before, those of each
-  /// pass by themselves.
+  /// Landmarks near the segment's that were seen well before it, grouped by pass.
   std::vector<Selection> earlier_passes(std::size_t cycle, const Selection& fresh) const {
     Vec2 low = landmarks_[fresh.front()].landmark.p_map, high = low;
     for (const std::size_t i : fresh) {
@@ -116,7 +114,7 @@ class LoopFinder {
     return passes;
   }
 
-  /// The path at which a landmark was seen, in the middle.
+  /// The path length at the middle of a landmark's sightings.
   double seen_m(std::size_t landmark) const {
     return (travelled_m_[landmarks_[landmark].first_cycle] + travelled_m_[landmarks_[landmark].last_cycle]) /
            2;
@@ -151,7 +149,7 @@ class LoopFinder {
     return best;
   }
 
-  /// Pairs at a displacement, and the displacement that they agree on best.
+  /// Pairs at a displacement, and the displacement that fits them best.
   Fit judged(const Pose2& displacement, const Selection& fresh, const Selection& pass) const {
     Fit fit{.displacement = displacement};
     for (int round = 0; round < 2; ++round) {
@@ -191,7 +189,7 @@ class LoopFinder {
     return {earlier, cycle, between(T_map_vehicle_[earlier], fit.displacement * T_map_vehicle_[cycle])};
   }
 
-  /// Whether two loops move the run in the same way.
+  /// Whether two loops correct the run in the same way.
   bool agree(const LandmarkLoop& a, const LandmarkLoop& b) const {
     const auto correction = [&](const LandmarkLoop& loop) {
       return T_map_vehicle_[loop.earlier_cycle] * loop.T_earlier_later *

@@ -3,7 +3,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kNearSigma_m = 0.02;  // poses of the run while sightings are paired with its landmarks
+constexpr double kNearSigma_m = 0.02;  // of the run's poses, when pairing sightings
 constexpr double kNearSigma_rad = 0.005;
 
 }  // namespace

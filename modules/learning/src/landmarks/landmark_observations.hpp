@@ -9,14 +9,14 @@
 
 namespace aisle {
 
-/// That a sighting of a cycle shows a landmark.
+/// A sighting of a cycle shows a landmark.
 struct LandmarkObservation {
   std::size_t cycle = 0;
   std::size_t sighting = 0;
   std::size_t landmark = 0;
 };
 
-/// Which sighting of a run shows which landmark, where its poses are known to a few centimetres.
+/// Matches the sightings of a run with landmarks, given poses known to a few centimetres.
 std::vector<LandmarkObservation> observe_landmarks(std::span<const LandmarkCycle> cycles,
                                                    const VehicleDescription& vehicle,
                                                    const LandmarkLocaliserParams& params,

@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kFromBehind = 0.3;  // of a landmark's weight, if seen from the other side only
+constexpr double kFromBehind = 0.3;  // share of a landmark's weight if it was only seen from the other side
 
 }  // namespace
 

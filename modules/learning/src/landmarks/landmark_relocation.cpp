@@ -10,19 +10,19 @@
 namespace aisle {
 namespace {
 
-constexpr std::size_t kPromisingMax = 64;  // places whose pairs are looked at
+constexpr std::size_t kPromisingMax = 64;  // places whose pairs are examined
 constexpr std::size_t kJudgedPerImage = 4;
-constexpr std::size_t kBestMax = 4;    // that are compared image after image
-constexpr double kRoughSigma_m = 0.1;  // of a displacement, before its pairs settle it
+constexpr std::size_t kBestMax = 4;    // places that are compared image after image
+constexpr double kRoughSigma_m = 0.1;  // of a displacement before its pairs refine it
 constexpr double kRoughSigma_rad = 2 * kDegree;
 constexpr double kSettledSigma_m = 0.05;  // ... and after
 constexpr double kSettledSigma_rad = 1 * kDegree;
-constexpr int kMissedLooks = 4;       // in which a landmark should be seen, and is not: it is not there
-constexpr double kMostlyKnown = 0.7;  // of what is seen; a place where less is known ...
-constexpr double kMoreDistinct = 3;   // ... must be so much more distinct
+constexpr int kMissedLooks = 4;       // a landmark expected in this many looks and never seen is missing
+constexpr double kMostlyKnown = 0.7;  // share of the sightings; a place where fewer are known ...
+constexpr double kMoreDistinct = 3;   // ... must be more distinct by this factor
 constexpr double kSamePlace_m = 0.3;
 constexpr double kSamePlace_rad = 5 * kDegree;
-constexpr double kSamePairs_m = 0.5;  // the same, by the same pairs of sightings and landmarks
+constexpr double kSamePairs_m = 0.5;  // candidates within this with the same pairs are one place
 constexpr double kSamePairs_rad = 12 * kDegree;
 
 bool are_near(const Pose2& a, const Pose2& b, double near_m, double near_rad) {
@@ -32,7 +32,7 @@ bool are_near(const Pose2& a, const Pose2& b, double near_m, double near_rad) {
 
 }  // namespace
 
-/// Pairs that leave some direction open, as lines of one wall do, fit from here to a little to the side.
+/// Pairs that leave a direction open, like lines of one wall, also fit a little to the side.
 bool LandmarkRelocator::is_same_place(const Candidate& a, const Candidate& b) {
   const bool by_same_pairs = !a.pairs.empty() && a.pairs == b.pairs;
   return by_same_pairs ? are_near(a.T_map_vehicle, b.T_map_vehicle, kSamePairs_m, kSamePairs_rad)
@@ -40,20 +40,21 @@ bool LandmarkRelocator::is_same_place(const Candidate& a, const Candidate& b) {
 }
 
 void LandmarkRelocationParams::describe(FieldList& fields) {
-  fields.real("apart_m", apart_m, {0.1, 5}, "between places that are tried");
+  fields.real("apart_m", apart_m, {0.1, 5}, "distance between the places that are tried");
   fields.real("window_m", window_m, {0.1, 3}, "displacements up to this are tried around each");
   fields.angle("window_deg", window_rad, {1, 90}, "turns up to this are tried around each");
-  fields.count("places_per_image", places_per_image, {1, 10000}, "so many places are tried in a cycle");
+  fields.count("places_per_image", places_per_image, {1, 10000}, "places tried in a cycle");
   fields.real("distinct_evidence", distinct_evidence, {0, 1000},
               "a place must be more likely than any other by this (logarithm of the ratio), by three times "
               "this where less than 0.7 of what is seen is known");
   fields.real("missed_evidence", missed_evidence, {0, 10},
-              "by which a landmark that should have been seen, and was not, makes a place less likely");
+              "a landmark that should have been seen and was not makes a place less likely by this");
   fields.real("unknown_evidence", unknown_evidence, {0, 10},
-              "by which a sighting of nothing that is known there makes a place less likely");
-  fields.real("matched_share_min", matched_share_min, {0, 1}, "so much of what is seen must be known there");
-  fields.count("pairs_min", pairs_min, {1, 100}, "so many sightings must be known there");
-  fields.count("agreeing_images", agreeing_images, {1, 100}, "so many in a row must say the same");
+              "a sighting of an unknown landmark makes a place less likely by this");
+  fields.real("matched_share_min", matched_share_min, {0, 1},
+              "share of the sightings that must be known there");
+  fields.count("pairs_min", pairs_min, {1, 100}, "sightings that must be known there");
+  fields.count("agreeing_images", agreeing_images, {1, 100}, "images in a row that must agree");
 }
 
 LandmarkRelocator::LandmarkRelocator(const LandmarkRelocationParams& params,
@@ -73,8 +74,8 @@ void LandmarkRelocator::start() {
   begin_round();
 }
 
-/// What was best so far is judged again among what is promising now: places are tried along the paths only,
-/// and the vehicle may have turned to the side from them since.
+/// The best candidates so far are judged again among the new promising ones: places are tried only along the
+/// paths, and the vehicle may have turned away from them since.
 void LandmarkRelocator::begin_round() {
   tried_ = 0;
   judged_ = 0;
@@ -112,7 +113,7 @@ std::optional<Pose2> LandmarkRelocator::look(const LandmarkMap& map,
   return std::nullopt;
 }
 
-/// @return whether all were tried with the images before this one
+/// @return whether all were tried before this image
 bool LandmarkRelocator::try_places(const LandmarkMap& map, std::span<const LandmarkSighting> seen) {
   if (tried_ == T_map_tried_.size()) return true;
   const std::size_t end =
@@ -130,7 +131,7 @@ void LandmarkRelocator::keep_promising() {
   former_.clear();
 }
 
-/// @return whether all were judged with the images before this one
+/// @return whether all were judged before this image
 bool LandmarkRelocator::judge_candidates(const LandmarkMap& map, std::span<const LandmarkSighting> seen) {
   if (judged_ == candidates_.size()) return true;
   const std::size_t end = std::min(judged_ + kJudgedPerImage, candidates_.size());
@@ -139,14 +140,14 @@ bool LandmarkRelocator::judge_candidates(const LandmarkMap& map, std::span<const
   return false;
 }
 
-/// Votes of the Hough transform are broad: wrong places come near the right one. Pairs of sightings and
-/// landmarks, with their errors and brighter sides, tell them apart.
+/// The Hough transform's votes are broad, so wrong places get nearly as many as the right one. Pairs of
+/// sightings and landmarks, with their errors and brighter sides, tell them apart.
 void LandmarkRelocator::judge(Candidate& candidate, const LandmarkMap& map,
                               std::span<const LandmarkSighting> seen) {
   localiser_.place(about(candidate.T_map_vehicle, kRoughSigma_m, kRoughSigma_rad));
   candidate.evidence = 0;
   candidate.pairs.clear();
-  // once to come near, once to see how well it fits there
+  // once to get near, once to see how well it fits there
   if (localiser_.correct(map, seen) != LandmarkMatch::kMatched ||
       localiser_.correct(map, seen) != LandmarkMatch::kMatched)
     return;
@@ -158,7 +159,7 @@ void LandmarkRelocator::judge(Candidate& candidate, const LandmarkMap& map,
   candidate.matched_share = localiser_.matched_share();
 }
 
-/// Sure landmarks that should have been seen again and again on the way to a place, and never were.
+/// The number of sure landmarks that should have been seen repeatedly on the way to a place, and never were.
 int LandmarkRelocator::missed_landmarks(const LandmarkMap& map, const Candidate& candidate) const {
   struct Tally {
     int looks = 0;
@@ -182,7 +183,7 @@ int LandmarkRelocator::missed_landmarks(const LandmarkMap& map, const Candidate&
   }));
 }
 
-/// The most likely first, each place once.
+/// Sorts by likelihood and keeps each place once.
 void LandmarkRelocator::keep_best() {
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& a, const Candidate& b) { return a.evidence > b.evidence; });

@@ -1,5 +1,5 @@
 #pragma once
-/// What the adjustment of a run weighs against each other: each term in standard deviations.
+/// The residuals that the adjustment of a run balances, each in standard deviations.
 
 #include <algorithm>
 #include <array>
@@ -13,13 +13,13 @@
 
 namespace aisle {
 
-/// The angle within half a turn of zero.
+/// Wraps an angle to half a turn around zero.
 template <class T>
 T wrapped(const T& angle_rad) {
   return angle_rad - 2 * kPi * floor((angle_rad + kPi) / (2 * kPi));
 }
 
-/// What is off, in standard deviations.
+/// A residual in standard deviations.
 template <class Matrix, class T, std::size_t kSize>
 void weigh(const Matrix& root_information, const std::array<T, kSize>& off, T* residual) {
   for (int i = 0; i < static_cast<int>(kSize); ++i) {
@@ -29,7 +29,7 @@ void weigh(const Matrix& root_information, const std::array<T, kSize>& off, T* r
   }
 }
 
-/// How far b, seen from a, is off (x, y, theta).
+/// The difference (x, y, theta) of b seen from a to its expected value.
 template <class T>
 std::array<T, 3> relative_pose_error(const T* a, const T* b, const T& x, const T& y, const T& theta) {
   const T c = cos(a[2]), s = sin(a[2]);
@@ -37,7 +37,8 @@ std::array<T, 3> relative_pose_error(const T* a, const T* b, const T& x, const T
           wrapped(b[2] - a[2] - theta)};
 }
 
-/// The odometry between two keyframes against their poses. Steady errors are unknowns in standard deviations.
+/// The odometry between two keyframes against their poses. Systematic errors are unknowns in standard
+/// deviations.
 struct OdometryError {
   std::vector<Arc> arcs;
   Vec3 steady_sigmas;
@@ -77,9 +78,9 @@ struct LoopError {
   }
 };
 
-/// A landmark as seen from a keyframe whose image's tilt is off by so many standard deviations.
+/// A landmark as seen from a keyframe whose image tilt is an unknown in standard deviations.
 struct SightingError {
-  Pose2 T_key_vehicle;  ///< where the image was taken, seen from its keyframe
+  Pose2 T_key_vehicle;  ///< pose of the image relative to its keyframe
   LandmarkSighting sighting;
   Mat2 root_information;
 
@@ -98,7 +99,7 @@ struct SightingError {
   }
 };
 
-/// A landmark against its place as earlier runs know it.
+/// A landmark against its position known from earlier runs.
 struct KnownError {
   Vec2 p_map;
   Mat2 root_information;

@@ -3,7 +3,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kBeginSigma = 1e-4;  // where it begins is exact [m, rad]
+constexpr double kBeginSigma = 1e-4;  // the first pose is the origin: exact [m, rad]
 constexpr double kLookApart_m = 0.1;
 constexpr std::size_t kLooksMax = 64;
 

@@ -12,8 +12,8 @@ struct PointPair {
   Vec2 to = Vec2::Zero();
 };
 
-/// The rigid displacement with the least sum of squared distances between T * from and to. At least two
-/// pairs.
+/// The rigid displacement T that minimises the sum of squared distances between T * from and to. Needs at
+/// least two pairs.
 Pose2 fit_points(std::span<const PointPair> pairs);
 
 }  // namespace aisle

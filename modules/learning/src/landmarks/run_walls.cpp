@@ -9,11 +9,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kOneDirection_m = 2;  // from end to end, of what tells one direction
+constexpr double kOneDirection_m = 2;  // length of path over which walls give one direction
 constexpr double kLeastDirectionSigma_rad = 0.15 * kDegree;
-constexpr double kNoDirectionSigma_rad = kPi / 4;  // to a quarter turn, less sure says nothing
-
-/// The mean of directions that are known to a quarter turn.
+constexpr double kNoDirectionSigma_rad = kPi / 4;  // modulo a quarter turn: less sure says nothing
 class DirectionMean {
  public:
   void add(double direction_rad, double sigma_rad) {

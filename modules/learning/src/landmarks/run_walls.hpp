@@ -9,14 +9,14 @@
 
 namespace aisle {
 
-/// The heading of the vehicle in a cycle against the walls around.
+/// The vehicle's heading in a cycle relative to the walls around.
 struct WallObservation {
   std::size_t cycle = 0;
-  int walls = 0;  ///< whose direction is one unknown, from 0 on; never less than in the cycle before
+  int walls = 0;  ///< index of the walls' common direction, from 0 on; never less than in the previous cycle
   HeadingMeasurement against_walls;
 };
 
-/// Which way walls run along a run, segment by segment; those where hardly anything tells it are left out.
+/// The walls' directions along a run, segment by segment, without those that are hardly observed.
 /// @param seen  in the order of the cycles
 std::vector<WallDirection> wall_directions(std::span<const WallObservation> seen,
                                            std::span<const Pose2> T_map_vehicle);

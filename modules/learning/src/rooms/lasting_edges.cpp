@@ -8,18 +8,18 @@
 namespace aisle {
 namespace {
 
-/// What fell into one cell of the floor.
+/// What was seen in one cell of the floor.
 struct EdgeCell {
   Vec2 sum = Vec2::Zero();
   int points = 0;
   int images = 0;
   double last_along_m = -1;
-  double seen_from_m = 0;  ///< the least distance
+  double seen_from_m = 0;  ///< the least distance it was seen from
 
   Vec2 middle() const { return sum / points; }
 };
 
-/// What was seen from far lies beside where it is; what was seen from nearer shows that.
+/// Edges seen from far are inaccurate; a nearby edge that was seen from nearer replaces them.
 bool is_superseded(const EdgeCell& cell, std::span<const EdgeCell> cells) {
   constexpr double kBeside_m = 0.25, kNearer = 0.7;
   return std::any_of(cells.begin(), cells.end(), [&](const EdgeCell& other) {

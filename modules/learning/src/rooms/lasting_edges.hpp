@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// The edges of a route that several images showed at the same place, in the order of the path.
+/// The route edges that several images showed at the same place, in the order of the path.
 /// @param T_route_vehicle  of each cycle
 std::vector<RouteEdge> lasting_edges(std::span<const RoomCycle> cycles,
                                      std::span<const Pose2> T_route_vehicle,

@@ -7,7 +7,7 @@
 namespace aisle {
 namespace {
 
-/// How far an image was taken from where one is wished; above 1: too far.
+/// How far an image was taken from the wanted place, as a share of the tolerance; above 1: too far.
 double off_place(const Pose2& off) {
   constexpr double kNear_m = 0.06, kTurned_rad = 3 * kDegree;
   return std::hypot(off.position().norm() / kNear_m, off.theta / kTurned_rad);
@@ -22,12 +22,12 @@ std::vector<StopView> pattern_views(std::span<const RoomCycle> cycles, std::span
   for (const ViewLane& lane : view_pattern()) {
     for (const double along_m : lane.along_m) {
       ++places;
-      const Pose2 T_route_wished = T_route_place * lane.at(along_m);
+      const Pose2 T_route_wanted = T_route_place * lane.at(along_m);
       double least = 1;
       const RoomCycle* nearest = nullptr;
       double left_m = 0;
       for (std::size_t i = 0; i < cycles.size(); ++i) {
-        const double off = off_place(between(T_route_wished, T_route_vehicle[i]));
+        const double off = off_place(between(T_route_wanted, T_route_vehicle[i]));
         if (!cycles[i].view || off >= least) continue;
         least = off;
         nearest = &cycles[i];

@@ -17,11 +17,12 @@ namespace aisle {
 void RoomLearningParams::describe(FieldList& fields) {
   fields.group("path", path);
   fields.group("frame", frame);
-  fields.real("frame_from_m", frame_from_m, {0, 20}, "the parking frame is measured so far from the end");
-  fields.real("frame_to_m", frame_to_m, {0, 20}, "up to so far");
-  fields.real("views_m", views_m, {0, 20}, "views are learned on so much distance before a taught place");
-  fields.real("edge_apart_m", edge_apart_m, {0.01, 1}, "nearer edges of the route are one");
-  fields.real("edge_within_m", edge_within_m, {0.5, 20}, "farther ones are not learned");
+  fields.real("frame_from_m", frame_from_m, {0, 20},
+              "the parking frame is measured from this distance before the end");
+  fields.real("frame_to_m", frame_to_m, {0, 20}, "up to this distance");
+  fields.real("views_m", views_m, {0, 20}, "views are learned on this distance before a taught place");
+  fields.real("edge_apart_m", edge_apart_m, {0.01, 1}, "edges of the route nearer to each other are merged");
+  fields.real("edge_within_m", edge_within_m, {0.5, 20}, "edges farther away are not learned");
   fields.count("edge_sightings", edge_sightings, {1, 1000}, "images that must show an edge");
 }
 
@@ -54,7 +55,7 @@ class MarkReader {
         } else if (const auto parking = parking_of(mark.label)) {
           room_.parking = *parking;
         } else {
-          wrong(fmt::format("'{}' is no path to park; there are {}", mark.label,
+          wrong(fmt::format("'{}' is no way to park; there are {}", mark.label,
                             fmt::join(kParkingWords, ", ")));
         }
         return;
@@ -71,7 +72,7 @@ class MarkReader {
   }
 
  private:
-  /// What began first ends first.
+  /// Turnings end in the order in which they began.
   void end(double along_m) {
     const auto open = std::find_if(room_.turnings.begin(), room_.turnings.end(),
                                    [](const RoomTurning& turning) { return turning.end_m < 0; });
@@ -84,7 +85,7 @@ class MarkReader {
   Problems problems_;
 };
 
-/// The frame's size as the images from a good distance show it.
+/// The frame's size as seen in the images from a good distance.
 std::optional<Vec2> frame_size(std::span<const RoomCycle> cycles, std::span<const Pose2> T_route_vehicle,
                                const RoomLearningParams& params) {
   constexpr std::size_t kImagesMin = 2, kImagesMax = 9;
@@ -119,7 +120,7 @@ bool ends_path(const RoomCycle& cycle) {
                      [](const Mark& mark) { return mark.kind == Mark::Kind::kStop; });
 }
 
-/// Up to where the person said that it ends.
+/// Cycles up to the stop mark.
 std::size_t cycles_of_path(std::span<const RoomCycle> cycles) {
   const auto end = std::find_if(cycles.begin(), cycles.end(), ends_path);
   return static_cast<std::size_t>(end - cycles.begin()) + (end == cycles.end() ? 0 : 1);
@@ -133,7 +134,7 @@ std::vector<Pose2> poses_by_odometry(std::span<const RoomCycle> cycles, const Ve
   return T_route_vehicle;
 }
 
-/// From the places of its pattern where those were driven, else from the path to it.
+/// Views from the places of the pattern if those were driven, otherwise from the path to it.
 std::vector<StopView> views_of_place(std::span<const RoomCycle> cycles,
                                      std::span<const Pose2> T_route_vehicle, std::size_t path_cycles,
                                      const RoomLearningParams& params) {

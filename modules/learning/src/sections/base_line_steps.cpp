@@ -11,16 +11,16 @@
 namespace aisle {
 namespace {
 
-constexpr double kSpan_m = 0.5;  // of the segment, for which one distance stands
+constexpr double kSpan_m = 0.5;  // length of a span of the segment, with one distance
 constexpr std::size_t kSpansMost = 200;
 constexpr std::size_t kPartMin = 6;  // spans between two steps
-constexpr double kStepMin_m = 0.08;  // smaller ones are none
-constexpr double kOff_m = 0.25;      // what is farther off counts as this
-constexpr double kPrice_m = 1;       // of a step: so much must all spans together be nearer to what is usual
-constexpr double kLookedAt_m = 4;    // ahead of the vehicle; farther off a wall is seen inaccurately
+constexpr double kStepMin_m = 0.08;  // smaller steps are ignored
+constexpr double kOff_m = 0.25;      // larger deviations count as this
+constexpr double kPrice_m = 1;       // cost of a step: it must lower the sum of deviations by this
+constexpr double kLookedAt_m = 4;    // ahead of the vehicle; farther walls are seen inaccurately
 constexpr double kNearest_m = 0.12, kFarthest_m = 3;
 
-/// The distances of the base line on one side, span by span; nullopt: none was seen.
+/// The distances of the base line on one side, span by span; nullopt: not seen.
 using SideProfile = std::vector<std::optional<double>>;
 
 class PathSegmentProfile {
@@ -55,7 +55,7 @@ class PathSegmentProfile {
  private:
   using Seen = std::vector<std::vector<double>>;
 
-  /// Of the walls that are seen beside all of a span.
+  /// The nearest wall that is seen beside all of a span.
   std::optional<double> nearest_m(std::size_t span, bool is_left) const {
     std::optional<double> nearest;
     for (const WallBeside& wall : beside_) {
@@ -81,7 +81,7 @@ std::optional<double> usual_m(const SideProfile& profile, std::size_t first, std
   return median(std::move(seen_m));
 }
 
-/// How far the distances of some spans together are off what is usual among them.
+/// Sum of the deviations of some spans' distances from their median.
 double sum_off_m(const SideProfile& profile, std::size_t first, std::size_t end) {
   const auto usual = usual_m(profile, first, end);
   double sum_m = 0;
@@ -90,8 +90,8 @@ double sum_off_m(const SideProfile& profile, std::size_t first, std::size_t end)
   return sum_m;
 }
 
-/// The best of all paths to part the spans: that of the least sum of what is off and of the steps' price.
-/// @return the first span of each part but the first
+/// The best way to divide the spans: the one with the least sum of deviations and step costs.
+/// @return the first span of each part except the first
 std::vector<std::size_t> best_parting(const SideProfile& right, const SideProfile& left) {
   const std::size_t spans = right.size();
   std::vector<double> least_m(spans + 1, std::numeric_limits<double>::infinity());
@@ -112,7 +112,7 @@ std::vector<std::size_t> best_parting(const SideProfile& right, const SideProfil
   return parts;
 }
 
-bool steps_lateral(const SideProfile& profile, std::size_t first, std::size_t step, std::size_t end) {
+bool steps_sideways(const SideProfile& profile, std::size_t first, std::size_t step, std::size_t end) {
   const auto before_m = usual_m(profile, first, step), after_m = usual_m(profile, step, end);
   return before_m && after_m && std::abs(*after_m - *before_m) >= kStepMin_m;
 }
@@ -129,7 +129,7 @@ std::vector<double> base_line_steps_m(double length_m, std::span<const PathSegme
   std::size_t first = 0;
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
     const std::size_t step = bounds[i], end = bounds[i + 1];
-    if (!steps_lateral(right, first, step, end) && !steps_lateral(left, first, step, end)) continue;
+    if (!steps_sideways(right, first, step, end) && !steps_sideways(left, first, step, end)) continue;
     steps_m.push_back(profile.along_m(step));
     first = step;
   }

@@ -19,25 +19,25 @@
 namespace aisle {
 namespace {
 
-constexpr int kSettlings = 10;
-constexpr double kRepeats = 10;        // images that show the same error of an edge
-constexpr double kUneven_m = 0.03;     // of a wall ...
-constexpr double kElsewhere_m = 0.05;  // ... and off by more, an edge has less and less say
+constexpr int kSettlingRounds = 10;
+constexpr double kRepeats = 10;        // images in a row that share the same error of an edge
+constexpr double kUneven_m = 0.03;     // unevenness of a wall ...
+constexpr double kElsewhere_m = 0.05;  // ... an edge that is off by more has less weight
 constexpr double kOtherWall_m = 0.5;
 constexpr double kWallNear_m = 0.12, kWallFar_m = 3;
-constexpr double kSameWall_m = 0.25;        // one ahead and one beside that are farther apart are two ...
-constexpr double kDoubtedCorner_m = 0.1;    // ... and from here on less and less likely one
-constexpr double kCornerMin = 0.9;          // sine of a turn to a segment across
-constexpr double kFixed_m = 1e-4;           // what follows from the rest
-constexpr double kStart_rad = 5 * kDegree;  // against the axes
+constexpr double kSameWall_m = 0.25;        // a wall ahead and one beside, farther apart, are two ...
+constexpr double kUnlikelyCorner_m = 0.1;   // ... and from here on less and less likely one
+constexpr double kCornerMin = 0.9;          // sine of the turn to a perpendicular segment
+constexpr double kFixed_m = 1e-4;           // sigma of what follows from the rest
+constexpr double kStart_rad = 5 * kDegree;  // of the first heading against the axes
 constexpr double kStill_rad = 0.01 * kDegree;
 
-/// Least squares of many unknowns, few in each equation.
+/// Sparse least squares: many unknowns, few in each equation.
 class SparseEquations {
  public:
   explicit SparseEquations(int unknowns) : slope_(Eigen::VectorXd::Zero(unknowns)) {}
 
-  /// @param by  what the residual changes by with each of some unknowns
+  /// @param by  derivatives of the residual by its unknowns
   void add(std::initializer_list<std::pair<int, double>> by, double residual, double sigma) {
     const double weight = 1 / square(sigma);
     for (const auto& [row, by_row] : by) {
@@ -70,7 +70,7 @@ double place_m(const WallAcross& wall) {
   return wall.along_m;
 }
 
-/// @return nullptr if none is so near
+/// @return nullptr if none is near enough
 template <class Wall>
 const Wall* nearest_to(double due_m, const std::vector<Wall>& walls, double within_m) {
   const Wall* nearest = nullptr;
@@ -113,8 +113,8 @@ class PathSettler {
   std::vector<Pose2> take_path() { return std::move(T_route_vehicle_); }
 
  private:
-  /// Of a segment, to its right, to its left and across its end, by the axes: the first two in the direction
-  /// to its left, the third in its own.
+  /// Walls of a segment, to its right, to its left and across its end, in the axes: the first two are
+  /// measured to its left, the third along it.
   enum Side { kRight, kLeft, kAhead, kSides };
   using Walls = std::array<std::optional<double>, kSides>;
 
@@ -124,12 +124,12 @@ class PathSettler {
   int nod_of_cycle(std::size_t i) const { return 2 + count() + static_cast<int>(i); }
   int x_of_cycle(std::size_t i) const { return 2 + 2 * count() + static_cast<int>(i); }
   int y_of_cycle(std::size_t i) const { return 2 + 3 * count() + static_cast<int>(i); }
-  /// Against where the segment begins.
+  /// Relative to where the segment begins.
   int wall_of(std::size_t path_segment, Side side) const {
     return 2 + 4 * count() + kSides * static_cast<int>(path_segment) + side;
   }
 
-  /// In which direction a wall's place counts.
+  /// The direction in which a wall's position is measured.
   Vec2 normal_of(std::size_t path_segment, Side side) const {
     const Vec2 along = unit(path_segments_[path_segment].heading_rad);
     return side == kAhead ? along : left_normal(along);
@@ -147,7 +147,7 @@ class PathSettler {
     return between(Pose2{0, 0, path_segment.heading_rad}, T_route_vehicle_[i]);
   }
 
-  /// Where the nearest walls are most of the time.
+  /// Median positions of the nearest walls.
   Walls usual_walls(const DrivenPathSegment& path_segment) {
     std::array<std::vector<double>, kSides> places_m;
     for (std::size_t i = path_segment.first; i < path_segment.end; ++i) {
@@ -171,7 +171,7 @@ class PathSettler {
     return walls;
   }
 
-  /// Those of the walls across that stand on the way before the vehicle, and near.
+  /// Finds the walls across the path that are near ahead of the vehicle.
   void find_walls_ahead(std::size_t i, const Pose2& T_axis_vehicle) {
     find_walls_across(cycles_[i].floor_edges, T_axis_vehicle, across_);
     std::erase_if(across_, [&](const WallAcross& wall) {
@@ -197,7 +197,7 @@ class PathSettler {
     }
   }
 
-  /// Every edge lies along an axis.
+  /// Every edge is parallel to an axis.
   void add_directions(SparseEquations& equations) const {
     for (std::size_t i = 0; i < cycles_.size(); ++i) {
       for (const SensedSegment& edge : cycles_[i].floor_edges) {
@@ -210,7 +210,7 @@ class PathSettler {
     }
   }
 
-  /// Where the vehicle is follows from where it went.
+  /// Each position follows from the previous one and the motion.
   void add_steps(SparseEquations& equations) const {
     equations.add({{x_of_cycle(0), 1}}, 0, kFixed_m);
     equations.add({{y_of_cycle(0), 1}}, 0, kFixed_m);
@@ -226,7 +226,7 @@ class PathSettler {
     }
   }
 
-  /// The walls of a segment stand where they stand.
+  /// The walls of a segment do not move.
   void add_walls(SparseEquations& equations, std::size_t s) {
     const DrivenPathSegment& path_segment = path_segments_[s];
     for (const Side side : {kRight, kLeft, kAhead}) equations.add({{wall_of(s, side), 1}}, 0, kOtherWall_m);
@@ -252,7 +252,7 @@ class PathSettler {
               .by_nod = side == kLeft ? seen->sigma_m : -seen->sigma_m});
   }
 
-  /// Its own direction says how far it is, whatever the vehicle's heading.
+  /// The wall's own direction gives its distance, whatever the vehicle's heading.
   void add_wall_ahead(SparseEquations& equations, std::size_t s, std::size_t i) {
     const auto& wall_m = walls_m_[s][kAhead];
     if (!wall_m) return;
@@ -262,11 +262,11 @@ class PathSettler {
   }
 
   struct SeenWall {
-    double off_m = 0;  ///< from where it should be
+    double off_m = 0;  ///< from its expected position
     double by_heading = 0, by_nod = 0;
   };
 
-  /// A camera that nods shows the walls all around too near or too far.
+  /// A pitching camera shows all walls too near or too far.
   void add_wall(SparseEquations& equations, std::size_t s, std::size_t i, Side side,
                 const SeenWall& seen) const {
     const Vec2 normal = normal_of(s, side);
@@ -298,10 +298,10 @@ class PathSettler {
                    {wall_of(s + 1, outer), turn},
                    {x_of_cycle(next), -along.x()},
                    {y_of_cycle(next), -along.y()}},
-                  off_m, kUneven_m * cauchy_distrust(off_m, kDoubtedCorner_m));
+                  off_m, kUneven_m * cauchy_distrust(off_m, kUnlikelyCorner_m));
   }
 
-  /// The walls keep their distances from where their segment begins.
+  /// Walls keep their distances from the start of their segment.
   void take(const Eigen::VectorXd& change) {
     turn_scale_ += change[kTurnScale];
     turn_per_m_ += change[kTurnPerM];
@@ -337,7 +337,7 @@ std::vector<Pose2> settled_path(std::span<const SectionCycle> cycles, const Vehi
                                 std::span<const DrivenPathSegment> path_segments) {
   if (cycles.empty()) return {};
   PathSettler settler(cycles, vehicle, std::move(headings_rad), path_segments);
-  for (int round = 0; round < kSettlings; ++round) settler.settle();
+  for (int round = 0; round < kSettlingRounds; ++round) settler.settle();
   return settler.take_path();
 }
 

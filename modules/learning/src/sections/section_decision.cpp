@@ -20,15 +20,15 @@ bool is_straight_ahead(const SectionList& list, std::size_t i) {
   return i < list.size() && list[i].kind == Section::Kind::kFollow;
 }
 
-/// Section 3.2 A: left, straight on, left, together a quarter turn.
+/// Section 3.2 A: a left turn, straight on, and a left turn that sum to a quarter turn.
 bool is_corner(const SectionList& list, std::size_t i, const SectionLearningParams& params) {
   return is_left_turn(list, i) && is_straight_ahead(list, i + 1) && is_left_turn(list, i + 2) &&
          list[i + 1].length_m <= params.corner_max_m &&
          std::abs(list[i].turn_rad + list[i + 2].turn_rad - kQuarter_rad) < params.corner_rad;
 }
 
-/// Section 3.2 B: between two quarter turns to one side, as long as the corridor is wide less the distances
-/// that are kept before and after it.
+/// Section 3.2 B: between two quarter turns to the same side, as long as the corridor's width less the
+/// distances kept before and after.
 bool is_crossing(const SectionList& list, std::size_t i, std::optional<double> corridor_width_m,
                  const SectionLearningParams& params) {
   if (i < 2 || i + 2 >= list.size() || !corridor_width_m) return false;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kTurnAlike_rad = 3 * kTurnQuantum_rad;
 constexpr double kLengthAlike_m = 0.5, kLengthAlike = 0.1;
 
-/// Of an even number the mean of the two in the middle.
+/// The median; of an even number, the mean of the two in the middle.
 double middle_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t half = values.size() / 2;
@@ -28,7 +28,7 @@ bool is_alike(const DrivenList& a, const DrivenList& b) {
                     [](const Section& one, const Section& other) { return is_alike(one, other); });
 }
 
-/// The drives that are like the one that most are like.
+/// The largest group of similar drives.
 std::vector<std::size_t> most_alike(std::span<const DrivenList> drives) {
   std::vector<std::size_t> most;
   for (const DrivenList& form : drives) {
@@ -41,20 +41,20 @@ std::vector<std::size_t> most_alike(std::span<const DrivenList> drives) {
   return most;
 }
 
-/// The middle of what the drives tell; nullopt if none does.
+/// The median of a value over the drives that have it; nullopt if none does.
 template <typename Tell>
-std::optional<double> median_reported(const std::vector<DrivenList>& drives, Tell&& tell) {
-  std::vector<double> reported;
+std::optional<double> median_over(const std::vector<DrivenList>& drives, Tell&& tell) {
+  std::vector<double> values;
   for (const DrivenList& drive : drives) {
-    if (const std::optional<double> value = tell(drive)) reported.push_back(*value);
+    if (const std::optional<double> value = tell(drive)) values.push_back(*value);
   }
-  if (reported.empty()) return std::nullopt;
-  return middle_of(std::move(reported));
+  if (values.empty()) return std::nullopt;
+  return middle_of(std::move(values));
 }
 
 Section merged_section(const std::vector<DrivenList>& drives, std::size_t i) {
   const auto middle = [&](auto Section::*member) {
-    return median_reported(
+    return median_over(
         drives, [&](const DrivenList& drive) -> std::optional<double> { return drive.sections[i].*member; });
   };
   Section section = drives.front().sections[i];
@@ -80,7 +80,7 @@ MergedDrives merge_drives(std::span<const DrivenList> drives) {
                            return a.unseen.length_m < b.unseen.length_m;
                          })->unseen;
   merged.driven.corridor_width_m =
-      median_reported(alike, [](const DrivenList& drive) { return drive.corridor_width_m; });
+      median_over(alike, [](const DrivenList& drive) { return drive.corridor_width_m; });
   return merged;
 }
 

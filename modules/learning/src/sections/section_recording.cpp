@@ -16,36 +16,38 @@ namespace aisle {
 
 void SectionLearningParams::describe(FieldList& fields) {
   fields.angle("corner_deg", corner_rad, {0.1, 45},
-               "t_a: two left turns that sum to a quarter turn so nearly are a corner");
-  fields.angle("crossing_deg", crossing_rad, {0.1, 45}, "t_b: a turn that is so nearly a quarter turn");
+               "t_a: two left turns whose sum is within this of a quarter turn are a corner");
+  fields.angle("crossing_deg", crossing_rad, {0.1, 45},
+               "t_b: a turn within this of a quarter turn counts as one");
   fields.real("crossing_m", crossing_m, {0.01, 2},
-              "t_c: by which a path across may miss the corridor's width");
-  fields.real("corner_max_m", corner_max_m, {0.1, 10}, "farther apart two left turns are two corners");
-  fields.angle("turn_min_deg", turn_min_rad, {1, 45}, "less is wander");
+              "t_c: by which a path across may differ from the corridor's width");
+  fields.real("corner_max_m", corner_max_m, {0.1, 10}, "two left turns farther apart are two corners");
+  fields.angle("turn_min_deg", turn_min_rad, {1, 45}, "smaller turns are wander");
   fields.real("unseen_max_m", unseen_max_m, {0.5, 1000},
-              "a drive that saw no base line for farther is not learned from");
+              "a drive that saw no base line for a longer distance is not used for learning");
   fields.group("path", path);
 }
 
 namespace {
 
-constexpr double kStartSigma_rad = 5 * kDegree;  // against the wall beside which a drive begins
-constexpr double kKnownEdge_rad = 3 * kDegree;   // of an edge's direction
-constexpr double kParallel_rad = 6 * kDegree;    // a segment that is nearly so was meant to be
-constexpr double kOnAxis_rad = 1e-6;             // of what was laid there
+constexpr double kStartSigma_rad = 5 * kDegree;  // heading against the wall beside which a drive begins
+constexpr double kKnownEdge_rad = 3 * kDegree;   // sigma of an edge's direction, at most
+constexpr double kParallel_rad = 6 * kDegree;    // segments within this of parallel were meant to be
+constexpr double kOnAxis_rad = 1e-6;             // rounding of what was made parallel
 constexpr double kPathPoints_m = 0.05;
-constexpr double kTurnsOnTheSpot_rad = 8 * kDegree;  // more than a correction of the heading while it stands
-constexpr double kTurnRadiusMax_m = 2.5;             // what bends less is drift of the odometry, or wander
+constexpr double kTurnsOnTheSpot_rad = 8 * kDegree;  // more than a heading correction while it stands
+constexpr double kTurnRadiusMax_m = 2.5;             // gentler bends are odometry drift, or wander
 constexpr double kStraightMin_m = 0.1;               // shorter lines between turns belong to them
-constexpr double kRoundMin_rad = 2.3;  // a greater turn to either side goes round: two turns, a path between
-constexpr double kMeetingMin = 0.2;    // sine of the angle at which lines still meet somewhere
-constexpr double kOnRun_m = 0.3, kOnRun_rad = 20 * kDegree;  // so near a line a vehicle drives along it
+constexpr double kRoundMin_rad = 2.3;  // a larger turn is a U-turn: two turns with a path between
+constexpr double kMeetingMin = 0.2;    // sine of the angle at which lines still meet
+constexpr double kOnSegment_m = 0.3,
+                 kOnSegment_rad = 20 * kDegree;  // a vehicle within this drives along the line
 constexpr double kBesideMin_m = 0.12, kBesideMax_m = 3;
-constexpr double kSameLine_m = 0.25;  // a base line that is farther from where it usually is is another
-constexpr std::size_t kSeenMin = 5;   // cycles in which a base line must be seen for its distance to count
+constexpr double kSameLine_m = 0.25;  // a base line farther from its usual position is another one
+constexpr std::size_t kSeenMin = 5;   // cycles that must show a base line for its distance to count
 
-/// Odometry, held by the walls, which are the axes of `route`: some degrees right. An edge whose direction is
-/// hardly seen is as often a floor's grain, and grain that is seen again and again leads astray.
+/// Headings by odometry and the walls, which are the axes of `route`: right to some degrees. An edge whose
+/// direction is hardly visible is often floor texture, and texture seen again and again misleads.
 std::vector<double> followed_headings(std::span<const SectionCycle> cycles,
                                       const VehicleDescription& vehicle) {
   PoseFilter filter(vehicle, about({}, 0, kStartSigma_rad));
@@ -75,19 +77,19 @@ std::vector<Pose2> waypoints(const std::vector<Pose2>& poses) {
   return points;
 }
 
-/// A straight path segment.
-struct Run {
+/// A straight segment of the path.
+struct StraightSegment {
   Pose2 T_route_start;
-  double length_m = 0;                      ///< backwards: negative
-  double along_from_m = 0, along_to_m = 0;  ///< of the whole path
+  double length_m = 0;                      ///< negative: backwards
+  double along_from_m = 0, along_to_m = 0;  ///< along the whole path
 
   Vec2 end() const { return T_route_start * Vec2(length_m, 0); }
 };
 
-/// The path's straight segments; what bends less than a turn is one segment, laid from its first to its last
-/// point.
-std::vector<Run> straight_runs(const Path& path, double turn_min_rad) {
-  std::vector<Run> runs;
+/// The path's straight segments. Parts that bend less than a turn are one segment, laid from their first to
+/// their last point.
+std::vector<StraightSegment> straight_segments(const Path& path, double turn_min_rad) {
+  std::vector<StraightSegment> segments;
   bool is_open = false;
   for (std::size_t i = 0; i < path.pieces().size(); ++i) {
     const PathPiece& piece = path.pieces()[i];
@@ -98,27 +100,28 @@ std::vector<Run> straight_runs(const Path& path, double turn_min_rad) {
       is_open = false;
       continue;
     }
-    const bool goes_on = is_open && (runs.back().length_m > 0) == (piece.arc.length_m > 0);
-    if (!goes_on) runs.push_back({.T_route_start = piece.T_map_start, .along_from_m = path.start_m(i)});
-    Run& run = runs.back();
-    const Vec2 chord = piece.end().position() - run.T_route_start.position();
+    const bool goes_on = is_open && (segments.back().length_m > 0) == (piece.arc.length_m > 0);
+    if (!goes_on) segments.push_back({.T_route_start = piece.T_map_start, .along_from_m = path.start_m(i)});
+    StraightSegment& segment = segments.back();
+    const Vec2 chord = piece.end().position() - segment.T_route_start.position();
     const double sign = piece.arc.length_m < 0 ? -1 : 1;
-    run.T_route_start.theta = heading_of(sign * chord);
-    run.length_m = sign * chord.norm();
-    run.along_to_m = path.start_m(i) + piece.path_m();
+    segment.T_route_start.theta = heading_of(sign * chord);
+    segment.length_m = sign * chord.norm();
+    segment.along_to_m = path.start_m(i) + piece.path_m();
     is_open = true;
   }
-  std::erase_if(runs, [](const Run& run) { return std::abs(run.length_m) < kStraightMin_m; });
-  return runs;
+  std::erase_if(segments,
+                [](const StraightSegment& segment) { return std::abs(segment.length_m) < kStraightMin_m; });
+  return segments;
 }
 
-/// Lays a segment that runs nearly along the axes exactly so, through its middle: a hand wanders, walls do
-/// not.
-void lay_parallel(Run& run) {
-  const double off_rad = wrap_quarter_turn(run.T_route_start.theta);
+/// Makes a segment that is nearly parallel to an axis exactly parallel, about its middle: a human driver
+/// wanders, walls do not.
+void lay_parallel(StraightSegment& segment) {
+  const double off_rad = wrap_quarter_turn(segment.T_route_start.theta);
   if (std::abs(off_rad) > kParallel_rad) return;
-  const Pose2 T_route_middle = run.T_route_start * Pose2{run.length_m / 2, 0, -off_rad};
-  run.T_route_start = T_route_middle * Pose2{-run.length_m / 2, 0, 0};
+  const Pose2 T_route_middle = segment.T_route_start * Pose2{segment.length_m / 2, 0, -off_rad};
+  segment.T_route_start = T_route_middle * Pose2{-segment.length_m / 2, 0, 0};
 }
 
 bool goes_anywhere(const std::vector<Pose2>& T_route_vehicle) {
@@ -127,68 +130,71 @@ bool goes_anywhere(const std::vector<Pose2>& T_route_vehicle) {
   });
 }
 
-std::vector<Run> runs_of(const std::vector<Pose2>& T_route_vehicle, const SectionLearningParams& params) {
-  std::vector<Run> runs =
-      straight_runs(fit_path(waypoints(T_route_vehicle), params.path), params.turn_min_rad);
-  for (Run& run : runs) lay_parallel(run);
-  return runs;
+std::vector<StraightSegment> segments_of(const std::vector<Pose2>& T_route_vehicle,
+                                         const SectionLearningParams& params) {
+  std::vector<StraightSegment> segments =
+      straight_segments(fit_path(waypoints(T_route_vehicle), params.path), params.turn_min_rad);
+  for (StraightSegment& segment : segments) lay_parallel(segment);
+  return segments;
 }
 
-bool is_on(const Run& run, const Pose2& T_run_vehicle) {
-  return T_run_vehicle.x >= 0 && T_run_vehicle.x <= run.length_m && std::abs(T_run_vehicle.y) < kOnRun_m &&
-         std::abs(T_run_vehicle.theta) < kOnRun_rad;
+bool is_on(const StraightSegment& segment, const Pose2& T_segment_vehicle) {
+  return T_segment_vehicle.x >= 0 && T_segment_vehicle.x <= segment.length_m &&
+         std::abs(T_segment_vehicle.y) < kOnSegment_m && std::abs(T_segment_vehicle.theta) < kOnSegment_rad;
 }
 
-/// The parts of a segment, beside each of which the base lines keep their distances.
-std::vector<Run> parts_of(const Run& run, std::span<const SectionCycle> cycles,
-                          const std::vector<Pose2>& T_route_vehicle) {
-  if (run.length_m < 0) return {run};
+/// The parts of a segment along which the base lines keep their distances.
+std::vector<StraightSegment> parts_of(const StraightSegment& segment, std::span<const SectionCycle> cycles,
+                                      const std::vector<Pose2>& T_route_vehicle) {
+  if (segment.length_m < 0) return {segment};
   std::vector<PathSegmentView> views;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
-    const Pose2 T_run_vehicle = between(run.T_route_start, T_route_vehicle[i]);
-    if (is_on(run, T_run_vehicle)) views.push_back({T_run_vehicle, cycles[i].floor_edges});
+    const Pose2 T_segment_vehicle = between(segment.T_route_start, T_route_vehicle[i]);
+    if (is_on(segment, T_segment_vehicle)) views.push_back({T_segment_vehicle, cycles[i].floor_edges});
   }
-  std::vector<Run> parts;
+  std::vector<StraightSegment> parts;
   const auto add = [&](double from_m, double to_m) {
-    parts.push_back({.T_route_start = run.T_route_start * Pose2{from_m, 0, 0}, .length_m = to_m - from_m});
+    parts.push_back(
+        {.T_route_start = segment.T_route_start * Pose2{from_m, 0, 0}, .length_m = to_m - from_m});
   };
   double from_m = 0;
-  for (const double step_m : base_line_steps_m(run.length_m, views))
+  for (const double step_m : base_line_steps_m(segment.length_m, views))
     add(std::exchange(from_m, step_m), step_m);
-  add(from_m, run.length_m);
+  add(from_m, segment.length_m);
   return parts;
 }
 
-/// Those of the runs that lie along the axes, and the cycles from first to last that are on each.
-std::vector<DrivenPathSegment> path_segments_of(const std::vector<Run>& runs,
+/// The segments along the axes, each with the cycles from first to last on it.
+std::vector<DrivenPathSegment> path_segments_of(const std::vector<StraightSegment>& segments,
                                                 const std::vector<Pose2>& T_route_vehicle) {
   std::vector<DrivenPathSegment> path_segments;
   std::size_t i = 0;
-  for (const Run& run : runs) {
-    if (run.length_m < 0 || std::abs(wrap_quarter_turn(run.T_route_start.theta)) > kOnAxis_rad) continue;
-    const auto is_on_run = [&](std::size_t at) {
-      return is_on(run, between(run.T_route_start, T_route_vehicle[at]));
+  for (const StraightSegment& segment : segments) {
+    if (segment.length_m < 0 || std::abs(wrap_quarter_turn(segment.T_route_start.theta)) > kOnAxis_rad)
+      continue;
+    const auto is_on_segment = [&](std::size_t at) {
+      return is_on(segment, between(segment.T_route_start, T_route_vehicle[at]));
     };
     std::size_t first = i;
-    while (first < T_route_vehicle.size() && !is_on_run(first)) ++first;
+    while (first < T_route_vehicle.size() && !is_on_segment(first)) ++first;
     if (first == T_route_vehicle.size()) continue;
-    for (i = first; i < T_route_vehicle.size() && is_on_run(i); ++i) {
+    for (i = first; i < T_route_vehicle.size() && is_on_segment(i); ++i) {
     }
-    path_segments.push_back({first, i, run.T_route_start.theta});
+    path_segments.push_back({first, i, segment.T_route_start.theta});
   }
   return path_segments;
 }
 
-/// The path that was driven, settled first by what directions were seen, then by the walls beside its
-/// straight segments, too.
+/// The driven path, estimated first from the observed directions, then also from the walls beside its
+/// straight segments.
 std::vector<Pose2> path_of(std::span<const SectionCycle> cycles, const VehicleDescription& vehicle,
                            const SectionLearningParams& params) {
   std::vector<Pose2> T_route_vehicle = settled_path(cycles, vehicle, followed_headings(cycles, vehicle), {});
   if (!goes_anywhere(T_route_vehicle)) return T_route_vehicle;
-  std::vector<Run> parts;
-  for (const Run& run : runs_of(T_route_vehicle, params)) {
-    const std::vector<Run> of_run = parts_of(run, cycles, T_route_vehicle);
-    parts.insert(parts.end(), of_run.begin(), of_run.end());
+  std::vector<StraightSegment> parts;
+  for (const StraightSegment& segment : segments_of(T_route_vehicle, params)) {
+    const std::vector<StraightSegment> of_segment = parts_of(segment, cycles, T_route_vehicle);
+    parts.insert(parts.end(), of_segment.begin(), of_segment.end());
   }
   const auto path_segments = path_segments_of(parts, T_route_vehicle);
   std::vector<double> headings_rad;
@@ -212,8 +218,8 @@ void append_turn(SectionList& list, double turn_rad) {
   if (turn_rad != 0) list.push_back({.kind = Section::Kind::kTurn, .turn_rad = turn_rad});
 }
 
-/// Leads two segments to the corner where their lines meet.
-void lead_to_corner(Run& before, Run& after, const Vec2& gap, double turn_rad) {
+/// Extends two segments to the corner where their lines meet.
+void lead_to_corner(StraightSegment& before, StraightSegment& after, const Vec2& gap, double turn_rad) {
   if (std::abs(std::sin(turn_rad)) < kMeetingMin) {
     before.length_m += gap.x();
     return;
@@ -224,8 +230,8 @@ void lead_to_corner(Run& before, Run& after, const Vec2& gap, double turn_rad) {
   after.length_m += back_m;
 }
 
-/// What lies between two segments: one turn at their corner, or two with a path between.
-SectionList joint(Run& before, Run& after, const SectionLearningParams& params) {
+/// The connection of two segments: one turn at their corner, or two with a path between.
+SectionList joint(StraightSegment& before, StraightSegment& after, const SectionLearningParams& params) {
   const double turn_rad = wrap_angle(after.T_route_start.theta - before.T_route_start.theta);
   const Vec2 gap = rotate(-before.T_route_start.theta, after.T_route_start.position() - before.end());
   const auto round_turn = [&](double angle_rad) { return rounded_turn_rad(angle_rad, params.crossing_rad); };
@@ -236,14 +242,14 @@ SectionList joint(Run& before, Run& after, const SectionLearningParams& params) 
     append_turn(list, round_turn(turn_rad));
     return list;
   }
-  const double path_rad = heading_of(gap);
-  append_turn(list, round_turn(path_rad));
+  const double gap_rad = heading_of(gap);
+  append_turn(list, round_turn(gap_rad));
   list.push_back(straight(gap.norm()));
-  append_turn(list, round_turn(wrap_angle(turn_rad - path_rad)));
+  append_turn(list, round_turn(wrap_angle(turn_rad - gap_rad)));
   return list;
 }
 
-/// Distances of the base lines beside a segment, one a cycle that shows them.
+/// Distances of the base lines beside a segment, one for each cycle that shows them.
 struct DistancesBeside {
   struct Distance {
     std::size_t cycle = 0;
@@ -253,34 +259,34 @@ struct DistancesBeside {
   std::vector<double> ahead_m;
 };
 
-/// From a segment's end to the nearest wall across it; nullopt: none is seen from near.
-std::optional<double> distance_ahead(const Run& run, const Pose2& T_run_vehicle,
+/// Distance from a segment's end to the nearest wall across it; nullopt: none was seen from near.
+std::optional<double> distance_ahead(const StraightSegment& segment, const Pose2& T_segment_vehicle,
                                      const std::vector<WallAcross>& across) {
   std::optional<double> nearest_m;
   for (const WallAcross& wall : across) {
-    const double ahead_m = wall.along_m - run.length_m;
-    const bool is_ahead = ahead_m > kBesideMin_m && wall.along_m - T_run_vehicle.x < kAcrossNear_m;
+    const double ahead_m = wall.along_m - segment.length_m;
+    const bool is_ahead = ahead_m > kBesideMin_m && wall.along_m - T_segment_vehicle.x < kAcrossNear_m;
     if (!is_ahead || wall.from_m > kPathWidth_m || wall.to_m < -kPathWidth_m) continue;
     if (!nearest_m || ahead_m < *nearest_m) nearest_m = ahead_m;
   }
   return nearest_m;
 }
 
-DistancesBeside distances_beside(const Run& run, std::span<const SectionCycle> cycles,
+DistancesBeside distances_beside(const StraightSegment& segment, std::span<const SectionCycle> cycles,
                                  const std::vector<Pose2>& T_route_vehicle) {
   DistancesBeside distances;
   std::vector<WallBeside> beside;
   std::vector<WallAcross> across;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
-    const Pose2 T_run_vehicle = between(run.T_route_start, T_route_vehicle[i]);
-    if (!is_on(run, T_run_vehicle)) continue;
-    find_walls_across(cycles[i].floor_edges, T_run_vehicle, across);
-    if (const auto ahead_m = distance_ahead(run, T_run_vehicle, across))
+    const Pose2 T_segment_vehicle = between(segment.T_route_start, T_route_vehicle[i]);
+    if (!is_on(segment, T_segment_vehicle)) continue;
+    find_walls_across(cycles[i].floor_edges, T_segment_vehicle, across);
+    if (const auto ahead_m = distance_ahead(segment, T_segment_vehicle, across))
       distances.ahead_m.push_back(*ahead_m);
-    find_walls_beside(cycles[i].floor_edges, T_run_vehicle, beside);
+    find_walls_beside(cycles[i].floor_edges, T_segment_vehicle, beside);
     double right_m = kBesideMax_m, left_m = kBesideMax_m;
     for (const WallBeside& wall : beside) {
-      if (wall.from_m > run.length_m || std::abs(wall.lateral_m) < kBesideMin_m) continue;
+      if (wall.from_m > segment.length_m || std::abs(wall.lateral_m) < kBesideMin_m) continue;
       double& nearest_m = wall.lateral_m < 0 ? right_m : left_m;
       nearest_m = std::min(nearest_m, std::abs(wall.lateral_m));
     }
@@ -295,7 +301,7 @@ std::optional<double> usual(std::vector<double> distances_m) {
   return median(std::move(distances_m));
 }
 
-/// The usual distance of a base line, and in which cycles it was seen there.
+/// The median distance of a base line; marks the cycles that saw it there.
 std::optional<double> usual(const std::vector<DistancesBeside::Distance>& seen, std::vector<bool>& is_seen) {
   std::vector<double> distances_m;
   distances_m.reserve(seen.size());
@@ -307,7 +313,7 @@ std::optional<double> usual(const std::vector<DistancesBeside::Distance>& seen, 
   return usual_m;
 }
 
-/// The longest path on which no base line was seen.
+/// The longest part of the path on which no base line was seen.
 UnseenPathSegment longest_unseen(const std::vector<bool>& is_seen,
                                  const std::vector<Pose2>& T_route_vehicle) {
   UnseenPathSegment longest;
@@ -320,11 +326,11 @@ UnseenPathSegment longest_unseen(const std::vector<bool>& is_seen,
   return longest;
 }
 
-/// Straight on along the base lines at the distances at which they were seen.
-/// @param is_seen  set true for the cycles that show one of them
-void append_follow(SectionList& list, const Run& run, std::span<const SectionCycle> cycles,
+/// Appends straight sections along the base lines, at the observed distances.
+/// @param is_seen  set to true for the cycles that show a base line
+void append_follow(SectionList& list, const StraightSegment& segment, std::span<const SectionCycle> cycles,
                    const std::vector<Pose2>& T_route_vehicle, std::vector<bool>& is_seen) {
-  const std::vector<Run> parts = parts_of(run, cycles, T_route_vehicle);
+  const std::vector<StraightSegment> parts = parts_of(segment, cycles, T_route_vehicle);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const DistancesBeside distances = distances_beside(parts[i], cycles, T_route_vehicle);
     Section section = straight(parts[i].length_m);
@@ -335,11 +341,12 @@ void append_follow(SectionList& list, const Run& run, std::span<const SectionCyc
   }
 }
 
-/// Where the first segment begins: on its line, unless that lies farther off than a hand wanders. Then the
-/// odometry has bent the path, and it begins where the vehicle stood.
-Pose2 beginning(const Run& first, const Pose2& T_route_vehicle) {
+/// Where the first segment begins: on its line, unless the vehicle was farther off than a human driver
+/// wanders. Then odometry has bent the path, and it begins at the vehicle's position.
+Pose2 beginning(const StraightSegment& first, const Pose2& T_route_vehicle) {
   const double lateral_m = between(first.T_route_start, T_route_vehicle).y;
-  return std::abs(lateral_m) < kOnRun_m ? first.T_route_start : first.T_route_start * Pose2{0, lateral_m, 0};
+  return std::abs(lateral_m) < kOnSegment_m ? first.T_route_start
+                                            : first.T_route_start * Pose2{0, lateral_m, 0};
 }
 
 }  // namespace
@@ -349,24 +356,25 @@ DrivenList record_drive(std::span<const SectionCycle> cycles, const VehicleDescr
   DrivenList driven{
       .sections = {}, .corridor_width_m = {}, .T_route_vehicle = path_of(cycles, vehicle, params)};
   if (!goes_anywhere(driven.T_route_vehicle)) return driven;
-  std::vector<Run> runs = runs_of(driven.T_route_vehicle, params);
+  std::vector<StraightSegment> segments = segments_of(driven.T_route_vehicle, params);
   std::vector<SectionList> joints;
-  for (std::size_t i = 1; i < runs.size(); ++i) joints.push_back(joint(runs[i - 1], runs[i], params));
-  if (runs.empty()) return driven;
+  for (std::size_t i = 1; i < segments.size(); ++i)
+    joints.push_back(joint(segments[i - 1], segments[i], params));
+  if (segments.empty()) return driven;
   std::vector<bool> is_seen(cycles.size(), false);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
+  for (std::size_t i = 0; i < segments.size(); ++i) {
     if (i > 0) driven.sections.insert(driven.sections.end(), joints[i - 1].begin(), joints[i - 1].end());
-    if (runs[i].length_m > 0) {
-      append_follow(driven.sections, runs[i], cycles, driven.T_route_vehicle, is_seen);
+    if (segments[i].length_m > 0) {
+      append_follow(driven.sections, segments[i], cycles, driven.T_route_vehicle, is_seen);
     } else {
-      driven.sections.push_back(straight(runs[i].length_m));
+      driven.sections.push_back(straight(segments[i].length_m));
     }
   }
   driven.unseen = longest_unseen(is_seen, driven.T_route_vehicle);
   std::vector<double> widths_m;
   for (const Section& section : driven.sections)
     if (section.right_m && section.left_m) widths_m.push_back(*section.right_m + *section.left_m);
-  driven.T_route_start = beginning(runs.front(), driven.T_route_vehicle.front());
+  driven.T_route_start = beginning(segments.front(), driven.T_route_vehicle.front());
   if (!widths_m.empty()) driven.corridor_width_m = median(std::move(widths_m));
   return driven;
 }

@@ -12,19 +12,19 @@ namespace aisle {
 namespace {
 
 constexpr std::size_t kTriesMax = 8;
-constexpr std::size_t kNeighbours = 3;  // submaps in a row show much the same
-constexpr double kSeenAround_m = 4;     // walls within this of a keyframe are known well
-constexpr double kNeighbourhood_m = 4;  // two submaps overlap if their anchors are so near
-constexpr double kOwnPath_m = 8;        // old walls seen within this path are not old
-constexpr double kObservable_m = 1;     // matched wall needed to fix an axis ...
-constexpr double kSmallReach_m = 0.8;   // ... unless the search was this small
-constexpr double kLoopEdge_m = 0.5;     // length of a closed loop in the graph's distances
-constexpr double kWallShare = 0.1;      // of the walls' information that counts against odometry
+constexpr std::size_t kNeighbours = 3;  // neighbouring submaps show much the same
+constexpr double kSeenAround_m = 4;     // walls within this of a keyframe are well known
+constexpr double kNeighbourhood_m = 4;  // two submaps overlap if their anchors are within this
+constexpr double kOwnPath_m = 8;        // walls seen within this path length are not old
+constexpr double kObservable_m = 1;     // matched wall length needed to fix an axis ...
+constexpr double kSmallReach_m = 0.8;   // ... unless the search radius was this small
+constexpr double kLoopEdge_m = 0.5;     // length of a loop edge in the graph's distances
+constexpr double kWallShare = 0.1;      // share of the walls' information that counts against odometry
 constexpr double kRelocatedSubmapSigma_m = 0.2;
 constexpr double kStepFloor_m2 = 1e-5;
 constexpr double kOrthogonalSigma_rad = 0.5 * kDegree;
 constexpr double kFreeHeadingSigma_rad = 1 * kDegree;
-constexpr double kFitShare = 0.3;  // wall residuals of one place are not independent
+constexpr double kFitShare = 0.3;  // wall residuals at one place are not independent
 constexpr double kFitFloor_m = 0.02;
 constexpr double kFitFloor_rad = 0.3 * kDegree;
 
@@ -34,7 +34,7 @@ Mat3 rotation3(double angle_rad) {
   return turned;
 }
 
-/// Information of a fit in the frame of the older submap, never surer than the floor.
+/// Information of a fit in the frame of the older submap, limited to the floor.
 Mat3 constraint_information(const Mat3& fit_information, double older_heading_rad) {
   const Mat3 rotation = rotation3(older_heading_rad);
   Mat3 covariance =
@@ -46,16 +46,16 @@ Mat3 constraint_information(const Mat3& fit_information, double older_heading_ra
 }  // namespace
 
 void LoopParams::describe(FieldList& fields) {
-  fields.real("submap_m", submap_m, {1, 50}, "path that makes one submap");
-  fields.real("path_apart_m", path_apart_m, {1, 1000}, "two submaps nearer by path are no loop");
-  fields.real("reach_floor_m", reach_floor_m, {0.05, 10}, "search around the expected place, at least");
-  fields.real("reach_per_m", reach_per_m, {0, 1}, "more search per metre of path between the two");
-  fields.real("reach_max_m", reach_max_m, {0.1, 50}, "but no more than this");
+  fields.real("submap_m", submap_m, {1, 50}, "path length of one submap");
+  fields.real("path_apart_m", path_apart_m, {1, 1000}, "two submaps nearer along the path are no loop");
+  fields.real("reach_floor_m", reach_floor_m, {0.05, 10}, "least search radius around the expected place");
+  fields.real("reach_per_m", reach_per_m, {0, 1}, "added search radius per metre of path between the two");
+  fields.real("reach_max_m", reach_max_m, {0.1, 50}, "greatest search radius");
   fields.real("score_min", score_min, {0, 1}, "share of the wall length that must lie on old walls");
   fields.real("rival_share_max", rival_share_max, {0, 1},
-              "a different place that fits better than this: ambiguous");
+              "a different place that fits better than this share makes it ambiguous");
   fields.real("sure_reach_m", sure_reach_m, {0, 50}, "a larger search needs a second submap that agrees");
-  fields.real("agree_m", agree_m, {0.01, 5}, "how nearly the two must agree");
+  fields.real("agree_m", agree_m, {0.01, 5}, "how closely the two must agree");
   fields.real("cauchy_sigmas", cauchy_sigmas, {0.5, 100}, "a loop closure farther off counts less and less");
 }
 
@@ -64,7 +64,7 @@ bool LoopCloser::add(Submap submap, std::span<const Keyframe> keyframes, bool or
   loops_of_submap_.emplace_back();
   const std::size_t newest = submaps_.size() - 1;
   graph_.add_node(newest == 0 ? submaps_.front().T_track_anchor
-                              : graph_.pose(newest - 1) * path_to(newest, keyframes));
+                              : graph_.pose(newest - 1) * relative_pose_to(newest, keyframes));
   if (orthogonal) {
     graph_.add_heading_prior(newest, submaps_.back().T_track_anchor.theta, kOrthogonalSigma_rad);
   }
@@ -81,7 +81,7 @@ void LoopCloser::finish(std::span<const Keyframe> keyframes) {
   if (submaps_.size() > 1) graph_.optimise(30);
 }
 
-/// Compares a submap with older ones nearby. True if any shows the same place.
+/// Compares a submap with older ones nearby. Returns true if any shows the same place.
 bool LoopCloser::close_loops(std::size_t submap, std::span<const Keyframe> keyframes) {
   bool any = false;
   std::size_t tries = 0;
@@ -93,7 +93,7 @@ bool LoopCloser::close_loops(std::size_t submap, std::span<const Keyframe> keyfr
   return any;
 }
 
-/// Whether a loop between the two, or between the one and a neighbour of the other, is closed already.
+/// Whether a loop between the two, or between the first and a neighbour of the second, is already closed.
 bool LoopCloser::is_closed(std::size_t submap, std::size_t other) const {
   const std::vector<std::size_t>& loops = loops_of_submap_[submap];
   return std::any_of(loops.begin(), loops.end(), [&](std::size_t closed) {
@@ -101,20 +101,22 @@ bool LoopCloser::is_closed(std::size_t submap, std::size_t other) const {
   });
 }
 
-void LoopCloser::restate_paths(double odometry_factor, std::span<const Keyframe> keyframes) {
+void LoopCloser::restate_odometry(double odometry_factor, std::span<const Keyframe> keyframes) {
   if (odometry_factor == odometry_factor_) return;
   odometry_factor_ = odometry_factor;
-  for (std::size_t i = 1; i < submaps_.size(); ++i) graph_.set_odometry(i - 1, path_to(i, keyframes));
+  for (std::size_t i = 1; i < submaps_.size(); ++i)
+    graph_.set_odometry(i - 1, relative_pose_to(i, keyframes));
   if (submaps_.size() > 1) graph_.optimise();
 }
 
-/// From the submap before.
-Pose2 LoopCloser::path_to(std::size_t submap, std::span<const Keyframe> keyframes) const {
+/// The relative pose from the previous submap.
+Pose2 LoopCloser::relative_pose_to(std::size_t submap, std::span<const Keyframe> keyframes) const {
   return relative_pose(keyframes[submaps_[submap - 1].anchor_keyframe],
                        keyframes[submaps_[submap].anchor_keyframe], odometry_factor_);
 }
 
-/// The path between two anchors: each step is known by odometry and, across them, by the walls.
+/// Adds the constraint between two successive anchors: each step is measured by odometry and, perpendicular
+/// to walls, by these.
 void LoopCloser::connect_to_previous(std::span<const Keyframe> keyframes, bool orthogonal) {
   const std::size_t newer = submaps_.size() - 1;
   const Submap& from = submaps_[newer - 1];
@@ -135,13 +137,13 @@ void LoopCloser::connect_to_previous(std::span<const Keyframe> keyframes, bool o
   const Mat2 local =
       rotation.topLeftCorner<2, 2>() * covariance * rotation.topLeftCorner<2, 2>().transpose() +
       kStepFloor_m2 * Mat2::Identity();
-  PoseConstraint constraint{newer - 1, newer, path_to(newer, keyframes), Mat3::Zero()};
+  PoseConstraint constraint{newer - 1, newer, relative_pose_to(newer, keyframes), Mat3::Zero()};
   constraint.information.topLeftCorner<2, 2>() = local.inverse();
   constraint.information(2, 2) = 1 / square(orthogonal ? kOrthogonalSigma_rad : kFreeHeadingSigma_rad);
   graph_.add_odometry(constraint);
 }
 
-/// Length of the shortest path through the graph from a submap: Dijkstra over paths and closed loops.
+/// Lengths of the shortest paths through the graph from a submap: Dijkstra over steps and closed loops.
 std::vector<double> LoopCloser::distances_from(std::size_t submap) const {
   std::vector<double> distance(submaps_.size(), 1e18);
   using Reached = std::pair<double, std::size_t>;
@@ -227,8 +229,8 @@ bool LoopCloser::try_to_close(std::size_t submap, const Candidate& candidate,
   return true;
 }
 
-/// Looks among the last three submaps for a fit with the same correction; takes it along, or remembers this
-/// one.
+/// Looks among the last three submaps for a fit with the same correction. If there is one, both are closed;
+/// otherwise this one is remembered.
 bool LoopCloser::confirm(const Pending& found) {
   bool confirmed = false;
   for (Pending& other : pending_) {

@@ -16,22 +16,22 @@ struct LoopClosure {
   std::size_t newer = 0;
 };
 
-/// Recognises places: each finished submap is compared with those that lie nearby by the graph and long ago
-/// by the way. What agrees becomes a constraint of the pose graph, which then moves every submap.
+/// Recognises places: each finished submap is compared with those that are near in the graph and old by path
+/// length. Agreement becomes a constraint of the pose graph, which then moves every submap.
 class LoopCloser {
  public:
   LoopCloser(const LoopParams& params, const MotionNoise& motion) : params_(params), motion_(motion) {}
 
-  /// Adds the next submap; `keyframes` are all so far. Returns true if a loop was closed.
-  /// O(submaps) for the graph distances, and at most eight comparisons.
+  /// Adds the next submap; `keyframes` are all so far. Returns true if a loop was closed. O(submaps) for the
+  /// graph distances, and at most eight comparisons.
   bool add(Submap submap, std::span<const Keyframe> keyframes, bool orthogonal);
 
-  /// Looks once more at every submap, now that all are in place and little search is needed, and solves the
+  /// Compares every submap once more, now that all are in place and little search is needed, and solves the
   /// graph.
   void finish(std::span<const Keyframe> keyframes);
 
-  /// The wheels' distances are longer by this factor, as known now: all submaps are laid again.
-  void restate_paths(double odometry_factor, std::span<const Keyframe> keyframes);
+  /// Recomputes all relative poses for a new scale factor of the wheels' distances.
+  void restate_odometry(double odometry_factor, std::span<const Keyframe> keyframes);
   double odometry_factor() const { return odometry_factor_; }
 
   const std::vector<Submap>& submaps() const { return submaps_; }
@@ -43,14 +43,14 @@ class LoopCloser {
     std::size_t submap;
     double reach_m;
   };
-  /// A fit with a large search needs a second submap that says the same.
+  /// A fit from a large search needs a second submap that agrees.
   struct Pending {
     PoseConstraint constraint;
     Vec2 correction_m;
     bool taken = false;
   };
 
-  Pose2 path_to(std::size_t submap, std::span<const Keyframe> keyframes) const;
+  Pose2 relative_pose_to(std::size_t submap, std::span<const Keyframe> keyframes) const;
   void connect_to_previous(std::span<const Keyframe> keyframes, bool orthogonal);
   bool close_loops(std::size_t submap, std::span<const Keyframe> keyframes);
   std::vector<double> distances_from(std::size_t submap) const;

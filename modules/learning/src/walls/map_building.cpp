@@ -13,10 +13,10 @@
 namespace aisle {
 namespace {
 
-constexpr double kFrameShare = 0.6;  // a scan that shows its frame so clearly witnesses the odometry delay
+constexpr double kFrameShare = 0.6;  // scans with a clearer frame are used for the odometry delay
 constexpr double kFinalGate_m = 0.15;
 constexpr int kFinalIterations = 4;
-constexpr double kFinalSigma_m = 0.02;  // how far one scan may leave its place between the keyframes
+constexpr double kFinalSigma_m = 0.02;  // how far one scan may move from its place between the keyframes
 constexpr double kFinalSigma_rad = 1 * kDegree;
 constexpr double kFinalMargin_m = 0.3;
 
@@ -44,7 +44,7 @@ class MapBuilder {
   void finish_loops() { mapping_.finish_loops(); }
   std::vector<Pose2> after_loops() const { return mapping_.T_map_sensor_of_all(); }
 
-  /// Adjusts keyframes and walls together; returns every scan's pose carried along.
+  /// Adjusts keyframes and walls together; returns every scan's pose, moved along.
   std::vector<Pose2> adjust(const std::vector<Pose2>& T_map_sensor) {
     std::vector<std::size_t> scans;
     std::vector<Pose2> keyframes;
@@ -61,7 +61,7 @@ class MapBuilder {
     return carried_along(mapping_.tracked(), scans, adjustment.T_map_sensor());
   }
 
-  /// Lays one scan onto the final walls.
+  /// Fits one scan to the final walls.
   Pose2 settle(std::size_t scan, const Pose2& T_map_sensor) {
     const std::span<const SensedSegment> seen = mapping_.segments().of_scan(scan);
     if (seen.empty()) return T_map_sensor;
@@ -113,13 +113,13 @@ class MapBuilder {
 
   const std::vector<Pose2>& tracked() const { return mapping_.tracked(); }
 
-  /// Walls learned so far: the tracker's, until they are adjusted.
+  /// The number of walls so far: the tracker's until they are adjusted.
   std::size_t wall_count() const { return walls_.empty() ? mapping_.tracker().wall_count() : walls_.size(); }
 
  private:
   double delay_s() const { return given_delay_s_.value_or(delay_.delay_s()); }
 
-  /// The sensor's motion from the scan before to this one, by odometry at the times that the delay says.
+  /// The sensor's motion from the previous scan to this one, by odometry at the delayed times.
   Pose2 motion_to(std::size_t scan) {
     const LaserScan& now = log_.scans[scan];
     const auto frame = dominant_direction(seen_);
@@ -154,14 +154,14 @@ void MapParams::describe(FieldList& fields) {
   fields.group("segments", segments);
   fields.group("tracker", tracker);
   fields.group("loops", loops);
-  fields.real(
-      "dominant_share_min", dominant_share_min, {0, 1},
-      "share of the scans whose walls must give a heading, or the building has no dominant direction");
+  fields.real("dominant_share_min", dominant_share_min, {0, 1},
+              "with fewer than this share of scans whose walls give a heading, the building has no dominant "
+              "direction");
   fields.count("adjustment_rounds", adjustment_rounds, {0, 20},
                "rounds of adjusting keyframes and walls together");
   fields.real("drawn_length_m", drawn_length_m, {0, 10}, "shorter walls are not written");
   fields.count("drawn_sightings", drawn_sightings, {1, 1000},
-               "walls seen on fewer legs of half a metre of path are not written");
+               "walls seen on fewer half-metre legs of the path are not written");
 }
 
 MapResult build_map(const LaserLog& log, const MapParams& params, std::optional<double> odometry_delay_s,

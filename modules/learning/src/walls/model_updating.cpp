@@ -66,7 +66,7 @@ OrthogonalSegment united(const std::vector<OrthogonalSegment>& group, const Mode
   return whole;
 }
 
-/// Step 6: end points of the model near an end point of the view have been seen once more.
+/// Step 6: counts end points of the model near an end point of the view as seen once more.
 void count_occurrences(std::span<const OrthogonalSegment> view, const ModelUpdateParams& params,
                        OrthogonalSegment& segment) {
   for (const OrthogonalSegment& s : view) {

@@ -11,21 +11,21 @@ constexpr double kMoving_m = 0.002;
 constexpr double kMoving_rad = 0.002;
 constexpr double kStanding_m2 = 1e-6;
 constexpr double kStanding_rad2 = 1e-7;
-constexpr double kSidewaysShare = 0.5;  // of the variance ahead: wheels slip less sideways
+constexpr double kSidewaysShare = 0.5;  // share of the forward variance: wheels slip less sideways
 
 }  // namespace
 
 void MotionNoise::describe(FieldList& fields) {
   fields.real("distance_m_per_sqrt_m", distance_m_per_sqrt_m, {0.001, 1},
-              "deviation of the distance after 1 m");
+              "standard deviation of the distance after 1 m");
   fields.real("distance_scale", distance_scale, {0, 0.1},
-              "share by which all paths may be counted wrong, learned on the way; 0: none is");
+              "relative error of all counted distances, estimated online; 0: none");
   fields.real("rotation_rad_per_sqrt_m", rotation_rad_per_sqrt_m, {0.001, 1},
-              "deviation of the heading after 1 m");
+              "standard deviation of the heading after 1 m");
   fields.real("rotation_rad_per_sqrt_rad", rotation_rad_per_sqrt_rad, {0, 1},
               "the same after turning by 1 rad");
-  fields.real("rotation_share", rotation_share, {0, 1}, "share of a step's rotation that may be wrong");
-  fields.real("moving_floor_m", moving_floor_m, {0, 0.1}, "least deviation of a step that moves");
+  fields.real("rotation_share", rotation_share, {0, 1}, "standard deviation as a share of a step's rotation");
+  fields.real("moving_floor_m", moving_floor_m, {0, 0.1}, "least standard deviation of a step that moves");
   fields.real("moving_floor_rad", moving_floor_rad, {0, 0.1}, "the same for the heading");
 }
 

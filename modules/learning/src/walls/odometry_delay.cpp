@@ -11,9 +11,9 @@ namespace {
 constexpr int kEarliest = -10;  // tenths of a scan period
 constexpr int kLatest = 30;
 constexpr std::size_t kComparisonsMin = 20;
-constexpr double kTurnMin_rad = 0.5 * kDegree;  // scans that hardly turned say nothing
+constexpr double kTurnMin_rad = 0.5 * kDegree;  // scans with less turn say nothing
 constexpr double kOutlier_rad = 3 * kDegree;
-constexpr double kWorthIt = 0.9;  // a delay must leave less than this share of the disagreement
+constexpr double kWorthIt = 0.9;  // a delay must reduce the disagreement to less than this share
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void OdometryDelayEstimator::add(double time_s, std::size_t odometry_known,
                                  std::optional<double> frame_heading_rad) {
   recent_.push_back({time_s, frame_heading_rad});
   if (recent_.size() < 3) return;
-  // One scan late, so that odometry recorded too early can still be looked up without guessing ahead.
+  // One scan late, so that odometry recorded too early can still be looked up without extrapolation.
   compare(recent_[0], recent_[1], odometry_known);
   recent_.erase(recent_.begin());
 }

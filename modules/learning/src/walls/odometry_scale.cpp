@@ -6,7 +6,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kFactorOffMax = 0.1;  // wheels that count worse have another fault
+constexpr double kFactorOffMax = 0.1;  // larger errors have another cause
 
 }  // namespace
 

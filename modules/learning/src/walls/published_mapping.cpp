@@ -12,14 +12,14 @@
 namespace aisle {
 namespace {
 
-constexpr double kPredictedHeadingSigma_rad = 2 * kDegree;  // of the prediction that walls correct
+constexpr double kPredictedHeadingSigma_rad = 2 * kDegree;  // of the predicted heading that walls correct
 constexpr double kLearnedEvery_rad = 8 * kDegree;
 constexpr double kMarkLengthCap_m = 8;
-constexpr double kOccurrenceGrowth = 0.1;  // of an end point's weight with each time it is seen again
+constexpr double kOccurrenceGrowth = 0.1;  // growth of an end point's weight each time it is seen again
 constexpr double kOccurrenceCap = 3;
 constexpr double kPriorFloor_m = 0.03;
-constexpr double kPriorShare = 0.1;  // of the distance since the last scan
-constexpr double kPriorFlat = 0.05;  // of the highest value: what no prior takes away
+constexpr double kPriorShare = 0.1;  // sigma as a share of the distance since the last scan
+constexpr double kPriorFlat = 0.05;  // share of the highest value that the prior leaves
 
 double end_weight(int occurrences, double c) {
   return c * std::min(1 + kOccurrenceGrowth * occurrences, kOccurrenceCap);
@@ -85,7 +85,7 @@ class PublishedMapper {
            log_.laser.T_vehicle_laser;
   }
 
-  /// The local model: the scan's segments that run along an axis, at the estimated pose.
+  /// Builds the local model: the scan's segments along an axis, at the estimated pose.
   void place_view() {
     view_.clear();
     for (const SensedSegment& s : seen_) {

@@ -10,23 +10,23 @@
 namespace aisle {
 namespace {
 
-constexpr double kRecent_m = 6;  // walls seen within this way, at least twice, can be trusted
-constexpr double kLong_m = 0.5;  // segments and walls that vote for a heading
+constexpr double kRecent_m = 6;  // walls seen within this path length, at least twice, are trusted
+constexpr double kLong_m = 0.5;  // segments and walls at least this long vote for a heading
 constexpr double kRelocationTurnMax_rad = 45 * kDegree;
 constexpr double kBin_rad = 2 * kDegree;
 constexpr std::size_t kBins = 90;
 constexpr int kHeadings = 5;
 constexpr int kRelocationPeaks = 3;
 constexpr double kSeenEndWeight = 0.2;
-constexpr double kVoteLengthCap_m = 3;  // longer walls are not surer
+constexpr double kVoteLengthCap_m = 3;  // longer walls get no more weight
 constexpr double kGate_m = 0.35;
 constexpr double kHitGate_m = 0.08;
 constexpr double kHitGate_rad = 3 * kDegree;
 constexpr double kOnWallsMin = 0.5;
 constexpr double kOnWallsGainMin = 0.15;
 constexpr double kGainMin = 0.2;
-constexpr double kAxisBonus = 0.4;     // in a building without axes it says nothing, and does no harm
-constexpr double kCostPerMetre = 0.1;  // a near pose wins against an equal one far off
+constexpr double kAxisBonus = 0.4;     // without effect in a building without axes
+constexpr double kCostPerMetre = 0.1;  // a near pose wins over an equal one far off
 constexpr double kCostPerDegree = 0.004;
 
 std::vector<int> trusted(std::span<const WallEstimate> walls, std::span<const int> window, double path_m) {
@@ -38,7 +38,7 @@ std::vector<int> trusted(std::span<const WallEstimate> walls, std::span<const in
   return ids;
 }
 
-/// Turns that bring most segment length onto walls' headings; no turn at all is always among them.
+/// Turns that align the most segment length with walls' headings; no turn is always among them.
 std::vector<double> likely_turns(double heading_rad, std::span<const SensedSegment> segments,
                                  std::span<const WallEstimate> walls, std::span<const int> ids) {
   std::array<double, kBins> votes{};
@@ -66,7 +66,7 @@ std::vector<double> likely_turns(double heading_rad, std::span<const SensedSegme
   return turns;
 }
 
-/// Displacements along one axis that signature matching proposes; none at all is always among them.
+/// Displacements along one axis proposed by signature matching; none is always among them.
 std::vector<double> likely_displacements(const Vec2& axis, const Pose2& T_map_sensor,
                                          std::span<const SensedSegment> segments,
                                          std::span<const WallEstimate> walls, std::span<const int> ids,
@@ -91,8 +91,8 @@ std::vector<double> likely_displacements(const Vec2& axis, const Pose2& T_map_se
 }
 
 struct Score {
-  double on_walls = 0;  ///< share of the seen length that lies closely on walls
-  double total = 0;     ///< more where it runs along the axes, less for being far from the guess
+  double on_walls = 0;  ///< share of the seen length that lies close to walls
+  double total = 0;     ///< score: more for length along the axes, less for distance from the guess
 };
 
 Score score(const Pose2& pose, const Pose2& guess, std::span<const SensedSegment> segments,

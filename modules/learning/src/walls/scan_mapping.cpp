@@ -5,8 +5,8 @@
 namespace aisle {
 namespace {
 
-constexpr std::size_t kFirstVerdict = 200;  // scans before the building's angles are judged
-constexpr double kFactorRestated = 0.002;   // paths are restated when the wheels' factor has changed so much
+constexpr std::size_t kFirstVerdict = 200;  // scans before deciding whether the building has axes
+constexpr double kFactorRestated = 0.002;  // a larger change of the wheels' factor updates all relative poses
 
 }  // namespace
 
@@ -56,11 +56,11 @@ std::optional<Pose2> ScanMapping::lay_again(std::size_t scan, const Pose2& T_map
 
 void ScanMapping::finish_loops() {
   if (next_keyframe_ < tracker_.keyframes().size()) close_submap();
-  loops_.restate_paths(tracker_.odometry_factor(), tracker_.keyframes());
+  loops_.restate_odometry(tracker_.odometry_factor(), tracker_.keyframes());
   loops_.finish(tracker_.keyframes());
 }
 
-/// Once too few scans have shown the building's axes, no wall is taken for one any more.
+/// Once too few scans have shown the building's axes, no wall is taken to be on an axis any more.
 bool ScanMapping::shows_axes() const {
   return static_cast<double>(tracker_.headings_used()) >=
          params_.dominant_share_min * static_cast<double>(tracked_.size());
@@ -80,7 +80,7 @@ bool ScanMapping::close_submap() {
   if (!orthogonal_) update.axis_tolerance_rad = -1;
   const double factor = tracker_.odometry_factor();
   const bool restated = std::abs(factor - loops_.odometry_factor()) > kFactorRestated;
-  if (restated) loops_.restate_paths(factor, keyframes);
+  if (restated) loops_.restate_odometry(factor, keyframes);
   const bool closed =
       loops_.add(build_submap(next_keyframe_, last, keyframes, segments_, update), keyframes, orthogonal_);
   next_keyframe_ = last + 1;

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// The segments of all scans so far, in one piece of memory.
+/// The segments of all scans so far, in contiguous memory.
 class ScanSegments {
  public:
   void append(std::span<const SensedSegment> segments) {

@@ -14,25 +14,25 @@
 namespace aisle {
 namespace {
 
-constexpr double kAxesShare = 0.5;    // of the first scan's walls on one frame that gives the axes
-constexpr double kStartSigma = 1e-3;  // [m, rad]: the first pose is the frame
+constexpr double kAxesShare = 0.5;    // least share of the first scan's walls on a frame that gives the axes
+constexpr double kStartSigma = 1e-3;  // [m, rad]: the first pose defines the frame
 constexpr int kAlignmentIterations = 6;
-constexpr double kDoubtful = 0.7;     // less of the seen length fits: the odometry may be wrong
-constexpr double kDoubtful_m = 0.03;  // after a motion of at least this
+constexpr double kDoubtful = 0.7;     // if less of the seen length fits, the odometry may be wrong
+constexpr double kDoubtful_m = 0.03;  // ... after a motion of at least this
 constexpr double kClearlyBetter = 0.15;
 constexpr double kSlightlyBetter = 0.02;
-constexpr double kRelocationSeen_m = 2;  // with less wall in sight a guess is worse than none
-constexpr double kGuessReach_m = 0.3;    // an earlier scan may lie so far from its guess ...
+constexpr double kRelocationSeen_m = 2;  // with less wall in sight, guessing is worse than doing nothing
+constexpr double kGuessReach_m = 0.3;    // an earlier scan may be this far from its guess ...
 constexpr double kGuessReach_rad = 3 * kDegree;
-constexpr double kGuessSigma_m = 0.05;  // ... but seldom does
+constexpr double kGuessSigma_m = 0.05;  // ... but usually is within this
 constexpr double kGuessSigma_rad = 1 * kDegree;
-constexpr double kLaidAgainShare = 0.5;  // of the seen length must fit
-constexpr int kAgreeingScans = 3;        // say where the sensor is, before that is believed
-constexpr double kAgreeingPath_m = 0.3;  // and over so long a path: from one place they are one scan
-constexpr double kAgreeing_m = 0.15;     // so near each other
+constexpr double kLaidAgainShare = 0.5;  // least share of the seen length that must fit
+constexpr int kAgreeingScans = 3;        // scans that must agree on the pose before it is believed ...
+constexpr double kAgreeingPath_m = 0.3;  // ... over this path length: at one place they count as one ...
+constexpr double kAgreeing_m = 0.15;     // ... within this of each other
 constexpr double kAgreeing_rad = 5 * kDegree;
-constexpr double kNoWall_per_m2 = 1;  // information across, where no wall tells of it
-constexpr double kAcross = 0.7;       // of the path: cosine between it and the normal
+constexpr double kNoWall_per_m2 = 1;  // information in a direction that no wall constrains
+constexpr double kAcross = 0.7;       // cosine between the motion and the normal of a wall across it
 constexpr double kRelocatedPoseSigma_m = 0.05;
 constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
 
@@ -41,23 +41,25 @@ constexpr double kRelocatedPoseSigma_rad = 2 * kDegree;
 void TrackerParams::describe(FieldList& fields) {
   fields.group("motion", motion);
   fields.real("gate_m", gate_m, {0.02, 2}, "a segment farther from a wall is not matched with it");
-  fields.real("same_wall_m", same_wall_m, {0.01, 1}, "a segment farther across than this is another wall");
-  fields.real("window_m", window_m, {2, 500}, "walls not seen for so long a path are left to loop closing");
-  fields.real("unconfirmed_m", unconfirmed_m, {0, 500}, "a wall seen only once is forgotten after this way");
-  fields.real("keyframe_m", keyframe_m, {0.02, 5}, "a scan is learned after so long a path");
-  fields.angle("keyframe_deg", keyframe_rad, {1, 90}, "or after so much turning");
+  fields.real("same_wall_m", same_wall_m, {0.01, 1},
+              "a segment farther away across the wall is another wall");
+  fields.real("window_m", window_m, {2, 500}, "walls not seen for this long a path are left to loop closing");
+  fields.real("unconfirmed_m", unconfirmed_m, {0, 500},
+              "a wall seen only once is forgotten after this long a path");
+  fields.real("keyframe_m", keyframe_m, {0.02, 5}, "a scan is learned after this long a path");
+  fields.angle("keyframe_deg", keyframe_rad, {1, 90}, "or after this much turning");
   fields.real("lost_share", lost_share, {0, 1},
-              "with less of the seen length fitting the walls the pose is looked for again");
-  fields.real("relocation_reach_m", relocation_reach_m, {0.1, 10},
-              "how far from the predicted pose it is looked for");
-  fields.flag("may_count_backwards", may_count_backwards, "the wheels, driving forwards, for a while");
+              "with less of the seen length fitting the walls, the pose is searched for");
+  fields.real("relocation_reach_m", relocation_reach_m, {0.1, 10}, "search radius around the predicted pose");
+  fields.flag("may_count_backwards", may_count_backwards,
+              "in some logs wheels count backwards for a while when driving forwards");
 }
 
 Pose2 relative_pose(const Keyframe& from, const Keyframe& to, double odometry_factor) {
-  const Pose2 path = between(from.T_track_sensor, to.T_track_sensor);
+  const Pose2 tracked = between(from.T_track_sensor, to.T_track_sensor);
   const Vec2 off_m = to.path.off_m(odometry_factor) - from.path.off_m(odometry_factor);
   const Vec2 turned_m = rotate(-from.T_track_sensor.theta, off_m);
-  return {path.x + turned_m.x(), path.y + turned_m.y(), path.theta};
+  return {tracked.x + turned_m.x(), tracked.y + turned_m.y(), tracked.theta};
 }
 
 ScanTracker::ScanTracker(const TrackerParams& params)
@@ -88,7 +90,7 @@ Pose2 ScanTracker::step(std::span<const SensedSegment> segments, const Pose2& T_
   return T_track_sensor_.mean;
 }
 
-/// Where the walls hardly tell, as along a corridor by a door's leaf, the guess holds.
+/// Where the walls give little information, as along a corridor with only a door's leaf, the guess is kept.
 std::optional<Pose2> ScanTracker::lay_again(std::span<const SensedSegment> segments,
                                             const Pose2& T_track_guess) {
   const auto information_about = [&](double sigma_m, double sigma_rad) {
@@ -103,7 +105,7 @@ std::optional<Pose2> ScanTracker::lay_again(std::span<const SensedSegment> segme
   return moved_by(T_track_guess, information.inverse() * alignment.wall_information * off);
 }
 
-/// Without axes there is nothing better than walls as they are.
+/// Without axes, oblique walls are the best there is.
 void ScanTracker::trust_oblique_walls() {
   orthogonal_ = false;
   update_.axis_tolerance_rad = -1;
@@ -145,8 +147,8 @@ Alignment ScanTracker::lay_onto_walls(std::span<const SensedSegment> segments) {
   return alignment;
 }
 
-/// By how much the walls move the sensor, beyond what was to be expected of where they were laid, tells of
-/// the wheels' scale.
+/// Corrects pose and wheel scale: what the walls move the sensor beyond the expected error of their positions
+/// is evidence of the scale.
 void ScanTracker::correct_pose(const Alignment& alignment, const CountedPath& path_to_walls) {
   auto& [pose, covariance] = T_track_sensor_;
   const Mat3& information = alignment.wall_information;
@@ -160,9 +162,8 @@ void ScanTracker::correct_pose(const Alignment& alignment, const CountedPath& pa
   pose = moved_by(pose, expected + correction);
 }
 
-/// To what the latest alignment lies on: in each direction as the walls that tell of it. A wall that the
-/// vehicle drives along is none of them: it moves away and nearer by little, and by a heading that is off
-/// more.
+/// Counted path to what the latest alignment is fitted to: in each direction, to the walls that constrain it.
+/// A wall that the vehicle drives along is excluded: its offset changes little, and mostly by heading errors.
 CountedPath ScanTracker::path_to_walls() const {
   const CountedPath to_sensor = scale_.path();
   const Vec2 ahead = rotate(T_track_last_.theta, motion_.position()).stableNormalized();
@@ -171,18 +172,18 @@ CountedPath ScanTracker::path_to_walls() const {
   for (const WallConstraint& constraint : aligner_.constraints()) {
     const bool lies_across = std::abs(constraint.normal.dot(ahead)) > kAcross;
     const CountedPath& path = lies_across ? paths_[constraint.wall] : to_sensor;
-    const Mat2 reported = constraint.weight * constraint.normal * constraint.normal.transpose();
-    information += reported;
-    pull.by_factor += reported * path.by_factor;
-    pull.counted_m += reported * path.counted_m;
+    const Mat2 wall_information = constraint.weight * constraint.normal * constraint.normal.transpose();
+    information += wall_information;
+    pull.by_factor += wall_information * path.by_factor;
+    pull.counted_m += wall_information * path.counted_m;
   }
   const Mat2 covariance = information.inverse();
   return {covariance * pull.by_factor, covariance * pull.counted_m};
 }
 
-/// Wheels may turn while the vehicle stands, or count backwards driving forwards: where the scan does not fit
-/// where odometry puts it, those are tried as well. Counting backwards is believed as long as every scan
-/// speaks for it.
+/// Wheels may spin while the vehicle stands, or count backwards when driving forwards. Where the scan does
+/// not fit the odometry, both are tried as well. Counting backwards is believed as long as every scan
+/// supports it.
 ScanTracker::Explanation ScanTracker::explain_motion(std::span<const SensedSegment> segments) {
   const Vec2 counted_m = motion_.position();
   Explanation best = lay_from(segments, counted_m);
@@ -214,8 +215,8 @@ ScanTracker::Explanation ScanTracker::lay_from(std::span<const SensedSegment> se
   return {alignment, path_to_walls(), motion_m == motion_.position()};
 }
 
-/// One scan may lie well on walls where the sensor is not: a row of desks, one desk on. So several scans in a
-/// row, taken along some way, must say the same; meanwhile nothing is learned.
+/// One scan may fit walls at a wrong place, such as one desk further in a row of desks. So several scans in a
+/// row, taken along some distance, must agree; meanwhile nothing is learned.
 bool ScanTracker::relocate(std::span<const SensedSegment> segments) {
   const auto found = find_pose_near(T_track_sensor_.mean, segments, walls_, window_, path_m_,
                                     params_.relocation_reach_m, aligner_);
@@ -227,8 +228,8 @@ bool ScanTracker::relocate(std::span<const SensedSegment> segments) {
   return true;
 }
 
-/// Counts one more scan that says so. @return whether enough in a row put the sensor there, seen from where
-/// it was thought to be
+/// Counts one more scan that suggests this pose, relative to the believed one.
+/// @return whether enough scans in a row agree
 bool ScanTracker::confirm_suspicion(const Pose2& T_sensor_found) {
   const Pose2 apart = between(T_sensor_suspected_, T_sensor_found);
   const bool is_same = apart.position().norm() < kAgreeing_m && std::abs(apart.theta) < kAgreeing_rad;

@@ -5,7 +5,7 @@
 namespace aisle {
 namespace {
 
-constexpr double kGlimpse_m = 1.5;             // a wall seen once counts if it is longer than this
+constexpr double kGlimpse_m = 1.5;             // a wall seen once counts only if it is longer than this
 constexpr double kAxisTurn_rad = 2 * kDegree;  // a submap turned farther than this leaves the axes
 constexpr double kAxisTolerance_rad = 3 * kDegree;
 

@@ -8,7 +8,7 @@
 
 namespace aisle {
 
-/// The walls of a few metres of path as one rigid piece, held at its middle keyframe.
+/// The walls of a few metres of path as one rigid piece, anchored at its middle keyframe.
 struct Submap {
   std::size_t first_keyframe = 0;
   std::size_t last_keyframe = 0;
@@ -22,8 +22,8 @@ Submap build_submap(std::size_t first_keyframe, std::size_t last_keyframe,
                     std::span<const Keyframe> keyframes, const ScanSegments& segments,
                     const WallUpdateParams& update);
 
-/// Appends the submap's walls as they lie in `map` with the anchor at this pose. Orthogonal walls stay on the
-/// axes through small turns.
+/// Appends the submap's walls in `map`, given the anchor's pose. Orthogonal walls stay on the axes through
+/// small turns.
 void place_walls(const Submap& submap, const Pose2& T_map_anchor, std::vector<WallEstimate>& walls);
 
 }  // namespace aisle

@@ -15,7 +15,7 @@ namespace {
 
 constexpr SignatureParams kSignature = {.reach_m = 0, .cell_m = 0.04, .neighbourhood = 6, .tolerance = 2};
 constexpr double kSignatureEndWeight = 0.3;
-constexpr double kSignatureCap_m = 4;  // longer walls are not surer
+constexpr double kSignatureCap_m = 4;  // longer walls get no more weight
 constexpr double kParallel = 0.99;     // |cos| of the angle between two normals: within 8 degrees
 constexpr double kAxesApart = 0.85;    // |cos|: the second direction is at least 32 degrees from the first
 constexpr double kSubmapTurnMax_rad = 12 * kDegree;
@@ -25,7 +25,7 @@ constexpr int kSubmapPeaks = 6;
 constexpr double kSubmapPeaksApart_m = 0.16;
 constexpr double kScoreGate_m = 0.15;
 constexpr double kScoreCap_m = 3;
-constexpr double kComparedMin_m = 2;  // with less wall to compare nothing can be said
+constexpr double kComparedMin_m = 2;  // with less wall to compare, nothing can be said
 constexpr double kRivalApart_m = 0.3;
 constexpr double kObliqueHeading_rad = 6 * kDegree;
 constexpr double kCommonMin_m = 0.05;
@@ -40,13 +40,13 @@ double coordinate(const WallEstimate& wall) {
   return wall.normal.dot(wall.anchor);
 }
 
-/// Two directions in which a displacement shows in the walls' signatures.
+/// Two directions along which the walls' signatures show a displacement.
 struct Axes {
   Vec2 first = Vec2::UnitX();
   Vec2 second = Vec2::UnitY();
-  bool orthogonal = true;  ///< the map's axes, marked by the walls on them alone
+  bool orthogonal = true;  ///< the map's axes, marked only by the walls on them
 
-  /// The displacement that shows as these two coordinates.
+  /// The displacement with these two components.
   Vec2 displacement(double along_first_m, double along_second_m) const {
     Mat2 rows;
     rows << first.transpose(), second.transpose();
@@ -54,8 +54,8 @@ struct Axes {
   }
 };
 
-/// The normal that most wall length has, clearly apart from another one if given; none if there is no such
-/// wall.
+/// The normal with the most wall length, clearly different from another one if given; nullopt if there is
+/// none.
 std::optional<Vec2> commonest_normal(std::span<const WallEstimate> walls, const Vec2* apart_from) {
   std::optional<Vec2> best;
   double best_m = 0;
@@ -74,7 +74,7 @@ std::optional<Vec2> commonest_normal(std::span<const WallEstimate> walls, const 
   return best;
 }
 
-/// The map's axes; in a building without any, the two commonest directions of the walls.
+/// The map's axes; in a building without axes, the two most common directions of the walls.
 Axes axes_of(std::span<const WallEstimate> walls) {
   if (std::any_of(walls.begin(), walls.end(), [](const WallEstimate& w) { return !w.is_oblique(); }))
     return {};
@@ -94,7 +94,7 @@ Signature signature_of(std::span<const WallEstimate> walls, const Vec2& axis, bo
   return signature;
 }
 
-/// No displacement at all, and the peaks of the signatures' correlation along one axis.
+/// Zero displacement, and the peaks of the signatures' correlation along one axis.
 std::vector<double> likely_displacements(std::span<const WallEstimate> fresh,
                                          std::span<const WallEstimate> old, const Vec2& axis, bool orthogonal,
                                          SignatureCorrelator& correlator) {

@@ -11,9 +11,9 @@
 namespace aisle {
 namespace {
 
-constexpr double kOrthogonalMin_m = 0.1;  // shorter segments take no part
+constexpr double kOrthogonalMin_m = 0.1;  // shorter segments are not used
 constexpr double kObliqueMin_m = 0.4;
-constexpr double kWallMax_m = 12;  // a wall does not grow beyond this by uniting: floors bend
+constexpr double kWallMax_m = 12;  // walls are not merged beyond this length: floors bend
 constexpr double kIndexMargin_m = 0.4;
 constexpr double kAssociateHeading_rad = 6 * kDegree;
 constexpr double kAssociateOverlap_m = 0.1;
@@ -103,7 +103,7 @@ void WallAdjustment::associate_all(double gate_m) {
     index_.add(walls_[static_cast<std::size_t>(wall)].segment(), wall);
   }
   std::vector<int> sightings(walls_.size(), 0);
-  for (Observation& o : observations_) {  // again, now that all walls are there
+  for (Observation& o : observations_) {  // again, now that all walls exist
     const PlacedSegment placed(*o.segment, T_map_sensor_[o.keyframe]);
     find_near(placed, kIndexMargin_m);
     o.wall = associate(placed, walls_, near_, {gate_m, kAssociateHeading_rad, kAssociateOverlap_m});
@@ -138,7 +138,7 @@ double WallAdjustment::solve(bool first_of_round) {
   return step.head(static_cast<Eigen::Index>(3 * keyframes_.size())).lpNorm<Eigen::Infinity>();
 }
 
-/// Each motion between keyframes is as tracked.
+/// Motions between keyframes stay as tracked.
 void WallAdjustment::add_motions() {
   Eigen::VectorXd& gradient = solver_->gradient;
   for (std::size_t k = 0; k + 1 < keyframes_.size(); ++k) {
@@ -171,7 +171,7 @@ void WallAdjustment::add_motions() {
   }
 }
 
-/// Each segment lies on its wall.
+/// Segments lie on their walls.
 void WallAdjustment::add_observations() {
   Eigen::VectorXd& gradient = solver_->gradient;
   for (const Observation& o : observations_) {

@@ -12,12 +12,12 @@
 
 namespace aisle {
 
-/// Moves all keyframes and all walls together until they agree best: each keyframe's segments lie on their
-/// walls, each motion between keyframes is as tracked. A wall on the axes has one unknown (its coordinate),
+/// Adjusts all keyframes and all walls together until they agree best: each keyframe's segments lie on their
+/// walls, and motions between keyframes stay as tracked. A wall on the axes has one unknown (its coordinate),
 /// an oblique one two. Robust Gauss-Newton on the sparse normal equations, with new associations in between.
 class WallAdjustment {
  public:
-  /// `T_map_sensor`: the keyframes' poses to start from.
+  /// `T_map_sensor`: the keyframes' initial poses.
   WallAdjustment(std::span<const Keyframe> keyframes, const ScanSegments& segments,
                  std::vector<Pose2> T_map_sensor, const MotionNoise& motion, double odometry_factor,
                  bool orthogonal);
@@ -25,9 +25,9 @@ class WallAdjustment {
   void run(int rounds);
 
   const std::vector<Pose2>& T_map_sensor() const { return T_map_sensor_; }
-  /// The walls that take part, with the number of segments on each as `sightings`.
+  /// The walls used, with the number of segments on each as `sightings`.
   std::vector<WallEstimate> walls() const;
-  /// Every segment that takes part, at its final place, with its index in walls().
+  /// Every segment used, at its final pose, with its index in walls().
   std::vector<WallSighting> sightings() const;
 
  private:
@@ -47,12 +47,12 @@ class WallAdjustment {
   std::span<const Keyframe> keyframes_;
   std::vector<Pose2> T_map_sensor_;
   MotionNoise motion_;
-  double odometry_factor_;  ///< by which the wheels' distances are longer than counted
+  double odometry_factor_;  ///< factor of the wheels' distances
   WallUpdateParams update_;
   double oblique_sigma_m_ =
-      0.02;  ///< oblique things are often furniture or doors; 0 where no wall has an axis
+      0.02;  ///< oblique segments are often furniture or doors; 0 where no wall has an axis
   double oblique_sigma_rad_ = 2 * kDegree;
-  std::vector<Observation> observations_;  ///< long segments first: they make the steadiest walls
+  std::vector<Observation> observations_;  ///< long segments first: they make the most stable walls
   std::vector<WallEstimate> walls_;
   CellIndex index_;
   std::vector<int> near_;

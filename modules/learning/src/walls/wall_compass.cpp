@@ -12,31 +12,31 @@
 namespace aisle {
 namespace {
 
-constexpr double kShareMin = 0.6;                // of edges along two axes: others are no corridor's
-constexpr double kFirstSigma_rad = 1 * kDegree;  // of a first look
+constexpr double kShareMin = 0.6;  // least share of edges along two axes: others are not a corridor's
+constexpr double kFirstSigma_rad = 1 * kDegree;  // of the first image
 constexpr double kLeastSigma_rad = 0.15 * kDegree;
-constexpr double kBends_rad = 0.1 * kDegree;  // in a metre of path, of map and walls
-constexpr double kBelieved = 3;               // standard deviations
-constexpr double kUsual_rad = 1 * kDegree;    // of walls that are the ones that are known
-constexpr int kUnlikeMax = 30;                // images in a row in which walls run otherwise
-constexpr double kTellsAgain_m = 0.3;         // of path: images that are taken on it have the same errors ...
-constexpr double kTellsAgain_rad = 10 * kDegree;  // ... as have those on such a turn
-constexpr double kStanding = 0.003;               // of either
+constexpr double kBends_rad = 0.1 * kDegree;  // per metre of path: walls and map are not quite straight
+constexpr double kBelieved = 3;               // standard deviations within which walls are the known ones
+constexpr double kUsual_rad = 1 * kDegree;    // usual deviation of the known walls
+constexpr int kUnlikeMax = 30;  // images in a row with other directions, before these become the known ones
+constexpr double kNewErrors_m = 0.3;             // path after which an image has wholly new errors ...
+constexpr double kNewErrors_rad = 10 * kDegree;  // ... or turn
+constexpr double kStanding = 0.003;              // share of these below which the vehicle stands
 
-/// Edges that lie misaligned (open doors, furniture) count the less the more.
-std::optional<HeadingMeasurement> heading_near(std::span<const SensedSegment> edges, double foretold_rad,
-                                               double foretold_sigma_rad) {
+/// Misaligned edges (open doors, furniture) count less.
+std::optional<HeadingMeasurement> heading_near(std::span<const SensedSegment> edges, double predicted_rad,
+                                               double predicted_sigma_rad) {
   double information = 0, turn_rad = 0;
   for (const SensedSegment& edge : edges) {
-    const auto misfit = misfit_to_axis(edge, foretold_rad);
+    const auto misfit = misfit_to_axis(edge, predicted_rad);
     if (!misfit || edge.curved) continue;
-    const double usual_rad = std::hypot(misfit->usual_rad, foretold_sigma_rad);
+    const double usual_rad = std::hypot(misfit->usual_rad, predicted_sigma_rad);
     const double weight = square(cauchy_weight(misfit->off_rad, usual_rad) / misfit->sigma_rad);
     information += weight;
     turn_rad -= weight * misfit->off_rad;
   }
   if (information == 0) return std::nullopt;
-  return HeadingMeasurement{foretold_rad + turn_rad / information, std::sqrt(1 / information)};
+  return HeadingMeasurement{predicted_rad + turn_rad / information, std::sqrt(1 / information)};
 }
 
 }  // namespace
@@ -51,14 +51,14 @@ void WallCompass::start(const std::optional<WallDirection>& walls) {
 
 void WallCompass::move(double path_m, double turn_rad) {
   variance_ += square(kBends_rad) * path_m;
-  again_ += path_m / kTellsAgain_m + std::abs(turn_rad) / kTellsAgain_rad;
+  new_share_ += path_m / kNewErrors_m + std::abs(turn_rad) / kNewErrors_rad;
 }
 
 void WallCompass::look(std::span<const SensedSegment> edges, double heading_rad, double sigma_rad) {
   heading_variance_ = square(sigma_rad);
   against_walls_.reset();
-  if (again_ < kStanding) return;
-  const double information_share = std::min(1.0, std::exchange(again_, 0));
+  if (new_share_ < kStanding) return;
+  const double information_share = std::min(1.0, std::exchange(new_share_, 0));
   if (starts_ == 0 || unlike_ > kUnlikeMax) {
     const auto seen = dominant_direction(edges);
     if (!seen || seen->share < kShareMin) return;
@@ -67,12 +67,12 @@ void WallCompass::look(std::span<const SensedSegment> edges, double heading_rad,
     unlike_ = 0;
     ++starts_;
   }
-  const double foretold_rad = heading_rad - walls_rad_;
-  const double foretold_variance = heading_variance_ + variance_;
-  against_walls_ = heading_near(edges, foretold_rad, std::sqrt(foretold_variance));
+  const double predicted_rad = heading_rad - walls_rad_;
+  const double predicted_variance = heading_variance_ + variance_;
+  against_walls_ = heading_near(edges, predicted_rad, std::sqrt(predicted_variance));
   if (!against_walls_) return;
-  const double off_rad = against_walls_->heading_rad - foretold_rad;
-  const bool is_like = std::abs(off_rad) < kBelieved * std::sqrt(foretold_variance + square(kUsual_rad));
+  const double off_rad = against_walls_->heading_rad - predicted_rad;
+  const bool is_like = std::abs(off_rad) < kBelieved * std::sqrt(predicted_variance + square(kUsual_rad));
   unlike_ = is_like ? 0 : unlike_ + 1;
   if (is_like) {
     against_walls_->sigma_rad /= std::sqrt(information_share);

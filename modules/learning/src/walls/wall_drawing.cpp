@@ -10,23 +10,23 @@
 namespace aisle {
 namespace {
 
-constexpr double kOneLine_m = 0.08;  // both ends nearer than this to a stronger wall's line: the same wall
+constexpr double kOneLine_m = 0.08;        // both ends within this of a stronger wall's line: the same wall
 constexpr double kOneLineDirection = 0.9;  // cosine of the angle between the two
 constexpr double kTouch_m = 0.2;
 constexpr double kStrengthCap_m = 4;    // longer walls are not stronger
-constexpr double kOrthogonalTrust = 3;  // against an oblique wall seen as often
+constexpr double kOrthogonalTrust = 3;  // weight against an oblique wall seen as often
 constexpr double kBin_m = 0.1;
 constexpr std::size_t kGapMaxBins = 3;  // unseen gaps up to this are closed
 constexpr int kHitsMin = 2;
-constexpr std::size_t kBeamStep = 4;  // every fourth beam is enough to see through a gap
+constexpr std::size_t kBeamStep = 4;  // every fourth beam is enough to detect a gap
 constexpr double kBeamReach_m = 12;
 constexpr double kBeamPiece_m = 3;
-constexpr double kBehind_m = 0.25;  // a beam that goes on for so long has passed the wall
-constexpr double kGrazing = 0.2;    // sine below which a beam says nothing about where it passes
+constexpr double kBehind_m = 0.25;  // a beam that goes on this far has passed the wall
+constexpr double kGrazing = 0.2;    // sine below which a beam is too grazing to show where it passes
 constexpr double kVehicleHalf_m = 0.2;
-constexpr double kLeg_m = 0.5;  // on so short a path nothing new is seen
+constexpr double kLeg_m = 0.5;  // on a shorter path nothing new is seen
 
-/// How often something was seen, counted once on each leg of the path.
+/// How often something was seen, counted once per leg of the path.
 struct LegCount {
   int count = 0;
   int last_leg = -1;
@@ -139,7 +139,7 @@ class Drawing {
   }
 
  private:
-  /// Strong walls take up the weaker ones on their line.
+  /// Merges weaker walls into stronger ones on their line.
   void unite(const std::vector<WallEstimate>& walls) {
     std::vector<std::size_t> order(walls.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -10,11 +10,11 @@
 
 namespace aisle {
 
-/// A segment that was seen from a pose and belongs to a wall.
+/// A segment seen from a pose, on a wall.
 struct WallSighting {
   Segment2 segment;   ///< in `map`
   int wall = 0;       ///< index of the wall
-  double path_m = 0;  ///< the vehicle's path up to the sighting
+  double path_m = 0;  ///< the vehicle's path length at the sighting
 };
 
 /// A scan at its final pose.
@@ -24,10 +24,10 @@ struct PlacedScan {
   const LaserScan* scan = nullptr;
 };
 
-/// Draws the final map: walls that lie on one line and touch become one, what beams passed through or the
-/// vehicle drove through is cut out, and what is shorter or was seen more rarely than the two limits is left
-/// out. What is seen again without having moved on is seen once. Scans and sightings come in the order of the
-/// path. O(sightings + beams * walls near each beam).
+/// Draws the final map: walls on one line that touch become one; parts that beams passed through or the
+/// vehicle drove through are cut out; walls shorter or seen more rarely than the two limits are left out.
+/// Repeated sightings without moving on count once. Scans and sightings must be in the order of the path.
+/// O(sightings + beams * walls near each beam).
 WallMap draw_walls(const std::vector<WallEstimate>& walls, std::span<const WallSighting> sightings,
                    std::span<const PlacedScan> scans, const LaserScanner& laser, double length_min_m,
                    int sightings_min);

@@ -11,27 +11,27 @@ namespace {
 
 constexpr double kSeenMin_m = 1.5;
 constexpr double kWindowMax_rad = 12 * kDegree;
-constexpr double kSeedLength_m = 0.4;  // shorter segments are no seed of a mode
+constexpr double kSeedLength_m = 0.4;  // shorter segments do not start a mode
 constexpr double kModeWidth_rad = 1.5 * kDegree;
-constexpr double kReach_rad = 4 * kDegree;  // farther from the mode: not of this frame
+constexpr double kReach_rad = 4 * kDegree;  // segments farther from the mode are not of this frame
 constexpr double kAgree_rad = 2.5 * kDegree;
 constexpr double kAgreeShare = 0.5;
 constexpr double kNoiseFloor_rad = 0.3 * kDegree;
-constexpr double kSecondDirection_m = 0.6;  // walls in both directions are a surer witness than one alone
+constexpr double kSecondDirection_m = 0.6;  // with this much wall in both directions the heading is surer
 constexpr double kBothSigma_rad = 0.7 * kDegree;
 constexpr double kOneSigma_rad = 1.5 * kDegree;
-constexpr double kEdgeMin_m = 0.3;             // a shorter one has no direction
-constexpr double kSteady_rad = 0.7 * kDegree;  // of an edge's direction, whoever looks
-constexpr double kYawErrorRad = 1.5 * kDegree;
-constexpr double kKnown_rad = 3 * kDegree;  // seen worse, a direction is as often a door's, a shadow's ...
-constexpr double kLongEdge_m = 1.5;         // ... unless the edge is so long
+constexpr double kEdgeMin_m = 0.3;             // a shorter edge has no direction
+constexpr double kSteady_rad = 0.7 * kDegree;  // steadiness of an edge's direction, whoever looks
+constexpr double kEdgeYawError_rad = 1.5 * kDegree;
+constexpr double kKnown_rad = 3 * kDegree;  // a less sure direction is as often a door's, a shadow's ...
+constexpr double kLongEdge_m = 1.5;         // ... unless the edge is this long
 
-/// By how much a segment would lie turned against the nearest axis if the sensor had this heading.
+/// A segment's angle to the nearest axis if the sensor had this heading.
 double off_axis_rad(const SensedSegment& segment, double heading_rad) {
   return wrap_quarter_turn(heading_rad + segment.heading_rad);
 }
 
-/// The heading near the prediction that most wall length speaks for.
+/// The heading near the prediction that the most wall length supports.
 std::optional<double> strongest_mode(std::span<const SensedSegment> segments, double predicted_rad,
                                      double window_rad) {
   std::optional<double> mode;
@@ -62,7 +62,7 @@ std::optional<AxisMisfit> misfit_to_axis(const SensedSegment& edge, double headi
   if (edge.length_m < kLongEdge_m && edge.sigma_heading_rad > kKnown_rad) return std::nullopt;
   return AxisMisfit{.off_rad = off_axis_rad(edge, heading_rad),
                     .sigma_rad = std::hypot(edge.sigma_heading_rad, kSteady_rad),
-                    .usual_rad = std::hypot(edge.sigma_heading_rad, kYawErrorRad)};
+                    .usual_rad = std::hypot(edge.sigma_heading_rad, kEdgeYawError_rad)};
 }
 
 std::optional<HeadingMeasurement> heading_from_walls(std::span<const SensedSegment> segments,

@@ -10,9 +10,9 @@ namespace aisle {
 namespace {
 
 constexpr int kLayingIterations = 6;
-constexpr double kKnownWallSigma_m = 0.01;  // of a wall's position at best
+constexpr double kKnownWallSigma_m = 0.01;  // least sigma of a wall's position
 constexpr double kKnownWallSigma_rad = 0.3 * kDegree;
-constexpr double kTelling_m = 1.5;  // with less wall in sight nothing can be doubted
+constexpr double kTelling_m = 1.5;  // with less wall in sight, the pose is not called doubtful
 
 WallEstimate known_wall(const Wall& wall) {
   const double heading_rad = wall.segment.heading();
@@ -39,9 +39,9 @@ void WallLocaliserParams::describe(FieldList& fields) {
   fields.group("segments", segments);
   fields.group("motion", motion);
   fields.real("gate_m", gate_m, {0.02, 2}, "a segment farther from a wall is not matched with it");
-  fields.real("reach_m", reach_m, {2, 100}, "walls farther away are not looked at");
+  fields.real("reach_m", reach_m, {2, 100}, "walls farther away are ignored");
   fields.real("lost_share", lost_share, {0, 1},
-              "less of the seen length fits the walls: the pose is doubtful");
+              "if less of the seen length fits the walls, the pose is doubtful");
 }
 
 WallLocaliser::WallLocaliser(const WallLocaliserParams& params, const LaserScanner& laser,

@@ -12,7 +12,7 @@ namespace {
 
 using NodeKind = CorridorNode::Kind;
 
-/// Frees the cells of a rectangle; what surrounds it stands there unless it is free already.
+/// Frees the cells of a rectangle and surrounds it with occupied cells, except where it is free already.
 void add_room(FloorGrid& floor, const Vec2& min, const Vec2& max) {
   const FloorCell low = floor.cell_at(min), high = floor.cell_at(max);
   for (int y = low.y - 1; y <= high.y; ++y) {
@@ -44,7 +44,7 @@ TEST(CorridorTracing, OneCorridorHasTwoEndsAndItsWidth) {
   EXPECT_LT((graph.nodes[1].p_map - Vec2(19, 0)).norm(), 0.2);
 }
 
-TEST(CorridorTracing, ARoomOnlyIsAPlaceOrOneShortPathSegment) {
+TEST(CorridorTracing, ASingleRoomIsOnePlaceOrOneShortCorridor) {
   FloorGrid floor;
   add_room(floor, {0, 0}, {3, 3});
   const CorridorGraph graph = traced(floor, {1, 1});
@@ -65,7 +65,7 @@ TEST(CorridorTracing, ACrossHasOneCrossingWithFourCorridors) {
   EXPECT_LT((crossing->p_map - Vec2(9.8, 0)).norm(), 0.3);
 }
 
-TEST(CorridorTracing, TwoBranchesAShortPathApartAreTwoCrossings) {
+TEST(CorridorTracing, TwoBranchesAShortDistanceApartAreTwoCrossings) {
   FloorGrid floor;
   add_room(floor, {0, -1}, {20, 1});
   add_room(floor, {6, 0}, {8, 8});
@@ -75,7 +75,7 @@ TEST(CorridorTracing, TwoBranchesAShortPathApartAreTwoCrossings) {
   EXPECT_EQ(graph.corridors.size(), 5U);
 }
 
-TEST(CorridorTracing, ARoundWithoutACrossingHasOneNodeNearTheStart) {
+TEST(CorridorTracing, ALoopWithoutACrossingHasOneNodeNearTheStart) {
   FloorGrid floor;
   add_room(floor, {0, 0}, {20, 2});
   add_room(floor, {0, 10}, {20, 12});

@@ -15,7 +15,7 @@ struct LandmarkExpectation {
   int expected = 0, seen = 0;
 };
 
-/// What a vehicle that believes to be at (5, 0) makes of the image that it sees from `truth`.
+/// What a vehicle that believes it is at (5, 0) expects of the image seen from `truth`.
 LandmarkExpectation expectation_from(const Pose2& truth, const SightNoise& noise, double believed_sigma_m) {
   Random random(2);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
@@ -45,7 +45,7 @@ TEST(LandmarkExpectation, LinesOnSureLandmarksAreKnown) {
   EXPECT_EQ(known_sightings(map, about({0, 0, 0}, 0.01, 0.1 * kDegree), image, kPlaceSigma_m), 1);
 }
 
-TEST(LandmarkExpectation, InTheImageAreThoseThatWereSeenFromHereAndAreBeforeTheCamera) {
+TEST(LandmarkExpectation, InTheImageAreThoseSeenFromHereBeforeAndInFrontOfTheCamera) {
   LandmarkMap map;
   const auto add = [&map](const Vec2& p_map, double seen_far_m) {
     map.add({.p_map = p_map, .seen_from = {-1, 0}, .seen_far_m = seen_far_m});
@@ -61,11 +61,11 @@ TEST(LandmarkExpectation, InTheImageAreThoseThatWereSeenFromHereAndAreBeforeTheC
   EXPECT_EQ(landmarks_in_image(map, {8, 0, kPi}, FloorInImage(camera)), 0) << "from behind";
 }
 
-TEST(LandmarkExpectation, WhatElseIsSeenDoesNotCount) {
+TEST(LandmarkExpectation, OtherSightingsDoNotCount) {
   const LandmarkExpectation plain = expectation_from({5, 0, 0}, {.unseen = 0}, 0.01);
   const LandmarkExpectation grainy = expectation_from({5, 0, 0}, {.unseen = 0, .grain = 30}, 0.01);
   EXPECT_GE(grainy.seen, plain.seen);
-  EXPECT_LE(grainy.expected, plain.expected + 3) << "of a view that reaches somewhat farther";
+  EXPECT_LE(grainy.expected, plain.expected + 3) << "the view reaches somewhat farther";
 }
 
 TEST(LandmarkExpectation, ElsewhereHardlyAnythingIsSeen) {
@@ -74,7 +74,7 @@ TEST(LandmarkExpectation, ElsewhereHardlyAnythingIsSeen) {
   EXPECT_LE(elsewhere.seen, 1);
 }
 
-TEST(LandmarkExpectation, WhatWasOnlySeenFromAfarOrFromNearByIsNotExpectedAtAnotherDistance) {
+TEST(LandmarkExpectation, LandmarksSeenOnlyFromFarOrNearAreNotExpectedAtOtherDistances) {
   const LandmarkSighting behind = sighting_of({6, 0}, false, {}), left = sighting_of({2, 2}, false, {}),
                          right = sighting_of({2, -2}, false, {});
   const std::vector<LandmarkSighting> image{left, behind, right};
@@ -88,10 +88,10 @@ TEST(LandmarkExpectation, WhatWasOnlySeenFromAfarOrFromNearByIsNotExpectedAtAnot
   EXPECT_FALSE(is_expected(1, 3)) << "only seen from near by";
 }
 
-TEST(LandmarkExpectation, AnUnsurePoseExcusesWhatIsOff) {
-  const Pose2 lateral{5, 0.2, 0};
-  EXPECT_LE(expectation_from(lateral, {.unseen = 0}, 0.01).seen, 1);
-  const LandmarkExpectation unsure = expectation_from(lateral, {.unseen = 0}, 0.2);
+TEST(LandmarkExpectation, AnUnsurePoseAllowsLargerOffsets) {
+  const Pose2 displaced{5, 0.2, 0};
+  EXPECT_LE(expectation_from(displaced, {.unseen = 0}, 0.01).seen, 1);
+  const LandmarkExpectation unsure = expectation_from(displaced, {.unseen = 0}, 0.2);
   EXPECT_GE(unsure.seen, unsure.expected * 3 / 4);
 }
 

@@ -46,7 +46,7 @@ TEST(ConfidenceWeight, FallsWithTheSquareOfTheDistance) {
   EXPECT_DOUBLE_EQ(confidence_weight({6, 0}, 4), 0.1);
 }
 
-TEST(UnitedLandmarks, WereSeenFromAllDistancesOfBoth) {
+TEST(UnitedLandmarks, CoverTheDistancesOfBoth) {
   Landmark near, far;
   near.mass = far.mass = 1;
   near.seen_near_m = 1.5, near.seen_far_m = 3;
@@ -72,7 +72,7 @@ TEST(SettleWeights, MeanIsOneButForThePrimaryLandmark) {
   Random random(1);
   std::vector<Landmark> landmarks;
   for (int i = 0; i < 50; ++i) landmarks.push_back(landmark_of_mass({1.0 * i, 0}, random.uniform(0.5, 3)));
-  landmarks.front().mass = 3;  // the primary one is the greatest by itself
+  landmarks.front().mass = 3;  // the primary one already has the greatest mass
   settle_weights(landmarks, {0, 0}, 0);
   double sum = 0;
   for (const Landmark& landmark : landmarks) sum += landmark.weight;
@@ -87,7 +87,7 @@ TEST(SettleWeights, LandmarksBelowTheLeastWeightGo) {
   EXPECT_EQ(landmarks[1].p_map.x(), 2);
 }
 
-TEST(SettleWeights, ThereMayBeNone) {
+TEST(SettleWeights, WorksWithoutLandmarks) {
   std::vector<Landmark> landmarks;
   settle_weights(landmarks, {0, 0}, 0.15);
   EXPECT_THAT(landmarks, IsEmpty());
@@ -160,8 +160,8 @@ TEST(LearnLandmarks, MovingAllPosesAndLandmarksTogetherMakesTheRunBetter) {
   EXPECT_LT(adjusted_m, 0.8 * plain_m);
 }
 
-/// Drives 12 m along the bare walls of a corridor, which from 4 m on runs `bend_rad` to the left, with wheels
-/// that slip where no line is seen: half a degree a metre.
+/// Drives 12 m along the bare walls of a corridor that bends by `bend_rad` to the left after 4 m, with wheels
+/// that slip by half a degree per metre where no line is seen.
 CorridorRun run_along_bare_walls(double bend_rad) {
   constexpr double kStep_m = 0.04, kBend_m = 4, kSlipPer_m = 0.5 * kDegree;
   Random random(3);
@@ -219,8 +219,8 @@ TEST(LearnLandmarks, AnObliqueCorridorIsNotTakenForAStraightOne) {
   EXPECT_LT(end_error_m(run, {}), end_error_m(run, without_walls()));
 }
 
-/// The first pose is the map's origin, so the corridor runs as it is driven into.
-TEST(LearnLandmarks, SaysWhichPathWallsRunAllAlong) {
+/// The first pose is the map's origin, so the corridor has the direction in which it is entered.
+TEST(LearnLandmarks, GivesTheDirectionOfTheWallsAllAlong) {
   constexpr double kOblique_rad = 30 * kDegree;
   const CorridorRun run = run_along_bare_walls(kOblique_rad);
   const LearnedRun learned = learn_landmarks(run.cycles, corridor_cart(), {});
@@ -235,7 +235,7 @@ TEST(LearnLandmarks, SaysWhichPathWallsRunAllAlong) {
   EXPECT_LT(learned.wall_directions.size(), 10U);
 }
 
-TEST(WallDirections, APathSegmentWhoseWallsHardlyTellADirectionHasNone) {
+TEST(WallDirections, ASegmentWhoseWallsHardlyShowADirectionHasNone) {
   const std::vector<Pose2> T_map_vehicle{{0, 0, 0.1}, {5, 0, 0.1}};
   const std::vector<WallObservation> seen{{0, 0, {0.1, 50 * kDegree}}, {1, 0, {0.1, 1 * kDegree}}};
   const std::vector<WallDirection> directions = wall_directions(seen, T_map_vehicle);
@@ -252,7 +252,7 @@ TEST(LearnLandmarks, AnEmptyRunAndABlindOneLearnNothing) {
   EXPECT_EQ(learned.T_map_vehicle.size(), 5U);
 }
 
-/// A map that was learned once, and what has changed in its corridor since.
+/// A map learned once, and what has changed in its corridor since.
 class RefineLandmarks : public testing::Test {
  protected:
   RefineLandmarks() : random_(7), lines_(corridor_lines(14, random_)) {
@@ -280,7 +280,7 @@ class RefineLandmarks : public testing::Test {
     }
   }
 
-  /// Landmarks that are none of the corridor's lines.
+  /// The number of landmarks that are not lines of the corridor.
   int noise() const {
     int count = 0;
     for (const Landmark& landmark : map_.all()) {
@@ -333,7 +333,7 @@ TEST_F(RefineLandmarks, CountsTheRunsOnWhichALandmarkWasSeen) {
   EXPECT_EQ(std::max_element(map_.all().begin(), map_.all().end(), passes)->passes, 3);
 }
 
-/// Of the lines of a corridor that are known, how far the landmarks are off, root mean square.
+/// Error of the landmarks against the true lines of a corridor, root mean square.
 double map_error_m(const LandmarkMap& map, const std::vector<CorridorLine>& lines) {
   constexpr double kFar_m = 0.3;
   double sum_m2 = 0;
@@ -368,10 +368,9 @@ TEST(RefineLandmarksTogether, RunsMakeTheMapBetter) {
   EXPECT_LT(refined_m, once_m);
 }
 
-/// How surely a line is known that is learned from a run along a corridor.
-/// @param wander_per_m  how far the line goes along the wall with each metre that the vehicle does, as the
-/// foot
-///                      of an edge behind which a door's leaf stands
+/// Sigma of a line learned from a run along a corridor.
+/// @param wander_per_m  how far the line's floor point moves along the wall with each metre that the vehicle
+///                      drives, like an occluding edge in front of a door's leaf
 double sigma_of_line_m(double wander_per_m) {
   Random random(4);
   CorridorRun run = corridor_run(corridor_lines(14, random), 12, {}, random);
@@ -391,7 +390,7 @@ double sigma_of_line_m(double wander_per_m) {
   return std::sqrt(nearest->covariance.trace());
 }
 
-TEST(LearnLandmarks, ALineThatWandersIsNotKnownAsSurelyAsOneThatStands) {
+TEST(LearnLandmarks, AWanderingLineIsKnownLessSurelyThanAFixedOne) {
   EXPECT_GT(sigma_of_line_m(0.05), 3 * sigma_of_line_m(0));
 }
 

@@ -17,7 +17,7 @@ UncertainPose2 somewhere_about(const Pose2& T, double along_m, double across_m, 
   return {T, Vec3(square(along_m), square(across_m), square(sigma_rad)).asDiagonal()};
 }
 
-/// Doors 0.9 m apart on both walls, on and on: every line has its likeness on either side.
+/// Doors 0.9 m apart on both walls, on and on: every line has a look-alike on either side.
 std::vector<CorridorLine> lookalike_doors(double from_m, double to_m) {
   std::vector<CorridorLine> lines;
   for (double x = from_m; x < to_m; x += 0.9) {
@@ -46,8 +46,8 @@ TEST(LandmarkLocaliser, CorrectsAStartThatIsOff) {
   EXPECT_LT(std::sqrt(turned_rad2), 0.5 * kDegree);
 }
 
-/// A few lines at one distance are moved to the side by a turn as they are by a step.
-TEST(LandmarkLocaliser, WallsThatAreKnownWhereItStartsTellTheHeadingThatItsFirstLandmarksHardlyTell) {
+/// A small turn shifts a few lines at one distance as a sideways step does.
+TEST(LandmarkLocaliser, KnownWallsAtTheStartGiveTheHeadingThatTheFirstLandmarksHardlyGive) {
   const std::vector<CorridorLine> lines{{{8, -0.5}, false}, {{8.1, 0.1}, true}, {{8, 0.6}, false}};
   const LandmarkMap map = map_of(lines);
   const Pose2 truth{3, 0, 0};
@@ -79,7 +79,7 @@ TEST(LandmarkLocaliser, PairsEverySightingWithTheLandmarkThatItShows) {
   }
 }
 
-/// One that is hardly known is few standard deviations from anything around.
+/// A vague landmark is within few standard deviations of anything around.
 TEST(LandmarkLocaliser, ALandmarkThatIsHardlyKnownTakesNoSightingFromOneThatIsKnownBetter) {
   Random random(4);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
@@ -108,10 +108,10 @@ TEST(LandmarkLocaliser, ALandmarkThatIsHardlyKnownTakesNoSightingFromOneThatIsKn
   EXPECT_EQ(taken->landmark, shown);
 }
 
-TEST(LandmarkLocaliser, LookAlikeDoorsAreCarriedByOdometryAndNeverJumpedTo) {
+TEST(LandmarkLocaliser, AmongLookAlikeDoorsOdometryCarriesThePoseWithoutJumps) {
   const LandmarkMap map = map_of(lookalike_doors(-9, 40));
   const VehicleDescription cart = corridor_cart();
-  Pose2 truth{3.45, 0, 0};  // half way between two likenesses of what is thought
+  Pose2 truth{3.45, 0, 0};  // half way between two look-alikes of the believed pose
   LandmarkLocaliser localiser({}, cart, somewhere_about({3, 0, 0}, 0.5, 0.02, 0.5 * kDegree));
   Pose2 carried = localiser.pose();
   for (int i = 0; i < 20; ++i) {
@@ -126,7 +126,7 @@ TEST(LandmarkLocaliser, LookAlikeDoorsAreCarriedByOdometryAndNeverJumpedTo) {
   }
 }
 
-TEST(LandmarkLocaliser, OneThingThatIsUniqueTellsLookAlikeDoorsApart) {
+TEST(LandmarkLocaliser, OneUniqueLandmarkTellsLookAlikeDoorsApart) {
   std::vector<CorridorLine> lines = lookalike_doors(-9, 40);
   for (const double x : {4.7, 5.05, 5.75, 6.0}) lines.push_back({{x, -1.1}, false});
   const Pose2 truth{3.4, 0, 0};
@@ -135,7 +135,7 @@ TEST(LandmarkLocaliser, OneThingThatIsUniqueTellsLookAlikeDoorsApart) {
   EXPECT_THAT(localiser.pose(), PoseNear(truth, 0.02, 0.3 * kDegree));
 }
 
-TEST(LandmarkLocaliser, DoorsBeyondTheReachOfInconsistencyAreNoRivals) {
+TEST(LandmarkLocaliser, DoorsBeyondThePoseUncertaintyAreNoRivals) {
   const Pose2 truth{3.1, 0.02, 0};
   LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about({3, 0, 0}, 0.1, 0.02, 0.5 * kDegree));
   const std::vector<LandmarkSighting> seen = sightings_from(lookalike_doors(-9, 40), truth, kNoise);
@@ -143,14 +143,14 @@ TEST(LandmarkLocaliser, DoorsBeyondTheReachOfInconsistencyAreNoRivals) {
   EXPECT_THAT(localiser.pose(), PoseNear(truth, 0.02, 0.3 * kDegree));
 }
 
-TEST(LandmarkLocaliser, WhatWasSeenFromThisSideCountsMoreThanWhatWasSeenFromTheOtherOne) {
+TEST(LandmarkLocaliser, LandmarksSeenFromThisSideCountMoreThanThoseSeenFromTheOther) {
   Random random(5);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   LandmarkMap map;
   for (const CorridorLine& line : lines) {
     Landmark landmark{.p_map = line.p_map, .seen_from = {-1, 0}, .brighter_right = line.brighter_right};
     map.add(landmark);
-    landmark.p_map += Vec2(0.25, -0.15);  // the run had drifted so far when it came back
+    landmark.p_map += Vec2(0.25, -0.15);  // drift of the run by the time it came back
     landmark.weight = 2;
     landmark.seen_from = {1, 0};
     map.add(landmark);
@@ -161,7 +161,7 @@ TEST(LandmarkLocaliser, WhatWasSeenFromThisSideCountsMoreThanWhatWasSeenFromTheO
   EXPECT_THAT(localiser.pose(), PoseNear(truth, 0.03, 0.5 * kDegree));
 }
 
-TEST(LandmarkLocaliser, TwoLinesCloseTogetherAreReportedApartByTheirBrighterSides) {
+TEST(LandmarkLocaliser, TwoLinesCloseTogetherAreToldApartByTheirBrighterSides) {
   Random random(6);
   std::vector<CorridorLine> frames = corridor_lines(12, random);
   const std::size_t count = frames.size();
@@ -179,7 +179,7 @@ TEST(LandmarkLocaliser, TwoLinesCloseTogetherAreReportedApartByTheirBrighterSide
     EXPECT_EQ(map[pair.landmark].brighter_right, seen[pair.sighting].brighter_right);
 }
 
-TEST(LandmarkLocaliser, OtherThingsThanTheMapHasHereAreNotMatched) {
+TEST(LandmarkLocaliser, OtherLandmarksThanTheMapHasHereAreNotMatched) {
   Random random(8);
   const std::vector<CorridorLine> here = corridor_lines(12, random);
   std::vector<CorridorLine> elsewhere = here;
@@ -190,25 +190,25 @@ TEST(LandmarkLocaliser, OtherThingsThanTheMapHasHereAreNotMatched) {
   EXPECT_THAT(localiser.pose(), PoseNear(Pose2{3, 0, 0}, 0, 0));
 }
 
-TEST(LandmarkLocaliser, ThreePairsFarFromWhatWasForetoldAreByChanceAndManyAreNot) {
+TEST(LandmarkLocaliser, ThreePairsFarFromThePredictionAreCoincidenceAndManyAreNot) {
   Random random(9);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   const LandmarkMap map = map_of(lines);
-  const Pose2 foretold{3, 0, 0}, elsewhere{3.06, 0.06, 0.9 * kDegree};
+  const Pose2 predicted{3, 0, 0}, elsewhere{3.06, 0.06, 0.9 * kDegree};
   std::vector<LandmarkSighting> seen = sightings_from(lines, elsewhere, kNoise);
   std::sort(seen.begin(), seen.end(), [](const LandmarkSighting& a, const LandmarkSighting& b) {
     return a.p_vehicle.norm() < b.p_vehicle.norm();
   });
   ASSERT_GT(seen.size(), 5U);
-  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about(foretold, 0.005, 0.005, 0.1 * kDegree));
+  LandmarkLocaliser localiser({}, corridor_cart(), somewhere_about(predicted, 0.005, 0.005, 0.1 * kDegree));
   EXPECT_NE(localiser.correct(map, std::span(seen).first(3)), LandmarkMatch::kMatched);
-  EXPECT_THAT(localiser.pose(), PoseNear(foretold, 0, 0));
+  EXPECT_THAT(localiser.pose(), PoseNear(predicted, 0, 0));
   EXPECT_EQ(localiser.correct(map, seen), LandmarkMatch::kMatched);
-  EXPECT_GT((localiser.pose().position() - foretold.position()).norm(), 0.001)
-      << "so the foretelling was wrong";
+  EXPECT_GT((localiser.pose().position() - predicted.position()).norm(), 0.001)
+      << "so the prediction was wrong";
 }
 
-TEST(LandmarkLocaliser, UnknownThingsBesideTheKnownOnesContradictNothing) {
+TEST(LandmarkLocaliser, UnknownLinesBesideTheKnownOnesContradictNothing) {
   Random random(8);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   const SightNoise grainy{.grain = 40};
@@ -220,7 +220,7 @@ TEST(LandmarkLocaliser, UnknownThingsBesideTheKnownOnesContradictNothing) {
   }
 }
 
-TEST(LandmarkLocaliser, UnknownThingsWhereKnownOnesCannotBeSeenContradictNothing) {
+TEST(LandmarkLocaliser, UnknownLinesWhereKnownOnesCannotBeSeenContradictNothing) {
   Random random(8);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   std::vector<CorridorLine> others = lines;
@@ -241,7 +241,7 @@ TEST(LandmarkLocaliser, NothingSeenAndNothingKnownSayNothing) {
   EXPECT_THAT(localiser.pose(), PoseNear(Pose2{3, 0, 0}, 0, 0));
 }
 
-TEST(LandmarkLocaliser, AHundredThousandLandmarksElsewhereChangeNeitherTheAnswerNorHowManyAreLookedAt) {
+TEST(LandmarkLocaliser, AHundredThousandLandmarksElsewhereChangeNeitherTheAnswerNorTheCost) {
   Random random(10);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   const Pose2 truth{3.1, 0.05, 0.02};
@@ -268,7 +268,7 @@ double position_sigma_m(const LandmarkLocaliser& localiser) {
   return std::sqrt(localiser.covariance().topLeftCorner<2, 2>().trace());
 }
 
-TEST(LandmarkLocaliser, DoesNotBecomeSurerAndSurerByOneImageSeenAgainAndAgain) {
+TEST(LandmarkLocaliser, DoesNotBecomeSurerByTheSameImageAgainAndAgain) {
   Random random(9);
   const std::vector<CorridorLine> lines = corridor_lines(12, random);
   const LandmarkMap map = map_of(lines);

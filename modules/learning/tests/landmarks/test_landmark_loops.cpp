@@ -9,12 +9,12 @@
 namespace aisle {
 namespace {
 
-constexpr double kLong_m = 14, kBroad_m = 9;  // of the ring's middle line
-constexpr double kHalf_m = 1.1;               // of its corridors' width
+constexpr double kLong_m = 14, kBroad_m = 9;  // of the ring's centre line
+constexpr double kHalf_m = 1.1;               // half its corridors' width
 constexpr double kRadius_m = 1;
 constexpr SightNoise kPoor{.away_m = 0.05, .lateral_m = 0.02, .unseen = 0.7};
 
-/// A corridor round a core, with lines on all its walls.
+/// A corridor around a core, with lines on all its walls.
 struct Ring {
   std::vector<CorridorLine> lines;
 
@@ -50,9 +50,9 @@ struct Ring {
   }
 };
 
-/// More than once round the ring, counted by wheels whose steering is off; the map begins where the run
+/// A run more than once around the ring, by odometry with a steering offset; the map begins where the run
 /// does.
-CorridorRun trip_round(const Ring& ring, const SightNoise& noise, Random& random) {
+CorridorRun run_around(const Ring& ring, const SightNoise& noise, Random& random) {
   constexpr double kStep_m = 0.08, kTurnPer_m = 0.3 * kDegree;
   const double straight_m[] = {kLong_m - 2 * kRadius_m, kBroad_m - 2 * kRadius_m, kLong_m - 2 * kRadius_m,
                                kBroad_m - 2 * kRadius_m, kLong_m - 2 * kRadius_m};
@@ -80,7 +80,7 @@ CorridorRun trip_round(const Ring& ring, const SightNoise& noise, Random& random
   return run;
 }
 
-/// How differently a run has it from the truth when it comes by a place again [m].
+/// Greatest error of the relative pose when the run comes back to a place [m].
 double worst_return_m(const std::vector<Pose2>& thought, const std::vector<Pose2>& truth) {
   constexpr std::size_t kLater = 200;
   double worst_m = 0;
@@ -94,11 +94,11 @@ double worst_return_m(const std::vector<Pose2>& thought, const std::vector<Pose2
   return worst_m;
 }
 
-TEST(LandmarkLoops, ARunThatComesRoundAgainHasItsStartWhereItWas) {
+TEST(LandmarkLoops, ARunThatComesBackHasItsStartWhereItWas) {
   for (const std::uint64_t seed : {4U, 5U}) {
     Random random(seed);
     const Ring ring(random);
-    const CorridorRun run = trip_round(ring, kPoor, random);
+    const CorridorRun run = run_around(ring, kPoor, random);
     LandmarkLearningParams params;
     EXPECT_LT(
         worst_return_m(learn_landmarks(run.cycles, corridor_cart(), params).T_map_vehicle, run.T_map_vehicle),
@@ -112,10 +112,10 @@ TEST(LandmarkLoops, ARunThatComesRoundAgainHasItsStartWhereItWas) {
   }
 }
 
-TEST(LandmarkLoops, APlaceThatWasPassedTwiceStandsInTheMapOnce) {
+TEST(LandmarkLoops, APlacePassedTwiceIsInTheMapOnce) {
   Random random(4);
   const Ring ring(random);
-  const CorridorRun run = trip_round(ring, {}, random);
+  const CorridorRun run = run_around(ring, {}, random);
   const LearnedRun learned = learn_landmarks(run.cycles, corridor_cart(), {});
   int doubles = 0;
   for (const Landmark& a : learned.map.all()) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr SightNoise kRelocationNoise;
 
-/// Along the corridor's middle, both ways round.
+/// Poses along the corridor's middle, in both headings.
 std::vector<Pose2> places(double length_m) {
   std::vector<Pose2> tried;
   for (double x = 0; x <= length_m; x += 0.8) {
@@ -22,7 +22,7 @@ std::vector<Pose2> places(double length_m) {
   return tried;
 }
 
-/// What it makes of image after image from one place, within a few seconds.
+/// The answer after images from one place, within a few seconds.
 std::optional<Pose2> look(LandmarkRelocator& relocator, const LandmarkMap& map,
                           const std::vector<CorridorLine>& lines, const Pose2& truth,
                           Random* random = nullptr) {
@@ -103,8 +103,8 @@ TEST(LandmarkRelocation, ForgetsWhatItSawElsewhere) {
   }
 }
 
-// Two thousand places away from all landmarks cost next to nothing, but images pass until they were tried.
-TEST(LandmarkRelocation, TriesSoManyPlacesAnImageAndNoMore) {
+// Two thousand places away from all landmarks cost next to nothing, but images pass until all were tried.
+TEST(LandmarkRelocation, TriesALimitedNumberOfPlacesPerImage) {
   Random random(8);
   const std::vector<CorridorLine> lines = corridor_lines(25, random);
   const LandmarkMap map = map_of(lines);
@@ -116,7 +116,7 @@ TEST(LandmarkRelocation, TriesSoManyPlacesAnImageAndNoMore) {
       (tried.size() - 1) / static_cast<std::size_t>(params.places_per_image) + 1;
   for (std::size_t i = 0; i < images_to_try_all; ++i)
     ASSERT_EQ(relocator.look(map, sightings_from(lines, {9, 0, 0}, kRelocationNoise)), std::nullopt) << i;
-  EXPECT_EQ(relocator.rounds(), 2) << "images until it had seen things often enough";
+  EXPECT_EQ(relocator.rounds(), 2) << "images until landmarks were seen often enough";
   std::optional<Pose2> found;
   for (int i = 0; i < 40 && !found; ++i)
     found = relocator.look(map, sightings_from(lines, {9, 0, 0}, kRelocationNoise));
@@ -144,7 +144,7 @@ TEST(LandmarkRelocation, FindsItselfOnThePath) {
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
 
-/// What it makes of images on a path of some metres.
+/// The answer after images on a path of some metres.
 std::optional<Pose2> look_on_the_path(LandmarkRelocator& relocator, const LandmarkMap& map,
                                       const std::vector<CorridorLine>& lines, Pose2& truth) {
   constexpr double kStep_m = 0.03;
@@ -159,8 +159,8 @@ std::optional<Pose2> look_on_the_path(LandmarkRelocator& relocator, const Landma
   return found;
 }
 
-// All that is seen is known at another place, too; but there more should be seen.
-TEST(LandmarkRelocation, WhatIsMissedTellsPlacesApart) {
+// Everything seen is known at another place, too; but more should be seen there.
+TEST(LandmarkRelocation, MissedLandmarksTellPlacesApart) {
   constexpr double kApart_m = 16;
   Random random(10);
   const std::vector<CorridorLine> here = corridor_lines(9, random);
@@ -179,8 +179,8 @@ TEST(LandmarkRelocation, WhatIsMissedTellsPlacesApart) {
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
 
-// Two lines that are seen here lack at the other place: each is known here, and unknown there.
-TEST(LandmarkRelocation, WhatIsUnknownTellsPlacesApart) {
+// Two lines seen here are missing at the other place: known here, unknown there.
+TEST(LandmarkRelocation, UnknownLandmarksTellPlacesApart) {
   constexpr double kApart_m = 16;
   Random random(12);
   const std::vector<CorridorLine> here = corridor_lines(6, random);
@@ -201,7 +201,7 @@ TEST(LandmarkRelocation, WhatIsUnknownTellsPlacesApart) {
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
 
-/// What it makes of images that show so many lines, of which the map has only some.
+/// The answer after images that show a number of lines, of which the map has only some.
 std::optional<Pose2> look_where_some_are_unknown(const Pose2& truth, std::size_t shown, double known_share) {
   Random random(12);
   std::vector<CorridorLine> lines, known;
@@ -214,7 +214,7 @@ std::optional<Pose2> look_where_some_are_unknown(const Pose2& truth, std::size_t
   return look(relocator, map_of(known), lines, truth);
 }
 
-TEST(LandmarkRelocation, WhereManyThingsAreUnknownMuchMustBeKnown) {
+TEST(LandmarkRelocation, WhereManyLinesAreUnknownManyMustBeKnown) {
   const Pose2 truth{4, 0.1, 0.02};
   const auto found = look_where_some_are_unknown(truth, 24, 0.6);
   ASSERT_TRUE(found);
@@ -225,8 +225,8 @@ TEST(LandmarkRelocation, WhereManyThingsAreUnknownMuchMustBeKnown) {
 }
 
 // From a little more to the left, turned to the right, the lines of a wall ahead look much the same: that is
-// no other place to be known from the right one.
-TEST(LandmarkRelocation, OneWallSeenFromHereOrFromALittleLateralIsOnePlace) {
+// the same place, not a rival.
+TEST(LandmarkRelocation, OneWallSeenFromHereOrFromALittleToTheSideIsOnePlace) {
   constexpr SightNoise kVague{.away_m = 0.05, .lateral_m = 0.01, .unseen = 0};
   std::vector<CorridorLine> lines;
   for (const double y : {-0.7, -0.45, -0.1, 0.4, 0.6}) lines.push_back({{3.2, y}, lines.size() % 2 == 0});
@@ -244,7 +244,7 @@ TEST(LandmarkRelocation, OneWallSeenFromHereOrFromALittleLateralIsOnePlace) {
 }
 
 // Two places look alike until the vehicle turns into a side corridor, along which no place is tried.
-TEST(LandmarkRelocation, KeepsItsBestPlacesInMindWhenItTurnsLateralFromItsPaths) {
+TEST(LandmarkRelocation, KeepsItsBestPlacesWhenItTurnsAwayFromItsPaths) {
   constexpr double kApart_m = 16, kStep_m = 0.03, kSteering_rad = 0.5, kHalfView = 0.7;
   Random random(11);
   std::vector<CorridorLine> lines;
@@ -270,7 +270,7 @@ TEST(LandmarkRelocation, KeepsItsBestPlacesInMindWhenItTurnsLateralFromItsPaths)
     found = relocator.look(map, image);
   }
   ASSERT_TRUE(found);
-  EXPECT_GT(truth.theta, 60 * kDegree) << "else a place along the path would have been found";
+  EXPECT_GT(truth.theta, 60 * kDegree) << "otherwise a place along the path would have been found";
   EXPECT_THAT(*found, PoseNear(truth, 0.15, 2 * kDegree));
 }
 

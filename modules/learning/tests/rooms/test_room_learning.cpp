@@ -17,7 +17,7 @@ VehicleDescription room_cart() {
   return vehicle;
 }
 
-/// Straight on, 1 cm a cycle.
+/// Straight on, 1 cm per cycle.
 std::vector<RoomCycle> drive(int cycles) {
   std::vector<RoomCycle> run(static_cast<std::size_t>(cycles));
   for (RoomCycle& cycle : run) cycle.odometry = FrontSteeredMotion{.distance_m = 0.01};
@@ -55,7 +55,7 @@ TEST(RoomLearning, MarksThatDoNotGoTogetherAreAllReported) {
   EXPECT_THAT(all, HasSubstr("a turning ends that has not begun"));
   EXPECT_THAT(all, HasSubstr("'14' is no turning"));
   EXPECT_THAT(all, HasSubstr("turning 3 has no end"));
-  EXPECT_THAT(all, HasSubstr("'garage' is no path to park"));
+  EXPECT_THAT(all, HasSubstr("'garage' is no way to park"));
 }
 
 TEST(RoomLearning, NeedsAPathImagesAndAFrame) {
@@ -69,7 +69,7 @@ TEST(RoomLearning, NeedsAPathImagesAndAFrame) {
   EXPECT_FALSE(learn_room_route(no_frame, room_cart(), {}).ok());
 }
 
-/// Points on the sides of a frame of 1.64 m x 1.14 m straight ahead; of its first segment alone, or all.
+/// Points on the sides of a frame of 1.64 m x 1.14 m straight ahead; of its first part only, or all.
 std::vector<Vec2> painted_ahead(double middle_m, double shown_m) {
   std::vector<Vec2> points;
   for (double x = 0; x < shown_m; x += 0.02) {
@@ -82,7 +82,7 @@ std::vector<Vec2> painted_ahead(double middle_m, double shown_m) {
   return points;
 }
 
-TEST(RoomLearning, AFrameThatIsShownInPartAtFirstIsMeasuredWhenItIsShownWhole) {
+TEST(RoomLearning, AFramePartlyInViewAtFirstIsMeasuredWhenFullyInView) {
   auto run = drive(400);
   run.back().marks = {{Mark::Kind::kStop, "frame"}};
   for (std::size_t i = 100; i < 250; ++i) {
@@ -129,7 +129,7 @@ TEST(RoomLearning, ThePathEndsAtTheStopMark) {
   EXPECT_THAT(learned->T_route_vehicle, SizeIs(430));
 }
 
-TEST(RoomLearning, AFewViewsOfThePatternDoNotReplaceThoseOfThePath) {
+TEST(RoomLearning, AFewViewsOfThePatternDoNotReplaceThePathsViews) {
   const auto learned = learn_room_route(drive_about_place(), room_cart(), {});
   ASSERT_TRUE(learned.ok());
   const std::vector<StopView>& views = learned->route.room->views;
@@ -151,7 +151,7 @@ TEST(PatternViews, AreThoseFromThePlacesOfThePattern) {
   }
   const auto views = pattern_views(cycles, T_route_vehicle, T_route_place);
   ASSERT_THAT(views, SizeIs(63));
-  EXPECT_NEAR(views.front().left_m, 0.59, 1e-9) << "the first is wished 0.6 m before the place";
+  EXPECT_NEAR(views.front().left_m, 0.59, 1e-9) << "the first one wanted is 0.6 m before the place";
   for (const StopView& view : views) EXPECT_EQ(view.seen.brightness.front(), 1) << "the nearest image";
 }
 

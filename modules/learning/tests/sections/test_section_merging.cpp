@@ -23,7 +23,7 @@ TEST(SectionMerging, OneDriveStaysAsItIs) {
   EXPECT_THAT(merged.taken, ElementsAre(0U));
 }
 
-TEST(SectionMerging, OfThreeDrivesTheMiddleOneCounts) {
+TEST(SectionMerging, OfThreeDrivesTheMedianCounts) {
   const MergedDrives merged = merge_drives(std::vector{drive({straight(5.1, 0.40), turn(-90), straight(3)}),
                                                        drive({straight(5.0, 0.45), turn(-90), straight(3.1)}),
                                                        drive({straight(4.7, 0.41), turn(-85), straight(3)})});
@@ -34,7 +34,7 @@ TEST(SectionMerging, OfThreeDrivesTheMiddleOneCounts) {
   EXPECT_DOUBLE_EQ(merged.driven.sections[2].length_m, 3.0);
 }
 
-TEST(SectionMerging, WhatOneDriveSawWasSeen) {
+TEST(SectionMerging, WhatAnyDriveSawWasSeen) {
   DrivenList one = drive({straight(9)}), other = drive({straight(9)});
   one.unseen = {.from_m = 2, .length_m = 6};
   other.unseen = {.from_m = 4, .length_m = 1};
@@ -57,7 +57,7 @@ TEST(SectionMerging, ADriveElsewhereIsLeftOut) {
   EXPECT_THAT(merged.taken, ElementsAre(1U, 3U));
 }
 
-TEST(SectionMerging, OfTwoFormsTheEarlierDriveCounts) {
+TEST(SectionMerging, InATieOfFormsTheEarlierDriveCounts) {
   const DrivenList path = drive({straight(5)}), other = drive({straight(9)});
   EXPECT_EQ(merge_drives(std::vector{path, other}).driven.sections, path.sections);
   EXPECT_EQ(merge_drives(std::vector{other, path}).driven.sections, other.sections);

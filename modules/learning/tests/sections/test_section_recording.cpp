@@ -17,24 +17,23 @@ VehicleDescription mini_vehicle() {
   return vehicle;
 }
 
-/// Drives a mini-vehicle and says what its wheels count.
+/// Drives a small vehicle and records what its wheels count.
 class Drive {
  public:
   /// A wall along the drive's first direction, to its left (positive) or right.
   void set_wall(double lateral_m) { wall_m_ = lateral_m; }
 
   /// A wall across the drive's first direction, which is on the right once the vehicle has turned left; 0:
-  /// none is seen.
+  /// none.
   void set_wall_across(double along_m) { across_m_ = along_m; }
 
-  /// Turns, and the wheels do not count it.
+  /// Turns without the wheels counting it.
   void slip(double turn_rad) { T_ = T_ * Pose2{0, 0, turn_rad}; }
 
-  /// From here on images show nothing but an edge that lies misaligned; 0: no more.
+  /// From here on images show only a misaligned edge; 0: no more.
   void set_misaligned(double yaw_error_rad) { yaw_error_rad_ = yaw_error_rad; }
 
-  /// From here on the floor's grain looks like edges, which lie turned the more the farther the drive goes;
-  /// 0: no more.
+  /// From here on the floor's texture looks like edges that turn as the drive goes on; 0: no more.
   void set_grain(double turn_rad_per_m) {
     grain_rad_per_m_ = turn_rad_per_m;
     grain_from_ = T_.position();
@@ -153,7 +152,7 @@ TEST(SectionRecording, TheMeanDistanceOfABaseLineIsKept) {
   EXPECT_FALSE(list[0].left_m);
 }
 
-TEST(SectionRecording, AnEdgeThatLiesMisalignedDoesNotLeadThePathLateral) {
+TEST(SectionRecording, AMisalignedEdgeDoesNotLeadThePathAstray) {
   Drive drive;
   drive.set_wall(-0.45);
   drive.go(5);
@@ -182,7 +181,7 @@ TEST(SectionRecording, TheFloorsGrainDoesNotTurnThePath) {
   EXPECT_NEAR(driven.T_route_vehicle.back().y, 0, 0.1);
 }
 
-TEST(SectionRecording, TheWallAcrossOnePathSegmentIsTheOneBesideTheNext) {
+TEST(SectionRecording, TheWallAcrossOneSegmentIsTheOneBesideTheNext) {
   constexpr double kSlip_rad = 4 * kDegree, kUnseen_m = 2.5;
   Drive drive;
   drive.set_wall_across(4);
@@ -198,7 +197,7 @@ TEST(SectionRecording, TheWallAcrossOnePathSegmentIsTheOneBesideTheNext) {
   EXPECT_NEAR(drive.recorded().T_route_vehicle.back().x, x_m, 0.08);
 }
 
-TEST(SectionRecording, APathThatOdometryBentBeginsWhereTheVehicleStood) {
+TEST(SectionRecording, APathBentByOdometryBeginsWhereTheVehicleStood) {
   Drive drive;
   drive.go(20, -10 * kDegree);
   const DrivenList driven = drive.recorded();
@@ -207,7 +206,7 @@ TEST(SectionRecording, APathThatOdometryBentBeginsWhereTheVehicleStood) {
   EXPECT_NEAR(driven.T_route_start.y, driven.T_route_vehicle.front().y, 0.02);
 }
 
-TEST(SectionRecording, WhoStandsRecordsNothing) {
+TEST(SectionRecording, AStandingVehicleRecordsNothing) {
   Drive drive;
   drive.go(0);
   EXPECT_TRUE(drive.recorded().sections.empty());
@@ -224,7 +223,7 @@ TEST(SectionRecording, BackwardsStaysBackwards) {
   EXPECT_NEAR(list[1].length_m, 0.8, 0.05);
 }
 
-TEST(SectionRecording, EndsASectionWhereTheBaseLineStepsLateral) {
+TEST(SectionRecording, EndsASectionWhereTheBaseLineStepsToTheSide) {
   Drive drive;
   drive.set_wall(-0.5);
   drive.go(9);
@@ -238,7 +237,7 @@ TEST(SectionRecording, EndsASectionWhereTheBaseLineStepsLateral) {
   EXPECT_NEAR(list[1].right_m.value(), 0.8, 0.02);
 }
 
-TEST(SectionRecording, TellsWhereNoBaseLineWasSeen) {
+TEST(SectionRecording, ReportsWhereNoBaseLineWasSeen) {
   Drive drive;
   for (const auto& [length_m, lateral_m] : {std::pair{4, -0.5}, {6, 0}, {5, -0.5}}) {
     drive.set_wall(lateral_m);

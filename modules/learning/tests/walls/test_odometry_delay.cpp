@@ -12,7 +12,7 @@ namespace {
 constexpr double kPeriod_s = 0.2;
 constexpr int kScans = 600;
 
-/// A vehicle that keeps turning this path and that, at up to 40 degrees a second.
+/// A vehicle that keeps turning this way and that, at up to 40 degrees per second.
 double heading_rad(double time_s) {
   return 0.9 * std::sin(0.7 * time_s) + 0.2 * std::sin(1.9 * time_s);
 }

@@ -65,7 +65,7 @@ Mat3 carried_on(const Mat3& covariance, const Pose2& from, const Pose2& step) {
 
 RC_GTEST_PROP(OdometryScale, IsTheFourthUnknownOfOneKalmanFilter, (std::uint64_t seed)) {
   constexpr double kTurn_rad2 = 1e-4;
-  constexpr double kCorrection = 0.002;  // [m, rad] so small that the factor stays where wheels' are
+  constexpr double kCorrection = 0.002;  // [m, rad] so small that the factor stays realistic
   Random random(seed);
   OdometryScale scale(0.05);
   WholeFilter whole;
@@ -93,7 +93,7 @@ RC_GTEST_PROP(OdometryScale, IsTheFourthUnknownOfOneKalmanFilter, (std::uint64_t
   }
 }
 
-TEST(OdometryScale, StaysOneWhereItIsKnownToBe) {
+TEST(OdometryScale, StaysOneIfItIsKnownToBeOne) {
   OdometryScale scale(0);
   const Mat3 before = 0.01 * Mat3::Identity();
   Mat3 covariance = before;
@@ -103,7 +103,7 @@ TEST(OdometryScale, StaysOneWhereItIsKnownToBe) {
   EXPECT_EQ(scale.factor(), 1);
 }
 
-TEST(OdometryScale, APoseThatIsKnownAgainSaysNothingOfIt) {
+TEST(OdometryScale, APoseKnownFromElsewhereDoesNotChangeIt) {
   OdometryScale scale(0.05);
   Mat3 covariance = 0.001 * Mat3::Identity();
   scale.predict({}, {3, 0, 0}, covariance);
@@ -112,7 +112,7 @@ TEST(OdometryScale, APoseThatIsKnownAgainSaysNothingOfIt) {
   EXPECT_EQ(scale.factor(), 1);
 }
 
-TEST(OdometryScale, TellsHowFarAPlaceIsByAFactorThatIsLearnedLater) {
+TEST(OdometryScale, CorrectsEarlierPositionsByAFactorLearnedLater) {
   OdometryScale scale(0.02);
   Mat3 covariance = 1e-6 * Mat3::Identity();
   scale.predict({}, {10, 0, 0}, covariance);
@@ -120,7 +120,7 @@ TEST(OdometryScale, TellsHowFarAPlaceIsByAFactorThatIsLearnedLater) {
   EXPECT_NEAR(scale.path().off_m(1).norm(), 0, 1e-9);
 }
 
-TEST(OdometryScale, WhatIsSeenFirstAndThenAgainSaysNothingOfThePathThere) {
+TEST(OdometryScale, SeeingAWallAgainSaysNothingOfThePathThere) {
   OdometryScale scale(0.02);
   Mat3 covariance = 1e-6 * Mat3::Identity();
   scale.predict({}, {10, 0, 0}, covariance);
@@ -136,7 +136,7 @@ TEST(OdometryScale, WhatIsSeenFirstAndThenAgainSaysNothingOfThePathThere) {
   EXPECT_NEAR(scale.path().off_m(1.01).x(), 0.1, 0.01);
 }
 
-TEST(OdometryScale, WhatWasSeenOnThePathOutSaysNothingOnThePathBack) {
+TEST(OdometryScale, WallsSeenOnTheWayOutSayNothingOnTheWayBack) {
   OdometryScale scale(0.02);
   Mat3 covariance = 1e-6 * Mat3::Identity();
   scale.predict({}, {4, 0, 0}, covariance);
@@ -149,7 +149,7 @@ TEST(OdometryScale, WhatWasSeenOnThePathOutSaysNothingOnThePathBack) {
   EXPECT_NEAR(scale.factor(), 1, 1e-9);
 }
 
-TEST(OdometryScale, KnowsThatItComesBackElsewhereThanWhereItLaidTheStart) {
+TEST(OdometryScale, KnowsThatItComesBackToAnotherPlaceThanTheTrackedStart) {
   OdometryScale scale(0.02);
   Mat3 covariance = 1e-6 * Mat3::Identity();
   const CountedPath to_start = scale.path();

@@ -34,7 +34,7 @@ TEST(RelationError, IsMeasuredInTheFrameOfTheRelation) {
   EXPECT_NEAR(relation_error(kTrajectory, relations).translation_m.mean, 0.1, 1e-12);
 }
 
-TEST(RelationError, TurnsAreComparedTheShortPathRound) {
+TEST(RelationError, TurnsAreComparedTheShortWayRound) {
   const std::vector<PoseRelation> relations = {{0, 2, {1, 0, kPi / 2 - 2 * kPi + 0.01}}};
   EXPECT_NEAR(relation_error(kTrajectory, relations).rotation_rad.mean, 0.01, 1e-12);
 }

@@ -23,7 +23,7 @@ std::vector<SensedSegment> seen(std::span<const Segment2> walls, const Pose2& T_
   return view;
 }
 
-/// What is seen of a room of 8 x 5 m with a cupboard, all of it at once.
+/// A view of a room of 8 x 5 m with a cupboard, all of it at once.
 std::vector<SensedSegment> view_from(const Pose2& T_room_sensor) {
   const std::vector<Segment2> walls = {{{-4, -2}, {4, -2}}, {{4, -2}, {4, 3}},   {{4, 3}, {-4, 3}},
                                        {{-4, 3}, {-4, -2}}, {{1, 2}, {2, 2}},    {{2, 2}, {2, 3}},
@@ -31,8 +31,7 @@ std::vector<SensedSegment> view_from(const Pose2& T_room_sensor) {
   return seen(walls, T_room_sensor);
 }
 
-/// Follows a drive whose odometry is the true motion changed by `odometry`; returns the last pose in the
-/// room.
+/// Tracks a drive whose odometry is the true motion changed by `odometry`; returns the last pose in the room.
 template <class Odometry>
 Pose2 follow(const std::vector<Pose2>& drive, Odometry odometry, bool orthogonal = true,
              const TrackerParams& params = {}) {
@@ -66,13 +65,13 @@ TEST(ScanTracker, FollowsWhereWheelsCountBackwardsIfTheyMay) {
   EXPECT_THAT(last, testing::Not(PoseNear(curve().back(), 0.1, 0.01)));
 }
 
-TEST(ScanTracker, StandsWhereOnlyTheWheelsTurn) {
+TEST(ScanTracker, StaysWhereOnlyTheWheelsSpin) {
   const std::vector<Pose2> standing(30, Pose2{0.5, 0.3, 0.2});
   const Pose2 last = follow(standing, [](Pose2) { return Pose2{0.12, 0, 0}; });  // 3.5 m in all
   EXPECT_THAT(last, PoseNear(standing.back(), 0.06, 0.01));
 }
 
-/// What is seen between two walls of 60 m, and of what stands across their end if that is in sight.
+/// A view between two walls of 60 m, with the wall across their end if that is in sight.
 std::vector<SensedSegment> corridor_view(const Pose2& T_corridor_sensor, bool sees_end) {
   std::vector<Segment2> walls = {{{0, -1}, {60, -1}}, {{60, 1}, {0, 1}}};
   if (sees_end) walls.push_back({{60, -1}, {60, 1}});
@@ -93,7 +92,7 @@ TEST(ScanTracker, LearnsTheWheelsScaleWhereTheEndIsInSightAndKeepsIt) {
   EXPECT_NEAR((last.position() - first.position()).norm(), path_m, 0.2);  // 0.9 by the wheels alone
 }
 
-/// What is seen of a corridor of 20 m as far as 4 m from its middle at `x_m`.
+/// A view of a 20 m corridor up to 4 m from its middle at `x_m`.
 std::vector<SensedSegment> near_view(double x_m) {
   const double begin_m = std::max(0.0, x_m - 4), end_m = std::min(20.0, x_m + 4);
   std::vector<Segment2> walls = {{{begin_m, -1}, {end_m, -1}}, {{end_m, 1}, {begin_m, 1}}};
@@ -113,7 +112,7 @@ std::vector<SensedSegment> near_view_with_pillar(double x_m) {
   return view;
 }
 
-/// From 6 m to 19 m and back, by wheels that count too long, which is learned at the far end.
+/// From 6 m to 19 m and back, with wheels that count too long, which the tracker learns at the far end.
 template <typename View>
 ScanTracker out_and_back(double too_long, const View& view) {
   ScanTracker tracker({.motion = kReadEveryCycle});
@@ -130,7 +129,7 @@ ScanTracker out_and_back(double too_long, const View& view) {
   return tracker;
 }
 
-TEST(ScanTracker, KnowsInTheEndHowFarItCameBeforeItKnewTheWheelsScale) {
+TEST(ScanTracker, CorrectsThePathDrivenBeforeItKnewTheWheelsScale) {
   constexpr double kTooLong = 1.015;
   const ScanTracker tracker = out_and_back(kTooLong, near_view);
   const Keyframe &first = tracker.keyframes().front(), &last = tracker.keyframes().back();
@@ -139,7 +138,7 @@ TEST(ScanTracker, KnowsInTheEndHowFarItCameBeforeItKnewTheWheelsScale) {
   EXPECT_LT(relative_pose(first, last, tracker.odometry_factor()).position().norm(), 0.05);
 }
 
-TEST(ScanTracker, CountsThePathBackFromWhatItSawOnThePathOut) {
+TEST(ScanTracker, CountsTheWayBackFromWhatItSawOnTheWayOut) {
   constexpr double kTooLong = 1.015;
   const ScanTracker tracker = out_and_back(kTooLong, near_view_with_pillar);
   const Keyframe &first = tracker.keyframes().front(), &last = tracker.keyframes().back();
@@ -147,16 +146,17 @@ TEST(ScanTracker, CountsThePathBackFromWhatItSawOnThePathOut) {
   EXPECT_LT(relative_pose(first, last, tracker.odometry_factor()).position().norm(), 0.02);
 }
 
-/// A drive of 40 scans; from the 20th on some are taken from the side of where the odometry says. @return of
-/// each how far the tracker puts it from where it was taken
-std::vector<double> off_after_views_from_lateral_m(const Pose2& lateral, int views) {
+/// A drive of 40 scans; from the 20th on, some are taken from a displaced pose that the odometry does not
+/// show.
+/// @return for each scan, how far the tracked pose is from the pose it was taken at
+std::vector<double> off_after_displaced_views_m(const Pose2& displacement, int views) {
   ScanTracker tracker(TrackerParams{});
   std::vector<double> off_m;
   Pose2 T_room_track;
   for (int i = 0; i < 40; ++i) {
     const Pose2 T_room_sensor{-1.5 + 0.05 * i, -0.5, 0};
-    const bool is_lateral = i >= 20 && i < 20 + views;
-    const Pose2 seen_from = is_lateral ? T_room_sensor * lateral : T_room_sensor;
+    const bool is_displaced = i >= 20 && i < 20 + views;
+    const Pose2 seen_from = is_displaced ? T_room_sensor * displacement : T_room_sensor;
     const Pose2 T_track_sensor = tracker.step(view_from(seen_from), {i > 0 ? 0.05 : 0.0, 0, 0}, true);
     if (i == 0) T_room_track = T_room_sensor * T_track_sensor.inverse();
     off_m.push_back(((T_room_track * T_track_sensor).position() - seen_from.position()).norm());
@@ -165,22 +165,22 @@ std::vector<double> off_after_views_from_lateral_m(const Pose2& lateral, int vie
 }
 
 TEST(ScanTracker, FindsItselfWhereTheOdometryHasMissedAMotion) {
-  const std::vector<double> off_m = off_after_views_from_lateral_m({0.5, 0.8, 0}, 20);
+  const std::vector<double> off_m = off_after_displaced_views_m({0.5, 0.8, 0}, 20);
   EXPECT_GT(off_m[20], 0.5);
   EXPECT_LT(off_m[28], 0.03) << "after 40 cm";
   EXPECT_LT(off_m.back(), 0.03);
 }
 
-TEST(ScanTracker, IsNotLedLateralByOneScanThatLiesWellElsewhere) {
-  const std::vector<double> off_m = off_after_views_from_lateral_m({0.5, 0.8, 0}, 1);
+TEST(ScanTracker, IsNotMisledByOneScanThatFitsWellElsewhere) {
+  const std::vector<double> off_m = off_after_displaced_views_m({0.5, 0.8, 0}, 1);
   EXPECT_GT(off_m[20], 0.5) << "from where that scan was taken";
   for (std::size_t i = 21; i < off_m.size(); ++i) EXPECT_LT(off_m[i], 0.15) << i;
   EXPECT_LT(off_m.back(), 0.03);
 }
 
-TEST(ScanTracker, IsNotLedLateralByScansOfOnePlaceThatLieWellElsewhere) {
+TEST(ScanTracker, IsNotMisledByScansOfOnePlaceThatFitWellElsewhere) {
   const int views = 5;  // within 20 cm
-  const std::vector<double> off_m = off_after_views_from_lateral_m({0.5, 0.8, 0}, views);
+  const std::vector<double> off_m = off_after_displaced_views_m({0.5, 0.8, 0}, views);
   for (std::size_t i = 20; i < 20 + views; ++i) EXPECT_GT(off_m[i], 0.5) << i;
   EXPECT_LT(off_m.back(), 0.03);
 }
@@ -208,8 +208,8 @@ TEST(ScanTracker, LaysAnEarlierScanOntoTheWallsAgain) {
   EXPECT_THAT(T_room_track * *first, PoseNear(drive.front(), 0.01, 0.003));
 }
 
-/// Of the path along a corridor an open door's leaf tells little: it may have been learned 10 cm off.
-TEST(ScanTracker, LaysAnEarlierScanAlongACorridorWhereItWasThoughtToBe) {
+/// Along a corridor only an open door's leaf gives the position, and it may have been learned 10 cm off.
+TEST(ScanTracker, KeepsTheGuessOfAnEarlierScanAlongACorridor) {
   ScanTracker tracker(TrackerParams{});
   const auto view = [](double x_m, double leaf_x_m) {
     return seen(
@@ -238,7 +238,7 @@ TEST(ScanTracker, DoesNotLayAScanOfAnotherRoomOntoTheWalls) {
   EXPECT_FALSE(tracker.lay_again({}, {}));
 }
 
-TEST(ScanTracker, WithNothingInSightItKeepsToTheOdometry) {
+TEST(ScanTracker, WithNothingInSightItFollowsTheOdometry) {
   ScanTracker tracker(TrackerParams{});
   tracker.step({}, {}, true);
   Pose2 last;

@@ -19,20 +19,20 @@ SensedSegment edge(double heading_rad) {
   return edge;
 }
 
-/// Both sides of a corridor that runs so on the map, and its end.
+/// Both sides of a corridor in this direction on the map, and its end.
 std::vector<SensedSegment> corridor(double walls_rad, double heading_rad) {
   return {edge(walls_rad - heading_rad), edge(walls_rad - heading_rad + kPi),
           edge(walls_rad - heading_rad + kPi / 2)};
 }
 
-/// Takes in an image from so far on that its edges have other errors.
+/// Takes an image from far enough on that its edges have other errors.
 void look_again(WallCompass& compass, const std::vector<SensedSegment>& edges, double heading_rad,
                 double sigma_rad) {
   compass.move(0.5, 0);
   compass.look(edges, heading_rad, sigma_rad);
 }
 
-/// A compass that saw so many images of such a corridor.
+/// A compass that saw this many images of such a corridor.
 WallCompass compass_in(double walls_rad, int images = 20) {
   WallCompass compass;
   for (int i = 0; i < images; ++i) {
@@ -42,7 +42,7 @@ WallCompass compass_in(double walls_rad, int images = 20) {
   return compass;
 }
 
-TEST(WallCompass, TellsTheHeadingByWallsThatWereSeenWhereItWasKnown) {
+TEST(WallCompass, GivesTheHeadingByWallsSeenWhereItWasKnown) {
   for (const double walls_rad : {-0.7, 0.0, 0.4, 3.1}) {
     WallCompass compass = compass_in(walls_rad);
     for (const double heading_rad : {0.3, 0.3 + kPi / 2, -3.0}) {
@@ -53,7 +53,7 @@ TEST(WallCompass, TellsTheHeadingByWallsThatWereSeenWhereItWasKnown) {
   }
 }
 
-TEST(WallCompass, TellsNothingToWhomIsSurer) {
+TEST(WallCompass, SaysNothingWhereTheHeadingIsSurer) {
   WallCompass compass = compass_in(0);
   look_again(compass, corridor(0, 0), 0, kUnsure_rad);
   EXPECT_TRUE(compass.heading());
@@ -72,7 +72,7 @@ TEST(WallCompass, ALongPathMakesItLessSure) {
   EXPECT_GT(compass.heading()->sigma_rad, before_rad);
 }
 
-TEST(WallCompass, ImagesInARowTellTheLessTheNearerTheyAre) {
+TEST(WallCompass, ImagesInARowCountLessTheNearerTheyAre) {
   const auto sigma_after_rad = [](double path_m, double turn_rad) {
     WallCompass compass = compass_in(0);
     compass.move(path_m, turn_rad);
@@ -84,7 +84,7 @@ TEST(WallCompass, ImagesInARowTellTheLessTheNearerTheyAre) {
   EXPECT_EQ(sigma_after_rad(0, 0), kPi) << "standing, it sees the same again";
 }
 
-TEST(WallCompass, AnOpenDoorHardlyTurnsIt) {
+TEST(WallCompass, AnOpenDoorHardlyChangesIt) {
   WallCompass compass = compass_in(0);
   std::vector<SensedSegment> seen = corridor(0, 0);
   seen.push_back(edge(20 * kDegree));
@@ -93,7 +93,7 @@ TEST(WallCompass, AnOpenDoorHardlyTurnsIt) {
   EXPECT_NEAR(compass.heading()->heading_rad, 0, 0.3 * kDegree);
 }
 
-TEST(WallCompass, WallsThatRunOtherwiseForLongAreTakenForTheOnesAround) {
+TEST(WallCompass, WallsInAnotherDirectionForLongBecomeTheKnownOnes) {
   constexpr double kOblique_rad = 30 * kDegree;
   WallCompass compass = compass_in(0);
   look_again(compass, corridor(kOblique_rad, 0), 0, kUnsure_rad);
@@ -108,7 +108,7 @@ TEST(WallCompass, WallsThatRunOtherwiseForLongAreTakenForTheOnesAround) {
   EXPECT_NEAR(compass.heading()->heading_rad, 0, 0.2 * kDegree);
 }
 
-TEST(WallCompass, WallsThatAreKnownFromTheStartTellTheHeadingInTheFirstImage) {
+TEST(WallCompass, WallsKnownFromTheStartGiveTheHeadingInTheFirstImage) {
   for (const double quarter_turns : {0, 1, 2, 3}) {
     const double heading_rad = wrap_angle(0.4 + quarter_turns * kPi / 2);
     WallCompass compass;
@@ -119,7 +119,7 @@ TEST(WallCompass, WallsThatAreKnownFromTheStartTellTheHeadingInTheFirstImage) {
   }
 }
 
-TEST(WallCompass, AfterAStartNothingIsKnown) {
+TEST(WallCompass, AfterARestartNothingIsKnown) {
   WallCompass compass = compass_in(0);
   compass.start();
   EXPECT_EQ(compass.starts(), 0);

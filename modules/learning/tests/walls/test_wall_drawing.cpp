@@ -22,7 +22,7 @@ WallEstimate wall_of(const Segment2& segment, Facing facing, int sightings) {
   return wall;
 }
 
-/// The segment seen again and again on a path of `metres`.
+/// The segment seen repeatedly on a path of `metres`.
 std::vector<WallSighting> seen_along(const Segment2& segment, int wall, double metres) {
   std::vector<WallSighting> sightings;
   for (double path_m = 0.1; path_m < metres; path_m += 0.5) sightings.push_back({segment, wall, path_m});
@@ -44,7 +44,7 @@ TEST(WallDrawing, AWallOftenSeenIsDrawnWhole) {
   EXPECT_EQ(map.walls[0].sightings, 6);
 }
 
-TEST(WallDrawing, SeeingAgainWithoutMovingOnIsSeeingOnce) {
+TEST(WallDrawing, RepeatedSightingsWithoutMotionCountOnce) {
   const std::vector<WallSighting> glances(20, {kLong, 0, 0.1});
   EXPECT_THAT(draw({wall_of(kLong, Facing::kWest, 20)}, glances).walls, IsEmpty());
 }

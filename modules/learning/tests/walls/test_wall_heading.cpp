@@ -52,30 +52,30 @@ TEST(WallHeading, ObliqueWallsAreOutvoted) {
   EXPECT_NEAR(measured->heading_rad, 0.3, 1e-3);
 }
 
-TEST(WallHeading, AScanOfWhichLessThanHalfAgreesIsNoWitness) {
+TEST(WallHeading, AScanOfWhichLessThanHalfAgreesGivesNoHeading) {
   std::vector<SensedSegment> walls = {piece(0, 3)};
   for (int i = 1; i <= 6; ++i) walls.push_back(piece(i * 13 * kDegree, 1));
   EXPECT_FALSE(heading_from_walls(walls, 0, 2 * kDegree).has_value());
 }
 
-TEST(WallHeading, BentWallsAreNoWitness) {
+TEST(WallHeading, BentWallsGiveNoHeading) {
   EXPECT_FALSE(
       heading_from_walls(std::vector{piece(0, 4, true), piece(kPi / 2, 4, true)}, 0, 0.1).has_value());
 }
 
-TEST(WallHeading, TooLittleWallIsNoWitness) {
+TEST(WallHeading, TooLittleWallGivesNoHeading) {
   EXPECT_FALSE(heading_from_walls(std::vector{piece(0, 1.4)}, 0, 0.1).has_value());
   EXPECT_FALSE(heading_from_walls({}, 0, 0.1).has_value());
 }
 
-TEST(WallHeading, WallsInBothDirectionsAreASurerWitness) {
+TEST(WallHeading, WallsInBothDirectionsGiveASurerHeading) {
   const auto both = heading_from_walls(std::vector{piece(0, 2), piece(kPi / 2, 2)}, 0, 0.1);
   const auto one = heading_from_walls(std::vector{piece(0, 2), piece(kPi, 2)}, 0, 0.1);
   ASSERT_TRUE(both && one);
   EXPECT_LT(both->sigma_rad, one->sigma_rad);
 }
 
-TEST(WallHeading, AShortEdgeWhoseDirectionIsHardlySeenTellsNothing) {
+TEST(WallHeading, AShortEdgeWithAVagueDirectionSaysNothing) {
   SensedSegment edge = piece(2 * kDegree, 0.6);
   EXPECT_NEAR(misfit_to_axis(edge, 0).value().off_rad, 2 * kDegree, 1e-9);
   edge.sigma_heading_rad = 5 * kDegree;

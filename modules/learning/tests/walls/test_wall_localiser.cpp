@@ -46,7 +46,7 @@ UncertainPose2 about_there(const Pose2& T) {
   return {T, Vec3(square(0.1), square(0.1), square(0.05)).asDiagonal()};
 }
 
-TEST(WallLocaliser, FindsItsPlaceFromAboutThere) {
+TEST(WallLocaliser, FindsItsPoseFromARoughGuess) {
   const Pose2 truth{4, 2, 0.3};
   WallLocaliser localiser({}, kOneReadingADegree, room(), about_there(truth * Pose2{0.1, -0.08, 0.04}));
   for (int i = 0; i < 5; ++i) localiser.take_scan(scan_from(truth), {});
@@ -54,7 +54,7 @@ TEST(WallLocaliser, FindsItsPlaceFromAboutThere) {
   EXPECT_FALSE(localiser.is_doubtful());
 }
 
-TEST(WallLocaliser, KeepsItsPlaceThoughTheOdometryIsWrong) {
+TEST(WallLocaliser, KeepsItsPoseThoughTheOdometryIsWrong) {
   Pose2 truth{1.5, 2, 0};
   WallLocaliser localiser({}, kOneReadingADegree, room(), about_there(truth));
   for (int i = 0; i < 60; ++i) {
@@ -65,7 +65,7 @@ TEST(WallLocaliser, KeepsItsPlaceThoughTheOdometryIsWrong) {
   EXPECT_THAT(localiser.T_map_vehicle().mean, PoseNear(truth, 0.02, 0.01));
 }
 
-TEST(WallLocaliser, DoubtsWhenItSeesOtherWallsThanItKnows) {
+TEST(WallLocaliser, IsDoubtfulWhenItSeesOtherWallsThanItKnows) {
   WallMap elsewhere = room();
   for (Wall& wall : elsewhere.walls) wall.segment = Pose2{0.9, 1.3, 0.5} * wall.segment;
   WallLocaliser localiser({}, kOneReadingADegree, elsewhere, about_there({4, 2, 0}));

@@ -1,6 +1,6 @@
 #pragma once
-/// C99's environment exploration in a real building: preprocessing unit, navigation transducer and the order
-/// in which what waits is taken. Moves nothing itself.
+/// C99's environment exploration in a real building: preprocessing unit, navigation transducer, and the order
+/// in which waiting paths are taken. It decides where to go and drives nothing itself.
 
 #include <optional>
 #include <string_view>
@@ -13,9 +13,9 @@
 namespace aisle {
 
 enum class ExploringOrder {
-  kPublished,    ///< C99: last seen, first taken; back from crossing to crossing
-  kRecommended,  ///< what the present path leads to first, then what is near, or far from home
-  kNearest,      ///< the baseline: always what is nearest
+  kPublished,    ///< C99: last in, first out; returns from crossing to crossing
+  kRecommended,  ///< first what the current path leads to, then what is near or far from home
+  kNearest,      ///< the baseline: always the nearest frontier
 };
 
 inline constexpr ExploringOrder kExploringOrders[] = {ExploringOrder::kPublished,
@@ -27,11 +27,11 @@ std::optional<ExploringOrder> exploring_order(std::string_view name);
 struct ExplorerParams {
   FrontierParams frontiers;
   PocketParams pockets;
-  double home_weight = 0.8;      ///< how much a path that is far from home is preferred
-  double leftover_m2 = 1;        ///< less floor behind a frontier is a leftover ...
-  double leftover_bonus_m = 4;   ///< ... which is taken before what is so much nearer
-  double same_frontier_m = 0.3;  ///< a frontier so near to an old one continues it
-  double crossing_near_m = 0.5;  ///< published order: so near to a crossing the vehicle is back at it
+  double home_weight = 0.8;      ///< how strongly paths far from home are preferred
+  double leftover_m2 = 1;        ///< a frontier with less floor behind it is a leftover ...
+  double leftover_bonus_m = 4;   ///< ... and goes before frontiers up to this much nearer
+  double same_frontier_m = 0.3;  ///< a frontier within this of an old one continues it
+  double crossing_near_m = 0.5;  ///< published order: within this of a crossing the vehicle is back at it
 
   void describe(FieldList& fields);
 };
@@ -53,24 +53,25 @@ class BuildingExplorer {
  public:
   BuildingExplorer(const ExplorerParams& params, ExploringOrder order);
 
-  /// C99's step 9: encodes where paths lead on from what is known now.
+  /// C99's step 9: encodes which paths lead on, by what is known now.
   void look_around(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& p_map_middle);
-  /// C99's step 10: where to go. After a look around on this floor, of which a little more may be known
-  /// since. `T_map_home`: where it began.
+  /// C99's step 10: where to go next. Call it after look_around() on the same floor, of which a little more
+  /// may be known by now.
+  /// @param T_map_home  where the exploration began
   ExploringTarget decide(const FloorGrid& floor, const FloorClearance& clearance, const Pose2& T_map_vehicle,
                          const Pose2& T_map_home, std::size_t cycle);
 
-  /// The vehicle does not get back to the crossing: it goes on from where it stands.
+  /// The vehicle cannot get back to the crossing and goes on from where it is.
   void pass_crossing_by();
-  /// The vehicle cannot look behind this path's frontier: it counts as seen from outside.
+  /// The vehicle cannot look behind this path's frontier, which counts as seen from outside.
   void give_up(std::size_t path, std::size_t cycle);
-  /// The vehicle has spent its time on this path: it is left undone.
+  /// The time for this path has run out; it stays unexplored.
   void abandon(std::size_t path, std::size_t cycle);
-  /// All that waits is left undone, but for far pockets: those were not worth a path before either.
+  /// Abandons all waiting paths except far pockets, which were not worth a detour anyway.
   void abandon_all(std::size_t cycle);
-  /// Behind a path that was left there may be more than leftovers.
+  /// Whether more than leftovers may lie behind a path that was given up or abandoned.
   bool has_left_floor() const;
-  /// The floor's cells are half as wide from now on: such paths are tried again.
+  /// From now on the floor's cells are half as wide; paths given up or abandoned are tried again.
   void halve_cells();
   /// The vehicle is home and everything is explored.
   void stop(std::size_t cycle);
@@ -91,9 +92,9 @@ class BuildingExplorer {
     PathState state = PathState::kWaiting;
     bool on_stack = false;
     bool has_frontier = true;
-    int chances = 1;                 ///< to be tried again after it was left ...
-    Vec2 p_map_left = Vec2::Zero();  ///< ... when the vehicle stood here ...
-    double free_m2_left = 0;         ///< ... and so much free floor was known
+    int chances = 1;                 ///< retries left after it was given up or abandoned ...
+    Vec2 p_map_left = Vec2::Zero();  ///< ... with the vehicle here ...
+    double free_m2_left = 0;         ///< ... and this much free floor known
     Frontier frontier;
   };
   /// What a symbol of the stack stands for.
@@ -131,10 +132,10 @@ class BuildingExplorer {
   ExploringOrder order_;
   TransducerRun run_;
   std::vector<SeenPath> paths_;
-  std::vector<Waiting> stack_;  ///< beside the transducer's, without its start symbol
+  std::vector<Waiting> stack_;  ///< parallel to the transducer's stack, without its start symbol
   std::optional<std::size_t> active_;
   std::optional<Pose2> T_map_going_back_;
-  Pose2 T_map_decided_;  ///< where the baseline chose last
+  Pose2 T_map_decided_;  ///< where the baseline last chose a target
   Vec2 p_map_vehicle_ = Vec2::Zero();
   double free_m2_ = 0;
   bool is_going_home_ = false;

@@ -1,12 +1,12 @@
 #pragma once
 /// The rules by which a vehicle explores a real building: C99's navigation transducer (section 4.1) as data.
-/// docs/exploring-buildings.md tells what the inputs stand for.
+/// docs/exploring-buildings.md explains the inputs.
 
 #include "aisle/exploration/pushdown_transducer.hpp"
 
 namespace aisle {
 
-/// Where a path leads, seen from the vehicle when it was first seen.
+/// Where a path leads, relative to the vehicle's heading when it was first seen.
 enum class Bearing : Symbol { kForward, kLeft, kRight };
 
 inline constexpr Bearing kBearings[] = {Bearing::kForward, Bearing::kLeft, Bearing::kRight};
@@ -42,15 +42,15 @@ constexpr Symbol crossing(Bearing bearing) {
 }
 inline constexpr Symbol kCrossingPathBack = 6;
 inline constexpr Symbol kEnd = 7;
-inline constexpr Symbol kExplored = 8;      ///< the vehicle stands before nothing new
-inline constexpr Symbol kClosed = 9;        ///< beyond the paper: what waits on top of the stack is explored
-constexpr Symbol detour(Bearing bearing) {  ///< beyond the paper: what waits below the top is taken first
+inline constexpr Symbol kExplored = 8;  ///< nothing new lies ahead of the vehicle
+inline constexpr Symbol kClosed = 9;  ///< beyond the paper: the path on top of the stack is explored already
+constexpr Symbol detour(Bearing bearing) {  ///< beyond the paper: a path below the top is taken first
   return static_cast<Symbol>(10 + static_cast<Symbol>(bearing));
 }
-inline constexpr Symbol kAway = 13;  ///< beyond the paper: nothing waits, and the vehicle is not at home
+inline constexpr Symbol kAway = 13;  ///< beyond the paper: no path waits, and the vehicle is not at home
 }  // namespace corridor_input
 
-/// Made once, then shared.
+/// Built once, then shared.
 const TransducerTable& corridor_rules();
 
 }  // namespace aisle

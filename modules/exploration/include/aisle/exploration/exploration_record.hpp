@@ -14,15 +14,15 @@ struct PathEvent {
   enum class Kind {
     kPushed,     ///< seen, and left for later
     kTaken,      ///< popped: entered, or resumed
-    kExplored,   ///< all that it led to is known; off the stack if it was still there
-    kGivenUp,    ///< the vehicle cannot get there: seen from outside only
-    kAbandoned,  ///< the vehicle did not get there in the time that it has: left undone
+    kExplored,   ///< all that it led to is known; popped if it was still on the stack
+    kGivenUp,    ///< the vehicle cannot get there; seen from outside only
+    kAbandoned,  ///< the time ran out before the vehicle got there
   };
   std::size_t cycle = 0;
   Kind kind = Kind::kPushed;
   std::size_t path = 0;       ///< numbered in the order in which they were seen
   std::size_t parent = 0;     ///< the path from which it was first seen; its own number: from the start
-  std::string symbol;         ///< of the stack: "E_front", "E_left", "E_right"
+  std::string symbol;         ///< on the stack: "E_front", "E_left", "E_right"
   Vec2 p_map = Vec2::Zero();  ///< where the known floor ends there
 };
 
@@ -35,7 +35,7 @@ struct TransducerStep {
   std::size_t stack = 0;  ///< symbols on the stack
 };
 
-/// How much was known after so much distance.
+/// How much was known after a distance driven.
 struct CoverageMark {
   double path_m = 0;
   double free_m2 = 0;
@@ -44,15 +44,15 @@ struct CoverageMark {
 struct ExplorationRecord {
   std::vector<PathEvent> paths;
   std::vector<TransducerStep> steps;
-  std::vector<CoverageMark> coverage;  ///< every half metre of path
+  std::vector<CoverageMark> coverage;  ///< every half metre driven
   std::vector<Pose2> T_map_vehicle;    ///< one a cycle, as known at the end
   std::size_t paths_waiting = 0;       ///< pushed, and neither explored nor given up
-  std::size_t paths_abandoned = 0;     ///< left undone
-  double path_m = 0;                   ///< driven, forwards and backwards, by the vehicle's own account
+  std::size_t paths_abandoned = 0;     ///< the time ran out before they were explored
+  double path_m = 0;                   ///< driven, forwards and backwards, as the vehicle measured it
   bool came_home = false;
   std::string ended_because;  ///< "explored" or why not
 
-  /// Every path that was pushed was popped, none was left undone, and the vehicle came home.
+  /// Every pushed path was popped, none was abandoned, and the vehicle came home.
   bool certified() const {
     return came_home && paths_waiting == 0 && paths_abandoned == 0 && ended_because == "explored";
   }

@@ -9,38 +9,37 @@
 
 namespace aisle {
 
-/// How far it is over known free floor, for a round vehicle, from one place to all others.
+/// Path lengths over known free floor, for a round vehicle, from one place to all others.
 class FloorDistances {
  public:
   static constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
-  /// @param room_m  > 0: that the vehicle needs about its middle. Around the place itself, where a vehicle
-  ///                that is not round may stand with less, it may be missing for `leeway_m`.
+  /// @param room_m  > 0, clearance that the vehicle's centre needs. A vehicle that is not round may start
+  ///                with less: within `leeway_m` of the start it is not required.
   void measure(const FloorGrid& floor, const FloorClearance& clearance, const Vec2& from_m, double room_m,
                double leeway_m);
 
   /// [m]; kUnreached where no path is known.
   float to(FloorCell cell) const {
-    const std::int32_t tenths = room_.contains(cell) ? tenths_[index(cell)] : kShut;
+    const std::int32_t tenths = box_.contains(cell) ? tenths_[index(cell)] : kShut;
     return tenths == kShut || tenths == kFar ? kUnreached : static_cast<float>(tenths) * 0.1F * cell_m_;
   }
-  /// To the nearest cell about a place from which there is a path.
+  /// To the nearest reached cell within a distance of a place [m].
   float near(const FloorGrid& floor, const Vec2& p_map, double within_m) const;
 
  private:
   static constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
-  /// Too little room: nearer than anything, so that no path leads there.
+  /// Too little clearance: nearer than anything, so that no path leads there.
   static constexpr std::int32_t kShut = -1;
   static constexpr std::size_t kBuckets = 16;
 
   std::size_t index(FloorCell cell) const {
-    return static_cast<std::size_t>(cell.y - room_.low.y) *
-               static_cast<std::size_t>(room_.end.x - room_.low.x) +
-           static_cast<std::size_t>(cell.x - room_.low.x);
+    return static_cast<std::size_t>(cell.y - box_.low.y) * static_cast<std::size_t>(box_.end.x - box_.low.x) +
+           static_cast<std::size_t>(cell.x - box_.low.x);
   }
 
   struct Reached {
-    std::uint32_t at;  ///< a cell's number ...
+    std::uint32_t at;  ///< a cell's index ...
     std::uint8_t by;   ///< ... and the step that led there
   };
 
@@ -53,11 +52,11 @@ class FloorDistances {
   void go(std::size_t from, unsigned step);
   void go_on(Reached reached);
 
-  FloorBox room_;
+  FloorBox box_;
   float cell_m_ = 0;
-  std::vector<std::int32_t> tenths_;                  ///< from the place to each cell of the room
-  std::array<std::ptrdiff_t, 8> to_next_ = {};        ///< by what step the number of a cell changes
-  std::array<std::vector<Reached>, kBuckets> queue_;  ///< to work with, as the next ones
+  std::vector<std::int32_t> tenths_;  ///< from the start to each cell of the box, in tenths of a cell
+  std::array<std::ptrdiff_t, 8> to_next_ = {};        ///< what each step adds to a cell's index
+  std::array<std::vector<Reached>, kBuckets> queue_;  ///< scratch memory, like the members below
   std::vector<Reached> bucket_;
   std::int32_t now_ = 0;
   std::size_t waiting_ = 0;

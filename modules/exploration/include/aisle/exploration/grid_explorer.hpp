@@ -16,12 +16,12 @@ class GridExplorer {
  public:
   using Watcher = std::function<void(const TransducerRule&)>;
 
-  /// @param width, height  room for the map; the rules make no use of them
-  /// @param watcher  given of every rule that fires, also of those that move nothing; may be empty
+  /// @param width, height  of the map; the rules make no use of them
+  /// @param watcher  called with every rule that fires, also those without a move; may be empty
   GridExplorer(const GridRules& rules, int width, int height, Cell start, Watcher watcher = {});
 
-  /// One learning cycle: what the vehicle sees of its own cell -> the side to which it shall move;
-  /// nullopt: stop, everything reachable is explored. Not to be called again after that.
+  /// One learning cycle: takes the open sides of the vehicle's cell and returns the side to move to.
+  /// @return nullopt to stop, when everything reachable is explored; do not call again after that
   std::optional<Side> step(Sides open);
 
   Cell at() const { return map_.cell(at_); }
@@ -29,7 +29,7 @@ class GridExplorer {
   const GridRules& rules() const { return *rules_; }
   const TransducerRun& transducer() const { return run_; }
 
-  /// What was learned. Sides of cells that were not visited stand closed.
+  /// The learned map. Sides of cells that were not visited are closed.
   const LearnedGrid& map() const { return map_; }
   /// Whether the cell is in the list of explored crossings.
   bool is_explored_crossing(std::size_t cell) const { return (notes_[cell] & kCrossing) != 0; }
@@ -69,13 +69,13 @@ class GridExplorer {
   Symbol last_input_ = 0;
   const TransducerRule* last_rule_ = nullptr;
 
-  // kHoming and kRoaming: where each symbol of the stack was pushed; the rest of the present path, its next
+  // kHoming and kRoaming: where each symbol of the stack was pushed; the rest of the current path, its next
   // move last.
   std::vector<std::uint32_t> places_;
   KnownPaths paths_;
   std::vector<Side> path_;
 
-  /// kRoaming: where to leave the order of the stack, and by which side.
+  /// kRoaming: the cell at which to leave the stack's order, and the side to take there.
   struct Detour {
     std::size_t cell;
     Side side;

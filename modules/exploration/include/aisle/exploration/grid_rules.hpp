@@ -1,6 +1,6 @@
 #pragma once
-/// The rules by which a vehicle explores a world of cells: C97's navigation transducer and what follows from
-/// the same super rules with more false walls. docs/exploration.md explains them with images.
+/// The rules by which a vehicle explores a world of cells: C97's navigation transducer, and what follows from
+/// the same super rules with more false walls. docs/exploration.md explains them with pictures.
 
 #include <optional>
 #include <string_view>
@@ -13,10 +13,10 @@ namespace aisle {
 
 enum class GridRuleSet {
   kPublished,  ///< C97 as it stands
-  kShortcut,   ///< a path found walked from its other end is not walked again: no edge more than twice
-  kCells,      ///< no path to a cell that was visited is walked: 2 (C - 1) moves for C reachable cells
+  kShortcut,   ///< a path already walked from its other end is not walked again: no edge more than twice
+  kCells,      ///< no path to a visited cell is walked: 2 (C - 1) moves for C reachable cells
   kHoming,     ///< as kCells, but retreats by the shortest known path: at most 2 (C - 1) moves
-  kRoaming,    ///< as kHoming, but what is near, or far from home, is explored before the stack's top
+  kRoaming,    ///< as kHoming, but paths that are near, or far from home, go before the stack's top
 };
 
 inline constexpr GridRuleSet kGridRuleSets[] = {GridRuleSet::kPublished, GridRuleSet::kShortcut,
@@ -44,7 +44,7 @@ constexpr Symbol retreat_symbol(Side side) {
 constexpr bool is_explore_symbol(Symbol symbol) {
   return symbol >= 1 && symbol <= 4;
 }
-/// Of a symbol that is not the start symbol.
+/// Not for the start symbol.
 constexpr Side side_of(Symbol stack_symbol) {
   return static_cast<Side>((stack_symbol - 1) % 4);
 }
@@ -58,20 +58,20 @@ enum class GridInputKind : std::uint8_t {
   kOneDirectionStart,  ///< G37 - G40
   kMultiPathStart,     ///< G41 - G51
   kDeadStart,          ///< G52
-  kClosed,             ///< beyond the paper: nothing that waits on top of the stack is of use any more
-  kDetour,             ///< beyond the paper: a path that waits below the top of the stack is taken first
+  kClosed,             ///< beyond the paper: the path on top of the stack leads to nothing new
+  kDetour,             ///< beyond the paper: a path below the top of the stack is taken first
 };
 
 struct GridInput {
   GridInputKind kind = GridInputKind::kDeadStart;
-  std::optional<Side> came_from;  ///< a false wall stands there; none in the start condition
-  Sides open = kNoSides;          ///< as the preprocessing unit presents it; of explored cells: not given
-  Sides false_walls = kNoSides;   ///< of explored cells: further sides that need not be walked
+  std::optional<Side> came_from;  ///< a false wall is put there; none at the start
+  Sides open = kNoSides;          ///< as the preprocessing unit presents it; not set for explored cells
+  Sides false_walls = kNoSides;   ///< of explored cells: further sides that need not be visited
 };
 
 std::string_view name_of(GridInputKind kind);
 
-/// One rule set: its transducer and how what is sensed becomes an input symbol.
+/// One rule set: its transducer, and which input symbol stands for what is sensed.
 struct GridRules {
   GridRuleSet set = GridRuleSet::kPublished;
   TransducerTable table;
@@ -85,7 +85,7 @@ struct GridRules {
   bool by_shortest_paths() const { return set == GridRuleSet::kHoming || set == GridRuleSet::kRoaming; }
 };
 
-/// Made once, then shared.
+/// Built once, then shared.
 const GridRules& grid_rules(GridRuleSet set);
 
 }  // namespace aisle

@@ -75,7 +75,7 @@ class GridShape {
 /// it.
 class GridWorld : public GridShape {
  public:
-  /// All walls standing.
+  /// All sides closed.
   GridWorld(int width, int height) : GridShape(width, height), open_(size(), kNoSides) {}
 
   Sides open(std::size_t index) const { return open_[index]; }
@@ -93,13 +93,13 @@ class GridWorld : public GridShape {
   std::vector<Sides> open_;
 };
 
-/// What a vehicle has seen of a world: the sides of the cells in which it was.
+/// What a vehicle has seen of a world: the sides of the cells that it visited.
 class LearnedGrid : public GridShape {
  public:
   LearnedGrid(int width, int height) : GridShape(width, height), cells_(size(), 0) {}
 
   bool visited(std::size_t index) const { return (cells_[index] & kVisited) != 0; }
-  /// Open sides; none of a cell that was not visited.
+  /// Open sides; none if the cell was not visited.
   Sides open(std::size_t index) const { return cells_[index] & kEverySide; }
   void see(std::size_t index, Sides open) { cells_[index] = kVisited | open; }
 

@@ -9,27 +9,27 @@
 
 namespace aisle {
 
-/// Shortest paths through the part of a world that has been visited. Keeps its memory from search to search.
+/// Shortest paths through the visited part of a world. Keeps its memory from search to search.
 class KnownPaths {
  public:
-  /// The visited cell nearest to `from` for which `is_goal` holds; nullopt if there is none, or none among
-  /// the first `max_cells` that were looked at.
+  /// The visited cell nearest to `from` for which `is_goal` is true.
+  /// @return nullopt if there is none, or none among the first `max_cells` that were searched
   template <class IsGoal>
   std::optional<std::size_t> search(const LearnedGrid& map, std::size_t from, IsGoal is_goal,
                                     std::size_t max_cells = SIZE_MAX);
 
-  /// How far a cell that the latest search has reached is from its `from`.
+  /// Moves from the latest search's `from` to a cell that it reached.
   std::uint32_t distance(std::size_t cell) const { return distances_[cell]; }
 
-  /// The moves from the latest search's `from` to `goal`, which it must have found; the first move stands
-  /// last.
+  /// The moves from the latest search's `from` to `goal`, which it must have found, in reverse order: the
+  /// first move is last.
   void take_path(const LearnedGrid& map, std::size_t goal, std::vector<Side>& path) const;
 
  private:
   void begin(std::size_t cells, std::size_t from);
   bool is_new(std::size_t cell) const { return stamps_[cell] != stamp_; }
 
-  std::vector<std::uint32_t> stamps_;  ///< of the search that reached the cell last
+  std::vector<std::uint32_t> stamps_;  ///< the last search that reached the cell
   std::vector<Side> entered_by_;       ///< the move into the cell
   std::vector<std::uint32_t> distances_;
   std::vector<std::uint32_t> queue_;

@@ -15,7 +15,7 @@ enum class MazeKind {
   kBraided,  ///< a perfect maze with a share of its dead ends opened, which makes loops
   kRooms,    ///< a perfect maze with rectangular rooms cleared in it
   kSpiral,   ///< one corridor winding to the middle
-  kComb,     ///< one corridor along the bottom with teeth of different length
+  kComb,     ///< one corridor along the bottom with teeth of different lengths
   kHall,     ///< no inner wall at all
 };
 
@@ -34,7 +34,7 @@ struct MazeRecipe {
   Problems problems() const;
 };
 
-/// The same world for the same recipe and seed. Starts at (0, 0); the goal are the middle cells.
+/// The same world for the same recipe and seed. It starts at (0, 0); the goals are the middle cells.
 GridWorld generate_maze(const MazeRecipe& recipe, Random random);
 
 /// The cells in the middle: one, two or four.

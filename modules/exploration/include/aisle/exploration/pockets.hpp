@@ -9,18 +9,18 @@
 namespace aisle {
 
 struct PocketParams {
-  double edge_min_m = 0.3;        ///< a shorter edge of what is known is none
-  double reach_m = 4.5;           ///< from so far a pocket is looked into, at most
-  double path_max_m = 3;          ///< a pocket farther away waits until the vehicle comes by; 0: none matters
-  double path_max_m_per_m2 = 60;  ///< the same by what it hides along its edge; the greater holds
-  double again_m2 = 0.3;          ///< what hides so much along its edge is looked into twice
+  double edge_min_m = 0.3;  ///< shorter edges of the known floor are ignored
+  double reach_m = 4.5;     ///< a pocket is looked into from at most this far
+  double path_max_m = 3;    ///< a pocket farther away waits until the vehicle comes by; 0: all are ignored
+  double path_max_m_per_m2 = 60;  ///< the same per area hidden along its edge; the greater limit counts
+  double again_m2 = 0.3;          ///< a pocket that hides this much along its edge is looked into twice
 
-  /// Not worth a path of its own.
+  /// Not worth a detour.
   bool is_far(const Frontier& frontier) const {
     return frontier.is_pocket &&
            frontier.path_m > std::max(path_max_m, path_max_m_per_m2 * frontier.behind_m2);
   }
-  /// When a look into it has shown nothing.
+  /// Whether to look again after a look into it has shown nothing.
   bool is_worth_another_look(const Frontier& frontier) const {
     return !frontier.is_pocket || (frontier.behind_m2 >= again_m2 && !is_far(frontier));
   }
@@ -28,12 +28,12 @@ struct PocketParams {
   void describe(FieldList& fields);
 };
 
-/// Pockets: floor that no frontier leads to, but that can be seen from where the vehicle gets: behind a
+/// Pockets: hidden floor that no frontier leads to but that can be seen from where the vehicle gets: behind a
 /// cupboard, or in a room whose door is hardly open. Each is given as a frontier that is not driven through:
-/// its frontier cells is the edge of the free floor, its rim right behind it in the unknown.
+/// its frontier cells are the edge of the free floor, its rim lies right behind them in the unknown.
 /// @param reached  measured with `frontier_params.room_m`
 /// @param frontiers  of the same floor
-/// @param marks  to work with
+/// @param marks  scratch memory
 std::vector<Frontier> find_pockets(const FloorGrid& floor, const FloorClearance& clearance,
                                    const FloorDistances& reached, std::span<const Frontier> frontiers,
                                    const FrontierParams& frontier_params, const PocketParams& params,

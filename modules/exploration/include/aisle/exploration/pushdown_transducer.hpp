@@ -1,6 +1,6 @@
 #pragma once
-/// Pushdown transducers as data (C97 section 3.1): M = (Q, Sigma, Gamma, Delta, delta, lambda, q0, Z0). Knows
-/// nothing of grids, vehicles or exploration.
+/// Pushdown transducers as data (C97 section 3.1): M = (Q, Sigma, Gamma, Delta, delta, lambda, q0, Z0).
+/// Independent of grids, vehicles and exploration.
 
 #include <array>
 #include <cstddef>
@@ -19,17 +19,16 @@ struct TransducerRule {
   static constexpr Symbol kNone = 255;  ///< `super_rule` of a combination that no rule covers
 
   Symbol next_state = 0;
-  Symbol output = kNoOutput;  ///< kNoOutput: the machine works on without an action
-  Symbol super_rule = kNone;  ///< from which super rule it follows
-  bool reachable = false;     ///< whether any world leads to this combination
-  Symbol length = 0;          ///< of `replacement`
-  std::array<Symbol, 4>
-      replacement{};  ///< takes the place of the stack's top symbol; the last one is the new top
+  Symbol output = kNoOutput;            ///< kNoOutput: the machine goes on without an action
+  Symbol super_rule = kNone;            ///< the super rule that it follows from
+  bool reachable = false;               ///< whether any world leads to this combination
+  Symbol length = 0;                    ///< of `replacement`
+  std::array<Symbol, 4> replacement{};  ///< replaces the stack's top symbol; the last one is the new top
 
   bool defined() const { return super_rule != kNone; }
 };
 
-/// The eight-tuple. States and symbols are numbered by their place in these lists.
+/// The eight-tuple. States and symbols are numbered by their position in these lists.
 struct TransducerTable {
   std::vector<std::string> states;
   std::vector<std::string> inputs;
@@ -39,8 +38,7 @@ struct TransducerTable {
   Symbol start_state = 0;
   Symbol final_state = 0;
   Symbol start_symbol = 0;
-  std::vector<TransducerRule>
-      rules;  ///< [state][input][stack top]; the top's last value stands for an empty stack
+  std::vector<TransducerRule> rules;  ///< [state][input][stack top]; the last top is the empty stack
 
   std::size_t tops() const { return stack.size() + 1; }
   Symbol empty_stack() const { return static_cast<Symbol>(stack.size()); }
@@ -51,8 +49,8 @@ struct TransducerTable {
     return rules[place(state, input, top)];
   }
 
-  /// Sizes of delta and lambda as C97 counts them: delta for every state and for an empty stack as well,
-  /// lambda for the states that do not end the run, with something on the stack.
+  /// Sizes of delta and lambda as C97 counts them: delta for every state, and for an empty stack too; lambda
+  /// for the states that do not end the run, with something on the stack.
   std::size_t transition_rules() const { return states.size() * inputs.size() * tops(); }
   std::size_t output_rules() const { return (states.size() - 1) * inputs.size() * stack.size(); }
   bool has_output_rule(Symbol state, Symbol top) const {
@@ -70,7 +68,7 @@ class TransducerRun {
         tops_(table.tops()),
         inputs_(table.inputs.size()) {}
 
-  /// Takes one input. A combination that no rule covers throws std::logic_error and changes nothing.
+  /// Takes one input. A combination without a rule throws std::logic_error and changes nothing.
   const TransducerRule& step(Symbol input) {
     const Symbol before = top();
     const TransducerRule& rule = table_->rules[(state_ * inputs_ + input) * tops_ + before];

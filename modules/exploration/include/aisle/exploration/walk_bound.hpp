@@ -7,12 +7,11 @@
 
 namespace aisle {
 
-/// A number of moves below which no walk can visit every reachable cell and return, even if it knew the
-/// world.
+/// A lower bound of the moves in which any walk, even with a map, can visit every reachable cell and return.
 ///
-/// Between cells through which everything must pass the world falls into blocks that are walked
-/// independently; inside a block black and white cells alternate as on a chessboard, so that each of the more
-/// frequent colour costs two moves. Exact for trees.
+/// Articulation cells divide the world into blocks that are walked independently. Inside a block, black and
+/// white cells alternate as on a chessboard, so that each cell of the more frequent colour costs two moves.
+/// Exact for trees.
 std::size_t walk_lower_bound(const GridWorld& world, Cell start);
 
 /// The moves of the shortest walk that visits every reachable cell and returns; nullopt for more than

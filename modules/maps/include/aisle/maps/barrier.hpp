@@ -1,5 +1,5 @@
 #pragma once
-/// Lines on the floor that a person drew: a vehicle never crosses them, whatever it sees there.
+/// Lines on the floor drawn by a person: a vehicle never crosses them, whatever it sees there.
 
 #include <span>
 #include <vector>
@@ -12,8 +12,8 @@ namespace aisle {
 
 struct Barrier {
   enum class Kind {
-    kKeepOut,  ///< somebody requests it
-    kGlass     ///< a pane stands there, which sensors do not see
+    kKeepOut,  ///< a person wants the vehicle to stay out
+    kGlass     ///< a glass pane, which sensors do not see
   };
 
   Kind kind = Kind::kKeepOut;
@@ -23,14 +23,16 @@ struct Barrier {
 /// "keep-out line", "glass"
 const char* words_for(Barrier::Kind kind);
 
-/// Whether the outline of a vehicle at base_link = the segment's frame, or what is within, meets the segment.
+/// Whether the segment meets or lies inside the outline of a vehicle with base_link at the origin of the
+/// segment's frame.
 bool meets(const Footprint& footprint, const Segment2& segment);
 
-/// The first barrier that a vehicle meets where it stands; null: none.
+/// The first barrier that a vehicle at this pose meets; nullptr: none.
 const Barrier* barrier_met(std::span<const Barrier> barriers, const Footprint& footprint,
                            const Pose2& T_map_vehicle);
 
-/// Every cell that the segment passes, row by row from below; what lies beyond the floor's reach is left out.
+/// Every cell that the segment passes through, row by row from below; cells beyond the floor's reach are left
+/// out.
 /// @param cell_m  > 0
 std::vector<FloorCell> cells_under(const Segment2& segment, double cell_m);
 

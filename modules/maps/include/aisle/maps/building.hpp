@@ -15,13 +15,13 @@
 
 namespace aisle {
 
-/// A pose with a name, to be sent to.
+/// A named pose that the vehicle can be sent to.
 struct MapPlace {
   std::string name;  ///< unique in its building
   Pose2 T_map_place;
 };
 
-/// The place at which an exploration began and ended, and from which missions set out.
+/// The place where an exploration starts and ends, and where missions start.
 inline constexpr const char* kHomePlace = "home";
 
 /// Everything that was learned of one building. Every part may be empty.
@@ -29,7 +29,8 @@ struct Building {
   std::string name;
   bool has_dominant_direction = false;  ///< most walls lie on one orthogonal frame, the axes of `map`
   WallMap walls;
-  std::optional<CameraDescription> camera;  ///< that the landmarks were seen with; present if there are any
+  std::optional<CameraDescription>
+      camera;  ///< the one that the landmarks were seen with; present if there are any
   LandmarkMap landmarks;
   std::vector<WallDirection> wall_directions;  ///< from where landmarks were learned
   std::vector<Route> routes;

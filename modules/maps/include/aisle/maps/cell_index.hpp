@@ -8,8 +8,8 @@
 
 namespace aisle {
 
-/// Finds things by place: a grid of square cells, each with the ids of what touches it.
-/// Adding and asking cost O(cells touched), whatever the size of the building.
+/// Spatial index: a grid of square cells, each with the ids of what touches it.
+/// Adding and querying cost O(cells touched), whatever the size of the building.
 class CellIndex {
  public:
   explicit CellIndex(double cell_m = 3) : cell_m_(cell_m) {}
@@ -18,8 +18,8 @@ class CellIndex {
   /// nothing.
   void add(const Segment2& segment, int id);
 
-  /// Replaces `ids` by all that touch the box of the two corners widened by `margin_m`; sorted, each once. A
-  /// superset of what lies in the box.
+  /// Replaces `ids` by all in cells that touch the box of the two corners widened by `margin_m`; sorted, each
+  /// once. A superset of what lies in the box.
   void query(const Vec2& corner, const Vec2& opposite, double margin_m, std::vector<int>& ids) const;
 
   void clear() { cells_.clear(); }

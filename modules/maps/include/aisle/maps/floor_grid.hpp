@@ -1,5 +1,6 @@
 #pragma once
-/// The floor of a building as it was seen: square cells in the frame `map`, at one height above the floor.
+/// The floor of a building as it was seen: an occupancy grid of square cells in the frame `map`, at one
+/// height above the floor.
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +14,16 @@ namespace aisle {
 
 enum class Floor : std::uint8_t { kUnknown, kFree, kOccupied };
 
-/// Column and row. Cell (0, 0) has its lower left corner in the origin of `map`; both may be negative.
+/// Column and row. Cell (0, 0) has its lower left corner at the origin of `map`; both may be negative.
 struct FloorCell {
   int x = 0;
   int y = 0;
   bool operator==(const FloorCell&) const = default;
-  /// Row by row from below, each from the left.
+  /// Row by row from the bottom, each from the left.
   bool operator<(const FloorCell& other) const { return y != other.y ? y < other.y : x < other.x; }
 };
 
-/// Cells from `low` to before `end`, in both directions.
+/// Cells from `low` up to but not including `end`, in x and y.
 struct FloorBox {
   FloorCell low;
   FloorCell end;
@@ -31,18 +32,18 @@ struct FloorBox {
   bool contains(FloorCell cell) const {
     return cell.x >= low.x && cell.x < end.x && cell.y >= low.y && cell.y < end.y;
   }
-  /// The smallest box that holds this one and the cell.
+  /// Grows to the smallest box that contains this one and the cell.
   void include(FloorCell cell);
-  /// The smallest box that holds both.
+  /// Grows to the smallest box that contains both.
   void include_box(const FloorBox& other);
   FloorBox widened(int cells) const;
-  /// What lies in both; empty if nothing does.
+  /// The intersection; empty if there is none.
   FloorBox common_with(const FloorBox& other) const;
 };
 
-/// What is free, what stands on it, and what nobody has seen. Grows in all directions as it is filled; all
-/// beyond is unknown. Each cell weighs what was seen of it: one view that strikes something outweighs a few
-/// that pass, and what has gone away fades.
+/// Free, occupied and unknown floor. It grows in all directions as it is filled; everything beyond is
+/// unknown. Each cell weighs its evidence: one hit outweighs a few views that pass through, and what has gone
+/// away fades.
 class FloorGrid {
  public:
   /// Cells farther from the origin than this, in columns or rows, are never kept.
@@ -58,29 +59,29 @@ class FloorGrid {
   Vec2 centre(FloorCell cell) const { return {(cell.x + 0.5) * cell_m_, (cell.y + 0.5) * cell_m_}; }
 
   Floor at(FloorCell cell) const {
-    return room_.contains(cell) ? floor_of(evidence_[index(cell)]) : Floor::kUnknown;
+    return stored_.contains(cell) ? floor_of(evidence_[index(cell)]) : Floor::kUnknown;
   }
   Floor at(const Vec2& p_map) const { return at(cell_at(p_map)); }
 
   /// A view passed through the cell / hit something in it.
-  /// @return whether the cell is something else now
+  /// @return whether the cell's state has changed
   bool see_free(FloorCell cell);
   bool see_occupied(FloorCell cell);
-  /// Nothing was hit there, though something thin may have been missed: what was hit before still
-  /// stands, and one view that strikes something there tells better.
-  /// @return whether the cell is something else now
+  /// Nothing was hit there, but something thin may have been missed: an earlier hit stays, and a single new
+  /// one outweighs this.
+  /// @return whether the cell's state has changed
   bool seem_free(FloorCell cell);
-  /// The vehicle stands on the cell: nothing is there, however high above the floor. Held until something is
-  /// hit in it; a cell that is occupied counts as one that a view passed through.
-  /// @return whether the cell is something else now, or was not stood on before
+  /// The vehicle is on the cell: nothing is there, at any height. Kept until something is hit in it; an
+  /// occupied cell counts as one that a view passed through.
+  /// @return whether the cell's state has changed, or the vehicle was not on it before
   bool stand_on(FloorCell cell);
   bool was_stood_on(FloorCell cell) const {
-    return room_.contains(cell) && evidence_[index(cell)] == kStoodOn;
+    return stored_.contains(cell) && evidence_[index(cell)] == kStoodOn;
   }
-  /// Puts the cell as firmly as it can be.
+  /// Sets the cell with the strongest evidence.
   void set(FloorCell cell, Floor floor);
 
-  /// Holds every cell that is not unknown.
+  /// A box that contains every cell that is not unknown.
   const FloorBox& known() const { return known_; }
   std::size_t count(Floor floor) const { return counts_[static_cast<std::size_t>(floor)]; }
   double free_m2() const { return static_cast<double>(count(Floor::kFree)) * cell_m_ * cell_m_; }
@@ -99,16 +100,16 @@ class FloorGrid {
     return evidence == 0 ? Floor::kUnknown : evidence > 0 ? Floor::kOccupied : Floor::kFree;
   }
   std::size_t index(FloorCell cell) const {
-    return static_cast<std::size_t>(cell.y - room_.low.y) *
-               static_cast<std::size_t>(room_.end.x - room_.low.x) +
-           static_cast<std::size_t>(cell.x - room_.low.x);
+    return static_cast<std::size_t>(cell.y - stored_.low.y) *
+               static_cast<std::size_t>(stored_.end.x - stored_.low.x) +
+           static_cast<std::size_t>(cell.x - stored_.low.x);
   }
   bool weigh(FloorCell cell, int weight);
   bool put(FloorCell cell, Evidence evidence);
-  void make_room(FloorCell cell);
+  void grow_to(FloorCell cell);
 
   double cell_m_;
-  FloorBox room_;  ///< what `evidence_` holds, row by row
+  FloorBox stored_;  ///< the cells in `evidence_`, row by row
   FloorBox known_;
   std::vector<Evidence> evidence_;
   std::size_t counts_[3] = {};  ///< of `evidence_`, by Floor; unknown ones are not counted

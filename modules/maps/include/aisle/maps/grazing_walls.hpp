@@ -5,12 +5,12 @@
 
 namespace aisle {
 
-/// A wall that is seen at a grazing angle strikes a cell of the floor here and there, and makes no segment.
-/// So walls are led on along their lines, in both directions, as far as something was hit there that no
-/// wall explains. Rows of hit cells that are left then, along the map's axes or the walls nearby and with
-/// free floor on one side, are walls of their own, of one sighting and as sure as a cell is wide. Ends that
-/// are made or moved are kUnknown.
-/// @param floor  the same building's, in `map`
+/// A wall seen at a grazing angle hits only a cell here and there and yields no segment. So walls are
+/// extended along their lines, both ways, as long as hits are found that no other wall explains. Remaining
+/// rows of hit cells, along the map's axes or parallel to nearby walls and with free floor on one side,
+/// become walls of their own, with one sighting and the sigma of a cell's width. New or moved ends are
+/// kUnknown.
+/// @param floor  of the same building, in `map`
 void draw_grazing_walls(WallMap& map, const FloorGrid& floor);
 
 }  // namespace aisle

@@ -11,18 +11,18 @@ namespace aisle {
 
 struct Landmark {
   Vec2 p_map = Vec2::Zero();
-  Mat2 covariance = Mat2::Zero();  ///< of its place, as far as the sightings tell
+  Mat2 covariance = Mat2::Zero();  ///< of its position, from its sightings
   double mass = 0;                 ///< sum of the confidence weights of its sightings (C98 eq. (16), (17))
-  double weight = 1;               ///< confidence: 1 is the map's mean, more is surer (C98 eq. (18))
+  double weight = 1;               ///< confidence: 1 is the map's mean (C98 eq. (18))
   int sightings = 0;               ///< images in which it was seen
   int passes = 0;                  ///< runs on which it was seen
-  Vec2 seen_from = Vec2::Zero();   ///< unit vector, in `map`: towards where it was seen from; zero: unknown
-  double seen_near_m = 0;          ///< the least distance that it was seen from ...
+  Vec2 seen_from = Vec2::Zero();   ///< unit vector in `map` towards where it was seen from; zero: unknown
+  double seen_near_m = 0;          ///< least distance that it was seen from ...
   double seen_far_m = std::numeric_limits<double>::infinity();  ///< ... and the greatest; infinite: unknown
-  bool brighter_right = false;  ///< the right side of the line is the brighter one, from wherever it is seen
+  bool brighter_right = false;  ///< brighter on its right side, from wherever it is seen
 };
 
-/// Landmarks that are found by place, at a cost that does not grow with the building.
+/// Landmarks with a spatial index: lookups cost the same whatever the size of the building.
 class LandmarkMap {
  public:
   const std::vector<Landmark>& all() const { return landmarks_; }
@@ -32,11 +32,11 @@ class LandmarkMap {
 
   /// @return its index
   std::size_t add(const Landmark& landmark);
-  /// Puts another in the place of one.
+  /// Replaces the landmark at an index.
   void replace(std::size_t index, const Landmark& landmark);
-  /// Leaves a gap (weight 0) that `within` does not find.
+  /// Leaves a gap (weight 0), so that indices stay; `within` skips it.
   void remove(std::size_t index) { landmarks_[index].weight = 0; }
-  /// Everything again; indices change.
+  /// Replaces all landmarks; indices change.
   void assign(std::vector<Landmark> landmarks);
 
   /// Replaces `indices` by those of all landmarks within a distance of a point, in ascending order.

@@ -1,5 +1,5 @@
 #pragma once
-/// What L96 learns of a path through a room, beside the path itself.
+/// What L96 learns about a path through a room, besides the path itself.
 
 #include <array>
 #include <optional>
@@ -14,7 +14,7 @@ namespace aisle {
 
 inline constexpr int kTurningNumbers = 13;
 
-/// What is done in a turning (L96 section 3.2).
+/// What the vehicle does in a turning (L96 section 3.2).
 enum class TurningClass { kLeft, kRight, kStraightOn };
 
 /// @param number  1 to kTurningNumbers (METHODS 9)
@@ -27,7 +27,7 @@ struct RoomTurning {
   double end_m = 0;
 };
 
-/// How much of a view's left and right is not looked at, as shares of its width.
+/// How much of an image is masked on the left and right, as shares of its width.
 struct MaskOut {
   double left = 0;
   double right = 0;
@@ -35,24 +35,24 @@ struct MaskOut {
   friend bool operator==(const MaskOut&, const MaskOut&) = default;
 };
 
-/// L96 Figs. 8 and 9: a left or right turning mask half of the view on its first three quarters and a
-/// quarter on the rest, a crossing that is passed the quarters on the sides of its branches.
+/// L96 Figs. 8 and 9: a left or right turning masks half of the image for its first three quarters and a
+/// quarter for the rest; a crossing that is passed straight masks a quarter on each side with a branch.
 /// @param along_m  within the turning
 MaskOut mask_out(const RoomTurning& turning, double along_m);
 
-/// The turning that a place on the route lies in; nullptr: none.
+/// The turning at this distance along the route; nullptr: none.
 const RoomTurning* turning_at(const std::vector<RoomTurning>& turnings, double along_m);
 
-/// Grey levels of the route, on a patch before the vehicle.
+/// Grey levels (0 .. 255) of the route, on a patch in front of the vehicle.
 struct RouteBrightness {
   double grey = 128;     ///< mean
   double deviation = 0;  ///< standard deviation within the patch
 };
 
-/// In a painted frame, where the route has a dead end, or where the view is the one that was learned.
+/// How the vehicle parks: in a painted frame, at a dead end, or where the image matches the learned one.
 enum class ParkingStrategy { kFrame, kDeadEnd, kView };
 
-/// What people and files call them, in the order of the strategies.
+/// Their names in files and messages, in the order of the strategies.
 inline constexpr std::array<std::string_view, 3> kParkingWords = {"frame", "dead-end", "view"};
 
 constexpr std::string_view parking_word(ParkingStrategy parking) {
@@ -62,25 +62,25 @@ constexpr std::string_view parking_word(ParkingStrategy parking) {
 /// @return nullopt for any other word
 std::optional<ParkingStrategy> parking_of(std::string_view word);
 
-/// Where the columns of a view's upper, lower, left and right part are brightest and darkest (L96 Algorithm
+/// Where the columns of an image's upper, lower, left and right part are brightest and darkest (L96 Algorithm
 /// 2), as shares of the part's width: upper max, upper min, lower max, ...
 using BrightnessView = std::array<double, 8>;
 
-/// What is kept of an image to know the place again.
+/// What is kept of an image to recognise the place.
 struct PlaceView {
   BrightnessView brightness{};
-  Image columns;  ///< how bright its columns are in bands of its rows: vision's `column_view`; may be empty
+  Image columns;  ///< brightness of its columns in bands of rows: vision's `column_view`; may be empty
 };
 
-/// The view from a place about the end of a route.
+/// The view from a place near the end of a route.
 struct StopView {
-  double left_m = 0;  ///< path to the end; negative: beyond it
+  double left_m = 0;  ///< distance to the end along the path; negative: beyond it
   PlaceView seen;
 };
 
-/// A point where the route was seen to end when the path was taught: the foot of what stood there.
+/// A floor point at the edge of the route, as seen while the path was taught.
 struct RouteEdge {
-  double along_m = 0;         ///< where on the route the vehicle was when it last saw it
+  double along_m = 0;         ///< the vehicle's position along the route when it last saw it
   Vec2 p_map = Vec2::Zero();  ///< in the frame of the route's path
 };
 
@@ -88,9 +88,9 @@ struct RoomRoute {
   RouteBrightness brightness;
   std::vector<RoomTurning> turnings;  ///< in order; they may overlap
   ParkingStrategy parking = ParkingStrategy::kView;
-  Vec2 frame_size_m = Vec2::Zero();  ///< kFrame: of the painted rectangle, outer, along the path and across
-  std::vector<StopView> views;       ///< kView: on the last path segment, or about its end
-  std::vector<RouteEdge> edges;      ///< none: the path is driven by odometry and by the route's middle alone
+  Vec2 frame_size_m = Vec2::Zero();  ///< kFrame: outer size of the rectangle, along the path and across
+  std::vector<StopView> views;       ///< kView: from the last part of the path, or from around its end
+  std::vector<RouteEdge> edges;      ///< empty: the path is driven by odometry and the route's middle alone
 };
 
 }  // namespace aisle

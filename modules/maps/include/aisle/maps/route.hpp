@@ -11,18 +11,18 @@
 
 namespace aisle {
 
-/// A vertical line's foot as it was seen from a route's start.
+/// The floor point of a vertical line, as seen from a route's start.
 struct StartSighting {
   Vec2 p_vehicle = Vec2::Zero();
-  bool brighter_right = false;  ///< the right side of the line is the brighter one
+  bool brighter_right = false;  ///< brighter on its right side, as seen
 };
 
-/// A path that was taught.
+/// A taught path.
 struct Route {
   std::string name;                       ///< unique in its building
   Path path;                              ///< in `map`, base_link; as driven, smoothed
   std::vector<StartSighting> start_view;  ///< from the path's start
-  SectionList sections;                   ///< L03; not empty: the path is theirs
+  SectionList sections;                   ///< L03; if not empty, the path is made from them
   std::optional<RoomRoute> room;          ///< L96
 };
 

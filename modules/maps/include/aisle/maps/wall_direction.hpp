@@ -7,14 +7,14 @@
 
 namespace aisle {
 
-/// Which way the walls around a place run, where they stand at right angles.
+/// The direction of the walls around a place, where they are at right angles.
 struct WallDirection {
-  Vec2 p_map = Vec2::Zero();  ///< from where they were seen
+  Vec2 p_map = Vec2::Zero();  ///< where they were seen from
   double direction_rad = 0;   ///< in `map`, of one of their two axes: -45 .. 45 degrees
   double sigma_rad = 0;       ///< > 0
 };
 
-/// What is known from nearest to a place; nullopt: nothing from within reach. O(n)
+/// The one observed nearest to a place; nullopt if none is within reach. O(n)
 std::optional<WallDirection> walls_around(std::span<const WallDirection> known, const Vec2& p_map,
                                           double reach_m);
 

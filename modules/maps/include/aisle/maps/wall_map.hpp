@@ -12,12 +12,12 @@ struct Wall {
   bool is_orthogonal = false;  ///< lies exactly on the map's axes; else oblique, with a direction of its own
   WallEnd start = WallEnd::kUnknown;
   WallEnd end = WallEnd::kUnknown;
-  int sightings = 0;   ///< on how many legs of half a metre of path the wall was seen
-  double sigma_m = 0;  ///< standard deviation of its position across itself
+  int sightings = 0;   ///< on how many half-metre legs of the path it was seen
+  double sigma_m = 0;  ///< standard deviation of its position, perpendicular to it
 };
 
-/// The walls of a building as a compact map. In `map` the dominant orthogonal directions, if there are any,
-/// are the axes.
+/// The walls of a building as a compact map. The dominant orthogonal directions, if there are any, are the
+/// axes of `map`.
 struct WallMap {
   std::vector<Wall> walls;
 

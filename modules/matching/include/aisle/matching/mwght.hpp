@@ -1,16 +1,15 @@
 #pragma once
-/// The multiweighted generalized Hough transform (C98 section II-C, Algorithm 1): by which displacement does
-/// a pattern of weighted points fit best onto another?
+/// The multiweighted generalized Hough transform (C98 section II-C, Algorithm 1): which displacement fits a
+/// pattern of weighted points best onto another?
 ///
-/// The printed algorithm swaps its two patterns in two places. Here, as its text means it: P are points of
-/// the TEMPLATE (what was learned), Q of the INPUT (what is seen). For each angle gamma, each pair votes for
-/// the displacement P - R(gamma) Q and, less, for the cells around it:
+/// The printed algorithm swaps its two patterns in two places. Here, as its text means it, P are points of
+/// the TEMPLATE (the learned pattern) and Q of the INPUT (the seen one). For each angle gamma, each pair
+/// votes for the displacement P - R(gamma) Q and, less, for the cells around it:
 ///
 ///   H(cell, gamma) += W_P W_Q / (1 + d1 / D0)      (6), d1 = distance of the cells' centres (7)
 ///
-/// Angles turn the input about the origin of the coordinates that it is given in. Give both patterns relative
-/// to where the vehicle is thought to be: then the displacement is the correction of that pose, and an error
-/// of the angle does not smear it.
+/// Angles turn the input about the origin of its coordinates. Give both patterns relative to the assumed
+/// vehicle pose: then the displacement is the correction of that pose, and an angle error does not smear it.
 
 #include <memory>
 #include <optional>
@@ -24,22 +23,22 @@ namespace aisle {
 
 struct WeightedPoint {
   Vec2 position = Vec2::Zero();  ///< [m]
-  double weight = 1;             ///< > 0; products of two are normal numbers
+  double weight = 1;             ///< > 0, and such that the product of two is a normal floating-point number
 };
 
 struct MwghtParams {
   double cell_m = 0.02;
   double angle_step_rad = 0.25 * kDegree;
   double distance_scale_m = 0.15;  ///< D0
-  double reach_m = 0.3;            ///< of a vote around its own cell: the neighbourhood NH
+  double reach_m = 0.3;            ///< reach of a vote around its own cell: the neighbourhood NH
   double apart_m = 0.4;            ///< displacements this far from each other are different hypotheses,
   double apart_rad = 4 * kDegree;  ///< and so are angles
 
   void describe(FieldList& fields);
 };
 
-/// The displacements that are tried: cells whose centres are within +-x, +-y of the origin, and angles within
-/// +-turn, all multiples of the parameters' steps; at most 20,000 of each on each side.
+/// The search window: cells whose centres are within +-x, +-y of the origin, and angles within +-turn, all
+/// multiples of the parameters' steps; at most 20,000 of each on each side.
 struct MwghtWindow {
   double x_half_m = 0.5;
   double y_half_m = 0.5;
@@ -56,16 +55,16 @@ struct MwghtCell {
 struct MwghtPeak {
   MwghtCell cell;
   double value = 0;    ///< H at the cell
-  Pose2 displacement;  ///< refined below the cell by robust least squares: T such that T * Q falls upon P
+  Pose2 displacement;  ///< refined to sub-cell accuracy by robust least squares: T such that T * Q lies on P
 };
 
 struct MwghtAnswer {
   MwghtPeak best;
-  /// The greatest value among the cells that are a different hypothesis than the best; nullopt: nothing voted
+  /// The greatest value among the cells that are a different hypothesis from the best; nullopt: no votes
   /// there.
   std::optional<MwghtPeak> runner_up;
-  /// Of the best displacement (x, y, theta), from the spread and number of the pairs that fit. What they do
-  /// not say (the turn, of a single point) is as uncertain as the window is wide.
+  /// Of the best displacement (x, y, theta), from the spread and number of the pairs that fit. What they
+  /// leave open (the turn, for a single point) is as uncertain as the window is wide.
   Mat3 covariance = Mat3::Zero();
 };
 
@@ -76,13 +75,13 @@ class Mwght {
   ~Mwght();
 
   /// The maximum by branch and bound: the same cell and the same value, bit for bit, as `match_exhaustively`.
-  /// Of equal cells the least by (turn, y, x) wins. No allocation once warm.
-  /// @return nullopt if no pair votes within the window
+  /// Of equal cells the first by (turn, y, x) wins. No allocation once warm.
+  /// @return nullopt if no pair votes inside the window
   /// @throw std::invalid_argument for a window that is negative or too large
   std::optional<MwghtAnswer> match(std::span<const WeightedPoint> learned,
                                    std::span<const WeightedPoint> seen, const MwghtWindow& window);
 
-  /// The published path: every vote into every cell. For comparison.
+  /// The published method: every vote into every cell. For comparison.
   std::optional<MwghtAnswer> match_exhaustively(std::span<const WeightedPoint> learned,
                                                 std::span<const WeightedPoint> seen,
                                                 const MwghtWindow& window);

@@ -7,12 +7,12 @@
 
 namespace aisle {
 
-/// Noise of the comparison of one sensed segment with its wall, beyond the segment's own deviations.
+/// Noise in comparing a sensed segment with its wall, beyond the segment's own deviations.
 struct AlignmentParams {
   double wall_sigma_m = 0.01;     ///< of a wall seen once; falls with the root of its sightings
-  double oblique_sigma_m = 0.03;  ///< oblique things are often furniture or doors
+  double oblique_sigma_m = 0.03;  ///< oblique segments are often furniture or doors
   double oblique_sigma_rad = 4 * kDegree;
-  double cauchy_m = 0.05;  ///< farther off than this counts less and less
+  double cauchy_m = 0.05;  ///< residuals beyond this count less and less
   double cauchy_rad = 1.5 * kDegree;
   int sightings_for_full_weight = 3;
 
@@ -33,27 +33,27 @@ struct Alignment {
   Pose2 T_map_sensor;
   Mat3 wall_information = Mat3::Zero();  ///< of (x, y, theta) from the walls alone, without the prior
   double seen_m = 0;                     ///< length of all segments
-  double matched_m = 0;                  ///< length of those that have a wall
-  double fitting_m = 0;                  ///< the same, each less the farther it lies from its wall
+  double matched_m = 0;                  ///< length of those matched with a wall
+  double fitting_m = 0;                  ///< the same, weighted down the farther each lies from its wall
 
-  /// Share of the seen length that has a wall; 1 if nothing was seen.
+  /// Share of the seen length that is matched; 1 if nothing was seen.
   double matched_share() const { return seen_m > 0 ? matched_m / seen_m : 1; }
-  /// The same of the length that fits.
+  /// The same for the fitting length.
   double fitting_share() const { return seen_m > 0 ? fitting_m / seen_m : 1; }
 };
 
-/// What one wall tells of where the sensor is, in the map's frame.
+/// What one wall says about the sensor's position, in the map's frame.
 struct WallConstraint {
-  std::size_t wall = 0;         ///< its index in the walls given
-  Vec2 normal = Vec2::UnitX();  ///< unit vector: only along it does it tell
+  std::size_t wall = 0;         ///< its index in the given walls
+  Vec2 normal = Vec2::UnitX();  ///< unit vector: it constrains the position along this only
   double weight = 0;            ///< 1 / variance [1/m^2]
 };
 
-/// Finds the pose at which the sensed segments lie best on the walls: Gauss-Newton on each segment's offset
-/// from its wall, n.(R c + t) - rho, and heading difference, both with a Cauchy weight, and on the prior.
-/// A wall that may run like most of the matched ones, as far as its heading is known, tells nothing about the
-/// path along them. Walls are found again in the first iterations, within a gate that narrows to half.
-/// O(iterations * segments * candidates); no allocation once warm.
+/// Finds the pose at which the sensed segments fit the walls best: Gauss-Newton on each segment's offset from
+/// its wall, n.(R c + t) - rho, and heading difference, both with a Cauchy weight, and on the prior. A wall
+/// that may be parallel to most of the matched ones, within its heading uncertainty, does not constrain the
+/// position along them. Segments are matched with walls again in the first iterations, within a gate that
+/// narrows to half. O(iterations * segments * candidates); no allocation once warm.
 class PoseAligner {
  public:
   explicit PoseAligner(const AlignmentParams& params) : params_(params) {}
@@ -61,7 +61,7 @@ class PoseAligner {
   Alignment align(std::span<const SensedSegment> segments, std::span<const WallEstimate> walls,
                   std::span<const int> candidates, const PosePrior& prior, double gate_m, int iterations);
 
-  /// In the latest alignment, one for each segment that has a wall. Valid until the next.
+  /// Of the latest alignment, one for each matched segment. Valid until the next.
   std::span<const WallConstraint> constraints() const { return constraints_; }
 
  private:

@@ -16,9 +16,8 @@ struct PoseConstraint {
   Mat3 information = Mat3::Identity();  ///< inverse covariance of (x, y, theta), in the frame of `from`
 };
 
-/// Least-squares graph of poses. Odometry constraints count fully, loop closures with a Cauchy loss, so that
-/// a wrong one cannot tear the graph; headings may have priors of their own. The first node is the fixed
-/// frame.
+/// Least-squares pose graph. Odometry constraints count fully, loop closures with a Cauchy loss, so that a
+/// wrong one cannot distort the graph; headings may have priors of their own. The first node is fixed.
 class PoseGraph {
  public:
   PoseGraph();
@@ -28,11 +27,11 @@ class PoseGraph {
 
   /// Adds a node at a first guess of its pose and returns its index.
   std::size_t add_node(const Pose2& guess);
-  /// The node's heading is about `heading_rad` (Cauchy loss of two sigmas).
+  /// The node's heading is about `heading_rad` in the graph's frame (Cauchy loss of two sigmas).
   void add_heading_prior(std::size_t node, double heading_rad, double sigma_rad);
   /// @return its index among the odometry constraints
   std::size_t add_odometry(const PoseConstraint& constraint);
-  /// Odometry is known better now.
+  /// Replaces the measurement of an odometry constraint by a better one.
   void set_odometry(std::size_t index, const Pose2& T_from_to);
   /// `cauchy` is the number of sigmas beyond which the constraint counts less and less.
   void add_loop_closure(const PoseConstraint& constraint, double cauchy = 3);

@@ -11,7 +11,7 @@ namespace aisle {
 
 /// One marked symbol on an axis.
 struct SignatureSymbol {
-  int kind = 0;  ///< only symbols of one kind are compared
+  int kind = 0;  ///< only symbols of the same kind are compared
   double position_m = 0;
   double weight = 0;
 };
@@ -28,15 +28,15 @@ struct MarkedSegment {
   double end_weight = 0;
 };
 
-/// Whether symbols of walls that face opposite paths, and the two ends of a wall, support each other.
+/// Whether symbols of walls that face opposite directions, and the two ends of a wall, support each other.
 enum class SymbolKinds {
-  kOne,       ///< they do: the published form
+  kOne,       ///< they do, as published
   kByFacing,  ///< they do not
 };
 
-/// Marks a segment on an axis (unit vector): a segment across the axis marks its coordinate, one along it its
-/// end points. In the published form the axes are x and y; in a building of other angles they are any two
-/// directions.
+/// Marks a segment on an axis (unit vector): a segment perpendicular to the axis marks its coordinate, a
+/// parallel one its end points. As published, the axes are x and y; in a building with other angles they are
+/// any two directions.
 void mark(const MarkedSegment& marked, const Vec2& axis, SymbolKinds kinds, Signature& signature);
 
 struct SignatureParams {
@@ -46,7 +46,7 @@ struct SignatureParams {
   double tolerance = 3;    ///< d of step 4 [cells]
 };
 
-/// Correlation of two signatures over all displacements of -reach .. reach: C(x_d) of step 5 with step 4's
+/// Correlation of two signatures over all displacements in -reach .. reach: C(x_d) of step 5 with step 4's
 /// fuzzy tolerance, whose weight is 1 / (1 + |i| / d) (the printed formula lacks the bars).
 ///
 /// Each pair of symbols adds the kernel's autocorrelation at its displacement, which equals correlating the
@@ -55,18 +55,19 @@ class SignatureCorrelator {
  public:
   explicit SignatureCorrelator(const SignatureParams& params);
 
-  /// Values for displacements that carry `sensed` onto `learned`; index 0 is -reach. Valid until the next
+  /// Values for displacements that move `sensed` onto `learned`; index 0 is -reach. Valid until the next
   /// call. `learned` must be sorted by kind, then position (sort_symbols).
   std::span<double> correlate(std::span<const SignatureSymbol> sensed,
                               std::span<const SignatureSymbol> learned);
 
   double displacement_m(std::size_t index) const;
 
-  /// The highest value's displacement, refined below the cell by a parabola; the least displacement wins a
-  /// tie. No value if nothing correlates.
+  /// The displacement of the highest value, refined to sub-cell accuracy by a parabola; in a tie the first
+  /// index wins. nullopt if nothing correlates.
   std::optional<double> peak_m() const;
 
-  /// The `count` highest peaks, each at least `apart_m` from the others; destroys the values.
+  /// Displacements of the `count` highest peaks, each at least `apart_m` from the others; destroys the
+  /// values.
   void peaks_m(int count, double apart_m, std::vector<double>& peaks);
 
  private:
@@ -79,7 +80,7 @@ class SignatureCorrelator {
   std::vector<double> values_;
 };
 
-/// Puts a learned signature into the order that correlating needs.
+/// Sorts a learned signature as correlating needs it.
 void sort_symbols(Signature& signature);
 
 }  // namespace aisle

@@ -8,31 +8,31 @@
 
 namespace aisle {
 
-/// Which way a wall runs, with its free side on the left. The two sides of one wall run opposite paths, so
-/// they are never taken for each other.
+/// The direction of a wall, with its free side on the left. The two sides of one wall run in opposite
+/// directions, so they are never taken for each other.
 enum class Facing { kEast, kNorth, kWest, kSouth, kOblique };
 
 /// The facing of a wall with this heading; oblique if it is farther than `tolerance_rad` from every axis.
 Facing facing_of(double heading_rad, double tolerance_rad);
 
-/// Heading of an axis facing [rad]; not for kOblique.
+/// Heading of an axis facing [rad]. Not for kOblique.
 double heading_of(Facing facing);
 
-/// A wall while it is being learned: a line with weights that grow with each sighting, and how far along it
-/// was seen.
+/// A wall while it is being learned: a line with weights that grow with each sighting, and the interval along
+/// it that was seen.
 struct WallEstimate {
   Facing facing = Facing::kOblique;
   double heading_rad = 0;
   Vec2 along = Vec2::UnitX();   ///< unit vector of the heading
-  Vec2 normal = Vec2::UnitY();  ///< to the left of `along`, into the free side
-  Vec2 anchor = Vec2::Zero();   ///< a point on the line, where it is best known
-  double offset_weight = 0;     ///< 1 / variance of the position across [1/m^2]
+  Vec2 normal = Vec2::UnitY();  ///< to the left of `along`, towards the free side
+  Vec2 anchor = Vec2::Zero();   ///< a point on the line, where its position is best known
+  double offset_weight = 0;     ///< 1 / variance of the position along `normal` [1/m^2]
   double heading_weight = 0;    ///< 1 / variance of the heading [1/rad^2]
   Interval extent;              ///< along the line, from the anchor [m]
   WallEnd start = WallEnd::kUnknown;
   WallEnd end = WallEnd::kUnknown;
   int sightings = 0;
-  double last_seen_m = 0;  ///< path length of the vehicle at the last sighting
+  double last_seen_m = 0;  ///< the vehicle's path length at the last sighting
 
   bool is_oblique() const { return facing == Facing::kOblique; }
   double length_m() const { return extent.length(); }
@@ -43,7 +43,7 @@ struct WallEstimate {
   void set_heading(double heading_rad);
 };
 
-/// A sensed segment at a known pose, in the map.
+/// A sensed segment placed in the map from a known pose.
 struct PlacedSegment {
   const SensedSegment* sensed = nullptr;
   Segment2 segment;
@@ -54,25 +54,25 @@ struct PlacedSegment {
 };
 
 struct WallUpdateParams {
-  double axis_tolerance_rad = 4 * kDegree;  ///< nearer to an axis: orthogonal
-  double gate_m = 0.12;                     ///< a segment farther across than this is another wall
-  double gap_m = 0.15;                      ///< a segment farther along than this is another wall
-  double weight_cap = 40;  ///< a wall's weight ends at this many good sightings: old errors fade
+  double axis_tolerance_rad = 4 * kDegree;  ///< walls within this of an axis are orthogonal
+  double gate_m = 0.12;                     ///< a segment farther away across the wall belongs to another one
+  double gap_m = 0.15;                      ///< a segment farther away along the wall belongs to another one
+  double weight_cap = 40;  ///< a wall's weight is capped at this many good sightings: old errors fade
 };
 
-/// How far a segment may be from a wall and still be taken for it.
+/// How far a segment may be from a wall and still be matched with it.
 struct AssociationGate {
   double offset_m = 0.25;
   double heading_rad = 0.1;
   double overlap_min_m = 0.1;  ///< negative: a gap along the wall is allowed
 };
 
-/// Index of the wall that the segment belongs to, or -1. O(candidates).
+/// Index of the wall that the segment belongs to, or -1 if none. O(candidates).
 int associate(const PlacedSegment& placed, std::span<const WallEstimate> walls,
               std::span<const int> candidates, const AssociationGate& gate);
 
-/// Puts a segment into the walls: unites it with the wall that it belongs to or adds a new wall.
-/// Returns the wall's index; a new wall is appended to `walls` and to `candidates`.
+/// Merges a segment into the wall that it belongs to, or adds a new wall. Returns the wall's index; a new
+/// wall is appended to `walls` and to `candidates`.
 int absorb(const PlacedSegment& placed, double path_m, const WallUpdateParams& params,
            std::vector<WallEstimate>& walls, std::vector<int>& candidates);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Learning landmarks on a run: C98 Algorithm 2 (the first run) and Algorithm 4 (every later one).
+/// Learns landmarks on a run: C98 Algorithm 2 (the first run) and Algorithm 4 (every later one).
 
 #include <span>
 #include <vector>
@@ -20,28 +20,29 @@ struct LandmarkLearningParams {
   void describe(FieldList& fields);
 };
 
-/// One cycle of a run, as far as learning looks at it.
+/// One cycle of a run, as learning needs it.
 struct LandmarkCycle {
   double stamp_s = 0;
   OdometryReading odometry;                 ///< since the cycle before
   std::vector<LandmarkSighting> sightings;  ///< of its image, if it has one
-  std::vector<SensedSegment> floor_edges;   ///< the same, in base_link
+  std::vector<SensedSegment> floor_edges;   ///< of the same image, in base_link
 };
 
-/// Two landmarks as one at their weighted centroid (C98 eq. (17)), with the covariance of the surer one.
+/// Two landmarks merged at their weighted centroid (C98 eq. (17)), with the covariance of the surer one.
 Landmark united(const Landmark& a, const Landmark& b);
 
-/// A map being learned. Each sighting whose place is known becomes a landmark, or moves the ones that it lies
-/// on to their weighted centroid (C98 eq. (16), (17)).
+/// A map being learned. Each sighting at a known pose becomes a landmark or moves those that it coincides
+/// with to their weighted centroid (C98 eq. (16), (17)).
 class LandmarkLearner {
  public:
   explicit LandmarkLearner(const LandmarkLearningParams& params, LandmarkMap map = {})
       : params_(params), map_(std::move(map)) {}
 
-  /// Merges what one image shows from a pose. @return for each sighting the landmark that it went into
+  /// Merges the sightings of one image from a pose.
+  /// @return for each sighting the index of the landmark that it was merged into
   std::vector<std::size_t> merge(std::span<const LandmarkSighting> sightings, const Pose2& T_map_vehicle);
 
-  /// Takes a landmark out of what is matched and merged with from now on.
+  /// Excludes a landmark from matching and merging from now on.
   void drop(std::size_t index) { map_.remove(index); }
 
   const LandmarkMap& map() const { return map_; }
@@ -51,20 +52,20 @@ class LandmarkLearner {
   LandmarkMap map_;
 };
 
-/// Algorithm 4, steps 2 to 4: weights with mean 1 by the masses, those below the least weight go, the
-/// landmark nearest to the start (the primary one) gets the greatest weight.
+/// Algorithm 4, steps 2 to 4: scales the masses to weights with mean 1, removes landmarks below `weight_min`,
+/// and gives the landmark nearest to the start (the primary one) the greatest weight.
 void settle_weights(std::vector<Landmark>& landmarks, const Vec2& p_map_start, double weight_min);
 
-/// A run as it was learned.
+/// The result of learning one run.
 struct LearnedRun {
   LandmarkMap map;
-  std::vector<WallDirection> wall_directions;  ///< in the order in which they were come by
-  std::vector<Pose2> T_map_vehicle;            ///< at the end of every cycle; the first is the map's origin
+  std::vector<WallDirection> wall_directions;  ///< in the order in which the run passed them
+  std::vector<Pose2> T_map_vehicle;  ///< at the end of every cycle; the first pose is the map's origin
 };
 
-/// Algorithm 2: the map of a building from one run. With `adjust`, all poses and landmarks are then moved
-/// together until sightings and odometry agree best, and where the run came by a place again its landmarks
-/// are laid upon the earlier ones.
+/// Algorithm 2: the map of a building from one run. With `adjust`, all poses and landmarks are then adjusted
+/// together until sightings and odometry agree best; where the run came back to a place, its landmarks are
+/// merged with the earlier ones.
 LearnedRun learn_landmarks(std::span<const LandmarkCycle> cycles, const VehicleDescription& vehicle,
                            const LandmarkLearningParams& params);
 
@@ -72,11 +73,11 @@ LearnedRun learn_landmarks(std::span<const LandmarkCycle> cycles, const VehicleD
 struct RefinedLandmarks {
   LandmarkMap map;
   std::vector<Pose2> T_map_vehicle;  ///< at the end of every cycle
-  double matched_share = 0;          ///< of the images with sightings
+  double matched_share = 0;          ///< share of the images with sightings that were matched, 0 .. 1
 };
 
-/// Algorithm 4. Landmarks that should have been seen on the run and were not lose most of their mass, and go
-/// in time.
+/// Algorithm 4. Landmarks that should have been seen on the run and were not lose most of their mass, and are
+/// removed in time.
 RefinedLandmarks refine_landmarks(const LandmarkMap& map, std::span<const LandmarkCycle> cycles,
                                   const VehicleDescription& vehicle, const UncertainPose2& T_map_start,
                                   const LandmarkLearningParams& params);

@@ -39,12 +39,12 @@ struct LandmarkLocaliserParams {
 /// What one image said about the pose.
 enum class LandmarkMatch {
   kMatched,    ///< the pose was corrected
-  kAmbiguous,  ///< two displacements with other pairs fit about as well; the pose goes on by odometry
-  kUnmatched,  ///< other landmarks were seen than those that should be; the same
-  kNothing,    ///< nothing was seen, or nothing that is known; the same
+  kAmbiguous,  ///< two displacements with different pairs fit about as well; odometry alone moves the pose
+  kUnmatched,  ///< other landmarks were seen than expected; odometry alone
+  kNothing,    ///< nothing was seen, or nothing known; odometry alone
 };
 
-/// A sighting and the landmark that it was taken for.
+/// A sighting and the landmark matched with it, as indices.
 struct LandmarkPair {
   std::size_t sighting = 0;
   std::size_t landmark = 0;
@@ -59,28 +59,29 @@ class LandmarkLocaliser {
 
   void predict(const OdometryReading& reading);
 
-  /// Finds the displacement of what is seen against what is known within the window that the pose's
-  /// uncertainty leaves open (MWGHT), pairs sightings with landmarks there, and lets the filter take the
-  /// pairs in. Costs the same whatever the size of the map. The second image from one place has the errors
-  /// of the first: a vehicle that stands does not become surer and surer.
-  /// @param floor_edges  of the same image, in base_link. A match tells which way these run on the map;
-  ///                     where nothing known is seen, or the heading is far less sure, they tell it.
+  /// Finds the displacement of the sightings against the map within the window that the pose's uncertainty
+  /// leaves open (MWGHT), pairs sightings with landmarks there, and updates the filter with the pairs. The
+  /// cost does not depend on the size of the map. A second image from the same place has the errors of the
+  /// first: a standing vehicle does not become surer and surer.
+  /// @param floor_edges  of the same image, in base_link. A match gives their direction on the map; where
+  ///                     nothing known is seen, or the heading is far less sure, they give the heading.
   LandmarkMatch correct(const LandmarkMap& map, std::span<const LandmarkSighting> sightings,
                         std::span<const SensedSegment> floor_edges = {});
 
-  /// The heading as something else than landmarks tells it; not believed if it is too far off.
+  /// Corrects the heading by a measurement from elsewhere; ignored if it is too far off.
   void correct_heading(const HeadingMeasurement& measured);
 
-  /// @param walls  around there, if known
+  /// Puts the vehicle at a pose.
+  /// @param walls  direction of the walls there, if known
   void place(const UncertainPose2& T_map_vehicle, const std::optional<WallDirection>& walls = {});
 
   const Pose2& pose() const { return filter_.pose(); }
   Mat3 covariance() const { return filter_.covariance(); }
   const std::vector<LandmarkPair>& pairs() const { return pairs_; }  ///< of the last image
   double matched_share() const { return matched_share_; }            ///< of the last image's weights
-  /// The same with each pair counted by how nearly the two lie upon each other, 0 .. matched_share.
+  /// The same with each pair weighted by how well it fits, 0 .. matched_share.
   double agreement() const { return agreement_; }
-  /// How much more likely the last image is here than among unknown things (logarithm of the ratio): each
+  /// How much more likely the last image is here than among unknown landmarks (logarithm of the ratio): each
   /// pair adds kPairEvidence less half its squared distance in standard deviations, and never less than 0.
   double evidence() const { return evidence_; }
   static constexpr double kPairEvidence = 3;
@@ -105,7 +106,7 @@ class LandmarkLocaliser {
   std::vector<LandmarkPair> pairs_, first_pairs_;
   std::vector<SeenPoint> points_;
   std::vector<char> taken_;
-  int taken_in_here_ = 0;      ///< images that corrected the pose since the vehicle came to this place
+  int taken_in_here_ = 0;      ///< images that corrected the pose since the vehicle came here
   double since_here_m_ = 0;    ///< path since the first of them ...
   double since_here_rad_ = 0;  ///< ... and how far it has turned
   double matched_share_ = 0;

@@ -9,18 +9,18 @@
 
 namespace aisle {
 
-/// C98 eq. (16): how much a landmark at this place counts when it is seen for the first time.
+/// C98 eq. (16): the weight of a landmark at this position when it is seen for the first time.
 double confidence_weight(const Vec2& p_vehicle, double confidence_m2);
 
-/// What is matched with what, both as a vehicle at some place sees or would see it: the displacement between
-/// them is then the correction of its pose.
+/// The learned and the seen pattern, both as a vehicle at some pose sees them or would see them: the
+/// displacement between them is the correction of that pose.
 struct LandmarkPatterns {
-  std::vector<int> near;  ///< landmarks that may come into play, in ascending order
+  std::vector<int> near;  ///< indices of the landmarks that may matter, in ascending order
   std::vector<WeightedPoint> learned, seen;
 
   /// @param confidence_m2  Cd of C98 eq. (16)
-  /// @param window         displacements that will be tried
-  /// @param reach_m        how far votes reach
+  /// @param window         displacements to be tried
+  /// @param reach_m        reach of a vote
   void gather(const LandmarkMap& map, std::span<const LandmarkSighting> sightings, const Pose2& T_map_vehicle,
               double confidence_m2, const MwghtWindow& window, double reach_m);
 };

@@ -11,8 +11,8 @@
 namespace aisle {
 
 struct LandmarkRelocationParams {
-  double apart_m = 0.8;   ///< between places that are tried
-  double window_m = 0.7;  ///< around each
+  double apart_m = 0.8;   ///< distance between the places that are tried
+  double window_m = 0.7;  ///< search window around each
   double window_rad = 15 * kDegree;
   int places_per_image = 16;
   double distinct_evidence = 8;
@@ -25,37 +25,36 @@ struct LandmarkRelocationParams {
   void describe(FieldList& fields);
 };
 
-/// Where on its paths the vehicle may be: for one that has lost itself. It compares what it has seen since
-/// then, from where it stands or slowly drives, with all places that it knows: some with each image, so
-/// that an image costs the same however large the building. Then the promising ones are looked at more
-/// closely, pair by pair and by what should have been seen on the way there, and the best must stay the best
-/// for several images.
+/// Global relocalisation for a vehicle that has lost its pose. It compares what it has seen since then,
+/// standing or driving slowly, with all known places, a few with each image, so that the cost of an image
+/// does not depend on the size of the building. It then examines the promising ones pair by pair, and by what
+/// should have been seen on the way there; the best must stay the best for several images.
 class LandmarkRelocator {
  public:
-  /// @param T_map_tried  where vehicles drive: poses not much farther apart than `apart_m`, either way round
+  /// @param T_map_tried  poses where vehicles drive, not much farther apart than `apart_m`, in both headings
   LandmarkRelocator(const LandmarkRelocationParams& params, const LandmarkLocaliserParams& matching,
                     const VehicleDescription& vehicle, std::vector<Pose2> T_map_tried);
 
-  /// Nothing that was seen so far counts: the vehicle is elsewhere.
+  /// Forgets everything seen so far: the vehicle is elsewhere.
   void start();
 
-  /// The vehicle has gone on.
+  /// The vehicle has moved.
   void predict(const OdometryReading& reading);
 
   /// Takes in one more image.
-  /// @return where the vehicle is; nullopt unless one place fits clearly better than any other, and well, for
-  ///         several images in a row: look-alike doors are not guessed at
+  /// @return the vehicle's pose; nullopt unless one place fits well, and clearly better than any other, for
+  ///         several images in a row: it does not guess among look-alike doors
   std::optional<Pose2> look(const LandmarkMap& map, std::span<const LandmarkSighting> image);
 
-  /// How often it has come to no answer since the start: all places were tried, or there was too little to
-  /// try them with.
+  /// How many rounds since the start had no answer: all places were tried, or there was too little to try
+  /// them with.
   int rounds() const { return rounds_; }
 
  private:
   struct Candidate {
     Pose2 T_map_vehicle;
-    double value = 0;     ///< of its peak
-    double evidence = 0;  ///< of the pairs there, less what is missed or unknown
+    double value = 0;     ///< value of its peak
+    double evidence = 0;  ///< evidence of its pairs, less that of missed or unknown landmarks
     double matched_share = 0;
     std::vector<LandmarkPair> pairs;
   };
@@ -74,15 +73,15 @@ class LandmarkRelocator {
   LandmarkRelocationParams params_;
   std::vector<Pose2> T_map_tried_;
   LandmarkSurroundings surroundings_;
-  LandmarkLocaliser localiser_;  ///< of one candidate at a time
+  LandmarkLocaliser localiser_;  ///< for one candidate at a time
   LandmarkLocaliserParams matching_;
   Mwght mwght_;
   int rounds_ = 0;
-  std::size_t tried_ = 0;   ///< places, in this round
-  std::size_t judged_ = 0;  ///< candidates, of those that are promising
+  std::size_t tried_ = 0;   ///< places tried in this round
+  std::size_t judged_ = 0;  ///< promising candidates judged in this round
   int agreed_ = 0;          ///< images in which the best stayed the best
   std::vector<Candidate> candidates_;
-  std::vector<Candidate> former_;  ///< best ones of the round before, to be judged in this one, too
+  std::vector<Candidate> former_;  ///< best of the previous round, to be judged again in this one
   LandmarkPatterns patterns_;      ///< at one place
 };
 

@@ -8,26 +8,27 @@
 
 namespace aisle {
 
-/// A small map of what a vehicle has seen since a moment, around it: C98 Algorithm 2 begun again where the
-/// vehicle stands. What several images show is surer than what one shows, and noise is in few of them.
+/// A small local map of what a vehicle has seen since it started here: C98 Algorithm 2 begun again at the
+/// current pose. What several images show is surer than what one shows, and few of them contain the same
+/// noise.
 class LandmarkSurroundings {
  public:
   LandmarkSurroundings(const LandmarkLearningParams& params, const VehicleDescription& vehicle);
 
-  /// Nothing that was seen so far counts.
+  /// Forgets everything seen so far.
   void start();
   void predict(const OdometryReading& reading) { localiser_.predict(reading); }
   void add(std::span<const LandmarkSighting> image);
 
-  /// Where the vehicle is, from where it began.
+  /// The vehicle's pose relative to where it began.
   const Pose2& T_begin_vehicle() const { return localiser_.pose(); }
-  /// Images as they were taken in, of the last metres of path.
+  /// The images of the last metres, with their poses.
   struct Look {
     Pose2 T_begin_vehicle;
     std::vector<LandmarkSighting> image;
   };
   const std::deque<Look>& looks() const { return looks_; }
-  /// All that was seen often enough, from where the vehicle is now. Valid until the next call.
+  /// All that was seen often enough, relative to the current pose. Valid until the next call.
   const std::vector<LandmarkSighting>& seen();
 
  private:

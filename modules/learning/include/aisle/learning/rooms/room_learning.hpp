@@ -14,15 +14,15 @@
 
 namespace aisle {
 
-/// What one cycle of the drive given.
+/// What one cycle of the drive recorded.
 struct RoomCycle {
   double stamp_s = 0;
   OdometryReading odometry;
   std::vector<Mark> marks;
-  std::optional<RouteBrightness> patch;  ///< before the vehicle, in the first camera's image
-  std::vector<Vec2> p_vehicle_painted;   ///< on painted lines, in the same image
+  std::optional<RouteBrightness> patch;  ///< in front of the vehicle, in the first camera's image
+  std::vector<Vec2> p_vehicle_painted;   ///< points on painted lines, in the same image
   std::optional<PlaceView> view;         ///< of the same image
-  std::vector<Vec2> p_vehicle_edges;     ///< where the route ends, in the same image
+  std::vector<Vec2> p_vehicle_edges;     ///< points on the route's edges, in the same image
 };
 
 struct RoomLearningParams {
@@ -39,14 +39,14 @@ struct RoomLearningParams {
 };
 
 struct LearnedRoute {
-  Route route;                         ///< from the origin, with its room; without a name
+  Route route;                         ///< starts at the origin, with its room; without a name
   std::vector<Pose2> T_route_vehicle;  ///< of each cycle, by odometry
 };
 
-/// The stop mark's label says how to park: frame, dead-end or view. What was driven after it shows a taught
-/// place from about it (maps/view_pattern.hpp).
-/// Problems, without a place: no path, no image, a turning that does not end, no word for parking, no frame
-/// to be seen.
+/// Learns a route through a room. The stop mark's label says how to park: frame, dead-end or view. What was
+/// driven after it shows a taught place from around it (maps/view_pattern.hpp).
+/// @return problems, without a key, if there is no path, no image, a turning that does not end, an unknown
+///         label for parking, or no visible frame
 Result<LearnedRoute> learn_room_route(std::span<const RoomCycle> cycles, const VehicleDescription& vehicle,
                                       const RoomLearningParams& params);
 

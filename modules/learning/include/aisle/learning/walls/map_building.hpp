@@ -19,15 +19,15 @@ struct MapParams {
   TrackerParams tracker;
   LoopParams loops;
   double dominant_share_min =
-      0.3;  ///< scans whose walls give a heading; fewer: the building has no dominant direction
+      0.3;  ///< share of scans whose walls give a heading; with fewer, the building has no dominant direction
   int adjustment_rounds = 4;
   double drawn_length_m = 0.5;  ///< shorter walls are learned but not drawn
-  int drawn_sightings = 3;      ///< nor are walls seen on fewer legs of half a metre of path
+  int drawn_sightings = 3;      ///< nor are walls seen on fewer half-metre legs of the path
 
   void describe(FieldList& fields);
 };
 
-/// Where the vehicle was at every scan after some stage of the work, and the processor time spent up to then.
+/// The vehicle's poses at all scans after one stage of the work, and the processor time spent so far.
 struct MapStage {
   std::string name;
   std::vector<Pose2> T_map_vehicle;
@@ -38,9 +38,9 @@ struct MapStage {
 /// What was learned from one log.
 struct MapResult {
   WallMap walls;
-  std::vector<Pose2> T_map_vehicle;  ///< final, one a scan
+  std::vector<Pose2> T_map_vehicle;  ///< final, one per scan
   std::vector<Pose2>
-      T_map_vehicle_online;  ///< as known when each scan came in, from it and the scans before it only
+      T_map_vehicle_online;  ///< as known when each scan came in, from that scan and earlier ones only
   std::vector<std::pair<std::size_t, std::size_t>>
       loop_closures;  ///< scans that show the same place: (older, newer)
   double path_m = 0;
@@ -49,9 +49,10 @@ struct MapResult {
   std::vector<MapStage> stages;  ///< filled if `keep_stages`
 };
 
-/// Builds a wall map from a log with at least one scan and one odometry sample. The steps: segments from each
-/// scan; tracking against the walls around; loops closed between submaps; keyframes and walls adjusted
-/// together; every scan laid onto the final walls. `odometry_delay_s`: given, or found from the log.
+/// Builds a wall map from a log with at least one scan and one odometry sample. The steps: extract segments
+/// from each scan; track them against the walls around; close loops between submaps; adjust keyframes and
+/// walls together; fit every scan to the final walls.
+/// @param odometry_delay_s  nullopt: estimated from the log
 MapResult build_map(const LaserLog& log, const MapParams& params, std::optional<double> odometry_delay_s,
                     bool keep_stages, Progress& progress);
 

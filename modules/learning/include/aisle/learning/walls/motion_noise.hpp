@@ -6,24 +6,24 @@
 
 namespace aisle {
 
-/// How far odometry may be off over one step, whatever the vehicle.
+/// Odometry noise of one step, for any vehicle.
 struct MotionNoise {
   double distance_m_per_sqrt_m = 0.05;
-  double distance_scale = 0;  ///< share by which all paths may be counted wrong, learned on the way; 0: none
+  double distance_scale = 0;  ///< relative error of all counted distances, estimated online; 0: none
   double rotation_rad_per_sqrt_m = 0.06;
   double rotation_rad_per_sqrt_rad = 0.03;
   double rotation_share = 0.15;   ///< of the step's own rotation
-  double moving_floor_m = 0.003;  ///< of any step that moves at all
+  double moving_floor_m = 0.003;  ///< least sigma of any step that moves at all
   double moving_floor_rad = 0.002;
 
   void describe(FieldList& fields);
 
-  /// Covariance of (x, y, theta) of one step, in the frame in which it started.
+  /// Covariance of (x, y, theta) of one step, in the frame where it started.
   Mat3 covariance(const Pose2& step) const;
 };
 
-/// Wheels that are read in every cycle, each reading with its own scan: an ordinary indoor vehicle's, even
-/// three times as bad.
+/// For wheels that are read in every cycle, with their own scan: an ordinary indoor vehicle, with noise up to
+/// three times as large.
 inline constexpr MotionNoise kReadEveryCycle{.distance_m_per_sqrt_m = 0.015,
                                              .distance_scale = 0.02,
                                              .rotation_rad_per_sqrt_m = 0.02,

@@ -8,21 +8,21 @@
 
 namespace aisle {
 
-/// Finds by how much the recorded odometry is later (positive) or earlier than the scan it was written with,
-/// from the log itself: over a turn, the heading against the walls must change as the odometry says. Sums are
-/// kept for every candidate delay, so the estimate at any scan rests on the scans up to it.
+/// Estimates by how much the recorded odometry is later (positive) or earlier than its scan, from the log
+/// itself: during a turn, the heading relative to the walls must change as the odometry says. Sums are kept
+/// for every candidate delay, so the estimate at any scan uses only the scans up to it.
 class OdometryDelayEstimator {
  public:
   /// Candidates are -1 .. 3 scan periods in steps of a tenth.
   OdometryDelayEstimator(const OdometryTrack& odometry, double scan_period_s);
 
-  /// One more scan: when it was taken, how many odometry samples were known by then, and the heading of the
-  /// walls' frame in the sensor frame modulo 90 degrees (none where the scan shows no frame).
+  /// Adds a scan: its time, the number of odometry samples known by then, and the heading of the walls' frame
+  /// in the sensor frame modulo 90 degrees (nullopt if the scan shows no frame).
   void add(double time_s, std::size_t odometry_known, std::optional<double> frame_heading_rad);
 
-  /// The delay [s] with the least disagreement; 0 until enough turning has been seen, and where no delay
-  /// agrees clearly better than none. (Between its samples the odometry is interpolated, which averages its
-  /// noise: small delays look a little better than they are.)
+  /// The delay [s] with the least disagreement; 0 until enough turning has been seen, and if no delay agrees
+  /// clearly better than none. (Odometry is interpolated between its samples, which averages its noise: small
+  /// delays look slightly better than they are.)
   double delay_s() const;
 
  private:

@@ -10,26 +10,24 @@
 
 namespace aisle {
 
-/// Knows where the vehicle is while it drives through a building for the first time: every scan is laid onto
-/// the walls that the scans before it showed, and where a place is recognised the path since then is
-/// corrected.
+/// SLAM on a first drive through a building: every scan is fitted to the walls that earlier scans showed;
+/// when a place is recognised, the path since then is corrected.
 class OnlineMapping {
  public:
   OnlineMapping(const MapParams& params, const LaserScanner& laser);
   ~OnlineMapping();
 
-  /// The next scan.
-  /// @param ranges_m  one a beam of the scanner
-  /// @param T_last_now  of the vehicle, since the scan before, by odometry
-  /// @return whether a place was recognised: the poses of earlier scans are others now, and so is this
-  /// one's
+  /// Takes the next scan.
+  /// @param ranges_m  one per beam of the scanner
+  /// @param T_last_now  the vehicle's motion since the previous scan, by odometry
+  /// @return whether a place was recognised: then the poses of earlier scans and of this one have changed
   bool take_scan(std::span<const float> ranges_m, const Pose2& T_last_now);
 
-  /// At the latest scan, as known now. At the first scan the vehicle is about the origin of `map`, heading
-  /// along an axis as nearly as the walls show one.
+  /// At the latest scan, as known now. At the first scan the vehicle is near the origin of `map`, and an axis
+  /// of `map` is parallel to the walls if they show a direction.
   const Pose2& T_map_vehicle() const { return T_map_vehicle_; }
-  /// Where the vehicle stood at an earlier scan by the walls that were seen last, near a guess; nothing where
-  /// that scan does not fit them.
+  /// Fits an earlier scan to the most recently seen walls, near a guess, and returns the vehicle's pose;
+  /// nullopt if the scan does not fit them.
   std::optional<Pose2> lay_again(std::size_t scan, const Pose2& T_map_guess);
   /// At all scans, as known now.
   std::vector<Pose2> T_map_vehicle_of_all() const;

@@ -7,20 +7,20 @@
 
 namespace aisle {
 
-/// C99's Algorithms 2 and 3 as they stand: heading by odometry, translation by one signature match a scan.
-/// The two switches add, one at a time, what makes them better, for the table of what each step buys.
+/// C99's Algorithms 2 and 3 as published: heading by odometry, translation by one signature match per scan.
+/// The two switches add our improvements one at a time, for the table of what each step buys.
 struct PublishedParams {
   SignatureParams signature;
   ModelUpdateParams update;
   double axis_tolerance_rad = 15 * kDegree;  ///< segments farther from the axes are left out
-  double end_weight = 0.3;                   ///< c of Algorithm 2, grown by the occurrences of the end point
-  double window_m = 12;                      ///< the part L' of the model around the vehicle
+  double end_weight = 0.3;  ///< c of Algorithm 2; grows with the occurrences of the end point
+  double window_m = 12;     ///< the part L' of the model around the vehicle
   double learned_every_m = 0.2;
   bool heading_from_walls = false;
   bool odometry_prior = false;  ///< displacements that odometry makes unlikely count less
 };
 
-/// Poses by odometry alone, in a map whose axes the walls of the first scan run along.
+/// Poses by odometry alone, in a map whose axes are parallel to the walls of the first scan.
 std::vector<Pose2> odometry_poses(const LaserLog& log, const SegmentParams& segments,
                                   double odometry_delay_s);
 

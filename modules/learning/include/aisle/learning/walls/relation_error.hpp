@@ -12,7 +12,8 @@ struct MeanAndDeviation {
   double deviation = 0;  ///< of the sample; 0 for fewer than two values
 };
 
-/// How far a trajectory is from known relations (Kuemmerle et al. 2009): every relation counts, no alignment.
+/// Error of a trajectory against known relations (Kuemmerle et al. 2009): every relation counts, without
+/// alignment.
 struct RelationError {
   std::size_t count = 0;
   MeanAndDeviation translation_m;

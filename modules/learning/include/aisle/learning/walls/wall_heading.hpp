@@ -7,23 +7,24 @@
 
 namespace aisle {
 
-/// What an edge of the floor, which should lie along an axis, tells of the heading.
+/// What a floor edge, which should be parallel to an axis, says about the heading.
 struct AxisMisfit {
-  double off_rad = 0;    ///< by which it would lie turned against the nearest axis, counter-clockwise
-  double sigma_rad = 0;  ///< of a straight wall's, whoever looks
-  double usual_rad = 0;  ///< off by more, it is less and less likely to be one: doors, recesses
+  double off_rad = 0;    ///< its angle to the nearest axis, counter-clockwise
+  double sigma_rad = 0;  ///< sigma for a straight wall
+  double usual_rad = 0;  ///< an edge off by more is less and less likely a wall: doors, recesses
 };
 
-/// @return nullopt for an edge too short to have a direction, or a short one whose direction is hardly seen
+/// @return nullopt for an edge too short to have a direction, or a short one whose direction is hardly
+///         visible
 std::optional<AxisMisfit> misfit_to_axis(const SensedSegment& edge, double heading_rad);
 
 struct HeadingMeasurement {
-  double heading_rad = 0;  ///< of the sensor in a map whose axes the walls run along
+  double heading_rad = 0;  ///< of the sensor, in a map whose axes are parallel to the walls
   double sigma_rad = 0;
 };
 
-/// The sensor's heading from the walls' orthogonality alone, near a predicted heading. No value where too
-/// little wall is seen or less than half of it agrees: the scan is no witness then.
+/// The sensor's heading from the walls' orthogonality alone, near a predicted heading. nullopt if too little
+/// wall is seen or less than half of it agrees.
 std::optional<HeadingMeasurement> heading_from_walls(std::span<const SensedSegment> segments,
                                                      double predicted_rad, double predicted_sigma_rad);
 

@@ -17,30 +17,29 @@ struct WallLocaliserParams {
   SegmentParams segments;
   MotionNoise motion;
   double gate_m = 0.3;  ///< a segment farther from a wall is not matched with it
-  double reach_m = 15;  ///< walls farther away are not looked at
+  double reach_m = 15;  ///< walls farther away are ignored
   double lost_share = 0.35;
 
   void describe(FieldList& fields);
 };
 
-/// Where the vehicle is in a building whose walls are known: odometry predicts, each scan is laid onto the
-/// walls. What is not on the map fits nothing and moves nothing. A step costs O(segments * walls within
-/// reach).
+/// Localises the vehicle in a building with known walls: odometry predicts, each scan is fitted to the walls.
+/// What is not on the map is not matched and moves nothing. A step costs O(segments * walls within reach).
 class WallLocaliser {
  public:
   WallLocaliser(const WallLocaliserParams& params, const LaserScanner& laser, const WallMap& walls,
                 const UncertainPose2& T_map_vehicle);
 
-  /// The next scan.
-  /// @param ranges_m  one a beam of the scanner
-  /// @param T_last_now  of the vehicle, since the scan before, by odometry
+  /// Takes the next scan.
+  /// @param ranges_m  one per beam of the scanner
+  /// @param T_last_now  the vehicle's motion since the previous scan, by odometry
   void take_scan(std::span<const float> ranges_m, const Pose2& T_last_now);
 
   const UncertainPose2& T_map_vehicle() const { return T_map_vehicle_; }
-  /// Less of what was seen in the latest scan fits the walls than a vehicle that knows where it is would see.
+  /// Less of the latest scan fits the walls than a well-localised vehicle would see.
   bool is_doubtful() const { return is_doubtful_; }
-  double seen_m() const { return seen_m_; }        ///< length of what the latest scan shows
-  double fitting_m() const { return fitting_m_; }  ///< of that, what lies on known walls
+  double seen_m() const { return seen_m_; }        ///< length of the latest scan's segments
+  double fitting_m() const { return fitting_m_; }  ///< the part of that which fits known walls
 
  private:
   WallLocaliserParams params_;
