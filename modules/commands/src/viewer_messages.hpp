@@ -1,6 +1,6 @@
 #pragma once
-/// What a navigator sees and how sure it is of it, as JSON for those who look on: docs/live.md. Sessions do
-/// not hold them.
+/// What a navigator sees and how sure it is of it, as JSON for viewers: docs/reference/live-server.md.
+/// Sessions do not hold them.
 
 #include <cstddef>
 #include <span>

@@ -1,4 +1,4 @@
-/** What each mission asks for: the table of docs/live.md. */
+/** What each mission asks for: the table of docs/reference/live-server.md. */
 
 export type FieldKind =
   "new_session" | "session" | "new_building" | "building" | "route" | "place" | "text" | "yes" | "method";

@@ -1,4 +1,4 @@
-/** A point of the map [m], x and y as in docs/frames.md. */
+/** A point of the map [m], x and y as in docs/reference/frames.md. */
 export interface Point {
   x: number;
   y: number;

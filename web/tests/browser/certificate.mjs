@@ -1,4 +1,4 @@
-// A certificate of this machine's own, as somebody makes it by hand (docs/live.md).
+// A certificate of this machine's own, as somebody makes it by hand (docs/reference/live-server.md).
 import { execFileSync } from "node:child_process";
 import { join } from "node:path";
 

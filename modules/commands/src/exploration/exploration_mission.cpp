@@ -12,7 +12,8 @@
 namespace aisle {
 namespace {
 
-/// What the transducer did last and what is on its stack, bottom first: /transducer of docs/live.md.
+/// The transducer's last step and its stack, bottom first: topic /transducer of
+/// docs/reference/live-server.md.
 std::string transducer_json(const BuildingExplorer& explorer) {
   const TransducerTable& table = corridor_rules();
   auto stack = nlohmann::ordered_json::array();

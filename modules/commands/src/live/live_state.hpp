@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// What /live/state says; docs/live.md.
+/// What /live/state says; docs/reference/live-server.md.
 struct LiveState {
   std::string mode = "idle";
   std::string mission;

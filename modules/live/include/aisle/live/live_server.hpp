@@ -1,6 +1,6 @@
 #pragma once
 /// The server that shows a mission to browsers and other programs, and brings what they ask for:
-/// docs/live.md.
+/// docs/reference/live-server.md.
 
 #include <cstdint>
 #include <memory>
