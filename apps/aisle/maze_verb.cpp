@@ -33,7 +33,7 @@ auto named(const All& values) {
 
 void add_rules(CLI::App& verb, GridRuleSet& rules, const std::string& shipped = "published") {
   add_choice(verb, "--rules", rules, named(kGridRuleSets),
-             "rule set, see docs/exploration.md (default " + shipped + ")");
+             "rule set, see docs/explanation/mazes.md (default " + shipped + ")");
 }
 
 Cell parse_cell(const std::string& text) {

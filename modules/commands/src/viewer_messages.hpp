@@ -1,6 +1,6 @@
 #pragma once
-/// What a navigator sees and how sure it is, as JSON for the live page (docs/live.md). Sessions do not
-/// contain these messages.
+/// What a navigator sees and how sure it is, as JSON for the live page (docs/reference/live-server.md).
+/// Sessions do not contain these messages.
 
 #include <cstddef>
 #include <span>

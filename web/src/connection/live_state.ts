@@ -21,7 +21,7 @@ export interface LiveState {
   replay?: { session: string; from_s: number; to_s: number; at_s: number; playing: boolean; rate: number };
 }
 
-/** std_msgs/String, which carries the JSON texts of docs/formats/session.md and docs/live.md. */
+/** std_msgs/String, which carries the JSON texts of docs/formats/session.md and docs/reference/live-server.md. */
 interface StringMessage {
   data: string;
 }

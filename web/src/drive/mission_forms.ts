@@ -1,4 +1,4 @@
-/** The fields of each mission: the table of docs/live.md. */
+/** The fields of each mission: the table of docs/reference/live-server.md. */
 
 export type FieldKind =
   "new_session" | "session" | "new_building" | "building" | "route" | "place" | "text" | "yes" | "method";

@@ -1,4 +1,4 @@
-/** A point in the map frame [m], see docs/frames.md. */
+/** A point in the map frame [m], see docs/reference/frames.md. */
 export interface Point {
   x: number;
   y: number;

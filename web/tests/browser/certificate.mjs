@@ -1,4 +1,4 @@
-// A self-signed certificate, made as in docs/live.md.
+// A self-signed certificate, made as in docs/reference/live-server.md.
 import { execFileSync } from "node:child_process";
 import { join } from "node:path";
 

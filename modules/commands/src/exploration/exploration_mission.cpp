@@ -12,7 +12,8 @@
 namespace aisle {
 namespace {
 
-/// The transducer's last transition and its stack, bottom first: /transducer of docs/live.md.
+/// The transducer's last transition and its stack, bottom first: /transducer of
+/// docs/reference/live-server.md.
 std::string transducer_json(const BuildingExplorer& explorer) {
   const TransducerTable& table = corridor_rules();
   auto stack = nlohmann::ordered_json::array();

@@ -6,7 +6,7 @@
 
 namespace aisle {
 
-/// The service maze/run: every learning cycle of a run through a maze, see docs/live.md.
+/// The service maze/run: every learning cycle of a run through a maze, see docs/reference/live-server.md.
 Result<nlohmann::ordered_json> maze_steps(const nlohmann::json& arguments);
 
 }  // namespace aisle

@@ -7,7 +7,7 @@
 
 namespace aisle {
 
-/// What /live/state reports, see docs/live.md.
+/// What /live/state reports, see docs/reference/live-server.md.
 struct LiveState {
   std::string mode = "idle";
   std::string mission;

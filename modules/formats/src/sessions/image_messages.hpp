@@ -10,7 +10,7 @@
 
 namespace aisle {
 
-/// The frame of a camera's images: camera_optical of docs/frames.md.
+/// The frame of a camera's images: camera_optical of docs/reference/frames.md.
 std::string camera_frame(const std::string& camera);
 
 /// @throws std::invalid_argument if the image is empty

@@ -151,7 +151,7 @@ void RoomNavigator::look(const Observation& observation) {
   dead_end_images_ = is_at_dead_end() ? dead_end_images_ + 1 : 0;
   if (is_brightness_off_) return;
   T_odom_seen_ = T_odom_vehicle_;
-  // The learned brightness follows slow change of light (METHODS 9).
+  // Beyond L96: the learned brightness follows slow changes of light.
   brightness_.grey += params_.brightness_gain * (sight.patch_grey - brightness_.grey);
   edges_.take(view_, sight, T_odom_vehicle_, observation.stamp_s);
   find_place();

@@ -14,7 +14,7 @@
 
 namespace aisle {
 
-/// Tuned on a cart of 0.75 m wheelbase at 0.3 to 1 m/s (docs/driving.md).
+/// Tuned on a cart of 0.75 m wheelbase at 0.3 to 1 m/s (docs/explanation/driving.md).
 struct SteeringParams {
   double look_ahead_m = 0.2;              ///< S, the distance over which a steering angle is judged
   double look_ahead_s = 0.4;              ///< added to it for each m/s of speed

@@ -1,6 +1,6 @@
 #pragma once
 /// The rules by which a vehicle explores a real building: C99's navigation transducer (section 4.1) as data.
-/// docs/exploring-buildings.md explains the inputs.
+/// docs/explanation/exploration.md explains the inputs.
 
 #include "aisle/exploration/pushdown_transducer.hpp"
 

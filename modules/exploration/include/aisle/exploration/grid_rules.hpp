@@ -1,6 +1,6 @@
 #pragma once
 /// The rules by which a vehicle explores a world of cells: C97's navigation transducer, and what follows from
-/// the same super rules with more false walls. docs/exploration.md explains them with pictures.
+/// the same super rules with more false walls. docs/explanation/mazes.md explains them with pictures.
 
 #include <optional>
 #include <string_view>

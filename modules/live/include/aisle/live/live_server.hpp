@@ -1,5 +1,6 @@
 #pragma once
-/// The server that shows a mission to browsers and other programs and takes their requests: docs/live.md.
+/// The server that shows a mission to browsers and other programs and takes their requests:
+/// docs/reference/live-server.md.
 
 #include <cstdint>
 #include <memory>

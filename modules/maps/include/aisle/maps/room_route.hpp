@@ -17,7 +17,7 @@ inline constexpr int kTurningNumbers = 13;
 /// What the vehicle does in a turning (L96 section 3.2).
 enum class TurningClass { kLeft, kRight, kStraightOn };
 
-/// @param number  1 to kTurningNumbers (METHODS 9)
+/// @param number  1 to kTurningNumbers (docs/reference/turnings.md)
 TurningClass class_of_turning(int number);
 
 /// A turning as it was marked; distances along the route from its start.

@@ -122,7 +122,7 @@ struct WorldRoute {
   std::vector<Vec2> path;  ///< at least two different points; base_link drives from one to the next
 };
 
-/// A turning on a taught route (METHODS 9).
+/// A turning on a taught route (L96; docs/reference/turnings.md).
 struct TaughtTurning {
   std::string route;       ///< WorldRoute::name
   int number = 1;          ///< 1 to 13

@@ -2,7 +2,8 @@
 /// A vehicle that is driven and steered by its front wheels (C98 eq. (8)-(13), C99 eq. (1)-(6)).
 ///
 /// The papers measure steering to the right and give positions in their VCS (x right, y forward, origin
-/// between the front wheels); here left is positive and base_link is the rear-axle midpoint: docs/frames.md.
+/// between the front wheels); here left is positive and base_link is the rear-axle midpoint:
+/// docs/reference/frames.md.
 /// C98 eq. (13) and C99 eq. (6) print the rear wheels at x_B + d sin(gamma). That is a misprint for
 /// x_B - d sin(gamma): as printed, a vehicle that turned right would point to the left, and its rear would
 /// leave its circle about the turning centre.

@@ -33,7 +33,7 @@ using OdometryReading = std::variant<FrontSteeredMotion, WheelSteps>;
 /// Something that the person at the vehicle says about where it is.
 struct Mark {
   enum class Kind {
-    kTurningBegins,  ///< label: the turning's number, 1 to 13 (METHODS 9)
+    kTurningBegins,  ///< label: the turning's number, 1 to 13 (docs/reference/turnings.md)
     kTurningEnds,    ///< label: as above
     kPlace,          ///< label: the place's name
     kStop,           ///< the route ends here

@@ -5,7 +5,8 @@
 
 namespace aisle {
 
-/// A room of dark furniture with one turning (METHODS 9) between aisles, and a route through it.
+/// A room of dark furniture with one turning (docs/reference/turnings.md) between aisles, and a route
+/// through it.
 /// @param number  1 to 13
 World turning_course(int number, Random& random);
 
