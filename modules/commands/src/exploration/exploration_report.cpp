@@ -77,7 +77,7 @@ std::vector<std::string> warnings_of(const ExplorationRecord& record, const nloh
 
 std::string exploration_report(const ExplorationPicture& picture, const Building& building,
                                const Outcome& outcome) {
-  const ExplorationRecord& record = image.record;
+  const ExplorationRecord& record = picture.record;
   ReportPage page{.title = "Exploring " + building.name, .summary = picture.caption};
   page.warnings = warnings_of(record, outcome.figures);
   add_figures(outcome.figures, page.figures);

@@ -48,7 +48,7 @@ Problems LiveReplay::play() {
     tell(seconds_of(at_ - first_));
     if (!is_playing_ || has_ended_) {
       control_.rest();
-      control_.serve(kPausedLook_s);
+      control_.serve(kPausedPoll_s);
       control_.report("replay", 0, 0);
       continue;
     }

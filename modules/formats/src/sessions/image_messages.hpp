@@ -22,7 +22,7 @@ RecordedMessage camera_info_message(const CameraDescription& camera, double stam
 /// The camera whose images the topic contains; nullopt for other topics.
 std::optional<std::string> camera_of(const std::string& topic);
 
-Result<CameraImage> image_of(const RecordedMessage& message, const std::string& camera,
-                             const std::string& file);
+Result<CameraImage> camera_image_of(const RecordedMessage& message, const std::string& camera,
+                                    const std::string& file);
 
 }  // namespace aisle

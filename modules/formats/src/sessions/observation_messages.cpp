@@ -104,7 +104,7 @@ class ObservationReader {
                  [this](auto&& pressed) { observation_.bumper_pressed = pressed.data; });
     }
     if (const auto camera = camera_of(topic)) {
-      return put(image_of(message, *camera, file_),
+      return put(camera_image_of(message, *camera, file_),
                  [this](auto image) { observation_.images.push_back(std::move(image)); });
     }
     return {};
