@@ -46,9 +46,9 @@ TEST_F(Learning, ARouteIsTaughtOnceLearnedDrivenAloneReplayedAndRefined) {
               ElementsAre("building.json", "landmarks.svg", "trip.tum", "trip_truth.tum"));
 
   const std::string building = at("learned/building.json");
-  const auto driven = run({"navigate", building, "--world", "l-corridor", "--out", at("run")});
-  EXPECT_TRUE(std::filesystem::exists(driven["files"]["driven_svg"].get<std::string>()));
-  const auto driven = driven["figures"];
+  const auto navigated = run({"navigate", building, "--world", "l-corridor", "--out", at("run")});
+  EXPECT_TRUE(std::filesystem::exists(navigated["files"]["driven_svg"].get<std::string>()));
+  const auto driven = navigated["figures"];
   EXPECT_EQ(driven["arrived"], true);
   EXPECT_EQ(driven["collisions"], 0);
   EXPECT_EQ(driven["lost_count"], 0);
